@@ -15,7 +15,7 @@
 #include "bench/measure.h"
 #include "bench/result_file.h"
 #include "bench/speed/engine_kinds.h"
-#include "bench/speed/lab_scenes.h"
+#include "bench/speed/speed_scenes.h"
 
 namespace jostle::bench {
 namespace {
@@ -49,10 +49,10 @@ constexpr int most_steps_to_sleep = 600;
 // A scene's world, with as many threads as it has when this is made.
 class TimedWorld {
 public:
-    TimedWorld(const SpeedScene& lab_scene, const scenes::SceneDescription& scene)
+    TimedWorld(const SpeedScene& speed_scene, const scenes::SceneDescription& scene)
         : scene_(scene),
-          asleep_first_(lab_scene.asleep_first),
-          player_(player_of(lab_scene, scene)),
+          asleep_first_(speed_scene.asleep_first),
+          player_(player_of(speed_scene, scene)),
           engine_(engine_kinds().front().make()) {
         const auto status = engine_->init(scene);
         if (!status) throw std::runtime_error(status.error().message);
@@ -92,10 +92,10 @@ struct Row {
     bool same = true;
 };
 
-Row measure(const SpeedScene& lab_scene, const Flags& flags) {
-    scenes::SceneDescription scene = build(lab_scene);
-    scene.world.sleeping = lab_scene.asleep_first;
-    Row row{.scene = &lab_scene, .steps = flags.steps > 0 ? flags.steps : lab_scene.steps};
+Row measure(const SpeedScene& speed_scene, const Flags& flags) {
+    scenes::SceneDescription scene = build(speed_scene);
+    scene.world.sleeping = speed_scene.asleep_first;
+    Row row{.scene = &speed_scene, .steps = flags.steps > 0 ? flags.steps : speed_scene.steps};
     const std::size_t count = flags.threads.size();
     std::vector<std::vector<double>> least(
         count, std::vector<double>(static_cast<std::size_t>(row.steps), 1e300));
@@ -103,11 +103,11 @@ Row measure(const SpeedScene& lab_scene, const Flags& flags) {
         std::vector<TimedWorld> all;
         for (const int threads : flags.threads) {
             scene.world.threads = threads;
-            all.emplace_back(lab_scene, scene);
+            all.emplace_back(speed_scene, scene);
         }
         for (int step = 0; step < row.steps; step++) {
             if (step % 20 == 0)
-                show_progress(std::string(lab_scene.letter) + " " + lab_scene.name + ", round " +
+                show_progress(std::string(speed_scene.letter) + " " + speed_scene.name + ", round " +
                               std::to_string(round + 1) + ", step " + std::to_string(step));
             for (std::size_t k = 0; k < count; k++) {
                 const std::size_t turn = (k + static_cast<std::size_t>(step + round)) % count;
@@ -147,13 +147,13 @@ bool is_right(const Row& row, const Flags& flags) {
 }
 
 std::string check_scene(const std::string& name) {
-    if (name == "all" || find_lab_scene(name)) return "";
+    if (name == "all" || find_speed_scene(name)) return "";
     return "there is no scene " + name + "; 'jostle-bench speed --help' lists them";
 }
 
 bool is_chosen(const SpeedScene& scene, const Flags& flags) {
     return std::any_of(flags.scenes.begin(), flags.scenes.end(), [&](const std::string& name) {
-        return name == "all" || find_lab_scene(name) == &scene;
+        return name == "all" || find_speed_scene(name) == &scene;
     });
 }
 
@@ -165,7 +165,7 @@ int run(const Flags& flags) {
         std::printf(" %5d thread%s ms  ", threads, threads == 1 ? " " : "s");
     std::printf("\n");
     bool right = true;
-    for (const SpeedScene& scene : lab_scenes()) {
+    for (const SpeedScene& scene : speed_scenes()) {
         if (!is_chosen(scene, flags)) continue;
         const Row row = measure(scene, flags);
         print_row(row);

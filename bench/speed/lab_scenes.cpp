@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/speed/lab_scenes.h"
+#include "bench/speed/speed_scenes.h"
 
 #include <stdexcept>
 #include <string>
@@ -39,28 +39,28 @@ constexpr SpeedScene table[] = {
 
 }  // namespace
 
-std::span<const SpeedScene> lab_scenes() {
+std::span<const SpeedScene> speed_scenes() {
     return table;
 }
 
-const SpeedScene* find_lab_scene(std::string_view letter_or_name) {
+const SpeedScene* find_speed_scene(std::string_view letter_or_name) {
     for (const SpeedScene& scene : table)
         if (letter_or_name == scene.letter || letter_or_name == scene.name) return &scene;
     return nullptr;
 }
 
-scenes::SceneDescription build(const SpeedScene& lab_scene) {
-    auto scene = scenes::find_scene(lab_scene.name);
-    if (!scene) throw std::logic_error(std::string("the catalogue has no scene ") + lab_scene.name);
+scenes::SceneDescription build(const SpeedScene& speed_scene) {
+    auto scene = scenes::find_scene(speed_scene.name);
+    if (!scene) throw std::logic_error(std::string("the catalogue has no scene ") + speed_scene.name);
     return std::move(*scene);
 }
 
-std::optional<std::uint32_t> player_of(const SpeedScene& lab_scene,
+std::optional<std::uint32_t> player_of(const SpeedScene& speed_scene,
                                        const scenes::SceneDescription& scene) {
-    if (!lab_scene.player) return std::nullopt;
+    if (!speed_scene.player) return std::nullopt;
     for (std::uint32_t body = 0; body < scene.bodies.size(); body++)
-        if (scene.bodies[body].name == *lab_scene.player) return body;
-    throw std::logic_error(scene.name + " has no body " + std::string(*lab_scene.player));
+        if (scene.bodies[body].name == *speed_scene.player) return body;
+    throw std::logic_error(scene.name + " has no body " + std::string(*speed_scene.player));
 }
 
 physics::Vec3 player_velocity(double seconds) {

@@ -24,16 +24,16 @@ struct SpeedScene {
     std::optional<double> tunnelled_beyond_x;  // m: who ends there went through the wall
 };
 
-std::span<const SpeedScene> lab_scenes();
+std::span<const SpeedScene> speed_scenes();
 
 // By letter or name; null when there is no such scene.
-const SpeedScene* find_lab_scene(std::string_view letter_or_name);
+const SpeedScene* find_speed_scene(std::string_view letter_or_name);
 
 // From the catalogue.
-scenes::SceneDescription build(const SpeedScene& lab_scene);
+scenes::SceneDescription build(const SpeedScene& speed_scene);
 
 // Which of the scene's bodies is the player; nothing when none is.
-std::optional<std::uint32_t> player_of(const SpeedScene& lab_scene,
+std::optional<std::uint32_t> player_of(const SpeedScene& speed_scene,
                                        const scenes::SceneDescription& scene);
 
 // Where the player is driven this long after the start: only x and z count, the fall stays its own.

@@ -141,12 +141,12 @@ double highest(const SceneDescription& scene, const std::vector<Transform>& pose
     return 1e-4 * std::round(1e4 * top);
 }
 
-std::optional<int> count_tunnelled(const SpeedScene& lab_scene, const SceneDescription& scene,
+std::optional<int> count_tunnelled(const SpeedScene& speed_scene, const SceneDescription& scene,
                                    const std::vector<Transform>& poses) {
-    if (!lab_scene.tunnelled_beyond_x) return std::nullopt;
+    if (!speed_scene.tunnelled_beyond_x) return std::nullopt;
     int count = 0;
     for (std::size_t k = 0; k < poses.size(); k++)
-        count += is_dynamic(scene.bodies[k]) && poses[k].position.x > *lab_scene.tunnelled_beyond_x;
+        count += is_dynamic(scene.bodies[k]) && poses[k].position.x > *speed_scene.tunnelled_beyond_x;
     return count;
 }
 

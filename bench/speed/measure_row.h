@@ -4,7 +4,7 @@
 #pragma once
 
 #include "bench/speed/engine_kinds.h"
-#include "bench/speed/lab_scenes.h"
+#include "bench/speed/speed_scenes.h"
 #include "bench/speed/speed_row.h"
 
 namespace jostle::bench {

@@ -6,7 +6,7 @@
 
 #include <string>
 
-#include "bench/speed/lab_scenes.h"
+#include "bench/speed/speed_scenes.h"
 #include "bench/speed/server_row.h"
 
 namespace jostle::bench {

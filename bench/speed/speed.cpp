@@ -11,7 +11,7 @@
 #include "bench/result_file.h"
 #include "bench/speed/engine_kinds.h"
 #include "bench/speed/growth.h"
-#include "bench/speed/lab_scenes.h"
+#include "bench/speed/speed_scenes.h"
 #include "bench/speed/measure_row.h"
 #include "bench/speed/measure_server_row.h"
 #include "bench/speed/speed_plot.h"
@@ -80,7 +80,7 @@ struct Flags {
 
 std::string scene_names() {
     std::string names = "all, moving";
-    for (const SpeedScene& scene : lab_scenes())
+    for (const SpeedScene& scene : speed_scenes())
         names += std::string(", ") + scene.letter + " or " + scene.name;
     return names;
 }
@@ -94,7 +94,7 @@ std::string peer_names() {
 
 // Empty when right, else what is wrong: what CLI11 asks of a check.
 std::string check_scene(const std::string& name) {
-    if (name == "all" || name == "moving" || find_lab_scene(name)) return "";
+    if (name == "all" || name == "moving" || find_speed_scene(name)) return "";
     return "there is no scene " + name + "; there are " + scene_names();
 }
 
@@ -114,7 +114,7 @@ bool names(const std::vector<std::string>& list, const std::string& name) {
 
 std::vector<const SpeedScene*> chosen_scenes(const Flags& flags) {
     std::vector<const SpeedScene*> chosen;
-    for (const SpeedScene& scene : lab_scenes())
+    for (const SpeedScene& scene : speed_scenes())
         if (names(flags.scenes, "all") || names(flags.scenes, scene.letter) ||
             names(flags.scenes, scene.name) || (scene.all_move && names(flags.scenes, "moving")))
             chosen.push_back(&scene);
@@ -257,7 +257,7 @@ std::string about(const SpeedScene& scene) {
 
 std::string lists_for_help() {
     std::string text = "Scenes:\n";
-    for (const SpeedScene& scene : lab_scenes())
+    for (const SpeedScene& scene : speed_scenes())
         text += std::string("  ") + scene.letter + "  " + scene.name + ", " +
                 std::to_string(scene.steps) + " steps: " + about(scene) + "\n";
     text += "\nEngines (peers run on one thread, whatever --threads says):\n";

@@ -2,7 +2,7 @@
 //
 // Which scenes are measured, and what is done with each. What is in them:
 // tests/scenes/bench_scenes_test.cpp.
-#include "bench/speed/lab_scenes.h"
+#include "bench/speed/speed_scenes.h"
 
 #include <gtest/gtest.h>
 
@@ -21,33 +21,33 @@ using jostle::test::near;
 
 TEST(LabScenes, nine_letters_and_twelve_words_and_no_other) {
     std::string letters;
-    for (const SpeedScene& s : lab_scenes()) letters += std::string(" ") + s.letter;
+    for (const SpeedScene& s : speed_scenes()) letters += std::string(" ") + s.letter;
     EXPECT_EQ(letters,
               " a b c d e f g h i trees convex_pile washer hull_terrain chain rain vehicles rods "
               "box_shot brick_wall l_shapes junkyard");
-    EXPECT_EQ(find_lab_scene("j"), nullptr);
-    EXPECT_EQ(find_lab_scene(""), nullptr);
+    EXPECT_EQ(find_speed_scene("j"), nullptr);
+    EXPECT_EQ(find_speed_scene(""), nullptr);
 }
 
 TEST(LabScenes, each_is_in_the_catalogue_under_its_letter_and_every_engine_can_be_given_it) {
-    for (const SpeedScene& lab_scene : lab_scenes()) {
-        SCOPED_TRACE(lab_scene.name);
-        EXPECT_EQ(find_lab_scene(lab_scene.letter), find_lab_scene(lab_scene.name));
-        const SceneDescription scene = build(lab_scene);
-        EXPECT_NE(scene.description.find(std::string("(laboratory ") + lab_scene.letter + ")"),
+    for (const SpeedScene& speed_scene : speed_scenes()) {
+        SCOPED_TRACE(speed_scene.name);
+        EXPECT_EQ(find_speed_scene(speed_scene.letter), find_speed_scene(speed_scene.name));
+        const SceneDescription scene = build(speed_scene);
+        EXPECT_NE(scene.description.find(std::string("(laboratory ") + speed_scene.letter + ")"),
                   std::string::npos);
         const auto portable = check_portable(scene);
         EXPECT_TRUE(portable.ok()) << portable.error().message;
-        const std::string letter = lab_scene.letter;
-        EXPECT_EQ(lab_scene.steps, letter == "i" ? 120 : letter == "box_shot" ? 240 : 600);
+        const std::string letter = speed_scene.letter;
+        EXPECT_EQ(speed_scene.steps, letter == "i" ? 120 : letter == "box_shot" ? 240 : 600);
     }
 }
 
 // Who starts inside another is pushed out, and how is not what is measured. The bones of a figure,
 // which joints hold beside each other, may; and the draws of the pile have some that do.
 TEST(LabScenes, nobody_starts_inside_another) {
-    for (const SpeedScene& lab_scene : lab_scenes()) {
-        const SceneDescription scene = build(lab_scene);
+    for (const SpeedScene& speed_scene : speed_scenes()) {
+        const SceneDescription scene = build(speed_scene);
         if (scene.name == "lab_joint_grid_10000" || scene.name == "lab_pile_5000" ||
             scene.name == "lab_ragdolls_40" || scene.name == "lab_rain")
             continue;
@@ -58,9 +58,9 @@ TEST(LabScenes, nobody_starts_inside_another) {
 }
 
 TEST(LabScenes, player_goes_straight_and_then_in_a_circle) {
-    const SpeedScene& e = *find_lab_scene("e");
+    const SpeedScene& e = *find_speed_scene("e");
     EXPECT_EQ(player_of(e, build(e)), 901u);
-    EXPECT_EQ(player_of(*find_lab_scene("a"), build(e)), std::nullopt);
+    EXPECT_EQ(player_of(*find_speed_scene("a"), build(e)), std::nullopt);
     EXPECT_EQ(player_velocity(149 / 60.0), (Vec3{6, 0, 0}));
     const double turned = 0.8 * (5 - 2.5);
     EXPECT_TRUE(near(player_velocity(5), {6 * std::cos(turned), 0, 6 * std::sin(turned)}, 1e-12));

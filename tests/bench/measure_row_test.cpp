@@ -16,7 +16,7 @@ namespace {
 using namespace jostle::bench;
 
 SpeedRow row_of(const char* engine, const char* scene, int steps, bool sleep = false) {
-    return measure_row_in_child({.scene = find_lab_scene(scene),
+    return measure_row_in_child({.scene = find_speed_scene(scene),
                                  .engine = find_engine_kind(engine),
                                  .steps = steps,
                                  .sleep = sleep});
@@ -87,7 +87,7 @@ TEST(Rows, awake_says_who_is_left) {
 }
 
 TEST(Rows, more_threads_are_timed_by_the_wall_and_end_alike) {
-    const SpeedRow row = measure_row_in_child({.scene = find_lab_scene("a"),
+    const SpeedRow row = measure_row_in_child({.scene = find_speed_scene("a"),
                                                .engine = find_engine_kind("jostle"),
                                                .threads = 2,
                                                .steps = 5});
@@ -96,7 +96,7 @@ TEST(Rows, more_threads_are_timed_by_the_wall_and_end_alike) {
 }
 
 TEST(Rows, without_the_accuracy_check_errors_are_unknown) {
-    const SpeedRow row = measure_row_in_child({.scene = find_lab_scene("a"),
+    const SpeedRow row = measure_row_in_child({.scene = find_speed_scene("a"),
                                                .engine = find_engine_kind("jostle"),
                                                .steps = 5,
                                                .accuracy = false});
@@ -119,7 +119,7 @@ TEST(Rows, a_crash_is_a_row_that_says_so) {
                                   return nullptr;
                               }};
     const SpeedRow row =
-        measure_row_in_child({.scene = find_lab_scene("a"), .engine = &crashing, .steps = 1});
+        measure_row_in_child({.scene = find_speed_scene("a"), .engine = &crashing, .steps = 1});
     EXPECT_EQ(row.failed, "ended by signal 9 (Killed)");
     EXPECT_NE(speed_line(row).find("failed: ended by signal 9 (Killed)"), std::string::npos);
 }

@@ -44,7 +44,7 @@ struct Flags {
 
 // The time of a step of a world asleep is less than what reading the clock takes.
 constexpr int steps_per_reading_asleep = 100;
-constexpr int most_steps_to_sleep = 600;
+constexpr int sleep_steps_max = 600;
 
 // A scene's world, with as many threads as it has when this is made.
 class TimedWorld {
@@ -57,7 +57,7 @@ public:
         const auto status = engine_->init(scene);
         if (!status) throw std::runtime_error(status.error().message);
         if (!asleep_first_) return;
-        for (int k = 0; k < most_steps_to_sleep && engine_->awake() > 0; k++) engine_->step();
+        for (int k = 0; k < sleep_steps_max && engine_->awake() > 0; k++) engine_->step();
     }
 
     double time_step(int step) {

@@ -17,10 +17,10 @@ namespace {
 using physics::Transform;
 using scenes::SceneDescription;
 
-constexpr int most_steps_to_sleep = 600;
+constexpr int sleep_steps_max = 600;
 constexpr double moving_speed = 0.05;  // m/s
 constexpr double moving_share = 0.05;  // of the dynamic bodies: fewer, and all is at rest
-constexpr int steps_between_looks = 10;
+constexpr int sleep_check_interval = 10;
 // A step of a world asleep takes less than reading the clock does.
 constexpr int steps_per_reading_asleep = 20;
 
@@ -40,7 +40,7 @@ public:
     physics::Status start() {
         if (auto status = engine_->init(scene_); !status) return status;
         if (asleep_first_)
-            for (int k = 0; k < most_steps_to_sleep && !asleep_at_; k++) step(k);
+            for (int k = 0; k < sleep_steps_max && !asleep_at_; k++) step(k);
         return {};
     }
 
@@ -54,15 +54,15 @@ public:
         if (step % 20 == 0) show_progress(label_ + std::to_string(step));
     }
     void step() { engine_->step(); }
-    void look_for_sleep(int steps_done) {
+    void check_sleep(int steps_done) {
         if (sleep_allowed() && !asleep_at_ && engine_->awake() == 0) asleep_at_ = steps_done;
     }
     // Who is driven does not sleep: after so many steps it is let go.
-    void let_player_go(int steps_done) {
+    void release_player(int steps_done) {
         if (!sleep_allowed() || !player_) return;
-        for (int k = 1; k <= most_steps_to_sleep && !asleep_at_; k++) {
+        for (int k = 1; k <= sleep_steps_max && !asleep_at_; k++) {
             step();
-            look_for_sleep(steps_done + k);
+            check_sleep(steps_done + k);
         }
     }
 
@@ -87,7 +87,7 @@ private:
     void step(int k) {
         prepare(k);
         step();
-        look_for_sleep(k + 1);
+        check_sleep(k + 1);
     }
 
     const SceneDescription& scene_;
@@ -117,7 +117,7 @@ StepTimes time_steps(Run& run, const StepClock& clock, int steps, int block) {
         times.ms.push_back(1e3 * (clock.seconds() - began) / count);
         times.worst_stage.push_back(run.worst_stage());
         done += count;
-        run.look_for_sleep(done);
+        run.check_sleep(done);
     }
     return times;
 }
@@ -171,7 +171,7 @@ std::vector<bool> measure_accuracy(SpeedRow& row, const SceneDescription& scene,
         run.prepare(k - 1);
         run.step();
         is_moving.push_back(run.is_moving());
-        if (k % steps_between_looks != 0 && k != row.steps) continue;
+        if (k % sleep_check_interval != 0 && k != row.steps) continue;
         const std::vector<Transform>& poses = run.poses();
         const Penetration now = check.penetration(poses);
         const double drift = check.joint_drift(poses);
@@ -224,7 +224,7 @@ physics::Result<TimedRun> run_timed(SpeedRow& row, const RowRequest& request,
     row.top_m = highest(scene, run.poses());
     std::vector<Transform> poses = run.poses();
     row.tunnelled = count_tunnelled(*request.scene, scene, poses);
-    run.let_player_go(row.steps);
+    run.release_player(row.steps);
     row.asleep_at_step = run.asleep_at();
     return TimedRun{std::move(times.ms), std::move(poses)};
 }

@@ -59,7 +59,7 @@ Examples:
 
 Exit status: 0 done, 1 a row failed or a file could not be written, 2 wrong flags.)";
 
-constexpr int most_clients = 250;  // that a server lets in from one address
+constexpr int clients_max = 250;  // that a server lets in from one address
 
 struct Flags {
     std::vector<std::string> scenes = {"all"};
@@ -130,7 +130,7 @@ struct Configuration {
 std::vector<Configuration> configurations(const Flags& flags) {
     std::vector<Configuration> chosen;
     for (const EngineKind& kind : engine_kinds()) {
-        if (kind.most_threads > 1)
+        if (kind.threads_max > 1)
             for (const int threads : flags.threads) chosen.push_back({&kind, threads});
         else if (kind.make && (names(flags.peers, "all") || names(flags.peers, kind.name)))
             chosen.push_back({&kind, 1});
@@ -275,7 +275,7 @@ void add_server_flags(CLI::App& command, Flags& flags, std::initializer_list<CLI
     for (CLI::Option* other : others) server->excludes(other);
     command.add_option("--clients", flags.clients, "Of the server")
         ->capture_default_str()
-        ->check(CLI::Range(1, most_clients))
+        ->check(CLI::Range(1, clients_max))
         ->needs(server);
     command.add_option("--seconds", flags.seconds, "For how long each server is watched")
         ->capture_default_str()

@@ -46,7 +46,7 @@ std::string identity(const std::string& first, const std::string& engine, int th
 }
 
 // With the rate after it, a sentence.
-const char* said_of(const std::string& verdict) {
+const char* verdict_text(const std::string& verdict) {
     if (verdict == "holds") return "holds ";
     return verdict == "late" ? "does not hold " : "catches up with ";
 }
@@ -108,7 +108,7 @@ std::string server_line(const ServerRow& row) {
                  row.snapshots_per_second_per_client, row.kbit_per_second_per_client,
                  row.age_ms_p50, row.age_ms_p99, row.errors) +
            cell(row.server_cpu_percent ? print("%.0f", *row.server_cpu_percent) : nothing, 5) +
-           print("  %s%.4g Hz", said_of(row.verdict), row.hz);
+           print("  %s%.4g Hz", verdict_text(row.verdict), row.hz);
 }
 
 }  // namespace jostle::bench

@@ -122,13 +122,13 @@ std::vector<const SpeedScene*> chosen_scenes(const Flags& flags) {
 }
 
 // Jostle at every number of threads, and each peer once.
-struct Configuration {
+struct EngineConfiguration {
     const EngineKind* engine;
     int threads;
 };
 
-std::vector<Configuration> configurations(const Flags& flags) {
-    std::vector<Configuration> chosen;
+std::vector<EngineConfiguration> configurations(const Flags& flags) {
+    std::vector<EngineConfiguration> chosen;
     for (const EngineKind& kind : engine_kinds()) {
         if (kind.threads_max > 1)
             for (const int threads : flags.threads) chosen.push_back({&kind, threads});
@@ -189,7 +189,7 @@ int run_scenes(const Flags& flags) {
     Table<SpeedRow> table;
     print_line(speed_heading());
     for (const SpeedScene* scene : chosen_scenes(flags))
-        for (const Configuration& configuration : configurations(flags)) {
+        for (const EngineConfiguration& configuration : configurations(flags)) {
             const SpeedRow row = measure_row_in_child({.scene = scene,
                                                        .engine = configuration.engine,
                                                        .threads = configuration.threads,
@@ -209,7 +209,7 @@ int run_growth(const Flags& flags) {
     Table<GrowthRow> table;
     print_line(growth_heading());
     for (const int bodies : flags.growth)
-        for (const Configuration& configuration : configurations(flags)) {
+        for (const EngineConfiguration& configuration : configurations(flags)) {
             const GrowthRow row =
                 measure_growth_in_child(*configuration.engine, configuration.threads, bodies);
             table.add(row, growth_line(row));

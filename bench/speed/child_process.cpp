@@ -43,7 +43,7 @@ std::string read_all(int file) {
     _exit(0);
 }
 
-ChildAnswer answer_of(std::string text, int status) {
+ChildResult answer_of(std::string text, int status) {
     if (WIFSIGNALED(status)) {
         const int signal = WTERMSIG(status);
         return {"", "ended by signal " + std::to_string(signal) + " (" + strsignal(signal) + ")"};
@@ -55,7 +55,7 @@ ChildAnswer answer_of(std::string text, int status) {
 
 }  // namespace
 
-ChildAnswer run_in_child(const std::function<std::string()>& work) {
+ChildResult run_in_child(const std::function<std::string()>& work) {
     int ends[2];
     if (pipe(ends) != 0) return {"", std::string("no pipe: ") + std::strerror(errno)};
     std::fflush(nullptr);  // or the child would write it a second time

@@ -9,12 +9,12 @@
 
 namespace jostle::bench {
 
-struct ChildAnswer {
+struct ChildResult {
     std::string text;     // what the work returned
     std::string failure;  // what ended it instead, in words; empty when it returned
 };
 
 // Forks, runs the work in the child and waits for it. Only while this process has one thread.
-ChildAnswer run_in_child(const std::function<std::string()>& work);
+ChildResult run_in_child(const std::function<std::string()>& work);
 
 }  // namespace jostle::bench

@@ -69,7 +69,7 @@ GrowthRow growth_row_from(const nlohmann::ordered_json& json) {
 
 GrowthRow measure_growth_in_child(const EngineKind& engine, int threads, int bodies) {
     GrowthRow row{.engine = engine.name, .threads = threads, .bodies = bodies};
-    const ChildAnswer answer =
+    const ChildResult answer =
         run_in_child([&] { return to_json(measure_growth(row, engine)).dump(); });
     show_progress("");
     if (answer.failure.empty()) return growth_row_from(nlohmann::ordered_json::parse(answer.text));

@@ -255,7 +255,7 @@ SpeedRow measure_row(const RowRequest& request) {
 }
 
 SpeedRow measure_row_in_child(const RowRequest& request) {
-    const ChildAnswer answer = run_in_child([&] { return to_json(measure_row(request)).dump(); });
+    const ChildResult answer = run_in_child([&] { return to_json(measure_row(request)).dump(); });
     show_progress("");
     if (answer.failure.empty()) return speed_row_from(nlohmann::ordered_json::parse(answer.text));
     SpeedRow row = named_row(request);

@@ -126,7 +126,7 @@ TEST(Rows, a_crash_is_a_row_that_says_so) {
 
 TEST(ChildProcess, returns_text_of_any_length_or_the_reason) {
     EXPECT_EQ(run_in_child([] { return std::string(1 << 20, 'x'); }).text.size(), 1u << 20);
-    const ChildAnswer thrown =
+    const ChildResult thrown =
         run_in_child([]() -> std::string { throw std::runtime_error("no memory"); });
     EXPECT_EQ(thrown.failure, "no memory");
     EXPECT_EQ(thrown.text, "");

@@ -31,18 +31,18 @@ struct Segment {
     Vec3 at(double fraction) const { return from + (to - from) * fraction; }
 };
 
-Segment core_of(const Capsule& capsule, const Transform& pose) {
+Segment segment_of(const Capsule& capsule, const Transform& pose) {
     const Vec3 reach = rotate(pose.rotation, {0, capsule.half_length, 0});
     return {pose.position - reach, pose.position + reach};
 }
 
-Segment core_of(const Sphere&, const Transform& pose) {
+Segment segment_of(const Sphere&, const Transform& pose) {
     return {pose.position, pose.position};
 }
 
 // From where one is nearest to the other to where that is. Ericson, "Real-Time Collision
 // Detection", 5.1.9.
-Vec3 shortest_way(const Segment& p, const Segment& q) {
+Vec3 minimum_translation(const Segment& p, const Segment& q) {
     const Vec3 u = p.to - p.from, v = q.to - q.from, r = p.from - q.from;
     const double uu = dot(u, u), vv = dot(v, v), uv = dot(u, v), ur = dot(u, r), vr = dot(v, r);
     const double across = uu * vv - uv * uv;
@@ -57,7 +57,7 @@ Vec3 shortest_way(const Segment& p, const Segment& q) {
 }
 
 double distance(const Segment& p, const Segment& q) {
-    return length(shortest_way(p, q));
+    return length(minimum_translation(p, q));
 }
 
 // Of a point to a box around the origin: negative inside, then to the nearest face.
@@ -131,7 +131,7 @@ double distance(const Segment& core, const Box& box) {
 
 double depth(const Capsule& capsule, const Transform& pose, const Box& box,
              const Transform& pose_of_box) {
-    const Segment world = core_of(capsule, pose);
+    const Segment world = segment_of(capsule, pose);
     const Segment core{apply_inverse(pose_of_box, world.from),
                        apply_inverse(pose_of_box, world.to)};
     const double inside = depth_of_core(core, box);
@@ -144,7 +144,7 @@ double depth(const Sphere& sphere, const Transform& pose, const Box& box,
 }
 
 double depth(const Capsule& a, const Transform& pose_a, const Capsule& b, const Transform& pose_b) {
-    return a.radius + b.radius - distance(core_of(a, pose_a), core_of(b, pose_b));
+    return a.radius + b.radius - distance(segment_of(a, pose_a), segment_of(b, pose_b));
 }
 
 double depth(const Sphere& a, const Transform& pose_a, const Capsule& b, const Transform& pose_b) {
@@ -250,7 +250,7 @@ bool arcs_cross(const Edge& x, const Edge& y) {
 // from a to b: at a normal of a face, square to two edges, or, of what is round, from its core to
 // where an edge is nearest.
 template <class A, class B>
-double least_overlap(const A& a, const Transform& pose_a, const B& b, const Transform& pose_b) {
+double min_overlap(const A& a, const Transform& pose_a, const B& b, const Transform& pose_b) {
     const auto overlap = [&](Vec3 n) { return support(a, pose_a, n) + support(b, pose_b, -n); };
     Vec3 best = normalized(pose_b.position - pose_a.position);
     double least = overlap(best);
@@ -273,9 +273,9 @@ double least_overlap(const A& a, const Transform& pose_a, const B& b, const Tran
             try_one(normalized(across));
             try_one(-normalized(across));
         }
-    if constexpr (requires { core_of(a, pose_a); })
+    if constexpr (requires { segment_of(a, pose_a); })
         for (const Edge& y : of_b) {
-            const Vec3 way = shortest_way(core_of(a, pose_a), {y.from, y.from + y.along});
+            const Vec3 way = minimum_translation(segment_of(a, pose_a), {y.from, y.from + y.along});
             if (length(way) > 0) try_one(normalized(way));
         }
     return least;
@@ -283,7 +283,7 @@ double least_overlap(const A& a, const Transform& pose_a, const B& b, const Tran
 
 double depth(const ConvexShape auto& shape, const Transform& pose, const Hull& hull,
              const Transform& pose_of_hull) {
-    return least_overlap(shape, pose, hull, pose_of_hull);
+    return min_overlap(shape, pose, hull, pose_of_hull);
 }
 
 // Whether a point in the plane of a triangle is in it.
@@ -357,7 +357,7 @@ Bounds bounds_of(std::uint32_t piece, const Primitive& primitive, const Transfor
     return {pose.position - reach, pose.position + reach, piece};
 }
 
-bool meet(const Bounds& a, const Bounds& b) {
+bool overlaps(const Bounds& a, const Bounds& b) {
     return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y &&
            a.low.z < b.high.z && b.low.z < a.high.z;
 }
@@ -427,7 +427,7 @@ Penetration AccuracyCheck::penetration(std::span<const Transform> poses) const {
     });
     const auto try_pair = [&](const Bounds& x, const Bounds& y) {
         const Piece &a = pieces_[x.piece], &b = pieces_[y.piece];
-        if (a.body == b.body || !meet(x, y) || joined(a.body, b.body)) return;
+        if (a.body == b.body || !overlaps(x, y) || joined(a.body, b.body)) return;
         count(result, penetration_depth(a.part.shape, pose_of(a), b.part.shape, pose_of(b)));
     };
     for (std::size_t k = 0; k < moving.size(); k++) {

@@ -33,7 +33,7 @@ std::string read_all(int file) {
 }
 
 // _exit: what the parent has buffered or would clean up is the parent's business.
-[[noreturn]] void be_child(int out, const std::function<std::string()>& work) {
+[[noreturn]] void run_child(int out, const std::function<std::string()>& work) {
     try {
         write_all(out, work());
     } catch (const std::exception& error) {
@@ -43,7 +43,7 @@ std::string read_all(int file) {
     _exit(0);
 }
 
-ChildResult answer_of(std::string text, int status) {
+ChildResult child_result_of(std::string text, int status) {
     if (WIFSIGNALED(status)) {
         const int signal = WTERMSIG(status);
         return {"", "ended by signal " + std::to_string(signal) + " (" + strsignal(signal) + ")"};
@@ -68,7 +68,7 @@ ChildResult run_in_child(const std::function<std::string()>& work) {
     }
     if (child == 0) {
         close(ends[0]);
-        be_child(ends[1], work);
+        run_child(ends[1], work);
     }
     close(ends[1]);
     std::string text = read_all(ends[0]);
@@ -76,7 +76,7 @@ ChildResult run_in_child(const std::function<std::string()>& work) {
     int status = 0;
     while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
     }
-    return answer_of(std::move(text), status);
+    return child_result_of(std::move(text), status);
 }
 
 }  // namespace jostle::bench

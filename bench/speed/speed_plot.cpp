@@ -98,10 +98,10 @@ void draw_marks(plots::Svg& svg, const std::vector<SpeedRow>& rows, Groups& grou
     }
 }
 
-using GrowthFigure = std::function<double(const GrowthRow&)>;
+using GrowthMetric = std::function<double(const GrowthRow&)>;
 
 void draw_curves(plots::Svg& svg, const std::vector<GrowthRow>& rows, double from, double to,
-                 const std::string& title, const GrowthFigure& figure) {
+                 const std::string& title, const GrowthMetric& figure) {
     std::vector<double> counts, figures;
     for (const GrowthRow& row : rows) {
         counts.push_back(row.bodies);

@@ -131,7 +131,7 @@ Row run_row(const Experiment& experiment, const EngineKind& kind, const std::str
 // One step may take minutes in a direct solver: the system ends the process then.
 Row run_row_in_child(const Experiment& experiment, const EngineKind& kind, const std::string& mode,
                      double rate_hz, Timing timing) {
-    const ChildAnswer answer = run_in_child([&] {
+    const ChildResult answer = run_in_child([&] {
         const auto most = static_cast<rlim_t>(longest * (experiment.phases + 3));
         const rlimit limit{most, most + 1};
         setrlimit(RLIMIT_CPU, &limit);

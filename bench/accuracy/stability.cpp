@@ -53,7 +53,7 @@ constexpr rlim_t longest_s = 240;  // of processor time
 // In a process of its own; what comes back are the words of to_json().
 nlohmann::ordered_json run_in_process(const StressTest& test, const EngineKind& kind,
                                       const std::string& mode) {
-    const ChildAnswer answer = run_in_child([&] {
+    const ChildResult answer = run_in_child([&] {
         const rlimit limit{longest_s, longest_s + 1};
         setrlimit(RLIMIT_CPU, &limit);
         return to_json(test, kind, mode, test.run(kind, mode)).dump();

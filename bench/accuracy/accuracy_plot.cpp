@@ -7,7 +7,7 @@
 #include "bench/speed/series_style.h"
 #include "jostle/analysis/log_axis.h"
 
-namespace jostle::bench::lab {
+namespace jostle::bench::accuracy {
 namespace {
 
 constexpr double width = 900, height = 640, left = 90, right = 870, top = 90, bottom = 580;
@@ -80,4 +80,4 @@ std::string plot_accuracy(const Experiment& experiment, const std::vector<Row>& 
     return svg.str();
 }
 
-}  // namespace jostle::bench::lab
+}  // namespace jostle::bench::accuracy

@@ -8,10 +8,10 @@
 
 #include "bench/accuracy/run_row.h"
 
-namespace jostle::bench::lab {
+namespace jostle::bench::accuracy {
 
 // SVG text. `note` says where it was measured.
 std::string plot_accuracy(const Experiment& experiment, const std::vector<Row>& rows,
                           const std::string& note);
 
-}  // namespace jostle::bench::lab
+}  // namespace jostle::bench::accuracy

@@ -8,7 +8,7 @@
 #include "bench/result_file.h"
 #include "jostle/base/format_text.h"
 
-namespace jostle::bench::lab {
+namespace jostle::bench::accuracy {
 namespace {
 
 constexpr double usual_hz = 60;
@@ -148,4 +148,4 @@ nlohmann::ordered_json score_json(const Score& score) {
     return {{"geometric_mean", rounded(score.mean)}, {"ratios", ratios}};
 }
 
-}  // namespace jostle::bench::lab
+}  // namespace jostle::bench::accuracy

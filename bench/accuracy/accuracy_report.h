@@ -9,7 +9,7 @@
 
 #include "bench/accuracy/analysis.h"
 
-namespace jostle::bench::lab {
+namespace jostle::bench::accuracy {
 
 // Of one scene: the errors at 60 Hz and orders of every engine and mode, the least work for each
 // tolerance, the Pareto set.
@@ -22,4 +22,4 @@ std::string score_report(const Score& score);
 nlohmann::ordered_json work_json(const std::vector<Row>& rows);
 nlohmann::ordered_json score_json(const Score& score);
 
-}  // namespace jostle::bench::lab
+}  // namespace jostle::bench::accuracy

@@ -8,7 +8,7 @@
 #include "bench/speed/series_style.h"
 #include "jostle/analysis/log_axis.h"
 
-namespace jostle::bench::lab {
+namespace jostle::bench::accuracy {
 namespace {
 
 constexpr int columns = 4;
@@ -136,4 +136,4 @@ std::string accuracy_sheet(const std::vector<Row>& all) {
     return svg.str();
 }
 
-}  // namespace jostle::bench::lab
+}  // namespace jostle::bench::accuracy

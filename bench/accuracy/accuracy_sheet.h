@@ -8,11 +8,11 @@
 
 #include "bench/accuracy/analysis.h"
 
-namespace jostle::bench::lab {
+namespace jostle::bench::accuracy {
 
 // The file's text. A panel has a line an engine, through those of its rows that none of its own
 // beats; rings around the rows that nobody beats; and a mark on the right for each tolerance, with
 // who reaches it with the least work.
 std::string accuracy_sheet(const std::vector<Row>& rows);
 
-}  // namespace jostle::bench::lab
+}  // namespace jostle::bench::accuracy

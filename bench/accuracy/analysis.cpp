@@ -6,7 +6,7 @@
 
 #include "jostle/analysis/work_error.h"
 
-namespace jostle::bench::lab {
+namespace jostle::bench::accuracy {
 namespace {
 
 using convergence::WorkError;
@@ -102,4 +102,4 @@ Score score_of(const std::vector<Row>& rows, const std::string& us) {
     return score;
 }
 
-}  // namespace jostle::bench::lab
+}  // namespace jostle::bench::accuracy

@@ -10,7 +10,7 @@
 
 #include "bench/accuracy/run_row.h"
 
-namespace jostle::bench::lab {
+namespace jostle::bench::accuracy {
 
 // log(error / error at the higher rate) / log(higher rate / rate), for neighbouring rates of one
 // scene, engine and mode.
@@ -42,4 +42,4 @@ struct Score {
 // Scenes and tolerances that nobody reaches, or that no peer has rows for, are left out.
 Score score_of(const std::vector<Row>& rows, const std::string& us);
 
-}  // namespace jostle::bench::lab
+}  // namespace jostle::bench::accuracy

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "bench/accuracy/body_tree.h"
 
-namespace jostle::bench::lab {
+namespace jostle::bench::accuracy {
 
 // Sliders first: a slider's body hangs on its rail rather than at the end of a loop.
 BodyTree tree_of(const Scene& scene) {
@@ -22,4 +22,4 @@ BodyTree tree_of(const Scene& scene) {
     return tree;
 }
 
-}  // namespace jostle::bench::lab
+}  // namespace jostle::bench::accuracy

@@ -8,7 +8,7 @@
 
 #include "bench/accuracy/lab_scene.h"
 
-namespace jostle::bench::lab {
+namespace jostle::bench::accuracy {
 
 // Bodies hang in a tree by one joint each; the other joints close loops. A free body has none.
 struct BodyTree {
@@ -21,4 +21,4 @@ struct BodyTree {
 };
 BodyTree tree_of(const Scene& scene);
 
-}  // namespace jostle::bench::lab
+}  // namespace jostle::bench::accuracy

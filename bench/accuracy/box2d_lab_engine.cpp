@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace jostle::bench::lab {
+namespace jostle::bench::accuracy {
 namespace {
 
 constexpr int position_iterations = 3;
@@ -190,4 +190,4 @@ std::unique_ptr<Engine> make_box2d_lab_engine() {
     return std::make_unique<Box2dLabEngine>();
 }
 
-}  // namespace jostle::bench::lab
+}  // namespace jostle::bench::accuracy

@@ -7,8 +7,8 @@
 
 #include "bench/accuracy/lab_engine.h"
 
-namespace jostle::bench::lab {
+namespace jostle::bench::accuracy {
 
 std::unique_ptr<Engine> make_box2d_lab_engine();
 
-}  // namespace jostle::bench::lab
+}  // namespace jostle::bench::accuracy

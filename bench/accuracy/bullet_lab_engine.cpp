@@ -16,7 +16,7 @@
 #include "bench/accuracy/bullet_lab_library.h"
 #include "bench/accuracy/bullet_tree_engine.h"
 
-namespace jostle::bench::lab {
+namespace jostle::bench::accuracy {
 namespace {
 
 btVector3 vector(Vec3 v) {
@@ -287,8 +287,8 @@ private:
 };
 
 }  // namespace
-}  // namespace jostle::bench::lab
+}  // namespace jostle::bench::accuracy
 
-extern "C" jostle::bench::lab::Engine* make_bullet_lab_engine() {
-    return new jostle::bench::lab::EitherBulletEngine;
+extern "C" jostle::bench::accuracy::Engine* make_bullet_lab_engine() {
+    return new jostle::bench::accuracy::EitherBulletEngine;
 }

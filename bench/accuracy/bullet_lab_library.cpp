@@ -6,7 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-namespace jostle::bench::lab {
+namespace jostle::bench::accuracy {
 namespace {
 
 using Maker = Engine* (*)();
@@ -30,4 +30,4 @@ std::unique_ptr<Engine> open_bullet_engine() {
     return std::unique_ptr<Engine>(make());
 }
 
-}  // namespace jostle::bench::lab
+}  // namespace jostle::bench::accuracy

@@ -8,10 +8,10 @@
 #include "bench/accuracy/lab_engine.h"
 
 // What the library exports.
-extern "C" jostle::bench::lab::Engine* make_bullet_lab_engine();
+extern "C" jostle::bench::accuracy::Engine* make_bullet_lab_engine();
 
-namespace jostle::bench::lab {
+namespace jostle::bench::accuracy {
 
 std::unique_ptr<Engine> open_bullet_engine();
 
-}  // namespace jostle::bench::lab
+}  // namespace jostle::bench::accuracy

@@ -16,7 +16,7 @@
 
 #include "bench/accuracy/body_tree.h"
 
-namespace jostle::bench::lab {
+namespace jostle::bench::accuracy {
 namespace {
 
 constexpr int iterations = 50;       // of what closes loops, and of motors
@@ -276,4 +276,4 @@ std::unique_ptr<Engine> make_bullet_tree_engine() {
     return std::make_unique<BulletTreeEngine>();
 }
 
-}  // namespace jostle::bench::lab
+}  // namespace jostle::bench::accuracy

@@ -5,11 +5,11 @@
 
 #include "bench/accuracy/lab_engine.h"
 
-namespace jostle::bench::lab {
+namespace jostle::bench::accuracy {
 
 // Bullet's multibody world: jointed bodies as one tree in joint coordinates, by Featherstone's
 // algorithm; what closes a loop is a point constraint. Modes: mb, mb-rk4. It lacks contacts here,
 // springs, and bodies that no joint holds.
 std::unique_ptr<Engine> make_bullet_tree_engine();
 
-}  // namespace jostle::bench::lab
+}  // namespace jostle::bench::accuracy

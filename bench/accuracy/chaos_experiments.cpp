@@ -9,7 +9,7 @@
 #include "bench/accuracy/meters.h"
 #include "bench/accuracy/reference.h"
 
-namespace jostle::bench::lab {
+namespace jostle::bench::accuracy {
 namespace {
 
 using physics::pi;
@@ -162,4 +162,4 @@ std::vector<Experiment> chaos_experiments() {
     };
 }
 
-}  // namespace jostle::bench::lab
+}  // namespace jostle::bench::accuracy

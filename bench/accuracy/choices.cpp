@@ -9,7 +9,7 @@
 #include "bench/accuracy/reference.h"
 #include "bench/measure.h"
 
-namespace jostle::bench::lab {
+namespace jostle::bench::accuracy {
 namespace {
 
 std::vector<std::string> absent_peers() {
@@ -123,4 +123,4 @@ nlohmann::ordered_json file_head(const char* benchmark) {
             {"peers_not_built_in", absent_peers()}};
 }
 
-}  // namespace jostle::bench::lab
+}  // namespace jostle::bench::accuracy

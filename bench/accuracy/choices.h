@@ -10,7 +10,7 @@
 
 #include "bench/accuracy/experiment.h"
 
-namespace jostle::bench::lab {
+namespace jostle::bench::accuracy {
 
 bool names(const std::vector<std::string>& list, const std::string& name);
 
@@ -31,4 +31,4 @@ std::string lists_of_experiments();  // for --help
 void say_which_are_absent();         // peers that are not built in, on stderr
 nlohmann::ordered_json file_head(const char* benchmark);
 
-}  // namespace jostle::bench::lab
+}  // namespace jostle::bench::accuracy

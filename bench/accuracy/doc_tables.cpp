@@ -11,7 +11,7 @@
 #include "bench/result_file.h"
 #include "jostle/base/format_text.h"
 
-namespace jostle::bench::lab {
+namespace jostle::bench::accuracy {
 namespace {
 
 constexpr double usual_rate = 60;
@@ -110,4 +110,4 @@ bool replace_section(const std::string& path, const std::string& name, const std
     return write_text(path, all);
 }
 
-}  // namespace jostle::bench::lab
+}  // namespace jostle::bench::accuracy

@@ -10,7 +10,7 @@
 
 #include "bench/accuracy/analysis.h"
 
-namespace jostle::bench::lab {
+namespace jostle::bench::accuracy {
 
 std::string jostle_table(const std::vector<Row>& rows);  // Jostle's default mode at 60 Hz
 std::string score_table(const Score& score);             // the score, and where a peer is better
@@ -19,4 +19,4 @@ std::string stability_table(const nlohmann::ordered_json& rows);  // of stabilit
 // Says on stderr what is wrong: the file, or a section that it has not.
 bool replace_section(const std::string& path, const std::string& name, const std::string& text);
 
-}  // namespace jostle::bench::lab
+}  // namespace jostle::bench::accuracy

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "bench/accuracy/experiment.h"
 
-namespace jostle::bench::lab {
+namespace jostle::bench::accuracy {
 namespace {
 
 // The order of the specification: F, J, C.
@@ -27,4 +27,4 @@ const Experiment* find_experiment(std::string_view name) {
     return nullptr;
 }
 
-}  // namespace jostle::bench::lab
+}  // namespace jostle::bench::accuracy

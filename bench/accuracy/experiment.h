@@ -13,7 +13,7 @@
 
 #include "bench/accuracy/lab_engine.h"
 
-namespace jostle::bench::lab {
+namespace jostle::bench::accuracy {
 
 struct Errors {
     double primary = 0, second = 0;
@@ -66,4 +66,4 @@ std::vector<Experiment> stack_experiments();
 std::vector<Experiment> pile_experiments();
 std::vector<Experiment> chaos_experiments();  // what neighbouring starts leave each other in
 
-}  // namespace jostle::bench::lab
+}  // namespace jostle::bench::accuracy

@@ -8,7 +8,7 @@
 #include "bench/accuracy/meters.h"
 #include "bench/accuracy/reference.h"
 
-namespace jostle::bench::lab {
+namespace jostle::bench::accuracy {
 namespace {
 
 using physics::pi;
@@ -158,4 +158,4 @@ std::vector<Experiment> free_experiments() {
     };
 }
 
-}  // namespace jostle::bench::lab
+}  // namespace jostle::bench::accuracy

@@ -8,7 +8,7 @@
 #include "bench/accuracy/lab_bodies.h"
 #include "bench/accuracy/meters.h"
 
-namespace jostle::bench::lab {
+namespace jostle::bench::accuracy {
 namespace {
 
 using physics::pi;
@@ -132,4 +132,4 @@ std::vector<Experiment> friction_experiments() {
     };
 }
 
-}  // namespace jostle::bench::lab
+}  // namespace jostle::bench::accuracy

@@ -10,7 +10,7 @@
 #include "bench/accuracy/stress_test.h"
 #include "jostle/physics/world.h"
 
-namespace jostle::bench::lab {
+namespace jostle::bench::accuracy {
 namespace {
 
 using physics::BodyDef;
@@ -119,4 +119,4 @@ std::vector<StressTest> input_stress_tests() {
              .run = inputs}};
 }
 
-}  // namespace jostle::bench::lab
+}  // namespace jostle::bench::accuracy

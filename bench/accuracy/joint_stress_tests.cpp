@@ -9,7 +9,7 @@
 #include "bench/accuracy/run_row.h"
 #include "bench/accuracy/stress_test.h"
 
-namespace jostle::bench::lab {
+namespace jostle::bench::accuracy {
 namespace {
 
 using physics::pi;
@@ -212,4 +212,4 @@ std::vector<StressTest> joint_stress_tests() {
     return all;
 }
 
-}  // namespace jostle::bench::lab
+}  // namespace jostle::bench::accuracy

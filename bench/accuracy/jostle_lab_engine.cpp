@@ -8,7 +8,7 @@
 #include "jostle/physics/hull.h"
 #include "jostle/physics/world.h"
 
-namespace jostle::bench::lab {
+namespace jostle::bench::accuracy {
 namespace {
 
 using physics::BodyDef;
@@ -197,4 +197,4 @@ std::unique_ptr<Engine> make_jostle_engine() {
     return std::make_unique<JostleLabEngine>();
 }
 
-}  // namespace jostle::bench::lab
+}  // namespace jostle::bench::accuracy

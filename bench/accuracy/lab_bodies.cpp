@@ -7,7 +7,7 @@
 
 #include "jostle/physics/hull.h"
 
-namespace jostle::bench::lab {
+namespace jostle::bench::accuracy {
 namespace {
 
 constexpr double thinnest = physics::min_shape_size;
@@ -129,4 +129,4 @@ Vec3 spin_momentum(const Body& body, Quat rotation, Vec3 spin) {
     return rotate(rotation, scaled(body.inertia, inverse_rotate(rotation, spin)));
 }
 
-}  // namespace jostle::bench::lab
+}  // namespace jostle::bench::accuracy

@@ -8,7 +8,7 @@
 
 #include "bench/accuracy/lab_scene.h"
 
-namespace jostle::bench::lab {
+namespace jostle::bench::accuracy {
 
 inline constexpr double g = 9.81;  // m/s^2
 inline constexpr Vec3 half_cube{0.5, 0.5, 0.5};
@@ -55,4 +55,4 @@ Vec3 azimuth(double angle);  // the unit vector that x becomes
 double kinetic_energy(const Body& body, Quat rotation, Vec3 velocity, Vec3 spin);
 Vec3 spin_momentum(const Body& body, Quat rotation, Vec3 spin);  // about the centre of mass
 
-}  // namespace jostle::bench::lab
+}  // namespace jostle::bench::accuracy

@@ -11,7 +11,7 @@
 #include "bench/accuracy/lab_scene.h"
 #include "jostle/base/result.h"
 
-namespace jostle::bench::lab {
+namespace jostle::bench::accuracy {
 
 // Of the centre of mass and the principal axes; velocity and spin in world axes.
 struct BodyState {
@@ -43,4 +43,4 @@ struct EngineKind {
     std::unique_ptr<Engine> (*make)();  // null when this build was made without it
 };
 
-}  // namespace jostle::bench::lab
+}  // namespace jostle::bench::accuracy

@@ -6,7 +6,7 @@
 #include "bench/accuracy/mujoco_lab_engine.h"
 #include "bench/accuracy/ode_lab_engine.h"
 
-namespace jostle::bench::lab {
+namespace jostle::bench::accuracy {
 namespace {
 
 using Maker = std::unique_ptr<Engine> (*)();
@@ -79,4 +79,4 @@ const EngineKind* find_engine_kind(std::string_view name) {
     return nullptr;
 }
 
-}  // namespace jostle::bench::lab
+}  // namespace jostle::bench::accuracy

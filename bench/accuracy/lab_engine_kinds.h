@@ -8,7 +8,7 @@
 
 #include "bench/accuracy/lab_engine.h"
 
-namespace jostle::bench::lab {
+namespace jostle::bench::accuracy {
 
 std::span<const EngineKind> engine_kinds();
 
@@ -18,4 +18,4 @@ const EngineKind* find_engine_kind(std::string_view name);
 // Built with the project; the peers' are declared where they are built in.
 std::unique_ptr<Engine> make_jostle_engine();
 
-}  // namespace jostle::bench::lab
+}  // namespace jostle::bench::accuracy

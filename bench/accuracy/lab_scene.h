@@ -12,7 +12,7 @@
 #include "jostle/physics/geometry.h"
 #include "jostle/physics/transform.h"
 
-namespace jostle::bench::lab {
+namespace jostle::bench::accuracy {
 
 using physics::Quat;
 using physics::Transform;
@@ -92,4 +92,4 @@ struct Scene {
     bool planar = false;  // all motion is in the xz plane, and all joints' axes are along y
 };
 
-}  // namespace jostle::bench::lab
+}  // namespace jostle::bench::accuracy

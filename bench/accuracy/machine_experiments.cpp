@@ -9,7 +9,7 @@
 #include "bench/accuracy/meters.h"
 #include "bench/accuracy/reference.h"
 
-namespace jostle::bench::lab {
+namespace jostle::bench::accuracy {
 namespace {
 
 using physics::pi;
@@ -186,4 +186,4 @@ std::vector<Experiment> machine_experiments() {
     };
 }
 
-}  // namespace jostle::bench::lab
+}  // namespace jostle::bench::accuracy

@@ -5,7 +5,7 @@
 
 #include "bench/accuracy/lab_bodies.h"
 
-namespace jostle::bench::lab {
+namespace jostle::bench::accuracy {
 namespace {
 
 class TrackMeter final : public Meter {
@@ -117,4 +117,4 @@ double energy(const Scene& scene, const Engine& engine) {
     return sum;
 }
 
-}  // namespace jostle::bench::lab
+}  // namespace jostle::bench::accuracy

@@ -11,7 +11,7 @@
 #include "bench/accuracy/experiment.h"
 #include "jostle/analysis/work_error.h"
 
-namespace jostle::bench::lab {
+namespace jostle::bench::accuracy {
 
 using convergence::Rms;
 
@@ -57,4 +57,4 @@ std::unique_ptr<Meter> rest_meter(const Scene& scene, When when = When::at_end);
 // Energy of motion and of height.
 double energy(const Scene& scene, const Engine& engine);
 
-}  // namespace jostle::bench::lab
+}  // namespace jostle::bench::accuracy

@@ -8,7 +8,7 @@
 #include "bench/accuracy/run_row.h"
 #include "bench/accuracy/stress_test.h"
 
-namespace jostle::bench::lab {
+namespace jostle::bench::accuracy {
 namespace {
 
 // An experiment at one rate, held to a limit.
@@ -92,4 +92,4 @@ std::vector<StressTest> motion_stress_tests() {
     return all;
 }
 
-}  // namespace jostle::bench::lab
+}  // namespace jostle::bench::accuracy

@@ -13,7 +13,7 @@
 #include "bench/accuracy/lab_bodies.h"
 #include "bench/accuracy/mujoco_model.h"
 
-namespace jostle::bench::lab {
+namespace jostle::bench::accuracy {
 namespace {
 
 // MuJoCo ends the program on errors, and would write both kinds to a file in the working directory.
@@ -202,4 +202,4 @@ std::unique_ptr<Engine> make_mujoco_lab_engine() {
     return std::make_unique<MujocoLabEngine>();
 }
 
-}  // namespace jostle::bench::lab
+}  // namespace jostle::bench::accuracy

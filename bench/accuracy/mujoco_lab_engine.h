@@ -8,8 +8,8 @@
 
 #include "bench/accuracy/lab_engine.h"
 
-namespace jostle::bench::lab {
+namespace jostle::bench::accuracy {
 
 std::unique_ptr<Engine> make_mujoco_lab_engine();
 
-}  // namespace jostle::bench::lab
+}  // namespace jostle::bench::accuracy

@@ -4,7 +4,7 @@
 #include <cstdarg>
 #include <cstdio>
 
-namespace jostle::bench::lab {
+namespace jostle::bench::accuracy {
 namespace {
 
 std::string triple(Vec3 v) {
@@ -220,4 +220,4 @@ Result<std::string> mujoco_xml(const Scene& scene, const BodyTree& tree, const s
            springs_of(scene) + loops_of(scene, tree) + motors_of(tree) + "</mujoco>\n";
 }
 
-}  // namespace jostle::bench::lab
+}  // namespace jostle::bench::accuracy

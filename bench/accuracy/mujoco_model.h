@@ -8,8 +8,8 @@
 #include "bench/accuracy/body_tree.h"
 #include "jostle/base/result.h"
 
-namespace jostle::bench::lab {
+namespace jostle::bench::accuracy {
 
 Result<std::string> mujoco_xml(const Scene& scene, const BodyTree& tree, const std::string& mode);
 
-}  // namespace jostle::bench::lab
+}  // namespace jostle::bench::accuracy

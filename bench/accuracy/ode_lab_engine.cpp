@@ -10,7 +10,7 @@
 
 #include "bench/accuracy/lab_bodies.h"
 
-namespace jostle::bench::lab {
+namespace jostle::bench::accuracy {
 namespace {
 
 constexpr int contacts_per_pair = 4;
@@ -287,4 +287,4 @@ std::unique_ptr<Engine> make_ode_lab_engine() {
     return std::make_unique<OdeLabEngine>();
 }
 
-}  // namespace jostle::bench::lab
+}  // namespace jostle::bench::accuracy

@@ -8,7 +8,7 @@
 #include "bench/accuracy/meters.h"
 #include "bench/accuracy/reference.h"
 
-namespace jostle::bench::lab {
+namespace jostle::bench::accuracy {
 namespace {
 
 using physics::pi;
@@ -131,4 +131,4 @@ std::vector<Experiment> pendulum_experiments() {
     return all;
 }
 
-}  // namespace jostle::bench::lab
+}  // namespace jostle::bench::accuracy

@@ -8,7 +8,7 @@
 #include "bench/accuracy/lab_bodies.h"
 #include "bench/accuracy/meters.h"
 
-namespace jostle::bench::lab {
+namespace jostle::bench::accuracy {
 namespace {
 
 using physics::pi;
@@ -195,4 +195,4 @@ std::vector<Experiment> pile_experiments() {
     };
 }
 
-}  // namespace jostle::bench::lab
+}  // namespace jostle::bench::accuracy

@@ -11,7 +11,7 @@
 #include "bench/accuracy/stress_test.h"
 #include "bench/measure.h"
 
-namespace jostle::bench::lab {
+namespace jostle::bench::accuracy {
 namespace {
 
 constexpr double rate_hz = 60;
@@ -177,4 +177,4 @@ std::vector<StressTest> pile_stress_tests() {
              }}};
 }
 
-}  // namespace jostle::bench::lab
+}  // namespace jostle::bench::accuracy

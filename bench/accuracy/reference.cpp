@@ -8,7 +8,7 @@
 
 #include "bench/accuracy/lab_bodies.h"
 
-namespace jostle::bench::lab {
+namespace jostle::bench::accuracy {
 namespace {
 
 using physics::pi;
@@ -202,4 +202,4 @@ double catenary_sag(int links, double link_length, double span) {
     return sums(0.5 * (low + high)).second;
 }
 
-}  // namespace jostle::bench::lab
+}  // namespace jostle::bench::accuracy

@@ -11,7 +11,7 @@
 
 #include "bench/accuracy/lab_scene.h"
 
-namespace jostle::bench::lab {
+namespace jostle::bench::accuracy {
 
 inline constexpr int reference_hz = 19200;
 
@@ -60,4 +60,4 @@ Track free_axis_y(Vec3 inertia, Vec3 spin, double seconds);
 // n equal links between two points at one height: the depth of the lowest joint.
 double catenary_sag(int links, double link_length, double span);
 
-}  // namespace jostle::bench::lab
+}  // namespace jostle::bench::accuracy

@@ -15,7 +15,7 @@
 #include "bench/result_file.h"
 #include "bench/speed/child_process.h"
 
-namespace jostle::bench::lab {
+namespace jostle::bench::accuracy {
 namespace {
 
 constexpr double furthest = 1e5;    // m
@@ -207,4 +207,4 @@ std::vector<Row> rows_from_csv(std::istream& in) {
     return rows;
 }
 
-}  // namespace jostle::bench::lab
+}  // namespace jostle::bench::accuracy

@@ -10,7 +10,7 @@
 
 #include "bench/accuracy/experiment.h"
 
-namespace jostle::bench::lab {
+namespace jostle::bench::accuracy {
 
 struct Row {
     std::string scene, engine, mode;
@@ -50,4 +50,4 @@ std::string csv_heading();
 std::string csv_line(const Row& row);
 std::vector<Row> rows_from_csv(std::istream& in);  // throws std::runtime_error: the line
 
-}  // namespace jostle::bench::lab
+}  // namespace jostle::bench::accuracy

@@ -12,7 +12,7 @@
 #include "bench/measure.h"
 #include "bench/result_file.h"
 
-namespace jostle::bench::lab {
+namespace jostle::bench::accuracy {
 namespace {
 
 constexpr std::array rates = {30.0, 60.0, 120.0};
@@ -168,4 +168,4 @@ int run_short_form(const std::vector<const Experiment*>& experiments, const std:
     return write_rows(file, kept) ? 0 : 1;
 }
 
-}  // namespace jostle::bench::lab
+}  // namespace jostle::bench::accuracy

@@ -10,7 +10,7 @@
 
 #include "bench/accuracy/run_row.h"
 
-namespace jostle::bench::lab {
+namespace jostle::bench::accuracy {
 
 // Whether the scene is cheap enough to belong to it.
 bool in_short_form(const Experiment& experiment);
@@ -37,4 +37,4 @@ std::vector<Change> changes_between(const std::vector<Row>& before, const std::v
 int run_short_form(const std::vector<const Experiment*>& experiments, const std::string& file,
                    bool update);
 
-}  // namespace jostle::bench::lab
+}  // namespace jostle::bench::accuracy

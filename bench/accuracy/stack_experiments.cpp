@@ -7,7 +7,7 @@
 #include "bench/accuracy/meters.h"
 #include "bench/accuracy/stack_scenes.h"
 
-namespace jostle::bench::lab {
+namespace jostle::bench::accuracy {
 namespace {
 
 Start standing(Scene scene, double seconds) {
@@ -71,4 +71,4 @@ std::vector<Experiment> stack_experiments() {
     return all;
 }
 
-}  // namespace jostle::bench::lab
+}  // namespace jostle::bench::accuracy

@@ -5,7 +5,7 @@
 
 #include "bench/accuracy/lab_bodies.h"
 
-namespace jostle::bench::lab {
+namespace jostle::bench::accuracy {
 namespace {
 
 using physics::pi;
@@ -62,4 +62,4 @@ Scene arch(double inner_radius, double outer_radius) {
     return scene;
 }
 
-}  // namespace jostle::bench::lab
+}  // namespace jostle::bench::accuracy

@@ -5,7 +5,7 @@
 
 #include "bench/accuracy/lab_scene.h"
 
-namespace jostle::bench::lab {
+namespace jostle::bench::accuracy {
 
 // Boxes on each other, friction 0.5; the lowest first, then the plane.
 Scene box_stack(int count, Vec3 half_extents, double mass);
@@ -16,4 +16,4 @@ Scene leaning_cards(double friction);
 // A semicircle of 15 wedges, 0.4 m deep, on a plane.
 Scene arch(double inner_radius, double outer_radius);
 
-}  // namespace jostle::bench::lab
+}  // namespace jostle::bench::accuracy

@@ -9,7 +9,7 @@
 #include "bench/accuracy/stack_scenes.h"
 #include "bench/accuracy/stress_test.h"
 
-namespace jostle::bench::lab {
+namespace jostle::bench::accuracy {
 namespace {
 
 Start resting(Scene scene, double seconds) {
@@ -135,4 +135,4 @@ std::vector<StressTest> stack_stress_tests() {
             thin_plates()};
 }
 
-}  // namespace jostle::bench::lab
+}  // namespace jostle::bench::accuracy

@@ -8,7 +8,7 @@
 #include "bench/accuracy/run_row.h"
 #include "bench/result_file.h"
 
-namespace jostle::bench::lab {
+namespace jostle::bench::accuracy {
 namespace {
 
 // Second error: the highest speed of any free body.
@@ -84,4 +84,4 @@ nlohmann::ordered_json to_json(const StressTest& test, const EngineKind& kind,
     return json;
 }
 
-}  // namespace jostle::bench::lab
+}  // namespace jostle::bench::accuracy

@@ -12,7 +12,7 @@
 
 #include "bench/accuracy/experiment.h"
 
-namespace jostle::bench::lab {
+namespace jostle::bench::accuracy {
 
 struct Verdict {
     bool pass = false;
@@ -52,4 +52,4 @@ Verdict run_stress(const StressRun& run, const EngineKind& kind, const std::stri
 nlohmann::ordered_json to_json(const StressTest& test, const EngineKind& kind,
                                const std::string& mode, const Verdict& verdict);
 
-}  // namespace jostle::bench::lab
+}  // namespace jostle::bench::accuracy

@@ -7,7 +7,7 @@
 #include "bench/accuracy/lab_bodies.h"
 #include "bench/accuracy/meters.h"
 
-namespace jostle::bench::lab {
+namespace jostle::bench::accuracy {
 namespace {
 
 using physics::pi;
@@ -104,4 +104,4 @@ std::vector<Experiment> top_experiments() {
     };
 }
 
-}  // namespace jostle::bench::lab
+}  // namespace jostle::bench::accuracy

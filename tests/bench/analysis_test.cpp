@@ -17,7 +17,7 @@
 
 namespace {
 
-using namespace jostle::bench::lab;
+using namespace jostle::bench::accuracy;
 
 Row row_of(const char* scene, const char* engine, double rate_hz, double error, double cost) {
     return {.scene = scene,

@@ -10,7 +10,7 @@
 
 namespace {
 
-using namespace jostle::bench::lab;
+using namespace jostle::bench::accuracy;
 
 Row row_of(const char* scene, const char* engine, double rate_hz, const char* mode = nullptr) {
     const EngineKind& kind = *find_engine_kind(engine);

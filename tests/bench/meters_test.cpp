@@ -12,7 +12,7 @@
 
 namespace {
 
-using namespace jostle::bench::lab;
+using namespace jostle::bench::accuracy;
 using jostle::physics::pi;
 
 // Where each body is at each time is told.

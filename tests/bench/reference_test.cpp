@@ -14,7 +14,7 @@
 
 namespace {
 
-using namespace jostle::bench::lab;
+using namespace jostle::bench::accuracy;
 using jostle::physics::pi;
 
 constexpr double rod_at_pivot = 1.0 / 3 * (0.05 * 0.05 + 0.25) + 0.25;  // kg m^2, of 1 kg and 1 m

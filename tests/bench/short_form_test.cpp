@@ -7,7 +7,7 @@
 
 namespace {
 
-using namespace jostle::bench::lab;
+using namespace jostle::bench::accuracy;
 
 Row short_row(const char* scene, double error, double second = 0, double rate_hz = 60) {
     return {.scene = scene, .rate_hz = rate_hz, .error = error, .second_error = second};

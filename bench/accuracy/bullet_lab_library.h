@@ -5,7 +5,7 @@
 
 #include <memory>
 
-#include "bench/accuracy/lab_engine.h"
+#include "bench/accuracy/accuracy_engine.h"
 
 // What the library exports.
 extern "C" jostle::bench::accuracy::Engine* make_bullet_lab_engine();

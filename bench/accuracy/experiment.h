@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "bench/accuracy/lab_engine.h"
+#include "bench/accuracy/accuracy_engine.h"
 
 namespace jostle::bench::accuracy {
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <string_view>
 
-#include "bench/accuracy/lab_engine.h"
+#include "bench/accuracy/accuracy_engine.h"
 
 namespace jostle::bench::accuracy {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // A scene of the laboratory in words that every engine shares. Engines build their worlds from it
-// (lab_engine.h), experiments make it (experiment.h). SI units; z is up.
+// (accuracy_engine.h), experiments make it (experiment.h). SI units; z is up.
 #pragma once
 
 #include <optional>

@@ -6,7 +6,7 @@
 
 #include <memory>
 
-#include "bench/accuracy/lab_engine.h"
+#include "bench/accuracy/accuracy_engine.h"
 
 namespace jostle::bench::accuracy {
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "bench/accuracy/lab_engine_kinds.h"
+#include "bench/accuracy/accuracy_engine_kinds.h"
 #include "bench/speed/series_style.h"
 #include "jostle/analysis/log_axis.h"
 

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "bench/accuracy/lab_engine_kinds.h"
+#include "bench/accuracy/accuracy_engine_kinds.h"
 #include "bench/accuracy/reference.h"
 #include "bench/measure.h"
 

@@ -6,7 +6,7 @@
 #include <iterator>
 
 #include "bench/accuracy/choices.h"
-#include "bench/accuracy/lab_engine_kinds.h"
+#include "bench/accuracy/accuracy_engine_kinds.h"
 #include "bench/accuracy/stress_test.h"
 #include "bench/result_file.h"
 #include "jostle/base/format_text.h"

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "bench/accuracy/lab_bodies.h"
-#include "bench/accuracy/lab_engine_kinds.h"
+#include "bench/accuracy/accuracy_engine_kinds.h"
 #include "jostle/physics/hull.h"
 #include "jostle/physics/world.h"
 

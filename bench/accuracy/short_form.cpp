@@ -8,7 +8,7 @@
 #include <fstream>
 #include <string_view>
 
-#include "bench/accuracy/lab_engine_kinds.h"
+#include "bench/accuracy/accuracy_engine_kinds.h"
 #include "bench/measure.h"
 #include "bench/result_file.h"
 

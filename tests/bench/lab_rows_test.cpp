@@ -4,7 +4,7 @@
 // scenes.
 #include <gtest/gtest.h>
 
-#include "bench/accuracy/lab_engine_kinds.h"
+#include "bench/accuracy/accuracy_engine_kinds.h"
 #include "bench/accuracy/run_row.h"
 #include "bench/accuracy/stress_test.h"
 

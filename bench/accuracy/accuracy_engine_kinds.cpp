@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/accuracy/lab_engine_kinds.h"
+#include "bench/accuracy/accuracy_engine_kinds.h"
 
 #include "bench/accuracy/box2d_lab_engine.h"
 #include "bench/accuracy/bullet_lab_library.h"

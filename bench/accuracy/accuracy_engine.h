@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/accuracy/lab_scene.h"
+#include "bench/accuracy/accuracy_scene.h"
 #include "jostle/base/result.h"
 
 namespace jostle::bench::accuracy {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "bench/accuracy/lab_scene.h"
+#include "bench/accuracy/accuracy_scene.h"
 
 namespace jostle::bench::accuracy {
 

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/accuracy/lab_scene.h"
+#include "bench/accuracy/accuracy_scene.h"
 
 namespace jostle::bench::accuracy {
 

@@ -3,7 +3,7 @@
 // What stands on a plane: shared by the experiments and the stress tests.
 #pragma once
 
-#include "bench/accuracy/lab_scene.h"
+#include "bench/accuracy/accuracy_scene.h"
 
 namespace jostle::bench::accuracy {
 

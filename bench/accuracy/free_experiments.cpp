@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "bench/accuracy/lab_bodies.h"
+#include "bench/accuracy/accuracy_bodies.h"
 #include "bench/accuracy/meters.h"
 #include "bench/accuracy/reference.h"
 

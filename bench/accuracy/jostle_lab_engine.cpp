@@ -3,7 +3,7 @@
 #include <optional>
 #include <utility>
 
-#include "bench/accuracy/lab_bodies.h"
+#include "bench/accuracy/accuracy_bodies.h"
 #include "bench/accuracy/accuracy_engine_kinds.h"
 #include "jostle/physics/hull.h"
 #include "jostle/physics/world.h"

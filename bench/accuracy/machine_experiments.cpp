@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "bench/accuracy/lab_bodies.h"
+#include "bench/accuracy/accuracy_bodies.h"
 #include "bench/accuracy/meters.h"
 #include "bench/accuracy/reference.h"
 

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/accuracy/lab_bodies.h"
+#include "bench/accuracy/accuracy_bodies.h"
 #include "bench/accuracy/mujoco_model.h"
 
 namespace jostle::bench::accuracy {

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "bench/accuracy/lab_bodies.h"
+#include "bench/accuracy/accuracy_bodies.h"
 
 namespace jostle::bench::accuracy {
 namespace {

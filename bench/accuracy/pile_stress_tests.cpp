@@ -6,7 +6,7 @@
 #include <random>
 #include <utility>
 
-#include "bench/accuracy/lab_bodies.h"
+#include "bench/accuracy/accuracy_bodies.h"
 #include "bench/accuracy/meters.h"
 #include "bench/accuracy/stress_test.h"
 #include "bench/measure.h"

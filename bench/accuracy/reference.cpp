@@ -6,7 +6,7 @@
 #include <map>
 #include <utility>
 
-#include "bench/accuracy/lab_bodies.h"
+#include "bench/accuracy/accuracy_bodies.h"
 
 namespace jostle::bench::accuracy {
 namespace {

@@ -3,7 +3,7 @@
 // C8 to C11: what should stand, and twice what should fall.
 #include <utility>
 
-#include "bench/accuracy/lab_bodies.h"
+#include "bench/accuracy/accuracy_bodies.h"
 #include "bench/accuracy/meters.h"
 #include "bench/accuracy/stack_scenes.h"
 

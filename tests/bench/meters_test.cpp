@@ -8,7 +8,7 @@
 
 #include <cmath>
 
-#include "bench/accuracy/lab_bodies.h"
+#include "bench/accuracy/accuracy_bodies.h"
 
 namespace {
 

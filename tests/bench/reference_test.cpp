@@ -9,7 +9,7 @@
 #include <cmath>
 
 #include "bench/accuracy/experiment.h"
-#include "bench/accuracy/lab_bodies.h"
+#include "bench/accuracy/accuracy_bodies.h"
 #include "jostle/physics/geometry.h"
 
 namespace {

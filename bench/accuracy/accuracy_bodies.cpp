@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/accuracy/lab_bodies.h"
+#include "bench/accuracy/accuracy_bodies.h"
 
 #include <algorithm>
 #include <cmath>

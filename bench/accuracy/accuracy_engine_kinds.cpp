@@ -2,7 +2,7 @@
 #include "bench/accuracy/accuracy_engine_kinds.h"
 
 #include "bench/accuracy/box2d_lab_engine.h"
-#include "bench/accuracy/bullet_lab_library.h"
+#include "bench/accuracy/bullet_accuracy_library.h"
 #include "bench/accuracy/mujoco_lab_engine.h"
 #include "bench/accuracy/ode_lab_engine.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Bullet in double precision. A library of its own, opened at run time (bullet_lab_library.cpp):
+// Bullet in double precision. A library of its own, opened at run time (bullet_accuracy_library.cpp):
 // jostle-bench speed links Bullet in single precision, and both have the same names.
 #include <btBulletDynamicsCommon.h>
 
@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "bench/accuracy/bullet_lab_library.h"
+#include "bench/accuracy/bullet_accuracy_library.h"
 #include "bench/accuracy/bullet_tree_engine.h"
 
 namespace jostle::bench::accuracy {

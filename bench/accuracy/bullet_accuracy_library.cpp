@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/accuracy/bullet_lab_library.h"
+#include "bench/accuracy/bullet_accuracy_library.h"
 
 #include <dlfcn.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/accuracy/box2d_lab_engine.h"
+#include "bench/accuracy/box2d_accuracy_engine.h"
 
 #include <box2d/box2d.h>
 

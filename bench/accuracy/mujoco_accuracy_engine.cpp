@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/accuracy/mujoco_lab_engine.h"
+#include "bench/accuracy/mujoco_accuracy_engine.h"
 
 #include <mujoco/mujoco.h>
 #include <unistd.h>

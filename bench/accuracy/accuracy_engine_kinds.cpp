@@ -4,7 +4,7 @@
 #include "bench/accuracy/box2d_accuracy_engine.h"
 #include "bench/accuracy/bullet_accuracy_library.h"
 #include "bench/accuracy/mujoco_accuracy_engine.h"
-#include "bench/accuracy/ode_lab_engine.h"
+#include "bench/accuracy/ode_accuracy_engine.h"
 
 namespace jostle::bench::accuracy {
 namespace {

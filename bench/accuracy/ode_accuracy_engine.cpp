@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/accuracy/ode_lab_engine.h"
+#include "bench/accuracy/ode_accuracy_engine.h"
 
 #include <ode/ode.h>
 

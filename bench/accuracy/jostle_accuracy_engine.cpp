@@ -32,7 +32,7 @@ Result<physics::Geometry> geometry_of(const Shape& shape) {
     return geometry;
 }
 
-class JostleLabEngine final : public Engine {
+class JostleAccuracyEngine final : public Engine {
 public:
     Status build(const Scene& scene, const std::string& mode) override {
         // subN: so many sub-steps; tolX: as many as keep to X metres in a second.
@@ -194,7 +194,7 @@ private:
 }  // namespace
 
 std::unique_ptr<Engine> make_jostle_engine() {
-    return std::make_unique<JostleLabEngine>();
+    return std::make_unique<JostleAccuracyEngine>();
 }
 
 }  // namespace jostle::bench::accuracy

@@ -76,9 +76,9 @@ int iterations_of(const std::string& mode) {
     return digits == std::string::npos ? 10 : std::stoi(mode.substr(digits));
 }
 
-class BulletLabEngine final : public Engine {
+class BulletAccuracyEngine final : public Engine {
 public:
-    ~BulletLabEngine() override {
+    ~BulletAccuracyEngine() override {
         for (const auto& constraint : constraints_) world_->removeConstraint(constraint.get());
         for (const auto& body : bodies_) world_->removeRigidBody(body.get());
     }
@@ -273,7 +273,7 @@ public:
         if (mode.starts_with("mb"))
             engine_ = make_bullet_tree_engine();
         else
-            engine_ = std::make_unique<BulletLabEngine>();
+            engine_ = std::make_unique<BulletAccuracyEngine>();
         return engine_->build(scene, mode);
     }
     void step(double dt) override { engine_->step(dt); }

@@ -30,7 +30,7 @@ float angle_of(Quat q) {
     return single(std::atan2(x.z, x.x));
 }
 
-class Box2dLabEngine final : public Engine {
+class Box2dAccuracyEngine final : public Engine {
 public:
     Status build(const Scene& scene, const std::string& mode) override {
         if (scene.central_pull > 0 || scene.mutual_pull > 0)
@@ -187,7 +187,7 @@ private:
 }  // namespace
 
 std::unique_ptr<Engine> make_box2d_lab_engine() {
-    return std::make_unique<Box2dLabEngine>();
+    return std::make_unique<Box2dAccuracyEngine>();
 }
 
 }  // namespace jostle::bench::accuracy

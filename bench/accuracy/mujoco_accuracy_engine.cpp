@@ -49,19 +49,19 @@ void pull_bodies(const mjModel* model, mjData* data) {
     }
 }
 
-class MujocoLabEngine final : public Engine {
+class MujocoAccuracyEngine final : public Engine {
 public:
-    MujocoLabEngine() {
+    MujocoAccuracyEngine() {
         mju_user_error = end_on_error;
         mju_user_warning = ignore_warning;
     }
-    ~MujocoLabEngine() override {
+    ~MujocoAccuracyEngine() override {
         mjcb_passive = nullptr;
         if (data_) mj_deleteData(data_);
         if (model_) mj_deleteModel(model_);
     }
-    MujocoLabEngine(const MujocoLabEngine&) = delete;
-    MujocoLabEngine& operator=(const MujocoLabEngine&) = delete;
+    MujocoAccuracyEngine(const MujocoAccuracyEngine&) = delete;
+    MujocoAccuracyEngine& operator=(const MujocoAccuracyEngine&) = delete;
 
     Status build(const Scene& scene, const std::string& mode) override {
         const BodyTree tree = tree_of(scene);
@@ -199,7 +199,7 @@ private:
 }  // namespace
 
 std::unique_ptr<Engine> make_mujoco_lab_engine() {
-    return std::make_unique<MujocoLabEngine>();
+    return std::make_unique<MujocoAccuracyEngine>();
 }
 
 }  // namespace jostle::bench::accuracy

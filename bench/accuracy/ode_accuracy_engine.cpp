@@ -53,9 +53,9 @@ Quat geom_rotation(const Body& body) {
                : Quat{};
 }
 
-class OdeLabEngine final : public Engine {
+class OdeAccuracyEngine final : public Engine {
 public:
-    OdeLabEngine() {
+    OdeAccuracyEngine() {
         dInitODE2(0);
         dSetMessageHandler(drop_message);
         dRandSetSeed(0);  // QuickStep shuffles its rows; each run shuffles alike
@@ -63,14 +63,14 @@ public:
         space_ = dHashSpaceCreate(nullptr);
         contacts_ = dJointGroupCreate(0);
     }
-    ~OdeLabEngine() override {
+    ~OdeAccuracyEngine() override {
         dJointGroupDestroy(contacts_);
         dSpaceDestroy(space_);
         dWorldDestroy(world_);
         dCloseODE();
     }
-    OdeLabEngine(const OdeLabEngine&) = delete;
-    OdeLabEngine& operator=(const OdeLabEngine&) = delete;
+    OdeAccuracyEngine(const OdeAccuracyEngine&) = delete;
+    OdeAccuracyEngine& operator=(const OdeAccuracyEngine&) = delete;
 
     Status build(const Scene& scene, const std::string& mode) override {
         if (scene.swept) return Error{.message = "ode does not sweep"};
@@ -104,7 +104,7 @@ public:
                 dBodyAddForce(body, force.x, force.y, force.z);
             }
         if (mutual_pull_ > 0) pull_each_other();
-        dSpaceCollide(space_, this, &OdeLabEngine::on_pair);
+        dSpaceCollide(space_, this, &OdeAccuracyEngine::on_pair);
         if (quick_)
             dWorldQuickStep(world_, dt);
         else
@@ -147,7 +147,7 @@ private:
     }
 
     static void on_pair(void* self, dGeomID a, dGeomID b) {
-        static_cast<OdeLabEngine*>(self)->collide(a, b);
+        static_cast<OdeAccuracyEngine*>(self)->collide(a, b);
     }
 
     void collide(dGeomID a, dGeomID b) {
@@ -284,7 +284,7 @@ private:
 }  // namespace
 
 std::unique_ptr<Engine> make_ode_lab_engine() {
-    return std::make_unique<OdeLabEngine>();
+    return std::make_unique<OdeAccuracyEngine>();
 }
 
 }  // namespace jostle::bench::accuracy

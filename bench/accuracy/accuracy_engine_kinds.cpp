@@ -17,17 +17,17 @@ constexpr Maker make_bullet = open_bullet_engine;
 constexpr Maker make_bullet = nullptr;
 #endif
 #if JOSTLE_LAB_ODE
-constexpr Maker make_ode = make_ode_lab_engine;
+constexpr Maker make_ode = make_ode_accuracy_engine;
 #else
 constexpr Maker make_ode = nullptr;
 #endif
 #if JOSTLE_LAB_MUJOCO
-constexpr Maker make_mujoco = make_mujoco_lab_engine;
+constexpr Maker make_mujoco = make_mujoco_accuracy_engine;
 #else
 constexpr Maker make_mujoco = nullptr;
 #endif
 #if JOSTLE_LAB_BOX2D
-constexpr Maker make_box2d = make_box2d_lab_engine;
+constexpr Maker make_box2d = make_box2d_accuracy_engine;
 #else
 constexpr Maker make_box2d = nullptr;
 #endif

@@ -186,7 +186,7 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Engine> make_box2d_lab_engine() {
+std::unique_ptr<Engine> make_box2d_accuracy_engine() {
     return std::make_unique<Box2dAccuracyEngine>();
 }
 

@@ -9,6 +9,6 @@
 
 namespace jostle::bench::accuracy {
 
-std::unique_ptr<Engine> make_box2d_lab_engine();
+std::unique_ptr<Engine> make_box2d_accuracy_engine();
 
 }  // namespace jostle::bench::accuracy

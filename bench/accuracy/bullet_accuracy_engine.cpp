@@ -289,6 +289,6 @@ private:
 }  // namespace
 }  // namespace jostle::bench::accuracy
 
-extern "C" jostle::bench::accuracy::Engine* make_bullet_lab_engine() {
+extern "C" jostle::bench::accuracy::Engine* make_bullet_accuracy_engine() {
     return new jostle::bench::accuracy::EitherBulletEngine;
 }

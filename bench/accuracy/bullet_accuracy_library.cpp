@@ -15,7 +15,7 @@ using Maker = Engine* (*)();
 // double precision, in this program of single.
 Maker open_library() {
     void* library = dlopen(JOSTLE_BULLET_LAB, RTLD_NOW | RTLD_LOCAL | RTLD_DEEPBIND);
-    void* maker = library ? dlsym(library, "make_bullet_lab_engine") : nullptr;
+    void* maker = library ? dlsym(library, "make_bullet_accuracy_engine") : nullptr;
     if (!maker) {
         std::fprintf(stderr, "jostle-bench: cannot open Bullet: %s\n", dlerror());
         std::exit(1);

@@ -8,7 +8,7 @@
 #include "bench/accuracy/accuracy_engine.h"
 
 // What the library exports.
-extern "C" jostle::bench::accuracy::Engine* make_bullet_lab_engine();
+extern "C" jostle::bench::accuracy::Engine* make_bullet_accuracy_engine();
 
 namespace jostle::bench::accuracy {
 

@@ -198,7 +198,7 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Engine> make_mujoco_lab_engine() {
+std::unique_ptr<Engine> make_mujoco_accuracy_engine() {
     return std::make_unique<MujocoAccuracyEngine>();
 }
 

@@ -10,6 +10,6 @@
 
 namespace jostle::bench::accuracy {
 
-std::unique_ptr<Engine> make_mujoco_lab_engine();
+std::unique_ptr<Engine> make_mujoco_accuracy_engine();
 
 }  // namespace jostle::bench::accuracy

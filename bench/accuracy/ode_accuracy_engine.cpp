@@ -283,7 +283,7 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Engine> make_ode_lab_engine() {
+std::unique_ptr<Engine> make_ode_accuracy_engine() {
     return std::make_unique<OdeAccuracyEngine>();
 }
 

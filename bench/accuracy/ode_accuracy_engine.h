@@ -9,6 +9,6 @@
 
 namespace jostle::bench::accuracy {
 
-std::unique_ptr<Engine> make_ode_lab_engine();
+std::unique_ptr<Engine> make_ode_accuracy_engine();
 
 }  // namespace jostle::bench::accuracy

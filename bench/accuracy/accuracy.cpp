@@ -14,7 +14,7 @@
 #include "bench/accuracy/accuracy_plot.h"
 #include "bench/accuracy/accuracy_report.h"
 #include "bench/accuracy/accuracy_sheet.h"
-#include "bench/accuracy/choices.h"
+#include "bench/accuracy/flag_selection.h"
 #include "bench/accuracy/doc_tables.h"
 #include "bench/accuracy/run_row.h"
 #include "bench/accuracy/short_form.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "bench/accuracy/choices.h"
+#include "bench/accuracy/flag_selection.h"
 #include "bench/result_file.h"
 #include "jostle/base/format_text.h"
 

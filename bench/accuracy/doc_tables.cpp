@@ -5,7 +5,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "bench/accuracy/choices.h"
+#include "bench/accuracy/flag_selection.h"
 #include "bench/accuracy/accuracy_engine_kinds.h"
 #include "bench/accuracy/stress_test.h"
 #include "bench/result_file.h"

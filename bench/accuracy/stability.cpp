@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/accuracy/choices.h"
+#include "bench/accuracy/flag_selection.h"
 #include "bench/accuracy/doc_tables.h"
 #include "bench/accuracy/stress_test.h"
 #include "bench/measure.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/accuracy/choices.h"
+#include "bench/accuracy/flag_selection.h"
 
 #include <algorithm>
 #include <cstdio>

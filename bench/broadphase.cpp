@@ -271,9 +271,9 @@ int run(const Flags& flags) {
 }
 
 template <class Value>
-CLI::IsMember one_of(const std::map<std::string, Value>& names) {
+CLI::IsMember one_of(const std::map<std::string, Value>& contains) {
     std::vector<std::string> keys;
-    for (const auto& [name, value] : names) keys.push_back(name);
+    for (const auto& [name, value] : contains) keys.push_back(name);
     return CLI::IsMember(keys);
 }
 

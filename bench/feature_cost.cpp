@@ -254,11 +254,11 @@ void add_features(CLI::App& app, int& status) {
     CLI::App* command =
         app.add_subcommand("features", "What features cost a world that does not use them.");
     const auto flags = std::make_shared<Flags>();
-    std::vector<std::string> names;
-    for (const Feature& feature : features) names.push_back(feature.name);
+    std::vector<std::string> contains;
+    for (const Feature& feature : features) contains.push_back(feature.name);
     command->add_option("--feature", flags->only, "These alone, with commas between; without: all")
         ->delimiter(',')
-        ->check(CLI::IsMember(names));
+        ->check(CLI::IsMember(contains));
     command->add_option("--rounds", flags->rounds, "How often both worlds are made and stepped")
         ->capture_default_str()
         ->check(CLI::Range(2, 100000));

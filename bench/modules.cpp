@@ -84,8 +84,8 @@ int run(const Flags& flags) {
                 "us an object", "late");
     nlohmann::ordered_json rows = nlohmann::ordered_json::array();
     for (const ModuleCase& one : module_cases()) {
-        const auto& names = flags.cases;
-        if (!names.empty() && std::find(names.begin(), names.end(), one.name) == names.end())
+        const auto& contains = flags.cases;
+        if (!contains.empty() && std::find(contains.begin(), contains.end(), one.name) == contains.end())
             continue;
         const Row row = measure(one, flags);
         print(row);
@@ -96,9 +96,9 @@ int run(const Flags& flags) {
 }
 
 std::vector<std::string> case_names() {
-    std::vector<std::string> names;
-    for (const ModuleCase& one : module_cases()) names.emplace_back(one.name);
-    return names;
+    std::vector<std::string> contains;
+    for (const ModuleCase& one : module_cases()) contains.emplace_back(one.name);
+    return contains;
 }
 
 }  // namespace

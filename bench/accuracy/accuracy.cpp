@@ -108,10 +108,10 @@ std::vector<const Experiment*> reported(const std::vector<Row>& rows) {
 std::vector<Row> run_rows(const Flags& flags, std::vector<Row> rows) {
     std::printf("%-10s %-8s %-18s %6s %11s %11s %12s\n", "scene", "engine", "mode", "rate", "error",
                 "second", "cpu us/s");
-    for (const Experiment* experiment : chosen_experiments(flags.scenes)) {
+    for (const Experiment* experiment : selected_experiments(flags.scenes)) {
         static_cast<void>(experiment->start(0));  // makes the reference, which children inherit
-        for (const EngineKind* kind : chosen_engines(flags.peers))
-            for (const std::string& mode : chosen_modes(*kind, flags.modes))
+        for (const EngineKind* kind : selected_engines(flags.peers))
+            for (const std::string& mode : selected_modes(*kind, flags.modes))
                 run_mode(*experiment, *kind, mode, flags, rows);
     }
     return rows;
@@ -120,7 +120,7 @@ std::vector<Row> run_rows(const Flags& flags, std::vector<Row> rows) {
 bool write_files(const Flags& flags, const std::vector<Row>& rows, const Score& score) {
     bool done = true;
     if (!flags.json.empty()) {
-        nlohmann::ordered_json head = file_head("accuracy");
+        nlohmann::ordered_json head = result_header("accuracy");
         head["work"] = work_json(rows);
         head["score"] = score_json(score);
         nlohmann::ordered_json json = nlohmann::ordered_json::array();
@@ -146,7 +146,7 @@ bool write_files(const Flags& flags, const std::vector<Row>& rows, const Score& 
 
 int run(const Flags& flags) {
     if (flags.short_form)
-        return run_short_form(chosen_experiments(flags.scenes), flags.against, flags.update);
+        return run_short_form(selected_experiments(flags.scenes), flags.against, flags.update);
     for (const std::string& path : {flags.json, flags.csv, flags.sheet, flags.tables})
         if (!path.empty() && !can_write(path)) return 1;
     if (!flags.plot.empty()) {
@@ -160,7 +160,7 @@ int run(const Flags& flags) {
     }
     auto earlier = earlier_rows(flags.add);
     if (!earlier) return 1;
-    if (names(flags.peers, "all")) say_which_are_absent();
+    if (contains(flags.peers, "all")) print_missing_peers();
     const std::vector<Row> rows = run_rows(flags, std::move(*earlier));
     for (const Experiment* experiment : reported(rows))
         std::printf("%s", scene_report(*experiment, rows).c_str());
@@ -212,7 +212,7 @@ void add_accuracy(CLI::App& app, int& status) {
     for (const char* other : {"--rates", "--peers", "--modes", "--json", "--csv", "--plot",
                               "--sheet", "--tables", "--add"})
         short_form->excludes(command->get_option(other));
-    command->footer("\n" + lists_of_experiments() + "\n" + lists_of_engines() + footer);
+    command->footer("\n" + experiment_list() + "\n" + engine_list() + footer);
     command->callback([flags, &status] { status = run(*flags); });
 }
 

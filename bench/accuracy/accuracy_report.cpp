@@ -50,7 +50,7 @@ std::string error_at_usual_rate(const std::vector<Row>& rows, const std::string&
 std::vector<std::string> engines_of(const std::vector<Series>& all) {
     std::vector<std::string> engines;
     for (const Series& series : all)
-        if (!names(engines, series.engine)) engines.push_back(series.engine);
+        if (!contains(engines, series.engine)) engines.push_back(series.engine);
     return engines;
 }
 
@@ -71,7 +71,7 @@ std::string lines_of_series(const std::vector<Row>& rows, const std::string& sce
 std::vector<std::string> reasons_of(const std::vector<Row>& rows, const std::string& scene) {
     std::vector<std::string> reasons;
     for (const Row& row : rows)
-        if (row.scene == scene && !row.lacks.empty() && !names(reasons, row.lacks))
+        if (row.scene == scene && !row.lacks.empty() && !contains(reasons, row.lacks))
             reasons.push_back(row.lacks);
     return reasons;
 }

@@ -66,7 +66,7 @@ Track way_of_first(double seconds) {
 Start eight(double) {
     constexpr double seconds = 5;
     Scene scene = figure_eight();
-    const auto track = kept_track(scene.name, [] { return way_of_first(seconds); });
+    const auto track = cached_trajectory(scene.name, [] { return way_of_first(seconds); });
     auto meter = last_meter([track](double t, const Engine& engine) {
         Vec3 center;
         for (int k = 0; k < suns; k++) center += engine.state(k).position / suns;

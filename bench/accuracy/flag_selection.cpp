@@ -12,7 +12,7 @@
 namespace jostle::bench::accuracy {
 namespace {
 
-std::vector<std::string> absent_peers() {
+std::vector<std::string> missing_peers() {
     std::vector<std::string> absent;
     for (const EngineKind& kind : engine_kinds())
         if (!kind.make) absent.push_back(kind.name);
@@ -27,7 +27,7 @@ std::string joined(const std::vector<std::string>& words) {
 
 }  // namespace
 
-bool names(const std::vector<std::string>& list, const std::string& name) {
+bool contains(const std::vector<std::string>& list, const std::string& name) {
     return std::find(list.begin(), list.end(), name) != list.end();
 }
 
@@ -55,7 +55,7 @@ std::string check_mode(const std::string& name) {
     if (name == "all" || name == "default") return "";
     std::vector<std::string> known = {"all", "default"};
     for (const EngineKind& kind : engine_kinds()) {
-        if (names(kind.modes, name)) return "";
+        if (contains(kind.modes, name)) return "";
         known.insert(known.end(), kind.modes.begin(), kind.modes.end());
     }
     return "no engine has a mode " + name + "; there are " + joined(known);
@@ -69,33 +69,33 @@ std::string check_rate(const std::string& text) {
            std::to_string(reference_hz);
 }
 
-std::vector<const Experiment*> chosen_experiments(const std::vector<std::string>& chosen) {
+std::vector<const Experiment*> selected_experiments(const std::vector<std::string>& chosen) {
     std::vector<const Experiment*> experiments;
     for (const Experiment& experiment : all_experiments())
-        if (names(chosen, "all") || names(chosen, experiment.name))
+        if (contains(chosen, "all") || contains(chosen, experiment.name))
             experiments.push_back(&experiment);
     return experiments;
 }
 
-std::vector<const EngineKind*> chosen_engines(const std::vector<std::string>& peers) {
+std::vector<const EngineKind*> selected_engines(const std::vector<std::string>& peers) {
     std::vector<const EngineKind*> chosen;
     for (const EngineKind& kind : engine_kinds())
-        if (chosen.empty() || (kind.make && (names(peers, "all") || names(peers, kind.name))))
+        if (chosen.empty() || (kind.make && (contains(peers, "all") || contains(peers, kind.name))))
             chosen.push_back(&kind);
     return chosen;
 }
 
-std::vector<std::string> chosen_modes(const EngineKind& kind,
+std::vector<std::string> selected_modes(const EngineKind& kind,
                                       const std::vector<std::string>& chosen) {
-    if (names(chosen, "all")) return kind.modes;
+    if (contains(chosen, "all")) return kind.modes;
     std::vector<std::string> modes;
     for (const std::string& mode : kind.modes)
-        if (names(chosen, mode) || (names(chosen, "default") && mode == kind.modes[0]))
+        if (contains(chosen, mode) || (contains(chosen, "default") && mode == kind.modes[0]))
             modes.push_back(mode);
     return modes;
 }
 
-std::string lists_of_engines() {
+std::string engine_list() {
     std::string text = "Engines and their modes, the default one first:\n";
     for (const EngineKind& kind : engine_kinds())
         text += std::string("  ") + kind.name + (kind.make ? "" : " (not built in)") + ": " +
@@ -103,7 +103,7 @@ std::string lists_of_engines() {
     return text;
 }
 
-std::string lists_of_experiments() {
+std::string experiment_list() {
     std::string text = "Scenes, and their two errors:\n";
     for (const Experiment& experiment : all_experiments())
         text += "  " + experiment.name + ": " + experiment.about + "\n    " + experiment.measures +
@@ -111,16 +111,16 @@ std::string lists_of_experiments() {
     return text;
 }
 
-void say_which_are_absent() {
-    for (const std::string& peer : absent_peers())
+void print_missing_peers() {
+    for (const std::string& peer : missing_peers())
         std::fprintf(stderr, "jostle-bench: %s is not built in\n", peer.c_str());
 }
 
-nlohmann::ordered_json file_head(const char* benchmark) {
+nlohmann::ordered_json result_header(const char* benchmark) {
     return {{"benchmark", benchmark},
             {"cpu", cpu_model()},
             {"compiler", compiler()},
-            {"peers_not_built_in", absent_peers()}};
+            {"peers_not_built_in", missing_peers()}};
 }
 
 }  // namespace jostle::bench::accuracy

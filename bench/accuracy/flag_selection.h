@@ -12,23 +12,23 @@
 
 namespace jostle::bench::accuracy {
 
-bool names(const std::vector<std::string>& list, const std::string& name);
+bool contains(const std::vector<std::string>& list, const std::string& name);
 
 std::string check_experiment(const std::string& name);
 std::string check_peer(const std::string& name);
 std::string check_mode(const std::string& name);
 std::string check_rate(const std::string& text);  // must divide the reference's rate
 
-std::vector<const Experiment*> chosen_experiments(const std::vector<std::string>& chosen);
+std::vector<const Experiment*> selected_experiments(const std::vector<std::string>& chosen);
 // Jostle and the peers that are chosen and built in.
-std::vector<const EngineKind*> chosen_engines(const std::vector<std::string>& peers);
+std::vector<const EngineKind*> selected_engines(const std::vector<std::string>& peers);
 // Of the engine: all, its default, or those that are named.
-std::vector<std::string> chosen_modes(const EngineKind& kind,
+std::vector<std::string> selected_modes(const EngineKind& kind,
                                       const std::vector<std::string>& chosen);
 
-std::string lists_of_engines();      // for --help
-std::string lists_of_experiments();  // for --help
-void say_which_are_absent();         // peers that are not built in, on stderr
-nlohmann::ordered_json file_head(const char* benchmark);
+std::string engine_list();      // for --help
+std::string experiment_list();  // for --help
+void print_missing_peers();         // peers that are not built in, on stderr
+nlohmann::ordered_json result_header(const char* benchmark);
 
 }  // namespace jostle::bench::accuracy

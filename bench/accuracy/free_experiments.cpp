@@ -116,7 +116,7 @@ Start tumble(double seconds) {
     scene.bodies = {body};
     std::shared_ptr<const Track> axis;  // ten minutes of it would take 300 MB
     if (seconds <= 10)
-        axis = kept_track("f4", [&] { return free_axis_y(body.inertia, body.spin, seconds); });
+        axis = cached_trajectory("f4", [&] { return free_axis_y(body.inertia, body.spin, seconds); });
     return {std::move(scene), seconds, std::make_unique<TumbleMeter>(body, axis)};
 }
 

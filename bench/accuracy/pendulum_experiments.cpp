@@ -56,7 +56,7 @@ Start chain(const std::string& name, const std::vector<Link>& links, JointKind k
         upper += hanging(pi / 2) * (2 * link.half_length);
     }
     const std::size_t last = links.size() - 1;
-    const auto track = kept_track(name, [&] { return planar_chain(truth_links, pi / 2, 2, last); });
+    const auto track = cached_trajectory(name, [&] { return planar_chain(truth_links, pi / 2, 2, last); });
     auto meter = track_meter(
         scene, static_cast<int>(last), [track](double t) { return at_time(*track, t); },
         total_length, gap_length);

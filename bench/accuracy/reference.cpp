@@ -89,7 +89,7 @@ Vec3 at_time(const Track& track, double t) {
     return track[std::min(tick, track.size() - 1)];
 }
 
-std::shared_ptr<const Track> kept_track(const std::string& name,
+std::shared_ptr<const Track> cached_trajectory(const std::string& name,
                                         const std::function<Track()>& make) {
     static std::map<std::string, std::shared_ptr<const Track>> kept;
     auto& track = kept[name];

@@ -20,7 +20,7 @@ using Track = std::vector<Vec3>;
 Vec3 at_time(const Track& track, double t);
 
 // Kept by name: rows of one scene share it.
-std::shared_ptr<const Track> kept_track(const std::string& name,
+std::shared_ptr<const Track> cached_trajectory(const std::string& name,
                                         const std::function<Track()>& make);
 
 // dy/dt = rate(y). One step of h seconds.

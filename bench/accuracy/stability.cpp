@@ -77,13 +77,13 @@ void print_row(const nlohmann::ordered_json& row) {
 int run(const Flags& flags) {
     for (const std::string& path : {flags.json, flags.tables})
         if (!path.empty() && !can_write(path)) return 1;
-    if (names(flags.peers, "all")) say_which_are_absent();
+    if (contains(flags.peers, "all")) print_missing_peers();
     std::printf("%-8s %-8s %-18s %-4s %11s  %s\n", "test", "engine", "mode", "", "figure", "limit");
     nlohmann::ordered_json rows = nlohmann::ordered_json::array();
     for (const StressTest& test : all_stress_tests()) {
-        if (!names(flags.scenes, "all") && !names(flags.scenes, test.id)) continue;
-        for (const EngineKind* kind : chosen_engines(flags.peers))
-            for (const std::string& mode : chosen_modes(*kind, flags.modes)) {
+        if (!contains(flags.scenes, "all") && !contains(flags.scenes, test.id)) continue;
+        for (const EngineKind* kind : selected_engines(flags.peers))
+            for (const std::string& mode : selected_modes(*kind, flags.modes)) {
                 show_progress(test.id + " " + kind->name + " " + mode);
                 const nlohmann::ordered_json row = run_in_process(test, *kind, mode);
                 show_progress("");
@@ -91,13 +91,13 @@ int run(const Flags& flags) {
                 rows.push_back(row);
             }
     }
-    bool done = flags.json.empty() || write_result(flags.json, file_head("stability"), rows);
+    bool done = flags.json.empty() || write_result(flags.json, result_header("stability"), rows);
     if (!flags.tables.empty())
         done = replace_section(flags.tables, "stability", stability_table(rows)) && done;
     return done ? 0 : 1;
 }
 
-std::string lists_of_tests() {
+std::string stress_test_list() {
     std::string text = "Tests, and what is measured:\n";
     for (const StressTest& test : all_stress_tests())
         text += "  " + test.id + ": " + test.about + "\n    " + test.figure + "\n";
@@ -125,7 +125,7 @@ void add_stability(CLI::App& app, int& status) {
     command->add_option("--json", flags->json, "Writes the rows here as JSON");
     command->add_option("--tables", flags->tables,
                         "Writes the table of docs/accuracy.md anew, in this copy of it");
-    command->footer("\n" + lists_of_tests() + "\n" + lists_of_engines() + footer);
+    command->footer("\n" + stress_test_list() + "\n" + engine_list() + footer);
     command->callback([flags, &status] { status = run(*flags); });
 }
 

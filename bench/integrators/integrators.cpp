@@ -39,12 +39,12 @@ struct Flags {
 
 template <class Kinds>
 CLI::Validator one_of(const Kinds& kinds, const char* what) {
-    std::vector<std::string> names = {"all"};
-    for (const auto& kind : kinds) names.emplace_back(kind.name);
+    std::vector<std::string> contains = {"all"};
+    for (const auto& kind : kinds) contains.emplace_back(kind.name);
     return CLI::Validator(
-        [names, what](std::string& text) -> std::string {
+        [contains, what](std::string& text) -> std::string {
             std::string known;
-            for (const std::string& name : names) {
+            for (const std::string& name : contains) {
                 if (text == name) return "";
                 known += (known.empty() ? "" : ", ") + name;
             }

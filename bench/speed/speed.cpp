@@ -79,17 +79,17 @@ struct Flags {
 // --- what the flags name ---
 
 std::string scene_names() {
-    std::string names = "all, moving";
+    std::string contains = "all, moving";
     for (const SpeedScene& scene : speed_scenes())
-        names += std::string(", ") + scene.letter + " or " + scene.name;
-    return names;
+        contains += std::string(", ") + scene.letter + " or " + scene.name;
+    return contains;
 }
 
 std::string peer_names() {
-    std::string names = "all, none";
+    std::string contains = "all, none";
     for (const EngineKind& kind : engine_kinds().subspan(1))
-        names += std::string(", ") + kind.name + (kind.make ? "" : " (not built in)");
-    return names;
+        contains += std::string(", ") + kind.name + (kind.make ? "" : " (not built in)");
+    return contains;
 }
 
 // Empty when right, else what is wrong: what CLI11 asks of a check.
@@ -108,15 +108,15 @@ std::string check_peer(const std::string& name) {
            "cmake and build anew";
 }
 
-bool names(const std::vector<std::string>& list, const std::string& name) {
+bool contains(const std::vector<std::string>& list, const std::string& name) {
     return std::find(list.begin(), list.end(), name) != list.end();
 }
 
-std::vector<const SpeedScene*> chosen_scenes(const Flags& flags) {
+std::vector<const SpeedScene*> selected_scenes(const Flags& flags) {
     std::vector<const SpeedScene*> chosen;
     for (const SpeedScene& scene : speed_scenes())
-        if (names(flags.scenes, "all") || names(flags.scenes, scene.letter) ||
-            names(flags.scenes, scene.name) || (scene.all_move && names(flags.scenes, "moving")))
+        if (contains(flags.scenes, "all") || contains(flags.scenes, scene.letter) ||
+            contains(flags.scenes, scene.name) || (scene.all_move && contains(flags.scenes, "moving")))
             chosen.push_back(&scene);
     return chosen;
 }
@@ -132,13 +132,13 @@ std::vector<EngineConfiguration> configurations(const Flags& flags) {
     for (const EngineKind& kind : engine_kinds()) {
         if (kind.threads_max > 1)
             for (const int threads : flags.threads) chosen.push_back({&kind, threads});
-        else if (kind.make && (names(flags.peers, "all") || names(flags.peers, kind.name)))
+        else if (kind.make && (contains(flags.peers, "all") || contains(flags.peers, kind.name)))
             chosen.push_back({&kind, 1});
     }
     return chosen;
 }
 
-std::vector<std::string> absent_peers() {
+std::vector<std::string> missing_peers() {
     std::vector<std::string> absent;
     for (const EngineKind& kind : engine_kinds())
         if (!kind.make) absent.push_back(kind.name);
@@ -158,11 +158,11 @@ bool write_files(const Flags& flags, const nlohmann::ordered_json& head,
     return json_done && plot_done;
 }
 
-nlohmann::ordered_json file_head(const char* benchmark) {
+nlohmann::ordered_json result_header(const char* benchmark) {
     return {{"benchmark", benchmark},
             {"cpu", cpu_model()},
             {"compiler", compiler()},
-            {"peers_not_built_in", absent_peers()}};
+            {"peers_not_built_in", missing_peers()}};
 }
 
 void print_line(const std::string& line) {
@@ -188,7 +188,7 @@ struct Table {
 int run_scenes(const Flags& flags) {
     Table<SpeedRow> table;
     print_line(speed_heading());
-    for (const SpeedScene* scene : chosen_scenes(flags))
+    for (const SpeedScene* scene : selected_scenes(flags))
         for (const EngineConfiguration& configuration : configurations(flags)) {
             const SpeedRow row = measure_row_in_child({.scene = scene,
                                                        .engine = configuration.engine,
@@ -198,7 +198,7 @@ int run_scenes(const Flags& flags) {
                                                        .accuracy = !flags.no_accuracy});
             table.add(row, speed_line(row));
         }
-    nlohmann::ordered_json head = file_head("speed");
+    nlohmann::ordered_json head = result_header("speed");
     head["sleep"] = flags.sleep;
     const bool written =
         write_files(flags, head, table.json, plot_speed(table.rows, machine_note()));
@@ -214,7 +214,7 @@ int run_growth(const Flags& flags) {
                 measure_growth_in_child(*configuration.engine, configuration.threads, bodies);
             table.add(row, growth_line(row));
         }
-    nlohmann::ordered_json head = file_head("speed growth");
+    nlohmann::ordered_json head = result_header("speed growth");
     head["steps_before"] = growth_steps_before;
     head["steps_timed"] = growth_steps_timed;
     const bool written =
@@ -225,7 +225,7 @@ int run_growth(const Flags& flags) {
 int run_server(const Flags& flags) {
     Table<ServerRow> table;
     print_line(server_heading());
-    for (const SpeedScene* scene : chosen_scenes(flags))
+    for (const SpeedScene* scene : selected_scenes(flags))
         for (const int threads : flags.threads) {
             const ServerRow row = measure_server_row({.scene = scene,
                                                       .threads = threads,
@@ -234,7 +234,7 @@ int run_server(const Flags& flags) {
                                                       .script = flags.script});
             table.add(row, server_line(row));
         }
-    nlohmann::ordered_json head = file_head("speed server");
+    nlohmann::ordered_json head = result_header("speed server");
     head.erase("peers_not_built_in");
     return write_files(flags, head, table.json, "") && !table.failed ? 0 : 1;
 }
@@ -243,8 +243,8 @@ int run(const Flags& flags) {
     for (const std::string& path : {flags.json, flags.plot})
         if (!path.empty() && !can_write(path)) return 1;
     if (flags.server) return run_server(flags);
-    if (names(flags.peers, "all"))
-        for (const std::string& peer : absent_peers())
+    if (contains(flags.peers, "all"))
+        for (const std::string& peer : missing_peers())
             std::fprintf(stderr, "jostle-bench: %s is not built in\n", peer.c_str());
     return flags.growth.empty() ? run_scenes(flags) : run_growth(flags);
 }
@@ -255,7 +255,7 @@ std::string about(const SpeedScene& scene) {
     return "";
 }
 
-std::string lists_for_help() {
+std::string scene_and_engine_list() {
     std::string text = "Scenes:\n";
     for (const SpeedScene& scene : speed_scenes())
         text += std::string("  ") + scene.letter + "  " + scene.name + ", " +
@@ -327,7 +327,7 @@ void add_speed(CLI::App& app, int& status) {
     command->add_option("--json", flags->json, "Writes the rows here as JSON");
     CLI::Option* plot = command->add_option("--plot", flags->plot, "Draws them here as SVG");
     add_server_flags(*command, *flags, {peers, steps, sleep, no_accuracy, growth, plot});
-    command->footer("\n" + lists_for_help() + footer);
+    command->footer("\n" + scene_and_engine_list() + footer);
     command->callback([flags, scene, &status] {
         if (flags->server && scene->count() == 0) flags->scenes = {"c", "moving"};
         status = run(*flags);

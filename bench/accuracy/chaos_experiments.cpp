@@ -34,7 +34,7 @@ Scene figure_eight() {
 }
 
 // Of one of the three: the others' ways are the same, later.
-Track way_of_first(double seconds) {
+Trajectory way_of_first(double seconds) {
     const Scene scene = figure_eight();
     const std::vector<double> masses(suns, 1);
     State y;
@@ -54,7 +54,7 @@ Track way_of_first(double seconds) {
         for (const Vec3 force : forces)
             for (int i = 0; i < 3; i++) dy.push_back(force[i]);
     };
-    Track track;
+    Trajectory track;
     const long ticks = std::lround(seconds * reference_hz);
     for (long k = 0; k <= ticks; k++) {
         track.push_back(place(y, 0));

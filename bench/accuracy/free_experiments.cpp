@@ -83,7 +83,7 @@ Start kepler(double) {
 
 class TumbleMeter final : public Meter {
 public:
-    TumbleMeter(const Body& body, std::shared_ptr<const Track> axis_y)
+    TumbleMeter(const Body& body, std::shared_ptr<const Trajectory> axis_y)
         : body_(body),
           energy_(kinetic_energy(body, {}, {}, body.spin)),
           momentum_(spin_momentum(body, {}, body.spin)),
@@ -107,14 +107,14 @@ private:
     double energy_, most_ = 0;
     Vec3 momentum_;
     Rms angle_;
-    std::shared_ptr<const Track> axis_y_;
+    std::shared_ptr<const Trajectory> axis_y_;
 };
 
 Start tumble(double seconds) {
     Scene scene{.name = "f4", .gravity = {}};
     const Body body{.mass = 1, .inertia = {0.1, 0.2, 0.28}, .spin = {0.01, 5, 0.01}};
     scene.bodies = {body};
-    std::shared_ptr<const Track> axis;  // ten minutes of it would take 300 MB
+    std::shared_ptr<const Trajectory> axis;  // ten minutes of it would take 300 MB
     if (seconds <= 10)
         axis = cached_trajectory("f4", [&] { return free_axis_y(body.inertia, body.spin, seconds); });
     return {std::move(scene), seconds, std::make_unique<TumbleMeter>(body, axis)};

@@ -84,16 +84,16 @@ private:
 
 }  // namespace
 
-Vec3 at_time(const Track& track, double t) {
+Vec3 at_time(const Trajectory& track, double t) {
     const auto tick = static_cast<std::size_t>(std::llround(t * reference_hz));
     return track[std::min(tick, track.size() - 1)];
 }
 
-std::shared_ptr<const Track> cached_trajectory(const std::string& name,
-                                        const std::function<Track()>& make) {
-    static std::map<std::string, std::shared_ptr<const Track>> kept;
+std::shared_ptr<const Trajectory> cached_trajectory(const std::string& name,
+                                        const std::function<Trajectory()>& make) {
+    static std::map<std::string, std::shared_ptr<const Trajectory>> kept;
     auto& track = kept[name];
-    if (!track) track = std::make_shared<const Track>(make());
+    if (!track) track = std::make_shared<const Trajectory>(make());
     return track;
 }
 
@@ -147,12 +147,12 @@ double pendulum_period(double rate, double start_angle) {
     return 4 * elliptic_k(std::sin(0.5 * start_angle)) / rate;
 }
 
-Track planar_chain(const std::vector<ChainLink>& links, double start_angle, double seconds,
+Trajectory planar_chain(const std::vector<ChainLink>& links, double start_angle, double seconds,
                    std::size_t which) {
     ChainEquations equations(links);
     State y(2 * links.size(), 0);
     std::fill_n(y.begin(), links.size(), start_angle);
-    Track track;
+    Trajectory track;
     for (std::size_t tick = 0; tick <= ticks_of(seconds); tick++) {
         track.push_back(equations.center(y, which));
         runge_kutta_step(y, reference_step,
@@ -162,7 +162,7 @@ Track planar_chain(const std::vector<ChainLink>& links, double start_angle, doub
 }
 
 // y: spin along the body's axes, then the quaternion x, y, z, w; q' = q * (spin, 0) / 2.
-Track free_axis_y(Vec3 inertia, Vec3 spin, double seconds) {
+Trajectory free_axis_y(Vec3 inertia, Vec3 spin, double seconds) {
     const auto rate = [&](const State& y, State& dy) {
         dy.resize(7);
         dy[0] = (inertia.y - inertia.z) * y[1] * y[2] / inertia.x;
@@ -173,7 +173,7 @@ Track free_axis_y(Vec3 inertia, Vec3 spin, double seconds) {
         for (std::size_t k = 0; k < 4; k++) dy[3 + k] = 0.5 * parts[k];
     };
     State y = {spin.x, spin.y, spin.z, 0, 0, 0, 1};
-    Track track;
+    Trajectory track;
     for (std::size_t tick = 0; tick <= ticks_of(seconds); tick++) {
         track.push_back(rotate(Quat{y[3], y[4], y[5], y[6]}, {0, 1, 0}));
         runge_kutta_step(y, reference_step, rate);

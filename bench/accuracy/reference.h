@@ -16,12 +16,12 @@ namespace jostle::bench::accuracy {
 inline constexpr int reference_hz = 19200;
 
 // A point's way, one entry a reference step.
-using Track = std::vector<Vec3>;
-Vec3 at_time(const Track& track, double t);
+using Trajectory = std::vector<Vec3>;
+Vec3 at_time(const Trajectory& track, double t);
 
 // Kept by name: rows of one scene share it.
-std::shared_ptr<const Track> cached_trajectory(const std::string& name,
-                                        const std::function<Track()>& make);
+std::shared_ptr<const Trajectory> cached_trajectory(const std::string& name,
+                                        const std::function<Trajectory()>& make);
 
 // dy/dt = rate(y). One step of h seconds.
 using State = std::vector<double>;
@@ -46,14 +46,14 @@ struct ChainLink {
     double length = 1, center = 0.5;  // m: to the next joint and to the centre of mass
 };
 // The centre of link `which` for `seconds`, released at rest with all links at one angle.
-Track planar_chain(const std::vector<ChainLink>& links, double start_angle, double seconds,
+Trajectory planar_chain(const std::vector<ChainLink>& links, double start_angle, double seconds,
                    std::size_t which);
 
 // --- free bodies ---
 
 // The body's y axis in the world: Euler's equations with the rotation's quaternion, from no
 // rotation.
-Track free_axis_y(Vec3 inertia, Vec3 spin, double seconds);
+Trajectory free_axis_y(Vec3 inertia, Vec3 spin, double seconds);
 
 // --- hanging chains at rest ---
 

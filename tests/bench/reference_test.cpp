@@ -35,7 +35,7 @@ TEST(Pendulum, closed_form_and_runge_kutta_agree) {
     const std::vector<ChainLink> rod = {{1, rod_at_pivot - 0.25, 1, 0.5}};
     for (const double degrees : {5.0, 30.0, 90.0, 150.0, 170.0}) {
         const double start = degrees * pi / 180;
-        const Track track = planar_chain(rod, start, 5, 0);
+        const Trajectory track = planar_chain(rod, start, 5, 0);
         for (double t = 0; t <= 5; t += 0.25) {
             const double angle = pendulum_angle(rod_rate(), start, t);
             const Vec3 truth = Vec3{std::sin(angle), 0, -std::cos(angle)} * 0.5;
@@ -68,8 +68,8 @@ TEST(Parallelogram, rate_and_period) {
 
 // A light last link hardly pulls: the chain of two is then the chain of one.
 TEST(Chain, a_weightless_link_changes_nothing) {
-    const Track one = planar_chain({{1, 0.1, 1, 0.5}}, 1, 1, 0);
-    const Track two = planar_chain({{1, 0.1, 1, 0.5}, {1e-9, 1e-10, 1, 0.5}}, 1, 1, 0);
+    const Trajectory one = planar_chain({{1, 0.1, 1, 0.5}}, 1, 1, 0);
+    const Trajectory two = planar_chain({{1, 0.1, 1, 0.5}, {1e-9, 1e-10, 1, 0.5}}, 1, 1, 0);
     EXPECT_LT(length(one.back() - two.back()), 1e-7);
 }
 
@@ -81,7 +81,7 @@ TEST(Chain, two_point_masses_swing_in_the_slow_mode) {
     // Both at one small angle is 0.854 of the slow mode and 0.146 of the fast one, at the lower
     // end.
     const double start = 1e-4, fast = std::sqrt(g * (2 + std::sqrt(2.0)));
-    const Track track = planar_chain(points, start, 2, 1);
+    const Trajectory track = planar_chain(points, start, 2, 1);
     for (double t = 0; t <= 2; t += 0.1) {
         const double a = (2 + std::sqrt(2.0)) / 4, b = (2 - std::sqrt(2.0)) / 4;
         const double upper = start * (a * std::cos(slow * t) + b * std::cos(fast * t));
@@ -105,7 +105,7 @@ TEST(Tumble, half_a_period_is_that_of_jacobis_functions) {
     const double k2 = (b - a) * (energy2 * c - momentum2) / ((c - b) * (momentum2 - energy2 * a));
     const double k = std::sqrt(above ? k2 : 1 / k2);
     const double half_period = 2 * elliptic_k(k) / std::sqrt(rate2);
-    const Track axis = free_axis_y(inertia, spin, 10);
+    const Trajectory axis = free_axis_y(inertia, spin, 10);
     std::vector<double> zeros;  // of the spin about the middle axis
     for (std::size_t i = 1; i < axis.size(); i++)
         if (dot(axis[i - 1], l) * dot(axis[i], l) <= 0)

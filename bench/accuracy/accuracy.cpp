@@ -69,7 +69,7 @@ void run_mode(const Experiment& experiment, const EngineKind& kind, const std::s
               const Flags& flags, std::vector<Row>& rows) {
     for (const std::string& rate : flags.rates) {
         const double hz = std::stod(rate);
-        if (hz > experiment.most_hz) continue;
+        if (hz > experiment.max_hz) continue;
         show_progress(experiment.name + " " + kind.name + " " + mode + " " + rate + " Hz");
         Row row = run_row_in_child(experiment, kind, mode, hz);
         show_progress("");

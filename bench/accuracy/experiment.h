@@ -16,7 +16,7 @@
 namespace jostle::bench::accuracy {
 
 struct Errors {
-    double primary = 0, second = 0;
+    double primary = 0, secondary = 0;
 };
 
 // Looks at the engine at the end of each step, t seconds after the start.
@@ -43,7 +43,7 @@ struct Experiment {
     std::vector<double> tolerances;
     // Starts, each a part of a step later than the one before; their errors are averaged.
     int phases = 1;
-    double most_hz = 1920;  // beyond that it takes too long
+    double max_hz = 1920;  // beyond that it takes too long
     // No truth is known: the primary error is the RMS distance, over all bodies at the end, from
     // the same engine's run in the same mode at this rate. 0: the meter's error counts.
     double finest_hz = 0;

@@ -65,7 +65,7 @@ public:
         const double pull = 4 * pi * pi, truth = -0.5 * pull;  // -pull / (2 a), a = 1
         const double found = 0.5 * dot(now.velocity, now.velocity) - pull / length(now.position);
         errors_.primary = length(now.position - Vec3{0.5, 0, 0});
-        errors_.second = std::max(errors_.second, std::abs(found / truth - 1));
+        errors_.secondary = std::max(errors_.secondary, std::abs(found / truth - 1));
     }
     Errors errors() const override { return errors_; }
 
@@ -153,7 +153,7 @@ std::vector<Experiment> free_experiments() {
          .about = "the same for 600 s",
          .measures = "largest drift of energy or momentum; none",
          .tolerances = {0.01, 0.001, 1e-5},
-         .most_hz = 240,
+         .max_hz = 240,
          .start = [](double) { return tumble(600); }},
     };
 }

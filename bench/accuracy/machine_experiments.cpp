@@ -61,7 +61,7 @@ public:
         const Vec3 z = rotate(now.rotation, {0, 0, 1});
         const double angle = std::atan2(z.x, z.z);
         errors_.primary = std::max(errors_.primary, std::abs(now.spin.y - truth) / target_);
-        errors_.second = std::max(errors_.second, angle - limit_);
+        errors_.secondary = std::max(errors_.secondary, angle - limit_);
     }
     Errors errors() const override { return errors_; }
 
@@ -167,7 +167,7 @@ std::vector<Experiment> machine_experiments() {
          .about = "a chain of 40 links settles between two points, then 1 s without damping",
          .measures = sag,
          .tolerances = tolerances,
-         .most_hz = 480,
+         .max_hz = 480,
          .start =
              [](double) {
                  return hanging(
@@ -177,7 +177,7 @@ std::vector<Experiment> machine_experiments() {
          .about = "a bridge of 20 planks settles between two points",
          .measures = sag,
          .tolerances = tolerances,
-         .most_hz = 480,
+         .max_hz = 480,
          .start =
              [](double) {
                  return hanging(

@@ -56,7 +56,7 @@ public:
                 engine.state(static_cast<int>(k)).position - scene_.bodies[k].pose.position;
             most_.primary = std::max(most_.primary, length(moved));
             moved.z = 0;
-            most_.second = std::max(most_.second, length(moved));
+            most_.secondary = std::max(most_.secondary, length(moved));
         }
     }
     Errors errors() const override { return most_; }

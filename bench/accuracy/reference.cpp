@@ -199,7 +199,7 @@ double catenary_sag(int links, double link_length, double span) {
         const double middle = 0.5 * (low + high);
         (sums(middle).first < span ? low : high) = middle;
     }
-    return sums(0.5 * (low + high)).second;
+    return sums(0.5 * (low + high)).secondary;
 }
 
 }  // namespace jostle::bench::accuracy

@@ -94,7 +94,7 @@ Result<Outcome> run_once(Start start, const EngineKind& kind, const std::string&
         if (cpu_seconds() - began > longest) return Outcome{.blown = takes_too_long};
     }
     Outcome outcome{.errors = start.meter->errors()};
-    if (!std::isfinite(outcome.errors.primary) || !std::isfinite(outcome.errors.second))
+    if (!std::isfinite(outcome.errors.primary) || !std::isfinite(outcome.errors.secondary))
         outcome.blown = "the error is no number";
     for (std::size_t k = 0; k < start.scene.bodies.size(); k++)
         outcome.last.push_back(engine->state(static_cast<int>(k)).position);
@@ -114,7 +114,7 @@ Row run_row(const Experiment& experiment, const EngineKind& kind, const std::str
             row.blown = outcome->blown;
         if (!row.usable()) return row;
         primary += outcome->errors.primary * outcome->errors.primary;
-        second += outcome->errors.second * outcome->errors.second;
+        second += outcome->errors.secondary * outcome->errors.secondary;
     }
     row.error = std::sqrt(primary / experiment.phases);
     row.second_error = std::sqrt(second / experiment.phases);

@@ -66,7 +66,7 @@ public:
         for (int k = 0; k < bodies_; k++) {
             const BodyState now = engine.state(k);
             most_.primary = std::max(most_.primary, length(now.velocity));
-            most_.second = std::max(most_.second, now.position.z);
+            most_.secondary = std::max(most_.secondary, now.position.z);
         }
     }
     Errors errors() const override { return most_; }

@@ -26,7 +26,7 @@ public:
     }
     Errors errors() const override {
         const Errors inner = inner_->errors();
-        return {figure_ == Figure::primary ? inner.primary : inner.second, fastest_};
+        return {figure_ == Figure::primary ? inner.primary : inner.secondary, fastest_};
     }
 
 private:
@@ -61,9 +61,9 @@ Verdict run_stress(const StressRun& run, const EngineKind& kind, const std::stri
     if (!outcome) return {.lacks = outcome.error().message};
     if (!outcome->blown.empty()) return {.why = outcome->blown};
     Verdict verdict{.pass = outcome->errors.primary < run.limit, .figure = outcome->errors.primary};
-    if (run.speed_bound > 0 && outcome->errors.second > 2 * run.speed_bound) {
+    if (run.speed_bound > 0 && outcome->errors.secondary > 2 * run.speed_bound) {
         char text[64];
-        std::snprintf(text, sizeof text, "a body reaches %.3g m/s", outcome->errors.second);
+        std::snprintf(text, sizeof text, "a body reaches %.3g m/s", outcome->errors.secondary);
         verdict.pass = false;
         verdict.why = text;
     }

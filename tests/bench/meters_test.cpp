@@ -65,10 +65,10 @@ TEST(Meters, springs_and_their_energy) {
                          .velocity = {-2 * pi * std::sin(2 * pi * t), 0, 0}};
     };
     EXPECT_LT(errors_of("f2-1", exact).primary, 1e-12);
-    EXPECT_LT(errors_of("f2-1", exact).second, 1e-12);
+    EXPECT_LT(errors_of("f2-1", exact).secondary, 1e-12);
     const auto still = [](int, double) { return BodyState{}; };
     EXPECT_NEAR(errors_of("f2-1", still).primary, std::sqrt(0.5), 1e-9);
-    EXPECT_NEAR(errors_of("f2-1", still).second, 1, 1e-12);
+    EXPECT_NEAR(errors_of("f2-1", still).secondary, 1, 1e-12);
 }
 
 // Slides for 0.4854133 s, rolls at 25/7 m/s: 7.4895810 m in 2 s.
@@ -91,12 +91,12 @@ TEST(Meters, boxes_slide_and_stop) {
         return BodyState{.position = heading * (0.5 * 0.9396276 * t * t) + Vec3{0, 0, 0.25}};
     };
     EXPECT_LT(errors_of("c3", slides).primary, 1e-7);
-    EXPECT_LT(errors_of("c3", slides).second, 1e-12);
+    EXPECT_LT(errors_of("c3", slides).secondary, 1e-12);
     const auto stops = [](int, double) {
         return BodyState{.position = heading * 3.1855 + Vec3{0, 0, 0.04}};
     };
     EXPECT_LT(errors_of("c4", stops).primary, 1e-5);
-    EXPECT_NEAR(errors_of("c4", stops).second, 0.01, 1e-12);
+    EXPECT_NEAR(errors_of("c4", stops).secondary, 0.01, 1e-12);
     const auto creeps = [](int, double t) {
         return BodyState{.position = {3e-3 * t / 5, 4e-3 * t / 5, 0.25}};
     };
@@ -135,7 +135,7 @@ TEST(Meters, velocities_after_impacts) {
         return BodyState{.velocity = body == 1 ? of_b : before - of_b};
     };
     EXPECT_LT(errors_of("c6", billiard).primary, 1e-12);
-    EXPECT_LT(errors_of("c6", billiard).second, 1e-12);
+    EXPECT_LT(errors_of("c6", billiard).secondary, 1e-12);
     const auto cradle = [](int body, double) {
         return BodyState{.velocity = {body == 4 ? 1.0 : 0.0, 0, 0}};
     };
@@ -152,7 +152,7 @@ TEST(Meters, what_rests_and_what_falls) {
         return state;
     };
     EXPECT_NEAR(errors_of("c8", sunk).primary, 0.05, 1e-12);
-    EXPECT_NEAR(errors_of("c8", sunk).second, 0.03, 1e-12);
+    EXPECT_NEAR(errors_of("c8", sunk).secondary, 0.03, 1e-12);
     const auto fallen = [](int, double) { return BodyState{}; };
     EXPECT_EQ(errors_of("c10-mu0.17", fallen).primary, 0);
     const Scene cards = find_experiment("c10-mu0.17")->start(0).scene;

@@ -63,7 +63,7 @@ Trajectory way_of_first(double seconds) {
     return track;
 }
 
-Start eight(double) {
+ExperimentRun eight(double) {
     constexpr double seconds = 5;
     Scene scene = figure_eight();
     const auto track = cached_trajectory(scene.name, [] { return way_of_first(seconds); });
@@ -88,7 +88,7 @@ private:
 };
 
 // A hundred links of 5 cm, released 30 degrees off the vertical.
-Start rope(double) {
+ExperimentRun rope(double) {
     constexpr int links = 100;
     constexpr double length = 0.05;
     const double angle = pi / 6;
@@ -109,7 +109,7 @@ Start rope(double) {
 
 // Points of 10 g at 5 cm, on springs to their neighbours along both edges; two corners are held by
 // springs as well. Springs of 400 N/m let it hang by a few centimetres.
-Start cloth(double) {
+ExperimentRun cloth(double) {
     constexpr int side = 32;
     constexpr double pitch = 0.05, stiffness = 400, damping = 0.02;
     Scene scene{.name = "c17-cloth"};

@@ -28,7 +28,7 @@ public:
 };
 
 // One run of an experiment.
-struct Start {
+struct ExperimentRun {
     Scene scene;
     double seconds = 1;
     std::unique_ptr<Meter> meter;
@@ -48,7 +48,7 @@ struct Experiment {
     // the same engine's run in the same mode at this rate. 0: the meter's error counts.
     double finest_hz = 0;
     // `shift`: seconds by which the start is late, less than a step.
-    std::function<Start(double shift)> start;
+    std::function<ExperimentRun(double shift)> start;
 };
 
 // In the order of the specification: free bodies, joints, contacts.

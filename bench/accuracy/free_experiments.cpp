@@ -13,7 +13,7 @@ namespace {
 
 using physics::pi;
 
-Start free_fall(double) {
+ExperimentRun free_fall(double) {
     Scene scene{.name = "f1"};
     Body ball = without_shape(solid_sphere(1, 0.1, {}));
     ball.velocity = {3, 4, 5};
@@ -45,7 +45,7 @@ private:
 };
 
 // The spring's other end is 10 m away along its line, so that its length is never zero.
-Start spring(double hertz) {
+ExperimentRun spring(double hertz) {
     const double stiffness = std::pow(2 * pi * hertz, 2);
     Scene scene{.name = "f2", .gravity = {}, .planar = true};
     scene.bodies = {without_shape(solid_sphere(1, 0.1, {1, 0, 0}))};
@@ -73,7 +73,7 @@ private:
     Errors errors_;
 };
 
-Start kepler(double) {
+ExperimentRun kepler(double) {
     Scene scene{.name = "f3", .gravity = {}, .central_pull = 4 * pi * pi};
     Body body = without_shape(solid_sphere(1, 0.1, {0.5, 0, 0}));
     body.velocity = {0, 2 * pi * std::sqrt(3), 0};
@@ -110,7 +110,7 @@ private:
     std::shared_ptr<const Trajectory> axis_y_;
 };
 
-Start tumble(double seconds) {
+ExperimentRun tumble(double seconds) {
     Scene scene{.name = "f4", .gravity = {}};
     const Body body{.mass = 1, .inertia = {0.1, 0.2, 0.28}, .spin = {0.01, 5, 0.01}};
     scene.bodies = {body};

@@ -20,7 +20,7 @@ Vec3 flat(Vec3 v) {
 }
 
 // Slides until the rim's speed is zero, at 2 v0 / (7 mu g); rolls at 5/7 v0 from then on.
-Start roll(double) {
+ExperimentRun roll(double) {
     const double speed = 5, friction = 0.3, seconds = 2;
     Scene scene{.name = "c1", .friction = friction};
     Body ball = solid_sphere(1, 0.1, {0, 0, 0.1});
@@ -46,7 +46,7 @@ Scene tilted(const char* name, double friction) {
     return scene;
 }
 
-Start stick(double) {
+ExperimentRun stick(double) {
     auto meter = last_meter([](double, const Engine& engine) {
         const Vec3 at = engine.state(0).position;
         return Errors{length(flat(at)), std::abs(at.z - 0.25)};
@@ -54,7 +54,7 @@ Start stick(double) {
     return {tilted("c2", 0.5), 5, std::move(meter)};
 }
 
-Start slide(double) {
+ExperimentRun slide(double) {
     const double slope = std::atan(0.3), seconds = 2;
     const double acceleration = g * (std::sin(slope) - 0.2 * std::cos(slope));
     const double way = 0.5 * acceleration * seconds * seconds;
@@ -66,7 +66,7 @@ Start slide(double) {
     return {tilted("c3", 0.2), seconds, std::move(meter)};
 }
 
-Start stop(double) {
+ExperimentRun stop(double) {
     const double speed = 5, friction = 0.4, way = speed * speed / (2 * friction * g);
     Scene scene{.name = "c4", .friction = friction};
     Body box = solid_box(1, {0.5, 0.5, 0.05}, {0, 0, 0.05});
@@ -81,7 +81,7 @@ Start stop(double) {
 
 // Steady rolling of a thin disk whose centre rests: Om^2 = 4 g / (R sin tilt). The spin lies along
 // the radius to the touching point, so that both that point and the centre are at rest.
-Start euler_disk(double) {
+ExperimentRun euler_disk(double) {
     const double radius = 0.1, half_height = 0.005, tilt = 20 * pi / 180;
     Scene scene{.name = "c16", .friction = 1};
     const double rate = std::sqrt(4 * g / (radius * std::sin(tilt)));

@@ -72,11 +72,11 @@ private:
     double last_ = 0;
 };
 
-Start bounce(double shift) {
+ExperimentRun bounce(double shift) {
     return {bouncing(0.8, shift), 3, std::make_unique<ApexMeter>()};
 }
 
-Start elastic_bounce(double shift) {
+ExperimentRun elastic_bounce(double shift) {
     Scene scene = bouncing(1, shift);
     auto meter = std::make_unique<BounceEnergyMeter>(scene);
     return {std::move(scene), 20, std::move(meter)};
@@ -85,7 +85,7 @@ Start elastic_bounce(double shift) {
 // --- C6 and C7 ---
 
 // B's centre is one radius beside A's way, so the line of centres is 30 degrees off it.
-Start billiard(double shift) {
+ExperimentRun billiard(double shift) {
     const double speed = 5, angle = 37 * pi / 180;
     const Vec3 along = azimuth(angle), aside = azimuth(angle + 0.5 * pi);
     Scene scene{.name = "c6", .gravity = {}, .restitution = 1};
@@ -103,7 +103,7 @@ Start billiard(double shift) {
 }
 
 // Four balls in a row touch; a fifth arrives at 1 m/s.
-Start cradle(double shift) {
+ExperimentRun cradle(double shift) {
     constexpr int count = 5;
     Scene scene{.name = "c7", .gravity = {}, .restitution = 1, .planar = true};
     Body first = solid_sphere(1, radius, {-0.5 - 2 * radius + shift, 0, 0});
@@ -126,7 +126,7 @@ Start cradle(double shift) {
 // --- C15 ---
 
 // At 15 steps a second it comes 13 m further in a step: later starts begin further away.
-Start bullet(double shift) {
+ExperimentRun bullet(double shift) {
     constexpr double speed = 200;
     Scene scene{.name = "c15", .gravity = {}, .swept = true};
     Body ball = solid_sphere(0.1, 0.05, {-5.4 - speed * shift, 0.01, 0.02});

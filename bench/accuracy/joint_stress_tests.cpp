@@ -35,7 +35,7 @@ private:
 // --- S6 to S8 ---
 
 // Links of 0.2 m and 0.1 kg, the last a ball of 100 kg.
-Start hanging_chain(int count, double degrees, double seconds) {
+ExperimentRun hanging_chain(int count, double degrees, double seconds) {
     constexpr double link = 0.2;
     const double angle = degrees * pi / 180;
     const Vec3 along{std::sin(angle), 0, -std::cos(angle)};
@@ -88,7 +88,7 @@ Verdict loaded_chains(const EngineKind& kind, const std::string& mode) {
 // --- S16 ---
 
 // Rods in parallel between the ground and one coupler: each after the second is redundant.
-Start parallel_cranks(int count) {
+ExperimentRun parallel_cranks(int count) {
     const double angle = pi / 3, pitch = 0.5;
     const Vec3 down{std::sin(angle), 0, -std::cos(angle)};
     Scene scene{.name = "cranks", .planar = true};
@@ -137,7 +137,7 @@ private:
 };
 
 // Nine masses in a row on springs of 1 to 1e8 N/m, the last one pushed.
-Start spring_chain() {
+ExperimentRun spring_chain() {
     Scene scene{.name = "springs", .gravity = {}, .planar = true};
     for (int k = 0; k < 9; k++) {
         Body body = without_shape(solid_sphere(1, 0.1, {1.0 + k, 0, 0}));
@@ -171,7 +171,7 @@ private:
     double fastest_ = 0, furthest_ = 0;
 };
 
-Start torn_body() {
+ExperimentRun torn_body() {
     Scene scene{.name = "torn"};
     scene.bodies = {without_shape(solid_box(1, {0.2, 0.2, 0.2}, {}))};
     Joint unreachable = ball_at(ground, 0, {1, 0, 0});

@@ -17,7 +17,7 @@ using physics::pi;
 // --- J5 ---
 
 // Crank 0.2 m at 10 rad/s, rod 0.6 m, a slider along x. The crank turns from x towards z, about -y.
-Start slider_crank(double) {
+ExperimentRun slider_crank(double) {
     constexpr double crank_length = 0.2, rod_length = 0.6, rate = 10;
     constexpr Vec3 axis{0, -1, 0};
     Scene scene{.name = "j5", .gravity = {}, .planar = true};
@@ -71,7 +71,7 @@ private:
 };
 
 // The limit comes before the motor reaches its speed.
-Start motor_and_limit(double) {
+ExperimentRun motor_and_limit(double) {
     Scene scene{.name = "j6", .gravity = {}, .planar = true};
     const Body rod = without_shape(solid_box(1, {0.05, 0.05, 0.5}, {0, 0, 0.5}));
     const double torque = 0.5, target = 2, limit = pi / 4;
@@ -121,7 +121,7 @@ struct Hanging {
 
 // From a V, damped until it rests. The slowest motion of such a chain has about 3 rad/s, so that
 // twice as much is critical.
-Start hanging(const Hanging& what) {
+ExperimentRun hanging(const Hanging& what) {
     Scene scene{.name = what.name, .damping = 6};
     const double half_length = 0.5 * what.length * what.links;
     const double along = 0.5 * what.span / half_length;  // cosine of the legs' slope

@@ -58,7 +58,7 @@ private:
     double most_ = 0;
 };
 
-Start fast_disk() {
+ExperimentRun fast_disk() {
     Scene scene{.name = "disk"};
     Body disk = without_shape(solid_cylinder(1, 0.1, 0.005, {}));
     disk.pose.rotation = physics::from_axis_angle({1, 0, 0}, 0.5 * physics::pi);

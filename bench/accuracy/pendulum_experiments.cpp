@@ -25,7 +25,7 @@ Body hung(Body body, double angle, Vec3 upper, double half_length) {
     return without_shape(std::move(body));
 }
 
-Start pendulum(double degrees) {
+ExperimentRun pendulum(double degrees) {
     const double angle = degrees * pi / 180;
     Scene scene{.name = "j1", .planar = true};
     scene.bodies = {hung(solid_box(1, rod_half, {}), angle, {}, 0.5)};
@@ -42,7 +42,7 @@ struct Link {
 };
 
 // Links hung from each other and released at rest, all horizontal.
-Start chain(const std::string& name, const std::vector<Link>& links, JointKind kind,
+ExperimentRun chain(const std::string& name, const std::vector<Link>& links, JointKind kind,
             double total_length, double gap_length) {
     Scene scene{.name = name, .planar = true};
     std::vector<ChainLink> truth_links;
@@ -63,13 +63,13 @@ Start chain(const std::string& name, const std::vector<Link>& links, JointKind k
     return {std::move(scene), 2, std::move(meter)};
 }
 
-Start double_pendulum(double) {
+ExperimentRun double_pendulum(double) {
     const Link rod{solid_box(1, rod_half, {}), 0.5};
     return chain("j2", {rod, rod}, JointKind::hinge, 2, 1);
 }
 
 // Ten links of 0.2 m; with a ratio the last one is a ball of ratio * 0.1 kg.
-Start loaded_chain(const std::string& name, double ratio) {
+ExperimentRun loaded_chain(const std::string& name, double ratio) {
     std::vector<Link> links(10, {solid_box(0.1, {0.02, 0.02, 0.1}, {}), 0.1});
     if (ratio > 1) links.back().body = solid_sphere(0.1 * ratio, 0.1, {});
     return chain(name, links, JointKind::ball, 2, 0.2);
@@ -77,7 +77,7 @@ Start loaded_chain(const std::string& name, double ratio) {
 
 // Two rods hang from the ground, a coupler between their lower ends. It only translates:
 // theta'' = -rate^2 sin(theta), rate^2 = (2 m d + mc) g / (2 Ip + mc).
-Start parallelogram(double) {
+ExperimentRun parallelogram(double) {
     const double angle = pi / 3, width = 1.5;
     const Vec3 right{width, 0, 0}, lower = hanging(angle);
     Scene scene{.name = "j4", .planar = true};
@@ -102,7 +102,7 @@ std::vector<Experiment> pendulum_experiments() {
     std::vector<Experiment> all;
     const auto add = [&](const std::string& name, const std::string& about,
                          const std::string& measures, std::vector<double> tolerances,
-                         std::function<Start(double)> start) {
+                         std::function<ExperimentRun(double)> start) {
         all.push_back({.name = name,
                        .about = about,
                        .measures = measures,

@@ -90,13 +90,13 @@ private:
     int count_ = 0;
 };
 
-Start settling(double) {
+ExperimentRun settling(double) {
     Scene scene = lattice_of_balls(0, 0);
     auto meter = std::make_unique<PenetrationMeter>(scene.bodies.size() - 1);
     return {std::move(scene), 5, std::move(meter)};
 }
 
-Start elastic(double) {
+ExperimentRun elastic(double) {
     Scene scene = lattice_of_balls(1, 1);
     auto meter = std::make_unique<EnergyMeter>(scene);
     return {std::move(scene), 3, std::move(meter)};
@@ -163,7 +163,7 @@ private:
     Errors most_;
 };
 
-Start implosion(double shift) {
+ExperimentRun implosion(double shift) {
     Scene scene = imploding_boxes(shift);
     auto meter = std::make_unique<MomentumMeter>(scene);
     return {std::move(scene), 3, std::move(meter)};

@@ -138,7 +138,7 @@ private:
     double deepest_ = 0;
 };
 
-Start unequal_masses() {
+ExperimentRun unequal_masses() {
     constexpr int count = 100;
     Scene scene{.name = "masses", .friction = 0.5};
     Uniform uniform;

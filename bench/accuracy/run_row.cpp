@@ -24,12 +24,12 @@ constexpr double one_look = 0.4;    // s: longer runs are timed once
 constexpr int repetitions = 3;
 constexpr double longest = 20;  // s of processor time: one start that takes more is ended
 
-long steps_of(const Start& start, double rate_hz) {
+long steps_of(const ExperimentRun& start, double rate_hz) {
     return std::llround(start.seconds * rate_hz);
 }
 
 // Steps after which damping ends; more than all when it stays.
-long damped_steps(const Start& start, double rate_hz) {
+long damped_steps(const ExperimentRun& start, double rate_hz) {
     return start.damping_ends > 0 ? std::llround(start.damping_ends * rate_hz) : -1;
 }
 
@@ -42,7 +42,7 @@ std::string blown(const Scene& scene, const Engine& engine) {
 }
 
 // Steps alone, nothing is looked at: CPU seconds, or none when the engine refuses the scene.
-double time_steps(const Start& start, const EngineKind& kind, const std::string& mode,
+double time_steps(const ExperimentRun& start, const EngineKind& kind, const std::string& mode,
                   double rate_hz) {
     const auto engine = kind.make();
     if (!engine->build(start.scene, mode)) return 0;
@@ -55,7 +55,7 @@ double time_steps(const Start& start, const EngineKind& kind, const std::string&
     return cpu_seconds() - before;
 }
 
-double least_time(const Start& start, const EngineKind& kind, const std::string& mode,
+double least_time(const ExperimentRun& start, const EngineKind& kind, const std::string& mode,
                   double rate_hz) {
     double least = time_steps(start, kind, mode, rate_hz);
     const int more = least < short_run ? repetitions : least < one_look ? 1 : 0;
@@ -80,7 +80,7 @@ double distance_from_finest(const Experiment& experiment, const EngineKind& kind
 
 }  // namespace
 
-Result<Outcome> run_once(Start start, const EngineKind& kind, const std::string& mode,
+Result<Outcome> run_once(ExperimentRun start, const EngineKind& kind, const std::string& mode,
                          double rate_hz) {
     const auto engine = kind.make();
     if (auto status = engine->build(start.scene, mode); !status) return status.error();
@@ -123,7 +123,7 @@ Row run_row(const Experiment& experiment, const EngineKind& kind, const std::str
         if (!row.usable()) return row;
     }
     if (timing == Timing::none) return row;
-    const Start start = experiment.start(0);
+    const ExperimentRun start = experiment.start(0);
     row.cpu_us_per_second = 1e6 * least_time(start, kind, mode, rate_hz) / start.seconds;
     return row;
 }

@@ -41,7 +41,7 @@ struct Outcome {
     std::string blown;       // why; empty: it is not
     std::vector<Vec3> last;  // where the bodies are at the end
 };
-Result<Outcome> run_once(Start start, const EngineKind& kind, const std::string& mode,
+Result<Outcome> run_once(ExperimentRun start, const EngineKind& kind, const std::string& mode,
                          double rate_hz);
 
 nlohmann::ordered_json to_json(const Row& row);

@@ -10,7 +10,7 @@
 namespace jostle::bench::accuracy {
 namespace {
 
-Start standing(Scene scene, double seconds) {
+ExperimentRun standing(Scene scene, double seconds) {
     auto meter = rest_meter(scene);
     return {std::move(scene), seconds, std::move(meter)};
 }
@@ -29,12 +29,12 @@ private:
     std::unique_ptr<Meter> moved_;
 };
 
-Start falling(Scene scene, double seconds) {
+ExperimentRun falling(Scene scene, double seconds) {
     auto meter = std::make_unique<FallMeter>(scene);
     return {std::move(scene), seconds, std::move(meter)};
 }
 
-Start loaded_box(double ratio) {
+ExperimentRun loaded_box(double ratio) {
     Scene scene = box_stack(2, half_cube, 1);
     scene.bodies[1] = solid_box(ratio, half_cube, scene.bodies[1].pose.position);
     return standing(std::move(scene), 5);
@@ -47,7 +47,7 @@ std::vector<Experiment> stack_experiments() {
     constexpr const char* fell = "1 when it stands, 0 when it fell; largest move, m";
     std::vector<Experiment> all;
     const auto add = [&](const char* name, const char* about, const char* measures,
-                         std::vector<double> tolerances, std::function<Start(double)> start) {
+                         std::vector<double> tolerances, std::function<ExperimentRun(double)> start) {
         all.push_back({.name = name,
                        .about = about,
                        .measures = measures,

@@ -12,7 +12,7 @@
 namespace jostle::bench::accuracy {
 namespace {
 
-Start resting(Scene scene, double seconds) {
+ExperimentRun resting(Scene scene, double seconds) {
     auto meter = rest_meter(scene, When::ever);
     return {std::move(scene), seconds, std::move(meter)};
 }
@@ -45,7 +45,7 @@ StressTest ratio_of_1000() {
                                 scene.bodies[1] =
                                     solid_box(1000, half_cube, scene.bodies[1].pose.position);
                                 auto meter = rest_meter(scene);
-                                return Start{std::move(scene), 5, std::move(meter)};
+                                return ExperimentRun{std::move(scene), 5, std::move(meter)};
                             },
                         .speed_bound = fall_speed(2),
                         .limit = 0.01};
@@ -76,7 +76,7 @@ private:
     Errors most_;
 };
 
-Start overlapping() {
+ExperimentRun overlapping() {
     constexpr int count = 5;
     Scene scene{.name = "overlap", .friction = 0.5, .planar = true};
     for (int k = 0; k < count; k++)

@@ -55,7 +55,7 @@ std::span<const StressTest> all_stress_tests() {
 }
 
 Verdict run_stress(const StressRun& run, const EngineKind& kind, const std::string& mode) {
-    Start start = run.start();
+    ExperimentRun start = run.start();
     start.meter = std::make_unique<SpeedGuard>(start.scene, std::move(start.meter), run.figure);
     const auto outcome = run_once(std::move(start), kind, mode, run.rate_hz);
     if (!outcome) return {.lacks = outcome.error().message};

@@ -43,7 +43,7 @@ std::vector<StressTest> input_stress_tests();  // of Jostle alone
 // (m/s; 0: no bound), and the figure is below the limit.
 enum class Figure { primary, second };
 struct StressRun {
-    std::function<Start()> start;
+    std::function<ExperimentRun()> start;
     double rate_hz = 60, speed_bound = 0, limit = 1;
     Figure figure = Figure::primary;
 };

@@ -42,7 +42,7 @@ Top heavy_top() {
     return top;
 }
 
-Start top_on_ball_joint(double) {
+ExperimentRun top_on_ball_joint(double) {
     const Top top = heavy_top();
     Scene scene{.name = "f5"};
     scene.bodies = {top.body};
@@ -52,7 +52,7 @@ Start top_on_ball_joint(double) {
 }
 
 // The rings weigh a gram each: enough for engines that divide by mass, next to nothing for the top.
-Start top_in_gimbals(double) {
+ExperimentRun top_in_gimbals(double) {
     const Top top = heavy_top();
     Scene scene{.name = "j9"};
     Body ring = without_shape(solid_box(1e-3, {0.1, 0.1, 0.1}, {}));
@@ -65,7 +65,7 @@ Start top_in_gimbals(double) {
 }
 
 // The rod turns as a whole about z: (Ip - Ia) cos(tilt) Om^2 = m g d.
-Start conical_pendulum(double) {
+ExperimentRun conical_pendulum(double) {
     const double tilt = pi / 6, arm = 0.5;
     Scene scene{.name = "f6"};
     Body rod = without_shape(solid_box(1, {0.05, 0.05, 0.5}, {}));

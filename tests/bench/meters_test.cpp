@@ -34,7 +34,7 @@ private:
 };
 
 Errors errors_of(const char* name, const Motion3& motion, double rate_hz = 60) {
-    const Start start = find_experiment(name)->start(0);
+    const ExperimentRun start = find_experiment(name)->start(0);
     Told engine(motion);
     const long steps = std::lround(start.seconds * rate_hz);
     for (long k = 0; k < steps; k++) {

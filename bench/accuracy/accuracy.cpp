@@ -53,14 +53,14 @@ struct Flags {
 };
 
 void print_row(const Row& row) {
-    if (!row.lacks.empty()) return;
+    if (!row.unsupported.empty()) return;
     if (row.usable())
         std::printf("%-10s %-8s %-18s %6g %11.4g %11.4g %12.4g\n", row.scene.c_str(),
                     row.engine.c_str(), row.mode.c_str(), row.rate_hz, row.error, row.second_error,
                     row.cpu_us_per_second);
     else
         std::printf("%-10s %-8s %-18s %6g  blown: %s\n", row.scene.c_str(), row.engine.c_str(),
-                    row.mode.c_str(), row.rate_hz, row.blown.c_str());
+                    row.mode.c_str(), row.rate_hz, row.failed.c_str());
     std::fflush(stdout);
 }
 
@@ -75,7 +75,7 @@ void run_mode(const Experiment& experiment, const EngineKind& kind, const std::s
         show_progress("");
         print_row(row);
         rows.push_back(row);
-        if (!row.lacks.empty() || row.blown == takes_too_long) return;
+        if (!row.unsupported.empty() || row.failed == takes_too_long) return;
     }
 }
 
@@ -130,7 +130,7 @@ bool write_files(const Flags& flags, const std::vector<Row>& rows, const Score& 
     if (!flags.csv.empty()) {
         std::string text = csv_heading() + "\n";
         for (const Row& row : rows)
-            if (row.lacks.empty()) text += csv_line(row) + "\n";
+            if (row.unsupported.empty()) text += csv_line(row) + "\n";
         done = write_text(flags.csv, text) && done;
     }
     if (!flags.plot.empty())
@@ -146,7 +146,7 @@ bool write_files(const Flags& flags, const std::vector<Row>& rows, const Score& 
 
 int run(const Flags& flags) {
     if (flags.short_form)
-        return run_short_form(selected_experiments(flags.scenes), flags.against, flags.update);
+        return run_regression(selected_experiments(flags.scenes), flags.against, flags.update);
     for (const std::string& path : {flags.json, flags.csv, flags.sheet, flags.tables})
         if (!path.empty() && !can_write(path)) return 1;
     if (!flags.plot.empty()) {

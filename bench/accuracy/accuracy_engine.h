@@ -33,7 +33,7 @@ public:
     virtual void set_damping(double rate) = 0;               // 1/s, of all bodies
     virtual void set_velocity(int body, Vec3 velocity) = 0;  // of a driven body
     // What the engine complained about since the start: the run is worth nothing. Empty: nothing.
-    virtual std::string complaint() const { return {}; }
+    virtual std::string failure() const { return {}; }
 };
 
 struct EngineKind {

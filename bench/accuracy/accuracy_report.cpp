@@ -31,7 +31,7 @@ std::vector<Series> series_of(const std::vector<Row>& rows, const std::string& s
     std::vector<Series> found;
     for (const Row& row : rows) {
         const Series series{row.engine, row.mode};
-        if (row.scene == scene && row.lacks.empty() &&
+        if (row.scene == scene && row.unsupported.empty() &&
             std::find(found.begin(), found.end(), series) == found.end())
             found.push_back(series);
     }
@@ -71,8 +71,8 @@ std::string lines_of_series(const std::vector<Row>& rows, const std::string& sce
 std::vector<std::string> reasons_of(const std::vector<Row>& rows, const std::string& scene) {
     std::vector<std::string> reasons;
     for (const Row& row : rows)
-        if (row.scene == scene && !row.lacks.empty() && !contains(reasons, row.lacks))
-            reasons.push_back(row.lacks);
+        if (row.scene == scene && !row.unsupported.empty() && !contains(reasons, row.unsupported))
+            reasons.push_back(row.unsupported);
     return reasons;
 }
 

@@ -28,7 +28,7 @@ using Shape =
     std::variant<physics::Sphere, physics::Box, physics::Cylinder, physics::Plane, HullPoints>;
 
 // How a body moves. A driven body keeps the velocity it is given, whatever it meets.
-enum class Motion { free, fixed, driven };
+enum class Motion { free, fixed, kinematic };
 
 struct Body {
     Motion motion = Motion::free;
@@ -69,7 +69,7 @@ struct Joint {
     Vec3 axis{0, 1, 0};
     double stiffness = 0, damping = 0;  // of springs: N/m and N s/m
     double rest_length = 0;             // of springs: m
-    std::optional<Vec3> torn;           // of balls: where their end at b is instead of the anchor
+    std::optional<Vec3> misaligned_anchor_b;           // of balls: where their end at b is instead of the anchor
     std::optional<Motor> motor;         // of hinges
     std::optional<Limit> limit;         // of hinges
 };
@@ -87,7 +87,7 @@ struct Scene {
     double mutual_pull = 0;
     // Each body slows down by damping * velocity, 1/s, and its spin likewise.
     double damping = 0;
-    bool swept =
+    bool continuous =
         false;  // fast bodies may pass through nothing: the engine's own way, if it has one
     bool planar = false;  // all motion is in the xz plane, and all joints' axes are along y
 };

@@ -43,7 +43,7 @@ std::optional<Row> cheapest(const std::vector<Row>& rows, const std::string& sce
 
 bool has_peer(const std::vector<Row>& rows, const std::string& scene, const std::string& us) {
     return std::any_of(rows.begin(), rows.end(), [&](const Row& row) {
-        return row.scene == scene && row.engine != us && row.lacks.empty();
+        return row.scene == scene && row.engine != us && row.unsupported.empty();
     });
 }
 

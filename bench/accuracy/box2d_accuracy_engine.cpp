@@ -78,7 +78,7 @@ private:
         def.linearVelocity = flat(body.velocity);
         def.angularVelocity = single(-body.spin.y);
         def.linearDamping = def.angularDamping = single(scene.damping);
-        def.bullet = scene.swept;
+        def.bullet = scene.continuous;
         b2Body* made = world_.CreateBody(&def);
         bodies_.push_back(made);
         if (body.shape)

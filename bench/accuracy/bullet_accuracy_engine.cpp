@@ -171,7 +171,7 @@ private:
         rigid->setAngularVelocity(vector(body.spin));
         if (thin_) rigid->setContactProcessingThreshold(0);
         const auto* sphere = body.shape ? std::get_if<physics::Sphere>(&*body.shape) : nullptr;
-        if (scene.swept && sphere) {
+        if (scene.continuous && sphere) {
             rigid->setCcdMotionThreshold(0.5 * sphere->radius);
             rigid->setCcdSweptSphereRadius(0.5 * sphere->radius);
         }
@@ -229,7 +229,7 @@ private:
             case JointKind::rod:
                 break;
         }
-        const btVector3 end_b = vector(joint.torn.value_or(joint.anchor));
+        const btVector3 end_b = vector(joint.misaligned_anchor_b.value_or(joint.anchor));
         return std::make_unique<btPoint2PointConstraint>(a, b, to_a * anchor, to_b * end_b);
     }
 
@@ -280,7 +280,7 @@ public:
     BodyState state(int body) const override { return engine_->state(body); }
     void set_damping(double rate) override { engine_->set_damping(rate); }
     void set_velocity(int body, Vec3 velocity) override { engine_->set_velocity(body, velocity); }
-    std::string complaint() const override { return engine_->complaint(); }
+    std::string failure() const override { return engine_->failure(); }
 
 private:
     std::unique_ptr<Engine> engine_;

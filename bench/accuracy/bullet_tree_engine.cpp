@@ -61,7 +61,7 @@ Status check(const Scene& scene, const BodyTree& tree) {
     for (const BodyTree::Node& node : tree.nodes)
         if (!node.joint) return Error{.message = "bullet's trees hold jointed bodies alone"};
     for (const Joint& joint : scene.joints)
-        if (joint.kind == JointKind::rod || joint.kind == JointKind::spring || joint.torn)
+        if (joint.kind == JointKind::rod || joint.kind == JointKind::spring || joint.misaligned_anchor_b)
             return Error{.message = "bullet's trees have no rods, springs or torn joints"};
     return {};
 }

@@ -45,7 +45,7 @@ std::string jostle_table(const std::vector<Row>& rows) {
                 continue;
             text += "| " + row.scene + " | " + experiment.measures + " | ";
             if (!row.usable())
-                text += row.blown + " | | |\n";
+                text += row.failed + " | | |\n";
             else if (has_no_second(experiment))
                 text += format_text("%.2g |  | %.3g |\n", row.error, row.cpu_us_per_second);
             else

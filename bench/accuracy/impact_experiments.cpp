@@ -128,7 +128,7 @@ ExperimentRun cradle(double shift) {
 // At 15 steps a second it comes 13 m further in a step: later starts begin further away.
 ExperimentRun bullet(double shift) {
     constexpr double speed = 200;
-    Scene scene{.name = "c15", .gravity = {}, .swept = true};
+    Scene scene{.name = "c15", .gravity = {}, .continuous = true};
     Body ball = solid_sphere(0.1, 0.05, {-5.4 - speed * shift, 0.01, 0.02});
     ball.velocity = {speed, 0, 0};
     scene.bodies = {ball, fixed_box({0.01, 1, 1}, {})};

@@ -102,7 +102,7 @@ bool harmless(const Input& input) {
 }
 
 Verdict inputs(const EngineKind& kind, const std::string&) {
-    if (std::string(kind.name) != "jostle") return {.lacks = "asked of jostle alone"};
+    if (std::string(kind.name) != "jostle") return {.unsupported = "asked of jostle alone"};
     World world;
     int bad = taken(world);
     for (const Input& input : odd()) bad += !harmless(input);

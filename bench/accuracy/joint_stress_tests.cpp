@@ -79,8 +79,8 @@ Verdict loaded_chains(const EngineKind& kind, const std::string& mode) {
         for (const double rate_hz : {30.0, 60.0, 120.0, 240.0, 480.0}) {
             const auto outcome =
                 run_once(find_experiment(name)->start(0), kind, bullet ? "nncg10" : mode, rate_hz);
-            if (!outcome) return {.lacks = outcome.error().message};
-            blown += !outcome->blown.empty();
+            if (!outcome) return {.unsupported = outcome.error().message};
+            blown += !outcome->failed.empty();
         }
     return {.pass = blown == 0, .figure = static_cast<double>(blown)};
 }
@@ -175,7 +175,7 @@ ExperimentRun torn_body() {
     Scene scene{.name = "torn"};
     scene.bodies = {without_shape(solid_box(1, {0.2, 0.2, 0.2}, {}))};
     Joint unreachable = ball_at(ground, 0, {1, 0, 0});
-    unreachable.torn = Vec3{0.2, 0, 0};
+    unreachable.misaligned_anchor_b = Vec3{0.2, 0, 0};
     scene.joints = {{.kind = JointKind::fixed, .b = 0}, unreachable};
     return {std::move(scene), 100, std::make_unique<CalmMeter>()};
 }

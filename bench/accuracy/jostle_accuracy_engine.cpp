@@ -58,7 +58,7 @@ public:
 
     void step(double dt) override {
         if (mutual_pull_ > 0) pull_each_other(dt);
-        if (auto status = world_->step(dt); !status) complaint_ = status.error().message;
+        if (auto status = world_->step(dt); !status) failure_ = status.error().message;
     }
 
     BodyState state(int body) const override {
@@ -77,7 +77,7 @@ public:
             world_->set_velocity(bodies_[static_cast<std::size_t>(body)], velocity, {}));
     }
 
-    std::string complaint() const override { return complaint_; }
+    std::string failure() const override { return failure_; }
 
 private:
     // A force that is constant within a step is integrated exactly. Taken where the bodies are in
@@ -145,7 +145,7 @@ private:
         }
         const Quat turned = axes_along(joint.axis);
         const bool two_anchors = joint.kind == JointKind::rod || joint.kind == JointKind::spring;
-        const Vec3 end_b = two_anchors ? joint.anchor_b : joint.torn.value_or(joint.anchor);
+        const Vec3 end_b = two_anchors ? joint.anchor_b : joint.misaligned_anchor_b.value_or(joint.anchor);
         const Transform a = pose_of(scene, joint.a), b = pose_of(scene, joint.b);
         def.frame_a = {apply_inverse(a, joint.anchor), conjugate(a.rotation) * turned};
         def.frame_b = {apply_inverse(b, end_b), conjugate(b.rotation) * turned};
@@ -188,7 +188,7 @@ private:
     std::vector<BodyId> bodies_;
     std::optional<BodyId> ground_;
     double mutual_pull_ = 0;
-    std::string complaint_;
+    std::string failure_;
 };
 
 }  // namespace

@@ -36,8 +36,8 @@ Verdict bullets(const EngineKind& kind, const std::string& mode) {
         for (int phase = 0; phase < bullet.phases; phase++) {
             const double shift = phase / rate_hz / bullet.phases;
             const auto outcome = run_once(bullet.start(shift), kind, mode, rate_hz);
-            if (!outcome) return {.lacks = outcome.error().message};
-            if (!outcome->blown.empty()) return {.why = outcome->blown};
+            if (!outcome) return {.unsupported = outcome.error().message};
+            if (!outcome->failed.empty()) return {.why = outcome->failed};
             passed += outcome->errors.primary;
         }
     return {.pass = passed == 0, .figure = passed};

@@ -114,7 +114,7 @@ public:
     void set_velocity(int, Vec3) override {}  // no driven bodies are made
 
     // MuJoCo starts anew when a number is not finite.
-    std::string complaint() const override {
+    std::string failure() const override {
         for (const int warning :
              {mjWARN_BADQPOS, mjWARN_BADQVEL, mjWARN_BADQACC, mjWARN_CNSTRFULL, mjWARN_CONTACTFULL})
             if (data_->warning[warning].number > 0) return mju_warningText(warning, 0);

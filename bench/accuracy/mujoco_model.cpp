@@ -198,11 +198,11 @@ std::string option_of(const Scene& scene, const std::string& mode) {
 }  // namespace
 
 Result<std::string> mujoco_xml(const Scene& scene, const BodyTree& tree, const std::string& mode) {
-    if (scene.swept) return Error{.message = "mujoco does not sweep"};
+    if (scene.continuous) return Error{.message = "mujoco does not sweep"};
     if (scene.restitution > 0) return Error{.message = "restitution is no parameter of mujoco"};
     for (const Joint& joint : scene.joints) {
         if (joint.kind == JointKind::rod) return Error{.message = "mujoco has no rods"};
-        if (joint.torn) return Error{.message = "torn joints are not made in mujoco"};
+        if (joint.misaligned_anchor_b) return Error{.message = "torn joints are not made in mujoco"};
         if (joint.motor && joint.motor->max_torque > weak && mode.find("implicit") == mode.npos)
             return Error{.message = "mujoco's strong motors ask for its implicit integrator"};
     }

@@ -73,7 +73,7 @@ public:
     OdeAccuracyEngine& operator=(const OdeAccuracyEngine&) = delete;
 
     Status build(const Scene& scene, const std::string& mode) override {
-        if (scene.swept) return Error{.message = "ode does not sweep"};
+        if (scene.continuous) return Error{.message = "ode does not sweep"};
         quick_ = mode.starts_with("quick");
         if (quick_) dWorldSetQuickStepNumIterations(world_, std::stoi(mode.substr(5)));
         const Vec3 gravity = scene.gravity;
@@ -87,7 +87,7 @@ public:
         for (const Body& body : scene.bodies)
             if (auto status = add_body(body); !status) return status;
         for (const Joint& joint : scene.joints) {
-            if (joint.torn) return Error{.message = "torn joints are not made in ode"};
+            if (joint.misaligned_anchor_b) return Error{.message = "torn joints are not made in ode"};
             add_joint(joint);
         }
         return {};

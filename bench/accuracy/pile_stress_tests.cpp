@@ -80,7 +80,7 @@ Verdict jam(const EngineKind& kind, const std::string& mode) {
     const Squeeze squeeze = squeezed_pile();
     const auto engine = kind.make();
     if (const auto status = engine->build(squeeze.scene, mode); !status)
-        return {.lacks = status.error().message};
+        return {.unsupported = status.error().message};
     const double travel = (start_half - squeeze.closed_half) / wall_speed;
     const long in = std::lround(travel * rate_hz), hold = in + 60, out = hold + in, end = out + 120;
     Pile pile;

@@ -19,8 +19,8 @@ namespace jostle::bench::accuracy {
 namespace {
 
 constexpr double furthest = 1e5;    // m
-constexpr double short_run = 0.05;  // s of processor time: repeated
-constexpr double one_look = 0.4;    // s: longer runs are timed once
+constexpr double short_run_max = 0.05;  // s of processor time: repeated
+constexpr double long_run = 0.4;    // s: longer runs are timed once
 constexpr int repetitions = 3;
 constexpr double longest = 20;  // s of processor time: one start that takes more is ended
 
@@ -38,7 +38,7 @@ std::string blown(const Scene& scene, const Engine& engine) {
         const double away = length(engine.state(static_cast<int>(k)).position);
         if (!(away < furthest)) return "a body is lost";
     }
-    return engine.complaint();
+    return engine.failure();
 }
 
 // Steps alone, nothing is looked at: CPU seconds, or none when the engine refuses the scene.
@@ -58,7 +58,7 @@ double time_steps(const ExperimentRun& start, const EngineKind& kind, const std:
 double least_time(const ExperimentRun& start, const EngineKind& kind, const std::string& mode,
                   double rate_hz) {
     double least = time_steps(start, kind, mode, rate_hz);
-    const int more = least < short_run ? repetitions : least < one_look ? 1 : 0;
+    const int more = least < short_run_max ? repetitions : least < long_run ? 1 : 0;
     for (int k = 0; k < more; k++) least = std::min(least, time_steps(start, kind, mode, rate_hz));
     return least;
 }
@@ -68,7 +68,7 @@ double distance_from_finest(const Experiment& experiment, const EngineKind& kind
                             const std::string& mode, double rate_hz, std::string& blown) {
     const auto here = run_once(experiment.start(0), kind, mode, rate_hz);
     const auto finest = run_once(experiment.start(0), kind, mode, experiment.finest_hz);
-    if (!here || !finest || !here->blown.empty() || !finest->blown.empty()) {
+    if (!here || !finest || !here->failed.empty() || !finest->failed.empty()) {
         blown = "the finest run is lost";
         return 0;
     }
@@ -89,13 +89,13 @@ Result<Outcome> run_once(ExperimentRun start, const EngineKind& kind, const std:
     for (long k = 0; k < steps; k++) {
         if (k == damped) engine->set_damping(0);
         engine->step(1 / rate_hz);
-        if (auto why = blown(start.scene, *engine); !why.empty()) return Outcome{.blown = why};
+        if (auto why = blown(start.scene, *engine); !why.empty()) return Outcome{.failed = why};
         start.meter->sample(static_cast<double>(k + 1) / rate_hz, *engine);
-        if (cpu_seconds() - began > longest) return Outcome{.blown = takes_too_long};
+        if (cpu_seconds() - began > longest) return Outcome{.failed = takes_too_long};
     }
     Outcome outcome{.errors = start.meter->errors()};
     if (!std::isfinite(outcome.errors.primary) || !std::isfinite(outcome.errors.secondary))
-        outcome.blown = "the error is no number";
+        outcome.failed = "the error is no number";
     for (std::size_t k = 0; k < start.scene.bodies.size(); k++)
         outcome.last.push_back(engine->state(static_cast<int>(k)).position);
     return outcome;
@@ -109,9 +109,9 @@ Row run_row(const Experiment& experiment, const EngineKind& kind, const std::str
         const double shift = phase / rate_hz / experiment.phases;
         auto outcome = run_once(experiment.start(shift), kind, mode, rate_hz);
         if (!outcome)
-            row.lacks = outcome.error().message;
+            row.unsupported = outcome.error().message;
         else
-            row.blown = outcome->blown;
+            row.failed = outcome->failed;
         if (!row.usable()) return row;
         primary += outcome->errors.primary * outcome->errors.primary;
         second += outcome->errors.secondary * outcome->errors.secondary;
@@ -119,7 +119,7 @@ Row run_row(const Experiment& experiment, const EngineKind& kind, const std::str
     row.error = std::sqrt(primary / experiment.phases);
     row.second_error = std::sqrt(second / experiment.phases);
     if (experiment.finest_hz > 0) {
-        row.error = distance_from_finest(experiment, kind, mode, rate_hz, row.blown);
+        row.error = distance_from_finest(experiment, kind, mode, rate_hz, row.failed);
         if (!row.usable()) return row;
     }
     if (timing == Timing::none) return row;
@@ -143,14 +143,14 @@ Row run_row_in_child(const Experiment& experiment, const EngineKind& kind, const
             .engine = kind.name,
             .mode = mode,
             .rate_hz = rate_hz,
-            .blown = late ? takes_too_long : answer.failure};
+            .failed = late ? takes_too_long : answer.failure};
 }
 
 nlohmann::ordered_json to_json(const Row& row) {
     nlohmann::ordered_json json = {
         {"scene", row.scene}, {"engine", row.engine}, {"mode", row.mode}, {"rate_hz", row.rate_hz}};
-    if (!row.lacks.empty()) json["lacks"] = row.lacks;
-    if (!row.blown.empty()) json["blown"] = row.blown;
+    if (!row.unsupported.empty()) json["lacks"] = row.unsupported;
+    if (!row.failed.empty()) json["blown"] = row.failed;
     if (!row.usable()) return json;
     json["error"] = rounded(row.error);
     json["second_error"] = rounded(row.second_error);
@@ -166,8 +166,8 @@ Row row_from(const nlohmann::ordered_json& json) {
             .error = json.value("error", 0.0),
             .second_error = json.value("second_error", 0.0),
             .cpu_us_per_second = json.value("cpu_us_per_second", 0.0),
-            .blown = json.value("blown", ""),
-            .lacks = json.value("lacks", "")};
+            .failed = json.value("blown", ""),
+            .unsupported = json.value("lacks", "")};
 }
 
 std::string csv_heading() {
@@ -199,7 +199,7 @@ std::vector<Row> rows_from_csv(std::istream& in) {
         if (read < 5) throw std::runtime_error("this is no row: " + line);
         row.scene = scene, row.engine = engine, row.mode = mode;
         if (std::string(first) == "blown")
-            row.blown = first;
+            row.failed = first;
         else
             row.error = std::stod(first);
         rows.push_back(std::move(row));

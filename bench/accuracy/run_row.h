@@ -17,10 +17,10 @@ struct Row {
     double rate_hz = 0;
     double error = 0, second_error = 0;
     double cpu_us_per_second = 0;  // of the step calls, per simulated second
-    std::string blown;  // why the run is worth nothing: NaN, further than 1e5 m, a complaint
-    std::string lacks;  // what the scene has and the engine does not: the row is left out
+    std::string failed;  // why the run is worth nothing: NaN, further than 1e5 m, a complaint
+    std::string unsupported;  // what the scene has and the engine does not: the row is left out
 
-    bool usable() const { return blown.empty() && lacks.empty(); }
+    bool usable() const { return failed.empty() && unsupported.empty(); }
 };
 
 inline constexpr const char* takes_too_long = "takes too long";  // of blown rows

@@ -55,7 +55,7 @@ void compare_rows(const Row& before, const Row& after, std::vector<Change>& chan
             compare(after, "second error", before.second_error, after.second_error, changes);
     } else if (before.usable() != after.usable()) {
         changes.push_back({after.scene, after.rate_hz,
-                           after.usable() ? "blown before, not now" : "blown: " + after.blown,
+                           after.usable() ? "blown before, not now" : "blown: " + after.failed,
                            !after.usable()});
     }
 }
@@ -84,7 +84,7 @@ void print(const Row& row) {
         std::printf("%-10s %4g %11.4g %11.4g\n", row.scene.c_str(), row.rate_hz, row.error,
                     row.second_error);
     else
-        std::printf("%-10s %4g  %s\n", row.scene.c_str(), row.rate_hz, row.blown.c_str());
+        std::printf("%-10s %4g  %s\n", row.scene.c_str(), row.rate_hz, row.failed.c_str());
 }
 
 int say_changes(const std::vector<Change>& changes, std::size_t rows, const std::string& file) {
@@ -106,15 +106,15 @@ int say_changes(const std::vector<Change>& changes, std::size_t rows, const std:
 
 }  // namespace
 
-bool in_short_form(const Experiment& experiment) {
+bool in_regression_set(const Experiment& experiment) {
     return std::find(dear.begin(), dear.end(), experiment.name) == dear.end();
 }
 
-std::vector<Row> short_rows(const std::vector<const Experiment*>& experiments) {
+std::vector<Row> regression_rows(const std::vector<const Experiment*>& experiments) {
     const EngineKind& jostle = engine_kinds()[0];
     std::vector<Row> rows;
     for (const Experiment* experiment : experiments) {
-        if (!in_short_form(*experiment)) continue;
+        if (!in_regression_set(*experiment)) continue;
         static_cast<void>(experiment->start(0));  // makes the reference, which children inherit
         for (const double rate : rates) {
             show_progress(experiment->name + " " + std::to_string(static_cast<int>(rate)) + " Hz");
@@ -141,7 +141,7 @@ std::vector<Change> changes_between(const std::vector<Row>& before, const std::v
     return changes;
 }
 
-int run_short_form(const std::vector<const Experiment*>& experiments, const std::string& file,
+int run_regression(const std::vector<const Experiment*>& experiments, const std::string& file,
                    bool update) {
     const bool all = experiments.size() == all_experiments().size();
     std::vector<Row> before;
@@ -155,7 +155,7 @@ int run_short_form(const std::vector<const Experiment*>& experiments, const std:
             return 1;
         }
     if (update && !can_write(file)) return 1;
-    const std::vector<Row> rows = short_rows(experiments);
+    const std::vector<Row> rows = regression_rows(experiments);
     if (file.empty() || update)
         for (const Row& row : rows) print(row);
     if (file.empty()) return 0;

@@ -13,10 +13,10 @@
 namespace jostle::bench::accuracy {
 
 // Whether the scene is cheap enough to belong to it.
-bool in_short_form(const Experiment& experiment);
+bool in_regression_set(const Experiment& experiment);
 
 // Errors alone: no time is taken. In a process each, as all rows.
-std::vector<Row> short_rows(const std::vector<const Experiment*>& experiments);
+std::vector<Row> regression_rows(const std::vector<const Experiment*>& experiments);
 
 // What a figure may be worse by before it is a fault, and below which it is rounding.
 inline constexpr double worse_by = 4.0 / 3;
@@ -34,7 +34,7 @@ std::vector<Change> changes_between(const std::vector<Row>& before, const std::v
 
 // Runs the scenes and holds them against the file, or writes it anew. Exit status: 0 no fault, 1
 // faults, or the file cannot be read or written. Without a file it prints alone.
-int run_short_form(const std::vector<const Experiment*>& experiments, const std::string& file,
+int run_regression(const std::vector<const Experiment*>& experiments, const std::string& file,
                    bool update);
 
 }  // namespace jostle::bench::accuracy

@@ -58,8 +58,8 @@ Verdict run_stress(const StressRun& run, const EngineKind& kind, const std::stri
     ExperimentRun start = run.start();
     start.meter = std::make_unique<SpeedGuard>(start.scene, std::move(start.meter), run.figure);
     const auto outcome = run_once(std::move(start), kind, mode, run.rate_hz);
-    if (!outcome) return {.lacks = outcome.error().message};
-    if (!outcome->blown.empty()) return {.why = outcome->blown};
+    if (!outcome) return {.unsupported = outcome.error().message};
+    if (!outcome->failed.empty()) return {.why = outcome->failed};
     Verdict verdict{.pass = outcome->errors.primary < run.limit, .figure = outcome->errors.primary};
     if (run.speed_bound > 0 && outcome->errors.secondary > 2 * run.speed_bound) {
         char text[64];
@@ -73,8 +73,8 @@ Verdict run_stress(const StressRun& run, const EngineKind& kind, const std::stri
 nlohmann::ordered_json to_json(const StressTest& test, const EngineKind& kind,
                                const std::string& mode, const Verdict& verdict) {
     nlohmann::ordered_json json = {{"id", test.id}, {"engine", kind.name}, {"mode", mode}};
-    if (!verdict.lacks.empty()) {
-        json["lacks"] = verdict.lacks;
+    if (!verdict.unsupported.empty()) {
+        json["lacks"] = verdict.unsupported;
         return json;
     }
     json["pass"] = verdict.pass;

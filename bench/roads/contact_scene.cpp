@@ -108,7 +108,7 @@ void ContactScene::sample() {
 }
 
 SceneErrors ContactScene::errors() const {
-    SceneErrors errors{.overlap = overlap_, .blown = blown_};
+    SceneErrors errors{.overlap = overlap_, .failed = blown_};
     convergence::Rms apex;
     for (const double height : apex_) {
         const double error = height / (bounce * bounce * drop_height) - 1;

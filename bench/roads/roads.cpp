@@ -75,7 +75,7 @@ double time_of_run(const RoadKind& kind, double rate_hz) {
 }
 
 void print_row(const RoadRow& row) {
-    if (row.errors.blown)
+    if (row.errors.failed)
         std::printf("%-9s %6g  blown\n", row.road.c_str(), row.rate_hz);
     else
         std::printf("%-9s %6g %12.4g %11.4g %11.4g %11.4g\n", row.road.c_str(), row.rate_hz,
@@ -88,7 +88,7 @@ std::string csv_of(const std::vector<RoadRow>& rows) {
     for (const RoadRow& row : rows) {
         char line[160];
         const SceneErrors& errors = row.errors;
-        if (errors.blown)
+        if (errors.failed)
             std::snprintf(line, sizeof line, "%s,%g,blown,,,\n", row.road.c_str(), row.rate_hz);
         else
             std::snprintf(line, sizeof line, "%s,%g,%.4g,%.4g,%.4g,%.4g\n", row.road.c_str(),
@@ -150,7 +150,7 @@ RoadRow road_row(const RoadKind& kind, double rate_hz) {
 
 nlohmann::ordered_json to_json(const RoadRow& row) {
     nlohmann::ordered_json json = {{"road", row.road}, {"rate_hz", row.rate_hz}};
-    if (row.errors.blown) {
+    if (row.errors.failed) {
         json["blown"] = true;
         return json;
     }

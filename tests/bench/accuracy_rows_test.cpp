@@ -27,7 +27,7 @@ class JostleRows : public testing::TestWithParam<Expected> {};
 TEST_P(JostleRows, stay_within_their_error) {
     const auto [scene, rate_hz, most_error] = GetParam();
     const Row row = row_of(scene, "jostle", rate_hz);
-    ASSERT_TRUE(row.usable()) << row.blown << row.lacks;
+    ASSERT_TRUE(row.usable()) << row.failed << row.unsupported;
     EXPECT_LT(row.error, most_error);
     EXPECT_GT(row.cpu_us_per_second, 0);
 }
@@ -58,28 +58,28 @@ protected:
 // Symplectic Euler is first order, all others are better: 0.17 m of falling 2 s at 60 Hz.
 TEST_P(Engines, swing_a_pendulum_and_converge) {
     const Row slow = row_of("j1-5", GetParam(), 60), fast = row_of("j1-5", GetParam(), 240);
-    ASSERT_TRUE(slow.usable() && fast.usable()) << slow.blown << slow.lacks;
+    ASSERT_TRUE(slow.usable() && fast.usable()) << slow.failed << slow.unsupported;
     EXPECT_LT(slow.error, 0.002);
     EXPECT_LT(fast.error, 0.6 * slow.error);
 }
 
 TEST_P(Engines, close_a_loop) {
     const Row row = row_of("j4", GetParam(), 240);
-    ASSERT_TRUE(row.usable()) << row.blown << row.lacks;
+    ASSERT_TRUE(row.usable()) << row.failed << row.unsupported;
     EXPECT_LT(row.error, 0.03);
     EXPECT_LT(row.second_error, 0.001);
 }
 
 TEST_P(Engines, hold_a_stack_of_ten) {
     const Row row = row_of("c8", GetParam(), 240);
-    ASSERT_TRUE(row.usable()) << row.blown << row.lacks;
+    ASSERT_TRUE(row.usable()) << row.failed << row.unsupported;
     EXPECT_LT(row.error, 0.2);
 }
 
 TEST_P(Engines, every_mode_builds) {
     for (const std::string& mode : find_engine_kind(GetParam())->modes) {
         const Row row = row_of("j2", GetParam(), 120, mode.c_str());
-        EXPECT_TRUE(row.usable()) << mode << ": " << row.blown << row.lacks;
+        EXPECT_TRUE(row.usable()) << mode << ": " << row.failed << row.unsupported;
         EXPECT_LT(row.error, 0.1) << mode;
     }
 }
@@ -91,7 +91,7 @@ INSTANTIATE_TEST_SUITE_P(All, Engines,
 // A motor turns a rod against a limit: signs of angles and speeds differ between engines.
 TEST_P(Engines, turn_the_right_way) {
     const Row row = row_of("j6", GetParam(), 480);
-    if (!row.lacks.empty()) GTEST_SKIP() << row.lacks;
+    if (!row.unsupported.empty()) GTEST_SKIP() << row.unsupported;
     EXPECT_LT(row.error, 0.8) << "one sample late at the limit is 0.77";
     EXPECT_LT(row.second_error, 0.05);
 }
@@ -102,7 +102,7 @@ TEST(BulletTrees, keep_joints_closed_and_converge_as_runge_kutta_does) {
     if (!find_engine_kind("bullet")->make) GTEST_SKIP() << "not built in";
     const Row slow = row_of("j1", "bullet", 30, "mb-rk4"),
               fast = row_of("j1", "bullet", 60, "mb-rk4");
-    ASSERT_TRUE(slow.usable() && fast.usable()) << slow.blown << slow.lacks;
+    ASSERT_TRUE(slow.usable() && fast.usable()) << slow.failed << slow.unsupported;
     EXPECT_LT(slow.error, 1e-5);
     EXPECT_LT(fast.error, slow.error / 10);
     for (const char* scene : {"f6", "j1", "j2", "j3-r1", "j9"})
@@ -110,15 +110,15 @@ TEST(BulletTrees, keep_joints_closed_and_converge_as_runge_kutta_does) {
     EXPECT_LT(row_of("j4", "bullet", 240, "mb").second_error, 1e-6);  // a loop
     EXPECT_LT(row_of("j5", "bullet", 240, "mb").error, 0.01);         // a motor and a slider
     EXPECT_LT(row_of("j7", "bullet", 120, "mb").error, 0.05);         // damped to rest
-    EXPECT_EQ(row_of("c8", "bullet", 60, "mb").lacks,
+    EXPECT_EQ(row_of("c8", "bullet", 60, "mb").unsupported,
               "bullet's trees are for bodies that touch nothing");
-    EXPECT_EQ(row_of("f2-1", "bullet", 60, "mb").lacks, "bullet's trees hold jointed bodies alone");
+    EXPECT_EQ(row_of("f2-1", "bullet", 60, "mb").unsupported, "bullet's trees hold jointed bodies alone");
 }
 
 TEST(Rows, say_what_an_engine_lacks) {
     if (!find_engine_kind("box2d")->make) GTEST_SKIP() << "not built in";
     const Row row = row_of("f1", "box2d", 60);
-    EXPECT_EQ(row.lacks, "box2d is planar");
+    EXPECT_EQ(row.unsupported, "box2d is planar");
     EXPECT_FALSE(row.usable());
 }
 

@@ -36,7 +36,7 @@ const std::vector<Row>& made_up() {
             row_of("j1", "peer", 60, 0.004, 90),      row_of("j1", "other", 60, 1e-6, 400),
         };
         all.push_back(row_of("j1", "other", 30, 1e-9, 1));
-        all.back().blown = "a body is lost";
+        all.back().failed = "a body is lost";
         return all;
     }();
     return rows;
@@ -94,7 +94,7 @@ TEST(Score, what_only_we_reach_counts_a_hundred) {
 
 TEST(Report, says_errors_orders_work_and_reasons) {
     std::vector<Row> rows = made_up();
-    rows.push_back({.scene = "j1", .engine = "flat", .mode = "m", .rate_hz = 60, .lacks = "no z"});
+    rows.push_back({.scene = "j1", .engine = "flat", .mode = "m", .rate_hz = 60, .unsupported = "no z"});
     const std::string text = scene_report(*find_experiment("j1"), rows);
     EXPECT_NE(text.find("30-60: 2.00"), std::string::npos) << text;
     EXPECT_NE(text.find("jostle 100 (m@60)"), std::string::npos);
@@ -104,7 +104,7 @@ TEST(Report, says_errors_orders_work_and_reasons) {
 TEST(Rows, go_through_json_unchanged) {
     for (const Row& row : made_up()) {
         EXPECT_EQ(to_json(row_from(to_json(row))), to_json(row));
-        EXPECT_EQ(to_json(row).contains("error"), row.blown.empty());
+        EXPECT_EQ(to_json(row).contains("error"), row.failed.empty());
     }
     EXPECT_EQ(csv_line(made_up()[0]), "j1,jostle,m,30,0.02,0,50");
     EXPECT_EQ(csv_line(made_up().back()), "j1,other,m,30,blown,,");

@@ -14,9 +14,9 @@ SceneErrors errors_of(const char* road, double rate_hz) {
 }
 
 TEST(Penalty, sinks_as_deep_as_its_spring_says_and_is_unstable_at_long_steps) {
-    EXPECT_TRUE(errors_of("penalty", 60).blown);
+    EXPECT_TRUE(errors_of("penalty", 60).failed);
     const SceneErrors fine = errors_of("penalty", 3840);
-    ASSERT_FALSE(fine.blown);
+    ASSERT_FALSE(fine.failed);
     EXPECT_NEAR(fine.overlap, 10 * mass * gravity / 1e5, 5e-6);  // m g / k of ten balls
     EXPECT_LT(fine.slide, 0.005);
 }
@@ -25,14 +25,14 @@ TEST(Penalty, sinks_as_deep_as_its_spring_says_and_is_unstable_at_long_steps) {
 TEST(Impulses, leave_the_overlap_that_is_allowed) {
     for (const double rate : {60.0, 120.0, 480.0}) {
         const SceneErrors errors = errors_of("impulses", rate);
-        ASSERT_FALSE(errors.blown);
+        ASSERT_FALSE(errors.failed);
         EXPECT_LT(errors.overlap, 0.0006) << rate;
     }
     EXPECT_LT(errors_of("impulses", 960).energy, 0.02);
 }
 
 TEST(Xpbd, is_stable_at_any_step_and_converges_at_first_order) {
-    EXPECT_FALSE(errors_of("xpbd", 30).blown);
+    EXPECT_FALSE(errors_of("xpbd", 30).failed);
     const SceneErrors coarse = errors_of("xpbd", 120), fine = errors_of("xpbd", 480);
     EXPECT_LT(fine.slide, 0.5 * coarse.slide);
     EXPECT_LT(fine.energy, 0.5 * coarse.energy);

@@ -15,7 +15,7 @@ Row short_row(const char* scene, double error, double second = 0, double rate_hz
 
 Row blown_row(const char* scene) {
     Row row = short_row(scene, 0);
-    row.blown = "a body is lost";
+    row.failed = "a body is lost";
     return row;
 }
 
@@ -74,8 +74,8 @@ TEST(ShortForm, rows_on_one_side_alone_are_faults) {
 }
 
 TEST(ShortForm, leaves_out_what_takes_minutes) {
-    EXPECT_TRUE(in_short_form(*find_experiment("j1")));
-    EXPECT_FALSE(in_short_form(*find_experiment("c17-cloth")));
+    EXPECT_TRUE(in_regression_set(*find_experiment("j1")));
+    EXPECT_FALSE(in_regression_set(*find_experiment("c17-cloth")));
 }
 
 }  // namespace

@@ -17,7 +17,7 @@
 #include "bench/accuracy/flag_selection.h"
 #include "bench/accuracy/doc_tables.h"
 #include "bench/accuracy/run_row.h"
-#include "bench/accuracy/short_form.h"
+#include "bench/accuracy/regression.h"
 #include "bench/measure.h"
 #include "bench/result_file.h"
 
@@ -49,7 +49,7 @@ struct Flags {
     std::vector<std::string> peers = {"all"};
     std::vector<std::string> modes = {"all"};
     std::string json, csv, plot, sheet, tables, add, against;
-    bool short_form = false, update = false;
+    bool regression = false, update = false;
 };
 
 void print_row(const Row& row) {
@@ -145,7 +145,7 @@ bool write_files(const Flags& flags, const std::vector<Row>& rows, const Score& 
 }
 
 int run(const Flags& flags) {
-    if (flags.short_form)
+    if (flags.regression)
         return run_regression(selected_experiments(flags.scenes), flags.against, flags.update);
     for (const std::string& path : {flags.json, flags.csv, flags.sheet, flags.tables})
         if (!path.empty() && !can_write(path)) return 1;
@@ -199,19 +199,19 @@ void add_accuracy(CLI::App& app, int& status) {
                         "Writes the tables of docs/accuracy.md anew, in this copy of it");
     command->add_option("--add", flags->add,
                         "Reports on the rows of this JSON or CSV of before as well");
-    CLI::Option* short_form = command->add_flag(
-        "--short", flags->short_form,
+    CLI::Option* regression = command->add_flag(
+        "--short", flags->regression,
         "Jostle alone, errors without times, at 30, 60 and 120 Hz on the scenes that take seconds");
     CLI::Option* against =
         command
             ->add_option("--against", flags->against,
                          "Compares with this file; a figure worse by more than a third is a fault")
-            ->needs(short_form);
+            ->needs(regression);
     command->add_flag("--update", flags->update, "Keeps today's figures in that file")
         ->needs(against);
     for (const char* other : {"--rates", "--peers", "--modes", "--json", "--csv", "--plot",
                               "--sheet", "--tables", "--add"})
-        short_form->excludes(command->get_option(other));
+        regression->excludes(command->get_option(other));
     command->footer("\n" + experiment_list() + "\n" + engine_list() + footer);
     command->callback([flags, &status] { status = run(*flags); });
 }

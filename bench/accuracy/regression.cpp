@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/accuracy/short_form.h"
+#include "bench/accuracy/regression.h"
 
 #include <algorithm>
 #include <array>

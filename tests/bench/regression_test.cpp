@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // What the short form of the laboratory takes for a fault, on rows that are made up.
-#include "bench/accuracy/short_form.h"
+#include "bench/accuracy/regression.h"
 
 #include <gtest/gtest.h>
 

@@ -18,7 +18,7 @@ namespace {
 constexpr std::array rates = {30.0, 60.0, 120.0};
 
 // They run at 1920 or 960 Hz as well, to have a truth.
-constexpr std::array<std::string_view, 2> dear = {"c17-rope", "c17-cloth"};
+constexpr std::array<std::string_view, 2> slow_scenes = {"c17-rope", "c17-cloth"};
 
 const Row* find_row(const std::vector<Row>& rows, const Row& like) {
     for (const Row& row : rows)
@@ -35,7 +35,7 @@ bool has_scene(const std::vector<Row>& rows, const std::string& scene) {
 void compare(const Row& row, const char* name, double before, double after,
              std::vector<Change>& changes) {
     const double was = std::max(before, rounding), is = std::max(after, rounding);
-    if (is <= was * worse_by && was <= is * worse_by) return;
+    if (is <= was * regression_ratio && was <= is * regression_ratio) return;
     char words[120];
     std::snprintf(words, sizeof words, "%s %.4g -> %.4g (%.2f times)", name, before, after,
                   is / was);
@@ -87,7 +87,7 @@ void print(const Row& row) {
         std::printf("%-10s %4g  %s\n", row.scene.c_str(), row.rate_hz, row.failed.c_str());
 }
 
-int say_changes(const std::vector<Change>& changes, std::size_t rows, const std::string& file) {
+int print_changes(const std::vector<Change>& changes, std::size_t rows, const std::string& file) {
     int faults = 0, better = 0;
     for (const Change& change : changes) {
         (change.fault ? faults : better)++;
@@ -107,7 +107,7 @@ int say_changes(const std::vector<Change>& changes, std::size_t rows, const std:
 }  // namespace
 
 bool in_regression_set(const Experiment& experiment) {
-    return std::find(dear.begin(), dear.end(), experiment.name) == dear.end();
+    return std::find(slow_scenes.begin(), slow_scenes.end(), experiment.name) == slow_scenes.end();
 }
 
 std::vector<Row> regression_rows(const std::vector<const Experiment*>& experiments) {
@@ -159,7 +159,7 @@ int run_regression(const std::vector<const Experiment*>& experiments, const std:
     if (file.empty() || update)
         for (const Row& row : rows) print(row);
     if (file.empty()) return 0;
-    if (!update) return say_changes(changes_between(before, rows, all), rows.size(), file);
+    if (!update) return print_changes(changes_between(before, rows, all), rows.size(), file);
     // Scenes that did not run keep their rows, and their places.
     std::vector<Row> kept;
     for (const Experiment& experiment : all_experiments())

@@ -19,7 +19,7 @@ bool in_regression_set(const Experiment& experiment);
 std::vector<Row> regression_rows(const std::vector<const Experiment*>& experiments);
 
 // What a figure may be worse by before it is a fault, and below which it is rounding.
-inline constexpr double worse_by = 4.0 / 3;
+inline constexpr double regression_ratio = 4.0 / 3;
 inline constexpr double rounding = 1e-9;
 
 struct Change {

@@ -33,7 +33,7 @@ bool has_scene(const std::vector<Row>& rows, const std::string& scene) {
 
 // Of one figure. Nothing when it is neither worse nor better by more than a third.
 void compare(const Row& row, const char* name, double before, double after,
-             std::vector<Change>& changes) {
+             std::vector<RegressionChange>& changes) {
     const double was = std::max(before, rounding), is = std::max(after, rounding);
     if (is <= was * regression_ratio && was <= is * regression_ratio) return;
     char words[120];
@@ -48,7 +48,7 @@ bool second_counts(const Row& row) {
     return !experiment || !experiment->measures.starts_with("1 when it stands");
 }
 
-void compare_rows(const Row& before, const Row& after, std::vector<Change>& changes) {
+void compare_rows(const Row& before, const Row& after, std::vector<RegressionChange>& changes) {
     if (before.usable() && after.usable()) {
         compare(after, "error", before.error, after.error, changes);
         if (second_counts(after))
@@ -87,9 +87,9 @@ void print(const Row& row) {
         std::printf("%-10s %4g  %s\n", row.scene.c_str(), row.rate_hz, row.failed.c_str());
 }
 
-int print_changes(const std::vector<Change>& changes, std::size_t rows, const std::string& file) {
+int print_changes(const std::vector<RegressionChange>& changes, std::size_t rows, const std::string& file) {
     int faults = 0, better = 0;
-    for (const Change& change : changes) {
+    for (const RegressionChange& change : changes) {
         (change.fault ? faults : better)++;
         std::printf("%s: %s at %g Hz: %s\n", change.fault ? "WORSE" : "better",
                     change.scene.c_str(), change.rate_hz, change.words.c_str());
@@ -126,9 +126,9 @@ std::vector<Row> regression_rows(const std::vector<const Experiment*>& experimen
     return rows;
 }
 
-std::vector<Change> changes_between(const std::vector<Row>& before, const std::vector<Row>& after,
+std::vector<RegressionChange> changes_between(const std::vector<Row>& before, const std::vector<Row>& after,
                                     bool all) {
-    std::vector<Change> changes;
+    std::vector<RegressionChange> changes;
     for (const Row& row : after) {
         if (const Row* old = find_row(before, row))
             compare_rows(*old, row, changes);

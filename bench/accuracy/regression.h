@@ -22,14 +22,14 @@ std::vector<Row> regression_rows(const std::vector<const Experiment*>& experimen
 inline constexpr double regression_ratio = 4.0 / 3;
 inline constexpr double rounding = 1e-9;
 
-struct Change {
+struct RegressionChange {
     std::string scene;
     double rate_hz = 0;
     std::string words;   // "error 0.01 -> 0.02 (2.0 times)"
     bool fault = false;  // worse, or not comparable; else better by more than a third
 };
 // Rows of scenes that `after` has none of are not missed when `all` is false.
-std::vector<Change> changes_between(const std::vector<Row>& before, const std::vector<Row>& after,
+std::vector<RegressionChange> changes_between(const std::vector<Row>& before, const std::vector<Row>& after,
                                     bool all);
 
 // Runs the scenes and holds them against the file, or writes it anew. Exit status: 0 no fault, 1

@@ -19,9 +19,9 @@ Row blown_row(const char* scene) {
     return row;
 }
 
-int faults_in(const std::vector<Change>& changes) {
+int faults_in(const std::vector<RegressionChange>& changes) {
     int faults = 0;
-    for (const Change& change : changes) faults += change.fault;
+    for (const RegressionChange& change : changes) faults += change.fault;
     return faults;
 }
 

@@ -39,7 +39,7 @@ Examples:
   jostle-bench accuracy --scene c8 --modes default --peers bullet,ode
   jostle-bench accuracy --scene none --add accuracy.csv --sheet accuracy.svg
   jostle-bench accuracy --scene c9-r100 --add accuracy.json --json both.json
-  jostle-bench accuracy --short --against bench/results/accuracy_short.json
+  jostle-bench accuracy --regression --against bench/results/accuracy_short.json
 
 Exit status: 0 done, 1 a file could not be written or --against found a fault, 2 wrong flags.)";
 
@@ -200,7 +200,7 @@ void add_accuracy(CLI::App& app, int& status) {
     command->add_option("--add", flags->add,
                         "Reports on the rows of this JSON or CSV of before as well");
     CLI::Option* regression = command->add_flag(
-        "--short", flags->regression,
+        "--regression", flags->regression,
         "Jostle alone, errors without times, at 30, 60 and 120 Hz on the scenes that take seconds");
     CLI::Option* against =
         command

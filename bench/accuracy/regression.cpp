@@ -76,7 +76,7 @@ bool write_rows(const std::string& file, const std::vector<Row>& rows) {
             json.erase(of_the_machine);
         all.push_back(json);
     }
-    return write_result(file, {{"benchmark", "accuracy --short"}}, all);
+    return write_result(file, {{"benchmark", "accuracy --regression"}}, all);
 }
 
 void print(const Row& row) {
@@ -99,7 +99,7 @@ int print_changes(const std::vector<RegressionChange>& changes, std::size_t rows
     if (faults + better > 0)
         std::printf(
             "If that is meant, keep the figures of now and say why in the commit:\n"
-            "  jostle-bench accuracy --short --against %s --update\n",
+            "  jostle-bench accuracy --regression --against %s --update\n",
             file.c_str());
     return faults > 0 ? 1 : 0;
 }

@@ -77,38 +77,38 @@ TEST_F(LabFlags, accuracy_adds_the_rows_of_before) {
 
 TEST_F(LabFlags, the_short_form_keeps_figures_and_finds_what_got_worse) {
     const std::string against = " --against " + file("short.json");
-    EXPECT_EQ(run("accuracy --short --scene f1,j1" + against), 1);
+    EXPECT_EQ(run("accuracy --regression --scene f1,j1" + against), 1);
     EXPECT_THAT(output(), HasSubstr("no rows in"));
     EXPECT_THAT(output(), HasSubstr("--update"));
     std::ofstream(file("short.json")) << R"({"rows": []})";
-    ASSERT_EQ(run("accuracy --short --scene f1,j1" + against + " --update"), 0) << output();
+    ASSERT_EQ(run("accuracy --regression --scene f1,j1" + against + " --update"), 0) << output();
     const auto json = nlohmann::json::parse(read("short.json"));
     ASSERT_EQ(json["rows"].size(), 6u);  // two scenes, three rates
     EXPECT_FALSE(json["rows"][0].contains("cpu_us_per_second"));
-    EXPECT_EQ(run("accuracy --short --scene f1,j1" + against), 0) << output();
+    EXPECT_EQ(run("accuracy --regression --scene f1,j1" + against), 0) << output();
     EXPECT_THAT(output(), HasSubstr("0 figures worse"));
 
     auto forged = json;  // as if j1 had been a hundred times better at 60 Hz
     forged["rows"][4]["error"] = json["rows"][4]["error"].get<double>() / 100;
     std::ofstream(file("short.json")) << forged;
-    EXPECT_EQ(run("accuracy --short --scene j1" + against), 1);
+    EXPECT_EQ(run("accuracy --regression --scene j1" + against), 1);
     EXPECT_THAT(output(), HasSubstr("WORSE: j1 at 60 Hz: error"));
     EXPECT_THAT(output(), HasSubstr("(100.00 times)"));
     EXPECT_THAT(output(),
-                HasSubstr("accuracy --short --against " + file("short.json") + " --update"));
+                HasSubstr("accuracy --regression --against " + file("short.json") + " --update"));
     // A part of the scenes leaves the other rows as they are.
-    ASSERT_EQ(run("accuracy --short --scene j1" + against + " --update"), 0) << output();
+    ASSERT_EQ(run("accuracy --regression --scene j1" + against + " --update"), 0) << output();
     EXPECT_EQ(nlohmann::json::parse(read("short.json"))["rows"], json["rows"]);
 }
 
 TEST_F(LabFlags, the_short_form_goes_with_no_other_form) {
     EXPECT_EQ(run("accuracy --against short.json"), 2);
-    EXPECT_THAT(output(), HasSubstr("--short"));
-    EXPECT_EQ(run("accuracy --short --update"), 2);
+    EXPECT_THAT(output(), HasSubstr("--regression"));
+    EXPECT_EQ(run("accuracy --regression --update"), 2);
     EXPECT_THAT(output(), HasSubstr("--against"));
-    EXPECT_EQ(run("accuracy --short --rates 60"), 2);
+    EXPECT_EQ(run("accuracy --regression --rates 60"), 2);
     EXPECT_THAT(output(), HasSubstr("--rates"));
-    EXPECT_EQ(run("accuracy --short --against /nowhere/short.json --update"), 1);
+    EXPECT_EQ(run("accuracy --regression --against /nowhere/short.json --update"), 1);
     EXPECT_THAT(output(), HasSubstr("cannot write /nowhere/short.json"));
 }
 

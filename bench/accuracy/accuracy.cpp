@@ -39,9 +39,9 @@ Examples:
   jostle-bench accuracy --scene c8 --modes default --peers bullet,ode
   jostle-bench accuracy --scene none --add accuracy.csv --sheet accuracy.svg
   jostle-bench accuracy --scene c9-r100 --add accuracy.json --json both.json
-  jostle-bench accuracy --regression --against bench/results/accuracy_short.json
+  jostle-bench accuracy --regression --compare-to bench/results/accuracy_short.json
 
-Exit status: 0 done, 1 a file could not be written or --against found a fault, 2 wrong flags.)";
+Exit status: 0 done, 1 a file could not be written or --compare-to found a fault, 2 wrong flags.)";
 
 struct Flags {
     std::vector<std::string> scenes = {"all"};
@@ -204,7 +204,7 @@ void add_accuracy(CLI::App& app, int& status) {
         "Jostle alone, errors without times, at 30, 60 and 120 Hz on the scenes that take seconds");
     CLI::Option* against =
         command
-            ->add_option("--against", flags->against,
+            ->add_option("--compare-to", flags->against,
                          "Compares with this file; a figure worse by more than a third is a fault")
             ->needs(regression);
     command->add_flag("--update", flags->update, "Keeps today's figures in that file")

@@ -99,7 +99,7 @@ int print_changes(const std::vector<RegressionChange>& changes, std::size_t rows
     if (faults + better > 0)
         std::printf(
             "If that is meant, keep the figures of now and say why in the commit:\n"
-            "  jostle-bench accuracy --regression --against %s --update\n",
+            "  jostle-bench accuracy --regression --compare-to %s --update\n",
             file.c_str());
     return faults > 0 ? 1 : 0;
 }

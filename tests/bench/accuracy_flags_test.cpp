@@ -76,7 +76,7 @@ TEST_F(LabFlags, accuracy_adds_the_rows_of_before) {
 }
 
 TEST_F(LabFlags, the_short_form_keeps_figures_and_finds_what_got_worse) {
-    const std::string against = " --against " + file("short.json");
+    const std::string against = " --compare-to " + file("short.json");
     EXPECT_EQ(run("accuracy --regression --scene f1,j1" + against), 1);
     EXPECT_THAT(output(), HasSubstr("no rows in"));
     EXPECT_THAT(output(), HasSubstr("--update"));
@@ -95,20 +95,20 @@ TEST_F(LabFlags, the_short_form_keeps_figures_and_finds_what_got_worse) {
     EXPECT_THAT(output(), HasSubstr("WORSE: j1 at 60 Hz: error"));
     EXPECT_THAT(output(), HasSubstr("(100.00 times)"));
     EXPECT_THAT(output(),
-                HasSubstr("accuracy --regression --against " + file("short.json") + " --update"));
+                HasSubstr("accuracy --regression --compare-to " + file("short.json") + " --update"));
     // A part of the scenes leaves the other rows as they are.
     ASSERT_EQ(run("accuracy --regression --scene j1" + against + " --update"), 0) << output();
     EXPECT_EQ(nlohmann::json::parse(read("short.json"))["rows"], json["rows"]);
 }
 
 TEST_F(LabFlags, the_short_form_goes_with_no_other_form) {
-    EXPECT_EQ(run("accuracy --against short.json"), 2);
+    EXPECT_EQ(run("accuracy --compare-to short.json"), 2);
     EXPECT_THAT(output(), HasSubstr("--regression"));
     EXPECT_EQ(run("accuracy --regression --update"), 2);
-    EXPECT_THAT(output(), HasSubstr("--against"));
+    EXPECT_THAT(output(), HasSubstr("--compare-to"));
     EXPECT_EQ(run("accuracy --regression --rates 60"), 2);
     EXPECT_THAT(output(), HasSubstr("--rates"));
-    EXPECT_EQ(run("accuracy --regression --against /nowhere/short.json --update"), 1);
+    EXPECT_EQ(run("accuracy --regression --compare-to /nowhere/short.json --update"), 1);
     EXPECT_THAT(output(), HasSubstr("cannot write /nowhere/short.json"));
 }
 

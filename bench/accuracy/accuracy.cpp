@@ -37,8 +37,8 @@ Examples:
   jostle-bench accuracy --scene j1,j2 --peers none
   jostle-bench accuracy --scene all --rates 30,60,120 --json accuracy.json --plot plots
   jostle-bench accuracy --scene c8 --modes default --peers bullet,ode
-  jostle-bench accuracy --scene none --add accuracy.csv --sheet accuracy.svg
-  jostle-bench accuracy --scene c9-r100 --add accuracy.json --json both.json
+  jostle-bench accuracy --scene none --merge accuracy.csv --sheet accuracy.svg
+  jostle-bench accuracy --scene c9-r100 --merge accuracy.json --json both.json
   jostle-bench accuracy --regression --compare-to bench/results/accuracy_short.json
 
 Exit status: 0 done, 1 a file could not be written or --compare-to found a fault, 2 wrong flags.)";
@@ -197,7 +197,7 @@ void add_accuracy(CLI::App& app, int& status) {
     command->add_option("--sheet", flags->sheet, "Draws all scenes, small, into this SVG");
     command->add_option("--tables", flags->tables,
                         "Writes the tables of docs/accuracy.md anew, in this copy of it");
-    command->add_option("--add", flags->add,
+    command->add_option("--merge", flags->add,
                         "Reports on the rows of this JSON or CSV of before as well");
     CLI::Option* regression = command->add_flag(
         "--regression", flags->regression,
@@ -210,7 +210,7 @@ void add_accuracy(CLI::App& app, int& status) {
     command->add_flag("--update", flags->update, "Keeps today's figures in that file")
         ->needs(against);
     for (const char* other : {"--rates", "--peers", "--modes", "--json", "--csv", "--plot",
-                              "--sheet", "--tables", "--add"})
+                              "--sheet", "--tables", "--merge"})
         regression->excludes(command->get_option(other));
     command->footer("\n" + experiment_list() + "\n" + engine_list() + footer);
     command->callback([flags, &status] { status = run(*flags); });

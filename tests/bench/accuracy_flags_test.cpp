@@ -64,14 +64,14 @@ TEST_F(LabFlags, accuracy_adds_the_rows_of_before) {
     const std::string one = " --rates 60 --peers none --modes default ";
     ASSERT_EQ(run("accuracy --scene f1" + one + "--json " + file("a.json")), 0) << output();
     ASSERT_EQ(
-        run("accuracy --scene f3" + one + "--add " + file("a.json") + " --json " + file("b.json")),
+        run("accuracy --scene f3" + one + "--merge " + file("a.json") + " --json " + file("b.json")),
         0)
         << output();
     const auto json = nlohmann::json::parse(read("b.json"));
     ASSERT_EQ(json["rows"].size(), 2u);
     EXPECT_EQ(json["rows"][0]["scene"], "f1");
     EXPECT_THAT(output(), HasSubstr("f1: free fall"));
-    EXPECT_EQ(run("accuracy --scene f1" + one + "--add " + file("none.json")), 1);
+    EXPECT_EQ(run("accuracy --scene f1" + one + "--merge " + file("none.json")), 1);
     EXPECT_THAT(output(), HasSubstr("none.json"));
 }
 

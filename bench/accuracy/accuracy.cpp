@@ -37,7 +37,7 @@ Examples:
   jostle-bench accuracy --scene j1,j2 --peers none
   jostle-bench accuracy --scene all --rates 30,60,120 --json accuracy.json --plot plots
   jostle-bench accuracy --scene c8 --modes default --peers bullet,ode
-  jostle-bench accuracy --scene none --merge accuracy.csv --sheet accuracy.svg
+  jostle-bench accuracy --scene none --merge accuracy.csv --overview accuracy.svg
   jostle-bench accuracy --scene c9-r100 --merge accuracy.json --json both.json
   jostle-bench accuracy --regression --compare-to bench/results/accuracy_short.json
 
@@ -194,7 +194,7 @@ void add_accuracy(CLI::App& app, int& status) {
     command->add_option("--json", flags->json, "Writes rows, work and score here as JSON");
     command->add_option("--csv", flags->csv, "Writes the rows here as CSV");
     command->add_option("--plot", flags->plot, "Draws each scene into this folder as SVG");
-    command->add_option("--sheet", flags->sheet, "Draws all scenes, small, into this SVG");
+    command->add_option("--overview", flags->sheet, "Draws all scenes, small, into this SVG");
     command->add_option("--tables", flags->tables,
                         "Writes the tables of docs/accuracy.md anew, in this copy of it");
     command->add_option("--merge", flags->add,
@@ -210,7 +210,7 @@ void add_accuracy(CLI::App& app, int& status) {
     command->add_flag("--update", flags->update, "Keeps today's figures in that file")
         ->needs(against);
     for (const char* other : {"--rates", "--peers", "--modes", "--json", "--csv", "--plot",
-                              "--sheet", "--tables", "--merge"})
+                              "--overview", "--tables", "--merge"})
         regression->excludes(command->get_option(other));
     command->footer("\n" + experiment_list() + "\n" + engine_list() + footer);
     command->callback([flags, &status] { status = run(*flags); });

@@ -13,7 +13,7 @@
 
 #include "bench/accuracy/accuracy_plot.h"
 #include "bench/accuracy/accuracy_report.h"
-#include "bench/accuracy/accuracy_sheet.h"
+#include "bench/accuracy/accuracy_overview.h"
 #include "bench/accuracy/flag_selection.h"
 #include "bench/accuracy/doc_tables.h"
 #include "bench/accuracy/run_row.h"
@@ -138,7 +138,7 @@ bool write_files(const Flags& flags, const std::vector<Row>& rows, const Score& 
             done = write_text(flags.plot + "/" + experiment->name + ".svg",
                               plot_accuracy(*experiment, rows, cpu_model() + ", " + compiler())) &&
                    done;
-    if (!flags.sheet.empty()) done = write_text(flags.sheet, accuracy_sheet(rows)) && done;
+    if (!flags.sheet.empty()) done = write_text(flags.sheet, accuracy_overview(rows)) && done;
     if (flags.tables.empty()) return done;
     return replace_section(flags.tables, "jostle at 60 Hz", jostle_table(rows)) &&
            replace_section(flags.tables, "score", score_table(score)) && done;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/accuracy/accuracy_sheet.h"
+#include "bench/accuracy/accuracy_overview.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -105,7 +105,7 @@ void draw_panel(plots::Svg& svg, const Experiment& experiment, const std::vector
 
 }  // namespace
 
-std::string accuracy_sheet(const std::vector<Row>& all) {
+std::string accuracy_overview(const std::vector<Row>& all) {
     std::vector<const Experiment*> shown;
     std::vector<std::string> engines;
     for (const EngineKind& kind : engine_kinds())

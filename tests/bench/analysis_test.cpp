@@ -12,7 +12,7 @@
 
 #include "bench/accuracy/accuracy_plot.h"
 #include "bench/accuracy/accuracy_report.h"
-#include "bench/accuracy/accuracy_sheet.h"
+#include "bench/accuracy/accuracy_overview.h"
 #include "bench/accuracy/doc_tables.h"
 
 namespace {
@@ -133,13 +133,13 @@ TEST(Rows, go_through_csv_unchanged) {
 TEST(Sheet, draws_a_panel_a_scene_with_the_rows_that_nobody_beats_and_the_least_work) {
     std::vector<Row> rows = made_up();
     rows.push_back(row_of("f1", "jostle", 60, 0, 10));
-    const std::string svg = accuracy_sheet(rows);
+    const std::string svg = accuracy_overview(rows);
     EXPECT_NE(svg.find(">j1<"), std::string::npos);
     EXPECT_NE(svg.find(">f1<"), std::string::npos);
     EXPECT_EQ(svg.find(">j2<"), std::string::npos);
     EXPECT_EQ(times_in(svg, "r=\"8\""), 5u);         // four of j1, one of f1
     EXPECT_NE(svg.find(">40<"), std::string::npos);  // us/s for 0.01
-    EXPECT_NE(accuracy_sheet({}).find("</svg>"), std::string::npos);
+    EXPECT_NE(accuracy_overview({}).find("</svg>"), std::string::npos);
 }
 
 TEST(DocTables, stand_between_their_marks) {

@@ -25,7 +25,7 @@ Examples:
   jostle-bench accuracy --scene j1,c8 --peers none
   jostle-bench broadphase --help
   jostle-bench broadphase --bodies 1000 --moving all
-  jostle-bench features --at-most 1
+  jostle-bench features --max-ratio 1
   jostle-bench integrators --field kepler
   jostle-bench kept --bodies 5000
   jostle-bench modules
@@ -36,7 +36,7 @@ Examples:
   jostle-bench speed --scene a,c --threads 1,2
   jostle-bench stability --peers none
   jostle-bench stream --clients 300
-  jostle-bench threads --at-most 1.01
+  jostle-bench threads --max-ratio 1.01
 
 Measure a release build (cmake --preset release): the others are several times slower.
 Exit status: 0 done, 1 a measurement failed or contradicts another, 2 wrong flags.)";

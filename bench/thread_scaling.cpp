@@ -29,9 +29,9 @@ those, and its share of that of the first number of threads. At the end all worl
 Examples:
   jostle-bench threads --scene a,c,e
   jostle-bench threads --threads 1,2,4,8 --rounds 5 --json threads.json
-  jostle-bench threads --at-most 1.01
+  jostle-bench threads --max-ratio 1.01
 
-Exit status: 0 done, 1 worlds differ, a scene takes a larger share than --at-most, or the file could not be written, 2
+Exit status: 0 done, 1 worlds differ, a scene takes a larger share than --max-ratio, or the file could not be written, 2
 wrong flags.)";
 
 struct Flags {
@@ -205,7 +205,7 @@ void add_threads(CLI::App& app, int& status) {
         ->check(CLI::Range(1, 1000));
     command->add_option("--steps", flags->steps, "Instead of the scene's own number")
         ->check(CLI::Range(1, 1000000));
-    command->add_option("--at-most", flags->at_most, "Fails when a scene takes a larger share")
+    command->add_option("--max-ratio", flags->at_most, "Fails when a scene takes a larger share")
         ->check(CLI::Range(0.0, 1000.0));
     command->add_option("--json", flags->json, "Writes the figures here as JSON");
     command->footer(footer);

@@ -63,7 +63,7 @@ TEST_F(SpeedFlags, threads_compares_worlds_that_end_alike) {
     ASSERT_EQ(json["rows"].size(), 4u);
     EXPECT_EQ(json["rows"][0]["share"], 1);
     EXPECT_EQ(json["rows"][3]["threads"], 2);
-    EXPECT_EQ(run("--scene a --steps 5 --at-most 0.0001", "threads"), 1);
+    EXPECT_EQ(run("--scene a --steps 5 --max-ratio 0.0001", "threads"), 1);
     EXPECT_THAT(output(), HasSubstr("with 2 threads a step takes"));
     EXPECT_EQ(run("--scene nosuch", "threads"), 2);
     EXPECT_THAT(output(), HasSubstr("there is no scene nosuch"));
@@ -121,7 +121,7 @@ TEST_F(SpeedFlags, rollback_restores_what_it_kept_and_writes_a_row_each) {
 
 TEST_F(SpeedFlags, features_measures_those_asked_for_and_holds_them_to_a_limit) {
     const std::string two = "--feature nothing,joints --rounds 2 --steps 2 ";
-    ASSERT_EQ(run(two + "--at-most 1000 --json " + file("f.json"), "features"), 0) << output();
+    ASSERT_EQ(run(two + "--max-ratio 1000 --json " + file("f.json"), "features"), 0) << output();
     EXPECT_THAT(output(), HasSubstr("joints"));
     const auto json = nlohmann::json::parse(read("f.json"));
     EXPECT_EQ(json["benchmark"], "features");

@@ -38,7 +38,7 @@ struct Flags {
     std::vector<std::string> scenes = {"all"};
     std::vector<int> threads = {1, 2};
     int rounds = 3, steps = 0;  // 0: the scene's own
-    double at_most = 0;         // 0: whatever it is
+    double max_ratio = 0;         // 0: whatever it is
     std::string json;
 };
 
@@ -138,7 +138,7 @@ bool is_right(const Row& row, const Flags& flags) {
     bool within = true;
     for (std::size_t k = 1; k < row.ms.size(); k++) {
         const double share = row.ms[k] / row.ms.front();
-        if (flags.at_most <= 0 || share <= flags.at_most) continue;
+        if (flags.max_ratio <= 0 || share <= flags.max_ratio) continue;
         within = false;
         std::fprintf(stderr, "jostle-bench: %s: with %d threads a step takes %.3f of the time\n",
                      name.c_str(), flags.threads[k], share);
@@ -205,7 +205,7 @@ void add_threads(CLI::App& app, int& status) {
         ->check(CLI::Range(1, 1000));
     command->add_option("--steps", flags->steps, "Instead of the scene's own number")
         ->check(CLI::Range(1, 1000000));
-    command->add_option("--max-ratio", flags->at_most, "Fails when a scene takes a larger share")
+    command->add_option("--max-ratio", flags->max_ratio, "Fails when a scene takes a larger share")
         ->check(CLI::Range(0.0, 1000.0));
     command->add_option("--json", flags->json, "Writes the figures here as JSON");
     command->footer(footer);

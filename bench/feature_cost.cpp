@@ -45,9 +45,9 @@ Idle means:  continuous  sweeps are on, nobody is fast        joints     one joi
 Examples:
   jostle-bench features
   jostle-bench features --feature joints,meshes --rounds 100
-  jostle-bench features --at-most 1 --json features.json
+  jostle-bench features --max-percent 1 --json features.json
 
-Exit status: 0 done, 1 a feature costs more than --at-most or the file could not be written, 2 wrong flags.)";
+Exit status: 0 done, 1 a feature costs more than --max-percent or the file could not be written, 2 wrong flags.)";
 
 struct Flags {
     int rounds = 40, steps = 60;
@@ -265,7 +265,7 @@ void add_features(CLI::App& app, int& status) {
     command->add_option("--steps", flags->steps, "Steps in a round")
         ->capture_default_str()
         ->check(CLI::Range(1, 10000));
-    command->add_option("--at-most", flags->at_most, "Percent: fails when a feature costs more")
+    command->add_option("--max-percent", flags->at_most, "Percent: fails when a feature costs more")
         ->check(CLI::Range(0.0, 1000.0));
     command->add_option("--json", flags->json, "Writes the figures here as JSON");
     command->footer(footer);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/kept.h"
+#include "bench/persistence.h"
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
@@ -26,8 +26,8 @@ encode (another thread: RestorePoint::save() with its hash, and zstd; save(), st
 compare the hash); MB packed; and one step of the same world.
 
 Examples:
-  jostle-bench kept
-  jostle-bench kept --bodies 1000,20000 --json kept.json
+  jostle-bench persistence
+  jostle-bench persistence --bodies 1000,20000 --json persistence.json
 
 Exit status: 0 done, 1 the world that came back differs, or the file could not be written, 2 wrong flags.)";
 
@@ -134,7 +134,7 @@ int run(const Flags& flags) {
                         {"same", t.same}});
     }
     if (flags.json.empty()) return same ? 0 : 1;
-    const nlohmann::ordered_json head = {{"benchmark", "kept"},
+    const nlohmann::ordered_json head = {{"benchmark", "persistence"},
                                          {"cpu", cpu_model()},
                                          {"compiler", compiler()},
                                          {"repetitions", flags.repetitions}};
@@ -145,7 +145,7 @@ int run(const Flags& flags) {
 
 void add_kept(CLI::App& app, int& status) {
     CLI::App* command =
-        app.add_subcommand("kept", "What it costs to keep a world beyond its process.");
+        app.add_subcommand("persistence", "What it costs to keep a world beyond its process.");
     const auto flags = std::make_shared<Flags>();
     command->add_option("--bodies", flags->bodies, "How many, with commas between")
         ->delimiter(',')

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// jostle-bench kept: what it costs to keep a world beyond its process, and to have it back.
+// jostle-bench persistence: what it costs to keep a world beyond its process, and to have it back.
 #pragma once
 
 namespace CLI {

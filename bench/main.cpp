@@ -9,7 +9,7 @@
 #include "bench/broadphase.h"
 #include "bench/feature_cost.h"
 #include "bench/integrators/integrators.h"
-#include "bench/kept.h"
+#include "bench/persistence.h"
 #include "bench/modules.h"
 #include "bench/network/network.h"
 #include "bench/roads/roads.h"
@@ -27,7 +27,7 @@ Examples:
   jostle-bench broadphase --bodies 1000 --moving all
   jostle-bench features --max-ratio 1
   jostle-bench integrators --field kepler
-  jostle-bench kept --bodies 5000
+  jostle-bench persistence --bodies 5000
   jostle-bench modules
   jostle-bench network
   jostle-bench roads --help

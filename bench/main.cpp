@@ -50,7 +50,7 @@ int main(int argc, char** argv) {
     jostle::bench::add_accuracy(app, status);
     jostle::bench::add_broadphase(app, status);
     jostle::bench::add_features(app, status);
-    jostle::bench::add_kept(app, status);
+    jostle::bench::add_persistence(app, status);
     jostle::bench::add_integrators(app, status);
     jostle::bench::add_modules(app, status);
     jostle::bench::add_network(app, status);

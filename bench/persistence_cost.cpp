@@ -44,7 +44,7 @@ T must(Result<T> result) {
 }
 
 struct Times {
-    std::vector<double> moment, encode, save, hash, pack, decode, step;
+    std::vector<double> checkpoint, encode, save, hash, pack, decode, step;
     double packed_mb = 0;
     bool same = true;
 };
@@ -67,7 +67,7 @@ void repeat_once(server::HostedWorld& world, std::uint32_t tick, physics::Restor
             throw std::runtime_error(s.error().message);
     });
     server::CheckpointCopy moment{.tick = tick, .bodies = std::move(spare), .host_state = {}};
-    time(times.moment, [&] {
+    time(times.checkpoint, [&] {
         moment.host_state = world.host_state(tick);
         moment.bodies.keep(world.world());
     });
@@ -119,11 +119,11 @@ int run(const Flags& flags) {
         const Times t = measure(bodies, flags.repetitions);
         same &= t.same;
         std::printf("%6d %8.2f %8.1f %6.1f %6.1f %6.1f %8.1f %8.2f %9.2f%s\n", bodies,
-                    median(t.moment), median(t.encode), median(t.save), median(t.hash),
+                    median(t.checkpoint), median(t.encode), median(t.save), median(t.hash),
                     median(t.pack), median(t.decode), median(t.step), t.packed_mb,
                     t.same ? "" : "  ANOTHER WORLD CAME BACK");
         rows.push_back({{"bodies", bodies},
-                        {"moment_ms", rounded(median(t.moment))},
+                        {"checkpoint_ms", rounded(median(t.checkpoint))},
                         {"encode_ms", rounded(median(t.encode))},
                         {"save_ms", rounded(median(t.save))},
                         {"hash_ms", rounded(median(t.hash))},
@@ -143,7 +143,7 @@ int run(const Flags& flags) {
 
 }  // namespace
 
-void add_kept(CLI::App& app, int& status) {
+void add_persistence(CLI::App& app, int& status) {
     CLI::App* command =
         app.add_subcommand("persistence", "What it costs to keep a world beyond its process.");
     const auto flags = std::make_shared<Flags>();

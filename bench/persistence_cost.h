@@ -10,6 +10,6 @@ class App;
 namespace jostle::bench {
 
 // Adds the subcommand; running it sets the status that the program ends with.
-void add_kept(CLI::App& app, int& status);
+void add_persistence(CLI::App& app, int& status);
 
 }  // namespace jostle::bench

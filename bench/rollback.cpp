@@ -49,7 +49,7 @@ struct Flags {
 struct Row {
     std::string scene;
     int bodies = 0, contacts = 0;
-    std::vector<double> keep_ms, restore_ms, step_ms, save_and_load_ms;
+    std::vector<double> save_ms, restore_ms, step_ms, save_and_load_ms;
     bool same = true;
 };
 
@@ -106,7 +106,7 @@ void repeat_once(Row& row, World& world, RestorePoint& point, int steps) {
     const double wrong = cpu_seconds();
     must(point.restore(world));
     const double restored = cpu_seconds();
-    row.keep_ms.push_back(1e3 * (persistence - began));
+    row.save_ms.push_back(1e3 * (persistence - began));
     row.step_ms.push_back(1e3 * (wrong - played) / steps);
     row.restore_ms.push_back(1e3 * (restored - wrong));
     row.same = row.same && physics::state_hash(world) == moment;
@@ -138,7 +138,7 @@ void print_head() {
 }
 
 void print_row(const Row& row) {
-    const Spread keep = spread_of(row.keep_ms), restore = spread_of(row.restore_ms);
+    const Spread keep = spread_of(row.save_ms), restore = spread_of(row.restore_ms);
     std::printf("%-7s %7d %8d %8.3f (%5.2f to %5.2f) %8.3f (%5.2f to %5.2f) %8.3f %9.1f\n",
                 row.scene.c_str(), row.bodies, row.contacts, keep.median, keep.low, keep.high,
                 restore.median, restore.low, restore.high, spread_of(row.step_ms).median,
@@ -154,7 +154,7 @@ nlohmann::ordered_json to_json(const Row& row) {
     return {{"scene", row.scene},
             {"bodies", row.bodies},
             {"contacts", row.contacts},
-            {"keep_ms", to_json(spread_of(row.keep_ms))},
+            {"save_ms", to_json(spread_of(row.save_ms))},
             {"restore_ms", to_json(spread_of(row.restore_ms))},
             {"step_ms", to_json(spread_of(row.step_ms))},
             {"save_and_load_ms", to_json(spread_of(row.save_and_load_ms))}};

@@ -12,7 +12,7 @@
 #include "bench/persistence.h"
 #include "bench/modules.h"
 #include "bench/network/network.h"
-#include "bench/roads/roads.h"
+#include "bench/contact-models/contact-models.h"
 #include "bench/rollback.h"
 #include "bench/speed/speed.h"
 #include "bench/stream/stream.h"
@@ -30,7 +30,7 @@ Examples:
   jostle-bench persistence --bodies 5000
   jostle-bench modules
   jostle-bench network
-  jostle-bench roads --help
+  jostle-bench contact-models --help
   jostle-bench rollback --bodies 5000
   jostle-bench speed --help
   jostle-bench speed --scene a,c --threads 1,2

@@ -9,9 +9,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bench/roads/road.h"
+#include "bench/contact-models/road.h"
 
-namespace jostle::bench::roads {
+namespace jostle::bench::contact-models {
 namespace {
 
 constexpr int rounds = 10;
@@ -100,4 +100,4 @@ std::unique_ptr<Road> make_impulse_road() {
     return std::make_unique<ImpulseRoad>();
 }
 
-}  // namespace jostle::bench::roads
+}  // namespace jostle::bench::contact-models

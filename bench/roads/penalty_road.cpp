@@ -9,10 +9,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bench/roads/road.h"
+#include "bench/contact-models/road.h"
 #include "jostle/physics/scalar.h"
 
-namespace jostle::bench::roads {
+namespace jostle::bench::contact-models {
 namespace {
 
 constexpr double stiffness = 1e5;  // N/m: the foot of a stack of ten sinks by 1 mm
@@ -64,4 +64,4 @@ std::unique_ptr<Road> make_penalty_road() {
     return std::make_unique<PenaltyRoad>();
 }
 
-}  // namespace jostle::bench::roads
+}  // namespace jostle::bench::contact-models

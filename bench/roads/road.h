@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The three roads to contact. Each is one file that can be read alone:
+// The three contact-models to contact. Each is one file that can be read alone:
 //   penalty_road.cpp   springs: a force that grows with the overlap
 //   impulse_road.cpp   velocity constraints: impulses that forbid approach (sequential impulses)
 //   xpbd_road.cpp      positions: move things apart, and take the velocity from where they came
@@ -11,9 +11,9 @@
 #include <string_view>
 #include <vector>
 
-#include "bench/roads/contact_scene.h"
+#include "bench/contact-models/contact_scene.h"
 
-namespace jostle::bench::roads {
+namespace jostle::bench::contact-models {
 
 class Road {
 public:
@@ -33,4 +33,4 @@ std::unique_ptr<Road> make_penalty_road();
 std::unique_ptr<Road> make_impulse_road();
 std::unique_ptr<Road> make_xpbd_road();
 
-}  // namespace jostle::bench::roads
+}  // namespace jostle::bench::contact-models

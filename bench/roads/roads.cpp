@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/roads/roads.h"
+#include "bench/contact-models/contact-models.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -13,7 +13,7 @@
 #include "bench/result_file.h"
 
 namespace jostle::bench {
-namespace roads {
+namespace contact-models {
 namespace {
 
 constexpr std::array kinds = {
@@ -26,7 +26,7 @@ constexpr double long_enough = 0.01;  // s of processor time: a run is repeated 
 
 constexpr const char* footer = R"(
 Sixteen balls drop 0.5 m on a plane and bounce (0.8), ten stand in a stack, one slides until
-friction (0.4) stops it: 2 s. Balls do not turn. All roads find the same contacts.
+friction (0.4) stops it: 2 s. Balls do not turn. All contact-models find the same contacts.
   overlap  deepest in the stack over the second second, mm
   energy   error of the dropped balls' energy after the bounce over what it should be; RMS, each ball
            a sixteenth of a step later than the one before
@@ -34,13 +34,13 @@ friction (0.4) stops it: 2 s. Balls do not turn. All roads find the same contact
   blown    a ball is faster than 25 m/s, or no number
 
 Examples:
-  jostle-bench roads
-  jostle-bench roads --road penalty --rates 240,480,960,1920 --json roads.json
+  jostle-bench contact-models
+  jostle-bench contact-models --road penalty --rates 240,480,960,1920 --json contact-models.json
 
 Exit status: 0 done, 1 a file could not be written, 2 wrong flags.)";
 
 struct Flags {
-    std::vector<std::string> roads = {"all"};
+    std::vector<std::string> contact-models = {"all"};
     std::vector<double> rates = {30, 60, 120, 240, 480, 960, 1920};
     std::string json, csv;
 };
@@ -107,7 +107,7 @@ int run(Flags flags) {
     std::printf("%-9s %6s %12s %11s %11s %11s\n", "road", "hz", "overlap, mm", "energy", "slide",
                 "cpu us/s");
     for (const RoadKind& kind : kinds) {
-        const auto& chosen = flags.roads;
+        const auto& chosen = flags.contact-models;
         if (std::find(chosen.begin(), chosen.end(), "all") == chosen.end() &&
             std::find(chosen.begin(), chosen.end(), kind.name) == chosen.end())
             continue;
@@ -121,7 +121,7 @@ int run(Flags flags) {
     nlohmann::ordered_json json = nlohmann::ordered_json::array();
     for (const RoadRow& row : rows) json.push_back(to_json(row));
     const nlohmann::ordered_json head = {
-        {"benchmark", "roads"}, {"cpu", cpu_model()}, {"compiler", compiler()}};
+        {"benchmark", "contact-models"}, {"cpu", cpu_model()}, {"compiler", compiler()}};
     done = write_result(flags.json, head, json) && done;
     return done ? 0 : 1;
 }
@@ -161,14 +161,14 @@ nlohmann::ordered_json to_json(const RoadRow& row) {
     return json;
 }
 
-}  // namespace roads
+}  // namespace contact-models
 
 void add_roads(CLI::App& app, int& status) {
-    using namespace roads;
+    using namespace contact-models;
     CLI::App* command = app.add_subcommand(
-        "roads", "Penalty forces, velocity constraints and positions on one contact scene.");
+        "contact-models", "Penalty forces, velocity constraints and positions on one contact scene.");
     const auto flags = std::make_shared<Flags>();
-    command->add_option("--road", flags->roads, "By name, or all")
+    command->add_option("--road", flags->contact-models, "By name, or all")
         ->delimiter(',')
         ->capture_default_str()
         ->check(CLI::Validator(check_road, "ROAD"));

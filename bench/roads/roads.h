@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// jostle-bench roads: penalty forces, velocity constraints and positions on one contact scene.
+// jostle-bench contact-models: penalty forces, velocity constraints and positions on one contact scene.
 #pragma once
 
 #include <nlohmann/json.hpp>
 
-#include "bench/roads/road.h"
+#include "bench/contact-models/road.h"
 
 namespace CLI {
 class App;
@@ -13,7 +13,7 @@ class App;
 
 namespace jostle::bench {
 
-namespace roads {
+namespace contact-models {
 
 struct RoadRow {
     std::string road;
@@ -24,7 +24,7 @@ struct RoadRow {
 RoadRow road_row(const RoadKind& kind, double rate_hz);
 nlohmann::ordered_json to_json(const RoadRow& row);
 
-}  // namespace roads
+}  // namespace contact-models
 
 void add_roads(CLI::App& app, int& status);  // the exit status is left in `status`
 

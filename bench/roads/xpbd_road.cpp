@@ -10,9 +10,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bench/roads/road.h"
+#include "bench/contact-models/road.h"
 
-namespace jostle::bench::roads {
+namespace jostle::bench::contact-models {
 namespace {
 
 constexpr int substeps = 10;
@@ -104,4 +104,4 @@ std::unique_ptr<Road> make_xpbd_road() {
     return std::make_unique<XpbdRoad>();
 }
 
-}  // namespace jostle::bench::roads
+}  // namespace jostle::bench::contact-models

@@ -134,27 +134,27 @@ TEST_F(LabFlags, integrators_and_roads_write_rows) {
     EXPECT_EQ(json["rows"][1]["method"], "verlet");
     EXPECT_NEAR(json["rows"][1]["order"].get<double>(), 2, 0.1);
     EXPECT_THAT(read("i.csv"), HasSubstr("kepler,rk4,480,"));
-    ASSERT_EQ(run("roads --road xpbd,penalty --rates 60 --json " + file("r.json") + " --csv " +
+    ASSERT_EQ(run("contact-models --road xpbd,penalty --rates 60 --json " + file("r.json") + " --csv " +
                   file("r.csv")),
               0)
         << output();
-    const auto roads = nlohmann::json::parse(read("r.json"));
-    ASSERT_EQ(roads["rows"].size(), 2u);
-    EXPECT_EQ(roads["rows"][0]["blown"], true);
-    EXPECT_LT(roads["rows"][1]["slide_error"], 0.01);
+    const auto contact-models = nlohmann::json::parse(read("r.json"));
+    ASSERT_EQ(contact-models["rows"].size(), 2u);
+    EXPECT_EQ(contact-models["rows"][0]["blown"], true);
+    EXPECT_LT(contact-models["rows"][1]["slide_error"], 0.01);
     EXPECT_THAT(read("r.csv"), HasSubstr("penalty,60,blown"));
     const std::pair<const char*, const char*> wrong[] = {
         {"integrators --field moon", "there is no field moon; there are all, oscillator"},
         {"integrators --method euler", "there is no method euler; there are all, explicit"},
         {"integrators --rates nan", "nan is no rate"},
         {"integrators --rates 2.5", "2.5 is no rate"},
-        {"roads --road fast", "there is no road fast; there are all, penalty"},
-        {"roads --rates 0", "0 is no rate"}};
+        {"contact-models --road fast", "there is no road fast; there are all, penalty"},
+        {"contact-models --rates 0", "0 is no rate"}};
     for (const auto& [flags, why] : wrong) {
         EXPECT_EQ(run(flags), 2) << flags;
         EXPECT_THAT(output(), HasSubstr(why));
     }
-    EXPECT_EQ(run("roads --csv /nowhere/r.csv"), 1);
+    EXPECT_EQ(run("contact-models --csv /nowhere/r.csv"), 1);
     EXPECT_EQ(run("integrators --json /nowhere/i.json"), 1);
 }
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
 // What each road to contact is known for, in numbers.
-#include "bench/roads/roads.h"
+#include "bench/contact-models/contact-models.h"
 
 #include <gtest/gtest.h>
 
 namespace {
 
-using namespace jostle::bench::roads;
+using namespace jostle::bench::contact-models;
 
 SceneErrors errors_of(const char* road, double rate_hz) {
     return road_row(*find_road(road), rate_hz).errors;

@@ -35,7 +35,7 @@ friction (0.4) stops it: 2 s. Balls do not turn. All contact-models find the sam
 
 Examples:
   jostle-bench contact-models
-  jostle-bench contact-models --road penalty --rates 240,480,960,1920 --json contact-models.json
+  jostle-bench contact-models --model penalty --rates 240,480,960,1920 --json contact-models.json
 
 Exit status: 0 done, 1 a file could not be written, 2 wrong flags.)";
 
@@ -168,7 +168,7 @@ void add_roads(CLI::App& app, int& status) {
     CLI::App* command = app.add_subcommand(
         "contact-models", "Penalty forces, velocity constraints and positions on one contact scene.");
     const auto flags = std::make_shared<Flags>();
-    command->add_option("--road", flags->contact-models, "By name, or all")
+    command->add_option("--model", flags->contact-models, "By name, or all")
         ->delimiter(',')
         ->capture_default_str()
         ->check(CLI::Validator(check_road, "ROAD"));

@@ -134,7 +134,7 @@ TEST_F(LabFlags, integrators_and_roads_write_rows) {
     EXPECT_EQ(json["rows"][1]["method"], "verlet");
     EXPECT_NEAR(json["rows"][1]["order"].get<double>(), 2, 0.1);
     EXPECT_THAT(read("i.csv"), HasSubstr("kepler,rk4,480,"));
-    ASSERT_EQ(run("contact-models --road xpbd,penalty --rates 60 --json " + file("r.json") + " --csv " +
+    ASSERT_EQ(run("contact-models --model xpbd,penalty --rates 60 --json " + file("r.json") + " --csv " +
                   file("r.csv")),
               0)
         << output();
@@ -148,7 +148,7 @@ TEST_F(LabFlags, integrators_and_roads_write_rows) {
         {"integrators --method euler", "there is no method euler; there are all, explicit"},
         {"integrators --rates nan", "nan is no rate"},
         {"integrators --rates 2.5", "2.5 is no rate"},
-        {"contact-models --road fast", "there is no road fast; there are all, penalty"},
+        {"contact-models --model fast", "there is no road fast; there are all, penalty"},
         {"contact-models --rates 0", "0 is no rate"}};
     for (const auto& [flags, why] : wrong) {
         EXPECT_EQ(run(flags), 2) << flags;

@@ -15,22 +15,22 @@
 
 namespace jostle::bench::contact-models {
 
-class Road {
+class ContactModel {
 public:
-    virtual ~Road() = default;
+    virtual ~ContactModel() = default;
     virtual void step(std::vector<Ball>& balls, double dt) = 0;
 };
 
 struct RoadKind {
     const char* name;
     const char* about;
-    std::unique_ptr<Road> (*make)();
+    std::unique_ptr<ContactModel> (*make)();
 };
 std::span<const RoadKind> road_kinds();
 const RoadKind* find_road(std::string_view name);  // null: none
 
-std::unique_ptr<Road> make_penalty_road();
-std::unique_ptr<Road> make_impulse_road();
-std::unique_ptr<Road> make_xpbd_road();
+std::unique_ptr<ContactModel> make_penalty_road();
+std::unique_ptr<ContactModel> make_impulse_road();
+std::unique_ptr<ContactModel> make_xpbd_road();
 
 }  // namespace jostle::bench::contact-models

@@ -23,7 +23,7 @@ struct Touched {
     double correction;  // m along the normal
 };
 
-class XpbdRoad final : public Road {
+class XpbdRoad final : public ContactModel {
 public:
     void step(std::vector<Ball>& balls, double dt) override {
         for (int k = 0; k < substeps; k++) substep(balls, dt / substeps);
@@ -100,7 +100,7 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Road> make_xpbd_road() {
+std::unique_ptr<ContactModel> make_xpbd_road() {
     return std::make_unique<XpbdRoad>();
 }
 

@@ -21,13 +21,13 @@ public:
     virtual void step(std::vector<Ball>& balls, double dt) = 0;
 };
 
-struct RoadKind {
+struct ContactModelKind {
     const char* name;
     const char* about;
     std::unique_ptr<ContactModel> (*make)();
 };
-std::span<const RoadKind> road_kinds();
-const RoadKind* find_road(std::string_view name);  // null: none
+std::span<const ContactModelKind> road_kinds();
+const ContactModelKind* find_road(std::string_view name);  // null: none
 
 std::unique_ptr<ContactModel> make_penalty_road();
 std::unique_ptr<ContactModel> make_impulse_road();

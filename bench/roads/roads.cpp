@@ -17,10 +17,10 @@ namespace contact-models {
 namespace {
 
 constexpr std::array kinds = {
-    RoadKind{"penalty", "springs of 1e5 N/m and dampers, an explicit step", make_penalty_road},
-    RoadKind{"impulses", "velocity constraints: ten rounds of sequential impulses, warm started",
+    ContactModelKind{"penalty", "springs of 1e5 N/m and dampers, an explicit step", make_penalty_road},
+    ContactModelKind{"impulses", "velocity constraints: ten rounds of sequential impulses, warm started",
              make_impulse_road},
-    RoadKind{"xpbd", "positions: ten sub-steps of one pass", make_xpbd_road},
+    ContactModelKind{"xpbd", "positions: ten sub-steps of one pass", make_xpbd_road},
 };
 constexpr double long_enough = 0.01;  // s of processor time: a run is repeated until then
 
@@ -48,7 +48,7 @@ struct Flags {
 std::string check_road(const std::string& name) {
     std::string known = "all";
     if (name == "all" || find_road(name)) return "";
-    for (const RoadKind& kind : kinds) known += std::string(", ") + kind.name;
+    for (const ContactModelKind& kind : kinds) known += std::string(", ") + kind.name;
     return "there is no road " + name + "; there are " + known;
 }
 
@@ -59,7 +59,7 @@ std::string check_rate_of_road(const std::string& text) {
     return text + " is no rate: steps a second from 4 to 100000";
 }
 
-double time_of_run(const RoadKind& kind, double rate_hz) {
+double time_of_run(const ContactModelKind& kind, double rate_hz) {
     const long steps = std::lround(scene_seconds * rate_hz);
     double least = 0, spent = 0;
     for (int run = 0; run == 0 || spent < long_enough; run++) {
@@ -106,7 +106,7 @@ int run(Flags flags) {
     std::vector<RoadRow> rows;
     std::printf("%-9s %6s %12s %11s %11s %11s\n", "road", "hz", "overlap, mm", "energy", "slide",
                 "cpu us/s");
-    for (const RoadKind& kind : kinds) {
+    for (const ContactModelKind& kind : kinds) {
         const auto& chosen = flags.contact-models;
         if (std::find(chosen.begin(), chosen.end(), "all") == chosen.end() &&
             std::find(chosen.begin(), chosen.end(), kind.name) == chosen.end())
@@ -128,17 +128,17 @@ int run(Flags flags) {
 
 }  // namespace
 
-std::span<const RoadKind> road_kinds() {
+std::span<const ContactModelKind> road_kinds() {
     return kinds;
 }
 
-const RoadKind* find_road(std::string_view name) {
-    for (const RoadKind& kind : kinds)
+const ContactModelKind* find_road(std::string_view name) {
+    for (const ContactModelKind& kind : kinds)
         if (name == kind.name) return &kind;
     return nullptr;
 }
 
-RoadRow road_row(const RoadKind& kind, double rate_hz) {
+RoadRow road_row(const ContactModelKind& kind, double rate_hz) {
     ContactScene scene(1 / rate_hz);
     const auto road = kind.make();
     for (long k = 0; k < std::lround(scene_seconds * rate_hz); k++) {
@@ -179,7 +179,7 @@ void add_roads(CLI::App& app, int& status) {
     command->add_option("--json", flags->json, "Writes the rows here as JSON");
     command->add_option("--csv", flags->csv, "Writes the rows here as CSV");
     std::string list = "\nRoads:\n";
-    for (const RoadKind& kind : kinds)
+    for (const ContactModelKind& kind : kinds)
         list += std::string("  ") + kind.name + ": " + kind.about + "\n";
     command->footer(list + footer);
     command->callback([flags, &status] { status = run(*flags); });

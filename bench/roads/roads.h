@@ -21,7 +21,7 @@ struct RoadRow {
     SceneErrors errors;
     double cpu_us_per_second = 0;  // per simulated second
 };
-RoadRow road_row(const RoadKind& kind, double rate_hz);
+RoadRow road_row(const ContactModelKind& kind, double rate_hz);
 nlohmann::ordered_json to_json(const RoadRow& row);
 
 }  // namespace contact-models

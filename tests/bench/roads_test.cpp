@@ -40,7 +40,7 @@ TEST(Xpbd, is_stable_at_any_step_and_converges_at_first_order) {
 }
 
 TEST(Roads, all_stop_what_slides_after_coulombs_way) {
-    for (const RoadKind& kind : road_kinds())
+    for (const ContactModelKind& kind : road_kinds())
         EXPECT_LT(road_row(kind, 1920).errors.slide, 0.01) << kind.name;
 }
 

@@ -74,7 +74,7 @@ double time_of_run(const ContactModelKind& kind, double rate_hz) {
     return least;
 }
 
-void print_row(const RoadRow& row) {
+void print_row(const ContactModelRow& row) {
     if (row.errors.failed)
         std::printf("%-9s %6g  blown\n", row.road.c_str(), row.rate_hz);
     else
@@ -83,9 +83,9 @@ void print_row(const RoadRow& row) {
                     row.cpu_us_per_second);
 }
 
-std::string csv_of(const std::vector<RoadRow>& rows) {
+std::string csv_of(const std::vector<ContactModelRow>& rows) {
     std::string text = "road,rate_hz,overlap_m,energy_error,slide_error,cpu_us_per_second\n";
-    for (const RoadRow& row : rows) {
+    for (const ContactModelRow& row : rows) {
         char line[160];
         const SceneErrors& errors = row.errors;
         if (errors.failed)
@@ -103,7 +103,7 @@ int run(Flags flags) {
     for (const std::string& path : {flags.json, flags.csv})
         if (!path.empty() && !can_write(path)) return 1;
     std::sort(flags.rates.begin(), flags.rates.end());
-    std::vector<RoadRow> rows;
+    std::vector<ContactModelRow> rows;
     std::printf("%-9s %6s %12s %11s %11s %11s\n", "road", "hz", "overlap, mm", "energy", "slide",
                 "cpu us/s");
     for (const ContactModelKind& kind : kinds) {
@@ -119,7 +119,7 @@ int run(Flags flags) {
     bool done = flags.csv.empty() || write_text(flags.csv, csv_of(rows));
     if (flags.json.empty()) return done ? 0 : 1;
     nlohmann::ordered_json json = nlohmann::ordered_json::array();
-    for (const RoadRow& row : rows) json.push_back(to_json(row));
+    for (const ContactModelRow& row : rows) json.push_back(to_json(row));
     const nlohmann::ordered_json head = {
         {"benchmark", "contact-models"}, {"cpu", cpu_model()}, {"compiler", compiler()}};
     done = write_result(flags.json, head, json) && done;
@@ -138,7 +138,7 @@ const ContactModelKind* find_road(std::string_view name) {
     return nullptr;
 }
 
-RoadRow road_row(const ContactModelKind& kind, double rate_hz) {
+ContactModelRow road_row(const ContactModelKind& kind, double rate_hz) {
     ContactScene scene(1 / rate_hz);
     const auto road = kind.make();
     for (long k = 0; k < std::lround(scene_seconds * rate_hz); k++) {
@@ -148,7 +148,7 @@ RoadRow road_row(const ContactModelKind& kind, double rate_hz) {
     return {kind.name, rate_hz, scene.errors(), 1e6 * time_of_run(kind, rate_hz) / scene_seconds};
 }
 
-nlohmann::ordered_json to_json(const RoadRow& row) {
+nlohmann::ordered_json to_json(const ContactModelRow& row) {
     nlohmann::ordered_json json = {{"road", row.road}, {"rate_hz", row.rate_hz}};
     if (row.errors.failed) {
         json["blown"] = true;

@@ -15,14 +15,14 @@ namespace jostle::bench {
 
 namespace contact-models {
 
-struct RoadRow {
+struct ContactModelRow {
     std::string road;
     double rate_hz = 0;
     SceneErrors errors;
     double cpu_us_per_second = 0;  // per simulated second
 };
-RoadRow road_row(const ContactModelKind& kind, double rate_hz);
-nlohmann::ordered_json to_json(const RoadRow& row);
+ContactModelRow road_row(const ContactModelKind& kind, double rate_hz);
+nlohmann::ordered_json to_json(const ContactModelRow& row);
 
 }  // namespace contact-models
 

@@ -26,7 +26,7 @@ double damping_of(double restitution, double inverse_mass) {
     return critical * -loss / std::sqrt(physics::pi * physics::pi + loss * loss);
 }
 
-class PenaltyRoad final : public ContactModel {
+class PenaltyModel final : public ContactModel {
 public:
     void step(std::vector<Ball>& balls, double dt) override {
         const std::vector<Contact> contacts = find_contacts(balls, 0);
@@ -61,7 +61,7 @@ private:
 }  // namespace
 
 std::unique_ptr<ContactModel> make_penalty_road() {
-    return std::make_unique<PenaltyRoad>();
+    return std::make_unique<PenaltyModel>();
 }
 
 }  // namespace jostle::bench::contact-models

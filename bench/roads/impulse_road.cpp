@@ -28,7 +28,7 @@ struct Row {
     Vec3 friction_impulse;
 };
 
-class ImpulseRoad final : public ContactModel {
+class ImpulseModel final : public ContactModel {
 public:
     void step(std::vector<Ball>& balls, double dt) override {
         std::vector<Row> rows = prepare(balls, dt);
@@ -97,7 +97,7 @@ private:
 }  // namespace
 
 std::unique_ptr<ContactModel> make_impulse_road() {
-    return std::make_unique<ImpulseRoad>();
+    return std::make_unique<ImpulseModel>();
 }
 
 }  // namespace jostle::bench::contact-models

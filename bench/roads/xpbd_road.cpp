@@ -23,7 +23,7 @@ struct Touched {
     double correction;  // m along the normal
 };
 
-class XpbdRoad final : public ContactModel {
+class XpbdModel final : public ContactModel {
 public:
     void step(std::vector<Ball>& balls, double dt) override {
         for (int k = 0; k < substeps; k++) substep(balls, dt / substeps);
@@ -101,7 +101,7 @@ private:
 }  // namespace
 
 std::unique_ptr<ContactModel> make_xpbd_road() {
-    return std::make_unique<XpbdRoad>();
+    return std::make_unique<XpbdModel>();
 }
 
 }  // namespace jostle::bench::contact-models

@@ -54,7 +54,7 @@ int main(int argc, char** argv) {
     jostle::bench::add_integrators(app, status);
     jostle::bench::add_modules(app, status);
     jostle::bench::add_network(app, status);
-    jostle::bench::add_roads(app, status);
+    jostle::bench::add_contact_models(app, status);
     jostle::bench::add_rollback(app, status);
     jostle::bench::add_speed(app, status);
     jostle::bench::add_stability(app, status);

@@ -96,7 +96,7 @@ private:
 
 }  // namespace
 
-std::unique_ptr<ContactModel> make_impulse_road() {
+std::unique_ptr<ContactModel> make_impulse_model() {
     return std::make_unique<ImpulseModel>();
 }
 

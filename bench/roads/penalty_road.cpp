@@ -60,7 +60,7 @@ private:
 
 }  // namespace
 
-std::unique_ptr<ContactModel> make_penalty_road() {
+std::unique_ptr<ContactModel> make_penalty_model() {
     return std::make_unique<PenaltyModel>();
 }
 

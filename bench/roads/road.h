@@ -26,11 +26,11 @@ struct ContactModelKind {
     const char* about;
     std::unique_ptr<ContactModel> (*make)();
 };
-std::span<const ContactModelKind> road_kinds();
-const ContactModelKind* find_road(std::string_view name);  // null: none
+std::span<const ContactModelKind> contact_model_kinds();
+const ContactModelKind* find_contact_model(std::string_view name);  // null: none
 
-std::unique_ptr<ContactModel> make_penalty_road();
-std::unique_ptr<ContactModel> make_impulse_road();
-std::unique_ptr<ContactModel> make_xpbd_road();
+std::unique_ptr<ContactModel> make_penalty_model();
+std::unique_ptr<ContactModel> make_impulse_model();
+std::unique_ptr<ContactModel> make_xpbd_model();
 
 }  // namespace jostle::bench::contact-models

@@ -17,10 +17,10 @@ namespace contact-models {
 namespace {
 
 constexpr std::array kinds = {
-    ContactModelKind{"penalty", "springs of 1e5 N/m and dampers, an explicit step", make_penalty_road},
+    ContactModelKind{"penalty", "springs of 1e5 N/m and dampers, an explicit step", make_penalty_model},
     ContactModelKind{"impulses", "velocity constraints: ten rounds of sequential impulses, warm started",
-             make_impulse_road},
-    ContactModelKind{"xpbd", "positions: ten sub-steps of one pass", make_xpbd_road},
+             make_impulse_model},
+    ContactModelKind{"xpbd", "positions: ten sub-steps of one pass", make_xpbd_model},
 };
 constexpr double long_enough = 0.01;  // s of processor time: a run is repeated until then
 
@@ -45,14 +45,14 @@ struct Flags {
     std::string json, csv;
 };
 
-std::string check_road(const std::string& name) {
+std::string check_contact_model(const std::string& name) {
     std::string known = "all";
-    if (name == "all" || find_road(name)) return "";
+    if (name == "all" || find_contact_model(name)) return "";
     for (const ContactModelKind& kind : kinds) known += std::string(", ") + kind.name;
     return "there is no road " + name + "; there are " + known;
 }
 
-std::string check_rate_of_road(const std::string& text) {
+std::string check_rate_of_model(const std::string& text) {
     char* end = nullptr;
     const double rate = std::strtod(text.c_str(), &end);
     if (!text.empty() && *end == 0 && rate >= 4 && rate <= 100000) return "";
@@ -112,7 +112,7 @@ int run(Flags flags) {
             std::find(chosen.begin(), chosen.end(), kind.name) == chosen.end())
             continue;
         for (const double rate : flags.rates) {
-            rows.push_back(road_row(kind, rate));
+            rows.push_back(contact_model_row(kind, rate));
             print_row(rows.back());
         }
     }
@@ -128,17 +128,17 @@ int run(Flags flags) {
 
 }  // namespace
 
-std::span<const ContactModelKind> road_kinds() {
+std::span<const ContactModelKind> contact_model_kinds() {
     return kinds;
 }
 
-const ContactModelKind* find_road(std::string_view name) {
+const ContactModelKind* find_contact_model(std::string_view name) {
     for (const ContactModelKind& kind : kinds)
         if (name == kind.name) return &kind;
     return nullptr;
 }
 
-ContactModelRow road_row(const ContactModelKind& kind, double rate_hz) {
+ContactModelRow contact_model_row(const ContactModelKind& kind, double rate_hz) {
     ContactScene scene(1 / rate_hz);
     const auto road = kind.make();
     for (long k = 0; k < std::lround(scene_seconds * rate_hz); k++) {
@@ -163,7 +163,7 @@ nlohmann::ordered_json to_json(const ContactModelRow& row) {
 
 }  // namespace contact-models
 
-void add_roads(CLI::App& app, int& status) {
+void add_contact_models(CLI::App& app, int& status) {
     using namespace contact-models;
     CLI::App* command = app.add_subcommand(
         "contact-models", "Penalty forces, velocity constraints and positions on one contact scene.");
@@ -171,11 +171,11 @@ void add_roads(CLI::App& app, int& status) {
     command->add_option("--model", flags->contact-models, "By name, or all")
         ->delimiter(',')
         ->capture_default_str()
-        ->check(CLI::Validator(check_road, "ROAD"));
+        ->check(CLI::Validator(check_contact_model, "ROAD"));
     command->add_option("--rates", flags->rates, "Steps a second")
         ->delimiter(',')
         ->capture_default_str()
-        ->check(CLI::Validator(check_rate_of_road, "HZ"));
+        ->check(CLI::Validator(check_rate_of_model, "HZ"));
     command->add_option("--json", flags->json, "Writes the rows here as JSON");
     command->add_option("--csv", flags->csv, "Writes the rows here as CSV");
     std::string list = "\nRoads:\n";

@@ -21,11 +21,11 @@ struct ContactModelRow {
     SceneErrors errors;
     double cpu_us_per_second = 0;  // per simulated second
 };
-ContactModelRow road_row(const ContactModelKind& kind, double rate_hz);
+ContactModelRow contact_model_row(const ContactModelKind& kind, double rate_hz);
 nlohmann::ordered_json to_json(const ContactModelRow& row);
 
 }  // namespace contact-models
 
-void add_roads(CLI::App& app, int& status);  // the exit status is left in `status`
+void add_contact_models(CLI::App& app, int& status);  // the exit status is left in `status`
 
 }  // namespace jostle::bench

@@ -100,7 +100,7 @@ private:
 
 }  // namespace
 
-std::unique_ptr<ContactModel> make_xpbd_road() {
+std::unique_ptr<ContactModel> make_xpbd_model() {
     return std::make_unique<XpbdModel>();
 }
 

@@ -10,7 +10,7 @@ namespace {
 using namespace jostle::bench::contact-models;
 
 SceneErrors errors_of(const char* road, double rate_hz) {
-    return road_row(*find_road(road), rate_hz).errors;
+    return contact_model_row(*find_contact_model(road), rate_hz).errors;
 }
 
 TEST(Penalty, sinks_as_deep_as_its_spring_says_and_is_unstable_at_long_steps) {
@@ -40,8 +40,8 @@ TEST(Xpbd, is_stable_at_any_step_and_converges_at_first_order) {
 }
 
 TEST(Roads, all_stop_what_slides_after_coulombs_way) {
-    for (const ContactModelKind& kind : road_kinds())
-        EXPECT_LT(road_row(kind, 1920).errors.slide, 0.01) << kind.name;
+    for (const ContactModelKind& kind : contact_model_kinds())
+        EXPECT_LT(contact_model_row(kind, 1920).errors.slide, 0.01) << kind.name;
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The three contact-models to contact. Each is one file that can be read alone:
-//   penalty_road.cpp   springs: a force that grows with the overlap
+//   penalty_model.cpp   springs: a force that grows with the overlap
 //   impulse_road.cpp   velocity constraints: impulses that forbid approach (sequential impulses)
 //   xpbd_road.cpp      positions: move things apart, and take the velocity from where they came
 #pragma once

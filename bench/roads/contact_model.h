@@ -3,7 +3,7 @@
 // The three contact-models to contact. Each is one file that can be read alone:
 //   penalty_model.cpp   springs: a force that grows with the overlap
 //   impulse_model.cpp   velocity constraints: impulses that forbid approach (sequential impulses)
-//   xpbd_road.cpp      positions: move things apart, and take the velocity from where they came
+//   xpbd_model.cpp      positions: move things apart, and take the velocity from where they came
 #pragma once
 
 #include <memory>

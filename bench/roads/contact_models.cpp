@@ -76,9 +76,9 @@ double time_of_run(const ContactModelKind& kind, double rate_hz) {
 
 void print_row(const ContactModelRow& row) {
     if (row.errors.failed)
-        std::printf("%-9s %6g  blown\n", row.road.c_str(), row.rate_hz);
+        std::printf("%-9s %6g  blown\n", row.model.c_str(), row.rate_hz);
     else
-        std::printf("%-9s %6g %12.4g %11.4g %11.4g %11.4g\n", row.road.c_str(), row.rate_hz,
+        std::printf("%-9s %6g %12.4g %11.4g %11.4g %11.4g\n", row.model.c_str(), row.rate_hz,
                     1000 * row.errors.overlap, row.errors.energy, row.errors.slide,
                     row.cpu_us_per_second);
 }
@@ -89,9 +89,9 @@ std::string csv_of(const std::vector<ContactModelRow>& rows) {
         char line[160];
         const SceneErrors& errors = row.errors;
         if (errors.failed)
-            std::snprintf(line, sizeof line, "%s,%g,blown,,,\n", row.road.c_str(), row.rate_hz);
+            std::snprintf(line, sizeof line, "%s,%g,blown,,,\n", row.model.c_str(), row.rate_hz);
         else
-            std::snprintf(line, sizeof line, "%s,%g,%.4g,%.4g,%.4g,%.4g\n", row.road.c_str(),
+            std::snprintf(line, sizeof line, "%s,%g,%.4g,%.4g,%.4g,%.4g\n", row.model.c_str(),
                           row.rate_hz, errors.overlap, errors.energy, errors.slide,
                           row.cpu_us_per_second);
         text += line;
@@ -149,7 +149,7 @@ ContactModelRow contact_model_row(const ContactModelKind& kind, double rate_hz) 
 }
 
 nlohmann::ordered_json to_json(const ContactModelRow& row) {
-    nlohmann::ordered_json json = {{"road", row.road}, {"rate_hz", row.rate_hz}};
+    nlohmann::ordered_json json = {{"road", row.model}, {"rate_hz", row.rate_hz}};
     if (row.errors.failed) {
         json["blown"] = true;
         return json;

@@ -136,7 +136,7 @@ void LooseOctree::put_in(const Entry& entry, std::int32_t from) {
 
 // Leaves the counts alone.
 void LooseOctree::take_out(std::int32_t handle) {
-    const Place where = place(handle);
+    const Slot where = place(handle);
     std::vector<Entry>& entries = cube(where.cube).entries;
     const auto at = static_cast<std::size_t>(where.at);
     entries[at] = entries.back();
@@ -179,7 +179,7 @@ void LooseOctree::remove(std::int32_t handle) {
 }
 
 void LooseOctree::move(std::int32_t handle, const Aabb& box) {
-    const Place where = place(handle);
+    const Slot where = place(handle);
     Entry entry = cube(where.cube).entries[static_cast<std::size_t>(where.at)];
     if (belongs(cube(where.cube), box)) {
         // It stays, even where it might go further down: that costs little, and saves much.

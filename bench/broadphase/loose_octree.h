@@ -43,13 +43,13 @@ private:
         std::array<std::int32_t, 8> child{none, none, none, none, none, none, none, none};
         std::vector<Entry> entries;
     };
-    struct Place {
+    struct Slot {
         std::int32_t cube = none, at = 0;  // entries[at]; on the free list: the next free handle
     };
 
     Cube& cube(std::int32_t i) { return cubes_[static_cast<std::size_t>(i)]; }
     const Cube& cube(std::int32_t i) const { return cubes_[static_cast<std::size_t>(i)]; }
-    Place& place(std::int32_t handle) { return places_[static_cast<std::size_t>(handle)]; }
+    Slot& place(std::int32_t handle) { return places_[static_cast<std::size_t>(handle)]; }
     static physics::Aabb loose(const Cube& cube);
     static bool belongs(const Cube& cube, const physics::Aabb& box);
     std::int32_t new_cube(physics::Vec3 low, double side, std::int32_t parent);
@@ -69,7 +69,7 @@ private:
     double cast_below(std::int32_t at, const Ray& ray, double limit) const;
 
     std::vector<Cube> cubes_;
-    std::vector<Place> places_;  // by handle
+    std::vector<Slot> places_;  // by handle
     std::int32_t root_ = none, free_cube_ = none, free_handle_ = none;
 };
 

@@ -28,7 +28,7 @@ bool is_above(const Aabb& box, int axis, double plane) {
     return box.high[axis] >= plane;
 }
 
-bool holds(const Aabb& region, Vec3 p) {
+bool contains(const Aabb& region, Vec3 p) {
     for (int k = 0; k < 3; k++)
         if (p[k] < region.low[k] || p[k] >= region.high[k]) return false;
     return true;
@@ -49,13 +49,13 @@ std::int32_t KdTree::insert(const Aabb& box, std::uint32_t item, std::uint32_t c
     if (nodes_.empty())
         rebuild();
     else
-        put_in(0, entry(handle), 0);
+        insert_into(0, entry(handle), 0);
     changes_++;
     return handle;
 }
 
 void KdTree::remove(std::int32_t handle) {
-    take_out(0, entry(handle).box, handle);
+    remove_from(0, entry(handle).box, handle);
     entry(handle) = {};
     free_.push_back(handle);
     changes_++;
@@ -81,7 +81,7 @@ void KdTree::rebuild() {
     spare_.clear();
     for (auto k = static_cast<std::int32_t>(cells_.size()); k-- > 1;) spare_.push_back(k);
     Cell& all = cell(0);
-    all.patience = crowded_cell;
+    all.split_threshold = crowded_cell;
     all.region = {{-endless, -endless, -endless}, {endless, endless, endless}};
     for (const Entry& e : entries_)
         if (e.handle >= 0) all.entries.push_back(e);
@@ -96,7 +96,7 @@ std::int32_t KdTree::new_cell(const Aabb& region) {
     const std::int32_t made = spare_.back();
     spare_.pop_back();
     cell(made).region = region;
-    cell(made).patience = crowded_cell;
+    cell(made).split_threshold = crowded_cell;
     return made;
 }
 
@@ -143,7 +143,7 @@ void KdTree::divide(std::int32_t at, int depth) {
     const std::int32_t low = node(at).below;
     const Split split = depth < depth_max ? best_split(cell(low)) : Split{};
     if (split.axis < 0) {
-        cell(low).patience = 2 * cell(low).entries.size();
+        cell(low).split_threshold = 2 * cell(low).entries.size();
         return;
     }
     Aabb region = cell(low).region;
@@ -151,7 +151,7 @@ void KdTree::divide(std::int32_t at, int depth) {
     const std::int32_t high = new_cell(region);
     Cell &below = cell(low), &above = cell(high);
     below.region.high[split.axis] = split.plane;
-    below.patience = crowded_cell;
+    below.split_threshold = crowded_cell;
     for (const Entry& e : below.entries)
         if (is_above(e.box, split.axis, split.plane)) above.entries.push_back(e);
     std::erase_if(below.entries,
@@ -164,23 +164,23 @@ void KdTree::divide(std::int32_t at, int depth) {
         if (cell(node(side).below).entries.size() > crowded_cell) divide(side, depth + 1);
 }
 
-void KdTree::put_in(std::int32_t at, const Entry& e, int depth) {
+void KdTree::insert_into(std::int32_t at, const Entry& e, int depth) {
     const Node n = node(at);
     if (n.axis >= 0) {
-        if (is_below(e.box, n.axis, n.plane)) put_in(n.below, e, depth + 1);
-        if (is_above(e.box, n.axis, n.plane)) put_in(n.below + 1, e, depth + 1);
+        if (is_below(e.box, n.axis, n.plane)) insert_into(n.below, e, depth + 1);
+        if (is_above(e.box, n.axis, n.plane)) insert_into(n.below + 1, e, depth + 1);
         return;
     }
     Cell& c = cell(n.below);
     c.entries.push_back(e);
-    if (c.entries.size() > c.patience) divide(at, depth);
+    if (c.entries.size() > c.split_threshold) divide(at, depth);
 }
 
-void KdTree::take_out(std::int32_t at, const Aabb& box, std::int32_t handle) {
+void KdTree::remove_from(std::int32_t at, const Aabb& box, std::int32_t handle) {
     const Node n = node(at);
     if (n.axis >= 0) {
-        if (is_below(box, n.axis, n.plane)) take_out(n.below, box, handle);
-        if (is_above(box, n.axis, n.plane)) take_out(n.below + 1, box, handle);
+        if (is_below(box, n.axis, n.plane)) remove_from(n.below, box, handle);
+        if (is_above(box, n.axis, n.plane)) remove_from(n.below + 1, box, handle);
         return;
     }
     std::vector<Entry>& entries = cell(n.below).entries;
@@ -202,8 +202,8 @@ void KdTree::replace(std::int32_t at, const Aabb& old, const Entry& e, int depth
     const bool is[] = {is_below(e.box, n.axis, n.plane), is_above(e.box, n.axis, n.plane)};
     for (int side = 0; side < 2; side++) {
         if (was[side] && is[side]) replace(n.below + side, old, e, depth + 1);
-        if (was[side] && !is[side]) take_out(n.below + side, old, e.handle);
-        if (!was[side] && is[side]) put_in(n.below + side, e, depth + 1);
+        if (was[side] && !is[side]) remove_from(n.below + side, old, e.handle);
+        if (!was[side] && is[side]) insert_into(n.below + side, e, depth + 1);
     }
 }
 
@@ -222,7 +222,7 @@ void KdTree::query_below(std::int32_t at, const Aabb& box, std::uint32_t mask,
     const Cell& c = cell(n.below);
     for (const Entry& e : c.entries)
         if ((e.category & mask) != 0 && overlap(e.box, box) &&
-            holds(c.region, physics::max(e.box.low, box.low)))
+            contains(c.region, physics::max(e.box.low, box.low)))
             found.push_back(e.item);
 }
 

@@ -44,7 +44,7 @@ private:
     struct Cell {
         physics::Aabb region;        // endless where it has no neighbour
         std::vector<Entry> entries;  // that reach into it
-        std::size_t patience = 0;    // so many before a division is tried (again)
+        std::size_t split_threshold = 0;    // so many before a division is tried (again)
     };
     struct Split {
         int axis = -1;
@@ -66,8 +66,8 @@ private:
     std::int32_t new_cell(const physics::Aabb& region);
     void divide(std::int32_t at, int depth);
     Split best_split(const Cell& cell) const;
-    void put_in(std::int32_t at, const Entry& entry, int depth);
-    void take_out(std::int32_t at, const physics::Aabb& box, std::int32_t handle);
+    void insert_into(std::int32_t at, const Entry& entry, int depth);
+    void remove_from(std::int32_t at, const physics::Aabb& box, std::int32_t handle);
     void replace(std::int32_t at, const physics::Aabb& old, const Entry& entry, int depth);
     void query_below(std::int32_t at, const physics::Aabb& box, std::uint32_t mask,
                      std::vector<std::uint32_t>& found) const;

@@ -102,7 +102,7 @@ std::int32_t LooseOctree::child_for(std::int32_t at, const Aabb& box) {
 }
 
 void LooseOctree::add_to(std::int32_t at, const Entry& entry) {
-    place(entry.handle) = {at, static_cast<std::int32_t>(cube(at).entries.size())};
+    slot(entry.handle) = {at, static_cast<std::int32_t>(cube(at).entries.size())};
     cube(at).entries.push_back(entry);
 }
 
@@ -122,7 +122,7 @@ void LooseOctree::divide(std::int32_t at) {
 }
 
 // `from` holds the box, and counts it already.
-void LooseOctree::put_in(const Entry& entry, std::int32_t from) {
+void LooseOctree::insert_into(const Entry& entry, std::int32_t from) {
     std::int32_t at = from;
     for (;;) {
         if (!cube(at).divided && cube(at).entries.size() >= crowded_cube) divide(at);
@@ -135,33 +135,33 @@ void LooseOctree::put_in(const Entry& entry, std::int32_t from) {
 }
 
 // Leaves the counts alone.
-void LooseOctree::take_out(std::int32_t handle) {
-    const Slot where = place(handle);
+void LooseOctree::remove_from(std::int32_t handle) {
+    const Slot where = slot(handle);
     std::vector<Entry>& entries = cube(where.cube).entries;
     const auto at = static_cast<std::size_t>(where.at);
     entries[at] = entries.back();
     entries.pop_back();
-    if (at < entries.size()) place(entries[at].handle).at = where.at;
+    if (at < entries.size()) slot(entries[at].handle).at = where.at;
 }
 
 std::int32_t LooseOctree::insert(const Aabb& box, std::uint32_t item, std::uint32_t category) {
     std::int32_t handle = free_handle_;
     if (handle == none) {
-        handle = static_cast<std::int32_t>(places_.size());
-        places_.emplace_back();
+        handle = static_cast<std::int32_t>(slots_.size());
+        slots_.emplace_back();
     } else {
-        free_handle_ = place(handle).at;
+        free_handle_ = slot(handle).at;
     }
     grow_root(box);
     cube(root_).count++;
-    put_in({box, item, category, handle}, root_);
+    insert_into({box, item, category, handle}, root_);
     return handle;
 }
 
 void LooseOctree::remove(std::int32_t handle) {
-    std::int32_t at = place(handle).cube;
-    take_out(handle);
-    place(handle) = {none, free_handle_};
+    std::int32_t at = slot(handle).cube;
+    remove_from(handle);
+    slot(handle) = {none, free_handle_};
     free_handle_ = handle;
     // Cubes with nothing in them and below go.
     while (at != none) {
@@ -179,7 +179,7 @@ void LooseOctree::remove(std::int32_t handle) {
 }
 
 void LooseOctree::move(std::int32_t handle, const Aabb& box) {
-    const Slot where = place(handle);
+    const Slot where = slot(handle);
     Entry entry = cube(where.cube).entries[static_cast<std::size_t>(where.at)];
     if (belongs(cube(where.cube), box)) {
         // It stays, even where it might go further down: that costs little, and saves much.
@@ -187,7 +187,7 @@ void LooseOctree::move(std::int32_t handle, const Aabb& box) {
         return;
     }
     entry.box = box;
-    take_out(handle);
+    remove_from(handle);
     // Up to the first cube in which it belongs, and down from there.
     std::int32_t at = where.cube;
     while (at != none && !belongs(cube(at), box)) {
@@ -204,7 +204,7 @@ void LooseOctree::move(std::int32_t handle, const Aabb& box) {
         cube(root_).count++;
         at = root_;
     }
-    put_in(entry, at);
+    insert_into(entry, at);
 }
 
 void LooseOctree::query(const Aabb& box, std::uint32_t mask,

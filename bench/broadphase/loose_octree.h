@@ -49,16 +49,16 @@ private:
 
     Cube& cube(std::int32_t i) { return cubes_[static_cast<std::size_t>(i)]; }
     const Cube& cube(std::int32_t i) const { return cubes_[static_cast<std::size_t>(i)]; }
-    Slot& place(std::int32_t handle) { return places_[static_cast<std::size_t>(handle)]; }
+    Slot& slot(std::int32_t handle) { return slots_[static_cast<std::size_t>(handle)]; }
     static physics::Aabb loose(const Cube& cube);
     static bool belongs(const Cube& cube, const physics::Aabb& box);
     std::int32_t new_cube(physics::Vec3 low, double side, std::int32_t parent);
     void grow_root(const physics::Aabb& box);
-    void put_in(const Entry& entry, std::int32_t from);
+    void insert_into(const Entry& entry, std::int32_t from);
     void add_to(std::int32_t at, const Entry& entry);
     void divide(std::int32_t at);
     std::int32_t child_for(std::int32_t at, const physics::Aabb& box);
-    void take_out(std::int32_t handle);
+    void remove_from(std::int32_t handle);
     void query_below(std::int32_t at, const physics::Aabb& box, std::uint32_t mask,
                      std::vector<std::uint32_t>& found) const;
     struct Ray {
@@ -69,7 +69,7 @@ private:
     double cast_below(std::int32_t at, const Ray& ray, double limit) const;
 
     std::vector<Cube> cubes_;
-    std::vector<Slot> places_;  // by handle
+    std::vector<Slot> slots_;  // by handle
     std::int32_t root_ = none, free_cube_ = none, free_handle_ = none;
 };
 

@@ -73,13 +73,13 @@ struct Flags {
 
 // What was found, so that kinds can be compared. The order in which a kind finds things is its own
 // business, so pairs are added up.
-struct Answers {
+struct QueryCounts {
     std::size_t pairs = 0;
     std::uint64_t pair_sum = 0;  // over hashes of the pairs: equal counts of other pairs show
     std::size_t ray_hits = 0;
     double ray_sum = 0;  // of the fractions, ray by ray: the same bits for the same hits
 
-    bool operator==(const Answers&) const = default;
+    bool operator==(const QueryCounts&) const = default;
 };
 
 std::uint64_t pair_hash(std::uint32_t a, std::uint32_t b) {
@@ -94,7 +94,7 @@ struct Candidate {
     std::unique_ptr<BroadPhaseIndex> start;  // as built; each repetition replays a copy
     std::vector<std::int32_t> handles;       // by body
     std::vector<double> build_ms, step_us, rays_per_second;
-    Answers answers;
+    QueryCounts answers;
 };
 
 struct Cell {
@@ -115,7 +115,7 @@ void build(Candidate& candidate, const Workload& work) {
 
 // A pair of two that moved is found from both sides and counted from the one with the larger
 // number.
-void count_pairs(Answers& answers, std::uint32_t body, const std::vector<std::uint32_t>& found,
+void count_pairs(QueryCounts& answers, std::uint32_t body, const std::vector<std::uint32_t>& found,
                  const std::vector<std::uint32_t>& moved_in, std::uint32_t step) {
     for (const std::uint32_t other : found) {
         if (other == body || (moved_in[other] == step && other > body)) continue;
@@ -124,9 +124,9 @@ void count_pairs(Answers& answers, std::uint32_t body, const std::vector<std::ui
     }
 }
 
-Answers replay_steps(BroadPhaseIndex& index, const Candidate& candidate, const Workload& work,
+QueryCounts replay_steps(BroadPhaseIndex& index, const Candidate& candidate, const Workload& work,
                      std::vector<std::uint32_t>& found, std::vector<std::uint32_t>& moved_in) {
-    Answers answers;
+    QueryCounts answers;
     std::uint32_t step = 0;
     std::vector<BroadPhaseIndex::Move> left;
     for (const auto& moves : work.steps) {
@@ -147,7 +147,7 @@ Answers replay_steps(BroadPhaseIndex& index, const Candidate& candidate, const W
     return answers;
 }
 
-void cast_rays(const BroadPhaseIndex& index, const Workload& work, Answers& answers) {
+void cast_rays(const BroadPhaseIndex& index, const Workload& work, QueryCounts& answers) {
     for (const BoxRay& ray : work.rays) {
         double nearest = 2;
         index.cast_ray(ray.origin, ray.motion, 1, [&](std::uint32_t body, double limit) {
@@ -167,7 +167,7 @@ void repeat_once(Candidate& candidate, const Workload& work) {
     std::vector<std::uint32_t> found;
     std::vector<std::uint32_t> moved_in(work.fat.size(), 0);
     const double began = cpu_seconds();
-    Answers answers = replay_steps(*index, candidate, work, found, moved_in);
+    QueryCounts answers = replay_steps(*index, candidate, work, found, moved_in);
     const double stepped = cpu_seconds();
     cast_rays(*index, work, answers);
     const double cast = cpu_seconds();

@@ -94,7 +94,7 @@ struct Candidate {
     std::unique_ptr<BroadPhaseIndex> start;  // as built; each repetition replays a copy
     std::vector<std::int32_t> handles;       // by body
     std::vector<double> build_ms, step_us, rays_per_second;
-    QueryCounts answers;
+    QueryCounts query_counts;
 };
 
 struct Cell {
@@ -115,18 +115,18 @@ void build(Candidate& candidate, const Workload& work) {
 
 // A pair of two that moved is found from both sides and counted from the one with the larger
 // number.
-void count_pairs(QueryCounts& answers, std::uint32_t body, const std::vector<std::uint32_t>& found,
+void count_pairs(QueryCounts& query_counts, std::uint32_t body, const std::vector<std::uint32_t>& found,
                  const std::vector<std::uint32_t>& moved_in, std::uint32_t step) {
     for (const std::uint32_t other : found) {
         if (other == body || (moved_in[other] == step && other > body)) continue;
-        answers.pairs++;
-        answers.pair_sum += pair_hash(body, other);
+        query_counts.pairs++;
+        query_counts.pair_sum += pair_hash(body, other);
     }
 }
 
 QueryCounts replay_steps(BroadPhaseIndex& index, const Candidate& candidate, const Workload& work,
                      std::vector<std::uint32_t>& found, std::vector<std::uint32_t>& moved_in) {
-    QueryCounts answers;
+    QueryCounts query_counts;
     std::uint32_t step = 0;
     std::vector<BroadPhaseIndex::Move> left;
     for (const auto& moves : work.steps) {
@@ -141,13 +141,13 @@ QueryCounts replay_steps(BroadPhaseIndex& index, const Candidate& candidate, con
         for (const Move& move : moves) {
             found.clear();
             index.query(move.fat, 1, found);
-            count_pairs(answers, move.body, found, moved_in, step);
+            count_pairs(query_counts, move.body, found, moved_in, step);
         }
     }
-    return answers;
+    return query_counts;
 }
 
-void cast_rays(const BroadPhaseIndex& index, const Workload& work, QueryCounts& answers) {
+void cast_rays(const BroadPhaseIndex& index, const Workload& work, QueryCounts& query_counts) {
     for (const BoxRay& ray : work.rays) {
         double nearest = 2;
         index.cast_ray(ray.origin, ray.motion, 1, [&](std::uint32_t body, double limit) {
@@ -156,8 +156,8 @@ void cast_rays(const BroadPhaseIndex& index, const Workload& work, QueryCounts& 
             return nearest = at;
         });
         if (nearest > 1) continue;
-        answers.ray_hits++;
-        answers.ray_sum += nearest;
+        query_counts.ray_hits++;
+        query_counts.ray_sum += nearest;
     }
 }
 
@@ -167,13 +167,13 @@ void repeat_once(Candidate& candidate, const Workload& work) {
     std::vector<std::uint32_t> found;
     std::vector<std::uint32_t> moved_in(work.fat.size(), 0);
     const double began = cpu_seconds();
-    QueryCounts answers = replay_steps(*index, candidate, work, found, moved_in);
+    QueryCounts query_counts = replay_steps(*index, candidate, work, found, moved_in);
     const double stepped = cpu_seconds();
-    cast_rays(*index, work, answers);
+    cast_rays(*index, work, query_counts);
     const double cast = cpu_seconds();
     candidate.step_us.push_back(1e6 * (stepped - began) / static_cast<double>(work.steps.size()));
     candidate.rays_per_second.push_back(static_cast<double>(work.rays.size()) / (cast - stepped));
-    candidate.answers = answers;
+    candidate.query_counts = query_counts;
 }
 
 // Kinds take turns, so that what else the machine does meets all of them.
@@ -189,15 +189,15 @@ bool measure_cell(const Cell& cell, const Workload& work, std::vector<Candidate>
         }
     show_progress("");
     bool same = true;
-    for (const Candidate& c : candidates) same = same && c.answers == candidates[0].answers;
+    for (const Candidate& c : candidates) same = same && c.query_counts == candidates[0].query_counts;
     if (same) return true;
     std::fprintf(stderr, "jostle-bench: %s, %u bodies, moving %s: the kinds disagree\n",
                  cell.arrangement.c_str(), cell.bodies, cell.moving.c_str());
     for (const Candidate& c : candidates)
         std::fprintf(stderr, "  %-6s %zu pairs (sum %016llx), %zu rays hit (sum %.17g)\n",
-                     c.name.c_str(), c.answers.pairs,
-                     static_cast<unsigned long long>(c.answers.pair_sum), c.answers.ray_hits,
-                     c.answers.ray_sum);
+                     c.name.c_str(), c.query_counts.pairs,
+                     static_cast<unsigned long long>(c.query_counts.pair_sum), c.query_counts.ray_hits,
+                     c.query_counts.ray_sum);
     return false;
 }
 
@@ -212,7 +212,7 @@ void print_row(const Cell& cell, const Workload& work, const std::vector<Candida
     const auto steps = static_cast<double>(work.steps.size());
     std::printf("%-11s %7u %6s %8.1f %8.1f", cell.arrangement.c_str(), cell.bodies,
                 cell.moving.c_str(), static_cast<double>(work.moves) / steps,
-                static_cast<double>(candidates[0].answers.pairs) / steps);
+                static_cast<double>(candidates[0].query_counts.pairs) / steps);
     for (const Candidate& c : candidates) std::printf(" %12.3f", spread_of(c.step_us).median);
     for (const Candidate& c : candidates)
         std::printf(" %11.1f", 1e-3 * spread_of(c.rays_per_second).median);
@@ -234,9 +234,9 @@ void add_rows(nlohmann::ordered_json& rows, const Cell& cell, const Workload& wo
                         {"kind", c.name},
                         {"steps", work.steps.size()},
                         {"moves_per_step", rounded(static_cast<double>(work.moves) / steps)},
-                        {"pairs", c.answers.pairs},
+                        {"pairs", c.query_counts.pairs},
                         {"rays", work.rays.size()},
-                        {"ray_hits", c.answers.ray_hits},
+                        {"ray_hits", c.query_counts.ray_hits},
                         {"step_us", to_json(spread_of(c.step_us))},
                         {"rays_per_second", to_json(spread_of(c.rays_per_second))},
                         {"build_ms", to_json(spread_of(c.build_ms))}});

@@ -10,7 +10,7 @@
 namespace jostle::bench {
 namespace {
 
-bool complain(const std::string& path) {
+bool print_error(const std::string& path) {
     std::fprintf(stderr, "jostle-bench: cannot write %s: %s\n", path.c_str(), std::strerror(errno));
     return false;
 }
@@ -24,14 +24,14 @@ double rounded(double value) {
 }
 
 bool can_write(const std::string& path) {
-    return std::ofstream(path, std::ios::app) ? true : complain(path);
+    return std::ofstream(path, std::ios::app) ? true : print_error(path);
 }
 
 bool write_text(const std::string& path, const std::string& text) {
     std::ofstream out(path);
     out << text;
     out.close();
-    return out ? true : complain(path);
+    return out ? true : print_error(path);
 }
 
 bool write_result(const std::string& path, const nlohmann::ordered_json& head,

@@ -14,9 +14,9 @@ namespace jostle::bench {
 namespace {
 
 constexpr auto poll_period = std::chrono::milliseconds(10);
-constexpr auto kill_patience = std::chrono::seconds(5);
+constexpr auto kill_timeout = std::chrono::seconds(5);
 
-[[noreturn]] void become(const std::string& path, const std::vector<std::string>& flags,
+[[noreturn]] void exec_program(const std::string& path, const std::vector<std::string>& flags,
                          const std::string& log) {
     const int out = open(log.c_str(), O_CREAT | O_WRONLY | O_APPEND, 0600);
     dup2(out, STDOUT_FILENO);
@@ -34,26 +34,26 @@ Program::Program(const std::string& path, const std::vector<std::string>& flags,
                  const std::string& log)
     : log_(log) {
     pid_ = fork();
-    if (pid_ == 0) become(path, flags, log);
+    if (pid_ == 0) exec_program(path, flags, log);
     if (pid_ < 0) status_ = 127;
 }
 
 Program::~Program() {
-    if (!runs()) return;
+    if (!is_running()) return;
     signal(SIGKILL);
-    wait(kill_patience);
+    wait(kill_timeout);
 }
 
-bool Program::runs() {
+bool Program::is_running() {
     return !wait(std::chrono::milliseconds(0));
 }
 
 void Program::signal(int number) {
-    if (runs()) kill(pid_, number);
+    if (is_running()) kill(pid_, number);
 }
 
-std::optional<int> Program::wait(std::chrono::milliseconds patience) {
-    const auto deadline = std::chrono::steady_clock::now() + patience;
+std::optional<int> Program::wait(std::chrono::milliseconds timeout) {
+    const auto deadline = std::chrono::steady_clock::now() + timeout;
     while (!status_) {
         int status = 0;
         if (waitpid(pid_, &status, WNOHANG) == pid_) {
@@ -68,10 +68,10 @@ std::optional<int> Program::wait(std::chrono::milliseconds patience) {
 }
 
 std::string Program::log() const {
-    return text_of(log_);
+    return read_file(log_);
 }
 
-std::string text_of(const std::string& path) {
+std::string read_file(const std::string& path) {
     std::ifstream stream(path);
     return {std::istreambuf_iterator<char>(stream), {}};
 }

@@ -21,11 +21,11 @@ public:
     Program(const Program&) = delete;
     Program& operator=(const Program&) = delete;
 
-    bool runs();
+    bool is_running();
     void signal(int number);
     // The exit status (128 + n after signal n; 127: there is no such program), or nothing when it
     // still runs then.
-    std::optional<int> wait(std::chrono::milliseconds patience);
+    std::optional<int> wait(std::chrono::milliseconds timeout);
     std::string log() const;
     pid_t pid() const { return pid_; }
 
@@ -36,6 +36,6 @@ private:
 };
 
 // The whole of a file; empty when it cannot be read.
-std::string text_of(const std::string& path);
+std::string read_file(const std::string& path);
 
 }  // namespace jostle::bench

@@ -14,7 +14,7 @@
 namespace jostle::bench {
 namespace {
 
-constexpr auto start_patience = std::chrono::seconds(20);
+constexpr auto start_timeout = std::chrono::seconds(20);
 
 std::vector<std::string> with_ports(std::vector<std::string> flags, const std::string& folder) {
     flags.insert(flags.end(), {"--port-file", folder + "/ports.json"});
@@ -39,20 +39,20 @@ ServerProcess::ServerProcess(const std::string& path, std::vector<std::string> f
                              bool wait_for_ports)
     : program_(path, with_ports(std::move(flags), folder_.path), folder_.path + "/log") {
     if (!wait_for_ports) return;
-    const auto deadline = std::chrono::steady_clock::now() + start_patience;
-    while (!read_ports() && runs() && std::chrono::steady_clock::now() < deadline) {
+    const auto deadline = std::chrono::steady_clock::now() + start_timeout;
+    while (!read_ports() && is_running() && std::chrono::steady_clock::now() < deadline) {
         std::this_thread::sleep_for(std::chrono::milliseconds(10));
     }
 }
 
 bool ServerProcess::read_ports() {
-    const std::string text = text_of(folder_.path + "/ports.json");
+    const std::string text = read_file(folder_.path + "/ports.json");
     return std::sscanf(text.c_str(), "{\"grpc\": %d, \"http\": %d, \"admin\": %d", &grpc_port_,
                        &http_port_, &admin_port_) >= 2;
 }
 
 double ServerProcess::cpu_seconds() const {
-    const std::string text = text_of("/proc/" + std::to_string(program_.pid()) + "/stat");
+    const std::string text = read_file("/proc/" + std::to_string(program_.pid()) + "/stat");
     // The name in brackets may hold anything; the fields after it are numbers. utime and stime are
     // the 14th and 15th.
     std::istringstream fields(text.substr(text.rfind(')') + 1));

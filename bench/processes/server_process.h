@@ -29,7 +29,7 @@ public:
     // the program ended.
     ServerProcess(const std::string& path, std::vector<std::string> flags, bool wait_for_ports);
 
-    bool runs() { return program_.runs(); }
+    bool is_running() { return program_.is_running(); }
     int grpc_port() const { return grpc_port_; }
     int http_port() const { return http_port_; }
     int admin_port() const { return admin_port_; }
@@ -39,7 +39,7 @@ public:
 
     void signal(int number) { program_.signal(number); }
     // As Program::wait.
-    std::optional<int> wait(std::chrono::milliseconds patience) { return program_.wait(patience); }
+    std::optional<int> wait(std::chrono::milliseconds timeout) { return program_.wait(timeout); }
     std::string log() const { return program_.log(); }
     double cpu_seconds() const;  // so far, user and system
 

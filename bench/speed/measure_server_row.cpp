@@ -22,8 +22,8 @@ using namespace std::chrono_literals;
 using nlohmann::json;
 using Flags = std::vector<std::string>;
 
-constexpr auto join_patience = 30s;  // for all clients
-constexpr auto call_patience = 30s;  // for a server that has a long step between two answers
+constexpr auto join_timeout = 30s;  // for all clients
+constexpr auto call_timeout = 30s;  // for a server that has a long step between two answers
 constexpr auto poll_period = 50ms;
 constexpr double ramp_seconds = 1, seconds_without_end = 3600;
 // Nothing is spawned, so the scene stays what the other rows measure.
@@ -89,9 +89,9 @@ Result<std::string> Experiment::ask(Flags flags) {
     const std::string log = server_.file("answer");
     std::filesystem::remove(log);
     Program ctl(beside_this_program("jostlectl"), flags, log);
-    const auto patience = call_patience + std::chrono::duration_cast<std::chrono::milliseconds>(
+    const auto timeout = call_timeout + std::chrono::duration_cast<std::chrono::milliseconds>(
                                               std::chrono::duration<double>(request_.seconds));
-    if (ctl.wait(patience) != 0) return ended("jostlectl " + flags[2], ctl);
+    if (ctl.wait(timeout) != 0) return ended("jostlectl " + flags[2], ctl);
     return ctl.log();
 }
 
@@ -120,11 +120,11 @@ Program Experiment::start_clients() const {
 }
 
 Status Experiment::wait_for_clients(Program& load) {
-    const auto deadline = std::chrono::steady_clock::now() + join_patience;
+    const auto deadline = std::chrono::steady_clock::now() + join_timeout;
     const auto ramp_end = std::chrono::steady_clock::now() +
                           std::chrono::milliseconds(static_cast<int>(1000 * ramp_seconds));
     for (;;) {
-        if (!load.runs()) return ended("jostle-load ended", load);
+        if (!load.is_running()) return ended("jostle-load ended", load);
         const auto now = world();
         if (!now) return now.error();
         if (now->at("clients").get<int>() >= request_.clients) break;
@@ -132,7 +132,7 @@ Status Experiment::wait_for_clients(Program& load) {
             return Error{ErrorCode::deadline_exceeded,
                          "of " + std::to_string(request_.clients) + " clients " +
                              std::to_string(now->at("clients").get<int>()) + " joined in " +
-                             std::to_string(join_patience.count()) + " s"};
+                             std::to_string(join_timeout.count()) + " s"};
         std::this_thread::sleep_for(poll_period);
     }
     std::this_thread::sleep_until(ramp_end);
@@ -145,7 +145,7 @@ Status Experiment::record() {
         start("jostlectl", {"--server", server_.grpc_address(), "profile", world_,
                             server_.file("trace"), "--seconds", std::to_string(request_.seconds)});
     if (const auto resumed = ask({"resume", world_}); !resumed) return resumed.error();
-    if (profile.wait(call_patience +
+    if (profile.wait(call_timeout +
                      std::chrono::milliseconds(static_cast<int>(1000 * request_.seconds))) != 0)
         return ended("jostlectl profile", profile);
     const auto now = world();
@@ -158,7 +158,7 @@ Status Experiment::record() {
 // --- the figures ---
 
 Status Experiment::fill_ticks(ServerRow& row) {
-    const auto times = read_tick_times(text_of(server_.file("trace")));
+    const auto times = read_tick_times(read_file(server_.file("trace")));
     if (!times) return times.error();
     if (times->ms.empty()) return Error{ErrorCode::deadline_exceeded, "no tick was recorded"};
     const double period_ms = 1000 / row.hz;
@@ -177,8 +177,8 @@ Status Experiment::fill_ticks(ServerRow& row) {
 
 Status Experiment::fill_clients(ServerRow& row, Program& load) {
     load.signal(SIGTERM);
-    if (!load.wait(call_patience)) return ended("jostle-load does not end", load);
-    const json report = json::parse(text_of(server_.file("load.json")), nullptr, false);
+    if (!load.wait(call_timeout)) return ended("jostle-load does not end", load);
+    const json report = json::parse(read_file(server_.file("load.json")), nullptr, false);
     if (report.is_discarded()) return ended("jostle-load left no report", load);
     row.connected = report.at("connected").get<int>();
     row.snapshots_per_second_per_client =

@@ -183,16 +183,16 @@ int measure(const Flags& flags) {
     const TemporaryFolder folder;
     StreamRequest request = flags.request;
     request.scene = folder.path + "/turning.json";
-    const auto complain = [](const Error& error) {
+    const auto print_error = [](const Error& error) {
         show_progress("");
         std::fprintf(stderr, "jostle-bench: %s\n", error.message.c_str());
         return 1;
     };
     const auto bytes = fit_scene(request, request.scene);
-    if (!bytes.ok()) return complain(bytes.error());
+    if (!bytes.ok()) return print_error(bytes.error());
     request.bytes = *bytes;
     const auto costs = measure_all(flags, request);
-    if (!costs.ok()) return complain(costs.error());
+    if (!costs.ok()) return print_error(costs.error());
     print(*costs);
     if (flags.json.empty()) return 0;
     const nlohmann::ordered_json head = {{"benchmark", "stream"},

@@ -36,7 +36,7 @@ await finds(/no volume settings/, of => { pod(of).volumes = pod(of).volumes.filt
 await finds(/no ServiceAccount/, of => { of("ServiceAccount").metadata.name = "other"; });
 await finds(/no headless Service/, of => { of("StatefulSet").spec.serviceName = "jostle"; });
 await finds(/less than drain_timeout_seconds/, of => { pod(of).terminationGracePeriodSeconds = 20; });
-await finds(/runs as root/, of => { pod(of).securityContext.runAsUser = 0; });
+await finds(/is_running as root/, of => { pod(of).securityContext.runAsUser = 0; });
 await finds(/root can be written to/, of => { pod(of).containers[0].securityContext.readOnlyRootFilesystem = false; });
 await finds(/keeps capabilities/, of => { pod(of).containers[0].securityContext.capabilities = { add: ["NET_ADMIN"] }; });
 await finds(/allowPrivilegeEscalation/, of => { delete pod(of).containers[0].securityContext.allowPrivilegeEscalation; });

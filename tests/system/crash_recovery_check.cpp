@@ -185,7 +185,7 @@ public:
     explicit Check(const Plan& plan) : plan_(plan), random_(plan.seed) {}
 
     int run() {
-        for (int tries = 0; tries < 20 && (!server_ || !server_->runs()); tries++) {
+        for (int tries = 0; tries < 20 && (!server_ || !server_->is_running()); tries++) {
             // Below those that the system gives to who connects: to a server that is away, one of
             // these would be connected with itself.
             port_ = static_cast<int>(20000 + random_() % 10000);
@@ -203,10 +203,10 @@ public:
             play_for(std::chrono::milliseconds(early ? random_() % 120 : 300 + random_() % 900));
             if (plan_.rewinds && !rewind()) return fail("the world was not taken back");
             server_->signal(plan_.gently ? SIGTERM : SIGKILL);
-            if (!play_until(20s, [&] { return !server_->runs(); }))
+            if (!play_until(20s, [&] { return !server_->is_running(); }))
                 return fail("the server was ended and runs on");
             start(port_);
-            if (!server_->runs()) return fail("the server did not come back");
+            if (!server_->is_running()) return fail("the server did not come back");
             if (isatty(fileno(stderr)) || kill % 20 == 0)
                 std::fprintf(stderr, "%d of %d kills\n", kill, plan_.kills);
         }

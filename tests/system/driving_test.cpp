@@ -47,7 +47,7 @@ double distance_of(const PlayState& s, std::uint32_t entity) {
 TEST(Driving, a_client_steers_the_hovercraft_and_nobody_else_does) {
     ServerProcess server{
         {"--scene", "hovercraft", "--listen", "127.0.0.1:0", "--http", "127.0.0.1:0"}};
-    ASSERT_TRUE(server.runs()) << server.log();
+    ASSERT_TRUE(server.is_running()) << server.log();
     const auto driver = grpc_player(server.grpc_address());
     const auto other = websocket_player(server.http_port());
     for (Player* player : {driver.get(), other.get()}) {

@@ -28,7 +28,7 @@ struct Probe {
 
 TEST(HealthFlag, exits_with_0_while_the_server_serves_and_with_1_when_it_hangs_or_is_gone) {
     ServerProcess server({"--scene", "stack", "--listen", "127.0.0.1:0", "--http", "127.0.0.1:0"});
-    ASSERT_TRUE(server.runs()) << server.log();
+    ASSERT_TRUE(server.is_running()) << server.log();
     {
         const Probe probe(server);
         EXPECT_EQ(probe.status, 0) << probe.process.log();
@@ -62,7 +62,7 @@ TEST(HealthFlag, server_and_probe_read_the_same_environment) {
     EXPECT_THAT(wrong.log(), HasSubstr("listen: \"nonsense\" is no HOST:PORT"));
 
     ServerProcess server({"--scene", "stack", "--listen", "127.0.0.1:0", "--http", "127.0.0.1:0"});
-    EXPECT_TRUE(server.runs()) << server.log();
+    EXPECT_TRUE(server.is_running()) << server.log();
     setenv("JOSTLE_LISTEN", server.grpc_address().c_str(), 1);
     setenv("JOSTLE_HTTP", ("127.0.0.1:" + std::to_string(server.http_port())).c_str(), 1);
     ServerProcess probe({"--health"}, false);

@@ -59,7 +59,7 @@ bool poke(int port, const std::string& bytes, const std::string& wanted = {}) {
 
 TEST(Lifecycle, sigterm_tells_clients_and_exits_with_0) {
     ServerProcess server(free_ports({"--scene", "stack"}));
-    ASSERT_TRUE(server.runs()) << server.log();
+    ASSERT_TRUE(server.is_running()) << server.log();
     const auto grpc = grpc_player(server.grpc_address());
     const auto browser = websocket_player(server.http_port());
     for (const auto* player : {grpc.get(), browser.get()}) {
@@ -84,7 +84,7 @@ TEST(Lifecycle, sigterm_tells_clients_and_exits_with_0) {
 
 TEST(Lifecycle, operators_read_metrics_of_what_happens) {
     ServerProcess server(free_ports({"--scene", "stack"}));
-    ASSERT_TRUE(server.runs());
+    ASSERT_TRUE(server.is_running());
     const auto grpc = grpc_player(server.grpc_address());
     const auto browser = websocket_player(server.http_port());
     for (Player* player : {grpc.get(), browser.get()}) {
@@ -125,7 +125,7 @@ TEST(Lifecycle, operators_read_metrics_of_what_happens) {
 TEST(Lifecycle, health_is_asked_and_watched) {
     using grpc::health::v1::HealthCheckResponse;
     ServerProcess server(free_ports({"--scene", "stack"}));
-    ASSERT_TRUE(server.runs());
+    ASSERT_TRUE(server.is_running());
     const auto player = grpc_player(server.grpc_address());  // holds the drain up
     player->hello();
     ASSERT_TRUE(player->wait_until(has_snapshot));
@@ -157,7 +157,7 @@ TEST(Lifecycle, health_is_asked_and_watched) {
 
 TEST(Lifecycle, exits_at_once_when_the_last_client_leaves_or_on_a_second_signal) {
     ServerProcess one(free_ports({"--scene", "stack"})), two(free_ports({"--scene", "stack"}));
-    ASSERT_TRUE(one.runs() && two.runs());
+    ASSERT_TRUE(one.is_running() && two.is_running());
     const auto leaves = grpc_player(one.grpc_address()), stays = grpc_player(two.grpc_address());
     leaves->hello();
     stays->hello();
@@ -173,7 +173,7 @@ TEST(Lifecycle, exits_at_once_when_the_last_client_leaves_or_on_a_second_signal)
 
 TEST(Lifecycle, a_taken_port_is_a_clear_error) {
     ServerProcess first(free_ports({"--scene", "stack"}));
-    ASSERT_TRUE(first.runs());
+    ASSERT_TRUE(first.is_running());
     ServerProcess grpc(
         {"--scene", "stack", "--listen", first.grpc_address(), "--http", "127.0.0.1:0"});
     EXPECT_EQ(grpc.wait(10s), 1);
@@ -189,9 +189,9 @@ TEST(Lifecycle, a_taken_port_is_a_clear_error) {
     EXPECT_NE(watched.log().find("choose another with --admin HOST:PORT"), std::string::npos)
         << watched.log();
     ServerProcess unwatched(free_ports({"--scene", "stack", "--admin", ""}));
-    EXPECT_TRUE(unwatched.runs()) << unwatched.log();
+    EXPECT_TRUE(unwatched.is_running()) << unwatched.log();
     EXPECT_EQ(unwatched.admin_port(), 0) << "nothing listens for operators";
-    EXPECT_TRUE(first.runs());
+    EXPECT_TRUE(first.is_running());
 }
 
 TEST(Lifecycle, wrong_flags_say_what_is_wrong) {
@@ -205,7 +205,7 @@ TEST(Lifecycle, wrong_flags_say_what_is_wrong) {
 
 TEST(Lifecycle, garbage_on_both_ports_does_no_harm) {
     ServerProcess server(free_ports({"--scene", "stack"}));
-    ASSERT_TRUE(server.runs());
+    ASSERT_TRUE(server.is_running());
     std::minstd_rand random(1);
     for (int i = 0; i < 10; ++i) {
         std::string bytes(1 + random() % 20000, '\0');
@@ -225,12 +225,12 @@ TEST(Lifecycle, garbage_on_both_ports_does_no_harm) {
     const auto player = grpc_player(server.grpc_address());
     player->hello();
     EXPECT_TRUE(player->wait_until(has_snapshot));
-    EXPECT_TRUE(server.runs());
+    EXPECT_TRUE(server.is_running());
 }
 
 TEST(Lifecycle, those_who_break_the_protocol_are_told_and_ended) {
     ServerProcess server(free_ports({"--scene", "stack"}));
-    ASSERT_TRUE(server.runs());
+    ASSERT_TRUE(server.is_running());
     struct Case {
         const char* what;
         std::function<void(Player&)> misbehave;
@@ -273,12 +273,12 @@ TEST(Lifecycle, those_who_break_the_protocol_are_told_and_ended) {
     const auto stranger = websocket_player(server.http_port(), "http://elsewhere.example");
     EXPECT_TRUE(stranger->wait_for_end());
     EXPECT_TRUE(stranger->end()->starts_with("handshake")) << *stranger->end();
-    EXPECT_TRUE(server.runs());
+    EXPECT_TRUE(server.is_running());
 }
 
 TEST(Lifecycle, a_stalled_client_costs_only_itself) {
     ServerProcess server(free_ports({"--scene", "pile"}));  // a thousand bodies that move
-    ASSERT_TRUE(server.runs());
+    ASSERT_TRUE(server.is_running());
     const auto stalled_grpc = grpc_player(server.grpc_address());
     const auto stalled_browser = websocket_player(server.http_port());
     const auto good = grpc_player(server.grpc_address());
@@ -307,7 +307,7 @@ TEST(Lifecycle, a_stalled_client_costs_only_itself) {
 
 TEST(Lifecycle, worlds_are_made_joined_and_deleted) {
     ServerProcess server(free_ports({"--scene", "stack"}));
-    ASSERT_TRUE(server.runs());
+    ASSERT_TRUE(server.is_running());
     const auto worlds = world_service(server);
     const auto context = [] {
         auto made = std::make_unique<grpc::ClientContext>();

@@ -85,7 +85,7 @@ void check_inputs(const PlayState& state, const std::map<std::uint32_t, v1::Inpu
 TEST(Play, twenty_bots_and_a_browser_play_for_twenty_seconds) {
     ServerProcess server(
         {"--scene", "sandbox", "--listen", "127.0.0.1:0", "--http", "127.0.0.1:0"});
-    ASSERT_TRUE(server.runs()) << server.log();
+    ASSERT_TRUE(server.is_running()) << server.log();
     std::vector<std::unique_ptr<Player>> players;
     for (int i = 0; i < grpc_players; ++i) players.push_back(grpc_player(server.grpc_address()));
     players.push_back(websocket_player(server.http_port()));

@@ -30,7 +30,7 @@ namespace asio = boost::asio;
 
 class QueryAndEvents : public testing::Test {
 protected:
-    void SetUp() override { ASSERT_TRUE(server.runs()) << server.log(); }
+    void SetUp() override { ASSERT_TRUE(server.is_running()) << server.log(); }
     void TearDown() override {
         server.signal(SIGTERM);
         EXPECT_EQ(server.wait(10s), 0) << server.log();

@@ -22,17 +22,17 @@ TEST(ObservedOrder, is_nothing_where_nothing_can_be_said) {
     EXPECT_FALSE(observed_order(std::nan(""), 0.01, 2));
 }
 
-const std::vector<WorkError> runs = {{10, 0.1}, {5, 0.1}, {20, 0.2}, {40, 0.001}, {5, 0.3}};
+const std::vector<WorkError> is_running = {{10, 0.1}, {5, 0.1}, {20, 0.2}, {40, 0.001}, {5, 0.3}};
 
 TEST(ParetoSet, leaves_out_what_another_beats) {
-    EXPECT_EQ(pareto_set(runs), (std::vector<std::size_t>{1, 3}));
+    EXPECT_EQ(pareto_set(is_running), (std::vector<std::size_t>{1, 3}));
     EXPECT_TRUE(pareto_set({}).empty());
 }
 
 TEST(LeastWork, is_the_cheapest_that_is_good_enough) {
-    EXPECT_EQ(least_work(runs, 0.3), 1u);  // not the last, which costs as much
-    EXPECT_EQ(least_work(runs, 0.01), 3u);
-    EXPECT_FALSE(least_work(runs, 1e-6));
+    EXPECT_EQ(least_work(is_running, 0.3), 1u);  // not the last, which costs as much
+    EXPECT_EQ(least_work(is_running, 0.01), 3u);
+    EXPECT_FALSE(least_work(is_running, 1e-6));
 }
 
 TEST(Rms, is_nothing_of_nothing) {

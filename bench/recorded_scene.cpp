@@ -30,13 +30,13 @@ wire::QuantizedFrame quantized(std::uint32_t tick, const std::vector<physics::Bo
 
 }  // namespace
 
-Result<RecordedScene> record_scene(const std::string& name, double seconds,
+Result<CapturedScene> record_scene(const std::string& name, double seconds,
                                    const wire::QuantSpec& spec) {
     const auto scene = scenes::find_scene(name);
     if (!scene) return unknown_scene(name);
     auto built = scenes::build_scene(*scene);
     if (!built) return Error{built.error().code, name + ": " + built.error().message};
-    RecordedScene recorded{.frames = {}, .hz = scene->hz};
+    CapturedScene recorded{.frames = {}, .hz = scene->hz};
     std::vector<physics::BodyState> bodies;
     double spent = 0;
     std::size_t count = 0;

@@ -12,14 +12,14 @@
 
 namespace jostle::bench {
 
-struct RecordedScene {
+struct CapturedScene {
     std::vector<wire::QuantizedFrame> frames;  // 1, 2, ...
     double hz = 60;
     double quantize_ns_per_body = 0;
 };
 
 // An error names the scene and what there is instead, or why its world stopped.
-Result<RecordedScene> record_scene(const std::string& name, double seconds,
+Result<CapturedScene> record_scene(const std::string& name, double seconds,
                                    const wire::QuantSpec& spec);
 
 // Bodies of `now` whose pose differs from that in `base`, which has the same bodies.

@@ -30,7 +30,7 @@ wire::QuantizedFrame quantized(std::uint32_t tick, const std::vector<physics::Bo
 
 }  // namespace
 
-Result<CapturedScene> record_scene(const std::string& name, double seconds,
+Result<CapturedScene> capture_scene(const std::string& name, double seconds,
                                    const wire::QuantSpec& spec) {
     const auto scene = scenes::find_scene(name);
     if (!scene) return unknown_scene(name);

@@ -110,7 +110,7 @@ int train(const std::string& folder) {
     Counts counts[2];
     for (Counts& table : counts) table.resize(wire::frame_model_count);
     for (const char* scene : scenes) {
-        const auto recorded = record_scene(scene, seconds, {});
+        const auto recorded = capture_scene(scene, seconds, {});
         if (!recorded.ok()) {
             std::fprintf(stderr, "train-start-models: %s\n", recorded.error().message.c_str());
             return 1;

@@ -73,7 +73,7 @@ int run(const Flags& flags) {
     std::printf("%-10s %6s %4s %5s %8s %8s %6s %8s %8s\n", "scene", "bodies", "age", "codec",
                 "moving", "bytes", "bits", "encode", "decode");
     for (const std::string& scene : flags.scenes) {
-        const auto recording = bench::record_scene(scene, flags.seconds, {});
+        const auto recording = bench::capture_scene(scene, flags.seconds, {});
         if (!recording.ok()) {
             std::fprintf(stderr, "wire-bench: %s\n", recording.error().message.c_str());
             return 1;

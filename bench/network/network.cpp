@@ -114,7 +114,7 @@ double mean_moving(const Frames& frames, std::size_t age) {
 // The rows of one quantisation; false after a fault, which it told.
 bool measure(nlohmann::ordered_json& rows, const NetworkFlags& flags, const wire::QuantSpec& spec) {
     show_progress("katamari");
-    const auto recorded = record_scene("katamari", flags.seconds, spec);
+    const auto recorded = capture_scene("katamari", flags.seconds, spec);
     show_progress("");
     if (!recorded.ok()) {
         std::fprintf(stderr, "jostle-bench: %s\n", recorded.error().message.c_str());

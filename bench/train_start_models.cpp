@@ -9,7 +9,7 @@
 #include <cstdio>
 #include <fstream>
 
-#include "bench/recorded_scene.h"
+#include "bench/captured_scene.h"
 #include "jostle/snapshot/range_frame_serializer.h"
 
 namespace jostle::bench {

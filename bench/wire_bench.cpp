@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "bench/measure.h"
-#include "bench/recorded_scene.h"
+#include "bench/captured_scene.h"
 #include "jostle/snapshot/frame_codec.h"
 
 namespace {

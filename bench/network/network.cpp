@@ -9,7 +9,7 @@
 
 #include "bench/measure.h"
 #include "bench/network/giesen_model.h"
-#include "bench/recorded_scene.h"
+#include "bench/captured_scene.h"
 #include "bench/result_file.h"
 #include "jostle/snapshot/frame_codec.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/recorded_scene.h"
+#include "bench/captured_scene.h"
 
 #include <algorithm>
 

@@ -258,7 +258,7 @@ int run(const Flags& flags) {
         for (const std::uint32_t bodies : flags.bodies)
             for (const std::string& moving : flags.moving) {
                 const Cell cell{arrangement, moving, bodies};
-                const Workload work = record_workload(arrangement_names.at(arrangement),
+                const Workload work = generate_workload(arrangement_names.at(arrangement),
                                                       moving_names.at(moving), bodies);
                 std::vector<Candidate> candidates;
                 for (const std::string& kind : flags.kinds)

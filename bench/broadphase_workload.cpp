@@ -127,7 +127,7 @@ std::vector<BoxRay> random_rays(const Aabb& room, Random& random) {
 
 }  // namespace
 
-Workload record_workload(Arrangement arrangement, Moving moving, std::uint32_t count) {
+Workload generate_workload(Arrangement arrangement, Moving moving, std::uint32_t count) {
     Random random;
     std::vector<Body> bodies = place(arrangement, count, random);
     Aabb room = room_of(bodies);

@@ -39,6 +39,6 @@ struct Workload {
 };
 
 // The same for the same arguments, on every machine.
-Workload record_workload(Arrangement arrangement, Moving moving, std::uint32_t bodies);
+Workload generate_workload(Arrangement arrangement, Moving moving, std::uint32_t bodies);
 
 }  // namespace jostle::bench

@@ -8,7 +8,7 @@
 #include <memory>
 #include <vector>
 
-#include "bench/stream/floor.h"
+#include "bench/stream/minimal_server.h"
 
 namespace jostle::bench {
 namespace {

@@ -2,7 +2,7 @@
 #include <cstdio>
 #include <fstream>
 
-#include "bench/stream/floor.h"
+#include "bench/stream/minimal_server.h"
 #include "jostle/v1/play.pb.h"
 
 namespace jostle::bench {

@@ -13,7 +13,7 @@
 #include <cstring>
 #include <vector>
 
-#include "bench/stream/floor.h"
+#include "bench/stream/minimal_server.h"
 
 namespace jostle::bench {
 namespace {

@@ -9,7 +9,7 @@
 #include <list>
 #include <memory>
 
-#include "bench/stream/floor.h"
+#include "bench/stream/minimal_server.h"
 
 namespace jostle::bench {
 namespace {

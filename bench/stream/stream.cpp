@@ -12,7 +12,7 @@
 #include "bench/measure.h"
 #include "bench/processes/server_process.h"
 #include "bench/result_file.h"
-#include "bench/stream/floor.h"
+#include "bench/stream/minimal_server.h"
 #include "bench/stream/stream_row.h"
 #include "jostle/base/format_text.h"
 #include "tools/load/load_run.h"

@@ -34,7 +34,7 @@ struct FloorStream {
 
 class GrpcFloor {
 public:
-    explicit GrpcFloor(const FloorOptions& options) : options_(options) {}
+    explicit GrpcFloor(const MinimalServerOptions& options) : options_(options) {}
 
     Status listen();
     void run(const std::atomic<bool>& stop);
@@ -44,7 +44,7 @@ private:
     void handle(const FloorTag& tag, bool ok);
     void write_to_all();
 
-    const FloorOptions& options_;
+    const MinimalServerOptions& options_;
     grpc::AsyncGenericService service_;
     std::unique_ptr<grpc::ServerCompletionQueue> queue_;
     std::unique_ptr<grpc::Server> server_;
@@ -132,7 +132,7 @@ void GrpcFloor::run(const std::atomic<bool>& stop) {
 
 }  // namespace
 
-Status serve_grpc_floor(const FloorOptions& options, const std::atomic<bool>& stop) {
+Status serve_grpc_floor(const MinimalServerOptions& options, const std::atomic<bool>& stop) {
     // Debian builds absl with it on; it costs a tenth of all and finds nothing in a floor.
     absl::SetMutexDeadlockDetectionMode(absl::OnDeadlockCycle::kIgnore);
     GrpcFloor floor(options);

@@ -26,7 +26,7 @@ Error failed(const char* what) {
 
 class RawFloor {
 public:
-    explicit RawFloor(const FloorOptions& options) : options_(options) {}
+    explicit RawFloor(const MinimalServerOptions& options) : options_(options) {}
     ~RawFloor() {
         for (const int client : clients_) close(client);
         if (listener_ >= 0) close(listener_);
@@ -44,7 +44,7 @@ private:
     void drop(int client);
     void send_to_all();
 
-    const FloorOptions& options_;
+    const MinimalServerOptions& options_;
     int listener_ = -1, epoll_ = -1;
     std::vector<int> clients_;
     std::uint32_t frame_ = 0;
@@ -128,7 +128,7 @@ void RawFloor::run(const std::atomic<bool>& stop) {
 
 }  // namespace
 
-Status serve_raw_floor(const FloorOptions& options, const std::atomic<bool>& stop) {
+Status serve_raw_floor(const MinimalServerOptions& options, const std::atomic<bool>& stop) {
     RawFloor floor(options);
     if (Status listening = floor.listen(); !listening.ok()) return listening;
     floor.run(stop);

@@ -14,18 +14,18 @@
 
 namespace jostle::bench {
 
-struct FloorOptions {
+struct MinimalServerOptions {
     int bytes = 1000;       // of a message: the part that all clients share
     double hz = 60;         // messages a second to each client
     std::string port_file;  // is told the port, as jostle-server tells its own
 };
 
 // Messages with their length, over bare sockets.
-Status serve_raw_floor(const FloorOptions& options, const std::atomic<bool>& stop);
+Status serve_raw_floor(const MinimalServerOptions& options, const std::atomic<bool>& stop);
 // gRPC: a completion queue that ticks itself, raw byte buffers, the shared part a shared slice.
-Status serve_grpc_floor(const FloorOptions& options, const std::atomic<bool>& stop);
+Status serve_grpc_floor(const MinimalServerOptions& options, const std::atomic<bool>& stop);
 // WebSocket: Beast, the shared part in a buffer sequence.
-Status serve_websocket_floor(const FloorOptions& options, const std::atomic<bool>& stop);
+Status serve_websocket_floor(const MinimalServerOptions& options, const std::atomic<bool>& stop);
 
 // The two parts of one message, as ours are: what a client has for itself goes first, and together
 // they are a ServerMessage with a snapshot.

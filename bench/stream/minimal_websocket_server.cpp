@@ -70,7 +70,7 @@ private:
 
 class WebSocketFloor {
 public:
-    explicit WebSocketFloor(const FloorOptions& options)
+    explicit WebSocketFloor(const MinimalServerOptions& options)
         : options_(options),
           period_(std::chrono::duration_cast<FloorClock::duration>(
               std::chrono::duration<double>(1 / options.hz))) {}
@@ -126,7 +126,7 @@ private:
         }
     }
 
-    const FloorOptions& options_;
+    const MinimalServerOptions& options_;
     const FloorClock::duration period_;
     asio::io_context context_{1};
     tcp::acceptor acceptor_{context_};
@@ -138,7 +138,7 @@ private:
 
 }  // namespace
 
-Status serve_websocket_floor(const FloorOptions& options, const std::atomic<bool>& stop) {
+Status serve_websocket_floor(const MinimalServerOptions& options, const std::atomic<bool>& stop) {
     WebSocketFloor floor(options);
     if (Status listening = floor.listen(); !listening.ok()) return listening;
     floor.run(stop);

@@ -51,7 +51,7 @@ std::atomic<bool> stop_floor{false};
 int serve(const Flags& flags) {
     std::signal(SIGTERM, [](int) { stop_floor = true; });
     std::signal(SIGINT, [](int) { stop_floor = true; });
-    const FloorOptions options{.bytes = flags.request.bytes, .port_file = flags.port_file};
+    const MinimalServerOptions options{.bytes = flags.request.bytes, .port_file = flags.port_file};
     const Status status = flags.serve == name_of(StreamKind::raw)
                               ? serve_raw_floor(options, stop_floor)
                           : flags.serve == name_of(StreamKind::grpc_floor)

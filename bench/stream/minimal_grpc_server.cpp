@@ -96,7 +96,7 @@ void GrpcFloor::handle(const FloorTag& tag, bool ok) {
 }
 
 void GrpcFloor::write_to_all() {
-    const FloorMessage message = make_floor_message(options_.bytes, ++frame_);
+    const MinimalServerMessage message = make_floor_message(options_.bytes, ++frame_);
     const grpc::Slice shared(message.shared);
     for (std::size_t k = 0; k < accepted_; k++) {
         FloorStream& stream = *streams_[k];

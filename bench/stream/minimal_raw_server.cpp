@@ -92,7 +92,7 @@ void RawFloor::on_event(int descriptor) {
 }
 
 void RawFloor::send_to_all() {
-    const FloorMessage message = make_floor_message(options_.bytes, ++frame_);
+    const MinimalServerMessage message = make_floor_message(options_.bytes, ++frame_);
     const std::size_t size = message.head.size() + message.shared.size();
     std::string head;
     for (unsigned k = 0; k < 4; k++) head.push_back(static_cast<char>(size >> (8 * k)));

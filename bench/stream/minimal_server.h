@@ -29,10 +29,10 @@ Status serve_websocket_floor(const MinimalServerOptions& options, const std::ato
 
 // The two parts of one message, as ours are: what a client has for itself goes first, and together
 // they are a ServerMessage with a snapshot.
-struct FloorMessage {
+struct MinimalServerMessage {
     std::string head, shared;
 };
-FloorMessage make_floor_message(int bytes, std::uint32_t frame);
+MinimalServerMessage make_floor_message(int bytes, std::uint32_t frame);
 
 // Written beside the file and renamed: who waits for it reads all of it.
 Status tell_port(const std::string& port_file, int port);

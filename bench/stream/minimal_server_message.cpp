@@ -7,7 +7,7 @@
 
 namespace jostle::bench {
 
-FloorMessage make_floor_message(int bytes, std::uint32_t frame) {
+MinimalServerMessage make_floor_message(int bytes, std::uint32_t frame) {
     v1::Snapshot snapshot;
     snapshot.set_frame(frame);
     snapshot.set_baselines(1);
@@ -17,7 +17,7 @@ FloorMessage make_floor_message(int bytes, std::uint32_t frame) {
     for (std::size_t k = 0; k < packed.size(); k++)
         packed[k] = static_cast<char>((k * 2654435761u + frame) >> 7);
     snapshot.set_packed(packed);
-    FloorMessage message{.head = {}, .shared = snapshot.SerializeAsString()};
+    MinimalServerMessage message{.head = {}, .shared = snapshot.SerializeAsString()};
     // The tag of ServerMessage.snapshot and the length.
     message.head.push_back(v1::ServerMessage::kSnapshotFieldNumber << 3 | 2);
     std::size_t size = message.shared.size();

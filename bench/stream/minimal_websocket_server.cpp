@@ -18,7 +18,7 @@ namespace asio = boost::asio;
 namespace beast = boost::beast;
 using tcp = asio::ip::tcp;
 using FloorClock = std::chrono::steady_clock;
-using SharedMessage = std::shared_ptr<const FloorMessage>;
+using SharedMessage = std::shared_ptr<const MinimalServerMessage>;
 
 // Kept alive by the read that is always in flight.
 class FloorSocket : public std::enable_shared_from_this<FloorSocket> {
@@ -115,7 +115,7 @@ private:
 
     void write_to_all() {
         const auto message =
-            std::make_shared<const FloorMessage>(make_floor_message(options_.bytes, ++frame_));
+            std::make_shared<const MinimalServerMessage>(make_floor_message(options_.bytes, ++frame_));
         for (auto client = clients_.begin(); client != clients_.end();) {
             if (const auto socket = client->lock()) {
                 socket->write(message);

@@ -13,7 +13,7 @@
 namespace jostle::bench {
 namespace {
 
-using FloorClock = std::chrono::steady_clock;
+using ServerClock = std::chrono::steady_clock;
 
 struct FloorStream;
 
@@ -108,17 +108,17 @@ void GrpcFloor::write_to_all() {
 }
 
 void GrpcFloor::run(const std::atomic<bool>& stop) {
-    const auto period = std::chrono::duration_cast<FloorClock::duration>(
+    const auto period = std::chrono::duration_cast<ServerClock::duration>(
         std::chrono::duration<double>(1 / options_.hz));
-    auto next = FloorClock::now() + period;
+    auto next = ServerClock::now() + period;
     while (!stop) {
         void* tag = nullptr;
         bool ok = false;
-        const auto wait = std::max(FloorClock::duration::zero(), next - FloorClock::now());
+        const auto wait = std::max(ServerClock::duration::zero(), next - ServerClock::now());
         const auto deadline = std::chrono::system_clock::now() + wait;
         if (queue_->AsyncNext(&tag, &ok, deadline) == grpc::CompletionQueue::GOT_EVENT)
             handle(*static_cast<FloorTag*>(tag), ok);
-        if (FloorClock::now() < next) continue;
+        if (ServerClock::now() < next) continue;
         write_to_all();
         next += period;
     }

@@ -18,7 +18,7 @@
 namespace jostle::bench {
 namespace {
 
-using FloorClock = std::chrono::steady_clock;
+using ServerClock = std::chrono::steady_clock;
 
 Error failed(const char* what) {
     return {ErrorCode::unavailable, std::string(what) + ": " + std::strerror(errno)};
@@ -110,17 +110,17 @@ void RawFloor::send_to_all() {
 }
 
 void RawFloor::run(const std::atomic<bool>& stop) {
-    const auto period = std::chrono::duration_cast<FloorClock::duration>(
+    const auto period = std::chrono::duration_cast<ServerClock::duration>(
         std::chrono::duration<double>(1 / options_.hz));
-    auto next = FloorClock::now() + period;
+    auto next = ServerClock::now() + period;
     std::array<epoll_event, 256> events{};
     while (!stop) {
         const auto wait = std::chrono::ceil<std::chrono::milliseconds>(
-            std::max(FloorClock::duration::zero(), next - FloorClock::now()));
+            std::max(ServerClock::duration::zero(), next - ServerClock::now()));
         const int count = epoll_wait(epoll_, events.data(), static_cast<int>(events.size()),
                                      static_cast<int>(wait.count()));
         for (int k = 0; k < count; k++) on_event(events[static_cast<std::size_t>(k)].data.fd);
-        if (FloorClock::now() < next) continue;
+        if (ServerClock::now() < next) continue;
         send_to_all();
         next += period;
     }

@@ -17,7 +17,7 @@ namespace {
 namespace asio = boost::asio;
 namespace beast = boost::beast;
 using tcp = asio::ip::tcp;
-using FloorClock = std::chrono::steady_clock;
+using ServerClock = std::chrono::steady_clock;
 using SharedMessage = std::shared_ptr<const MinimalServerMessage>;
 
 // Kept alive by the read that is always in flight.
@@ -72,7 +72,7 @@ class WebSocketFloor {
 public:
     explicit WebSocketFloor(const MinimalServerOptions& options)
         : options_(options),
-          period_(std::chrono::duration_cast<FloorClock::duration>(
+          period_(std::chrono::duration_cast<ServerClock::duration>(
               std::chrono::duration<double>(1 / options.hz))) {}
 
     Status listen() {
@@ -87,7 +87,7 @@ public:
     }
 
     void run(const std::atomic<bool>& stop) {
-        next_ = FloorClock::now();
+        next_ = ServerClock::now();
         tick(stop);
         context_.run();
     }
@@ -127,11 +127,11 @@ private:
     }
 
     const MinimalServerOptions& options_;
-    const FloorClock::duration period_;
+    const ServerClock::duration period_;
     asio::io_context context_{1};
     tcp::acceptor acceptor_{context_};
     asio::steady_timer timer_{context_};
-    FloorClock::time_point next_{};
+    ServerClock::time_point next_{};
     std::list<std::weak_ptr<FloorSocket>> clients_;
     std::uint32_t frame_ = 0;
 };

@@ -17,7 +17,7 @@ using ServerClock = std::chrono::steady_clock;
 
 struct FloorStream;
 
-struct FloorTag {
+struct CallTag {
     enum class Event { accepted, read, wrote };
     FloorStream* stream;
     Event event;
@@ -27,8 +27,8 @@ struct FloorStream {
     grpc::GenericServerContext context;
     grpc::GenericServerAsyncReaderWriter stream{&context};
     grpc::ByteBuffer incoming;
-    FloorTag accepted{this, FloorTag::Event::accepted}, read{this, FloorTag::Event::read},
-        wrote{this, FloorTag::Event::wrote};
+    CallTag accepted{this, CallTag::Event::accepted}, read{this, CallTag::Event::read},
+        wrote{this, CallTag::Event::wrote};
     bool writing = false, over = false;
 };
 
@@ -41,7 +41,7 @@ public:
 
 private:
     void request_call();
-    void handle(const FloorTag& tag, bool ok);
+    void handle(const CallTag& tag, bool ok);
     void write_to_all();
 
     const MinimalServerOptions& options_;
@@ -73,23 +73,23 @@ void GrpcFloor::request_call() {
 }
 
 // Acks are read and not looked at.
-void GrpcFloor::handle(const FloorTag& tag, bool ok) {
+void GrpcFloor::handle(const CallTag& tag, bool ok) {
     FloorStream& stream = *tag.stream;
     switch (tag.event) {
-        case FloorTag::Event::accepted:
+        case CallTag::Event::accepted:
             if (!ok) return;
             accepted_ = streams_.size();
             request_call();
             stream.stream.Read(&stream.incoming, &stream.read);
             return;
-        case FloorTag::Event::read:
+        case CallTag::Event::read:
             stream.incoming.Clear();
             if (ok)
                 stream.stream.Read(&stream.incoming, &stream.read);
             else
                 stream.over = true;
             return;
-        case FloorTag::Event::wrote:
+        case CallTag::Event::wrote:
             stream.writing = false;
             return;
     }
@@ -117,7 +117,7 @@ void GrpcFloor::run(const std::atomic<bool>& stop) {
         const auto wait = std::max(ServerClock::duration::zero(), next - ServerClock::now());
         const auto deadline = std::chrono::system_clock::now() + wait;
         if (queue_->AsyncNext(&tag, &ok, deadline) == grpc::CompletionQueue::GOT_EVENT)
-            handle(*static_cast<FloorTag*>(tag), ok);
+            handle(*static_cast<CallTag*>(tag), ok);
         if (ServerClock::now() < next) continue;
         write_to_all();
         next += period;

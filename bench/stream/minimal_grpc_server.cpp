@@ -15,15 +15,15 @@ namespace {
 
 using ServerClock = std::chrono::steady_clock;
 
-struct FloorStream;
+struct MinimalStream;
 
 struct CallTag {
     enum class Event { accepted, read, wrote };
-    FloorStream* stream;
+    MinimalStream* stream;
     Event event;
 };
 
-struct FloorStream {
+struct MinimalStream {
     grpc::GenericServerContext context;
     grpc::GenericServerAsyncReaderWriter stream{&context};
     grpc::ByteBuffer incoming;
@@ -49,7 +49,7 @@ private:
     std::unique_ptr<grpc::ServerCompletionQueue> queue_;
     std::unique_ptr<grpc::Server> server_;
     // Those that are over stay until the end: a benchmark has few.
-    std::vector<std::unique_ptr<FloorStream>> streams_;
+    std::vector<std::unique_ptr<MinimalStream>> streams_;
     std::size_t accepted_ = 0;  // the first so many of streams_, which are accepted in their order
     std::uint32_t frame_ = 0;
 };
@@ -67,14 +67,14 @@ Status GrpcFloor::listen() {
 }
 
 void GrpcFloor::request_call() {
-    streams_.push_back(std::make_unique<FloorStream>());
-    FloorStream& next = *streams_.back();
+    streams_.push_back(std::make_unique<MinimalStream>());
+    MinimalStream& next = *streams_.back();
     service_.RequestCall(&next.context, &next.stream, queue_.get(), queue_.get(), &next.accepted);
 }
 
 // Acks are read and not looked at.
 void GrpcFloor::handle(const CallTag& tag, bool ok) {
-    FloorStream& stream = *tag.stream;
+    MinimalStream& stream = *tag.stream;
     switch (tag.event) {
         case CallTag::Event::accepted:
             if (!ok) return;
@@ -99,7 +99,7 @@ void GrpcFloor::write_to_all() {
     const MinimalServerMessage message = make_floor_message(options_.bytes, ++frame_);
     const grpc::Slice shared(message.shared);
     for (std::size_t k = 0; k < accepted_; k++) {
-        FloorStream& stream = *streams_[k];
+        MinimalStream& stream = *streams_[k];
         if (stream.writing || stream.over) continue;
         const std::array<grpc::Slice, 2> slices{grpc::Slice(message.head), shared};
         stream.writing = true;

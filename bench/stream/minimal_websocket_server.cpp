@@ -21,9 +21,9 @@ using ServerClock = std::chrono::steady_clock;
 using SharedMessage = std::shared_ptr<const MinimalServerMessage>;
 
 // Kept alive by the read that is always in flight.
-class FloorSocket : public std::enable_shared_from_this<FloorSocket> {
+class MinimalWebSocketSession : public std::enable_shared_from_this<MinimalWebSocketSession> {
 public:
-    explicit FloorSocket(tcp::socket socket) : socket_(std::move(socket)) {
+    explicit MinimalWebSocketSession(tcp::socket socket) : socket_(std::move(socket)) {
         beast::error_code ignored;
         socket_.next_layer().set_option(tcp::no_delay(true), ignored);
         socket_.binary(true);
@@ -96,7 +96,7 @@ private:
     void accept() {
         acceptor_.async_accept([this](beast::error_code error, tcp::socket socket) {
             if (error) return;
-            const auto client = std::make_shared<FloorSocket>(std::move(socket));
+            const auto client = std::make_shared<MinimalWebSocketSession>(std::move(socket));
             clients_.push_back(client);
             client->start();
             accept();
@@ -132,7 +132,7 @@ private:
     tcp::acceptor acceptor_{context_};
     asio::steady_timer timer_{context_};
     ServerClock::time_point next_{};
-    std::list<std::weak_ptr<FloorSocket>> clients_;
+    std::list<std::weak_ptr<MinimalWebSocketSession>> clients_;
     std::uint32_t frame_ = 0;
 };
 

@@ -32,9 +32,9 @@ struct MinimalStream {
     bool writing = false, over = false;
 };
 
-class GrpcFloor {
+class MinimalGrpcServer {
 public:
-    explicit GrpcFloor(const MinimalServerOptions& options) : options_(options) {}
+    explicit MinimalGrpcServer(const MinimalServerOptions& options) : options_(options) {}
 
     Status listen();
     void run(const std::atomic<bool>& stop);
@@ -54,7 +54,7 @@ private:
     std::uint32_t frame_ = 0;
 };
 
-Status GrpcFloor::listen() {
+Status MinimalGrpcServer::listen() {
     grpc::ServerBuilder builder;
     int port = 0;
     builder.AddListeningPort("127.0.0.1:0", grpc::InsecureServerCredentials(), &port);
@@ -66,14 +66,14 @@ Status GrpcFloor::listen() {
     return tell_port(options_.port_file, port);
 }
 
-void GrpcFloor::request_call() {
+void MinimalGrpcServer::request_call() {
     streams_.push_back(std::make_unique<MinimalStream>());
     MinimalStream& next = *streams_.back();
     service_.RequestCall(&next.context, &next.stream, queue_.get(), queue_.get(), &next.accepted);
 }
 
 // Acks are read and not looked at.
-void GrpcFloor::handle(const CallTag& tag, bool ok) {
+void MinimalGrpcServer::handle(const CallTag& tag, bool ok) {
     MinimalStream& stream = *tag.stream;
     switch (tag.event) {
         case CallTag::Event::accepted:
@@ -95,7 +95,7 @@ void GrpcFloor::handle(const CallTag& tag, bool ok) {
     }
 }
 
-void GrpcFloor::write_to_all() {
+void MinimalGrpcServer::write_to_all() {
     const MinimalServerMessage message = make_floor_message(options_.bytes, ++frame_);
     const grpc::Slice shared(message.shared);
     for (std::size_t k = 0; k < accepted_; k++) {
@@ -107,7 +107,7 @@ void GrpcFloor::write_to_all() {
     }
 }
 
-void GrpcFloor::run(const std::atomic<bool>& stop) {
+void MinimalGrpcServer::run(const std::atomic<bool>& stop) {
     const auto period = std::chrono::duration_cast<ServerClock::duration>(
         std::chrono::duration<double>(1 / options_.hz));
     auto next = ServerClock::now() + period;
@@ -135,7 +135,7 @@ void GrpcFloor::run(const std::atomic<bool>& stop) {
 Status serve_grpc_floor(const MinimalServerOptions& options, const std::atomic<bool>& stop) {
     // Debian builds absl with it on; it costs a tenth of all and finds nothing in a floor.
     absl::SetMutexDeadlockDetectionMode(absl::OnDeadlockCycle::kIgnore);
-    GrpcFloor floor(options);
+    MinimalGrpcServer floor(options);
     if (Status listening = floor.listen(); !listening.ok()) return listening;
     floor.run(stop);
     return {};

@@ -24,16 +24,16 @@ Error failed(const char* what) {
     return {ErrorCode::unavailable, std::string(what) + ": " + std::strerror(errno)};
 }
 
-class RawFloor {
+class MinimalRawServer {
 public:
-    explicit RawFloor(const MinimalServerOptions& options) : options_(options) {}
-    ~RawFloor() {
+    explicit MinimalRawServer(const MinimalServerOptions& options) : options_(options) {}
+    ~MinimalRawServer() {
         for (const int client : clients_) close(client);
         if (listener_ >= 0) close(listener_);
         if (epoll_ >= 0) close(epoll_);
     }
-    RawFloor(const RawFloor&) = delete;
-    RawFloor& operator=(const RawFloor&) = delete;
+    MinimalRawServer(const MinimalRawServer&) = delete;
+    MinimalRawServer& operator=(const MinimalRawServer&) = delete;
 
     Status listen();
     void run(const std::atomic<bool>& stop);
@@ -50,7 +50,7 @@ private:
     std::uint32_t frame_ = 0;
 };
 
-Status RawFloor::listen() {
+Status MinimalRawServer::listen() {
     listener_ = socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
     sockaddr_in address{};
     address.sin_family = AF_INET;
@@ -66,7 +66,7 @@ Status RawFloor::listen() {
     return tell_port(options_.port_file, ntohs(address.sin_port));
 }
 
-void RawFloor::accept_all() {
+void MinimalRawServer::accept_all() {
     for (;;) {
         const int client = accept4(listener_, nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC);
         if (client < 0) return;
@@ -78,20 +78,20 @@ void RawFloor::accept_all() {
     }
 }
 
-void RawFloor::drop(int client) {
+void MinimalRawServer::drop(int client) {
     close(client);
     std::erase(clients_, client);
 }
 
 // Acks are read and not looked at.
-void RawFloor::on_event(int descriptor) {
+void MinimalRawServer::on_event(int descriptor) {
     if (descriptor == listener_) return accept_all();
     std::array<char, 4096> scratch;
     const ssize_t size = recv(descriptor, scratch.data(), scratch.size(), 0);
     if (size == 0 || (size < 0 && errno != EAGAIN)) drop(descriptor);
 }
 
-void RawFloor::send_to_all() {
+void MinimalRawServer::send_to_all() {
     const MinimalServerMessage message = make_floor_message(options_.bytes, ++frame_);
     const std::size_t size = message.head.size() + message.shared.size();
     std::string head;
@@ -109,7 +109,7 @@ void RawFloor::send_to_all() {
             drop(client);
 }
 
-void RawFloor::run(const std::atomic<bool>& stop) {
+void MinimalRawServer::run(const std::atomic<bool>& stop) {
     const auto period = std::chrono::duration_cast<ServerClock::duration>(
         std::chrono::duration<double>(1 / options_.hz));
     auto next = ServerClock::now() + period;
@@ -129,7 +129,7 @@ void RawFloor::run(const std::atomic<bool>& stop) {
 }  // namespace
 
 Status serve_raw_floor(const MinimalServerOptions& options, const std::atomic<bool>& stop) {
-    RawFloor floor(options);
+    MinimalRawServer floor(options);
     if (Status listening = floor.listen(); !listening.ok()) return listening;
     floor.run(stop);
     return {};

@@ -68,9 +68,9 @@ private:
     bool open_ = false, writing_ = false;
 };
 
-class WebSocketFloor {
+class MinimalWebSocketServer {
 public:
-    explicit WebSocketFloor(const MinimalServerOptions& options)
+    explicit MinimalWebSocketServer(const MinimalServerOptions& options)
         : options_(options),
           period_(std::chrono::duration_cast<ServerClock::duration>(
               std::chrono::duration<double>(1 / options.hz))) {}
@@ -139,7 +139,7 @@ private:
 }  // namespace
 
 Status serve_websocket_floor(const MinimalServerOptions& options, const std::atomic<bool>& stop) {
-    WebSocketFloor floor(options);
+    MinimalWebSocketServer floor(options);
     if (Status listening = floor.listen(); !listening.ok()) return listening;
     floor.run(stop);
     return {};

@@ -96,7 +96,7 @@ void MinimalGrpcServer::handle(const CallTag& tag, bool ok) {
 }
 
 void MinimalGrpcServer::write_to_all() {
-    const MinimalServerMessage message = make_floor_message(options_.bytes, ++frame_);
+    const MinimalServerMessage message = make_minimal_server_message(options_.bytes, ++frame_);
     const grpc::Slice shared(message.shared);
     for (std::size_t k = 0; k < accepted_; k++) {
         MinimalStream& stream = *streams_[k];
@@ -132,7 +132,7 @@ void MinimalGrpcServer::run(const std::atomic<bool>& stop) {
 
 }  // namespace
 
-Status serve_grpc_floor(const MinimalServerOptions& options, const std::atomic<bool>& stop) {
+Status serve_minimal_grpc(const MinimalServerOptions& options, const std::atomic<bool>& stop) {
     // Debian builds absl with it on; it costs a tenth of all and finds nothing in a floor.
     absl::SetMutexDeadlockDetectionMode(absl::OnDeadlockCycle::kIgnore);
     MinimalGrpcServer floor(options);

@@ -92,7 +92,7 @@ void MinimalRawServer::on_event(int descriptor) {
 }
 
 void MinimalRawServer::send_to_all() {
-    const MinimalServerMessage message = make_floor_message(options_.bytes, ++frame_);
+    const MinimalServerMessage message = make_minimal_server_message(options_.bytes, ++frame_);
     const std::size_t size = message.head.size() + message.shared.size();
     std::string head;
     for (unsigned k = 0; k < 4; k++) head.push_back(static_cast<char>(size >> (8 * k)));
@@ -128,7 +128,7 @@ void MinimalRawServer::run(const std::atomic<bool>& stop) {
 
 }  // namespace
 
-Status serve_raw_floor(const MinimalServerOptions& options, const std::atomic<bool>& stop) {
+Status serve_minimal_raw(const MinimalServerOptions& options, const std::atomic<bool>& stop) {
     MinimalRawServer floor(options);
     if (Status listening = floor.listen(); !listening.ok()) return listening;
     floor.run(stop);

@@ -21,18 +21,18 @@ struct MinimalServerOptions {
 };
 
 // Messages with their length, over bare sockets.
-Status serve_raw_floor(const MinimalServerOptions& options, const std::atomic<bool>& stop);
+Status serve_minimal_raw(const MinimalServerOptions& options, const std::atomic<bool>& stop);
 // gRPC: a completion queue that ticks itself, raw byte buffers, the shared part a shared slice.
-Status serve_grpc_floor(const MinimalServerOptions& options, const std::atomic<bool>& stop);
+Status serve_minimal_grpc(const MinimalServerOptions& options, const std::atomic<bool>& stop);
 // WebSocket: Beast, the shared part in a buffer sequence.
-Status serve_websocket_floor(const MinimalServerOptions& options, const std::atomic<bool>& stop);
+Status serve_minimal_websocket(const MinimalServerOptions& options, const std::atomic<bool>& stop);
 
 // The two parts of one message, as ours are: what a client has for itself goes first, and together
 // they are a ServerMessage with a snapshot.
 struct MinimalServerMessage {
     std::string head, shared;
 };
-MinimalServerMessage make_floor_message(int bytes, std::uint32_t frame);
+MinimalServerMessage make_minimal_server_message(int bytes, std::uint32_t frame);
 
 // Written beside the file and renamed: who waits for it reads all of it.
 Status tell_port(const std::string& port_file, int port);

@@ -7,7 +7,7 @@
 
 namespace jostle::bench {
 
-MinimalServerMessage make_floor_message(int bytes, std::uint32_t frame) {
+MinimalServerMessage make_minimal_server_message(int bytes, std::uint32_t frame) {
     v1::Snapshot snapshot;
     snapshot.set_frame(frame);
     snapshot.set_baselines(1);

@@ -115,7 +115,7 @@ private:
 
     void write_to_all() {
         const auto message =
-            std::make_shared<const MinimalServerMessage>(make_floor_message(options_.bytes, ++frame_));
+            std::make_shared<const MinimalServerMessage>(make_minimal_server_message(options_.bytes, ++frame_));
         for (auto client = clients_.begin(); client != clients_.end();) {
             if (const auto socket = client->lock()) {
                 socket->write(message);
@@ -138,7 +138,7 @@ private:
 
 }  // namespace
 
-Status serve_websocket_floor(const MinimalServerOptions& options, const std::atomic<bool>& stop) {
+Status serve_minimal_websocket(const MinimalServerOptions& options, const std::atomic<bool>& stop) {
     MinimalWebSocketServer floor(options);
     if (Status listening = floor.listen(); !listening.ok()) return listening;
     floor.run(stop);

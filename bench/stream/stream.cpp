@@ -46,17 +46,17 @@ struct Flags {
     std::string json, serve, port_file, admin;
 };
 
-std::atomic<bool> stop_floor{false};
+std::atomic<bool> stop_minimal_server{false};
 
 int serve(const Flags& flags) {
-    std::signal(SIGTERM, [](int) { stop_floor = true; });
-    std::signal(SIGINT, [](int) { stop_floor = true; });
+    std::signal(SIGTERM, [](int) { stop_minimal_server = true; });
+    std::signal(SIGINT, [](int) { stop_minimal_server = true; });
     const MinimalServerOptions options{.bytes = flags.request.bytes, .port_file = flags.port_file};
     const Status status = flags.serve == name_of(StreamKind::raw)
-                              ? serve_raw_floor(options, stop_floor)
+                              ? serve_minimal_raw(options, stop_minimal_server)
                           : flags.serve == name_of(StreamKind::grpc_floor)
-                              ? serve_grpc_floor(options, stop_floor)
-                              : serve_websocket_floor(options, stop_floor);
+                              ? serve_minimal_grpc(options, stop_minimal_server)
+                              : serve_minimal_websocket(options, stop_minimal_server);
     if (status.ok()) return 0;
     std::fprintf(stderr, "jostle-bench: %s\n", status.error().message.c_str());
     return 1;
@@ -96,7 +96,7 @@ double median_of(const std::vector<StreamCost>& costs, double StreamCost::*field
 
 // Of the rounds in which both persistence their rate; nothing: there was none.
 std::optional<Spread> ratio_of(const Costs& costs, StreamKind kind) {
-    const auto floor = floor_of(kind);
+    const auto floor = minimal_server_of(kind);
     if (!floor) return std::nullopt;
     std::vector<double> ratios;
     for (std::size_t k = 0; k < costs.at(kind).size(); k++) {

@@ -24,7 +24,7 @@ std::string this_program() {
 }
 
 // ServerProcess names the file of ports itself.
-ServerProcess start_floor(StreamKind kind, const StreamRequest& request) {
+ServerProcess start_minimal_server(StreamKind kind, const StreamRequest& request) {
     return {this_program(),
             {"stream", "--serve", name_of(kind), "--bytes", std::to_string(request.bytes)},
             true};
@@ -42,7 +42,7 @@ ServerProcess start_server(const StreamRequest& request) {
     return {std::filesystem::path(this_program()).parent_path() / "jostle-server", flags, true};
 }
 
-bool is_floor(StreamKind kind) {
+bool is_minimal_server(StreamKind kind) {
     return kind != StreamKind::grpc && kind != StreamKind::websocket;
 }
 
@@ -122,14 +122,14 @@ const char* name_of(StreamKind kind) {
     return "websocket";
 }
 
-std::optional<StreamKind> floor_of(StreamKind kind) {
+std::optional<StreamKind> minimal_server_of(StreamKind kind) {
     if (kind == StreamKind::grpc) return StreamKind::grpc_floor;
     if (kind == StreamKind::websocket) return StreamKind::websocket_floor;
     return std::nullopt;
 }
 
 Result<StreamCost> measure_stream(StreamKind kind, const StreamRequest& request) {
-    ServerProcess server = is_floor(kind) ? start_floor(kind, request) : start_server(request);
+    ServerProcess server = is_minimal_server(kind) ? start_minimal_server(kind, request) : start_server(request);
     if (server.grpc_port() == 0)
         return Error{ErrorCode::unavailable,
                      std::string(name_of(kind)) + " did not start: " + server.log()};

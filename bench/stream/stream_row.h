@@ -29,7 +29,7 @@ struct StreamRequest {
 enum class StreamKind { raw, grpc_floor, grpc, websocket_floor, websocket };
 const char* name_of(StreamKind kind);
 // Its floor: what its cost is divided by.
-std::optional<StreamKind> floor_of(StreamKind kind);
+std::optional<StreamKind> minimal_server_of(StreamKind kind);
 
 struct StreamCost {
     double us_per_message = 0;  // of a snapshot: of what else was sent, its share

@@ -33,7 +33,7 @@ Examples:
   jostle-bench stream
   jostle-bench stream --clients 300 --seconds 10 --rounds 5 --json stream.json)";
 
-constexpr std::array kinds = {StreamKind::raw, StreamKind::grpc_floor, StreamKind::grpc,
+constexpr std::array kinds = {StreamKind::raw, StreamKind::grpc_minimal, StreamKind::grpc,
                               StreamKind::websocket_floor, StreamKind::websocket};
 constexpr int fit_attempts = 3;
 constexpr double fits = 0.03;  // of the bytes that were asked for
@@ -54,7 +54,7 @@ int serve(const Flags& flags) {
     const MinimalServerOptions options{.bytes = flags.request.bytes, .port_file = flags.port_file};
     const Status status = flags.serve == name_of(StreamKind::raw)
                               ? serve_minimal_raw(options, stop_minimal_server)
-                          : flags.serve == name_of(StreamKind::grpc_floor)
+                          : flags.serve == name_of(StreamKind::grpc_minimal)
                               ? serve_minimal_grpc(options, stop_minimal_server)
                               : serve_minimal_websocket(options, stop_minimal_server);
     if (status.ok()) return 0;

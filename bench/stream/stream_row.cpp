@@ -50,7 +50,7 @@ load::Transport transport_of(StreamKind kind) {
     switch (kind) {
         case StreamKind::raw:
             return load::Transport::raw;
-        case StreamKind::grpc_floor:
+        case StreamKind::grpc_minimal:
         case StreamKind::grpc:
             return load::Transport::grpc;
         case StreamKind::websocket_floor:
@@ -110,7 +110,7 @@ const char* name_of(StreamKind kind) {
     switch (kind) {
         case StreamKind::raw:
             return "raw";
-        case StreamKind::grpc_floor:
+        case StreamKind::grpc_minimal:
             return "grpc-floor";
         case StreamKind::grpc:
             return "grpc";
@@ -123,7 +123,7 @@ const char* name_of(StreamKind kind) {
 }
 
 std::optional<StreamKind> minimal_server_of(StreamKind kind) {
-    if (kind == StreamKind::grpc) return StreamKind::grpc_floor;
+    if (kind == StreamKind::grpc) return StreamKind::grpc_minimal;
     if (kind == StreamKind::websocket) return StreamKind::websocket_floor;
     return std::nullopt;
 }

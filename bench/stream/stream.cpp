@@ -34,7 +34,7 @@ Examples:
   jostle-bench stream --clients 300 --seconds 10 --rounds 5 --json stream.json)";
 
 constexpr std::array kinds = {StreamKind::raw, StreamKind::grpc_minimal, StreamKind::grpc,
-                              StreamKind::websocket_floor, StreamKind::websocket};
+                              StreamKind::websocket_minimal, StreamKind::websocket};
 constexpr int fit_attempts = 3;
 constexpr double fits = 0.03;  // of the bytes that were asked for
 constexpr double keeps_rate = 0.97;

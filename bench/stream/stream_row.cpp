@@ -53,7 +53,7 @@ load::Transport transport_of(StreamKind kind) {
         case StreamKind::grpc_minimal:
         case StreamKind::grpc:
             return load::Transport::grpc;
-        case StreamKind::websocket_floor:
+        case StreamKind::websocket_minimal:
         case StreamKind::websocket:
             break;
     }
@@ -114,7 +114,7 @@ const char* name_of(StreamKind kind) {
             return "grpc-floor";
         case StreamKind::grpc:
             return "grpc";
-        case StreamKind::websocket_floor:
+        case StreamKind::websocket_minimal:
             return "websocket-floor";
         case StreamKind::websocket:
             break;
@@ -124,7 +124,7 @@ const char* name_of(StreamKind kind) {
 
 std::optional<StreamKind> minimal_server_of(StreamKind kind) {
     if (kind == StreamKind::grpc) return StreamKind::grpc_minimal;
-    if (kind == StreamKind::websocket) return StreamKind::websocket_floor;
+    if (kind == StreamKind::websocket) return StreamKind::websocket_minimal;
     return std::nullopt;
 }
 

@@ -26,7 +26,7 @@ struct StreamRequest {
 
 // Who sends, and how. The order is that of the table: each kind after the floor it is compared
 // with.
-enum class StreamKind { raw, grpc_minimal, grpc, websocket_floor, websocket };
+enum class StreamKind { raw, grpc_minimal, grpc, websocket_minimal, websocket };
 const char* name_of(StreamKind kind);
 // Its floor: what its cost is divided by.
 std::optional<StreamKind> minimal_server_of(StreamKind kind);

@@ -63,7 +63,7 @@ Status MinimalGrpcServer::listen() {
     server_ = builder.BuildAndStart();
     if (!server_) return Error{ErrorCode::unavailable, "gRPC cannot listen"};
     request_call();
-    return tell_port(options_.port_file, port);
+    return write_port_file(options_.port_file, port);
 }
 
 void MinimalGrpcServer::request_call() {

@@ -63,7 +63,7 @@ Status MinimalRawServer::listen() {
     epoll_ = epoll_create1(EPOLL_CLOEXEC);
     epoll_event event{.events = EPOLLIN, .data = {.fd = listener_}};
     epoll_ctl(epoll_, EPOLL_CTL_ADD, listener_, &event);
-    return tell_port(options_.port_file, ntohs(address.sin_port));
+    return write_port_file(options_.port_file, ntohs(address.sin_port));
 }
 
 void MinimalRawServer::accept_all() {

@@ -35,6 +35,6 @@ struct MinimalServerMessage {
 MinimalServerMessage make_minimal_server_message(int bytes, std::uint32_t frame);
 
 // Written beside the file and renamed: who waits for it reads all of it.
-Status tell_port(const std::string& port_file, int port);
+Status write_port_file(const std::string& port_file, int port);
 
 }  // namespace jostle::bench

@@ -27,7 +27,7 @@ MinimalServerMessage make_minimal_server_message(int bytes, std::uint32_t frame)
     return message;
 }
 
-Status tell_port(const std::string& port_file, int port) {
+Status write_port_file(const std::string& port_file, int port) {
     const std::string beside = port_file + ".new";
     std::ofstream out(beside);
     out << "{\"grpc\": " << port << ", \"http\": " << port << ", \"admin\": 0}\n";

@@ -83,7 +83,7 @@ public:
         if (!error) acceptor_.listen(1024, error);
         if (error) return Error{ErrorCode::unavailable, "cannot listen: " + error.message()};
         accept();
-        return tell_port(options_.port_file, acceptor_.local_endpoint().port());
+        return write_port_file(options_.port_file, acceptor_.local_endpoint().port());
     }
 
     void run(const std::atomic<bool>& stop) {

@@ -37,7 +37,7 @@ constexpr std::array kinds = {StreamKind::raw, StreamKind::grpc_minimal, StreamK
                               StreamKind::websocket_minimal, StreamKind::websocket};
 constexpr int fit_attempts = 3;
 constexpr double fits = 0.03;  // of the bytes that were asked for
-constexpr double keeps_rate = 0.97;
+constexpr double tick_rate_share_min = 0.97;
 constexpr int rate_attempts = 3;
 
 struct Flags {
@@ -84,8 +84,8 @@ Result<int> fit_scene(StreamRequest request, const std::string& path) {
 
 using Costs = std::map<StreamKind, std::vector<StreamCost>>;
 
-bool kept_rate(const StreamCost& cost) {
-    return cost.snapshots_per_second >= keeps_rate * 60;
+bool held_tick_rate(const StreamCost& cost) {
+    return cost.snapshots_per_second >= tick_rate_share_min * 60;
 }
 
 double median_of(const std::vector<StreamCost>& costs, double StreamCost::*field) {
@@ -101,7 +101,7 @@ std::optional<Spread> ratio_of(const Costs& costs, StreamKind kind) {
     std::vector<double> ratios;
     for (std::size_t k = 0; k < costs.at(kind).size(); k++) {
         const StreamCost &ours = costs.at(kind)[k], &least = costs.at(*floor)[k];
-        if (kept_rate(ours) && kept_rate(least))
+        if (held_tick_rate(ours) && held_tick_rate(least))
             ratios.push_back(ours.us_per_message / least.us_per_message);
     }
     return ratios.empty() ? std::nullopt : std::optional(spread_of(ratios));
@@ -110,7 +110,7 @@ std::optional<Spread> ratio_of(const Costs& costs, StreamKind kind) {
 std::string us_text(const std::vector<StreamCost>& rows) {
     std::vector<double> us;
     for (const StreamCost& row : rows)
-        if (kept_rate(row)) us.push_back(row.us_per_message);
+        if (held_tick_rate(row)) us.push_back(row.us_per_message);
     if (us.empty()) return format_text("%27s", "not at full rate");
     const Spread spread = spread_of(us);
     return format_text("%8.2f %8.2f to %6.2f", spread.median, spread.low, spread.high);
@@ -155,7 +155,7 @@ nlohmann::ordered_json rows_json(const Costs& costs) {
 Result<StreamCost> measure_at_full_rate(StreamKind kind, const StreamRequest& request) {
     for (int attempt = 1;; attempt++) {
         auto cost = measure_stream(kind, request);
-        if (!cost.ok() || kept_rate(*cost)) return cost;
+        if (!cost.ok() || held_tick_rate(*cost)) return cost;
         show_progress("");
         std::fprintf(stderr, "jostle-bench: %s sent %.1f a second, not 60%s\n", name_of(kind),
                      cost->snapshots_per_second, attempt < rate_attempts ? ": once more" : "");

@@ -75,7 +75,7 @@ struct Run {
     double memory_kb = 0;
 };
 
-Result<Run> run_sinks(StreamKind kind, const StreamRequest& request, const ServerProcess& server,
+Result<Run> run_passive_clients(StreamKind kind, const StreamRequest& request, const ServerProcess& server,
                       int clients, double seconds) {
     load::LoadOptions plan;
     plan.target = "127.0.0.1:" + std::to_string(transport_of(kind) == load::Transport::websocket
@@ -133,22 +133,22 @@ Result<StreamCost> measure_stream(StreamKind kind, const StreamRequest& request)
     if (server.grpc_port() == 0)
         return Error{ErrorCode::unavailable,
                      std::string(name_of(kind)) + " did not start: " + server.log()};
-    const auto one = run_sinks(kind, request, server, 1, base_share * request.seconds);
+    const auto one = run_passive_clients(kind, request, server, 1, base_share * request.seconds);
     if (!one.ok()) return one.error();
-    const auto all = run_sinks(kind, request, server, request.clients, request.seconds);
+    const auto all = run_passive_clients(kind, request, server, request.clients, request.seconds);
     if (!all.ok()) return all.error();
     const load::Report& r = all->report;
-    StreamCost cost{.base_percent = one->report.server_cpu_percent.value_or(0),
+    StreamCost cost{.single_client_percent = one->report.server_cpu_percent.value_or(0),
                     .total_percent = r.server_cpu_percent.value_or(0),
                     .snapshots_per_second = r.snapshots_per_second_per_client,
                     .messages_per_second = r.messages_per_second_per_client,
                     .snapshot_bytes = r.snapshot_bytes,
                     .age_ms_p50 = r.age_ms.p50,
                     .age_ms_p99 = r.age_ms.p99,
-                    .sink_us_per_message = r.load_cpu_us};
+                    .client_us_per_message = r.load_cpu_us};
     const double more = request.clients - 1;
     cost.us_per_message =
-        1e4 * (cost.total_percent - cost.base_percent) / (more * cost.snapshots_per_second);
+        1e4 * (cost.total_percent - cost.single_client_percent) / (more * cost.snapshots_per_second);
     cost.memory_kb_per_client = (all->memory_kb - one->memory_kb) / more;
     return cost;
 }
@@ -178,7 +178,7 @@ Status write_turning_scene(const std::string& path, int bodies) {
 
 nlohmann::ordered_json to_json(const StreamCost& c) {
     return {{"us_per_message", rounded(c.us_per_message)},
-            {"base_percent", rounded(c.base_percent)},
+            {"single_client_percent", rounded(c.single_client_percent)},
             {"total_percent", rounded(c.total_percent)},
             {"snapshots_per_second", rounded(c.snapshots_per_second)},
             {"messages_per_second", rounded(c.messages_per_second)},
@@ -186,7 +186,7 @@ nlohmann::ordered_json to_json(const StreamCost& c) {
             {"age_ms_p50", rounded(c.age_ms_p50)},
             {"age_ms_p99", rounded(c.age_ms_p99)},
             {"memory_kb_per_client", rounded(c.memory_kb_per_client)},
-            {"sink_us_per_message", rounded(c.sink_us_per_message)}};
+            {"client_us_per_message", rounded(c.client_us_per_message)}};
 }
 
 }  // namespace jostle::bench

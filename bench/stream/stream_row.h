@@ -33,13 +33,13 @@ std::optional<StreamKind> minimal_server_of(StreamKind kind);
 
 struct StreamCost {
     double us_per_message = 0;  // of a snapshot: of what else was sent, its share
-    double base_percent = 0;    // of a core, with one client
+    double single_client_percent = 0;    // of a core, with one client
     double total_percent = 0;   // with all
     double snapshots_per_second = 0, messages_per_second = 0;  // of a client
     double snapshot_bytes = 0;
     double age_ms_p50 = 0, age_ms_p99 = 0;  // 0: of floors, which tell no time
     double memory_kb_per_client = 0;        // of the server's process
-    double sink_us_per_message = 0;
+    double client_us_per_message = 0;
 };
 
 Result<StreamCost> measure_stream(StreamKind kind, const StreamRequest& request);

@@ -27,7 +27,7 @@ moving (cubes per frame whose pose differs from the base), encode and decode (us
 
 Examples:
   jostle-bench network
-  jostle-bench network --seconds 20 --base 1 --json network.json
+  jostle-bench network --seconds 20 --baseline-age 1 --json network.json
 
 Exit status: 0 done, 1 a frame did not come back, or the file could not be written, 2 wrong flags.)";
 
@@ -167,7 +167,7 @@ void add_network(CLI::App& app, int& status) {
     command->add_option("--seconds", flags->seconds, "Of the scene")
         ->capture_default_str()
         ->check(CLI::Range(1.0, 600.0));
-    command->add_option("--base", flags->baselines, "Ticks between a frame and its base; with commas")
+    command->add_option("--baseline-age", flags->baselines, "Ticks between a frame and its base; with commas")
         ->delimiter(',')
         ->capture_default_str()
         ->check(CLI::Range(1, 15));

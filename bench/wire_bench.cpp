@@ -21,7 +21,7 @@ base), bytes (per frame, mean), bits (per moving body), encode, decode (ns of on
 
 Examples:
   wire-bench
-  wire-bench pile --seconds 20 --age 1 --age 6 --json wire.json
+  wire-bench pile --seconds 20 --baseline-age 1 --baseline-age 6 --json wire.json
 
 Exit status: 0 done, 1 a frame did not come back or a scene failed, 2 wrong flags.)";
 
@@ -118,7 +118,7 @@ int main(int argc, char** argv) {
     app.add_option("--seconds", flags.seconds, "Simulated time of each scene")
         ->capture_default_str()
         ->check(CLI::Range(0.5, 600.0));
-    app.add_option("--age", flags.ages, "Ticks between a frame and its base; may be repeated")
+    app.add_option("--baseline-age", flags.ages, "Ticks between a frame and its base; may be repeated")
         ->capture_default_str()
         ->check(CLI::Range(1, 60));
     app.add_option("--codec", flags.codecs, "1 or 2; may be repeated")

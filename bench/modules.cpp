@@ -52,11 +52,11 @@ Row measure(const ModuleCase& one, const Flags& flags) {
     return row;
 }
 
-double worst_of(const Row& row) {
+double max_of(const Row& row) {
     return *std::max_element(row.step_ms.begin(), row.step_ms.end());
 }
 
-long late_of(const Row& row) {
+long count_late(const Row& row) {
     return std::count_if(row.step_ms.begin(), row.step_ms.end(),
                          [](double ms) { return ms > 1e3 / 60; });
 }
@@ -64,7 +64,7 @@ long late_of(const Row& row) {
 void print(const Row& row) {
     const double ms = mean(row.step_ms);
     std::printf("%-24s %8d %9.3f %9.3f %9.3f %12.2f %6ld\n", row.name.c_str(), row.objects, ms,
-                percentile_99(row.step_ms), worst_of(row), 1e3 * ms / row.objects, late_of(row));
+                percentile_99(row.step_ms), max_of(row), 1e3 * ms / row.objects, count_late(row));
 }
 
 nlohmann::ordered_json to_json(const Row& row) {
@@ -73,9 +73,9 @@ nlohmann::ordered_json to_json(const Row& row) {
             {"objects", row.objects},
             {"ms_mean", ms},
             {"ms_p99", percentile_99(row.step_ms)},
-            {"ms_worst", worst_of(row)},
+            {"ms_worst", max_of(row)},
             {"us_per_object", 1e3 * ms / row.objects},
-            {"late", late_of(row)}};
+            {"late", count_late(row)}};
 }
 
 int run(const Flags& flags) {

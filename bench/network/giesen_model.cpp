@@ -217,8 +217,8 @@ private:
 
 GiesenCoder::Coded GiesenCoder::encode(const wire::QuantizedFrame& now,
                                        const wire::QuantizedFrame& baseline,
-                                       const StatePtr& base_state) const {
-    auto state = base_state ? std::make_shared<State>(*base_state) : std::make_shared<State>();
+                                       const StatePtr& baseline_state) const {
+    auto state = baseline_state ? std::make_shared<State>(*baseline_state) : std::make_shared<State>();
     state->motions.resize(now.entities.size());
     IntervalEncoder out;
     CubeCoder cubes(out, state->models, m_);

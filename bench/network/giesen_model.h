@@ -36,7 +36,7 @@ public:
         StatePtr state;
     };
     Coded encode(const wire::QuantizedFrame& now, const wire::QuantizedFrame& baseline,
-                 const StatePtr& base_state) const;
+                 const StatePtr& baseline_state) const;
 
 private:
     std::size_t player_;

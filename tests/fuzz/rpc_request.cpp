@@ -11,7 +11,7 @@
 #include "tests/fuzz/reader.h"
 #include "tests/fuzz/small_server.h"
 #include "tests/fuzz/target.h"
-#include "tests/fuzz/try_scene.h"
+#include "tests/fuzz/exercise_scene.h"
 
 namespace jostle::fuzz {
 

@@ -5,7 +5,7 @@
 
 #include "jostle/scenes/scene_file.h"
 #include "tests/fuzz/target.h"
-#include "tests/fuzz/try_scene.h"
+#include "tests/fuzz/exercise_scene.h"
 
 namespace jostle::fuzz {
 
@@ -21,7 +21,7 @@ void run(Bytes input) {
     if (!scene.ok()) return expect(!scene.error().message.empty(), "a refusal has a reason");
     const auto again = scenes::read_scene_json(scenes::write_scene_json(*scene));
     expect(again.ok(), again.ok() ? "" : "what was written is refused: " + again.error().message);
-    try_scene(*scene);
+    exercise_scene(*scene);
 }
 
 }  // namespace jostle::fuzz

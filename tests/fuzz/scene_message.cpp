@@ -4,7 +4,7 @@
 #include "jostle/scenes/scene_file.h"
 #include "tests/fuzz/mutate_message.h"
 #include "tests/fuzz/target.h"
-#include "tests/fuzz/try_scene.h"
+#include "tests/fuzz/exercise_scene.h"
 
 namespace jostle::fuzz {
 
@@ -16,7 +16,7 @@ void run(Bytes input) {
     if (!scene.ok()) return expect(!scene.error().message.empty(), "a refusal has a reason");
     const auto again = scenes::from_message(scenes::to_message(*scene));
     expect(again.ok(), again.ok() ? "" : "what was written is refused: " + again.error().message);
-    try_scene(*scene);
+    exercise_scene(*scene);
 }
 
 }  // namespace jostle::fuzz

@@ -24,7 +24,7 @@ inline bool asks_for_many(const v1::Scene& scene) {
     return bodies > 200;
 }
 
-inline void try_scene(const scenes::SceneDescription& scene) {
+inline void exercise_scene(const scenes::SceneDescription& scene) {
     constexpr std::size_t bodies_max = 12, joints_max = 12;
     if (scene.bodies.size() > bodies_max || scene.joints.size() > joints_max) return;
     auto built = scenes::build_scene(scene);

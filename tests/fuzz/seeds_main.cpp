@@ -32,7 +32,7 @@
 #include "tests/fuzz/reader.h"
 #include "tests/fuzz/saved_world.h"
 #include "tests/fuzz/seed_scenes.h"
-#include "tests/fuzz/seed_words.h"
+#include "tests/fuzz/seed_dictionaries.h"
 #include "tests/fuzz/small_server.h"
 #include "tests/modules/ragdoll/gltf/gltf_skeleton.h"
 #include "tests/proto/snapshot/channel_motion.h"

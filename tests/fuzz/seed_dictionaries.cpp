@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tests/fuzz/seed_words.h"
+#include "tests/fuzz/seed_dictionaries.h"
 
 #include <google/protobuf/descriptor.h>
 

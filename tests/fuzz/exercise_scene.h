@@ -11,7 +11,7 @@
 namespace jostle::fuzz {
 
 // Repeats are bounded by the reader, but a hundred thousand bodies make no better input than ten.
-inline bool asks_for_many(const v1::Scene& scene) {
+inline bool is_too_large(const v1::Scene& scene) {
     std::size_t bodies = 0;
     for (const v1::Body& body : scene.bodies()) {
         std::size_t copies = 1;

@@ -24,11 +24,11 @@ std::string take_line(std::string_view& text) {
     return line;
 }
 
-bool asks_for_many(const server::HttpRequest& request) {
+bool is_too_large(const server::HttpRequest& request) {
     if (request.body.find("repeat") == std::string::npos) return false;
     v1::CreateWorldRequest message;
     static_cast<void>(google::protobuf::util::JsonStringToMessage(request.body, &message));
-    return fuzz::asks_for_many(message.scene());
+    return fuzz::is_too_large(message.scene());
 }
 
 struct Routes {
@@ -63,7 +63,7 @@ void run(Bytes input) {
           &request.if_none_match, &request.authorization})
         *part = take_line(text);
     request.body = text;
-    if (asks_for_many(request)) return;
+    if (is_too_large(request)) return;
 
     // What changes nothing is asked of one server.
     static Routes unchanged;

@@ -48,7 +48,7 @@ constexpr Method method_of(bool changes) {
                 Request request;
                 if (!request.ParseFromArray(bytes.data(), static_cast<int>(bytes.size()))) return;
                 if constexpr (std::is_same_v<Request, v1::CreateWorldRequest>)
-                    if (asks_for_many(request.scene())) return;
+                    if (is_too_large(request.scene())) return;
                 Response response;
                 const Status status = call(controls, request, response);
                 if (status.ok()) return;

@@ -27,7 +27,7 @@ void expect_sound(const World& world) {
 void run(Bytes input) {
     const std::span<const std::byte> bytes = bytes_of(input);
     std::vector<std::byte> saved(bytes.begin(), bytes.end());
-    restamp(saved);
+    update_saved_header(saved);
     auto world = load(saved);
     if (!world.ok()) return expect(!world.error().message.empty(), "a refusal has a reason");
     static_cast<void>(world->queries().cast_ray({{0, 50, 0}, {0, -100, 0}}));

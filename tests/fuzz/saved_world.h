@@ -15,7 +15,7 @@ namespace jostle::fuzz {
 inline constexpr std::size_t saved_header_bytes = 28;  // mark 8, version 4, length 8, checksum 8
 
 // Writes length and checksum; bytes too few for a header stay as they are.
-inline void restamp(std::span<std::byte> saved) {
+inline void update_saved_header(std::span<std::byte> saved) {
     if (saved.size() < saved_header_bytes) return;
     const std::span<const std::byte> rest = saved.subspan(saved_header_bytes);
     const std::uint64_t length = rest.size();

@@ -15,7 +15,7 @@ void run(Bytes input) {
         v1::Scene message;
         const google::protobuf::StringPiece piece(text.data(), text.size());
         static_cast<void>(google::protobuf::util::JsonStringToMessage(piece, &message));
-        if (asks_for_many(message)) return;
+        if (is_too_large(message)) return;
     }
     const auto scene = scenes::read_scene_json(text);
     if (!scene.ok()) return expect(!scene.error().message.empty(), "a refusal has a reason");

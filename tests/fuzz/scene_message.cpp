@@ -11,7 +11,7 @@ namespace jostle::fuzz {
 void run(Bytes input) {
     v1::Scene message;
     if (!message.ParseFromArray(input.data(), static_cast<int>(input.size()))) return;
-    if (asks_for_many(message)) return;
+    if (is_too_large(message)) return;
     const auto scene = scenes::from_message(message);
     if (!scene.ok()) return expect(!scene.error().message.empty(), "a refusal has a reason");
     const auto again = scenes::from_message(scenes::to_message(*scene));

@@ -30,9 +30,9 @@ std::unique_ptr<load::Framing> framing_of(std::uint8_t kind) {
 }
 
 // One sink, and what became of the bytes that it was given.
-class Sink final : private load::Framing::Reader {
+class PassiveClient final : private load::Framing::Reader {
 public:
-    explicit Sink(std::uint8_t kind)
+    explicit PassiveClient(std::uint8_t kind)
         : framing_(framing_of(kind)),
           conversation_({.spectator = false, .decodes = true}, figures_) {
         speak();
@@ -72,7 +72,7 @@ private:
 };
 
 std::string heard_in_pieces(std::uint8_t kind, Bytes input, std::size_t piece) {
-    Sink sink(kind);
+    PassiveClient sink(kind);
     for (std::size_t at = 0; at < input.size(); at += piece)
         if (!sink.hear(input.subspan(at, std::min(piece, input.size() - at)))) break;
     return sink.heard;

@@ -23,33 +23,33 @@ class Listener {
 public:
     Listener() { conversation_.begin(now_); }
 
-    void happens(const Record& record) {
+    void handle(const Record& record) {
         Reader in(record.bytes);
         switch (record.kind % kinds) {
             case 0:
-                return hear(std::string(text_of(record.bytes)));
+                return receive(std::string(text_of(record.bytes)));
             case 1:
                 now_ += std::chrono::milliseconds(in.number<std::uint16_t>());
-                return look(in.number<std::int32_t>());
+                return read_view(in.number<std::int32_t>());
             case 2:
                 if (conversation_.view().frame().frame != 0) frames_.clear();
                 conversation_.ended(Error{ErrorCode::unavailable, "gone"});
                 return conversation_.begin(now_);
             case 3:
                 static_cast<void>(conversation_.send({}));
-                return speak();
+                return send_messages();
             case 4:
                 conversation_.leave();
-                return speak();
+                return send_messages();
         }
     }
 
 private:
-    void hear(std::string bytes) {
+    void receive(std::string bytes) {
         v1::ServerMessage message;
         const bool whole = message.ParseFromString(bytes);
         if (whole && message.has_welcome()) frames_.clear();
-        if (whole && message.has_snapshot() && put_crc(*message.mutable_snapshot()))
+        if (whole && message.has_snapshot() && set_crc(*message.mutable_snapshot()))
             bytes = message.SerializeAsString();
         const std::uint32_t before = conversation_.view().frame().frame;
         conversation_.receive(bytes, now_);
@@ -65,7 +65,7 @@ private:
         return nullptr;
     }
 
-    bool put_crc(v1::Snapshot& snapshot) const {
+    bool set_crc(v1::Snapshot& snapshot) const {
         wire::Baselines baselines;
         const auto told = wire::decode_baseline_frames(snapshot.frame(), snapshot.baselines());
         if (!told.ok()) return false;
@@ -83,7 +83,7 @@ private:
     }
 
     // What a program asks of its client between two messages.
-    void look(std::int32_t later_ms) {
+    void read_view(std::int32_t later_ms) {
         const client::WorldView& view = conversation_.view();
         const auto now = static_cast<std::int64_t>(client::to_us(now_));
         for (const std::int64_t us : {now, now + 1000 * std::int64_t{later_ms}}) {
@@ -96,10 +96,10 @@ private:
         static_cast<void>(conversation_.take_results());
         static_cast<void>(conversation_.take_events());
         static_cast<void>(conversation_.take_ages_ms());
-        speak();
+        send_messages();
     }
 
-    void speak() {
+    void send_messages() {
         for (int k = 0; k < 8; k++)
             if (!conversation_.take_message(now_)) return;
     }
@@ -113,7 +113,7 @@ private:
 
 void run(Bytes input) {
     Listener listener;
-    for (Reader in(input); !in.done();) listener.happens(take_record(in));
+    for (Reader in(input); !in.done();) listener.handle(take_record(in));
 }
 
 }  // namespace jostle::fuzz

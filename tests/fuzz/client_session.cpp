@@ -26,7 +26,7 @@ public:
     // A Hello may ask for events or not.
     PlayProtocol() { state_.wants_events = true; }
 
-    void happens(const Record& record) {
+    void handle(const Record& record) {
         Reader in(record.bytes);
         switch (record.kind % kinds) {
             case 0:
@@ -103,7 +103,7 @@ private:
 
 void run(Bytes input) {
     PlayProtocol conversation;
-    for (Reader in(input); !in.done();) conversation.happens(take_record(in));
+    for (Reader in(input); !in.done();) conversation.handle(take_record(in));
     conversation.end();
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 using namespace datagram;
 
-constexpr std::size_t held_bytes_max = Reassembly::partial_messages_max * parts_max * part_bytes;
+constexpr std::size_t reassembly_bytes_max = Reassembly::partial_messages_max * parts_max * part_bytes;
 
 Ticket ticket() {
     Ticket made{.id = 0x0807060504030201};
@@ -24,7 +24,7 @@ Ticket ticket() {
 }
 
 // The first half of the input as the contents of packets that arrive one after the other.
-void hear(Bytes input) {
+void receive(Bytes input) {
     Reassembly reassembly;
     for (Reader in(input); !in.done();) {
         const Record record = take_record(in);
@@ -43,12 +43,12 @@ void hear(Bytes input) {
             expect(whole->size() > (part->count - 1u) * part_bytes &&
                        whole->size() <= part->count * part_bytes,
                    "a message is as long as its parts");
-        expect(reassembly.bytes_held() <= held_bytes_max, "what waits is bounded");
+        expect(reassembly.bytes_held() <= reassembly_bytes_max, "what waits is bounded");
     }
 }
 
 // As a message: cut, put together from the last part to the first, and the same again.
-void cut_and_join(Bytes input) {
+void split_and_reassemble(Bytes input) {
     Reader in(input);
     std::string message(in.number<std::uint16_t>(), 'x');
     const std::string_view rest = text_of(in.rest());
@@ -73,8 +73,8 @@ void cut_and_join(Bytes input) {
 void run(Bytes input) {
     static const std::unique_ptr<PacketCipher> server = PacketCipher::make(ticket(), Side::server).value();
     expect(!server->open(text_of(input)), "what nobody sealed is not opened");
-    hear(input);
-    cut_and_join(input);
+    receive(input);
+    split_and_reassemble(input);
 }
 
 }  // namespace jostle::fuzz

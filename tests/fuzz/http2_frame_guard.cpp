@@ -11,7 +11,7 @@ namespace {
 
 // What became of some bytes.
 struct Verdict {
-    bool let_in = true;
+    bool accepted = true;
     std::string why;
     std::uint64_t streams = 0;
 
@@ -20,32 +20,32 @@ struct Verdict {
 
 // In pieces of so many bytes; time passes only between the halves of the input, so that it does not
 // depend on the pieces.
-Verdict judge(Bytes input, std::size_t piece) {
+Verdict run_guard(Bytes input, std::size_t piece) {
     const server::Clock::time_point began{};
     server::Http2FrameGuard guard(began);
     Verdict verdict;
-    for (std::size_t at = 0; at < input.size() && verdict.let_in;) {
+    for (std::size_t at = 0; at < input.size() && verdict.accepted;) {
         const bool second_half = at >= input.size() / 2;
         const std::size_t end = second_half ? input.size() : input.size() / 2;
         const Bytes bytes = input.subspan(at, std::min(piece, end - at));
         const auto now = began + std::chrono::seconds(second_half ? 10 : 0);
         const Status allowed = guard.take(bytes, now);
-        verdict.let_in = allowed.ok();
+        verdict.accepted = allowed.ok();
         if (!allowed.ok()) verdict.why = allowed.error().message;
         at += bytes.size();
         expect(guard.pause(now) < std::chrono::seconds(30), "a short input is paid for soon");
     }
     // What was cut stays as it was when its piece was given.
-    if (verdict.let_in) verdict.streams = guard.streams_opened();
+    if (verdict.accepted) verdict.streams = guard.streams_opened();
     return verdict;
 }
 
 }  // namespace
 
 void run(Bytes input) {
-    const Verdict whole = judge(input, input.size() + 1);
+    const Verdict whole = run_guard(input, input.size() + 1);
     for (const std::size_t piece : {1, 7, 24})
-        expect(judge(input, piece) == whole, "how bytes are cut makes no difference");
+        expect(run_guard(input, piece) == whole, "how bytes are cut makes no difference");
     expect(whole.streams <= input.size() / 9, "a stream takes a frame");
 }
 

@@ -17,7 +17,7 @@ namespace jostle::fuzz {
 namespace {
 
 // What the gateway does with one request, up to its answer.
-void look_at(const server::BeastRequest& raw, const server::HttpServerSettings& settings) {
+void parse_head(const server::BeastRequest& raw, const server::HttpServerSettings& settings) {
     const server::HttpRequest request = server::to_http_request(raw);
     expect(request.target.size() <= settings.header_bytes_max, "a target fits into the header");
     expect(request.body.size() <= settings.body_bytes_max, "a body is within its bound");
@@ -53,7 +53,7 @@ void run(Bytes input) {
             if (error) return;
             if (ended) return;
         }
-        look_at(parser.get(), settings);
+        parse_head(parser.get(), settings);
     }
 }
 

@@ -18,7 +18,7 @@ using google::protobuf::Reflection;
 
 constexpr std::size_t text_growth = 24;
 
-std::string other_text(std::string text, bool is_text) {
+std::string mutated_text(std::string text, bool is_text) {
     const std::size_t before = text.size();
     text.resize(before + text_growth);
     text.resize(
@@ -34,7 +34,7 @@ void mutate_single(Message& m, const FieldDescriptor& field, Random& random) {
     const Reflection& r = *m.GetReflection();
     switch (field.cpp_type()) {
         case FieldDescriptor::CPPTYPE_DOUBLE:
-            return r.SetDouble(&m, &field, other_number(r.GetDouble(m, &field), random));
+            return r.SetDouble(&m, &field, mutated_number(r.GetDouble(m, &field), random));
         case FieldDescriptor::CPPTYPE_FLOAT:
             return r.SetFloat(&m, &field,
                               std::bit_cast<float>(static_cast<std::uint32_t>(any_bits(random))));
@@ -45,22 +45,22 @@ void mutate_single(Message& m, const FieldDescriptor& field, Random& random) {
         case FieldDescriptor::CPPTYPE_UINT32:
             return r.SetUInt32(
                 &m, &field,
-                static_cast<std::uint32_t>(other_integer(r.GetUInt32(m, &field), random)));
+                static_cast<std::uint32_t>(mutated_integer(r.GetUInt32(m, &field), random)));
         case FieldDescriptor::CPPTYPE_UINT64:
-            return r.SetUInt64(&m, &field, other_integer(r.GetUInt64(m, &field), random));
+            return r.SetUInt64(&m, &field, mutated_integer(r.GetUInt64(m, &field), random));
         case FieldDescriptor::CPPTYPE_INT32:
             return r.SetInt32(
                 &m, &field,
-                static_cast<std::int32_t>(other_integer(
+                static_cast<std::int32_t>(mutated_integer(
                     static_cast<std::uint64_t>(std::int64_t{r.GetInt32(m, &field)}), random)));
         case FieldDescriptor::CPPTYPE_INT64:
             return r.SetInt64(&m, &field,
-                              static_cast<std::int64_t>(other_integer(
+                              static_cast<std::int64_t>(mutated_integer(
                                   static_cast<std::uint64_t>(r.GetInt64(m, &field)), random)));
         case FieldDescriptor::CPPTYPE_STRING:
             return r.SetString(
                 &m, &field,
-                other_text(r.GetString(m, &field), field.type() == FieldDescriptor::TYPE_STRING));
+                mutated_text(r.GetString(m, &field), field.type() == FieldDescriptor::TYPE_STRING));
         case FieldDescriptor::CPPTYPE_MESSAGE:
             return mutate(*r.MutableMessage(&m, &field), random);
     }
@@ -71,7 +71,7 @@ void mutate_element(Message& m, const FieldDescriptor& field, int at, Random& ra
     switch (field.cpp_type()) {
         case FieldDescriptor::CPPTYPE_DOUBLE:
             return r.SetRepeatedDouble(&m, &field, at,
-                                       other_number(r.GetRepeatedDouble(m, &field, at), random));
+                                       mutated_number(r.GetRepeatedDouble(m, &field, at), random));
         case FieldDescriptor::CPPTYPE_UINT32:
             return r.SetRepeatedUInt32(&m, &field, at,
                                        below(random, 2) == 0
@@ -94,7 +94,7 @@ void add_element(Message& m, const FieldDescriptor& field, Random& random) {
         case FieldDescriptor::CPPTYPE_DOUBLE:
             return r.AddDouble(
                 &m, &field,
-                other_number(from < 0 ? 1 : r.GetRepeatedDouble(m, &field, from), random));
+                mutated_number(from < 0 ? 1 : r.GetRepeatedDouble(m, &field, from), random));
         case FieldDescriptor::CPPTYPE_UINT32:
             return r.AddUInt32(&m, &field, below(random, 16));
         case FieldDescriptor::CPPTYPE_MESSAGE: {
@@ -151,7 +151,7 @@ std::string pack(const std::vector<OwnedRecord>& records) {
     return out;
 }
 
-std::size_t give_back(const std::string& changed, std::uint8_t* data, std::size_t size,
+std::size_t copy_back(const std::string& changed, std::uint8_t* data, std::size_t size,
                       std::size_t size_max) {
     if (changed.size() > size_max) return LLVMFuzzerMutate(data, size, size_max);
     std::copy(changed.begin(), changed.end(), data);
@@ -184,7 +184,7 @@ std::size_t mutate_message(Message& message, std::uint8_t* data, std::size_t siz
     message.Clear();
     static_cast<void>(message.ParsePartialFromArray(data, static_cast<int>(size)));
     for (std::uint32_t k = 1 + below(random, 3); k > 0; k--) mutate(message, random);
-    return give_back(message.SerializePartialAsString(), data, size, size_max);
+    return copy_back(message.SerializePartialAsString(), data, size, size_max);
 }
 
 std::size_t mutate_records(Message& message, std::uint8_t message_kind, std::uint8_t kinds,
@@ -214,7 +214,7 @@ std::size_t mutate_records(Message& message, std::uint8_t message_kind, std::uin
         default: {
             std::string& bytes = records[a].bytes;
             if (records[a].kind % kinds != message_kind || below(random, 8) == 0) {
-                bytes = other_text(std::move(bytes), false);
+                bytes = mutated_text(std::move(bytes), false);
                 break;
             }
             message.Clear();
@@ -223,7 +223,7 @@ std::size_t mutate_records(Message& message, std::uint8_t message_kind, std::uin
             bytes = message.SerializePartialAsString();
         }
     }
-    return give_back(pack(records), data, size, size_max);
+    return copy_back(pack(records), data, size, size_max);
 }
 
 }  // namespace jostle::fuzz

@@ -22,7 +22,7 @@ inline std::size_t mutate_numbers(std::uint8_t* data, std::size_t size, std::siz
         const auto at = below(random, static_cast<std::uint32_t>(size - sizeof(double) + 1));
         double x = 0;
         std::memcpy(&x, data + at, sizeof x);
-        x = other_number(x, random);
+        x = mutated_number(x, random);
         std::memcpy(data + at, &x, sizeof x);
     }
     return size;

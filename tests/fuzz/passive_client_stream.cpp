@@ -35,28 +35,28 @@ public:
     explicit PassiveClient(std::uint8_t kind)
         : framing_(framing_of(kind)),
           conversation_({.spectator = false, .decodes = true}, figures_) {
-        speak();
+        send_messages();
     }
 
     // False: the stream is over.
-    bool hear(Bytes bytes) {
+    bool receive(Bytes bytes) {
         const Status taken = framing_->take(bytes, *this);
-        if (!taken.ok()) heard += "\nended: " + taken.error().message;
+        if (!taken.ok()) received += "\nended: " + taken.error().message;
         return taken.ok();
     }
 
-    std::string heard;
+    std::string received;
 
 private:
     void on_message(load::Bytes message) override {
-        heard += "\nmessage of " + std::to_string(message.size());
+        received += "\nmessage of " + std::to_string(message.size());
         now_ += 10ms;
         conversation_.receive(message, now_);
         framing_->used(message.size());
-        speak();
+        send_messages();
     }
 
-    void speak() {
+    void send_messages() {
         conversation_.play({v1::Input()});
         for (int k = 0; k < 8; k++) {
             const auto message = conversation_.take_message(now_);
@@ -71,11 +71,11 @@ private:
     load::Clock::time_point now_ = load::Clock::time_point() + 1000s;
 };
 
-std::string heard_in_pieces(std::uint8_t kind, Bytes input, std::size_t piece) {
+std::string received_in_chunks(std::uint8_t kind, Bytes input, std::size_t piece) {
     PassiveClient sink(kind);
     for (std::size_t at = 0; at < input.size(); at += piece)
-        if (!sink.hear(input.subspan(at, std::min(piece, input.size() - at)))) break;
-    return sink.heard;
+        if (!sink.receive(input.subspan(at, std::min(piece, input.size() - at)))) break;
+    return sink.received;
 }
 
 }  // namespace
@@ -83,9 +83,9 @@ std::string heard_in_pieces(std::uint8_t kind, Bytes input, std::size_t piece) {
 void run(Bytes input) {
     Reader in(input);
     const auto kind = in.number<std::uint8_t>();
-    const std::string whole = heard_in_pieces(kind, in.rest(), input.size() + 1);
+    const std::string whole = received_in_chunks(kind, in.rest(), input.size() + 1);
     for (const std::size_t piece : {1, 7, 24})
-        expect(heard_in_pieces(kind, in.rest(), piece) == whole,
+        expect(received_in_chunks(kind, in.rest(), piece) == whole,
                "how bytes are cut makes no difference");
 }
 

@@ -40,7 +40,7 @@ inline void add_body(v1::Scene& piece, const v1::Scene& whole, const std::string
 }  // namespace detail
 
 // A scene in pieces: each joint with its bodies, and each kind of shape alone.
-inline std::vector<v1::Scene> pieces_of(const v1::Scene& whole) {
+inline std::vector<v1::Scene> single_feature_scenes(const v1::Scene& whole) {
     std::vector<v1::Scene> pieces;
     const auto begin = [&]() -> v1::Scene& {
         v1::Scene& piece = pieces.emplace_back();

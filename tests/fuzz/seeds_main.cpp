@@ -147,7 +147,7 @@ std::vector<v1::ClientMessage> client_messages() {
 }
 
 // Kinds of records: tests/fuzz/client_session.cpp.
-std::string talk(bool events) {
+std::string write_conversation(bool events) {
     std::string out = record(0, hello(events).SerializeAsString()) + record(3);
     for (std::uint32_t round = 0; round < 3; round++) {
         out += record(0, inputs(1 + 8 * round).SerializeAsString());
@@ -187,7 +187,7 @@ void write_play(const fs::path& folder) {
         client(folder, "client_conversation");
     for (const v1::ClientMessage& message : client_messages()) messages.add(message);
     for (const bool events : {false, true}) {
-        link.add(talk(events));
+        link.add(write_conversation(events));
         std::string all;
         for (const std::string& message : server_messages(events)) {
             client.add(record(0, message));
@@ -270,7 +270,7 @@ void write_scenes(const fs::path& folder) {
     static_cast<void>(google::protobuf::util::JsonStringToMessage(
         read_file("tests/scenes/data/every_field.json"), &whole));
     whole.clear_modules();  // of the tests alone
-    std::vector<v1::Scene> pieces = pieces_of(whole);
+    std::vector<v1::Scene> pieces = single_feature_scenes(whole);
     pieces.push_back(scenes::to_message(scenes::find_scene("hovercraft").value()));
     for (const v1::Scene& scene : pieces) {
         message.add(scene);
@@ -320,7 +320,7 @@ std::string call(std::uint8_t kind, std::initializer_list<double> numbers) {
 }
 
 // Of a character that walks, for entity 4 and tick 7: what its module tells of it.
-std::string driven_character() {
+std::string controlled_character() {
     physics::World world;
     world
         .create_body({.type = physics::BodyType::static_body, .pose = {{0, -0.5, 0}, {}}},
@@ -359,7 +359,7 @@ void write_predictor(const fs::path& folder) {
     calls.add(call(0, {1, 3, 0}) + box(1, 50, 0.5) + call(0, {4, 1, 0}) +
               call(1, {4, 1, 1, 2, 0, 0.9,          0, 0, 0,    0, 1, 0.28, 0.6, 0.5, 0, 0, 0, 0,
                        0, 0, 1, 4, 1, 4294967295.0, 0, 0, 1000, 0}) +
-              call(69, {4, 1, 0, 0, 1}) + call(6, {4, 1}) + record(11, driven_character()) +
+              call(69, {4, 1, 0, 0, 1}) + call(6, {4, 1}) + record(11, controlled_character()) +
               call(2, {1, 7, 1, 0, -0.5, 0, 0, 0, 0, 1, 1, 4, 0, 0, 0, 0, 0, 0, 1, 1}) +
               call(10, {1, 9, 0, 1}) + call(3, {1, 1, 20, 1e6}));
 }
@@ -514,7 +514,7 @@ void write_http2(const fs::path& folder) {
 
 // A packet, and contents: whole, in parts that come in disorder, a question, an answer.
 // A world in which a few things were done, and what was done.
-void write_kept(const fs::path& folder) {
+void write_persisted(const fs::path& folder) {
     Seeds seeds(folder, "kept_bytes");
     auto world = server::HostedWorld::create(*scenes::find_scene("stack"), {}, 1);
     world->enable_journal();
@@ -573,7 +573,7 @@ void write_datagrams(const fs::path& folder) {
 
 // What a server says to a sink: a welcome and a snapshot, over each transport. The first byte says
 // which.
-void write_sink_streams(const fs::path& folder) {
+void write_passive_client_streams(const fs::path& folder) {
     Seeds seeds(folder, "sink_stream");
     v1::ServerMessage welcome, snapshot;
     welcome.mutable_welcome()->set_client_id(1);
@@ -610,7 +610,7 @@ int main(int count, char** arguments) {
     const fs::path folder = arguments[1];
     for (const auto write :
          {write_play, write_frames, write_scenes, write_geometry, write_predictor, write_skeletons,
-          write_text, write_requests, write_http2, write_sink_streams, write_datagrams, write_kept})
+          write_text, write_requests, write_http2, write_passive_client_streams, write_datagrams, write_persisted})
         write(folder);
     write_dictionaries(folder / "dictionaries");
 }

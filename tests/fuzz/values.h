@@ -23,7 +23,7 @@ inline std::uint64_t any_bits(Random& random) {
 }
 
 // Another number in place of x: a limit, a neighbour, a multiple, or anything.
-inline double other_number(double x, Random& random) {
+inline double mutated_number(double x, Random& random) {
     constexpr double inf = std::numeric_limits<double>::infinity();
     static constexpr double known[] = {0,
                                        -0.0,
@@ -79,7 +79,7 @@ inline double other_number(double x, Random& random) {
     }
 }
 
-inline std::uint64_t other_integer(std::uint64_t x, Random& random) {
+inline std::uint64_t mutated_integer(std::uint64_t x, Random& random) {
     switch (below(random, 6)) {
         case 0:
             return below(random, 8);

@@ -18,10 +18,10 @@ namespace jostle::fuzz {
 namespace {
 
 using google::protobuf::Descriptor;
-using Words = std::set<std::string>;
+using DictionaryWords = std::set<std::string>;
 
 // Names of fields and of enumerators, of the message and of all within it.
-void add_names(Words& words, const Descriptor& message, std::set<const Descriptor*>& seen) {
+void add_names(DictionaryWords& words, const Descriptor& message, std::set<const Descriptor*>& seen) {
     if (!seen.insert(&message).second) return;
     for (int k = 0; k < message.field_count(); k++) {
         const auto& field = *message.field(k);
@@ -33,18 +33,18 @@ void add_names(Words& words, const Descriptor& message, std::set<const Descripto
     }
 }
 
-Words json_words(std::initializer_list<const Descriptor*> messages) {
-    Words words{"{}", "[]", "null", "true", "1e300", "-1", "0.5", "\"NaN\"", "\\u0000", ","};
+DictionaryWords json_words(std::initializer_list<const Descriptor*> messages) {
+    DictionaryWords words{"{}", "[]", "null", "true", "1e300", "-1", "0.5", "\"NaN\"", "\\u0000", ","};
     std::set<const Descriptor*> seen;
     for (const Descriptor* message : messages) add_names(words, *message, seen);
     return words;
 }
 
 // What stands before a '=' or between brackets in the example.
-Words config_words() {
+DictionaryWords config_words() {
     std::ifstream in(std::filesystem::path(PROJECT_FOLDER) / "server/jostle-server.toml");
     const std::string text((std::istreambuf_iterator<char>(in)), {});
-    Words words{"= [",  "\"\"\"",   "inf", "nan", "1e9", "0x7f", "1979-05-27T07:32:00Z",
+    DictionaryWords words{"= [",  "\"\"\"",   "inf", "nan", "1e9", "0x7f", "1979-05-27T07:32:00Z",
                 "true", "{ a = 1 }"};
     for (std::size_t at = 0; at < text.size();) {
         std::size_t end = at;
@@ -55,7 +55,7 @@ Words config_words() {
     return words;
 }
 
-void write(const std::filesystem::path& folder, const std::string& target, const Words& words) {
+void write(const std::filesystem::path& folder, const std::string& target, const DictionaryWords& words) {
     std::ofstream out(folder / (target + ".dict"));
     for (const std::string& word : words) {
         out << '"';
@@ -76,11 +76,11 @@ void write(const std::filesystem::path& folder, const std::string& target, const
 void write_dictionaries(const std::filesystem::path& folder) {
     std::filesystem::create_directories(folder);
     write(folder, "scene_json", json_words({v1::Scene::descriptor()}));
-    Words routes =
+    DictionaryWords routes =
         json_words({v1::CreateWorldRequest::descriptor(), v1::CastRaysRequest::descriptor(),
                     v1::CastShapesRequest::descriptor(), v1::OverlapRequest::descriptor(),
                     v1::ClosestPointsRequest::descriptor(), v1::DebugRequest::descriptor()});
-    routes.merge(Words{"GET\n", "POST\n", "DELETE\n", "HEAD\n", "/api/worlds/", "/api/query/",
+    routes.merge(DictionaryWords{"GET\n", "POST\n", "DELETE\n", "HEAD\n", "/api/worlds/", "/api/query/",
                        "CastRays", "CastShapes", "Overlap", "ClosestPoints", "Debug", "/play",
                        "/readyz", "\napplication/json\n", "http://localhost"});
     write(folder, "http_routes", routes);
@@ -115,7 +115,7 @@ void write_dictionaries(const std::filesystem::path& folder) {
            "speed=", "keep=", "size=", " # ", "1e-300", "inf", "nan"});
     write(folder, "http_target",
           {"%2e", "%2f", "%5c", "%00", "..", "/.", "//", "?", "#", "%c0%ae"});
-    const Words head{"GET ",
+    const DictionaryWords head{"GET ",
                      "POST ",
                      "HEAD ",
                      " HTTP/1.1\r\n",

@@ -12,7 +12,7 @@
 namespace jostle::test {
 
 // A few bits are others; every third list is cut off, too.
-inline std::vector<std::uint32_t> forged(std::span<const std::uint32_t> good, Random& random) {
+inline std::vector<std::uint32_t> corrupted(std::span<const std::uint32_t> good, Random& random) {
     std::vector<std::uint32_t> words(good.begin(), good.end());
     if (random.below(3) == 0) words.resize(random.below(words.size()));
     for (int flips = 0; flips < 4 && !words.empty(); flips++)

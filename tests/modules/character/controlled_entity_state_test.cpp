@@ -83,7 +83,7 @@ TEST(DrivenCharacter, words_that_make_no_sense_change_nothing) {
     int refused = 0;
     for (int k = 0; k < 3000; k++) {
         const Transform before = test::must(of.here.world.body(of.copy)).pose;
-        if (!of.take(test::forged(good, random))) {
+        if (!of.take(test::corrupted(good, random))) {
             refused++;
             EXPECT_EQ(test::must(of.here.world.body(of.copy)).pose, before);
         }

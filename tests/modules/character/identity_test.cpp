@@ -89,15 +89,15 @@ TEST(Identity, forged_bytes_are_refused_or_do_no_harm) {
     for (std::size_t at = 0; at < whole.size(); at++) {
         std::vector<std::byte> bytes = whole;
         bytes[at] ^= static_cast<std::byte>(1 + random.below(255));
-        auto forged = std::make_unique<Characters>();
-        if (!load_module(*forged, bytes).ok()) {
+        auto corrupted = std::make_unique<Characters>();
+        if (!load_module(*corrupted, bytes).ok()) {
             refused++;
             continue;
         }
         if (++taken % 40 != 0) continue;
         test::must(start.restore(world));
         test::must(world.remove_module("character"));
-        test::must(world.add_module(std::move(forged)));
+        test::must(world.add_module(std::move(corrupted)));
         for (int k = 0; k < 3; k++) test::must(world.step(1 / hz));
         EXPECT_TRUE(is_finite(world.summary().linear_momentum));
         EXPECT_TRUE(load(save(world)).ok()) << "byte " << at;

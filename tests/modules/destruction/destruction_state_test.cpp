@@ -70,8 +70,8 @@ TEST(DestructionState, forged_bytes_are_refused_or_harmless) {
     for (std::size_t at = 0; at < whole.size(); at += 5) {
         std::vector<std::byte> bytes = whole;
         bytes[at] = ~bytes[at];
-        auto forged = std::make_unique<Destruction>();
-        if (!load_module(*forged, bytes).ok()) {
+        auto corrupted = std::make_unique<Destruction>();
+        if (!load_module(*corrupted, bytes).ok()) {
             refused++;
             continue;
         }
@@ -79,7 +79,7 @@ TEST(DestructionState, forged_bytes_are_refused_or_harmless) {
         Show other(1, 8);
         other.stage.step(2);
         other.stage.world.remove_module("destruction").expect();
-        other.stage.world.add_module(std::move(forged)).expect();
+        other.stage.world.add_module(std::move(corrupted)).expect();
         for (int k = 0; k < 12; k++) static_cast<void>(other.stage.world.step(1.0 / 60).ok());
         stepped++;
     }

@@ -156,16 +156,16 @@ TEST(Boats, refuse_forged_bytes) {
     test::Random random(6);
     int refused = 0, taken = 0;
     for (int k = 0; k < 5000; k++) {
-        std::vector<std::byte> forged = good;
-        forged[random.below(forged.size())] = static_cast<std::byte>(random.below(256));
-        if (random.below(10) == 0) forged.resize(random.below(forged.size()));
+        std::vector<std::byte> corrupted = good;
+        corrupted[random.below(corrupted.size())] = static_cast<std::byte>(random.below(256));
+        if (random.below(10) == 0) corrupted.resize(random.below(corrupted.size()));
         auto victim = std::make_unique<Boats>();
-        if (!load_module(*victim, forged).ok()) {
+        if (!load_module(*victim, corrupted).ok()) {
             refused++;
             continue;
         }
         taken++;
-        ASSERT_EQ(save_module(*victim), forged);
+        ASSERT_EQ(save_module(*victim), corrupted);
         if (taken % 50 != 0) continue;
         World other = test::make_world();
         test::must(other.add_module(std::move(victim)));

@@ -103,22 +103,22 @@ TEST(FieldsState, refuses_forged_bytes) {
     test::Random random(6);
     int refused = 0, taken = 0;
     for (int k = 0; k < 20000; k++) {
-        std::vector<std::byte> forged = good;
+        std::vector<std::byte> corrupted = good;
         const int changes = 1 + static_cast<int>(random.below(3));
         for (int n = 0; n < changes; n++)
-            forged[random.below(forged.size())] = static_cast<std::byte>(random.below(256));
-        if (random.below(10) == 0) forged.resize(random.below(forged.size()));
+            corrupted[random.below(corrupted.size())] = static_cast<std::byte>(random.below(256));
+        if (random.below(10) == 0) corrupted.resize(random.below(corrupted.size()));
         Fields victim;
-        const Status status = load_module(victim, forged);
+        const Status status = load_module(victim, corrupted);
         status.ok() ? taken++ : refused++;
         if (!status.ok()) continue;
         World other = test::make_world();
         test::add(other, {.position = {4, 0.2, 0}, .density = 500});
         // What was taken is in range: it comes out as it went in, and a step bears it.
-        ASSERT_EQ(save_module(victim), forged);
+        ASSERT_EQ(save_module(victim), corrupted);
         if (taken % 20 != 0) continue;
         auto module = std::make_unique<Fields>();
-        test::must(load_module(*module, forged));
+        test::must(load_module(*module, corrupted));
         test::must(other.add_module(std::move(module)));
         test::must(other.step(1.0 / 60));
         test::must(other.step(1.0 / 60));
@@ -134,12 +134,12 @@ TEST(FieldsState, names_what_is_wrong_with_foreign_bytes) {
     Fields& fields = fields_of(world);
     add_field(world, {.law = Turbulence{.scale = 7.25}});
     std::vector<std::byte> bytes = save_module(fields);
-    const double given = 7.25, forged = -1;
+    const double given = 7.25, corrupted = -1;
     std::byte pattern[8];
     std::memcpy(pattern, &given, 8);
     const auto at = std::search(bytes.begin(), bytes.end(), pattern, pattern + 8);
     ASSERT_NE(at, bytes.end());
-    std::memcpy(&*at, &forged, 8);
+    std::memcpy(&*at, &corrupted, 8);
     const Status status = load_module(fields, bytes);
     ASSERT_FALSE(status.ok());
     EXPECT_NE(status.error().message.find("turbulence.scale is -1"), std::string::npos)

@@ -81,14 +81,14 @@ TEST(RagdollState, forged_bytes_are_refused_or_harmless) {
         std::vector<std::byte> bytes = whole;
         bytes[at] = ~bytes[at];
         Show other;
-        auto forged = std::make_unique<Ragdolls>();
-        if (!load_module(*forged, bytes).ok()) {
+        auto corrupted = std::make_unique<Ragdolls>();
+        if (!load_module(*corrupted, bytes).ok()) {
             refused++;
             continue;
         }
         if (at % 31 != 0) continue;  // worlds take a while
         other.stage.world.remove_module("ragdoll").expect();
-        other.stage.world.add_module(std::move(forged)).expect();
+        other.stage.world.add_module(std::move(corrupted)).expect();
         for (int k = 0; k < 3; k++) static_cast<void>(other.stage.world.step(1.0 / 60).ok());
     }
     RecordProperty("refused", refused);

@@ -94,7 +94,7 @@ TEST(DrivenCar, words_that_make_no_sense_change_nothing) {
     int refused = 0;
     for (int k = 0; k < 3000; k++) {
         const Transform before = of.world.body(of.chassis)->pose;
-        if (!of.take(forged(good, random))) {
+        if (!of.take(corrupted(good, random))) {
             refused++;
             EXPECT_EQ(of.world.body(of.chassis)->pose, before);
         }

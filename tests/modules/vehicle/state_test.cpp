@@ -140,9 +140,9 @@ TEST(VehicleState, a_field_that_makes_no_sense_is_named) {
     std::size_t found = 0;
     for (std::size_t at = 0; at + 8 <= good.size(); at++) {
         if (std::memcmp(good.data() + at, &radius, 8) != 0) continue;
-        std::vector<std::byte> forged = good;
-        std::memcpy(forged.data() + at, &bad, 8);
-        const std::string complaint = complaint_of(forged);
+        std::vector<std::byte> corrupted = good;
+        std::memcpy(corrupted.data() + at, &bad, 8);
+        const std::string complaint = complaint_of(corrupted);
         EXPECT_NE(complaint.find("radius is -1"), std::string::npos) << complaint;
         if (++found == 4) break;
     }
@@ -158,15 +158,15 @@ TEST(VehicleState, forged_bytes_are_refused_or_harmless) {
     int refused = 0;
     constexpr int tries = 3000;
     for (int k = 0; k < tries; k++) {
-        std::vector<std::byte> forged = good;
+        std::vector<std::byte> corrupted = good;
         const int changes = 1 + k % 4;
         for (int c = 0; c < changes; c++)
-            forged[static_cast<std::size_t>(random.in(0, 1) * 0.999999 *
-                                            static_cast<double>(forged.size()))] =
+            corrupted[static_cast<std::size_t>(random.in(0, 1) * 0.999999 *
+                                            static_cast<double>(corrupted.size()))] =
                 static_cast<std::byte>(random.in(0, 255.99));
-        if (k % 7 == 0) forged.resize(forged.size() / 2);
+        if (k % 7 == 0) corrupted.resize(corrupted.size() / 2);
         auto vehicles = std::make_unique<Vehicles>();
-        if (!load_module(*vehicles, forged).ok()) {
+        if (!load_module(*vehicles, corrupted).ok()) {
             refused++;
             continue;
         }

@@ -101,10 +101,10 @@ TEST(ShapeEncoding, forged_numbers_are_shapes_or_none) {
                                     one({9}, {2, 2, 1, 1, 0, 0, 0, 0, 1, 0})};
     int shapes = 0;
     for (int k = 0; k < 20'000; k++) {
-        Numbers forged = good[random() % good.size()];
+        Numbers corrupted = good[random() % good.size()];
         for (std::size_t n = 1 + random() % 2; n > 0; n--)
-            forged[random() % forged.size()] = odd[random() % odd.size()];
-        shapes += decode_shapes(forged) ? 1 : 0;
+            corrupted[random() % corrupted.size()] = odd[random() % odd.size()];
+        shapes += decode_shapes(corrupted) ? 1 : 0;
     }
     EXPECT_GT(shapes, 100);
     EXPECT_LT(shapes, 19'000);

@@ -5,7 +5,7 @@
 #include "jostle/modules/controlled_entity_state.h"
 
 #include "tests/modules/character/stage.h"
-#include "tests/modules/forged_words.h"
+#include "tests/modules/corrupted_words.h"
 
 namespace jostle::modules {
 namespace {

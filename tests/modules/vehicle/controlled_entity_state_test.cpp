@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-#include "tests/modules/forged_words.h"
+#include "tests/modules/corrupted_words.h"
 #include "tests/modules/vehicle/test_car.h"
 
 namespace jostle::test {

@@ -12,12 +12,12 @@ namespace {
 
 using namespace physics;
 
-struct Elsewhere {
+struct TwoWorlds {
     Stage there, here;
     CharacterId hero;
     BodyId body, copy;
 
-    explicit Elsewhere(CharacterKind kind) {
+    explicit TwoWorlds(CharacterKind kind) {
         for (Stage* stage : {&there, &here}) {
             test::add_floor(stage->world);
             for (int k = 1; k < 4; k++)  // stairs
@@ -49,7 +49,7 @@ struct Elsewhere {
 
 TEST(DrivenCharacter, walks_up_stairs_in_another_world_as_in_its_own) {
     for (const CharacterKind kind : {CharacterKind::sweeping, CharacterKind::rigid}) {
-        Elsewhere of(kind);
+        TwoWorlds of(kind);
         of.there.walk(of.hero, {4, 0, 0.5});
         of.there.run(0.25);
         ASSERT_TRUE(of.take(of.tell()));
@@ -74,7 +74,7 @@ TEST(DrivenCharacter, walks_up_stairs_in_another_world_as_in_its_own) {
 }
 
 TEST(DrivenCharacter, words_that_make_no_sense_change_nothing) {
-    Elsewhere of(CharacterKind::sweeping);
+    TwoWorlds of(CharacterKind::sweeping);
     of.there.walk(of.hero, {3, 0, 0});
     of.there.run(0.3);
     const std::vector<std::uint32_t> good = of.tell();

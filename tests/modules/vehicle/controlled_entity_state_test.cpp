@@ -15,13 +15,13 @@ namespace jostle::test {
 namespace {
 
 // A server's world and a client's: the second one's bodies have other ids.
-struct Elsewhere {
+struct TwoWorlds {
     TestCar there;
     World world{sleepless({})};
     BodyId chassis;
     Vehicles* vehicles = nullptr;
 
-    explicit Elsewhere(modules::WheelCast cast = modules::WheelCast::cylinder) {
+    explicit TwoWorlds(modules::WheelCast cast = modules::WheelCast::cylinder) {
         VehicleDef def = modules::saloon({.chassis = there.chassis});
         def.cast = cast;
         there.add(def);
@@ -56,7 +56,7 @@ struct Elsewhere {
 };
 
 TEST(DrivenCar, goes_on_in_another_world_as_in_its_own) {
-    Elsewhere of;
+    TwoWorlds of;
     of.there.set({.throttle = 1, .steering = 0.3});
     of.there.drive(2.5);
     ASSERT_GT(of.there.speed(), 8);
@@ -80,12 +80,12 @@ TEST(DrivenCar, goes_on_in_another_world_as_in_its_own) {
 }
 
 TEST(DrivenCar, of_which_wheels_are_bodies_is_not_told) {
-    Elsewhere of(modules::WheelCast::body);
+    TwoWorlds of(modules::WheelCast::body);
     EXPECT_FALSE(of.tell().has_value());
 }
 
 TEST(DrivenCar, words_that_make_no_sense_change_nothing) {
-    Elsewhere of;
+    TwoWorlds of;
     of.there.set({.throttle = 1});
     of.there.drive(1);
     const std::vector<std::uint32_t> good = *of.tell();

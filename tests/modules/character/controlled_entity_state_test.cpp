@@ -32,16 +32,16 @@ struct TwoWorlds {
              .pose = {.position = {5, 5, 5}}},
             def_of(test::must(there.world.shape(there.world.shapes_of(body)[0])))));
     }
-    std::vector<std::uint32_t> tell() {
+    std::vector<std::uint32_t> encode() {
         return encode_controlled_entity(there.world, *there.crowd, body,
                            [&](BodyId id) { return id == body ? 3u : 0u; })
             .value();
     }
-    bool take(std::span<const std::uint32_t> words) {
+    bool apply(std::span<const std::uint32_t> words) {
         return apply_controlled_entity(here.world, *here.crowd, copy, words,
                            [&](std::uint32_t name) { return name == 3 ? copy : BodyId{}; });
     }
-    double apart() {
+    double distance() {
         return length(test::must(here.world.body(copy)).pose.position -
                       test::must(there.world.body(body)).pose.position);
     }
@@ -52,24 +52,24 @@ TEST(DrivenCharacter, walks_up_stairs_in_another_world_as_in_its_own) {
         TwoWorlds of(kind);
         of.there.walk(of.hero, {4, 0, 0.5});
         of.there.run(0.25);
-        ASSERT_TRUE(of.take(of.tell()));
+        ASSERT_TRUE(of.apply(of.encode()));
         of.there.run(0.5);
         of.here.run(0.5);
-        EXPECT_LT(of.apart(), 1e-4) << static_cast<int>(kind);
+        EXPECT_LT(of.distance(), 1e-4) << static_cast<int>(kind);
         EXPECT_GT(test::must(of.there.world.body(of.body)).pose.position.x, 2);
         // It jumps and crouches here, by its own stick.
         of.here.crowd->control(of.here.world, of.copy, {.axes = {1, 0}, .buttons = 1});
         of.there.steer(of.hero, {.walk = {0, 0, 0}, .crouch = true});
         of.there.run(0.3);
         of.here.run(0.3);
-        EXPECT_GT(of.apart(), 0.4);
-        ASSERT_TRUE(of.take(of.tell()));
-        EXPECT_LT(of.apart(), 1e-5);
+        EXPECT_GT(of.distance(), 0.4);
+        ASSERT_TRUE(of.apply(of.encode()));
+        EXPECT_LT(of.distance(), 1e-5);
         EXPECT_TRUE(of.here.of(of.here.crowd->character_of(of.copy)).crouched);
         of.there.run(0.2);
         of.here.run(0.2);
         // A rigid one has the contacts of where it was before: .3 mm until these have settled.
-        EXPECT_LT(of.apart(), 5e-4);
+        EXPECT_LT(of.distance(), 5e-4);
     }
 }
 
@@ -77,18 +77,18 @@ TEST(DrivenCharacter, words_that_make_no_sense_change_nothing) {
     TwoWorlds of(CharacterKind::sweeping);
     of.there.walk(of.hero, {3, 0, 0});
     of.there.run(0.3);
-    const std::vector<std::uint32_t> good = of.tell();
-    ASSERT_TRUE(of.take(good));
+    const std::vector<std::uint32_t> good = of.encode();
+    ASSERT_TRUE(of.apply(good));
     test::Random random(6);
     int refused = 0;
     for (int k = 0; k < 3000; k++) {
         const Transform before = test::must(of.here.world.body(of.copy)).pose;
-        if (!of.take(test::corrupted(good, random))) {
+        if (!of.apply(test::corrupted(good, random))) {
             refused++;
             EXPECT_EQ(test::must(of.here.world.body(of.copy)).pose, before);
         }
         of.here.run(1.0 / 60);
-        ASSERT_TRUE(of.take(good)) << k;
+        ASSERT_TRUE(of.apply(good)) << k;
     }
     EXPECT_GT(refused, 1000);
 }

@@ -35,16 +35,16 @@ struct TwoWorlds {
         vehicles = made.get();
         world.add_module(std::move(made)).expect();
     }
-    std::optional<std::vector<std::uint32_t>> tell() {
+    std::optional<std::vector<std::uint32_t>> encode() {
         return modules::encode_controlled_entity(there.world, *there.vehicles, there.chassis,
                                     [&](BodyId id) { return id == there.chassis ? 7u : 9u; });
     }
-    bool take(std::span<const std::uint32_t> words) {
+    bool apply(std::span<const std::uint32_t> words) {
         return modules::apply_controlled_entity(world, *vehicles, chassis, words, [&](std::uint32_t name) {
             return name == 7 ? chassis : BodyId{};
         });
     }
-    double apart() const {
+    double distance() const {
         return length(world.body(chassis)->pose.position - there.body().pose.position);
     }
     void drive_both(int ticks) {
@@ -60,46 +60,46 @@ TEST(DrivenCar, goes_on_in_another_world_as_in_its_own) {
     of.there.set({.throttle = 1, .steering = 0.3});
     of.there.drive(2.5);
     ASSERT_GT(of.there.speed(), 8);
-    const auto words = of.tell();
+    const auto words = of.encode();
     ASSERT_TRUE(words.has_value());
     EXPECT_LT(words->size(), 400u);  // 1.6 kB, most of which never changes
-    ASSERT_TRUE(of.take(*words));
+    ASSERT_TRUE(of.apply(*words));
     EXPECT_EQ(of.vehicles->state(1)->gear, of.there.state().gear);
     // Half a second of the same controls, through a change of gear and 5 m of a bend.
     of.drive_both(30);
-    RecordProperty("apart_mm", std::to_string(1000 * of.apart()));
-    EXPECT_LT(of.apart(), 2e-4);
+    RecordProperty("apart_mm", std::to_string(1000 * of.distance()));
+    EXPECT_LT(of.distance(), 2e-4);
     // Whoever holds the wheel here turns it here.
     of.vehicles->control(of.world, of.chassis, {.axes = {-1, 0}});
     of.drive_both(30);
-    EXPECT_GT(of.apart(), 0.3);
+    EXPECT_GT(of.distance(), 0.3);
     // And what was told later puts that right.
-    ASSERT_TRUE(of.take(*of.tell()));
-    EXPECT_LT(of.apart(), 1e-5);
+    ASSERT_TRUE(of.apply(*of.encode()));
+    EXPECT_LT(of.distance(), 1e-5);
     EXPECT_EQ(of.vehicles->cars().size(), 1u);
 }
 
 TEST(DrivenCar, of_which_wheels_are_bodies_is_not_told) {
     TwoWorlds of(modules::WheelCast::body);
-    EXPECT_FALSE(of.tell().has_value());
+    EXPECT_FALSE(of.encode().has_value());
 }
 
 TEST(DrivenCar, words_that_make_no_sense_change_nothing) {
     TwoWorlds of;
     of.there.set({.throttle = 1});
     of.there.drive(1);
-    const std::vector<std::uint32_t> good = *of.tell();
-    ASSERT_TRUE(of.take(good));
+    const std::vector<std::uint32_t> good = *of.encode();
+    ASSERT_TRUE(of.apply(good));
     Random random(5);
     int refused = 0;
     for (int k = 0; k < 3000; k++) {
         const Transform before = of.world.body(of.chassis)->pose;
-        if (!of.take(corrupted(good, random))) {
+        if (!of.apply(corrupted(good, random))) {
             refused++;
             EXPECT_EQ(of.world.body(of.chassis)->pose, before);
         }
         of.world.step(step_time).expect();
-        if (!of.take(good)) FAIL() << "forged words " << k << " left a car that takes none";
+        if (!of.apply(good)) FAIL() << "forged words " << k << " left a car that takes none";
     }
     EXPECT_GT(refused, 1000);
 }

@@ -15,7 +15,7 @@ using namespace physics;
 using test::add;
 using test::must;
 
-struct Watch : StepListener {
+struct GroupProbe : StepListener {
     BodyId a, b;
     int together = 0, apart = 0;
 
@@ -35,7 +35,7 @@ TEST(Couple, puts_bodies_that_do_not_touch_into_one_group) {
         for (int k = 0; k < 900; k++)
             crates.push_back(add(world, {.position = {2.2 * (k % 30), 0.49, 2.2 * (k / 30)},
                                          .sleep_allowed = false}));
-        Watch watch;
+        GroupProbe watch;
         watch.a = crates.front();
         watch.b = crates.back();
         if (coupled) must(create_island_coupling(world, watch.a, watch.b));

@@ -35,17 +35,17 @@ TEST(Couple, puts_bodies_that_do_not_touch_into_one_group) {
         for (int k = 0; k < 900; k++)
             crates.push_back(add(world, {.position = {2.2 * (k % 30), 0.49, 2.2 * (k / 30)},
                                          .sleep_allowed = false}));
-        GroupProbe watch;
-        watch.a = crates.front();
-        watch.b = crates.back();
-        if (coupled) must(create_island_coupling(world, watch.a, watch.b));
-        must(world.add_listener(watch));
+        GroupProbe probe;
+        probe.a = crates.front();
+        probe.b = crates.back();
+        if (coupled) must(create_island_coupling(world, probe.a, probe.b));
+        must(world.add_listener(probe));
         test::run(world, 1);
         if (coupled) {
-            EXPECT_EQ(watch.together, 60);
-            EXPECT_EQ(watch.apart, 0);
+            EXPECT_EQ(probe.together, 60);
+            EXPECT_EQ(probe.apart, 0);
         } else {
-            EXPECT_GT(watch.apart, 0);
+            EXPECT_GT(probe.apart, 0);
         }
     }
 }

@@ -13,10 +13,10 @@ namespace {
 using namespace physics;
 
 // A ball breaks a wall; another wall stands beside, a block falls on the ground.
-struct Show {
+struct TestScene {
     Stage stage;
 
-    explicit Show(int threads = 1, int chunks = 60) : stage({.threads = threads}) {
+    explicit TestScene(int threads = 1, int chunks = 60) : stage({.threads = threads}) {
         stage.floor();
         stage.add(wall(chunks), standing());
         DestructibleDef beside = standing();
@@ -32,7 +32,7 @@ struct Show {
 TEST(DestructionState, threads_change_no_bit) {
     std::uint64_t first = 0;
     for (const int threads : {1, 2, 4, 8}) {
-        Show show(threads);
+        TestScene show(threads);
         show.stage.step(90);
         const std::uint64_t hash = state_hash(show.stage.world);
         if (threads == 1) first = hash;
@@ -44,7 +44,7 @@ TEST(DestructionState, threads_change_no_bit) {
 TEST(DestructionState, a_loaded_and_a_restored_world_go_on_alike) {
     ASSERT_TRUE(registered);
     for (const int moment : {3, 6, 40}) {
-        Show show;
+        TestScene show;
         show.stage.step(moment);
         World& world = show.stage.world;
         const std::vector<std::byte> bytes = save(world);
@@ -63,7 +63,7 @@ TEST(DestructionState, a_loaded_and_a_restored_world_go_on_alike) {
 
 // Any byte of the module's state may be anything: a load says no, or gives a world that steps.
 TEST(DestructionState, forged_bytes_are_refused_or_harmless) {
-    Show show(1, 8);
+    TestScene show(1, 8);
     show.stage.step(10);
     const std::vector<std::byte> whole = save_module(*show.stage.destruction);
     int refused = 0, stepped = 0;
@@ -76,7 +76,7 @@ TEST(DestructionState, forged_bytes_are_refused_or_harmless) {
             continue;
         }
         if (at % 37 != 0) continue;  // worlds take a while
-        Show other(1, 8);
+        TestScene other(1, 8);
         other.stage.step(2);
         other.stage.world.remove_module("destruction").expect();
         other.stage.world.add_module(std::move(corrupted)).expect();

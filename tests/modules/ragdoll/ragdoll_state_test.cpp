@@ -18,11 +18,11 @@ const bool registered =
     register_module("ragdoll", [] { return std::make_unique<Ragdolls>(); }).ok();
 
 // One limp, one that waves with its muscles, one that is led and let go of.
-struct Show {
+struct TestScene {
     Stage stage;
     RagdollId limp, powered, led;
 
-    explicit Show(int threads = 1) : stage({.threads = threads}) {
+    explicit TestScene(int threads = 1) : stage({.threads = threads}) {
         stage.floor();
         limp = stage.add(human_figure());
         powered = stage.add(human_figure(), {{0, 0, 1.5}, {}});
@@ -31,7 +31,7 @@ struct Show {
         stage.ragdolls->set_mode(stage.world, led, RagdollMode::kinematic).expect();
     }
 };
-void play(World& world, const Show& show, int from, int to) {
+void play(World& world, const TestScene& show, int from, int to) {
     auto& ragdolls = dynamic_cast<Ragdolls&>(*world.module("ragdoll"));
     for (int k = from; k < to; k++) {
         RagdollPose pose{.root = {{0, 0, 1.5}, {}}, .rotations = std::vector<Quat>(11)};
@@ -45,7 +45,7 @@ void play(World& world, const Show& show, int from, int to) {
 TEST(RagdollState, threads_change_no_bit) {
     std::uint64_t first = 0;
     for (const int threads : {1, 2, 4, 8}) {
-        Show show(threads);
+        TestScene show(threads);
         play(show.stage.world, show, 0, 120);
         const std::uint64_t hash = state_hash(show.stage.world);
         if (threads == 1) first = hash;
@@ -55,7 +55,7 @@ TEST(RagdollState, threads_change_no_bit) {
 
 TEST(RagdollState, a_loaded_and_a_restored_world_go_on_alike) {
     ASSERT_TRUE(registered);
-    Show show;
+    TestScene show;
     World& world = show.stage.world;
     play(world, show, 0, 40);
     const std::vector<std::byte> bytes = save(world);
@@ -73,14 +73,14 @@ TEST(RagdollState, a_loaded_and_a_restored_world_go_on_alike) {
 
 // Any byte of the module's state may be anything: a load says no, or gives a world that steps.
 TEST(RagdollState, forged_bytes_are_refused_or_harmless) {
-    Show show;
+    TestScene show;
     play(show.stage.world, show, 0, 10);
     const std::vector<std::byte> whole = save_module(*show.stage.ragdolls);
     int refused = 0;
     for (std::size_t at = 0; at < whole.size(); at += 3) {
         std::vector<std::byte> bytes = whole;
         bytes[at] = ~bytes[at];
-        Show other;
+        TestScene other;
         auto corrupted = std::make_unique<Ragdolls>();
         if (!load_module(*corrupted, bytes).ok()) {
             refused++;

@@ -29,7 +29,7 @@ std::string turntable(const std::string& module) {
 
 class ModuleMessage : public testing::Test {
 protected:
-    void SetUp() override { test::know_turntable(); }
+    void SetUp() override { test::register_turntable(); }
 
     static SceneDescription read(const std::string& text) {
         auto scene = read_scene_json(text);

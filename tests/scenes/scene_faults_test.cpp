@@ -247,7 +247,7 @@ TEST(SceneFaults, a_planar_world_takes_what_lies_in_its_plane) {
 }
 
 TEST(SceneFaults, a_module_is_one_that_the_program_knows_and_comes_once) {
-    test::know_turntable();
+    test::register_turntable();
     expect_refused(
         with_module("\n\"tag\": \"submarine\""),
         "line 6: modules[0].tag: is \"submarine\"; the modules of this program are "
@@ -270,7 +270,7 @@ TEST(SceneFaults, a_module_is_one_that_the_program_knows_and_comes_once) {
 }
 
 TEST(SceneFaults, settings_of_a_module_are_numbers_and_its_bodies_are_there) {
-    test::know_turntable();
+    test::register_turntable();
     const std::string tag = "\"tag\": \"turntable\", ";
     expect_refused(with_module(tag + "\"settings\": {\n\"speed\": \"2\"}"),
                    "line 6: modules[0].settings.speed: must be a number, not string");
@@ -288,7 +288,7 @@ TEST(SceneFaults, settings_of_a_module_are_numbers_and_its_bodies_are_there) {
 }
 
 TEST(SceneFaults, the_module_itself_refuses_settings_and_states) {
-    test::know_turntable();
+    test::register_turntable();
     const std::string tag = R"("tag": "turntable", "bodies": {"disc": "disc"}, )";
     expect_not_built(with_module(tag + R"("settings": {"speeed": 2})"),
                      "modules[0] 'turntable': has no setting \"speeed\"; it has gain and speed");

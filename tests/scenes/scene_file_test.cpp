@@ -84,7 +84,7 @@ TEST(SceneFile, a_catalogue_scene_written_and_read_is_the_same_world_to_the_last
 // What a reader drops and a writer forgets would survive any round trip: so the fields themselves
 // are counted. Repeats, solids and frames in the world are written as what they make.
 TEST(SceneFile, no_field_is_lost_between_reading_and_writing) {
-    test::know_turntable();
+    test::register_turntable();
     std::set<std::string> all, given, written;
     add_fields(*v1::Scene::descriptor(), all);
     all.erase("Shape.geometry");  // only in a Roster; a file that has it is refused
@@ -106,7 +106,7 @@ TEST(SceneFile, no_field_is_lost_between_reading_and_writing) {
 }
 
 TEST(SceneFile, every_field_written_and_read_is_the_same_world_thirty_steps_on) {
-    test::know_turntable();
+    test::register_turntable();
     for (const char* file : every_field_files) {
         const auto scene = load_scene(file);
         ASSERT_TRUE(scene.ok()) << scene.error().message;
@@ -159,7 +159,7 @@ TEST(SceneFile, minus_zero_is_zero) {
 }
 
 TEST(SceneFile, each_example_of_the_document_runs_for_a_second) {
-    test::know_turntable();
+    test::register_turntable();
     const std::string document = read(PROJECT_FOLDER "/docs/scene_format.md");
     int examples = 0;
     for (std::size_t at = 0; (at = document.find("```json\n", at)) != std::string::npos;

@@ -52,7 +52,7 @@ private:
 };
 
 // May be called by several tests of a program.
-inline void know_turntable() {
+inline void register_turntable() {
     static const Status known =
         physics::register_module("turntable", [] { return std::make_unique<Turntable>(); });
     known.expect();

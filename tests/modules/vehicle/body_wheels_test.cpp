@@ -17,7 +17,7 @@ VehicleDef with_bodies(BodyId chassis) {
     return def;
 }
 
-constexpr double wheel_mass = 20, whole_mass = car_mass + 4 * wheel_mass;
+constexpr double wheel_mass = 20, total_mass = car_mass + 4 * wheel_mass;
 
 TEST(BodyWheels, a_car_at_rest_sags_by_its_weight_over_its_stiffness) {
     double worst = 0;
@@ -31,7 +31,7 @@ TEST(BodyWheels, a_car_at_rest_sags_by_its_weight_over_its_stiffness) {
             const double expected = car_mass * gravity / (4 * wheel.stiffness);
             worst = std::max(worst, std::abs(wheel.travel / expected - 1));
             EXPECT_TRUE(wheel.touches);
-            EXPECT_NEAR(wheel.load, whole_mass * gravity / 4, 0.001 * whole_mass * gravity);
+            EXPECT_NEAR(wheel.load, total_mass * gravity / 4, 0.001 * total_mass * gravity);
         }
     }
     RecordProperty("sag_off_percent", std::to_string(100 * worst));
@@ -54,7 +54,7 @@ TEST(BodyWheels, locked_wheels_stop_a_car_within_v_squared_over_two_mu_g) {
     for (const double speed : {10.0, 20.0, 30.0}) {
         TestCar of({}, {0, 0, -speed});
         of.add(with_bodies(of.chassis));
-        roll_off(of, 2);
+        coast(of, 2);
         const double v = of.speed();
         const Vec3 start = of.body().center;
         of.set({.brake = 1, .gear = 0});
@@ -123,7 +123,7 @@ TEST(BodyWheels, the_engine_moves_the_whole_car) {
     of.drive(2);
     const double ratio = 2 * 3.7, r2 = 0.33 * 0.33;
     const double spins = 4 * 0.5 * wheel_mass + 0.2 * ratio * ratio / r2;
-    const double expected = 200 * ratio / 0.33 / (whole_mass + spins);
+    const double expected = 200 * ratio / 0.33 / (total_mass + spins);
     const double a = (of.speed() - before) / 2;
     RecordProperty("acceleration_off_percent", std::to_string(100 * (a / expected - 1)));
     EXPECT_NEAR(a, expected, 0.01 * expected);

@@ -76,7 +76,7 @@ TEST(Differential, a_locked_axle_resists_a_bend_and_an_open_one_does_not) {
         VehicleDef def = plain_saloon(of.chassis);
         if (locked) def.differential_locks = {{.first = {2}, .second = {3}, .kind = DifferentialLockKind::locked}};
         of.add(def);
-        roll_off(of, 0.5);
+        coast(of, 0.5);
         of.set({.steering = 0.5, .gear = 0});
         of.drive(1.5);
         const auto wheels = of.state().wheels;

@@ -120,7 +120,7 @@ TEST(DriveLine, an_automatic_shifts_up_early_where_little_is_asked_and_does_not_
 TEST(DriveLine, reverse_is_taken_once_the_car_stands) {
     TestCar of({}, {0, 0, -5});
     of.add(plain_saloon(of.chassis));
-    roll_off(of, 0.5);
+    coast(of, 0.5);
     of.set({.throttle = 0.3, .gear = -1});
     of.drive(0.5);
     EXPECT_EQ(of.state().gear, 0) << "not at 5 m/s ahead";
@@ -137,7 +137,7 @@ TEST(DriveLine, a_manual_gearbox_does_what_it_is_told) {
     VehicleDef def = plain_saloon(of.chassis);
     def.gearbox.automatic = false;
     of.add(def);
-    roll_off(of, 1);
+    coast(of, 1);
     of.set({.gear = 2});
     of.drive(1);
     EXPECT_EQ(of.state().gear, 2);

@@ -19,7 +19,7 @@ TEST(Grip, locked_wheels_stop_a_car_within_v_squared_over_two_mu_g) {
             VehicleDef def = plain_saloon(of.chassis);
             for (auto& wheel : def.wheels) wheel.tyre.friction = mu * mu;
             of.add(def);
-            roll_off(of);
+            coast(of);
             const double v0 = of.speed(), from = of.body().center.z;
             of.set({.brake = 1, .gear = 0});
             // The last step is cut where the speed is gone: then treads spring back a little.
@@ -72,7 +72,7 @@ TEST(Grip, on_the_skid_pad_a_car_turns_with_mu_g) {
             wheel.suspension.frequency = 2.5;
         }
         of.add(def);
-        roll_off(of, 1);
+        coast(of, 1);
         double most = 0;
         for (double steering = 0.1; steering <= 0.6; steering += 0.05) {
             of.set({.steering = steering, .gear = 0});
@@ -98,7 +98,7 @@ TEST(Grip, yaw_follows_the_steering_as_the_bicycle_model_says) {
                 def.wheels[k].suspension.damping = 1;
             }
             of.add(def);
-            roll_off(of, 1);
+            coast(of, 1);
             of.set({.steering = 0.0005 / 0.6, .gear = 0});
             of.drive(6);
             const double speed = of.speed();
@@ -150,7 +150,7 @@ TEST(Grip, past_its_friction_angle_a_parked_car_slides_as_coulomb_says) {
 TEST(Grip, a_braked_tyre_turns_less) {
     TestCar of({}, {0, 0, -20});
     of.add(plain_saloon(of.chassis));
-    roll_off(of, 1);
+    coast(of, 1);
     of.set({.brake = 1, .steering = 0.5, .gear = 0});
     of.drive(1);
     const auto wheels = of.state().wheels;
@@ -164,7 +164,7 @@ TEST(Grip, a_braked_tyre_turns_less) {
 TEST(Grip, a_handbrake_lets_the_tail_step_out) {
     TestCar of({}, {0, 0, -15});
     of.add(plain_saloon(of.chassis));
-    roll_off(of, 1);
+    coast(of, 1);
     of.set({.hand_brake = 1, .steering = 0.5, .gear = 0});
     of.drive(1.5);
     const BodyState body = of.body();

@@ -179,7 +179,7 @@ TEST(Ground, a_car_drives_over_a_mesh_as_over_a_plane) {
         VehicleDef def = plain_saloon(of.chassis);
         def.cast = cast;
         of.add(def);
-        roll_off(of, 2);
+        coast(of, 2);
         const double v = of.speed();
         double lowest = 9, highest = 0;
         for (int k = 0; k < 120; k++) {
@@ -195,7 +195,7 @@ TEST(Ground, a_car_drives_over_a_mesh_as_over_a_plane) {
 TEST(Ground, friction_is_read_from_the_ground) {
     TestCar of({}, {0, 0, -10});
     of.add(plain_saloon(of.chassis));
-    roll_off(of, 0.5);
+    coast(of, 0.5);
     // Ice from here on: the material of the plane changes.
     for (const BodyId body : of.world.bodies())
         for (const ShapeId shape : of.world.shapes_of(body))

@@ -92,7 +92,7 @@ TEST(Ride, braking_moves_the_load_that_its_moment_asks_for) {
         wheel.suspension.longest = 0.36;
     }
     of.add(def);
-    roll_off(of);
+    coast(of);
     of.set({.brake = 1, .gear = 0});
     of.drive(2);
     const double v = of.speed();

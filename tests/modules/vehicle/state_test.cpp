@@ -12,7 +12,7 @@
 namespace jostle::test {
 namespace {
 
-void know_vehicles() {
+void register_vehicles() {
     static const Status known =
         register_module(std::string(Vehicles::kind), [] { return std::make_unique<Vehicles>(); });
     known.expect();
@@ -24,7 +24,7 @@ Vehicles& vehicles_of(World& world) {
 
 // Eight cars among crates, on ground with waves, each with another cast and another pilot.
 World lively(int threads) {
-    know_vehicles();
+    register_vehicles();
     World world({.threads = threads});
     HeightGrid grid{.columns = 81, .rows = 81, .spacing_x = 2, .spacing_z = 2};
     for (int row = 0; row < 81; row++)
@@ -77,7 +77,7 @@ TEST(VehicleState, any_number_of_threads_gives_the_same_bits) {
 
 // So many that they look for their ground on all threads.
 World crowded(int threads) {
-    know_vehicles();
+    register_vehicles();
     World world({.threads = threads});
     world.create_body({.type = BodyType::static_body}, {.geometry = Plane{}}).value();
     world.add_module(std::make_unique<Vehicles>()).expect();

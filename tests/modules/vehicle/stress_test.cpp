@@ -34,7 +34,7 @@ struct StressedCar : TestCar {
         const WorldSummary summary = world.summary();
         return summary.kinetic_energy + summary.potential_energy;
     }
-    void watch(double seconds, double dt = step_time) {
+    void track_energy(double seconds, double dt = step_time) {
         const double start = energy();
         for (int k = 0; k < static_cast<int>(seconds / dt); k++) {
             world.step(dt).expect();
@@ -61,7 +61,7 @@ TEST_P(Stress, a_jump_off_a_ramp_at_40_metres_a_second) {
     const BodyId ramp = of.box({0, 0, -30}, {5, 0.2, 8}, 0, BodyType::static_body);
     of.world.set_pose(ramp, {{0, 0, -30}, normalized(Quat{0.15, 0, 0, 1})}).expect();
     of.roll(GetParam());
-    of.watch(10);
+    of.track_energy(10);
     EXPECT_LT(of.gained, springs);
     EXPECT_LT(of.fastest, 40.5);
 }
@@ -70,7 +70,7 @@ TEST_P(Stress, a_landing_on_one_wheel) {
     StressedCar of;
     of.put({0, 4, 0}, {0.25, 0, 0.3, 1});
     of.roll(GetParam());
-    of.watch(10);
+    of.track_energy(10);
     EXPECT_LT(of.gained, springs);
     EXPECT_LT(of.fastest, std::sqrt(2 * gravity * 4) + 0.5);
     EXPECT_GT(rotate(of.body().pose.rotation, {0, 1, 0}).y, 0.99) << "on its wheels again";
@@ -81,7 +81,7 @@ TEST_P(Stress, on_its_roof) {
     of.put({0, 1, 0}, {0, 0, 1, 0});
     of.add(of.plain(GetParam()));
     of.set({.throttle = 1});
-    of.watch(3);
+    of.track_energy(3);
     EXPECT_LT(of.speed(), 0.3) << "wheels in the air drive nothing";
     EXPECT_LT(of.fastest, std::sqrt(2 * gravity));
 }
@@ -91,7 +91,7 @@ TEST_P(Stress, on_a_loose_trailer_and_on_a_moving_platform) {
     loose.box({0, 1, 0}, {1.5, 0.2, 4}, 3000);
     loose.put({0, 1.9, 0});
     loose.roll(GetParam());
-    loose.watch(8);
+    loose.track_energy(8);
     EXPECT_LT(loose.gained, springs);
     EXPECT_LT(loose.speed(), 0.3);
 
@@ -101,7 +101,7 @@ TEST_P(Stress, on_a_loose_trailer_and_on_a_moving_platform) {
     carried.put({0, 1.9, 0});
     carried.add(carried.plain(GetParam()));
     carried.set({.brake = 1, .gear = 0});
-    carried.watch(8);
+    carried.track_energy(8);
     EXPECT_NEAR(carried.body().linear_velocity.x, 5, 0.01);
     EXPECT_LT(carried.fastest, 6.5);
 }
@@ -110,7 +110,7 @@ TEST_P(Stress, against_a_hundred_tonnes_and_under_them) {
     StressedCar against({0, 0, -20});
     against.box({0, 2, -30}, {2, 2, 2}, 1e5);
     against.roll(GetParam());
-    against.watch(8);
+    against.track_energy(8);
     EXPECT_LT(against.gained, springs);
     EXPECT_LT(against.fastest, 20.1);
     EXPECT_LT(against.speed(), 1);
@@ -118,7 +118,7 @@ TEST_P(Stress, against_a_hundred_tonnes_and_under_them) {
     StressedCar under;
     under.box({0, 4, 0}, {1, 1, 1}, 1e5);
     under.roll(GetParam());
-    under.watch(8);
+    under.track_energy(8);
     EXPECT_LT(under.gained, 0.01 * 1e5 * gravity);
     EXPECT_LT(under.fastest, 12);
 }
@@ -127,11 +127,11 @@ TEST_P(Stress, at_30_and_at_240_steps_a_second) {
     for (const double dt : {1.0 / 30, 1.0 / 240}) {
         StressedCar of({0, 0, -20});
         of.roll(GetParam());
-        of.watch(3, dt);
+        of.track_energy(3, dt);
         EXPECT_LT(of.gained, springs);
         EXPECT_GT(of.speed(), 19);
         of.set({.brake = 1, .gear = 0});
-        of.watch(6, dt);
+        of.track_energy(6, dt);
         EXPECT_LT(of.speed(), 0.01);
     }
 }
@@ -148,11 +148,11 @@ TEST_P(Stress, on_wheels_of_a_decimetre_and_of_a_metre) {
         }
         of.add(def);
         of.set({.gear = 0});
-        of.watch(3);
+        of.track_energy(3);
         EXPECT_LT(of.gained, springs);
         EXPECT_NEAR(of.body().center.y, radius + 0.34, 0.01);
         of.set({.brake = 1, .gear = 0});
-        of.watch(6);
+        of.track_energy(6);
         EXPECT_LT(of.speed(), 0.01);
     }
 }
@@ -165,10 +165,10 @@ TEST_P(Stress, of_a_hundred_kilograms_and_of_thirty_tonnes) {
         for (auto& wheel : def.wheels) wheel.brake_torque = 10 * mass;
         of.add(def);
         of.set({.gear = 0});
-        of.watch(3);
+        of.track_energy(3);
         EXPECT_LT(of.gained, springs * mass / car_mass + 60);
         of.set({.brake = 1, .gear = 0});
-        of.watch(6);
+        of.track_energy(6);
         EXPECT_LT(of.speed(), 0.01);
     }
 }

@@ -80,7 +80,7 @@ struct TestCar {
 };
 
 // Wheels that already roll at the chassis' speed: in neutral, after a moment.
-inline void roll_off(TestCar& of, double seconds = 2) {
+inline void coast(TestCar& of, double seconds = 2) {
     of.set({.gear = 0});
     of.drive(seconds);
 }

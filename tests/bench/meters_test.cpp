@@ -18,9 +18,9 @@ using jostle::physics::pi;
 // Where each body is at each time is told.
 using Motion3 = std::function<BodyState(int body, double t)>;
 
-class Told final : public Engine {
+class ScriptedEngine final : public Engine {
 public:
-    explicit Told(Motion3 motion) : motion_(std::move(motion)) {}
+    explicit ScriptedEngine(Motion3 motion) : motion_(std::move(motion)) {}
     jostle::Status build(const Scene&, const std::string&) override { return {}; }
     void step(double dt) override { t_ += dt; }
     BodyState state(int body) const override { return motion_(body, t_); }
@@ -35,7 +35,7 @@ private:
 
 Errors errors_of(const char* name, const Motion3& motion, double rate_hz = 60) {
     const ExperimentRun start = find_experiment(name)->start(0);
-    Told engine(motion);
+    ScriptedEngine engine(motion);
     const long steps = std::lround(start.seconds * rate_hz);
     for (long k = 0; k < steps; k++) {
         engine.step(1 / rate_hz);
@@ -166,7 +166,7 @@ TEST(Meters, gaps_are_between_the_ends_of_joints) {
     Scene scene;
     scene.bodies = {without_shape(solid_box(1, {0.1, 0.1, 0.5}, {0, 0, -0.5}))};
     scene.joints = {ball_at(ground, 0, {})};
-    Told engine([](int, double) { return BodyState{.position = {0.3, 0, -0.9}}; });
+    ScriptedEngine engine([](int, double) { return BodyState{.position = {0.3, 0, -0.9}}; });
     GapMeter gaps(scene);
     gaps.sample(engine);
     EXPECT_NEAR(gaps.most(), 0.5, 1e-12);

@@ -28,7 +28,7 @@ Row row_of(const char* scene, const char* engine, double rate_hz, double error, 
             .cpu_us_per_second = cost};
 }
 
-const std::vector<Row>& made_up() {
+const std::vector<Row>& synthetic_rows() {
     static const std::vector<Row> rows = [] {
         std::vector<Row> all = {
             row_of("j1", "jostle", 30, 0.02, 50),     row_of("j1", "jostle", 60, 0.005, 100),
@@ -43,23 +43,23 @@ const std::vector<Row>& made_up() {
 }
 
 TEST(Orders, are_slopes_between_neighbouring_rates) {
-    const auto orders = observed_orders(made_up(), "j1", "jostle", "m");
+    const auto orders = observed_orders(synthetic_rows(), "j1", "jostle", "m");
     ASSERT_EQ(orders.size(), 2u);
     EXPECT_NEAR(orders[0].order, 2, 1e-12);
     EXPECT_EQ(orders[0].to_hz, 60);
     EXPECT_NEAR(orders[1].order, std::log2(0.005 / 0.0009), 1e-12);
-    EXPECT_TRUE(observed_orders(made_up(), "j1", "other", "m").empty());
+    EXPECT_TRUE(observed_orders(synthetic_rows(), "j1", "other", "m").empty());
 }
 
 TEST(LeastWork, is_the_cheapest_row_that_is_good_enough) {
-    EXPECT_EQ(least_work(made_up(), "j1", "jostle", 0.01)->cpu_us_per_second, 100);
-    EXPECT_EQ(least_work(made_up(), "j1", "peer", 0.01)->cpu_us_per_second, 40);
-    EXPECT_FALSE(least_work(made_up(), "j1", "peer", 0.001));
-    EXPECT_EQ(least_work(made_up(), "j1", "other", 1)->cpu_us_per_second, 400);  // not the lost one
+    EXPECT_EQ(least_work(synthetic_rows(), "j1", "jostle", 0.01)->cpu_us_per_second, 100);
+    EXPECT_EQ(least_work(synthetic_rows(), "j1", "peer", 0.01)->cpu_us_per_second, 40);
+    EXPECT_FALSE(least_work(synthetic_rows(), "j1", "peer", 0.001));
+    EXPECT_EQ(least_work(synthetic_rows(), "j1", "other", 1)->cpu_us_per_second, 400);  // not the lost one
 }
 
 TEST(ParetoSet, holds_what_nobody_beats_in_both) {
-    const auto front = pareto_set(made_up(), "j1");
+    const auto front = pareto_set(synthetic_rows(), "j1");
     ASSERT_EQ(front.size(), 4u);
     EXPECT_EQ(front[0].cpu_us_per_second, 40);
     EXPECT_EQ(front[1].cpu_us_per_second, 90);
@@ -69,7 +69,7 @@ TEST(ParetoSet, holds_what_nobody_beats_in_both) {
 
 // j1 asks for 0.01, 0.001 and 1e-5: 40/100, 400/200, and one that only a peer reaches.
 TEST(Score, is_the_geometric_mean_and_a_missing_figure_counts_a_hundredth) {
-    const Score score = score_of(made_up(), "jostle");
+    const Score score = score_of(synthetic_rows(), "jostle");
     ASSERT_EQ(score.comparisons.size(), 3u);
     EXPECT_DOUBLE_EQ(score.comparisons[0].ratio, 0.4);
     EXPECT_DOUBLE_EQ(score.comparisons[1].ratio, 2);
@@ -93,7 +93,7 @@ TEST(Score, what_only_we_reach_counts_a_hundred) {
 }
 
 TEST(Report, says_errors_orders_work_and_reasons) {
-    std::vector<Row> rows = made_up();
+    std::vector<Row> rows = synthetic_rows();
     rows.push_back({.scene = "j1", .engine = "flat", .mode = "m", .rate_hz = 60, .unsupported = "no z"});
     const std::string text = scene_report(*find_experiment("j1"), rows);
     EXPECT_NE(text.find("30-60: 2.00"), std::string::npos) << text;
@@ -102,12 +102,12 @@ TEST(Report, says_errors_orders_work_and_reasons) {
 }
 
 TEST(Rows, go_through_json_unchanged) {
-    for (const Row& row : made_up()) {
+    for (const Row& row : synthetic_rows()) {
         EXPECT_EQ(to_json(row_from(to_json(row))), to_json(row));
         EXPECT_EQ(to_json(row).contains("error"), row.failed.empty());
     }
-    EXPECT_EQ(csv_line(made_up()[0]), "j1,jostle,m,30,0.02,0,50");
-    EXPECT_EQ(csv_line(made_up().back()), "j1,other,m,30,blown,,");
+    EXPECT_EQ(csv_line(synthetic_rows()[0]), "j1,jostle,m,30,0.02,0,50");
+    EXPECT_EQ(csv_line(synthetic_rows().back()), "j1,other,m,30,blown,,");
 }
 
 std::size_t times_in(const std::string& text, const std::string& part) {
@@ -119,19 +119,19 @@ std::size_t times_in(const std::string& text, const std::string& part) {
 
 TEST(Rows, go_through_csv_unchanged) {
     std::string text = csv_heading() + "\n";
-    for (const Row& row : made_up()) text += csv_line(row) + "\n";
+    for (const Row& row : synthetic_rows()) text += csv_line(row) + "\n";
     std::istringstream in(text);
     const std::vector<Row> read = rows_from_csv(in);
-    ASSERT_EQ(read.size(), made_up().size());
+    ASSERT_EQ(read.size(), synthetic_rows().size());
     for (std::size_t k = 0; k < read.size(); k++)
-        EXPECT_EQ(csv_line(read[k]), csv_line(made_up()[k]));
+        EXPECT_EQ(csv_line(read[k]), csv_line(synthetic_rows()[k]));
     std::istringstream wrong(csv_heading() + "\nj1,jostle\n"), other("scene;engine\n");
     EXPECT_THROW(rows_from_csv(wrong), std::runtime_error);
     EXPECT_THROW(rows_from_csv(other), std::runtime_error);
 }
 
 TEST(Sheet, draws_a_panel_a_scene_with_the_rows_that_nobody_beats_and_the_least_work) {
-    std::vector<Row> rows = made_up();
+    std::vector<Row> rows = synthetic_rows();
     rows.push_back(row_of("f1", "jostle", 60, 0, 10));
     const std::string svg = accuracy_overview(rows);
     EXPECT_NE(svg.find(">j1<"), std::string::npos);
@@ -160,7 +160,7 @@ TEST(DocTables, hold_the_figures) {
                                        "294 |"),
               std::string::npos)
         << jostle_table({row});
-    EXPECT_NE(score_table(score_of(made_up(), "jostle")).find("| j1 | 0.01 | 0.4 | peer |"),
+    EXPECT_NE(score_table(score_of(synthetic_rows(), "jostle")).find("| j1 | 0.01 | 0.4 | peer |"),
               std::string::npos);
     const nlohmann::ordered_json verdicts = {{{"id", "s1"},
                                               {"engine", "jostle"},
@@ -194,7 +194,7 @@ TEST(DocTables, hold_the_figures) {
 }
 
 TEST(Plot, draws_a_mark_a_row_and_a_curve_a_mode) {
-    const std::string svg = plot_accuracy(*find_experiment("j1"), made_up(), "a machine");
+    const std::string svg = plot_accuracy(*find_experiment("j1"), synthetic_rows(), "a machine");
     EXPECT_EQ(times_in(svg, "<polyline"), 3u);
     EXPECT_EQ(times_in(svg, "r=\"8\""), 4u);  // the Pareto set
     EXPECT_NE(svg.find("least work for 0.01: 40, peer"), std::string::npos);

@@ -40,7 +40,7 @@ std::string with_modules(const std::string& modules) {
            "\n  ]\n}\n";
 }
 
-std::string fault_of(const std::string& modules) {
+std::string error_of(const std::string& modules) {
     const auto scene = read_scene_json(with_modules(modules));
     if (!scene.ok()) return scene.error().message;
     const auto built = build_scene(*scene);
@@ -99,7 +99,7 @@ TEST(ModuleThings, what_was_fractured_ahead_of_time_stands_in_the_scene) {
     EXPECT_THAT(wrong.error().message, HasSubstr("line "));
     EXPECT_THAT(wrong.error().message, HasSubstr("modules[0].destruction.fractured[0].shape"));
     EXPECT_THAT(wrong.error().message, HasSubstr("checksum"));
-    EXPECT_THAT(fault_of(R"({"destruction": {"fractured": [{"x": 1}]}})"),
+    EXPECT_THAT(error_of(R"({"destruction": {"fractured": [{"x": 1}]}})"),
                 HasSubstr("fractured[0].shape"));
 }
 
@@ -120,24 +120,24 @@ TEST(ModuleThings, several_winds_and_waters_in_volumes_of_their_own) {
 }
 
 TEST(ModuleThings, errors_name_line_and_field) {
-    EXPECT_EQ(fault_of(R"({"vehicle": {"cars": [{"body": "car"},
+    EXPECT_EQ(error_of(R"({"vehicle": {"cars": [{"body": "car"},
         {"body": "car[1]", "radius": 99}]}})"),
               "line 12: modules[0].vehicle.cars[1].radius: 99 is out of range; it must be from "
               "0.02 to 10");
-    EXPECT_EQ(fault_of(R"({"vehicle": {"cars": [{"body": "cart"}]}})"),
+    EXPECT_EQ(error_of(R"({"vehicle": {"cars": [{"body": "cart"}]}})"),
               "line 11: modules[0].vehicle.cars[0].body: is \"cart\"; no body has the name "
               "\"cart\"");
-    EXPECT_EQ(fault_of(R"({"vehicle": {"cars": []}})"),
+    EXPECT_EQ(error_of(R"({"vehicle": {"cars": []}})"),
               "line 11: modules[0].vehicle.cars: has 0 items; give 1 to 1000");
-    EXPECT_THAT(fault_of(R"({"vehicle": {"cars": [{"colour": 1}]}})"),
+    EXPECT_THAT(error_of(R"({"vehicle": {"cars": [{"colour": 1}]}})"),
                 HasSubstr("line 11: modules[0].vehicle.cars[0]"));
-    EXPECT_EQ(fault_of(R"({"tag": "fields", "vehicle": {"cars": [{"body": "car"}]}})"),
+    EXPECT_EQ(error_of(R"({"tag": "fields", "vehicle": {"cars": [{"body": "car"}]}})"),
               "line 11: modules[0].tag: is \"fields\", but its things are of \"vehicle\"; leave "
               "the tag out");
-    EXPECT_THAT(fault_of(R"({"vehicle": {"cars": [{"body": "car"}, {"body": "car"}]}})"),
+    EXPECT_THAT(error_of(R"({"vehicle": {"cars": [{"body": "car"}, {"body": "car"}]}})"),
                 HasSubstr("modules[0] 'vehicle': cars[1]: "))
         << "what only the module knows: a body is one car";
-    EXPECT_THAT(fault_of(R"({"vehicle": {"cars": [{"body": "car", "cast": 7}]}})"),
+    EXPECT_THAT(error_of(R"({"vehicle": {"cars": [{"body": "car", "cast": 7}]}})"),
                 HasSubstr("modules[0].vehicle.cars[0].cast"));
 }
 

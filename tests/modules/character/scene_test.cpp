@@ -9,16 +9,16 @@ namespace {
 
 using namespace physics;
 
-std::string complaint(const CharacterDef& def) {
+std::string error_of(const CharacterDef& def) {
     Stage stage;
     return test::error_of(stage.crowd->add(stage.world, def)).message;
 }
 
 TEST(Calls, what_is_out_of_range_is_named) {
-    EXPECT_EQ(complaint({.radius = 0}), "radius is 0; it must be from 0.05 to 5");
-    EXPECT_EQ(complaint({.skin = 0.2}), "skin is 0.2; it must be from 0.002 to 0.15");
-    EXPECT_EQ(complaint({.abilities = {.mass = 0}}), "mass is 0; it must be from 1 to 10000");
-    EXPECT_EQ(complaint({.height = 0.6}), "height is 0.6; it must be from 0.6002 to 20");
+    EXPECT_EQ(error_of({.radius = 0}), "radius is 0; it must be from 0.05 to 5");
+    EXPECT_EQ(error_of({.skin = 0.2}), "skin is 0.2; it must be from 0.002 to 0.15");
+    EXPECT_EQ(error_of({.abilities = {.mass = 0}}), "mass is 0; it must be from 1 to 10000");
+    EXPECT_EQ(error_of({.height = 0.6}), "height is 0.6; it must be from 0.6002 to 20");
     Stage stage;
     const CharacterId hero = stage.add({});
     EXPECT_EQ(test::error_of(stage.crowd->set_controls(hero, {.walk = {0, 0, 1e4}})).message,
@@ -54,7 +54,7 @@ struct Cast {
             {.geometry = Capsule{0.28, 0.6}, .position = {0, 0.9, 0}, .type = BodyType::kinematic});
         runner = test::add(world, {.geometry = Capsule{0.3, 0.6}, .position = {3, 0.9, 0}});
     }
-    std::string complaint(const ModuleSettings& settings) {
+    std::string error_of(const ModuleSettings& settings) {
         return test::error_of(characters.configure(world, settings)).message;
     }
 };
@@ -98,13 +98,13 @@ TEST(Scene, who_strolls_walks_in_circles_until_he_is_driven) {
 TEST(Scene, what_is_wrong_is_named) {
     Cast cast;
     const BodyId crate = test::add(cast.world, {.position = {9, 0.5, 0}});
-    EXPECT_EQ(cast.complaint({.bodies = {{"crate", crate}}}),
+    EXPECT_EQ(cast.error_of({.bodies = {{"crate", crate}}}),
               "crate has another first shape than an upright capsule");
-    EXPECT_EQ(cast.complaint({.numbers = {{"mass", 0}}, .bodies = {{"walker", cast.walker}}}),
+    EXPECT_EQ(cast.error_of({.numbers = {{"mass", 0}}, .bodies = {{"walker", cast.walker}}}),
               "mass is 0; it must be from 1 to 10000");
-    EXPECT_EQ(cast.complaint({}), "has no body; name those that are to walk");
-    EXPECT_EQ(cast.complaint({.bodies = {{"ghost", BodyId{99, 1}}}}), "ghost is no body");
-    EXPECT_EQ(cast.complaint({.numbers = {{"sped", 1}}}).substr(0, 27),
+    EXPECT_EQ(cast.error_of({}), "has no body; name those that are to walk");
+    EXPECT_EQ(cast.error_of({.bodies = {{"ghost", BodyId{99, 1}}}}), "ghost is no body");
+    EXPECT_EQ(cast.error_of({.numbers = {{"sped", 1}}}).substr(0, 27),
               "there is no setting sped; t");
 }
 

@@ -32,22 +32,22 @@ TEST(ClosedMesh, points_are_inside_or_some_way_off) {
 }
 
 TEST(ClosedMesh, what_is_no_solid_is_refused_with_a_reason) {
-    const auto complaint = [](const Solid& solid) {
+    const auto error_of = [](const Solid& solid) {
         const auto mesh = make_closed_mesh(solid.vertices, solid.indices);
         return mesh.ok() ? std::string() : mesh.error().message;
     };
     Solid open = cube();
     open.indices.resize(open.indices.size() - 3);
-    EXPECT_THAT(complaint(open), testing::HasSubstr("does not have a triangle on each side"));
+    EXPECT_THAT(error_of(open), testing::HasSubstr("does not have a triangle on each side"));
     Solid flat = cube();
     for (Vec3& p : flat.vertices) p.z = 0;
-    EXPECT_THAT(complaint(flat), testing::HasSubstr("no volume"));
+    EXPECT_THAT(error_of(flat), testing::HasSubstr("no volume"));
     Solid wrong = cube();
     wrong.indices[4] = 99;
-    EXPECT_EQ(complaint(wrong), "indices[4] is 99; there are 8 vertices");
+    EXPECT_EQ(error_of(wrong), "indices[4] is 99; there are 8 vertices");
     Solid far = cube();
     far.vertices[2].x = std::nan("");
-    EXPECT_EQ(complaint(far), "vertices[2] is not within 1e5 m");
+    EXPECT_EQ(error_of(far), "vertices[2] is not within 1e5 m");
 }
 
 }  // namespace

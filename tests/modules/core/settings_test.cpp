@@ -25,7 +25,7 @@ struct Craft {
         settings.body("hull", hull);
         return settings.finish();
     }
-    std::string complaint(const ModuleSettings& given) {
+    std::string error_of(const ModuleSettings& given) {
         const Status status = configure(given);
         return status.ok() ? "" : status.error().message;
     }
@@ -45,14 +45,14 @@ TEST(Settings, what_is_given_is_read_and_the_rest_stays) {
 
 TEST(Settings, what_is_wrong_is_named_with_what_would_do) {
     Craft craft;
-    EXPECT_EQ(craft.complaint({.numbers = {{"height", 4}}}),
+    EXPECT_EQ(craft.error_of({.numbers = {{"height", 4}}}),
               "height is 4; it must be from 0.3 to 3");
-    EXPECT_EQ(craft.complaint({.numbers = {{"lights", 0.5}}}), "lights is 0.5; it must be 0 or 1");
-    EXPECT_EQ(craft.complaint({.numbers = {{"hieght", 1}}}),
+    EXPECT_EQ(craft.error_of({.numbers = {{"lights", 0.5}}}), "lights is 0.5; it must be 0 or 1");
+    EXPECT_EQ(craft.error_of({.numbers = {{"hieght", 1}}}),
               "there is no setting hieght; there are: height, speed, lights");
-    EXPECT_EQ(craft.complaint({.bodies = {{"craft", BodyId{7, 1}}}}),
+    EXPECT_EQ(craft.error_of({.bodies = {{"craft", BodyId{7, 1}}}}),
               "there is no body craft; there are: hull");
-    EXPECT_EQ(craft.complaint({.numbers = {{"speed", 21}, {"height", 9}}}),
+    EXPECT_EQ(craft.error_of({.numbers = {{"speed", 21}, {"height", 9}}}),
               "height is 9; it must be from 0.3 to 3")
         << "one at a time, in the order of the module";
 }

@@ -24,7 +24,7 @@ std::vector<std::byte> sealed(std::vector<std::byte> bytes) {
     return bytes;
 }
 
-std::string complaint(const std::vector<std::byte>& bytes) {
+std::string error_of(const std::vector<std::byte>& bytes) {
     const auto read = read_fracture(bytes);
     return read.ok() ? std::string() : read.error().message;
 }
@@ -54,31 +54,31 @@ TEST(FractureFile, what_was_written_is_read_bit_by_bit) {
 TEST(FractureFile, what_is_wrong_is_named) {
     const FracturedShape shape = split_box({1, 1, 1}, 2, 1, 1).value();
     const std::vector<std::byte> whole = bytes_of(shape);
-    EXPECT_EQ(complaint({}), "it is no fracture file: jostle-fracture makes one");
+    EXPECT_EQ(error_of({}), "it is no fracture file: jostle-fracture makes one");
     std::vector<std::byte> bytes = whole;
     bytes[8] = std::byte{7};
-    EXPECT_EQ(complaint(bytes),
+    EXPECT_EQ(error_of(bytes),
               "it is of version 7; this program reads 1: make it anew with jostle-fracture");
     bytes = whole;
     bytes.back() ^= std::byte{1};
-    EXPECT_EQ(complaint(bytes), "its checksum is wrong: it was damaged or cut short");
+    EXPECT_EQ(error_of(bytes), "its checksum is wrong: it was damaged or cut short");
     bytes = whole;
     bytes[fracture_header_bytes + 3] = std::byte{0x7f};
-    EXPECT_EQ(complaint(sealed(bytes)),
+    EXPECT_EQ(error_of(sealed(bytes)),
               "it says that it has 2130706434 chunks and 1 bonds, and is too short for them, or "
               "too many");
     bytes = whole;
     bytes.push_back({});
-    EXPECT_EQ(complaint(sealed(bytes)), "1 bytes are left at its end");
+    EXPECT_EQ(error_of(sealed(bytes)), "1 bytes are left at its end");
     FracturedShape wrong = shape;
     wrong.chunks[1].volume *= 1.1;
-    EXPECT_EQ(complaint(bytes_of(wrong)), "chunks[1]: its volume is not that of its geometry");
+    EXPECT_EQ(error_of(bytes_of(wrong)), "chunks[1]: its volume is not that of its geometry");
     wrong = shape;
     wrong.chunks[0].center.y = 3;
-    EXPECT_EQ(complaint(bytes_of(wrong)), "chunks[0]: its centre of mass is outside of it");
+    EXPECT_EQ(error_of(bytes_of(wrong)), "chunks[0]: its centre of mass is outside of it");
     wrong = shape;
     wrong.chunks[0].unit_inertia = diagonal({1, 1, -1});
-    EXPECT_EQ(complaint(bytes_of(wrong)), "chunks[0]: its inertia is that of no solid of its size");
+    EXPECT_EQ(error_of(bytes_of(wrong)), "chunks[0]: its inertia is that of no solid of its size");
     wrong = shape;
     wrong.chunks[1].geometry = Sphere{1};
     EXPECT_EQ(write_fracture(wrong).error().message, "chunks[1] is neither a box nor a hull");

@@ -125,18 +125,18 @@ TEST(UserFields, that_say_nonsense_push_nothing) {
 TEST(Fields, say_what_is_wrong_with_a_field) {
     World world = test::make_world();
     Fields& fields = fields_of(world);
-    const auto complaint = [&](const VolumeField& field) {
+    const auto error_of = [&](const VolumeField& field) {
         const auto key = fields.add(world, field);
         return key.ok() ? "" : key.error().message;
     };
-    EXPECT_EQ(complaint({.law = Turbulence{.scale = 0}}),
+    EXPECT_EQ(error_of({.law = Turbulence{.scale = 0}}),
               "turbulence.scale is 0; it must be from 0.01 to 1000000");
-    EXPECT_EQ(complaint({.law = Waves{.components = std::vector<WaveComponent>(9)}}),
+    EXPECT_EQ(error_of({.law = Waves{.components = std::vector<WaveComponent>(9)}}),
               "waves.components are 9; at most 8 are possible");
-    EXPECT_EQ(complaint({.law = Central{.body = {77, 1}}}), "central.body is not in the world");
-    EXPECT_EQ(complaint({.law = Central{}, .volume = SphereVolume{.radius = -1}}),
+    EXPECT_EQ(error_of({.law = Central{.body = {77, 1}}}), "central.body is not in the world");
+    EXPECT_EQ(error_of({.law = Central{}, .volume = SphereVolume{.radius = -1}}),
               "volume.radius is -1; it must be from 0.001 to 10000000");
-    EXPECT_TRUE(complaint({.law = UserField{.law = "no_such"}})
+    EXPECT_TRUE(error_of({.law = UserField{.law = "no_such"}})
                     .starts_with("user.law is \"no_such\", which is not registered; there are: "));
     EXPECT_EQ(register_user_field("Bad Name", [](const UserFieldInput&) { return Vec3{}; })
                   .error()
@@ -145,10 +145,10 @@ TEST(Fields, say_what_is_wrong_with_a_field) {
     EXPECT_EQ(fields.remove(world, {5}).error().message, "there is no field 5");
     EXPECT_TRUE(fields.fields().empty());
     for (std::size_t k = 0; k < Fields::waters_max; k++) add_field(world, {.law = Waves{}});
-    EXPECT_EQ(complaint({.law = Waves{}}), "there are 4 waters already; remove one");
+    EXPECT_EQ(error_of({.law = Waves{}}), "there are 4 waters already; remove one");
     EXPECT_TRUE(fields.set(world, fields.fields()[1], {.law = Waves{.level = 1}}).ok());
     while (fields.fields().size() < Fields::fields_max) add_field(world, {});
-    EXPECT_EQ(complaint({}), "there are 64 fields already; remove one");
+    EXPECT_EQ(error_of({}), "there are 64 fields already; remove one");
 }
 
 TEST(Fields, are_changed_and_removed_by_their_keys) {

@@ -137,27 +137,27 @@ TEST(Ragdoll, figures_are_lost_one_by_one) {
 
 TEST(Ragdoll, what_is_wrong_is_named_and_nothing_is_left_behind) {
     Stage stage;
-    const auto complaint = [&](auto change) {
+    const auto error_of = [&](auto change) {
         RagdollDef def = human_figure();
         change(def);
         const Result<RagdollId> id = stage.ragdolls->add(stage.world, def, {});
         EXPECT_EQ(stage.world.summary().bodies, 0);
         return id.ok() ? std::string() : id.error().message;
     };
-    EXPECT_EQ(complaint([](RagdollDef& d) { d.bones[3].parent = 7; }),
+    EXPECT_EQ(error_of([](RagdollDef& d) { d.bones[3].parent = 7; }),
               "bones[3] (left upper arm): its parent is 7; it must be an earlier bone");
-    EXPECT_EQ(complaint([](RagdollDef& d) { d.bones[2].shapes.clear(); }),
+    EXPECT_EQ(error_of([](RagdollDef& d) { d.bones[2].shapes.clear(); }),
               "bones[2] (head) has no shape; give one at least");
-    EXPECT_EQ(complaint([](RagdollDef& d) { d.bones[2].muscle.hertz = -1; }),
+    EXPECT_EQ(error_of([](RagdollDef& d) { d.bones[2].muscle.hertz = -1; }),
               "bones[2] (head): muscle.hertz must be from 0 to 1000");
-    EXPECT_EQ(complaint([](RagdollDef& d) { d.bones[5].joint = SliderJoint{}; }),
+    EXPECT_EQ(error_of([](RagdollDef& d) { d.bones[5].joint = SliderJoint{}; }),
               "bones[5] (left lower arm): its joint is a slider; it must be a ball, a hinge or a "
               "cone-twist");
-    EXPECT_NE(complaint([](RagdollDef& d) {
+    EXPECT_NE(error_of([](RagdollDef& d) {
                   d.bones[1].joint = ConeTwistJoint{.swing = 9};
               }).find("bones[1].joint"),
               std::string::npos);
-    EXPECT_NE(complaint([](RagdollDef& d) { d.bones.clear(); }), "");
+    EXPECT_NE(error_of([](RagdollDef& d) { d.bones.clear(); }), "");
     const RagdollId id = stage.add(human_figure());
     EXPECT_FALSE(stage.ragdolls->set_pose(id, {}).ok()) << "no turns";
     EXPECT_FALSE(stage.ragdolls->set_strength(id, 11, 1).ok());

@@ -142,8 +142,8 @@ TEST(VehicleState, a_field_that_makes_no_sense_is_named) {
         if (std::memcmp(good.data() + at, &radius, 8) != 0) continue;
         std::vector<std::byte> corrupted = good;
         std::memcpy(corrupted.data() + at, &bad, 8);
-        const std::string complaint = complaint_of(corrupted);
-        EXPECT_NE(complaint.find("radius is -1"), std::string::npos) << complaint;
+        const std::string error_of = complaint_of(corrupted);
+        EXPECT_NE(error_of.find("radius is -1"), std::string::npos) << error_of;
         if (++found == 4) break;
     }
     EXPECT_EQ(found, 4u);

@@ -13,36 +13,36 @@ namespace {
 
 TEST(Vehicles, a_def_that_makes_no_sense_is_refused_by_name) {
     TestCar of;
-    const auto complaint = [&](auto&& change) {
+    const auto error_of = [&](auto&& change) {
         VehicleDef def = plain_saloon(of.chassis);
         change(def);
         return error_of(of.vehicles->add(of.world, def)).message;
     };
-    EXPECT_EQ(complaint([](VehicleDef& def) { def.wheels[2].radius = 0; }),
+    EXPECT_EQ(error_of([](VehicleDef& def) { def.wheels[2].radius = 0; }),
               "wheels[2].radius is 0; it must be from 0.02 to 10");
-    EXPECT_EQ(complaint([](VehicleDef& def) { def.wheels[1].suspension.longest = 0; }),
+    EXPECT_EQ(error_of([](VehicleDef& def) { def.wheels[1].suspension.longest = 0; }),
               "wheels[1].suspension.longest is less than a millimetre above suspension.shortest");
-    EXPECT_EQ(complaint([](VehicleDef& def) { def.wheels.clear(); }),
+    EXPECT_EQ(error_of([](VehicleDef& def) { def.wheels.clear(); }),
               "wheels is 0; it must be from 1 to 16");
-    EXPECT_EQ(complaint([](VehicleDef& def) { def.wheels[2].drive_share = 0.1; }),
+    EXPECT_EQ(error_of([](VehicleDef& def) { def.wheels[2].drive_share = 0.1; }),
               "drive shares of all wheels are neither 0 nor 1 in sum");
-    EXPECT_EQ(complaint([](VehicleDef& def) { def.differential_locks = {{.first = {2}, .second = {7}}}; }),
+    EXPECT_EQ(error_of([](VehicleDef& def) { def.differential_locks = {{.first = {2}, .second = {7}}}; }),
               "couplings[0].names a wheel that there is not");
-    EXPECT_EQ(complaint([](VehicleDef& def) {
+    EXPECT_EQ(error_of([](VehicleDef& def) {
                   def.steering_drive = {.left = {0, 1}, .right = {1}};
               }),
               "steering_drive.names a wheel twice");
-    EXPECT_EQ(complaint([](VehicleDef& def) { def.steering_drive.left = {0}; }),
+    EXPECT_EQ(error_of([](VehicleDef& def) { def.steering_drive.left = {0}; }),
               "steering_drive.wheels is 0; it must be from 1 to 15");
-    EXPECT_EQ(complaint([](VehicleDef& def) {
+    EXPECT_EQ(error_of([](VehicleDef& def) {
                   def.wheels[0].axle = {0, 1, 0};
               }),
               "wheels[0].axle is not square to down");
-    EXPECT_EQ(complaint([](VehicleDef& def) { def.engine.curve[1].speed = 0; }),
+    EXPECT_EQ(error_of([](VehicleDef& def) { def.engine.curve[1].speed = 0; }),
               "engine.curve.speed does not rise");
-    EXPECT_EQ(complaint([](VehicleDef& def) { def.gearbox.shift_down_speed = 900; }),
+    EXPECT_EQ(error_of([](VehicleDef& def) { def.gearbox.shift_down_speed = 900; }),
               "gearbox.shift_down_speed is not below shift_up_speed");
-    EXPECT_EQ(complaint([](VehicleDef& def) { def.chassis = {}; }).empty(), false);
+    EXPECT_EQ(error_of([](VehicleDef& def) { def.chassis = {}; }).empty(), false);
     EXPECT_TRUE(of.vehicles->cars().empty());
 }
 

@@ -55,7 +55,7 @@ struct TwoWorlds {
     }
 };
 
-TEST(DrivenCar, goes_on_in_another_world_as_in_its_own) {
+TEST(ControlledCar, goes_on_in_another_world_as_in_its_own) {
     TwoWorlds of;
     of.there.set({.throttle = 1, .steering = 0.3});
     of.there.drive(2.5);
@@ -79,12 +79,12 @@ TEST(DrivenCar, goes_on_in_another_world_as_in_its_own) {
     EXPECT_EQ(of.vehicles->cars().size(), 1u);
 }
 
-TEST(DrivenCar, of_which_wheels_are_bodies_is_not_told) {
+TEST(ControlledCar, of_which_wheels_are_bodies_is_not_told) {
     TwoWorlds of(modules::WheelCast::body);
     EXPECT_FALSE(of.encode().has_value());
 }
 
-TEST(DrivenCar, words_that_make_no_sense_change_nothing) {
+TEST(ControlledCar, words_that_make_no_sense_change_nothing) {
     TwoWorlds of;
     of.there.set({.throttle = 1});
     of.there.drive(1);

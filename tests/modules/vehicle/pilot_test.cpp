@@ -8,8 +8,8 @@
 namespace jostle::test {
 namespace {
 
-struct DrivenCar : TestCar {
-    explicit DrivenCar(bool automatic = true) {
+struct ControlledCar : TestCar {
+    explicit ControlledCar(bool automatic = true) {
         VehicleDef def = plain_saloon(chassis);
         def.gearbox.automatic = automatic;
         add(def);
@@ -25,7 +25,7 @@ struct DrivenCar : TestCar {
 };
 
 TEST(Person, drives_ahead_brakes_and_then_goes_back) {
-    DrivenCar of;
+    ControlledCar of;
     ASSERT_TRUE(of.vehicles->is_controllable(of.chassis));
     EXPECT_FALSE(of.vehicles->is_controllable(of.world.bodies()[0]));
     of.hold(0, 1);
@@ -44,7 +44,7 @@ TEST(Person, drives_ahead_brakes_and_then_goes_back) {
 }
 
 TEST(Person, steers_to_the_right_and_pulls_the_hand_brake) {
-    DrivenCar of;
+    ControlledCar of;
     of.hold(0.5, 0.5);
     of.drive(2);
     EXPECT_LT(of.body().angular_velocity.y, -0.1);
@@ -55,7 +55,7 @@ TEST(Person, steers_to_the_right_and_pulls_the_hand_brake) {
 }
 
 TEST(Person, shifts_once_for_each_press) {
-    DrivenCar of(false);
+    ControlledCar of(false);
     of.hold(0, 0.5, 4);
     of.hold(0, 0.5, 4);
     EXPECT_EQ(of.state().controls.gear, 2) << "held is not pressed again";

@@ -47,7 +47,7 @@ struct TwoWorlds {
     }
 };
 
-TEST(DrivenCharacter, walks_up_stairs_in_another_world_as_in_its_own) {
+TEST(ControlledCharacter, walks_up_stairs_in_another_world_as_in_its_own) {
     for (const CharacterKind kind : {CharacterKind::sweeping, CharacterKind::rigid}) {
         TwoWorlds of(kind);
         of.there.walk(of.hero, {4, 0, 0.5});
@@ -73,7 +73,7 @@ TEST(DrivenCharacter, walks_up_stairs_in_another_world_as_in_its_own) {
     }
 }
 
-TEST(DrivenCharacter, words_that_make_no_sense_change_nothing) {
+TEST(ControlledCharacter, words_that_make_no_sense_change_nothing) {
     TwoWorlds of(CharacterKind::sweeping);
     of.there.walk(of.hero, {3, 0, 0});
     of.there.run(0.3);

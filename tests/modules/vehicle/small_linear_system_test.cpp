@@ -6,7 +6,7 @@
 namespace jostle::modules::vehicle_detail {
 namespace {
 
-TEST(SmallSolve, solves_a_hilbert_matrix) {
+TEST(SmallLinearSystem, solves_a_hilbert_matrix) {
     SmallLinearSystem<8> system;
     system.clear(5);
     // b = A (1, 2, 3, 4, 5)
@@ -20,7 +20,7 @@ TEST(SmallSolve, solves_a_hilbert_matrix) {
     for (std::size_t i = 0; i < 5; i++) EXPECT_NEAR(system.b[i], static_cast<double>(i + 1), 1e-9);
 }
 
-TEST(SmallSolve, of_nothing_solves_nothing) {
+TEST(SmallLinearSystem, of_nothing_solves_nothing) {
     SmallLinearSystem<8> system;
     system.clear(0);
     system.solve();

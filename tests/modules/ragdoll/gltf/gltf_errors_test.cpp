@@ -21,7 +21,7 @@ std::string error_of(const std::function<void(GltfSkeleton&)>& change,
     return figure.ok() ? "" : figure.error().message;
 }
 
-TEST(GltfFaults, indices_and_loops_are_named) {
+TEST(GltfErrors, indices_and_loops_are_named) {
     EXPECT_EQ(error_of([](GltfSkeleton& s) { s.json["nodes"][1]["children"][1] = 99; }),
               "nodes[1].children[1] is 99; there are 9 nodes");
     EXPECT_EQ(error_of([](GltfSkeleton& s) { s.json["nodes"][3]["children"] = {4}; }),
@@ -42,7 +42,7 @@ TEST(GltfFaults, indices_and_loops_are_named) {
               "accessors[0].bufferView is 7; there are 4 buffer views");
 }
 
-TEST(GltfFaults, sizes_are_named) {
+TEST(GltfErrors, sizes_are_named) {
     EXPECT_EQ(error_of([](GltfSkeleton& s) { s.json["accessors"][0]["count"] = 757; }),
               "accessors[0] ends behind the end of its buffer view");
     EXPECT_EQ(error_of([](GltfSkeleton& s) { s.json["accessors"][0]["count"] = 60'000'000; }),
@@ -57,7 +57,7 @@ TEST(GltfFaults, sizes_are_named) {
               "skins[0].joints must be 1 to 1024 nodes");
 }
 
-TEST(GltfFaults, numbers_are_named) {
+TEST(GltfErrors, numbers_are_named) {
     EXPECT_EQ(error_of([](GltfSkeleton& s) {
                   const float bad = std::numeric_limits<float>::quiet_NaN();
                   s.buffer.replace(120, 4, reinterpret_cast<const char*>(&bad), 4);
@@ -84,7 +84,7 @@ TEST(GltfFaults, numbers_are_named) {
               "bones[0] (head): lower and upper must be from -pi to pi, the lower first");
 }
 
-TEST(GltfFaults, files_that_are_none_are_named) {
+TEST(GltfErrors, files_that_are_none_are_named) {
     const auto refused = [](const std::string& text) {
         return figure_from_gltf(bytes_of(text)).error().message;
     };
@@ -100,7 +100,7 @@ TEST(GltfFaults, files_that_are_none_are_named) {
 }
 
 // Any byte of a .glb may be anything: it is refused with a reason, or gives a figure that stands.
-TEST(GltfFaults, forged_bytes_are_refused_or_harmless) {
+TEST(GltfErrors, forged_bytes_are_refused_or_harmless) {
     const std::vector<std::byte> whole = GltfSkeleton().glb();
     int refused = 0;
     for (std::size_t at = 0; at < whole.size(); at += 41)

@@ -39,7 +39,7 @@ TEST(Xpbd, is_stable_at_any_step_and_converges_at_first_order) {
     EXPECT_LT(fine.overlap, 1e-4);
 }
 
-TEST(Roads, all_stop_what_slides_after_coulombs_way) {
+TEST(ContactModels, all_stop_what_slides_after_coulombs_way) {
     for (const ContactModelKind& kind : contact_model_kinds())
         EXPECT_LT(contact_model_row(kind, 1920).errors.slide, 0.01) << kind.name;
 }

@@ -130,7 +130,7 @@ TEST(Rows, go_through_csv_unchanged) {
     EXPECT_THROW(rows_from_csv(other), std::runtime_error);
 }
 
-TEST(Sheet, draws_a_panel_a_scene_with_the_rows_that_nobody_beats_and_the_least_work) {
+TEST(Overview, draws_a_panel_a_scene_with_the_rows_that_nobody_beats_and_the_least_work) {
     std::vector<Row> rows = synthetic_rows();
     rows.push_back(row_of("f1", "jostle", 60, 0, 10));
     const std::string svg = accuracy_overview(rows);

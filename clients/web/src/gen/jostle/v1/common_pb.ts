@@ -12,7 +12,7 @@ import type { Message } from "@bufbuild/protobuf";
  * Describes the file jostle/v1/common.proto.
  */
 export const file_jostle_v1_common: GenFile = /*@__PURE__*/
-  fileDesc("ChZqb3N0bGUvdjEvY29tbW9uLnByb3RvEglqb3N0bGUudjEiJwoEVmVjMxIJCgF4GAEgASgBEgkKAXkYAiABKAESCQoBehgDIAEoASIyCgRRdWF0EgkKAXgYASABKAESCQoBeRgCIAEoARIJCgF6GAMgASgBEgkKAXcYBCABKAEiLAoKU2Vlbk1vbWVudBIMCgR0aWNrGAEgASgNEhAKCGZyYWN0aW9uGAIgASgCYgZwcm90bzM");
+  fileDesc("ChZqb3N0bGUvdjEvY29tbW9uLnByb3RvEglqb3N0bGUudjEiJwoEVmVjMxIJCgF4GAEgASgBEgkKAXkYAiABKAESCQoBehgDIAEoASIyCgRRdWF0EgkKAXgYASABKAESCQoBeRgCIAEoARIJCgF6GAMgASgBEgkKAXcYBCABKAEiKgoIVmlld1RpbWUSDAoEdGljaxgBIAEoDRIQCghmcmFjdGlvbhgCIAEoAmIGcHJvdG8z");
 
 /**
  * @generated from message jostle.v1.Vec3
@@ -78,9 +78,9 @@ export const QuatSchema: GenMessage<Quat> = /*@__PURE__*/
 /**
  * The world as a client saw it: so far on the way from a tick to the next one.
  *
- * @generated from message jostle.v1.SeenMoment
+ * @generated from message jostle.v1.ViewTime
  */
-export type SeenMoment = Message<"jostle.v1.SeenMoment"> & {
+export type ViewTime = Message<"jostle.v1.ViewTime"> & {
   /**
    * @generated from field: uint32 tick = 1;
    */
@@ -95,9 +95,9 @@ export type SeenMoment = Message<"jostle.v1.SeenMoment"> & {
 };
 
 /**
- * Describes the message jostle.v1.SeenMoment.
- * Use `create(SeenMomentSchema)` to create a new message.
+ * Describes the message jostle.v1.ViewTime.
+ * Use `create(ViewTimeSchema)` to create a new message.
  */
-export const SeenMomentSchema: GenMessage<SeenMoment> = /*@__PURE__*/
+export const ViewTimeSchema: GenMessage<ViewTime> = /*@__PURE__*/
   messageDesc(file_jostle_v1_common, 2);
 

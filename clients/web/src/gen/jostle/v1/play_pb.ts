@@ -7,7 +7,7 @@
 
 import type { GenEnum, GenFile, GenMessage, GenService } from "@bufbuild/protobuf/codegenv2";
 import { enumDesc, fileDesc, messageDesc, serviceDesc } from "@bufbuild/protobuf/codegenv2";
-import type { Quat, SeenMoment, Vec3 } from "./common_pb";
+import type { Quat, Vec3, ViewTime } from "./common_pb";
 import { file_jostle_v1_common } from "./common_pb";
 import type { BodyType, Locks, Shape } from "./scene_pb";
 import { file_jostle_v1_scene } from "./scene_pb";
@@ -17,7 +17,7 @@ import type { Message } from "@bufbuild/protobuf";
  * Describes the file jostle/v1/play.proto.
  */
 export const file_jostle_v1_play: GenFile = /*@__PURE__*/
-  fileDesc("ChRqb3N0bGUvdjEvcGxheS5wcm90bxIJam9zdGxlLnYxIvEBCg1DbGllbnRNZXNzYWdlEiEKBWhlbGxvGAEgASgLMhAuam9zdGxlLnYxLkhlbGxvSAASJgoFaW5wdXQYAiABKAsyFS5qb3N0bGUudjEuSW5wdXRCYXRjaEgAEh0KA2FjaxgDIAEoCzIOLmpvc3RsZS52MS5BY2tIABIfCgRwaW5nGAQgASgLMg8uam9zdGxlLnYxLlBpbmdIABIhCgVsZWF2ZRgFIAEoCzIQLmpvc3RsZS52MS5MZWF2ZUgAEicKCGludGVyZXN0GAYgASgLMhMuam9zdGxlLnYxLkludGVyZXN0SABCCQoHbWVzc2FnZSKwAgoFSGVsbG8SEAoIcHJvdG9jb2wYASABKA0SDQoFd29ybGQYAiABKAkSDgoGdGlja2V0GAMgASgJEgwKBG5hbWUYBCABKAkSEwoLc25hcHNob3RfaHoYBSABKA0SEQoJc3BlY3RhdG9yGAYgASgIEg4KBmV2ZW50cxgHIAEoCBINCgV0b2tlbhgIIAEoCRIQCghjaGFubmVscxgJIAMoCRINCgVjb2RlYxgKIAEoDRIQCghtYXhfa2JwcxgLIAEoDRIlCghpbnRlcmVzdBgOIAEoCzITLmpvc3RsZS52MS5JbnRlcmVzdBIRCglkYXRhZ3JhbXMYFCABKAgSEQoJcmVzdW1hYmxlGDwgASgIEiEKBnJlc3VtZRg9IAEoCzIRLmpvc3RsZS52MS5SZXN1bWUiJgoGUmVzdW1lEg0KBXRva2VuGAEgASgMEg0KBWZyYW1lGAIgASgNIjoKCEludGVyZXN0Eh4KBWZvY3VzGAEgASgLMg8uam9zdGxlLnYxLlZlYzMSDgoGcmFkaXVzGAIgASgBInsKCklucHV0QmF0Y2gSFgoOZmlyc3Rfc2VxdWVuY2UYASABKA0SIAoGaW5wdXRzGAIgAygLMhAuam9zdGxlLnYxLklucHV0EhsKA2FjaxgDIAEoCzIOLmpvc3RsZS52MS5BY2sSFgoOY2xpZW50X3RpbWVfdXMYBCABKAcilwMKBUlucHV0EiYKBXNwYXduGAEgASgLMhUuam9zdGxlLnYxLlNwYXduSW5wdXRIABIqCgdpbXB1bHNlGAIgASgLMhcuam9zdGxlLnYxLkltcHVsc2VJbnB1dEgAEiQKBGdyYWIYAyABKAsyFC5qb3N0bGUudjEuR3JhYklucHV0SAASJAoEZHJhZxgEIAEoCzIULmpvc3RsZS52MS5EcmFnSW5wdXRIABIqCgdyZWxlYXNlGAUgASgLMhcuam9zdGxlLnYxLlJlbGVhc2VJbnB1dEgAEigKBmRlbGV0ZRgGIAEoCzIWLmpvc3RsZS52MS5EZWxldGVJbnB1dEgAEioKB2V4cGxvZGUYByABKAsyFy5qb3N0bGUudjEuRXhwbG9kZUlucHV0SAASKgoHcG9zc2VzcxgIIAEoCzIXLmpvc3RsZS52MS5Qb3NzZXNzSW5wdXRIABIqCgdjb250cm9sGAkgASgLMhcuam9zdGxlLnYxLkNvbnRyb2xJbnB1dEgAEgwKBHRpY2sYDyABKA1CBgoEa2luZCLmAQoKU3Bhd25JbnB1dBIfCgVzaGFwZRgBIAEoCzIQLmpvc3RsZS52MS5TaGFwZRIhCghwb3NpdGlvbhgCIAEoCzIPLmpvc3RsZS52MS5WZWMzEiEKCHJvdGF0aW9uGAMgASgLMg8uam9zdGxlLnYxLlF1YXQSKAoPbGluZWFyX3ZlbG9jaXR5GAQgASgLMg8uam9zdGxlLnYxLlZlYzMSKQoQYW5ndWxhcl92ZWxvY2l0eRgFIAEoCzIPLmpvc3RsZS52MS5WZWMzEhIKBWNvbG9yGAYgASgHSACIAQFCCAoGX2NvbG9yInwKA0FpbRIfCgZvcmlnaW4YASABKAsyDy5qb3N0bGUudjEuVmVjMxIfCgZtb3Rpb24YAiABKAsyDy5qb3N0bGUudjEuVmVjMxIOCgZpZ25vcmUYAyABKA0SIwoEc2VlbhgEIAEoCzIVLmpvc3RsZS52MS5TZWVuTW9tZW50In0KDEltcHVsc2VJbnB1dBIOCgZlbnRpdHkYASABKA0SIAoHaW1wdWxzZRgCIAEoCzIPLmpvc3RsZS52MS5WZWMzEh4KBXBvaW50GAMgASgLMg8uam9zdGxlLnYxLlZlYzMSGwoDYWltGAQgASgLMg4uam9zdGxlLnYxLkFpbSJYCglHcmFiSW5wdXQSDgoGZW50aXR5GAEgASgNEh4KBXBvaW50GAIgASgLMg8uam9zdGxlLnYxLlZlYzMSGwoDYWltGAMgASgLMg4uam9zdGxlLnYxLkFpbSIsCglEcmFnSW5wdXQSHwoGdGFyZ2V0GAEgASgLMg8uam9zdGxlLnYxLlZlYzMiDgoMUmVsZWFzZUlucHV0Ih0KC0RlbGV0ZUlucHV0Eg4KBmVudGl0eRgBIAEoDSJrCgxFeHBsb2RlSW5wdXQSHwoGY2VudGVyGAEgASgLMg8uam9zdGxlLnYxLlZlYzMSDgoGcmFkaXVzGAIgASgBEg0KBXNwZWVkGAMgASgBEhsKA2FpbRgEIAEoCzIOLmpvc3RsZS52MS5BaW0iHgoMUG9zc2Vzc0lucHV0Eg4KBmVudGl0eRgBIAEoDSItCgxDb250cm9sSW5wdXQSDAoEYXhlcxgBIAMoERIPCgdidXR0b25zGAIgASgNIkwKA0FjaxINCgVmcmFtZRgBIAEoDRIVCg1uZWVkX2tleWZyYW1lGAIgASgIEg8KB2hlbGRfbXMYAyABKA0SDgoGYmVmb3JlGAggASgHIh4KBFBpbmcSFgoOY2xpZW50X3RpbWVfdXMYASABKAYiBwoFTGVhdmUisgIKDVNlcnZlck1lc3NhZ2USJQoHd2VsY29tZRgBIAEoCzISLmpvc3RsZS52MS5XZWxjb21lSAASIwoGcm9zdGVyGAIgASgLMhEuam9zdGxlLnYxLlJvc3RlckgAEicKCHNuYXBzaG90GAMgASgLMhMuam9zdGxlLnYxLlNuYXBzaG90SAASHwoEcG9uZxgFIAEoCzIPLmpvc3RsZS52MS5Qb25nSAASIwoGbm90aWNlGAcgASgLMhEuam9zdGxlLnYxLk5vdGljZUgAEisKCGdlb21ldHJ5GAkgASgLMhcuam9zdGxlLnYxLkdlb21ldHJ5UGFydEgAQgkKB21lc3NhZ2VKBAgEEAVKBAgGEAdKBAgIEAlSDWlucHV0X3Jlc3VsdHNSBXN0YXRzUgZldmVudHMiVAoIQ2VsbFBhcnQSDAoEY2VsbBgBIAEoDRIOCgZudW1iZXIYAiABKA0SDQoFYmFzZXMYAyABKA0SDgoGcGFja2VkGAQgASgMEgsKA2NyYxgFIAEoByL8AwoHV2VsY29tZRIRCgljbGllbnRfaWQYASABKA0SEAoId29ybGRfaWQYAiABKAkSEgoKd29ybGRfbmFtZRgDIAEoCRIMCgR0aWNrGAQgASgNEg8KB3RpY2tfaHoYBSABKAESEwoLc25hcHNob3RfaHoYBiABKA0SEgoKYWNrX3dpbmRvdxgHIAEoDRIjCgVxdWFudBgIIAEoCzIULmpvc3RsZS52MS5RdWFudFNwZWMSFgoOc2VydmVyX3RpbWVfdXMYCSABKAYSIAoHZ3Jhdml0eRgKIAEoCzIPLmpvc3RsZS52MS5WZWMzEigKCGNoYW5uZWxzGAsgAygLMhYuam9zdGxlLnYxLkNoYW5uZWxLaW5kEg0KBWNvZGVjGAwgASgNEg4KBmFja19tcxgNIAEoDRIQCghlcG9jaF91cxgOIAEoBhINCgVjZWxscxgPIAEoCBIQCghzdWJzdGVwcxgQIAEoDRIsCglkYXRhZ3JhbXMYFCABKAsyGS5qb3N0bGUudjEuRGF0YWdyYW1UaWNrZXQSFAoMcmVzdW1lX3Rva2VuGDwgASgMEg8KB3Jlc3VtZWQYPSABKAgSEQoJY29udGludWVzGD4gASgIEhUKDWxhc3Rfc2VxdWVuY2UYPyABKA0SFgoOcmVzdW1lX3NlY29uZHMYQCABKAEiNwoORGF0YWdyYW1UaWNrZXQSDAoEcG9ydBgBIAEoDRIKCgJpZBgCIAEoBhILCgNrZXkYAyABKAwiUgoLQ2hhbm5lbEtpbmQSDAoEbmFtZRgBIAEoCRIkCgRmb3JtGAIgASgOMhYuam9zdGxlLnYxLkNoYW5uZWxGb3JtEg8KB2Rpdmlzb3IYAyABKA0iQAoJUXVhbnRTcGVjEhcKD3VuaXRzX3Blcl9tZXRlchgBIAEoDRIaChJyb3RhdGlvbl9jb21wb25lbnQYAiABKA0iRQoMR2VvbWV0cnlQYXJ0EgoKAmlkGAEgASgGEgwKBHBhcnQYAiABKA0SDQoFcGFydHMYAyABKA0SDAoEZGF0YRgEIAEoDCI7CgZSb3N0ZXISIAoFYWRkZWQYASADKAsyES5qb3N0bGUudjEuRW50aXR5Eg8KB3JlbW92ZWQYAiADKA0ixQIKBkVudGl0eRIKCgJpZBgBIAEoDRIhCgR0eXBlGAIgASgOMhMuam9zdGxlLnYxLkJvZHlUeXBlEiAKBnNoYXBlcxgDIAMoCzIQLmpvc3RsZS52MS5TaGFwZRINCgVvd25lchgEIAEoDRISCgVjb2xvchgFIAEoB0gAiAEBEgwKBG5hbWUYBiABKAkSDAoEbWFzcxgHIAEoARIQCghkcml2YWJsZRgIIAEoCBIWCg5saW5lYXJfZGFtcGluZxgJIAEoARIXCg9hbmd1bGFyX2RhbXBpbmcYCiABKAESGgoNZ3Jhdml0eV9zY2FsZRgLIAEoAUgBiAEBEh8KBWxvY2tzGAwgASgLMhAuam9zdGxlLnYxLkxvY2tzEg8KB2pvaW50ZWQYDSABKAhCCAoGX2NvbG9yQhAKDl9ncmF2aXR5X3NjYWxlIqMDCghTbmFwc2hvdBINCgVmcmFtZRgBIAEoDRINCgViYXNlcxgCIAEoDRIOCgZwYWNrZWQYBSABKAwSCwoDY3JjGAYgASgHEg8KB2xhdGVfdXMYByABKBISEAoIY2hhbm5lbHMYCSABKAwSFAoMY2hhbm5lbHNfY3JjGAogASgHEg0KBXN0aWxsGAsgASgNEiQKBXN0YXRzGAwgASgLMhUuam9zdGxlLnYxLldvcmxkU3RhdHMSIQoGZXZlbnRzGA0gAygLMhEuam9zdGxlLnYxLkV2ZW50cxIfCgNvd24YDyABKAsyEi5qb3N0bGUudjEuUHJpdmF0ZRIiCgVjZWxscxgQIAMoCzITLmpvc3RsZS52MS5DZWxsUGFydBISCgpjZWxsc19sZWZ0GBEgAygNEiEKBmRyaXZlbhgSIAEoCzIRLmpvc3RsZS52MS5Ecml2ZW5KBAgDEARKBAgEEAVKBAgIEAlSCmJhc2VfZnJhbWVSC2Jhc2UyX2ZyYW1lUgtiYXNlM19mcmFtZVIOc2VydmVyX3RpbWVfdXNSB21vZHVsZXMiswEKB1ByaXZhdGUSFgoOaW5wdXRfc2VxdWVuY2UYASABKA0SGwoTZWNob19jbGllbnRfdGltZV91cxgCIAEoBxIZChFzbmFwc2hvdHNfc2tpcHBlZBgDIAEoDRInCgdyZXN1bHRzGAQgAygLMhYuam9zdGxlLnYxLklucHV0UmVzdWx0EhcKD2lucHV0X21hcmdpbl91cxgHIAEoERIWCg5pbnB1dF9yZWNlaXZlZBgMIAEoDSJ1CgZEcml2ZW4SDgoGZW50aXR5GAEgASgNEg4KBm1vZHVsZRgCIAEoCRIMCgR0aWNrGAMgASgNEg0KBXdvcmRzGAQgASgNEg0KBXdob2xlGAUgASgIEg8KB2NoYW5nZWQYBiABKAwSDgoGdmFsdWVzGAcgASgMIooBCgtJbnB1dFJlc3VsdBIQCghzZXF1ZW5jZRgBIAEoDRIiCgRjb2RlGAIgASgOMhQuam9zdGxlLnYxLklucHV0Q29kZRIMCgR0aWNrGAMgASgNEg4KBmVudGl0eRgEIAEoDRIPCgdtZXNzYWdlGAUgASgJEhYKDm1vbWVudF9jbGFtcGVkGAYgASgIIjYKBFBvbmcSFgoOY2xpZW50X3RpbWVfdXMYASABKAYSFgoOc2VydmVyX3RpbWVfdXMYAiABKAYiqwEKCldvcmxkU3RhdHMSDAoEdGljaxgBIAEoDRIOCgZib2RpZXMYAiABKA0SDQoFYXdha2UYAyABKA0SEAoIY29udGFjdHMYBCABKA0SDwoHY2xpZW50cxgFIAEoDRIUCgxzdGVwX21zX21lYW4YBiABKAESEwoLc3RlcF9tc19tYXgYByABKAESEgoKbGF0ZV90aWNrcxgIIAEoDRIOCgZwYXVzZWQYCSABKAkiPgoGTm90aWNlEiMKBGNvZGUYASABKA4yFS5qb3N0bGUudjEuTm90aWNlQ29kZRIPCgdtZXNzYWdlGAIgASgJIsQDCgZFdmVudHMSDAoEdGljaxgBIAEoDRIvCg5jb250YWN0c19iZWdhbhgCIAMoCzIXLmpvc3RsZS52MS5Db250YWN0RXZlbnQSLwoOY29udGFjdHNfZW5kZWQYAyADKAsyFy5qb3N0bGUudjEuQ29udGFjdEV2ZW50EikKCGNvbnRhY3RzGAQgAygLMhcuam9zdGxlLnYxLkNvbnRhY3RFdmVudBIlCgRoaXRzGAUgAygLMhcuam9zdGxlLnYxLkNvbnRhY3RFdmVudBIxChB0cmlnZ2Vyc19lbnRlcmVkGAYgAygLMhcuam9zdGxlLnYxLlRyaWdnZXJFdmVudBIwCg90cmlnZ2Vyc19zdGF5ZWQYByADKAsyFy5qb3N0bGUudjEuVHJpZ2dlckV2ZW50Ei4KDXRyaWdnZXJzX2xlZnQYCCADKAsyFy5qb3N0bGUudjEuVHJpZ2dlckV2ZW50EjAKDGpvaW50c19icm9rZRgJIAMoCzIaLmpvc3RsZS52MS5Kb2ludEJyZWFrRXZlbnQSEwoLZmVsbF9hc2xlZXAYCiADKA0SDAoEd29rZRgLIAMoDRIOCgZtaXNzZWQYDCABKA0ikwEKDENvbnRhY3RFdmVudBIQCghlbnRpdHlfYRgBIAEoDRIQCghlbnRpdHlfYhgCIAEoDRIeCgVwb2ludBgDIAEoCzIPLmpvc3RsZS52MS5WZWMzEh8KBm5vcm1hbBgEIAEoCzIPLmpvc3RsZS52MS5WZWMzEg0KBXNwZWVkGAUgASgBEg8KB2ltcHVsc2UYBiABKAEiLwoMVHJpZ2dlckV2ZW50Eg8KB3RyaWdnZXIYASABKA0SDgoGZW50aXR5GAIgASgNIlQKD0pvaW50QnJlYWtFdmVudBIQCghlbnRpdHlfYRgBIAEoDRIQCghlbnRpdHlfYhgCIAEoDRINCgVmb3JjZRgDIAEoARIOCgZ0b3JxdWUYBCABKAEqjAEKC0NoYW5uZWxGb3JtEhwKGENIQU5ORUxfRk9STV9VTlNQRUNJRklFRBAAEhcKE0NIQU5ORUxfRk9STV9QQVJBTVMQARIXChNDSEFOTkVMX0ZPUk1fUE9JTlRTEAISFgoSQ0hBTk5FTF9GT1JNX0ZJRUxEEAMSFQoRQ0hBTk5FTF9GT1JNX1NFRUQQBCq/AQoJSW5wdXRDb2RlEhoKFklOUFVUX0NPREVfVU5TUEVDSUZJRUQQABIWChJJTlBVVF9DT0RFX0FQUExJRUQQARIWChJJTlBVVF9DT0RFX0lOVkFMSUQQAhIYChRJTlBVVF9DT0RFX05PVF9GT1VORBADEhoKFklOUFVUX0NPREVfTk9UX0FMTE9XRUQQBBIUChBJTlBVVF9DT0RFX0xJTUlUEAUSGgoWSU5QVVRfQ09ERV9VTkFWQUlMQUJMRRAGKrcBCgpOb3RpY2VDb2RlEhsKF05PVElDRV9DT0RFX1VOU1BFQ0lGSUVEEAASGAoUTk9USUNFX0NPREVfRFJBSU5JTkcQARIcChhOT1RJQ0VfQ09ERV9XT1JMRF9DTE9TRUQQAhIXChNOT1RJQ0VfQ09ERV9SRUZVU0VEEAMSGgoWTk9USUNFX0NPREVfUkFURV9MSU1JVBAEEh8KG05PVElDRV9DT0RFX1dPUkxEX1JFU1RBUlRFRBAFMk0KC1BsYXlTZXJ2aWNlEj4KBFBsYXkSGC5qb3N0bGUudjEuQ2xpZW50TWVzc2FnZRoYLmpvc3RsZS52MS5TZXJ2ZXJNZXNzYWdlKAEwAWIGcHJvdG8z", [file_jostle_v1_common, file_jostle_v1_scene]);
+  fileDesc("ChRqb3N0bGUvdjEvcGxheS5wcm90bxIJam9zdGxlLnYxIvEBCg1DbGllbnRNZXNzYWdlEiEKBWhlbGxvGAEgASgLMhAuam9zdGxlLnYxLkhlbGxvSAASJgoFaW5wdXQYAiABKAsyFS5qb3N0bGUudjEuSW5wdXRCYXRjaEgAEh0KA2FjaxgDIAEoCzIOLmpvc3RsZS52MS5BY2tIABIfCgRwaW5nGAQgASgLMg8uam9zdGxlLnYxLlBpbmdIABIhCgVsZWF2ZRgFIAEoCzIQLmpvc3RsZS52MS5MZWF2ZUgAEicKCGludGVyZXN0GAYgASgLMhMuam9zdGxlLnYxLkludGVyZXN0SABCCQoHbWVzc2FnZSKwAgoFSGVsbG8SEAoIcHJvdG9jb2wYASABKA0SDQoFd29ybGQYAiABKAkSDgoGdGlja2V0GAMgASgJEgwKBG5hbWUYBCABKAkSEwoLc25hcHNob3RfaHoYBSABKA0SEQoJc3BlY3RhdG9yGAYgASgIEg4KBmV2ZW50cxgHIAEoCBINCgV0b2tlbhgIIAEoCRIQCghjaGFubmVscxgJIAMoCRINCgVjb2RlYxgKIAEoDRIQCghtYXhfa2JwcxgLIAEoDRIlCghpbnRlcmVzdBgOIAEoCzITLmpvc3RsZS52MS5JbnRlcmVzdBIRCglkYXRhZ3JhbXMYFCABKAgSEQoJcmVzdW1hYmxlGDwgASgIEiEKBnJlc3VtZRg9IAEoCzIRLmpvc3RsZS52MS5SZXN1bWUiJgoGUmVzdW1lEg0KBXRva2VuGAEgASgMEg0KBWZyYW1lGAIgASgNIjoKCEludGVyZXN0Eh4KBWZvY3VzGAEgASgLMg8uam9zdGxlLnYxLlZlYzMSDgoGcmFkaXVzGAIgASgBInsKCklucHV0QmF0Y2gSFgoOZmlyc3Rfc2VxdWVuY2UYASABKA0SIAoGaW5wdXRzGAIgAygLMhAuam9zdGxlLnYxLklucHV0EhsKA2FjaxgDIAEoCzIOLmpvc3RsZS52MS5BY2sSFgoOY2xpZW50X3RpbWVfdXMYBCABKAcilwMKBUlucHV0EiYKBXNwYXduGAEgASgLMhUuam9zdGxlLnYxLlNwYXduSW5wdXRIABIqCgdpbXB1bHNlGAIgASgLMhcuam9zdGxlLnYxLkltcHVsc2VJbnB1dEgAEiQKBGdyYWIYAyABKAsyFC5qb3N0bGUudjEuR3JhYklucHV0SAASJAoEZHJhZxgEIAEoCzIULmpvc3RsZS52MS5EcmFnSW5wdXRIABIqCgdyZWxlYXNlGAUgASgLMhcuam9zdGxlLnYxLlJlbGVhc2VJbnB1dEgAEigKBmRlbGV0ZRgGIAEoCzIWLmpvc3RsZS52MS5EZWxldGVJbnB1dEgAEioKB2V4cGxvZGUYByABKAsyFy5qb3N0bGUudjEuRXhwbG9kZUlucHV0SAASKgoHcG9zc2VzcxgIIAEoCzIXLmpvc3RsZS52MS5Qb3NzZXNzSW5wdXRIABIqCgdjb250cm9sGAkgASgLMhcuam9zdGxlLnYxLkNvbnRyb2xJbnB1dEgAEgwKBHRpY2sYDyABKA1CBgoEa2luZCLmAQoKU3Bhd25JbnB1dBIfCgVzaGFwZRgBIAEoCzIQLmpvc3RsZS52MS5TaGFwZRIhCghwb3NpdGlvbhgCIAEoCzIPLmpvc3RsZS52MS5WZWMzEiEKCHJvdGF0aW9uGAMgASgLMg8uam9zdGxlLnYxLlF1YXQSKAoPbGluZWFyX3ZlbG9jaXR5GAQgASgLMg8uam9zdGxlLnYxLlZlYzMSKQoQYW5ndWxhcl92ZWxvY2l0eRgFIAEoCzIPLmpvc3RsZS52MS5WZWMzEhIKBWNvbG9yGAYgASgHSACIAQFCCAoGX2NvbG9yIn8KA0FpbRIfCgZvcmlnaW4YASABKAsyDy5qb3N0bGUudjEuVmVjMxIfCgZtb3Rpb24YAiABKAsyDy5qb3N0bGUudjEuVmVjMxIOCgZpZ25vcmUYAyABKA0SJgoJdmlld190aW1lGAQgASgLMhMuam9zdGxlLnYxLlZpZXdUaW1lIn0KDEltcHVsc2VJbnB1dBIOCgZlbnRpdHkYASABKA0SIAoHaW1wdWxzZRgCIAEoCzIPLmpvc3RsZS52MS5WZWMzEh4KBXBvaW50GAMgASgLMg8uam9zdGxlLnYxLlZlYzMSGwoDYWltGAQgASgLMg4uam9zdGxlLnYxLkFpbSJYCglHcmFiSW5wdXQSDgoGZW50aXR5GAEgASgNEh4KBXBvaW50GAIgASgLMg8uam9zdGxlLnYxLlZlYzMSGwoDYWltGAMgASgLMg4uam9zdGxlLnYxLkFpbSIsCglEcmFnSW5wdXQSHwoGdGFyZ2V0GAEgASgLMg8uam9zdGxlLnYxLlZlYzMiDgoMUmVsZWFzZUlucHV0Ih0KC0RlbGV0ZUlucHV0Eg4KBmVudGl0eRgBIAEoDSJrCgxFeHBsb2RlSW5wdXQSHwoGY2VudGVyGAEgASgLMg8uam9zdGxlLnYxLlZlYzMSDgoGcmFkaXVzGAIgASgBEg0KBXNwZWVkGAMgASgBEhsKA2FpbRgEIAEoCzIOLmpvc3RsZS52MS5BaW0iHgoMUG9zc2Vzc0lucHV0Eg4KBmVudGl0eRgBIAEoDSItCgxDb250cm9sSW5wdXQSDAoEYXhlcxgBIAMoERIPCgdidXR0b25zGAIgASgNIlMKA0FjaxINCgVmcmFtZRgBIAEoDRIVCg1uZWVkX2tleWZyYW1lGAIgASgIEhQKDGFja19kZWxheV9tcxgDIAEoDRIQCghhY2tfYml0cxgIIAEoByIeCgRQaW5nEhYKDmNsaWVudF90aW1lX3VzGAEgASgGIgcKBUxlYXZlIsACCg1TZXJ2ZXJNZXNzYWdlEiUKB3dlbGNvbWUYASABKAsyEi5qb3N0bGUudjEuV2VsY29tZUgAEjAKDWVudGl0eV91cGRhdGUYAiABKAsyFy5qb3N0bGUudjEuRW50aXR5VXBkYXRlSAASJwoIc25hcHNob3QYAyABKAsyEy5qb3N0bGUudjEuU25hcHNob3RIABIfCgRwb25nGAUgASgLMg8uam9zdGxlLnYxLlBvbmdIABIjCgZub3RpY2UYByABKAsyES5qb3N0bGUudjEuTm90aWNlSAASLAoIZ2VvbWV0cnkYCSABKAsyGC5qb3N0bGUudjEuR2VvbWV0cnlDaHVua0gAQgkKB21lc3NhZ2VKBAgEEAVKBAgGEAdKBAgIEAlSDWlucHV0X3Jlc3VsdHNSBXN0YXRzUgZldmVudHMiWgoKQ2VsbFVwZGF0ZRIMCgRjZWxsGAEgASgNEg4KBm51bWJlchgCIAEoDRIRCgliYXNlbGluZXMYAyABKA0SDgoGcGFja2VkGAQgASgMEgsKA2NyYxgFIAEoByKWBAoHV2VsY29tZRIRCgljbGllbnRfaWQYASABKA0SEAoId29ybGRfaWQYAiABKAkSEgoKd29ybGRfbmFtZRgDIAEoCRIMCgR0aWNrGAQgASgNEg8KB3RpY2tfaHoYBSABKAESEwoLc25hcHNob3RfaHoYBiABKA0SIwoFcXVhbnQYCCABKAsyFC5qb3N0bGUudjEuUXVhbnRTcGVjEhYKDnNlcnZlcl90aW1lX3VzGAkgASgGEiAKB2dyYXZpdHkYCiABKAsyDy5qb3N0bGUudjEuVmVjMxIoCghjaGFubmVscxgLIAMoCzIWLmpvc3RsZS52MS5DaGFubmVsS2luZBINCgVjb2RlYxgMIAEoDRIXCg9hY2tfaW50ZXJ2YWxfbXMYDSABKA0SEAoIZXBvY2hfdXMYDiABKAYSDQoFY2VsbHMYDyABKAgSEAoIc3Vic3RlcHMYECABKA0SMQoJZGF0YWdyYW1zGBQgASgLMh4uam9zdGxlLnYxLkRhdGFncmFtQ3JlZGVudGlhbHMSFAoMcmVzdW1lX3Rva2VuGDwgASgMEg8KB3Jlc3VtZWQYPSABKAgSFwoPc3RhdGVfcHJlc2VydmVkGD4gASgIEhUKDWxhc3Rfc2VxdWVuY2UYPyABKA0SHgoWcmVzdW1lX3RpbWVvdXRfc2Vjb25kcxhAIAEoAUoECAcQCFIKYWNrX3dpbmRvdyI8ChNEYXRhZ3JhbUNyZWRlbnRpYWxzEgwKBHBvcnQYASABKA0SCgoCaWQYAiABKAYSCwoDa2V5GAMgASgMIlIKC0NoYW5uZWxLaW5kEgwKBG5hbWUYASABKAkSJAoEZm9ybRgCIAEoDjIWLmpvc3RsZS52MS5DaGFubmVsRm9ybRIPCgdkaXZpc29yGAMgASgNIkAKCVF1YW50U3BlYxIXCg91bml0c19wZXJfbWV0ZXIYASABKA0SGgoScm90YXRpb25fY29tcG9uZW50GAIgASgNIk0KDUdlb21ldHJ5Q2h1bmsSCgoCaWQYASABKAYSDQoFY2h1bmsYAiABKA0SEwoLY2h1bmtfY291bnQYAyABKA0SDAoEZGF0YRgEIAEoDCJBCgxFbnRpdHlVcGRhdGUSIAoFYWRkZWQYASADKAsyES5qb3N0bGUudjEuRW50aXR5Eg8KB3JlbW92ZWQYAiADKA0iyQIKBkVudGl0eRIKCgJpZBgBIAEoDRIhCgR0eXBlGAIgASgOMhMuam9zdGxlLnYxLkJvZHlUeXBlEiAKBnNoYXBlcxgDIAMoCzIQLmpvc3RsZS52MS5TaGFwZRINCgVvd25lchgEIAEoDRISCgVjb2xvchgFIAEoB0gAiAEBEgwKBG5hbWUYBiABKAkSDAoEbWFzcxgHIAEoARIUCgxjb250cm9sbGFibGUYCCABKAgSFgoObGluZWFyX2RhbXBpbmcYCSABKAESFwoPYW5ndWxhcl9kYW1waW5nGAogASgBEhoKDWdyYXZpdHlfc2NhbGUYCyABKAFIAYgBARIfCgVsb2NrcxgMIAEoCzIQLmpvc3RsZS52MS5Mb2NrcxIPCgdqb2ludGVkGA0gASgIQggKBl9jb2xvckIQCg5fZ3Jhdml0eV9zY2FsZSLcAwoIU25hcHNob3QSDQoFZnJhbWUYASABKA0SEQoJYmFzZWxpbmVzGAIgASgNEg4KBnBhY2tlZBgFIAEoDBILCgNjcmMYBiABKAcSDwoHbGF0ZV91cxgHIAEoEhIQCghjaGFubmVscxgJIAEoDBIUCgxjaGFubmVsc19jcmMYCiABKAcSFwoPdW5jaGFuZ2VkX3RpY2tzGAsgASgNEiQKBXN0YXRzGAwgASgLMhUuam9zdGxlLnYxLldvcmxkU3RhdHMSIQoGZXZlbnRzGA0gAygLMhEuam9zdGxlLnYxLkV2ZW50cxIuCg1jbGllbnRfdXBkYXRlGA8gASgLMhcuam9zdGxlLnYxLkNsaWVudFVwZGF0ZRIkCgVjZWxscxgQIAMoCzIVLmpvc3RsZS52MS5DZWxsVXBkYXRlEhIKCmNlbGxzX2xlZnQYESADKA0SOwoRY29udHJvbGxlZF9lbnRpdHkYEiABKAsyIC5qb3N0bGUudjEuQ29udHJvbGxlZEVudGl0eVN0YXRlSgQIAxAESgQIBBAFSgQICBAJUgpiYXNlX2ZyYW1lUgtiYXNlMl9mcmFtZVILYmFzZTNfZnJhbWVSDnNlcnZlcl90aW1lX3VzUgdtb2R1bGVzIrgBCgxDbGllbnRVcGRhdGUSFgoOaW5wdXRfc2VxdWVuY2UYASABKA0SGwoTZWNob19jbGllbnRfdGltZV91cxgCIAEoBxIZChFzbmFwc2hvdHNfc2tpcHBlZBgDIAEoDRInCgdyZXN1bHRzGAQgAygLMhYuam9zdGxlLnYxLklucHV0UmVzdWx0EhcKD2lucHV0X21hcmdpbl91cxgHIAEoERIWCg5pbnB1dF9yZWNlaXZlZBgMIAEoDSKMAQoVQ29udHJvbGxlZEVudGl0eVN0YXRlEg4KBmVudGl0eRgBIAEoDRIOCgZtb2R1bGUYAiABKAkSDAoEdGljaxgDIAEoDRINCgV3b3JkcxgEIAEoDRIQCghrZXlmcmFtZRgFIAEoCBIUCgxjaGFuZ2VkX21hc2sYBiABKAwSDgoGdmFsdWVzGAcgASgMIo0BCgtJbnB1dFJlc3VsdBIQCghzZXF1ZW5jZRgBIAEoDRIiCgRjb2RlGAIgASgOMhQuam9zdGxlLnYxLklucHV0Q29kZRIMCgR0aWNrGAMgASgNEg4KBmVudGl0eRgEIAEoDRIPCgdtZXNzYWdlGAUgASgJEhkKEXZpZXdfdGltZV9jbGFtcGVkGAYgASgIIjYKBFBvbmcSFgoOY2xpZW50X3RpbWVfdXMYASABKAYSFgoOc2VydmVyX3RpbWVfdXMYAiABKAYiqwEKCldvcmxkU3RhdHMSDAoEdGljaxgBIAEoDRIOCgZib2RpZXMYAiABKA0SDQoFYXdha2UYAyABKA0SEAoIY29udGFjdHMYBCABKA0SDwoHY2xpZW50cxgFIAEoDRIUCgxzdGVwX21zX21lYW4YBiABKAESEwoLc3RlcF9tc19tYXgYByABKAESEgoKbGF0ZV90aWNrcxgIIAEoDRIOCgZwYXVzZWQYCSABKAkiPgoGTm90aWNlEiMKBGNvZGUYASABKA4yFS5qb3N0bGUudjEuTm90aWNlQ29kZRIPCgdtZXNzYWdlGAIgASgJIsQDCgZFdmVudHMSDAoEdGljaxgBIAEoDRIvCg5jb250YWN0c19iZWdhbhgCIAMoCzIXLmpvc3RsZS52MS5Db250YWN0RXZlbnQSLwoOY29udGFjdHNfZW5kZWQYAyADKAsyFy5qb3N0bGUudjEuQ29udGFjdEV2ZW50EikKCGNvbnRhY3RzGAQgAygLMhcuam9zdGxlLnYxLkNvbnRhY3RFdmVudBIlCgRoaXRzGAUgAygLMhcuam9zdGxlLnYxLkNvbnRhY3RFdmVudBIxChB0cmlnZ2Vyc19lbnRlcmVkGAYgAygLMhcuam9zdGxlLnYxLlRyaWdnZXJFdmVudBIwCg90cmlnZ2Vyc19zdGF5ZWQYByADKAsyFy5qb3N0bGUudjEuVHJpZ2dlckV2ZW50Ei4KDXRyaWdnZXJzX2xlZnQYCCADKAsyFy5qb3N0bGUudjEuVHJpZ2dlckV2ZW50EjAKDGpvaW50c19icm9rZRgJIAMoCzIaLmpvc3RsZS52MS5Kb2ludEJyZWFrRXZlbnQSEwoLZmVsbF9hc2xlZXAYCiADKA0SDAoEd29rZRgLIAMoDRIOCgZtaXNzZWQYDCABKA0ikwEKDENvbnRhY3RFdmVudBIQCghlbnRpdHlfYRgBIAEoDRIQCghlbnRpdHlfYhgCIAEoDRIeCgVwb2ludBgDIAEoCzIPLmpvc3RsZS52MS5WZWMzEh8KBm5vcm1hbBgEIAEoCzIPLmpvc3RsZS52MS5WZWMzEg0KBXNwZWVkGAUgASgBEg8KB2ltcHVsc2UYBiABKAEiLwoMVHJpZ2dlckV2ZW50Eg8KB3RyaWdnZXIYASABKA0SDgoGZW50aXR5GAIgASgNIlQKD0pvaW50QnJlYWtFdmVudBIQCghlbnRpdHlfYRgBIAEoDRIQCghlbnRpdHlfYhgCIAEoDRINCgVmb3JjZRgDIAEoARIOCgZ0b3JxdWUYBCABKAEqjAEKC0NoYW5uZWxGb3JtEhwKGENIQU5ORUxfRk9STV9VTlNQRUNJRklFRBAAEhcKE0NIQU5ORUxfRk9STV9QQVJBTVMQARIXChNDSEFOTkVMX0ZPUk1fUE9JTlRTEAISFgoSQ0hBTk5FTF9GT1JNX0ZJRUxEEAMSFQoRQ0hBTk5FTF9GT1JNX1NFRUQQBCq/AQoJSW5wdXRDb2RlEhoKFklOUFVUX0NPREVfVU5TUEVDSUZJRUQQABIWChJJTlBVVF9DT0RFX0FQUExJRUQQARIWChJJTlBVVF9DT0RFX0lOVkFMSUQQAhIYChRJTlBVVF9DT0RFX05PVF9GT1VORBADEhoKFklOUFVUX0NPREVfTk9UX0FMTE9XRUQQBBIUChBJTlBVVF9DT0RFX0xJTUlUEAUSGgoWSU5QVVRfQ09ERV9VTkFWQUlMQUJMRRAGKrcBCgpOb3RpY2VDb2RlEhsKF05PVElDRV9DT0RFX1VOU1BFQ0lGSUVEEAASGAoUTk9USUNFX0NPREVfRFJBSU5JTkcQARIcChhOT1RJQ0VfQ09ERV9XT1JMRF9DTE9TRUQQAhIXChNOT1RJQ0VfQ09ERV9SRUZVU0VEEAMSGgoWTk9USUNFX0NPREVfUkFURV9MSU1JVBAEEh8KG05PVElDRV9DT0RFX1dPUkxEX1JFU1RBUlRFRBAFMk0KC1BsYXlTZXJ2aWNlEj4KBFBsYXkSGC5qb3N0bGUudjEuQ2xpZW50TWVzc2FnZRoYLmpvc3RsZS52MS5TZXJ2ZXJNZXNzYWdlKAEwAWIGcHJvdG8z", [file_jostle_v1_common, file_jostle_v1_scene]);
 
 /**
  * @generated from message jostle.v1.ClientMessage
@@ -172,7 +172,7 @@ export type Hello = Message<"jostle.v1.Hello"> & {
   datagrams: boolean;
 
   /**
-   * It will come back if its connection breaks: until then its place is kept for a while (Welcome.resume_seconds), its bodies
+   * It will come back if its connection breaks: until then its place is kept for a while (Welcome.resume_timeout_seconds), its bodies
    * stay, its hand lets go and its controls are as if it held nothing. One that says Leave has left.
    *
    * @generated from field: bool resumable = 60;
@@ -445,13 +445,13 @@ export type Aim = Message<"jostle.v1.Aim"> & {
   /**
    * When the client saw the world so. The ray is cast against where everything was then, with the shapes of now: what came
    * later or is gone by now is not met. What is met is acted on where it is now, at the same point of it. A moment of which
-   * the server has no frame any more (tick.rewind_ms_max of its settings) counts as the oldest that it has, and the result says so.
+   * the server has no frame any more (tick.lag_compensation_ms_max of its settings) counts as the oldest that it has, and the result says so.
    *
    * absent: as the world is when the input is applied
    *
-   * @generated from field: jostle.v1.SeenMoment seen = 4;
+   * @generated from field: jostle.v1.ViewTime view_time = 4;
    */
-  seen?: SeenMoment | undefined;
+  viewTime?: ViewTime | undefined;
 };
 
 /**
@@ -696,16 +696,16 @@ export type Ack = Message<"jostle.v1.Ack"> & {
   /**
    * between decoding that snapshot and saying so: no part of the way
    *
-   * @generated from field: uint32 held_ms = 3;
+   * @generated from field: uint32 ack_delay_ms = 3;
    */
-  heldMs: number;
+  ackDelayMs: number;
 
   /**
    * For who has datagrams: bit k says that the snapshot of frame - 1 - k was decoded, too. What is named can be a base.
    *
-   * @generated from field: fixed32 before = 8;
+   * @generated from field: fixed32 ack_bits = 8;
    */
-  before: number;
+  ackBits: number;
 };
 
 /**
@@ -760,10 +760,10 @@ export type ServerMessage = Message<"jostle.v1.ServerMessage"> & {
     case: "welcome";
   } | {
     /**
-     * @generated from field: jostle.v1.Roster roster = 2;
+     * @generated from field: jostle.v1.EntityUpdate entity_update = 2;
      */
-    value: Roster;
-    case: "roster";
+    value: EntityUpdate;
+    case: "entityUpdate";
   } | {
     /**
      * @generated from field: jostle.v1.Snapshot snapshot = 3;
@@ -784,9 +784,9 @@ export type ServerMessage = Message<"jostle.v1.ServerMessage"> & {
     case: "notice";
   } | {
     /**
-     * @generated from field: jostle.v1.GeometryPart geometry = 9;
+     * @generated from field: jostle.v1.GeometryChunk geometry = 9;
      */
-    value: GeometryPart;
+    value: GeometryChunk;
     case: "geometry";
   } | { case: undefined; value?: undefined };
 };
@@ -801,9 +801,9 @@ export const ServerMessageSchema: GenMessage<ServerMessage> = /*@__PURE__*/
 /**
  * The entities of one part of the world, told as a world is (WIRE.md, "Cells").
  *
- * @generated from message jostle.v1.CellPart
+ * @generated from message jostle.v1.CellUpdate
  */
-export type CellPart = Message<"jostle.v1.CellPart"> & {
+export type CellUpdate = Message<"jostle.v1.CellUpdate"> & {
   /**
    * 0: what is seen from everywhere
    *
@@ -819,11 +819,11 @@ export type CellPart = Message<"jostle.v1.CellPart"> & {
   number: number;
 
   /**
-   * earlier states of the cell, as Snapshot.bases
+   * earlier states of the cell, as Snapshot.baselines
    *
-   * @generated from field: uint32 bases = 3;
+   * @generated from field: uint32 baselines = 3;
    */
-  bases: number;
+  baselines: number;
 
   /**
    * @generated from field: bytes packed = 4;
@@ -839,10 +839,10 @@ export type CellPart = Message<"jostle.v1.CellPart"> & {
 };
 
 /**
- * Describes the message jostle.v1.CellPart.
- * Use `create(CellPartSchema)` to create a new message.
+ * Describes the message jostle.v1.CellUpdate.
+ * Use `create(CellUpdateSchema)` to create a new message.
  */
-export const CellPartSchema: GenMessage<CellPart> = /*@__PURE__*/
+export const CellUpdateSchema: GenMessage<CellUpdate> = /*@__PURE__*/
   messageDesc(file_jostle_v1_play, 20);
 
 /**
@@ -880,13 +880,6 @@ export type Welcome = Message<"jostle.v1.Welcome"> & {
   snapshotHz: number;
 
   /**
-   * snapshots in flight before the server waits for an Ack
-   *
-   * @generated from field: uint32 ack_window = 7;
-   */
-  ackWindow: number;
-
-  /**
    * @generated from field: jostle.v1.QuantSpec quant = 8;
    */
   quant?: QuantSpec | undefined;
@@ -920,9 +913,9 @@ export type Welcome = Message<"jostle.v1.Welcome"> & {
   /**
    * a client acknowledges the newest snapshot when so many ms have passed since it last did
    *
-   * @generated from field: uint32 ack_ms = 13;
+   * @generated from field: uint32 ack_interval_ms = 13;
    */
-  ackMs: number;
+  ackIntervalMs: number;
 
   /**
    * on the server's monotonic clock: when tick 0 would have been due
@@ -948,9 +941,9 @@ export type Welcome = Message<"jostle.v1.Welcome"> & {
   /**
    * absent: all goes by the stream
    *
-   * @generated from field: jostle.v1.DatagramTicket datagrams = 20;
+   * @generated from field: jostle.v1.DatagramCredentials datagrams = 20;
    */
-  datagrams?: DatagramTicket | undefined;
+  datagrams?: DatagramCredentials | undefined;
 
   /**
    * to come back with, of no further meaning; empty: the place is not kept
@@ -969,9 +962,9 @@ export type Welcome = Message<"jostle.v1.Welcome"> & {
   /**
    * What it knows still counts: frames up to Resume.frame, rosters, large shapes. Else it forgets them all, as one that is new.
    *
-   * @generated from field: bool continues = 62;
+   * @generated from field: bool state_preserved = 62;
    */
-  continues: boolean;
+  statePreserved: boolean;
 
   /**
    * of the inputs that came; those after it are to be sent again, under their numbers
@@ -983,9 +976,9 @@ export type Welcome = Message<"jostle.v1.Welcome"> & {
   /**
    * how long its place is kept
    *
-   * @generated from field: double resume_seconds = 64;
+   * @generated from field: double resume_timeout_seconds = 64;
    */
-  resumeSeconds: number;
+  resumeTimeoutSeconds: number;
 };
 
 /**
@@ -998,9 +991,9 @@ export const WelcomeSchema: GenMessage<Welcome> = /*@__PURE__*/
 /**
  * By which a client may send and get datagrams beside this stream (WIRE.md, "Datagrams").
  *
- * @generated from message jostle.v1.DatagramTicket
+ * @generated from message jostle.v1.DatagramCredentials
  */
-export type DatagramTicket = Message<"jostle.v1.DatagramTicket"> & {
+export type DatagramCredentials = Message<"jostle.v1.DatagramCredentials"> & {
   /**
    * UDP, at the address to which the stream is connected
    *
@@ -1022,10 +1015,10 @@ export type DatagramTicket = Message<"jostle.v1.DatagramTicket"> & {
 };
 
 /**
- * Describes the message jostle.v1.DatagramTicket.
- * Use `create(DatagramTicketSchema)` to create a new message.
+ * Describes the message jostle.v1.DatagramCredentials.
+ * Use `create(DatagramCredentialsSchema)` to create a new message.
  */
-export const DatagramTicketSchema: GenMessage<DatagramTicket> = /*@__PURE__*/
+export const DatagramCredentialsSchema: GenMessage<DatagramCredentials> = /*@__PURE__*/
   messageDesc(file_jostle_v1_play, 22);
 
 /**
@@ -1091,11 +1084,11 @@ export const QuantSpecSchema: GenMessage<QuantSpec> = /*@__PURE__*/
 
 /**
  * A shape of more than 1 kB, told once however many bodies have it: a Shape of which only the kind is set, as bytes, in
- * parts of at most 256 KiB. The parts of one come one after the other, and before the first Roster that names it.
+ * parts of at most 256 KiB. The parts of one come one after the other, and before the first EntityUpdate that names it.
  *
- * @generated from message jostle.v1.GeometryPart
+ * @generated from message jostle.v1.GeometryChunk
  */
-export type GeometryPart = Message<"jostle.v1.GeometryPart"> & {
+export type GeometryChunk = Message<"jostle.v1.GeometryChunk"> & {
   /**
    * a hash of its bytes; in one stream no other geometry has it
    *
@@ -1106,16 +1099,16 @@ export type GeometryPart = Message<"jostle.v1.GeometryPart"> & {
   /**
    * from 0
    *
-   * @generated from field: uint32 part = 2;
+   * @generated from field: uint32 chunk = 2;
    */
-  part: number;
+  chunk: number;
 
   /**
    * of the whole
    *
-   * @generated from field: uint32 parts = 3;
+   * @generated from field: uint32 chunk_count = 3;
    */
-  parts: number;
+  chunkCount: number;
 
   /**
    * @generated from field: bytes data = 4;
@@ -1124,19 +1117,19 @@ export type GeometryPart = Message<"jostle.v1.GeometryPart"> & {
 };
 
 /**
- * Describes the message jostle.v1.GeometryPart.
- * Use `create(GeometryPartSchema)` to create a new message.
+ * Describes the message jostle.v1.GeometryChunk.
+ * Use `create(GeometryChunkSchema)` to create a new message.
  */
-export const GeometryPartSchema: GenMessage<GeometryPart> = /*@__PURE__*/
+export const GeometryChunkSchema: GenMessage<GeometryChunk> = /*@__PURE__*/
   messageDesc(file_jostle_v1_play, 25);
 
 /**
- * What changed in the list of entities since the last Roster to this client; the first ones tell of all there are. A big
- * change comes in several messages, what is gone first. A Snapshot comes after the Rosters that name all of its entities.
+ * What changed in the list of entities since the last EntityUpdate to this client; the first ones tell of all there are. A big
+ * change comes in several messages, what is gone first. A Snapshot comes after the EntityUpdates that name all of its entities.
  *
- * @generated from message jostle.v1.Roster
+ * @generated from message jostle.v1.EntityUpdate
  */
-export type Roster = Message<"jostle.v1.Roster"> & {
+export type EntityUpdate = Message<"jostle.v1.EntityUpdate"> & {
   /**
    * @generated from field: repeated jostle.v1.Entity added = 1;
    */
@@ -1149,10 +1142,10 @@ export type Roster = Message<"jostle.v1.Roster"> & {
 };
 
 /**
- * Describes the message jostle.v1.Roster.
- * Use `create(RosterSchema)` to create a new message.
+ * Describes the message jostle.v1.EntityUpdate.
+ * Use `create(EntityUpdateSchema)` to create a new message.
  */
-export const RosterSchema: GenMessage<Roster> = /*@__PURE__*/
+export const EntityUpdateSchema: GenMessage<EntityUpdate> = /*@__PURE__*/
   messageDesc(file_jostle_v1_play, 26);
 
 /**
@@ -1203,9 +1196,9 @@ export type Entity = Message<"jostle.v1.Entity"> & {
   /**
    * PossessInput may take it
    *
-   * @generated from field: bool drivable = 8;
+   * @generated from field: bool controllable = 8;
    */
-  drivable: boolean;
+  controllable: boolean;
 
   /**
    * How it moves, of a dynamic one, as scenes say it (Body); for those who simulate.
@@ -1258,7 +1251,7 @@ export const EntitySchema: GenMessage<Entity> = /*@__PURE__*/
 export type Snapshot = Message<"jostle.v1.Snapshot"> & {
   /**
    * Rises with every snapshot of the world; equals its tick. 0, for who has datagrams: nothing of the world, only `stats`,
-   * `events` and `own`, which go by the stream.
+   * `events` and `client_update`, which go by the stream.
    *
    * @generated from field: uint32 frame = 1;
    */
@@ -1267,9 +1260,9 @@ export type Snapshot = Message<"jostle.v1.Snapshot"> & {
   /**
    * how far back the frames are that this one is told against (WIRE.md, "A frame"); 0: absolute
    *
-   * @generated from field: uint32 bases = 2;
+   * @generated from field: uint32 baselines = 2;
    */
-  bases: number;
+  baselines: number;
 
   /**
    * @generated from field: bytes packed = 5;
@@ -1307,9 +1300,9 @@ export type Snapshot = Message<"jostle.v1.Snapshot"> & {
   /**
    * For so many ticks after the first base nothing moved, and no snapshots were sent. Who interpolates shows the base until then.
    *
-   * @generated from field: uint32 still = 11;
+   * @generated from field: uint32 unchanged_ticks = 11;
    */
-  still: number;
+  unchangedTicks: number;
 
   /**
    * now and then
@@ -1328,16 +1321,16 @@ export type Snapshot = Message<"jostle.v1.Snapshot"> & {
   /**
    * what only this client gets; all others are shared bytes
    *
-   * @generated from field: jostle.v1.Private own = 15;
+   * @generated from field: jostle.v1.ClientUpdate client_update = 15;
    */
-  own?: Private | undefined;
+  clientUpdate?: ClientUpdate | undefined;
 
   /**
    * Where Welcome.cells is set, instead of `packed` and `crc`: cells that changed or came into sight, and those that went.
    *
-   * @generated from field: repeated jostle.v1.CellPart cells = 16;
+   * @generated from field: repeated jostle.v1.CellUpdate cells = 16;
    */
-  cells: CellPart[];
+  cells: CellUpdate[];
 
   /**
    * @generated from field: repeated uint32 cells_left = 17;
@@ -1345,9 +1338,9 @@ export type Snapshot = Message<"jostle.v1.Snapshot"> & {
   cellsLeft: number[];
 
   /**
-   * @generated from field: jostle.v1.Driven driven = 18;
+   * @generated from field: jostle.v1.ControlledEntityState controlled_entity = 18;
    */
-  driven?: Driven | undefined;
+  controlledEntity?: ControlledEntityState | undefined;
 };
 
 /**
@@ -1358,9 +1351,9 @@ export const SnapshotSchema: GenMessage<Snapshot> = /*@__PURE__*/
   messageDesc(file_jostle_v1_play, 28);
 
 /**
- * @generated from message jostle.v1.Private
+ * @generated from message jostle.v1.ClientUpdate
  */
-export type Private = Message<"jostle.v1.Private"> & {
+export type ClientUpdate = Message<"jostle.v1.ClientUpdate"> & {
   /**
    * last input that was applied or refused; 0: as it was
    *
@@ -1406,19 +1399,19 @@ export type Private = Message<"jostle.v1.Private"> & {
 };
 
 /**
- * Describes the message jostle.v1.Private.
- * Use `create(PrivateSchema)` to create a new message.
+ * Describes the message jostle.v1.ClientUpdate.
+ * Use `create(ClientUpdateSchema)` to create a new message.
  */
-export const PrivateSchema: GenMessage<Private> = /*@__PURE__*/
+export const ClientUpdateSchema: GenMessage<ClientUpdate> = /*@__PURE__*/
   messageDesc(file_jostle_v1_play, 29);
 
 /**
  * The thing that this client drives, for who foresees it: told to who named the channel "jostle.motion", sixteen times a second. Its
  * state is a list of words (WIRE.md, "Driven things"), told against the list before.
  *
- * @generated from message jostle.v1.Driven
+ * @generated from message jostle.v1.ControlledEntityState
  */
-export type Driven = Message<"jostle.v1.Driven"> & {
+export type ControlledEntityState = Message<"jostle.v1.ControlledEntityState"> & {
   /**
    * @generated from field: uint32 entity = 1;
    */
@@ -1448,16 +1441,16 @@ export type Driven = Message<"jostle.v1.Driven"> & {
   /**
    * against a list of zeros
    *
-   * @generated from field: bool whole = 5;
+   * @generated from field: bool keyframe = 5;
    */
-  whole: boolean;
+  keyframe: boolean;
 
   /**
    * a bit for each word, the lowest of each byte first: it is told anew. Bytes that are left out are 0
    *
-   * @generated from field: bytes changed = 6;
+   * @generated from field: bytes changed_mask = 6;
    */
-  changed: Uint8Array;
+  changedMask: Uint8Array;
 
   /**
    * these words, 4 bytes each, little-endian
@@ -1468,10 +1461,10 @@ export type Driven = Message<"jostle.v1.Driven"> & {
 };
 
 /**
- * Describes the message jostle.v1.Driven.
- * Use `create(DrivenSchema)` to create a new message.
+ * Describes the message jostle.v1.ControlledEntityState.
+ * Use `create(ControlledEntityStateSchema)` to create a new message.
  */
-export const DrivenSchema: GenMessage<Driven> = /*@__PURE__*/
+export const ControlledEntityStateSchema: GenMessage<ControlledEntityState> = /*@__PURE__*/
   messageDesc(file_jostle_v1_play, 30);
 
 /**
@@ -1510,11 +1503,11 @@ export type InputResult = Message<"jostle.v1.InputResult"> & {
   message: string;
 
   /**
-   * Aim.seen was too long ago: judged by the oldest moment that the server had
+   * Aim.view_time was too long ago: judged by the oldest moment that the server had
    *
-   * @generated from field: bool moment_clamped = 6;
+   * @generated from field: bool view_time_clamped = 6;
    */
-  momentClamped: boolean;
+  viewTimeClamped: boolean;
 };
 
 /**

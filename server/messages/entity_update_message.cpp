@@ -89,7 +89,7 @@ private:
     static constexpr std::size_t id_bytes = 5;
     static constexpr std::size_t frame_bytes = 4;  // tag and length of an entity
 
-    v1::Roster& entity_update() { return *message_.mutable_entity_update(); }
+    v1::EntityUpdate& entity_update() { return *message_.mutable_entity_update(); }
 
     // What a viewer draws, where it is and how big, and what decides its touch.
     void write(v1::Shape& to, const physics::ShapeState& shape, bool with_mass) {

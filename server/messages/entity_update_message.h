@@ -21,7 +21,7 @@ struct EntityUpdateMessages {
 };
 
 // From one entity list to another. Both are in rising order of id, and an entity never changes.
-// A Roster that only tells who is gone.
+// A EntityUpdate that only tells who is gone.
 std::string encode_removed(std::span<const EntityId> entities);
 
 EntityUpdateMessages entity_update_messages(const EntityList& from, const EntityList& to,

@@ -87,7 +87,7 @@ TEST(SceneFile, no_field_is_lost_between_reading_and_writing) {
     test::register_turntable();
     std::set<std::string> all, given, written;
     add_fields(*v1::Scene::descriptor(), all);
-    all.erase("Shape.geometry");  // only in a Roster; a file that has it is refused
+    all.erase("Shape.geometry");  // only in a EntityUpdate; a file that has it is refused
     for (const char* file : every_field_files) {
         const std::string text = read(file);
         v1::Scene message;

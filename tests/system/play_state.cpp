@@ -63,7 +63,7 @@ void PlayState::take(const v1::ServerMessage& message) {
     }
 }
 
-void PlayState::take(const v1::Roster& entity_update) {
+void PlayState::take(const v1::EntityUpdate& entity_update) {
     entity_updates++;
     for (const std::uint32_t id : entity_update.removed()) {
         removed.insert(id);

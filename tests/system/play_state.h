@@ -51,7 +51,7 @@ public:
     const wire::QuantizedFrame* newest() const { return ring_.empty() ? nullptr : &ring_.back(); }
 
 private:
-    void take(const v1::Roster& entity_update);
+    void take(const v1::EntityUpdate& entity_update);
     void take(const v1::Snapshot& snapshot);
     void take_results(const v1::ClientUpdate& own);
     std::uint64_t due_us(const v1::Snapshot& snapshot) const;

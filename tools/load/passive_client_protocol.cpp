@@ -119,7 +119,7 @@ void PassiveClientProtocol::on_client_update(Bytes bytes, Clock::time_point now)
     v1::InputResult result;
     ProtoFieldReader walk(bytes);
     for (Field field; walk.next(field);)
-        if (field.number == v1::Private::kResultsFieldNumber && parse(result, field.bytes))
+        if (field.number == v1::ClientUpdate::kResultsFieldNumber && parse(result, field.bytes))
             on_result(result, now);
     if (walk.malformed()) metrics_.add_error("the server sent results that are none");
 }

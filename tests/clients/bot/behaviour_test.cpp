@@ -29,7 +29,7 @@ public:
         welcome.mutable_quant()->set_units_per_meter(512);
         welcome.mutable_quant()->set_rotation_component(511);
         view_.begin(welcome);
-        v1::Roster entity_update;
+        v1::EntityUpdate entity_update;
         for (std::uint32_t k = 0; k < built_.bodies.size(); k++) {
             v1::Entity& entity = *entity_update.add_added();
             entity.set_id(k + 1);

@@ -60,7 +60,7 @@ TEST(EntityUpdateMessage, carries_what_a_viewer_draws) {
         entity_update_messages(before, {std::make_shared<const EntityDescription>(box)}, table);
     EXPECT_TRUE(messages.geometry.empty());
     ASSERT_EQ(messages.entity_updates.size(), 1u);
-    const v1::Roster entity_update = parse(messages.entity_updates[0]).entity_update();
+    const v1::EntityUpdate entity_update = parse(messages.entity_updates[0]).entity_update();
     ASSERT_EQ(entity_update.added_size(), 1);
     const v1::Entity& entity = entity_update.added(0);
     EXPECT_EQ(entity.id(), 9u);
@@ -92,7 +92,7 @@ TEST(EntityUpdateMessage, carries_how_bodies_move_where_it_is_not_as_usual) {
                                           {std::make_shared<const EntityDescription>(plain),
                                            std::make_shared<const EntityDescription>(odd)},
                                           table);
-    const v1::Roster entity_update = parse(messages.entity_updates[0]).entity_update();
+    const v1::EntityUpdate entity_update = parse(messages.entity_updates[0]).entity_update();
     EXPECT_EQ(entity_update.added(0).ByteSizeLong(), 37u) << "an id, a type, and a box of three numbers";
     const v1::Entity& told = entity_update.added(1);
     EXPECT_TRUE(told.jointed());
@@ -135,7 +135,7 @@ TEST(EntityUpdateMessage, equal_meshes_of_two_bodies_have_one_id_and_others_have
                               entity_with(3, mesh_of(10, 1))};
     const auto messages = entity_update_messages({}, entities, table);
     EXPECT_EQ(messages.geometry.size(), 2u);
-    const v1::Roster entity_update = parse(messages.entity_updates[0]).entity_update();
+    const v1::EntityUpdate entity_update = parse(messages.entity_updates[0]).entity_update();
     EXPECT_EQ(entity_update.added(0).shapes(0).geometry(), entity_update.added(1).shapes(0).geometry());
     EXPECT_NE(entity_update.added(0).shapes(0).geometry(), entity_update.added(2).shapes(0).geometry());
 }

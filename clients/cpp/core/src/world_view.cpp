@@ -61,7 +61,7 @@ const v1::Shape* WorldView::resolve_shape(const v1::Shape& shape) const {
     return known == geometry_.end() ? nullptr : &known->second;
 }
 
-void WorldView::apply(const v1::Roster& entity_update) {
+void WorldView::apply(const v1::EntityUpdate& entity_update) {
     for (const std::uint32_t id : entity_update.removed()) entities_.erase(id);
     for (const v1::Entity& entity : entity_update.added()) entities_[entity.id()] = entity;
     remove_unknown_entities();

@@ -186,12 +186,12 @@ TEST_F(WorldViewTest, an_entity_of_a_datagram_that_overtook_its_roster_is_a_base
     EXPECT_TRUE(view.frame().entities.empty()) << "nobody told what it looks like";
     EXPECT_FALSE(view.pose_of(7));
     ASSERT_TRUE(view.apply(told(second, &first)).ok()) << "it is a base all the same";
-    v1::Roster entity_update;
+    v1::EntityUpdate entity_update;
     entity_update.add_added()->set_id(7);
     view.apply(entity_update);
     EXPECT_EQ(view.frame().entities.size(), 1u) << "as soon as it is known";
     EXPECT_EQ(view.ack_bits(), 1u);
-    v1::Roster gone;
+    v1::EntityUpdate gone;
     gone.add_removed(7);
     view.apply(gone);
     EXPECT_TRUE(view.frame().entities.empty());

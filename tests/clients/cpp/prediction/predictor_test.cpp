@@ -51,7 +51,7 @@ struct Yard {
     // --- the server ---
     physics::World server;
     std::map<std::uint32_t, physics::BodyId> bodies;
-    v1::Roster entity_update;
+    v1::EntityUpdate entity_update;
     std::uint32_t server_tick = 0, applied = 0;
     std::int32_t margin_us = 0;
     std::map<std::uint32_t, std::map<std::uint32_t, Vec3>> truth;  // by tick, by entity

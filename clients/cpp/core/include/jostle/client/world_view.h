@@ -36,7 +36,7 @@ public:
     // A piece of a large shape. An error: it does not follow the piece before.
     Status apply(const v1::GeometryChunk& part);
     // Who came and who went.
-    void apply(const v1::Roster& entity_update);
+    void apply(const v1::EntityUpdate& entity_update);
     // Decodes a snapshot and compares its CRC. An error leaves the last good frame in place; the
     // client should ask for a keyframe.
     Status apply(const v1::Snapshot& snapshot);

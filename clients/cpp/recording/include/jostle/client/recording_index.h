@@ -13,7 +13,7 @@ namespace jostle::client {
 struct RecordingEntry {
     enum class Kind : std::uint32_t {
         keyframe = 1,  // a snapshot without a base
-        persistent = 2,  // a Roster or a GeometryChunk: counts from there on
+        persistent = 2,  // a EntityUpdate or a GeometryChunk: counts from there on
     };
     std::uint64_t offset = 0;  // of its record in the file
     std::uint32_t frame = 0;   // of a keyframe

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/persistence.h"
+#include "bench/persistence_cost.h"
 
 #include <CLI/CLI.hpp>
 #include <cstdio>

@@ -138,23 +138,23 @@ TEST_F(AccuracyFlags, integrators_and_roads_write_rows) {
                   file("r.csv")),
               0)
         << output();
-    const auto contact-models = nlohmann::json::parse(read("r.json"));
-    ASSERT_EQ(contact-models["rows"].size(), 2u);
-    EXPECT_EQ(contact-models["rows"][0]["blown"], true);
-    EXPECT_LT(contact-models["rows"][1]["slide_error"], 0.01);
+    const auto contact_models = nlohmann::json::parse(read("r.json"));
+    ASSERT_EQ(contact_models["rows"].size(), 2u);
+    EXPECT_EQ(contact_models["rows"][0]["blown"], true);
+    EXPECT_LT(contact_models["rows"][1]["slide_error"], 0.01);
     EXPECT_THAT(read("r.csv"), HasSubstr("penalty,60,blown"));
     const std::pair<const char*, const char*> wrong[] = {
         {"integrators --field moon", "there is no field moon; there are all, oscillator"},
         {"integrators --method euler", "there is no method euler; there are all, explicit"},
         {"integrators --rates nan", "nan is no rate"},
         {"integrators --rates 2.5", "2.5 is no rate"},
-        {"contact-models --model fast", "there is no road fast; there are all, penalty"},
+        {"contact-models --model fast", "there is no model fast; there are all, penalty"},
         {"contact-models --rates 0", "0 is no rate"}};
     for (const auto& [flags, why] : wrong) {
         EXPECT_EQ(run(flags), 2) << flags;
         EXPECT_THAT(output(), HasSubstr(why));
     }
-    EXPECT_EQ(run("contact-models --csv /nowhere/r.csv"), 1);
+    EXPECT_EQ(run("contact_models --csv /nowhere/r.csv"), 1);
     EXPECT_EQ(run("integrators --json /nowhere/i.json"), 1);
 }
 

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
-// What each road to contact is known for, in numbers.
-#include "bench/contact-models/contact-models.h"
+// What each model to contact is known for, in numbers.
+#include "bench/contact_models/contact_models.h"
 
 #include <gtest/gtest.h>
 
 namespace {
 
-using namespace jostle::bench::contact-models;
+using namespace jostle::bench::contact_models;
 
-SceneErrors errors_of(const char* road, double rate_hz) {
-    return contact_model_row(*find_contact_model(road), rate_hz).errors;
+SceneErrors errors_of(const char* model, double rate_hz) {
+    return contact_model_row(*find_contact_model(model), rate_hz).errors;
 }
 
 TEST(Penalty, sinks_as_deep_as_its_spring_says_and_is_unstable_at_long_steps) {

@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "bench/contact-models/contact_scene.h"
+#include "bench/contact_models/contact_scene.h"
 
 namespace jostle::bench::contact-models {
 

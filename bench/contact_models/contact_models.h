@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// jostle-bench contact-models: penalty forces, velocity constraints and positions on one contact scene.
+// jostle-bench contact_models: penalty forces, velocity constraints and positions on one contact scene.
 #pragma once
 
 #include <nlohmann/json.hpp>
 
-#include "bench/contact-models/road.h"
+#include "bench/contact_models/contact_model.h"
 
 namespace CLI {
 class App;
@@ -13,10 +13,10 @@ class App;
 
 namespace jostle::bench {
 
-namespace contact-models {
+namespace contact_models {
 
 struct ContactModelRow {
-    std::string road;
+    std::string model;
     double rate_hz = 0;
     SceneErrors errors;
     double cpu_us_per_second = 0;  // per simulated second
@@ -24,7 +24,7 @@ struct ContactModelRow {
 ContactModelRow contact_model_row(const ContactModelKind& kind, double rate_hz);
 nlohmann::ordered_json to_json(const ContactModelRow& row);
 
-}  // namespace contact-models
+}  // namespace contact_models
 
 void add_contact_models(CLI::App& app, int& status);  // the exit status is left in `status`
 

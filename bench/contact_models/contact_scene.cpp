@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/contact-models/contact_scene.h"
+#include "bench/contact_models/contact_scene.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include "jostle/analysis/work_error.h"
 #include "jostle/physics/scalar.h"
 
-namespace jostle::bench::contact-models {
+namespace jostle::bench::contact_models {
 namespace {
 
 constexpr double drop_height = 0.5;  // m, below the ball
@@ -120,4 +120,4 @@ SceneErrors ContactScene::errors() const {
     return errors;
 }
 
-}  // namespace jostle::bench::contact-models
+}  // namespace jostle::bench::contact_models

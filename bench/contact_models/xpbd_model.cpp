@@ -10,9 +10,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bench/contact-models/road.h"
+#include "bench/contact_models/contact_model.h"
 
-namespace jostle::bench::contact-models {
+namespace jostle::bench::contact_models {
 namespace {
 
 constexpr int substeps = 10;
@@ -104,4 +104,4 @@ std::unique_ptr<ContactModel> make_xpbd_model() {
     return std::make_unique<XpbdModel>();
 }
 
-}  // namespace jostle::bench::contact-models
+}  // namespace jostle::bench::contact_models

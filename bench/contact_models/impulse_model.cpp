@@ -9,9 +9,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bench/contact-models/road.h"
+#include "bench/contact_models/contact_model.h"
 
-namespace jostle::bench::contact-models {
+namespace jostle::bench::contact_models {
 namespace {
 
 constexpr int rounds = 10;
@@ -100,4 +100,4 @@ std::unique_ptr<ContactModel> make_impulse_model() {
     return std::make_unique<ImpulseModel>();
 }
 
-}  // namespace jostle::bench::contact-models
+}  // namespace jostle::bench::contact_models

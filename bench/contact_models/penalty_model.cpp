@@ -2,17 +2,17 @@
 //
 // Penalty forces. What overlaps is pushed apart by a spring and a damper:
 //     f = k * overlap - c * (velocity along the normal), never pulling.
-// Nothing is solved: each contact is looked at once, and that is all the road's charm. The price:
+// Nothing is solved: each contact is looked at once, and that is all it costs. The price:
 // things sink until the spring bears them (m g / k), and an explicit step is stable only while it
 // is short against the fastest spring and the strongest damper: in a stack dt < sqrt(m / k) and dt
 // < m / (2 c), here 1.1 ms. Stiffer means smaller steps.
 #include <algorithm>
 #include <cmath>
 
-#include "bench/contact-models/road.h"
+#include "bench/contact_models/contact_model.h"
 #include "jostle/physics/scalar.h"
 
-namespace jostle::bench::contact-models {
+namespace jostle::bench::contact_models {
 namespace {
 
 constexpr double stiffness = 1e5;  // N/m: the foot of a stack of ten sinks by 1 mm
@@ -64,4 +64,4 @@ std::unique_ptr<ContactModel> make_penalty_model() {
     return std::make_unique<PenaltyModel>();
 }
 
-}  // namespace jostle::bench::contact-models
+}  // namespace jostle::bench::contact_models

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// One scene for all contact-models: sixteen balls drop on a plane, ten stand in a stack, one slides until
+// One scene for all contact_models: sixteen balls drop on a plane, ten stand in a stack, one slides until
 // friction stops it. Balls do not turn: what is compared is how a contact is resolved, and nothing
 // else. SI units, z up, the plane is z = 0.
 #pragma once
@@ -9,7 +9,7 @@
 
 #include "jostle/physics/vec3.h"
 
-namespace jostle::bench::contact-models {
+namespace jostle::bench::contact_models {
 
 using physics::Vec3;
 
@@ -78,4 +78,4 @@ private:
     std::vector<double> apex_;
 };
 
-}  // namespace jostle::bench::contact-models
+}  // namespace jostle::bench::contact_models

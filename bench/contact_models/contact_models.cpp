@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/contact-models/contact-models.h"
+#include "bench/contact_models/contact_models.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -13,7 +13,7 @@
 #include "bench/result_file.h"
 
 namespace jostle::bench {
-namespace contact-models {
+namespace contact_models {
 namespace {
 
 constexpr std::array kinds = {
@@ -26,7 +26,7 @@ constexpr double long_enough = 0.01;  // s of processor time: a run is repeated 
 
 constexpr const char* footer = R"(
 Sixteen balls drop 0.5 m on a plane and bounce (0.8), ten stand in a stack, one slides until
-friction (0.4) stops it: 2 s. Balls do not turn. All contact-models find the same contacts.
+friction (0.4) stops it: 2 s. Balls do not turn. All models find the same contacts.
   overlap  deepest in the stack over the second second, mm
   energy   error of the dropped balls' energy after the bounce over what it should be; RMS, each ball
            a sixteenth of a step later than the one before
@@ -40,7 +40,7 @@ Examples:
 Exit status: 0 done, 1 a file could not be written, 2 wrong flags.)";
 
 struct Flags {
-    std::vector<std::string> contact-models = {"all"};
+    std::vector<std::string> contact_models = {"all"};
     std::vector<double> rates = {30, 60, 120, 240, 480, 960, 1920};
     std::string json, csv;
 };
@@ -49,7 +49,7 @@ std::string check_contact_model(const std::string& name) {
     std::string known = "all";
     if (name == "all" || find_contact_model(name)) return "";
     for (const ContactModelKind& kind : kinds) known += std::string(", ") + kind.name;
-    return "there is no road " + name + "; there are " + known;
+    return "there is no model " + name + "; there are " + known;
 }
 
 std::string check_rate_of_model(const std::string& text) {
@@ -64,9 +64,9 @@ double time_of_run(const ContactModelKind& kind, double rate_hz) {
     double least = 0, spent = 0;
     for (int run = 0; run == 0 || spent < long_enough; run++) {
         ContactScene scene(1 / rate_hz);
-        const auto road = kind.make();
+        const auto model = kind.make();
         const double before = cpu_seconds();
-        for (long k = 0; k < steps; k++) road->step(scene.balls, 1 / rate_hz);
+        for (long k = 0; k < steps; k++) model->step(scene.balls, 1 / rate_hz);
         const double took = cpu_seconds() - before;
         least = run == 0 ? took : std::min(least, took);
         spent += took;
@@ -84,7 +84,7 @@ void print_row(const ContactModelRow& row) {
 }
 
 std::string csv_of(const std::vector<ContactModelRow>& rows) {
-    std::string text = "road,rate_hz,overlap_m,energy_error,slide_error,cpu_us_per_second\n";
+    std::string text = "model,rate_hz,overlap_m,energy_error,slide_error,cpu_us_per_second\n";
     for (const ContactModelRow& row : rows) {
         char line[160];
         const SceneErrors& errors = row.errors;
@@ -104,10 +104,10 @@ int run(Flags flags) {
         if (!path.empty() && !can_write(path)) return 1;
     std::sort(flags.rates.begin(), flags.rates.end());
     std::vector<ContactModelRow> rows;
-    std::printf("%-9s %6s %12s %11s %11s %11s\n", "road", "hz", "overlap, mm", "energy", "slide",
+    std::printf("%-9s %6s %12s %11s %11s %11s\n", "model", "hz", "overlap, mm", "energy", "slide",
                 "cpu us/s");
     for (const ContactModelKind& kind : kinds) {
-        const auto& chosen = flags.contact-models;
+        const auto& chosen = flags.contact_models;
         if (std::find(chosen.begin(), chosen.end(), "all") == chosen.end() &&
             std::find(chosen.begin(), chosen.end(), kind.name) == chosen.end())
             continue;
@@ -140,16 +140,16 @@ const ContactModelKind* find_contact_model(std::string_view name) {
 
 ContactModelRow contact_model_row(const ContactModelKind& kind, double rate_hz) {
     ContactScene scene(1 / rate_hz);
-    const auto road = kind.make();
+    const auto model = kind.make();
     for (long k = 0; k < std::lround(scene_seconds * rate_hz); k++) {
-        road->step(scene.balls, 1 / rate_hz);
+        model->step(scene.balls, 1 / rate_hz);
         scene.sample();
     }
     return {kind.name, rate_hz, scene.errors(), 1e6 * time_of_run(kind, rate_hz) / scene_seconds};
 }
 
 nlohmann::ordered_json to_json(const ContactModelRow& row) {
-    nlohmann::ordered_json json = {{"road", row.model}, {"rate_hz", row.rate_hz}};
+    nlohmann::ordered_json json = {{"model", row.model}, {"rate_hz", row.rate_hz}};
     if (row.errors.failed) {
         json["blown"] = true;
         return json;
@@ -161,17 +161,17 @@ nlohmann::ordered_json to_json(const ContactModelRow& row) {
     return json;
 }
 
-}  // namespace contact-models
+}  // namespace contact_models
 
 void add_contact_models(CLI::App& app, int& status) {
-    using namespace contact-models;
+    using namespace contact_models;
     CLI::App* command = app.add_subcommand(
         "contact-models", "Penalty forces, velocity constraints and positions on one contact scene.");
     const auto flags = std::make_shared<Flags>();
-    command->add_option("--model", flags->contact-models, "By name, or all")
+    command->add_option("--model", flags->contact_models, "By name, or all")
         ->delimiter(',')
         ->capture_default_str()
-        ->check(CLI::Validator(check_contact_model, "ROAD"));
+        ->check(CLI::Validator(check_contact_model, "MODEL"));
     command->add_option("--rates", flags->rates, "Steps a second")
         ->delimiter(',')
         ->capture_default_str()

@@ -28,7 +28,7 @@ namespace {
 using namespace physics;
 
 constexpr const char* footer = R"(
-Two worlds of the same boxes, 10 columns by 10 of 10 upon each other, persistence awake: one without the feature, one in which it
+Two worlds of the same boxes, 10 columns by 10 of 10 upon each other, kept awake: one without the feature, one in which it
 is there and idle, a kilometre away. A step of the one, a step of the other, in turn, by the thread's processor time. Each
 round makes both worlds anew, elsewhere in memory, and does the same work again, so the least time of a step over all rounds
 is what it takes when nothing disturbs it. Shown is by how much the sum of those of the one exceeds that of the other, in

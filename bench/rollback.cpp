@@ -21,7 +21,7 @@ using physics::RestorePoint;
 using physics::World;
 
 constexpr const char* footer = R"(
-A repetition: keep() the moment, play some steps that turn out wrong, restore() it. The point is warm: it persistence a moment
+A repetition: keep() the moment, play some steps that turn out wrong, restore() it. The point is warm: it held a moment
 before the first repetition. After each restore the world's hash is compared with that of the moment; a difference ends
 the run. Worlds have one thread.
 
@@ -99,14 +99,14 @@ void repeat_once(Row& row, World& world, RestorePoint& point, int steps) {
     const std::uint64_t moment = physics::state_hash(world);
     const double began = cpu_seconds();
     point.keep(world);
-    const double persistence = cpu_seconds();
+    const double saved = cpu_seconds();
     if (row.scene == "woken") wake_all(world);
     const double played = cpu_seconds();
     for (int k = 0; k < steps; k++) step(world);
     const double wrong = cpu_seconds();
     must(point.restore(world));
     const double restored = cpu_seconds();
-    row.save_ms.push_back(1e3 * (persistence - began));
+    row.save_ms.push_back(1e3 * (saved - began));
     row.step_ms.push_back(1e3 * (wrong - played) / steps);
     row.restore_ms.push_back(1e3 * (restored - wrong));
     row.same = row.same && physics::state_hash(world) == moment;

@@ -50,7 +50,7 @@ void count(Counts& counts, const wire::QuantizedFrame& frame, const Baselines& b
     wire::RangeFrameSerializer walk(counter, models, spec);
     walk.entities(lists, baselines, frame.entities.size());
     std::vector<wire::EntityState> none;
-    walk.survivors(to.persistence, none, to.survivors, wire::spacing_of(frame.frame, baselines));
+    walk.survivors(to.surviving, none, to.survivors, wire::spacing_of(frame.frame, baselines));
 }
 
 // Nobody goes or comes in those scenes: here every half second a body in twenty does.

@@ -91,8 +91,8 @@ Vec3 at_time(const Trajectory& track, double t) {
 
 std::shared_ptr<const Trajectory> cached_trajectory(const std::string& name,
                                         const std::function<Trajectory()>& make) {
-    static std::map<std::string, std::shared_ptr<const Trajectory>> persistence;
-    auto& track = persistence[name];
+    static std::map<std::string, std::shared_ptr<const Trajectory>> trajectories;
+    auto& track = trajectories[name];
     if (!track) track = std::make_shared<const Trajectory>(make());
     return track;
 }

@@ -161,11 +161,11 @@ int run_regression(const std::vector<const Experiment*>& experiments, const std:
     if (file.empty()) return 0;
     if (!update) return print_changes(changes_between(before, rows, all), rows.size(), file);
     // Scenes that did not run keep their rows, and their places.
-    std::vector<Row> persistence;
+    std::vector<Row> rows_of_scene;
     for (const Experiment& experiment : all_experiments())
         for (const Row& row : has_scene(rows, experiment.name) ? rows : before)
-            if (row.scene == experiment.name) persistence.push_back(row);
-    return write_rows(file, persistence) ? 0 : 1;
+            if (row.scene == experiment.name) rows_of_scene.push_back(row);
+    return write_rows(file, rows_of_scene) ? 0 : 1;
 }
 
 }  // namespace jostle::bench::accuracy

@@ -94,7 +94,7 @@ double median_of(const std::vector<StreamCost>& costs, double StreamCost::*field
     return spread_of(values).median;
 }
 
-// Of the rounds in which both persistence their rate; nothing: there was none.
+// Of the rounds in which both held their rate; nothing: there was none.
 std::optional<Spread> ratio_of(const Costs& costs, StreamKind kind) {
     const auto floor = minimal_server_of(kind);
     if (!floor) return std::nullopt;
@@ -151,7 +151,7 @@ nlohmann::ordered_json rows_json(const Costs& costs) {
 }
 
 // A machine that does something else as well may keep a server from its rate, and what it sends
-// then costs more each: so it is asked again. What never persistence it is told, and not compared.
+// then costs more each: so it is asked again. What never held it is reported, and not compared.
 Result<StreamCost> measure_at_full_rate(StreamKind kind, const StreamRequest& request) {
     for (int attempt = 1;; attempt++) {
         auto cost = measure_stream(kind, request);

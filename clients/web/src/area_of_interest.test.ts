@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { areaOfInterestFromQuery } from './sight';
+import { areaOfInterestFromQuery } from './area_of_interest';
 
 describe('what a viewer asks to be told', () => {
   it('is all of the world unless its address says otherwise', () => {

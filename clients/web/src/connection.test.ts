@@ -96,7 +96,7 @@ describe('connection', () => {
     welcome();
     const heard: unknown[] = [];
     const nothing = () => {};
-    connection.enablePrediction({ begin: () => heard.push('begin'), came: nothing, went: nothing, frame: nothing, driven: nothing, result: nothing,
+    connection.enablePrediction({ begin: () => heard.push('begin'), entityAdded: nothing, entityRemoved: nothing, frame: nothing, controlledEntity: nothing, result: nothing,
       input: (sequence, tick, input) => heard.push([sequence, tick, input.kind?.case]),
     });
     const target = (x: number) => ({ kind: { case: 'drag' as const, value: { target: { x, y: 0, z: 0 } } } });
@@ -119,10 +119,10 @@ describe('connection', () => {
     const heard: unknown[] = [];
     const nothing = () => {};
     const driven = (thing: unknown) => heard.push(thing);
-    const told = { entity: 5, module: 'character', tick: 9, words: 1, whole: true, changed: Uint8Array.of(1), values: Uint8Array.of(7, 0, 0, 0) };
-    sockets[0]!.give({ message: { case: 'snapshot', value: { frame: 9, packed: new Uint8Array(2), driven: told } } });
-    connection.enablePrediction({ begin: nothing, came: nothing, went: nothing, frame: nothing, result: nothing, input: nothing, driven });
-    sockets[0]!.give({ message: { case: 'snapshot', value: { frame: 13, packed: new Uint8Array(2), driven: { ...told, tick: 13, whole: false, values: Uint8Array.of(8, 0, 0, 0) } } } });
+    const told = { entity: 5, module: 'character', tick: 9, words: 1, keyframe: true, changedMask: Uint8Array.of(1), values: Uint8Array.of(7, 0, 0, 0) };
+    sockets[0]!.give({ message: { case: 'snapshot', value: { frame: 9, packed: new Uint8Array(2), controlledEntity: told } } });
+    connection.enablePrediction({ begin: nothing, entityAdded: nothing, entityRemoved: nothing, frame: nothing, result: nothing, input: nothing, controlledEntity: driven });
+    sockets[0]!.give({ message: { case: 'snapshot', value: { frame: 13, packed: new Uint8Array(2), controlledEntity: { ...told, tick: 13, keyframe: false, values: Uint8Array.of(8, 0, 0, 0) } } } });
     const thing = (tick: number, word: number) => ({ entity: 5, module: 'character', tick, words: Uint32Array.of(word) });
     expect(heard).toEqual([thing(9, 7), thing(13, 8)]);
   });
@@ -201,7 +201,7 @@ describe('connection', () => {
     sockets[0]!.give({
       message: {
         case: 'snapshot',
-        value: { frame: 1, own: { results: [{ sequence: 1, code: InputCode.APPLIED }, inputRejected] } },
+        value: { frame: 1, clientUpdate: { results: [{ sequence: 1, code: InputCode.APPLIED }, inputRejected] } },
       },
     });
     sockets[0]!.give({ message: { case: 'notice', value: { code: NoticeCode.RATE_LIMIT, message: 'slow down' } } });
@@ -238,7 +238,7 @@ describe('connection', () => {
       case: 'hello',
       value: { resumable: true, resume: { token, frame: 50 } },
     });
-    const back = { clientId: 7, resumeToken: token, resumed: true, continues: true, lastSequence: 1 };
+    const back = { clientId: 7, resumeToken: token, resumed: true, statePreserved: true, lastSequence: 1 };
     sockets[1]!.give({ message: { case: 'welcome', value: back } });
     vi.advanceTimersByTime(34);
     const [batch] = sockets[1]!.take().filter((m) => m.case === 'input');

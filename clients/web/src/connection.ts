@@ -2,7 +2,7 @@
 
 import { create, fromBinary, toBinary, type MessageInitShape } from '@bufbuild/protobuf';
 import { ClockSync, nowUs } from './clock';
-import { baselineFrames } from './base_frames';
+import { baselineFrames } from './baseline_frames';
 import {
   DecodeError,
   NEWEST_CODEC,
@@ -13,8 +13,8 @@ import {
   type QuantSpec,
   type QuantizedFrame,
 } from './decode_frame';
-import { InterestCells } from './seen_cells';
-import type { AreaOfInterest } from './sight';
+import { InterestCells } from './interest_cells';
+import type { AreaOfInterest } from './area_of_interest';
 import { FrameBuffer, type PoseFrame } from './frame_buffer';
 import { InputClock } from './input_clock';
 import { InputQueue } from './input_queue';
@@ -35,7 +35,7 @@ import {
   type InputResult,
   type InputSchema,
   type Notice,
-  type Roster,
+  type EntityUpdate,
   type ServerMessage,
   type Snapshot,
   type Welcome,
@@ -71,7 +71,7 @@ export interface PredictionListener {
   entityAdded(entity: Entity): void;
   entityRemoved(entity: number): void;
   /** What this client drives, before the frame of its tick; undefined: that is not known any more. */
-  driven(thing: ControlledEntity | undefined): void;
+  controlledEntity(thing: ControlledEntity | undefined): void;
   frame(frame: PoseFrame): void;
   result(result: InputResult): void;
   /** An input that will be sent with that number; one of the same number as the last comes in its place. Tick 0: the next one. */
@@ -105,7 +105,7 @@ export class Connection {
   state: State = 'stopped';
 
   private readonly largeShapes = new LargeShapes();
-  private readonly driven = new ControlledStateDecoder();
+  private readonly controlledEntity = new ControlledStateDecoder();
   private eventsEnabled = false;
   private socket: Socket | undefined;
   private spec: QuantSpec = { unitsPerMeter: 512, rotationComponent: 511 };
@@ -174,7 +174,7 @@ export class Connection {
     if (!this.welcome) return;
     predictionListener.begin(this.welcome);
     for (const entity of this.entities.values()) predictionListener.entityAdded(entity);
-    predictionListener.driven(this.driven.newest);
+    predictionListener.controlledEntity(this.controlledEntity.newest);
   }
 
   send(given: Input): void {
@@ -293,7 +293,7 @@ export class Connection {
       case 'geometry':
         if (!this.largeShapes.add(message.value)) this.startNewSession('the server sent a shape that this viewer cannot read');
         return;
-      case 'roster':
+      case 'entityUpdate':
         return this.onEntityList(message.value);
       case 'snapshot':
         return this.onSnapshot(message.value);
@@ -344,10 +344,10 @@ export class Connection {
     this.clock.reset();
     this.entities.clear();
     this.largeShapes.clear();
-    this.driven.forget();
+    this.controlledEntity.forget();
   }
 
-  private onEntityList(change: Roster): void {
+  private onEntityList(change: EntityUpdate): void {
     for (const id of change.removed) {
       this.entities.delete(id);
       this.predictionListener?.entityRemoved(id);
@@ -363,14 +363,14 @@ export class Connection {
   private onSnapshot(s: Snapshot): void {
     this.ackDue = true;
     // Before its frame, so that late inputs are where the server had them.
-    for (const result of s.client_update?.results ?? []) this.predictionListener?.result(result);
-    if (s.driven) {
-      this.driven.apply(s.driven);
-      this.predictionListener?.driven(this.driven.newest);
+    for (const result of s.clientUpdate?.results ?? []) this.predictionListener?.result(result);
+    if (s.controlledEntity) {
+      this.controlledEntity.apply(s.controlledEntity);
+      this.predictionListener?.controlledEntity(this.controlledEntity.newest);
     }
     this.decode(s);
     // These stand by themselves, whatever became of the poses.
-    for (const result of s.client_update?.results ?? [])
+    for (const result of s.clientUpdate?.results ?? [])
       if (this.inputs.onResult(result.sequence) && result.code !== InputCode.APPLIED) this.events.inputRejected(result);
     if (s.stats) this.events.stats(s.stats);
     for (const tick of s.events) this.events.worldEvents(tick);
@@ -401,7 +401,7 @@ export class Connection {
         const agoUs = this.clock.serverUs(arrived) - serverUs;
         this.ageMs = agoUs / 1000;
         this.inputClock.onFrame(s.frame, agoUs, (1000 * this.clock.rttMs) / 2, arrived);
-        this.inputClock.onMargin(s.client_update?.inputSequence ?? 0, s.client_update?.inputMarginUs ?? 0);
+        this.inputClock.onMargin(s.clientUpdate?.inputSequence ?? 0, s.clientUpdate?.inputMarginUs ?? 0);
       }
       this.predictionListener?.frame(told);
     } catch (error) {

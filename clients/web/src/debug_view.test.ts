@@ -96,5 +96,5 @@ describe('islands', () => {
 
 it('says how much there is', () => {
   expect(summary(scene, all)).toBe('3 contacts, 1 island, 1 box, 1 joint, 2 cells');
-  expect(summary(answer({ cut: true }), { ...none, contacts: true })).toBe('0 contacts; there are more than are shown');
+  expect(summary(answer({ truncated: true }), { ...none, contacts: true })).toBe('0 contacts; there are more than are shown');
 });

@@ -1,6 +1,6 @@
 import { create, type MessageInitShape } from '@bufbuild/protobuf';
 import { describe, expect, it } from 'vitest';
-import { describeEvents, RecentLines } from './event_words';
+import { describeEvents, RecentLines } from './describe_events';
 import { EventsSchema } from './gen/jostle/v1/play_pb';
 
 const names = ['', 'ball', 'wall', 'box', 'goal'];

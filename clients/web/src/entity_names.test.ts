@@ -1,7 +1,7 @@
 import { create } from '@bufbuild/protobuf';
 import { expect, it } from 'vitest';
 import { EntitySchema } from './gen/jostle/v1/play_pb';
-import { describePick, entityName } from './thing_names';
+import { describePick, entityName } from './entity_names';
 
 const field = { kind: { case: 'heightField' as const, value: {} } };
 const ball = { kind: { case: 'sphere' as const, value: { radius: 1 } } };

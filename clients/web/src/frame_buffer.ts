@@ -2,7 +2,7 @@
 
 import { dequantize, type EntityState, type QuantSpec, type QuantizedFrame } from './decode_frame';
 import { NO_CHANNELS, type Channels } from './channels';
-import type { Blend } from './seen_cells';
+import type { Blend } from './interest_cells';
 
 export const POSE_FLOATS = 7; // px py pz qx qy qz qw
 

@@ -9,7 +9,7 @@ function corners(box: THREE.Box3, aspect: number): THREE.Vector3[] {
   const camera = new THREE.PerspectiveCamera(55, aspect, 0.1, 500);
   const { position, target } = frameOf(box, FROM, 55, aspect, 9, 200);
   camera.position.copy(position);
-  camera.setInterestFocus(target);
+  camera.lookAt(target);
   camera.updateMatrixWorld();
   return [0, 1, 2, 3, 4, 5, 6, 7].map((k) =>
     new THREE.Vector3(k & 1 ? box.max.x : box.min.x, k & 2 ? box.max.y : box.min.y, k & 4 ? box.max.z : box.min.z).project(camera),

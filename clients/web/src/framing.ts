@@ -8,13 +8,13 @@ const BOTTOM = 0.68;
 const SIDE = 0.98;
 const RAISED = 0.13;
 
-export interface JointFrame {
+export interface CameraFrame {
   readonly position: THREE.Vector3;
   readonly target: THREE.Vector3;
 }
 
 /** From a direction (unit, from the box to the camera) and no nearer or further than that, m. `fov` in degrees, upright. */
-export function frameOf(box: THREE.Box3, from: THREE.Vector3, fov: number, aspect: number, nearest: number, furthest: number): JointFrame {
+export function frameOf(box: THREE.Box3, from: THREE.Vector3, fov: number, aspect: number, nearest: number, furthest: number): CameraFrame {
   const middle = box.getCenter(new THREE.Vector3());
   const right = new THREE.Vector3(0, 1, 0).cross(from).normalize();
   const up = from.clone().cross(right);

@@ -3,7 +3,7 @@
 
 import { expect, it } from 'vitest';
 import { InputClock } from './input_clock';
-import { IDEAL_NETWORK, NetworkSimulator, type NetworkConditions } from './link_conditioner';
+import { IDEAL_NETWORK, NetworkSimulator, type NetworkConditions } from './network_simulator';
 
 const TICK_US = 1e6 / 60;
 

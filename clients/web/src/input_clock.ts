@@ -91,7 +91,7 @@ export class InputClock {
     this.correctionUs = Math.abs(off);
     this.consecutiveOutOfRange = off > 0 ? Math.max(0, this.consecutiveOutOfRange) + 1 : Math.min(0, this.consecutiveOutOfRange) - 1;
     if (this.consecutiveOutOfRange >= CONSECUTIVE_MARGINS) this.speed = 1 - SPEED_CORRECTION;
-    if (this.consecutiveOutOfRange <= -MARGINS_IN_A_ROW) this.speed = 1 + SPEED_CORRECTION;
+    if (this.consecutiveOutOfRange <= -CONSECUTIVE_MARGINS) this.speed = 1 + SPEED_CORRECTION;
   }
 
   private jump(ticks: number): void {

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
 import { DecodeError, frameCrc, type EntityState } from './decode_frame';
 import { FrameBuffer } from './frame_buffer';
-import { InterestCells, type CellUpdate } from './seen_cells';
+import { InterestCells, type CellUpdate } from './interest_cells';
 
 const SPEC = { unitsPerMeter: 512, rotationComponent: 511 };
 

@@ -1,6 +1,6 @@
 // What a client that sees a part of its world knows of it: the last states of each cell, put together to one frame (WIRE.md, "Cells").
 
-import { baselineFrames } from './base_frames';
+import { baselineFrames } from './baseline_frames';
 import { DecodeError, decodeFrame, frameCrc, type EntityState, type QuantSpec, type QuantizedFrame } from './decode_frame';
 
 /** A cell as it comes. */

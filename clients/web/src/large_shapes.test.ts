@@ -1,14 +1,14 @@
 import { create, toBinary } from '@bufbuild/protobuf';
 import { describe, expect, it } from 'vitest';
-import { EntitySchema, GeometryPartSchema } from './gen/jostle/v1/play_pb';
+import { EntitySchema, GeometryChunkSchema } from './gen/jostle/v1/play_pb';
 import { ShapeSchema } from './gen/jostle/v1/scene_pb';
 import { LargeShapes } from './large_shapes';
 
 const vertices = Array.from({ length: 100 }, (_, i) => ({ x: i, y: 0, z: 0 }));
 const mesh = create(ShapeSchema, { kind: { case: 'mesh', value: { vertices, indices: [0, 1, 2] } } });
 const bytes = toBinary(ShapeSchema, mesh);
-const piece = (part: number, parts: number, data: Uint8Array, id = 7n) =>
-  create(GeometryPartSchema, { id, part, parts, data });
+const piece = (chunk: number, chunkCount: number, data: Uint8Array, id = 7n) =>
+  create(GeometryChunkSchema, { id, chunk, chunkCount, data });
 const named = (id: bigint) => create(EntitySchema, { id: 1, shapes: [{ kind: { case: 'geometry', value: id } }] });
 
 describe('large shapes', () => {

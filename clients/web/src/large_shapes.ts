@@ -16,15 +16,15 @@ export class LargeShapes {
   }
 
   /** False: the part does not follow the one before, or the whole is no shape. */
-  add({ id, part, parts, data }: GeometryChunk): boolean {
-    if (part === 0) this.unfinished = { id, bytes: 0, pieces: [] };
+  add({ id, chunk, chunkCount, data }: GeometryChunk): boolean {
+    if (chunk === 0) this.unfinished = { id, bytes: 0, pieces: [] };
     const whole = this.unfinished;
     this.unfinished = undefined; // until this part turns out to be good
-    if (!whole || whole.id !== id || whole.pieces.length !== part || part >= parts) return false;
+    if (!whole || whole.id !== id || whole.pieces.length !== chunk || chunk >= chunkCount) return false;
     whole.bytes += data.length;
     if (whole.bytes > MOST_BYTES) return false;
     whole.pieces.push(data);
-    if (part + 1 < parts) {
+    if (chunk + 1 < chunkCount) {
       this.unfinished = whole;
       return true;
     }

@@ -1,20 +1,20 @@
 // Starts the parts and runs the picture loop.
 
 import * as THREE from 'three';
-import { simulatedSocket } from './bad_link';
+import { simulatedSocket } from './simulated_socket';
 import { Camera } from './camera';
 import { nowUs } from './clock';
 import { Connection, openSocket, type Events, type State } from './connection';
 import type { Entity } from './gen/jostle/v1/play_pb';
 import { Driving, cameraYaw, type Pad } from './driving';
 import { DebugView } from './debug_view';
-import { RenderedPoses } from './interpolate';
+import { RenderedPoses } from './rendered_poses';
 import { HitMarks } from './hit_marks';
-import { networkConditionsFromQuery } from './link_conditioner';
+import { networkConditionsFromQuery } from './network_simulator';
 import { unobstructedDistance, topAt } from './pick';
 import { NO_CHANNELS } from './channels';
 import { RENDERED_CHANNEL_KINDS, ModuleView, type RenderedChannels } from './module_view';
-import type { PredictionController } from './prediction/foreseen';
+import type { PredictionController } from './prediction/prediction_controller';
 import { MOTION } from './prediction/motion';
 import { DebugPanel } from './panels/debug';
 import { drawArrows, DriverPanel, offerText } from './panels/driver';
@@ -29,11 +29,11 @@ import { Recording } from './recording/recording';
 import type { UnitKind } from './shape_parts';
 import { takeToken } from './token';
 import { SceneView } from './scene_view';
-import { describePick, entityName } from './thing_names';
+import { describePick, entityName } from './entity_names';
 import { TOOLS, Tools, type Tool } from './tools';
 import { heightAt } from './water';
 import './style.css';
-import { areaOfInterestFromQuery } from './sight';
+import { areaOfInterestFromQuery } from './area_of_interest';
 
 const byId = <T extends HTMLElement>(id: string) => document.getElementById(id) as T;
 
@@ -78,7 +78,7 @@ const connectionEvents: Events = {
     if (!entities.has(driving.entity)) driving.forget();
   },
   stats: (stats) => statsPanel.update(stats),
-  addEvents: (events) => eventsPanel.addEvents(events, performance.now() + renderDelayMs()),
+  worldEvents: (events) => eventsPanel.addEvents(events, performance.now() + renderDelayMs()),
   inputRejected: (result) => toasts.say(result.message || 'the server refused that'),
   notice: (text) => toasts.say(text),
 };
@@ -96,10 +96,10 @@ let prediction: PredictionController | undefined;
 async function enablePrediction(): Promise<void> {
   const without = (error: unknown) => {
     prediction = undefined;
-    toasts.say(`nothing is prediction: ${error instanceof Error ? error.message : error}`);
+    toasts.say(`nothing is predicted: ${error instanceof Error ? error.message : error}`);
   };
   try {
-    const { loadPrediction } = await import('./prediction/load');
+    const { loadPrediction } = await import('./prediction/load_prediction');
     prediction = await loadPrediction(connection.frames, without);
     connection.enablePrediction(prediction);
   } catch (error) {
@@ -316,9 +316,9 @@ function drawModules(shown: RenderedChannels): void {
 }
 
 function colorBodies(shown: RenderedChannels): void {
-  const colors = moduleView.dress(shown, entitiesChanged, connection.entities);
+  const colors = moduleView.bodyColors(shown, entitiesChanged, connection.entities);
   entitiesChanged = false;
-  if (colors) view.dress(colors);
+  if (colors) view.setBodyColors(colors);
 }
 
 function updateDriverPanel(): void {
@@ -328,7 +328,7 @@ function updateDriverPanel(): void {
       driven: connection.entities.get(driving.entity),
       keys: moduleView.steeringOf(driving.entity)?.keys ?? '',
       words: moduleView.controlledStatusText(driving.entity),
-      general: moduleView.words() || offerText(controllable),
+      general: moduleView.statusText() || offerText(controllable),
     },
     controllable,
   );

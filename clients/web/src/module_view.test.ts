@@ -1,8 +1,8 @@
 import * as THREE from 'three';
 import { describe, expect, it } from 'vitest';
 import type { Channel } from './channels';
-import type { ModuleRenderer, ChannelData } from './drawers/drawer';
-import { RENDERED_CHANNEL_KINDS, ModuleView, type Moment, type Shown } from './module_view';
+import type { ModuleRenderer, ChannelData } from './drawers/module_renderer';
+import { RENDERED_CHANNEL_KINDS, ModuleView, type FrameInput, type RenderedChannels } from './module_view';
 
 const WHITE = new THREE.Color(0xffffff);
 const KINDS = [
@@ -27,8 +27,8 @@ const drawLines: ModuleRenderer = {
 const LINES = new Map([['lines', drawLines]]);
 
 const channel = (kind: number, entity: number, ...values: number[]): Channel => ({ kind, entity, values: new Int32Array(values) });
-const shown = (...channels: Channel[]): Shown => ({ frame: 31, channels, later: -0.01, kinds: KINDS, tickHz: 60 });
-const moment = (poseOf: Moment['poseOf'] = () => undefined): Moment => ({
+const shown = (...channels: Channel[]): RenderedChannels => ({ frame: 31, channels, secondsAfter: -0.01, kinds: KINDS, tickHz: 60 });
+const moment = (poseOf: FrameInput['poseOf'] = () => undefined): FrameInput => ({
   nowMs: 0,
   around: { x: 0, y: 0, z: 0 },
   poseOf,

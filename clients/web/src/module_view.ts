@@ -6,7 +6,7 @@ import type { Channel, Channels } from './channels';
 import { boats } from './drawers/boat';
 import { characters } from './drawers/character';
 import { destructibles } from './drawers/destruction';
-import type { ModuleRenderer, RenderContext, Steering, ChannelData } from './drawers/drawer';
+import type { ModuleRenderer, RenderContext, Steering, ChannelData } from './drawers/module_renderer';
 import { fields, waves } from './drawers/fields';
 import { hovercraft } from './drawers/hovercraft';
 import { ragdolls } from './drawers/ragdoll';
@@ -63,7 +63,7 @@ export class ModuleView {
 
   constructor(
     scene: THREE.Scene,
-    private readonly module_renderers = RENDERERS,
+    private readonly renderers = RENDERERS,
   ) {
     scene.add(this.lines.object);
     this.solids = new Solids(scene);
@@ -116,7 +116,7 @@ export class ModuleView {
   }
 
   private drawerOf({ kinds }: RenderedChannels, kind: number): ModuleRenderer | undefined {
-    return this.module_renderers.get(kinds[kind]?.name ?? '');
+    return this.renderers.get(kinds[kind]?.name ?? '');
   }
 
   /** Of some of its channels, which are in order of their kinds. */

@@ -2,7 +2,7 @@ import { create } from '@bufbuild/protobuf';
 import * as THREE from 'three';
 import { describe, expect, it } from 'vitest';
 import { EntitySchema } from './gen/jostle/v1/play_pb';
-import { RenderedPoses } from './interpolate';
+import { RenderedPoses } from './rendered_poses';
 import { FrameBuffer } from './frame_buffer';
 import { pickFromServer, pickRendered, choosePick, type Pick } from './pick';
 import { Queries } from './queries';
@@ -45,8 +45,8 @@ function fieldAndCone(): SceneView {
     {
       frame: 1,
       entities: [
-        { id: 1, position: [0, 0, 0], ...unchangedTicks },
-        { id: 2, position: [5 * 512, 0, 0], ...unchangedTicks },
+        { id: 1, position: [0, 0, 0], ...still },
+        { id: 2, position: [5 * 512, 0, 0], ...still },
       ],
     },
     0,

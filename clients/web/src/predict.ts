@@ -105,7 +105,7 @@ export function predict(s: Survivor, t: Spacing, m: number): Prediction {
     if (step2 <= Math.trunc(n / 2)) {
       const acceleration =
         t.dt1 === t.dt2 ? step2 : div(step2 * t.dt1 * (t.dt1 + t.dt2), 2 * t.dt2 * t.dt2);
-      const bends = bend * m >= Math.trunc(n / 4);
+      const bends = acceleration * m >= Math.trunc(n / 4);
       for (let k = 0; k < 4; k++)
         q[k] = q1[k]! + scale(step[k]!, t.dt1, t.dt2) - (bends ? div(q1[k]! * acceleration, n) : 0);
     } else {

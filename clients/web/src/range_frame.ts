@@ -45,7 +45,7 @@ function sizeClass(v: number): number {
 // What a turn works in: thousands of bodies sixty times a second should leave nothing to collect.
 const r: Three = [0, 0, 0];
 const step: Three = [0, 0, 0];
-const bend: Three = [0, 0, 0];
+const acceleration: Three = [0, 0, 0];
 
 const NO_ENTITY: EntityState = { id: 0, position: [0, 0, 0], largest: 3, rotation: [0, 0, 0], atRest: false };
 

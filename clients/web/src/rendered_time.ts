@@ -13,7 +13,7 @@ export function renderedTime(
 ): { tick: number; fraction: number } | undefined {
   if (!newest) return undefined;
   const afterUs = Math.min(renderTimeUs - newest.serverUs, EXTRAPOLATE_US);
-  if (renderTimeUs === 0 || afterUs < -NOT_DRAWN_US || !(tickHz > 0)) return { tick: newest.frame, fraction: 0 };
+  if (renderTimeUs === 0 || afterUs < -RENDERING_TIMEOUT_US || !(tickHz > 0)) return { tick: newest.frame, fraction: 0 };
   const tick = Math.max(1, newest.frame + (afterUs * tickHz) / 1e6);
   return { tick: Math.floor(tick), fraction: tick - Math.floor(tick) };
 }

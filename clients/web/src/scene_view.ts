@@ -7,7 +7,7 @@ import { BodyType } from './gen/jostle/v1/scene_pb';
 import type { Entity } from './gen/jostle/v1/play_pb';
 import { POSE_FLOATS } from './frame_buffer';
 import { Instances } from './instances';
-import type { RenderedPoses } from './interpolate';
+import type { RenderedPoses } from './rendered_poses';
 import { makeSky, materialFor } from './materials';
 import { partsOf, UNIT_GEOMETRIES, UNIT_KINDS, type Kind, type ShapePart } from './shape_parts';
 

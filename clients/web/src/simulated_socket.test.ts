@@ -1,7 +1,7 @@
 import { afterEach, beforeEach, expect, it, vi } from 'vitest';
-import { simulatedSocket } from './bad_link';
+import { simulatedSocket } from './simulated_socket';
 import type { Socket } from './connection';
-import { IDEAL_NETWORK } from './link_conditioner';
+import { IDEAL_NETWORK } from './network_simulator';
 
 beforeEach(() => void vi.useFakeTimers());
 afterEach(() => void vi.useRealTimers());

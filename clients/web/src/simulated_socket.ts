@@ -3,7 +3,7 @@
 
 import { nowUs } from './clock';
 import type { Socket } from './connection';
-import { NetworkSimulator, type NetworkConditions } from './link_conditioner';
+import { NetworkSimulator, type NetworkConditions } from './network_simulator';
 
 /** What is on its way in one direction, in order. */
 class DelayedMessages {

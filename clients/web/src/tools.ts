@@ -4,7 +4,7 @@
 import * as THREE from 'three';
 import type { Camera } from './camera';
 import type { Connection, Input } from './connection';
-import { Throttle } from './paced';
+import { Throttle } from './throttle';
 import { pickFromServer, pickRendered, choosePick, type Pick } from './pick';
 import type { Queries } from './queries';
 import type { SceneView } from './scene_view';
@@ -133,7 +133,7 @@ export class Tools {
     if (!this.held) {
       if (event.buttons !== 0) return;
       this.hovering = event;
-      this.hover.ask();
+      this.hover.request();
       return;
     }
     const target = this.ray(event).ray.intersectPlane(this.held.plane, new THREE.Vector3());

@@ -2,7 +2,7 @@
 
 import { create } from '@bufbuild/protobuf';
 import { expect, it } from 'vitest';
-import { DrivenSchema } from './gen/jostle/v1/play_pb';
+import { ControlledEntityStateSchema } from './gen/jostle/v1/play_pb';
 import { ControlledStateDecoder, applyChanges } from './word_changes';
 
 const bytes = (...all: number[]) => Uint8Array.of(...all);
@@ -24,12 +24,12 @@ it('refuses what does not belong together', () => {
 
 it('knows what is driven once it was told whole', () => {
   const driven = new ControlledStateDecoder();
-  const part = create(DrivenSchema, { entity: 5, tick: 7, module: 'vehicle', words: 2, changed: bytes(2), values: bytes(9, 0, 0, 0) });
+  const part = create(ControlledEntityStateSchema, { entity: 5, tick: 7, module: 'vehicle', words: 2, changedMask: bytes(2), values: bytes(9, 0, 0, 0) });
   driven.apply(part);
   expect(driven.newest).toBeUndefined();
-  driven.apply(create(DrivenSchema, { ...part, tick: 3, whole: true, changed: bytes(1), values: bytes(8, 0, 0, 0) }));
+  driven.apply(create(ControlledEntityStateSchema, { ...part, tick: 3, keyframe: true, changedMask: bytes(1), values: bytes(8, 0, 0, 0) }));
   driven.apply(part);
   expect(driven.newest).toEqual({ entity: 5, tick: 7, module: 'vehicle', words: Uint32Array.of(8, 9) });
-  driven.apply(create(DrivenSchema, { ...part, entity: 6 }));
+  driven.apply(create(ControlledEntityStateSchema, { ...part, entity: 6 }));
   expect(driven.newest, 'of another one, and not whole').toBeUndefined();
 });

@@ -39,9 +39,9 @@ export class ControlledStateDecoder {
   /** undefined: nothing was told, or not all of it. */
   newest: ControlledEntity | undefined;
 
-  apply({ entity, tick, module, words: size, whole, changed, values }: ControlledEntityState): void {
-    const before = whole ? NO_WORDS : this.newest?.entity === entity ? this.newest.words : undefined;
-    const words = before && applyChanges(before, size, changed, values);
+  apply({ entity, tick, module, words: size, keyframe, changedMask, values }: ControlledEntityState): void {
+    const before = keyframe ? NO_WORDS : this.newest?.entity === entity ? this.newest.words : undefined;
+    const words = before && applyChanges(before, size, changedMask, values);
     this.newest = words && { entity, tick, module, words };
   }
 

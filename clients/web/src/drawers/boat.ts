@@ -2,7 +2,7 @@
 // layout.
 
 import * as THREE from 'three';
-import type { ModuleRenderer, RenderContext } from './drawer';
+import type { ModuleRenderer, RenderContext } from './module_renderer';
 import { ValueReader } from './value_reader';
 
 const REACH = 8; // m, of the screw, along each axis

@@ -1,7 +1,7 @@
 // The module "character": a face where it looks, arms and feet that swing with the way it goes. character.h has the layout.
 
 import * as THREE from 'three';
-import type { ModuleRenderer, RenderContext } from './drawer';
+import type { ModuleRenderer, RenderContext } from './module_renderer';
 import { ValueReader } from './value_reader';
 
 const GROUNDS = ['on ground', 'slides', 'in the air'] as const;

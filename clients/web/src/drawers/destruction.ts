@@ -2,7 +2,7 @@
 // destruction.h has the layout.
 
 import * as THREE from 'three';
-import { isOfModule, type ModuleRenderer } from './drawer';
+import { isOfModule, type ModuleRenderer } from './module_renderer';
 import { ValueReader } from './value_reader';
 
 export interface DestructibleState {

@@ -3,7 +3,7 @@
 
 import * as THREE from 'three';
 import type { WaterSurface } from '../water';
-import type { ModuleRenderer, RenderContext } from './drawer';
+import type { ModuleRenderer, RenderContext } from './module_renderer';
 import { ValueReader } from './value_reader';
 
 const KINDS = ['central', 'turbulence', 'user'] as const;

@@ -4,7 +4,7 @@ import { create } from '@bufbuild/protobuf';
 import { describe, expect, it } from 'vitest';
 import { EntitySchema, type Entity } from '../gen/jostle/v1/play_pb';
 import { broken, goldenModule, withValue } from '../testing/golden_modules';
-import { testRenderContext } from '../testing/test_drawing';
+import { testRenderContext } from '../testing/test_render_context';
 import { heightAt } from '../water';
 import { boats, readBoat } from './boat';
 import { characters, readCharacter } from './character';

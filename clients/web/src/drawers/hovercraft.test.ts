@@ -1,7 +1,7 @@
 import * as THREE from 'three';
 import { describe, expect, it } from 'vitest';
 import { withValue } from '../testing/golden_modules';
-import { testRenderContext } from '../testing/test_drawing';
+import { testRenderContext } from '../testing/test_render_context';
 import { hovercraft, readThrusters } from './hovercraft';
 
 // Written by hand: thrusters at the corners of 2 by 2 m, half a metre below the origin. The first has a ray of 4 m and full thrust, the

@@ -2,7 +2,7 @@
 // layout.
 
 import * as THREE from 'three';
-import type { ModuleRenderer, RenderContext, ChannelData } from './drawer';
+import type { ModuleRenderer, RenderContext, ChannelData } from './module_renderer';
 import { ValueReader } from './value_reader';
 
 const THRUSTERS = 4;

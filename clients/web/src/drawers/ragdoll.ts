@@ -3,7 +3,7 @@
 
 import * as THREE from 'three';
 import type { Entity } from '../gen/jostle/v1/play_pb';
-import { isOfModule, type ModuleRenderer, type ChannelData } from './drawer';
+import { isOfModule, type ModuleRenderer, type ChannelData } from './module_renderer';
 
 const MODES = ['limp', 'powered', 'kinematic'] as const;
 const BONES_MAX = 64;

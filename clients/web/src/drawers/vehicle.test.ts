@@ -1,7 +1,7 @@
 import * as THREE from 'three';
 import { describe, expect, it } from 'vitest';
 import { withValue } from '../testing/golden_modules';
-import { testRenderContext } from '../testing/test_drawing';
+import { testRenderContext } from '../testing/test_render_context';
 import { readCar, vehicles } from './vehicle';
 
 // Written by hand: second gear, one wheel of half a metre, a quarter of a metre wide, at the origin of the chassis but a metre ahead; it

@@ -1,7 +1,7 @@
 // The module "vehicle": wheels, which are no bodies, and redder where the tyre slides. vehicle.h has the layout.
 
 import * as THREE from 'three';
-import type { ModuleRenderer, RenderContext } from './drawer';
+import type { ModuleRenderer, RenderContext } from './module_renderer';
 import { ValueReader } from './value_reader';
 
 const FARTHEST = 8; // m, of a wheel from the chassis's origin, along each axis

@@ -2,7 +2,7 @@
 
 import { islandTints, type DebugView, type DebugOptions } from '../debug_view';
 import type { DebugResponse } from '../gen/jostle/v1/query_pb';
-import { Throttle } from '../paced';
+import { Throttle } from '../throttle';
 import type { Queries } from '../queries';
 import type { SceneView } from '../scene_view';
 
@@ -77,7 +77,7 @@ export class DebugPanel {
 
   /** Once a picture. */
   update(): void {
-    if (this.asksServer) this.throttle.ask();
+    if (this.asksServer) this.throttle.request();
   }
 
   private async ask(): Promise<void> {
@@ -111,5 +111,5 @@ export function summary(response: DebugResponse, on: DebugOptions): string {
   count(on.bounds, response.bounds.length, 'box', 'boxes');
   count(on.joints, response.joints.length, 'joint', 'joints');
   count(on.broadPhase, response.broadPhase.length, 'cell', 'cells');
-  return counts.join(', ') + (response.cut ? '; there are more than are shown' : '');
+  return counts.join(', ') + (response.truncated ? '; there are more than are shown' : '');
 }

@@ -4,7 +4,7 @@
 import * as THREE from 'three';
 import type { Entity } from '../gen/jostle/v1/play_pb';
 import type { Solids } from '../solids';
-import { entityName } from '../thing_names';
+import { entityName } from '../entity_names';
 
 const CHOICES_MAX = 12;
 const ARROW = new THREE.Color(0xffd166);

@@ -61,7 +61,7 @@ export class WorldsPanel {
     } catch {
       payload = { message: text };
     }
-    if (!response.ok) throw new Error(payload.message || `the server onResult ${response.status}`);
+    if (!response.ok) throw new Error(payload.message || `the server answers ${response.status}`);
     return payload;
   }
 
@@ -137,8 +137,8 @@ export class WorldsPanel {
     open.title = 'Opens this moment as a world of its own';
     open.onclick = () => {
       const tick = Number(slider.value);
-      const moment = { world: world.id, tick };
-      void this.run(() => this.create(`${world.name}-at-${tick}`, { moment }, worlds));
+      const checkpoint = { world: world.id, tick };
+      void this.run(() => this.create(`${world.name}-at-${tick}`, { checkpoint }, worlds));
     };
     const tell = () => {
       const ago = (world.tick - Number(slider.value)) / world.hz;

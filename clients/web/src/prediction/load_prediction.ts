@@ -1,7 +1,7 @@
 // Brings the predictor, which is fetched only when somebody wants it.
 
 import type { FrameBuffer } from '../frame_buffer';
-import { PredictionController } from './foreseen';
+import { PredictionController } from './prediction_controller';
 import { compile, Predictor } from './predictor';
 import wasmUrl from './predictor.wasm?url';
 

@@ -6,7 +6,7 @@ import { FrameBuffer } from '../frame_buffer';
 import { WelcomeSchema } from '../gen/jostle/v1/play_pb';
 import { BodyType } from '../gen/jostle/v1/scene_pb';
 import { box, predictorModule } from '../testing/yard';
-import { PredictionController } from './foreseen';
+import { PredictionController } from './prediction_controller';
 import { Predictor } from './predictor';
 
 const FLOOR = 1;

@@ -8,7 +8,7 @@ import type { Input } from '../connection';
 import type { Entity } from '../gen/jostle/v1/play_pb';
 import { BodyType, type Locks } from '../gen/jostle/v1/scene_pb';
 import type { ControlledEntity } from '../word_changes';
-import { encodeShapes } from './shape_numbers';
+import { encodeShapes } from './shape_encoding';
 
 /** The module cannot be loaded, or has failed and is of no use any more. */
 export class PredictorError extends Error {}
@@ -21,7 +21,7 @@ export interface PredictorExports {
   _initialize?(): void;
   create(): Pointer;
   destroy(p: Pointer): void;
-  numbers(p: Pointer, count: number): Pointer;
+  buffer(p: Pointer, count: number): Pointer;
   begin(p: Pointer, tickHz: number, x: number, y: number, z: number, substeps: number): void;
   add_body(p: Pointer, entity: number, type: number, mass: number): void;
   set_body(p: Pointer, entity: number, linearDamping: number, angularDamping: number, gravityScale: number, locks: number, movedBy: number): void;
@@ -35,12 +35,12 @@ export interface PredictorExports {
   release(p: Pointer, sequence: number, tick: number): void;
   steer(p: Pointer, sequence: number, tick: number, axes: number, buttons: number): void;
   result(p: Pointer, sequence: number, tick: number, applied: number): void;
-  motions(p: Pointer, bodies: number): number;
-  drive(p: Pointer, entity: number, tick: number, letters: number, words: number): number;
+  velocities(p: Pointer, bodies: number): number;
+  control(p: Pointer, entity: number, tick: number, letters: number, words: number): number;
   frame(p: Pointer, number: number, bodies: number): number;
-  drawn(p: Pointer): number;
+  predicted(p: Pointer): number;
   sample(p: Pointer, position: number, nowUs: number, bodies: number): number;
-  figure(p: Pointer, which: number): number;
+  stat(p: Pointer, which: number): number;
 }
 
 const WASI = 'wasi_snapshot_preview1';
@@ -198,7 +198,7 @@ export class Predictor {
     const numbers = this.room(module.length + words.length);
     for (let k = 0; k < module.length; k++) numbers[k] = module.charCodeAt(k);
     numbers.set(words, module.length);
-    this.api.drive(this.self, entity, tick, module.length, words.length);
+    this.api.control(this.self, entity, tick, module.length, words.length);
   }
 
   /** `motion`: the number of the kind MOTION (motion.ts), where that is told. */
@@ -209,7 +209,7 @@ export class Predictor {
       moves[i * MOTION_NUMBERS] = entity;
       moves.set(values, i * MOTION_NUMBERS + 1);
     });
-    this.api.motions(this.self, motions.length);
+    this.api.velocities(this.self, motions.length);
     const numbers = this.room(entities.length * FRAME_NUMBERS);
     for (let i = 0; i < entities.length; i++) {
       const { id, atRest } = entities[i]!;
@@ -224,7 +224,7 @@ export class Predictor {
   /** Puts what is foreseen into the picture of now: at that place of the input clock, in ticks. How many bodies that are. */
   draw(scene: RenderedScene, position: number, nowUs: number): number {
     const { api, self } = this;
-    const wanted = this.room(api.drawn(self)).slice();
+    const wanted = this.room(api.predicted(self)).slice();
     const numbers = this.room(wanted.length * DRAWN_NUMBERS);
     let count = 0;
     for (const id of wanted) {
@@ -245,13 +245,13 @@ export class Predictor {
   }
 
   get stats(): PredictorStats {
-    const figure = (which: number) => this.api.figure(this.self, which);
+    const figure = (which: number) => this.api.stat(this.self, which);
     return { frames: figure(0), corrections: figure(1), steps: figure(2), lastErrorM: figure(3), bodies: figure(4), unusable: figure(5), controlUpdates: figure(6), controlCorrections: figure(7), lastControlErrorM: figure(8) };
   }
 
   /** The predictor's list of numbers. Good until the next call: its memory may move. */
   private room(count: number): Float64Array {
-    const at = this.api.numbers(this.self, count);
+    const at = this.api.buffer(this.self, count);
     if (at === 0 && count > 0) throw new PredictorError(`the predictor has no room for ${count} numbers`);
     return new Float64Array(this.api.memory.buffer, at, count);
   }

@@ -13,7 +13,7 @@ const ANSWERS = ['set_shapes', 'frame', 'drive'];
 it('answers a story with the bits of the native build', async () => {
   const calls = await instantiate(await predictorModule(), () => {});
   const self = calls.create();
-  const list = (count: number) => new Float64Array(calls.memory.buffer, calls.numbers(self, count), count);
+  const list = (count: number) => new Float64Array(calls.memory.buffer, calls.buffer(self, count), count);
   let poses = 0;
   for (const [call, ...values] of story) {
     if (call === 'put') list(values.length).set(values);
@@ -23,7 +23,7 @@ it('answers a story with the bits of the native build', async () => {
       expect([...list(count * 8)], `tick ${position}`).toEqual(right);
       poses += count;
     } else {
-      const made = calls[call as keyof PredictorExports] as (...numbers: number[]) => number | undefined;
+      const made = calls[(call === 'drive' ? 'control' : call) as keyof PredictorExports] as (...numbers: number[]) => number | undefined;
       const given = ANSWERS.includes(call) ? values.slice(0, -1) : values;
       const answer = made(self, ...given);
       if (ANSWERS.includes(call)) expect(answer, call).toBe(values[values.length - 1]);

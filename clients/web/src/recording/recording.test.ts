@@ -4,7 +4,7 @@ import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
 import { Connection } from '../connection';
 import { POSE_FLOATS } from '../frame_buffer';
-import { RenderedPoses } from '../interpolate';
+import { RenderedPoses } from '../rendered_poses';
 import { Recording, RecordingError } from './recording';
 import { RecordedStream } from './recorded_stream';
 
@@ -15,7 +15,7 @@ async function watch(recording: Recording) {
   const stream = new RecordedStream(recording);
   const states: string[] = [];
   const nothing = () => {};
-  const connection = new Connection('', { state: (s, why) => states.push(s + why), entityList: nothing, stats: nothing, happened: nothing, refused: nothing, notice: nothing }, () => stream.open());
+  const connection = new Connection('', { state: (s, why) => states.push(s + why), entityList: nothing, stats: nothing, worldEvents: nothing, inputRejected: nothing, notice: nothing }, () => stream.open());
   connection.join('');
   await Promise.resolve();
   const drawn = new RenderedPoses();

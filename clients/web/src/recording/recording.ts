@@ -69,7 +69,7 @@ export class Recording {
         frame: snapshot?.frame ?? 0,
         dueUs,
         keyframe: snapshot?.baselines === 0,
-        persistent: message.case === 'roster' || message.case === 'geometry',
+        persistent: message.case === 'entityUpdate' || message.case === 'geometry',
       });
       at += RECORD_HEADER_BYTES + length;
     }

@@ -2,7 +2,7 @@
 
 import { readFileSync } from 'node:fs';
 import { expect } from 'vitest';
-import type { ChannelData } from '../drawers/drawer';
+import type { ChannelData } from '../drawers/module_renderer';
 
 /** The channels of one of its kinds: a place in its channels(). */
 export function goldenModule(tag: string, kind = 0): ChannelData[] {

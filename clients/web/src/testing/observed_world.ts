@@ -3,8 +3,8 @@
 
 import type { EntityState } from '../decode_frame';
 import { FrameBuffer, POSE_FLOATS } from '../frame_buffer';
-import { RenderedPoses } from '../interpolate';
-import { NetworkSimulator, type NetworkConditions } from '../link_conditioner';
+import { RenderedPoses } from '../rendered_poses';
+import { NetworkSimulator, type NetworkConditions } from '../network_simulator';
 import { RenderClock } from '../render_clock';
 
 type Point = readonly [number, number, number];

@@ -5,7 +5,7 @@ import type { Entity } from '../gen/jostle/v1/play_pb';
 import { Solids } from '../solids';
 import { VertexBuffer } from '../vertex_buffer';
 import { Water } from '../water';
-import type { RenderContext } from '../drawers/drawer';
+import type { RenderContext } from '../drawers/module_renderer';
 
 export interface TestRenderContext extends RenderContext {
   readonly flashes: number[][];

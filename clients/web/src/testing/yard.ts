@@ -10,8 +10,8 @@ import type { EntityState } from '../frame_state';
 import { EntitySchema, type Entity } from '../gen/jostle/v1/play_pb';
 import { BodyType, ShapeSchema } from '../gen/jostle/v1/scene_pb';
 import { InputClock } from '../input_clock';
-import { RenderedPoses } from '../interpolate';
-import { NetworkSimulator, IDEAL_NETWORK, type NetworkConditions } from '../link_conditioner';
+import { RenderedPoses } from '../rendered_poses';
+import { NetworkSimulator, IDEAL_NETWORK, type NetworkConditions } from '../network_simulator';
 import { compile, Predictor, type RenderedScene } from '../prediction/predictor';
 import { RenderClock } from '../render_clock';
 

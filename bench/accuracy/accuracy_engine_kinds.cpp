@@ -11,22 +11,22 @@ namespace {
 
 using Maker = std::unique_ptr<Engine> (*)();
 
-#if JOSTLE_LAB_BULLET
+#if JOSTLE_ACCURACY_BULLET
 constexpr Maker make_bullet = open_bullet_engine;
 #else
 constexpr Maker make_bullet = nullptr;
 #endif
-#if JOSTLE_LAB_ODE
+#if JOSTLE_ACCURACY_ODE
 constexpr Maker make_ode = make_ode_accuracy_engine;
 #else
 constexpr Maker make_ode = nullptr;
 #endif
-#if JOSTLE_LAB_MUJOCO
+#if JOSTLE_ACCURACY_MUJOCO
 constexpr Maker make_mujoco = make_mujoco_accuracy_engine;
 #else
 constexpr Maker make_mujoco = nullptr;
 #endif
-#if JOSTLE_LAB_BOX2D
+#if JOSTLE_ACCURACY_BOX2D
 constexpr Maker make_box2d = make_box2d_accuracy_engine;
 #else
 constexpr Maker make_box2d = nullptr;

@@ -14,7 +14,7 @@ using Maker = Engine* (*)();
 // Names are looked for in the library and what it needs first (RTLD_DEEPBIND): there Bullet is of
 // double precision, in this program of single.
 Maker open_library() {
-    void* library = dlopen(JOSTLE_BULLET_LAB, RTLD_NOW | RTLD_LOCAL | RTLD_DEEPBIND);
+    void* library = dlopen(JOSTLE_BULLET_ACCURACY, RTLD_NOW | RTLD_LOCAL | RTLD_DEEPBIND);
     void* maker = library ? dlsym(library, "make_bullet_accuracy_engine") : nullptr;
     if (!maker) {
         std::fprintf(stderr, "jostle-bench: cannot open Bullet: %s\n", dlerror());

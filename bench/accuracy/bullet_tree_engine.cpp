@@ -42,7 +42,7 @@ Transform pose_in(const Scene& scene, int body) {
 // Links are numbered so that parents come first.
 std::vector<int> parents_first(const BodyTree& tree) {
     std::vector<int> order;
-    std::vector<bool> placed(tree.nodes.size());
+    std::vector<bool> transformed_shape(tree.nodes.size());
     while (order.size() < tree.nodes.size())
         for (std::size_t k = 0; k < tree.nodes.size(); k++) {
             const int parent = tree.nodes[k].parent;

@@ -22,7 +22,7 @@ CellGrid::CellGrid(double interest_cell_m, const wire::QuantSpec& spec)
 
 CellId CellGrid::id_of(CellCoordinates coordinates) {
     const auto part = [](int k) {
-        return static_cast<std::uint32_t>(std::clamp(k, -place_max, coordinate_max) + coordinate_max);
+        return static_cast<std::uint32_t>(std::clamp(k, -coordinate_max, coordinate_max) + coordinate_max);
     };
     return 1 + (part(coordinates.x) << 16 | part(coordinates.z));
 }

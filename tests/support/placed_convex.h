@@ -10,7 +10,7 @@ namespace jostle::test {
 
 inline physics::Convex at(const physics::Geometry& geometry, physics::Vec3 position,
                           physics::Quat rotation = {}) {
-    return physics::convex_of(physics::placed(geometry, {position, rotation}), {});
+    return physics::convex_of(physics::transformed_shape(geometry, {position, rotation}), {});
 }
 
 }  // namespace jostle::test

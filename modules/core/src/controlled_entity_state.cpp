@@ -17,7 +17,7 @@ constexpr double coordinate_max = 1e7, velocity_max = 1e4;
 constexpr double float_max = std::numeric_limits<float>::max();
 
 std::uint32_t word_of(double x) {
-    return std::bit_cast<std::uint32_t>(static_cast<float>(clamp(x, -largest, float_max)));
+    return std::bit_cast<std::uint32_t>(static_cast<float>(clamp(x, -float_max, float_max)));
 }
 
 class WordWriter final : public StateVisitor {

@@ -145,7 +145,7 @@ ConvexCell clipped(const ConvexCell& cell, Vec3 normal, double offset, std::uint
     for (const CellFace& face : cell.faces)
         for (const Vec3 p : face.points) {
             const double h = dot(normal, p) - offset;
-            below = below || h < -grain;
+            below = below || h < -plane_tolerance;
             above = above || h > plane_tolerance;
         }
     if (!above) return cell;

@@ -264,7 +264,7 @@ void Destruction::reverse_impacts(World& world, double dt) {
         const double speed = restored_speed(world, chunk_contact);
         if (speed > 0)
             reversed_contacts_.push_back({chunk_contact.destructible, chunk_contact.chunk, chunk_contact.other, chunk_contact.other_body, chunk_contact.point,
-                              -press.normal, speed});
+                              -chunk_contact.normal, speed});
         if (chunk_contact.is_duplicate) continue;
         const std::size_t own = add_reversal_body(world, bodies, piece.body, &piece, dt),
                           other = add_reversal_body(world, bodies, chunk_contact.other_body, nullptr, dt);

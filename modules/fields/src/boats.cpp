@@ -174,7 +174,7 @@ void Boats::before_substep(SubstepContext& substep) {
         const Vec3 screw = apply(hull.pose, boat.def.screw);
         if (!in_water(substep, screw)) continue;
         boat.wet = true;
-        for (const double end : {-keel_half, keel_half_length_ratio}) {
+        for (const double end : {-keel_half_length_ratio, keel_half_length_ratio}) {
             const Vec3 at =
                 hull.center + rotate(hull.pose.rotation, {0, 0, end * boat.def.screw.z});
             substep.add_impulse(
@@ -192,7 +192,7 @@ void Boats::publish(const World&, ChannelWriter& channels) const {
         if (!channels.begin(0, boat.def.hull)) continue;
         const Vec3 screw = boat.def.screw;
         for (const double x : {screw.x, screw.y, screw.z})
-            channels.quantized(x, -screw_reach, screw_offset_max, 16);
+            channels.quantized(x, -screw_offset_max, screw_offset_max, 16);
         channels.quantized(boat.throttle, -1, 1, 8);
         channels.quantized(boat.rudder, -1, 1, 8);
         channels.value(boat.wet ? 1 : 0);

@@ -157,7 +157,7 @@ void assemble(const Car& car, double h, const DriveLineWheels& wheels, double th
 
 void add(const FrictionConstraint& constraint, double h, System& system) {
     if (constraint.grip != FrictionState::holds) {
-        const double push = h * (constraint.grip == FrictionState::slipping_forward ? constraint.torque_max : -link.torque_max);
+        const double push = h * (constraint.grip == FrictionState::slipping_forward ? constraint.torque_max : -constraint.torque_max);
         for (std::size_t k = 0; k < constraint.size; k++) system.b[constraint.at[k]] -= push * constraint.weight[k];
         return;
     }
@@ -183,8 +183,8 @@ bool update_friction_state(FrictionConstraint& constraint, const Speeds& y) {
 
 double torque_of(const FrictionConstraint& constraint, const Speeds& y) {
     if (constraint.grip == FrictionState::holds)
-        return clamp(constraint.stiff * speed_of(constraint, y), -link.torque_max, constraint.torque_max);
-    return constraint.grip == FrictionState::slipping_forward ? constraint.torque_max : -link.torque_max;
+        return clamp(constraint.stiff * speed_of(constraint, y), -constraint.torque_max, constraint.torque_max);
+    return constraint.grip == FrictionState::slipping_forward ? constraint.torque_max : -constraint.torque_max;
 }
 
 // The driver's foot, the governor that keeps the engine idling, and the cut beyond its most.

@@ -50,7 +50,7 @@ ShapeCast wheel_shape_cast(const WheelSweep& sweep, const Wheel& wheel, WheelCas
 }
 
 bool is_supporting(const WheelSweep& sweep, const std::optional<GroundHit>& found) {
-    return found && dot(found->normal, sweep.down) <= -steepest;
+    return found && dot(found->normal, sweep.down) <= -support_cosine_min;
 }
 
 QueryFilter filter_of(const Car& car) {

@@ -53,7 +53,7 @@ CarControls driver_controls(const Car& car) {
     if (forward < 0 && !back && speed < stands && car.def.gearbox.automatic) controls.gear = -1;
     if (forward > 0 && controls.gear < 1 && speed > -stands) controls.gear = 1;
     // Along the gear it drives, against it it brakes.
-    const double along = controls.gear < 0 ? -ahead : forward;
+    const double along = controls.gear < 0 ? -forward : forward;
     controls.throttle = maximum(along, 0);
     controls.brake = maximum(-along, 0);
     return controls;

@@ -54,7 +54,7 @@ Result<std::shared_ptr<const CompoundShape>> build_compound(std::vector<Compound
             maximum(reach.x, maximum(reach.y, reach.z)) > max_shape_size)
             return compound_error(name + ".pose is not finite, too far away or no rotation");
         child.pose.rotation = unit(child.pose.rotation);
-        boxes.push_back(bounds_of(placed(child.geometry, child.pose)));
+        boxes.push_back(bounds_of(transformed_shape(child.geometry, child.pose)));
         compound->bounds = i == 0 ? boxes[0] : unite(compound->bounds, boxes[i]);
         compound->inner_radius = minimum(compound->inner_radius, inner_radius_of(child.geometry));
         add_to(hasher, child.geometry);

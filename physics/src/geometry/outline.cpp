@@ -108,7 +108,7 @@ MassProperties planar_mass_of(const Geometry& geometry, double density) {
                                           ends * (0.5 * r2 + h * h + 8 * r * h / (3 * pi)));
     }
     if (kind_of(geometry) == ShapeKind::box || kind_of(geometry) == ShapeKind::hull)
-        return mass_of_polygon(outline_of(placed(geometry, {}), {}), density);
+        return mass_of_polygon(outline_of(transformed_shape(geometry, {}), {}), density);
     return {};
 }
 

@@ -206,7 +206,7 @@ Hit cast_at_compound(Vec3 o, Vec3 m, const CompoundShape& compound) {
     Hit best;
     compound.tree->cast_ray(o, m, 1, [&](std::uint32_t index, double limit) {
         const CompoundChild& child = compound.children[index];
-        const Hit hit = cast_ray(placed(child.geometry, child.pose), o, m);
+        const Hit hit = cast_ray(transformed_shape(child.geometry, child.pose), o, m);
         if (!hit || (best && best->fraction <= hit->fraction)) return limit;
         best = hit;
         return minimum(limit, hit->fraction);

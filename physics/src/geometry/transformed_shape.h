@@ -15,7 +15,7 @@ struct TransformedShape {
     Mat3 axes;      // columns: the shape's axes
 };
 
-inline TransformedShape placed(const Geometry& geometry, const Transform& pose) {
+inline TransformedShape transformed_shape(const Geometry& geometry, const Transform& pose) {
     return {&geometry, pose.position, to_matrix(pose.rotation)};
 }
 

@@ -159,11 +159,11 @@ struct ConstraintSystemBuilder {
 
     void add_joint_row(std::uint32_t index, const JointRow& from) {
         ConstraintRow row{
-            .role = from.role, .axis = from.axis, .joint = joint_id(world, index), .parts = {}};
+            .role = from.role, .axis = from.axis, .joint = joint_id(world, index), .jacobians = {}};
         for (int p = 0; p < from.jacobian_count; p++)
-            if (from.parts[p].body != none)
-                row.parts[row.jacobian_count++] = {number(from.parts[p].body), from.parts[p].linear,
-                                               from.parts[p].angular};
+            if (from.jacobians[p].body != none)
+                row.jacobians[row.jacobian_count++] = {number(from.jacobians[p].body), from.jacobians[p].linear,
+                                               from.jacobians[p].angular};
         const double response = response_of(row, system.bodies);
         if (!(response > 0)) return;
         if (from.one_sided && !acts(row, from.error)) return;
@@ -206,7 +206,7 @@ struct ConstraintSystemBuilder {
                                   .shape_a = info.shape_a,
                                   .shape_b = info.shape_b,
                                   .point = k,
-                                  .parts = {{a, -direction, -cross(arm_a, direction)},
+                                  .jacobians = {{a, -direction, -cross(arm_a, direction)},
                                             {b, direction, cross(arm_b, direction)}},
                                   .jacobian_count = 2};
                 row.rate = rate_now(row, system.bodies);
@@ -218,7 +218,7 @@ struct ConstraintSystemBuilder {
             if (!(response > 0) || !acts(normal, info.gap[k] - tuning::contact_slop)) continue;
             normal.upper = 1e300;
             const double beyond = minimum(info.gap[k] + tuning::contact_slop, 0);
-            normal.bias = info.gap[k] > 0 ? -info.gap[k] / h : -question.position_correction * beyond / h;
+            normal.bias = info.gap[k] > 0 ? -info.gap[k] / h : -options.position_correction * beyond / h;
             if (options.solver_softness && info.gap[k] <= 0) {
                 const double retained = double{settings.mass_scale};
                 normal.softness = response * double{settings.impulse_scale} / retained;
@@ -253,7 +253,7 @@ struct ConstraintSystemBuilder {
         }
         for (ConstraintRow& row : system.rows)
             for (int p = 0; p < row.jacobian_count; p++)
-                row.parts[p].body = lane_ref[static_cast<std::size_t>(row.parts[p].body)];
+                row.jacobians[p].body = lane_ref[static_cast<std::size_t>(row.jacobians[p].body)];
         system.bodies = std::move(sorted);
     }
 };

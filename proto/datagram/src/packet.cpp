@@ -94,7 +94,7 @@ PacketCipher::~PacketCipher() {
     EVP_CIPHER_CTX_free(in_);
 }
 
-std::string PacketCipher::close(std::string_view content) {
+std::string PacketCipher::encrypt(std::string_view content) {
     std::string packet;
     if (content.size() > content_bytes_max) return packet;
     packet.reserve(header_bytes + content.size() + tag_bytes);
@@ -115,7 +115,7 @@ std::string PacketCipher::close(std::string_view content) {
     return packet;
 }
 
-std::optional<PacketCipher::DecryptedPacket> PacketCipher::open(std::string_view packet) {
+std::optional<PacketCipher::DecryptedPacket> PacketCipher::decrypt(std::string_view packet) {
     const auto credentials = session_id_of(packet);
     if (!credentials || *credentials != ticket_.id) return std::nullopt;
     const auto number = number_at<std::uint64_t>(packet, sizeof ticket_.id);

@@ -176,8 +176,8 @@ Status read_change(BitReader& bits, Channel& channel, const Channel* baseline) {
     if (change > static_cast<std::uint64_t>(Change::ended))
         return bad_channels(name_of(channel) + " changes in a way that is not known");
     const bool coded = change == static_cast<std::uint64_t>(Change::length);
-    if (!told && !baseline) return bad_channels(name_of(channel) + " changed, but was not there");
-    const std::uint64_t count = told ? bits.exp_golomb(length_order) : baseline->values->size();
+    if (!coded && !baseline) return bad_channels(name_of(channel) + " changed, but was not there");
+    const std::uint64_t count = coded ? bits.exp_golomb(length_order) : baseline->values->size();
     if (count > channel_values_max)
         return bad_channels(name_of(channel) + " has more than " +
                             std::to_string(channel_values_max) + " values");

@@ -93,7 +93,7 @@ void predict_rotation(Prediction& p, const EntityState& baseline, const EntitySt
             const std::int64_t acceleration =
                 t.dt1 == t.dt2 ? step2
                                : divide_rounded(step2 * t.dt1 * (t.dt1 + t.dt2), 2 * t.dt2 * t.dt2);
-            const bool bends = bend * m >= n / 4;
+            const bool bends = acceleration * m >= n / 4;
             p.rotation_step = step;
             for (std::size_t k = 0; k < 4; k++)
                 p.rotation[k] = q1[k] + scaled(step[k], t.dt1, t.dt2) -

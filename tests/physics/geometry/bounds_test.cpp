@@ -24,7 +24,7 @@ TEST(Bounds, of_convex_shapes_end_where_they_do) {
         for (int round = 0; round < 200; round++) {
             SCOPED_TRACE(testing::Message() << kind_name(kind) << " " << round);
             const Geometry geometry = random_geometry(kind, random);
-            const TransformedShape shape = placed(geometry, {random.vector(20), random_rotation(random)});
+            const TransformedShape shape = transformed_shape(geometry, {random.vector(20), random_rotation(random)});
             const Aabb box = bounds_of(shape);
             const Convex convex = convex_of(shape, {});
             for (int axis = 0; axis < 3; axis++) {
@@ -39,7 +39,7 @@ TEST(Bounds, of_convex_shapes_end_where_they_do) {
 // A cylinder of radius 1 and height 2 that leans by 45 degrees reaches sqrt 2 both ways.
 TEST(Bounds, of_a_leaning_cylinder) {
     const Geometry cylinder = Cylinder{1, 1};
-    const Aabb box = bounds_of(placed(cylinder, {{5, 0, 0}, from_axis_angle({0, 0, 1}, pi / 4)}));
+    const Aabb box = bounds_of(transformed_shape(cylinder, {{5, 0, 0}, from_axis_angle({0, 0, 1}, pi / 4)}));
     const double reach = square_root(2);
     EXPECT_TRUE(near(box.low, {5 - reach, -reach, -1}, 1e-12));
     EXPECT_TRUE(near(box.high, {5 + reach, reach, 1}, 1e-12));
@@ -53,7 +53,7 @@ TEST(Bounds, of_a_turned_mesh_hold_its_vertices) {
     const Geometry mesh = Mesh{must(build_mesh(corners, triangles))};
     for (int round = 0; round < 50; round++) {
         const Transform pose{random.vector(5), random.rotation()};
-        const Aabb box = grow(bounds_of(placed(mesh, pose)), 1e-12);
+        const Aabb box = grow(bounds_of(transformed_shape(mesh, pose)), 1e-12);
         for (const Vec3 corner : corners) {
             const Vec3 p = apply(pose, corner);
             EXPECT_TRUE(contains(box, {p, p})) << round;

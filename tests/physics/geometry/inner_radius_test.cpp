@@ -37,7 +37,7 @@ TEST(InnerRadius, ball_touches_the_surface_from_inside) {
         for (int round = 0; round < 20; round++) {
             const Geometry geometry = random_geometry(kind, random);
             const double radius = inner_radius_of(geometry);
-            const Convex shape = convex_of(placed(geometry, {}), {});
+            const Convex shape = convex_of(transformed_shape(geometry, {}), {});
             Vec3 middle;
             if (const auto* cone = std::get_if<Cone>(&geometry))
                 middle.y = radius - cone->half_length;  // it lies on the base

@@ -28,7 +28,7 @@ double area_of(const Outline& outline) {
 TEST(Outline, of_a_turned_box_has_four_corners_and_its_area) {
     const Geometry box = Box{{2, 1, 0.5}};
     const Outline outline =
-        outline_of(placed(box, {{10, 5, 7}, from_axis_angle({0, 0, 1}, 0.5)}), {10, 5, 0});
+        outline_of(transformed_shape(box, {{10, 5, 7}, from_axis_angle({0, 0, 1}, 0.5)}), {10, 5, 0});
     ASSERT_EQ(outline.count, 4);
     EXPECT_EQ(outline.radius, 0);
     EXPECT_NEAR(area_of(outline), 8, 1e-12);
@@ -40,11 +40,11 @@ TEST(Outline, of_a_turned_box_has_four_corners_and_its_area) {
 
 TEST(Outline, of_round_shapes_is_a_point_or_a_segment_with_a_radius) {
     const Geometry disc = Sphere{0.3}, stadium = Capsule{0.2, 0.7};
-    const Outline point = outline_of(placed(disc, {{1, 2, 0}, {}}), {});
+    const Outline point = outline_of(transformed_shape(disc, {{1, 2, 0}, {}}), {});
     EXPECT_EQ(point.count, 1);
     EXPECT_EQ(point.radius, 0.3);
     EXPECT_EQ(point.corner[0], (Vec3{1, 2, 0}));
-    const Outline segment = outline_of(placed(stadium, {{1, 2, 0}, {}}), {1, 0, 0});
+    const Outline segment = outline_of(transformed_shape(stadium, {{1, 2, 0}, {}}), {1, 0, 0});
     ASSERT_EQ(segment.count, 2);
     EXPECT_EQ(segment.radius, 0.2);
     EXPECT_EQ(segment.corner[0], (Vec3{0, 1.3, 0}));
@@ -56,7 +56,7 @@ TEST(Outline, of_round_shapes_is_a_point_or_a_segment_with_a_radius) {
 TEST(Outline, of_a_hull_is_its_shadow) {
     const Geometry octahedron =
         hull_of({{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}});
-    const Outline outline = outline_of(placed(octahedron, {}), {});
+    const Outline outline = outline_of(transformed_shape(octahedron, {}), {});
     EXPECT_EQ(outline.count, 4);
     EXPECT_NEAR(area_of(outline), 2, 1e-12);
 }
@@ -68,7 +68,7 @@ TEST(Outline, of_a_hull_holds_all_its_vertices_and_turns_left) {
         std::vector<Vec3> points;
         for (int k = 0; k < 20; k++) points.push_back(random.vector(1));
         const Geometry hull = hull_of(points);
-        const Outline outline = outline_of(placed(hull, {}), {});
+        const Outline outline = outline_of(transformed_shape(hull, {}), {});
         ASSERT_GE(outline.count, 3);
         for (int k = 0; k < outline.count; k++) {
             const Vec3 from = outline.corner[k], to = outline.corner[(k + 1) % outline.count];

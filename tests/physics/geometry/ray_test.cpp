@@ -14,7 +14,7 @@ using namespace physics;
 
 // 4 m towards +x that begin `x` m before the shape's origin, at this height.
 std::optional<ShapeRayHit> from_left(const Geometry& geometry, double height, double x = -3) {
-    return cast_ray(placed(geometry, {}), {x, height, 0}, {4, 0, 0});
+    return cast_ray(transformed_shape(geometry, {}), {x, height, 0}, {4, 0, 0});
 }
 
 void expect_hit(const std::optional<ShapeRayHit>& hit, double fraction, Vec3 normal) {
@@ -41,15 +41,15 @@ TEST(Ray, meets_flat_and_slanted_sides) {
     const std::vector<Vec3> points{{1, 0, 0},  {-1, 0, 0}, {0, 1, 0},
                                    {0, -1, 0}, {0, 0, 1},  {0, 0, -1}};
     const Geometry octahedron = Hull{must(build_hull(points))};
-    const auto hit = cast_ray(placed(octahedron, {}), {-1, 0.2, 0.3}, {2, 0, 0});
+    const auto hit = cast_ray(transformed_shape(octahedron, {}), {-1, 0.2, 0.3}, {2, 0, 0});
     expect_hit(hit, 0.5 / 2, normalized(Vec3{-1, 1, 1}));
 }
 
 TEST(Ray, meets_flat_ends_from_above) {
     for (const Geometry& shape : {Geometry{Cylinder{1, 2}}, Geometry{Box{{1, 2, 1}}}})
-        expect_hit(cast_ray(placed(shape, {}), {0.5, 6, 0.5}, {0, -8, 0}), 0.5, {0, 1, 0});
+        expect_hit(cast_ray(transformed_shape(shape, {}), {0.5, 6, 0.5}, {0, -8, 0}), 0.5, {0, 1, 0});
     const Geometry cone = Cone{1, 2};
-    expect_hit(cast_ray(placed(cone, {}), {0.5, -6, 0.5}, {0, 8, 0}), 0.5, {0, -1, 0});
+    expect_hit(cast_ray(transformed_shape(cone, {}), {0.5, -6, 0.5}, {0, 8, 0}), 0.5, {0, -1, 0});
 }
 
 TEST(Ray, from_inside_answers_at_once_against_its_motion) {
@@ -57,7 +57,7 @@ TEST(Ray, from_inside_answers_at_once_against_its_motion) {
          {Geometry{Sphere{1}}, Geometry{Capsule{1, 1}}, Geometry{Box{{1, 1, 1}}},
           Geometry{Cylinder{1, 1}}, Geometry{Cone{1, 1}}, Geometry{Plane{}}}) {
         SCOPED_TRACE(kind_name(kind_of(shape)));
-        expect_hit(cast_ray(placed(shape, {}), {0.1, -0.2, 0.1}, {0, 3, 4}), 0, {0, -0.6, -0.8});
+        expect_hit(cast_ray(transformed_shape(shape, {}), {0.1, -0.2, 0.1}, {0, 3, 4}), 0, {0, -0.6, -0.8});
     }
 }
 
@@ -75,7 +75,7 @@ TEST(Ray, a_triangle_is_met_from_both_sides) {
 // difference of squares of kilometres.
 TEST(Ray, from_afar_is_right_to_a_tenth_of_a_millimetre) {
     const Geometry ball = Sphere{1};
-    const auto hit = cast_ray(placed(ball, {}), {-1e6, 0.6, 0}, {2e6, 0, 0});
+    const auto hit = cast_ray(transformed_shape(ball, {}), {-1e6, 0.6, 0}, {2e6, 0, 0});
     ASSERT_TRUE(hit);
     EXPECT_NEAR(hit->fraction * 2e6 - 1e6, -0.8, 1e-4);
 }
@@ -86,7 +86,7 @@ TEST(Ray, meets_the_nearest_child_of_a_compound) {
         {{Sphere{0.5}, {.position = {0, 0, 2}}}, {Sphere{0.5}, {.position = {0, 0, -2}}}}))};
     // Turned so that its z axis points along x.
     const Transform pose{{10, 0, 0}, from_axis_angle({0, 1, 0}, pi / 2)};
-    expect_hit(cast_ray(placed(pair, pose), {0, 0, 0}, {30, 0, 0}), 7.5 / 30, {-1, 0, 0});
+    expect_hit(cast_ray(transformed_shape(pair, pose), {0, 0, 0}, {30, 0, 0}), 7.5 / 30, {-1, 0, 0});
 }
 
 }  // namespace

@@ -13,7 +13,7 @@ namespace {
 using namespace physics;
 
 Vec3 support_of(const Geometry& geometry, Vec3 direction) {
-    return support(convex_of(placed(geometry, {}), {}), direction);
+    return support(convex_of(transformed_shape(geometry, {}), {}), direction);
 }
 
 TEST(Support, of_plain_cores_along_plain_directions) {
@@ -47,7 +47,7 @@ TEST(Support, of_hulls_and_triangles_is_the_vertex_that_a_loop_finds) {
         const auto& vertices = std::get<Hull>(geometry).data->vertices;
         const Vec3 corner[3] = {vertices[0], vertices[1], vertices[2]};
         const Transform pose{random.vector(10), random.rotation()};
-        const Convex hull = convex_of(placed(geometry, pose), {});
+        const Convex hull = convex_of(transformed_shape(geometry, pose), {});
         const Convex triangle = triangle_convex(corner, pose.position, to_matrix(pose.rotation));
         const Vec3 d = random.direction();
         const auto furthest = [&](std::span<const Vec3> points) {
@@ -64,7 +64,7 @@ TEST(Support, of_hulls_and_triangles_is_the_vertex_that_a_loop_finds) {
 TEST(Support, is_seen_from_where_one_asks) {
     const Vec3 far{1e7, -1e7, 1e7};
     const Geometry box = Box{{0.1, 0.2, 0.3}};
-    const Convex convex = convex_of(placed(box, {far + Vec3{1, 0, 0}, {}}), far);
+    const Convex convex = convex_of(transformed_shape(box, {far + Vec3{1, 0, 0}, {}}), far);
     EXPECT_TRUE(near(support(convex, {1, 1, 1}), {1.1, 0.2, 0.3}, 1e-15));
 }
 
@@ -76,14 +76,14 @@ TEST(Support, middle_is_inside_and_size_fits) {
         for (int round = 0; round < 50; round++) {
             const Geometry geometry = random_geometry(kind, random);
             const Convex shape =
-                convex_of(placed(geometry, {random.vector(5), random.rotation()}), {});
+                convex_of(transformed_shape(geometry, {random.vector(5), random.rotation()}), {});
             const Vec3 d = random.direction(), middle = middle_of(shape);
             const double reach = dot(support(shape, d) - middle, d) + shape.radius;
             EXPECT_GT(reach, 0) << kind_name(kind);
             EXPECT_LE(reach, 2 * size_of(shape)) << kind_name(kind);
         }
     const Geometry box = Box{{2, 3, 6}};
-    EXPECT_EQ(size_of(convex_of(placed(box, {}), {})), 7);
+    EXPECT_EQ(size_of(convex_of(transformed_shape(box, {}), {})), 7);
 }
 
 }  // namespace

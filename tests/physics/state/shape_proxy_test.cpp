@@ -159,11 +159,11 @@ TEST(ShapeProxy, derived_pose_puts_a_shape_where_its_body_takes_it) {
     EXPECT_TRUE(shape.aligned);
     BodyWarm warm{.center = {5, 0, 0}};
     warm.axes = to_matrix(from_axis_angle({0, 0, 1}, pi / 2));
-    EXPECT_TRUE(near(placed(shape, warm).position, {5, 1, 0}, 1e-12));
+    EXPECT_TRUE(near(transformed_shape(shape, warm).position, {5, 1, 0}, 1e-12));
     shape.pose.rotation = from_axis_angle({0, 0, 1}, pi / 2);
     derive_shape_pose(cold, shape);
     EXPECT_FALSE(shape.aligned);
-    EXPECT_TRUE(near(placed(shape, warm).axes.x, {-1, 0, 0}, 1e-12)) << "half a turn in all";
+    EXPECT_TRUE(near(transformed_shape(shape, warm).axes.x, {-1, 0, 0}, 1e-12)) << "half a turn in all";
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ double Problem::upper_at(std::size_t row, const std::vector<double>& x) const {
 
 bool Problem::has_bounds() const {
     for (std::size_t k = 0; k < count; k++)
-        if (normal_row[k] >= 0 || lower[k] > -no_bound || upper[k] < unbounded) return true;
+        if (normal_row[k] >= 0 || lower[k] > -unbounded || upper[k] < unbounded) return true;
     return false;
 }
 

@@ -46,7 +46,7 @@ std::vector<std::uint32_t> children_near(const TransformedShape& compound, const
     const Aabb box = grow(bounds_in(compound, shape), margin);
     data.tree->query(box, [&](std::uint32_t k) {
         const CompoundChild& child = data.children[k];
-        if (overlap(bounds_of(placed(child.geometry, child.pose)), box)) near.push_back(k);
+        if (overlap(bounds_of(transformed_shape(child.geometry, child.pose)), box)) near.push_back(k);
     });
     std::sort(near.begin(), near.end());
     return near;

@@ -34,7 +34,7 @@ int best_four(FacePoint* points, int count, double scale) {
     const FacePoint p1 = points[furthest];
 
     int left = -1, right = -1;
-    double max_left = 1e-9 * scale * scale, max_right = -most_left;
+    double max_left = 1e-9 * scale * scale, max_right = -max_left;
     for (int k = 0; k < count; k++) {
         const double area =
             (p1.u - p0.u) * (points[k].v - p0.v) - (p1.v - p0.v) * (points[k].u - p0.u);

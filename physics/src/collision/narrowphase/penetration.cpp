@@ -5,7 +5,7 @@ namespace jostle::physics {
 namespace {
 
 constexpr int max_points = 96;
-constexpr int max_faces = 2 * max_points;
+constexpr int max_facets = 2 * max_points;
 
 struct Facet {
     int corner[3];
@@ -179,8 +179,8 @@ private:
     }
 
     bool add_facet(int i, int j, int k) {
-        if (facet_count_ == max_faces) compact();
-        if (facet_count_ == max_faces) return false;
+        if (facet_count_ == max_facets) compact();
+        if (facet_count_ == max_facets) return false;
         const Vec3 n = cross(points_[j].w - points_[i].w, points_[k].w - points_[i].w);
         const double l = length(n);
         const double longest2 = maximum(length_squared(points_[j].w - points_[i].w),
@@ -216,7 +216,7 @@ private:
         const int index = count_;
         points_[count_++] = point;
         const Vec3 w = point.w;
-        int edges[max_faces][2];
+        int edges[max_facets][2];
         int edge_count = 0;
         const auto add_edge = [&](int i, int j) {
             for (int k = 0; k < edge_count; k++)
@@ -226,7 +226,7 @@ private:
                     edge_count--;
                     return true;
                 }
-            if (edge_count == max_faces) return false;
+            if (edge_count == max_facets) return false;
             edges[edge_count][0] = i;
             edges[edge_count][1] = j;
             edge_count++;
@@ -247,7 +247,7 @@ private:
     }
     // As add_facet, but never moves the others.
     bool add_facet_at_end(int i, int j, int k) {
-        return facet_count_ < max_faces && add_facet(i, j, k);
+        return facet_count_ < max_facets && add_facet(i, j, k);
     }
     bool revive(int before) {
         count_--;
@@ -292,7 +292,7 @@ private:
     double size_, fine_;  // m: of both together, of the smaller
     SimplexPoint points_[max_points];
     int count_ = 0;
-    Facet facets_[max_faces];
+    Facet facets_[max_facets];
     int facet_count_ = 0;
 };
 

@@ -53,7 +53,7 @@ void DirectGroup::damp_springs() {
         speed = rate_of(free_axis, bodies[as_index(joint.a)], bodies[as_index(joint.b)]);
     });
     each([&](DirectJoint& joint, FreeAxis& free_axis, double& speed) {
-        give(joint, free_axis, -way.damper * speed);
+        give(joint, free_axis, -free_axis.damper * speed);
         speed = 0;
     });
 }

@@ -147,7 +147,7 @@ void set_up_kind(DirectJoint& j, const ConeTwistJoint& cone, const DirectEnd& a,
         free_axis.kind = AxisKind::twist;
         limit(free_axis, cone.twist);
         j.free_axes.push_back(free_axis);
-        free_axis.lower = -DirectWay::never;
+        free_axis.lower = -FreeAxis::never;
     }
     free_axis.kind = AxisKind::swing;
     free_axis.slot = 1;

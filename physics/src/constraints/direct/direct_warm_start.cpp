@@ -34,7 +34,7 @@ WarmStartCache::FreeAxisImpulses save_free_axis(const FreeAxis& free_axis, doubl
     if (free_axis.at_limit < 0) cache.upper = maximum(-2 * h * force, 1e-300);
     const bool held = free_axis.at_limit == 0 && free_axis.is_held();
     const double gripped = h * (held ? 2 * force : free_axis.push());
-    cache.friction = maximum(-way.friction_limit * h, minimum(gripped, free_axis.friction_limit * h));
+    cache.friction = maximum(-free_axis.friction_limit * h, minimum(gripped, free_axis.friction_limit * h));
     cache.motor = gripped - cache.friction;
     if (free_axis.rate > 0) cache.spring = -h * free_axis.stiffness * stretch_of(free_axis, free_axis.value);
     return cache;

@@ -141,7 +141,7 @@ void add_step(FreeAxis& free_axis, double speed, double most) {
 }
 
 void nothing_along(FreeAxis& free_axis) {
-    free_axis.lower = -DirectWay::never;
+    free_axis.lower = -FreeAxis::never;
     free_axis.upper = FreeAxis::never;
     free_axis.steps = free_axis.at_limit = 0;
     free_axis.actuation = FreeAxis::at_rest;
@@ -150,7 +150,7 @@ void nothing_along(FreeAxis& free_axis) {
 
 void actuation_on_limit(FreeAxis& free_axis) {
     if (free_axis.steps == 0 || free_axis.at_limit == 0) return;
-    const int into = -way.at_limit;
+    const int into = -free_axis.at_limit;
     // Steps that are slower than what creeps that way.
     const auto slower = [&](int direction) {
         int count = 0;

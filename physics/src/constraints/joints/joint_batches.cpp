@@ -19,10 +19,6 @@ constexpr int rows = 3;
 // "Proximal and sparse resolution of constrained dynamic equations", 2021).
 constexpr float net_compliance = 1e-2f;
 
-std::size_t as_index(std::int32_t i) {
-    return static_cast<std::size_t>(i);
-}
-
 // ---- groups ----
 
 std::int32_t root_of(std::vector<std::int32_t>& parent, std::int32_t joint) {

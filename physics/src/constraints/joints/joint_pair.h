@@ -332,7 +332,7 @@ JOSTLE_INLINE void limit_row(JointPair& pair, const JointStep& step, const Row& 
     const WideSoft s = rigid<kRelax>(step);
     // What is left may be used up within the sub-step, no more.
     const Wide most = Row::angular ? s.push_spin : s.push_speed, push = left * s.position_rate;
-    const WideMask over = push < -most_push(s, most), soft = ~free & ~over;
+    const WideMask over = push < -max_push(s, most), soft = ~free & ~over;
     const Wide before = load(stored);
     const Wide toward = row.speed(pair) * splat(sign);
     const Wide want = toward * select(soft, s.velocity_scale, splat(1)) +

@@ -276,7 +276,7 @@ struct JointRowWriter {
             part.body = terms.body[k];
             for (int end = 0; end < 2; end++) {
                 const GearTerms::End& e = terms.ends[end];
-                const Vec3 v = e.axis * (e.part[k] * e.scale);
+                const Vec3 v = e.axis * (e.sign[k] * e.scale);
                 if (!e.turns) part.linear += v;
                 part.angular += e.turns ? v : cross(e.arm[k], v);
             }

@@ -54,7 +54,7 @@ Status check_polygon(std::span<const Vec2> polygon) {
                               j = std::max(order[at], order[after]);
             if (low(order[after]) > high(order[at])) break;
             const bool neighbours = j == i + 1 || (i == 0 && j == n - 1);
-            const SegmentRelation relation = meet(side(i), side(j)).relation;
+            const SegmentRelation relation = intersect(side(i), side(j)).relation;
             if (relation == (neighbours ? SegmentRelation::touching : SegmentRelation::apart))
                 continue;
             return invalid_argument(

@@ -672,7 +672,7 @@ private:
     }
     // What passes through each other by what listeners said before.
     void note_passes() {
-        for (const ContactModifier& modifier : world_.contacts.answers) {
+        for (const ContactModifier& modifier : world_.contacts.modifiers) {
             const Contact* pair = &world_.contacts.contacts[modifier.contact];
             if (pair->parent != none) pair = &world_.contacts.contacts[pair->parent];
             if (pass_through(world_, *pair))

@@ -26,13 +26,13 @@ void advance(const WorldState& world, const SubstepInfo& substep_info, BodyWarm&
     const Vec3 force = now.force, torque = now.torque;
     if (!world.fields.empty()) {
         BodyWarm middle = now;
-        middle.center += now.v * (0.5 * clock_pair.h);
-        const double time = world.time + substep_info.index * clock_pair.h;
-        const FieldPush push = field_push(world, middle, cold, time, clock_pair.h);
+        middle.center += now.v * (0.5 * substep_info.h);
+        const double time = world.time + substep_info.index * substep_info.h;
+        const FieldPush push = field_push(world, middle, cold, time, substep_info.h);
         now.force += push.force;
         now.torque += push.torque;
     }
-    const FreeMotion motion = free_motion(now, cold, world.def.gravity, clock_pair.h);
+    const FreeMotion motion = free_motion(now, cold, world.def.gravity, substep_info.h);
     now.center += motion.displacement;
     now.rotation = motion.rotation;
     now.axes = to_matrix(now.rotation);
@@ -50,9 +50,9 @@ void listen_to(StepContext& step, const SubstepInfo& substep_info, std::span<con
         call_listeners(step, substep_info, awake, moving, static_cast<std::uint32_t>(first), group);
     };
     if (substep_info.after) return call();
-    for (BodyWarm& now : moving) now.center += now.v * (0.5 * clock_pair.h);
+    for (BodyWarm& now : moving) now.center += now.v * (0.5 * substep_info.h);
     call();
-    for (BodyWarm& now : moving) now.center -= now.v * (0.5 * clock_pair.h);
+    for (BodyWarm& now : moving) now.center -= now.v * (0.5 * substep_info.h);
 }
 
 // All of them, or chunks of them at once; which are together follows from the awake set alone.

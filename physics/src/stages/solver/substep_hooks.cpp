@@ -171,15 +171,15 @@ void push_by_fields(StepContext& step, const SubstepInfo& substep_info,
     const WorldState& world = step.world;
     const BodyStore& bodies = world.bodies;
     SolverScratch& scratch = step.scratch.solver;
-    const double time = world.time + substep_info.index * clock_pair.h;
+    const double time = world.time + substep_info.index * substep_info.h;
     step.thread_pool.run(static_cast<int>(hot.size()), tuning::body_grain, [&](int begin, int end) {
         for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); k++) {
             const std::uint32_t awake = hot[k] - 1;
             if (!reaches(world.fields, center_now(bodies, scratch, awake), 0)) continue;
             const BodyWarm now = motion_now(bodies, scratch, awake);
-            const FieldPush push = field_push(world, now, bodies.cold[now.body], time, clock_pair.h);
+            const FieldPush push = field_push(world, now, bodies.cold[now.body], time, substep_info.h);
             if (push.force == Vec3{} && push.torque == Vec3{}) continue;
-            apply_solver_impulse(bodies, scratch, awake, push.force * clock_pair.h, push.torque * clock_pair.h);
+            apply_solver_impulse(bodies, scratch, awake, push.force * substep_info.h, push.torque * substep_info.h);
         }
     });
 }

@@ -129,7 +129,7 @@ TEST_P(CompositeOracle, agrees_with_a_search_over_all_directions) {
         const Geometry a = any_geometry(ka, random), b = any_geometry(kb, random);
         const Transform pose_a{random.vector(3), random_rotation(random)};
         const Transform pose_b{pose_a.position + random.vector(2), random_rotation(random)};
-        const TransformedShape pa = placed(a, pose_a), pb = placed(b, pose_b);
+        const TransformedShape pa = transformed_shape(a, pose_a), pb = transformed_shape(b, pose_b);
         std::vector<ChildManifold> manifolds, turned;
         collide_composite(pa, pb, look_ahead, manifolds);
         collide_composite(pb, pa, look_ahead, turned);
@@ -184,7 +184,7 @@ TEST(CompositeOracle, boxes_that_lie_along_a_flat_field_are_not_missed) {
         const Quat roll = from_rotation_vector({random.in(-3, 3), 0, tilts[random.below(4)]});
         const Transform pose{{random.in(-1, 1), random.in(-0.5, 0.5), random.in(-1, 1)},
                              yaw * roll};
-        const TransformedShape ground = placed(field, {}), lying = placed(box, pose);
+        const TransformedShape ground = transformed_shape(field, {}), lying = transformed_shape(box, pose);
         if (!shapes_overlap(ground, lying)) continue;
         touching++;
         std::vector<ChildManifold> manifolds;

@@ -22,8 +22,8 @@ TEST(CollideConvex, apart_gives_what_the_whole_search_gives) {
         const Geometry ga = random_geometry(ShapeKind::box, random);
         const Geometry gb =
             random_geometry(round % 2 == 0 ? ShapeKind::hull : ShapeKind::box, random);
-        const Convex a = convex_of(placed(ga, {{}, random.rotation()}), {});
-        const Convex b = convex_of(placed(gb, {random.vector(2), random.rotation()}), {});
+        const Convex a = convex_of(transformed_shape(ga, {{}, random.rotation()}), {});
+        const Convex b = convex_of(transformed_shape(gb, {random.vector(2), random.rotation()}), {});
         const Separation s = separate(a, b, 0, 1e300);
         if (s.distance <= 0) continue;
         apart++;
@@ -45,16 +45,16 @@ TEST(CollideConvex, apart_gives_what_the_whole_search_gives) {
 
 TEST(CollideConvex, says_nothing_of_two_that_touch_after_all) {
     const Geometry box = Box{};
-    const Convex a = convex_of(placed(box, {}), {}),
-                 b = convex_of(placed(box, {{0.9, 0, 0}, {}}), {});
+    const Convex a = convex_of(transformed_shape(box, {}), {}),
+                 b = convex_of(transformed_shape(box, {{0.9, 0, 0}, {}}), {});
     EXPECT_FALSE(collide_apart(a, b, {1, 0, 0}, 0.1, 0.02));
 }
 
 // A ball over the edge of a box is as far away as the edge is, less its radius.
 TEST(CollideConvex, a_lower_bound_is_enough_beyond_the_margin) {
     const Geometry box = Box{}, ball = Sphere{0.5};
-    const Convex a = convex_of(placed(box, {}), {});
-    const Convex b = convex_of(placed(ball, {{3.5, 4.5, 0}, {}}), {});
+    const Convex a = convex_of(transformed_shape(box, {}), {});
+    const Convex b = convex_of(transformed_shape(ball, {{3.5, 4.5, 0}, {}}), {});
     PairCache cache;
     const Witness exact = find_witness(a, b, 1e300, cache);
     EXPECT_NEAR(exact.distance, 5, 1e-9);
@@ -70,8 +70,8 @@ TEST(CollideConvex, a_lower_bound_is_enough_beyond_the_margin) {
 // The other way round a pair keeps its direction from a to b.
 TEST(CollideConvex, remembers_the_direction_from_a_to_b) {
     const Geometry box = Box{}, ball = Sphere{0.5};
-    const Convex a = convex_of(placed(box, {}), {});
-    const Convex b = convex_of(placed(ball, {{0, 0, 3}, {}}), {});
+    const Convex a = convex_of(transformed_shape(box, {}), {});
+    const Convex b = convex_of(transformed_shape(ball, {{0, 0, 3}, {}}), {});
     PairCache forth, back;
     find_witness(a, b, 1e300, forth);
     find_witness(b, a, 1e300, back);

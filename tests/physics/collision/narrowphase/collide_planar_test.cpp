@@ -17,13 +17,13 @@ struct Standing {
     Geometry geometry;
     Vec3 position;
     double angle = 0;  // rad, about z
-    TransformedShape placed() const {
-        return physics::placed(geometry, {position, from_axis_angle({0, 0, 1}, angle)});
+    TransformedShape transformed_shape() const {
+        return physics::transformed_shape(geometry, {position, from_axis_angle({0, 0, 1}, angle)});
     }
 };
 Manifold between(const Standing& a, const Standing& b, double margin = 0.02) {
     PairCache cache;
-    return collide_planar(a.placed(), b.placed(), margin, cache);
+    return collide_planar(a.transformed_shape(), b.transformed_shape(), margin, cache);
 }
 
 // A millimetre deep, half of it over the border: from the corner to the end of what lies below.
@@ -82,7 +82,7 @@ TEST(CollidePlanar, boxes_that_are_apart_have_the_gap_of_their_nearest_points) {
         double least = 1e300;
         const auto corner = [](const Standing& s, Vec3 half, int k) {
             const Vec3 local{k == 0 || k == 3 ? -half.x : half.x, k < 2 ? -half.y : half.y, 0};
-            return s.position + s.placed().axes * local;
+            return s.position + s.transformed_shape().axes * local;
         };
         const auto look = [&](const Standing& s, Vec3 hs, const Standing& t, Vec3 ht) {
             for (int k = 0; k < 4; k++)

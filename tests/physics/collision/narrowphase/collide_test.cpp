@@ -81,7 +81,7 @@ struct Report {
 
 void check(const Pair& p, Report& report) {
     PairCache cache;
-    const Manifold m = collide(placed(p.a, p.pose_a), placed(p.b, p.pose_b), margin, cache);
+    const Manifold m = collide(transformed_shape(p.a, p.pose_a), transformed_shape(p.b, p.pose_b), margin, cache);
     OracleGap truth = separation(p.a, p.pose_a, p.b, p.pose_b);
     // A search may miss the top of a ridge. Every slab gap is a lower bound of the distance, so a
     // better one that somebody claims is taken, after it was measured.
@@ -180,7 +180,7 @@ INSTANTIATE_TEST_SUITE_P(every_pair, CollideOracle, testing::ValuesIn(convex_pai
 TEST(Collide, normals_of_plain_cases) {
     const auto normal = [](const Geometry& a, Vec3 pa, const Geometry& b, Vec3 pb) {
         PairCache cache;
-        const Manifold m = collide(placed(a, {pa, {}}), placed(b, {pb, {}}), margin, cache);
+        const Manifold m = collide(transformed_shape(a, {pa, {}}), transformed_shape(b, {pb, {}}), margin, cache);
         EXPECT_GT(m.count, 0);
         return m.normal;
     };
@@ -195,8 +195,8 @@ TEST(Collide, normals_of_plain_cases) {
 TEST(Collide, resting_box_has_four_points) {
     PairCache cache;
     const Geometry box_geometry = Box{}, ground = Box{{5, 1, 5}};
-    const Manifold m = collide(placed(box_geometry, {{0.3, 0.5, 0.2}, {}}),
-                               placed(ground, {{0, -1, 0}, {}}), margin, cache);
+    const Manifold m = collide(transformed_shape(box_geometry, {{0.3, 0.5, 0.2}, {}}),
+                               transformed_shape(ground, {{0, -1, 0}, {}}), margin, cache);
     ASSERT_EQ(m.count, 4);
     for (int i = 0; i < 4; i++) {
         EXPECT_NEAR(m.gap[i], 0, 1e-12);
@@ -210,7 +210,7 @@ TEST(Collide, lying_capsule_has_two_points) {
     const Geometry lying = Capsule{0.25, 0.5}, ground = Plane{};
     const Quat along_x = from_rotation_vector({0, 0, pi / 2});
     const Manifold m =
-        collide(placed(lying, {{0, 0.25, 0}, along_x}), placed(ground, {}), margin, cache);
+        collide(transformed_shape(lying, {{0, 0.25, 0}, along_x}), transformed_shape(ground, {}), margin, cache);
     ASSERT_EQ(m.count, 2);
     EXPECT_NEAR(std::fabs(m.point[0].x - m.point[1].x), 1, 1e-9);
 }
@@ -223,7 +223,7 @@ TEST(Collide, pairs_of_which_one_is_nowhere_stay_within_their_arrays) {
         for (const Geometry& b : {Geometry(Box{}), Geometry(Cylinder{}), Geometry(Capsule{})})
             for (const Vec3 at : {Vec3{nowhere, 0, 0}, Vec3{nowhere, nowhere, nowhere}}) {
                 PairCache cache;
-                const Manifold m = collide(placed(a, {{}, {}}), placed(b, {at, {}}), margin, cache);
+                const Manifold m = collide(transformed_shape(a, {{}, {}}), transformed_shape(b, {at, {}}), margin, cache);
                 EXPECT_LE(m.count, 4);
             }
 }

@@ -35,7 +35,7 @@ void expect_sound(const Polyhedron& p) {
 TEST(Polyhedron, a_box_has_six_faces_and_twelve_edges) {
     const Geometry box = Box{{1, 2, 3}};
     PolyhedronParts parts;
-    const Polyhedron p = polyhedron_of(convex_of(placed(box, {}), {}), parts);
+    const Polyhedron p = polyhedron_of(convex_of(transformed_shape(box, {}), {}), parts);
     EXPECT_EQ(p.vertices.size(), 8u);
     EXPECT_EQ(p.faces.size(), 6u);
     EXPECT_EQ(p.edges.size(), 12u);
@@ -69,7 +69,7 @@ TEST(Polyhedron, a_hull_is_what_it_was_built_as) {
     for (int round = 0; round < 50; round++) {
         const Geometry hull = random_geometry(ShapeKind::hull, random);
         PolyhedronParts parts;
-        const Polyhedron p = polyhedron_of(convex_of(placed(hull, {}), {}), parts);
+        const Polyhedron p = polyhedron_of(convex_of(transformed_shape(hull, {}), {}), parts);
         EXPECT_EQ(p.vertices.size() + p.faces.size(), p.edges.size() + 2) << "Euler";
         expect_sound(p);
     }

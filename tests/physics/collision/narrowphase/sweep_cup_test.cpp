@@ -24,7 +24,7 @@ TEST(SweepCup, hides_only_what_the_way_did_not_touch) {
     for (int round = 0; round < 6000; round++) {
         const int kind = round % 3;
         const Geometry geometry = round_shape(random, kind);
-        const Convex start = convex_of(placed(geometry, {{}, random.rotation()}), {});
+        const Convex start = convex_of(transformed_shape(geometry, {{}, random.rotation()}), {});
         const Vec3 n = normalized(random.vector(1));
         const Vec3 motion = -n * random.in(0.1, 1) + random.vector(0.3);
         const Vec3 end = motion;

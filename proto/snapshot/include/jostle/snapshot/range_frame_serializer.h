@@ -147,7 +147,7 @@ private:
             const std::uint64_t coded = next + count(models_.removed_gap, position - next);
             if (coded >= size) return fail("removed: a position past the end");
             position = static_cast<std::size_t>(coded);
-            next = told + 1;
+            next = coded + 1;
         }
         return !ended();
     }
@@ -276,12 +276,12 @@ private:
             const bool back = backwards(p.position_step[k], acceleration);
             const std::size_t step = width_of(p.position_step[k], 3);
             MagnitudeModels& m =
-                models_.position[step][k == 1 ? 1 : 0][signed_class(back ? -bend : acceleration)]
+                models_.position[step][k == 1 ? 1 : 0][signed_class(back ? -acceleration : acceleration)]
                                 [size_class(p.position_change - size_of(acceleration))]
                                 [k == 0 ? 0 : 1 + width_of(off, 4) / 2];
             const std::int64_t error = state.position[k] - p.position[k];
             const std::int64_t coded = number(m, models_.position_tail[step], back ? -error : error);
-            const std::int64_t v = p.position[k] + (back ? -told : coded);
+            const std::int64_t v = p.position[k] + (back ? -coded : coded);
             if (!is_position(v)) return fail("a position out of range");
             state.position[k] = static_cast<std::int32_t>(v);
             off += size_of(coded);
@@ -312,7 +312,7 @@ private:
             const std::int64_t error = state.rotation[k] - r[k];
             const std::int64_t coded =
                 number(m, models_.rotation_tail[width], back ? -error : error);
-            r[k] += back ? -told : coded;
+            r[k] += back ? -coded : coded;
             off += size_of(coded);
         }
         return rotation(state, r);

@@ -103,8 +103,8 @@ def run_zstd(command, archive, content):
     try:
         return subprocess.run(command, input=content, capture_output=True)
     except FileNotFoundError as error:
-        raise ArchiveError(f"{shown(archive)}: the command zstd is not installed; install the Debian "
-                           "package zstd or run scripts/setup --with-fuzz") from error
+        raise ArchiveError(f"{shown(archive)}: the command zstd is not installed; install the "
+                           "Debian package zstd or run scripts/setup --with-fuzz") from error
 
 
 def zstd_message(result):

@@ -1,8 +1,8 @@
-// The build is committed (dist/) and rebuilt by the tests, so it must come out the same everywhere.
+// Unit tests of both packages. viewer/vite.config.ts builds the viewer.
 import { defineConfig } from 'vitest/config';
 
 export default defineConfig({
-  base: './',
-  build: { target: 'es2022', sourcemap: false, chunkSizeWarningLimit: 2000 },
-  test: { include: ['src/**/*.test.ts'] },
+  resolve: { conditions: ['source'] },
+  ssr: { resolve: { conditions: ['source'] } },
+  test: { include: ['sdk/src/**/*.test.ts', 'viewer/src/**/*.test.ts'] },
 });

@@ -3,7 +3,7 @@
 import { readFileSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
 
-const file = readFileSync(fileURLToPath(new URL('../src/testing/machines.rec', import.meta.url)));
+const file = readFileSync(fileURLToPath(new URL('../../sdk/src/testing/machines.rec', import.meta.url)));
 
 export async function replaying({ page, url, until, expect, shoot }) {
   await page.route('**/machines.rec', (route) => route.fulfill({ body: file, contentType: 'application/octet-stream' }));

@@ -2,7 +2,7 @@
 // one more body, draws shapes of every kind and a module's lines, asks what is under the pointer, looks at the solver, reads events,
 // foresees what it drags over a slow link, plays a recording, comes back to a server that was killed, drives a car, a character
 // and a boat.
-// Usage: node e2e/viewer.mjs SERVER_BINARY [--screenshot FILE]; FILE shows the sandbox, FILE-shapes the debug view of a world of
+// Usage: node viewer/e2e/viewer.mjs SERVER_BINARY [--screenshot FILE]; FILE shows the sandbox, FILE-shapes the debug view of a world of
 // shapes. Exit status 1 when something does not hold.
 
 import { spawn } from 'node:child_process';
@@ -32,11 +32,11 @@ const CHROMIUM_FLAGS = [
 
 const [server, ...rest] = process.argv.slice(2);
 if (!server || !existsSync(server)) {
-  console.error('usage: node e2e/viewer.mjs SERVER_BINARY [--screenshot FILE]');
+  console.error('usage: node viewer/e2e/viewer.mjs SERVER_BINARY [--screenshot FILE]');
   process.exit(2);
 }
 const screenshot = rest[0] === '--screenshot' ? rest[1] : undefined;
-const webRoot = fileURLToPath(new URL('../dist', import.meta.url));
+const webRoot = fileURLToPath(new URL('../../dist', import.meta.url));
 const folder = mkdtempSync(join(tmpdir(), 'jostle-e2e-'));
 const portFile = join(folder, 'ports.json');
 

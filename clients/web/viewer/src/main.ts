@@ -1,21 +1,31 @@
 // Starts the parts and runs the picture loop.
 
 import * as THREE from 'three';
-import { simulatedSocket } from './simulated_socket';
-import { Camera } from './camera';
-import { nowUs } from './clock';
-import { Connection, openSocket, type Events, type State } from './connection';
-import type { Entity } from './gen/jostle/v1/play_pb';
-import { Driving, cameraYaw, type Pad } from './driving';
-import { DebugView } from './debug_view';
-import { RenderedPoses } from './rendered_poses';
-import { HitMarks } from './hit_marks';
-import { networkConditionsFromQuery } from './network_simulator';
-import { unobstructedDistance, topAt } from './pick';
-import { NO_CHANNELS } from './channels';
-import { RENDERED_CHANNEL_KINDS, ModuleView, type RenderedChannels } from './module_view';
-import type { PredictionController } from './prediction/prediction_controller';
-import { MOTION } from './prediction/motion';
+import {
+  areaOfInterestFromQuery,
+  Connection,
+  type Events,
+  MOTION,
+  networkConditionsFromQuery,
+  NO_CHANNELS,
+  nowUs,
+  openSocket,
+  postToServer,
+  Queries,
+  RecordedStream,
+  Recording,
+  RenderedPoses,
+  simulatedSocket,
+  type State,
+} from '@jostle/client';
+import { Camera } from './camera/camera';
+import type { Entity } from '@jostle/client/gen/play_pb';
+import { Driving, cameraYaw, type Pad } from './interaction/driving';
+import { DebugView } from './scene/debug_view';
+import { HitMarks } from './scene/hit_marks';
+import { unobstructedDistance, topAt } from './interaction/pick';
+import { RENDERED_CHANNEL_KINDS, ModuleView, type RenderedChannels } from './module_renderers/module_view';
+import type { PredictionController } from '@jostle/client/prediction';
 import { DebugPanel } from './panels/debug';
 import { drawArrows, DriverPanel, offerText } from './panels/driver';
 import { EventsPanel } from './panels/events';
@@ -23,17 +33,13 @@ import { TimelinePanel } from './panels/timeline';
 import { StatsPanel } from './panels/stats';
 import { Toasts } from './panels/toasts';
 import { WorldsPanel } from './panels/worlds';
-import { postToServer, Queries } from './queries';
-import { RecordedStream } from './recording/recorded_stream';
-import { Recording } from './recording/recording';
-import type { UnitKind } from './shape_parts';
+import type { UnitKind } from './scene/shape_parts';
 import { takeToken } from './token';
-import { SceneView } from './scene_view';
-import { describePick, entityName } from './entity_names';
-import { TOOLS, Tools, type Tool } from './tools';
-import { heightAt } from './water';
+import { SceneView } from './scene/scene_view';
+import { describePick, entityName } from './panels/entity_names';
+import { TOOLS, Tools, type Tool } from './interaction/tools';
+import { heightAt } from './scene/water';
 import './style.css';
-import { areaOfInterestFromQuery } from './area_of_interest';
 
 const byId = <T extends HTMLElement>(id: string) => document.getElementById(id) as T;
 
@@ -99,7 +105,7 @@ async function enablePrediction(): Promise<void> {
     toasts.say(`nothing is predicted: ${error instanceof Error ? error.message : error}`);
   };
   try {
-    const { loadPrediction } = await import('./prediction/load_prediction');
+    const { loadPrediction } = await import('@jostle/client/prediction');
     prediction = await loadPrediction(connection.frames, without);
     connection.enablePrediction(prediction);
   } catch (error) {

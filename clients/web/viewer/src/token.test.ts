@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { takeToken, withToken } from './token';
+import { takeToken } from './token';
 
 function tab(hash: string, kept: Record<string, string> = {}) {
   const place = { hash, replaceHash: (now: string) => void (place.hash = now) };
@@ -13,9 +13,4 @@ it('takes the token out of the address and keeps it for the tab', () => {
   expect(place.hash).toBe('x=1');
   expect(takeToken(place, store)).toBe('a.b.c');
   expect(takeToken(tab('').place, tab('').store)).toBe('');
-});
-
-it('shows it in a header, and nothing without it', () => {
-  expect(withToken('a.b.c', { Accept: 'x' })).toEqual({ Accept: 'x', Authorization: 'Bearer a.b.c' });
-  expect(withToken('')).toEqual({});
 });

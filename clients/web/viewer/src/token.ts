@@ -18,8 +18,3 @@ export function takeToken(place: UrlLocation, store: Pick<Storage, 'getItem' | '
   store.setItem(KEY, given);
   return given;
 }
-
-/** Headers of a request of somebody with that token. */
-export function withToken(token: string, headers: Record<string, string> = {}): Record<string, string> {
-  return token === '' ? headers : { ...headers, Authorization: `Bearer ${token}` };
-}

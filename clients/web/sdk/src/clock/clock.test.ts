@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { ClockSync } from './clock';
+import { ClockSync } from './clock.js';
 
 it('believes the shortest round trip, whatever the others say', () => {
   const clock = new ClockSync();

@@ -2,8 +2,8 @@
 // tests/clients/cpp/core/input_clock_test.cpp tells the same.
 
 import { expect, it } from 'vitest';
-import { InputClock } from './input_clock';
-import { IDEAL_NETWORK, NetworkSimulator, type NetworkConditions } from './network_simulator';
+import { InputClock } from './input_clock.js';
+import { IDEAL_NETWORK, NetworkSimulator, type NetworkConditions } from '../network_simulator/network_simulator.js';
 
 const TICK_US = 1e6 / 60;
 

@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { RenderClock } from './render_clock';
+import { RenderClock } from './render_clock.js';
 
 const EVEN_MS = 1.7 * 16.667;
 

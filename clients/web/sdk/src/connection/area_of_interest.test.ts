@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { areaOfInterestFromQuery } from './area_of_interest';
+import { areaOfInterestFromQuery } from './area_of_interest.js';
 
 describe('what a viewer asks to be told', () => {
   it('is all of the world unless its address says otherwise', () => {

@@ -1,8 +1,8 @@
 import { create, fromBinary, toBinary } from '@bufbuild/protobuf';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
-import { Connection, type Socket, type State } from './connection';
-import { goldenChannels } from './testing/golden_channels';
-import { ClientMessageSchema, InputCode, NoticeCode, ServerMessageSchema } from './gen/jostle/v1/play_pb';
+import { Connection, type Socket, type State } from './connection.js';
+import { goldenChannels } from '../testing/golden_channels.js';
+import { ClientMessageSchema, InputCode, NoticeCode, ServerMessageSchema } from '../gen/jostle/v1/play_pb.js';
 
 class FakeSocket implements Socket {
   binaryType = '';

@@ -1,8 +1,8 @@
 // The play stream over a WebSocket: hello, acks, batches of inputs, pings, and coming back after a loss. No view in it.
 
 import { create, fromBinary, toBinary, type MessageInitShape } from '@bufbuild/protobuf';
-import { ClockSync, nowUs } from './clock';
-import { baselineFrames } from './baseline_frames';
+import { ClockSync, nowUs } from '../clock/clock.js';
+import { baselineFrames } from '../snapshot/baseline_frames.js';
 import {
   DecodeError,
   NEWEST_CODEC,
@@ -12,17 +12,17 @@ import {
   type Baselines,
   type QuantSpec,
   type QuantizedFrame,
-} from './decode_frame';
-import { InterestCells } from './interest_cells';
-import type { AreaOfInterest } from './area_of_interest';
-import { FrameBuffer, type PoseFrame } from './frame_buffer';
-import { InputClock } from './input_clock';
-import { InputQueue } from './input_queue';
-import { LargeShapes } from './large_shapes';
-import { RenderClock } from './render_clock';
-import { renderedTime } from './rendered_time';
-import { decodeChannels } from './channels';
-import { ControlledStateDecoder, type ControlledEntity } from './word_changes';
+} from '../snapshot/decode_frame.js';
+import { InterestCells } from '../snapshot/interest_cells.js';
+import type { AreaOfInterest } from './area_of_interest.js';
+import { FrameBuffer, type PoseFrame } from '../interpolation/frame_buffer.js';
+import { InputClock } from '../clock/input_clock.js';
+import { InputQueue } from './input_queue.js';
+import { LargeShapes } from './large_shapes.js';
+import { RenderClock } from '../clock/render_clock.js';
+import { renderedTime } from '../interpolation/rendered_time.js';
+import { decodeChannels } from '../snapshot/channels.js';
+import { ControlledStateDecoder, type ControlledEntity } from './word_changes.js';
 import {
   AckSchema,
   ClientMessageSchema,
@@ -40,7 +40,7 @@ import {
   type Snapshot,
   type Welcome,
   type WorldStats,
-} from './gen/jostle/v1/play_pb';
+} from '../gen/jostle/v1/play_pb.js';
 
 const PROTOCOL = 1;
 const BATCH_MS = 1000 / 30;

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { InputQueue } from './input_queue';
+import { InputQueue } from './input_queue.js';
 
 describe('the input queue', () => {
   const filled = (count: number) => {

@@ -1,8 +1,8 @@
 import { create, toBinary } from '@bufbuild/protobuf';
 import { describe, expect, it } from 'vitest';
-import { EntitySchema, GeometryChunkSchema } from './gen/jostle/v1/play_pb';
-import { ShapeSchema } from './gen/jostle/v1/scene_pb';
-import { LargeShapes } from './large_shapes';
+import { EntitySchema, GeometryChunkSchema } from '../gen/jostle/v1/play_pb.js';
+import { ShapeSchema } from '../gen/jostle/v1/scene_pb.js';
+import { LargeShapes } from './large_shapes.js';
 
 const vertices = Array.from({ length: 100 }, (_, i) => ({ x: i, y: 0, z: 0 }));
 const mesh = create(ShapeSchema, { kind: { case: 'mesh', value: { vertices, indices: [0, 1, 2] } } });

@@ -1,8 +1,8 @@
 // Shapes that the server tells once, in parts, and names by their id afterwards. All bodies that have one share one object.
 
 import { fromBinary } from '@bufbuild/protobuf';
-import type { Entity, GeometryChunk } from './gen/jostle/v1/play_pb';
-import { ShapeSchema, type Shape } from './gen/jostle/v1/scene_pb';
+import type { Entity, GeometryChunk } from '../gen/jostle/v1/play_pb.js';
+import { ShapeSchema, type Shape } from '../gen/jostle/v1/scene_pb.js';
 
 const MOST_BYTES = 256 * 2 ** 20; // of one shape
 

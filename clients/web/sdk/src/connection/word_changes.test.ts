@@ -2,8 +2,8 @@
 
 import { create } from '@bufbuild/protobuf';
 import { expect, it } from 'vitest';
-import { ControlledEntityStateSchema } from './gen/jostle/v1/play_pb';
-import { ControlledStateDecoder, applyChanges } from './word_changes';
+import { ControlledEntityStateSchema } from '../gen/jostle/v1/play_pb.js';
+import { ControlledStateDecoder, applyChanges } from './word_changes.js';
 
 const bytes = (...all: number[]) => Uint8Array.of(...all);
 

@@ -1,6 +1,6 @@
 // A list of words as what changed in it since the list before, and what somebody drives, which is told so (proto/WIRE.md, "Driven things").
 
-import type { ControlledEntityState } from './gen/jostle/v1/play_pb';
+import type { ControlledEntityState } from '../gen/jostle/v1/play_pb.js';
 
 const WORDS_MAX = 16 * 1024;
 const NO_WORDS = new Uint32Array(0);

@@ -1,6 +1,6 @@
 import { expect, it } from 'vitest';
-import type { EntityState } from './decode_frame';
-import { FrameBuffer } from './frame_buffer';
+import type { EntityState } from '../snapshot/decode_frame.js';
+import { FrameBuffer } from './frame_buffer.js';
 
 const spec = { unitsPerMeter: 512, rotationComponent: 511 };
 const entity = (id: number, x: number): EntityState => ({

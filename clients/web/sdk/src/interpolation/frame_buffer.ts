@@ -1,8 +1,8 @@
 // Decoded frames: the newest 32 as bases for the next ones, and as poses ready to be drawn. Each keeps what modules told with it.
 
-import { dequantize, type EntityState, type QuantSpec, type QuantizedFrame } from './decode_frame';
-import { NO_CHANNELS, type Channels } from './channels';
-import type { Blend } from './interest_cells';
+import { dequantize, type EntityState, type QuantSpec, type QuantizedFrame } from '../snapshot/decode_frame.js';
+import { NO_CHANNELS, type Channels } from '../snapshot/channels.js';
+import type { Blend } from '../snapshot/interest_cells.js';
 
 export const POSE_FLOATS = 7; // px py pz qx qy qz qw
 

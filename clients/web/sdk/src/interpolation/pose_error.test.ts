@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { addError, decay, poseError } from './pose_error';
+import { addError, decay, poseError } from './pose_error.js';
 
 const STILL = { speed: 0, spin: 0 };
 const FAST = { speed: 20, spin: 0 };

@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
-import type { EntityState } from './decode_frame';
-import { FrameBuffer } from './frame_buffer';
-import { RenderedPoses } from './rendered_poses';
+import type { EntityState } from '../snapshot/decode_frame.js';
+import { FrameBuffer } from './frame_buffer.js';
+import { RenderedPoses } from './rendered_poses.js';
 
 const spec = { unitsPerMeter: 512, rotationComponent: 511 };
 const entity = (id: number, x: number): EntityState => ({

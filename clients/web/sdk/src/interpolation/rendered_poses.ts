@@ -3,8 +3,8 @@
 // again, what was guessed wrongly is walked off at a bounded speed (pose_error.ts) instead of jumping. A body that went further than
 // 100 m/s explain did not fly there: it is shown at the old place until the new frame's time. The C++ client library has the same.
 
-import { POSE_FLOATS, type FrameBuffer, type PoseFrame } from './frame_buffer';
-import { addError, decay, poseError, type Pose } from './pose_error';
+import { POSE_FLOATS, type FrameBuffer, type PoseFrame } from './frame_buffer.js';
+import { addError, decay, poseError, type Pose } from './pose_error.js';
 
 const EXTRAPOLATE_US = 50_000;
 const TELEPORT_SPEED = 100; // m/s

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { renderedTime } from './rendered_time';
+import { renderedTime } from './rendered_time.js';
 
 describe('the moment that is shown', () => {
   const newest = { frame: 600, serverUs: 10_000_000 };

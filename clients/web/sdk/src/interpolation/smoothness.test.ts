@@ -2,8 +2,8 @@
 // tells the same of the C++ client library, with the same links and bounds.
 
 import { describe, expect, it } from 'vitest';
-import { IDEAL_NETWORK, type NetworkConditions } from './network_simulator';
-import { observe } from './testing/observed_world';
+import { IDEAL_NETWORK, type NetworkConditions } from '../network_simulator/network_simulator.js';
+import { observe } from '../testing/observed_world.js';
 
 // What each link is allowed to cost; measured figures are a little below. Errors are those of who guesses: a bounce is cut by 23 mm
 // between two frames, and who holds while a body goes on at 3 m/s is 2.6 m off when a stall of a second ends.

@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { IDEAL_NETWORK, NetworkSimulator, networkConditionsFromQuery, type NetworkConditions } from './network_simulator';
+import { IDEAL_NETWORK, NetworkSimulator, networkConditionsFromQuery, type NetworkConditions } from './network_simulator.js';
 
 /** How long each of so many messages, 60 a second, is on its way, ms. */
 function waysOf(settings: Partial<NetworkConditions>, count = 36_000): number[] {

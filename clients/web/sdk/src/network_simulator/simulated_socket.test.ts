@@ -1,7 +1,7 @@
 import { afterEach, beforeEach, expect, it, vi } from 'vitest';
-import { simulatedSocket } from './simulated_socket';
-import type { Socket } from './connection';
-import { IDEAL_NETWORK } from './network_simulator';
+import { simulatedSocket } from './simulated_socket.js';
+import type { Socket } from '../connection/connection.js';
+import { IDEAL_NETWORK } from './network_simulator.js';
 
 beforeEach(() => void vi.useFakeTimers());
 afterEach(() => void vi.useRealTimers());

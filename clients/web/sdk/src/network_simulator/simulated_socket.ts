@@ -1,9 +1,9 @@
 // A socket behind a bad link: messages in both directions arrive when a NetworkSimulator says so. For tests and demonstrations; the
 // viewer takes one from its address line (?delay=80&jitter=20&stalls=250).
 
-import { nowUs } from './clock';
-import type { Socket } from './connection';
-import { NetworkSimulator, type NetworkConditions } from './network_simulator';
+import { nowUs } from '../clock/clock.js';
+import type { Socket } from '../connection/connection.js';
+import { NetworkSimulator, type NetworkConditions } from './network_simulator.js';
 
 /** What is on its way in one direction, in order. */
 class DelayedMessages {

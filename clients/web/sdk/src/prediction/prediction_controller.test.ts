@@ -2,12 +2,12 @@
 
 import { create } from '@bufbuild/protobuf';
 import { describe, expect, it } from 'vitest';
-import { FrameBuffer } from '../frame_buffer';
-import { WelcomeSchema } from '../gen/jostle/v1/play_pb';
-import { BodyType } from '../gen/jostle/v1/scene_pb';
-import { box, predictorModule } from '../testing/yard';
-import { PredictionController } from './prediction_controller';
-import { Predictor } from './predictor';
+import { FrameBuffer } from '../interpolation/frame_buffer.js';
+import { WelcomeSchema } from '../gen/jostle/v1/play_pb.js';
+import { BodyType } from '../gen/jostle/v1/scene_pb.js';
+import { box, predictorModule } from '../testing/yard.js';
+import { PredictionController } from './prediction_controller.js';
+import { Predictor } from './predictor.js';
 
 const FLOOR = 1;
 const CRATE = 2;

@@ -2,12 +2,12 @@
 // What the predictor gets wrong again and again is left to the server, and what hangs on joints (parts of ragdolls): clients are not told
 // what these do.
 
-import type { PredictionListener, Input } from '../connection';
-import type { FrameBuffer, PoseFrame } from '../frame_buffer';
-import { InputCode, type Entity, type InputResult, type Welcome } from '../gen/jostle/v1/play_pb';
-import type { ControlledEntity } from '../word_changes';
-import { MOTION } from './motion';
-import type { RenderedScene, Predictor, PredictorStats } from './predictor';
+import type { PredictionListener, Input } from '../connection/connection.js';
+import type { FrameBuffer, PoseFrame } from '../interpolation/frame_buffer.js';
+import { InputCode, type Entity, type InputResult, type Welcome } from '../gen/jostle/v1/play_pb.js';
+import type { ControlledEntity } from '../connection/word_changes.js';
+import { MOTION } from './motion.js';
+import type { RenderedScene, Predictor, PredictorStats } from './predictor.js';
 
 const CORRECTION_THRESHOLD_M = 0.05; // a frame that differs by more was foreseen wrongly
 const ERROR_DECAY_RATE = 1 / 30; // of what frames before said, by each

@@ -3,12 +3,12 @@
 
 import { create } from '@bufbuild/protobuf';
 import { describe, expect, it } from 'vitest';
-import { FrameBuffer } from '../frame_buffer';
-import { Vec3Schema } from '../gen/jostle/v1/common_pb';
-import { EntitySchema } from '../gen/jostle/v1/play_pb';
-import { BodyType, HullSchema, ShapeSchema } from '../gen/jostle/v1/scene_pb';
-import { compile, Predictor, PredictorError } from './predictor';
-import { box, OTHER, OWN, predictorModule, Yard } from '../testing/yard';
+import { FrameBuffer } from '../interpolation/frame_buffer.js';
+import { Vec3Schema } from '../gen/jostle/v1/common_pb.js';
+import { EntitySchema } from '../gen/jostle/v1/play_pb.js';
+import { BodyType, HullSchema, ShapeSchema } from '../gen/jostle/v1/scene_pb.js';
+import { compile, Predictor, PredictorError } from './predictor.js';
+import { box, OTHER, OWN, predictorModule, Yard } from '../testing/yard.js';
 
 describe('predictor', () => {
   it('shows a push in its picture instead of a round trip later', async () => {

@@ -2,13 +2,13 @@
 // scripts/build-predictor of clients/cpp/prediction). It is the C++ client's Predictor: what it does, and how it is put right, is in
 // clients/cpp/prediction/include/jostle/client/predictor.h, its calls in clients/cpp/prediction/wasm/predictor_api.h.
 
-import type { PoseFrame } from '../frame_buffer';
-import { POSE_FLOATS } from '../frame_buffer';
-import type { Input } from '../connection';
-import type { Entity } from '../gen/jostle/v1/play_pb';
-import { BodyType, type Locks } from '../gen/jostle/v1/scene_pb';
-import type { ControlledEntity } from '../word_changes';
-import { encodeShapes } from './shape_encoding';
+import type { PoseFrame } from '../interpolation/frame_buffer.js';
+import { POSE_FLOATS } from '../interpolation/frame_buffer.js';
+import type { Input } from '../connection/connection.js';
+import type { Entity } from '../gen/jostle/v1/play_pb.js';
+import { BodyType, type Locks } from '../gen/jostle/v1/scene_pb.js';
+import type { ControlledEntity } from '../connection/word_changes.js';
+import { encodeShapes } from './shape_encoding.js';
 
 /** The module cannot be loaded, or has failed and is of no use any more. */
 export class PredictorError extends Error {}

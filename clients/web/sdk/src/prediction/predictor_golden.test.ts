@@ -2,10 +2,10 @@
 
 import { readFileSync } from 'node:fs';
 import { expect, it } from 'vitest';
-import { predictorModule } from '../testing/yard';
-import { instantiate, type PredictorExports } from './predictor';
+import { predictorModule } from '../testing/yard.js';
+import { instantiate, type PredictorExports } from './predictor.js';
 
-const story = JSON.parse(readFileSync(new URL('../../../../tests/determinism/predictor_golden.json', import.meta.url), 'utf8')) as [string, ...number[]][];
+const story = JSON.parse(readFileSync(new URL('../../../../../tests/determinism/predictor_golden.json', import.meta.url), 'utf8')) as [string, ...number[]][];
 
 /** Calls whose last number is their answer. */
 const ANSWERS = ['set_shapes', 'frame', 'drive'];

@@ -1,6 +1,6 @@
 // A body's shapes as the row of numbers that the predictor reads (clients/cpp/prediction/wasm/shape_encoding.h says which).
 
-import { Combine, type Shape } from '../gen/jostle/v1/scene_pb';
+import { Combine, type Shape } from '../gen/jostle/v1/scene_pb.js';
 
 type Point = { readonly x: number; readonly y: number; readonly z: number };
 

@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { Queries, type Post } from './queries';
+import { Queries, type Post } from './queries.js';
 
 const ray = { rays: [{ origin: { x: 0, y: 5, z: 0 }, motion: { x: 0, y: -10, z: 0 } }] };
 

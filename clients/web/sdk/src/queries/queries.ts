@@ -9,8 +9,8 @@ import {
   DebugResponseSchema,
   type CastRaysResponse,
   type DebugResponse,
-} from './gen/jostle/v1/query_pb';
-import { withToken } from './token';
+} from '../gen/jostle/v1/query_pb.js';
+import { withToken } from './bearer_token.js';
 
 const QUERY_TIMEOUT_MS = 10_000; // a page that draws without a graphics processor may take seconds to look at an answer
 const NOT_SERVED = [404, 501];

@@ -3,9 +3,9 @@
 // far ahead, it begins anew as a server would: the Welcome, who is there, a keyframe, and what follows.
 
 import { fromBinary, create, toBinary } from '@bufbuild/protobuf';
-import type { Socket } from '../connection';
-import { ClientMessageSchema, ServerMessageSchema } from '../gen/jostle/v1/play_pb';
-import type { Recording } from './recording';
+import type { Socket } from '../connection/connection.js';
+import { ClientMessageSchema, ServerMessageSchema } from '../gen/jostle/v1/play_pb.js';
+import type { Recording } from './recording.js';
 
 const LEAD_TIME_US = 200_000;
 const REPLAY_AHEAD_MAX_US = 1e6; // so far ahead is played through

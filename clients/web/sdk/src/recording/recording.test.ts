@@ -2,11 +2,11 @@
 
 import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
-import { Connection } from '../connection';
-import { POSE_FLOATS } from '../frame_buffer';
-import { RenderedPoses } from '../rendered_poses';
-import { Recording, RecordingError } from './recording';
-import { RecordedStream } from './recorded_stream';
+import { Connection } from '../connection/connection.js';
+import { POSE_FLOATS } from '../interpolation/frame_buffer.js';
+import { RenderedPoses } from '../interpolation/rendered_poses.js';
+import { Recording, RecordingError } from './recording.js';
+import { RecordedStream } from './recorded_stream.js';
 
 const bytes = () => new Uint8Array(readFileSync(new URL('../testing/machines.rec', import.meta.url)));
 

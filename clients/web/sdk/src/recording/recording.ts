@@ -2,8 +2,8 @@
 // when it is opened, up to the first record that is not whole: so one that was cut off is read as far as it goes. Bytes are foreign.
 
 import { fromBinary } from '@bufbuild/protobuf';
-import { crc32 } from '../crc32';
-import { ServerMessageSchema, type ServerMessage, type Snapshot, type Welcome } from '../gen/jostle/v1/play_pb';
+import { crc32 } from '../snapshot/crc32.js';
+import { ServerMessageSchema, type ServerMessage, type Snapshot, type Welcome } from '../gen/jostle/v1/play_pb.js';
 
 /** It is no recording that can be played. */
 export class RecordingError extends Error {}

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { baselineFrames } from './baseline_frames';
+import { baselineFrames } from './baseline_frames.js';
 
 describe('base frames', () => {
   it('are a number that is small when the steps are equal', () => {

@@ -1,6 +1,6 @@
 // Which earlier frames a snapshot is told against (WIRE.md, "A frame").
 
-import { DecodeError } from './frame_state';
+import { DecodeError } from './frame_state.js';
 
 const NO_BASE = 255;
 

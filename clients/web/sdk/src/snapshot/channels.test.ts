@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
-import { decodeChannels, NO_CHANNELS, type Channels } from './channels';
-import { DecodeError } from './decode_frame';
-import { goldenChannels } from './testing/golden_channels';
+import { decodeChannels, NO_CHANNELS, type Channels } from './channels.js';
+import { DecodeError } from './decode_frame.js';
+import { goldenChannels } from '../testing/golden_channels.js';
 
 describe('channels', () => {
   it('of the golden file decode to what C++ encoded', () => {

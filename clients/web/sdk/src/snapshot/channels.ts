@@ -1,8 +1,8 @@
 // What modules of the world tell: lists of whole numbers by kind and entity, frame by frame (proto/WIRE.md, "Channels").
 
-import { BitReader, bitWidth, zigZagDecode } from './bit_reader';
-import { crc32 } from './crc32';
-import { DecodeError } from './decode_frame';
+import { BitReader, bitWidth, zigZagDecode } from './bit_reader.js';
+import { crc32 } from './crc32.js';
+import { DecodeError } from './decode_frame.js';
 
 export interface Channel {
   readonly kind: number; // a place in Welcome.channels

@@ -1,8 +1,8 @@
 import { readFileSync, readdirSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
-import { decodeFrame, frameCrc, type EntityState, type QuantizedFrame } from './decode_frame';
+import { decodeFrame, frameCrc, type EntityState, type QuantizedFrame } from './decode_frame.js';
 
-const folder = new URL('../../../proto/golden/', import.meta.url);
+const folder = new URL('../../../../../proto/golden/', import.meta.url);
 
 /** WIRE.md, "Golden frames". */
 function readGolden(name: string) {

@@ -1,8 +1,8 @@
 // The twin of proto/snapshot/include/jostle/snapshot in TypeScript, decoding only; written from proto/WIRE.md and proved by proto/golden. Codec 1 is here,
 // codec 2 in range_frame.ts.
 
-import { BitReader, bitWidth, zigZagDecode } from './bit_reader';
-import { crc32 } from './crc32';
+import { BitReader, bitWidth, zigZagDecode } from './bit_reader.js';
+import { crc32 } from './crc32.js';
 import {
   DecodeError,
   Finder,
@@ -21,11 +21,11 @@ import {
   type Spacing,
   type Survivor,
   type Three,
-} from './frame_state';
-import { predict } from './predict';
-import { RangeFrameReader } from './range_frame';
+} from './frame_state.js';
+import { predict } from './predict.js';
+import { RangeFrameReader } from './range_frame.js';
 
-export { DecodeError, isValidSpec, type Baselines, type EntityState, type QuantSpec, type QuantizedFrame } from './frame_state';
+export { DecodeError, isValidSpec, type Baselines, type EntityState, type QuantSpec, type QuantizedFrame } from './frame_state.js';
 
 /** The highest codec that decodeFrame() knows. */
 export const NEWEST_CODEC = 2;

@@ -1,7 +1,7 @@
 // Where each model of codec 2 is, and how all begin (proto/WIRE.md, "Models"): the twin of proto/snapshot/include/jostle/snapshot/frame_models.h.
 
-import type { Models } from './range_decoder';
-import { INITIAL_MODELS } from './start_models';
+import type { Models } from './range_decoder.js';
+import { INITIAL_MODELS } from './start_models.js';
 
 export const MAGNITUDE = 5; // models of a number: not 0, negative, above 1, above 3, odd
 export const FIRST_WIDTH = 2; // of a number above 3: bits below its leading one

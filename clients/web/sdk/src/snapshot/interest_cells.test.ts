@@ -1,7 +1,7 @@
 import { describe, expect, it } from 'vitest';
-import { DecodeError, frameCrc, type EntityState } from './decode_frame';
-import { FrameBuffer } from './frame_buffer';
-import { InterestCells, type CellUpdate } from './interest_cells';
+import { DecodeError, frameCrc, type EntityState } from './decode_frame.js';
+import { FrameBuffer } from '../interpolation/frame_buffer.js';
+import { InterestCells, type CellUpdate } from './interest_cells.js';
 
 const SPEC = { unitsPerMeter: 512, rotationComponent: 511 };
 

@@ -1,7 +1,7 @@
 // What a client that sees a part of its world knows of it: the last states of each cell, put together to one frame (WIRE.md, "Cells").
 
-import { baselineFrames } from './baseline_frames';
-import { DecodeError, decodeFrame, frameCrc, type EntityState, type QuantSpec, type QuantizedFrame } from './decode_frame';
+import { baselineFrames } from './baseline_frames.js';
+import { DecodeError, decodeFrame, frameCrc, type EntityState, type QuantSpec, type QuantizedFrame } from './decode_frame.js';
 
 /** A cell as it comes. */
 export interface CellUpdate {

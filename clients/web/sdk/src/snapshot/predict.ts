@@ -1,6 +1,6 @@
 // Where a body should be, from up to three earlier frames: the twin of proto/snapshot/include/jostle/snapshot/predict.h. Integers, every product below 2^53.
 
-import { INT32_MAX, INT32_MIN, sameRotation, type EntityState, type Four, type Spacing, type Survivor, type Three } from './frame_state';
+import { INT32_MAX, INT32_MIN, sameRotation, type EntityState, type Four, type Spacing, type Survivor, type Three } from './frame_state.js';
 
 /** a / b to the nearest integer, halves away from zero; b > 0. */
 function div(a: number, b: number): number {

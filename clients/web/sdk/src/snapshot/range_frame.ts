@@ -1,7 +1,7 @@
 // Frames of codec 2: the twin of proto/snapshot/include/jostle/snapshot/range_frame_serializer.h, decoding only; written from proto/WIRE.md.
 
-import { bitWidth } from './bit_reader';
-import * as M from './frame_models';
+import { bitWidth } from './bit_reader.js';
+import * as M from './frame_models.js';
 import {
   DecodeError,
   Finder,
@@ -17,9 +17,9 @@ import {
   type Spacing,
   type Survivor,
   type Three,
-} from './frame_state';
-import { predict, type Prediction } from './predict';
-import { RangeDecoder } from './range_decoder';
+} from './frame_state.js';
+import { predict, type Prediction } from './predict.js';
+import { RangeDecoder } from './range_decoder.js';
 
 const MOTIONLESS = 0;
 const MOVING = 1;

@@ -2,11 +2,11 @@
 
 import { readFileSync } from 'node:fs';
 import { expect } from 'vitest';
-import type { Channel } from '../channels';
+import type { Channel } from '../snapshot/channels.js';
 
 /** proto/golden/channels.jchn; tests/proto/snapshot/channel_motion.h has the layout. Bases are places in the list, from 1. */
 export function goldenChannels() {
-  const bytes = readFileSync(new URL('../../../../proto/golden/channels.jchn', import.meta.url));
+  const bytes = readFileSync(new URL('../../../../../proto/golden/channels.jchn', import.meta.url));
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   let at = 4;
   const u32 = () => view.getUint32((at += 4) - 4, true);

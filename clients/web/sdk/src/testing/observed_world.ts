@@ -1,11 +1,11 @@
 // A world whose motion is known by formula, seen through a bad link: what pictures do to it. The same as in the tests of the C++
 // client library (tests/clients/cpp/core/observed_world.h).
 
-import type { EntityState } from '../decode_frame';
-import { FrameBuffer, POSE_FLOATS } from '../frame_buffer';
-import { RenderedPoses } from '../rendered_poses';
-import { NetworkSimulator, type NetworkConditions } from '../network_simulator';
-import { RenderClock } from '../render_clock';
+import type { EntityState } from '../snapshot/decode_frame.js';
+import { FrameBuffer, POSE_FLOATS } from '../interpolation/frame_buffer.js';
+import { RenderedPoses } from '../interpolation/rendered_poses.js';
+import { NetworkSimulator, type NetworkConditions } from '../network_simulator/network_simulator.js';
+import { RenderClock } from '../clock/render_clock.js';
 
 type Point = readonly [number, number, number];
 

@@ -4,16 +4,16 @@
 
 import { readFileSync } from 'node:fs';
 import { create } from '@bufbuild/protobuf';
-import type { Input } from '../connection';
-import { FrameBuffer, POSE_FLOATS } from '../frame_buffer';
-import type { EntityState } from '../frame_state';
-import { EntitySchema, type Entity } from '../gen/jostle/v1/play_pb';
-import { BodyType, ShapeSchema } from '../gen/jostle/v1/scene_pb';
-import { InputClock } from '../input_clock';
-import { RenderedPoses } from '../rendered_poses';
-import { NetworkSimulator, IDEAL_NETWORK, type NetworkConditions } from '../network_simulator';
-import { compile, Predictor, type RenderedScene } from '../prediction/predictor';
-import { RenderClock } from '../render_clock';
+import type { Input } from '../connection/connection.js';
+import { FrameBuffer, POSE_FLOATS } from '../interpolation/frame_buffer.js';
+import type { EntityState } from '../snapshot/frame_state.js';
+import { EntitySchema, type Entity } from '../gen/jostle/v1/play_pb.js';
+import { BodyType, ShapeSchema } from '../gen/jostle/v1/scene_pb.js';
+import { InputClock } from '../clock/input_clock.js';
+import { RenderedPoses } from '../interpolation/rendered_poses.js';
+import { NetworkSimulator, IDEAL_NETWORK, type NetworkConditions } from '../network_simulator/network_simulator.js';
+import { compile, Predictor, type RenderedScene } from '../prediction/predictor.js';
+import { RenderClock } from '../clock/render_clock.js';
 
 export const FLOOR = 1;
 export const OWN = 2;

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import type { Input } from './connection';
+import type { Input } from '@jostle/client';
 import { Driving, readControls, cameraYaw, type Pad } from './driving';
 
 const pad = (axes: number[], pressed: Record<number, number> = {}): Pad => ({

@@ -1,7 +1,7 @@
 // Driving: what keys and a gamepad hold goes to the entity that this client has taken the wheel of, and the camera follows behind. What
 // axes and buttons mean is the module's; they are those of Controls (docs/modules.md).
 
-import type { Input } from './connection';
+import type { Input } from '@jostle/client';
 
 const AXES = { right: 0, ahead: 1, up: 2, yaw: 3 } as const;
 const AXIS_COUNT = 4;

@@ -1,12 +1,10 @@
 import { create } from '@bufbuild/protobuf';
 import * as THREE from 'three';
 import { describe, expect, it } from 'vitest';
-import { EntitySchema } from './gen/jostle/v1/play_pb';
-import { RenderedPoses } from './rendered_poses';
-import { FrameBuffer } from './frame_buffer';
+import { EntitySchema } from '@jostle/client/gen/play_pb';
+import { FrameBuffer, Queries, RenderedPoses } from '@jostle/client';
 import { pickFromServer, pickRendered, choosePick, type Pick } from './pick';
-import { Queries } from './queries';
-import { SceneView } from './scene_view';
+import { SceneView } from '../scene/scene_view';
 
 const pick = (entity: number): Pick => ({
   entity,

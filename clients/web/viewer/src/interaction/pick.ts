@@ -1,8 +1,8 @@
 // What is under the pointer. The drawing answers at once; the server answers rightly, a round trip later.
 
 import * as THREE from 'three';
-import type { Queries } from './queries';
-import type { SceneView } from './scene_view';
+import type { Queries } from '@jostle/client';
+import type { SceneView } from '../scene/scene_view';
 
 export interface Pick {
   readonly entity: number;

@@ -2,12 +2,11 @@
 // was pressed is looked up in the drawing at once, so that dragging starts without lag, and put right by the server's answer.
 
 import * as THREE from 'three';
-import type { Camera } from './camera';
-import type { Connection, Input } from './connection';
+import type { Camera } from '../camera/camera';
+import type { Connection, Input, Queries } from '@jostle/client';
 import { Throttle } from './throttle';
 import { pickFromServer, pickRendered, choosePick, type Pick } from './pick';
-import type { Queries } from './queries';
-import type { SceneView } from './scene_view';
+import type { SceneView } from '../scene/scene_view';
 
 export type Tool = 'drag' | 'throw' | 'box' | 'sphere' | 'capsule' | 'explode' | 'delete' | 'drive';
 

@@ -2,7 +2,7 @@
 // "fields" flashes of blasts, and in the debug view arrows of the wind and rings round what attracts. fields.h has the layouts.
 
 import * as THREE from 'three';
-import type { WaterSurface } from '../water';
+import type { WaterSurface } from '../scene/water';
 import type { ModuleRenderer, RenderContext } from './module_renderer';
 import { ValueReader } from './value_reader';
 

@@ -2,10 +2,10 @@
 
 import { create } from '@bufbuild/protobuf';
 import { describe, expect, it } from 'vitest';
-import { EntitySchema, type Entity } from '../gen/jostle/v1/play_pb';
+import { EntitySchema, type Entity } from '@jostle/client/gen/play_pb';
 import { broken, goldenModule, withValue } from '../testing/golden_modules';
 import { testRenderContext } from '../testing/test_render_context';
-import { heightAt } from '../water';
+import { heightAt } from '../scene/water';
 import { boats, readBoat } from './boat';
 import { characters, readCharacter } from './character';
 import { destructibles, readDestructibles } from './destruction';

@@ -1,11 +1,11 @@
 // What draws channels of one kind: given their numbers, which are foreign, and where to draw. Called once a picture; draws nothing of
 // numbers that it cannot read, and never throws.
 
-import type { BlastMarks } from '../blast_marks';
-import type { Entity } from '../gen/jostle/v1/play_pb';
-import type { Solids } from '../solids';
-import type { VertexBuffer } from '../vertex_buffer';
-import type { Water } from '../water';
+import type { BlastMarks } from '../scene/blast_marks';
+import type { Entity } from '@jostle/client/gen/play_pb';
+import type { Solids } from '../scene/solids';
+import type { VertexBuffer } from '../scene/vertex_buffer';
+import type { Water } from '../scene/water';
 
 export interface RenderContext {
   readonly lines: VertexBuffer;

@@ -1,7 +1,7 @@
 import * as THREE from 'three';
 import { describe, expect, it } from 'vitest';
-import type { Channel } from './channels';
-import type { ModuleRenderer, ChannelData } from './drawers/module_renderer';
+import type { Channel } from '@jostle/client';
+import type { ModuleRenderer, ChannelData } from './module_renderer';
 import { RENDERED_CHANNEL_KINDS, ModuleView, type FrameInput, type RenderedChannels } from './module_view';
 
 const WHITE = new THREE.Color(0xffffff);

@@ -1,20 +1,20 @@
 // Draws what modules tell, and says who can be driven and how. Only kinds that have a drawer are asked for.
 
 import type * as THREE from 'three';
-import { BlastMarks } from './blast_marks';
-import type { Channel, Channels } from './channels';
-import { boats } from './drawers/boat';
-import { characters } from './drawers/character';
-import { destructibles } from './drawers/destruction';
-import type { ModuleRenderer, RenderContext, Steering, ChannelData } from './drawers/module_renderer';
-import { fields, waves } from './drawers/fields';
-import { hovercraft } from './drawers/hovercraft';
-import { ragdolls } from './drawers/ragdoll';
-import { vehicles } from './drawers/vehicle';
-import type { Entity } from './gen/jostle/v1/play_pb';
-import { Solids } from './solids';
-import { VertexBuffer } from './vertex_buffer';
-import { Water } from './water';
+import { BlastMarks } from '../scene/blast_marks';
+import type { Channel, Channels } from '@jostle/client';
+import { boats } from './boat';
+import { characters } from './character';
+import { destructibles } from './destruction';
+import type { ModuleRenderer, RenderContext, Steering, ChannelData } from './module_renderer';
+import { fields, waves } from './fields';
+import { hovercraft } from './hovercraft';
+import { ragdolls } from './ragdoll';
+import { vehicles } from './vehicle';
+import type { Entity } from '@jostle/client/gen/play_pb';
+import { Solids } from '../scene/solids';
+import { VertexBuffer } from '../scene/vertex_buffer';
+import { Water } from '../scene/water';
 
 /** By kind: a new one is a file in drawers/ and a line here. */
 const RENDERERS: ReadonlyMap<string, ModuleRenderer> = new Map([

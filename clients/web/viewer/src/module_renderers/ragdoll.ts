@@ -2,7 +2,7 @@
 // the first bone in their numbers.
 
 import * as THREE from 'three';
-import type { Entity } from '../gen/jostle/v1/play_pb';
+import type { Entity } from '@jostle/client/gen/play_pb';
 import { isOfModule, type ModuleRenderer, type ChannelData } from './module_renderer';
 
 const MODES = ['limp', 'powered', 'kinematic'] as const;

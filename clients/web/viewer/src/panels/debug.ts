@@ -1,10 +1,10 @@
 // Toggles of the debug view. The server is asked five times a second while something is on that it has to tell, else never.
 
-import { islandTints, type DebugView, type DebugOptions } from '../debug_view';
-import type { DebugResponse } from '../gen/jostle/v1/query_pb';
-import { Throttle } from '../throttle';
-import type { Queries } from '../queries';
-import type { SceneView } from '../scene_view';
+import { islandTints, type DebugView, type DebugOptions } from '../scene/debug_view';
+import type { DebugResponse } from '@jostle/client/gen/query_pb';
+import { Throttle } from '../interaction/throttle';
+import type { Queries } from '@jostle/client';
+import type { SceneView } from '../scene/scene_view';
 
 const EVERY_MS = 200;
 const MISSES = 2;

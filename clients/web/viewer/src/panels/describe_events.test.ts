@@ -1,7 +1,7 @@
 import { create, type MessageInitShape } from '@bufbuild/protobuf';
 import { describe, expect, it } from 'vitest';
 import { describeEvents, RecentLines } from './describe_events';
-import { EventsSchema } from './gen/jostle/v1/play_pb';
+import { EventsSchema } from '@jostle/client/gen/play_pb';
 
 const names = ['', 'ball', 'wall', 'box', 'goal'];
 const words = (init: MessageInitShape<typeof EventsSchema>) => describeEvents(create(EventsSchema, init), (id) => names[id]!);

@@ -1,6 +1,6 @@
 // What happened in a tick, in words.
 
-import type { ContactEvent, Events } from './gen/jostle/v1/play_pb';
+import type { ContactEvent, Events } from '@jostle/client/gen/play_pb';
 
 const NAMED_SLEEPERS = 2; // more of them in one tick are only counted
 

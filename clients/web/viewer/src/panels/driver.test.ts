@@ -1,8 +1,8 @@
 import { create } from '@bufbuild/protobuf';
 import * as THREE from 'three';
 import { expect, it } from 'vitest';
-import { EntitySchema } from '../gen/jostle/v1/play_pb';
-import { Solids } from '../solids';
+import { EntitySchema } from '@jostle/client/gen/play_pb';
+import { Solids } from '../scene/solids';
 import { drawArrows, offerText } from './driver';
 
 const car = (id: number, name: string) => create(EntitySchema, { id, name, controllable: true });

@@ -2,9 +2,9 @@
 // can be driven while one may choose.
 
 import * as THREE from 'three';
-import type { Entity } from '../gen/jostle/v1/play_pb';
-import type { Solids } from '../solids';
-import { entityName } from '../entity_names';
+import type { Entity } from '@jostle/client/gen/play_pb';
+import type { Solids } from '../scene/solids';
+import { entityName } from './entity_names';
 
 const CHOICES_MAX = 12;
 const ARROW = new THREE.Color(0xffd166);

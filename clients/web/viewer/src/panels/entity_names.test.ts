@@ -1,6 +1,6 @@
 import { create } from '@bufbuild/protobuf';
 import { expect, it } from 'vitest';
-import { EntitySchema } from './gen/jostle/v1/play_pb';
+import { EntitySchema } from '@jostle/client/gen/play_pb';
 import { describePick, entityName } from './entity_names';
 
 const field = { kind: { case: 'heightField' as const, value: {} } };

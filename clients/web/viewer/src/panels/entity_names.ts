@@ -1,7 +1,7 @@
 // What a body is called where people read it.
 
-import type { Entity } from './gen/jostle/v1/play_pb';
-import type { Shape } from './gen/jostle/v1/scene_pb';
+import type { Entity } from '@jostle/client/gen/play_pb';
+import type { Shape } from '@jostle/client/gen/scene_pb';
 
 const KIND_NAMES: Record<string, string> = { heightField: 'height field' };
 

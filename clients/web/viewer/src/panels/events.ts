@@ -1,8 +1,8 @@
 // What happened last, in words; a mark where something hit. The server is asked to tell only while this is open.
 
-import { describeEvents, RecentLines } from '../describe_events';
-import type { Events } from '../gen/jostle/v1/play_pb';
-import type { HitMarks } from '../hit_marks';
+import { describeEvents, RecentLines } from './describe_events';
+import type { Events } from '@jostle/client/gen/play_pb';
+import type { HitMarks } from '../scene/hit_marks';
 
 const LINES = 12;
 

@@ -1,7 +1,7 @@
 // Numbers with a short history each, drawn as small plots.
 
-import type { Connection } from '../connection';
-import type { WorldStats } from '../gen/jostle/v1/play_pb';
+import type { Connection } from '@jostle/client';
+import type { WorldStats } from '@jostle/client/gen/play_pb';
 
 const HISTORY = 120; // samples, ten a second
 const PLOT = { width: 150, height: 26 };

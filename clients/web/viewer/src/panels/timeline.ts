@@ -1,6 +1,6 @@
 // Plays a recording: a button, a slider over its time, and how fast.
 
-import type { RecordedStream } from '../recording/recorded_stream';
+import type { RecordedStream } from '@jostle/client';
 
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 4];
 

@@ -1,7 +1,7 @@
 // Which worlds there are: join, make from a scene or from what another one was a while ago, delete. Talks JSON to
 // /api/worlds.
 
-import { withToken } from '../token';
+import { withToken } from '@jostle/client';
 
 interface WorldInfo {
   id: string;

@@ -2,8 +2,8 @@ import { create, type MessageInitShape } from '@bufbuild/protobuf';
 import * as THREE from 'three';
 import { describe, expect, it } from 'vitest';
 import { DebugView, islandTints, normalLength } from './debug_view';
-import { DebugResponseSchema } from './gen/jostle/v1/query_pb';
-import { summary } from './panels/debug';
+import { DebugResponseSchema } from '@jostle/client/gen/query_pb';
+import { summary } from '../panels/debug';
 
 const answer = (init: MessageInitShape<typeof DebugResponseSchema>) => create(DebugResponseSchema, init);
 const all = { contacts: true, islands: true, bounds: true, joints: true, broadPhase: true };

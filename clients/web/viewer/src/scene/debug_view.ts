@@ -3,8 +3,8 @@
 
 import { create } from '@bufbuild/protobuf';
 import * as THREE from 'three';
-import { Vec3Schema } from './gen/jostle/v1/common_pb';
-import type { DebugBox, DebugContact, DebugIsland, DebugJoint, DebugResponse } from './gen/jostle/v1/query_pb';
+import { Vec3Schema } from '@jostle/client/gen/common_pb';
+import type { DebugBox, DebugContact, DebugIsland, DebugJoint, DebugResponse } from '@jostle/client/gen/query_pb';
 import { VertexBuffer } from './vertex_buffer';
 
 /** What is asked of the server. */

@@ -1,7 +1,7 @@
 import { create } from '@bufbuild/protobuf';
 import { describe, expect, it } from 'vitest';
 import { countFacets, fieldGeometry, hullGeometry, meshGeometry } from './facets';
-import { HeightFieldSchema, HullSchema, MeshSchema } from './gen/jostle/v1/scene_pb';
+import { HeightFieldSchema, HullSchema, MeshSchema } from '@jostle/client/gen/scene_pb';
 
 const cube = [-1, 1].flatMap((x) => [-1, 1].flatMap((y) => [-1, 1].map((z) => ({ x, y, z }))));
 

@@ -3,7 +3,7 @@
 
 import * as THREE from 'three';
 import { ConvexGeometry } from 'three/examples/jsm/geometries/ConvexGeometry.js';
-import type { HeightField, Hull, Mesh } from './gen/jostle/v1/scene_pb';
+import type { HeightField, Hull, Mesh } from '@jostle/client/gen/scene_pb';
 
 const NO_EDGE = 1e4; // m: a side that is no crease is that far from everywhere
 const SAME_FACET = Math.cos((2 * Math.PI) / 180);

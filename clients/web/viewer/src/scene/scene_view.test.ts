@@ -1,8 +1,7 @@
 import { create } from '@bufbuild/protobuf';
 import { expect, it } from 'vitest';
-import { FrameBuffer } from './frame_buffer';
-import { EntitySchema, type Entity } from './gen/jostle/v1/play_pb';
-import { RenderedPoses } from './rendered_poses';
+import { FrameBuffer, RenderedPoses } from '@jostle/client';
+import { EntitySchema, type Entity } from '@jostle/client/gen/play_pb';
 import { SceneView } from './scene_view';
 
 const spec = { unitsPerMeter: 512, rotationComponent: 511 };

@@ -3,11 +3,10 @@
 // the last of them; unit geometries stay.
 
 import * as THREE from 'three';
-import { BodyType } from './gen/jostle/v1/scene_pb';
-import type { Entity } from './gen/jostle/v1/play_pb';
-import { POSE_FLOATS } from './frame_buffer';
+import { BodyType } from '@jostle/client/gen/scene_pb';
+import type { Entity } from '@jostle/client/gen/play_pb';
+import { POSE_FLOATS, type RenderedPoses } from '@jostle/client';
 import { Instances } from './instances';
-import type { RenderedPoses } from './rendered_poses';
 import { makeSky, materialFor } from './materials';
 import { partsOf, UNIT_GEOMETRIES, UNIT_KINDS, type Kind, type ShapePart } from './shape_parts';
 

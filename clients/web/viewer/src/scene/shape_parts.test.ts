@@ -1,7 +1,7 @@
 import { create, type MessageInitShape } from '@bufbuild/protobuf';
 import * as THREE from 'three';
 import { describe, expect, it } from 'vitest';
-import { ShapeSchema } from './gen/jostle/v1/scene_pb';
+import { ShapeSchema } from '@jostle/client/gen/scene_pb';
 import { partsOf, UNIT_GEOMETRIES } from './shape_parts';
 
 const shape = (init: MessageInitShape<typeof ShapeSchema>) => create(ShapeSchema, init);

@@ -4,7 +4,7 @@
 import * as THREE from 'three';
 import { contentKey, keyOf } from './content_key';
 import { fieldGeometry, hullGeometry, meshGeometry } from './facets';
-import type { Hull, Mesh, Shape } from './gen/jostle/v1/scene_pb';
+import type { Hull, Mesh, Shape } from '@jostle/client/gen/scene_pb';
 
 /** A slab is a box so wide that it is ground; a cap is the end of a capsule, a tube its middle. */
 export type UnitKind = 'box' | 'slab' | 'plane' | 'sphere' | 'cap' | 'tube' | 'cylinder' | 'cone';

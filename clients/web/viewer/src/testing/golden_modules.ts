@@ -2,11 +2,11 @@
 
 import { readFileSync } from 'node:fs';
 import { expect } from 'vitest';
-import type { ChannelData } from '../drawers/module_renderer';
+import type { ChannelData } from '../module_renderers/module_renderer';
 
 /** The channels of one of its kinds: a place in its channels(). */
 export function goldenModule(tag: string, kind = 0): ChannelData[] {
-  const bytes = readFileSync(new URL(`../../../../proto/golden_modules/${tag}.bin`, import.meta.url));
+  const bytes = readFileSync(new URL(`../../../../../proto/golden_modules/${tag}.bin`, import.meta.url));
   let at = 0;
   const i32 = () => bytes.readInt32LE((at += 4) - 4);
   const channels = Array.from({ length: i32() }, () => {

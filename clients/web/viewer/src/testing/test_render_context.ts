@@ -1,11 +1,11 @@
 // For tests: somewhere to draw, with bodies where one wants them.
 
 import * as THREE from 'three';
-import type { Entity } from '../gen/jostle/v1/play_pb';
-import { Solids } from '../solids';
-import { VertexBuffer } from '../vertex_buffer';
-import { Water } from '../water';
-import type { RenderContext } from '../drawers/module_renderer';
+import type { Entity } from '@jostle/client/gen/play_pb';
+import { Solids } from '../scene/solids';
+import { VertexBuffer } from '../scene/vertex_buffer';
+import { Water } from '../scene/water';
+import type { RenderContext } from '../module_renderers/module_renderer';
 
 export interface TestRenderContext extends RenderContext {
   readonly flashes: number[][];

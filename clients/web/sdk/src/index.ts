@@ -1,0 +1,13 @@
+export { areaOfInterestFromQuery, type AreaOfInterest } from './connection/area_of_interest.js';
+export { Connection, openSocket, type Events, type Input, type PredictionListener, type Socket, type State } from './connection/connection.js';
+export { nowUs } from './clock/clock.js';
+export { FrameBuffer, POSE_FLOATS, type PoseFrame } from './interpolation/frame_buffer.js';
+export { RenderedPoses } from './interpolation/rendered_poses.js';
+export { networkConditionsFromQuery } from './network_simulator/network_simulator.js';
+export { simulatedSocket } from './network_simulator/simulated_socket.js';
+export { MOTION } from './prediction/motion.js';
+export { postToServer, Queries } from './queries/queries.js';
+export { withToken } from './queries/bearer_token.js';
+export { RecordedStream } from './recording/recorded_stream.js';
+export { Recording } from './recording/recording.js';
+export { NO_CHANNELS, type Channel, type Channels } from './snapshot/channels.js';

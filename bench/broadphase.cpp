@@ -115,7 +115,8 @@ void build(Candidate& candidate, const Workload& work) {
 
 // A pair of two that moved is found from both sides and counted from the one with the larger
 // number.
-void count_pairs(QueryCounts& query_counts, std::uint32_t body, const std::vector<std::uint32_t>& found,
+void count_pairs(QueryCounts& query_counts, std::uint32_t body,
+                 const std::vector<std::uint32_t>& found,
                  const std::vector<std::uint32_t>& moved_in, std::uint32_t step) {
     for (const std::uint32_t other : found) {
         if (other == body || (moved_in[other] == step && other > body)) continue;
@@ -125,7 +126,7 @@ void count_pairs(QueryCounts& query_counts, std::uint32_t body, const std::vecto
 }
 
 QueryCounts replay_steps(BroadPhaseIndex& index, const Candidate& candidate, const Workload& work,
-                     std::vector<std::uint32_t>& found, std::vector<std::uint32_t>& moved_in) {
+                         std::vector<std::uint32_t>& found, std::vector<std::uint32_t>& moved_in) {
     QueryCounts query_counts;
     std::uint32_t step = 0;
     std::vector<BroadPhaseIndex::Move> left;
@@ -189,15 +190,16 @@ bool measure_cell(const Cell& cell, const Workload& work, std::vector<Candidate>
         }
     show_progress("");
     bool same = true;
-    for (const Candidate& c : candidates) same = same && c.query_counts == candidates[0].query_counts;
+    for (const Candidate& c : candidates)
+        same = same && c.query_counts == candidates[0].query_counts;
     if (same) return true;
     std::fprintf(stderr, "jostle-bench: %s, %u bodies, moving %s: the kinds disagree\n",
                  cell.arrangement.c_str(), cell.bodies, cell.moving.c_str());
     for (const Candidate& c : candidates)
         std::fprintf(stderr, "  %-6s %zu pairs (sum %016llx), %zu rays hit (sum %.17g)\n",
                      c.name.c_str(), c.query_counts.pairs,
-                     static_cast<unsigned long long>(c.query_counts.pair_sum), c.query_counts.ray_hits,
-                     c.query_counts.ray_sum);
+                     static_cast<unsigned long long>(c.query_counts.pair_sum),
+                     c.query_counts.ray_hits, c.query_counts.ray_sum);
     return false;
 }
 
@@ -259,7 +261,7 @@ int run(const Flags& flags) {
             for (const std::string& moving : flags.moving) {
                 const Cell cell{arrangement, moving, bodies};
                 const Workload work = generate_workload(arrangement_names.at(arrangement),
-                                                      moving_names.at(moving), bodies);
+                                                        moving_names.at(moving), bodies);
                 std::vector<Candidate> candidates;
                 for (const std::string& kind : flags.kinds)
                     candidates.push_back(Candidate{.name = kind});

@@ -31,7 +31,7 @@ wire::QuantizedFrame quantized(std::uint32_t tick, const std::vector<physics::Bo
 }  // namespace
 
 Result<CapturedScene> capture_scene(const std::string& name, double seconds,
-                                   const wire::QuantSpec& spec) {
+                                    const wire::QuantSpec& spec) {
     const auto scene = scenes::find_scene(name);
     if (!scene) return unknown_scene(name);
     auto built = scenes::build_scene(*scene);

@@ -20,7 +20,7 @@ struct CapturedScene {
 
 // An error names the scene and what there is instead, or why its world stopped.
 Result<CapturedScene> capture_scene(const std::string& name, double seconds,
-                                   const wire::QuantSpec& spec);
+                                    const wire::QuantSpec& spec);
 
 // Bodies of `now` whose pose differs from that in `base`, which has the same bodies.
 std::size_t count_moving(const wire::QuantizedFrame& now, const wire::QuantizedFrame& base);

@@ -51,7 +51,7 @@ Exit status: 0 done, 1 a feature costs more than --max-percent or the file could
 
 struct Flags {
     int rounds = 40, steps = 60;
-    double max_percent = 0;             // percent; 0: whatever it is
+    double max_percent = 0;         // percent; 0: whatever it is
     std::vector<std::string> only;  // empty: all
     std::string json;
 };
@@ -265,7 +265,9 @@ void add_features(CLI::App& app, int& status) {
     command->add_option("--steps", flags->steps, "Steps in a round")
         ->capture_default_str()
         ->check(CLI::Range(1, 10000));
-    command->add_option("--max-percent", flags->max_percent, "Percent: fails when a feature costs more")
+    command
+        ->add_option("--max-percent", flags->max_percent,
+                     "Percent: fails when a feature costs more")
         ->check(CLI::Range(0.0, 1000.0));
     command->add_option("--json", flags->json, "Writes the figures here as JSON");
     command->footer(footer);

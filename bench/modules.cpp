@@ -69,12 +69,9 @@ void print(const Row& row) {
 
 nlohmann::ordered_json to_json(const Row& row) {
     const double ms = mean(row.step_ms);
-    return {{"case", row.name},
-            {"objects", row.objects},
-            {"ms_mean", ms},
-            {"ms_p99", percentile_99(row.step_ms)},
-            {"ms_worst", max_of(row)},
-            {"us_per_object", 1e3 * ms / row.objects},
+    return {{"case", row.name},        {"objects", row.objects},
+            {"ms_mean", ms},           {"ms_p99", percentile_99(row.step_ms)},
+            {"ms_worst", max_of(row)}, {"us_per_object", 1e3 * ms / row.objects},
             {"late", count_late(row)}};
 }
 
@@ -85,7 +82,8 @@ int run(const Flags& flags) {
     nlohmann::ordered_json rows = nlohmann::ordered_json::array();
     for (const ModuleCase& one : module_cases()) {
         const auto& contains = flags.cases;
-        if (!contains.empty() && std::find(contains.begin(), contains.end(), one.name) == contains.end())
+        if (!contains.empty() &&
+            std::find(contains.begin(), contains.end(), one.name) == contains.end())
             continue;
         const Row row = measure(one, flags);
         print(row);

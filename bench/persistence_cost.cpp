@@ -69,7 +69,7 @@ void repeat_once(server::HostedWorld& world, std::uint32_t tick, physics::Restor
     server::CheckpointCopy moment{.tick = tick, .bodies = std::move(spare), .host_state = {}};
     time(times.checkpoint, [&] {
         moment.host_state = world.host_state(tick);
-        moment.bodies.keep(world.world());
+        moment.bodies.capture(world.world());
     });
     server::CheckpointData host_state;
     time(times.encode, [&] { host_state = must(server::encode_checkpoint(moment)); });

@@ -98,7 +98,7 @@ void wake_all(World& world) {
 void repeat_once(Row& row, World& world, RestorePoint& point, int steps) {
     const std::uint64_t moment = physics::state_hash(world);
     const double began = cpu_seconds();
-    point.keep(world);
+    point.capture(world);
     const double saved = cpu_seconds();
     if (row.scene == "woken") wake_all(world);
     const double played = cpu_seconds();
@@ -124,7 +124,7 @@ Row measure(const std::string& scene, int bodies, const Flags& flags) {
     World world = scene == "pile" ? make_pile(bodies) : make_asleep(bodies);
     Row row{.scene = scene, .bodies = bodies, .contacts = world.summary().contacts};
     RestorePoint point;
-    point.keep(world);
+    point.capture(world);
     for (int k = 0; k < flags.repetitions && row.same; k++)
         repeat_once(row, world, point, flags.steps);
     for (int k = 0; k < 3 && row.same; k++) save_and_load(row, world);

@@ -38,7 +38,7 @@ struct Flags {
     std::vector<std::string> scenes = {"all"};
     std::vector<int> threads = {1, 2};
     int rounds = 3, steps = 0;  // 0: the scene's own
-    double max_ratio = 0;         // 0: whatever it is
+    double max_ratio = 0;       // 0: whatever it is
     std::string json;
 };
 
@@ -107,8 +107,9 @@ Row measure(const SpeedScene& speed_scene, const Flags& flags) {
         }
         for (int step = 0; step < row.steps; step++) {
             if (step % 20 == 0)
-                show_progress(std::string(speed_scene.letter) + " " + speed_scene.name + ", round " +
-                              std::to_string(round + 1) + ", step " + std::to_string(step));
+                show_progress(std::string(speed_scene.letter) + " " + speed_scene.name +
+                              ", round " + std::to_string(round + 1) + ", step " +
+                              std::to_string(step));
             for (std::size_t k = 0; k < count; k++) {
                 const std::size_t turn = (k + static_cast<std::size_t>(step + round)) % count;
                 double& ms = least[turn][static_cast<std::size_t>(step)];

@@ -7,8 +7,8 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "bench/measure.h"
 #include "bench/captured_scene.h"
+#include "bench/measure.h"
 #include "jostle/snapshot/frame_codec.h"
 
 namespace {
@@ -39,15 +39,17 @@ struct LoadMetrics {
 
 // Every age-th frame, as a client at that share of the world's rate gets them.
 std::optional<LoadMetrics> measure(const std::vector<wire::QuantizedFrame>& frames, std::size_t age,
-                               wire::Codec codec) {
+                                   wire::Codec codec) {
     double encoding = 0, decoding = 0;
     std::size_t bytes = 0, moving = 0, count = 0;
     for (std::size_t i = 3 * age; i < frames.size(); i += age) {
-        const wire::Baselines baselines{&frames[i - age], &frames[i - 2 * age], &frames[i - 3 * age]};
+        const wire::Baselines baselines{&frames[i - age], &frames[i - 2 * age],
+                                        &frames[i - 3 * age]};
         const auto began = bench::cpu_seconds();
         const auto packed = wire::encode_frame(frames[i], baselines, {}, codec);
         const auto encoded = bench::cpu_seconds();
-        const auto back = wire::decode_frame(frames[i].frame, packed, baselines, {}, 1u << 20, codec);
+        const auto back =
+            wire::decode_frame(frames[i].frame, packed, baselines, {}, 1u << 20, codec);
         decoding += bench::cpu_seconds() - encoded;
         encoding += encoded - began;
         if (!back.ok() || *back != frames[i]) {
@@ -62,10 +64,10 @@ std::optional<LoadMetrics> measure(const std::vector<wire::QuantizedFrame>& fram
     const double per_frame = static_cast<double>(std::max<std::size_t>(count, 1));
     const double per_moving = static_cast<double>(std::max<std::size_t>(moving, 1));
     return LoadMetrics{.moving = static_cast<double>(moving) / per_frame,
-                   .bytes = static_cast<double>(bytes) / per_frame,
-                   .bits = 8 * static_cast<double>(bytes) / per_moving,
-                   .encode_ns = encoding * 1e9 / per_moving,
-                   .decode_ns = decoding * 1e9 / per_moving};
+                       .bytes = static_cast<double>(bytes) / per_frame,
+                       .bits = 8 * static_cast<double>(bytes) / per_moving,
+                       .encode_ns = encoding * 1e9 / per_moving,
+                       .decode_ns = decoding * 1e9 / per_moving};
 }
 
 int run(const Flags& flags) {
@@ -118,7 +120,8 @@ int main(int argc, char** argv) {
     app.add_option("--seconds", flags.seconds, "Simulated time of each scene")
         ->capture_default_str()
         ->check(CLI::Range(0.5, 600.0));
-    app.add_option("--baseline-age", flags.ages, "Ticks between a frame and its base; may be repeated")
+    app.add_option("--baseline-age", flags.ages,
+                   "Ticks between a frame and its base; may be repeated")
         ->capture_default_str()
         ->check(CLI::Range(1, 60));
     app.add_option("--codec", flags.codecs, "1 or 2; may be repeated")

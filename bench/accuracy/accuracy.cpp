@@ -11,20 +11,20 @@
 #include <string>
 #include <vector>
 
+#include "bench/accuracy/accuracy_overview.h"
 #include "bench/accuracy/accuracy_plot.h"
 #include "bench/accuracy/accuracy_report.h"
-#include "bench/accuracy/accuracy_overview.h"
-#include "bench/accuracy/flag_selection.h"
 #include "bench/accuracy/doc_tables.h"
-#include "bench/accuracy/run_row.h"
+#include "bench/accuracy/flag_selection.h"
 #include "bench/accuracy/regression.h"
+#include "bench/accuracy/run_row.h"
 #include "bench/measure.h"
 #include "bench/result_file.h"
 
 namespace jostle::bench {
 namespace {
 
-using namespace lab;
+using namespace accuracy;
 
 constexpr const char* footer = R"(
 Each row runs in a process of its own: an engine that crashes leaves a row that says so. Errors are

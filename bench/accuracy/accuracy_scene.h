@@ -69,9 +69,10 @@ struct Joint {
     Vec3 axis{0, 1, 0};
     double stiffness = 0, damping = 0;  // of springs: N/m and N s/m
     double rest_length = 0;             // of springs: m
-    std::optional<Vec3> misaligned_anchor_b;           // of balls: where their end at b is instead of the anchor
-    std::optional<Motor> motor;         // of hinges
-    std::optional<Limit> limit;         // of hinges
+    std::optional<Vec3>
+        misaligned_anchor_b;     // of balls: where their end at b is instead of the anchor
+    std::optional<Motor> motor;  // of hinges
+    std::optional<Limit> limit;  // of hinges
 };
 
 // Friction and restitution are those of each pair. An engine undoes its own rule of mixing.

@@ -70,9 +70,9 @@ public:
 private:
     Status add_body(const Scene& scene, const Body& body) {
         b2BodyDef def;
-        def.type = body.motion == Motion::free     ? b2_dynamicBody
-                   : body.motion == Motion::driven ? b2_kinematicBody
-                                                   : b2_staticBody;
+        def.type = body.motion == Motion::free        ? b2_dynamicBody
+                   : body.motion == Motion::kinematic ? b2_kinematicBody
+                                                      : b2_staticBody;
         def.position = flat(body.pose.position);
         def.angle = angle_of(body.pose.rotation);
         def.linearVelocity = flat(body.velocity);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Bullet in double precision. A library of its own, opened at run time (bullet_accuracy_library.cpp):
-// jostle-bench speed links Bullet in single precision, and both have the same names.
+// Bullet in double precision. A library of its own, opened at run time
+// (bullet_accuracy_library.cpp): jostle-bench speed links Bullet in single precision, and both have
+// the same names.
 #include <btBulletDynamicsCommon.h>
 
 #include <BulletDynamics/ConstraintSolver/btNNCGConstraintSolver.h>
@@ -163,7 +164,7 @@ private:
         info.m_restitution = std::sqrt(scene.restitution);
         auto rigid = std::make_unique<btRigidBody>(info);
         rigid->setActivationState(DISABLE_DEACTIVATION);
-        if (body.motion == Motion::driven) {
+        if (body.motion == Motion::kinematic) {
             rigid->setCollisionFlags(btCollisionObject::CF_KINEMATIC_OBJECT);
             driven_.push_back(bodies_.size());
         }

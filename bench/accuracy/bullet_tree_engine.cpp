@@ -42,7 +42,7 @@ Transform pose_in(const Scene& scene, int body) {
 // Links are numbered so that parents come first.
 std::vector<int> parents_first(const BodyTree& tree) {
     std::vector<int> order;
-    std::vector<bool> transformed_shape(tree.nodes.size());
+    std::vector<bool> placed(tree.nodes.size());
     while (order.size() < tree.nodes.size())
         for (std::size_t k = 0; k < tree.nodes.size(); k++) {
             const int parent = tree.nodes[k].parent;
@@ -61,7 +61,8 @@ Status check(const Scene& scene, const BodyTree& tree) {
     for (const BodyTree::Node& node : tree.nodes)
         if (!node.joint) return Error{.message = "bullet's trees hold jointed bodies alone"};
     for (const Joint& joint : scene.joints)
-        if (joint.kind == JointKind::rod || joint.kind == JointKind::spring || joint.misaligned_anchor_b)
+        if (joint.kind == JointKind::rod || joint.kind == JointKind::spring ||
+            joint.misaligned_anchor_b)
             return Error{.message = "bullet's trees have no rods, springs or torn joints"};
     return {};
 }

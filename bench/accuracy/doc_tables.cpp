@@ -5,8 +5,8 @@
 #include <fstream>
 #include <iterator>
 
-#include "bench/accuracy/flag_selection.h"
 #include "bench/accuracy/accuracy_engine_kinds.h"
+#include "bench/accuracy/flag_selection.h"
 #include "bench/accuracy/stress_test.h"
 #include "bench/result_file.h"
 #include "jostle/base/format_text.h"

@@ -86,7 +86,7 @@ std::vector<const EngineKind*> selected_engines(const std::vector<std::string>& 
 }
 
 std::vector<std::string> selected_modes(const EngineKind& kind,
-                                      const std::vector<std::string>& chosen) {
+                                        const std::vector<std::string>& chosen) {
     if (contains(chosen, "all")) return kind.modes;
     std::vector<std::string> modes;
     for (const std::string& mode : kind.modes)

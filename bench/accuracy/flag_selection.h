@@ -24,11 +24,11 @@ std::vector<const Experiment*> selected_experiments(const std::vector<std::strin
 std::vector<const EngineKind*> selected_engines(const std::vector<std::string>& peers);
 // Of the engine: all, its default, or those that are named.
 std::vector<std::string> selected_modes(const EngineKind& kind,
-                                      const std::vector<std::string>& chosen);
+                                        const std::vector<std::string>& chosen);
 
 std::string engine_list();      // for --help
 std::string experiment_list();  // for --help
-void print_missing_peers();         // peers that are not built in, on stderr
+void print_missing_peers();     // peers that are not built in, on stderr
 nlohmann::ordered_json result_header(const char* benchmark);
 
 }  // namespace jostle::bench::accuracy

@@ -116,7 +116,8 @@ ExperimentRun tumble(double seconds) {
     scene.bodies = {body};
     std::shared_ptr<const Trajectory> axis;  // ten minutes of it would take 300 MB
     if (seconds <= 10)
-        axis = cached_trajectory("f4", [&] { return free_axis_y(body.inertia, body.spin, seconds); });
+        axis =
+            cached_trajectory("f4", [&] { return free_axis_y(body.inertia, body.spin, seconds); });
     return {std::move(scene), seconds, std::make_unique<TumbleMeter>(body, axis)};
 }
 

@@ -97,9 +97,9 @@ private:
     }
 
     Status add_body(const Scene& scene, const Body& body) {
-        BodyDef def{.type = body.motion == Motion::fixed    ? BodyType::static_body
-                            : body.motion == Motion::driven ? BodyType::kinematic
-                                                            : BodyType::dynamic,
+        BodyDef def{.type = body.motion == Motion::fixed       ? BodyType::static_body
+                            : body.motion == Motion::kinematic ? BodyType::kinematic
+                                                               : BodyType::dynamic,
                     .pose = body.pose,
                     .linear_velocity = body.velocity,
                     .angular_velocity = body.spin};
@@ -145,7 +145,8 @@ private:
         }
         const Quat turned = axes_along(joint.axis);
         const bool two_anchors = joint.kind == JointKind::rod || joint.kind == JointKind::spring;
-        const Vec3 end_b = two_anchors ? joint.anchor_b : joint.misaligned_anchor_b.value_or(joint.anchor);
+        const Vec3 end_b =
+            two_anchors ? joint.anchor_b : joint.misaligned_anchor_b.value_or(joint.anchor);
         const Transform a = pose_of(scene, joint.a), b = pose_of(scene, joint.b);
         def.frame_a = {apply_inverse(a, joint.anchor), conjugate(a.rotation) * turned};
         def.frame_b = {apply_inverse(b, end_b), conjugate(b.rotation) * turned};

@@ -202,12 +202,13 @@ Result<std::string> mujoco_xml(const Scene& scene, const BodyTree& tree, const s
     if (scene.restitution > 0) return Error{.message = "restitution is no parameter of mujoco"};
     for (const Joint& joint : scene.joints) {
         if (joint.kind == JointKind::rod) return Error{.message = "mujoco has no rods"};
-        if (joint.misaligned_anchor_b) return Error{.message = "torn joints are not made in mujoco"};
+        if (joint.misaligned_anchor_b)
+            return Error{.message = "torn joints are not made in mujoco"};
         if (joint.motor && joint.motor->max_torque > weak && mode.find("implicit") == mode.npos)
             return Error{.message = "mujoco's strong motors ask for its implicit integrator"};
     }
     for (const Body& body : scene.bodies)
-        if (body.motion == Motion::driven)
+        if (body.motion == Motion::kinematic)
             return Error{.message = "mujoco's driven bodies are not made here"};
     std::string sites;
     for (std::size_t j = 0; j < scene.joints.size(); j++)

@@ -87,7 +87,8 @@ public:
         for (const Body& body : scene.bodies)
             if (auto status = add_body(body); !status) return status;
         for (const Joint& joint : scene.joints) {
-            if (joint.misaligned_anchor_b) return Error{.message = "torn joints are not made in ode"};
+            if (joint.misaligned_anchor_b)
+                return Error{.message = "torn joints are not made in ode"};
             add_joint(joint);
         }
         return {};
@@ -193,7 +194,7 @@ private:
         dBodySetQuaternion(id, OdeQuaternion(body.pose.rotation).values);
         dBodySetLinearVel(id, v.x, v.y, v.z);
         dBodySetAngularVel(id, w.x, w.y, w.z);
-        if (body.motion == Motion::driven) dBodySetKinematic(id);
+        if (body.motion == Motion::kinematic) dBodySetKinematic(id);
         if (geom) {
             dGeomSetBody(geom, id);
             dGeomSetOffsetQuaternion(geom, OdeQuaternion(geom_rotation(body)).values);

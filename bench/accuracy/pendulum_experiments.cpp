@@ -43,7 +43,7 @@ struct Link {
 
 // Links hung from each other and released at rest, all horizontal.
 ExperimentRun chain(const std::string& name, const std::vector<Link>& links, JointKind kind,
-            double total_length, double gap_length) {
+                    double total_length, double gap_length) {
     Scene scene{.name = name, .planar = true};
     std::vector<ChainLink> truth_links;
     Vec3 upper;
@@ -56,7 +56,8 @@ ExperimentRun chain(const std::string& name, const std::vector<Link>& links, Joi
         upper += hanging(pi / 2) * (2 * link.half_length);
     }
     const std::size_t last = links.size() - 1;
-    const auto track = cached_trajectory(name, [&] { return planar_chain(truth_links, pi / 2, 2, last); });
+    const auto track =
+        cached_trajectory(name, [&] { return planar_chain(truth_links, pi / 2, 2, last); });
     auto meter = track_meter(
         scene, static_cast<int>(last), [track](double t) { return at_time(*track, t); },
         total_length, gap_length);

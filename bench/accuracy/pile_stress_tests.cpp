@@ -60,7 +60,7 @@ Squeeze squeezed_pile() {
         const bool along_x = side % 2 == 0;
         Body moving = fixed_box({along_x ? wall : 2, along_x ? 2 : wall, 0.45 * height},
                                 out * (start_half + wall) + Vec3{0, 0, 0.5 * height});
-        moving.motion = Motion::driven;
+        moving.motion = Motion::kinematic;
         squeeze.scene.bodies.push_back(std::move(moving));
     }
     return squeeze;

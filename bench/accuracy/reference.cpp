@@ -90,7 +90,7 @@ Vec3 at_time(const Trajectory& track, double t) {
 }
 
 std::shared_ptr<const Trajectory> cached_trajectory(const std::string& name,
-                                        const std::function<Trajectory()>& make) {
+                                                    const std::function<Trajectory()>& make) {
     static std::map<std::string, std::shared_ptr<const Trajectory>> trajectories;
     auto& track = trajectories[name];
     if (!track) track = std::make_shared<const Trajectory>(make());
@@ -148,7 +148,7 @@ double pendulum_period(double rate, double start_angle) {
 }
 
 Trajectory planar_chain(const std::vector<ChainLink>& links, double start_angle, double seconds,
-                   std::size_t which) {
+                        std::size_t which) {
     ChainEquations equations(links);
     State y(2 * links.size(), 0);
     std::fill_n(y.begin(), links.size(), start_angle);
@@ -199,7 +199,7 @@ double catenary_sag(int links, double link_length, double span) {
         const double middle = 0.5 * (low + high);
         (sums(middle).first < span ? low : high) = middle;
     }
-    return sums(0.5 * (low + high)).secondary;
+    return sums(0.5 * (low + high)).second;
 }
 
 }  // namespace jostle::bench::accuracy

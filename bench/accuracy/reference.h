@@ -21,7 +21,7 @@ Vec3 at_time(const Trajectory& track, double t);
 
 // Kept by name: rows of one scene share it.
 std::shared_ptr<const Trajectory> cached_trajectory(const std::string& name,
-                                        const std::function<Trajectory()>& make);
+                                                    const std::function<Trajectory()>& make);
 
 // dy/dt = rate(y). One step of h seconds.
 using State = std::vector<double>;
@@ -47,7 +47,7 @@ struct ChainLink {
 };
 // The centre of link `which` for `seconds`, released at rest with all links at one angle.
 Trajectory planar_chain(const std::vector<ChainLink>& links, double start_angle, double seconds,
-                   std::size_t which);
+                        std::size_t which);
 
 // --- free bodies ---
 

@@ -87,7 +87,8 @@ void print(const Row& row) {
         std::printf("%-10s %4g  %s\n", row.scene.c_str(), row.rate_hz, row.failed.c_str());
 }
 
-int print_changes(const std::vector<RegressionChange>& changes, std::size_t rows, const std::string& file) {
+int print_changes(const std::vector<RegressionChange>& changes, std::size_t rows,
+                  const std::string& file) {
     int faults = 0, better = 0;
     for (const RegressionChange& change : changes) {
         (change.fault ? faults : better)++;
@@ -126,8 +127,8 @@ std::vector<Row> regression_rows(const std::vector<const Experiment*>& experimen
     return rows;
 }
 
-std::vector<RegressionChange> changes_between(const std::vector<Row>& before, const std::vector<Row>& after,
-                                    bool all) {
+std::vector<RegressionChange> changes_between(const std::vector<Row>& before,
+                                              const std::vector<Row>& after, bool all) {
     std::vector<RegressionChange> changes;
     for (const Row& row : after) {
         if (const Row* old = find_row(before, row))

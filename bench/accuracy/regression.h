@@ -29,8 +29,8 @@ struct RegressionChange {
     bool fault = false;  // worse, or not comparable; else better by more than a third
 };
 // Rows of scenes that `after` has none of are not missed when `all` is false.
-std::vector<RegressionChange> changes_between(const std::vector<Row>& before, const std::vector<Row>& after,
-                                    bool all);
+std::vector<RegressionChange> changes_between(const std::vector<Row>& before,
+                                              const std::vector<Row>& after, bool all);
 
 // Runs the scenes and holds them against the file, or writes it anew. Exit status: 0 no fault, 1
 // faults, or the file cannot be read or written. Without a file it prints alone.

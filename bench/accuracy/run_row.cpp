@@ -18,9 +18,9 @@
 namespace jostle::bench::accuracy {
 namespace {
 
-constexpr double furthest = 1e5;    // m
+constexpr double furthest = 1e5;        // m
 constexpr double short_run_max = 0.05;  // s of processor time: repeated
-constexpr double long_run = 0.4;    // s: longer runs are timed once
+constexpr double long_run = 0.4;        // s: longer runs are timed once
 constexpr int repetitions = 3;
 constexpr double longest = 20;  // s of processor time: one start that takes more is ended
 

@@ -17,7 +17,7 @@ struct Row {
     double rate_hz = 0;
     double error = 0, second_error = 0;
     double cpu_us_per_second = 0;  // of the step calls, per simulated second
-    std::string failed;  // why the run is worth nothing: NaN, further than 1e5 m, a complaint
+    std::string failed;       // why the run is worth nothing: NaN, further than 1e5 m, a complaint
     std::string unsupported;  // what the scene has and the engine does not: the row is left out
 
     bool usable() const { return failed.empty() && unsupported.empty(); }
@@ -38,7 +38,7 @@ Row run_row_in_child(const Experiment& experiment, const EngineKind& kind, const
 // One start, without taking its time.
 struct Outcome {
     Errors errors;
-    std::string blown;       // why; empty: it is not
+    std::string failed;      // why; empty: it is not
     std::vector<Vec3> last;  // where the bodies are at the end
 };
 Result<Outcome> run_once(ExperimentRun start, const EngineKind& kind, const std::string& mode,

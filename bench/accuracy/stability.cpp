@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "bench/accuracy/flag_selection.h"
 #include "bench/accuracy/doc_tables.h"
+#include "bench/accuracy/flag_selection.h"
 #include "bench/accuracy/stress_test.h"
 #include "bench/measure.h"
 #include "bench/result_file.h"
@@ -19,7 +19,7 @@
 namespace jostle::bench {
 namespace {
 
-using namespace lab;
+using namespace accuracy;
 
 constexpr const char* footer = R"(
 A test passes when no body is lost, the engine complains of nothing, no body is ever twice as fast

@@ -47,7 +47,8 @@ std::vector<Experiment> stack_experiments() {
     constexpr const char* fell = "1 when it stands, 0 when it fell; largest move, m";
     std::vector<Experiment> all;
     const auto add = [&](const char* name, const char* about, const char* measures,
-                         std::vector<double> tolerances, std::function<ExperimentRun(double)> start) {
+                         std::vector<double> tolerances,
+                         std::function<ExperimentRun(double)> start) {
         all.push_back({.name = name,
                        .about = about,
                        .measures = measures,

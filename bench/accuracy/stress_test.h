@@ -18,7 +18,7 @@ struct Verdict {
     bool pass = false;
     std::optional<double> figure;  // passes when it is below the limit; none: the run was lost
     std::string why;               // it fails, where the figure does not say it
-    std::string lacks;             // what the engine does not have: not run
+    std::string unsupported;       // what the engine does not have: not run
 };
 
 struct StressTest {

@@ -42,9 +42,9 @@ private:
         std::int32_t below = -1;  // of the two nodes beside each other; of a cell its number
     };
     struct Cell {
-        physics::Aabb region;        // endless where it has no neighbour
-        std::vector<Entry> entries;  // that reach into it
-        std::size_t split_threshold = 0;    // so many before a division is tried (again)
+        physics::Aabb region;             // endless where it has no neighbour
+        std::vector<Entry> entries;       // that reach into it
+        std::size_t split_threshold = 0;  // so many before a division is tried (again)
     };
     struct Split {
         int axis = -1;

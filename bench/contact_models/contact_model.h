@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The three contact-models to contact. Each is one file that can be read alone:
+// The three models of contact. Each is one file that can be read alone:
 //   penalty_model.cpp   springs: a force that grows with the overlap
 //   impulse_model.cpp   velocity constraints: impulses that forbid approach (sequential impulses)
 //   xpbd_model.cpp      positions: move things apart, and take the velocity from where they came
@@ -13,7 +13,7 @@
 
 #include "bench/contact_models/contact_scene.h"
 
-namespace jostle::bench::contact-models {
+namespace jostle::bench::contact_models {
 
 class ContactModel {
 public:
@@ -33,4 +33,4 @@ std::unique_ptr<ContactModel> make_penalty_model();
 std::unique_ptr<ContactModel> make_impulse_model();
 std::unique_ptr<ContactModel> make_xpbd_model();
 
-}  // namespace jostle::bench::contact-models
+}  // namespace jostle::bench::contact_models

@@ -17,9 +17,11 @@ namespace contact_models {
 namespace {
 
 constexpr std::array kinds = {
-    ContactModelKind{"penalty", "springs of 1e5 N/m and dampers, an explicit step", make_penalty_model},
-    ContactModelKind{"impulses", "velocity constraints: ten rounds of sequential impulses, warm started",
-             make_impulse_model},
+    ContactModelKind{"penalty", "springs of 1e5 N/m and dampers, an explicit step",
+                     make_penalty_model},
+    ContactModelKind{"impulses",
+                     "velocity constraints: ten rounds of sequential impulses, warm started",
+                     make_impulse_model},
     ContactModelKind{"xpbd", "positions: ten sub-steps of one pass", make_xpbd_model},
 };
 constexpr double long_enough = 0.01;  // s of processor time: a run is repeated until then
@@ -166,7 +168,8 @@ nlohmann::ordered_json to_json(const ContactModelRow& row) {
 void add_contact_models(CLI::App& app, int& status) {
     using namespace contact_models;
     CLI::App* command = app.add_subcommand(
-        "contact-models", "Penalty forces, velocity constraints and positions on one contact scene.");
+        "contact-models",
+        "Penalty forces, velocity constraints and positions on one contact scene.");
     const auto flags = std::make_shared<Flags>();
     command->add_option("--model", flags->contact_models, "By name, or all")
         ->delimiter(',')

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// jostle-bench contact_models: penalty forces, velocity constraints and positions on one contact scene.
+// jostle-bench contact_models: penalty forces, velocity constraints and positions on one contact
+// scene.
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -89,7 +89,7 @@ ContactScene::ContactScene(double dt)
 void ContactScene::sample() {
     steps_++;
     for (const Ball& ball : balls)
-        if (!(length(ball.velocity) < fastest)) blown_ = true;
+        if (!(length(ball.velocity) < fastest)) failed_ = true;
     for (std::size_t k = 0; k < bounced_.size(); k++) {
         const Ball& ball = balls[k];
         const bool rises = ball.velocity.z > 0;
@@ -108,7 +108,7 @@ void ContactScene::sample() {
 }
 
 SceneErrors ContactScene::errors() const {
-    SceneErrors errors{.overlap = overlap_, .failed = blown_};
+    SceneErrors errors{.overlap = overlap_, .failed = failed_};
     convergence::Rms apex;
     for (const double height : apex_) {
         const double error = height / (bounce * bounce * drop_height) - 1;

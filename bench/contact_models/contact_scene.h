@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// One scene for all contact_models: sixteen balls drop on a plane, ten stand in a stack, one slides until
-// friction stops it. Balls do not turn: what is compared is how a contact is resolved, and nothing
-// else. SI units, z up, the plane is z = 0.
+// One scene for all contact_models: sixteen balls drop on a plane, ten stand in a stack, one slides
+// until friction stops it. Balls do not turn: what is compared is how a contact is resolved, and
+// nothing else. SI units, z up, the plane is z = 0.
 #pragma once
 
 #include <vector>
@@ -51,10 +51,10 @@ inline constexpr double scene_seconds = 2;
 
 // Of one run.
 struct SceneErrors {
-    double overlap = 0;  // m: deepest of the stack over the second second
-    double energy = 0;   // of the dropped balls after the bounce, by their apex: RMS error over it
-    double slide = 0;    // error of the stopping distance over the distance
-    bool blown = false;  // a ball is faster than it can have become, or no number
+    double overlap = 0;   // m: deepest of the stack over the second second
+    double energy = 0;    // of the dropped balls after the bounce, by their apex: RMS error over it
+    double slide = 0;     // error of the stopping distance over the distance
+    bool failed = false;  // a ball is faster than it can have become, or no number
 };
 
 // Makes the scene for a time step, looks at it after each, and tells the errors.
@@ -72,7 +72,7 @@ private:
 
     int steps_ = 0;
     double dt_;
-    bool blown_ = false;
+    bool failed_ = false;
     double overlap_ = 0;
     std::vector<bool> bounced_;
     std::vector<double> apex_;

@@ -152,8 +152,8 @@ public:
     CubeCoder(IntervalEncoder& out, Models& models, std::int32_t m)
         : out_(out), models_(models), m_(m) {}
 
-    Motion code(const wire::EntityState& now, const wire::EntityState& baseline, const Motion& before,
-                bool near_player) {
+    Motion code(const wire::EntityState& now, const wire::EntityState& baseline,
+                const Motion& before, bool near_player) {
         Motion motion;
         bool turned = now.largest != baseline.largest, moved = false;
         for (std::size_t k = 0; k < 3; k++) {
@@ -171,13 +171,14 @@ public:
             for (std::size_t k = 0; k < 3; k++)
                 models_.step[magnitude_class(before.step[k])].code(
                     out_, motion.step[k] - before.step[k], before.step[k] < 0);
-        models_.awake[(baseline.at_rest ? 0 : 1) + (motion.changing ? 2 : 0)].code(out_, !now.at_rest);
+        models_.awake[(baseline.at_rest ? 0 : 1) + (motion.changing ? 2 : 0)].code(out_,
+                                                                                   !now.at_rest);
         return motion;
     }
 
 private:
-    void rotation(const wire::EntityState& now, const wire::EntityState& baseline, const Motion& motion,
-                  const Motion& before) {
+    void rotation(const wire::EntityState& now, const wire::EntityState& baseline,
+                  const Motion& motion, const Motion& before) {
         models_.largest[largest_context(baseline, m_)].code(out_, now.largest);
         if (now.largest != baseline.largest) return other_largest(now, baseline, before);
         for (std::size_t k = 0; k < 3; k++)
@@ -218,7 +219,8 @@ private:
 GiesenCoder::Coded GiesenCoder::encode(const wire::QuantizedFrame& now,
                                        const wire::QuantizedFrame& baseline,
                                        const StatePtr& baseline_state) const {
-    auto state = baseline_state ? std::make_shared<State>(*baseline_state) : std::make_shared<State>();
+    auto state =
+        baseline_state ? std::make_shared<State>(*baseline_state) : std::make_shared<State>();
     state->motions.resize(now.entities.size());
     IntervalEncoder out;
     CubeCoder cubes(out, state->models, m_);

@@ -7,9 +7,9 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "bench/captured_scene.h"
 #include "bench/measure.h"
 #include "bench/network/giesen_model.h"
-#include "bench/captured_scene.h"
 #include "bench/result_file.h"
 #include "jostle/snapshot/frame_codec.h"
 
@@ -51,7 +51,8 @@ using Frames = std::vector<wire::QuantizedFrame>;
 bool run_codec(Row& row, const Frames& frames, std::size_t age, const wire::QuantSpec& spec,
                wire::Codec codec) {
     for (std::size_t i = 3 * age; i < frames.size(); i++) {
-        const wire::Baselines baselines{&frames[i - age], &frames[i - 2 * age], &frames[i - 3 * age]};
+        const wire::Baselines baselines{&frames[i - age], &frames[i - 2 * age],
+                                        &frames[i - 3 * age]};
         const double began = cpu_seconds();
         const auto packed = wire::encode_frame(frames[i], baselines, spec, codec);
         const double encoded = cpu_seconds();
@@ -96,9 +97,9 @@ nlohmann::ordered_json to_json(const Row& row) {
 }
 
 void print_row(const Row& row) {
-    std::printf("%4d %5d  %-8s %7.1f %6.0f %7.1f %7.1f %8.1f", row.baseline, row.m, row.codec.c_str(),
-                mean(row.bytes), percentile_99(row.bytes), mean(row.bytes) * 8 * row.hz / 1000,
-                row.moving, row.encode_us);
+    std::printf("%4d %5d  %-8s %7.1f %6.0f %7.1f %7.1f %8.1f", row.baseline, row.m,
+                row.codec.c_str(), mean(row.bytes), percentile_99(row.bytes),
+                mean(row.bytes) * 8 * row.hz / 1000, row.moving, row.encode_us);
     if (row.decode_us > 0) std::printf(" %8.1f", row.decode_us);
     std::printf("\n");
     std::fflush(stdout);
@@ -167,7 +168,9 @@ void add_network(CLI::App& app, int& status) {
     command->add_option("--seconds", flags->seconds, "Of the scene")
         ->capture_default_str()
         ->check(CLI::Range(1.0, 600.0));
-    command->add_option("--baseline-age", flags->baselines, "Ticks between a frame and its base; with commas")
+    command
+        ->add_option("--baseline-age", flags->baselines,
+                     "Ticks between a frame and its base; with commas")
         ->delimiter(',')
         ->capture_default_str()
         ->check(CLI::Range(1, 15));

@@ -17,7 +17,7 @@ constexpr auto poll_period = std::chrono::milliseconds(10);
 constexpr auto kill_timeout = std::chrono::seconds(5);
 
 [[noreturn]] void exec_program(const std::string& path, const std::vector<std::string>& flags,
-                         const std::string& log) {
+                               const std::string& log) {
     const int out = open(log.c_str(), O_CREAT | O_WRONLY | O_APPEND, 0600);
     dup2(out, STDOUT_FILENO);
     dup2(out, STDERR_FILENO);

@@ -161,7 +161,7 @@ private:
         for (const auto& [known, shape] : shapes_)
             if (known == primitive) return shape.get();
         shapes_.emplace_back(primitive, nullptr);
-        std::unique_ptr<btCollisionShape>& made = shapes_.back().secondary;
+        std::unique_ptr<btCollisionShape>& made = shapes_.back().second;
         if (const auto* hull = std::get_if<physics::Hull>(&primitive)) {
             auto convex = std::make_unique<btConvexHullShape>();
             const btTransform into = frame.inverse();

@@ -14,7 +14,7 @@ namespace jostle::bench {
 struct EngineKind {
     const char* name;
     const char* settings;               // what differs from its defaults, for --help
-    int threads_max;                   // 1 when there is nothing to gain from more
+    int threads_max;                    // 1 when there is nothing to gain from more
     std::unique_ptr<Engine> (*make)();  // null when this build was made without it
 };
 

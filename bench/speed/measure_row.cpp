@@ -146,7 +146,8 @@ std::optional<int> count_tunnelled(const SpeedScene& speed_scene, const SceneDes
     if (!speed_scene.tunnelled_beyond_x) return std::nullopt;
     int count = 0;
     for (std::size_t k = 0; k < poses.size(); k++)
-        count += is_dynamic(scene.bodies[k]) && poses[k].position.x > *speed_scene.tunnelled_beyond_x;
+        count +=
+            is_dynamic(scene.bodies[k]) && poses[k].position.x > *speed_scene.tunnelled_beyond_x;
     return count;
 }
 

@@ -4,8 +4,8 @@
 #pragma once
 
 #include "bench/speed/engine_kinds.h"
-#include "bench/speed/speed_scenes.h"
 #include "bench/speed/speed_row.h"
+#include "bench/speed/speed_scenes.h"
 
 namespace jostle::bench {
 

@@ -90,7 +90,7 @@ Result<std::string> Experiment::ask(Flags flags) {
     std::filesystem::remove(log);
     Program ctl(beside_this_program("jostlectl"), flags, log);
     const auto timeout = call_timeout + std::chrono::duration_cast<std::chrono::milliseconds>(
-                                              std::chrono::duration<double>(request_.seconds));
+                                            std::chrono::duration<double>(request_.seconds));
     if (ctl.wait(timeout) != 0) return ended("jostlectl " + flags[2], ctl);
     return ctl.log();
 }

@@ -6,8 +6,8 @@
 
 #include <string>
 
-#include "bench/speed/speed_scenes.h"
 #include "bench/speed/server_row.h"
+#include "bench/speed/speed_scenes.h"
 
 namespace jostle::bench {
 

@@ -11,10 +11,10 @@
 #include "bench/result_file.h"
 #include "bench/speed/engine_kinds.h"
 #include "bench/speed/growth.h"
-#include "bench/speed/speed_scenes.h"
 #include "bench/speed/measure_row.h"
 #include "bench/speed/measure_server_row.h"
 #include "bench/speed/speed_plot.h"
+#include "bench/speed/speed_scenes.h"
 #include "bench/speed/speed_table.h"
 #include "jostle/scenes/catalog.h"
 
@@ -116,7 +116,8 @@ std::vector<const SpeedScene*> selected_scenes(const Flags& flags) {
     std::vector<const SpeedScene*> chosen;
     for (const SpeedScene& scene : speed_scenes())
         if (contains(flags.scenes, "all") || contains(flags.scenes, scene.letter) ||
-            contains(flags.scenes, scene.name) || (scene.all_move && contains(flags.scenes, "moving")))
+            contains(flags.scenes, scene.name) ||
+            (scene.all_move && contains(flags.scenes, "moving")))
             chosen.push_back(&scene);
     return chosen;
 }

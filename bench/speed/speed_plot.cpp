@@ -44,7 +44,7 @@ void draw_bar(plots::Svg& svg, const SpeedRow& row, plots::SvgPoint top, double 
     const bool checked = row.error_m().has_value();
     std::string label = plots::short_number(row.ms_mean) + " ms";
     if (checked) label += ", " + plots::short_number(error_mm(row)) + " mm";
-    svg.text({top.x + 0.5 * bar_width + 3.5, top.y - 4}, label, {.size = 10, .upright = true});
+    svg.text({top.x + 0.5 * bar_width + 3.5, top.y - 4}, label, {.size = 10, .vertical = true});
 }
 
 void draw_bars(plots::Svg& svg, const std::vector<SpeedRow>& rows, Groups& groups) {

@@ -51,7 +51,8 @@ const SpeedScene* find_speed_scene(std::string_view letter_or_name) {
 
 scenes::SceneDescription build(const SpeedScene& speed_scene) {
     auto scene = scenes::find_scene(speed_scene.name);
-    if (!scene) throw std::logic_error(std::string("the catalogue has no scene ") + speed_scene.name);
+    if (!scene)
+        throw std::logic_error(std::string("the catalogue has no scene ") + speed_scene.name);
     return std::move(*scene);
 }
 

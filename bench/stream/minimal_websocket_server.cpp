@@ -114,8 +114,8 @@ private:
     }
 
     void write_to_all() {
-        const auto message =
-            std::make_shared<const MinimalServerMessage>(make_minimal_server_message(options_.bytes, ++frame_));
+        const auto message = std::make_shared<const MinimalServerMessage>(
+            make_minimal_server_message(options_.bytes, ++frame_));
         for (auto client = clients_.begin(); client != clients_.end();) {
             if (const auto socket = client->lock()) {
                 socket->write(message);

@@ -75,8 +75,8 @@ struct Run {
     double memory_kb = 0;
 };
 
-Result<Run> run_passive_clients(StreamKind kind, const StreamRequest& request, const ServerProcess& server,
-                      int clients, double seconds) {
+Result<Run> run_passive_clients(StreamKind kind, const StreamRequest& request,
+                                const ServerProcess& server, int clients, double seconds) {
     load::LoadOptions plan;
     plan.target = "127.0.0.1:" + std::to_string(transport_of(kind) == load::Transport::websocket
                                                     ? server.http_port()
@@ -88,7 +88,7 @@ Result<Run> run_passive_clients(StreamKind kind, const StreamRequest& request, c
     plan.seconds = seconds;
     plan.transport = transport_of(kind);
     plan.ack_every = request.ack_every;
-    plan.decode_share = 0;
+    plan.decode_ratio = 0;
     const auto address = load::resolve(plan.target);
     if (!address.ok()) return address.error();
     load::PassiveClientPool pool(plan, *address);
@@ -129,7 +129,8 @@ std::optional<StreamKind> minimal_server_of(StreamKind kind) {
 }
 
 Result<StreamCost> measure_stream(StreamKind kind, const StreamRequest& request) {
-    ServerProcess server = is_minimal_server(kind) ? start_minimal_server(kind, request) : start_server(request);
+    ServerProcess server =
+        is_minimal_server(kind) ? start_minimal_server(kind, request) : start_server(request);
     if (server.grpc_port() == 0)
         return Error{ErrorCode::unavailable,
                      std::string(name_of(kind)) + " did not start: " + server.log()};
@@ -147,8 +148,8 @@ Result<StreamCost> measure_stream(StreamKind kind, const StreamRequest& request)
                     .age_ms_p99 = r.age_ms.p99,
                     .client_us_per_message = r.load_cpu_us};
     const double more = request.clients - 1;
-    cost.us_per_message =
-        1e4 * (cost.total_percent - cost.single_client_percent) / (more * cost.snapshots_per_second);
+    cost.us_per_message = 1e4 * (cost.total_percent - cost.single_client_percent) /
+                          (more * cost.snapshots_per_second);
     cost.memory_kb_per_client = (all->memory_kb - one->memory_kb) / more;
     return cost;
 }

@@ -32,9 +32,9 @@ const char* name_of(StreamKind kind);
 std::optional<StreamKind> minimal_server_of(StreamKind kind);
 
 struct StreamCost {
-    double us_per_message = 0;  // of a snapshot: of what else was sent, its share
-    double single_client_percent = 0;    // of a core, with one client
-    double total_percent = 0;   // with all
+    double us_per_message = 0;         // of a snapshot: of what else was sent, its share
+    double single_client_percent = 0;  // of a core, with one client
+    double total_percent = 0;          // with all
     double snapshots_per_second = 0, messages_per_second = 0;  // of a client
     double snapshot_bytes = 0;
     double age_ms_p50 = 0, age_ms_p99 = 0;  // 0: of floors, which tell no time

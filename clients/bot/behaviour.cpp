@@ -184,14 +184,15 @@ void Behaviour::drag(std::vector<v1::Input>& out, const client::WorldView& world
 }
 
 bool Behaviour::take_control(std::vector<v1::Input>& out, const client::WorldView& world,
-                           double seconds) {
+                             double seconds) {
     if (world.entities().contains(controlled_) && seconds < change_at_) return true;
     std::vector<std::uint32_t> controllable;
     for (const auto& [id, entity] : world.entities())
         if (entity.controllable()) controllable.push_back(id);
     controlled_ = 0;
     if (controllable.empty()) return false;
-    controlled_ = controllable[static_cast<std::size_t>(random(0, static_cast<double>(controllable.size())))];
+    controlled_ =
+        controllable[static_cast<std::size_t>(random(0, static_cast<double>(controllable.size())))];
     change_at_ = line_.values.contains("change") ? seconds + value("change") : forever;
     laps_.begin();
     last_position_at_ = -1;
@@ -225,8 +226,9 @@ void Behaviour::race(std::vector<v1::Input>& out, const client::WorldView& world
     const auto [x, y, z] = pose->position;
     laps_.add_position(seconds, x, z);
     const double since = seconds - last_position_at_;
-    const double speed =
-        last_position_at_ < 0 || since <= 0 ? 0 : std::hypot(x - last_position_[0], z - last_position_[2]) / since;
+    const double speed = last_position_at_ < 0 || since <= 0
+                             ? 0
+                             : std::hypot(x - last_position_[0], z - last_position_[2]) / since;
     last_position_ = pose->position;
     last_position_at_ = seconds;
     const double away = std::max(1.0, std::hypot(x, z));

@@ -43,7 +43,8 @@ private:
     void drive(std::vector<v1::Input>& out, const client::WorldView& world);
     void walk(std::vector<v1::Input>& out, const client::WorldView& world);
     void race(std::vector<v1::Input>& out, const client::WorldView& world, double seconds);
-    // Deletes its oldest body when it has `max_bodies` of them; true when there is room for one more.
+    // Deletes its oldest body when it has `max_bodies` of them; true when there is room for one
+    // more.
     bool make_room(std::vector<v1::Input>& out, const std::vector<std::uint32_t>& mine);
 
     const ScriptLine line_;

@@ -4,7 +4,7 @@
 namespace jostle::bots {
 
 Bot::Bot(client::Loop& loop, client::ClientOptions options, const ScriptLine& line,
-               std::uint32_t seed)
+         std::uint32_t seed)
     : client_(client::Client::connect(loop, std::move(options))),
       behaviour_(line, seed),
       began_(client::Clock::now()) {}

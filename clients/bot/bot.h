@@ -13,7 +13,7 @@ namespace jostle::bots {
 class Bot {
 public:
     Bot(client::Loop& loop, client::ClientOptions options, const ScriptLine& line,
-           std::uint32_t seed);
+        std::uint32_t seed);
 
     void think(client::Clock::time_point now);
     client::Client& client() { return *client_; }

@@ -89,9 +89,10 @@ public:
         for (std::size_t i = 0; i < bots.size(); i++)
             for (const auto& laps = bots[i]->laps(); reported_[i] < laps.size(); reported_[i]++) {
                 const jostle::bots::Lap& lap = laps[reported_[i]];
-                lines += "bot " + std::to_string(i + 1) + ": lap " + std::to_string(reported_[i] + 1) +
-                         " in " + number(lap.seconds) + " s, " + number(lap.nearest) + " to " +
-                         number(lap.furthest) + " m from the middle\n";
+                lines += "bot " + std::to_string(i + 1) + ": lap " +
+                         std::to_string(reported_[i] + 1) + " in " + number(lap.seconds) + " s, " +
+                         number(lap.nearest) + " to " + number(lap.furthest) +
+                         " m from the middle\n";
             }
         return lines;
     }

@@ -10,10 +10,11 @@
 //     wander   period=2 strength=4        rolls a ball of its own about: a push of `strength` m/s
 //                                         every `period` s
 //     push     period=1 strength=3        shoves something towards the middle, by `strength` m/s
-//     throw    period=2 speed=12 max_bodies=5   throws a ball over the yard; at most `max_bodies` at a time
-//     builder  period=1 max_bodies=8 size=0.3   stacks boxes of `size` m; at most `max_bodies` at a time
-//     drag     period=3                   carries something about for half of each period
-//     drive    period=0.2 change=20       takes something that can be driven and steers it about;
+//     throw    period=2 speed=12 max_bodies=5   throws a ball over the yard; at most `max_bodies`
+//     at a time builder  period=1 max_bodies=8 size=0.3   stacks boxes of `size` m; at most
+//     `max_bodies` at a time drag     period=3                   carries something about for half
+//     of each period drive    period=0.2 change=20       takes something that can be driven and
+//     steers it about;
 //                                         every `change` s something else
 //     walk     period=0.5 change=20       the same on foot: looks where it goes, jumps now and then
 //     race     period=0.1 radius=45 speed=16   drives one thing round the middle of the world, to

@@ -6,8 +6,8 @@
 
 #include "jostle/physics/hull.h"
 #include "jostle/physics/mesh.h"
-#include "scenes/src/bench_scene_parts.h"
 #include "scenes/src/bench_ragdoll.h"
+#include "scenes/src/bench_scene_parts.h"
 #include "scenes/src/scene_helpers.h"
 
 namespace jostle::scenes {
@@ -106,7 +106,8 @@ void add_stones(SceneDescription& scene, Random& random, const std::vector<Geome
             for (int x = 0; x < side; x++) {
                 const Vec3 at{(x - middle) * pitch, lowest + y * pitch, (z - middle) * pitch};
                 const std::size_t which = scene.bodies.size() % stones.size();
-                scene.bodies.push_back(dynamic_body("stone", at, stones[which], random_turn(random)));
+                scene.bodies.push_back(
+                    dynamic_body("stone", at, stones[which], random_turn(random)));
             }
 }
 
@@ -185,9 +186,9 @@ SceneDescription lab_washer() {
     for (int y = 0; y < 20; y++)
         for (int z = 0; z < 20; z++)
             for (int x = 0; x < 20; x++)
-                scene.bodies.push_back(dynamic_body("cube",
-                                             {(x - 9.5) * 0.22, (y - 9.5) * 0.22, (z - 9.5) * 0.22},
-                                             Box{{0.1, 0.1, 0.1}}));
+                scene.bodies.push_back(
+                    dynamic_body("cube", {(x - 9.5) * 0.22, (y - 9.5) * 0.22, (z - 9.5) * 0.22},
+                                 Box{{0.1, 0.1, 0.1}}));
     return with_bench_defaults(std::move(scene));
 }
 
@@ -279,8 +280,8 @@ SceneDescription lab_rods() {
         Vec3 at = layer % 2 == 0 ? Vec3{along, 0, across} : Vec3{across, 0, along};
         at += {random.in(-0.03, 0.03), 0.5 + 0.3 * layer, random.in(-0.03, 0.03)};
         const Quat askew = from_axis_angle({0, 1, 0}, random.in(-0.1, 0.1));
-        scene.bodies.push_back(
-            dynamic_body("rod", at, Capsule{0.03, 0.45}, askew * (layer % 2 == 0 ? along_x : along_z)));
+        scene.bodies.push_back(dynamic_body("rod", at, Capsule{0.03, 0.45},
+                                            askew * (layer % 2 == 0 ? along_x : along_z)));
     }
     return with_bench_defaults(std::move(scene));
 }
@@ -292,7 +293,8 @@ SceneDescription lab_box_shot() {
     for (int i = 0; i < 1000; i++) {
         const double x = random.in(-30, -5);
         const Vec3 at{x, (i % 32 - 15.5) * 0.6, (i / 32 - 15.5) * 0.6};
-        scene.bodies.push_back(dynamic_body("box", at, Box{{0.15, 0.15, 0.15}}, random_turn(random)));
+        scene.bodies.push_back(
+            dynamic_body("box", at, Box{{0.15, 0.15, 0.15}}, random_turn(random)));
         scene.bodies.back().body.linear_velocity = {150, 0, 0};
     }
     return with_bench_defaults(std::move(scene));
@@ -305,7 +307,7 @@ SceneDescription lab_brick_wall() {
         for (int k = 0; k < 20; k++)
             scene.bodies.push_back(
                 dynamic_body("brick", {(k - 9.75 + 0.5 * (row % 2)) * 0.5, 0.125 + 0.25 * row, 0},
-                      Box{{0.25, 0.125, 0.125}}));
+                             Box{{0.25, 0.125, 0.125}}));
     scene.bodies.push_back(dynamic_body("ball", {0, 2, 8}, Sphere{1}));
     scene.bodies.back().body.linear_velocity = {0, 2, -16};
     return with_bench_defaults(std::move(scene));

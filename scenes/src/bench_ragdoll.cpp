@@ -94,8 +94,8 @@ void add_bench_ragdoll(SceneDescription& scene, const Transform& feet) {
     const Quat y_to_x = from_axis_angle({0, 0, 1}, -pi / 2);
     for (const Bone& bone : bones) {
         const Transform pose = compose(feet, {bone.center, bone.sideways ? y_to_x : Quat{}});
-        scene.bodies.push_back(
-            dynamic_body("bone", pose.position, Capsule{bone.radius, bone.half_length}, pose.rotation));
+        scene.bodies.push_back(dynamic_body("bone", pose.position,
+                                            Capsule{bone.radius, bone.half_length}, pose.rotation));
     }
     for (const BoneJoint& link : bone_joints)
         join(scene, "joint", first + link.a, first + link.b, frame_of(link, feet), kind_of(link));

@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "scenes/src/bench_scene_parts.h"
 #include "scenes/src/bench_ragdoll.h"
+#include "scenes/src/bench_scene_parts.h"
 #include "scenes/src/scene_helpers.h"
 
 namespace jostle::scenes {
@@ -48,7 +48,7 @@ SceneDescription poured_pile(int count, int side, double half_width) {
         for (int k = 0; k < 3; k++) axis[k] = random.in(-1, 1);
         if (length(axis) < 1e-3) axis = {0, 1, 0};
         scene.bodies.push_back(dynamic_body("piece", at, sphere_box_or_capsule(i),
-                                     from_axis_angle(axis, random.in(0, 2 * pi))));
+                                            from_axis_angle(axis, random.in(0, 2 * pi))));
     }
     return with_bench_defaults(std::move(scene));
 }

@@ -23,8 +23,8 @@ std::size_t find_body(FieldReader& in, const SceneDescription& scene, const std:
     for (std::size_t i = 0; i < scene.bodies.size(); i++)
         if (scene.bodies[i].name == name && met++ == which) return i;
     in.report_error(path, met == 0 ? "is \"" + text + "\"; no body has the name \"" + name + "\""
-                           : "is \"" + text + "\"; there are only " + std::to_string(met) +
-                                 " bodies called \"" + name + "\"");
+                                   : "is \"" + text + "\"; there are only " + std::to_string(met) +
+                                         " bodies called \"" + name + "\"");
     return 0;
 }
 

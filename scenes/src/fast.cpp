@@ -13,9 +13,9 @@ SceneDescription bullets() {
     Random random(19);
     for (int i = 0; i < 120; i++) {
         const double x = random.in(-60, -8);
-        SceneBody bullet =
-            colored(dynamic_body("bullet", {x, 0.4 + (i / 12) * 0.4, (i % 12 - 5.5) * 0.7}, Sphere{0.06}),
-                    0xffb703);
+        SceneBody bullet = colored(
+            dynamic_body("bullet", {x, 0.4 + (i / 12) * 0.4, (i % 12 - 5.5) * 0.7}, Sphere{0.06}),
+            0xffb703);
         bullet.body.linear_velocity = {200, 0, 0};
         bullet.body.gravity_scale = 0.2;
         bullet.shapes[0].material.restitution = 0.4;
@@ -25,7 +25,8 @@ SceneDescription bullets() {
     // Crates in the way of some of them.
     for (int k = 0; k < 6; k++)
         scene.bodies.push_back(colored(
-            dynamic_body("crate", {2, 0.5 + (k % 2), (k / 2 - 1) * 2.4}, Box{{0.5, 0.5, 0.5}}), 0xa47148));
+            dynamic_body("crate", {2, 0.5 + (k % 2), (k / 2 - 1) * 2.4}, Box{{0.5, 0.5, 0.5}}),
+            0xa47148));
     for (int k = 0; k < 4; k++) {
         const Vec3 at{-3.0 - 3 * k, 1.2, 9};
         scene.bodies.push_back(fixed_box("post", at + Vec3{0, 0, 0.8}, {0.02, 1.2, 0.02}));

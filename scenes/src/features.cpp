@@ -25,9 +25,9 @@ SceneDescription shapes() {
                                     0xe63946, 0x9b5de5, 0x2a9d8f, 0xadb5bd};
     for (int i = 0; i < 160; i++) {
         const double x = random.in(-3.2, 3.2), z = random.in(-3.2, 3.2), turn = random.in(0, 3);
-        scene.bodies.push_back(colored(
-            dynamic_body("thing", {x, 1 + 0.16 * i, z}, kinds[i % 8], from_axis_angle({x, 1, z}, turn)),
-            colors[i % 8]));
+        scene.bodies.push_back(colored(dynamic_body("thing", {x, 1 + 0.16 * i, z}, kinds[i % 8],
+                                                    from_axis_angle({x, 1, z}, turn)),
+                                       colors[i % 8]));
         scene.bodies.back().shapes[0].material.rolling_friction = 0.003;
     }
     return scene;
@@ -56,9 +56,9 @@ SceneDescription conveyor() {
     for (int i = 0; i < 24; i++) {
         const Geometry kinds[] = {Box{{0.22, 0.18, 0.25}}, Cylinder{0.2, 0.2},
                                   Box{{0.3, 0.12, 0.2}}, Sphere{0.2}};
-        scene.bodies.push_back(
-            colored(dynamic_body("parcel", {(i % 8 - 3.5) * 0.75, 1.4 + 0.6 * (i / 8), -3}, kinds[i % 4]),
-                    i % 4 == 3 ? 0xe63946 : (i % 2 == 0 ? 0xe9c46a : 0x457b9d)));
+        scene.bodies.push_back(colored(
+            dynamic_body("parcel", {(i % 8 - 3.5) * 0.75, 1.4 + 0.6 * (i / 8), -3}, kinds[i % 4]),
+            i % 4 == 3 ? 0xe63946 : (i % 2 == 0 ? 0xe9c46a : 0x457b9d)));
         scene.bodies.back().shapes[0].material = {.friction = 0.8, .rolling_friction = 0.05};
     }
     return scene;
@@ -107,20 +107,21 @@ SceneDescription gates() {
 SceneDescription locked() {
     SceneDescription scene{.bodies = {ground()}};
     for (int k = 0; k < 5; k++) {
-        SceneBody piston = colored(
-            dynamic_body("piston", {-4 + 2.0 * k, 0.6 + 0.4 * k, -2}, Box{{0.6, 0.5, 0.6}}), 0x4f86c6);
+        SceneBody piston =
+            colored(dynamic_body("piston", {-4 + 2.0 * k, 0.6 + 0.4 * k, -2}, Box{{0.6, 0.5, 0.6}}),
+                    0x4f86c6);
         piston.body.locks = static_cast<AxisLocks>(lock_x | lock_z | lock_rotation_x |
                                                    lock_rotation_y | lock_rotation_z);
         scene.bodies.push_back(piston);
-        SceneBody slider =
-            colored(dynamic_body("slider", {-4 + 2.0 * k, 0.3, 1}, Box{{0.4, 0.28, 0.4}}), 0x81b29a);
+        SceneBody slider = colored(
+            dynamic_body("slider", {-4 + 2.0 * k, 0.3, 1}, Box{{0.4, 0.28, 0.4}}), 0x81b29a);
         slider.body.locks =
             static_cast<AxisLocks>(lock_z | lock_rotation_x | lock_rotation_y | lock_rotation_z);
         slider.body.linear_velocity = {k % 2 == 0 ? 2.0 : -2.0, 0, 0};
         slider.shapes[0].material = {.friction = 0.02, .restitution = 0.9};
         scene.bodies.push_back(slider);
         SceneBody wheel = colored(dynamic_body("wheel", {-4 + 2.0 * k, 2.2, 4}, Cylinder{0.8, 0.1},
-                                        from_axis_angle({1, 0, 0}, pi / 2)),
+                                               from_axis_angle({1, 0, 0}, pi / 2)),
                                   0xe07a5f);
         wheel.body.locks =
             static_cast<AxisLocks>(lock_x | lock_y | lock_z | lock_rotation_x | lock_rotation_y);
@@ -129,10 +130,10 @@ SceneDescription locked() {
         scene.bodies.push_back(wheel);
     }
     for (int i = 0; i < 20; i++)
-        scene.bodies.push_back(
-            colored(dynamic_body("ball", {-4.4 + 0.45 * i, 4 + 0.3 * (i % 5), i % 2 == 0 ? -2.0 : 4.0},
-                          Sphere{0.2}),
-                    0xf2cc8f));
+        scene.bodies.push_back(colored(
+            dynamic_body("ball", {-4.4 + 0.45 * i, 4 + 0.3 * (i % 5), i % 2 == 0 ? -2.0 : 4.0},
+                         Sphere{0.2}),
+            0xf2cc8f));
     return scene;
 }
 
@@ -146,15 +147,15 @@ SceneDescription flatland() {
         for (int j = 0; j < 12 - i; j++)
             scene.bodies.push_back(
                 colored(dynamic_body("box", {-4 + (j - (11 - i) / 2.0) * 0.63, 0.3 + 0.6 * i, 0},
-                              Box{{0.3, 0.3, 0.3}}),
+                                     Box{{0.3, 0.3, 0.3}}),
                         i % 2 == 0 ? 0xe9c46a : 0xf4a261));
     Random random(14);
     for (int i = 0; i < 50; i++) {
         const double r = random.in(0.15, 0.35), x = random.in(4, 11);
         const Geometry kinds[] = {Sphere{r}, Capsule{0.6 * r, r}, Box{{r, 0.6 * r, 0.3}}};
-        scene.bodies.push_back(colored(
-            dynamic_body("piece", {x, 1 + 0.35 * i, 0}, kinds[i % 3], from_axis_angle({0, 0, 1}, x)),
-            i % 3 == 0 ? 0x457b9d : (i % 3 == 1 ? 0x9b5de5 : 0x2a9d8f)));
+        scene.bodies.push_back(colored(dynamic_body("piece", {x, 1 + 0.35 * i, 0}, kinds[i % 3],
+                                                    from_axis_angle({0, 0, 1}, x)),
+                                       i % 3 == 0 ? 0x457b9d : (i % 3 == 1 ? 0x9b5de5 : 0x2a9d8f)));
         scene.bodies.back().shapes[0].material.rolling_friction = 0.004;
     }
     SceneBody ball = colored(dynamic_body("ball", {3, 9, 0}, Sphere{0.8}), 0xe63946);

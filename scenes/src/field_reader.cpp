@@ -25,8 +25,8 @@ void FieldReader::report_error(const std::string& path, std::string what) {
 
 double FieldReader::number(const std::string& path, double x, double low, double high) {
     if (!(low <= x && x <= high)) {
-        report_error(path, text_of(x) + " is out of range; it must be from " + text_of(low) + " to " +
-                       text_of(high));
+        report_error(path, text_of(x) + " is out of range; it must be from " + text_of(low) +
+                               " to " + text_of(high));
         return low;
     }
     return x + 0.0;  // -0 becomes 0: JSON has "-0.0" and "-0", and only one of them is negative

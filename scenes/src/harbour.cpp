@@ -31,7 +31,8 @@ Geometry boat_hull() {
 }
 
 SceneBody boat(const std::string& name, Vec3 at, std::uint32_t color) {
-    SceneBody body = colored(dynamic_body(name, at, boat_hull(), from_axis_angle({0, 1, 0}, pi)), color);
+    SceneBody body =
+        colored(dynamic_body(name, at, boat_hull(), from_axis_angle({0, 1, 0}, pi)), color);
     body.shapes[0].density = 180;
     body.shapes.push_back(
         {.geometry = Box{{0.7, 0.5, 0.8}}, .pose = {{0, 1.0, 0.9}, {}}, .density = 40});

@@ -45,8 +45,9 @@ SceneDescription hovercraft() {
         const SinCos at = sin_cos(turn);
         const double x = r * at.cos, z = r * at.sin;
         const Geometry kinds[] = {Sphere{0.35}, Cylinder{0.3, 0.3}, Box{{0.3, 0.25, 0.35}}};
-        SceneBody buoy = colored(dynamic_body("buoy", {x, wave_height(x, z) + 0.6, z}, kinds[i % 3]),
-                                 i % 2 == 0 ? 0xe9c46a : 0xf4f1de);
+        SceneBody buoy =
+            colored(dynamic_body("buoy", {x, wave_height(x, z) + 0.6, z}, kinds[i % 3]),
+                    i % 2 == 0 ? 0xe9c46a : 0xf4f1de);
         buoy.shapes[0].density = 60;
         buoy.shapes[0].material = {.friction = 0.5, .restitution = 0.3, .rolling_friction = 0.01};
         scene.bodies.push_back(buoy);

@@ -77,8 +77,8 @@ std::optional<JointSolver> read_solver(FieldReader& in, const std::string& path,
             return JointSolver::direct;
         default:
             in.report_error(path, "is " + std::to_string(solver) +
-                              "; give JOINT_SOLVER_AUTOMATIC, JOINT_SOLVER_ITERATIVE or "
-                              "JOINT_SOLVER_DIRECT");
+                                      "; give JOINT_SOLVER_AUTOMATIC, JOINT_SOLVER_ITERATIVE or "
+                                      "JOINT_SOLVER_DIRECT");
     }
     return {};
 }
@@ -105,7 +105,8 @@ void read_joint(FieldReader& in, SceneDescription& scene, const std::string& pat
                      .joint = {}};
     if (m.name().size() > 64) in.report_error(path + ".name", "must be a text of at most 64 bytes");
     if (m.has_frame() && (m.has_frame_a() || m.has_frame_b()))
-        in.report_error(path + ".frame", "is given beside frame_a or frame_b; give the one or the others");
+        in.report_error(path + ".frame",
+                        "is given beside frame_a or frame_b; give the one or the others");
     if (in.failed()) return;
     JointDef& def = joint.joint;
     def.kind = read_kind(in, path, m);
@@ -122,16 +123,18 @@ void read_joint(FieldReader& in, SceneDescription& scene, const std::string& pat
     const Vec3 step = in.vector(path + ".repeat.offset", m.repeat().offset(), 1e6);
     if (in.failed()) return;
     if (scene.joints.size() + count > joints_max)
-        return in.report_error(path, "makes more than " + std::to_string(joints_max) + " joints in all");
+        return in.report_error(path,
+                               "makes more than " + std::to_string(joints_max) + " joints in all");
     for (std::size_t k = 0; k < count; k++) {
         SceneJoint copy = joint;
         if (copy.body_a != world_body) copy.body_a += k;
         copy.body_b += k;
         if ((copy.body_a != world_body && copy.body_a >= scene.bodies.size()) ||
             copy.body_b >= scene.bodies.size())
-            return in.report_error(path + ".repeat.count",
-                           "goes beyond the last body; copy number i joins the bodies i places "
-                           "further on");
+            return in.report_error(
+                path + ".repeat.count",
+                "goes beyond the last body; copy number i joins the bodies i places "
+                "further on");
         if (m.has_frame()) {
             Transform there = frame;
             there.position += step * static_cast<double>(k);

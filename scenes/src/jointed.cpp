@@ -99,15 +99,16 @@ SceneDescription bridge() {
     join(scene, "hinge", before, right, {{6, 2.95, 0}, along_z}, HingeJoint{});
     for (int k = 0; k < 6; k++)
         scene.bodies.push_back(colored(
-            dynamic_body("cargo", {-2.5 + k, 3.6, (k % 3 - 1) * 0.4}, Box{{0.25, 0.25, 0.25}}), 0xe9c46a));
+            dynamic_body("cargo", {-2.5 + k, 3.6, (k % 3 - 1) * 0.4}, Box{{0.25, 0.25, 0.25}}),
+            0xe9c46a));
 
     // A chain of capsules with a ball of iron, held back to the side.
     before = scene.bodies.size();
     scene.bodies.push_back(fixed_box("hook", {0, 9, 8}, {0.3, 0.1, 0.3}));
     const Quat lying = from_axis_angle({1, 0, 0}, pi / 2);
     for (int k = 0; k < 10; k++) {
-        scene.bodies.push_back(
-            colored(dynamic_body("link", {0, 8.9, 8.3 + 0.5 * k}, Capsule{0.08, 0.17}, lying), 0x6c757d));
+        scene.bodies.push_back(colored(
+            dynamic_body("link", {0, 8.9, 8.3 + 0.5 * k}, Capsule{0.08, 0.17}, lying), 0x6c757d));
         scene.bodies.back().shapes[0].density = 4000;
         join(scene, "link", before, scene.bodies.size() - 1, {{0, 8.9, 8.05 + 0.5 * k}, {}},
              BallJoint{});
@@ -158,8 +159,9 @@ SceneDescription workshop() {
     join(scene, "axle", floor, 1, {{0, 2.2, 0}, {}}, HingeJoint{.motor = {true, 1.2, 60000}});
     for (int i = 0; i < 24; i++)
         scene.bodies.push_back(colored(
-            dynamic_body("ball", {(i % 4 - 1.5) * 0.45, 1.5 + 0.4 * (i / 8), (i / 4 % 2 - 0.5) * 0.8},
-                  i % 2 == 0 ? Geometry(Sphere{0.18}) : Geometry(Box{{0.15, 0.15, 0.15}})),
+            dynamic_body("ball",
+                         {(i % 4 - 1.5) * 0.45, 1.5 + 0.4 * (i / 8), (i / 4 % 2 - 0.5) * 0.8},
+                         i % 2 == 0 ? Geometry(Sphere{0.18}) : Geometry(Box{{0.15, 0.15, 0.15}})),
             i % 2 == 0 ? 0xf94144 : 0xf9c74f));
     // Swing doors that a spring closes.
     for (int k = 0; k < 3; k++) {

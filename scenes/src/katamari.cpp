@@ -25,7 +25,7 @@ void Katamari::visit(StateVisitor& v) {
     modules::bounded(v, "reach", reach_, 0.1, 20);
     modules::bounded(v, "pull", pull_, 0, 100);
     v.field("random", random_);
-    modules::bounded(v, "until", until_, 0, 1e12);
+    modules::bounded(v, "until", decision_end_, 0, 1e12);
     modules::bounded(v, "heading", heading_, -1e3, 1e3);
     v.field("jumps", jumps_);
 }
@@ -58,7 +58,7 @@ void Katamari::decide(Vec3 position, double now) {
     const bool outside = std::abs(position.x) > half_yard || std::abs(position.z) > half_yard;
     heading_ =
         outside ? arc_tangent(-position.z, -position.x) + random_in(-0.5, 0.5) : random_in(-pi, pi);
-    until_ = now + random_in(0.6, 2.5);
+    decision_end_ = now + random_in(0.6, 2.5);
     jumps_ = random_in(0, 1) < 0.35;
 }
 
@@ -66,7 +66,7 @@ void Katamari::before_step(World& world, double) {
     const Result<BodyState> player = world.body(player_);
     if (!player.ok()) return;
     const Vec3 at = player->center;
-    if (world.time() >= until_) decide(at, world.time());
+    if (world.time() >= decision_end_) decide(at, world.time());
     const SinCos ahead = sin_cos(heading_);
     Vec3 wanted = Vec3{ahead.cos, 0, ahead.sin} * speed_ - player->linear_velocity;
     wanted.y = 0;
@@ -94,12 +94,13 @@ SceneDescription katamari() {
     SceneDescription scene{.bodies = {ground()}};
     for (int z = 0; z < 30; z++)
         for (int x = 0; x < 30; x++)
-            scene.bodies.push_back(colored(
-                dynamic_body("cube", {0.8 * (x - 14.5), 0.2, 0.8 * (z - 14.5)}, Box{{0.2, 0.2, 0.2}}),
-                (x + z) % 2 == 0 ? 0xf2cc8f : 0x81b29a));
-    scene.bodies.push_back(colored(
-        dynamic_body("player", {0, player_half + 2, 0}, Box{{player_half, player_half, player_half}}),
-        0xe07a5f));
+            scene.bodies.push_back(
+                colored(dynamic_body("cube", {0.8 * (x - 14.5), 0.2, 0.8 * (z - 14.5)},
+                                     Box{{0.2, 0.2, 0.2}}),
+                        (x + z) % 2 == 0 ? 0xf2cc8f : 0x81b29a));
+    scene.bodies.push_back(colored(dynamic_body("player", {0, player_half + 2, 0},
+                                                Box{{player_half, player_half, player_half}}),
+                                   0xe07a5f));
     scene.modules.push_back({.tag = "katamari",
                              .settings = {{"seed", 2026}, {"reach", 4}, {"speed", 3}},
                              .bodies = {{"player", scene.bodies.size() - 1}},

@@ -31,8 +31,8 @@ private:
     double reach_ = 2.4;  // m from its middle, 0.1 to 20
     double pull_ = 16;    // m/s^2 towards its middle, 0 to 100
     std::uint32_t random_ = 1;
-    double decision_end_ = 0;    // s of the world's time
-    double heading_ = 0;  // rad about y, from +x
+    double decision_end_ = 0;  // s of the world's time
+    double heading_ = 0;       // rad about y, from +x
     bool jumps_ = false;
     std::vector<physics::BodyState> bodies_;  // of this step; no part of the state
 };

@@ -39,10 +39,10 @@ void add_car(SceneDescription& scene, Vec3 at) {
 // A wheel that swings on a spring, one of twice the size, and a rack that they move up and down.
 void add_gears(SceneDescription& scene, std::size_t floor, Vec3 at) {
     const auto cog = [&](Vec3 place, double radius, std::uint32_t color, const HingeJoint& hinge) {
-        const std::size_t body =
-            add(scene,
-                dynamic_body("cog", at + place, Cylinder{radius, 0.1}, from_axis_angle({1, 0, 0}, pi / 2)),
-                color);
+        const std::size_t body = add(scene,
+                                     dynamic_body("cog", at + place, Cylinder{radius, 0.1},
+                                                  from_axis_angle({1, 0, 0}, pi / 2)),
+                                     color);
         // A peg shows how it turns.
         scene.bodies[body].shapes.push_back(
             {.geometry = Box{{0.08, 0.2, 0.08}}, .pose = {{radius * 0.7, 0, 0}, {}}});
@@ -83,7 +83,8 @@ void add_wire(SceneDescription& scene, Vec3 at) {
     PathJoint path{.points = {}};
     for (int k = -4; k <= 4; k++)
         path.points.push_back(at + Vec3{0.7 * k, 1 + 0.12 * k * k, k % 2 == 0 ? 0.2 : -0.2});
-    const std::size_t bead = add(scene, dynamic_body("bead", path.points.front(), Sphere{0.2}), 0xf3722c);
+    const std::size_t bead =
+        add(scene, dynamic_body("bead", path.points.front(), Sphere{0.2}), 0xf3722c);
     SceneJoint joint{.name = "wire", .body_a = world_body, .body_b = bead, .joint = {}};
     joint.joint.kind = path;
     scene.joints.push_back(joint);
@@ -100,16 +101,19 @@ SceneDescription machines() {
     add_wire(scene, {5, 0, -3});
 
     // A lift that a spring holds up, with a load that it throws.
-    const std::size_t lift = add(scene, dynamic_body("lift", {2, 1, 0}, Box{{0.8, 0.1, 0.8}}), 0x43aa8b);
+    const std::size_t lift =
+        add(scene, dynamic_body("lift", {2, 1, 0}, Box{{0.8, 0.1, 0.8}}), 0x43aa8b);
     join(scene, "lift", floor, lift, {{2, 1, 0}, upright},
          SliderJoint{.limit = {true, -0.8, 2}, .spring = {1, 0.02}, .spring_travel = 0.5});
     for (int k = 0; k < 4; k++)
         add(scene,
-            dynamic_body("load", {1.7 + 0.6 * (k % 2), 1.4, -0.3 + 0.6 * (k / 2)}, Box{{0.2, 0.2, 0.2}}),
+            dynamic_body("load", {1.7 + 0.6 * (k % 2), 1.4, -0.3 + 0.6 * (k / 2)},
+                         Box{{0.2, 0.2, 0.2}}),
             0xe9c46a);
 
     // A rotor in a gimbal: two turns are free, the third has a motor.
-    const std::size_t rotor = add(scene, dynamic_body("rotor", {8, 3, 0}, Cylinder{0.8, 0.1}), 0x9b5de5);
+    const std::size_t rotor =
+        add(scene, dynamic_body("rotor", {8, 3, 0}, Cylinder{0.8, 0.1}), 0x9b5de5);
     SixDofAxes gimbal;
     gimbal.turn_x = {.free = true, .spring = {0.5, 0.1}};
     gimbal.turn_y = {.free = true, .motor = {true, 12, 2000}};
@@ -118,7 +122,8 @@ SceneDescription machines() {
     scene.bodies[rotor].body.angular_velocity = {0.5, 0, 0.5};
 
     // Held by a point beside its middle.
-    const std::size_t held = add(scene, dynamic_body("held", {8, 2, 6}, Box{{0.4, 0.2, 0.3}}), 0x00bbf9);
+    const std::size_t held =
+        add(scene, dynamic_body("held", {8, 2, 6}, Box{{0.4, 0.2, 0.3}}), 0x00bbf9);
     SceneJoint hand{.name = "hand", .body_a = world_body, .body_b = held, .joint = {}};
     hand.joint.frame_a = {{8, 3, 6}, {}};
     hand.joint.frame_b = {{0.3, 0.2, 0}, {}};

@@ -51,10 +51,11 @@ void MessageFieldReader::number(const char* name, double& value, double low, dou
 }
 
 void MessageFieldReader::ordered(const char* lower_name, double& lower, const char* upper_name,
-                         double& upper, double low, double high) {
+                                 double& upper, double low, double high) {
     number(lower_name, lower, low, high);
     number(upper_name, upper, low, high);
-    if (upper < lower) in_.report_error(path_of(upper_name), "is less than " + prefix_ + lower_name);
+    if (upper < lower)
+        in_.report_error(path_of(upper_name), "is less than " + prefix_ + lower_name);
 }
 
 void MessageFieldReader::vector(const char* name, Vec3& value, double limit) {
@@ -71,17 +72,18 @@ void MessageFieldReader::flag(const char* name, bool& value) {
 }
 
 void MessageFieldReader::points(const char* name, std::vector<Vec3>& points, std::size_t least,
-                        std::size_t most, double limit) {
+                                std::size_t most, double limit) {
     const FieldDescriptor* field = find_field(from_, prefix_ + name);
     const auto* reflection = from_.GetReflection();
     const auto count = static_cast<std::size_t>(reflection->FieldSize(from_, field));
     if (count < least || count > most)
         return in_.report_error(path_of(name), "has " + std::to_string(count) + " points; give " +
-                                           std::to_string(least) + " to " + std::to_string(most));
+                                                   std::to_string(least) + " to " +
+                                                   std::to_string(most));
     points.assign(count, {});
     for (std::size_t k = 0; k < count; k++) {
         MessageFieldReader point(in_, path_of(name) + "[" + std::to_string(k) + "]",
-                         reflection->GetRepeatedMessage(from_, field, static_cast<int>(k)));
+                                 reflection->GetRepeatedMessage(from_, field, static_cast<int>(k)));
         point.number("x", points[k].x, -limit, limit);
         point.number("y", points[k].y, -limit, limit);
         point.number("z", points[k].z, -limit, limit);
@@ -99,7 +101,8 @@ void MessageFieldReader::drive(const char* name, RotationDrive& drive) {
     target.number("y", drive.target.y, -1, 1);
     target.number("z", drive.target.z, -1, 1);
     target.number("w", drive.target.w, -1, 1);
-    if (norm_squared(drive.target) < 1e-6) in_.report_error(fields.path_of("target"), "is no rotation");
+    if (norm_squared(drive.target) < 1e-6)
+        in_.report_error(fields.path_of("target"), "is no rotation");
 }
 
 void MessageFieldReader::limit(const char* name, JointLimit& limit, double low, double high) {
@@ -108,7 +111,8 @@ void MessageFieldReader::limit(const char* name, JointLimit& limit, double low, 
     if (lacks(name)) return;
     limit.enabled = true;
     visit_limit(fields, limit, low, high);
-    if (limit.lower > limit.upper) in_.report_error(fields.path_of("lower"), "is above the upper limit");
+    if (limit.lower > limit.upper)
+        in_.report_error(fields.path_of("lower"), "is above the upper limit");
 }
 
 void MessageFieldReader::spring(const char* name, JointSpring& spring) {
@@ -132,7 +136,7 @@ void MessageFieldWriter::number(const char* name, double value, double, double) 
 }
 
 void MessageFieldWriter::ordered(const char* lower_name, double lower, const char* upper_name,
-                          double upper, double low, double high) {
+                                 double upper, double low, double high) {
     number(lower_name, lower, low, high);
     number(upper_name, upper, low, high);
 }
@@ -149,7 +153,7 @@ void MessageFieldWriter::flag(const char* name, bool value) {
 }
 
 void MessageFieldWriter::points(const char* name, const std::vector<Vec3>& points, std::size_t,
-                         std::size_t, double limit) {
+                                std::size_t, double limit) {
     const FieldDescriptor* field = find_field(to_, prefix_ + name);
     for (const Vec3 point : points) {
         MessageFieldWriter to(*to_.GetReflection()->AddMessage(&to_, field));

@@ -33,7 +33,7 @@ std::map<std::string, Value> read_names(FieldReader& in, const std::string& path
     for (const auto& [name, value] : sorted)
         if (!is_name(name))
             in.report_error(path, "\"" + name.substr(0, setting_name_bytes_max) +
-                              "\" is no name; give 1 to 64 of a-z, 0-9 and _");
+                                      "\" is no name; give 1 to 64 of a-z, 0-9 and _");
     return sorted;
 }
 
@@ -48,7 +48,7 @@ void check_tag(FieldReader& in, const SceneDescription& scene, const std::string
     std::string names;
     for (const std::string& name : known) names += (names.empty() ? "" : ", ") + name;
     in.report_error(path, "is \"" + tag + "\"; the modules of this program are " +
-                      (names.empty() ? "none" : names));
+                              (names.empty() ? "none" : names));
 }
 
 // The field of what the module's things are in; null: there are none.
@@ -62,18 +62,18 @@ const google::protobuf::FieldDescriptor* objects_field_of(const v1::Module& m) {
 void read_module(FieldReader& in, SceneDescription& scene, const std::string& path,
                  const v1::Module& m) {
     if (scene.modules.size() == modules_max)
-        return in.report_error(path, "is one too many; a scene has at most " + std::to_string(modules_max) +
-                                 " modules");
+        return in.report_error(path, "is one too many; a scene has at most " +
+                                         std::to_string(modules_max) + " modules");
     const google::protobuf::FieldDescriptor* kind = objects_field_of(m);
     const std::string tag = kind && m.tag().empty() ? kind->name() : m.tag();
     if (kind && tag != kind->name())
-        in.report_error(path + ".tag", "is \"" + tag + "\", but its things are of \"" + kind->name() +
-                                   "\"; leave the tag out");
+        in.report_error(path + ".tag", "is \"" + tag + "\", but its things are of \"" +
+                                           kind->name() + "\"; leave the tag out");
     check_tag(in, scene, path + ".tag", tag);
     SceneModule module{.tag = tag, .settings = {}, .bodies = {}, .state = {}};
     if (kind)
         read_module_objects(in, scene, module, path + "." + kind->name(),
-                    m.GetReflection()->GetMessage(m, kind));
+                            m.GetReflection()->GetMessage(m, kind));
     for (const auto& [name, number] : read_names(in, path + ".settings", m.settings()))
         module.settings[name] =
             in.number(path + ".settings." + name, number, -setting_max, setting_max);

@@ -70,8 +70,8 @@ void check_size(FieldReader& in, const std::string& path, int size, const FieldD
     const v1::SettingRange range = range_of(list);
     if (size >= range.low() && size <= range.high()) return;
     const auto text = [](double count) { return std::to_string(static_cast<int>(count)); };
-    in.report_error(path, "has " + std::to_string(size) + " items; give " + text(range.low()) + " to " +
-                      text(range.high()));
+    in.report_error(path, "has " + std::to_string(size) + " items; give " + text(range.low()) +
+                              " to " + text(range.high()));
 }
 
 // Reads one thing, field by field; parts of it have their own prefix.
@@ -91,7 +91,7 @@ public:
             if (type.field(k)->type() == FieldDescriptor::TYPE_BYTES &&
                 m.GetReflection()->GetString(m, type.field(k)).empty())
                 in_.report_error(path + "." + type.field(k)->name(),
-                         "is missing; give what jostle-fracture writes");
+                                 "is missing; give what jostle-fracture writes");
     }
 
 private:
@@ -149,7 +149,8 @@ private:
 // Writes one thing; counts the settings that found their field.
 class ModuleObjectWriter {
 public:
-    ModuleObjectWriter(const SceneDescription& scene, const ModuleObject& object) : scene_(scene), object_(object) {}
+    ModuleObjectWriter(const SceneDescription& scene, const ModuleObject& object)
+        : scene_(scene), object_(object) {}
 
     // Whether there was anything to write.
     bool write(Message& m, const std::string& prefix) {
@@ -204,7 +205,7 @@ private:
 }  // namespace
 
 void read_module_objects(FieldReader& in, const SceneDescription& scene, SceneModule& module,
-                 const std::string& path, const Message& message) {
+                         const std::string& path, const Message& message) {
     const auto& type = *message.GetDescriptor();
     const auto& get = *message.GetReflection();
     for (int f = 0; f < type.field_count(); f++) {
@@ -220,7 +221,8 @@ void read_module_objects(FieldReader& in, const SceneDescription& scene, SceneMo
     }
 }
 
-bool write_module_objects(Message& message, const SceneDescription& scene, const SceneModule& module) {
+bool write_module_objects(Message& message, const SceneDescription& scene,
+                          const SceneModule& module) {
     bool all = true;
     for (const ModuleObject& object : module.objects) {
         const FieldDescriptor* list = message.GetDescriptor()->FindFieldByName(object.list);

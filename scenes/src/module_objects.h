@@ -17,10 +17,10 @@ namespace jostle::scenes {
 
 // Each item of each list becomes a thing of `module`. `path` is the message's.
 void read_module_objects(FieldReader& in, const SceneDescription& scene, SceneModule& module,
-                 const std::string& path, const google::protobuf::Message& message);
+                         const std::string& path, const google::protobuf::Message& message);
 
 // The other way. False: a thing is of a list, or has a setting, that the message does not have.
 bool write_module_objects(google::protobuf::Message& message, const SceneDescription& scene,
-                  const SceneModule& module);
+                          const SceneModule& module);
 
 }  // namespace jostle::scenes

@@ -58,8 +58,8 @@ void add_gym(SceneDescription& scene) {
     join(scene, "axle", scene.bodies.size() - 2, scene.bodies.size() - 1, {{-16, 0.6, 5}, {}},
          HingeJoint{});
     for (int k = 0; k < 10; k++) {
-        SceneBody crate =
-            dynamic_body("crate", {-2 + 0.9 * (k % 5), 0.3 + 0.62 * (k / 5), 4}, Box{{0.3, 0.3, 0.3}});
+        SceneBody crate = dynamic_body("crate", {-2 + 0.9 * (k % 5), 0.3 + 0.62 * (k / 5), 4},
+                                       Box{{0.3, 0.3, 0.3}});
         crate.shapes[0].density = 150;
         scene.bodies.push_back(colored(crate, 0xbc6c25));
     }

@@ -45,9 +45,10 @@ SceneDescription pile() {
         const int layer = i / 144, cell = i % 144;
         const double jx = random.in(-0.03, 0.03), jz = random.in(-0.03, 0.03);
         scene.bodies.push_back(colored(
-            dynamic_body("piece",
-                  {(cell % 12 - 5.5) * 0.75 + jx, 0.6 + 0.8 * layer, (cell / 12 - 5.5) * 0.75 + jz},
-                  mixed(i), any_rotation(random)),
+            dynamic_body(
+                "piece",
+                {(cell % 12 - 5.5) * 0.75 + jx, 0.6 + 0.8 * layer, (cell / 12 - 5.5) * 0.75 + jz},
+                mixed(i), any_rotation(random)),
             palette[i % 5]));
     }
     return scene;
@@ -65,8 +66,8 @@ SceneDescription rain() {
     Random random(77);
     for (int i = 0; i < 300; i++) {
         const double x = random.in(-6, 6), y = random.in(6, 60), z = random.in(-6, 6);
-        scene.bodies.push_back(
-            colored(dynamic_body("drop", {x, y, z}, mixed(i), any_rotation(random)), palette[i % 5]));
+        scene.bodies.push_back(colored(
+            dynamic_body("drop", {x, y, z}, mixed(i), any_rotation(random)), palette[i % 5]));
     }
     return scene;
 }

@@ -108,8 +108,8 @@ void add_surroundings(SceneDescription& scene) {
     for (int k = 0; k < 84; k++) {
         const bool outer = k >= 36;
         const double angle = outer ? 2 * pi * (k - 36) / 48 : 2 * pi * k / 36;
-        SceneBody tyre = dynamic_body("tyre", on_land(outer ? outside + 4 : inside - 4, angle, 0.17),
-                               Cylinder{0.45, 0.15});
+        SceneBody tyre = dynamic_body(
+            "tyre", on_land(outer ? outside + 4 : inside - 4, angle, 0.17), Cylinder{0.45, 0.15});
         tyre.shapes[0].density = 90;
         scene.bodies.push_back(colored(tyre, k % 2 ? 0xf8f9fa : 0xd90429));
     }
@@ -133,7 +133,8 @@ void add_surroundings(SceneDescription& scene) {
 
 // Bonnet and boot low, a cabin with slanting windows, and most of its mass in the floor.
 SceneBody car(const std::string& name, Vec3 at, double turn) {
-    SceneBody body = dynamic_body(name, at, Box{{0.85, 0.2, 2.05}}, from_axis_angle({0, 1, 0}, turn));
+    SceneBody body =
+        dynamic_body(name, at, Box{{0.85, 0.2, 2.05}}, from_axis_angle({0, 1, 0}, turn));
     body.shapes[0].mass = 450;
     std::vector<Vec3> cabin;
     for (const double side : {-1.0, 1.0})

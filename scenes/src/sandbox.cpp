@@ -24,20 +24,20 @@ void add_stacks(SceneDescription& scene) {
     // A pyramid of boxes, a tower and a low wall.
     for (int row = 0; row < 8; row++)
         for (int k = 0; k < 8 - row; k++)
-            scene.bodies.push_back(
-                colored(dynamic_body("box", {-5 + (k - (7 - row) / 2.0) * 0.63, 0.3 + 0.6 * row, -6},
-                              Box{{0.3, 0.3, 0.3}}),
-                        row % 2 == 0 ? 0xe9c46a : 0xf4a261));
+            scene.bodies.push_back(colored(
+                dynamic_body("box", {-5 + (k - (7 - row) / 2.0) * 0.63, 0.3 + 0.6 * row, -6},
+                             Box{{0.3, 0.3, 0.3}}),
+                row % 2 == 0 ? 0xe9c46a : 0xf4a261));
     for (int i = 0; i < 10; i++)
         scene.bodies.push_back(
             colored(dynamic_body("tower", {6, 0.35 + 0.7 * i, -6}, Box{{0.35, 0.35, 0.35}},
-                          from_axis_angle({0, 1, 0}, 0.1 * i)),
+                                 from_axis_angle({0, 1, 0}, 0.1 * i)),
                     i % 2 == 0 ? 0x2a9d8f : 0x8ab17d));
     for (int row = 0; row < 5; row++)
         for (int k = 0; k < 8; k++)
             scene.bodies.push_back(colored(
                 dynamic_body("brick", {2 + (k - 3.5 + (row % 2) * 0.5) * 0.61, 0.15 + 0.3 * row, 5},
-                      Box{{0.3, 0.15, 0.2}}),
+                             Box{{0.3, 0.15, 0.2}}),
                 row % 2 == 0 ? 0xb5533c : 0xc4694f));
 }
 
@@ -50,9 +50,10 @@ void add_loose_objects(SceneDescription& scene) {
     }
     for (int i = 0; i < 36; i++) {
         const double x = random.in(-9, -3), z = random.in(4, 9), turn = random.in(0, pi);
-        scene.bodies.push_back(colored(dynamic_body("capsule", {x, 0.6 + 0.1 * i, z}, Capsule{0.18, 0.3},
-                                             from_axis_angle({1, 0, 0.3}, turn)),
-                                       0x9b5de5));
+        scene.bodies.push_back(
+            colored(dynamic_body("capsule", {x, 0.6 + 0.1 * i, z}, Capsule{0.18, 0.3},
+                                 from_axis_angle({1, 0, 0.3}, turn)),
+                    0x9b5de5));
     }
 }
 

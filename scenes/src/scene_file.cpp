@@ -98,9 +98,11 @@ private:
         const ShapeDef def = read_shape(*this, path, m);
         const bool surface = m.has_mesh() || m.has_height_field();
         if (m.has_plane() && out.body.type != BodyType::static_body)
-            report_error(path + ".plane", "is infinite; only a body of type BODY_TYPE_STATIC may have one");
+            report_error(path + ".plane",
+                         "is infinite; only a body of type BODY_TYPE_STATIC may have one");
         if (surface && out.body.type == BodyType::dynamic)
-            report_error(path, "is a surface without mass; give a dynamic body hulls or a compound");
+            report_error(path,
+                         "is a surface without mass; give a dynamic body hulls or a compound");
         out.shapes.push_back(def);
     }
 
@@ -130,8 +132,9 @@ private:
             vector(path + ".angular_velocity", m.angular_velocity(), limits::max_speed);
         const bool moves = !(b.linear_velocity == Vec3{}) || !(b.angular_velocity == Vec3{});
         if (b.type == BodyType::static_body && moves)
-            report_error(path + ".type",
-                 "is BODY_TYPE_STATIC but the body has a velocity; use BODY_TYPE_KINEMATIC");
+            report_error(
+                path + ".type",
+                "is BODY_TYPE_STATIC but the body has a velocity; use BODY_TYPE_KINEMATIC");
         if (m.has_linear_damping())
             b.linear_damping = number(path + ".linear_damping", m.linear_damping(), 0, 1e4);
         if (m.has_angular_damping())
@@ -148,7 +151,8 @@ private:
         if (m.shapes_size() == 0)
             report_error(path + ".shapes", "is empty; give the body at least one shape");
         if (static_cast<std::size_t>(m.shapes_size()) > shapes_max)
-            report_error(path + ".shapes", "has more than " + std::to_string(shapes_max) + " shapes");
+            report_error(path + ".shapes",
+                         "has more than " + std::to_string(shapes_max) + " shapes");
         for (int i = 0; i < m.shapes_size() && !failed(); i++)
             shape(out, m.shapes(i), path + ".shapes[" + std::to_string(i) + "]");
         add_copies(scene, out, m, path);
@@ -166,7 +170,7 @@ private:
             if (failed()) return;
             if (offsets.size() * count > bodies_max)
                 return report_error(at + ".count",
-                            "makes more than " + std::to_string(bodies_max) + " bodies");
+                                    "makes more than " + std::to_string(bodies_max) + " bodies");
             std::vector<Vec3> all;
             all.reserve(offsets.size() * count);
             for (std::size_t k = 0; k < count; k++)
@@ -176,11 +180,12 @@ private:
         }
         if (failed()) return;
         if (scene.bodies.size() + offsets.size() > bodies_max)
-            return report_error(path, "makes more than " + std::to_string(bodies_max) + " bodies in all");
+            return report_error(path,
+                                "makes more than " + std::to_string(bodies_max) + " bodies in all");
         shapes_ += offsets.size() * body.shapes.size();
         if (shapes_ > all_shapes_max)
-            return report_error(path,
-                        "makes more than " + std::to_string(all_shapes_max) + " shapes in all");
+            return report_error(
+                path, "makes more than " + std::to_string(all_shapes_max) + " shapes in all");
         for (const Vec3 offset : offsets) {
             scene.bodies.push_back(body);
             scene.bodies.back().body.pose.position += offset;

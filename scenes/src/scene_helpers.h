@@ -27,7 +27,7 @@ SceneBody fixed_box(std::string name, physics::Vec3 center, physics::Vec3 half_e
                     physics::Quat rotation = {});
 // A dynamic body of one shape.
 SceneBody dynamic_body(std::string name, physics::Vec3 position, physics::Geometry geometry,
-                physics::Quat rotation = {});
+                       physics::Quat rotation = {});
 // A convex stone of 14 corners about as large as the radius.
 physics::Geometry stone(Random& random, double radius);
 SceneBody colored(SceneBody body, std::uint32_t color);

@@ -51,7 +51,7 @@ std::optional<Geometry> read_mesh(FieldReader& in, const std::string& path, cons
     const std::vector<Vec3> vertices = points_of(in, path + ".vertices", m.vertices());
     if (m.indices_size() % 3 != 0)
         in.report_error(path + ".indices", "has " + std::to_string(m.indices_size()) +
-                                       " entries; give three for each triangle");
+                                               " entries; give three for each triangle");
     if (in.failed()) return std::nullopt;
     std::vector<std::array<std::uint32_t, 3>> triangles;
     for (int i = 0; i < m.indices_size(); i += 3)
@@ -66,14 +66,14 @@ std::optional<Geometry> read_solid(FieldReader& in, const std::string& path, con
     constexpr double hulls_max = 128;
     const std::vector<Vec3> vertices = points_of(in, path + ".mesh.vertices", m.mesh().vertices());
     if (m.mesh().indices_size() > 3 * triangles_max)
-        in.report_error(path + ".mesh.indices", "has " + std::to_string(m.mesh().indices_size() / 3) +
-                                            " triangles; a solid may have " +
-                                            std::to_string(triangles_max));
+        in.report_error(path + ".mesh.indices",
+                        "has " + std::to_string(m.mesh().indices_size() / 3) +
+                            " triangles; a solid may have " + std::to_string(triangles_max));
     decomposition::Options options;
-    if (m.hulls_max() != 0)
+    if (m.parts_max() != 0)
         options.hulls_max =
-            static_cast<int>(in.number(path + ".hulls_max", m.hulls_max(), 1, hulls_max));
-    if (m.has_excess()) options.max_volume_error = in.number(path + ".excess", m.max_volume_error(), 0, 10);
+            static_cast<int>(in.number(path + ".parts_max", m.parts_max(), 1, hulls_max));
+    if (m.has_excess()) options.max_volume_error = in.number(path + ".excess", m.excess(), 0, 10);
     if (in.failed()) return std::nullopt;
     const std::vector<std::uint32_t> indices(m.mesh().indices().begin(), m.mesh().indices().end());
     const auto parts = decomposition::decompose(vertices, indices, options);
@@ -103,8 +103,8 @@ std::optional<Geometry> read_height_field(FieldReader& in, const std::string& pa
         for (int i = 0; i < m.holes_size(); i++) {
             if (m.holes(i) >= grid.holes.size()) {
                 in.report_error(path + ".holes[" + std::to_string(i) + "]",
-                        "is " + std::to_string(m.holes(i)) + "; there are " +
-                            std::to_string(grid.holes.size()) + " cells");
+                                "is " + std::to_string(m.holes(i)) + "; there are " +
+                                    std::to_string(grid.holes.size()) + " cells");
                 return std::nullopt;
             }
             grid.holes[m.holes(i)] = 1;
@@ -124,7 +124,8 @@ std::optional<Geometry> read_compound(FieldReader& in, const std::string& path,
             break;
         }
         if (child.kind_case() == v1::Shape::kSolid) {
-            in.report_error(at, "is a solid in a compound; give it to the body as a shape of its own");
+            in.report_error(at,
+                            "is a solid in a compound; give it to the body as a shape of its own");
             break;
         }
         const auto geometry = read_geometry(in, at, child);
@@ -283,14 +284,16 @@ std::optional<Geometry> read_geometry(FieldReader& in, const std::string& path,
         case v1::Shape::kCompound:
             return read_compound(in, path + ".compound", m.compound());
         case v1::Shape::kGeometry:
-            in.report_error(path + ".geometry", "names a shape of a play stream; give the shape itself");
+            in.report_error(path + ".geometry",
+                            "names a shape of a play stream; give the shape itself");
             return std::nullopt;
         case v1::Shape::KIND_NOT_SET:
             break;
     }
-    in.report_error(path,
-            "has no kind; give one of sphere, capsule, box, plane, cylinder, cone, hull, mesh, "
-            "height_field, compound, solid");
+    in.report_error(
+        path,
+        "has no kind; give one of sphere, capsule, box, plane, cylinder, cone, hull, mesh, "
+        "height_field, compound, solid");
     return std::nullopt;
 }
 

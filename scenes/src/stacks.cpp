@@ -19,9 +19,9 @@ SceneDescription pyramid() {
     constexpr int rows = 30;
     for (int row = 0; row < rows; row++)
         for (int k = 0; k < rows - row; k++)
-            scene.bodies.push_back(dynamic_body("box " + std::to_string(row) + "." + std::to_string(k),
-                                         {(k - (rows - row - 1) / 2.0) * 1.05, 0.5 + row, 0},
-                                         Box{}));
+            scene.bodies.push_back(
+                dynamic_body("box " + std::to_string(row) + "." + std::to_string(k),
+                             {(k - (rows - row - 1) / 2.0) * 1.05, 0.5 + row, 0}, Box{}));
     return scene;
 }
 
@@ -31,8 +31,9 @@ SceneDescription wall() {
     for (int row = 0; row < rows; row++)
         for (int k = 0; k < bricks; k++)
             scene.bodies.push_back(colored(
-                dynamic_body("brick", {(k - bricks / 2.0 + (row % 2) * 0.5) * 1.01, 0.25 + 0.5 * row, 0},
-                      Box{{0.5, 0.25, 0.25}}),
+                dynamic_body("brick",
+                             {(k - bricks / 2.0 + (row % 2) * 0.5) * 1.01, 0.25 + 0.5 * row, 0},
+                             Box{{0.5, 0.25, 0.25}}),
                 row % 2 == 0 ? 0xb5533c : 0xc4694f));
     SceneBody ball = colored(dynamic_body("ball", {0, 2.5, 14}, Sphere{0.8}), 0x30343f);
     ball.body.linear_velocity = {0, 3, -14};
@@ -50,7 +51,7 @@ SceneDescription dominoes() {
         const SinCos at = sin_cos(angle);
         SceneBody domino =
             colored(dynamic_body("domino", {r * at.cos, 0.5, r * at.sin}, Box{{0.25, 0.5, 0.06}},
-                          from_axis_angle({0, 1, 0}, -angle)),
+                                 from_axis_angle({0, 1, 0}, -angle)),
                     i % 2 == 0 ? 0xf2e8cf : 0x386641);
         if (i == 0) {
             // Its face looks along the spiral: over it goes.

@@ -53,10 +53,10 @@ SceneDescription incline() {
     for (int i = 0; i < 9; i++) {
         // The pair's coefficient is sqrt(1 * f): 0.1 i.
         const double mu = 0.1 * i;
-        SceneBody box =
-            colored(dynamic_body("mu 0." + std::to_string(i), rotate(slope, {-8, 0.75, (i - 4) * 1.2}),
-                          Box{{0.4, 0.25, 0.4}}, slope),
-                    mu > 0.364 ? 0x81b29a : 0xe07a5f);
+        SceneBody box = colored(
+            dynamic_body("mu 0." + std::to_string(i), rotate(slope, {-8, 0.75, (i - 4) * 1.2}),
+                         Box{{0.4, 0.25, 0.4}}, slope),
+            mu > 0.364 ? 0x81b29a : 0xe07a5f);
         box.shapes[0].material.friction = mu * mu;
         scene.bodies.push_back(box);
     }

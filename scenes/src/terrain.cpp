@@ -79,15 +79,16 @@ SceneDescription terrain() {
         const double x = random.in(-8, 8), z = random.in(-8, 8), turn = random.in(0, 3);
         const Geometry kinds[] = {Sphere{0.3}, Cylinder{0.35, 0.15}, stone(random, 0.4),
                                   Box{{0.3, 0.2, 0.25}}, Capsule{0.2, 0.25}};
-        SceneBody body = colored(dynamic_body("stone", {x, height_at(x, z) + 2 + 0.1 * i, z}, kinds[i % 5],
-                                       from_axis_angle({1, 0.3, 0.2}, turn)),
+        SceneBody body = colored(dynamic_body("stone", {x, height_at(x, z) + 2 + 0.1 * i, z},
+                                              kinds[i % 5], from_axis_angle({1, 0.3, 0.2}, turn)),
                                  colors[i % 5]);
         body.shapes[0].material = {.friction = 0.7, .restitution = 0.1, .rolling_friction = 0.004};
         scene.bodies.push_back(body);
     }
     for (int i = 0; i < 5; i++)
         scene.bodies.push_back(colored(
-            dynamic_body("ball", {-10.7, 10 + 1.2 * i, -9 + (i % 3 - 1) * 0.7}, Sphere{0.25}), 0xe63946));
+            dynamic_body("ball", {-10.7, 10 + 1.2 * i, -9 + (i % 3 - 1) * 0.7}, Sphere{0.25}),
+            0xe63946));
     return scene;
 }
 

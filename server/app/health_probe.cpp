@@ -71,7 +71,7 @@ std::shared_ptr<grpc::ChannelCredentials> credentials(const std::string& certifi
 
 // What is wrong with gRPC, or nothing.
 std::optional<std::string> probe_grpc(const HealthTarget& target,
-                                         std::chrono::milliseconds timeout) {
+                                      std::chrono::milliseconds timeout) {
     grpc::ChannelArguments arguments;
     arguments.SetInt(GRPC_ARG_ENABLE_HTTP_PROXY, 0);  // never by way of another machine
     const auto stub = health::Health::NewStub(grpc::CreateCustomChannel(
@@ -117,7 +117,7 @@ asio::awaitable<http::status> ask_http(asio::io_context& io, const HealthTarget&
 
 // What is wrong with HTTP, or nothing.
 std::optional<std::string> probe_http(const HealthTarget& target,
-                                         std::chrono::milliseconds timeout) {
+                                      std::chrono::milliseconds timeout) {
     asio::io_context io;
     std::optional<std::string> fault = "no answer in time";
     asio::co_spawn(io, ask_http(io, target),

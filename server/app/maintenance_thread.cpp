@@ -8,8 +8,9 @@
 
 namespace jostle::server {
 
-MaintenanceThread::MaintenanceThread(Authorizer& authorizer, CertificateStore* certificates, std::function<void()> every_second,
-               std::function<bool()> is_healthy)
+MaintenanceThread::MaintenanceThread(Authorizer& authorizer, CertificateStore* certificates,
+                                     std::function<void()> every_second,
+                                     std::function<bool()> is_healthy)
     : authorizer_(authorizer),
       certificates_(certificates),
       every_second_(std::move(every_second)),

@@ -21,8 +21,8 @@ class MaintenanceThread {
 public:
     // Gate and certificates outlive it; null certificates: there are none. `every_second`,
     // `is_healthy`: any thread.
-    MaintenanceThread(Authorizer& authorizer, CertificateStore* certificates, std::function<void()> every_second,
-           std::function<bool()> is_healthy);
+    MaintenanceThread(Authorizer& authorizer, CertificateStore* certificates,
+                      std::function<void()> every_second, std::function<bool()> is_healthy);
     ~MaintenanceThread();
 
 private:

@@ -15,18 +15,18 @@
 #include <random>
 
 #include "jostle/scenes/scene_file.h"
-#include "server/app/shutdown_watchdog.h"
+#include "server/app/maintenance_thread.h"
 #include "server/app/service_manager.h"
 #include "server/app/shutdown.h"
-#include "server/app/maintenance_thread.h"
+#include "server/app/shutdown_watchdog.h"
 #include "server/config/exposure.h"
 #include "server/grpc/admin_methods.h"
 #include "server/grpc/grpc_server.h"
 #include "server/grpc/query_methods.h"
 #include "server/grpc/world_methods.h"
 #include "server/http/admin_routes.h"
-#include "server/http/http_server.h"
 #include "server/http/http_routes.h"
+#include "server/http/http_server.h"
 #include "server/recovery/world_archive.h"
 #include "server/services/query_control.h"
 #include "server/services/world_control.h"
@@ -106,7 +106,7 @@ void refresh_metrics(Metrics& metrics, const CertificateStore* certificates) {
 // Few and small: Prometheus, a probe, an operator or two.
 // Beyond this machine it asks for certificates where there is an authority for them.
 HttpServerSettings admin_settings(const Config& config, const Metrics& metrics,
-                               const CertificateStore* certificates) {
+                                  const CertificateStore* certificates) {
     const HostPort address = *parse_host_port(config.admin);
     const bool asks = !config.tls.client_ca.empty() && !is_loopback(address.host);
     return {.host = address.host,
@@ -258,8 +258,9 @@ int run_server(const Config& config, const std::string& port_file, const std::st
     }
     WorldDirectory worlds(hosts, config.world.worlds_max, process_suffix());
     if (!config.development.network_conditions.empty())
-        log_warn("development.network_conditions makes the link to every client worse on purpose: {}",
-                 config.development.network_conditions);
+        log_warn(
+            "development.network_conditions makes the link to every client worse on purpose: {}",
+            config.development.network_conditions);
 
     const auto opened = Authorizer::open(config);
     if (!opened.ok()) return failed(opened.error());
@@ -335,7 +336,7 @@ int run_server(const Config& config, const std::string& port_file, const std::st
                      .metrics = &metrics.listener(Listener::grpc),
                      .tcp_user_timeout = from_seconds(config.stream.client_timeout_seconds),
                      .idle_max = from_seconds(config.connection.idle_timeout_seconds)});
-    HttpServer gateway(
+    HttpServer http_server(
         context, routes,
         {.host = http.host,
          .port = http.port,
@@ -353,13 +354,14 @@ int run_server(const Config& config, const std::string& port_file, const std::st
     }
     const int admin_port = admin ? admin->port() : 0;
     const std::string web =
-        fmt::format("{}:{}", reachable(http.host, config.advertised_hostd_host), http_server.port());
+        fmt::format("{}:{}", reachable(http.host, config.advertised_host), http_server.port());
     control.set_addresses(
-        {.grpc = fmt::format("{}:{}", reachable(listen.host, config.advertised_hostd_host), grpc.port()),
+        {.grpc = fmt::format("{}:{}", reachable(listen.host, config.advertised_host), grpc.port()),
          .websocket = (certificates ? "wss://" : "ws://") + web + "/play"});
     wakers.set(&grpc, &http_server);
     const int datagram_port = datagrams ? datagrams->port() : 0;
-    if (Status s = write_ports(port_file, {grpc.port(), http_server.port(), admin_port, datagram_port});
+    if (Status s =
+            write_ports(port_file, {grpc.port(), http_server.port(), admin_port, datagram_port});
         !s.ok()) {
         wakers.set(nullptr, nullptr);
         return failed(s.error());
@@ -373,10 +375,11 @@ int run_server(const Config& config, const std::string& port_file, const std::st
 
     {
         const auto now_and_then = [&] { remove_expired_clients(context, Clock::now()); };
-        const MaintenanceThread maintenance_thread(authorizer, certificates.get(), now_and_then, [&] {
-            const Clock::time_point now = Clock::now();
-            return watch.all_worlds_tick(now) && !grpc.failure_reason(now);
-        });
+        const MaintenanceThread maintenance_thread(
+            authorizer, certificates.get(), now_and_then, [&] {
+                const Clock::time_point now = Clock::now();
+                return watch.all_worlds_tick(now) && !grpc.failure_reason(now);
+            });
         notify_ready(fmt::format("gRPC on {}:{}, {} worlds", listen.host, grpc.port(),
                                  worlds.list().size()));
         shutdown.wait(config.drain_timeout_seconds, grpc, http_server, context);
@@ -391,7 +394,8 @@ int run_server(const Config& config, const std::string& port_file, const std::st
     if (admin) admin->stop();  // late: who watches sees the end
     worlds.stop_all();
     if (archive && !archive->flush(flush_timeout))
-        log_error("not all could be kept: {}", archive->failure_reason().value_or("the store is slow"));
+        log_error("not all could be kept: {}",
+                  archive->failure_reason().value_or("the store is slow"));
     log_info("done");
     return 0;
 }

@@ -18,9 +18,10 @@ namespace jostle::server {
 
 class Shutdown {
 public:
-    // Waits for the first of them, then gives clients `drain_timeout_seconds` to leave; a further signal
-    // ends the wait.
-    void wait(double drain_timeout_seconds, GrpcServer& grpc, HttpServer& http_server, PlayContext& context);
+    // Waits for the first of them, then gives clients `drain_timeout_seconds` to leave; a further
+    // signal ends the wait.
+    void wait(double drain_timeout_seconds, GrpcServer& grpc, HttpServer& http_server,
+              PlayContext& context);
 
 private:
     void await_signal();

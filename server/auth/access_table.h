@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Who may do what, in one table: a row for each RPC, each HTTP route, and for the inputs within a
-// play stream. authorizer.h decides by it, docs/operations.md prints it, and a test holds it against the
-// services: a new RPC without a row fails there, and is refused here.
+// play stream. authorizer.h decides by it, docs/operations.md prints it, and a test holds it
+// against the services: a new RPC without a row fails there, and is refused here.
 #pragma once
 
 #include <span>

@@ -144,7 +144,8 @@ Result<std::unique_ptr<Authorizer>> Authorizer::open(const Config& config) {
     return std::unique_ptr<Authorizer>(new Authorizer(config, std::move(keys), std::move(*audit)));
 }
 
-Authorizer::Authorizer(const Config& config, std::unique_ptr<KeySet> keys, std::unique_ptr<AuditLog> audit)
+Authorizer::Authorizer(const Config& config, std::unique_ptr<KeySet> keys,
+                       std::unique_ptr<AuditLog> audit)
     : rules_{.issuer = config.auth.issuer,
              .audience = config.auth.audience,
              .leeway = std::chrono::seconds(config.auth.leeway_seconds)},
@@ -178,7 +179,8 @@ Result<Identity> Authorizer::identify_token(const PeerCredentials& caller, const
         audit_refusal(entry, now);
         return error;
     };
-    const Quotas::QuotaDecision quota = quotas_.peek(QuotaKind::refused_logins, {}, network, now.steady);
+    const Quotas::QuotaDecision quota =
+        quotas_.peek(QuotaKind::refused_logins, {}, network, now.steady);
     if (!quota.granted) return refuse(rate_limited("refused tokens", quota.retry_after));
     Result<Identity> who =
         keys_ ? verify_token(caller.bearer, *keys_->keys(), rules_, now.wall)
@@ -208,7 +210,8 @@ Status Authorizer::admit(const Identity& who, const AccessRequest& ask, const Cl
     return status;
 }
 
-void Authorizer::record(const Identity& who, const AccessRequest& ask, const Status& outcome, const ClockPair& now) {
+void Authorizer::record(const Identity& who, const AccessRequest& ask, const Status& outcome,
+                        const ClockPair& now) {
     AuditEntry entry = entry_of(who, ask, now);
     entry.outcome = outcome.ok() ? "done" : "failed";
     if (!outcome.ok()) entry.reason = outcome.error().message;
@@ -216,14 +219,16 @@ void Authorizer::record(const Identity& who, const AccessRequest& ask, const Sta
 }
 
 Result<std::string> Authorizer::issue_ticket(const Identity& who, std::string_view world_id,
-                                       std::string_view address, const ClockPair& now) {
+                                             std::string_view address, const ClockPair& now) {
     return tickets_.issue(who, account_of(who, address), std::string(world_id), now.steady);
 }
 
 // Which of the three was wrong with a ticket is for the audit log alone: to a guesser it would say
 // how near he is.
-Result<Authorizer::Entry> Authorizer::redeem_ticket(std::string_view ticket, std::string_view world_id,
-                                        std::string_view address, const ClockPair& now) {
+Result<Authorizer::Entry> Authorizer::redeem_ticket(std::string_view ticket,
+                                                    std::string_view world_id,
+                                                    std::string_view address,
+                                                    const ClockPair& now) {
     Tickets::Redeemed redeemed = tickets_.redeem(ticket, now.steady);
     std::string_view reason = reason_of(redeemed.ticket_status);
     if (reason.empty() && !world_id.empty() && world_id != redeemed.world_id)

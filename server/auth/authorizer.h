@@ -21,9 +21,9 @@
 
 #include "server/auth/access_table.h"
 #include "server/auth/audit_log.h"
+#include "server/auth/clock_pair.h"
 #include "server/auth/identity.h"
 #include "server/auth/key_set.h"
-#include "server/auth/clock_pair.h"
 #include "server/auth/quotas.h"
 #include "server/auth/tickets.h"
 #include "server/config/config.h"
@@ -56,9 +56,11 @@ public:
 
     // A token decides, if there is one; then a certificate, whose holder is an admin; who shows
     // neither is anonymous.
-    Result<Identity> identify(const PeerCredentials& caller, const ClockPair& now = ClockPair::now());
+    Result<Identity> identify(const PeerCredentials& caller,
+                              const ClockPair& now = ClockPair::now());
 
-    Status admit(const Identity& who, const AccessRequest& ask, const ClockPair& now = ClockPair::now());
+    Status admit(const Identity& who, const AccessRequest& ask,
+                 const ClockPair& now = ClockPair::now());
 
     // What came of a call that changes something. The world may be known only now.
     void record(const Identity& who, const AccessRequest& ask, const Status& outcome,
@@ -66,7 +68,8 @@ public:
 
     // For JoinWorld, once it was admitted.
     Result<std::string> issue_ticket(const Identity& who, std::string_view world_id,
-                                     std::string_view address, const ClockPair& now = ClockPair::now());
+                                     std::string_view address,
+                                     const ClockPair& now = ClockPair::now());
 
     struct Entry {
         Identity who;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Who is asking: what authorizer.h makes of a token, a client's certificate or nothing, and what every
-// right, quota and audit line goes by. A value; any thread.
+// Who is asking: what authorizer.h makes of a token, a client's certificate or nothing, and what
+// every right, quota and audit line goes by. A value; any thread.
 #pragma once
 
 #include <optional>

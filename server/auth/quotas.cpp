@@ -47,8 +47,8 @@ Allowance of_address(QuotaKind work, const QuotaSettings& s) {
 Quotas::Quotas(const QuotaSettings& settings)
     : settings_(settings), buckets_(static_cast<std::size_t>(std::max(2, settings.buckets_max))) {}
 
-Quotas::QuotaDecision Quotas::take(QuotaKind work, std::string_view subject, std::string_view network,
-                            Clock::time_point now) {
+Quotas::QuotaDecision Quotas::take(QuotaKind work, std::string_view subject,
+                                   std::string_view network, Clock::time_point now) {
     const std::lock_guard lock(mutex_);
     const QuotaDecision answer = peek_locked(work, subject, network, now);
     if (!answer.granted) return answer;
@@ -57,8 +57,8 @@ Quotas::QuotaDecision Quotas::take(QuotaKind work, std::string_view subject, std
     return answer;
 }
 
-Quotas::QuotaDecision Quotas::peek(QuotaKind work, std::string_view subject, std::string_view network,
-                            Clock::time_point now) {
+Quotas::QuotaDecision Quotas::peek(QuotaKind work, std::string_view subject,
+                                   std::string_view network, Clock::time_point now) {
     const std::lock_guard lock(mutex_);
     return peek_locked(work, subject, network, now);
 }
@@ -78,8 +78,8 @@ TokenBucket& Quotas::bucket_of(QuotaKind work, bool subjects, std::string_view n
     });
 }
 
-Quotas::QuotaDecision Quotas::peek_locked(QuotaKind work, std::string_view subject, std::string_view network,
-                                   Clock::time_point now) {
+Quotas::QuotaDecision Quotas::peek_locked(QuotaKind work, std::string_view subject,
+                                          std::string_view network, Clock::time_point now) {
     Clock::duration wait = bucket_of(work, false, network, now).wait_for(1, now);
     if (!subject.empty())
         wait = std::max(wait, bucket_of(work, true, subject, now).wait_for(1, now));

@@ -27,10 +27,10 @@ public:
     // One piece of work of that subject (empty: of the address alone) from that network
     // (base/address.h). Takes from both buckets or from none.
     QuotaDecision take(QuotaKind work, std::string_view subject, std::string_view network,
-                Clock::time_point now);
+                       Clock::time_point now);
     // What take() would answer.
     QuotaDecision peek(QuotaKind work, std::string_view subject, std::string_view network,
-                Clock::time_point now);
+                       Clock::time_point now);
 
     std::size_t buckets() const;
 
@@ -38,7 +38,7 @@ private:
     TokenBucket& bucket_of(QuotaKind work, bool of_subject, std::string_view name,
                            Clock::time_point now);
     QuotaDecision peek_locked(QuotaKind work, std::string_view subject, std::string_view network,
-                       Clock::time_point now);
+                              Clock::time_point now);
 
     const QuotaSettings settings_;
     mutable std::mutex mutex_;

@@ -60,13 +60,14 @@ struct TickSettings {
 };
 
 struct StreamSettings {
-    int ack_window_max = 30;      // messages on the way to a client
-    int ack_interval_ms = 100;             // how often a client acknowledges
-    double hello_timeout_seconds = 5;     // a stream that says nothing is closed
+    int ack_window_max = 30;             // messages on the way to a client
+    int ack_interval_ms = 100;           // how often a client acknowledges
+    double hello_timeout_seconds = 5;    // a stream that says nothing is closed
     double client_timeout_seconds = 10;  // a client that says nothing at all is gone
     double stats_per_second = 2;
-    int codec = 2;       // of snapshots: the highest that clients are offered
-    double interest_cell_m = 32;  // edge of the parts of a world that clients with an interest are told of
+    int codec = 2;  // of snapshots: the highest that clients are offered
+    double interest_cell_m =
+        32;  // edge of the parts of a world that clients with an interest are told of
     // Snapshots a second to a client while nothing in its world moves.
     double heartbeats_per_second = 4;
 };
@@ -121,7 +122,8 @@ struct DevelopmentSettings {
     // A link that is worse than the real one, to every client and back, as in
     // "delay=80,jitter=20,stalls=250" (jostle/base/network_simulator.h); empty: the real one.
     std::string network_conditions;
-    std::vector<std::string> network_conditions_worlds;  // names of the worlds that have it; empty: all
+    std::vector<std::string>
+        network_conditions_worlds;  // names of the worlds that have it; empty: all
 };
 
 // Snapshots, acks and inputs as datagrams, for clients that ask for it (docs/protocol.md).
@@ -134,15 +136,16 @@ struct DatagramSettings {
 
 // What outlives the process (docs/persistence.md).
 struct PersistenceSettings {
-    std::string database;  // an SQLite file, made if there is none; empty: worlds end with the process
+    std::string
+        database;  // an SQLite file, made if there is none; empty: worlds end with the process
     // "machine": what clients were told survives the end of the machine; "process": that of the
     // process, however it ends; "none": as without a store.
-    std::string level = "machine";
+    std::string durability = "machine";
     double checkpoint_interval_seconds = 60;  // a world that moves is written whole so often
-    double replay_seconds_max = 2;       // or when its steps since then took so long
-    double history_retention_hours = 0;        // that can be gone back to; 0: the last two checkpoints
+    double replay_seconds_max = 2;            // or when its steps since then took so long
+    double history_retention_hours = 0;  // that can be gone back to; 0: the last two checkpoints
 
-    bool is_on() const { return !database.empty() && level != "none"; }
+    bool is_on() const { return !database.empty() && durability != "none"; }
 };
 
 struct Config {
@@ -159,7 +162,7 @@ struct Config {
     // the name of the machine.
     std::string advertised_host;
     double drain_timeout_seconds = 5;  // after SIGTERM, for clients to leave
-    int network_threads = 1;   // gRPC play streams; each owns its clients
+    int network_threads = 1;           // gRPC play streams; each owns its clients
     ClientLimits client;
     ConnectionLimits connection;
     WorldLimits world;

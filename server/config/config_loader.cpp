@@ -66,7 +66,7 @@ Setters setters_of(Config& c) {
         {"insecure", into(c.insecure)},
         {"log_level", into(c.log_level)},
         {"log_format", into(c.log_format)},
-        {"advertised_host", into(c.advertised_hostd_host)},
+        {"advertised_host", into(c.advertised_host)},
         {"drain_timeout_seconds", into(c.drain_timeout_seconds)},
         {"network_threads", into(c.network_threads)},
         {"client.messages_per_second", into(c.client.messages_per_second)},
@@ -111,7 +111,8 @@ Setters setters_of(Config& c) {
         {"stream.codec", into(c.stream.codec)},
         {"persistence.database", into(c.persistence.database)},
         {"persistence.durability", into(c.persistence.durability)},
-        {"persistence.checkpoint_interval_seconds", into(c.persistence.checkpoint_interval_seconds)},
+        {"persistence.checkpoint_interval_seconds",
+         into(c.persistence.checkpoint_interval_seconds)},
         {"persistence.replay_seconds_max", into(c.persistence.replay_seconds_max)},
         {"persistence.history_retention_hours", into(c.persistence.history_retention_hours)},
         {"datagrams.listen", into(c.datagrams.listen)},
@@ -153,7 +154,8 @@ Status apply_table(const Setters& setters, const toml::table& table, const std::
                                                           "there is no setting \"" + path +
                                                           "\"; docs/operations.md lists them"};
         if (!at->second(node))
-            return Error{ErrorCode::invalid_argument, location_of(name, node.source()) + "\"" + path +
+            return Error{ErrorCode::invalid_argument, location_of(name, node.source()) + "\"" +
+                                                          path +
                                                           "\" has a value of the wrong type"};
     }
     return {};

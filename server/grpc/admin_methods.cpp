@@ -40,7 +40,8 @@ CallMethod world_call(AdminControl& control, const WorldDirectory& worlds, const
                                   Response& response) {
             Status done = (control.*handle)(request, response);
             if (audit == Audit::yes)
-                context.authorizer.record(context.who, context.ask({request.world(), {}, {}}), done);
+                context.authorizer.record(context.who, context.ask({request.world(), {}, {}}),
+                                          done);
             return done;
         });
 }
@@ -60,7 +61,8 @@ std::vector<CallMethod> admin_methods(AdminControl& control, const WorldDirector
                    &AdminControl::export_world),
         world_call(control, worlds, "RewindWorld", CallWork::blocking, Audit::yes,
                    &AdminControl::rewind_world),
-        world_call(control, worlds, "Profile", CallWork::blocking, Audit::no, &AdminControl::profile),
+        world_call(control, worlds, "Profile", CallWork::blocking, Audit::no,
+                   &AdminControl::profile),
     };
 }
 

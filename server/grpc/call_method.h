@@ -28,19 +28,21 @@ struct CallContext {
     std::chrono::system_clock::time_point deadline;
     std::function<bool()> is_cancelled;  // nobody waits for the answer any more
 
-    bool is_too_late() const { return deadline <= std::chrono::system_clock::now() || is_cancelled(); }
+    bool is_too_late() const {
+        return deadline <= std::chrono::system_clock::now() || is_cancelled();
+    }
     AccessRequest ask(const WorldTarget& world) const { return {call, world, address}; }
 };
 
 using ResponseBytes = std::shared_ptr<const std::string>;
 
 enum class CallWork {
-    quick,    // one request, one answer at once
-    query,    // likewise, on the threads of what asks worlds
-    control,  // likewise, on the threads of what changes worlds
-    blocking,    // likewise, on the threads of what waits for a world: operators' calls
-    stream,   // an answer for each request, until the client ends it
-    watch,    // one request, then an answer whenever there is another one
+    quick,     // one request, one answer at once
+    query,     // likewise, on the threads of what asks worlds
+    control,   // likewise, on the threads of what changes worlds
+    blocking,  // likewise, on the threads of what waits for a world: operators' calls
+    stream,    // an answer for each request, until the client ends it
+    watch,     // one request, then an answer whenever there is another one
 };
 
 struct CallMethod {
@@ -51,7 +53,9 @@ struct CallMethod {
     bool authorizes_world = false;
     bool is_probe = false;  // is answered however many calls of others are open
     // On a thread of a pool; a watch's on that of the front, again and again.
-    std::function<Status(const CallContext&, std::string_view request, ResponseBytes& response_bytes)> run;
+    std::function<Status(const CallContext&, std::string_view request,
+                         ResponseBytes& response_bytes)>
+        run;
 
     // Until its client ends it.
     bool stays_open() const { return work == CallWork::stream || work == CallWork::watch; }
@@ -67,7 +71,8 @@ inline Status parse(std::string_view bytes, google::protobuf::Message& request) 
 inline Status admit(const CallContext& context, const WorldDirectory& worlds,
                     const std::string& name) {
     const std::shared_ptr<WorldHost> world = worlds.find(name);
-    return context.authorizer.admit(context.who, context.ask(world ? world_target(*world) : WorldTarget{}));
+    return context.authorizer.admit(context.who,
+                                    context.ask(world ? world_target(*world) : WorldTarget{}));
 }
 
 // `handle` is called as Status(const CallContext&, const Request&, Response&).

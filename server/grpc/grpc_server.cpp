@@ -75,7 +75,7 @@ GrpcServer::GrpcServer(PlayContext& context, std::vector<CallMethod> methods,
     : context_(context),
       settings_(std::move(settings)),
       dispatcher_(all_methods(std::move(methods), std::move(is_healthy)), context.authorizer, {},
-             context.rpc_metrics),
+                  context.rpc_metrics),
       table_(settings_.connections),
       relay_(table_, settings_.relay, settings_.metrics),
       acceptor_(table_, settings_.certificates, settings_.tcp_user_timeout, settings_.metrics) {}
@@ -119,7 +119,8 @@ Status GrpcServer::start() {
     server_ = builder.BuildAndStart();
     if (!server_) return Error{ErrorCode::unavailable, "gRPC cannot start its server"};
     dispatcher_.start(shards_.front()->queue(), table_);
-    for (const auto& shard : shards_) shard->start(shard == shards_.front() ? &dispatcher_ : nullptr);
+    for (const auto& shard : shards_)
+        shard->start(shard == shards_.front() ? &dispatcher_ : nullptr);
     serving_ = true;
     probed_at_ = Clock::now().time_since_epoch().count();
     prober_ = std::thread([this] { probe_self(); });

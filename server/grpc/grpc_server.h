@@ -19,8 +19,8 @@
 #include <vector>
 
 #include "jostle/base/result.h"
-#include "server/grpc/unary_dispatcher.h"
 #include "server/grpc/play_shard.h"
+#include "server/grpc/unary_dispatcher.h"
 #include "server/grpc_proxy/connection_acceptor.h"
 #include "server/grpc_proxy/connection_relay.h"
 #include "server/tls/certificate_store.h"
@@ -34,9 +34,9 @@ struct GrpcSettings {
     const CertificateStore* certificates = nullptr;  // null: without TLS; outlives the server
     ConnectionTableLimits connections = {};
     RelayLimits relay = {};
-    const ListenerMetrics* metrics = nullptr;                // null: nobody counts
+    const ListenerMetrics* metrics = nullptr;                     // null: nobody counts
     Clock::duration tcp_user_timeout = std::chrono::seconds(10);  // of who takes nothing
-    Clock::duration idle_max = std::chrono::minutes(5);      // of a connection without a call
+    Clock::duration idle_max = std::chrono::minutes(5);           // of a connection without a call
 };
 
 class GrpcServer {

@@ -14,11 +14,11 @@ namespace jostle::server {
 
 namespace {
 
-constexpr std::size_t message_bytes_max = 400;
+constexpr std::size_t log_message_bytes_max = 400;
 
 // Its errors are mostly about single peers: they are no trouble of the server's.
 void write_grpc(gpr_log_func_args* said) {
-    const std::string text = printable(said->message, message_bytes_max);
+    const std::string text = printable(said->message, log_message_bytes_max);
     if (said->severity == GPR_LOG_SEVERITY_ERROR)
         log_warn("gRPC: {}", text);
     else
@@ -27,7 +27,7 @@ void write_grpc(gpr_log_func_args* said) {
 
 // Of messages that are none, mostly: who reads them knows what to do.
 void write_protobuf(google::protobuf::LogLevel, const char*, int, const std::string& message) {
-    log_debug("protobuf: {}", printable(message, message_bytes_max));
+    log_debug("protobuf: {}", printable(message, log_message_bytes_max));
 }
 
 }  // namespace

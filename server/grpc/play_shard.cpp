@@ -126,7 +126,7 @@ void PlayShard::run() {
 }
 
 void PlayShard::dispatch(RpcTag& tag, bool ok, Clock::time_point now) {
-    if (tag.of == RpcTag::Owner::call)
+    if (tag.owner == RpcTag::Owner::call)
         dispatcher_->handle(tag, ok);
     else
         handle(static_cast<PlayTag&>(tag), ok, now);
@@ -148,7 +148,8 @@ void PlayShard::handle(PlayTag& tag, bool ok, Clock::time_point now) {
             owned->begin(
                 context_, connections_, [this] { wake_for_datagrams(); }, now);
             if (streams_.size() >= streams_max() || too_many_without_hello_from(owned->network()))
-                owned->session().refuse(Error{ErrorCode::resource_exhausted, "too many streams"}, now);
+                owned->session().refuse(Error{ErrorCode::resource_exhausted, "too many streams"},
+                                        now);
             streams_.push_back(std::move(owned));
             housekeeping_ = std::min(housekeeping_, now + shard_housekeeping_period);
             stream_count_.store(streams_.size(), std::memory_order_relaxed);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // One network thread: a completion queue and the play streams whose calls arrived on it; one of the
-// shards has all other calls as well (unary_dispatcher.h), because gRPC lets whoever waits on a queue
-// read all connections, and has to wake another thread for what is not its own. All reading,
+// shards has all other calls as well (unary_dispatcher.h), because gRPC lets whoever waits on a
+// queue read all connections, and has to wake another thread for what is not its own. All reading,
 // encoding and writing for these clients happens here, so nothing is locked and no write wakes
 // another thread. The thread sleeps until gRPC has an event, a world has a new frame, or the
 // housekeeping tick is due.
@@ -18,8 +18,8 @@
 #include <thread>
 #include <vector>
 
-#include "server/grpc/unary_dispatcher.h"
 #include "server/grpc/play_stream.h"
+#include "server/grpc/unary_dispatcher.h"
 #include "server/grpc_proxy/connection_table.h"
 
 namespace jostle::server {

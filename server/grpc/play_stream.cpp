@@ -36,13 +36,14 @@ void PlayStream::begin(PlayContext& context, const ConnectionTable& connections,
     connection_->calls_accepted++;
     connection_->calls++;
     metrics_ = context.rpc_metrics;
-    session_ = std::make_unique<ClientSession>(context,
-                                         Peer{.name = "grpc:" + connection_->peer,
-                                              .address = connection_->address,
-                                              .call = "jostle.v1.PlayService/Play",
-                                              .who = identify(context_, *connection_, context.authorizer),
-                                              .wake = std::move(wake)},
-                                         now);
+    session_ = std::make_unique<ClientSession>(
+        context,
+        Peer{.name = "grpc:" + connection_->peer,
+             .address = connection_->address,
+             .call = "jostle.v1.PlayService/Play",
+             .who = identify(context_, *connection_, context.authorizer),
+             .wake = std::move(wake)},
+        now);
     start_read();
 }
 
@@ -102,7 +103,8 @@ void PlayStream::advance(Clock::time_point now) {
     if (writing_) {
         session_->wait_for_write(now);
         // A client that no longer reads would keep its last write, and so its stream, for ever.
-        if (session_->end() && now >= session_->end_time() + last_write_timeout) context_.TryCancel();
+        if (session_->end() && now >= session_->end_time() + last_write_timeout)
+            context_.TryCancel();
         return;
     }
     std::optional<OutMessage> message;

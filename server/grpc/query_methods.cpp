@@ -10,14 +10,16 @@ namespace jostle::server {
 
 namespace {
 
-constexpr std::size_t query_request_bytes_max = 4 * 1024 * 1024;  // a hundred hulls of a thousand points
+constexpr std::size_t query_request_bytes_max =
+    4 * 1024 * 1024;  // a hundred hulls of a thousand points
 
 template <class Request, class Response>
 CallMethod question(const QueryControl& queries, const WorldDirectory& worlds, const char* name,
                     Status (QueryControl::*ask)(const Request&, Response&, const CancellationCheck&)
                         const) {
     return world_method<Request, Response>(
-        std::string("/jostle.v1.QueryService/") + name, CallWork::query, query_request_bytes_max, worlds,
+        std::string("/jostle.v1.QueryService/") + name, CallWork::query, query_request_bytes_max,
+        worlds,
         [&queries, ask](const CallContext& context, const Request& request, Response& response) {
             return (queries.*ask)(request, response, [&] { return !context.is_too_late(); });
         });
@@ -29,12 +31,13 @@ class ResponseCache {
 public:
     template <class Make>
     ResponseBytes find_or_make(const QueryFramePtr& frame, std::string_view request,
-                             const Make& make) {
+                               const Make& make) {
         const std::lock_guard lock(mutex_);
-        std::erase_if(kept_, [](const CachedResponse& kept) { return kept.answer.expired(); });
+        std::erase_if(kept_,
+                      [](const CachedResponse& kept) { return kept.response_bytes.expired(); });
         for (const CachedResponse& kept : kept_)
-            if (ResponseBytes response_bytes = kept.answer.lock();
-                answer && kept.frame.lock() == frame && kept.request == request)
+            if (ResponseBytes response_bytes = kept.response_bytes.lock();
+                response_bytes && kept.frame.lock() == frame && kept.request == request)
                 return response_bytes;
         const ResponseBytes made = make();
         kept_.push_back({frame, std::string(request), made});

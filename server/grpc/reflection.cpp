@@ -48,8 +48,8 @@ void answer(const reflection::ServerReflectionRequest& request,
         case Request::kFileByFilename:
             return respond_with_file(pool.FindFileByName(request.file_by_filename()), response);
         case Request::kFileContainingSymbol:
-            return respond_with_file(pool.FindFileContainingSymbol(request.file_containing_symbol()),
-                               response);
+            return respond_with_file(
+                pool.FindFileContainingSymbol(request.file_containing_symbol()), response);
         case Request::kListServices:
             for (const std::string& name : services)
                 response.mutable_list_services_response()->add_service()->set_name(name);

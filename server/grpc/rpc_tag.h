@@ -10,9 +10,9 @@ namespace jostle::server {
 struct RpcTag {
     enum class Owner : std::uint8_t { play, call };
 
-    explicit RpcTag(Owner whose) : of(whose) {}
+    explicit RpcTag(Owner owner) : owner(owner) {}
 
-    const Of of;
+    const Owner owner;
 };
 
 }  // namespace jostle::server

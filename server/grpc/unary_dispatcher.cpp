@@ -61,8 +61,8 @@ struct UnaryDispatcher::Call {
     void wait_for_request() { waits_since = Clock::now().time_since_epoch().count(); }
 };
 
-UnaryDispatcher::UnaryDispatcher(std::vector<CallMethod> methods, Authorizer& authorizer, CallLimits limits,
-                     RpcMetrics* metrics)
+UnaryDispatcher::UnaryDispatcher(std::vector<CallMethod> methods, Authorizer& authorizer,
+                                 CallLimits limits, RpcMetrics* metrics)
     : methods_([&] {
           std::map<std::string, CallMethod> by_path;
           for (CallMethod& method : methods) by_path.emplace(method.path, std::move(method));
@@ -80,7 +80,8 @@ UnaryDispatcher::~UnaryDispatcher() {
     stop();
 }
 
-void UnaryDispatcher::start(grpc::ServerCompletionQueue& queue, const ConnectionTable& connections) {
+void UnaryDispatcher::start(grpc::ServerCompletionQueue& queue,
+                            const ConnectionTable& connections) {
     queue_ = &queue;
     connections_ = &connections;
     due_ = Clock::now() + dispatcher_housekeeping_period;

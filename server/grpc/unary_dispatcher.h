@@ -28,12 +28,12 @@
 namespace jostle::server {
 
 struct CallLimits {
-    std::size_t calls_max = 256;     // open at once
-    int calls_per_peer_max = 32;     // of one connection
-    std::size_t queue_max = 64;      // that wait for a thread, of each pool
-    std::size_t open_streams_max = 64;    // streams and watches
-    double response_bytes_max = 64e6;  // made but not yet taken by their clients
-    int waiting_threads = 2;         // for what waits for a world
+    std::size_t calls_max = 256;        // open at once
+    int calls_per_peer_max = 32;        // of one connection
+    std::size_t queue_max = 64;         // that wait for a thread, of each pool
+    std::size_t open_streams_max = 64;  // streams and watches
+    double response_bytes_max = 64e6;   // made but not yet taken by their clients
+    int waiting_threads = 2;            // for what waits for a world
     // For a request to come in, and for an answer to be taken.
     Clock::duration timeout = std::chrono::seconds(10);
 };
@@ -42,7 +42,7 @@ class UnaryDispatcher {
 public:
     // The gate outlives the front, and so do `metrics`; null: nobody counts.
     UnaryDispatcher(std::vector<CallMethod> methods, Authorizer& authorizer, CallLimits limits,
-              RpcMetrics* metrics = nullptr);
+                    RpcMetrics* metrics = nullptr);
     ~UnaryDispatcher();
 
     grpc::AsyncGenericService& service() { return service_; }
@@ -56,7 +56,7 @@ public:
     void handle(RpcTag& tag, bool ok);
     void housekeep(Clock::time_point now);                   // does nothing before it is due
     Clock::time_point housekeeping() const { return due_; }  // when it is
-    void drop_all();                                       // the queue is empty
+    void drop_all();                                         // the queue is empty
 
 private:
     struct Call;

@@ -48,15 +48,16 @@ std::vector<CallMethod> world_methods(WorldControl& control, const WorldDirector
             [&](const CallContext& context, const auto& request, auto& response) {
                 Status done = create(control, context, request, response);
                 const v1::WorldInfo& made = response.world();
-                context.authorizer.record(context.who,
-                                    context.ask({made.id(), made.name(), made.owner()}), done);
+                context.authorizer.record(
+                    context.who, context.ask({made.id(), made.name(), made.owner()}), done);
                 return done;
             }),
         world_method<v1::DeleteWorldRequest, v1::DeleteWorldResponse>(
             service + "DeleteWorld", CallWork::control, small_request, worlds,
             [&](const CallContext& context, const auto& request, auto& response) {
                 Status done = control.remove(request, response);
-                context.authorizer.record(context.who, context.ask({request.world(), {}, {}}), done);
+                context.authorizer.record(context.who, context.ask({request.world(), {}, {}}),
+                                          done);
                 return done;
             }),
     };

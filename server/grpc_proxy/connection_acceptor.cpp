@@ -184,8 +184,9 @@ void ConnectionAcceptor::continue_handshake(int descriptor) {
     if (at == pending_handshakes_.end()) return;
     const ClientSocket::State state = at->second.socket->handshake();
     if (state == ClientSocket::State::wants_read || state == ClientSocket::State::wants_write)
-        return set_epoll_events(descriptor, state == ClientSocket::State::wants_read ? EPOLLIN : EPOLLOUT,
-                     EPOLL_CTL_MOD);
+        return set_epoll_events(descriptor,
+                                state == ClientSocket::State::wants_read ? EPOLLIN : EPOLLOUT,
+                                EPOLL_CTL_MOD);
     set_epoll_events(descriptor, 0, EPOLL_CTL_DEL);
     PendingHandshake pending = std::move(at->second);
     pending_handshakes_.erase(at);
@@ -195,7 +196,7 @@ void ConnectionAcceptor::continue_handshake(int descriptor) {
 }
 
 void ConnectionAcceptor::hand_off(std::unique_ptr<ClientSocket> socket,
-                                const std::shared_ptr<Connection>& connection) {
+                                  const std::shared_ptr<Connection>& connection) {
     try {
         handler_(std::move(socket), connection);
     } catch (...) {

@@ -24,8 +24,7 @@ namespace jostle::server {
 class ConnectionAcceptor {
 public:
     // A client that is let in. Called on the acceptor's thread.
-    using Handler =
-        std::function<void(std::unique_ptr<ClientSocket>, std::shared_ptr<Connection>)>;
+    using Handler = std::function<void(std::unique_ptr<ClientSocket>, std::shared_ptr<Connection>)>;
 
     // All outlive the acceptor. Null certificates: without TLS; null metrics: nobody counts.
     // `tcp_user_timeout`: a peer that takes nothing for so long is gone.
@@ -63,7 +62,7 @@ private:
     void count(ConnectionTable::Refusal why);
     void continue_handshake(int descriptor);
     void hand_off(std::unique_ptr<ClientSocket> socket,
-                const std::shared_ptr<Connection>& connection);
+                  const std::shared_ptr<Connection>& connection);
     void reject(PendingHandshake& pending, const std::string& why);
     void drop_timed_out(Clock::time_point now);
     void log_refusals(Clock::time_point now);

@@ -391,13 +391,13 @@ void ConnectionRelay::update_interest(Stream& stream, Clock::time_point now) {
     };
     const bool reads = !stream.client_ended && may_read(stream, now);
     const bool writes = !stream.for_client.empty() && !stream.write_wants_read;
-    set_epoll_events(stream.client_end, stream.client->descriptor(),
+    watch(stream.client_end, stream.client->descriptor(),
           (reads || stream.write_wants_read ? EPOLLIN : 0u) | (stream.waits ? EPOLLRDHUP : 0u) |
               (writes || stream.read_wants_write ? EPOLLOUT : 0u));
     if (stream.is_dead || stream.grpc < 0) return;
     if (stream.grpc_ended) return close_if_open(stream.grpc);
     if (!stream.grpc_hung_up)
-        set_epoll_events(
+        watch(
             stream.grpc_end, stream.grpc,
             (stream.for_client.empty() ? EPOLLIN : 0u) | (stream.for_grpc.empty() ? 0u : EPOLLOUT));
 }
@@ -434,9 +434,9 @@ void ConnectionRelay::sweep(Clock::time_point now) {
     if (buffered_total_ > limits_.buffered_total_max && largest) {
         buffered_total_ -= largest->unread;
         drop(*largest,
-            fmt::format("{:.0f} bytes of no message, the most of all when there was no more room",
-                        largest->unread),
-            now);
+             fmt::format("{:.0f} bytes of no message, the most of all when there was no more room",
+                         largest->unread),
+             now);
     }
     for (const auto& [stream, owned] : streams_)
         if (!stream->is_dead) update_interest(*stream, now);

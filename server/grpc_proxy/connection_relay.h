@@ -5,8 +5,8 @@
 // and how much of it may wait are ours to decide, and gRPC sees only connections that have begun
 // to speak HTTP/2.
 //
-// A client that does what none does is cut, and its address punished (http2_frame_guard.h). One that is
-// only fast, or ahead of those who answer it, is read more slowly: TCP holds it back.
+// A client that does what none does is cut, and its address punished (http2_frame_guard.h). One
+// that is only fast, or ahead of those who answer it, is read more slowly: TCP holds it back.
 //
 // Has a thread of its own. add() from any thread; start() and stop() once, from one.
 #pragma once
@@ -39,7 +39,7 @@ struct RelayLimits {
     double backlog_max = 100, backlog_total_max = 2000;
     double openings_per_second = 500;  // of connections towards gRPC, and at once
     Clock::duration preface_timeout = std::chrono::seconds(5);  // until HTTP/2's preface is there
-    Clock::duration close_timeout = std::chrono::seconds(2);      // from gRPC's end to the client's
+    Clock::duration close_timeout = std::chrono::seconds(2);    // from gRPC's end to the client's
 };
 
 class ConnectionRelay {

@@ -18,7 +18,7 @@ constexpr std::size_t penalties_max = 100'000;
 }  // namespace
 
 std::optional<ConnectionTable::Refusal> ConnectionTable::refusal_for(const sockaddr_storage& peer,
-                                                                 Clock::time_point now) const {
+                                                                     Clock::time_point now) const {
     const std::lock_guard lock(mutex_);
     if (connections_.size() >= limits_.total_max) return Refusal::full;
     const std::string network = network_of(peer);

@@ -28,10 +28,10 @@ struct Connection {
     std::string certificate;  // subject that TLS has verified; empty: none was shown
 
     // Written by who answers.
-    std::atomic<std::uint64_t> consumed{0};     // bytes of messages that arrived
+    std::atomic<std::uint64_t> consumed{0};        // bytes of messages that arrived
     std::atomic<std::uint64_t> calls_accepted{0};  // that gRPC gave us
-    std::atomic<int> calls{0};                  // that are open
-    std::atomic<int> unary_calls{0};              // ... and are no play streams
+    std::atomic<int> calls{0};                     // that are open
+    std::atomic<int> unary_calls{0};               // ... and are no play streams
 
     std::string grpc_name() const { return "unix-abstract:" + name; }
 };

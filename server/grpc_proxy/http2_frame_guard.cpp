@@ -77,9 +77,9 @@ Status Http2FrameGuard::take(std::span<const std::uint8_t> bytes, Clock::time_po
                 return value;
             };
             const FrameHeader head{.length = big_endian(0, 3),
-                            .stream = big_endian(5, 4) & 0x7fff'ffff,
-                            .type = header_[3],
-                            .flags = header_[4]};
+                                   .stream = big_endian(5, 4) & 0x7fff'ffff,
+                                   .type = header_[3],
+                                   .flags = header_[4]};
             if (Status s = on_header(head, now); !s.ok()) return s;
             payload_left_ = head.length;
         }

@@ -58,7 +58,8 @@ HttpResponse AdminRoutes::handle(const HttpRequest& request) const {
     if (path == "/metrics") return metrics();
     if (path == "/healthz" || path == "/readyz") return health(path);
     if (path == profile_path) {
-        if (const auto refusal = cross_origin_refusal(request)) return plain_text(403, *refusal + "\n");
+        if (const auto refusal = cross_origin_refusal(request))
+            return plain_text(403, *refusal + "\n");
         return profile(request);
     }
     return plain_text(404, "There is no such path; / lists those there are.\n");
@@ -83,11 +84,13 @@ Status AdminRoutes::authorize(const HttpRequest& request, const std::string& wor
         {.bearer = *bearer, .certificate = request.certificate, .address = request.address});
     if (!who.ok()) return who.error();
     const std::shared_ptr<WorldHost> host = control_.find(world);
-    return authorizer.admit(*who, {row->call, host ? world_target(*host) : WorldTarget{}, request.address});
+    return authorizer.admit(
+        *who, {row->call, host ? world_target(*host) : WorldTarget{}, request.address});
 }
 
 HttpResponse AdminRoutes::health(std::string_view path) const {
-    if (const auto failure_reason = settings_.failure_reason()) return plain_text(503, *failure_reason + "\n");
+    if (const auto failure_reason = settings_.failure_reason())
+        return plain_text(503, *failure_reason + "\n");
     if (path == "/healthz") return plain_text(200, "ok\n");
     const auto why_not = settings_.not_ready_reason();
     return why_not ? plain_text(503, *why_not + "\n") : plain_text(200, "ready\n");

@@ -10,8 +10,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "server/http/http_server_settings.h"
 #include "server/http/http_message.h"
+#include "server/http/http_server_settings.h"
 
 namespace jostle::server {
 

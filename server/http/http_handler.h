@@ -12,7 +12,7 @@
 namespace jostle::server {
 
 // Who answers: the port's own thread, or one for what asks worlds or changes them.
-enum class HttpWork { immediate, asks, mutation };
+enum class HttpWork { immediate, query, mutation };
 
 class HttpHandler {
 public:

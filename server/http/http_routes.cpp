@@ -131,7 +131,8 @@ std::optional<std::string> HttpRoutes::cross_origin_refusal(const HttpRequest& r
 }
 
 HttpResponse HttpRoutes::handle_health(std::string_view path) const {
-    if (const auto failure_reason = settings_.failure_reason()) return plain_text(503, *failure_reason + "\n");
+    if (const auto failure_reason = settings_.failure_reason())
+        return plain_text(503, *failure_reason + "\n");
     if (path == "/healthz") return plain_text(200, "ok\n");
     const auto why_not = settings_.not_ready_reason();
     return why_not ? plain_text(503, *why_not + "\n") : plain_text(200, "ready\n");
@@ -153,7 +154,7 @@ HttpResponse HttpRoutes::handle(const HttpRequest& request) const {
 }
 
 Result<HttpRoutes::RequestContext> HttpRoutes::authorize(const HttpRequest& request,
-                                             std::string_view path) const {
+                                                         std::string_view path) const {
     const AccessRow* row = find_route(request.method, path);
     if (row == nullptr)
         return Error{ErrorCode::not_found,
@@ -166,7 +167,8 @@ Result<HttpRoutes::RequestContext> HttpRoutes::authorize(const HttpRequest& requ
     if (!who.ok()) return who.error();
     RequestContext context{*std::move(who), row, request.address};
     if (row->scope != Scope::server) return context;
-    if (Status s = worlds_.authorizer().admit(context.who, {row->call, {}, context.address}); !s.ok())
+    if (Status s = worlds_.authorizer().admit(context.who, {row->call, {}, context.address});
+        !s.ok())
         return s.error();
     return context;
 }
@@ -216,15 +218,16 @@ HttpResponse HttpRoutes::get_world(const std::string& world) const {
     return status.ok() ? json(200, response) : to_http(status.error());
 }
 
-HttpResponse HttpRoutes::create_world(const HttpRequest& request, const RequestContext& context) const {
+HttpResponse HttpRoutes::create_world(const HttpRequest& request,
+                                      const RequestContext& context) const {
     v1::CreateWorldRequest message;
     if (const auto refused = read_json(message, request)) return *refused;
     v1::CreateWorldResponse response;
     const Status status = worlds_.create(message, response, context.who, context.address);
     const v1::WorldInfo& made = response.world();
-    worlds_.authorizer().record(context.who,
-                          {context.row->call, {made.id(), made.name(), made.owner()}, context.address},
-                          status);
+    worlds_.authorizer().record(
+        context.who, {context.row->call, {made.id(), made.name(), made.owner()}, context.address},
+        status);
     return status.ok() ? json(201, response) : to_http(status.error());
 }
 
@@ -242,12 +245,14 @@ HttpResponse HttpRoutes::query(const HttpRequest& request, std::string_view meth
                          "Debug are what there is."});
 }
 
-HttpResponse HttpRoutes::delete_world(const std::string& world, const RequestContext& context) const {
+HttpResponse HttpRoutes::delete_world(const std::string& world,
+                                      const RequestContext& context) const {
     v1::DeleteWorldRequest request;
     request.set_world(world);
     v1::DeleteWorldResponse response;
     const Status status = worlds_.remove(request, response);
-    worlds_.authorizer().record(context.who, {context.row->call, {world, {}, {}}, context.address}, status);
+    worlds_.authorizer().record(context.who, {context.row->call, {world, {}, {}}, context.address},
+                                status);
     return status.ok() ? json(200, response) : to_http(status.error());
 }
 

@@ -44,9 +44,9 @@ std::size_t remove_closed(std::vector<std::weak_ptr<Session>>& sessions) {
 }  // namespace
 
 struct HttpServer::Impl {
-    Impl(PlayContext& play_context, const HttpHandler& handler, HttpServerSettings gateway_settings)
+    Impl(PlayContext& play_context, const HttpHandler& handler, HttpServerSettings server_settings)
         : context(play_context),
-          settings(std::move(gateway_settings)),
+          settings(std::move(server_settings)),
           services{handler,
                    settings,
                    query_pool,
@@ -72,8 +72,8 @@ struct HttpServer::Impl {
     const HttpServerSettings settings;
     asio::io_context io{1};
     double body_bytes = 0;  // of requests that are being received or answered
-    WorkPool asking{settings.query_threads, settings.work_queue_max, query_niceness},
-        changing{1, settings.work_queue_max, mutation_niceness};
+    WorkPool query_pool{settings.query_threads, settings.work_queue_max, query_niceness},
+        mutation_pool{1, settings.work_queue_max, mutation_niceness};
     tcp::acceptor acceptor{io};
     asio::steady_timer housekeeping{io}, accept_again{io};
     bool ending = false;  // the thread's own
@@ -279,8 +279,8 @@ void HttpServer::wake() {
 // let go of the sessions, so the io_context runs out of work and its thread ends.
 void HttpServer::stop() {
     if (!impl_->thread.joinable()) return;
-    impl_->asking.stop();
-    impl_->changing.stop();
+    impl_->query_pool.stop();
+    impl_->mutation_pool.stop();
     asio::post(impl_->io, [impl = impl_.get()] { impl->abort_all(); });
     impl_->thread.join();
 }

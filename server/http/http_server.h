@@ -10,8 +10,8 @@
 #include <memory>
 
 #include "jostle/base/result.h"
-#include "server/http/http_server_settings.h"
 #include "server/http/http_handler.h"
+#include "server/http/http_server_settings.h"
 #include "server/session/client_session.h"
 
 namespace jostle::server {

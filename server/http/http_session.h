@@ -12,9 +12,9 @@
 #include <memory>
 #include <optional>
 
-#include "server/http/http_server_settings.h"
-#include "server/http/http_handler.h"
 #include "server/http/beast_request.h"
+#include "server/http/http_handler.h"
+#include "server/http/http_server_settings.h"
 #include "server/http/socket_stream.h"
 #include "server/util/clock.h"
 #include "server/util/work_pool.h"
@@ -29,10 +29,10 @@ public:
     struct Services {
         const HttpHandler& routes;
         const HttpServerSettings& settings;
-        WorkPool& query_pool;    // for requests that take long: those that ask worlds ...
+        WorkPool& query_pool;     // for requests that take long: those that ask worlds ...
         WorkPool& mutation_pool;  // ... and those that change them
-        double& body_bytes;  // of all sessions
-        Upgrade upgrade;     // takes the socket of a WebSocket client
+        double& body_bytes;       // of all sessions
+        Upgrade upgrade;          // takes the socket of a WebSocket client
     };
 
     HttpSession(SocketStream stream, const Services& services);

@@ -67,7 +67,7 @@ WebSocketSession::WebSocketSession(PlayContext& context, SocketStream stream,
     if (!error) address_ = endpoint.address().to_string();
     tcp.expires_never();  // from here on the WebSocket layer and the link keep time
     set_tcp_user_timeout(tcp.socket().native_handle(),
-                     from_seconds(context_.config.stream.client_timeout_seconds));
+                         from_seconds(context_.config.stream.client_timeout_seconds));
     websocket::stream_base::timeout timeout{};
     timeout.handshake_timeout = handshake_timeout;
     timeout.idle_timeout = websocket::stream_base::none();  // the link has its own, shorter one
@@ -156,7 +156,7 @@ void WebSocketSession::write() {
     const auto wrote = [self = shared_from_this()](beast::error_code error, std::size_t) {
         self->on_wrote(error);
     };
-    std::array<const_buffer, 2> pieces{boost::asio::buffer(outgoing_.head), const_buffer{}};
+    std::array<const_buffer, 2> pieces{boost::asio::buffer(outgoing_.header), const_buffer{}};
     if (outgoing_.shared) pieces[1] = boost::asio::buffer(*outgoing_.shared);
     if (outgoing_.cells.empty()) return socket_->async_write(pieces, wrote);
     std::vector<const_buffer> all(pieces.begin(), pieces.end());

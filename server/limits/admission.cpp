@@ -54,7 +54,8 @@ Status check_aim(const Aim& aim) {
     if (Status s = check_point("aim.origin", aim.origin); !s.ok()) return s;
     if (Status s = check_length("aim.motion", aim.motion, aim_length_max); !s.ok()) return s;
     if (aim.motion == Vec3{}) return invalid_argument("aim.motion is zero; it must have a length");
-    return aim.view_time ? check_number("aim.seen.fraction", aim.view_time->fraction, 0, 1) : Status();
+    return aim.view_time ? check_number("aim.seen.fraction", aim.view_time->fraction, 0, 1)
+                         : Status();
 }
 
 struct Check {

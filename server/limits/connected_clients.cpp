@@ -21,7 +21,7 @@ void ConnectedClient::count_sent(std::size_t bytes, Clock::time_point now) {
     const double seconds = seconds_between(began, now);
     if (seconds >= window_s) {
         const auto sent = static_cast<double>(window_bytes_.load(std::memory_order_relaxed));
-        last_rate_.store(sent / connected_seconds, std::memory_order_relaxed);
+        last_rate_.store(sent / seconds, std::memory_order_relaxed);
         window_bytes_.store(0, std::memory_order_relaxed);
         window_began_.store(now.time_since_epoch().count(), std::memory_order_relaxed);
     }
@@ -53,7 +53,7 @@ ClientStatus ConnectedClient::status(Clock::time_point now) const {
     double rate = last_rate_.load(std::memory_order_relaxed);
     if (seconds >= window_s || rate == 0) rate = seconds > 0 ? bytes / seconds : 0;
     return {.who = who_,
-            .seconds = seconds_between(who_.since, now),
+            .connected_seconds = seconds_between(who_.since, now),
             .kbit_per_second = rate * 8 / 1000,
             .skipped = skipped_.load(std::memory_order_relaxed),
             .round_trip_ms = 1000 * round_trip_s_.load(std::memory_order_relaxed)};

@@ -33,10 +33,10 @@ struct ClientIdentity {
 // A client at one moment.
 struct ClientStatus {
     ClientIdentity who;
-    double connected_seconds = 0;          // since it came
-    double kbit_per_second = 0;  // sent to it, over the last second or so
-    std::uint32_t skipped = 0;   // snapshots it was not sent because it did not keep up
-    double round_trip_ms = 0;    // of its last acknowledgement; 0: none yet
+    double connected_seconds = 0;  // since it came
+    double kbit_per_second = 0;    // sent to it, over the last second or so
+    std::uint32_t skipped = 0;     // snapshots it was not sent because it did not keep up
+    double round_trip_ms = 0;      // of its last acknowledgement; 0: none yet
 };
 
 class ConnectedClient {

@@ -84,7 +84,8 @@ void FlowControl::on_ack(std::uint32_t frame, Clock::duration held, Clock::time_
     const double rtt = std::max(0.0, seconds(now - sent.at - held));
     update_round_trip(sent, rtt, now);
     int delivered = 0;
-    for (auto flight = sent_snapshots_.begin(); flight <= at; ++flight) delivered += flight->messages;
+    for (auto flight = sent_snapshots_.begin(); flight <= at; ++flight)
+        delivered += flight->messages;
     sent_snapshots_.pop_front(static_cast<std::size_t>(at + 1 - sent_snapshots_.begin()));
     in_flight_ -= delivered;
     if (sent_snapshots_.empty()) probing_ = false;
@@ -103,7 +104,7 @@ void FlowControl::drop_sent_before(Clock::time_point sent) {
 
 // What was sent before the rate was lowered says nothing of the new one.
 void FlowControl::update_queue_estimate(const SentSnapshot& flight, double rtt, int delivered,
-                                Clock::time_point now) {
+                                        Clock::time_point now) {
     if (round_.begun == Clock::time_point{} || flight.at <= lowered_) {
         round_ = {.begun = now};  // what came before took no time that is known
         return;

@@ -63,7 +63,8 @@ private:
         double queue_s = 0;  // the shortest
     };
     void update_round_trip(const SentSnapshot& flight, double rtt, Clock::time_point now);
-    void update_queue_estimate(const SentSnapshot& flight, double rtt, int delivered, Clock::time_point now);
+    void update_queue_estimate(const SentSnapshot& flight, double rtt, int delivered,
+                               Clock::time_point now);
     void end_round(Clock::time_point now);
     void slow_down(Clock::time_point now);
     void speed_up();

@@ -21,7 +21,7 @@ void SessionDirectory::use_ids(ClientId first, std::function<void(ClientId next)
 }
 
 void SessionDirectory::restore_client(ClientId client, const std::string& world_id,
-                                   const std::string& network) {
+                                      const std::string& network) {
     const std::lock_guard lock(mutex_);
     if (!sessions_.try_emplace(client, Session{world_id, network}).second) return;
     of_world_[world_id]++;

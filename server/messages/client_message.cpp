@@ -72,7 +72,8 @@ std::optional<Aim> to_aim(bool there, const v1::Aim& from) {
     Aim aim{.origin = to_vector(from.origin()),
             .motion = to_vector(from.motion()),
             .ignore = from.ignore()};
-    if (from.has_view_time()) aim.view_time = {from.view_time().tick(), from.view_time().fraction()};
+    if (from.has_view_time())
+        aim.view_time = {from.view_time().tick(), from.view_time().fraction()};
     return aim;
 }
 

@@ -111,7 +111,8 @@ private:
     }
     void flush() {
         if (bytes_ == 0) return;
-        out_.entity_updates.push_back(std::make_shared<const std::string>(message_.SerializeAsString()));
+        out_.entity_updates.push_back(
+            std::make_shared<const std::string>(message_.SerializeAsString()));
         message_.Clear();
         bytes_ = 0;
     }
@@ -125,7 +126,7 @@ private:
 }  // namespace
 
 EntityUpdateMessages entity_update_messages(const EntityList& from, const EntityList& to,
-                               GeometryTable& geometry) {
+                                            GeometryTable& geometry) {
     Difference difference = difference_of(from, to);
     EntityUpdateWriter writer(geometry);
     for (const EntityId id : difference.removed) writer.remove(id);

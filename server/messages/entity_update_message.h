@@ -16,7 +16,7 @@ namespace jostle::server {
 
 struct EntityUpdateMessages {
     std::vector<std::shared_ptr<const LargeGeometry>> geometry;  // each once; named by `rosters`
-    std::vector<SharedBytes> entity_updates;                            // what is gone first
+    std::vector<SharedBytes> entity_updates;                     // what is gone first
     std::vector<EntityId> removed;                               // likewise
 };
 
@@ -25,6 +25,6 @@ struct EntityUpdateMessages {
 std::string encode_removed(std::span<const EntityId> entities);
 
 EntityUpdateMessages entity_update_messages(const EntityList& from, const EntityList& to,
-                               GeometryTable& geometry);
+                                            GeometryTable& geometry);
 
 }  // namespace jostle::server

@@ -23,24 +23,25 @@ std::uint64_t hash_of(const std::string& bytes) {
 }
 
 std::vector<SharedBytes> chunks_of(std::uint64_t id, const std::string& bytes) {
-    const std::size_t parts = (bytes.size() + chunk_bytes_max - 1) / chunk_bytes_max;
+    const std::size_t chunk_count = (bytes.size() + chunk_bytes_max - 1) / chunk_bytes_max;
     std::vector<SharedBytes> messages;
-    for (std::size_t chunk = 0; part < chunk_count; part++)
+    for (std::size_t chunk = 0; chunk < chunk_count; chunk++)
         messages.push_back(std::make_shared<const std::string>(encode_geometry_chunk(
             {.id = id,
-             .part = static_cast<std::uint32_t>(part),
-             .parts = static_cast<std::uint32_t>(parts),
-             .data = std::string_view(bytes).substr(part * chunk_bytes_max, chunk_bytes_max)})));
+             .chunk = static_cast<std::uint32_t>(chunk),
+             .chunk_count = static_cast<std::uint32_t>(chunk_count),
+             .data = std::string_view(bytes).substr(chunk * chunk_bytes_max, chunk_bytes_max)})));
     return messages;
 }
 
 }  // namespace
 
 std::shared_ptr<const LargeGeometry> GeometryTable::find_or_add(const physics::Geometry& geometry) {
-    if (scenes::geometry_message_bytes(geometry) <= scenes::inline_geometry_bytes_max) return nullptr;
+    if (scenes::geometry_message_bytes(geometry) <= scenes::inline_geometry_bytes_max)
+        return nullptr;
     const void* address = scenes::shared_data(geometry);
-    if (const auto view_time = by_address_.find(address); view_time != by_address_.end())
-        return view_time->second.geometry;
+    if (const auto known = by_address_.find(address); known != by_address_.end())
+        return known->second.geometry;
     v1::Shape shape;
     scenes::write_geometry(shape, geometry, {});
     std::shared_ptr<const LargeGeometry> made = find_or_add(shape.SerializeAsString());

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // Shapes that are too large to be told with every body that has them: each made into bytes once,
-// under an id that is a hash of its content, and told once to each client. Owned by a BroadcastCache,
-// under its lock. What is kept grows with the different large shapes of a world, which come from
-// its scene alone: what clients spawn is small.
+// under an id that is a hash of its content, and told once to each client. Owned by a
+// BroadcastCache, under its lock. What is kept grows with the different large shapes of a world,
+// which come from its scene alone: what clients spawn is small.
 #pragma once
 
 #include <cstdint>

@@ -19,8 +19,8 @@ std::string encode_header(int field_number, std::string_view own, std::size_t sh
     std::uint8_t* end = CodedOutputStream::WriteTagToArray(tag, bytes.data());
     end = CodedOutputStream::WriteVarint32ToArray(
         static_cast<std::uint32_t>(own.size() + shared_bytes), end);
-    std::string head(reinterpret_cast<const char*>(bytes.data()),
-                     static_cast<std::size_t>(end - bytes.data()));
+    std::string header(reinterpret_cast<const char*>(bytes.data()),
+                       static_cast<std::size_t>(end - bytes.data()));
     header += own;
     return header;
 }

@@ -14,7 +14,7 @@
 namespace jostle::server {
 
 struct OutMessage {
-    std::string header;                  // first on the wire
+    std::string header;                // first on the wire
     SharedBytes shared;                // then this; null: nothing
     std::vector<SharedBytes> cells{};  // then these; none of them null
 

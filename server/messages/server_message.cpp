@@ -92,7 +92,8 @@ std::string encode_welcome(const Welcome& from) {
         v1::DatagramCredentials& datagrams = *welcome.mutable_datagrams();
         datagrams.set_port(from.datagrams->port);
         datagrams.set_id(from.datagrams->credentials.id);
-        datagrams.set_key(from.datagrams->credentials.key.data(), from.datagrams->credentials.key.size());
+        datagrams.set_key(from.datagrams->credentials.key.data(),
+                          from.datagrams->credentials.key.size());
     }
     return message.SerializeAsString();
 }
@@ -114,7 +115,7 @@ std::string encode_pong(std::uint64_t client_time_us, std::uint64_t server_time_
     return message.SerializeAsString();
 }
 
-std::string encode_stats_field(const JointFrame& frame, std::uint32_t clients) {
+std::string encode_stats_field(const Frame& frame, std::uint32_t clients) {
     v1::Snapshot fields;
     v1::WorldStats& stats = *fields.mutable_stats();
     stats.set_tick(frame.tick);
@@ -152,11 +153,11 @@ std::string encode_shared_snapshot(const EncodedSnapshot& encoded) {
 }
 
 std::string encode_controlled_entity_field(const ControlledEntityState& driven, std::uint32_t tick,
-                                std::span<const std::uint32_t> before, bool keyframe) {
+                                           std::span<const std::uint32_t> before, bool keyframe) {
     if (keyframe) before = {};
     wire::WordChanges changes = wire::changes_between(before, driven.words);
     v1::Snapshot fields;
-    v1::Driven& to = *fields.mutable_controlled_entity();
+    v1::ControlledEntityState& to = *fields.mutable_controlled_entity();
     to.set_entity(driven.entity);
     to.set_module(driven.module);
     to.set_tick(tick);
@@ -201,7 +202,7 @@ void write_results(v1::ClientUpdate& to, std::span<const InputResult> results) {
 }  // namespace
 
 std::string encode_snapshot_header(const ClientUpdate& from, std::string_view more,
-                                 std::size_t shared_bytes) {
+                                   std::size_t shared_bytes) {
     v1::Snapshot fields;
     if (from.input_sequence != 0 || from.echo_client_time_us != 0 || from.snapshots_skipped != 0 ||
         from.input_received != 0 || !from.results.empty()) {

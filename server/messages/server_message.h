@@ -67,11 +67,11 @@ struct ClientUpdate {
     std::uint32_t input_received = 0;
 };
 // Fields of jostle.v1.Snapshot that some get with it.
-std::string encode_stats_field(const JointFrame& frame, std::uint32_t clients);
+std::string encode_stats_field(const Frame& frame, std::uint32_t clients);
 
 // What the client drives, against the words that it was told last; `whole`: against none.
 std::string encode_controlled_entity_field(const ControlledEntityState& driven, std::uint32_t tick,
-                                std::span<const std::uint32_t> before, bool keyframe);
+                                           std::span<const std::uint32_t> before, bool keyframe);
 
 // The fields of jostle.v1.Snapshot that all clients share.
 std::string encode_shared_snapshot(const EncodedSnapshot& snapshot);
@@ -81,6 +81,6 @@ std::string encode_cells_left_field(std::span<const CellId> cells);
 // What stands before them: the field and length of the snapshot in its ServerMessage, then the
 // client's own field and `more` fields.
 std::string encode_snapshot_header(const ClientUpdate& own, std::string_view more,
-                                 std::size_t shared_bytes);
+                                   std::size_t shared_bytes);
 
 }  // namespace jostle::server

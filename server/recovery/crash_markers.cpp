@@ -26,7 +26,7 @@ static_assert(sizeof(CrashMarker::Slot) == 52);
 std::atomic<CrashMarkers*> counted{nullptr};
 
 void on_fatal_signal(int number) {
-    if (CrashMarkers* const marks = processed.load()) marks->on_crash();
+    if (CrashMarkers* const marks = counted.load()) marks->on_crash();
     std::signal(number, SIG_DFL);
     raise(number);
 }
@@ -66,7 +66,7 @@ Result<std::unique_ptr<CrashMarkers>> CrashMarkers::open(const std::string& path
 
 CrashMarkers::~CrashMarkers() {
     CrashMarkers* self = this;
-    processed.compare_exchange_strong(self, nullptr);
+    counted.compare_exchange_strong(self, nullptr);
     munmap(file_, sizeof(File));
 }
 
@@ -99,7 +99,7 @@ void CrashMarkers::on_crash() {
 }
 
 void CrashMarkers::count_fatal_signals(CrashMarkers* marks) {
-    processed.store(marks);
+    counted.store(marks);
     struct sigaction action {};
     action.sa_handler = marks ? on_fatal_signal : SIG_DFL;
     for (const int number : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT})

@@ -18,10 +18,10 @@ namespace jostle::server {
 class CrashMarker {
 public:
     struct Slot {
-        char world[40];                   // its id; empty: free
+        char world[40];                           // its id; empty: free
         std::atomic<std::uint32_t> running_tick;  // the tick that runs now; 0: none
-        std::uint32_t tick;               // the one that crashed last
-        std::uint32_t crashes;            // in a row, in that tick
+        std::uint32_t tick;                       // the one that crashed last
+        std::uint32_t crashes;                    // in a row, in that tick
     };
 
     CrashMarker() = default;  // marks nothing

@@ -96,7 +96,8 @@ void visit_action(Visitor& v, Command& c) {
     } else if constexpr (std::is_same_v<Kind, LeaveCommand>) {
         v(c.retain_bodies);
     } else {
-        static_assert(std::is_same_v<Kind, ReleaseCommand> || std::is_same_v<Kind, DisconnectCommand>);
+        static_assert(std::is_same_v<Kind, ReleaseCommand> ||
+                      std::is_same_v<Kind, DisconnectCommand>);
     }
 }
 
@@ -123,7 +124,7 @@ Status read_command(JournalReader& reader, JournaledCommand& command) {
     if (reader.from.ok() && kind != only_counted) {
         if (!make_action(kind, command.action.emplace()))
             return not_a_journal("has a command of kind " + std::to_string(kind));
-        std::run_on_writer([&](auto& action) { visit_action(reader, action); }, *command.action);
+        std::visit([&](auto& action) { visit_action(reader, action); }, *command.action);
     }
     if (!reader.status.ok()) return not_a_journal("has a " + reader.status.error().message);
     if (!reader.from.ok()) return not_a_journal("ends too early");
@@ -140,7 +141,7 @@ void write_ticks(JournalWriter& writer, const std::vector<JournaledTick>& ticks)
             writer.to.number(command.sequence);
             writer.to.number(command.action ? command.action->index() : only_counted);
             if (command.action)
-                std::run_on_writer([&](const auto& action) { visit_action(writer, action); },
+                std::visit([&](const auto& action) { visit_action(writer, action); },
                            *command.action);
         }
     }

@@ -119,8 +119,10 @@ private:
         while (world.tick < entry.last_tick) {
             if (options_.last_tick && world.tick >= *options_.last_tick) return false;
             const std::uint32_t now = ++world.tick;
-            while (paused_ticks != batch->paused_ticks.end() && paused_ticks->last < now) ++paused_ticks;
-            const bool stands = paused_ticks != batch->paused_ticks.end() && paused_ticks->first <= now;
+            while (paused_ticks != batch->paused_ticks.end() && paused_ticks->last < now)
+                ++paused_ticks;
+            const bool stands =
+                paused_ticks != batch->paused_ticks.end() && paused_ticks->first <= now;
             const bool busy = tick != batch->ticks.end() && tick->tick == now;
             static const JournaledTick quiet;
             const JournaledTick& done = busy ? *tick++ : quiet;
@@ -178,7 +180,8 @@ private:
 }  // namespace
 
 Result<RecoveredWorld> recover_world(WorldStorage& store, const StoredWorld& stored,
-                                     const WorldDefinition& record, const RecoveryOptions& options) {
+                                     const WorldDefinition& record,
+                                     const RecoveryOptions& options) {
     return Recovery(store, stored, record, options).run();
 }
 

@@ -65,9 +65,10 @@ void CheckpointWriter::run() {
 
 // --- StoredWorldJournal ---
 
-StoredWorldJournal::StoredWorldJournal(std::string world, double hz, const JournalPosition& position,
-                           StorageWriter& writer, CheckpointWriter& checkpoints, CrashMarker mark,
-                           JournalSettings settings)
+StoredWorldJournal::StoredWorldJournal(std::string world, double hz,
+                                       const JournalPosition& position, StorageWriter& writer,
+                                       CheckpointWriter& checkpoints, CrashMarker mark,
+                                       JournalSettings settings)
     : world_(std::move(world)),
       hz_(hz),
       writer_(writer),
@@ -76,7 +77,8 @@ StoredWorldJournal::StoredWorldJournal(std::string world, double hz, const Journ
       settings_(std::move(settings)),
       position_(position) {
     // When those of another process were taken is not known: they stay as if it were now.
-    for (const std::uint32_t tick : position.checkpoints) checkpoints_taken_.push_back({tick, Clock::now()});
+    for (const std::uint32_t tick : position.checkpoints)
+        checkpoints_taken_.push_back({tick, Clock::now()});
 }
 
 std::optional<std::string> StoredWorldJournal::failure_reason() const {
@@ -144,18 +146,18 @@ void StoredWorldJournal::flush() {
                        .last_tick = last_,
                        .data = compress(encode_journal(segment_))};
     const Chain chain = entry.chain = next_chain(position_.chain, entry.data);
-    const bool pushed =
-        writer_.push(AppendEntry{world_, std::move(entry)},
-                     [telling = pending_results_, self = shared_from_this()](const Status& written) {
-                         if (!written.ok()) return self->on_write_failed(written.error());
-                         std::vector<WaitingResult> results;
-                         {
-                             const std::lock_guard lock(telling->mutex);
-                             telling->is_durable = true;
-                             results.swap(telling->results);
-                         }
-                         self->send_results(results);
-                     });
+    const bool pushed = writer_.push(
+        AppendEntry{world_, std::move(entry)},
+        [telling = pending_results_, self = shared_from_this()](const Status& written) {
+            if (!written.ok()) return self->on_write_failed(written.error());
+            std::vector<WaitingResult> results;
+            {
+                const std::lock_guard lock(telling->mutex);
+                telling->is_durable = true;
+                results.swap(telling->results);
+            }
+            self->send_results(results);
+        });
     if (!pushed) return;
     position_.sequence++;
     position_.chain = chain;
@@ -180,7 +182,8 @@ bool StoredWorldJournal::wants_checkpoint() const {
            Clock::now() - last_checkpoint_at_ > from_seconds(settings_.checkpoint_interval_seconds);
 }
 
-void StoredWorldJournal::write_checkpoint(std::uint32_t tick, std::shared_ptr<CheckpointCopier> taker) {
+void StoredWorldJournal::write_checkpoint(std::uint32_t tick,
+                                          std::shared_ptr<CheckpointCopier> taker) {
     flush();
     if (first_ != 0) return;  // the journal does not go as far as the moment
     const TakenCheckpoint taken{tick, Clock::now()};
@@ -192,8 +195,8 @@ void StoredWorldJournal::write_checkpoint(std::uint32_t tick, std::shared_ptr<Ch
     checkpoints_.push([self = shared_from_this(), taker = std::move(taker), taken, sequence] {
         std::optional<CheckpointCopy> checkpoint_copy = taker->take();
         Result<CheckpointData> host_state =
-            moment ? encode_checkpoint(*checkpoint_copy)
-                   : Error{ErrorCode::resource_exhausted, "there is no memory for it"};
+            checkpoint_copy ? encode_checkpoint(*checkpoint_copy)
+                            : Error{ErrorCode::resource_exhausted, "there is no memory for it"};
         if (checkpoint_copy) {
             const std::lock_guard lock(self->mutex_);
             self->spare_restore_point_ = std::move(checkpoint_copy->bodies);
@@ -225,9 +228,10 @@ physics::RestorePoint StoredWorldJournal::take_spare_restore_point() {
 
 void StoredWorldJournal::end(std::optional<CheckpointCopy> checkpoint_copy) {
     flush();
-    if (!moment || failure_reason()) return;
+    if (!checkpoint_copy || failure_reason()) return;
     auto kept = std::make_shared<CheckpointCopy>(*std::move(checkpoint_copy));
-    keep(kept->tick, std::make_shared<CheckpointCopier>([kept] { return std::move(*kept); }));
+    write_checkpoint(kept->tick,
+                     std::make_shared<CheckpointCopier>([kept] { return std::move(*kept); }));
 }
 
 // On the writer's thread.
@@ -237,7 +241,8 @@ void StoredWorldJournal::trim_old(TakenCheckpoint newest) {
         const std::lock_guard lock(mutex_);
         checkpoints_taken_.push_back(newest);
         const auto since = newest.at - from_seconds(3600 * settings_.history_retention_hours);
-        while (checkpoints_taken_.size() > retained_checkpoints && checkpoints_taken_[1].at < since) checkpoints_taken_.pop_front();
+        while (checkpoints_taken_.size() > retained_checkpoints && checkpoints_taken_[1].at < since)
+            checkpoints_taken_.pop_front();
         if (settings_.history_retention_hours == 0)
             while (checkpoints_taken_.size() > retained_checkpoints) checkpoints_taken_.pop_front();
         oldest = checkpoints_taken_.front().tick;

@@ -22,8 +22,8 @@ namespace jostle::server {
 
 struct JournalSettings {
     double checkpoint_interval_seconds = 60;  // between two, at most, of a world that moves
-    double replay_seconds_max = 2;       // that the steps since the last one took, at most
-    double history_retention_hours = 0;        // 0: the last two checkpoints, and what came after them
+    double replay_seconds_max = 2;            // that the steps since the last one took, at most
+    double history_retention_hours = 0;  // 0: the last two checkpoints, and what came after them
     // After results were told, on the writer's thread: must only wake somebody.
     std::function<void()> on_results_sent;
 };
@@ -58,10 +58,12 @@ private:
     std::thread thread_;
 };
 
-class StoredWorldJournal : public WorldJournal, public std::enable_shared_from_this<StoredWorldJournal> {
+class StoredWorldJournal : public WorldJournal,
+                           public std::enable_shared_from_this<StoredWorldJournal> {
 public:
-    StoredWorldJournal(std::string world, double hz, const JournalPosition& position, StorageWriter& writer,
-                 CheckpointWriter& checkpoints, CrashMarker mark, JournalSettings settings);
+    StoredWorldJournal(std::string world, double hz, const JournalPosition& position,
+                       StorageWriter& writer, CheckpointWriter& checkpoints, CrashMarker mark,
+                       JournalSettings settings);
 
     std::optional<std::string> failure_reason() const override;
     std::uint32_t oldest_tick() const override;
@@ -69,7 +71,8 @@ public:
     void on_published(double step_ms, std::vector<WaitingResult> results) override;
     void on_interrupted() override { interrupted_ = true; }
     bool wants_checkpoint() const override;
-    void write_checkpoint(std::uint32_t tick, std::shared_ptr<CheckpointCopier> checkpoint_copy) override;
+    void write_checkpoint(std::uint32_t tick,
+                          std::shared_ptr<CheckpointCopier> checkpoint_copy) override;
     void end(std::optional<CheckpointCopy> checkpoint_copy) override;
     physics::RestorePoint take_spare_restore_point() override;
 

@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "server/recovery/checkpoint_data.h"
-#include "server/recovery/world_storage_copy.h"
 #include "server/recovery/journal_codec.h"
+#include "server/recovery/world_storage_copy.h"
 #include "server/storage/compression.h"
 #include "server/storage/journal_chain.h"
 #include "server/storage/sqlite_storage.h"
@@ -34,7 +34,8 @@ PutNote clients_note_of(ClientId first_free) {
 
 std::vector<PreviousClient> previous_clients_of(const SavedHostState& host_state) {
     std::vector<PreviousClient> previous_clients;
-    for (const auto& [client, sequence] : clients_of(host_state)) absent.push_back({client, sequence});
+    for (const auto& [client, sequence] : clients_of(host_state))
+        previous_clients.push_back({client, sequence});
     return previous_clients;
 }
 
@@ -43,8 +44,9 @@ Error slow() {
 }
 
 CheckpointCopy checkpoint_copy_of(const HostedWorld& world, std::uint32_t tick) {
-    CheckpointCopy checkpoint_copy{.tick = tick, .bodies = {}, .host_state = world.host_state(tick)};
-    checkpoint_copy.bodies.keep(world.world());
+    CheckpointCopy checkpoint_copy{
+        .tick = tick, .bodies = {}, .host_state = world.host_state(tick)};
+    checkpoint_copy.bodies.capture(world.world());
     return checkpoint_copy;
 }
 
@@ -73,9 +75,9 @@ WorldArchive::WorldArchive(const PersistenceSettings& settings, const HostLimits
     : limits_(limits),
       threads_(threads),
       journal_settings_{.checkpoint_interval_seconds = settings.checkpoint_interval_seconds,
-                       .replay_seconds_max = settings.replay_seconds_max,
-                       .history_retention_hours = settings.history_retention_hours,
-                       .on_results_sent = std::move(on_results_sent)},
+                        .replay_seconds_max = settings.replay_seconds_max,
+                        .history_retention_hours = settings.history_retention_hours,
+                        .on_results_sent = std::move(on_results_sent)},
       checkpoints_(std::make_unique<CheckpointWriter>()) {}
 
 WorldArchive::~WorldArchive() {
@@ -89,16 +91,16 @@ Result<std::unique_ptr<WorldArchive>> WorldArchive::open(const PersistenceSettin
                                                          std::function<void()> on_results_sent,
                                                          const char* file_system) {
     Result<std::unique_ptr<SqliteStorage>> store = SqliteStorage::open(
-        settings.store,
-        {.durability = settings.level == "process" ? Durability::process : Durability::machine,
+        settings.database,
+        {.durability = settings.durability == "process" ? Durability::process : Durability::machine,
          .file_system = file_system});
     if (!store.ok()) return store.error();
     std::unique_ptr<WorldArchive> archive(
         new WorldArchive(settings, limits, threads, std::move(on_results_sent)));
     const auto failed = [&](const Error& error) {
-        return Error{error.code, settings.store + ": " + error.message};
+        return Error{error.code, settings.database + ": " + error.message};
     };
-    Result<std::unique_ptr<CrashMarkers>> marks = CrashMarkers::open(settings.store + ".marks");
+    Result<std::unique_ptr<CrashMarkers>> marks = CrashMarkers::open(settings.database + ".marks");
     if (!marks.ok()) return marks.error();
     archive->marks_ = *std::move(marks);
     if (Status s = archive->read_notes(**store); !s.ok()) return failed(s.error());
@@ -139,7 +141,8 @@ Status WorldArchive::read_notes(WorldStorage& store) {
 
 void WorldArchive::on_client(ClientId next) {
     ClientId reserved = reserved_;
-    if (next + ids_per_reservation / 4 < reserved || reserved > 0xffffffff - ids_per_reservation) return;
+    if (next + ids_per_reservation / 4 < reserved || reserved > 0xffffffff - ids_per_reservation)
+        return;
     const ClientId more = reserved + ids_per_reservation;
     if (reserved_.compare_exchange_strong(reserved, more) &&
         !writer_->push(clients_note_of(more), nullptr))
@@ -159,7 +162,8 @@ Status WorldArchive::load_worlds(WorldStorage& store, const std::vector<StoredWo
     for (const StoredWorld& stored : worlds) {
         const Clock::time_point began = Clock::now();
         Result<PersistedWorld> kept = Error{};
-        writer_->run_on_writer([&](WorldStorage&) { kept = load_world(store, stored); }, std::chrono::hours(1));
+        writer_->run_on_writer([&](WorldStorage&) { kept = load_world(store, stored); },
+                               std::chrono::hours(1));
         if (!kept.ok() && (kept.error().code == ErrorCode::unavailable ||
                            kept.error().code == ErrorCode::resource_exhausted))
             return kept.error();
@@ -171,12 +175,12 @@ Status WorldArchive::load_worlds(WorldStorage& store, const std::vector<StoredWo
             continue;
         }
         log_info("world {} \"{}\" goes on after tick {}, with {} clients to come back; {:.0f} ms",
-                 stored.id, stored.name, kept->start.tick, kept->absent.size(),
+                 stored.id, stored.name, kept->start.tick, kept->previous_clients.size(),
                  to_ms(Clock::now() - began));
         loaded_.push_back(*std::move(kept));
     }
-    std::ranges::stable_sort(loaded_, {},
-                             [](const PersistedWorld& kept) { return number_of(kept.start.label.id); });
+    std::ranges::stable_sort(
+        loaded_, {}, [](const PersistedWorld& kept) { return number_of(kept.start.label.id); });
     return {};
 }
 
@@ -208,20 +212,21 @@ Result<PersistedWorld> WorldArchive::load_world(WorldStorage& store, const Store
     ticks->insert(ticks->begin(), found->tick);
     std::ranges::reverse(*ticks);
     const JournalPosition place{.epoch = now.epoch,
-                             .sequence = found->sequence,
-                             .chain = found->chain,
-                             .checkpoints = *std::move(ticks)};
+                                .sequence = found->sequence,
+                                .chain = found->chain,
+                                .checkpoints = *std::move(ticks)};
     changes.emplace_back(PutWorld{std::move(now)});
     if (Status s = store.write(changes); !s.ok()) return s.error();
     marks_->of(stored.id).forget();
 
-    std::vector<PreviousClient> previous_clients = previous_clients_of(found->world.host_state(found->tick));
+    std::vector<PreviousClient> previous_clients =
+        previous_clients_of(found->world.host_state(found->tick));
     PersistedWorld kept{.start = {.label = {stored.id, stored.name, record->owner},
-                             .scene = record->scene,
-                             .world = std::move(found->world),
-                             .tick = found->tick},
-                   .previous_clients = std::move(absent)};
-    kept.start.world_journal = make_journal(kept.start, position);
+                                  .scene = record->scene,
+                                  .world = std::move(found->world),
+                                  .tick = found->tick},
+                        .previous_clients = std::move(previous_clients)};
+    kept.start.world_journal = make_journal(kept.start, place);
     return kept;
 }
 
@@ -244,8 +249,8 @@ Result<RecoveredWorld> WorldArchive::recover(WorldStorage& store, const StoredWo
     if (!found.ok()) return found;
     if (ticks > 0)
         found->warnings.push_back("it crashed " + std::to_string(crashes) + " times in tick " +
-                                 std::to_string(last) + ": what was done in the last " +
-                                 std::to_string(ticks) + " ticks up to it is set aside");
+                                  std::to_string(last) + ": what was done in the last " +
+                                  std::to_string(ticks) + " ticks up to it is set aside");
     for (const std::string& remark : found->warnings)
         log_error("world {} \"{}\": {}", stored.id, stored.name, remark);
     return found;
@@ -260,10 +265,10 @@ void WorldArchive::quarantine_tick(const StoredWorld& stored, const JournaledTic
 }
 
 std::shared_ptr<WorldJournal> WorldArchive::make_journal(const WorldStart& start,
-                                                     const JournalPosition& position) {
+                                                         const JournalPosition& position) {
     return std::make_shared<StoredWorldJournal>(start.label.id, start.scene->hz, position, *writer_,
-                                          *checkpoints_, marks_->of(start.label.id),
-                                          journal_settings_);
+                                                *checkpoints_, marks_->of(start.label.id),
+                                                journal_settings_);
 }
 
 // --- worlds that begin, end, and fail ---
@@ -273,9 +278,9 @@ Status WorldArchive::open(WorldStart& start) {
     Result<Checkpoint> checkpoint = checkpoint_of(start.world, start.tick, 0);
     if (!checkpoint.ok()) return checkpoint.error();
     const WorldDefinition record{.owner = start.label.owner,
-                             .scene = start.scene,
-                             .limits = limits_,
-                             .work_per_second = start.world.work_per_second()};
+                                 .scene = start.scene,
+                                 .limits = limits_,
+                                 .work_per_second = start.world.work_per_second()};
     const bool pushed = writer_->push(PutWorld{{.id = id,
                                                 .name = start.label.name,
                                                 .epoch = 1,
@@ -301,10 +306,11 @@ void WorldArchive::drop(const std::string& id) {
 }
 
 Result<std::unique_ptr<WorldStorage>> WorldArchive::copy_of(const std::string& id,
-                                                          std::uint32_t last_tick) {
+                                                            std::uint32_t last_tick) {
     Result<std::unique_ptr<WorldStorageCopy>> copy = slow();
-    writer_->run_on_writer([&](WorldStorage& store) { copy = WorldStorageCopy::of(store, id, 2, last_tick); },
-                   timeout);
+    writer_->run_on_writer(
+        [&](WorldStorage& store) { copy = WorldStorageCopy::of(store, id, 2, last_tick); },
+        timeout);
     if (!copy.ok()) return copy.error();
     return std::unique_ptr<WorldStorage>(*std::move(copy));
 }
@@ -331,7 +337,7 @@ Result<WorldArchive::StoppedWorld> WorldArchive::load_stopped_world(const std::s
     checkpoints_->wait(timeout);
     Result<std::unique_ptr<WorldStorageCopy>> copy = slow();
     Result<std::vector<std::uint32_t>> ticks = slow();
-    writer_->visit(
+    writer_->run_on_writer(
         [&](WorldStorage& store) {
             copy = WorldStorageCopy::of(store, id, 2);
             ticks = store.checkpoint_ticks(id);
@@ -354,9 +360,9 @@ WorldStart WorldArchive::start_of(StoppedWorld last) {
                      .world = std::move(last.found.world),
                      .tick = last.found.tick};
     start.world_journal = make_journal(start, {.epoch = last.stored.epoch,
-                                     .sequence = last.found.sequence,
-                                     .chain = last.found.chain,
-                                     .checkpoints = std::move(last.checkpoints)});
+                                               .sequence = last.found.sequence,
+                                               .chain = last.found.chain,
+                                               .checkpoints = std::move(last.checkpoints)});
     return start;
 }
 

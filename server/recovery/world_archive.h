@@ -85,7 +85,8 @@ private:
     Result<StoppedWorld> load_stopped_world(const std::string& id);
     WorldStart start_of(StoppedWorld last);
     void quarantine_tick(const StoredWorld& stored, const JournaledTick& tick);
-    std::shared_ptr<WorldJournal> make_journal(const WorldStart& start, const JournalPosition& position);
+    std::shared_ptr<WorldJournal> make_journal(const WorldStart& start,
+                                               const JournalPosition& position);
 
     const HostLimits limits_;
     const int threads_;

@@ -40,8 +40,8 @@ std::string encode_world_definition(const WorldDefinition& record) {
 Result<WorldDefinition> decode_world_definition(std::string_view bytes) {
     ByteReader from(bytes);
     if (const std::uint64_t version = from.number(); version != definition_version)
-        return not_a_definition("is of version " + std::to_string(version) + "; this server reads " +
-                            std::to_string(definition_version));
+        return not_a_definition("is of version " + std::to_string(version) +
+                                "; this server reads " + std::to_string(definition_version));
     WorldDefinition record;
     record.owner = from.text();
     Result<scenes::SceneDescription> scene = scenes::read_scene_json(from.text());

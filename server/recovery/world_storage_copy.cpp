@@ -6,9 +6,10 @@
 
 namespace jostle::server {
 
-Result<std::unique_ptr<WorldStorageCopy>> WorldStorageCopy::of(WorldStorage& store, const std::string& id,
-                                                     std::size_t checkpoints_max,
-                                                     std::uint32_t last_tick) {
+Result<std::unique_ptr<WorldStorageCopy>> WorldStorageCopy::of(WorldStorage& store,
+                                                               const std::string& id,
+                                                               std::size_t checkpoints_max,
+                                                               std::uint32_t last_tick) {
     constexpr std::size_t bytes_at_once = 8 << 20;
     auto copy = std::make_unique<WorldStorageCopy>();
     const Result<std::vector<StoredWorld>> all = store.worlds();
@@ -60,7 +61,7 @@ Result<Checkpoint> WorldStorageCopy::checkpoint(const std::string&, std::uint32_
 }
 
 Result<std::vector<JournalEntry>> WorldStorageCopy::entries(const std::string&, std::uint64_t after,
-                                                       std::size_t) {
+                                                            std::size_t) {
     const auto begin = std::ranges::upper_bound(entries_, after, {}, &JournalEntry::sequence);
     if (begin == entries_.end() && !damage_.ok()) return damage_.error();
     return std::vector<JournalEntry>(begin, entries_.end());

@@ -17,8 +17,8 @@ public:
     // The world, its checkpoints up to that tick, newest first and at most so many, and what came
     // after the oldest of them.
     static Result<std::unique_ptr<WorldStorageCopy>> of(WorldStorage& store, const std::string& id,
-                                                   std::size_t checkpoints_max,
-                                                   std::uint32_t last_tick = 0xffffffff);
+                                                        std::size_t checkpoints_max,
+                                                        std::uint32_t last_tick = 0xffffffff);
 
     Status write(std::span<const StorageChange> changes) override;  // unavailable
     Result<std::vector<StoredWorld>> worlds() override { return std::vector{world_}; }

@@ -28,7 +28,9 @@ public:
     std::uint32_t last_sent() const { return last_sent_; }
     // What it has, as if it had been sent nothing else.
     BaselineTracker known() const;
-    wire::BaselineFrames baselines_for(std::uint32_t frame) const { return known().baselines_for(frame); }
+    wire::BaselineFrames baselines_for(std::uint32_t frame) const {
+        return known().baselines_for(frame);
+    }
 
 private:
     struct Sent {

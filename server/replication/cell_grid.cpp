@@ -22,7 +22,8 @@ CellGrid::CellGrid(double interest_cell_m, const wire::QuantSpec& spec)
 
 CellId CellGrid::id_of(CellCoordinates coordinates) {
     const auto part = [](int k) {
-        return static_cast<std::uint32_t>(std::clamp(k, -coordinate_max, coordinate_max) + coordinate_max);
+        return static_cast<std::uint32_t>(std::clamp(k, -coordinate_max, coordinate_max) +
+                                          coordinate_max);
     };
     return 1 + (part(coordinates.x) << 16 | part(coordinates.z));
 }
@@ -34,8 +35,9 @@ CellCoordinates CellGrid::coordinates_of(CellId cell) {
 
 double CellGrid::distance(CellId cell, double x_m, double z_m) const {
     if (cell == everywhere) return 0;
-    const CellCoordinates place = coordinates_of(cell);
-    return std::hypot(gap(x_m, coordinates.x * cell_m_, cell_m_), gap(z_m, coordinates.z * cell_m_, cell_m_));
+    const CellCoordinates coordinates = coordinates_of(cell);
+    return std::hypot(gap(x_m, coordinates.x * cell_m_, cell_m_),
+                      gap(z_m, coordinates.z * cell_m_, cell_m_));
 }
 
 CellId CellGrid::cell_of(const wire::EntityState& entity, CellId before) const {
@@ -56,7 +58,8 @@ CellGrid::Cells CellGrid::split(const wire::QuantizedFrame& frame, const EntityL
     for (const wire::EntityState& entity : frame.entities) {
         while (description != entities.end() && (*description)->id < entity.id) ++description;
         while (old != known_.end() && old->first < entity.id) ++old;
-        const bool large = description == entities.end() || !((*description)->bounding_radius <= cell_m_);
+        const bool large =
+            description == entities.end() || !((*description)->bounding_radius <= cell_m_);
         const bool seen = old != known_.end() && old->first == entity.id;
         const CellId cell = large ? everywhere : cell_of(entity, seen ? old->second : everywhere);
         next_.emplace_back(entity.id, cell);

@@ -8,11 +8,12 @@
 
 namespace jostle::server {
 
-CellSnapshotCache::CellSnapshotCache(double interest_cell_m, const wire::QuantSpec& spec, Serialize serialize)
+CellSnapshotCache::CellSnapshotCache(double interest_cell_m, const wire::QuantSpec& spec,
+                                     Serialize serialize)
     : spec_(spec), serialize_(std::move(serialize)), grid_(interest_cell_m, spec) {}
 
-CellSnapshotCache::Cells CellSnapshotCache::cells(const FramePtr& frame,
-                                const std::function<wire::QuantizedFrame()>& quantized) {
+CellSnapshotCache::Cells CellSnapshotCache::cells(
+    const FramePtr& frame, const std::function<wire::QuantizedFrame()>& quantized) {
     const std::lock_guard lock(mutex_);
     if (frame->tick <= tick_) return cells_;
     CellGrid::Cells now = grid_.split(quantized(), *frame->entity_list);
@@ -49,39 +50,45 @@ void CellSnapshotCache::add(CellId cell, wire::QuantizedFrame content, std::uint
     history.encodings.clear();
 }
 
-const wire::QuantizedFrame* CellSnapshotCache::find(const History& history, std::uint32_t number) const {
+const wire::QuantizedFrame* CellSnapshotCache::find(const History& history,
+                                                    std::uint32_t number) const {
     const auto at = std::ranges::lower_bound(history.states, number, {}, &CellState::number);
     return at != history.states.end() && at->number == number ? at->content.get() : nullptr;
 }
 
-SharedBytes CellSnapshotCache::encoding(const CellState& state, wire::BaselineFrames baselines, wire::Codec codec) {
+SharedBytes CellSnapshotCache::encoding(const CellState& state, wire::BaselineFrames baselines,
+                                        wire::Codec codec) {
     const std::lock_guard lock(mutex_);
     // Another thread may have made a newer state meanwhile, or forgotten the cell: then this one is
     // made for one client.
     const auto known = histories_.find(state.id);
     if (known == histories_.end()) return encode({}, state, baselines, codec);
     History& history = known->second;
-    if (history.states.back().number != state.number) return encode(history, state, baselines, codec);
+    if (history.states.back().number != state.number)
+        return encode(history, state, baselines, codec);
     SharedBytes& bytes = history.encodings[{baselines, codec}];
     if (!bytes) bytes = encode(history, state, baselines, codec);
     return bytes;
 }
 
-SharedBytes CellSnapshotCache::encode(const History& history, const CellState& state, wire::BaselineFrames baselines,
-                             wire::Codec codec) const {
-    const wire::QuantizedFrame* baseline = baselines.baseline != 0 ? find(history, baselines.baseline) : nullptr;
+SharedBytes CellSnapshotCache::encode(const History& history, const CellState& state,
+                                      wire::BaselineFrames baselines, wire::Codec codec) const {
+    const wire::QuantizedFrame* baseline =
+        baselines.baseline != 0 ? find(history, baselines.baseline) : nullptr;
     const wire::QuantizedFrame* baseline2 =
         baseline && baselines.baseline2 != 0 ? find(history, baselines.baseline2) : nullptr;
     const wire::QuantizedFrame* baseline3 =
         baseline2 && baselines.baseline3 != 0 ? find(history, baselines.baseline3) : nullptr;
-    const wire::BaselineFrames used{baseline ? baselines.baseline : 0, baseline2 ? baselines.baseline2 : 0,
-                                baseline3 ? baselines.baseline3 : 0};
-    return std::make_shared<const std::string>(serialize_(
-        {.id = state.id,
-         .number = state.number,
-         .baselines = used,
-         .packed = wire::encode_frame(*state.content, {baseline, baseline2, baseline3}, spec_, codec),
-         .crc = state.crc}));
+    const wire::BaselineFrames used{baseline ? baselines.baseline : 0,
+                                    baseline2 ? baselines.baseline2 : 0,
+                                    baseline3 ? baselines.baseline3 : 0};
+    return std::make_shared<const std::string>(
+        serialize_({.id = state.id,
+                    .number = state.number,
+                    .baselines = used,
+                    .packed = wire::encode_frame(*state.content, {baseline, baseline2, baseline3},
+                                                 spec_, codec),
+                    .crc = state.crc}));
 }
 
 }  // namespace jostle::server

@@ -65,8 +65,8 @@ private:
     };
     void add(CellId cell, wire::QuantizedFrame content, std::uint32_t tick);
     const wire::QuantizedFrame* find(const History& history, std::uint32_t number) const;
-    SharedBytes encode(const History& history, const CellState& state, wire::BaselineFrames baselines,
-                       wire::Codec codec) const;
+    SharedBytes encode(const History& history, const CellState& state,
+                       wire::BaselineFrames baselines, wire::Codec codec) const;
 
     const wire::QuantSpec spec_;
     const Serialize serialize_;

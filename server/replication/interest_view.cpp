@@ -50,9 +50,9 @@ std::uint32_t InterestView::interval(double distance_m) const {
     return distance_m <= 0.75 * interest_.radius_m ? 2 : 4;
 }
 
-std::vector<InterestView::PendingCell> InterestView::pending_cells(const CellSnapshotCache& feed,
-                                                       const std::vector<CellState>& cells,
-                                                       std::uint32_t tick, Clock::time_point now) {
+std::vector<InterestView::PendingCell> InterestView::pending_cells(
+    const CellSnapshotCache& feed, const std::vector<CellState>& cells, std::uint32_t tick,
+    Clock::time_point now) {
     refill(now);
     struct Ranked {
         double rank;

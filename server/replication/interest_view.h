@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// What one client sees of its world, and which cells (cell_snapshot_cache.h) it is sent next. Near cells come
-// with every snapshot; beyond half of the radius every second one, beyond three quarters every
-// fourth. What waited longest and is nearest comes first, for as long as the client's budget lasts:
-// a token bucket of bytes that holds a twentieth of a second, so that no second has more than a
-// twentieth beyond the rate. What is new to the client has a quota of its own, half of the rate, so
-// that entering a crowd does not stop what moves.
+// What one client sees of its world, and which cells (cell_snapshot_cache.h) it is sent next. Near
+// cells come with every snapshot; beyond half of the radius every second one, beyond three quarters
+// every fourth. What waited longest and is nearest comes first, for as long as the client's budget
+// lasts: a token bucket of bytes that holds a twentieth of a second, so that no second has more
+// than a twentieth beyond the rate. What is new to the client has a quota of its own, half of the
+// rate, so that entering a crowd does not stop what moves.
 //
 // Thread rule: one thread at a time.
 #pragma once
@@ -43,8 +43,9 @@ public:
     };
     // What should go out in that tick, in the order in which it should: what is new, then what is
     // known. Of each as much as affords() lets. Refills the budget.
-    std::vector<PendingCell> pending_cells(const CellSnapshotCache& feed, const std::vector<CellState>& cells,
-                               std::uint32_t tick, Clock::time_point now);
+    std::vector<PendingCell> pending_cells(const CellSnapshotCache& feed,
+                                           const std::vector<CellState>& cells, std::uint32_t tick,
+                                           Clock::time_point now);
     // Whether so many bytes may go out now.
     bool affords(std::size_t bytes, bool fresh) const;
     void spend(std::size_t bytes, bool fresh);

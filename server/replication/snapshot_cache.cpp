@@ -20,13 +20,13 @@ wire::EntityState quantized_pose(const EntityPose& e, const wire::QuantSpec& spe
 }
 
 // For so long all was as in the base, and changed at most in the frame's own tick.
-std::uint32_t unchanged_ticks(const JointFrame& frame, const JointFrame& baseline) {
+std::uint32_t unchanged_ticks(const Frame& frame, const Frame& baseline) {
     if (frame.changed_at <= baseline.tick) return frame.tick - baseline.tick;
     const bool held = frame.changed_at == frame.tick && frame.previous_changed_at <= baseline.tick;
     return held ? frame.tick - 1 - baseline.tick : 0;
 }
 
-wire::Channels channels_of(const JointFrame& frame) {
+wire::Channels channels_of(const Frame& frame) {
     wire::Channels channels;
     if (!frame.channels) return channels;
     channels.reserve(frame.channels->size());
@@ -61,7 +61,7 @@ SnapshotCache::Entry& SnapshotCache::entry_of(const FramePtr& frame) {
 
 // What is in the same block as in a frame before is what was made of it then.
 void SnapshotCache::quantize(Entry& entry, const Entry* before, Entry oldest) const {
-    const JointFrame& frame = *entry.frame;
+    const Frame& frame = *entry.frame;
     const auto& blocks = frame.entities.blocks();
     const auto is_of_same = [&](const Entry* other) {
         return other && other->frame && other->frame->entity_list == frame.entity_list &&
@@ -102,10 +102,12 @@ void SnapshotCache::quantize(Entry& entry, const Entry* before, Entry oldest) co
 }
 
 // Blocks that both share, and in which all rests.
-std::vector<wire::UnchangedRun> SnapshotCache::unchanged_runs(const Entry& entry, const Entry& baseline) {
+std::vector<wire::UnchangedRun> SnapshotCache::unchanged_runs(const Entry& entry,
+                                                              const Entry& baseline) {
     std::vector<wire::UnchangedRun> runs;
     if (entry.frame->entity_list != baseline.frame->entity_list) return runs;
-    const auto &blocks = entry.frame->entities.blocks(), &before = baseline.frame->entities.blocks();
+    const auto &blocks = entry.frame->entities.blocks(),
+               &before = baseline.frame->entities.blocks();
     if (blocks.size() != before.size()) return runs;
     for (std::size_t b = 0; b < blocks.size(); b++) {
         if (blocks[b] != before[b] || !entry.block_rests[b]) continue;
@@ -124,16 +126,20 @@ SharedBytes SnapshotCache::encoding(const FramePtr& frame, wire::BaselineFrames 
     Entry& entry = entry_of(frame);
     // Each base makes sense only with the one before it, in falling order.
     const Entry* baseline = baselines.baseline < frame->tick ? find(baselines.baseline) : nullptr;
-    const Entry* baseline2 = baseline && baselines.baseline2 < baselines.baseline ? find(baselines.baseline2) : nullptr;
-    const Entry* baseline3 = baseline2 && baselines.baseline3 < baselines.baseline2 ? find(baselines.baseline3) : nullptr;
-    const wire::BaselineFrames used{baseline ? baselines.baseline : 0, baseline2 ? baselines.baseline2 : 0,
-                                baseline3 ? baselines.baseline3 : 0};
+    const Entry* baseline2 =
+        baseline && baselines.baseline2 < baselines.baseline ? find(baselines.baseline2) : nullptr;
+    const Entry* baseline3 = baseline2 && baselines.baseline3 < baselines.baseline2
+                                 ? find(baselines.baseline3)
+                                 : nullptr;
+    const wire::BaselineFrames used{baseline ? baselines.baseline : 0,
+                                    baseline2 ? baselines.baseline2 : 0,
+                                    baseline3 ? baselines.baseline3 : 0};
     if (const auto made = entry.encodings.find({used, kinds, poses}); made != entry.encodings.end())
         return made->second;
     wire::PackedChannels channels;
     if (kinds != 0)
-        channels =
-            wire::encode_channels(entry.channels, baseline ? baseline->channels : wire::Channels{}, kinds);
+        channels = wire::encode_channels(entry.channels,
+                                         baseline ? baseline->channels : wire::Channels{}, kinds);
     // Where nothing of them changed it is what those get who asked for none.
     SharedBytes& bytes = entry.encodings[{used, channels.bytes.empty() ? 0 : kinds, poses}];
     if (!bytes)
@@ -148,7 +154,8 @@ SharedBytes SnapshotCache::encoding(const FramePtr& frame, wire::BaselineFrames 
     return entry.encodings[{used, kinds, poses}] = bytes;
 }
 
-const std::vector<std::byte>& SnapshotCache::packed(Entry& entry, const wire::BaselineFrames& baselines,
+const std::vector<std::byte>& SnapshotCache::packed(Entry& entry,
+                                                    const wire::BaselineFrames& baselines,
                                                     wire::Codec codec) {
     const auto [at, fresh] = entry.packed.try_emplace({baselines, codec});
     if (!fresh) return at->second;
@@ -159,9 +166,10 @@ const std::vector<std::byte>& SnapshotCache::packed(Entry& entry, const wire::Ba
     const Entry* const baseline = find(baselines.baseline);
     const std::vector<wire::UnchangedRun> unchanged =
         baseline ? unchanged_runs(entry, *baseline) : std::vector<wire::UnchangedRun>();
-    at->second = wire::encode_frame(entry.quantized,
-                                    {poses(baselines.baseline), poses(baselines.baseline2), poses(baselines.baseline3)},
-                                    spec_, codec, unchanged);
+    at->second = wire::encode_frame(
+        entry.quantized,
+        {poses(baselines.baseline), poses(baselines.baseline2), poses(baselines.baseline3)}, spec_,
+        codec, unchanged);
     made_++;
     return at->second;
 }

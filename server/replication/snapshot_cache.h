@@ -32,8 +32,8 @@ struct EncodedSnapshot {
     std::vector<std::byte> packed;
     std::uint32_t crc = 0;
     std::int64_t late_us = 0;
-    std::uint32_t unchanged_ticks = 0;        // ticks after the base in which nothing changed
-    wire::PackedChannels channels;  // of the kinds that were asked for, against the base
+    std::uint32_t unchanged_ticks = 0;  // ticks after the base in which nothing changed
+    wire::PackedChannels channels;      // of the kinds that were asked for, against the base
 };
 
 class SnapshotCache {
@@ -48,7 +48,8 @@ public:
     // base it is absolute. `kinds`: a bit for each kind of channels that is wanted (host/frame.h).
     // Without a codec of poses only what else is told of a frame: for who is told of cells. Never
     // null.
-    SharedBytes encoding(const FramePtr& frame, wire::BaselineFrames baselines, std::uint64_t kinds = 0,
+    SharedBytes encoding(const FramePtr& frame, wire::BaselineFrames baselines,
+                         std::uint64_t kinds = 0,
                          std::optional<wire::Codec> poses = wire::Codec::bits);
     // The frame's entities as integers.
     wire::QuantizedFrame quantized(const FramePtr& frame);
@@ -87,7 +88,8 @@ private:
     Entry& entry_of(const FramePtr& frame);
     void quantize(Entry& entry, const Entry* before, Entry oldest) const;
     Entry* find(std::uint32_t frame);
-    static std::vector<wire::UnchangedRun> unchanged_runs(const Entry& entry, const Entry& baseline);
+    static std::vector<wire::UnchangedRun> unchanged_runs(const Entry& entry,
+                                                          const Entry& baseline);
 
     const wire::QuantSpec spec_;
     const Serialize serialize_;

@@ -127,7 +127,7 @@ Status AdminControl::step_world(const v1::StepWorldRequest& request,
     if (Status s = waiting.admitted(); !s.ok()) return s;
     const auto steps = static_cast<int>(request.steps());
     const Result<int> taken =
-        (*world)->single_step().take(steps, from_seconds(steps / (*world)->hz() + step_timeout_s));
+        (*world)->single_step().step(steps, from_seconds(steps / (*world)->hz() + step_timeout_s));
     if (!taken.ok()) return taken.error();
     response.set_tick((*world)->frame()->tick);
     response.set_steps_taken(static_cast<std::uint32_t>(*taken));
@@ -180,8 +180,9 @@ Status AdminControl::answer_export(ExportedScene exported, v1::ExportWorldRespon
 
 Status AdminControl::drain(const v1::DrainRequest&, v1::DrainResponse& response) {
     response.set_clients(static_cast<std::uint32_t>(context_.sessions.clients()));
-    response.set_connected_seconds(context_.config.drain_timeout_seconds);
-    if (!context_.drain_requested.exchange(true)) log_info("an operator asks the server to go down");
+    response.set_timeout_seconds(context_.config.drain_timeout_seconds);
+    if (!context_.drain_requested.exchange(true))
+        log_info("an operator asks the server to go down");
     return {};
 }
 

@@ -133,9 +133,9 @@ void write_box(v1::DebugBox& to, const physics::Aabb& from) {
 
 template <class Request>
 Result<QueryTarget> ask(const WorldDirectory& worlds, const Request& request,
-                         const RewindView::CandidateFilter& candidate_filter = any_candidate) {
-    return query_target(worlds, request.world(), request.has_view_time() ? &request.view_time() : nullptr,
-                         candidate_filter);
+                        const RewindView::CandidateFilter& candidate_filter = any_candidate) {
+    return query_target(worlds, request.world(),
+                        request.has_view_time() ? &request.view_time() : nullptr, candidate_filter);
 }
 
 template <class Response>
@@ -147,7 +147,8 @@ void write_view_time(Response& to, const QueryTarget& asked) {
 // What rays may meet of the past.
 RewindView::CandidateFilter along_rays(const v1::CastRaysRequest& request) {
     if (request.rays_size() == 1)
-        return along_segment(to_vector(request.rays(0).origin()), to_vector(request.rays(0).motion()));
+        return along_segment(to_vector(request.rays(0).origin()),
+                             to_vector(request.rays(0).motion()));
     std::optional<physics::Aabb> box;
     for (const v1::Ray& ray : request.rays()) {
         const physics::Vec3 from = to_vector(ray.origin()), to = from + to_vector(ray.motion());
@@ -286,7 +287,8 @@ Status QueryControl::overlap(const v1::OverlapRequest& request, v1::OverlapRespo
 }
 
 Status QueryControl::closest_points(const v1::ClosestPointsRequest& request,
-                                    v1::ClosestPointsResponse& response, const CancellationCheck&) const {
+                                    v1::ClosestPointsResponse& response,
+                                    const CancellationCheck&) const {
     if (Status s = check_count("points", request.points_size(), points_max); !s.ok()) return s;
     if (Status s = check_number("max_distance", request.max_distance(), 0, coordinate_max); !s.ok())
         return s;
@@ -340,7 +342,7 @@ void QueryControl::write_debug(const v1::DebugRequest& request, const QueryFrame
             v1::DebugContact& to = *response.add_contacts();
             write_vector(*to.mutable_point(), from.point);
             write_vector(*to.mutable_normal(), from.normal);
-            to.set_gap(from.gap);
+            to.set_separation(from.gap);
             to.set_impulse(from.impulse);
             to.set_touching(from.touching);
         }

@@ -45,7 +45,8 @@ Result<QueryFramePtr> query_frame_of(const WorldDirectory& worlds, const std::st
 }
 
 Result<QueryTarget> query_target(const WorldDirectory& worlds, const std::string& name,
-                                   const v1::ViewTime* view_time, const RewindView::CandidateFilter& candidate_filter) {
+                                 const v1::ViewTime* view_time,
+                                 const RewindView::CandidateFilter& candidate_filter) {
     if (view_time)
         if (Status s = check_view_time(*view_time); !s.ok()) return s.error();
     const Result<std::shared_ptr<WorldHost>> world = find_host(worlds, name);
@@ -54,7 +55,8 @@ Result<QueryTarget> query_target(const WorldDirectory& worlds, const std::string
     if (!frame.ok()) return frame.error();
     QueryTarget now{.frame = *frame, .queries = *(*frame)->queries, .tick = (*frame)->tick};
     if (!view_time) return now;
-    const RewindView past(*(*world)->frame_history().at({view_time->tick(), view_time->fraction()}));
+    const RewindView past(
+        *(*world)->frame_history().at({view_time->tick(), view_time->fraction()}));
     const Result<physics::Queries> then =
         now.queries.with_shapes_at(past.shapes(*now.frame->entity_list, candidate_filter));
     if (!then.ok()) return Error{ErrorCode::internal, then.error().message};

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "jostle/base/result.h"
-#include "server/world/rewind_view.h"
 #include "server/world/query_frame.h"
+#include "server/world/rewind_view.h"
 #include "server/world/world_directory.h"
 
 namespace jostle::v1 {
@@ -30,7 +30,8 @@ Result<QueryFramePtr> query_frame_of(const WorldDirectory& worlds, const std::st
 
 // `seen` null: now. Of the past only what may be met.
 Result<QueryTarget> query_target(const WorldDirectory& worlds, const std::string& world,
-                                   const v1::ViewTime* view_time, const RewindView::CandidateFilter& candidate_filter);
+                                 const v1::ViewTime* view_time,
+                                 const RewindView::CandidateFilter& candidate_filter);
 
 // For questions about all of a world.
 inline bool any_candidate(physics::Vec3, double) {

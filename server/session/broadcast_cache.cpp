@@ -71,7 +71,7 @@ SharedBytes BroadcastCache::events(const std::shared_ptr<const TickEvents>& tick
 }
 
 std::shared_ptr<BroadcastCache> BroadcastCaches::cache_for(const std::shared_ptr<WorldHost>& host,
-                                               double interest_cell_m) {
+                                                           double interest_cell_m) {
     const std::lock_guard lock(mutex_);
     std::erase_if(feeds_, [](const auto& entry) { return entry.second.expired(); });
     std::weak_ptr<BroadcastCache>& known = feeds_[host.get()];

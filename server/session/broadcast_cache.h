@@ -64,7 +64,8 @@ private:
 class BroadcastCaches {
 public:
     // `interest_cell_m`: edge of the cells of a feed that is made.
-    std::shared_ptr<BroadcastCache> cache_for(const std::shared_ptr<WorldHost>& host, double interest_cell_m);
+    std::shared_ptr<BroadcastCache> cache_for(const std::shared_ptr<WorldHost>& host,
+                                              double interest_cell_m);
 
 private:
     std::mutex mutex_;

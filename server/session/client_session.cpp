@@ -60,7 +60,11 @@ std::uint64_t motion_bit(const std::vector<physics::ChannelKind>& kinds) {
 }  // namespace
 
 ClientSession::ClientSession(PlayContext& context, Peer peer, Clock::time_point now)
-    : context_(context), peer_(std::move(peer)), begun_(now), last_received_(now), timeouts_checked_(now) {}
+    : context_(context),
+      peer_(std::move(peer)),
+      begun_(now),
+      last_received_(now),
+      timeouts_checked_(now) {}
 
 ClientSession::~ClientSession() {
     leave_world();
@@ -77,7 +81,8 @@ void ClientSession::receive(std::string_view bytes, Clock::time_point now) {
 
 void ClientSession::handle_delayed_bytes(Clock::time_point now, bool at_once) {
     if (!network_simulator_) return;
-    while (const auto bytes = network_simulator_->take_incoming(now, at_once)) handle_bytes(*bytes, now);
+    while (const auto bytes = network_simulator_->take_incoming(now, at_once))
+        handle_bytes(*bytes, now);
 }
 
 void ClientSession::handle_bytes(std::string_view bytes, Clock::time_point now) {
@@ -177,18 +182,21 @@ Result<std::shared_ptr<WorldHost>> ClientSession::authorize_by_ticket(const Hell
     return world;
 }
 
-Status ClientSession::check_play_access(const Hello& hello, const Identity& who, const WorldHost& world) const {
+Status ClientSession::check_play_access(const Hello& hello, const Identity& who,
+                                        const WorldHost& world) const {
     if (hello.spectator) return {};
     return context_.authorizer.admit(who, {play_inputs, world_target(world), peer_.address});
 }
 
 void ClientSession::enter(const std::shared_ptr<WorldHost>& world, const Hello& hello,
-                       Clock::time_point now, DisconnectedClient* lost) {
+                          Clock::time_point now, DisconnectedClient* lost) {
     const Result<ClientId> client = lost ? lost->client : acquire_client_id(*world);
     if (!client.ok()) return refuse(client.error(), now);
     client_ = *client;
     spectator_ = hello.spectator;
-    broadcast_ = lost ? lost->feed : context_.broadcast_caches.cache_for(world, context_.config.stream.interest_cell_m);
+    broadcast_ =
+        lost ? lost->broadcast
+             : context_.broadcast_caches.cache_for(world, context_.config.stream.interest_cell_m);
     result_queue_ = lost ? lost->result_queue : std::make_shared<ResultQueue>();
     if (!lost && hello.resumable && context_.config.client.resume_timeout_seconds > 0)
         resume_session_ = open_resume_session(*world);
@@ -219,40 +227,43 @@ void ClientSession::enter(const std::shared_ptr<WorldHost>& world, const Hello& 
     event_cursor_ = frame->events->count;
     const auto gone =
         lost ? resume_stream(*lost, hello.resume->frame, *frame->entity_list) : std::nullopt;
-    Welcome welcome{.client = client_,
-                    .world_id = world->id(),
-                    .world_name = world->name(),
-                    .tick = frame->tick,
-                    .tick_hz = world->hz(),
-                    .snapshot_hz = static_cast<std::uint32_t>(std::lround(world->hz() / divider)),
-                    .ack_interval_ms = static_cast<std::uint32_t>(context_.config.stream.ack_interval_ms),
-                    .quant = broadcast_->snapshots().spec(),
-                    .server_time_us = to_us(now),
-                    .epoch_us = world->epoch_us(),
-                    .gravity = world->gravity(),
-                    .substeps = world->substeps(),
-                    .channels = world->channel_kinds(),
-                    .codec = codec_,
-                    .cells = interest_ != nullptr,
-                    .resume_token = resume_session_ ? resume_session_->token : std::string(),
-                    .resumed = lost != nullptr,
-                    .state_preserved = removed.has_value(),
-                    .last_sequence = confirmed(),
-                    .resume_timeout_seconds = resume_session_ ? context_.config.client.resume_timeout_seconds : 0};
+    Welcome welcome{
+        .client = client_,
+        .world_id = world->id(),
+        .world_name = world->name(),
+        .tick = frame->tick,
+        .tick_hz = world->hz(),
+        .snapshot_hz = static_cast<std::uint32_t>(std::lround(world->hz() / divider)),
+        .ack_interval_ms = static_cast<std::uint32_t>(context_.config.stream.ack_interval_ms),
+        .quant = broadcast_->snapshots().spec(),
+        .server_time_us = to_us(now),
+        .epoch_us = world->epoch_us(),
+        .gravity = world->gravity(),
+        .substeps = world->substeps(),
+        .channels = world->channel_kinds(),
+        .codec = codec_,
+        .cells = interest_ != nullptr,
+        .resume_token = resume_session_ ? resume_session_->token : std::string(),
+        .resumed = lost != nullptr,
+        .state_preserved = gone.has_value(),
+        .last_sequence = confirmed(),
+        .resume_timeout_seconds =
+            resume_session_ ? context_.config.client.resume_timeout_seconds : 0};
     offer_datagrams(hello, welcome);
     send(encode_welcome(welcome));
     if (gone && !gone->empty())
         outgoing_.push_back({{}, std::make_shared<const std::string>(encode_removed(*gone))});
     snapshot_due_ = true;  // the first one goes out at once
-    network_simulator_ = make_network_simulator(context_.config.development, world->name(), client_);
+    network_simulator_ =
+        make_network_simulator(context_.config.development, world->name(), client_);
     metrics_.entered({.id = client_,
-                    .name = hello.name,
-                    .world_id = world->id(),
-                    .world_name = world->name(),
-                    .address = peer_.name,
-                    .spectator = hello.spectator,
-                    .since = now},
-                   *world);
+                      .name = hello.name,
+                      .world_id = world->id(),
+                      .world_name = world->name(),
+                      .address = peer_.name,
+                      .spectator = hello.spectator,
+                      .since = now},
+                     *world);
     log_info("client {} {} of {} {} world {}{}", client_, quoted(hello.name), peer_.name,
              lost ? "came back to" : "joined", world->id(),
              hello.spectator ? " as a spectator" : "");
@@ -274,24 +285,25 @@ void ClientSession::on_message(const InputBatch& batch, Clock::time_point now) {
 }
 
 // What came before is neither applied nor answered again.
-void ClientSession::push_input(std::uint32_t sequence, const Result<Action>& input, std::uint32_t tick,
-                            Clock::time_point now) {
+void ClientSession::push_input(std::uint32_t sequence, const Result<Action>& input,
+                               std::uint32_t tick, Clock::time_point now) {
     if (sequence <= last_sequence_) return;
     last_sequence_ = sequence;
     if (Status status = try_push_input(sequence, input, tick, now); !status.ok())
-        results_.push_back({.sequence = sequence, .status = std::move(status), .tick = last_frame_tick_});
+        results_.push_back(
+            {.sequence = sequence, .status = std::move(status), .tick = last_frame_tick_});
 }
 
-Status ClientSession::try_push_input(std::uint32_t sequence, const Result<Action>& input, std::uint32_t tick,
-                            Clock::time_point now) {
+Status ClientSession::try_push_input(std::uint32_t sequence, const Result<Action>& input,
+                                     std::uint32_t tick, Clock::time_point now) {
     if (!input.ok()) return Error{ErrorCode::invalid_argument, input.error().message};
     if (Status status = admission_->admit_input(*input, now); !status.ok()) return status;
     if (!broadcast_->host().push({.client = client_,
-                             .sequence = sequence,
-                             .action = *input,
-                             .reply = result_queue_,
-                             .received = now,
-                             .tick = tick}))
+                                  .sequence = sequence,
+                                  .action = *input,
+                                  .reply = result_queue_,
+                                  .received = now,
+                                  .tick = tick}))
         return Error{ErrorCode::resource_exhausted, "the world has too many inputs waiting"};
     return {};
 }
@@ -299,7 +311,7 @@ Status ClientSession::try_push_input(std::uint32_t sequence, const Result<Action
 void ClientSession::on_message(const Ack& ack, Clock::time_point now) {
     flow_->on_ack(ack.frame, std::chrono::milliseconds(ack.ack_delay_ms), now);
     sent_log_.on_ack(ack.frame);
-    if (datagrams_) datagrams_->on_ack(ack.frame, ack.before, now);
+    if (datagrams_) datagrams_->on_ack(ack.frame, ack.ack_bits, now);
     if (!ack.need_keyframe || now - last_keyframe_ < keyframe_period) return;
     last_keyframe_ = now;
     baselines_.reset();
@@ -396,8 +408,9 @@ void ClientSession::check_timeouts(Clock::time_point now) {
     if (context_.closing) return finish(Error{ErrorCode::unavailable, "the server went down"}, now);
     if (context_.draining && !draining_sent_) {
         draining_sent_ = true;
-        send(encode_notice(NoticeKind::draining, fmt::format("the server goes down in {:g} s",
-                                                             context_.config.drain_timeout_seconds)));
+        send(encode_notice(
+            NoticeKind::draining,
+            fmt::format("the server goes down in {:g} s", context_.config.drain_timeout_seconds)));
     }
     if (waiting_hello_) return on_message(*std::exchange(waiting_hello_, nullptr), now);
     if (!broadcast_) {

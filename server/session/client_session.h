@@ -25,10 +25,10 @@
 #include "server/replication/baseline_tracker.h"
 #include "server/replication/interest_view.h"
 #include "server/session/datagram_session.h"
-#include "server/session/session_network_simulator.h"
-#include "server/session/session_metrics.h"
 #include "server/session/peer.h"
 #include "server/session/play_context.h"
+#include "server/session/session_metrics.h"
+#include "server/session/session_network_simulator.h"
 #include "server/util/clock.h"
 #include "server/util/fifo.h"
 #include "server/world/result_queue.h"
@@ -74,7 +74,7 @@ private:
     // client_session_datagrams.cpp
     void receive_datagram(std::string_view bytes, Clock::time_point at, Clock::time_point now);
     void offer_datagrams(const Hello& hello, Welcome& welcome);
-    bool send_by_datagram(const JointFrame& frame, Clock::time_point now);
+    bool send_by_datagram(const Frame& frame, Clock::time_point now);
     void send_datagram(Clock::time_point now);
     ClientUpdate datagram_client_update();
     std::optional<OutMessage> take_reply(Clock::time_point now);
@@ -89,8 +89,8 @@ private:
     // client_session_resume.cpp: how a conversation goes on after its connection broke.
     bool resume(const Hello& hello, Clock::time_point now);
     Status may_resume(const Hello& hello, const DisconnectedClient& lost);
-    std::optional<std::vector<EntityId>> resume_stream(DisconnectedClient& lost, std::uint32_t frame,
-                                                   const EntityList& now);
+    std::optional<std::vector<EntityId>> resume_stream(DisconnectedClient& lost,
+                                                       std::uint32_t frame, const EntityList& now);
     Result<ClientId> acquire_client_id(const WorldHost& world);
     // The client need not say the inputs up to this one again, whatever becomes of us.
     std::uint32_t confirmed() const {
@@ -111,7 +111,7 @@ private:
     void push_input(std::uint32_t sequence, const Result<Action>& input, std::uint32_t tick,
                     Clock::time_point now);
     Status try_push_input(std::uint32_t sequence, const Result<Action>& input, std::uint32_t tick,
-                    Clock::time_point now);
+                          Clock::time_point now);
     void drop_message(Clock::time_point now);
 
     void forgive_process_stall(Clock::time_point now);
@@ -131,14 +131,14 @@ private:
     bool send_cell_members(const wire::QuantizedFrame& cell);
     void send_removed(const std::shared_ptr<const EntityList>& entities);
     void push(const EntityUpdateMessages& messages);
-    bool has_changes(const JointFrame& frame, Clock::time_point now);
+    bool has_changes(const Frame& frame, Clock::time_point now);
     std::uint32_t newest_sent() const;
     ClientUpdate client_update();
     std::string take_stats(const FramePtr& frame, Clock::time_point now);
-    std::string take_events(const JointFrame& frame);
-    std::string take_controlled_entity(const JointFrame& frame);
+    std::string take_events(const Frame& frame);
+    std::string take_controlled_entity(const Frame& frame);
     void send_entities(const std::shared_ptr<const EntityList>& entities);
-    void on_frame(const JointFrame& frame, Clock::time_point now);
+    void on_frame(const Frame& frame, Clock::time_point now);
 
     PlayContext& context_;
     SessionMetrics metrics_{context_};
@@ -150,7 +150,7 @@ private:
     Clock::time_point timeouts_checked_;  // when timeouts were checked last
     std::optional<Status> end_;
     Clock::time_point end_time_{};
-    Fifo<OutMessage> outgoing_;         // to send, not yet taken
+    Fifo<OutMessage> outgoing_;        // to send, not yet taken
     std::size_t replies_pending_ = 0;  // of these, what is not shared; bounded
     bool draining_sent_ = false;
     std::unique_ptr<Hello> waiting_hello_;  // of one whose old link is to give way first
@@ -160,28 +160,28 @@ private:
     std::shared_ptr<BroadcastCache> broadcast_;
     ClientLimits limits_;
     std::shared_ptr<ResumeSession> resume_session_;  // null: its place is not kept
-    SentLog sent_log_;                      // of one with a seat
+    SentLog sent_log_;                               // of one with a seat
     bool by_ticket_ = false, spectator_ = false;
     std::optional<Admission> admission_;
     std::optional<FlowControl> flow_;
     std::shared_ptr<ResultQueue> result_queue_;
-    std::vector<InputResult> results_;  // to be told
-    std::uint32_t last_sequence_ = 0;   // received
-    std::uint32_t persisted_sequence_ = 0;   // answered, and so kept where anything is
-    std::uint32_t client_time_us_ = 0;  // of the newest batch; 0: was told
-    int dropped_ = 0;                   // messages since dropping_since_
+    std::vector<InputResult> results_;      // to be told
+    std::uint32_t last_sequence_ = 0;       // received
+    std::uint32_t persisted_sequence_ = 0;  // answered, and so kept where anything is
+    std::uint32_t client_time_us_ = 0;      // of the newest batch; 0: was told
+    int dropped_ = 0;                       // messages since dropping_since_
     Clock::time_point dropping_since_{}, last_keyframe_{}, last_snapshot_{}, last_stats_{};
     ClientUpdate sent_update_;  // the numbers that were told last
 
     BaselineTracker baselines_;
     std::unique_ptr<DatagramSession> datagrams_;  // null: all goes by the stream
-    std::uint32_t sent_received_ = 0;     // Private.input_received
+    std::uint32_t sent_received_ = 0;             // Private.input_received
     // Of results since the last datagram; 0: there was none.
     std::uint32_t unsent_sequence_ = 0;
     std::int32_t unsent_margin_us_ = 0;
     wire::Codec codec_ = wire::Codec::bits;
     std::unique_ptr<InterestView> interest_;  // null: it is told of all of the world
-    std::vector<bool> known_entities_;     // by id: what it was told of, when it has a sight
+    std::vector<bool> known_entities_;        // by id: what it was told of, when it has a sight
     bool more_to_send_ = false;
     std::shared_ptr<const EntityList> entity_list_;  // what the client knows
     std::set<std::uint64_t> sent_geometry_;          // likewise: large shapes, by id
@@ -193,9 +193,9 @@ private:
         std::vector<std::uint32_t> words;
     };
     std::unique_ptr<SentControlledEntity> sent_controlled_entity_;  // null: nothing yet
-    std::uint32_t event_cursor_ = 0;           // as RecentEvents counts; sent or missed
-    std::uint32_t events_missed_ = 0;          // since the last that were sent
-    std::uint32_t last_frame_tick_ = 0;              // newest frame that was decided on
+    std::uint32_t event_cursor_ = 0;     // as RecentEvents counts; sent or missed
+    std::uint32_t events_missed_ = 0;    // since the last that were sent
+    std::uint32_t last_frame_tick_ = 0;  // newest frame that was decided on
     bool snapshot_due_ = false;
     bool write_blocked_ = false;
     std::optional<Clock::time_point> writing_since_;  // what the client does not take

@@ -24,7 +24,8 @@ OutMessage ClientSession::take_cell_snapshot(const FramePtr& frame, Clock::time_
     std::vector<SharedBytes> cells;
     const CellSnapshotCache::Cells there = broadcast_->cells_of(frame);
     more_to_send_ = false;
-    for (const auto& part : interest_->pending_cells(broadcast_->cells(), *there, frame->tick, now)) {
+    for (const auto& part :
+         interest_->pending_cells(broadcast_->cells(), *there, frame->tick, now)) {
         if (part.new_members && !send_cell_members(*part.state.content)) {
             more_to_send_ = true;
             continue;
@@ -53,7 +54,8 @@ bool ClientSession::send_cell_members(const wire::QuantizedFrame& cell) {
     for (const wire::EntityState& entity : cell.entities) {
         if (entity.id < known_entities_.size() && known_entities_[entity.id]) continue;
         all = false;
-        if (fresh.size() == entity_updates_per_message_max || !interest_->affords(fresh.size() * entity_bytes, true))
+        if (fresh.size() == entity_updates_per_message_max ||
+            !interest_->affords(fresh.size() * entity_bytes, true))
             break;
         const auto at = std::ranges::lower_bound(*entity_list_, entity.id, {},
                                                  [](const auto& known) { return known->id; });
@@ -62,7 +64,8 @@ bool ClientSession::send_cell_members(const wire::QuantizedFrame& cell) {
     if (fresh.empty()) return all;
     const EntityUpdateMessages messages = broadcast_->entity_update_for(fresh);
     push(messages);
-    for (const SharedBytes& roster : messages.entity_updates) interest_->spend(roster->size(), true);
+    for (const SharedBytes& roster : messages.entity_updates)
+        interest_->spend(roster->size(), true);
     for (const auto& entity : fresh) {
         if (known_entities_.size() <= entity->id) known_entities_.resize(entity->id + 1, false);
         known_entities_[entity->id] = true;
@@ -70,14 +73,14 @@ bool ClientSession::send_cell_members(const wire::QuantizedFrame& cell) {
     return all;
 }
 
-// Who is gone, of those that this client knows.
+// Who is removed, of those that this client knows.
 void ClientSession::send_removed(const std::shared_ptr<const EntityList>& entities) {
     if (entity_list_) {
         std::vector<EntityId> removed;
         for (const EntityId id : broadcast_->entity_list_change(entity_list_, entities)->removed)
             if (id < known_entities_.size() && known_entities_[id]) removed.push_back(id);
-        if (!gone.empty())
-            outgoing_.push_back({{}, std::make_shared<const std::string>(encode_removed(gone))});
+        if (!removed.empty())
+            outgoing_.push_back({{}, std::make_shared<const std::string>(encode_removed(removed))});
         for (const EntityId id : removed) known_entities_[id] = false;
     }
     entity_list_ = entities;

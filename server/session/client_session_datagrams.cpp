@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The part of a ClientSession that goes by datagrams (docs/protocol.md): snapshots one way, acks and
-// inputs the other. Whatever must not get lost stays with the stream.
+// The part of a ClientSession that goes by datagrams (docs/protocol.md): snapshots one way, acks
+// and inputs the other. Whatever must not get lost stays with the stream.
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
@@ -46,7 +46,7 @@ void ClientSession::take_datagrams(Clock::time_point now) {
 }
 
 void ClientSession::receive_datagram(std::string_view bytes, Clock::time_point at,
-                                  Clock::time_point now) {
+                                     Clock::time_point now) {
     last_received_ = std::max(last_received_, at);
     if (!admission_->admit_message(bytes.size(), now)) return;  // a later one says it again
     Result<ClientMessage> message = decode_client_message(bytes);
@@ -62,7 +62,7 @@ void ClientSession::receive_datagram(std::string_view bytes, Clock::time_point a
            now);
 }
 
-bool ClientSession::send_by_datagram(const JointFrame& frame, Clock::time_point now) {
+bool ClientSession::send_by_datagram(const Frame& frame, Clock::time_point now) {
     return datagrams_ && !end_ && datagrams_->carries(frame.tick, now);
 }
 
@@ -83,7 +83,8 @@ void ClientSession::send_datagram(Clock::time_point now) {
     const SharedBytes shared = broadcast_->snapshots().encoding(
         frame, datagrams_->frames().baselines_for(frame->tick), channel_kinds_, codec_);
     if (!datagrams_->fits(shared->size() + client_update_bytes_max, now)) return;
-    const OutMessage message{encode_snapshot_header(datagram_client_update(), {}, shared->size()), shared};
+    const OutMessage message{encode_snapshot_header(datagram_client_update(), {}, shared->size()),
+                             shared};
     datagrams_->send(message, frame->tick, now);
     snapshot_due_ = false;
     last_snapshot_ = now;
@@ -95,7 +96,7 @@ void ClientSession::send_datagram(Clock::time_point now) {
 // Numbers of which each makes those before it superfluous, so that any may get lost.
 ClientUpdate ClientSession::datagram_client_update() {
     ClientUpdate own{.input_sequence = std::exchange(unsent_sequence_, 0),
-                .echo_client_time_us = std::exchange(client_time_us_, 0)};
+                     .echo_client_time_us = std::exchange(client_time_us_, 0)};
     own.input_margin_us = std::exchange(unsent_margin_us_, 0);
     own.input_received = confirmed();
     return own;
@@ -109,10 +110,11 @@ std::optional<OutMessage> ClientSession::take_reply(Clock::time_point now) {
         send_entities(frame->entity_list);
         if (!outgoing_.empty()) return next_message(now);
     }
-    const std::string more = take_stats(frame, now) + take_events(*frame) + take_controlled_entity(*frame);
+    const std::string more =
+        take_stats(frame, now) + take_events(*frame) + take_controlled_entity(*frame);
     if (results_.empty() && more.empty()) return std::nullopt;
     OutMessage message{encode_snapshot_header(client_update(), more, 0), nullptr};
-    if (resume_session_) sent_.on_snapshot(frame->tick, results_, event_cursor_);
+    if (resume_session_) sent_log_.on_snapshot(frame->tick, results_, event_cursor_);
     metrics_.answered(results_);
     results_.clear();
     return message;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// ClientSession: what of a conversation outlives its connection, and how another one goes on with it.
+// ClientSession: what of a conversation outlives its connection, and how another one goes on with
+// it.
 #include <chrono>
 #include <iterator>
 #include <utility>
@@ -41,17 +42,18 @@ void expect_resume(PlayContext& context, const std::shared_ptr<WorldHost>& world
     context.sessions.restore_client(client, world->id(), {});
     world->disconnect(client);
     context.resume_registry.expect({.client = client,
-                            .broadcast = context.broadcast_caches.cache_for(world, context.config.stream.interest_cell_m),
-                            .network = {},
-                            .subject = {},
-                            .result_queue = std::make_shared<ResultQueue>(),
-                            .results = {},
-                            .last_sequence = last_sequence,
-                            .persisted_sequence = last_sequence,
-                            .baselines = {},
-                            .sent = {},
-                            .sent_geometry = {}},
-                           until);
+                                    .broadcast = context.broadcast_caches.cache_for(
+                                        world, context.config.stream.interest_cell_m),
+                                    .network = {},
+                                    .subject = {},
+                                    .result_queue = std::make_shared<ResultQueue>(),
+                                    .results = {},
+                                    .last_sequence = last_sequence,
+                                    .persisted_sequence = last_sequence,
+                                    .baselines = {},
+                                    .sent = {},
+                                    .sent_geometry = {}},
+                                   until);
 }
 
 void reconcile_clients(PlayContext& context, WorldHost& world, std::span<const ClientId> clients) {
@@ -64,7 +66,8 @@ void reconcile_clients(PlayContext& context, WorldHost& world, std::span<const C
 }
 
 void remove_expired_clients(PlayContext& context, Clock::time_point now) {
-    for (const DisconnectedClient& lost : context.resume_registry.take_expired(now)) release(context, lost);
+    for (const DisconnectedClient& lost : context.resume_registry.take_expired(now))
+        release(context, lost);
 }
 
 // A place that is kept for somebody who is not there is given to one who is.
@@ -95,22 +98,23 @@ void ClientSession::suspend(Clock::time_point now) {
     collect_results();
     broadcast_->host().disconnect(client_);
     DisconnectedClient lost{.client = client_,
-                    .broadcast = broadcast_,
-                    .network = network_of(peer_.address),
-                    .subject = metrics_.subject(),
-                    .by_ticket = by_ticket_,
-                    .spectator = spectator_,
-                    .result_queue = result_queue_,
-                    .results = std::move(results_),
-                    .last_sequence = last_sequence_,
-                    .persisted_sequence = persisted_sequence_,
-                    .stream_resumable = can_resume_stream(),
-                    .baselines = std::move(baselines_),
-                    .sent = std::move(sent_log_),
-                    .sent_geometry = std::move(sent_geometry_),
-                    .channel_kinds = channel_kinds_};
-    context_.resume_registry.suspend(*resume_session_, std::move(lost),
-                              now + from_seconds(context_.config.client.resume_timeout_seconds));
+                            .broadcast = broadcast_,
+                            .network = network_of(peer_.address),
+                            .subject = metrics_.subject(),
+                            .by_ticket = by_ticket_,
+                            .spectator = spectator_,
+                            .result_queue = result_queue_,
+                            .results = std::move(results_),
+                            .last_sequence = last_sequence_,
+                            .persisted_sequence = persisted_sequence_,
+                            .stream_resumable = can_resume_stream(),
+                            .baselines = std::move(baselines_),
+                            .sent = std::move(sent_log_),
+                            .sent_geometry = std::move(sent_geometry_),
+                            .channel_kinds = channel_kinds_};
+    context_.resume_registry.suspend(
+        *resume_session_, std::move(lost),
+        now + from_seconds(context_.config.client.resume_timeout_seconds));
 }
 
 // By a ticket one comes in once; the token stands for it, and for no more than it allowed.
@@ -142,9 +146,11 @@ bool ClientSession::resume(const Hello& hello, Clock::time_point now) {
     }
     DisconnectedClient& lost = *claim.client;
     if (const auto host = host_of(context_, lost); host && host.get() != &lost.broadcast->host())
-        lost.move_to(context_.broadcast_caches.cache_for(host, context_.config.stream.interest_cell_m));
+        lost.move_to(
+            context_.broadcast_caches.cache_for(host, context_.config.stream.interest_cell_m));
     const bool world_is_there = !lost.broadcast->host().stopped();
-    const auto timeout = lost.broadcast->host().was_replaced() ? world_replacement_max : give_way_max;
+    const auto timeout =
+        lost.broadcast->host().was_replaced() ? world_replacement_max : give_way_max;
     if (!world_is_there && lost.broadcast->host().is_persisted() && now - begun_ <= timeout) {
         context_.resume_registry.suspend(*claim.resume_session, std::move(lost), claim.until);
         waiting_hello_ = std::make_unique<Hello>(hello);
@@ -169,16 +175,17 @@ bool ClientSession::resume(const Hello& hello, Clock::time_point now) {
 }
 
 // Whom it may know that is no more, if it goes on from that frame; nothing: it begins anew.
-std::optional<std::vector<EntityId>> ClientSession::resume_stream(DisconnectedClient& lost, std::uint32_t frame,
-                                                           const EntityList& now) {
+std::optional<std::vector<EntityId>> ClientSession::resume_stream(DisconnectedClient& lost,
+                                                                  std::uint32_t frame,
+                                                                  const EntityList& now) {
     last_sequence_ = lost.last_sequence;
     persisted_sequence_ = lost.persisted_sequence;
     SentLog::Known known = lost.sent.known_at(frame, now);
     results_ = std::move(known.results);
     results_.insert(results_.end(), std::make_move_iterator(lost.results.begin()),
                     std::make_move_iterator(lost.results.end()));
-    if (interest_ || !lost.stream_resumable || !known.list || channel_kinds_ != lost.channel_kinds ||
-        !lost.baselines.roll_back_to(frame))
+    if (interest_ || !lost.stream_resumable || !known.list ||
+        channel_kinds_ != lost.channel_kinds || !lost.baselines.roll_back_to(frame))
         return std::nullopt;
     baselines_ = std::move(lost.baselines);
     sent_log_ = std::move(lost.sent);

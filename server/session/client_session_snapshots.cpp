@@ -42,7 +42,8 @@ std::optional<OutMessage> ClientSession::take_message(Clock::time_point now) {
     handle_delayed_bytes(now);
     std::optional<OutMessage> message = next_message(now);
     if (network_simulator_) {
-        for (; message; message = next_message(now)) network_simulator_->push_outgoing(*std::move(message), now);
+        for (; message; message = next_message(now))
+            network_simulator_->push_outgoing(*std::move(message), now);
         message = network_simulator_->take_outgoing(now, end_.has_value());
     }
     if (message) metrics_.sent(*message, now);
@@ -73,7 +74,8 @@ void ClientSession::wait_for_write(Clock::time_point now) {
     if (!writing_since_) writing_since_ = now;
     handle_delayed_bytes(now);
     check_timeouts(now);
-    if (!end_ && now - *writing_since_ > from_seconds(context_.config.stream.client_timeout_seconds))
+    if (!end_ &&
+        now - *writing_since_ > from_seconds(context_.config.stream.client_timeout_seconds))
         refuse(Error{ErrorCode::resource_exhausted,
                      fmt::format("nothing was read for {:g} s",
                                  context_.config.stream.client_timeout_seconds)},
@@ -83,7 +85,7 @@ void ClientSession::wait_for_write(Clock::time_point now) {
 
 // Whether this frame is one to send. Frames that came and went while a write was pending were
 // skipped because of it.
-void ClientSession::on_frame(const JointFrame& frame, Clock::time_point now) {
+void ClientSession::on_frame(const Frame& frame, Clock::time_point now) {
     const auto every = static_cast<std::uint32_t>(flow_->divider());
     if (write_blocked_ && last_frame_tick_ != 0) {
         skipped_pending_ += (frame.tick - 1) / every - last_frame_tick_ / every;
@@ -95,7 +97,7 @@ void ClientSession::on_frame(const JointFrame& frame, Clock::time_point now) {
 }
 
 // Anything since the last snapshot; and now and then nothing, so that the client knows so much.
-bool ClientSession::has_changes(const JointFrame& frame, Clock::time_point now) {
+bool ClientSession::has_changes(const Frame& frame, Clock::time_point now) {
     // What went by a datagram is told again until the client says that it has it.
     const std::uint32_t told =
         send_by_datagram(frame, now) ? datagrams_->frames().newest() : baselines_.last();
@@ -127,8 +129,10 @@ ClientUpdate ClientSession::client_update() {
     const std::uint32_t skipped = flow_->skipped() + skipped_pending_;
     ClientUpdate own{.echo_client_time_us = std::exchange(client_time_us_, 0), .results = results_};
     own.input_margin_us = within_margins(margin_us);
-    if (datagrams_ && confirmed() != sent_received_) own.input_received = sent_received_ = confirmed();
-    if (answered != sent_update_.input_sequence) own.input_sequence = sent_update_.input_sequence = answered;
+    if (datagrams_ && confirmed() != sent_received_)
+        own.input_received = sent_received_ = confirmed();
+    if (answered != sent_update_.input_sequence)
+        own.input_sequence = sent_update_.input_sequence = answered;
     if (skipped != sent_update_.snapshots_skipped)
         own.snapshots_skipped = sent_update_.snapshots_skipped = skipped;
     return own;
@@ -145,14 +149,14 @@ std::string ClientSession::take_stats(const FramePtr& frame, Clock::time_point n
 
 // The fields of all ticks up to the frame's, so that the client has been told of the entities. How
 // many ticks may wait is up to the frame, which holds the newest few.
-std::string ClientSession::take_events(const JointFrame& frame) {
+std::string ClientSession::take_events(const Frame& frame) {
     std::string fields;
     if (!wants_events_) return fields;
     const auto& ticks = frame.events->ticks;
     const std::uint32_t gone = frame.events->count - static_cast<std::uint32_t>(ticks.size());
-    if (event_cursor_ < removed) {
+    if (event_cursor_ < gone) {
         events_missed_ += gone - event_cursor_;
-        event_cursor_ = removed;
+        event_cursor_ = gone;
     }
     for (; event_cursor_ < frame.events->count; event_cursor_++) {
         const SharedBytes shared = broadcast_->events(ticks[event_cursor_ - gone]);
@@ -169,15 +173,21 @@ std::string ClientSession::take_events(const JointFrame& frame) {
 
 // A field with what the client drives, if it foresees that, or nothing when it is too early for the
 // next.
-std::string ClientSession::take_controlled_entity(const JointFrame& frame) {
+std::string ClientSession::take_controlled_entity(const Frame& frame) {
     if (!wants_controlled_entity_ || !frame.controlled_entities) return {};
-    const auto mine = std::ranges::find(*frame.driven, client_, &ControlledEntityState::client);
-    if (mine == frame.driven->end() || mine->entity == 0) return {};
-    const bool stream_resumable = !sent_controlled_entity_ || sent_controlled_entity_->entity != mine->entity;
-    const double every = std::max(1.0, std::round(broadcast_->host().hz() / controlled_entity_updates_per_second));
-    if (!whole && frame.tick < sent_controlled_entity_->tick + static_cast<std::uint32_t>(every)) return {};
-    if (!sent_controlled_entity_) sent_controlled_entity_ = std::make_unique<SentControlledEntity>();
-    std::string field = encode_controlled_entity_field(*mine, frame.tick, sent_controlled_entity_->words, whole);
+    const auto mine =
+        std::ranges::find(*frame.controlled_entities, client_, &ControlledEntityState::client);
+    if (mine == frame.controlled_entities->end() || mine->entity == 0) return {};
+    const bool keyframe =
+        !sent_controlled_entity_ || sent_controlled_entity_->entity != mine->entity;
+    const double every =
+        std::max(1.0, std::round(broadcast_->host().hz() / controlled_entity_updates_per_second));
+    if (!keyframe && frame.tick < sent_controlled_entity_->tick + static_cast<std::uint32_t>(every))
+        return {};
+    if (!sent_controlled_entity_)
+        sent_controlled_entity_ = std::make_unique<SentControlledEntity>();
+    std::string field =
+        encode_controlled_entity_field(*mine, frame.tick, sent_controlled_entity_->words, keyframe);
     *sent_controlled_entity_ = {mine->entity, frame.tick, mine->words};
     return field;
 }
@@ -215,18 +225,20 @@ std::optional<OutMessage> ClientSession::take_snapshot(Clock::time_point now) {
 
 // By the stream or by datagrams.
 std::uint32_t ClientSession::newest_sent() const {
-    return datagrams_ ? std::max(baselines_.last(), datagrams_->frames().last_sent()) : baselines_.last();
+    return datagrams_ ? std::max(baselines_.last(), datagrams_->frames().last_sent())
+                      : baselines_.last();
 }
 
-OutMessage ClientSession::snapshot_of(const FramePtr& frame, Clock::time_point now, std::string more,
-                                   std::vector<SharedBytes> cells) {
+OutMessage ClientSession::snapshot_of(const FramePtr& frame, Clock::time_point now,
+                                      std::string more, std::vector<SharedBytes> cells) {
     if (datagrams_)
-        if (auto baselines = datagrams_->take_stream_baselines()) baselines_ = *std::move(baselines);
+        if (auto baselines = datagrams_->take_stream_baselines())
+            baselines_ = *std::move(baselines);
     std::size_t cells_bytes = 0;
     for (const SharedBytes& cell : cells) cells_bytes += cell->size();
-    SharedBytes shared =
-        broadcast_->snapshots().encoding(frame, baselines_.baselines_for(frame->tick), channel_kinds_,
-                                    interest_ ? std::nullopt : std::optional(codec_));
+    SharedBytes shared = broadcast_->snapshots().encoding(
+        frame, baselines_.baselines_for(frame->tick), channel_kinds_,
+        interest_ ? std::nullopt : std::optional(codec_));
     more += take_stats(frame, now) + take_events(*frame) + take_controlled_entity(*frame);
     OutMessage message{encode_snapshot_header(client_update(), more, shared->size() + cells_bytes),
                        std::move(shared), std::move(cells)};

@@ -22,7 +22,8 @@ bool DatagramSession::carries(std::uint32_t tick, Clock::time_point now) {
         unacked_since_.reset();
         connection_->restart_path_validation();
     }
-    return now >= by_stream_until_ && connection_->is_open(now) && frames_.baselines_for(tick).baseline != 0;
+    return now >= by_stream_until_ && connection_->is_open(now) &&
+           frames_.baselines_for(tick).baseline != 0;
 }
 
 void DatagramSession::on_ack(std::uint32_t frame, std::uint32_t before, Clock::time_point now) {
@@ -32,7 +33,7 @@ void DatagramSession::on_ack(std::uint32_t frame, std::uint32_t before, Clock::t
 }
 
 bool DatagramSession::fits(std::size_t bytes, Clock::time_point now) {
-    if (bytes <= fragments_max * datagram::part_bytes) return true;
+    if (bytes <= fragments_max * datagram::fragment_bytes) return true;
     by_stream_until_ = now + large_pause;
     return false;
 }

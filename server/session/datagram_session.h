@@ -32,7 +32,9 @@ public:
     DatagramSession& operator=(const DatagramSession&) = delete;
 
     bool has_messages() const { return connection_->has_messages(); }
-    std::vector<DatagramConnection::ReceivedMessage> take_messages() { return connection_->take_messages(); }
+    std::vector<DatagramConnection::ReceivedMessage> take_messages() {
+        return connection_->take_messages();
+    }
 
     // Whether the snapshot of that tick goes by datagrams, if it fits.
     bool carries(std::uint32_t tick, Clock::time_point now);

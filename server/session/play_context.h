@@ -12,8 +12,8 @@
 #include "server/limits/connected_clients.h"
 #include "server/limits/session_directory.h"
 #include "server/metrics/rpc_metrics.h"
-#include "server/session/resume_registry.h"
 #include "server/session/broadcast_cache.h"
+#include "server/session/resume_registry.h"
 #include "server/udp/datagram_server.h"
 #include "server/world/world_directory.h"
 
@@ -24,15 +24,15 @@ struct PlayContext {
     WorldDirectory& worlds;
     SessionDirectory& sessions;
     Authorizer& authorizer;
-    Metrics* metrics = nullptr;         // null: nobody counts
-    RpcMetrics* rpc_metrics = nullptr;  // likewise
+    Metrics* metrics = nullptr;           // null: nobody counts
+    RpcMetrics* rpc_metrics = nullptr;    // likewise
     DatagramServer* datagrams = nullptr;  // null: all goes by streams
     BroadcastCaches broadcast_caches{};
     ConnectedClients connected_clients{};
     ResumeRegistry resume_registry{};
     std::atomic<bool> drain_requested{false};  // by an operator; the app begins it as on a signal
-    std::atomic<bool> draining{false};     // no new clients; those who play are told
-    std::atomic<bool> closing{false};      // the drain is over: every conversation ends
+    std::atomic<bool> draining{false};         // no new clients; those who play are told
+    std::atomic<bool> closing{false};          // the drain is over: every conversation ends
 };
 
 // One that played when the process of before ended may come back until then; until it does it is

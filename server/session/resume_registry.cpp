@@ -30,7 +30,9 @@ void ResumeRegistry::expect(DisconnectedClient client, Clock::time_point until) 
     resume_session->client = client.client;
     const std::lock_guard lock(mutex_);
     entries_[resume_session->client] = {
-        .resume_session = resume_session, .client = std::make_unique<DisconnectedClient>(std::move(client)), .until = until};
+        .resume_session = resume_session,
+        .client = std::make_unique<DisconnectedClient>(std::move(client)),
+        .until = until};
 }
 
 std::shared_ptr<ResumeSession> ResumeRegistry::open(ClientId client, const ResumeToken* who) {
@@ -43,7 +45,8 @@ std::shared_ptr<ResumeSession> ResumeRegistry::open(ClientId client, const Resum
         resume_session->token = *std::move(sealed);
     } else {
         resume_session->token.resize(token_bytes);
-        if (::getentropy(resume_session->token.data(), resume_session->token.size()) != 0) return nullptr;
+        if (::getentropy(resume_session->token.data(), resume_session->token.size()) != 0)
+            return nullptr;
     }
     entries_[client] = {.resume_session = resume_session, .client = nullptr};
     return resume_session;
@@ -54,7 +57,8 @@ void ResumeRegistry::close(const ResumeSession& resume_session) {
     entries_.erase(resume_session.client);
 }
 
-void ResumeRegistry::suspend(const ResumeSession& resume_session, DisconnectedClient client, Clock::time_point until) {
+void ResumeRegistry::suspend(const ResumeSession& resume_session, DisconnectedClient client,
+                             Clock::time_point until) {
     const std::lock_guard lock(mutex_);
     const auto at = entries_.find(resume_session.client);
     if (at == entries_.end()) return;
@@ -90,9 +94,10 @@ ResumeRegistry::Claim ResumeRegistry::claim(std::string_view token, WallTime now
     if (!found) found = find_expected(token, now);
     if (!found) return {};
     found->resume_session->is_superseded = !found->client;
-    if (!found->client) return {.answer = ClaimStatus::pending, .resume_session = nullptr, .client = {}};
+    if (!found->client)
+        return {.status = ClaimStatus::pending, .resume_session = nullptr, .client = {}};
     const std::unique_ptr<DisconnectedClient> client = std::exchange(found->client, nullptr);
-    return {.answer = ClaimStatus::here,
+    return {.status = ClaimStatus::claimed,
             .resume_session = found->resume_session,
             .client = std::move(*client),
             .until = found->until};

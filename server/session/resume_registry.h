@@ -22,9 +22,9 @@
 #include <vector>
 
 #include "server/replication/baseline_tracker.h"
+#include "server/session/broadcast_cache.h"
 #include "server/session/resume_token.h"
 #include "server/session/sent_log.h"
-#include "server/session/broadcast_cache.h"
 #include "server/util/clock.h"
 #include "server/world/result_queue.h"
 
@@ -38,9 +38,9 @@ struct DisconnectedClient {
     bool by_ticket = false;        // how it came in
     bool spectator = false;
     std::shared_ptr<ResultQueue> result_queue;
-    std::vector<InputResult> results;  // not told yet
-    std::uint32_t last_sequence = 0;   // of the inputs that came
-    std::uint32_t persisted_sequence = 0;   // ... and were answered
+    std::vector<InputResult> results;      // not told yet
+    std::uint32_t last_sequence = 0;       // of the inputs that came
+    std::uint32_t persisted_sequence = 0;  // ... and were answered
     // Of a stream that tells of all of the world; else it begins anew.
     bool stream_resumable = false;
     BaselineTracker baselines;
@@ -76,14 +76,15 @@ public:
     std::shared_ptr<ResumeSession> open(ClientId client, const ResumeToken* who = nullptr);
     // The client is gone for good.
     void close(const ResumeSession& resume_session);
-    void suspend(const ResumeSession& resume_session, DisconnectedClient client, Clock::time_point until);
+    void suspend(const ResumeSession& resume_session, DisconnectedClient client,
+                 Clock::time_point until);
 
-    enum class ClaimStatus { unknown, pending, here };
+    enum class ClaimStatus { unknown, pending, claimed };
     struct Claim {
-        ClaimStatus answer = ClaimStatus::unknown;
-        std::shared_ptr<ResumeSession> resume_session;  // here
-        std::optional<DisconnectedClient> client;  // here
-        Clock::time_point until{};         // here: when it would have left
+        ClaimStatus status = ClaimStatus::unknown;
+        std::shared_ptr<ResumeSession> resume_session;  // claimed
+        std::optional<DisconnectedClient> client;       // claimed
+        Clock::time_point until{};                      // claimed: when it would have left
     };
     // pending: its old link was told to give way; ask again in a moment.
     Claim claim(std::string_view token, WallTime now = std::chrono::system_clock::now());

@@ -33,7 +33,7 @@ public:
     // Of a client that has that snapshot and may have some of what came after it.
     struct Known {
         std::shared_ptr<const EntityList> list;  // it has this
-        std::vector<EntityId> removed;              // it may have these, which are no more
+        std::vector<EntityId> removed;           // it may have these, which are no more
         std::vector<InputResult> results;        // to be told again, in order
         std::vector<std::uint64_t> geometry;     // likewise
         std::uint32_t events = 0;
@@ -58,9 +58,9 @@ private:
     };
 
     std::uint32_t acked_ = 0;
-    Fifo<Sent> sent_;     // rising, from the acknowledged one on
-    Fifo<SentList> lists_;    // in order; the first one is what the client has for certain
-    Fifo<Shape> shapes_;  // in order
+    Fifo<Sent> sent_;       // rising, from the acknowledged one on
+    Fifo<SentList> lists_;  // in order; the first one is what the client has for certain
+    Fifo<Shape> shapes_;    // in order
 };
 
 }  // namespace jostle::server

@@ -32,7 +32,7 @@ void SessionMetrics::entered(ClientIdentity who, WorldHost& world) {
     client_ = who.id;
     who.subject = subject_;
     connected_client_ = context_.connected_clients.add(std::move(who));
-    world_ = world.watch().metrics();
+    world_ = world.tick_metrics().metrics();
     if (world_) world_->clients().Increment();
 }
 
@@ -65,7 +65,8 @@ void SessionMetrics::sent_snapshot(std::size_t bytes) {
 }
 
 void SessionMetrics::on_frame(const FlowControl& flow, std::uint32_t pending) {
-    if (connected_client_) connected_client_->set_flow(flow.skipped() + pending, flow.round_trip_s());
+    if (connected_client_)
+        connected_client_->set_flow(flow.skipped() + pending, flow.round_trip_s());
     if (!context_.metrics) return;
     const auto& skipped = context_.metrics->snapshots_skipped;
     count_more(skipped[SkipReason::window], flow.skipped(), counted_.window);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // What is seen from outside of one conversation: it counts for the metrics and keeps the client's
-// record. A ClientSession has one and calls it on its own thread; without metrics only the record is
-// kept.
+// record. A ClientSession has one and calls it on its own thread; without metrics only the record
+// is kept.
 #pragma once
 
 #include <cstdint>

@@ -44,7 +44,8 @@ private:
     template <class Message>
     static void put(Direction<Message>& direction, Message message, Clock::time_point now);
     template <class Message>
-    static std::optional<Message> take(Direction<Message>& direction, Clock::time_point now, bool at_once);
+    static std::optional<Message> take(Direction<Message>& direction, Clock::time_point now,
+                                       bool at_once);
 
     Direction<std::string> incoming_;
     Direction<OutMessage> outgoing_;
@@ -52,6 +53,7 @@ private:
 
 // Null: clients of that world have the real link. The settings were checked.
 std::unique_ptr<SessionNetworkSimulator> make_network_simulator(const DevelopmentSettings& settings,
-                                          const std::string& world_name, std::uint32_t number);
+                                                                const std::string& world_name,
+                                                                std::uint32_t number);
 
 }  // namespace jostle::server

@@ -56,13 +56,14 @@ Result<std::string> decompress(std::string_view packed, std::size_t bytes_max) {
         return not_compressed("do not say how many they are");
     if (size > bytes_max)
         return not_compressed("are " + std::to_string(size) + " unpacked; " +
-                          std::to_string(bytes_max) + " are allowed");
+                              std::to_string(bytes_max) + " are allowed");
     if (ZSTD_findFrameCompressedSize(packed.data(), packed.size()) != packed.size())
         return not_compressed("have an end that is not theirs");
     std::string bytes(size, '\0');
     const std::size_t got =
         ZSTD_decompress(bytes.data(), bytes.size(), packed.data(), packed.size());
-    if (ZSTD_isError(got)) return not_compressed(std::string("are damaged: ") + ZSTD_getErrorName(got));
+    if (ZSTD_isError(got))
+        return not_compressed(std::string("are damaged: ") + ZSTD_getErrorName(got));
     if (got != size) return not_compressed("are fewer than they say");
     return bytes;
 }

@@ -41,13 +41,13 @@ Error error_of(sqlite3* handle) {
     return {code_of(sqlite3_extended_errcode(handle)), sqlite3_errmsg(handle)};
 }
 
-// SQLite would make it readable for all whom the umask lets. And it takes what is shorter than the
-// smallest page for an empty file, and writes over it.
+// SQLite would create it readable for all whom the umask lets. And it takes what is shorter than
+// the smallest page for an empty file, and writes over it.
 Status create_file(const std::string& path, bool create) {
     constexpr off_t smallest_page = 512;
-    const int file = ::open(path.c_str(), O_RDWR | O_CLOEXEC | (make ? O_CREAT : 0), 0600);
+    const int file = ::open(path.c_str(), O_RDWR | O_CLOEXEC | (create ? O_CREAT : 0), 0600);
     if (file < 0)
-        return Error{errno == ENOENT && !make ? ErrorCode::not_found : ErrorCode::unavailable,
+        return Error{errno == ENOENT && !create ? ErrorCode::not_found : ErrorCode::unavailable,
                      std::strerror(errno)};
     struct stat about {};
     const bool is_known = ::fstat(file, &about) == 0;

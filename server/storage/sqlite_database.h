@@ -38,7 +38,8 @@ private:
 class SqliteDatabase {
 public:
     // `make`: the file, if there is none.
-    static Result<SqliteDatabase> open(const std::string& path, const char* file_system, bool create);
+    static Result<SqliteDatabase> open(const std::string& path, const char* file_system,
+                                       bool create);
 
     Status execute(const char* statements);
     Result<SqliteStatement> prepare(std::string_view statement);

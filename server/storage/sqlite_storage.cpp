@@ -196,8 +196,10 @@ public:
         return {};
     }
     Status operator()(const TruncateJournal& cut) {
-        Status done = of(truncate_checkpoints).bind(1, cut.world).bind(2, std::uint64_t{cut.tick}).run();
-        return done.ok() ? of(truncate_journal).bind(1, cut.world).bind(2, cut.sequence).run() : done;
+        Status done =
+            of(truncate_checkpoints).bind(1, cut.world).bind(2, std::uint64_t{cut.tick}).run();
+        return done.ok() ? of(truncate_journal).bind(1, cut.world).bind(2, cut.sequence).run()
+                         : done;
     }
     Status operator()(const PutNote& note) {
         const Digest digest = digest_of_row(note);
@@ -285,7 +287,7 @@ Status take_file(SqliteDatabase& database, Durability durability) {
 }  // namespace
 
 Result<std::unique_ptr<SqliteStorage>> SqliteStorage::open(const std::string& path,
-                                                       const SqliteStorageOptions& options) {
+                                                           const SqliteStorageOptions& options) {
     Result<SqliteDatabase> opened = SqliteDatabase::open(path, options.file_system, options.create);
     if (!opened.ok()) return named(path, opened.error());
     if (Status s = take_file(*opened, options.durability); !s.ok()) return named(path, s.error());
@@ -359,7 +361,8 @@ Result<Checkpoint> SqliteStorage::checkpoint(const std::string& world, std::uint
 }
 
 Result<std::vector<JournalEntry>> SqliteStorage::entries(const std::string& world,
-                                                       std::uint64_t after, std::size_t bytes_max) {
+                                                         std::uint64_t after,
+                                                         std::size_t bytes_max) {
     std::optional<Chain> before;
     if (after == 0) before = Chain{};
     SqliteStatement& chain = database_->of(Database::chain_of_entry).bind(1, world).bind(2, after);

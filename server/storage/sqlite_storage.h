@@ -29,7 +29,7 @@ public:
     // not_found: there is none, and none is to be made. failed_precondition: another process has it
     // open. corrupt_data: it is not a store of Jostle's, of a later version, or damaged.
     static Result<std::unique_ptr<SqliteStorage>> open(const std::string& path,
-                                                     const SqliteStorageOptions& options);
+                                                       const SqliteStorageOptions& options);
     ~SqliteStorage() override;
 
     Status write(std::span<const StorageChange> changes) override;

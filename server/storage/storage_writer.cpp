@@ -22,7 +22,8 @@ bool may_pass(const Status& failure) {
 
 }  // namespace
 
-StorageWriter::StorageWriter(std::unique_ptr<WorldStorage> store, const StorageWriterSettings& settings)
+StorageWriter::StorageWriter(std::unique_ptr<WorldStorage> store,
+                             const StorageWriterSettings& settings)
     : store_(std::move(store)), settings_(settings), thread_([this] { run(); }) {}
 
 StorageWriter::~StorageWriter() {
@@ -54,7 +55,7 @@ bool StorageWriter::flush(Clock::duration timeout) {
 }
 
 bool StorageWriter::run_on_writer(const std::function<void(WorldStorage& store)>& look,
-                        Clock::duration timeout) {
+                                  Clock::duration timeout) {
     const Clock::time_point until = Clock::now() + timeout;
     std::unique_lock lock(mutex_);
     if (!changed_.wait_until(lock, until, [&] { return !task_; })) return false;

@@ -42,7 +42,8 @@ public:
     bool push(StorageChange change, Done done);
     // Any thread: looks at the store on the writer's thread, after what was pushed before, and
     // returns when that is over. False: the writer did not come to it within that time.
-    bool run_on_writer(const std::function<void(WorldStorage& store)>& look, Clock::duration timeout);
+    bool run_on_writer(const std::function<void(WorldStorage& store)>& look,
+                       Clock::duration timeout);
     // Any thread: waits until all that was pushed before has been written or refused. False: not
     // within that time.
     bool flush(Clock::duration timeout);

@@ -2,8 +2,8 @@
 //
 // The certificates in force. An operator replaces files while the server runs (a new certificate, a
 // link that Kubernetes swaps), not always both at once and not always good ones. The store reads
-// what has changed, and takes it over only when all of it is good (tls_material.h); else the old stays
-// in force.
+// what has changed, and takes it over only when all of it is good (tls_material.h); else the old
+// stays in force.
 //
 // Both listeners take it from here. (gRPC would read the files by itself, and break every handshake
 // on a pair that does not fit.)

@@ -182,9 +182,9 @@ Result<TlsMaterial> read_tls_material(const TlsSettings& files, WallTime now) {
     if (Status s = check_links(*chain, files.certificate); !s.ok()) return s.error();
     if (Status s = check_pair(*chain, *key, files); !s.ok()) return s.error();
     TlsMaterial material{.key_pem = to_pem(*key),
-                      .chain_pem = to_pem(*chain),
-                      .subject = name_in(X509_get_subject_name(chain->front().get())),
-                      .expires = earliest_expiry(*chain)};
+                         .chain_pem = to_pem(*chain),
+                         .subject = name_in(X509_get_subject_name(chain->front().get())),
+                         .expires = earliest_expiry(*chain)};
     // A group of its own is how containers and service managers hand a key over.
     if ((stamp_of(files.key).mode & S_IRWXO) != 0)
         material.warnings.push_back(files.key + " may be read by everybody here; chmod o= it");

@@ -38,7 +38,8 @@ bool DatagramAddress::operator==(const DatagramAddress& other) const {
 }
 
 DatagramConnection::DatagramConnection(std::unique_ptr<datagram::PacketCipher> cipher, int socket,
-                           std::function<void(std::string_view)> on_message, Metrics* metrics)
+                                       std::function<void(std::string_view)> on_message,
+                                       Metrics* metrics)
     : cipher_(std::move(cipher)),
       socket_(socket),
       on_message_(std::move(on_message)),
@@ -70,14 +71,14 @@ std::vector<DatagramConnection::ReceivedMessage> DatagramConnection::take_messag
 }
 
 void DatagramConnection::receive(std::string_view packet, const DatagramAddress& from,
-                           Clock::time_point now) {
+                                 Clock::time_point now) {
     std::string message;
     if (take_packet(packet, from, now, message)) on_message_(message);
 }
 
 // True: a message was put into the mail.
 bool DatagramConnection::take_packet(std::string_view packet, const DatagramAddress& from,
-                               Clock::time_point now, std::string& message) {
+                                     Clock::time_point now, std::string& message) {
     const std::lock_guard lock(mutex_);
     const auto opened = cipher_->decrypt(packet);
     const auto content = opened ? datagram::decode_content(opened->content)
@@ -95,8 +96,9 @@ bool DatagramConnection::take_packet(std::string_view packet, const DatagramAddr
     return true;
 }
 
-void DatagramConnection::validate_address(const datagram::Content& content, const DatagramAddress& from,
-                                   bool newest, Clock::time_point now) {
+void DatagramConnection::validate_address(const datagram::Content& content,
+                                          const DatagramAddress& from, bool newest,
+                                          Clock::time_point now) {
     if (address_ && *address_ == from) {
         if (now - sent_ > challenge_interval)
             if (const auto token = random_token()) send_challenge(from, *token, now);
@@ -119,14 +121,15 @@ void DatagramConnection::validate_address(const datagram::Content& content, cons
     send_challenge(from, pending_challenge_->token, now);
 }
 
-void DatagramConnection::send_challenge(const DatagramAddress& where, std::uint64_t token, Clock::time_point now) {
+void DatagramConnection::send_challenge(const DatagramAddress& where, std::uint64_t token,
+                                        Clock::time_point now) {
     const std::string packet = cipher_->encrypt(datagram::encode(datagram::PathChallenge{token}));
     transmit(std::span(&packet, 1), where, now);
 }
 
 // What the system does not take is lost, as on the way.
 void DatagramConnection::transmit(std::span<const std::string> packets, const DatagramAddress& to,
-                            Clock::time_point now) {
+                                  Clock::time_point now) {
     DatagramAddress address = to;
     std::array<mmsghdr, datagram::fragments_max> messages{};
     std::array<iovec, datagram::fragments_max> pieces{};

@@ -44,7 +44,7 @@ public:
 
     // `on_message`: any thread, for each message that was put into the mail; it must be quick.
     DatagramConnection(std::unique_ptr<datagram::PacketCipher> cipher, int socket,
-                 std::function<void(std::string_view)> on_message, Metrics* metrics);
+                       std::function<void(std::string_view)> on_message, Metrics* metrics);
 
     const datagram::Credentials& credentials() const { return cipher_->credentials(); }
 
@@ -70,8 +70,8 @@ private:
     bool take_packet(std::string_view packet, const DatagramAddress& from, Clock::time_point now,
                      std::string& message);
     void send_challenge(const DatagramAddress& where, std::uint64_t token, Clock::time_point now);
-    void validate_address(const datagram::Content& content, const DatagramAddress& from, bool newest,
-                         Clock::time_point now);
+    void validate_address(const datagram::Content& content, const DatagramAddress& from,
+                          bool newest, Clock::time_point now);
     void transmit(std::span<const std::string> packets, const DatagramAddress& to,
                   Clock::time_point now);
 
@@ -85,8 +85,8 @@ private:
     const int socket_;
     const std::function<void(std::string_view)> on_message_;
     Metrics* const metrics_;
-    std::optional<DatagramAddress> address_;  // that answered
-    std::optional<PendingChallenge> pending_challenge_;              // another, that has not yet
+    std::optional<DatagramAddress> address_;             // that answered
+    std::optional<PendingChallenge> pending_challenge_;  // another, that has not yet
     Clock::time_point received_at_{}, sent_{};
     std::uint32_t messages_ = 0;  // sent
     std::vector<ReceivedMessage> received_;

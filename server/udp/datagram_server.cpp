@@ -83,8 +83,8 @@ Result<std::shared_ptr<DatagramConnection>> DatagramServer::open(
         return Error{ErrorCode::internal, "the operating system gave no random bytes"};
     auto cipher = datagram::PacketCipher::make(credentials, datagram::Side::server);
     if (!cipher.ok()) return cipher.error();
-    auto path = std::make_shared<DatagramConnection>(*std::move(cipher), socket_, std::move(on_message),
-                                               settings_.metrics);
+    auto path = std::make_shared<DatagramConnection>(*std::move(cipher), socket_,
+                                                     std::move(on_message), settings_.metrics);
     const std::lock_guard lock(mutex_);
     if (!connections_.try_emplace(credentials.id, path).second)
         return Error{ErrorCode::internal, "a ticket for datagrams came twice"};

@@ -46,7 +46,8 @@ public:
     }
 
     // A new way, with a ticket of its own. `on_message` as of DatagramConnection.
-    Result<std::shared_ptr<DatagramConnection>> open(std::function<void(std::string_view)> on_message);
+    Result<std::shared_ptr<DatagramConnection>> open(
+        std::function<void(std::string_view)> on_message);
     // Packets with this ticket are dropped from now on. One that is being handed over may still be.
     void close(const DatagramConnection& path);
     std::size_t connections() const;
@@ -60,7 +61,8 @@ private:
     int socket_ = -1, wake_ = -1;
     std::uint16_t port_ = 0;
     mutable std::mutex mutex_;
-    std::unordered_map<std::uint64_t, std::shared_ptr<DatagramConnection>> connections_;  // by ticket
+    std::unordered_map<std::uint64_t, std::shared_ptr<DatagramConnection>>
+        connections_;  // by ticket
     std::atomic<bool> stopping_{false};
     std::thread thread_;
 };

@@ -54,7 +54,8 @@ std::string network_of(std::string_view address) {
 
 std::string address_name(const sockaddr_storage& address) {
     if (const auto four = ipv4_of(address)) return text_of(AF_INET, &*four);
-    return address.ss_family == AF_INET6 ? text_of(AF_INET6, &ipv6_prefix_of(address)) : "elsewhere";
+    return address.ss_family == AF_INET6 ? text_of(AF_INET6, &ipv6_prefix_of(address))
+                                         : "elsewhere";
 }
 
 std::string peer_name(const sockaddr_storage& address) {

@@ -43,7 +43,8 @@ public:
     }
 
 private:
-    static constexpr std::size_t retained_capacity = 64;  // items; after a flood its memory is given back
+    static constexpr std::size_t retained_capacity =
+        64;  // items; after a flood its memory is given back
 
     std::ptrdiff_t offset() const { return static_cast<std::ptrdiff_t>(first_); }
 

@@ -70,8 +70,8 @@ struct Apply {
         about = c.entity;
         const Result<const Entity*> entity = dynamic_entity(c.entity);
         if (!entity.ok()) return entity.error();
-        return from_solver(modules::apply_player_impulse(state.world, *state.world.body((*entity)->body),
-                                                 c.impulse, c.point));
+        return from_solver(modules::apply_player_impulse(
+            state.world, *state.world.body((*entity)->body), c.impulse, c.point));
     }
 
     Status operator()(const GrabCommand& c) const {
@@ -138,7 +138,8 @@ struct Apply {
     }
 
     Status operator()(const ControlCommand& c) const {
-        const std::optional<BodyId> body = state.controllers.control(state.world, client, c.controls);
+        const std::optional<BodyId> body =
+            state.controllers.control(state.world, client, c.controls);
         if (!body)
             return refused(ErrorCode::not_found, "you drive nothing; possess an entity first");
         about = state.entities.entity_of(*body);

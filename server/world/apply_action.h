@@ -16,9 +16,9 @@
 namespace jostle::server {
 
 struct HostLimits {
-    SceneBudget scene;          // its bodies_max is of the whole world, later, too
-    int bodies_owned_max = 50;  // of one client
-    double lag_compensation_ms_max = 400;   // how long ago a client may have seen what it aims at
+    SceneBudget scene;                     // its bodies_max is of the whole world, later, too
+    int bodies_owned_max = 50;             // of one client
+    double lag_compensation_ms_max = 400;  // how long ago a client may have seen what it aims at
 };
 
 // All that an action may change.

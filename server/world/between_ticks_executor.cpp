@@ -5,7 +5,7 @@
 
 namespace jostle::server {
 
-Status BetweenTicksExecutor::make(const Task& task) {
+Status BetweenTicksExecutor::run(const Task& task) {
     std::unique_lock lock(mutex_);
     if (closed_) return Error{ErrorCode::aborted, "the world was closed"};
     if (waiting_)

@@ -25,7 +25,7 @@ public:
 
     // Any thread: returns when the visit is over. Errors: somebody else visits, the world ended or
     // does not come to a tick's end.
-    Status make(const Task& task);
+    Status run(const Task& task);
 
     // The world's thread, between two ticks.
     void run_pending(HostedWorld& world);

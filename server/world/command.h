@@ -31,8 +31,8 @@ struct ViewTime {
 };
 // What a client points at: the first thing that the ray meets.
 struct Aim {
-    physics::Vec3 origin, motion;         // world; m
-    EntityId ignore = 0;                  // an entity that the ray goes through; 0: none
+    physics::Vec3 origin, motion;            // world; m
+    EntityId ignore = 0;                     // an entity that the ray goes through; 0: none
     std::optional<ViewTime> view_time = {};  // nothing: as the world is when the input is applied
 };
 

@@ -36,7 +36,8 @@ Status ControllerRegistry::possess(World& world, ClientId client, BodyId body) {
     return {};
 }
 
-std::optional<BodyId> ControllerRegistry::control(World& world, ClientId client, const Controls& controls) {
+std::optional<BodyId> ControllerRegistry::control(World& world, ClientId client,
+                                                  const Controls& controls) {
     const auto at = controlled_.find(client);
     if (at == controlled_.end()) return std::nullopt;
     Module* const module = controlling_module(world, at->second);
@@ -59,12 +60,13 @@ void ControllerRegistry::release_body(World& world, BodyId body) {
     if (at != controlled_.end()) release(world, at->first);
 }
 
-std::vector<ControlledEntityState> ControllerRegistry::told(World& world, const modules::BodyNameLookup& name_of) const {
+std::vector<ControlledEntityState> ControllerRegistry::controlled_states(
+    World& world, const modules::BodyNameLookup& name_of) const {
     std::vector<ControlledEntityState> states;
     for (const auto& [client, body] : controlled_) {
         Module* const module = controlling_module(world, body);
         if (module == nullptr) continue;
-        auto words = modules::publish_controlled_entities(world, *module, body, name_of);
+        auto words = modules::encode_controlled_entity(world, *module, body, name_of);
         if (words)
             states.push_back(
                 {client, name_of(body), std::string(module->tag()), *std::move(words)});
@@ -73,11 +75,13 @@ std::vector<ControlledEntityState> ControllerRegistry::told(World& world, const 
 }
 
 void ControllerRegistry::write(SavedHostState& host_state) const {
-    for (const auto& [client, body] : controlled_) host_state.driven.push_back({client, body});
+    for (const auto& [client, body] : controlled_)
+        host_state.controlled_entities.push_back({client, body});
 }
 
 void ControllerRegistry::restore(const SavedHostState& host_state) {
-    for (const SavedHostState::Controlled& driven : host_state.driven) controlled_[driven.client] = driven.body;
+    for (const SavedHostState::Controlled& controlled : host_state.controlled_entities)
+        controlled_[controlled.client] = controlled.body;
 }
 
 }  // namespace jostle::server

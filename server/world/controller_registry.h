@@ -29,7 +29,8 @@ public:
     void release_body(physics::World& world, physics::BodyId body);
 
     // What is driven, for clients that foresee it.
-    std::vector<ControlledEntityState> controlled_states(physics::World& world, const modules::BodyNameLookup& name_of) const;
+    std::vector<ControlledEntityState> controlled_states(
+        physics::World& world, const modules::BodyNameLookup& name_of) const;
 
     void write(SavedHostState& host_state) const;
     void restore(const SavedHostState& host_state);

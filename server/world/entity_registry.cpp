@@ -11,7 +11,8 @@ namespace jostle::server {
 
 namespace {
 
-double bounding_radius_of(const physics::World& world, physics::ShapeId shape, physics::Vec3 origin) {
+double bounding_radius_of(const physics::World& world, physics::ShapeId shape,
+                          physics::Vec3 origin) {
     const auto box = world.bounds(shape);
     if (!box.ok()) return std::numeric_limits<double>::infinity();
     const physics::Vec3 low = box->low - origin, high = box->high - origin;
@@ -28,8 +29,8 @@ std::shared_ptr<EntityDescription> EntityRegistry::describe(const physics::World
     description->type = state.type;
     for (const physics::ShapeId shape : world.shapes_of(body)) {
         description->shapes.push_back(*world.shape(shape));
-        description->bounding_radius =
-            std::max(description->bounding_radius, bounding_radius_of(world, shape, state.pose.position));
+        description->bounding_radius = std::max(
+            description->bounding_radius, bounding_radius_of(world, shape, state.pose.position));
     }
     description->mass = state.mass;
     description->jointed = !world.joints_of(body).empty();
@@ -90,7 +91,7 @@ void EntityRegistry::write(SavedHostState& host_state) const {
     for (const auto& [id, entity] : entities_) {
         const EntityDescription& told = *entity.description;
         host_state.entities.push_back(
-            {id, entity.body, told.owner, told.color, told.name, told.mass, told.reach});
+            {id, entity.body, told.owner, told.color, told.name, told.mass, told.bounding_radius});
     }
 }
 
@@ -134,8 +135,9 @@ const std::shared_ptr<const EntityList>& EntityRegistry::list() {
     return list_;
 }
 
-const std::shared_ptr<const ShapeOwners>& EntityRegistry::places() {
-    if (!shape_owners_) shape_owners_ = std::make_shared<const ShapeOwners>(shape_owners_in(*list()));
+const std::shared_ptr<const ShapeOwners>& EntityRegistry::shape_owners() {
+    if (!shape_owners_)
+        shape_owners_ = std::make_shared<const ShapeOwners>(shape_owners_in(*list()));
     return shape_owners_;
 }
 

@@ -15,8 +15,8 @@
 #include "jostle/physics/world.h"
 #include "server/world/command.h"
 #include "server/world/frame.h"
-#include "server/world/saved_host_state.h"
 #include "server/world/query_frame.h"
+#include "server/world/saved_host_state.h"
 
 namespace jostle::server {
 
@@ -67,7 +67,7 @@ private:
     std::vector<std::uint32_t> generation_of_body_;  // likewise: of the body that the entity is
     // Bodies that were removed since the last step, and those that its events may still name.
     std::map<physics::BodyId, EntityId> removed_, removed_before_step_;
-    std::shared_ptr<const EntityList> list_;     // null: changed since it was asked for
+    std::shared_ptr<const EntityList> list_;           // null: changed since it was asked for
     std::shared_ptr<const ShapeOwners> shape_owners_;  // of that list; null: not asked for yet
 };
 

@@ -25,7 +25,7 @@ struct EntityDescription {
     ClientId owner = 0;
     std::optional<std::uint32_t> color;
     std::string name;
-    double mass = 0;        // kg
+    double mass = 0;            // kg
     bool controllable = false;  // a module lets somebody drive it
     bool jointed = false;
     double linear_damping = 0, angular_damping = 0, gravity_scale = 1;
@@ -45,7 +45,7 @@ struct ControlledEntityState {
     std::vector<std::uint32_t> words;
 };
 
-struct JointFrame {
+struct Frame {
     std::uint32_t tick = 0;  // from 1
     Clock::time_point due;   // when the tick was due
     // The same beside the world's epoch and the tick's number: how much was left out since.
@@ -70,6 +70,6 @@ struct JointFrame {
     std::uint32_t late_ticks = 0;              // since the world began
 };
 
-using FramePtr = std::shared_ptr<const JointFrame>;
+using FramePtr = std::shared_ptr<const Frame>;
 
 }  // namespace jostle::server

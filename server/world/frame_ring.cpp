@@ -27,7 +27,8 @@ std::optional<RewindFrames> FrameRing::at(const ViewTime& view_time) const {
     if (view_time.tick < oldest->tick) return RewindFrames{oldest, oldest, 0, true};
     const FramePtr& before = frames_[view_time.tick - oldest->tick];
     if (view_time.fraction == 0) return RewindFrames{before, before, 0, false};
-    return RewindFrames{before, frames_[view_time.tick - oldest->tick + 1], view_time.fraction, false};
+    return RewindFrames{before, frames_[view_time.tick - oldest->tick + 1], view_time.fraction,
+                        false};
 }
 
 }  // namespace jostle::server

@@ -45,11 +45,13 @@ void Grabs::release_body(World& world, BodyId body) {
 }
 
 void Grabs::write(SavedHostState& host_state) const {
-    for (const auto& [client, held] : held_) host_state.held.push_back({client, held.body, held.joint});
+    for (const auto& [client, held] : held_)
+        host_state.held.push_back({client, held.body, held.joint});
 }
 
 void Grabs::restore(const SavedHostState& host_state) {
-    for (const SavedHostState::Held& held : host_state.held) held_[held.client] = {held.body, held.joint};
+    for (const SavedHostState::Held& held : host_state.held)
+        held_[held.client] = {held.body, held.joint};
 }
 
 }  // namespace jostle::server

@@ -5,8 +5,8 @@
 #include <string>
 #include <utility>
 
-#include "server/world/sync_module_entities.h"
 #include "server/world/resolve_aim.h"
+#include "server/world/sync_module_entities.h"
 
 namespace jostle::server {
 
@@ -53,8 +53,8 @@ Result<HostedWorld> HostedWorld::restore(World world, const SavedHostState& host
     state.ownership.restore(host_state);
     state.grabs.restore(host_state);
     state.controllers.restore(host_state);
-    for (const SavedHostState::ProcessedInput& counted : host_state.processed)
-        hosted.last_sequences_[counted.client] = processed.sequence;
+    for (const SavedHostState::ProcessedInput& input : host_state.processed)
+        hosted.last_sequences_[input.client] = input.sequence;
     hosted.quarantined_.insert(host_state.quarantined.begin(), host_state.quarantined.end());
     hosted.ids_ = {host_state.scene_bodies, host_state.scene_joints};
     Result<ModuleChannels> channels = ModuleChannels::of(state.world);
@@ -65,9 +65,9 @@ Result<HostedWorld> HostedWorld::restore(World world, const SavedHostState& host
 
 SavedHostState HostedWorld::host_state(std::uint32_t tick) const {
     SavedHostState host_state{.tick = tick,
-                    .quarantined = {quarantined_.begin(), quarantined_.end()},
-                    .scene_bodies = ids_.bodies,
-                    .scene_joints = ids_.joints};
+                              .quarantined = {quarantined_.begin(), quarantined_.end()},
+                              .scene_bodies = ids_.bodies,
+                              .scene_joints = ids_.joints};
     state_.entities.write(host_state);
     state_.ownership.write(host_state);
     state_.grabs.write(host_state);
@@ -84,7 +84,8 @@ void HostedWorld::continue_from(const HostedWorld& later) {
 
 void HostedWorld::release_all_clients() {
     for (const auto& [client, sequence] : clients_of(host_state(0)))
-        apply({.client = client, .action = LeaveCommand{.retain_bodies = true}, .reply = nullptr}, 0);
+        apply({.client = client, .action = LeaveCommand{.retain_bodies = true}, .reply = nullptr},
+              0);
 }
 
 void HostedWorld::set_limits(const HostLimits& limits) {
@@ -169,7 +170,7 @@ QueryFramePtr HostedWorld::query_frame(std::uint32_t tick, CopyLayers layers) {
     frame->tick = tick;
     frame->layers = layers;
     frame->entity_list = state_.entities.list();
-    frame->places = state_.entities.shape_owners();
+    frame->shape_owners = state_.entities.shape_owners();
     copy_layers(*frame, state_.world, state_.entities.by_body());
     return frame;
 }
@@ -200,7 +201,7 @@ void HostedWorld::copy_poses(bool all) {
         poses_.set(index_of_body_[body.id.index], body.pose, body.awake);
 }
 
-void HostedWorld::copy_into(JointFrame& frame) {
+void HostedWorld::copy_into(Frame& frame) {
     const World& world = state_.world;
     const bool list_changed = entity_list_ != state_.entities.list();
     world.copy_awake_bodies(bodies_);
@@ -218,14 +219,16 @@ void HostedWorld::copy_into(JointFrame& frame) {
     frame.entities = poses_.take(moved);
     frame.entity_list = entity_list_ = state_.entities.list();
     frame.previous_changed_at = changed_at_;
-    if (moved || list_changed || published_channels_ != channels_.channels()) changed_at_ = frame.tick;
+    if (moved || list_changed || published_channels_ != channels_.channels())
+        changed_at_ = frame.tick;
     frame.changed_at = changed_at_;
     frame.channels = published_channels_ = channels_.channels();
     if (publishes_controlled_entities_) {
-        auto controlled_entities = state_.controllers.told(
+        auto controlled_entities = state_.controllers.controlled_states(
             state_.world, [this](BodyId body) { return state_.entities.find_living(body); });
-        if (!driven.empty())
-            frame.controlled_entities = std::make_shared<const std::vector<ControlledEntityState>>(std::move(driven));
+        if (!controlled_entities.empty())
+            frame.controlled_entities = std::make_shared<const std::vector<ControlledEntityState>>(
+                std::move(controlled_entities));
     }
     frame.contacts = world.profile().touching;
     frame.step_ms = world.profile().step_ms;

@@ -18,10 +18,10 @@
 #include "server/world/export_scene.h"
 #include "server/world/frame.h"
 #include "server/world/frame_ring.h"
-#include "server/world/saved_host_state.h"
 #include "server/world/journaled_command.h"
 #include "server/world/module_channels.h"
 #include "server/world/query_frame.h"
+#include "server/world/saved_host_state.h"
 
 namespace jostle::server {
 
@@ -64,7 +64,7 @@ public:
     void stop_stepping() { state_.world.stop_stepping(); }
     void resume_stepping() { state_.world.resume_stepping(); }
     // Fills what a world knows of a frame; the host adds times. `frame.tick` is set.
-    void copy_into(JointFrame& frame);
+    void copy_into(Frame& frame);
     // What happened in the last step; nothing when nothing did. Before the next command.
     std::optional<TickEvents> events_of_step(std::uint32_t tick) const;
     // Those whose state stopped being a number in the last step and that were not told before.

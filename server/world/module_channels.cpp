@@ -131,7 +131,7 @@ void ModuleChannels::add(Channel channel) {
         return skip_oversized(channel, channels_max + 1, channels_max, " channels in a world");
     if (next_values_ + channel.values->size() > frame_values_max)
         return skip_oversized(channel, next_values_ + channel.values->size(), frame_values_max,
-                         " values in a world");
+                              " values in a world");
     next_values_ += channel.values->size();
     const auto old = std::lower_bound(channels_->begin(), channels_->end(), channel, comes_before);
     if (old != channels_->end() && !comes_before(channel, *old) && *old->values == *channel.values)
@@ -140,7 +140,7 @@ void ModuleChannels::add(Channel channel) {
 }
 
 void ModuleChannels::skip_oversized(const Channel& channel, std::size_t size, std::size_t most,
-                               const char* noun) {
+                                    const char* noun) {
     if (!warned_.insert(channel.kind).second) return;
     newly_oversized_.push_back(
         {kinds_[channel.kind].name, channel.entity,

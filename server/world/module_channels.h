@@ -78,7 +78,8 @@ private:
     void add_motion(const physics::World& world, const physics::ChannelWriter::NameOf& name_of);
     // Keeps the values that say the same as before.
     void add(Channel channel);
-    void skip_oversized(const Channel& channel, std::size_t size, std::size_t most, const char* noun);
+    void skip_oversized(const Channel& channel, std::size_t size, std::size_t most,
+                        const char* noun);
 
     std::vector<physics::ChannelKind> kinds_;
     std::vector<ModuleKinds> modules_;

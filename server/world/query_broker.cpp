@@ -13,7 +13,7 @@ bool QueryBroker::is_good(CopyLayers layers) const {
 void QueryBroker::request(CopyLayers layers, Clock::time_point now) {
     const Clock::rep until = (now + request_lifetime).time_since_epoch().count();
     for (std::size_t i = 0; i < requested_until_.size(); i++)
-        if (parts >> i & 1) requested_until_[i].store(until, std::memory_order_relaxed);
+        if (layers >> i & 1) requested_until_[i].store(until, std::memory_order_relaxed);
 }
 
 QueryFramePtr QueryBroker::acquire(CopyLayers layers) {

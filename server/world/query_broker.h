@@ -22,7 +22,8 @@ class QueryBroker {
 public:
     static constexpr std::uint32_t age_ticks_max = 3;  // of a copy that is good enough
     static constexpr auto timeout = std::chrono::milliseconds(250);
-    static constexpr auto request_lifetime = std::chrono::seconds(1);  // how long a question keeps it up
+    static constexpr auto request_lifetime =
+        std::chrono::seconds(1);  // how long a question keeps it up
 
     // Any thread: a copy with at least these parts. Null: the world left none in time, or is
     // closed.

@@ -81,14 +81,14 @@ ShapeOwners shape_owners_in(const EntityList& entity_list) {
     for (const auto& entity : entity_list)
         for (std::uint32_t number = 0; number < entity->shapes.size(); number++) {
             const std::size_t index = entity->shapes[number].id.index;
-            if (places.size() <= index) shape_owners.resize(index + 1);
-            places[index] = {entity->id, number};
+            if (shape_owners.size() <= index) shape_owners.resize(index + 1);
+            shape_owners[index] = {entity->id, number};
         }
     return shape_owners;
 }
 
 void copy_layers(QueryFrame& frame, const World& world,
-                const std::vector<EntityId>& entity_of_body) {
+                 const std::vector<EntityId>& entity_of_body) {
     if (frame.layers & copy_shapes) frame.queries = world.query_frame();
     if (frame.layers & copy_contacts) add_contacts(frame, world);
     if (frame.layers & copy_islands) add_islands(frame, world, entity_of_body);

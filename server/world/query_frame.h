@@ -18,7 +18,7 @@ namespace jostle::server {
 using CopyLayers = std::uint32_t;
 inline constexpr CopyLayers copy_shapes = 1;  // what rays, casts, overlaps and distances need
 inline constexpr CopyLayers copy_contacts = 2, copy_islands = 4, copy_bounds = 8, copy_joints = 16,
-                           copy_broad_phase = 32;
+                            copy_broad_phase = 32;
 inline constexpr int copy_layer_count = 6;
 
 inline constexpr std::size_t debug_items_max = 20000;  // of a kind
@@ -50,7 +50,7 @@ struct QueryFrame {
     CopyLayers layers = 0;
     std::shared_ptr<const EntityList> entity_list;
     std::shared_ptr<const ShapeOwners> shape_owners;  // shared like the entity list, and as long
-    std::optional<physics::Queries> queries;    // with copy_shapes
+    std::optional<physics::Queries> queries;          // with copy_shapes
 
     std::vector<DebugContact> contacts;
     std::vector<DebugIsland> islands;
@@ -58,7 +58,7 @@ struct QueryFrame {
     std::vector<DebugJoint> joints;
     CopyLayers truncated = 0;  // of which kinds there was more than debug_items_max
 
-    ShapeOwner owner_of(physics::ShapeId shape) const { return (*places)[shape.index]; }
+    ShapeOwner owner_of(physics::ShapeId shape) const { return (*shape_owners)[shape.index]; }
     // A null id when there is no such entity.
     physics::BodyId body_of(EntityId entity) const;
 };
@@ -70,6 +70,6 @@ ShapeOwners shape_owners_in(const EntityList& entity_list);
 // Fills what the parts ask for; entity list and places are set. `entity_of_body`: by index of the
 // body.
 void copy_layers(QueryFrame& frame, const physics::World& world,
-                const std::vector<EntityId>& entity_of_body);
+                 const std::vector<EntityId>& entity_of_body);
 
 }  // namespace jostle::server

@@ -35,11 +35,12 @@ Result<AimHit> cast_now(const HostedState& state, const Aim& aim) {
 
 // The point moved with its body since.
 Result<AimHit> cast_rewound(const HostedState& state, const RewindView& past, const EntityList& now,
-                      const Aim& aim) {
-    const Result<Queries> then =
-        state.world.queries().with_shapes_at(past.shapes(now, along_segment(aim.origin, aim.motion)));
+                            const Aim& aim) {
+    const Result<Queries> then = state.world.queries().with_shapes_at(
+        past.shapes(now, along_segment(aim.origin, aim.motion)));
     if (!then.ok()) return then.error();
-    Result<AimHit> found = met(state, then->cast_ray({aim.origin, aim.motion}, filter_of(state, aim)));
+    Result<AimHit> found =
+        met(state, then->cast_ray({aim.origin, aim.motion}, filter_of(state, aim)));
     if (!found.ok()) return found;
     const Transform was = *past.pose_of(found->entity);
     const Transform is = state.world.body(state.entities.find(found->entity)->body)->pose;

@@ -25,7 +25,8 @@ const EntityPose* find(const PoseList& poses, EntityId entity) {
 }
 
 double seconds_between(const RewindFrames& checkpoint_copy) {
-    return std::chrono::duration<double>(checkpoint_copy.after->due - checkpoint_copy.before->due).count();
+    return std::chrono::duration<double>(checkpoint_copy.after->due - checkpoint_copy.before->due)
+        .count();
 }
 
 // Walks one list beside another that rises as well.
@@ -43,7 +44,8 @@ private:
 
 }  // namespace
 
-Transform interpolate(const Transform& a, const Transform& b, double fraction, double seconds_apart) {
+Transform interpolate(const Transform& a, const Transform& b, double fraction,
+                      double seconds_apart) {
     if (a == b) return a;
     if (length(b.position - a.position) > fastest * seconds_apart) return a;
     const Quat &p = a.rotation, &q = b.rotation;
@@ -63,7 +65,8 @@ std::optional<Transform> RewindView::pose_of(EntityId entity) const {
 }
 
 // A body that is new stands where it appears.
-std::vector<ShapePlacement> RewindView::shapes(const EntityList& now, const CandidateFilter& candidate_filter) const {
+std::vector<ShapePlacement> RewindView::shapes(const EntityList& now,
+                                               const CandidateFilter& candidate_filter) const {
     std::vector<ShapePlacement> placements;
     const bool same = moment_.before == moment_.after;
     const double seconds = seconds_between(moment_);

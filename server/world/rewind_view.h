@@ -43,7 +43,7 @@ RewindView::CandidateFilter within_box(const physics::Aabb& box);
 
 // Between two poses of a body, as clients blend them: a leap that 100 m/s do not explain is seen
 // when it is over.
-physics::Transform interpolate(const physics::Transform& a, const physics::Transform& b, double fraction,
-                         double seconds_apart);
+physics::Transform interpolate(const physics::Transform& a, const physics::Transform& b,
+                               double fraction, double seconds_apart);
 
 }  // namespace jostle::server

@@ -70,8 +70,8 @@ void visit(Visitor& v, Image& host_state) {
         visit_id(v, h.body);
         visit_id(v, h.joint);
     });
-    v.list(host_state.driven, [&](auto& d) { v(d.client), visit_id(v, d.body); });
-    v.list(host_state.counted, [&](auto& c) { v(c.client), v(c.sequence); });
+    v.list(host_state.controlled_entities, [&](auto& d) { v(d.client), visit_id(v, d.body); });
+    v.list(host_state.processed, [&](auto& c) { v(c.client), v(c.sequence); });
     v.list(host_state.quarantined, [&](auto& id) { v(id); });
     v.list(host_state.scene_bodies, [&](auto& id) { visit_id(v, id); });
     v.list(host_state.scene_joints, [&](auto& id) { visit_id(v, id); });
@@ -85,11 +85,12 @@ Error not_a_host_state(const std::string& why) {
 
 std::map<ClientId, std::uint32_t> clients_of(const SavedHostState& host_state) {
     std::map<ClientId, std::uint32_t> clients;
-    for (const SavedHostState::ProcessedInput& counted : host_state.processed)
-        clients[counted.client] = processed.sequence;
+    for (const SavedHostState::ProcessedInput& input : host_state.processed)
+        clients[input.client] = input.sequence;
     for (const SavedHostState::Owned& owned : host_state.owned) clients.try_emplace(owned.client);
     for (const SavedHostState::Held& held : host_state.held) clients.try_emplace(held.client);
-    for (const SavedHostState::Controlled& driven : host_state.driven) clients.try_emplace(driven.client);
+    for (const SavedHostState::Controlled& controlled : host_state.controlled_entities)
+        clients.try_emplace(controlled.client);
     clients.erase(0);
     return clients;
 }
@@ -104,8 +105,8 @@ std::string encode_host_state(const SavedHostState& host_state) {
 Result<SavedHostState> decode_host_state(std::string_view bytes) {
     HostStateReader reader{ByteReader(bytes)};
     if (const std::uint64_t version = reader.from.number(); version != host_state_version)
-        return not_a_host_state("is of version " + std::to_string(version) + "; this server reads " +
-                            std::to_string(host_state_version));
+        return not_a_host_state("is of version " + std::to_string(version) +
+                                "; this server reads " + std::to_string(host_state_version));
     SavedHostState host_state;
     visit(reader, host_state);
     if (!reader.from.ok()) return not_a_host_state("ends too early");

@@ -50,7 +50,7 @@ struct SavedHostState {
     std::vector<Entity> entities;  // in rising order of id
     std::vector<Owned> owned;
     std::vector<Held> held;
-    std::vector<Controlled> driven;
+    std::vector<Controlled> controlled_entities;
     std::vector<ProcessedInput> processed;
     std::vector<EntityId> quarantined;
     std::vector<physics::BodyId> scene_bodies;

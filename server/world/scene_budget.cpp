@@ -34,7 +34,7 @@ Status check_geometry_size(const scenes::SceneDescription& scene, const SceneBud
             const auto size = static_cast<double>(scenes::geometry_message_bytes(shape.geometry));
             const bool shared = size > scenes::inline_geometry_bytes_max;
             if (!shared) own += size;
-            if (shared && !counted.insert(scenes::shared_data(shape.geometry)).second) continue;
+            if (shared && !processed.insert(scenes::shared_data(shape.geometry)).second) continue;
             bytes += size;
             if (bytes > budget.geometry_bytes_max)
                 return too_much(
@@ -43,10 +43,11 @@ Status check_geometry_size(const scenes::SceneDescription& scene, const SceneBud
                                 budget.geometry_bytes_max));
         }
         if (own > budget.body_geometry_bytes_max)
-            return too_much(fmt::format(
-                "bodies[{}] \"{}\" has shapes of {:.0f} bytes; scene.body_geometry_bytes_max allows "
-                "{}; make them one mesh or compound",
-                i, scene.bodies[i].name, own, budget.body_geometry_bytes_max));
+            return too_much(
+                fmt::format("bodies[{}] \"{}\" has shapes of {:.0f} bytes; "
+                            "scene.body_geometry_bytes_max allows "
+                            "{}; make them one mesh or compound",
+                            i, scene.bodies[i].name, own, budget.body_geometry_bytes_max));
     }
     return {};
 }
@@ -100,7 +101,8 @@ std::size_t count_pairs(const World& world, std::size_t most) {
         for (std::size_t k = i + 1; k < boxed.size(); k++) {
             if (boxed[k].box.low.x > boxed[i].box.high.x) break;
             if ((boxed[i].moves || boxed[k].moves) && boxed[i].body != boxed[k].body &&
-                overlap(boxed[i].box, boxed[k].box) && candidate_filter(boxed[i].filter, boxed[k].filter))
+                overlap(boxed[i].box, boxed[k].box) &&
+                may_collide(boxed[i].filter, boxed[k].filter))
                 pairs++;
         }
         if (pairs > most) break;
@@ -119,7 +121,7 @@ Status check_description(const scenes::SceneDescription& scene, const SceneBudge
 }
 
 Result<double> estimate_work(const scenes::SceneDescription& scene, const World& world,
-                       const SceneBudget& budget) {
+                             const SceneBudget& budget) {
     const double passes = scene.hz * scene.world.substeps;
     std::size_t fixed = scene.joints.size();
     for (const scenes::SceneBody& body : scene.bodies)

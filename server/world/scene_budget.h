@@ -14,7 +14,7 @@ namespace jostle::server {
 struct SceneBudget {
     int bodies_max = 20000;
     int joints_max = 20000;
-    int joints_per_pair_max = 64;        // of the same two bodies: they are solved one by one
+    int joints_per_pair_max = 64;         // of the same two bodies: they are solved one by one
     double geometry_bytes_max = 32e6;     // of what clients are told about shapes, each kept once
     int body_geometry_bytes_max = 65536;  // of the small shapes of one body
     // Solver visits a second: rate x sub-steps x (moving bodies + joints + pairs of shapes whose
@@ -30,7 +30,7 @@ Status check_description(const scenes::SceneDescription& scene, const SceneBudge
 // Of the world that was built of it, before its first step, whose time goes with the pairs. Solver
 // visits a second.
 Result<double> estimate_work(const scenes::SceneDescription& scene, const physics::World& world,
-                       const SceneBudget& budget);
+                             const SceneBudget& budget);
 // Steps a world that is thrown away.
 Status check_first_step(const scenes::SceneDescription& scene, physics::World world,
                         const SceneBudget& budget);

@@ -7,7 +7,7 @@
 namespace jostle::server {
 
 void ScheduledInputs::select_due(std::vector<Command>& batch, std::uint32_t tick,
-                             std::span<const Command> leave_commands) {
+                                 std::span<const Command> leave_commands) {
     const auto is_early = [&](const Command& command) { return command.tick > tick; };
     if (waiting_.empty() && std::none_of(batch.begin(), batch.end(), is_early)) return;
     const auto has_left = [&](const Waiting& w) {
@@ -36,7 +36,7 @@ void ScheduledInputs::select_due(std::vector<Command>& batch, std::uint32_t tick
 
 // Not before what the same client sent earlier.
 std::uint32_t ScheduledInputs::tick_of(const Command& command, std::uint32_t tick,
-                                     std::span<const Command> leave_commands) const {
+                                       std::span<const Command> leave_commands) const {
     for (const Command& l : leave_commands)
         if (l.client == command.client) return tick;
     std::uint32_t at = std::clamp(command.tick, tick, tick + ticks_max);

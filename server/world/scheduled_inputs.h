@@ -24,7 +24,7 @@ public:
     // Leaves in the batch what is for this tick, in order of arrival: what waited for it, then what
     // is new. What those who leave had sent is for this tick, whatever it says.
     void select_due(std::vector<Command>& batch, std::uint32_t tick,
-                  std::span<const Command> leave_commands);
+                    std::span<const Command> leave_commands);
 
 private:
     struct Waiting {

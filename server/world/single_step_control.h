@@ -31,9 +31,9 @@ private:
     std::atomic<bool> requested_{false};
     std::mutex mutex_;
     std::condition_variable taken_;
-    int allowed_ = 0;  // that may still be taken
-    int published_ = 0;    // of those that were: whose frames are out
-    int begun_ = 0;    // ... or not yet
+    int allowed_ = 0;    // that may still be taken
+    int published_ = 0;  // of those that were: whose frames are out
+    int begun_ = 0;      // ... or not yet
     bool closed_ = false;
 };
 

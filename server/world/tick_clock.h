@@ -3,8 +3,8 @@
 // When the next tick is due. Deadlines are start + n * period, so they do not drift however late a
 // tick begins.
 //
-// When late: up to catch_up_ticks_max ticks are run at once; what is later than that is given up: the
-// schedule moves forward and the ticks that never ran are counted as late.
+// When late: up to catch_up_ticks_max ticks are run at once; what is later than that is given up:
+// the schedule moves forward and the ticks that never ran are counted as late.
 #pragma once
 
 #include <cstdint>

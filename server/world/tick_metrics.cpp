@@ -6,32 +6,32 @@ namespace jostle::server {
 TickMetrics::TickMetrics(Metrics* metrics, const std::string& world)
     : metrics_(metrics ? std::make_unique<WorldMetrics>(*metrics, world) : nullptr) {}
 
-void TickMetrics::end_tick(const JointFrame& frame, const physics::StepProfile* profile,
-                         std::size_t inputs) {
+void TickMetrics::end_tick(const Frame& frame, const physics::StepProfile* profile,
+                           std::size_t inputs) {
     const Clock::time_point now = Clock::now();
     if (metrics_) {
         TickSample count{.seconds = std::chrono::duration<double>(now - begun_).count(),
-                        .bodies = frame.entities.size(),
-                        .awake = static_cast<std::size_t>(frame.awake),
-                        .queued = inputs,
-                        .late_ticks = frame.late_ticks};
+                         .bodies = frame.entities.size(),
+                         .awake = static_cast<std::size_t>(frame.awake),
+                         .queued = inputs,
+                         .late_ticks = frame.late_ticks};
         if (profile) count.stage_ms = profile->stage_ms;
         metrics_->count_tick(count);
     }
     if (profiler_.is_requested()) profile_tick(frame, profile, inputs, now);
 }
 
-void TickMetrics::profile_tick(const JointFrame& frame, const physics::StepProfile* profile,
-                            std::size_t inputs, Clock::time_point now) {
+void TickMetrics::profile_tick(const Frame& frame, const physics::StepProfile* profile,
+                               std::size_t inputs, Clock::time_point now) {
     TickProfile record{.tick = frame.tick,
-                      .due = frame.due,
-                      .begun = begun_,
-                      .ended = now,
-                      .step_begun = step_begun_,
-                      .bodies_awake = frame.awake,
-                      .touching = frame.contacts,
-                      .inputs = static_cast<int>(inputs),
-                      .late_ticks = frame.late_ticks};
+                       .due = frame.due,
+                       .begun = begun_,
+                       .ended = now,
+                       .step_begun = step_begun_,
+                       .bodies_awake = frame.awake,
+                       .touching = frame.contacts,
+                       .inputs = static_cast<int>(inputs),
+                       .late_ticks = frame.late_ticks};
     // Somebody may have begun to record in the middle of this tick.
     if (step_begun_ < begun_) return;
     if (profile) record.stage_ms = profile->stage_ms;

@@ -31,11 +31,11 @@ public:
         if (profiler_.is_requested()) step_begun_ = Clock::now();
     }
     // `profile`: of the step; null when the tick took none.
-    void end_tick(const JointFrame& frame, const physics::StepProfile* profile, std::size_t inputs);
+    void end_tick(const Frame& frame, const physics::StepProfile* profile, std::size_t inputs);
 
 private:
-    void profile_tick(const JointFrame& frame, const physics::StepProfile* profile, std::size_t inputs,
-                     Clock::time_point now);
+    void profile_tick(const Frame& frame, const physics::StepProfile* profile, std::size_t inputs,
+                      Clock::time_point now);
 
     const std::unique_ptr<WorldMetrics> metrics_;
     TickProfiler profiler_;

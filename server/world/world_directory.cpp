@@ -191,7 +191,8 @@ Result<std::shared_ptr<WorldHost>> WorldDirectory::rewind(const std::shared_ptr<
         return Error{ErrorCode::aborted, "the world was stopped, or is taken back already"};
     Status done;
     Result<Replacement> again = built([&]() -> Result<Replacement> {
-        Result<WorldStart> start = settings_.world_persistence->rewind(world->id(), tick, *std::move(then));
+        Result<WorldStart> start =
+            settings_.world_persistence->rewind(world->id(), tick, *std::move(then));
         if (!start.ok()) return start.error();
         start->paused = world->paused();
         return start_replacement(*std::move(start));
@@ -261,8 +262,8 @@ void WorldDirectory::restart(std::uint32_t number, const std::shared_ptr<WorldHo
     std::vector<Clock::time_point>& before = restarts_[number];
     std::erase_if(before, [&](Clock::time_point at) { return at + restart_span <= now; });
     failed->stop();
-    const Result<Replacement> again = before.size() < restarts_max
-                                     ? restart_failed_world(*failed)
+    const Result<Replacement> again =
+        before.size() < restarts_max ? restart_failed_world(*failed)
                                      : Error{ErrorCode::resource_exhausted, "it ended too often"};
     before.push_back(now);
     if (again.ok()) {
@@ -270,7 +271,7 @@ void WorldDirectory::restart(std::uint32_t number, const std::shared_ptr<WorldHo
         if (settings_.metrics) settings_.metrics->world_restarts.Increment();
         log_warn("world {} \"{}\" {}", failed->id(), failed->name(),
                  failed->is_persisted() ? "goes on from what was kept of it"
-                                   : "was started anew from its scene");
+                                        : "was started anew from its scene");
         return;
     }
     const std::lock_guard lock(mutex_);
@@ -282,7 +283,8 @@ void WorldDirectory::restart(std::uint32_t number, const std::shared_ptr<WorldHo
               again.error().message);
 }
 
-Result<WorldDirectory::Replacement> WorldDirectory::restart_failed_world(const WorldHost& failed) const {
+Result<WorldDirectory::Replacement> WorldDirectory::restart_failed_world(
+    const WorldHost& failed) const {
     return built([&]() -> Result<Replacement> {
         if (failed.is_persisted()) {
             Result<WorldStart> kept = settings_.world_persistence->reload(failed.id());

@@ -49,7 +49,7 @@ public:
     // Called when another host goes on with a world, and who played when that was kept. Set before
     // any world is there.
     using OnReplaced = std::function<void(const std::shared_ptr<WorldHost>& world,
-                                        const std::vector<ClientId>& clients)>;
+                                          const std::vector<ClientId>& clients)>;
     void on_replaced(OnReplaced told) { on_replaced_ = std::move(told); }
     // Stops the world; its clients notice. Null when there is none.
     std::shared_ptr<WorldHost> remove(const std::string& id_or_name);

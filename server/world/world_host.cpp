@@ -58,7 +58,7 @@ WorldHost::WorldHost(WorldStart start, const WorldHostSettings& settings)
       tick_metrics_(settings.metrics, label_.name),
       timer_(std::make_unique<Timer>()) {
     recent_tick_ms_.assign(static_cast<std::size_t>(std::max(1.0, hz_)), 0.0);
-    auto first = std::make_shared<JointFrame>();
+    auto first = std::make_shared<Frame>();
     first->tick = tick_;
     first->due = epoch_ + from_seconds(tick_ / hz_);
     first->events = events_;
@@ -104,10 +104,11 @@ bool WorldHost::stop_for_replacement() {
 
 void WorldHost::leave(ClientId client, bool retain_bodies) {
     const std::lock_guard lock(leave_mutex_);
-    leave_commands_.push_back({.client = client, .action = LeaveCommand{retain_bodies}, .reply = nullptr});
+    leave_commands_.push_back(
+        {.client = client, .action = LeaveCommand{retain_bodies}, .reply = nullptr});
 }
 
-void WorldHost::lose(ClientId client) {
+void WorldHost::disconnect(ClientId client) {
     const std::lock_guard lock(leave_mutex_);
     leave_commands_.push_back({.client = client, .action = DisconnectCommand{}, .reply = nullptr});
 }
@@ -122,12 +123,12 @@ void WorldHost::resume() {
         const std::lock_guard lock(pause_mutex_);
         paused_.reset();
     }
-    steps_.cancel();
+    single_step_.cancel();
 }
 
 void WorldHost::cancel_waiters() {
     queries_.close();
-    steps_.close();
+    single_step_.close();
     tick_metrics_.close();
     between_ticks_.close();
 }
@@ -195,12 +196,12 @@ void WorldHost::tick_late(Clock::time_point due, std::uint32_t late_ticks) {
     const std::optional<std::string> why = paused();
     const std::optional<Error> refusal = input_refusal(why);
     apply_commands(refusal, due);
-    const bool allowed = why && steps_.begin_step();
+    const bool allowed = why && single_step_.begin_step();
     const bool steps = !why || allowed;
     if (world_journal_) world_journal_->append({tick_, steps, world_.take_journal()});
     tick_metrics_.begin_step();
     const bool stepped = steps && step(allowed);
-    auto frame = std::make_shared<JointFrame>();
+    auto frame = std::make_shared<Frame>();
     frame->tick = tick_;
     frame->due = due;
     frame->late_us = late_us(due);
@@ -215,7 +216,7 @@ void WorldHost::tick_late(Clock::time_point due, std::uint32_t late_ticks) {
     publish(std::move(frame), answered);
     if (world_journal_) persist_published(shown->step_ms, answered);
     serve_queries();  // players first
-    steps_.end_tick();
+    single_step_.end_tick();
     between_ticks_.run_pending(world_);
     tick_metrics_.end_tick(*shown, stepped ? &world_.world().profile() : nullptr, batch_.size());
     hand_over_checkpoint();
@@ -246,7 +247,7 @@ std::optional<Error> WorldHost::input_refusal(const std::optional<std::string>& 
 }
 
 InputResult WorldHost::execute(const Command& command, const std::optional<Error>& refusal,
-                              Clock::time_point due) {
+                               Clock::time_point due) {
     InputResult result{.sequence = command.sequence, .tick = tick_};
     if (refusal)
         result.status = *refusal;
@@ -331,7 +332,7 @@ std::int64_t WorldHost::late_us(Clock::time_point due) const {
 }
 
 // The whole tick, with commands and the copy: what is not measured cannot be seen to be too long.
-void WorldHost::measure(JointFrame& frame, Clock::time_point began) {
+void WorldHost::measure(Frame& frame, Clock::time_point began) {
     recent_tick_ms_[recent_next_] = to_ms(Clock::now() - began);
     recent_next_ = (recent_next_ + 1) % recent_tick_ms_.size();
     frame.tick_ms_mean = std::accumulate(recent_tick_ms_.begin(), recent_tick_ms_.end(), 0.0) /
@@ -339,7 +340,7 @@ void WorldHost::measure(JointFrame& frame, Clock::time_point began) {
     frame.tick_ms_max = *std::max_element(recent_tick_ms_.begin(), recent_tick_ms_.end());
 }
 
-void WorldHost::publish(std::shared_ptr<JointFrame> frame, bool answers) {
+void WorldHost::publish(std::shared_ptr<Frame> frame, bool answers) {
     FramePtr old;  // freed outside the lock
     const std::uint32_t events = frame->events->count;
     bool has_events = frame->changed_at == frame->tick || !batch_.empty();
@@ -356,8 +357,10 @@ void WorldHost::publish(std::shared_ptr<JointFrame> frame, bool answers) {
 }
 
 CheckpointCopy WorldHost::checkpoint_copy() const {
-    CheckpointCopy now{.tick = tick_, .bodies = world_journal_->take_spare_restore_point(), .host_state = world_.host_state(tick_)};
-    now.bodies.keep(world_.world());
+    CheckpointCopy now{.tick = tick_,
+                       .bodies = world_journal_->take_spare_restore_point(),
+                       .host_state = world_.host_state(tick_)};
+    now.bodies.capture(world_.world());
     return now;
 }
 
@@ -373,7 +376,7 @@ void WorldHost::persist_published(double step_ms, bool answered) {
 void WorldHost::hand_over_checkpoint() {
     if (!world_journal_ || step_aborted_ || !world_journal_->wants_checkpoint()) return;
     auto taken = std::make_shared<CheckpointCopier>([this] { return checkpoint_copy(); });
-    world_journal_->append(tick_, taken);
+    world_journal_->write_checkpoint(tick_, taken);
     if (taken.use_count() == 1) return;          // it is of no use now
     if (!settings_.own_thread) taken->finish();  // who ticks it may look at it in between
     checkpoint_copier_ = std::move(taken);

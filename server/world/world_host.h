@@ -13,14 +13,14 @@
 #include <thread>
 
 #include "server/util/bounded_queue.h"
-#include "server/world/scheduled_inputs.h"
+#include "server/world/between_ticks_executor.h"
 #include "server/world/hosted_world.h"
 #include "server/world/query_broker.h"
+#include "server/world/scheduled_inputs.h"
 #include "server/world/single_step_control.h"
 #include "server/world/tick_clock.h"
 #include "server/world/tick_metrics.h"
 #include "server/world/world_persistence.h"
-#include "server/world/between_ticks_executor.h"
 
 namespace jostle::server {
 
@@ -36,7 +36,7 @@ struct WorldHostSettings {
     int command_queue_max = 8192;
     int catch_up_ticks_max = 4;
     int physics_threads = 1;
-    bool own_thread = true;           // false: it ticks only when tick() is called
+    bool own_thread = true;                         // false: it ticks only when tick() is called
     WorldPersistence* world_persistence = nullptr;  // null: worlds end with the process
     // Called on the world's thread after each frame, with whether something happened in it; must
     // only wake somebody.
@@ -56,7 +56,7 @@ struct WorldStart {
     HostedWorld world;
     std::uint32_t tick = 1;
     std::shared_ptr<WorldJournal> world_journal = nullptr;  // null: it ends with the process
-    std::optional<std::string> paused = {};         // why
+    std::optional<std::string> paused = {};                 // why
 };
 
 class WorldHost {
@@ -120,7 +120,7 @@ public:
     void resume();
     std::optional<std::string> paused() const;  // why
     // Any thread: what else operators do.
-    SingleStepControl& steps() { return steps_; }
+    SingleStepControl& single_step() { return single_step_; }
     TickMetrics& tick_metrics() { return tick_metrics_; }
     BetweenTicksExecutor& between_ticks() { return between_ticks_; }
     // Any thread: nobody waits for this world any longer, and nobody is answered.
@@ -142,7 +142,9 @@ public:
     // The one after which this host began.
     std::uint32_t first_tick() const { return first_tick_; }
     // Any thread: the first tick that can be had again; 0: none can.
-    std::uint32_t oldest_restorable_tick() const { return world_journal_ ? world_journal_->oldest_tick() : 0; }
+    std::uint32_t oldest_restorable_tick() const {
+        return world_journal_ ? world_journal_->oldest_tick() : 0;
+    }
     double work_per_second() const { return work_per_second_; }
     physics::Vec3 gravity() const { return gravity_; }
     // Of a step; 0: each island takes as many as it needs.
@@ -159,18 +161,18 @@ private:
     // `refusal`: why no input is applied.
     void apply_commands(const std::optional<Error>& refusal, Clock::time_point due);
     InputResult execute(const Command& command, const std::optional<Error>& refusal,
-                       Clock::time_point due);
+                        Clock::time_point due);
     std::optional<Error> input_refusal(const std::optional<std::string>& paused) const;
     // `allowed`: also when the world is paused. False: it took no step.
     bool step(bool allowed);
     // Shows the frame, then answers the inputs that are in it, unless they are to be kept first.
-    void publish(std::shared_ptr<JointFrame> frame, bool answers);
+    void publish(std::shared_ptr<Frame> frame, bool answers);
     // Hands the results of this tick, and now and then the world, to who keeps it.
     void persist_published(double step_ms, bool answered);
     CheckpointCopy checkpoint_copy() const;
     void hand_over_checkpoint();
     std::int64_t late_us(Clock::time_point due) const;
-    void measure(JointFrame& frame, Clock::time_point began);
+    void measure(Frame& frame, Clock::time_point began);
     void record_events();
     void warn_of_quarantine();
     void warn_of_large_channels();
@@ -188,7 +190,8 @@ private:
 
     HostedWorld world_;  // the tick thread's own
     const std::shared_ptr<WorldJournal> world_journal_;
-    std::shared_ptr<CheckpointCopier> checkpoint_copier_;  // of the tick before; null: nobody wants it
+    std::shared_ptr<CheckpointCopier>
+        checkpoint_copier_;  // of the tick before; null: nobody wants it
     std::uint32_t tick_ = 0;
     bool step_refused_ = false, step_interrupted_ = false;
     bool step_aborted_ = false;  // the last step, by the world's end
@@ -206,7 +209,7 @@ private:
     std::optional<std::string> paused_;
     std::atomic<Clock::rep> tick_began_{0};  // 0: between two ticks
     QueryBroker queries_;
-    SingleStepControl steps_;
+    SingleStepControl single_step_;
     TickMetrics tick_metrics_;
     BetweenTicksExecutor between_ticks_;
     std::atomic<int> event_listeners_{0}, motion_listeners_{0}, controlled_entity_listeners_{0};

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "server/world/journaled_command.h"
 #include "server/world/checkpoint_copier.h"
+#include "server/world/journaled_command.h"
 #include "server/world/result_queue.h"
 
 namespace jostle::server {
@@ -45,7 +45,8 @@ public:
     virtual void on_interrupted() = 0;
     // Whether the world as it is after this tick should be handed over.
     virtual bool wants_checkpoint() const = 0;
-    virtual void write_checkpoint(std::uint32_t tick, std::shared_ptr<CheckpointCopier> checkpoint_copy) = 0;
+    virtual void write_checkpoint(std::uint32_t tick,
+                                  std::shared_ptr<CheckpointCopier> checkpoint_copy) = 0;
     // Any thread: one that was used before, if there is one: it takes a quarter of the time.
     virtual physics::RestorePoint take_spare_restore_point() = 0;
     // The world will not go on in this process: its last moment; nothing when its last step was cut

@@ -101,10 +101,11 @@ TEST(Planar, plank_that_falls_over_comes_down_on_the_plate_below) {
         add_floor(world);
         const double thin = 0.05, tall = 0.4, lean = 0.3;
         const TestBody plate{.geometry = Box{{1, 0.2, 1}}, .position = {0, 0.2, 0}, .friction = 1};
-        const TestBody plank{.geometry = Box{{thin, tall, 1}},
-                         .position = {-0.3, 0.4 + tall * std::cos(lean) + thin * std::sin(lean), 0},
-                         .rotation = from_rotation_vector({0, 0, -lean}),
-                         .friction = 1};
+        const TestBody plank{
+            .geometry = Box{{thin, tall, 1}},
+            .position = {-0.3, 0.4 + tall * std::cos(lean) + thin * std::sin(lean), 0},
+            .rotation = from_rotation_vector({0, 0, -lean}),
+            .friction = 1};
         if (plate_first) add(world, plate);
         const BodyId falling = add(world, plank);
         if (!plate_first) add(world, plate);

@@ -63,9 +63,9 @@ TEST_F(AccuracyFlags, accuracy_writes_rows_work_table_and_plots) {
 TEST_F(AccuracyFlags, accuracy_adds_the_rows_of_before) {
     const std::string one = " --rates 60 --peers none --modes default ";
     ASSERT_EQ(run("accuracy --scene f1" + one + "--json " + file("a.json")), 0) << output();
-    ASSERT_EQ(
-        run("accuracy --scene f3" + one + "--merge " + file("a.json") + " --json " + file("b.json")),
-        0)
+    ASSERT_EQ(run("accuracy --scene f3" + one + "--merge " + file("a.json") + " --json " +
+                  file("b.json")),
+              0)
         << output();
     const auto json = nlohmann::json::parse(read("b.json"));
     ASSERT_EQ(json["rows"].size(), 2u);
@@ -94,8 +94,8 @@ TEST_F(AccuracyFlags, the_short_form_keeps_figures_and_finds_what_got_worse) {
     EXPECT_EQ(run("accuracy --regression --scene j1" + against), 1);
     EXPECT_THAT(output(), HasSubstr("WORSE: j1 at 60 Hz: error"));
     EXPECT_THAT(output(), HasSubstr("(100.00 times)"));
-    EXPECT_THAT(output(),
-                HasSubstr("accuracy --regression --compare-to " + file("short.json") + " --update"));
+    EXPECT_THAT(output(), HasSubstr("accuracy --regression --compare-to " + file("short.json") +
+                                    " --update"));
     // A part of the scenes leaves the other rows as they are.
     ASSERT_EQ(run("accuracy --regression --scene j1" + against + " --update"), 0) << output();
     EXPECT_EQ(nlohmann::json::parse(read("short.json"))["rows"], json["rows"]);
@@ -134,8 +134,8 @@ TEST_F(AccuracyFlags, integrators_and_roads_write_rows) {
     EXPECT_EQ(json["rows"][1]["method"], "verlet");
     EXPECT_NEAR(json["rows"][1]["order"].get<double>(), 2, 0.1);
     EXPECT_THAT(read("i.csv"), HasSubstr("kepler,rk4,480,"));
-    ASSERT_EQ(run("contact-models --model xpbd,penalty --rates 60 --json " + file("r.json") + " --csv " +
-                  file("r.csv")),
+    ASSERT_EQ(run("contact-models --model xpbd,penalty --rates 60 --json " + file("r.json") +
+                  " --csv " + file("r.csv")),
               0)
         << output();
     const auto contact_models = nlohmann::json::parse(read("r.json"));

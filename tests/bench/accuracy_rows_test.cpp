@@ -112,7 +112,8 @@ TEST(BulletTrees, keep_joints_closed_and_converge_as_runge_kutta_does) {
     EXPECT_LT(row_of("j7", "bullet", 120, "mb").error, 0.05);         // damped to rest
     EXPECT_EQ(row_of("c8", "bullet", 60, "mb").unsupported,
               "bullet's trees are for bodies that touch nothing");
-    EXPECT_EQ(row_of("f2-1", "bullet", 60, "mb").unsupported, "bullet's trees hold jointed bodies alone");
+    EXPECT_EQ(row_of("f2-1", "bullet", 60, "mb").unsupported,
+              "bullet's trees hold jointed bodies alone");
 }
 
 TEST(Rows, say_what_an_engine_lacks) {

@@ -10,9 +10,9 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "bench/accuracy/accuracy_overview.h"
 #include "bench/accuracy/accuracy_plot.h"
 #include "bench/accuracy/accuracy_report.h"
-#include "bench/accuracy/accuracy_overview.h"
 #include "bench/accuracy/doc_tables.h"
 
 namespace {
@@ -55,7 +55,8 @@ TEST(LeastWork, is_the_cheapest_row_that_is_good_enough) {
     EXPECT_EQ(least_work(synthetic_rows(), "j1", "jostle", 0.01)->cpu_us_per_second, 100);
     EXPECT_EQ(least_work(synthetic_rows(), "j1", "peer", 0.01)->cpu_us_per_second, 40);
     EXPECT_FALSE(least_work(synthetic_rows(), "j1", "peer", 0.001));
-    EXPECT_EQ(least_work(synthetic_rows(), "j1", "other", 1)->cpu_us_per_second, 400);  // not the lost one
+    EXPECT_EQ(least_work(synthetic_rows(), "j1", "other", 1)->cpu_us_per_second,
+              400);  // not the lost one
 }
 
 TEST(ParetoSet, holds_what_nobody_beats_in_both) {
@@ -94,7 +95,8 @@ TEST(Score, what_only_we_reach_counts_a_hundred) {
 
 TEST(Report, says_errors_orders_work_and_reasons) {
     std::vector<Row> rows = synthetic_rows();
-    rows.push_back({.scene = "j1", .engine = "flat", .mode = "m", .rate_hz = 60, .unsupported = "no z"});
+    rows.push_back(
+        {.scene = "j1", .engine = "flat", .mode = "m", .rate_hz = 60, .unsupported = "no z"});
     const std::string text = scene_report(*find_experiment("j1"), rows);
     EXPECT_NE(text.find("30-60: 2.00"), std::string::npos) << text;
     EXPECT_NE(text.find("jostle 100 (m@60)"), std::string::npos);

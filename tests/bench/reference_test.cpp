@@ -8,8 +8,8 @@
 
 #include <cmath>
 
-#include "bench/accuracy/experiment.h"
 #include "bench/accuracy/accuracy_bodies.h"
+#include "bench/accuracy/experiment.h"
 #include "jostle/physics/geometry.h"
 
 namespace {

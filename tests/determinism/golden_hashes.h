@@ -60,7 +60,7 @@ inline std::vector<GoldenConfiguration> golden_configurations(int count) {
     for (std::size_t k = 0; k < static_cast<std::size_t>(count); k++) {
         const bool slowest = k + 1 == sets.size();
         configurations.push_back({static_cast<int>(k % 8) + 1,
-                        slowest ? sets.front() : sets[sets.size() - 1 - k % fast]});
+                                  slowest ? sets.front() : sets[sets.size() - 1 - k % fast]});
     }
     return configurations;
 }

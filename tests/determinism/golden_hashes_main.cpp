@@ -77,7 +77,8 @@ std::optional<Options> read_options(int argc, char** argv) {
                 return refuse("--steps is 0 to " + std::to_string(golden_steps));
         } else if (name == "--ways") {
             options.configurations = std::atoi(value.c_str());
-            if (options.configurations < 1 || options.configurations > 8) return refuse("--ways is 1 to 8");
+            if (options.configurations < 1 || options.configurations > 8)
+                return refuse("--ways is 1 to 8");
         } else {
             return refuse("unknown option " + name);
         }

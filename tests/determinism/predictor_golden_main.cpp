@@ -68,11 +68,15 @@ const std::vector<Body>& bodies() {
                  {5, -0.3, -0.2, -0.3, 0.3, -0.2, -0.3, 0, -0.2, 0.4, 0, 0.4, 0, 0.1, -0.1, 0.1}}),
          1.6, 0.2, 1.4},
         {9, 2, 50,
-         joined(
-             {{10}, no_position, {2, 3}, no_position, {0.3, 0.1, 0.1}, {1, 0.4, 0, 0, 0, 0, 0, 1, 0.15}}),
+         joined({{10},
+                 no_position,
+                 {2, 3},
+                 no_position,
+                 {0.3, 0.1, 0.1},
+                 {1, 0.4, 0, 0, 0, 0, 0, 1, 0.15}}),
          -1.8, 0.2, -0.4},
         {10, 0, 0, joined({{8}, no_position, {4,  -1,  0, -1, 1, 0, -1, 1, 0.6, 1,
-                                           -1, 0.6, 1, 2,  0, 2, 1,  0, 3,   2}}),
+                                              -1, 0.6, 1, 2,  0, 2, 1,  0, 3,   2}}),
          0, 0, 3},
         {11, 0, 0, joined({{9}, no_position, {2, 2, 2, 2, 0, 0.2, 0.1, 0.3, 0}}), -3, 0, 0},
         {12, 0, 0, joined({{4}, no_position, {0, 1, 0}}), 0, -2, 0},
@@ -173,8 +177,8 @@ void send_controlled_car(uint32_t tick) {
     vehicles.control(world, chassis, {.axes = {0.1, 1}});
     world.add_listener(vehicles).expect();
     for (int k = 0; k < 90; k++) world.step(1.0 / 60).expect();
-    const auto words =
-        *modules::encode_controlled_entity(world, vehicles, chassis, [](physics::BodyId) { return car; });
+    const auto words = *modules::encode_controlled_entity(world, vehicles, chassis,
+                                                          [](physics::BodyId) { return car; });
     Numbers told;
     for (const char letter : vehicles.tag()) told.push_back(letter);
     for (const std::uint32_t word : words) told.push_back(word);

@@ -70,13 +70,14 @@ private:
         const auto told = wire::decode_baseline_frames(snapshot.frame(), snapshot.baselines());
         if (!told.ok()) return false;
         const std::uint32_t numbers[] = {told->baseline, told->baseline2, told->baseline3};
-        const wire::QuantizedFrame** const slots[] = {&baselines.baseline, &baselines.baseline2, &baselines.baseline3};
+        const wire::QuantizedFrame** const slots[] = {&baselines.baseline, &baselines.baseline2,
+                                                      &baselines.baseline3};
         for (int k = 0; k < 3 && (*slots[k] = find(numbers[k])) != nullptr; k++) {
         }
         const auto* bytes = reinterpret_cast<const std::byte*>(snapshot.packed().data());
         const auto frame = wire::decode_frame(
-            snapshot.frame(), {bytes, snapshot.packed().size()}, baselines, conversation_.view().spec(),
-            wire::default_entities_max, conversation_.view().codec());
+            snapshot.frame(), {bytes, snapshot.packed().size()}, baselines,
+            conversation_.view().spec(), wire::default_entities_max, conversation_.view().codec());
         if (!frame.ok()) return false;
         snapshot.set_crc(wire::frame_crc(*frame));
         return true;

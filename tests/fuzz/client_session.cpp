@@ -56,8 +56,8 @@ public:
         expect(!link_.take_message(now_), "nobody is there to be told");
         // A place that is kept for it is kept for so long.
         now_ += std::chrono::seconds(1) +
-                std::chrono::ceil<std::chrono::seconds>(
-                    std::chrono::duration<double>(server_.context.config.client.resume_timeout_seconds));
+                std::chrono::ceil<std::chrono::seconds>(std::chrono::duration<double>(
+                    server_.context.config.client.resume_timeout_seconds));
         server::remove_expired_clients(server_.context, now_);
         expect(server_.sessions.clients() == 0, "who has gone is not counted");
     }
@@ -90,11 +90,11 @@ private:
     SmallServer server_;
     Clock::time_point now_ = Clock::time_point() + 1000s;
     server::ClientSession link_{server_.context,
-                             server::Peer{.name = "fuzz",
-                                          .address = "127.0.0.1",
-                                          .call = "jostle.v1.PlayService/Play",
-                                          .who = server_.anybody()},
-                             now_};
+                                server::Peer{.name = "fuzz",
+                                             .address = "127.0.0.1",
+                                             .call = "jostle.v1.PlayService/Play",
+                                             .who = server_.anybody()},
+                                now_};
     test::PlayState state_;
     int ticks_ = 0;
 };

@@ -15,7 +15,8 @@ namespace {
 
 using namespace datagram;
 
-constexpr std::size_t reassembly_bytes_max = Reassembly::partial_messages_max * parts_max * part_bytes;
+constexpr std::size_t reassembly_bytes_max =
+    Reassembly::partial_messages_max * parts_max * part_bytes;
 
 Ticket ticket() {
     Ticket made{.id = 0x0807060504030201};
@@ -71,7 +72,8 @@ void split_and_reassemble(Bytes input) {
 }  // namespace
 
 void run(Bytes input) {
-    static const std::unique_ptr<PacketCipher> server = PacketCipher::make(ticket(), Side::server).value();
+    static const std::unique_ptr<PacketCipher> server =
+        PacketCipher::make(ticket(), Side::server).value();
     expect(!server->open(text_of(input)), "what nobody sealed is not opened");
     receive(input);
     split_and_reassemble(input);

@@ -21,7 +21,8 @@ public:
     // Two bits each say how far back the next base lies; 0 ends the list.
     wire::Baselines baselines(std::uint8_t choice) const {
         wire::Baselines baselines;
-        const wire::QuantizedFrame** slots[] = {&baselines.baseline, &baselines.baseline2, &baselines.baseline3};
+        const wire::QuantizedFrame** slots[] = {&baselines.baseline, &baselines.baseline2,
+                                                &baselines.baseline3};
         std::size_t back = 0;
         for (const auto slot : slots) {
             const std::size_t step = choice & 3;

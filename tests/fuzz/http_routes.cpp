@@ -9,9 +9,9 @@
 #include <nlohmann/json.hpp>
 
 #include "jostle/v1/world.pb.h"
+#include "tests/fuzz/exercise_scene.h"
 #include "tests/fuzz/small_server.h"
 #include "tests/fuzz/target.h"
-#include "tests/fuzz/exercise_scene.h"
 
 namespace jostle::fuzz {
 
@@ -46,11 +46,12 @@ struct Routes {
     SmallServer small;
     server::WorldControl control{small.context};
     const server::QueryControl queries{small.context};
-    const server::HttpRoutes routes{control,
-                                    queries,
-                                    {.web_root = WEB_ROOT,
-                                     .not_ready_reason = [] { return std::optional<std::string>(); },
-                                     .failure_reason = [] { return std::nullopt; }}};
+    const server::HttpRoutes routes{
+        control,
+        queries,
+        {.web_root = WEB_ROOT,
+         .not_ready_reason = [] { return std::optional<std::string>(); },
+         .failure_reason = [] { return std::nullopt; }}};
 };
 
 }  // namespace

@@ -5,8 +5,8 @@
 #include "tests/fuzz/reader.h"
 #include "tests/fuzz/target.h"
 #include "tools/load/http2_framing.h"
-#include "tools/load/raw_framing.h"
 #include "tools/load/passive_client_protocol.h"
+#include "tools/load/raw_framing.h"
 #include "tools/load/websocket_framing.h"
 
 namespace jostle::fuzz {

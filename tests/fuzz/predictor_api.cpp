@@ -62,7 +62,7 @@ void drive(JostlePredictor* p, std::uint32_t entity, std::uint32_t tick, Reader&
         told.push_back(in.number<std::uint32_t>());
     std::ranges::copy(told, jostle_predictor_buffer(p, static_cast<std::uint32_t>(told.size())));
     jostle_predictor_control(p, entity, tick, static_cast<std::uint32_t>(tag.size()),
-                           static_cast<std::uint32_t>(told.size() - tag.size()));
+                             static_cast<std::uint32_t>(told.size() - tag.size()));
 }
 
 void call(JostlePredictor* p, std::uint8_t kind, Reader in) {

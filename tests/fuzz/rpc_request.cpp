@@ -7,11 +7,11 @@
 #include "jostle/v1/query.pb.h"
 #include "jostle/v1/world.pb.h"
 #include "server/services/admin_control.h"
+#include "tests/fuzz/exercise_scene.h"
 #include "tests/fuzz/mutate_message.h"
 #include "tests/fuzz/reader.h"
 #include "tests/fuzz/small_server.h"
 #include "tests/fuzz/target.h"
-#include "tests/fuzz/exercise_scene.h"
 
 namespace jostle::fuzz {
 

@@ -4,8 +4,8 @@
 #include <google/protobuf/util/json_util.h>
 
 #include "jostle/scenes/scene_file.h"
-#include "tests/fuzz/target.h"
 #include "tests/fuzz/exercise_scene.h"
+#include "tests/fuzz/target.h"
 
 namespace jostle::fuzz {
 

@@ -2,9 +2,9 @@
 //
 // Scenes as CreateWorld takes them: read, written and read again, built and stepped.
 #include "jostle/scenes/scene_file.h"
+#include "tests/fuzz/exercise_scene.h"
 #include "tests/fuzz/mutate_message.h"
 #include "tests/fuzz/target.h"
-#include "tests/fuzz/exercise_scene.h"
 
 namespace jostle::fuzz {
 

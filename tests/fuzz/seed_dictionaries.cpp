@@ -21,7 +21,8 @@ using google::protobuf::Descriptor;
 using DictionaryWords = std::set<std::string>;
 
 // Names of fields and of enumerators, of the message and of all within it.
-void add_names(DictionaryWords& words, const Descriptor& message, std::set<const Descriptor*>& seen) {
+void add_names(DictionaryWords& words, const Descriptor& message,
+               std::set<const Descriptor*>& seen) {
     if (!seen.insert(&message).second) return;
     for (int k = 0; k < message.field_count(); k++) {
         const auto& field = *message.field(k);
@@ -34,7 +35,8 @@ void add_names(DictionaryWords& words, const Descriptor& message, std::set<const
 }
 
 DictionaryWords json_words(std::initializer_list<const Descriptor*> messages) {
-    DictionaryWords words{"{}", "[]", "null", "true", "1e300", "-1", "0.5", "\"NaN\"", "\\u0000", ","};
+    DictionaryWords words{"{}", "[]",  "null",    "true",    "1e300",
+                          "-1", "0.5", "\"NaN\"", "\\u0000", ","};
     std::set<const Descriptor*> seen;
     for (const Descriptor* message : messages) add_names(words, *message, seen);
     return words;
@@ -45,7 +47,7 @@ DictionaryWords config_words() {
     std::ifstream in(std::filesystem::path(PROJECT_FOLDER) / "server/jostle-server.toml");
     const std::string text((std::istreambuf_iterator<char>(in)), {});
     DictionaryWords words{"= [",  "\"\"\"",   "inf", "nan", "1e9", "0x7f", "1979-05-27T07:32:00Z",
-                "true", "{ a = 1 }"};
+                          "true", "{ a = 1 }"};
     for (std::size_t at = 0; at < text.size();) {
         std::size_t end = at;
         while (end < text.size() && (std::islower(text[end]) != 0 || text[end] == '_')) end++;
@@ -55,7 +57,8 @@ DictionaryWords config_words() {
     return words;
 }
 
-void write(const std::filesystem::path& folder, const std::string& target, const DictionaryWords& words) {
+void write(const std::filesystem::path& folder, const std::string& target,
+           const DictionaryWords& words) {
     std::ofstream out(folder / (target + ".dict"));
     for (const std::string& word : words) {
         out << '"';
@@ -80,9 +83,10 @@ void write_dictionaries(const std::filesystem::path& folder) {
         json_words({v1::CreateWorldRequest::descriptor(), v1::CastRaysRequest::descriptor(),
                     v1::CastShapesRequest::descriptor(), v1::OverlapRequest::descriptor(),
                     v1::ClosestPointsRequest::descriptor(), v1::DebugRequest::descriptor()});
-    routes.merge(DictionaryWords{"GET\n", "POST\n", "DELETE\n", "HEAD\n", "/api/worlds/", "/api/query/",
-                       "CastRays", "CastShapes", "Overlap", "ClosestPoints", "Debug", "/play",
-                       "/readyz", "\napplication/json\n", "http://localhost"});
+    routes.merge(DictionaryWords{"GET\n", "POST\n", "DELETE\n", "HEAD\n", "/api/worlds/",
+                                 "/api/query/", "CastRays", "CastShapes", "Overlap",
+                                 "ClosestPoints", "Debug", "/play", "/readyz",
+                                 "\napplication/json\n", "http://localhost"});
     write(folder, "http_routes", routes);
     write(folder, "config_text", config_words());
     write(folder, "json_web_token",
@@ -116,26 +120,26 @@ void write_dictionaries(const std::filesystem::path& folder) {
     write(folder, "http_target",
           {"%2e", "%2f", "%5c", "%00", "..", "/.", "//", "?", "#", "%c0%ae"});
     const DictionaryWords head{"GET ",
-                     "POST ",
-                     "HEAD ",
-                     " HTTP/1.1\r\n",
-                     " HTTP/1.0\r\n",
-                     "Host: ",
-                     "Origin: ",
-                     "Content-Type: application/json\r\n",
-                     "Content-Length: ",
-                     "Transfer-Encoding: chunked\r\n",
-                     "Expect: 100-continue\r\n",
-                     "Connection: close\r\n",
-                     "Connection: Upgrade\r\n",
-                     "Upgrade: websocket\r\n",
-                     "Sec-WebSocket-Version: 13\r\n",
-                     "Sec-WebSocket-Extensions: permessage-deflate\r\n",
-                     "Sec-WebSocket-Key: ",
-                     "If-None-Match: ",
-                     "\r\n\r\n",
-                     "0\r\n",
-                     "4294967296"};
+                               "POST ",
+                               "HEAD ",
+                               " HTTP/1.1\r\n",
+                               " HTTP/1.0\r\n",
+                               "Host: ",
+                               "Origin: ",
+                               "Content-Type: application/json\r\n",
+                               "Content-Length: ",
+                               "Transfer-Encoding: chunked\r\n",
+                               "Expect: 100-continue\r\n",
+                               "Connection: close\r\n",
+                               "Connection: Upgrade\r\n",
+                               "Upgrade: websocket\r\n",
+                               "Sec-WebSocket-Version: 13\r\n",
+                               "Sec-WebSocket-Extensions: permessage-deflate\r\n",
+                               "Sec-WebSocket-Key: ",
+                               "If-None-Match: ",
+                               "\r\n\r\n",
+                               "0\r\n",
+                               "4294967296"};
     write(folder, "http_head", head);
     write(folder, "websocket", head);
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Writes what fuzzing begins with, from the tests' own data and from what the server itself says:
-// FOLDER/TARGET/NAME for each target, and FOLDER/dictionaries. scripts/fuzz --update-corpus makes the
-// committed corpora of them.
+// FOLDER/TARGET/NAME for each target, and FOLDER/dictionaries. scripts/fuzz --update-corpus makes
+// the committed corpora of them.
 #include <google/protobuf/util/json_util.h>
 
 #include <filesystem>
@@ -27,12 +27,12 @@
 #include "server/recovery/journal_codec.h"
 #include "server/recovery/world_definition.h"
 #include "server/session/client_session.h"
-#include "server/world/saved_host_state.h"
 #include "server/world/hosted_world.h"
+#include "server/world/saved_host_state.h"
 #include "tests/fuzz/reader.h"
 #include "tests/fuzz/saved_world.h"
-#include "tests/fuzz/seed_scenes.h"
 #include "tests/fuzz/seed_dictionaries.h"
+#include "tests/fuzz/seed_scenes.h"
 #include "tests/fuzz/small_server.h"
 #include "tests/modules/ragdoll/gltf/gltf_skeleton.h"
 #include "tests/proto/snapshot/channel_motion.h"
@@ -162,11 +162,11 @@ std::vector<std::string> server_messages(bool events) {
     SmallServer small;
     server::Clock::time_point now = server::Clock::time_point() + 1000s;
     server::ClientSession link(small.context,
-                            server::Peer{.name = "seed",
-                                         .address = "127.0.0.1",
-                                         .call = "jostle.v1.PlayService/Play",
-                                         .who = small.anybody()},
-                            now);
+                               server::Peer{.name = "seed",
+                                            .address = "127.0.0.1",
+                                            .call = "jostle.v1.PlayService/Play",
+                                            .who = small.anybody()},
+                               now);
     std::vector<std::string> said;
     const auto listen = [&] {
         while (const auto out = link.take_message(now)) said.push_back(out->concatenated());
@@ -211,12 +211,13 @@ std::string frames_of(const wire::GoldenSequence& golden, wire::Codec codec) {
     std::uint32_t newest = 0;
     for (std::size_t i = 0; i < 8; i++) {
         const wire::GoldenFrame& g = golden.frames[i];
-        const auto packed =
-            encode_frame(g.frame, {find(g.baseline), find(g.baseline2), find(g.baseline3)}, golden.spec, codec);
+        const auto packed = encode_frame(
+            g.frame, {find(g.baseline), find(g.baseline2), find(g.baseline3)}, golden.spec, codec);
         std::string bytes(1, static_cast<char>(g.frame.frame - newest - 1));
         bytes.append(reinterpret_cast<const char*>(packed.data()), packed.size());
         const int baselines = (g.baseline != 0) + (g.baseline2 != 0) + (g.baseline3 != 0);
-        const int kind = (0b010101 & ((1 << 2 * baselines) - 1)) | (codec == wire::Codec::range) << 7;
+        const int kind = (0b010101 & ((1 << 2 * baselines) - 1)) | (codec == wire::Codec::range)
+                                                                       << 7;
         out += record(static_cast<std::uint8_t>(kind), bytes);
         newest = g.frame.frame;
     }
@@ -332,8 +333,9 @@ std::string controlled_character() {
     std::string bytes;
     put(bytes, 4.0);
     put(bytes, 7.0);
-    const auto words =
-        modules::encode_controlled_entity(world, crowd, body, [](physics::BodyId) { return 4u; }).value();
+    const auto words = modules::encode_controlled_entity(world, crowd, body, [](physics::BodyId) {
+                           return 4u;
+                       }).value();
     for (const std::uint32_t word : words) put(bytes, word);
     return bytes;
 }
@@ -543,8 +545,9 @@ void write_persisted(const fs::path& folder) {
     }
     seeds.add(server::encode_journal(journal));
     seeds.add(server::encode_journal({.ticks = {}, .stood = {}, .rewind = server::Rewind{90, 30}}));
-    server::CheckpointCopy moment{.tick = tick, .bodies = {}, .host_state = world->host_state(tick)};
-    moment.bodies.keep(world->world());
+    server::CheckpointCopy moment{
+        .tick = tick, .bodies = {}, .host_state = world->host_state(tick)};
+    moment.bodies.capture(world->world());
     seeds.add(server::encode_checkpoint(moment).value().bytes);
     seeds.add(server::encode_world_definition(
         {.owner = "ada",
@@ -610,7 +613,8 @@ int main(int count, char** arguments) {
     const fs::path folder = arguments[1];
     for (const auto write :
          {write_play, write_frames, write_scenes, write_geometry, write_predictor, write_skeletons,
-          write_text, write_requests, write_http2, write_passive_client_streams, write_datagrams, write_persisted})
+          write_text, write_requests, write_http2, write_passive_client_streams, write_datagrams,
+          write_persisted})
         write(folder);
     write_dictionaries(folder / "dictionaries");
 }

@@ -55,7 +55,7 @@ TEST(Hovercraft, goes_on_with_the_same_bits_when_loaded_and_when_restored) {
     World world = std::move(built_scene().world);
     ride(world, 3);
     RestorePoint point;
-    point.keep(world);
+    point.capture(world);
     World again = std::move(*load(save(world)));
     ride(world, 5);
     ride(again, 5);

@@ -109,7 +109,7 @@ void HonestClient::receive_messages(Clock::time_point now, const FrameOf& frame_
 }
 
 // What is decoded is what the server's world was, to the last bit of what is sent of it.
-void HonestClient::compare(const server::JointFrame& truth) {
+void HonestClient::compare(const server::Frame& truth) {
     tally_.frames_compared++;
     for (const auto& entity : *truth.entity_list)
         if (entity->owner == conversation_.stats().client_id && !spawned_.contains(entity->id))

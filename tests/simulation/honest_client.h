@@ -48,7 +48,7 @@ private:
     void send_messages(Clock::time_point now);
     void check_results(const FrameOf& frame_of);
     void check_spawn(const v1::InputResult& result, const FrameOf& frame_of);
-    void compare(const server::JointFrame& truth);
+    void compare(const server::Frame& truth);
     void end();
 
     const std::string name_;

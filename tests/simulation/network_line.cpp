@@ -21,8 +21,9 @@ server::Peer peer(server::PlayContext& context, const std::string& name,
 
 }  // namespace
 
-NetworkLine::NetworkLine(server::PlayContext& context, const std::string& name, const std::string& address,
-           NetworkConditions quality, std::uint64_t seed, Clock::time_point now)
+NetworkLine::NetworkLine(server::PlayContext& context, const std::string& name,
+                         const std::string& address, NetworkConditions quality, std::uint64_t seed,
+                         Clock::time_point now)
     : chance_(seed), quality_(quality), session_(context, peer(context, name, address), now) {}
 
 Clock::time_point NetworkLine::arrival(Clock::time_point now) {

@@ -21,7 +21,7 @@ struct NetworkConditions {
 class NetworkLine {
 public:
     NetworkLine(server::PlayContext& context, const std::string& name, const std::string& address,
-         NetworkConditions quality, std::uint64_t seed, Clock::time_point now);
+                NetworkConditions quality, std::uint64_t seed, Clock::time_point now);
 
     // --- the client's end ---
     void send(std::string bytes, Clock::time_point now);

@@ -62,7 +62,8 @@ struct Simulation::Server {
 
 Simulation::Simulation(std::uint64_t seed) : chance_(seed) {
     start_server();
-    for (ClientSlot& seat : seats_) seat.again = now_ + std::chrono::milliseconds(chance_.below(3000));
+    for (ClientSlot& seat : seats_)
+        seat.again = now_ + std::chrono::milliseconds(chance_.below(3000));
     hostile_again_ = now_;
 }
 
@@ -78,7 +79,8 @@ void Simulation::fail(const std::string& what) {
 
 void Simulation::start_server() {
     // Its log has a thread, so there is one for all.
-    static const std::unique_ptr<server::Authorizer> authorizer = server::Authorizer::open(small_config()).value();
+    static const std::unique_ptr<server::Authorizer> authorizer =
+        server::Authorizer::open(small_config()).value();
     lines_.clear();
     frames_.clear();
     server_.reset();
@@ -161,8 +163,8 @@ std::shared_ptr<NetworkLine> Simulation::new_line(const std::string& name, bool 
     const std::string address =
         (is_honest ? "192.0.2." : "198.51.100.") + std::to_string(1 + chance_.below(200));
     lines_.push_back(std::make_shared<NetworkLine>(server_->context,
-                                            name + " " + std::to_string(++lines_made_), address,
-                                            quality, chance_.bits(), now_));
+                                                   name + " " + std::to_string(++lines_made_),
+                                                   address, quality, chance_.bits(), now_));
     return lines_.back();
 }
 
@@ -206,7 +208,8 @@ void Simulation::act_hostile() {
 // ---- what must be so when nobody is there ----
 
 bool Simulation::all_clients_left() const {
-    return server_->context.resume_registry.lost() == 0 && (!hostile_ || !hostile_->is_connected()) &&
+    return server_->context.resume_registry.lost() == 0 &&
+           (!hostile_ || !hostile_->is_connected()) &&
            std::ranges::all_of(seats_, [](const ClientSlot& seat) { return !seat.client; });
 }
 
@@ -230,7 +233,7 @@ void Simulation::check_no_leaks() {
     for (const auto& entity : *server_->world->frame()->entity_list)
         if (entity->owner != 0)
             fail("entity " + std::to_string(entity->id) + " of client " +
-                     std::to_string(entity->owner) + " is still there");
+                 std::to_string(entity->owner) + " is still there");
 }
 
 std::uint64_t Simulation::fingerprint() const {

@@ -3,8 +3,8 @@
 // A shape where a test wants it, as GJK and SAT see it. For tests that look into physics/src.
 #pragma once
 
-#include "physics/src/geometry/transformed_shape.h"
 #include "physics/src/geometry/support.h"
+#include "physics/src/geometry/transformed_shape.h"
 
 namespace jostle::test {
 

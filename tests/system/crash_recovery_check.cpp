@@ -195,7 +195,8 @@ public:
         for (int k = 0; k < plan_.bots; k++)
             bots_.push_back(
                 std::make_unique<Bot>(loop_, target, plan_.seed * 1000 + static_cast<unsigned>(k)));
-        if (!play_until(20s, [&] { return all([](const Bot& bot) { return bot.was_acknowledged(); }); }))
+        if (!play_until(20s,
+                        [&] { return all([](const Bot& bot) { return bot.was_acknowledged(); }); }))
             return fail("not every bot could play at first");
         for (int kill = 1; kill <= plan_.kills; kill++) {
             // Every fourth time while it may still be busy with what the kill before left.
@@ -258,11 +259,13 @@ private:
             return false;
         const v1::WorldInfo& world = worlds.worlds(0);
         // What nobody did anything in may be kept only a second later.
-        const std::uint32_t last = std::max(world.oldest_restorable_tick(), std::max(world.tick(), 90u) - 90);
+        const std::uint32_t last =
+            std::max(world.oldest_restorable_tick(), std::max(world.tick(), 90u) - 90);
         v1::RewindWorldRequest request;
         request.set_world(world.id());
         request.set_tick(world.oldest_restorable_tick() +
-                         static_cast<std::uint32_t>(random_()) % (last - world.oldest_restorable_tick() + 1));
+                         static_cast<std::uint32_t>(random_()) %
+                             (last - world.oldest_restorable_tick() + 1));
         grpc::Status status;
         std::atomic<bool> answered = false;
         std::jthread asker([&] {
@@ -276,8 +279,9 @@ private:
         play_until(25s, [&] { return answered.load(); });
         asker.join();
         if (!status.ok())
-            std::fprintf(stderr, "to tick %u of %u to %u: %s\n", request.tick(), world.oldest_restorable_tick(),
-                         world.tick(), status.error_message().c_str());
+            std::fprintf(stderr, "to tick %u of %u to %u: %s\n", request.tick(),
+                         world.oldest_restorable_tick(), world.tick(),
+                         status.error_message().c_str());
         if (random_() % 2 == 0)
             play_until(20s, [&] { return all([](const Bot& b) { return b.is_connected(); }); });
         return status.ok();

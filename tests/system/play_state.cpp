@@ -110,7 +110,8 @@ void PlayState::take(const v1::Snapshot& snapshot) {
     snapshot_bytes += snapshot.packed().size();
     keyframes += snapshot.baselines() == 0;
     stats += snapshot.has_stats();
-    if (const std::uint32_t told = snapshot.client_update().snapshots_skipped(); told != 0) skipped = told;
+    if (const std::uint32_t told = snapshot.client_update().snapshots_skipped(); told != 0)
+        skipped = told;
     if (const std::int32_t told = snapshot.client_update().input_margin_us(); told != 0)
         input_margin_us = told;
     take_results(snapshot.client_update());
@@ -126,10 +127,10 @@ void PlayState::take(const v1::Snapshot& snapshot) {
     expect(told_bases.ok(), name + " names bases that cannot be");
     if (!told_bases.ok()) return;
     const wire::Baselines baselines{base_of(told_bases->baseline), base_of(told_bases->baseline2),
-                            base_of(told_bases->baseline3)};
-    const auto frame =
-        welcome.cells() ? assemble_cells(snapshot, name)
-                        : decoded(name, snapshot.frame(), snapshot.packed(), baselines, snapshot.crc());
+                                    base_of(told_bases->baseline3)};
+    const auto frame = welcome.cells() ? assemble_cells(snapshot, name)
+                                       : decoded(name, snapshot.frame(), snapshot.packed(),
+                                                 baselines, snapshot.crc());
     if (!frame) return;
     expect(std::ranges::all_of(frame->entities,
                                [&](const auto& entity) { return entities.contains(entity.id); }),
@@ -161,7 +162,7 @@ std::optional<wire::QuantizedFrame> PlayState::decoded(const std::string& name,
 
 // As WIRE.md tells of cells: all of them together, each entity once.
 std::optional<wire::QuantizedFrame> PlayState::assemble_cells(const v1::Snapshot& snapshot,
-                                                             const std::string& name) {
+                                                              const std::string& name) {
     expect(snapshot.packed().empty(), name + " has cells and a frame");
     for (const std::uint32_t cell : snapshot.cells_left())
         expect(cells.erase(cell) == 1, name + " leaves a cell that was never told");
@@ -177,7 +178,8 @@ std::optional<wire::QuantizedFrame> PlayState::assemble_cells(const v1::Snapshot
         if (!told.ok()) return std::nullopt;
         auto state =
             decoded(cell, part.number(), part.packed(),
-                    {base_of(told->baseline), base_of(told->baseline2), base_of(told->baseline3)}, part.crc());
+                    {base_of(told->baseline), base_of(told->baseline2), base_of(told->baseline3)},
+                    part.crc());
         if (!state) return std::nullopt;
         if (part.baselines() == 0) states.clear();
         states[part.number()] = *std::move(state);

@@ -56,10 +56,11 @@ private:
     void take_results(const v1::ClientUpdate& own);
     std::uint64_t due_us(const v1::Snapshot& snapshot) const;
     std::optional<wire::QuantizedFrame> decoded(const std::string& name, std::uint32_t number,
-                                                const std::string& packed, const wire::Baselines& baselines,
+                                                const std::string& packed,
+                                                const wire::Baselines& baselines,
                                                 std::uint32_t crc);
     std::optional<wire::QuantizedFrame> assemble_cells(const v1::Snapshot& snapshot,
-                                                      const std::string& name);
+                                                       const std::string& name);
     void take(const v1::Events& happened);
     const wire::QuantizedFrame* find(std::uint32_t frame) const;
     void expect(bool promise, const std::string& what);

@@ -25,7 +25,8 @@ Outcome usage_error(const Error& error) {
 
 // A sentence for people; the answer itself for programs.
 template <class Response>
-Outcome to_outcome(const Result<Response>& response, const CommandArguments& arguments, const std::string& sentence) {
+Outcome to_outcome(const Result<Response>& response, const CommandArguments& arguments,
+                   const std::string& sentence) {
     if (!response.ok()) return server_error(response.error());
     return {.text = arguments.json ? json_text(*response) : sentence + "\n"};
 }
@@ -62,9 +63,9 @@ Outcome set_paused(Connection& server, const CommandArguments& arguments, bool p
     request.set_paused(paused);
     request.set_reason(arguments.reason);
     const auto response = server.call(&Admin::SetPaused, request);
-    return to_outcome(
-        response, arguments,
-        sanitized(arguments.world) + (paused ? " is paused; jostlectl step and resume go on" : " runs"));
+    return to_outcome(response, arguments,
+                      sanitized(arguments.world) +
+                          (paused ? " is paused; jostlectl step and resume go on" : " runs"));
 }
 
 }  // namespace
@@ -89,8 +90,8 @@ Outcome create_world(Connection& server, const CommandArguments& arguments) {
     if (!response.ok()) return server_error(response.error());
     const v1::WorldInfo& world = response->world();
     return to_outcome(response, arguments,
-                world.id() + " \"" + sanitized(world.name()) + "\" runs with " +
-                    std::to_string(world.bodies()) + " bodies");
+                      world.id() + " \"" + sanitized(world.name()) + "\" runs with " +
+                          std::to_string(world.bodies()) + " bodies");
 }
 
 Outcome delete_world(Connection& server, const CommandArguments& arguments) {
@@ -113,8 +114,9 @@ Outcome kick(Connection& server, const CommandArguments& arguments) {
     request.set_client(arguments.client);
     request.set_reason(arguments.reason);
     const auto response = server.call(&Admin::Kick, request);
-    return to_outcome(response, arguments,
-                "client " + std::to_string(arguments.client) + " is told to go; it may come back");
+    return to_outcome(
+        response, arguments,
+        "client " + std::to_string(arguments.client) + " is told to go; it may come back");
 }
 
 Outcome pause(Connection& server, const CommandArguments& arguments) {
@@ -131,7 +133,7 @@ Outcome step(Connection& server, const CommandArguments& arguments) {
     request.set_steps(arguments.steps);
     const auto response =
         server.call(&Admin::StepWorld, request,
-                   Connection::default_timeout + whole_seconds(slowest_step_s * arguments.steps));
+                    Connection::default_timeout + whole_seconds(slowest_step_s * arguments.steps));
     if (!response.ok()) return server_error(response.error());
     return to_outcome(
         response, arguments,
@@ -147,8 +149,8 @@ Outcome export_world(Connection& server, const CommandArguments& arguments) {
     if (Status s = write_file(arguments.file, scene_file_text(response->scene())); !s.ok())
         return usage_error(s.error());
     if (arguments.file == "-") return {};
-    std::string sentence = arguments.file + " holds tick " + std::to_string(response->tick()) + ": " +
-                           std::to_string(response->scene().bodies_size()) + " bodies, " +
+    std::string sentence = arguments.file + " holds tick " + std::to_string(response->tick()) +
+                           ": " + std::to_string(response->scene().bodies_size()) + " bodies, " +
                            std::to_string(response->scene().joints_size()) + " joints";
     for (const std::string& left_out : response->left_out())
         sentence += "\n  left out: " + sanitized(left_out, 200);
@@ -164,26 +166,28 @@ Outcome rewind(Connection& server, const CommandArguments& arguments) {
     request.set_tick(arguments.tick);
     const auto response = server.call(&Admin::RewindWorld, request, std::chrono::seconds(60));
     return to_outcome(response, arguments,
-                sanitized(arguments.world) + " is as it was after tick " + std::to_string(arguments.tick) +
-                    "; ticks go on from " + (response.ok() ? std::to_string(response->tick()) : ""));
+                      sanitized(arguments.world) + " is as it was after tick " +
+                          std::to_string(arguments.tick) + "; ticks go on from " +
+                          (response.ok() ? std::to_string(response->tick()) : ""));
 }
 
 Outcome drain(Connection& server, const CommandArguments& arguments) {
     const auto response = server.call(&Admin::Drain, v1::DrainRequest());
     if (!response.ok()) return server_error(response.error());
     return to_outcome(response, arguments,
-                "the server goes down: " + count_text(response->clients(), "client") +
-                    " told, at most " + number_text(response->timeout_seconds(), 0) + " s");
+                      "the server goes down: " + count_text(response->clients(), "client") +
+                          " told, at most " + number_text(response->timeout_seconds(), 0) + " s");
 }
 
 Outcome profile(Connection& server, const CommandArguments& arguments) {
     v1::ProfileRequest request;
     request.set_world(arguments.world);
     request.set_seconds(arguments.seconds);
-    const auto response = server.call(&Admin::Profile, request,
-                                   Connection::default_timeout + whole_seconds(arguments.seconds));
+    const auto response = server.call(
+        &Admin::Profile, request, Connection::default_timeout + whole_seconds(arguments.seconds));
     if (!response.ok()) return server_error(response.error());
-    if (Status s = write_file(arguments.file, response->trace()); !s.ok()) return usage_error(s.error());
+    if (Status s = write_file(arguments.file, response->trace()); !s.ok())
+        return usage_error(s.error());
     if (arguments.file == "-") return {};
     if (!arguments.json)
         return {.text = arguments.file + " holds " + count_text(response->ticks(), "tick") +

@@ -23,8 +23,8 @@ struct CommandArguments {
 };
 
 struct Outcome {
-    std::string text;        // for standard output
-    std::string error;       // for standard error; empty: it was done
+    std::string text;             // for standard output
+    std::string error;            // for standard error; empty: it was done
     bool is_usage_error = false;  // of an error: flags or files, not the server
 };
 

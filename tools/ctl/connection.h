@@ -30,8 +30,9 @@ public:
 
     // One call and its deadline: `Answer answer = *connection.ask(...)`. An error says what to do.
     template <class Stub, class Request, class Response>
-    Result<Response> call(grpc::Status (Stub::*method)(grpc::ClientContext*, const Request&, Response*),
-                       const Request& request, std::chrono::seconds timeout = default_timeout) {
+    Result<Response> call(grpc::Status (Stub::*method)(grpc::ClientContext*, const Request&,
+                                                       Response*),
+                          const Request& request, std::chrono::seconds timeout = default_timeout) {
         grpc::ClientContext context;
         prepare(context, timeout);
         Response response;

@@ -9,10 +9,10 @@
 
 namespace {
 
+using jostle::ctl::CommandArguments;
 using jostle::ctl::Connection;
 using jostle::ctl::ConnectionFlags;
 using jostle::ctl::Outcome;
-using jostle::ctl::CommandArguments;
 
 constexpr const char* footer = R"(
 Examples:
@@ -100,7 +100,9 @@ void add_world_commands(CLI::App& app, Flags& flags) {
         add(app, flags, "rewind", "Takes a world back to an earlier tick; its clients come along",
             ctl::rewind);
     add_world_argument(rewind, flags);
-    rewind->add_option("--to", w.tick, "The tick; worlds --json has oldest_restorable_tick, the first")
+    rewind
+        ->add_option("--to", w.tick,
+                     "The tick; worlds --json has oldest_restorable_tick, the first")
         ->required();
     CLI::App* const step = add(app, flags, "step", "Steps a paused world", ctl::step);
     add_world_argument(step, flags);

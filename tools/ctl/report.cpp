@@ -43,7 +43,8 @@ std::string clients_text(const v1::ListClientsResponse& clients) {
                    sanitized(client.name()) + (client.spectator() ? " (watches)" : ""),
                    client.subject().empty() ? "-" : sanitized(client.subject()),
                    sanitized(client.world_name()), sanitized(client.address(), 60),
-                   duration_text(client.connected_seconds()), number_text(client.kbit_per_second(), 1),
+                   duration_text(client.connected_seconds()),
+                   number_text(client.kbit_per_second(), 1),
                    std::to_string(client.snapshots_skipped()),
                    client.round_trip_ms() > 0 ? number_text(client.round_trip_ms(), 1) : "-"});
     return table.text();

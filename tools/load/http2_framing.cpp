@@ -278,7 +278,8 @@ Status Http2Framing::on_piece(Reader& reader) {
     if (message_.size() < message_head_size) return {};
     const Result<std::size_t> size = whole_size(partial_message());
     if (!size.ok()) return size.error();
-    if (is_large(*size)) replenish_window(message_.size() - std::exchange(replenished_bytes_, message_.size()));
+    if (is_large(*size))
+        replenish_window(message_.size() - std::exchange(replenished_bytes_, message_.size()));
     if (message_.size() < *size) return {};
     reader.on_message(partial_message().subspan(message_head_size));
     message_.clear();

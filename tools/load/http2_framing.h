@@ -55,10 +55,10 @@ private:
     Status on_window_update(const Head& head, Bytes payload);
 
     const std::uint32_t window_;
-    std::string partial_;             // of a frame that is not complete
-    std::string message_;          // likewise
+    std::string partial_;                 // of a frame that is not complete
+    std::string message_;                 // likewise
     std::size_t replenished_bytes_ = 0;   // of message_, when it is large
-    std::int64_t unused_ = 0;      // bytes of our window that are taken
+    std::int64_t unused_ = 0;             // bytes of our window that are taken
     std::uint32_t unreported_bytes_ = 0;  // of these, what is used, and not told
     // What the server lets us send.
     std::int64_t connection_credit_ = Http2Request::default_window;

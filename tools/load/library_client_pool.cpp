@@ -17,7 +17,8 @@ constexpr auto leave_delay = 200ms;  // until what was said last is sent
 
 }  // namespace
 
-LibraryClientThread::LibraryClientThread(const LoadOptions& plan, int first, int step, Clock::time_point begun)
+LibraryClientThread::LibraryClientThread(const LoadOptions& plan, int first, int step,
+                                         Clock::time_point begun)
     : options_(plan), first_(first), step_(step), start_(begun), thread_([this] { run(); }) {}
 
 LibraryClientThread::~LibraryClientThread() {

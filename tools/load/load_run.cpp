@@ -23,7 +23,8 @@ constexpr rlim_t reserved_descriptors = 100;
 // Rewrites a line of the terminal; nothing elsewhere.
 class ProgressLine {
 public:
-    void show(const char* phase, double seconds, int clients, const ClientPool::Progress& progress) {
+    void show(const char* phase, double seconds, int clients,
+              const ClientPool::Progress& progress) {
         if (!live_ || Clock::now() < next_) return;
         next_ = Clock::now() + progress_period;
         std::fprintf(stderr, "\r\033[K%s %5.1f s  %d of %d joined  %llu snapshots  %llu inputs ",

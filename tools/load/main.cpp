@@ -8,10 +8,10 @@
 #include <fstream>
 
 #include "clients/cpp/cli/security_flags.h"
-#include "tools/load/load_run.h"
 #include "tools/load/library_client_pool.h"
-#include "tools/load/server_cpu.h"
+#include "tools/load/load_run.h"
 #include "tools/load/passive_client_pool.h"
+#include "tools/load/server_cpu.h"
 
 namespace {
 
@@ -72,7 +72,8 @@ void add_flags(CLI::App& app, Flags& flags) {
     app.add_option("--script", flags.script, "What clients do (jostle-bot --help has the format)");
     CLI::Option* datagrams = app.add_flag("--datagrams", load.datagrams,
                                           "Clients take snapshots as datagrams where offered");
-    CLI::Option* passive = app.add_flag("--passive", flags.passive, "Clients that only count: see below");
+    CLI::Option* passive =
+        app.add_flag("--passive", flags.passive, "Clients that only count: see below");
     passive->excludes(datagrams);
     app.add_flag("--websocket", flags.websocket, "Sinks join as browsers do")->needs(passive);
     app.add_option("--ack-every", load.ack_every,
@@ -126,7 +127,8 @@ jostle::Status finish(Flags& flags) {
 }
 
 jostle::Result<std::unique_ptr<ClientPool>> make_client_pool(const Flags& flags) {
-    if (!flags.passive) return std::unique_ptr<ClientPool>(std::make_unique<LibraryClientPool>(flags.load));
+    if (!flags.passive)
+        return std::unique_ptr<ClientPool>(std::make_unique<LibraryClientPool>(flags.load));
     const auto address = resolve(flags.load.target);
     if (!address.ok()) return address.error();
     return std::unique_ptr<ClientPool>(std::make_unique<PassiveClientPool>(flags.load, *address));

@@ -59,7 +59,8 @@ Result<ServerAddress> resolve(const std::string& target) {
     return address;
 }
 
-PassiveClient::PassiveClient(const LoadOptions& plan, PassiveClientOptions options, int epoll, LoadMetrics& metrics)
+PassiveClient::PassiveClient(const LoadOptions& plan, PassiveClientOptions options, int epoll,
+                             LoadMetrics& metrics)
     : plan_(plan),
       epoll_(epoll),
       metrics_(metrics),
@@ -134,8 +135,8 @@ void PassiveClient::read_waiting(Clock::time_point now) {
         next_read_ = (now - next_read_ < period ? next_read_ : now) + period;
         const std::string message = std::move(waiting_.front());
         waiting_.pop_front();
-        protocol_.receive(
-            {reinterpret_cast<const std::uint8_t*>(message.data()), message.size()}, now);
+        protocol_.receive({reinterpret_cast<const std::uint8_t*>(message.data()), message.size()},
+                          now);
         framing_->consume(message.size());
     }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// One sink: a socket, its framing and its conversation. Lives on the thread of its PassiveClientThread,
-// which tells it what epoll says and calls on it every few milliseconds.
+// One sink: a socket, its framing and its conversation. Lives on the thread of its
+// PassiveClientThread, which tells it what epoll says and calls on it every few milliseconds.
 #pragma once
 
 #include <sys/socket.h>
@@ -26,7 +26,8 @@ Result<ServerAddress> resolve(const std::string& target);
 class PassiveClient final : private Framing::Reader {
 public:
     // `epoll`: where it registers its socket. Plan and figures outlive it.
-    PassiveClient(const LoadOptions& plan, PassiveClientOptions options, int epoll, LoadMetrics& metrics);
+    PassiveClient(const LoadOptions& plan, PassiveClientOptions options, int epoll,
+                  LoadMetrics& metrics);
     ~PassiveClient();
     PassiveClient(const PassiveClient&) = delete;
     PassiveClient& operator=(const PassiveClient&) = delete;

@@ -39,8 +39,8 @@ bool is_selected(int number, double share) {
 
 }  // namespace
 
-PassiveClientThread::PassiveClientThread(const LoadOptions& plan, const ServerAddress& address, int first, int step,
-                       Clock::time_point begun)
+PassiveClientThread::PassiveClientThread(const LoadOptions& plan, const ServerAddress& address,
+                                         int first, int step, Clock::time_point begun)
     : plan_(plan), address_(address), start_(begun), epoll_(epoll_create1(EPOLL_CLOEXEC)) {
     for (int number = first; number < plan.clients; number += step)
         members_.push_back(make_member(number, number == first));
@@ -55,14 +55,15 @@ PassiveClientThread::~PassiveClientThread() {
 
 PassiveClientThread::Member PassiveClientThread::make_member(int number, bool has_view) {
     const bool plays = !plan_.script.empty();
-    PassiveClientOptions options{.world = plan_.world,
-                      .name = "load " + std::to_string(number + 1),
-                      .token = plan_.transport == Transport::websocket ? plan_.security.token : "",
-                      .spectator = !plays,
-                      .decodes = is_selected(number, plan_.decode_ratio) || (plays && has_view),
-                      .ack_every = plan_.ack_every,
-                      .interest = plan_.interest_of(number),
-                      .max_kbps = plan_.max_kbps};
+    PassiveClientOptions options{
+        .world = plan_.world,
+        .name = "load " + std::to_string(number + 1),
+        .token = plan_.transport == Transport::websocket ? plan_.security.token : "",
+        .spectator = !plays,
+        .decodes = is_selected(number, plan_.decode_ratio) || (plays && has_view),
+        .ack_every = plan_.ack_every,
+        .interest = plan_.interest_of(number),
+        .max_kbps = plan_.max_kbps};
     Member member{
         .client = std::make_unique<PassiveClient>(plan_, std::move(options), epoll_, metrics_),
         .behaviour = {},

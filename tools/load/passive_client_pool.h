@@ -22,7 +22,7 @@ class PassiveClientThread {
 public:
     // Clients first, first + step, ... of the plan's. The plan outlives it.
     PassiveClientThread(const LoadOptions& plan, const ServerAddress& address, int first, int step,
-               Clock::time_point begun);
+                        Clock::time_point begun);
     ~PassiveClientThread();
 
     ClientPool::Progress progress() const;

@@ -227,7 +227,7 @@ std::optional<std::string_view> PassiveClientProtocol::take_message(Clock::time_
     }
     if (now >= next_ping_) {
         next_ping_ = now + (++pings_ < initial_pings ? Clock::duration(initial_ping_period)
-                                                   : Clock::duration(ping_period));
+                                                     : Clock::duration(ping_period));
         out_.mutable_ping()->set_client_time_us(client::to_us(now));
         return serialized();
     }

@@ -15,8 +15,8 @@
 #include "jostle/client/clock_sync.h"
 #include "jostle/client/world_view.h"
 #include "jostle/v1/play.pb.h"
-#include "tools/load/proto_field_reader.h"
 #include "tools/load/load_metrics.h"
+#include "tools/load/proto_field_reader.h"
 
 namespace jostle::load {
 
@@ -28,7 +28,7 @@ struct PassiveClientOptions {
     bool decodes = false;
     int ack_every = 0;  // snapshots; 0: as often as the server's welcome asks for
     std::optional<client::AreaOfInterest> interest = {};  // nothing: all of the world
-    std::uint32_t max_kbps = 0;               // 0: what the world takes
+    std::uint32_t max_kbps = 0;                           // 0: what the world takes
 };
 
 class PassiveClientProtocol {

@@ -16,7 +16,8 @@ public:
 
     Status take(Bytes bytes, Reader& reader) override;
     void send(std::string_view message) override;
-    void consume(std::size_t) override {}  // TCP holds the server back, when its reader does not read
+    void consume(std::size_t) override {
+    }  // TCP holds the server back, when its reader does not read
 
 private:
     struct Head {
@@ -34,8 +35,8 @@ private:
 
     bool open_ = false;
     std::string pending_until_open_;  // to be sent when the server has answered
-    std::string partial_;         // of a frame that is not complete
-    std::string message_;      // of one in several frames
+    std::string partial_;             // of a frame that is not complete
+    std::string message_;             // of one in several frames
     bool continues_ = false;
 };
 

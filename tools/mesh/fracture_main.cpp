@@ -103,8 +103,9 @@ void print(FILE* out, const convert::FracturedSolid& made, const Summary& sum) {
         "parts      %zu, %.3g %% too much\nchunks     %zu, %.3g to %.3g m^3\nanchored   "
         "%zu\nbonds      %zu, %.6g m^2\nvolume     %.9g m^3, off by %.2g of it\nsplinters  "
         "%.3g m^3 left out\nbytes      %zu\n",
-        made.parts, 100 * made.max_volume_error, sum.chunks, sum.smallest, sum.largest, sum.anchored,
-        sum.bonds, sum.bond_area, sum.volume, sum.volume_error, made.lost_volume, sum.bytes);
+        made.parts, 100 * made.max_volume_error, sum.chunks, sum.smallest, sum.largest,
+        sum.anchored, sum.bonds, sum.bond_area, sum.volume, sum.volume_error, made.lost_volume,
+        sum.bytes);
 }
 
 nlohmann::ordered_json to_json(const Flags& flags, const convert::FracturedSolid& made,

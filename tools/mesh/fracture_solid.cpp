@@ -67,8 +67,8 @@ void anchor_side(modules::FracturedShape& shape, Vec3 direction, double size) {
 }  // namespace
 
 Result<FracturedSolid> fracture_solid(const Solid& solid, const modules::SeedPatternOptions& plan,
-                                 std::optional<Vec3> anchor,
-                                 const modules::FractureProgress& progress) {
+                                      std::optional<Vec3> anchor,
+                                      const modules::FractureProgress& progress) {
     Result<Parts> parts = parts_of(solid);
     if (!parts.ok()) return parts.error();
     Aabb bounds = parts->hulls.front()->bounds;
@@ -81,8 +81,8 @@ Result<FracturedSolid> fracture_solid(const Solid& solid, const modules::SeedPat
     if (!seeds.ok()) return seeds.error();
     Result<modules::FractureResult> made = modules::fracture_parts(parts->hulls, *seeds, progress);
     if (!made.ok()) return made.error();
-    FracturedSolid result{std::move(made->shape), parts->hulls.size(), parts->max_volume_error, made->volume,
-                     made->lost_volume};
+    FracturedSolid result{std::move(made->shape), parts->hulls.size(), parts->max_volume_error,
+                          made->volume, made->lost_volume};
     if (anchor) anchor_side(result.shape, *anchor, length(bounds.high - bounds.low));
     return result;
 }

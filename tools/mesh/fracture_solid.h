@@ -24,14 +24,15 @@ struct Solid {
 
 struct FracturedSolid {
     modules::FracturedShape shape;
-    std::size_t parts = 1;        // convex ones that it was cut into before
-    double max_volume_error = 0;            // of the mesh's volume, that they hold too much
+    std::size_t parts = 1;               // convex ones that it was cut into before
+    double max_volume_error = 0;         // of the mesh's volume, that they hold too much
     double volume = 0, lost_volume = 0;  // m^3: FractureResult
 };
 
 // Anchors what reaches as far as any chunk does along `anchor`, if there is one.
-physics::Result<FracturedSolid> fracture_solid(const Solid& solid, const modules::SeedPatternOptions& plan,
-                                          std::optional<physics::Vec3> anchor = {},
-                                          const modules::FractureProgress& progress = {});
+physics::Result<FracturedSolid> fracture_solid(const Solid& solid,
+                                               const modules::SeedPatternOptions& plan,
+                                               std::optional<physics::Vec3> anchor = {},
+                                               const modules::FractureProgress& progress = {});
 
 }  // namespace jostle::convert

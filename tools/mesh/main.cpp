@@ -75,8 +75,8 @@ int run(const Flags& flags) {
     std::printf(
         "triangles  %zu\nvolume     %.6g m^3\nhulls      %zu\nexcess     %.3g %% of the volume\n"
         "furthest   %.3g m beyond the mesh\n",
-        mesh->indices.size() / 3, parts->mesh_volume, parts->parts.size(), 100 * parts->max_volume_error,
-        parts->max_distance);
+        mesh->indices.size() / 3, parts->mesh_volume, parts->parts.size(),
+        100 * parts->max_volume_error, parts->max_distance);
     if (flags.scene.empty()) return 0;
     std::ofstream out(flags.scene, std::ios::binary);
     out << scenes::write_scene_json(scene_of(*parts, flags.density));
@@ -96,10 +96,12 @@ int main(int argc, char** argv) {
     app.add_option("--max-hulls", flags.options.hulls_max, "Hulls at most")
         ->check(CLI::Range(1, 1024))
         ->capture_default_str();
-    app.add_option("--max-volume-error", flags.options.max_volume_error, "Of the volume, that hulls may hold too much")
+    app.add_option("--max-volume-error", flags.options.max_volume_error,
+                   "Of the volume, that hulls may hold too much")
         ->check(CLI::Range(0.0, 10.0))
         ->capture_default_str();
-    app.add_option("--planes-per-axis", flags.options.planes_per_axis, "Cuts that are tried across each axis")
+    app.add_option("--planes-per-axis", flags.options.planes_per_axis,
+                   "Cuts that are tried across each axis")
         ->check(CLI::Range(1, 127))
         ->capture_default_str();
     app.add_option("--scale", flags.scale, "Metres to a unit of the file")

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "tools/network_emulator/tcp_proxy.h"
 #include "tools/network_emulator/packet_forwarder.h"
+#include "tools/network_emulator/tcp_proxy.h"
 
 namespace {
 
@@ -29,8 +29,9 @@ Examples:
 Exit status: 0 interrupted, 1 cannot listen or make devices, 2 wrong flags.)";
 
 int forward_packets(const std::vector<std::string>& devices,
-                  const jostle::network_emulator::NetworkConditions& path) {
-    jostle::network_emulator::PacketForwarder relay({.devices = {devices[0], devices[1]}, .path = path});
+                    const jostle::network_emulator::NetworkConditions& path) {
+    jostle::network_emulator::PacketForwarder relay(
+        {.devices = {devices[0], devices[1]}, .path = path});
     if (const auto status = relay.open(); !status.ok()) {
         std::fprintf(stderr, "jostle-netem: %s\n", status.error().message.c_str());
         return 1;
@@ -70,7 +71,8 @@ int main(int argc, char** argv) {
                    "Limit of each connection, kbit/s; 0: none")
         ->check(range(1e7));
     CLI::Option* devices =
-        app.add_option("--tun-devices", between, "Names of two network devices to make")->expected(2);
+        app.add_option("--tun-devices", between, "Names of two network devices to make")
+            ->expected(2);
     app.add_option("--loss-percent", loss_percent, "Percent of packets that are lost, each way")
         ->needs(devices)
         ->check(range(100));

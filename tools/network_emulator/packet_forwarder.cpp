@@ -64,12 +64,14 @@ void PacketForwarder::read(Direction& direction, Clock::time_point now) {
             continue;
         }
         const auto count = static_cast<std::size_t>(size);
-        direction.packets.push_back({std::string(bytes.data(), count), direction.path.arrival_time(count, now)});
+        direction.packets.push_back(
+            {std::string(bytes.data(), count), direction.path.arrival_time(count, now)});
     }
 }
 
 void PacketForwarder::write_due(Direction& direction, Clock::time_point now) {
-    for (; !direction.packets.empty() && direction.packets.front().at <= now; direction.packets.pop_front()) {
+    for (; !direction.packets.empty() && direction.packets.front().at <= now;
+         direction.packets.pop_front()) {
         const std::string& bytes = direction.packets.front().bytes;
         if (write(direction.to, bytes.data(), bytes.size()) >= 0) forwarded_++;
     }
@@ -77,14 +79,16 @@ void PacketForwarder::write_due(Direction& direction, Clock::time_point now) {
 
 void PacketForwarder::run(const std::atomic<bool>& stop) {
     const Clock::time_point begun = Clock::now();
-    std::array<Direction, 2> directions{Direction{devices_[0], devices_[1], PathEmulator(settings_.path, 0, begun), {}},
-                            Direction{devices_[1], devices_[0], PathEmulator(settings_.path, 1, begun), {}}};
+    std::array<Direction, 2> directions{
+        Direction{devices_[0], devices_[1], PathEmulator(settings_.path, 0, begun), {}},
+        Direction{devices_[1], devices_[0], PathEmulator(settings_.path, 1, begun), {}}};
     std::array<pollfd, 2> watched{};
     while (!stop) {
         Clock::time_point next = Clock::now() + longest_wait;
         for (std::size_t k = 0; k < directions.size(); k++) {
             watched[k] = {.fd = directions[k].from, .events = POLLIN, .revents = 0};
-            if (!directions[k].packets.empty()) next = std::min(next, directions[k].packets.front().at);
+            if (!directions[k].packets.empty())
+                next = std::min(next, directions[k].packets.front().at);
         }
         // To the microsecond: poll() knows milliseconds only.
         const auto wait = std::max(Clock::duration::zero(), next - Clock::now());

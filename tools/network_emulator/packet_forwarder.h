@@ -18,7 +18,7 @@ namespace jostle::network_emulator {
 
 struct PacketForwarderSettings {
     std::array<std::string, 2> devices;  // their names, which nobody has yet
-    NetworkConditions path;                   // both ways alike
+    NetworkConditions path;              // both ways alike
 };
 
 class PacketForwarder {

@@ -13,7 +13,8 @@ Clock::duration link_seconds(double s) {
 
 }  // namespace
 
-PathEmulator::PathEmulator(const NetworkConditions& settings, std::uint64_t stream, Clock::time_point now)
+PathEmulator::PathEmulator(const NetworkConditions& settings, std::uint64_t stream,
+                           Clock::time_point now)
     : settings_(settings),
       generator_(settings.seed * 0x9e3779b97f4a7c15ull + stream),
       free_at_(now),

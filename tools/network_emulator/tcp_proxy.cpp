@@ -94,19 +94,20 @@ void TcpProxy::accept_all(Clock::time_point now) {
         up.kbit_per_second = 0;
         up.stall_every_s = 0;
         const std::uint64_t number = 2 * accepted_++;
-        connections_.push_back(std::make_unique<ProxiedConnection>(
-            ProxiedConnection{.directions = {Direction{.from = server,
-                                          .to = client,
-                                          .path = PathEmulator(settings_.down, number, now),
-                                          .chunks = {}},
-                                Direction{.from = client,
-                                          .to = server,
-                                          .path = PathEmulator(up, number + 1, now),
-                                          .chunks = {}}}}));
+        connections_.push_back(std::make_unique<ProxiedConnection>(ProxiedConnection{
+            .directions = {Direction{.from = server,
+                                     .to = client,
+                                     .path = PathEmulator(settings_.down, number, now),
+                                     .chunks = {}},
+                           Direction{.from = client,
+                                     .to = server,
+                                     .path = PathEmulator(up, number + 1, now),
+                                     .chunks = {}}}}));
     }
 }
 
-void TcpProxy::read(Direction& direction, ProxiedConnection& connection, Clock::time_point now) const {
+void TcpProxy::read(Direction& direction, ProxiedConnection& connection,
+                    Clock::time_point now) const {
     while (!direction.ended && direction.queued < settings_.queue_bytes) {
         std::array<char, piece_bytes> scratch;
         const ssize_t size = recv(direction.from, scratch.data(), scratch.size(), 0);
@@ -123,7 +124,8 @@ void TcpProxy::read(Direction& direction, ProxiedConnection& connection, Clock::
     }
 }
 
-void TcpProxy::write_due(Direction& direction, ProxiedConnection& connection, Clock::time_point now) {
+void TcpProxy::write_due(Direction& direction, ProxiedConnection& connection,
+                         Clock::time_point now) {
     while (!direction.chunks.empty() && direction.chunks.front().at <= now) {
         std::string& bytes = direction.chunks.front().bytes;
         const ssize_t size = send(direction.to, bytes.data(), bytes.size(), MSG_NOSIGNAL);

@@ -22,7 +22,8 @@ namespace jostle::network_emulator {
 
 struct TcpProxySettings {
     std::string target;  // HOST:PORT
-    NetworkConditions down;   // to those who connected; up has the same delay and jitter, and no limit
+    NetworkConditions
+        down;  // to those who connected; up has the same delay and jitter, and no limit
     std::size_t queue_bytes = 65'536;  // on their way, each direction of a connection
 };
 
@@ -57,7 +58,8 @@ private:
 
     void accept_all(Clock::time_point now);
     void read(Direction& direction, ProxiedConnection& connection, Clock::time_point now) const;
-    static void write_due(Direction& direction, ProxiedConnection& connection, Clock::time_point now);
+    static void write_due(Direction& direction, ProxiedConnection& connection,
+                          Clock::time_point now);
     Clock::time_point serve(ProxiedConnection& connection, Clock::time_point now) const;
 
     TcpProxySettings settings_;

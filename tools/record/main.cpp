@@ -100,7 +100,8 @@ std::string record(const Flags& flags, jostle::client::Client& client, Recorder&
                      Clock::now() - began < std::chrono::duration<double>(flags.seconds))) {
         std::this_thread::sleep_for(std::chrono::milliseconds(20));
         const auto now = Clock::now();
-        if (std::string error_message = recorder.error_message(); !error_message.empty()) return error_message;
+        if (std::string error_message = recorder.error_message(); !error_message.empty())
+            return error_message;
         const auto stats = client.stats();
         if (stats.stream_failures > 0) return stats.last_error;
         if (now >= next_keyframe) {

@@ -11,8 +11,8 @@
 
 #include "jostle/physics/serialization.h"
 #include "jostle/scenes/scene_file.h"
-#include "tools/replay/world_replay.h"
 #include "tools/replay/recording_report.h"
+#include "tools/replay/world_replay.h"
 
 namespace {
 
@@ -75,7 +75,7 @@ int run_recording(const Flags& flags) {
     if (!flags.at && !flags.verify) {
         const auto summary = summarize(*recording);
         return print(flags.json ? replay::to_json(*recording, summary)
-                               : replay::to_text(*recording, summary));
+                                : replay::to_text(*recording, summary));
     }
     Playback playback(*std::move(recording));
     if (flags.verify) {
@@ -86,7 +86,7 @@ int run_recording(const Flags& flags) {
     if (const auto s = playback.seek(*flags.at); !s.ok())
         return fail(1, flags.file + ": " + s.error().message);
     return print(flags.json ? replay::state_json(playback, *flags.at)
-                           : replay::state_text(playback, *flags.at));
+                            : replay::state_text(playback, *flags.at));
 }
 
 // --- stores ---
@@ -109,15 +109,15 @@ int summarize(PersistedWorld& world, const Flags& flags) {
     if (!summary.ok()) return fail(1, summary.error().message);
     if (flags.json) {
         print(nlohmann::json{{"id", summary->id},
-                            {"name", summary->name},
-                            {"scene", summary->scene},
-                            {"engine", summary->engine},
-                            {"checkpoints", summary->checkpoints},
-                            {"last_tick", summary->last_tick},
-                            {"entries", summary->entries},
-                            {"commands", summary->commands},
-                            {"bytes", summary->bytes},
-                            {"damage", summary->corruption}});
+                             {"name", summary->name},
+                             {"scene", summary->scene},
+                             {"engine", summary->engine},
+                             {"checkpoints", summary->checkpoints},
+                             {"last_tick", summary->last_tick},
+                             {"entries", summary->entries},
+                             {"commands", summary->commands},
+                             {"bytes", summary->bytes},
+                             {"damage", summary->corruption}});
     } else {
         std::printf(
             "world %s \"%s\" of scene %s, kept by %s\n%zu checkpoints, the oldest of "
@@ -139,9 +139,9 @@ int verify(PersistedWorld& world, const Flags& flags) {
     if (!verification.ok()) return fail(1, verification.error().message);
     if (flags.json) {
         print(nlohmann::json{{"first_tick", verification->first_tick},
-                            {"last_tick", verification->last_tick},
-                            {"checkpoints", verification->checkpoints},
-                            {"faults", verification->errors}});
+                             {"last_tick", verification->last_tick},
+                             {"checkpoints", verification->checkpoints},
+                             {"faults", verification->errors}});
     } else {
         for (const std::string& fault : verification->errors) std::printf("%s\n", fault.c_str());
         std::printf("ticks %u to %u done again, %d checkpoints compared: %s\n",

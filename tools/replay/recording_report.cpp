@@ -62,9 +62,9 @@ Known known_of(const client::WorldView& view, std::uint32_t id) {
 
 std::string to_text(const client::RecordingReader& recording, const client::RecordingSummary& s) {
     const v1::Welcome& welcome = recording.welcome();
-    std::string text =
-        line("world", ctl::sanitized(welcome.world_name()) + " (" + ctl::sanitized(welcome.world_id()) +
-                          "), " + ctl::number_text(welcome.tick_hz(), 6) + " ticks a second");
+    std::string text = line(
+        "world", ctl::sanitized(welcome.world_name()) + " (" + ctl::sanitized(welcome.world_id()) +
+                     "), " + ctl::number_text(welcome.tick_hz(), 6) + " ticks a second");
     text += line("recorded",
                  utc_text(recording.start_unix_us()) + ", " + format_text("%.1f s", s.seconds));
     text += line("ticks", format_text("%u to %u", s.first_tick, s.last_tick));
@@ -79,8 +79,9 @@ std::string to_text(const client::RecordingReader& recording, const client::Reco
     for (const auto& [kind, count] : s.messages)
         text += line((kind + " messages").c_str(),
                      format_text("%llu", static_cast<unsigned long long>(count)));
-    if (!recording.truncation_reason().empty()) text += line("not whole", recording.truncation_reason());
-    if (!s.fault.empty()) text += line("damaged", s.fault);
+    if (!recording.truncation_reason().empty())
+        text += line("not whole", recording.truncation_reason());
+    if (!s.first_error.empty()) text += line("damaged", s.first_error);
     return text;
 }
 
@@ -101,7 +102,7 @@ std::string to_json(const client::RecordingReader& recording, const client::Reco
                    {"keyframe_bytes", s.keyframe_bytes},
                    {"messages", s.messages},
                    {"truncation", recording.truncation_reason()},
-                   {"damaged", s.fault}});
+                   {"damaged", s.first_error}});
 }
 
 std::string state_text(const client::Playback& playback, std::uint32_t tick) {
@@ -159,13 +160,13 @@ std::string state_json(const client::Playback& playback, std::uint32_t tick) {
 std::string to_text(const client::RecordingVerification& check) {
     std::string text =
         format_text("%llu snapshots decode and agree with their CRC, %zu faults\n",
-                    static_cast<unsigned long long>(check.snapshots), check.faults.size());
-    for (const std::string& fault : check.faults) text += fault + "\n";
+                    static_cast<unsigned long long>(check.snapshots), check.errors.size());
+    for (const std::string& fault : check.errors) text += fault + "\n";
     return text;
 }
 
 std::string to_json(const client::RecordingVerification& check) {
-    return dumped({{"snapshots", check.snapshots}, {"faults", check.faults}});
+    return dumped({{"snapshots", check.snapshots}, {"faults", check.errors}});
 }
 
 }  // namespace jostle::replay

@@ -14,13 +14,13 @@ namespace jostle::replay {
 using server::RecoveredWorld;
 
 Result<std::vector<server::StoredWorld>> PersistedWorld::list(const std::string& file) {
-    auto store = server::SqliteStorage::open(file, {.make = false});
+    auto store = server::SqliteStorage::open(file, {.create = false});
     if (!store.ok()) return store.error();
     return (*store)->worlds();
 }
 
 Result<PersistedWorld> PersistedWorld::open(const std::string& file, const std::string& world) {
-    auto store = server::SqliteStorage::open(file, {.make = false});
+    auto store = server::SqliteStorage::open(file, {.create = false});
     if (!store.ok()) return store.error();
     const auto all = (*store)->worlds();
     if (!all.ok()) return all.error();
@@ -105,13 +105,14 @@ Result<PersistedWorld::Verification> PersistedWorld::verify() {
         verification.checkpoints++;
         if (physics::state_hash(world.world()) != at->second)
             verification.errors.push_back("the checkpoint of tick " + std::to_string(tick) +
-                                      " is not what the world had become");
+                                          " is not what the world had become");
     };
     const auto world = replay_from_first({.after_tick = compare});
     if (!world.ok()) return world.error();
     verification.first_tick = world->checkpoint;
     verification.last_tick = world->tick;
-    verification.errors.insert(verification.errors.end(), world->warnings.begin(), world->warnings.end());
+    verification.errors.insert(verification.errors.end(), world->warnings.begin(),
+                               world->warnings.end());
     return verification;
 }
 
@@ -141,7 +142,8 @@ Status PersistedWorld::hashes(std::uint32_t every, const OnHash& on_hash) {
     return {};
 }
 
-Result<std::optional<PersistedWorld::Difference>> PersistedWorld::first_difference(PersistedWorld& other) {
+Result<std::optional<PersistedWorld::Difference>> PersistedWorld::first_difference(
+    PersistedWorld& other) {
     std::map<std::uint32_t, std::uint64_t> ours;
     if (Status s = hashes(1, [&](std::uint32_t tick, std::uint64_t hash) { ours[tick] = hash; });
         !s.ok())

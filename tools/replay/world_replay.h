@@ -60,7 +60,7 @@ public:
 
 private:
     PersistedWorld(std::unique_ptr<server::WorldStorage> store, server::StoredWorld stored,
-              server::WorldDefinition record)
+                   server::WorldDefinition record)
         : store_(std::move(store)), stored_(std::move(stored)), record_(std::move(record)) {}
     Result<server::RecoveredWorld> replay_from_first(const server::RecoveryOptions& options);
     Result<std::uint32_t> oldest();

@@ -15,15 +15,15 @@ using physics::Error;
 using physics::Result;
 using physics::Status;
 
-constexpr double slowest_hz = 4;          // of any step
-constexpr std::size_t samples_max = 240;  // looked at in a run
-constexpr double short_run = 0.05;        // s of processor time: repeated, the least counts
-constexpr double safe_ratio = 0.25;       // of the tolerance: agreement that leaves no doubt
-constexpr double perturbation_ratio = 1e-6;      // of the scale, a second
-constexpr double chaotic_growth = 100;    // of a nudge
-constexpr double order_min = 0.5;    // of the doubt: below, refining does not help
-constexpr double reference_error_margin = 4;      // times it: an error that is the run's own
-constexpr double extent_min = 1e-3;     // m: bodies that hardly move say nothing of a scale
+constexpr double slowest_hz = 4;              // of any step
+constexpr std::size_t samples_max = 240;      // looked at in a run
+constexpr double short_run = 0.05;            // s of processor time: repeated, the least counts
+constexpr double safe_ratio = 0.25;           // of the tolerance: agreement that leaves no doubt
+constexpr double perturbation_ratio = 1e-6;   // of the scale, a second
+constexpr double chaotic_growth = 100;        // of a nudge
+constexpr double order_min = 0.5;             // of the doubt: below, refining does not help
+constexpr double reference_error_margin = 4;  // times it: an error that is the run's own
+constexpr double extent_min = 1e-3;           // m: bodies that hardly move say nothing of a scale
 
 std::string number(double value) {
     char text[32];
@@ -125,7 +125,7 @@ private:
 
 // s: when the error at one sample first passes the tolerance; the whole run when it never does.
 double agreement_seconds(const Trajectory& a, const Trajectory& b, double scale, double tolerance,
-                   const SampleTimes& samples) {
+                         const SampleTimes& samples) {
     const std::size_t count = std::min(a.samples(), b.samples());
     for (std::size_t k = 0; k < count; k++)
         if (error_of(distance_at(a, b, k), scale) > tolerance)
@@ -139,30 +139,30 @@ double end_error(const Trajectory& a, const Trajectory& b, double scale) {
 
 // With the most sub-steps, from the lowest rate up, until two neighbours agree.
 Result<std::vector<Runs::Run>> refine(Runs& runs, const ConvergenceOptions& options,
-                                     const std::vector<double>& rates, int substeps,
-                                     Convergence& found) {
+                                      const std::vector<double>& rates, int substeps,
+                                      Convergence& found) {
     std::vector<Runs::Run> ladder;
     std::vector<double> doubts;
     for (const double hz : rates) {
         const bool more = ladder.size() >= 2;
-        if (more &&
-            !runs.is_within_budget(ladder.back().cpu_us_per_second * hz / ladder.back().setting.hz)) {
+        if (more && !runs.is_within_budget(ladder.back().cpu_us_per_second * hz /
+                                           ladder.back().setting.hz)) {
             found.skipped_runs = "all rates from " + number(hz) + " Hz on";
             break;
         }
         auto run = runs.run({hz, substeps});
         if (!run) return run.error();
         if (!run->trajectory.failure.empty())
-            return Error{{},
-                         "the run at " + name_of(run->setting) + " ended: " + run->trajectory.failure};
+            return Error{
+                {}, "the run at " + name_of(run->setting) + " ended: " + run->trajectory.failure};
         ladder.push_back(std::move(*run));
         const double extent = extent_of(ladder.back().trajectory);
         found.scale = options.scale > 0 ? options.scale : extent > extent_min ? extent : 1;
         if (ladder.size() < 2) continue;
         doubts.push_back(error_of(
-            distance_between(ladder[ladder.size() - 2].trajectory, ladder.back().trajectory), found.scale));
-        if (options.rates.empty() && doubts.back() <= safe_ratio * options.tolerances.back())
-            break;
+            distance_between(ladder[ladder.size() - 2].trajectory, ladder.back().trajectory),
+            found.scale));
+        if (options.rates.empty() && doubts.back() <= safe_ratio * options.tolerances.back()) break;
     }
     if (doubts.empty())
         return Error{{}, "there is one rate alone, so nothing to compare: raise --finest-hz"};
@@ -203,13 +203,14 @@ void add_orders(std::vector<ConvergenceRow>& rows, double reference_error) {
 }
 
 // Whether starts that hardly differ part as the runs do.
-Status perturbation(Runs& runs, const std::vector<Runs::Run>& ladder, const ConvergenceOptions& options,
-             Convergence& found) {
+Status perturbation(Runs& runs, const std::vector<Runs::Run>& ladder,
+                    const ConvergenceOptions& options, Convergence& found) {
     const Runs::Run& same = ladder[std::min<std::size_t>(1, ladder.size() - 1)];
     found.perturbation = perturbation_ratio * found.scale;
     auto perturbed_run = runs.run_perturbed(same.setting, found.perturbation);
     if (!perturbed_run) return perturbed_run.error();
-    if (perturbed_run->samples() == 0) return Error{{}, "the nudged run ended: " + perturbed_run->failure};
+    if (perturbed_run->samples() == 0)
+        return Error{{}, "the nudged run ended: " + perturbed_run->failure};
     found.perturbation_error = end_error(same.trajectory, *perturbed_run, found.scale);
     found.growth = found.perturbation_error / (perturbation_ratio * options.seconds);
     return {};
@@ -235,7 +236,8 @@ std::optional<ConvergenceRow> Convergence::cheapest(double tolerance) const {
 }
 
 Result<Convergence> converge(const scenes::SceneDescription& scene,
-                             const ConvergenceOptions& options, const ProgressCallback& on_progress) {
+                             const ConvergenceOptions& options,
+                             const ProgressCallback& on_progress) {
     if (auto status = check(scene, options); !status) return status.error();
     const std::vector<double> rates = rates_of(scene, options);
     const std::vector<int> substeps = substeps_of(scene, options);
@@ -256,8 +258,8 @@ Result<Convergence> converge(const scenes::SceneDescription& scene,
     if (!ladder) return ladder.error();
     const Trajectory& truth = ladder->back().trajectory;
     found.bodies = static_cast<int>(truth.bodies);
-    found.agreement_seconds = agreement_seconds((*ladder)[ladder->size() - 2].trajectory, truth, found.scale,
-                                    found.tolerances.front(), samples);
+    found.agreement_seconds = agreement_seconds((*ladder)[ladder->size() - 2].trajectory, truth,
+                                                found.scale, found.tolerances.front(), samples);
     if (auto status = perturbation(runs, *ladder, options, found); !status) return status.error();
     found.verdict = verdict_of(found);
 

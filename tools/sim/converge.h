@@ -34,16 +34,16 @@ struct ConvergenceRow {
     double end_error = 0;          // at the last sample
     double distance = 0;           // m, over all samples
     double angle = 0;              // rad, likewise
-    double agreement_seconds = 0;       // s: from then on it is further away than the largest tolerance
+    double agreement_seconds = 0;  // s: from then on it is further away than the largest tolerance
     std::optional<double> order;   // from the next lower rate with as many sub-steps to this one
     double cpu_us_per_second = 0;  // of the thread, per simulated second
-    std::string failure;             // why the run is worth nothing; empty: it is not
+    std::string failure;           // why the run is worth nothing; empty: it is not
 };
 
 enum class Verdict {
-    converged,   // the two finest runs are within the smallest tolerance
+    converged,      // the two finest runs are within the smallest tolerance
     not_converged,  // they are not, but come closer with the rate
-    chaotic,  // they are not, and starts that hardly differ part just as far
+    chaotic,        // they are not, and starts that hardly differ part just as far
 };
 
 struct Convergence {
@@ -52,15 +52,16 @@ struct Convergence {
     int bodies = 0;
     std::vector<double> tolerances;
     Verdict verdict = Verdict::converged;
-    StepSettings finest;          // against whose run all errors are
-    double reference_error = 0;        // error of the run at the next lower rate: how well the truth is known
-    double agreement_seconds = 0;  // s: the two finest runs, within the largest tolerance
+    StepSettings finest;  // against whose run all errors are
+    double reference_error =
+        0;  // error of the run at the next lower rate: how well the truth is known
+    double agreement_seconds = 0;           // s: the two finest runs, within the largest tolerance
     std::optional<double> reference_order;  // of the last refinement: how fast the doubt falls
-    double perturbation = 0;                   // m/s by which a twin run starts faster
-    double perturbation_error = 0;              // and how far that takes it by the end
-    double growth = 0;                  // of the nudge's own way until then
-    std::string skipped_runs;              // which runs the budget left out; empty: none
-    std::vector<ConvergenceRow> rows;   // by sub-steps, then rate
+    double perturbation = 0;                // m/s by which a twin run starts faster
+    double perturbation_error = 0;          // and how far that takes it by the end
+    double growth = 0;                      // of the nudge's own way until then
+    std::string skipped_runs;               // which runs the budget left out; empty: none
+    std::vector<ConvergenceRow> rows;       // by sub-steps, then rate
 
     // The cheapest row whose error is at most the tolerance. None either where the finest runs
     // differ by more: then nobody knows.

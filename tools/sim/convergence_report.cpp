@@ -27,14 +27,15 @@ std::string table(const Convergence& found) {
     for (const ConvergenceRow& row : found.rows) {
         const StepSettings& s = row.setting;
         if (!row.failure.empty()) {
-            text += format_text("%8g %10d  ended early: %s\n", s.hz, s.substeps, row.failure.c_str());
+            text +=
+                format_text("%8g %10d  ended early: %s\n", s.hz, s.substeps, row.failure.c_str());
             continue;
         }
         text += format_text("%8g %10d %10.3g %10.3g %8s %7.3gs %9.3g %11.4g%s\n", s.hz, s.substeps,
                             row.error, row.end_error,
                             row.order ? format_text("%.2f", *row.order).c_str() : "",
-                            row.agreement_seconds, row.cpu_us_per_second / s.hz, row.cpu_us_per_second,
-                            s == found.finest ? "  finest" : "");
+                            row.agreement_seconds, row.cpu_us_per_second / s.hz,
+                            row.cpu_us_per_second, s == found.finest ? "  finest" : "");
     }
     return text;
 }
@@ -52,7 +53,8 @@ std::string answer(const Convergence& found, double tolerance) {
 // Refinement by which the doubt would fall to the tolerance if it goes on falling as it did.
 std::string rate_needed(const Convergence& found) {
     if (!found.reference_order || *found.reference_order <= 0.1) return "";
-    const double times = std::pow(found.reference_error / found.tolerances.back(), 1 / *found.reference_order);
+    const double times =
+        std::pow(found.reference_error / found.tolerances.back(), 1 / *found.reference_order);
     return format_text("; at the order seen, %.2f, about %.0f Hz would do", *found.reference_order,
                        found.finest.hz * times);
 }
@@ -60,7 +62,8 @@ std::string rate_needed(const Convergence& found) {
 std::string verdict(const Convergence& found) {
     switch (found.verdict) {
         case Verdict::converged:
-            return format_text("The two finest runs agree: they differ by %.3g.\n", found.reference_error);
+            return format_text("The two finest runs agree: they differ by %.3g.\n",
+                               found.reference_error);
         case Verdict::not_converged:
             return format_text("The runs do not agree yet: the two finest differ by %.3g",
                                found.reference_error) +
@@ -76,8 +79,8 @@ std::string verdict(const Convergence& found) {
         "the\n"
         "start took them. No rate and no engine tells where a body ends up. The two finest agree\n"
         "to %g for %.3g s: ask about that time (--seconds), or about sums over many bodies.\n",
-        found.reference_error, found.perturbation, found.perturbation_error, found.growth, found.tolerances.front(),
-        found.agreement_seconds);
+        found.reference_error, found.perturbation, found.perturbation_error, found.growth,
+        found.tolerances.front(), found.agreement_seconds);
 }
 
 }  // namespace
@@ -128,22 +131,23 @@ std::string to_json(const Convergence& found) {
         }
         answers.push_back(line);
     }
-    const json all = {{"scene", found.scene},
-                      {"seconds", found.seconds},
-                      {"bodies", found.bodies},
-                      {"scale_m", found.scale},
-                      {"verdict", name_of(found.verdict)},
-                      {"finest_hz", found.finest.hz},
-                      {"finest_substeps", found.finest.substeps},
-                      {"doubt", found.reference_error},
-                      {"reference_order", found.reference_order ? json(*found.reference_order) : json(nullptr)},
-                      {"agreement_s", found.agreement_seconds},
-                      {"perturbation_m_per_s", found.perturbation},
-                      {"perturbation_error", found.perturbation_error},
-                      {"perturbation_growth", found.growth},
-                      {"skipped_runs", found.skipped_runs},
-                      {"cheapest", answers},
-                      {"rows", rows}};
+    const json all = {
+        {"scene", found.scene},
+        {"seconds", found.seconds},
+        {"bodies", found.bodies},
+        {"scale_m", found.scale},
+        {"verdict", name_of(found.verdict)},
+        {"finest_hz", found.finest.hz},
+        {"finest_substeps", found.finest.substeps},
+        {"doubt", found.reference_error},
+        {"reference_order", found.reference_order ? json(*found.reference_order) : json(nullptr)},
+        {"agreement_s", found.agreement_seconds},
+        {"perturbation_m_per_s", found.perturbation},
+        {"perturbation_error", found.perturbation_error},
+        {"perturbation_growth", found.growth},
+        {"skipped_runs", found.skipped_runs},
+        {"cheapest", answers},
+        {"rows", rows}};
     return all.dump(2) + "\n";
 }
 

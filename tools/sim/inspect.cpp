@@ -26,7 +26,8 @@ struct Names {
         for (const scenes::SceneBody& body : scene.bodies) uses[body.name]++;
         for (const scenes::SceneJoint& joint : scene.joints) uses[joint.name]++;
         // With its place in the scene where the name alone does not tell which.
-        const auto name_or_index = [&](const std::string& name, const std::string& other, std::size_t k) {
+        const auto name_or_index = [&](const std::string& name, const std::string& other,
+                                       std::size_t k) {
             if (name.empty()) return other + " " + std::to_string(k);
             return uses[name] > 1 ? name + " (" + std::to_string(k) + ")" : name;
         };
@@ -57,7 +58,7 @@ struct Names {
 };
 
 Result<BodyId> find_body(const std::string& text, const scenes::SceneDescription& scene,
-                          const scenes::BuiltScene& built) {
+                         const scenes::BuiltScene& built) {
     for (std::size_t k = 0; k < scene.bodies.size(); k++)
         if (!text.empty() && scene.bodies[k].name == text) return built.bodies[k];
     std::size_t place = 0;
@@ -70,8 +71,8 @@ Result<BodyId> find_body(const std::string& text, const scenes::SceneDescription
                                            std::to_string(scene.bodies.size() - 1) + ", or all"};
 }
 
-InspectedGroup group_of(ConstraintSystem system, const Names& names,
-                        const InspectOptions& options, bool full_report) {
+InspectedGroup group_of(ConstraintSystem system, const Names& names, const InspectOptions& options,
+                        bool full_report) {
     InspectedGroup group{.system = std::move(system)};
     for (const physics::SystemBody& body : group.system.bodies)
         if (body.moves) group.bodies.push_back(names.of(body.id));

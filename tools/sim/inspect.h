@@ -24,7 +24,7 @@ struct InspectOptions {
 // What hangs together.
 struct InspectedGroup {
     std::vector<std::string> bodies;  // that move
-    std::string unavailable_reason;              // why there is no more; empty: there is
+    std::string unavailable_reason;   // why there is no more; empty: there is
     physics::ConstraintSystem system;
     linear_systems::Problem problem;  // rows by the names of joints and bodies
     linear_systems::Analysis analysis;
@@ -49,7 +49,6 @@ struct Inspection {
 
 // An error when the body is none of the scene's, or nothing is solved for it.
 physics::Result<Inspection> inspect(const scenes::SceneDescription& scene,
-                                    const scenes::BuiltScene& built,
-                                    const InspectOptions& options);
+                                    const scenes::BuiltScene& built, const InspectOptions& options);
 
 }  // namespace jostle::sim

@@ -10,8 +10,8 @@ namespace jostle::sim {
 namespace {
 
 using linear_systems::Analysis;
-using linear_systems::Solution;
 using linear_systems::PreconditioningResult;
+using linear_systems::Solution;
 
 constexpr std::size_t rows_shown = 60, redundancies_shown = 12, groups_shown = 40;
 
@@ -39,11 +39,10 @@ std::string rows_table(const InspectedGroup& group) {
         const bool known = best != nullptr && k < best->x.size();
         const double least = known ? group.problem.lower_at(k, best->x) : row.lower;
         const double most = known ? group.problem.upper_at(k, best->x) : row.upper;
-        text +=
-            format_text("%4zu  %-*s %10.4g %10.3g %10.3g %10.3g %10.4g %9s %9s\n", k, name,
-                        group.problem.names[k].c_str(), group.problem.at(k, k), row.softness,
-                        row.error, group.problem.rhs[k] + 0.0, known ? force(best->x[k]) : 0.0,
-                        bound(least / h).c_str(), bound(most / h).c_str());
+        text += format_text("%4zu  %-*s %10.4g %10.3g %10.3g %10.3g %10.4g %9s %9s\n", k, name,
+                            group.problem.names[k].c_str(), group.problem.at(k, k), row.softness,
+                            row.error, group.problem.rhs[k] + 0.0, known ? force(best->x[k]) : 0.0,
+                            bound(least / h).c_str(), bound(most / h).c_str());
     }
     if (group.problem.count > rows_shown)
         text += format_text("... and %zu more; --json has all of them\n",
@@ -222,9 +221,11 @@ json rows_json(const InspectedGroup& group) {
 }
 
 json group_json(const InspectedGroup& group) {
-    if (!group.unavailable_reason.empty()) return {{"bodies", group.bodies}, {"refused", group.unavailable_reason}};
+    if (!group.unavailable_reason.empty())
+        return {{"bodies", group.bodies}, {"refused", group.unavailable_reason}};
     const Analysis& analysis = group.analysis;
-    json redundancies = json::array(), methods = json::array(), evaluate_preconditioning = json::array();
+    json redundancies = json::array(), methods = json::array(),
+         evaluate_preconditioning = json::array();
     for (const auto& redundancy : analysis.redundancies) {
         json of = json::array();
         for (const auto& share : redundancy.of)
@@ -248,13 +249,13 @@ json group_json(const InspectedGroup& group) {
     }
     for (const PreconditioningResult& t : group.evaluate_preconditioning)
         evaluate_preconditioning.push_back({{"scaled", t.scaled},
-                              {"epsilon", t.epsilon},
-                              {"condition", finite_or_null(t.condition)},
-                              {"gradient_iterations", t.gradient_iterations},
-                              {"gradients_converged", t.gradients_converged},
-                              {"sweeps", t.sweeps},
-                              {"sweeps_converged", t.sweeps_converged},
-                              {"error", finite_or_null(t.error)}});
+                                            {"epsilon", t.epsilon},
+                                            {"condition", finite_or_null(t.condition)},
+                                            {"gradient_iterations", t.gradient_iterations},
+                                            {"gradients_converged", t.gradients_converged},
+                                            {"sweeps", t.sweeps},
+                                            {"sweeps_converged", t.sweeps_converged},
+                                            {"error", finite_or_null(t.error)}});
     const auto free = group.free_motions();
     return {{"bodies", group.bodies},
             {"h", group.system.h},
@@ -281,7 +282,8 @@ std::string to_text(const Inspection& found) {
         return head + "No joint and no contact of it can act now: there is nothing to solve.\n";
     if (found.groups.size() > 1) return head + group_list(found.groups);
     const InspectedGroup& group = found.groups[0];
-    return head + (group.unavailable_reason.empty() ? full_report(group) : group.unavailable_reason + "\n");
+    return head + (group.unavailable_reason.empty() ? full_report(group)
+                                                    : group.unavailable_reason + "\n");
 }
 
 std::string to_json(const Inspection& found) {

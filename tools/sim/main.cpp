@@ -13,11 +13,11 @@
 #include "jostle/scenes/scene_file.h"
 #include "tools/sim/converge.h"
 #include "tools/sim/convergence_report.h"
-#include "tools/sim/substep_report.h"
 #include "tools/sim/inspect_plot.h"
 #include "tools/sim/inspect_report.h"
 #include "tools/sim/progress.h"
 #include "tools/sim/report.h"
+#include "tools/sim/substep_report.h"
 #include "tools/sim/trace.h"
 
 namespace {
@@ -111,30 +111,33 @@ void add_converge_flags(CLI::App& app, Flags& flags) {
         return option->needs(converge)->group("With --converge");
     };
     requires_mode(app.add_option("--tolerance", flags.tolerances,
-                              "Errors that would be good enough, relative to the scale")
-                   ->delimiter(',')
-                   ->capture_default_str()
-                   ->check(between(1e-9, 10)));
-    requires_mode(app.add_option("--rates", flags.rates,
-                              "Steps per second, each a multiple of the lowest; default: from half "
-                              "the scene's, doubled until two runs agree")
-                   ->delimiter(',')
-                   ->check(between(4, 10000)));
+                                 "Errors that would be good enough, relative to the scale")
+                      ->delimiter(',')
+                      ->capture_default_str()
+                      ->check(between(1e-9, 10)));
+    requires_mode(
+        app.add_option("--rates", flags.rates,
+                       "Steps per second, each a multiple of the lowest; default: from half "
+                       "the scene's, doubled until two runs agree")
+            ->delimiter(',')
+            ->check(between(4, 10000)));
     requires_mode(app.add_option("--substep-counts", flags.substep_counts,
-                              "Default: a quarter, half, all and twice the scene's")
-                   ->delimiter(',')
-                   ->check(CLI::Range(1, 64)));
+                                 "Default: a quarter, half, all and twice the scene's")
+                      ->delimiter(',')
+                      ->check(CLI::Range(1, 64)));
     requires_mode(app.add_option("--finest-hz", flags.finest_hz, "Doubles no further than this")
-                   ->capture_default_str()
-                   ->check(between(8, 10000)));
-    requires_mode(app.add_option("--scale", flags.scale,
-                              "Metres that distances are divided by; default: the diagonal of the "
-                              "box in which the bodies move")
-                   ->check(between(1e-6, 1e6)));
-    requires_mode(app.add_option("--budget", flags.budget,
-                              "Seconds of processor time; runs that would cost more are left out")
-                   ->capture_default_str()
-                   ->check(between(0.1, 1e6)));
+                      ->capture_default_str()
+                      ->check(between(8, 10000)));
+    requires_mode(
+        app.add_option("--scale", flags.scale,
+                       "Metres that distances are divided by; default: the diagonal of the "
+                       "box in which the bodies move")
+            ->check(between(1e-6, 1e6)));
+    requires_mode(
+        app.add_option("--budget", flags.budget,
+                       "Seconds of processor time; runs that would cost more are left out")
+            ->capture_default_str()
+            ->check(between(0.1, 1e6)));
     for (const char* other :
          {"--error-tolerance", "--substep-budget", "--step-budget", "--substep-report", "--threads",
           "--trace", "--trace-every", "--save", "--load", "--write-scene"})
@@ -153,19 +156,20 @@ void add_inspect_flags(CLI::App& app, Flags& flags) {
         return option->needs(inspect)->group("With --inspect");
     };
     requires_mode(app.add_option("--at", flags.at, "After this step of the world")
-                   ->capture_default_str()
-                   ->check(CLI::Range(0, 100000000)));
-    requires_mode(app.add_option("--position-correction", flags.position_correction,
-                              "Share of each error of position that is to be gone after a sub-step")
-                   ->capture_default_str()
-                   ->check(between(0, 1)));
+                      ->capture_default_str()
+                      ->check(CLI::Range(0, 100000000)));
+    requires_mode(
+        app.add_option("--position-correction", flags.position_correction,
+                       "Share of each error of position that is to be gone after a sub-step")
+            ->capture_default_str()
+            ->check(between(0, 1)));
     requires_mode(app.add_option("--iterations", flags.iterations, "At most, of a method")
-                   ->capture_default_str()
-                   ->check(CLI::Range(1, 1000000)));
+                      ->capture_default_str()
+                      ->check(CLI::Range(1, 1000000)));
     requires_mode(app.add_option("--plot", flags.plot,
-                              "Draws the residual after each iteration here, as SVG"));
+                                 "Draws the residual after each iteration here, as SVG"));
     requires_mode(app.add_flag("--solver-softness", flags.solver_softness,
-                            "Rows as soft as the solver's sweeps make them, not rigid"));
+                               "Rows as soft as the solver's sweeps make them, not rigid"));
     for (const char* other :
          {"--converge", "--seconds", "--trace", "--trace-every", "--save", "--write-scene"})
         inspect->excludes(app.get_option(other));
@@ -201,9 +205,8 @@ void add_flags(CLI::App& app, Flags& flags) {
                    "Instruction set of the inner loops: " + instruction_set_names() +
                        "; the bits are the same for any; default: the last")
         ->check([](const std::string& name) {
-            return find_instruction_set(name)
-                       ? std::string()
-                       : name + " is not one of " + instruction_set_names();
+            return find_instruction_set(name) ? std::string()
+                                              : name + " is not one of " + instruction_set_names();
         });
     app.add_option("--sleep", flags.sleep, "on or off; default: the scene's")
         ->check(CLI::IsMember({"on", "off"}));
@@ -265,15 +268,15 @@ bool write_text(const std::string& path, const std::string& text) {
 int run_converge(const jostle::scenes::SceneDescription& scene, const Flags& flags) {
     if (!can_write(flags.json)) return fail(1, "cannot write " + flags.json);
     jostle::sim::ConvergenceOptions options{.seconds = flags.seconds,
-                                              .rates = flags.rates,
-                                              .finest_hz = flags.finest_hz,
-                                              .substeps = flags.substep_counts,
-                                              .tolerances = flags.tolerances,
-                                              .scale = flags.scale,
-                                              .budget_seconds = flags.budget};
+                                            .rates = flags.rates,
+                                            .finest_hz = flags.finest_hz,
+                                            .substeps = flags.substep_counts,
+                                            .tolerances = flags.tolerances,
+                                            .scale = flags.scale,
+                                            .budget_seconds = flags.budget};
     std::sort(options.rates.begin(), options.rates.end());
     options.rates.erase(std::unique(options.rates.begin(), options.rates.end()),
-                         options.rates.end());
+                        options.rates.end());
     std::sort(options.tolerances.rbegin(), options.tolerances.rend());
     const auto found = jostle::sim::converge(scene, options, jostle::sim::show_line);
     jostle::sim::show_line("");
@@ -302,11 +305,12 @@ int run_inspect(const jostle::scenes::SceneDescription& scene, jostle::scenes::B
             progress.at(step, world.profile().bodies_awake);
         }
     }
-    const auto found = jostle::sim::inspect(
-        scene, built,
-        {.body = flags.inspect,
-         .rows = {.position_correction = flags.position_correction, .solver_softness = flags.solver_softness},
-         .limits = {.iterations_max = flags.iterations}});
+    const auto found =
+        jostle::sim::inspect(scene, built,
+                             {.body = flags.inspect,
+                              .rows = {.position_correction = flags.position_correction,
+                                       .solver_softness = flags.solver_softness},
+                              .limits = {.iterations_max = flags.iterations}});
     if (!found.ok())
         return fail(found.error().code == jostle::ErrorCode::not_found ? 2 : 1,
                     found.error().message);
@@ -388,7 +392,8 @@ int run(const Flags& flags) {
     if (flags.island_substeps == "-")
         std::fputs(jostle::sim::to_text(built->world.island_substeps()).c_str(), stdout);
     else if (!flags.island_substeps.empty() &&
-             !write_text(flags.island_substeps, jostle::sim::to_json(built->world.island_substeps())))
+             !write_text(flags.island_substeps,
+                         jostle::sim::to_json(built->world.island_substeps())))
         return fail(1, "cannot write " + flags.island_substeps);
     if (!flags.save.empty() && !save_world(built->world, flags.save))
         return fail(1, "cannot write " + flags.save);

@@ -87,7 +87,8 @@ std::string worst_step(const Report& r) {
 // At each level, from 0.
 std::string overload_steps(const Report& r) {
     std::string words;
-    for (const std::uint64_t steps : r.steps_at_overload_level) words += std::to_string(steps) + " ";
+    for (const std::uint64_t steps : r.steps_at_overload_level)
+        words += std::to_string(steps) + " ";
     words.pop_back();
     return words;
 }
@@ -104,7 +105,8 @@ std::string to_text(const Report& r) {
     if (r.worst_step > 0) add_text_line(out, "worst_step", worst_step(r));
     line(out, "work_per_step_mean", "%.0f", r.work_mean);
     line(out, "work_per_step_worst", "%.0f", r.work_worst);
-    if (r.steps_at_overload_level[0] < r.steps) add_text_line(out, "steps_at_overload_level", overload_steps(r));
+    if (r.steps_at_overload_level[0] < r.steps)
+        add_text_line(out, "steps_at_overload_level", overload_steps(r));
     line(out, "cpu_ms_per_step_mean", "%.4f", r.cpu_ms_per_step_mean);
     add_text_line(out, "arithmetic", physics::arithmetic_name(physics::arithmetic()));
     add_text_line(out, "instructions", physics::instruction_set_name(physics::instruction_set()));

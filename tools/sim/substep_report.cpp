@@ -37,7 +37,8 @@ std::map<int, SubstepTotal> totals_by_substeps(const std::vector<IslandSubsteps>
 }  // namespace
 
 std::string to_text(const std::vector<IslandSubsteps>& island_substeps) {
-    if (island_substeps.empty()) return "islands by sub-steps: none with contacts or joints is awake\n";
+    if (island_substeps.empty())
+        return "islands by sub-steps: none with contacts or joints is awake\n";
     std::string out =
         "islands by sub-steps; error: m in a second, the worst; short: want more than the "
         "budget gives\n"
@@ -46,9 +47,9 @@ std::string to_text(const std::vector<IslandSubsteps>& island_substeps) {
         out += format_text("  %9d %7d %7d %8d %7d %7d %7d %8.2g\n", substeps, s.islands, s.bodies,
                            s.contacts, s.joints, s.direct, s.short_of, s.error);
     std::vector<IslandSubsteps> worst = island_substeps;
-    std::stable_sort(worst.begin(), worst.end(), [](const IslandSubsteps& x, const IslandSubsteps& y) {
-        return x.error > y.error;
-    });
+    std::stable_sort(
+        worst.begin(), worst.end(),
+        [](const IslandSubsteps& x, const IslandSubsteps& y) { return x.error > y.error; });
     worst.resize(std::min(worst.size(), shown_islands));
     if (worst.front().error == 0) return out;
     out += "furthest off:\n";

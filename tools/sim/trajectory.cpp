@@ -47,8 +47,9 @@ struct DistanceSum {
 
 }  // namespace
 
-physics::Result<Trajectory> simulate_trajectory(scenes::SceneDescription scene, const StepSettings& setting,
-                                   const SampleTimes& samples) {
+physics::Result<Trajectory> simulate_trajectory(scenes::SceneDescription scene,
+                                                const StepSettings& setting,
+                                                const SampleTimes& samples) {
     scene.world.substeps = setting.substeps;
     scene.world.tolerance = 0;  // it would choose them
     scene.world.threads = 1;

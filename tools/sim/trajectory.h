@@ -26,18 +26,19 @@ struct SampleTimes {
 };
 
 struct Trajectory {
-    std::size_t bodies = 0;           // the scene's dynamic ones
-    std::vector<physics::Vec3> at;    // centres of mass: all bodies of the first sample, and so on
+    std::size_t bodies = 0;         // the scene's dynamic ones
+    std::vector<physics::Vec3> at;  // centres of mass: all bodies of the first sample, and so on
     std::vector<physics::Quat> rotations;  // likewise
-    double cpu_seconds = 0;           // of the steps alone
-    std::string failure;                // why the run ended early; empty: it did not
+    double cpu_seconds = 0;                // of the steps alone
+    std::string failure;                   // why the run ended early; empty: it did not
 
     std::size_t samples() const { return bodies == 0 ? 0 : at.size() / bodies; }
 };
 
 // The setting's rate is a multiple of the samples'. An error says why the scene cannot be built.
-physics::Result<Trajectory> simulate_trajectory(scenes::SceneDescription scene, const StepSettings& setting,
-                                   const SampleTimes& samples);
+physics::Result<Trajectory> simulate_trajectory(scenes::SceneDescription scene,
+                                                const StepSettings& setting,
+                                                const SampleTimes& samples);
 
 // The same scene with every dynamic body `speed` m/s faster, each in a direction of its own.
 scenes::SceneDescription perturbed(scenes::SceneDescription scene, double speed);

@@ -41,16 +41,16 @@ struct CharacterData {
     physics::BodyId ground_body;
     physics::ShapeId ground_shape;
     physics::Vec3 ground_normal, ground_point, ground_velocity;
-    physics::Vec3 given;
+    physics::Vec3 applied_impulse;
     physics::BodyId pushed;  // in the last step
 };
 
 struct CharacterStore {
-    std::vector<CharacterData> records;
+    std::vector<CharacterData> characters;
 
     CharacterData* find(CharacterId id) {
-        if (id.index >= records.size()) return nullptr;
-        CharacterData& record = records[id.index];
+        if (id.index >= characters.size()) return nullptr;
+        CharacterData& record = characters[id.index];
         return record.alive && record.generation == id.generation ? &record : nullptr;
     }
 };

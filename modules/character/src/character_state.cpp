@@ -96,7 +96,7 @@ Status read(const ModuleSettings& given, SceneNumbers& numbers) {
 }
 
 Result<CharacterData> character_data_for(World& world, const std::string& name, BodyId id,
-                          const SceneNumbers& numbers) {
+                                         const SceneNumbers& numbers) {
     const Result<BodyState> body = world.body(id);
     if (!body.ok()) return unknown_character(name, "is no body");
     if (body->type == BodyType::static_body)
@@ -186,7 +186,8 @@ Status Characters::configure(World& world, const ModuleSettings& settings) {
         Result<CharacterData> record = character_data_for(world, name, body, numbers);
         if (!record.ok()) return record.error();
         if (Status s = check_character_data(name, *record); !s.ok()) return s;
-        if (store_->characters.size() == most) return unknown_character(name, "is one more than 4096");
+        if (store_->characters.size() == most)
+            return unknown_character(name, "is one more than 4096");
         if (record->kind == CharacterKind::rigid) {
             if (Status s = world.set_locks(body, character_detail::upright); !s.ok()) return s;
         }

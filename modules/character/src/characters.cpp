@@ -101,7 +101,8 @@ std::vector<CharacterId> Characters::ids() const {
 
 CharacterId Characters::character_of(BodyId body) const {
     for (std::uint32_t k = 0; k < store_->characters.size(); k++)
-        if (const CharacterData& record = store_->characters[k]; record.alive && record.body == body)
+        if (const CharacterData& record = store_->characters[k];
+            record.alive && record.body == body)
             return {k, record.generation};
     return {};
 }

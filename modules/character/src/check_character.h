@@ -32,10 +32,10 @@ inline constexpr Ability ability_ranges[] = {
     {"strength", &CharacterAbilities::strength, 0, 1e6},
 };
 
-inline constexpr double radius_min = 0.05, radius_max = 5;  // m
-inline constexpr double height_max = 20;                      // m
-inline constexpr double skin_min = 0.002;                    // m
-inline constexpr double walk_speed_max = 1000, speed_max = 5000;   // m/s
-inline constexpr double coordinate_max = 9e6;                 // m
+inline constexpr double radius_min = 0.05, radius_max = 5;        // m
+inline constexpr double height_max = 20;                          // m
+inline constexpr double skin_min = 0.002;                         // m
+inline constexpr double walk_speed_max = 1000, speed_max = 5000;  // m/s
+inline constexpr double coordinate_max = 9e6;                     // m
 
 }  // namespace jostle::modules::character_detail

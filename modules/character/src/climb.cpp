@@ -27,8 +27,8 @@ double free_fraction(const EnvironmentQuery& near, const Capsule& capsule, Vec3 
 
 }  // namespace
 
-std::optional<Vec3> step_down(const EnvironmentQuery& near, const CharacterData& record, Vec3 from, double drop,
-                             double floor_height_max) {
+std::optional<Vec3> step_down(const EnvironmentQuery& near, const CharacterData& record, Vec3 from,
+                              double drop, double floor_height_max) {
     const Capsule capsule = with_skin(record);
     const Vec3 motion = up * -(drop + clearance);
     const auto hit = near.sweep(capsule, from, motion);
@@ -42,8 +42,8 @@ std::optional<Vec3> step_down(const EnvironmentQuery& near, const CharacterData&
     return stands ? std::optional(there) : std::nullopt;
 }
 
-std::optional<Vec3> climb(const EnvironmentQuery& near, const CharacterData& record, Vec3 from, Vec3 displacement,
-                          double min_progress) {
+std::optional<Vec3> climb(const EnvironmentQuery& near, const CharacterData& record, Vec3 from,
+                          Vec3 displacement, double min_progress) {
     const Capsule capsule = with_skin(record);
     const double step = record.abilities.step_height;
     const double rise = step * free_fraction(near, capsule, from, up * step);
@@ -52,8 +52,8 @@ std::optional<Vec3> climb(const EnvironmentQuery& near, const CharacterData& rec
     const double fraction = free_fraction(near, capsule, above, displacement);
     if (fraction * length(displacement) <= min_progress) return std::nullopt;
     const double floor = from.y - 0.5 * current_height(record);
-    const auto there =
-        step_down(near, record, above + displacement * fraction, rise + clearance, floor + step + 0.002);
+    const auto there = step_down(near, record, above + displacement * fraction, rise + clearance,
+                                 floor + step + 0.002);
     // A step rises: on level floor what is left of the way is the clearance to a wall.
     if (!there || there->y - from.y < 0.1 * fraction * length(displacement)) return std::nullopt;
     return there;

@@ -64,7 +64,7 @@ void add_contacts(const World& world, ShapeId id, const Capsule& capsule, Vec3 c
 }  // namespace
 
 std::vector<Contact> EnvironmentQuery::contacts(const Capsule& capsule, Vec3 center,
-                                            double reach) const {
+                                                double reach) const {
     std::vector<Contact> found;
     const auto shapes = world.queries().overlap_box(box_around(capsule, center, reach), filter);
     if (!shapes.ok()) return found;
@@ -75,14 +75,14 @@ std::vector<Contact> EnvironmentQuery::contacts(const Capsule& capsule, Vec3 cen
 }
 
 std::optional<ShapeCastHit> EnvironmentQuery::sweep(const Capsule& capsule, Vec3 center,
-                                                Vec3 motion) const {
+                                                    Vec3 motion) const {
     const auto hit = world.queries().cast_shape(
         {.geometry = capsule, .pose = {center, {}}, .motion = motion}, filter);
     return hit.ok() ? *hit : std::nullopt;
 }
 
 std::optional<ShapeCastHit> EnvironmentQuery::sweep_ignoring(const Capsule& capsule, Vec3 center,
-                                                     Vec3 motion, BodyId body) const {
+                                                             Vec3 motion, BodyId body) const {
     const auto hits = world.queries().cast_shape_all(
         {.geometry = capsule, .pose = {center, {}}, .motion = motion}, filter);
     if (!hits.ok()) return std::nullopt;

@@ -35,8 +35,8 @@ struct EnvironmentQuery {
                                                physics::Vec3 center, physics::Vec3 motion) const;
     // ... that is no part of the body.
     std::optional<physics::ShapeCastHit> sweep_ignoring(const physics::Capsule& capsule,
-                                                    physics::Vec3 center, physics::Vec3 motion,
-                                                    physics::BodyId body) const;
+                                                        physics::Vec3 center, physics::Vec3 motion,
+                                                        physics::BodyId body) const;
     // What a sweep met, at so far a gap.
     Contact contact_at(const physics::ShapeCastHit& hit, double gap) const;
     bool is_free(const physics::Capsule& capsule, physics::Vec3 center) const;

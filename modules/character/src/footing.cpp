@@ -39,7 +39,7 @@ bool is_step_edge(const EnvironmentQuery& near, const CharacterData& record, Vec
 }
 
 Footing find_footing(const EnvironmentQuery& near, const CharacterData& record, Vec3 feet,
-                   std::span<const Contact> contacts, double close) {
+                     std::span<const Contact> contacts, double close) {
     std::size_t touching = 0;  // they are sorted by gap
     const Contact* best = nullptr;
     for (; touching < contacts.size() && contacts[touching].gap <= close; touching++) {

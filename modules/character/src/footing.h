@@ -24,7 +24,7 @@ double min_walkable_normal_y(const CharacterData& record);
 
 // Of contacts that are no further than `close`. `feet`: m, of the character where they were found.
 Footing find_footing(const EnvironmentQuery& near, const CharacterData& record, physics::Vec3 feet,
-                   std::span<const Contact> contacts, double close);
+                     std::span<const Contact> contacts, double close);
 
 // Whether a steep contact is the edge of a step: there is floor behind it, no higher than a step,
 // and floor no more than a step below. On the edge of a cliff nobody stands by his side.

@@ -7,7 +7,8 @@ namespace jostle::modules::character_detail {
 
 using namespace physics;
 
-void move_kinematic_body(World& world, const CharacterData& record, double rise, double speed, double dt) {
+void move_kinematic_body(World& world, const CharacterData& record, double rise, double speed,
+                         double dt) {
     const Transform pose{record.feet + up * record.foot_height, orientation(record)};
     const Result<BodyState> body = world.body(record.body);
     if (!body.ok()) return;

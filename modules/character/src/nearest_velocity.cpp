@@ -10,8 +10,9 @@ namespace {
 
 using namespace physics;
 
-constexpr double tolerance = 1e-9;      // m/s
-constexpr double same_normal_tolerance = 0.99985;  // cosine of a degree: normals that are taken as one
+constexpr double tolerance = 1e-9;  // m/s
+constexpr double same_normal_tolerance =
+    0.99985;  // cosine of a degree: normals that are taken as one
 
 using Planes = std::span<const VelocityPlane>;
 
@@ -33,7 +34,8 @@ std::optional<Vec3> project_on_one(Vec3 desired, const VelocityPlane& a) {
 std::optional<Vec3> project_on_two(Vec3 desired, const VelocityPlane& a, const VelocityPlane& b) {
     const double c = dot(a.normal, b.normal), det = 1 - c * c;
     if (det < 1e-9) return std::nullopt;
-    const double ra = a.min_speed - dot(a.normal, desired), rb = b.min_speed - dot(b.normal, desired);
+    const double ra = a.min_speed - dot(a.normal, desired),
+                 rb = b.min_speed - dot(b.normal, desired);
     const double pa = (ra - c * rb) / det, pb = (rb - c * ra) / det;
     if (pa < 0 || pb < 0) return std::nullopt;
     return desired + a.normal * pa + b.normal * pb;
@@ -41,7 +43,7 @@ std::optional<Vec3> project_on_two(Vec3 desired, const VelocityPlane& a, const V
 
 // ... in the corner of three, if all push.
 std::optional<Vec3> intersect_three(Vec3 desired, const VelocityPlane& a, const VelocityPlane& b,
-                              const VelocityPlane& c) {
+                                    const VelocityPlane& c) {
     // v solves N v = least, where N has the normals as rows; the pushes p solve N^T p = v - wanted.
     const Mat3 normals{a.normal, b.normal, c.normal};  // as columns
     if (absolute(determinant(normals)) < 1e-6) return std::nullopt;
@@ -90,7 +92,8 @@ Vec3 nearest_velocity(Vec3 desired, Planes planes) {
     for (std::size_t a = 0; a < n; a++)
         for (std::size_t b = a + 1; b < n; b++)
             for (std::size_t c = b + 1; c < n; c++)
-                if (const auto v = intersect_three(desired, planes[a], planes[b], planes[c]); good(v))
+                if (const auto v = intersect_three(desired, planes[a], planes[b], planes[c]);
+                    good(v))
                     return *v;
     return least_violating_velocity(desired, planes, most);
 }

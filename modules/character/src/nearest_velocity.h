@@ -13,7 +13,7 @@ namespace jostle::modules::character_detail {
 
 struct VelocityPlane {
     physics::Vec3 normal;  // unit
-    double min_speed = 0;      // m/s along the normal
+    double min_speed = 0;  // m/s along the normal
 };
 
 // More planes than this are not looked at.

@@ -11,9 +11,9 @@ namespace jostle::modules::character_detail {
 
 struct PushState {
     physics::Vec3 initial_velocity;  // m/s of the character before it made an effort, as the body's
-    physics::Vec3 velocity;     // m/s with the effort
-    double effort = 0;     // N s that are left of it
-    double dt = 0;         // s of the step
+    physics::Vec3 velocity;          // m/s with the effort
+    double effort = 0;               // N s that are left of it
+    double dt = 0;                   // s of the step
     bool on_ground = false;
     bool is_new_contact = true;  // false: they were together before, and there is no impact
 };

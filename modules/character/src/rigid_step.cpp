@@ -9,10 +9,10 @@ namespace {
 
 using namespace physics;
 
-constexpr double ground_gap_max = 0.01;   // m within which it stands
+constexpr double ground_gap_max = 0.01;         // m within which it stands
 constexpr double ground_probe_distance = 0.03;  // m
-constexpr double lift_off_speed = 0.5;  // m/s: a lift may brake by so much in a step
-constexpr double velocity_change_min = 1e-9;   // m/s: less does not keep it awake
+constexpr double lift_off_speed = 0.5;          // m/s: a lift may brake by so much in a step
+constexpr double velocity_change_min = 1e-9;    // m/s: less does not keep it awake
 
 Footing find_ground(const World& world, CharacterData& self, const BodyState& body) {
     const EnvironmentQuery near = make_environment_query(world, self);

@@ -76,7 +76,7 @@ void update_crouch(World& world, CharacterData& record, bool crouch) {
 }
 
 Vec3 ground_velocity_at(const World& world, const BodyState& ground, ShapeId shape, Vec3 point,
-                      double dt) {
+                        double dt) {
     Vec3 belt;
     if (const auto surface = world.shape(shape); surface.ok())
         belt = rotate(ground.pose.rotation, surface->material.surface_velocity);

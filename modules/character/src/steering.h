@@ -11,7 +11,8 @@ namespace jostle::modules::character_detail {
 CharacterControls current_controls(CharacterData& record, double dt);
 
 // A change of the horizontal velocity towards the wanted one, by at most acceleration * dt.
-physics::Vec3 acceleration_step(physics::Vec3 velocity, physics::Vec3 desired, double acceleration, double dt);
+physics::Vec3 acceleration_step(physics::Vec3 velocity, physics::Vec3 desired, double acceleration,
+                                double dt);
 
 // Whether it jumps in this step: from the ground, once for each press.
 bool should_jump(CharacterData& record, bool jump);
@@ -30,7 +31,7 @@ void update_shape(physics::World& world, const CharacterData& record);
 // The velocity of a point of the ground over the coming step, m/s: what its rigid motion and the
 // belt on it make of the point.
 physics::Vec3 ground_velocity_at(const physics::World& world, const physics::BodyState& ground,
-                               physics::ShapeId shape, physics::Vec3 point, double dt);
+                                 physics::ShapeId shape, physics::Vec3 point, double dt);
 
 // N s to the ground, if that can move.
 void apply_ground_impulse(physics::World& world, CharacterData& record, physics::Vec3 impulse);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "modules/character/src/sweep_step.h"
 
-#include "modules/character/src/pre_push_states.h"
 #include "modules/character/src/climb.h"
 #include "modules/character/src/footing.h"
-#include "modules/character/src/nearest_velocity.h"
 #include "modules/character/src/move_kinematic_body.h"
+#include "modules/character/src/nearest_velocity.h"
+#include "modules/character/src/pre_push_states.h"
 #include "modules/character/src/push_body.h"
 #include "modules/character/src/steering.h"
 
@@ -17,8 +17,9 @@ using namespace physics;
 constexpr double touching_gap = 0.002;  // m beyond the skin within which it stands
 constexpr double contact_reach = 0.02;  // m beyond the skin: contacts of the next moment
 constexpr double recovery_speed = 3;    // m/s at which it leaves what came closer than the skin
-constexpr double ground_leave_speed = 0.05;   // m/s: who rises faster from a floor does not stand on it
-constexpr double coordinate_max = 9e6;        // m from the origin, along each axis
+constexpr double ground_leave_speed =
+    0.05;                               // m/s: who rises faster from a floor does not stand on it
+constexpr double coordinate_max = 9e6;  // m from the origin, along each axis
 constexpr double lookahead_skins = 2;
 constexpr int slide_iterations_max = 6;
 
@@ -77,7 +78,8 @@ private:
     bool is_ground_slipping() const {
         const Result<BodyState> ground = world_.body(data_.ground_body);
         return ground.ok() && ground->type == BodyType::dynamic &&
-               length(ground_velocity_ - data_.ground_velocity) > data_.abilities.ground_acceleration * dt_;
+               length(ground_velocity_ - data_.ground_velocity) >
+                   data_.abilities.ground_acceleration * dt_;
     }
     void leave_ground() {
         data_.velocity += data_.ground_velocity;
@@ -87,7 +89,8 @@ private:
         grounded_ = false;
     }
     void accelerate_on_ground(Vec3 walk) {
-        const Vec3 change = acceleration_step(velocity_, walk, data_.abilities.ground_acceleration, dt_);
+        const Vec3 change =
+            acceleration_step(velocity_, walk, data_.abilities.ground_acceleration, dt_);
         pre_push_states_.store(world_, data_.ground_body);
         // And it goes along with what the ground did since the last step: its mass is felt.
         push_off(world_, data_, change + horizontal(ground_velocity_ - data_.ground_velocity));
@@ -129,7 +132,10 @@ private:
         const double got = dot(center_ - start, desired_velocity_) / length(desired_velocity_);
         if (got > size - 1e-4 * (size + 0.01)) return;
         // Stopped by a riser it still wants to get on.
-        const Vec3 direction = (length_squared(walk_velocity_) > length_squared(desired_velocity_) ? walk_velocity_ : desired_velocity_) * dt_;
+        const Vec3 direction = (length_squared(walk_velocity_) > length_squared(desired_velocity_)
+                                    ? walk_velocity_
+                                    : desired_velocity_) *
+                               dt_;
         if (const auto there = climb(environment_, data_, start, direction, got + 1e-5)) {
             vertical_step_ = there->y - start.y;
             center_ = *there;
@@ -205,7 +211,8 @@ private:
     // A wall to one who walks: else he would walk up what is too steep.
     void add(VelocityPlanes& set, const Contact& contact, double least) const {
         set.add(contact.normal, least);
-        if (!grounded_ || contact.normal.y <= 0 || contact.normal.y >= min_walkable_normal_y_) return;
+        if (!grounded_ || contact.normal.y <= 0 || contact.normal.y >= min_walkable_normal_y_)
+            return;
         const Vec3 flat = horizontal(contact.normal);
         const double size = length(flat);
         if (size > 1e-6) set.add(flat * (1 / size), least / size);
@@ -252,22 +259,23 @@ private:
     void push(std::vector<Contact>& contacts, double left) {
         for (Contact& contact : contacts) {
             if (!contact.dynamic) continue;
-            const double closing = dot(contact.normal, contact.velocity - final_velocity_ - ground_velocity_);
+            const double closing =
+                dot(contact.normal, contact.velocity - final_velocity_ - ground_velocity_);
             if (contact.gap - data_.skin > maximum(closing * left, 0.5 * touching_gap)) continue;
             pre_push_states_.store(world_, contact.body);
             PushState push{initial_velocity_ + ground_velocity_,
-                      final_velocity_ + ground_velocity_,
-                      effort_,
-                      dt_,
-                      grounded_,
-                      !grounded_ || contact.body != data_.pushed};
+                           final_velocity_ + ground_velocity_,
+                           effort_,
+                           dt_,
+                           grounded_,
+                           !grounded_ || contact.body != data_.pushed};
             const PushResult given = push_body(world_, contact, data_.abilities.mass, push);
-            const double impulse = given.impact + given.acceleration_step;
+            const double impulse = given.impact + given.effort;
             if (impulse <= 0) continue;
             contact.pushed = true;
             if (is_null(pushed_)) pushed_ = contact.body;
             data_.applied_impulse -= contact.normal * impulse;
-            if (grounded_) apply_ground_impulse(world_, data_, contact.normal * given.acceleration_step);
+            if (grounded_) apply_ground_impulse(world_, data_, contact.normal * given.effort);
             apply_reaction(push);
             refresh_velocities(contacts, contact.body);
             contact.velocity -= contact.normal * given.velocity_change;
@@ -275,7 +283,7 @@ private:
     }
     void apply_reaction(const PushState& push) {
         const Vec3 change = push.velocity - ground_velocity_ - final_velocity_;
-        effort_ = push.acceleration_step;
+        effort_ = push.effort;
         initial_velocity_ += change;
         velocity_ += change;
         final_velocity_ += change;
@@ -306,21 +314,22 @@ private:
         return contacts_;
     }
     Footing probe_ground() {
-        return find_footing(environment_, data_, center_ - up * (0.5 * current_height(data_)), current_contacts(),
-                          data_.skin + touching_gap);
+        return find_footing(environment_, data_, center_ - up * (0.5 * current_height(data_)),
+                            current_contacts(), data_.skin + touching_gap);
     }
     void find_ground() {
         Footing footing = probe_ground();
         if (grounded_ && footing.kind != GroundKind::on_ground) {
-            if (const auto there =
-                    step_down(environment_, data_, center_, data_.abilities.floor_snap, center_.y)) {
+            if (const auto there = step_down(environment_, data_, center_,
+                                             data_.abilities.floor_snap, center_.y)) {
                 vertical_step_ += there->y - center_.y;
                 center_ = *there;
                 footing = probe_ground();
             }
         }
         if (!grounded_) final_velocity_ = touching_velocities(contacts_).nearest(final_velocity_);
-        if (footing.kind == GroundKind::on_ground && !grounded_ && is_leaving_ground(footing)) footing = {};
+        if (footing.kind == GroundKind::on_ground && !grounded_ && is_leaving_ground(footing))
+            footing = {};
         if (footing.kind == GroundKind::on_ground) close_floor_gap(footing);
         set_footing(footing);
     }
@@ -365,7 +374,8 @@ private:
             sweep_with_ground(by * dt_);
         }
         if (stands && !grounded_) final_velocity_ -= by;  // it landed
-        if (stands) apply_ground_impulse(world_, data_, world_.gravity() * (data_.abilities.mass * dt_));
+        if (stands)
+            apply_ground_impulse(world_, data_, world_.gravity() * (data_.abilities.mass * dt_));
         store_ground();
         data_.velocity = stands ? horizontal(final_velocity_) : final_velocity_;
         data_.ground_velocity = stands ? by : Vec3{};
@@ -389,11 +399,13 @@ private:
     void finish() {
         data_.pushed = pushed_;
         const Vec3 feet = center_ - up * (0.5 * current_height(data_)), a = abs(feet);
-        if (!is_finite(feet) || a.x > coordinate_max || a.y > coordinate_max || a.z > coordinate_max)
+        if (!is_finite(feet) || a.x > coordinate_max || a.y > coordinate_max ||
+            a.z > coordinate_max)
             data_.velocity = {};  // at the end of the world
         else
             data_.feet = feet;
-        move_kinematic_body(world_, data_, vertical_step_, length(velocity_ + ground_velocity_) + 1, dt_);
+        move_kinematic_body(world_, data_, vertical_step_, length(velocity_ + ground_velocity_) + 1,
+                            dt_);
     }
 
     World& world_;
@@ -407,7 +419,7 @@ private:
     double vertical_step_ = 0;  // m upwards, over a step or down to the floor
     // m/s, as seen from the ground that carries it: at the start, of this step, and at its end.
     Vec3 initial_velocity_, velocity_, final_velocity_, desired_velocity_, walk_velocity_;
-    Vec3 ground_velocity_;                   // m/s of that ground
+    Vec3 ground_velocity_;           // m/s of that ground
     std::vector<Contact> contacts_;  // at contacts_center_
     Vec3 contacts_center_;
     bool contacts_valid_ = false;

@@ -16,7 +16,8 @@ struct Piece {
 };
 
 // The triangles that matter in the box: those in it, and those beyond it along x.
-std::vector<Triangle> triangles_for_box(const std::vector<Triangle>& surface, const physics::Aabb& box);
+std::vector<Triangle> triangles_for_box(const std::vector<Triangle>& surface,
+                                        const physics::Aabb& box);
 // Of what triangles_for_box() gives, or more.
 Piece cut_piece(const std::vector<Triangle>& surface, const physics::Aabb& box);
 

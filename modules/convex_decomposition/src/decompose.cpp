@@ -23,7 +23,9 @@ struct Part {
     HullPointer hull;  // null: it has too many corners for one
     bool done = false;
 
-    double max_volume_error() const { return hull ? maximum(hull->volume - piece.volume, 0) : 1e300; }
+    double max_volume_error() const {
+        return hull ? maximum(hull->volume - piece.volume, 0) : 1e300;
+    }
 };
 
 // Nothing for what is flat, and so holds nothing.
@@ -135,7 +137,9 @@ void merge_parts(std::vector<Part>& parts, double allowed) {
     };
     const auto more_of = [&](std::size_t a, std::size_t b) {
         const auto both = merged(parts[a], parts[b]);
-        return both ? both->max_volume_error() - parts[a].max_volume_error() - parts[b].max_volume_error() : 1e300;
+        return both ? both->max_volume_error() - parts[a].max_volume_error() -
+                          parts[b].max_volume_error()
+                    : 1e300;
     };
     std::vector<Pair> pairs;
     for (std::size_t b = 1; b < parts.size(); b++)

@@ -22,7 +22,8 @@ std::uint32_t word_of(double x) {
 
 class WordWriter final : public StateVisitor {
 public:
-    WordWriter(const World& world, const BodyNameLookup& name_of) : world_(world), name_of_(name_of) {}
+    WordWriter(const World& world, const BodyNameLookup& name_of)
+        : world_(world), name_of_(name_of) {}
 
     using StateVisitor::field;
     bool loading() const override { return false; }
@@ -160,8 +161,9 @@ private:
 
 }  // namespace
 
-std::optional<std::vector<std::uint32_t>> encode_controlled_entity(World& world, Module& module, BodyId body,
-                                                      const BodyNameLookup& name_of) {
+std::optional<std::vector<std::uint32_t>> encode_controlled_entity(World& world, Module& module,
+                                                                   BodyId body,
+                                                                   const BodyNameLookup& name_of) {
     const Result<BodyState> state = world.body(body);
     if (!state.ok()) return std::nullopt;
     WordWriter writer(world, name_of);
@@ -174,7 +176,8 @@ std::optional<std::vector<std::uint32_t>> encode_controlled_entity(World& world,
     return std::move(writer.words);
 }
 
-std::optional<ControlledEntityMotion> decode_controlled_motion(std::span<const std::uint32_t> words) {
+std::optional<ControlledEntityMotion> decode_controlled_motion(
+    std::span<const std::uint32_t> words) {
     if (words.size() < motion_word_count) return std::nullopt;
     double n[motion_word_count];
     for (std::size_t k = 0; k < motion_word_count; k++) {
@@ -185,13 +188,14 @@ std::optional<ControlledEntityMotion> decode_controlled_motion(std::span<const s
     const Quat rotation{n[3], n[4], n[5], n[6]};
     const double size = norm_squared(rotation);
     if (!(size > 0.9 && size < 1.1)) return std::nullopt;
-    return ControlledEntityMotion{.pose = {.position = {n[0], n[1], n[2]}, .rotation = normalized(rotation)},
-                        .linear = {n[7], n[8], n[9]},
-                        .angular = {n[10], n[11], n[12]}};
+    return ControlledEntityMotion{
+        .pose = {.position = {n[0], n[1], n[2]}, .rotation = normalized(rotation)},
+        .linear = {n[7], n[8], n[9]},
+        .angular = {n[10], n[11], n[12]}};
 }
 
-bool apply_controlled_entity(World& world, Module& module, BodyId body, std::span<const std::uint32_t> words,
-                 const BodyLookup& body_of) {
+bool apply_controlled_entity(World& world, Module& module, BodyId body,
+                             std::span<const std::uint32_t> words, const BodyLookup& body_of) {
     const std::optional<ControlledEntityMotion> motion = decode_controlled_motion(words);
     if (!motion) return false;
     WordReader reader(world, words.subspan(motion_word_count), body_of);

@@ -91,7 +91,7 @@ void BlockFactor::order_by_degree(const BlockMatrix& matrix) {
     rank_.resize(n);
     std::vector<std::uint32_t> merged;
     while (!waiting.empty()) {
-        const std::uint32_t out = waiting.begin()->is_duplicate;
+        const std::uint32_t out = waiting.begin()->second;
         waiting.erase(waiting.begin());
         rank_[out] = static_cast<std::uint32_t>(order_.size());
         order_.push_back(out);

@@ -55,11 +55,13 @@ BlockMatrix stiffness_of(std::span<const Beam> beams, std::size_t unknowns,
     for (const Beam& beam : beams) {
         const bool a_is_row = beam.a > beam.b;
         BlockMatrix::OffDiagonalBlock link{.row = a_is_row ? beam.a : beam.b,
-                               .column = a_is_row ? beam.b : beam.a};
+                                           .column = a_is_row ? beam.b : beam.a};
         const bool both = beam.a != fixed_unknown && beam.b != fixed_unknown;
         for (const Spring& s : springs_of(beam, material)) {
-            if (beam.a != fixed_unknown) add_outer(matrix.diagonal[beam.a], s.g_a, s.g_a, s.stiffness);
-            if (beam.b != fixed_unknown) add_outer(matrix.diagonal[beam.b], s.g_b, s.g_b, s.stiffness);
+            if (beam.a != fixed_unknown)
+                add_outer(matrix.diagonal[beam.a], s.g_a, s.g_a, s.stiffness);
+            if (beam.b != fixed_unknown)
+                add_outer(matrix.diagonal[beam.b], s.g_b, s.g_b, s.stiffness);
             if (both)
                 add_outer(link.block, a_is_row ? s.g_a : s.g_b, a_is_row ? s.g_b : s.g_a,
                           s.stiffness);

@@ -8,7 +8,8 @@
 namespace jostle::modules::destruction_detail {
 
 // 1/kg: how easily a body gives way at a point along a unit direction. 0: not at all.
-inline double inverse_effective_mass(const physics::BodyState& body, physics::Vec3 point, physics::Vec3 n) {
+inline double inverse_effective_mass(const physics::BodyState& body, physics::Vec3 point,
+                                     physics::Vec3 n) {
     if (!(body.mass > 0)) return 0;
     const physics::Vec3 turn = cross(point - body.center, n);
     return 1 / body.mass + dot(turn, inverse(body.inertia) * turn);

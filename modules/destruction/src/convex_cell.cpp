@@ -45,8 +45,9 @@ CellFace clipped_face(const CellFace& face, Vec3 normal, double offset, double p
 
 // A face that only touches the plane from below, or lies in it.
 bool is_flat(const CellFace& face, Vec3 normal, double offset, double plane_tolerance) {
-    return std::all_of(face.points.begin(), face.points.end(),
-                       [&](Vec3 p) { return absolute(dot(normal, p) - offset) <= plane_tolerance; });
+    return std::all_of(face.points.begin(), face.points.end(), [&](Vec3 p) {
+        return absolute(dot(normal, p) - offset) <= plane_tolerance;
+    });
 }
 
 // Points of a convex face, in any order, about its normal.
@@ -61,7 +62,7 @@ void sort_about(std::vector<Vec3>& points, Vec3 normal) {
         turned.emplace_back(arc_tangent(dot(p - middle, y), dot(p - middle, x)), p);
     std::stable_sort(turned.begin(), turned.end(),
                      [](const auto& a, const auto& b) { return a.first < b.first; });
-    for (std::size_t k = 0; k < points.size(); k++) points[k] = turned[k].is_duplicate;
+    for (std::size_t k = 0; k < points.size(); k++) points[k] = turned[k].second;
 }
 
 }  // namespace
@@ -99,7 +100,8 @@ ConvexCell below_faces(const ConvexHull& hull) {
     for (CellFace& face : cell.faces)
         for (Vec3& p : face.points) p += middle;
     for (const HullFace& face : hull.faces)
-        cell = clipped(cell, face.normal, face.offset, outer_face, same_plane_tolerance * length(half));
+        cell = clipped(cell, face.normal, face.offset, outer_face,
+                       same_plane_tolerance * length(half));
     return cell;
 }
 

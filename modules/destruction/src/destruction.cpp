@@ -32,8 +32,8 @@ Error Destruction::unknown(DestructibleId id) {
 }
 
 std::size_t Destruction::size() const {
-    return static_cast<std::size_t>(
-        std::count_if(destructibles_.begin(), destructibles_.end(), [](const Destructible& w) { return w.alive; }));
+    return static_cast<std::size_t>(std::count_if(destructibles_.begin(), destructibles_.end(),
+                                                  [](const Destructible& w) { return w.alive; }));
 }
 
 Status Destruction::set_limits(const DestructionLimits& limits) {
@@ -49,8 +49,9 @@ Result<DestructibleId> Destruction::add(World& world, const FracturedShape& shap
     std::size_t at = 0;
     while (at < destructibles_.size() && destructibles_[at].alive) at++;
     if (at >= destructibles_max)
-        return Error{ErrorCode::resource_exhausted, "there are " + std::to_string(destructibles_max) +
-                                                        " destructibles, the most allowed"};
+        return Error{
+            ErrorCode::resource_exhausted,
+            "there are " + std::to_string(destructibles_max) + " destructibles, the most allowed"};
     const bool anchored = std::any_of(shape.chunks.begin(), shape.chunks.end(),
                                       [](const FractureChunk& c) { return c.anchored; });
     const BodyDef body_def{.type = anchored ? BodyType::static_body : BodyType::dynamic,
@@ -82,10 +83,10 @@ Result<DestructibleId> Destruction::add(World& world, const FracturedShape& shap
     for (std::uint32_t k = 0; k < shape.chunks.size(); k++) {
         const FractureChunk& chunk = shape.chunks[k];
         destructible.chunks.push_back({.center = chunk.center,
-                                .mass = chunk.volume * def.density,
-                                .inertia = chunk.unit_inertia * def.density,
-                                .shape = made[k],
-                                .anchored = chunk.anchored});
+                                       .mass = chunk.volume * def.density,
+                                       .inertia = chunk.unit_inertia * def.density,
+                                       .shape = made[k],
+                                       .anchored = chunk.anchored});
         piece.chunks.push_back(k);
     }
     for (const FractureBond& bond : shape.bonds) destructible.bonds.push_back({bond, false});
@@ -102,7 +103,8 @@ Status Destruction::remove(World& world, DestructibleId id) {
     for (const Piece& piece : destructible->pieces)
         if (world.contains(piece.body)) static_cast<void>(world.destroy_body(piece.body).ok());
     *destructible = {.generation = destructible->generation};
-    std::erase_if(reversed_contacts_, [&](const ReversedContact& again) { return again.destructible == id.index; });
+    std::erase_if(reversed_contacts_,
+                  [&](const ReversedContact& again) { return again.destructible == id.index; });
     derived_ = false;
     return {};
 }
@@ -124,7 +126,8 @@ std::size_t Destruction::break_near(const World& world, Vec3 center, double radi
     return count;
 }
 
-std::size_t Destruction::break_near(const World& world, Destructible& destructible, Vec3 center, double radius) {
+std::size_t Destruction::break_near(const World& world, Destructible& destructible, Vec3 center,
+                                    double radius) {
     rebuild_derived_state();
     std::size_t count = 0;
     for (Piece& piece : destructible.pieces) {
@@ -154,7 +157,8 @@ Result<std::vector<BodyId>> Destruction::bodies(DestructibleId id) const {
 Result<std::size_t> Destruction::intact_bonds(DestructibleId id) const {
     const Destructible* destructible = find(id);
     if (!destructible) return unknown(id);
-    return static_cast<std::size_t>(std::count_if(destructible->bonds.begin(), destructible->bonds.end(),
+    return static_cast<std::size_t>(std::count_if(destructible->bonds.begin(),
+                                                  destructible->bonds.end(),
                                                   [](const Bond& b) { return !b.broken; }));
 }
 

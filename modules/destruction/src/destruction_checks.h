@@ -11,11 +11,11 @@ inline constexpr std::size_t destructibles_max = 10000;
 inline constexpr std::size_t bonds_max = 16 * chunks_max;
 
 // The ranges of numbers, for definitions and for saved bytes.
-inline constexpr double coordinate_max = 1e5;                            // m, in the frame of a whole
-inline constexpr double area_min = 1e-12, area_max = 1e10;      // m^2
+inline constexpr double coordinate_max = 1e5;               // m, in the frame of a whole
+inline constexpr double area_min = 1e-12, area_max = 1e10;  // m^2
 inline constexpr double second_moment_min = 1e-26, second_moment_max = 1e20;  // m^4
-inline constexpr double mass_min = 1e-12, mass_max = 1e15;      // kg
-inline constexpr double inertia_max = 1e22;                       // kg m^2
+inline constexpr double mass_min = 1e-12, mass_max = 1e15;                    // kg
+inline constexpr double inertia_max = 1e22;                                   // kg m^2
 
 physics::Status check_limits(const DestructionLimits& limits);
 physics::Status check_shape(const FracturedShape& shape);

@@ -21,7 +21,7 @@ constexpr double same_round_load_ratio = 0.5;
 // Of the loads: they are asked anew after a change of that size, or of a twentieth of the weight.
 constexpr double load_change_share = 0.05, load_change_weight_share = 0.05;
 constexpr double standard_gravity = 9.81;
-constexpr double load_max = 1e29;      // N, J, m: less than what a load takes
+constexpr double load_max = 1e29;         // N, J, m: less than what a load takes
 constexpr double beam_length_min = 1e-6;  // m
 constexpr std::uint32_t no_piece = 0xffffffff;
 
@@ -33,7 +33,8 @@ struct Unknowns {
 }  // namespace
 
 // By bonds that hold, in order of the lowest chunk.
-std::vector<Group> Destruction::connected_groups(const Destructible& destructible, const Group& group) {
+std::vector<Group> Destruction::connected_groups(const Destructible& destructible,
+                                                 const Group& group) {
     std::vector<std::uint32_t> part(destructible.chunks.size(), no_piece);
     std::vector<std::vector<std::uint32_t>> near(destructible.chunks.size());
     for (const std::uint32_t k : group.bonds) {
@@ -62,7 +63,8 @@ std::vector<Group> Destruction::connected_groups(const Destructible& destructibl
     }
     for (const std::uint32_t chunk : group.chunks) parts[part[chunk]].chunks.push_back(chunk);
     for (const std::uint32_t k : group.bonds)
-        if (!destructible.bonds[k].broken) parts[part[destructible.bonds[k].face.a]].bonds.push_back(k);
+        if (!destructible.bonds[k].broken)
+            parts[part[destructible.bonds[k].face.a]].bonds.push_back(k);
     return parts;
 }
 
@@ -82,7 +84,8 @@ Unknowns unknowns_of(const std::vector<Chunk>& chunks, const Group& group) {
 }
 
 template <class Destructible>
-std::vector<Beam> beams_of(const Destructible& destructible, const Group& group, const Unknowns& unknowns) {
+std::vector<Beam> beams_of(const Destructible& destructible, const Group& group,
+                           const Unknowns& unknowns) {
     std::vector<Beam> beams;
     for (const std::uint32_t k : group.bonds) {
         const FractureBond& face = destructible.bonds[k].face;
@@ -100,7 +103,8 @@ std::vector<Beam> beams_of(const Destructible& destructible, const Group& group,
 // What moves freely meets its loads by its inertia (d'Alembert): each chunk pulls by its mass times
 // the acceleration that the whole takes there. Weight pulls at all alike and cancels.
 template <class Destructible>
-void add_inertia(const Destructible& destructible, const Group& group, Vec3 spin, std::vector<ChunkLoad>& chunk_loads) {
+void add_inertia(const Destructible& destructible, const Group& group, Vec3 spin,
+                 std::vector<ChunkLoad>& chunk_loads) {
     double mass = 0;
     Vec3 center, force, torque;
     for (const std::uint32_t c : group.chunks) {
@@ -123,7 +127,8 @@ void add_inertia(const Destructible& destructible, const Group& group, Vec3 spin
     for (const std::uint32_t c : group.chunks) {
         const auto& chunk = destructible.chunks[c];
         const Vec3 r = chunk.center - center;
-        chunk_loads[c].force += (linear + cross(angular, r) + cross(spin, cross(spin, r))) * -chunk.mass;
+        chunk_loads[c].force +=
+            (linear + cross(angular, r) + cross(spin, cross(spin, r))) * -chunk.mass;
         chunk_loads[c].torque += -(chunk.inertia * angular + cross(spin, chunk.inertia * spin));
     }
 }
@@ -132,8 +137,9 @@ void add_inertia(const Destructible& destructible, const Group& group, Vec3 spin
 
 // What each bond of the group bears, as a share of its strength.
 std::vector<double> Destruction::loads_of(const Destructible& destructible, const Group& group,
-                                          const BlockFactor& factor, std::span<const ChunkLoad> contact_loads,
-                                          Vec3 spin, Vec3 gravity) {
+                                          const BlockFactor& factor,
+                                          std::span<const ChunkLoad> contact_loads, Vec3 spin,
+                                          Vec3 gravity) {
     const Unknowns unknowns = unknowns_of(destructible.chunks, group);
     std::vector<ChunkLoad> chunk_loads(contact_loads.begin(), contact_loads.end());
     const bool held = std::any_of(group.chunks.begin(), group.chunks.end(),
@@ -153,26 +159,29 @@ std::vector<double> Destruction::loads_of(const Destructible& destructible, cons
     std::vector<double> loads;
     for (const Beam& beam : beams_of(destructible, group, unknowns))
         loads.push_back(load_of(beam, beam.a == fixed_unknown ? still : moved[beam.a],
-                                beam.b == fixed_unknown ? still : moved[beam.b], destructible.material));
+                                beam.b == fixed_unknown ? still : moved[beam.b],
+                                destructible.material));
     return loads;
 }
 
 // Solves, and breaks the worst. `cached`: the piece whose factor is that of the group.
-Destruction::SolveResult Destruction::solve_group(Destructible& destructible, const Group& group, Piece* cached,
-                                     std::span<const ChunkLoad> chunk_loads, Vec3 spin, Vec3 gravity,
-                                     double& energy) {
+Destruction::SolveResult Destruction::solve_group(Destructible& destructible, const Group& group,
+                                                  Piece* cached,
+                                                  std::span<const ChunkLoad> chunk_loads, Vec3 spin,
+                                                  Vec3 gravity, double& energy) {
     std::shared_ptr<const BlockFactor> factor = cached ? cached->factor : nullptr;
     const bool dissipated_energy = cached && cached->solved;
     if (!dissipated_energy && work_left_ <= 0) return SolveResult::no_time;
     if (!factor) {
         const Unknowns unknowns = unknowns_of(destructible.chunks, group);
-        factor = std::make_shared<BlockFactor>(
-            stiffness_of(beams_of(destructible, group, unknowns), unknowns.count, destructible.material));
+        factor = std::make_shared<BlockFactor>(stiffness_of(beams_of(destructible, group, unknowns),
+                                                            unknowns.count, destructible.material));
         if (cached) cached->factor = factor;
     }
     if (cached) cached->solved = true;
     if (!dissipated_energy) work_left_ -= static_cast<std::int64_t>(factor->work());
-    const std::vector<double> loads = loads_of(destructible, group, *factor, chunk_loads, spin, gravity);
+    const std::vector<double> loads =
+        loads_of(destructible, group, *factor, chunk_loads, spin, gravity);
     const double worst = loads.empty() ? 0 : *std::max_element(loads.begin(), loads.end());
     if (cached) max_load_ratio_ = worst;
     const double limit = maximum(1, same_round_load_ratio * worst);
@@ -195,19 +204,22 @@ Destruction::SolveResult Destruction::solve_group(Destructible& destructible, co
 
 // Round by round, what fell apart in one being asked part by part in the next. False: there was no
 // time to begin.
-bool Destruction::break_bonds(Destructible& destructible, Piece& piece, std::span<const ChunkLoad> chunk_loads, Vec3 spin,
-                        Vec3 gravity, double& energy) {
+bool Destruction::break_bonds(Destructible& destructible, Piece& piece,
+                              std::span<const ChunkLoad> chunk_loads, Vec3 spin, Vec3 gravity,
+                              double& energy) {
     std::vector<Group> groups = {{piece.chunks, piece.bonds}};
     for (int round = 0; round < limits_.rounds && !groups.empty(); round++) {
         std::vector<Group> next;
         for (const Group& group : groups) {
             if (group.bonds.empty()) continue;
             const SolveResult result =
-                solve_group(destructible, group, round == 0 ? &piece : nullptr, chunk_loads, spin, gravity, energy);
+                solve_group(destructible, group, round == 0 ? &piece : nullptr, chunk_loads, spin,
+                            gravity, energy);
             if (result == SolveResult::no_time) return round > 0;
             if (result == SolveResult::held) continue;
             piece.split_pending = true;
-            for (Group& part : connected_groups(destructible, group)) next.push_back(std::move(part));
+            for (Group& part : connected_groups(destructible, group))
+                next.push_back(std::move(part));
         }
         groups = std::move(next);
     }
@@ -216,7 +228,7 @@ bool Destruction::break_bonds(Destructible& destructible, Piece& piece, std::spa
 
 // Whether loads changed enough to ask; then asks.
 void Destruction::break_bonds_if_loaded(const World& world, std::uint32_t w, std::uint32_t p,
-                                  std::span<ChunkContact> chunk_contacts) {
+                                        std::span<ChunkContact> chunk_contacts) {
     Destructible& destructible = destructibles_[w];
     Piece& piece = destructible.pieces[p];
     if (piece.split_pending) return;
@@ -225,7 +237,8 @@ void Destruction::break_bonds_if_loaded(const World& world, std::uint32_t w, std
     const Quat back = conjugate(body->pose.rotation);
     const Vec3 spin = piece.anchored ? Vec3{} : rotate(back, body->angular_velocity);
     const double spin2 = length_squared(spin);
-    if (chunk_loads_.size() < destructible.chunks.size()) chunk_loads_.resize(destructible.chunks.size());
+    if (chunk_loads_.size() < destructible.chunks.size())
+        chunk_loads_.resize(destructible.chunks.size());
     const std::span<ChunkLoad> chunk_loads(chunk_loads_.data(), destructible.chunks.size());
     for (const std::uint32_t c : piece.chunks) chunk_loads[c] = {};
     double energy = 0, mass = 0, change = 0, before = 0, sum = spin2;
@@ -233,7 +246,8 @@ void Destruction::break_bonds_if_loaded(const World& world, std::uint32_t w, std
         const Vec3 force = rotate(back, chunk_contact.force);
         const Vec3 at = apply_inverse(body->pose, chunk_contact.point) + piece.origin;
         chunk_loads[chunk_contact.chunk].force += force;
-        chunk_loads[chunk_contact.chunk].torque += cross(at - destructible.chunks[chunk_contact.chunk].center, force);
+        chunk_loads[chunk_contact.chunk].torque +=
+            cross(at - destructible.chunks[chunk_contact.chunk].center, force);
         energy += chunk_contact.energy;
         sum += length(chunk_contact.force) + length(chunk_contact.point) + chunk_contact.energy;
     }
@@ -256,7 +270,8 @@ void Destruction::break_bonds_if_loaded(const World& world, std::uint32_t w, std
     if (piece.loads_pending) energy = piece.energy;
     const bool hit = energy > 0;
     double left = hit ? energy : std::numeric_limits<double>::max();
-    const bool evaluated = break_bonds(destructible, piece, chunk_loads, spin, rotate(back, world.gravity()), left);
+    const bool evaluated =
+        break_bonds(destructible, piece, chunk_loads, spin, rotate(back, world.gravity()), left);
     for (ChunkContact& chunk_contact : chunk_contacts)
         if (hit && evaluated && chunk_contact.impact && !piece.loads_pending) {
             chunk_contact.dissipated_energy = (energy - left) * (chunk_contact.energy / energy);
@@ -284,9 +299,11 @@ void Destruction::break_all_bonds(const World& world) {
                 next++;
             const Piece& piece = destructibles_[w].pieces[p];
             if (piece.chunks.size() < 2) continue;
-            if (next == first && !piece.loaded && !piece.solve_pending && !piece.loads_pending && piece.anchored)
+            if (next == first && !piece.loaded && !piece.solve_pending && !piece.loads_pending &&
+                piece.anchored)
                 continue;
-            break_bonds_if_loaded(world, w, p, std::span(chunk_contacts_).subspan(first, next - first));
+            break_bonds_if_loaded(world, w, p,
+                                  std::span(chunk_contacts_).subspan(first, next - first));
         }
 }
 
@@ -306,10 +323,11 @@ Result<double> Destruction::max_load_ratio(const World& world, DestructibleId id
         const Vec3 gravity = inverse_rotate(body->pose.rotation, world.gravity());
         for (const Group& group : connected_groups(*destructible, all)) {
             const Unknowns unknowns = unknowns_of(destructible->chunks, group);
-            const BlockFactor factor(
-                stiffness_of(beams_of(*destructible, group, unknowns), unknowns.count, destructible->material));
-            for (const double load : loads_of(*destructible, group, factor,
-                                              std::vector<ChunkLoad>(destructible->chunks.size()), {}, gravity))
+            const BlockFactor factor(stiffness_of(beams_of(*destructible, group, unknowns),
+                                                  unknowns.count, destructible->material));
+            for (const double load :
+                 loads_of(*destructible, group, factor,
+                          std::vector<ChunkLoad>(destructible->chunks.size()), {}, gravity))
                 worst = maximum(worst, load);
         }
     }

@@ -44,7 +44,8 @@ void Destruction::before_step(World& world, double dt) {
         }
 }
 
-void Destruction::store_pre_step_state(const World& world, std::uint32_t destructible, Piece& piece) {
+void Destruction::store_pre_step_state(const World& world, std::uint32_t destructible,
+                                       Piece& piece) {
     store_pre_step_state(world, destructible, piece.body);
     if (piece.chunks.size() < 2) return;
     if (const Result<std::vector<ContactInfo>> near = world.contacts_of(piece.body); near.ok())
@@ -58,8 +59,10 @@ void Destruction::store_pre_step_state(const World& world, std::uint32_t destruc
 }
 
 void Destruction::pre_solve(PreSolve& pair) {
-    if (const BondedShape* at = find_bonded_shape(pair.shape_a)) store_pre_step_state(pair.world, at->destructible, pair.body_b);
-    if (const BondedShape* at = find_bonded_shape(pair.shape_b)) store_pre_step_state(pair.world, at->destructible, pair.body_a);
+    if (const BondedShape* at = find_bonded_shape(pair.shape_a))
+        store_pre_step_state(pair.world, at->destructible, pair.body_b);
+    if (const BondedShape* at = find_bonded_shape(pair.shape_b))
+        store_pre_step_state(pair.world, at->destructible, pair.body_a);
     for (const auto& [body, destructible] : passing_bodies_) {
         if (pair.body_a != body && pair.body_b != body) continue;
         const BodyId other = pair.body_a == body ? pair.body_b : pair.body_a;
@@ -69,8 +72,10 @@ void Destruction::pre_solve(PreSolve& pair) {
 }
 
 // As it was before the first thing that met it in this step.
-void Destruction::store_pre_step_state(const World& world, std::uint32_t destructible, BodyId body) {
-    const auto at = std::lower_bound(pre_step_states_.begin(), pre_step_states_.end(), body, precedes);
+void Destruction::store_pre_step_state(const World& world, std::uint32_t destructible,
+                                       BodyId body) {
+    const auto at =
+        std::lower_bound(pre_step_states_.begin(), pre_step_states_.end(), body, precedes);
     if (at != pre_step_states_.end() && at->state.id == body) return;
     const Result<BodyState> state = world.body(body);
     if (state.ok() && state->mass > 0) pre_step_states_.insert(at, {*state, destructible});
@@ -84,7 +89,8 @@ const BodyState* Destruction::pre_step_body(BodyId body) const {
 }
 
 const PreStepState* Destruction::find_pre_step_state(BodyId body) const {
-    const auto at = std::lower_bound(pre_step_states_.begin(), pre_step_states_.end(), body, precedes);
+    const auto at =
+        std::lower_bound(pre_step_states_.begin(), pre_step_states_.end(), body, precedes);
     return at != pre_step_states_.end() && at->state.id == body ? &*at : nullptr;
 }
 
@@ -106,7 +112,8 @@ void Destruction::reverse_excess_impulses(World& world, double dt) {
     merge_mutual_impacts();
     for (std::size_t first = 0; first < chunk_contacts_.size();) {
         std::size_t end = first + 1;
-        while (end < chunk_contacts_.size() && &piece_of(chunk_contacts_[end]) == &piece_of(chunk_contacts_[first]))
+        while (end < chunk_contacts_.size() &&
+               &piece_of(chunk_contacts_[end]) == &piece_of(chunk_contacts_[first]))
             end++;
         limit_grounded_pieces(world, std::span(chunk_contacts_).subspan(first, end - first), dt);
         first = end;
@@ -118,13 +125,17 @@ void Destruction::reverse_excess_impulses(World& world, double dt) {
 void Destruction::merge_mutual_impacts() {
     for (std::size_t k = 0; k < chunk_contacts_.size(); k++) {
         ChunkContact& chunk_contact = chunk_contacts_[k];
-        if (!chunk_contact.mutual || !chunk_contact.impact || !(chunk_contact.load_ratio > 1)) continue;
+        if (!chunk_contact.mutual || !chunk_contact.impact || !(chunk_contact.load_ratio > 1))
+            continue;
         for (std::size_t i = 0; i < k; i++) {
             ChunkContact& other = chunk_contacts_[i];
-            if (other.own != chunk_contact.other || other.other != chunk_contact.own || !(other.load_ratio > 1))
+            if (other.own != chunk_contact.other || other.other != chunk_contact.own ||
+                !(other.load_ratio > 1))
                 continue;
-            chunk_contact.load_ratio = other.load_ratio = maximum(chunk_contact.load_ratio, other.load_ratio);
-            chunk_contact.dissipated_energy = other.dissipated_energy = chunk_contact.dissipated_energy + other.dissipated_energy;
+            chunk_contact.load_ratio = other.load_ratio =
+                maximum(chunk_contact.load_ratio, other.load_ratio);
+            chunk_contact.dissipated_energy = other.dissipated_energy =
+                chunk_contact.dissipated_energy + other.dissipated_energy;
             chunk_contact.is_duplicate = true;
         }
     }
@@ -137,7 +148,8 @@ const Destruction::Piece& Destruction::piece_of(const ChunkContact& chunk_contac
 
 // A piece that something static presses, too: it is not known who gave what. It keeps of its change
 // of velocity what its bonds bear; the ground takes the rest.
-void Destruction::limit_grounded_pieces(World& world, std::span<ChunkContact> chunk_contacts, double dt) {
+void Destruction::limit_grounded_pieces(World& world, std::span<ChunkContact> chunk_contacts,
+                                        double dt) {
     double worst = 0;
     bool free = true;
     for (const ChunkContact& chunk_contact : chunk_contacts) {
@@ -162,9 +174,12 @@ void Destruction::limit_grounded_pieces(World& world, std::span<ChunkContact> ch
 // The speed against each other that is left: the energy that the bonds took comes off it,
 // E = (v0^2 - v^2) / (2 inv). Negative: they part.
 double Destruction::remaining_speed(const ChunkContact& chunk_contact) {
-    const double kept = chunk_contact.approach - (chunk_contact.approach + chunk_contact.separation_speed) / chunk_contact.load_ratio;
+    const double kept =
+        chunk_contact.approach -
+        (chunk_contact.approach + chunk_contact.separation_speed) / chunk_contact.load_ratio;
     if (!(kept > 0)) return kept;
-    const double left2 = kept * kept - 2 * chunk_contact.dissipated_energy * chunk_contact.inverse_mass;
+    const double left2 =
+        kept * kept - 2 * chunk_contact.dissipated_energy * chunk_contact.inverse_mass;
     return left2 > 0 ? square_root(left2) : 0;
 }
 
@@ -183,8 +198,8 @@ double Destruction::restored_speed(const World& world, const ChunkContact& chunk
 
 // What met in this step, with how it moved before. Whose way nobody noted is as it is now: it gets
 // nothing that it did not keep.
-std::size_t Destruction::add_reversal_body(const World& world, std::vector<ReversalBody>& bodies, BodyId id,
-                              const Piece* piece, double dt) const {
+std::size_t Destruction::add_reversal_body(const World& world, std::vector<ReversalBody>& bodies,
+                                           BodyId id, const Piece* piece, double dt) const {
     std::size_t at = 0;
     while (at < bodies.size() && bodies[at].state.id != id) at++;
     if (at == bodies.size()) {
@@ -205,7 +220,8 @@ std::size_t Destruction::add_reversal_body(const World& world, std::vector<Rever
 // What belongs to a whole, or was near it, and got energy in this step: from what struck the whole,
 // who shall not get it back as well.
 void Destruction::add_nearby_bodies(const World& world, std::uint32_t destructible, double dt,
-                                 std::vector<ReversalBody>& bodies, std::vector<std::size_t>& added) const {
+                                    std::vector<ReversalBody>& bodies,
+                                    std::vector<std::size_t>& added) const {
     const std::size_t known = bodies.size();
     for (const PreStepState& noted : pre_step_states_) {
         if (noted.destructible != destructible) continue;
@@ -215,7 +231,7 @@ void Destruction::add_nearby_bodies(const World& world, std::uint32_t destructib
         const Result<BodyState> now = world.body(noted.state.id);
         if (!now.ok() || !now->awake) continue;
         const ReversalBody met{*now, noted.state.linear_velocity, noted.state.angular_velocity,
-                      world.gravity() * dt};
+                               world.gravity() * dt};
         if (!(met.energy() > met.energy_before())) continue;
         added.push_back(bodies.size());
         bodies.push_back(met);
@@ -223,7 +239,8 @@ void Destruction::add_nearby_bodies(const World& world, std::uint32_t destructib
 }
 
 // Which bodies share one ledger: those of a whole, and of the wholes that they touch.
-BodyPairs Destruction::shared_energy_pairs(const World& world, double dt, std::vector<ReversalBody>& bodies) const {
+BodyPairs Destruction::shared_energy_pairs(const World& world, double dt,
+                                           std::vector<ReversalBody>& bodies) const {
     BodyPairs links;
     std::vector<std::pair<std::uint32_t, std::size_t>> wholes;  // and one of the bodies
     std::vector<std::size_t> added;
@@ -233,7 +250,7 @@ BodyPairs Destruction::shared_energy_pairs(const World& world, double dt, std::v
         const auto known = std::find_if(wholes.begin(), wholes.end(), [&](const auto& entry) {
             return entry.first == noted->destructible;
         });
-        if (known != wholes.end()) return void(links.emplace_back(known->is_duplicate, body));
+        if (known != wholes.end()) return void(links.emplace_back(known->second, body));
         wholes.emplace_back(noted->destructible, body);
         added.clear();
         add_nearby_bodies(world, noted->destructible, dt, bodies, added);
@@ -263,20 +280,26 @@ void Destruction::reverse_impacts(World& world, double dt) {
         if (!world.contains(piece.body) || !world.contains(chunk_contact.other_body)) continue;
         const double speed = restored_speed(world, chunk_contact);
         if (speed > 0)
-            reversed_contacts_.push_back({chunk_contact.destructible, chunk_contact.chunk, chunk_contact.other, chunk_contact.other_body, chunk_contact.point,
-                              -chunk_contact.normal, speed});
+            reversed_contacts_.push_back({chunk_contact.destructible, chunk_contact.chunk,
+                                          chunk_contact.other, chunk_contact.other_body,
+                                          chunk_contact.point, -chunk_contact.normal, speed});
         if (chunk_contact.is_duplicate) continue;
         const std::size_t own = add_reversal_body(world, bodies, piece.body, &piece, dt),
-                          other = add_reversal_body(world, bodies, chunk_contact.other_body, nullptr, dt);
-        all.push_back(
-            {.point = chunk_contact.point,
-             .normal = chunk_contact.normal,
-             .piece = own,
-             .struck = other,
-             .speed = speed,
-             .inverse_mass_piece = chunk_contact.grounded ? 0 : inverse_effective_mass(bodies[own].state, chunk_contact.point, chunk_contact.normal),
-             .inverse_mass_struck = inverse_effective_mass(bodies[other].state, chunk_contact.point, chunk_contact.normal),
-             .dissipated_energy = chunk_contact.dissipated_energy});
+                          other = add_reversal_body(world, bodies, chunk_contact.other_body,
+                                                    nullptr, dt);
+        all.push_back({.point = chunk_contact.point,
+                       .normal = chunk_contact.normal,
+                       .piece = own,
+                       .struck = other,
+                       .speed = speed,
+                       .inverse_mass_piece =
+                           chunk_contact.grounded
+                               ? 0
+                               : inverse_effective_mass(bodies[own].state, chunk_contact.point,
+                                                        chunk_contact.normal),
+                       .inverse_mass_struck = inverse_effective_mass(
+                           bodies[other].state, chunk_contact.point, chunk_contact.normal),
+                       .dissipated_energy = chunk_contact.dissipated_energy});
     }
     if (all.empty()) return;
     const BodyPairs links = shared_energy_pairs(world, dt, bodies);

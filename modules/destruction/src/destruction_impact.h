@@ -16,16 +16,16 @@ struct ChunkContact {
     std::uint32_t destructible = 0, chunk = 0;
     physics::ShapeId own, other;
     physics::BodyId other_body;
-    physics::Vec3 point, push;  // m; N, world
+    physics::Vec3 point, force;  // m; N, world
     bool impact = false;
-    physics::Vec3 normal;                       // unit, against the chunk
-    double approach = 0, separation_speed = 0, inv = 0;  // m/s; 1/kg of both there
-    double energy = 0;                          // J
-    bool mutual = false;      // bonds hold the other one, too: there is a press upon it
-    double dissipated_energy = 0;        // J, for broken bonds
-    double worst = 0;       // what the worst bond had to bear, as a share of its strength
-    bool second = false;    // of two twins that both broke: the first one says it all
-    bool grounded = false;  // something static presses on the piece, too
+    physics::Vec3 normal;                                         // unit, against the chunk
+    double approach = 0, separation_speed = 0, inverse_mass = 0;  // m/s; 1/kg of both there
+    double energy = 0;                                            // J
+    bool mutual = false;           // bonds hold the other one, too: there is a press upon it
+    double dissipated_energy = 0;  // J, for broken bonds
+    double load_ratio = 0;         // what the worst bond had to bear, as a share of its strength
+    bool is_duplicate = false;     // of two twins that both broke: the first one says it all
+    bool grounded = false;         // something static presses on the piece, too
 };
 // What got its speed back and is still in touch: that is no new contact.
 struct ReversedContact {

@@ -34,7 +34,8 @@ void Destruction::rebuild_derived_state() {
             piece.bonds.clear();
             for (const std::uint32_t c : piece.chunks) {
                 destructible.chunks[c].piece = p;
-                if (piece.chunks.size() > 1) bonded_shapes_.push_back({destructible.chunks[c].shape, w, c});
+                if (piece.chunks.size() > 1)
+                    bonded_shapes_.push_back({destructible.chunks[c].shape, w, c});
             }
         }
         for (std::uint32_t k = 0; k < destructible.bonds.size(); k++) {
@@ -45,9 +46,11 @@ void Destruction::rebuild_derived_state() {
             destructible.pieces[piece].bonds.push_back(k);
         }
     }
-    std::sort(bonded_shapes_.begin(), bonded_shapes_.end(), [](const BondedShape& a, const BondedShape& b) {
-        return std::tuple(a.shape, a.destructible, a.chunk) < std::tuple(b.shape, b.destructible, b.chunk);
-    });
+    std::sort(bonded_shapes_.begin(), bonded_shapes_.end(),
+              [](const BondedShape& a, const BondedShape& b) {
+                  return std::tuple(a.shape, a.destructible, a.chunk) <
+                         std::tuple(b.shape, b.destructible, b.chunk);
+              });
     derived_ = true;
 }
 
@@ -55,7 +58,8 @@ void Destruction::update_gravity(const World& world) {
     if (world.gravity() == gravity_) return;
     gravity_ = world.gravity();
     for (Destructible& destructible : destructibles_)
-        for (Piece& piece : destructible.pieces) piece.solve_pending = piece.solve_pending || piece.anchored;
+        for (Piece& piece : destructible.pieces)
+            piece.solve_pending = piece.solve_pending || piece.anchored;
 }
 
 const Destruction::BondedShape* Destruction::find_bonded_shape(ShapeId shape) const {
@@ -79,8 +83,10 @@ void Destruction::add_impact(const World& world, double dt, ShapeId a, ShapeId b
     if ((!at_a && !at_b) || !(approach > 0)) return;
     const Result<BodyState> first = world.body(body_a), second = world.body(body_b);
     if (!first.ok() || !second.ok()) return;
-    const double inv = inverse_effective_mass(*first, point, normal) + inverse_effective_mass(*second, point, normal);
-    const double separation_speed = dot(velocity_at(*second, point) - velocity_at(*first, point), normal);
+    const double inv = inverse_effective_mass(*first, point, normal) +
+                       inverse_effective_mass(*second, point, normal);
+    const double separation_speed =
+        dot(velocity_at(*second, point) - velocity_at(*first, point), normal);
     if (!(inv > 0) || !(approach + separation_speed > 0)) return;
     const double impulse = (approach + separation_speed) / inv;
     for (const BondedShape* at : {at_a, at_b}) {
@@ -89,18 +95,18 @@ void Destruction::add_impact(const World& world, double dt, ShapeId a, ShapeId b
         const double time = minimum(dt, destructible.material.contact_time);
         const Vec3 against = at == at_a ? -normal : normal;
         ChunkContact chunk_contact{.destructible = at->destructible,
-                    .chunk = at->chunk,
-                    .own = at == at_a ? a : b,
-                    .other = at == at_a ? b : a,
-                    .other_body = at == at_a ? body_b : body_a,
-                    .point = point,
-                    .force = against * (impulse / time),
-                    .impact = true,
-                    .normal = against,
-                    .approach = approach,
-                    .separation_speed = separation_speed,
-                    .inverse_mass = inv,
-                    .energy = 0.5 * approach * approach / inv};
+                                   .chunk = at->chunk,
+                                   .own = at == at_a ? a : b,
+                                   .other = at == at_a ? b : a,
+                                   .other_body = at == at_a ? body_b : body_a,
+                                   .point = point,
+                                   .force = against * (impulse / time),
+                                   .impact = true,
+                                   .normal = against,
+                                   .approach = approach,
+                                   .separation_speed = separation_speed,
+                                   .inverse_mass = inv,
+                                   .energy = 0.5 * approach * approach / inv};
         chunk_contact.mutual = at_a && at_b;
         chunk_contacts_.push_back(chunk_contact);
     }
@@ -116,7 +122,8 @@ double Destruction::pre_step_approach_speed(const ContactStay& stay) const {
 }
 
 void Destruction::add_stay(const World& world, const ContactStay& stay, double dt) {
-    const BondedShape *at_a = find_bonded_shape(stay.shape_a), *at_b = find_bonded_shape(stay.shape_b);
+    const BondedShape *at_a = find_bonded_shape(stay.shape_a),
+                      *at_b = find_bonded_shape(stay.shape_b);
     if (!at_a && !at_b) return;
     if (is_impact(stay.shape_a, stay.shape_b)) return;
     if (const double approach = pre_step_approach_speed(stay); approach > impact_speed_min) {
@@ -127,29 +134,30 @@ void Destruction::add_stay(const World& world, const ContactStay& stay, double d
     const Vec3 push = stay.normal * (stay.normal_impulse / dt);
     if (at_a)
         chunk_contacts_.push_back({.destructible = at_a->destructible,
-                            .chunk = at_a->chunk,
-                            .own = stay.shape_a,
-                            .other = stay.shape_b,
-                            .other_body = stay.body_b,
-                            .point = stay.point,
-                            .force = -push});
+                                   .chunk = at_a->chunk,
+                                   .own = stay.shape_a,
+                                   .other = stay.shape_b,
+                                   .other_body = stay.body_b,
+                                   .point = stay.point,
+                                   .force = -push});
     if (at_b)
         chunk_contacts_.push_back({.destructible = at_b->destructible,
-                            .chunk = at_b->chunk,
-                            .own = stay.shape_b,
-                            .other = stay.shape_a,
-                            .other_body = stay.body_a,
-                            .point = stay.point,
-                            .force = push});
+                                   .chunk = at_b->chunk,
+                                   .own = stay.shape_b,
+                                   .other = stay.shape_a,
+                                   .other_body = stay.body_a,
+                                   .point = stay.point,
+                                   .force = push});
 }
 
 // What got its speed back and was stopped again without an event: by sweeps, which end at what is
 // static. It pressed on what is near it.
 void Destruction::add_unreported_impacts(const World& world, double dt) {
     for (const BodyState& mover : reversed_bodies_) {
-        if (std::any_of(chunk_contacts_.begin(), chunk_contacts_.end(), [&](const ChunkContact& chunk_contact) {
-                return chunk_contact.impact && chunk_contact.other_body == mover.id;
-            }))
+        if (std::any_of(chunk_contacts_.begin(), chunk_contacts_.end(),
+                        [&](const ChunkContact& chunk_contact) {
+                            return chunk_contact.impact && chunk_contact.other_body == mover.id;
+                        }))
             continue;
         const Result<std::vector<ContactInfo>> near = world.contacts_of(mover.id);
         if (!near.ok()) continue;
@@ -172,7 +180,7 @@ void Destruction::distribute_impacts() {
     for (ChunkContact& chunk_contact : chunk_contacts_) {
         if (!chunk_contact.impact) continue;
         const auto range = std::equal_range(others.begin(), others.end(), chunk_contact.other_body);
-        const double share = 1 / static_cast<double>(range.is_duplicate - range.first);
+        const double share = 1 / static_cast<double>(range.second - range.first);
         chunk_contact.force = chunk_contact.force * share;
         chunk_contact.energy *= share;
     }
@@ -194,8 +202,9 @@ void Destruction::gather_contacts(const World& world, double dt) {
         const Destructible& destructible = destructibles_[e.destructible];
         const ShapeId own = destructible.chunks[e.chunk].shape;
         if (!find_bonded_shape(own) || is_impact(own, e.other)) continue;
-        add_impact(world, dt, own, e.other, destructible.pieces[destructible.chunks[e.chunk].piece].body,
-                   e.other_body, e.point, e.normal, e.approach);
+        add_impact(world, dt, own, e.other,
+                   destructible.pieces[destructible.chunks[e.chunk].piece].body, e.other_body,
+                   e.point, e.normal, e.approach);
     }
     for (const ContactStay& e : events.contacts) add_stay(world, e, dt);
     add_unreported_impacts(world, dt);

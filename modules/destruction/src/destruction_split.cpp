@@ -49,12 +49,13 @@ Vec3 center_of(const Destructible& destructible, const Group& group) {
 
 bool Destruction::is_passing_debris(const Destructible& destructible, const Group& group) const {
     return group.chunks.size() == 1 && !is_anchored(destructible, group) &&
-           destructible.chunks[group.chunks[0]].mass < destructible.density * limits_.passing_volume;
+           destructible.chunks[group.chunks[0]].mass <
+               destructible.density * limits_.passing_volume;
 }
 
 // Those that leave, as bodies; then the old body without them. All or nothing.
-Status Destruction::detach_groups(World& world, Destructible& destructible, std::size_t p, std::span<const Group> leaving,
-                         const Group& staying) {
+Status Destruction::detach_groups(World& world, Destructible& destructible, std::size_t p,
+                                  std::span<const Group> leaving, const Group& staying) {
     const BodyId old = destructible.pieces[p].body;
     const Result<BodyState> body = world.body(old);
     if (!body.ok()) return body.error();
@@ -105,14 +106,14 @@ Status Destruction::detach_groups(World& world, Destructible& destructible, std:
     rest.factor.reset();
     remove_detached_shapes(world, destructible, rest, leaving);
     destructible.pieces.insert(destructible.pieces.end(), std::make_move_iterator(made.begin()),
-                        std::make_move_iterator(made.end()));
+                               std::make_move_iterator(made.end()));
     derived_ = false;
     return {};
 }
 
 // Takes the shapes of what left from the old body.
 void Destruction::remove_detached_shapes(World& world, Destructible& destructible, Piece& piece,
-                              std::span<const Group> leaving) {
+                                         std::span<const Group> leaving) {
     std::size_t removed = 0;
     for (const Group& group : leaving) removed += group.chunks.size();
     std::vector<ShapeDef> defs;
@@ -134,7 +135,8 @@ void Destruction::remove_detached_shapes(World& world, Destructible& destructibl
     }
     const Result<std::vector<ShapeId>> shapes = world.set_shapes(piece.body, defs);
     if (!shapes.ok()) return;
-    for (std::size_t k = 0; k < owners.size(); k++) destructible.chunks[owners[k]].shape = (*shapes)[k];
+    for (std::size_t k = 0; k < owners.size(); k++)
+        destructible.chunks[owners[k]].shape = (*shapes)[k];
 }
 
 // The largest part keeps the body; of an anchored piece the largest that is anchored. At most so
@@ -148,7 +150,8 @@ int Destruction::split(World& world, Destructible& destructible, std::size_t p, 
         std::vector<bool> here(destructible.chunks.size());
         for (const std::uint32_t c : all.chunks) here[c] = true;
         for (std::uint32_t k = 0; k < destructible.bonds.size(); k++)
-            if (here[destructible.bonds[k].face.a] && here[destructible.bonds[k].face.b]) all.bonds.push_back(k);
+            if (here[destructible.bonds[k].face.a] && here[destructible.bonds[k].face.b])
+                all.bonds.push_back(k);
         groups = connected_groups(destructible, all);
     }
     std::size_t stays = 0;
@@ -170,7 +173,8 @@ int Destruction::split(World& world, Destructible& destructible, std::size_t p, 
     std::sort(staying.chunks.begin(), staying.chunks.end());
     const bool all = leaving.size() + 1 == groups.size();
     // What cannot be parted, as where the world takes no more bodies, stays as it is.
-    const bool parted = leaving.empty() || detach_groups(world, destructible, p, leaving, staying).ok();
+    const bool parted =
+        leaving.empty() || detach_groups(world, destructible, p, leaving, staying).ok();
     Piece& rest = destructible.pieces[p];
     rest.split_pending = parted && !all;
     rest.solve_pending = true;
@@ -200,7 +204,8 @@ void Destruction::drop_debris(World& world, double dt) {
         const std::size_t count = destructible.pieces.size();
         std::erase_if(destructible.pieces, [&](Piece& piece) {
             if (piece.anchored || piece.chunks.size() != 1) return false;
-            if (destructible.chunks[piece.chunks[0]].mass >= destructible.density * limits_.debris_volume)
+            if (destructible.chunks[piece.chunks[0]].mass >=
+                destructible.density * limits_.debris_volume)
                 return false;
             piece.age += dt;
             if (piece.age < limits_.debris_life) return false;

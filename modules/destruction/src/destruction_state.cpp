@@ -105,7 +105,8 @@ void Destruction::check_destructible(StateVisitor& v, const Destructible& destru
         bool anchored = false;
         for (std::size_t k = 0; k < piece.chunks.size(); k++) {
             const std::uint32_t c = piece.chunks[k];
-            if (c >= destructible.chunks.size() || taken[c] || (k > 0 && c <= piece.chunks[k - 1])) {
+            if (c >= destructible.chunks.size() || taken[c] ||
+                (k > 0 && c <= piece.chunks[k - 1])) {
                 v.fail("pieces", "name a chunk that is not there, or twice, or out of order");
                 return;
             }
@@ -137,8 +138,8 @@ void Destruction::visit(StateVisitor& v) {
     v.all("again", reversed_contacts_, [&](ReversedContact& again) {
         v.field("whole", again.destructible);
         v.field("chunk", again.chunk);
-        if (v.loading() &&
-            (again.destructible >= destructibles_.size() || again.chunk >= destructibles_[again.destructible].chunks.size()))
+        if (v.loading() && (again.destructible >= destructibles_.size() ||
+                            again.chunk >= destructibles_[again.destructible].chunks.size()))
             v.fail("chunk", "is not there");
         v.field("other", again.other);
         v.field("other_body", again.other_body);
@@ -155,7 +156,8 @@ void Destruction::publish(const World&, ChannelWriter& channels) const {
     for (const Destructible& destructible : destructibles_) {
         if (!destructible.alive) continue;
         count(destructible.pieces.size());
-        count(static_cast<std::size_t>(std::count_if(destructible.bonds.begin(), destructible.bonds.end(),
+        count(static_cast<std::size_t>(std::count_if(destructible.bonds.begin(),
+                                                     destructible.bonds.end(),
                                                      [](const Bond& b) { return !b.broken; })));
         count(destructible.bonds.size());
     }
@@ -194,7 +196,7 @@ Status Destruction::configure(World& world, const ModuleSettings& given) {
     const Vec3 half{0.5 * width, 0.5 * height, 0.5 * thickness};
     Result<FracturedShape> shape =
         file.empty() ? fracture_box(half, random_seeds(half, static_cast<int>(chunks),
-                                                          static_cast<std::uint64_t>(seed)))
+                                                       static_cast<std::uint64_t>(seed)))
                      : read_fracture(file);
     if (!shape.ok()) return shape.error();
     if (file.empty()) anchor(*shape, {0, -1, 0}, half.y * (1 - 1e-6));

@@ -36,7 +36,8 @@ void add_outside(std::vector<ConvexCell>& to, const ConvexCell& cell, const Conv
     for (const CellFace& face : taken.faces) {
         if (rest.empty()) return;
         const double offset = dot(face.normal, face.points[0]);
-        ConvexCell out = clipped(rest, -face.normal, -offset, outer_face, plane_tolerance_ratio * size);
+        ConvexCell out =
+            clipped(rest, -face.normal, -offset, outer_face, plane_tolerance_ratio * size);
         if (!out.empty()) to.push_back(std::move(out));
         rest = clipped(rest, face.normal, offset, outer_face, plane_tolerance_ratio * size);
     }

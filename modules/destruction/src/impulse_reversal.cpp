@@ -48,7 +48,8 @@ double energy_of(const BodyState& body, Vec3 linear, Vec3 angular) {
 }
 
 // Which bodies hang together: by body, the lowest of them.
-std::vector<std::size_t> groups_of(std::span<const ReversalBody> bodies, std::span<const ImpulseReversal> all,
+std::vector<std::size_t> groups_of(std::span<const ReversalBody> bodies,
+                                   std::span<const ImpulseReversal> all,
                                    std::span<const std::pair<std::size_t, std::size_t>> pairs) {
     std::vector<std::size_t> group(bodies.size());
     for (std::size_t k = 0; k < group.size(); k++) group[k] = k;
@@ -68,18 +69,21 @@ std::vector<std::size_t> groups_of(std::span<const ReversalBody> bodies, std::sp
 
 // Of a group, J.
 struct EnergyBudget {
-    double before = 0, after = 0;     // the step
-    double given = 0, velocity_change_energy = 0;  // after all was given; of the change of velocity alone
+    double initial = 0, final = 0;  // before and after the step
+    double reversed = 0,
+           velocity_change_energy = 0;  // after all was given; of the change of velocity alone
     double dissipated_energy = 0;
 
     // The share of what is given at which there is no more than there was:
-    // after + b s + velocity_change_energy s^2 = most.
+    // final + b s + velocity_change_energy s^2 = most.
     double share() const {
-        const double most = maximum(before - dissipated_energy, after), b = given - after - velocity_change_energy;
-        if (!(given > most) || !(velocity_change_energy > 0)) return 1;
-        const double root = square_root(b * b + 4 * velocity_change_energy * (most - after));
+        const double most = maximum(initial - dissipated_energy, final),
+                     b = reversed - final - velocity_change_energy;
+        if (!(reversed > most) || !(velocity_change_energy > 0)) return 1;
+        const double root = square_root(b * b + 4 * velocity_change_energy * (most - final));
         // Both are the same; each has its rounding.
-        const double part = b > 0 ? 2 * (most - after) / (b + root) : (root - b) / (2 * velocity_change_energy);
+        const double part =
+            b > 0 ? 2 * (most - final) / (b + root) : (root - b) / (2 * velocity_change_energy);
         return clamp(part, 0, 1);
     }
 };
@@ -87,12 +91,12 @@ struct EnergyBudget {
 }  // namespace
 
 double ReversalBody::energy() const {
-    return energy_of(now, now.linear_velocity, now.angular_velocity);
+    return energy_of(state, state.linear_velocity, state.angular_velocity);
 }
 
 double ReversalBody::energy_before() const {
-    return energy_of(now, linear, angular) +
-           0.5 * now.mass * dot(fall, linear + now.linear_velocity);
+    return energy_of(state, linear, angular) +
+           0.5 * state.mass * dot(gravity_velocity, linear + state.linear_velocity);
 }
 
 // Projected Gauss-Seidel: what one gives back may be what another need not. Each impulse wants its
@@ -100,7 +104,7 @@ double ReversalBody::energy_before() const {
 // turned, would then have more energy than it came with: all impulses of a group are lessened
 // alike, which leaves momenta alone.
 void reverse_impulses(std::span<ReversalBody> bodies, std::span<ImpulseReversal> all,
-               std::span<const std::pair<std::size_t, std::size_t>> pairs) {
+                      std::span<const std::pair<std::size_t, std::size_t>> pairs) {
     const std::vector<ReversalBody> after(bodies.begin(), bodies.end());
     for (int round = 0; round < solver_iterations; round++)
         for (ImpulseReversal& one : all) share(bodies, one);
@@ -113,9 +117,10 @@ void reverse_impulses(std::span<ReversalBody> bodies, std::span<ImpulseReversal>
         ledger.final += after[k].energy();
         ledger.reversed += bodies[k].energy();
         ledger.velocity_change_energy += energy_of(now, now.linear_velocity - was.linear_velocity,
-                                      now.angular_velocity - was.angular_velocity);
+                                                   now.angular_velocity - was.angular_velocity);
     }
-    for (const ImpulseReversal& one : all) ledgers[group[one.struck]].dissipated_energy += one.dissipated_energy;
+    for (const ImpulseReversal& one : all)
+        ledgers[group[one.struck]].dissipated_energy += one.dissipated_energy;
     std::copy(after.begin(), after.end(), bodies.begin());
     for (ImpulseReversal& one : all) {
         one.impulse *= ledgers[group[one.struck]].share();

@@ -55,7 +55,8 @@ double random_gaussian(std::uint64_t& state) {
 }
 
 // Four of five in the cluster.
-Vec3 in_cluster(const Aabb& bounds, const SeedPatternOptions& plan, Vec3 center, std::uint64_t& state) {
+Vec3 in_cluster(const Aabb& bounds, const SeedPatternOptions& plan, Vec3 center,
+                std::uint64_t& state) {
     if (next_uniform(state) < 0.2) return random_point(bounds, state);
     const double x = random_gaussian(state), y = random_gaussian(state), z = random_gaussian(state);
     return center + Vec3{x, y, z} * (0.5 * plan.spread * longest_side(bounds));
@@ -68,7 +69,7 @@ bool is_within(const Aabb& bounds, Vec3 p) {
 }
 
 Result<std::vector<Vec3>> random_points(const Aabb& bounds, const SeedPatternOptions& plan,
-                                 const std::function<bool(Vec3)>& inside) {
+                                        const std::function<bool(Vec3)>& inside) {
     std::uint64_t state = plan.seed;
     const Vec3 center = plan.center.value_or(middle_of(bounds));
     std::vector<Vec3> seeds;
@@ -145,7 +146,7 @@ std::vector<Vec3> rings(const Aabb& bounds, const SeedPatternOptions& plan) {
 }  // namespace
 
 Result<std::vector<Vec3>> generate_seeds(const Aabb& bounds, const SeedPatternOptions& plan,
-                                        const std::function<bool(Vec3)>& inside) {
+                                         const std::function<bool(Vec3)>& inside) {
     if (Status s = check(bounds, plan); !s.ok()) return s.error();
     switch (plan.pattern) {
         case SeedPattern::grid:

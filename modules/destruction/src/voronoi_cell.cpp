@@ -68,10 +68,11 @@ Status check_seeds(std::span<const Vec3> seeds) {
 }
 
 ConvexCell clip_by_bisector(const ConvexCell& solid, std::span<const Vec3> seeds, std::size_t own,
-                     std::uint32_t other, double plane_tolerance) {
+                            std::uint32_t other, double plane_tolerance) {
     const Vec3 apart = seeds[other] - seeds[own];
     const Vec3 normal = apart / square_root(length_squared(apart));
-    return clipped(solid, normal, dot(normal, (seeds[other] + seeds[own]) * 0.5), other, plane_tolerance);
+    return clipped(solid, normal, dot(normal, (seeds[other] + seeds[own]) * 0.5), other,
+                   plane_tolerance);
 }
 
 // Others are cut off by distance: when one is so far that its plane lies beyond the furthest

@@ -20,7 +20,7 @@ physics::Status check_seeds(std::span<const physics::Vec3> seeds);
 ConvexCell voronoi_cell(const ConvexCell& solid, std::span<const physics::Vec3> seeds,
                         std::size_t own, double plane_tolerance);
 // What of the whole is on the own side of one other seed.
-ConvexCell clip_by_bisector(const ConvexCell& solid, std::span<const physics::Vec3> seeds, std::size_t own,
-                     std::uint32_t other, double plane_tolerance);
+ConvexCell clip_by_bisector(const ConvexCell& solid, std::span<const physics::Vec3> seeds,
+                            std::size_t own, std::uint32_t other, double plane_tolerance);
 
 }  // namespace jostle::modules::destruction_detail

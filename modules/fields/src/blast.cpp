@@ -18,7 +18,7 @@ using fields_detail::BlastPoint;
 namespace {
 
 constexpr double ray_start_offset = 0.01;  // m from the centre at which rays begin
-constexpr double hit_tolerance = 1e-3;         // m: nearer to a point than that is at it
+constexpr double hit_tolerance = 1e-3;     // m: nearer to a point than that is at it
 
 // N s/m^2 of area that faces the centre.
 double strength_at(const Explosion& e, double distance) {
@@ -44,7 +44,8 @@ Vec3 offset_center(const Queries& queries, const Explosion& e) {
 class BlastVisibility {
 public:
     BlastVisibility(const Queries& queries, Vec3 center) : queries_(queries), center_(center) {
-        if (auto shapes = queries.shapes_at(center); shapes.ok()) enclosing_shapes_ = std::move(*shapes);
+        if (auto shapes = queries.shapes_at(center); shapes.ok())
+            enclosing_shapes_ = std::move(*shapes);
     }
 
     // A convex shape does not hide what of it faces the centre; children of a compound may hide
@@ -71,7 +72,8 @@ private:
         const auto hits = queries_.cast_ray_all(ray);
         if (!hits.ok()) return std::nullopt;
         for (const RayHit& hit : *hits)
-            if (std::ranges::find(enclosing_shapes_, hit.shape) == enclosing_shapes_.end()) return hit;
+            if (std::ranges::find(enclosing_shapes_, hit.shape) == enclosing_shapes_.end())
+                return hit;
         return std::nullopt;
     }
 

@@ -15,10 +15,11 @@ using namespace physics;
 
 namespace {
 
-constexpr double rudder_rate = 2.5;   // 1/s of full rudder
+constexpr double rudder_rate = 2.5;           // 1/s of full rudder
 constexpr double reverse_thrust_share = 0.5;  // of the thrust
-constexpr double screw_offset_max = 8;     // m
-constexpr double keel_half_length_ratio = 0.7;     // of how far astern the screw is: where its two ends push
+constexpr double screw_offset_max = 8;        // m
+constexpr double keel_half_length_ratio =
+    0.7;  // of how far astern the screw is: where its two ends push
 
 struct Range {
     const char* name;

@@ -20,8 +20,9 @@ ProjectedShape faces_of(const Geometry& geometry, const Transform& pose) {
             const Vec3 area = area_of(surface, triangle);
             // Triangles of one flat face follow one another.
             const bool same =
-                !projected_shapes.areas.empty() && dot(projected_shapes.areas.back(), area) >=
-                                            (1 - 1e-12) * length(projected_shapes.areas.back()) * length(area);
+                !projected_shapes.areas.empty() &&
+                dot(projected_shapes.areas.back(), area) >=
+                    (1 - 1e-12) * length(projected_shapes.areas.back()) * length(area);
             if (same)
                 projected_shapes.areas.back() += area;
             else
@@ -54,10 +55,12 @@ ProjectedShape projected_shape_of(const Geometry& geometry, const Transform& pos
     return faces_of(geometry, pose);
 }
 
-void add_projected_shape(std::vector<ProjectedShape>& projected_shapes, const Geometry& geometry, const Transform& pose) {
+void add_projected_shape(std::vector<ProjectedShape>& projected_shapes, const Geometry& geometry,
+                         const Transform& pose) {
     if (const auto* compound = std::get_if<Compound>(&geometry)) {
         for (const CompoundChild& child : compound->data->children)
-            projected_shapes.push_back(projected_shape_of(child.geometry, compose(pose, child.pose)));
+            projected_shapes.push_back(
+                projected_shape_of(child.geometry, compose(pose, child.pose)));
     } else if (is_convex(kind_of(geometry))) {
         projected_shapes.push_back(projected_shape_of(geometry, pose));
     }

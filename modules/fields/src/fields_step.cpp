@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "jostle/modules/fields.h"
-#include "modules/fields/src/load.h"
 #include "modules/fields/src/field_scratch.h"
+#include "modules/fields/src/load.h"
 
 namespace jostle::modules {
 
@@ -16,7 +16,7 @@ using fields_detail::Load;
 
 namespace {
 
-constexpr double wake_distance = 0.25;  // m that a target moves between two wakings
+constexpr double wake_distance = 0.25;            // m that a target moves between two wakings
 constexpr double noticeable_acceleration = 0.05;  // m/s^2
 
 double to_power(double x, std::uint32_t n) {
@@ -57,19 +57,19 @@ void apply_turbulence(const Turbulence& turbulence, Load& load) {
     load.drag(
         flow_at(turbulence, load.body.center, load.time), turbulence.density, turbulence.drag,
         [&](Vec3 direction) {
-            return fields_detail::projected_area(load.record,
-                                             inverse_rotate(load.body.pose.rotation, direction));
+            return fields_detail::projected_area(
+                load.record, inverse_rotate(load.body.pose.rotation, direction));
         },
         load.gravity);
 }
 
 void push(const UserField& user, const UserForce& force, Load& load) {
     const Vec3 force_or_acceleration = force({.position = load.body.center,
-                              .velocity = load.body.linear_velocity,
-                              .mass = load.body.mass,
-                              .time = load.time,
-                              .h = load.h,
-                              .parameters = user.parameters});
+                                              .velocity = load.body.linear_velocity,
+                                              .mass = load.body.mass,
+                                              .time = load.time,
+                                              .h = load.h,
+                                              .parameters = user.parameters});
     const Vec3 impulse = force_or_acceleration * (load.h * (user.per_mass ? load.body.mass : 1));
     if (is_finite(impulse)) load.push(impulse);
 }
@@ -88,7 +88,8 @@ struct IsTimeVarying {
                             fields_detail::projected_area(record, {0, 1, 0}) +
                             fields_detail::projected_area(record, {0, 0, 1});
         const double fastest = length(t.wind) + 3 * t.speed;
-        return 0.5 * t.density * t.drag * area * fastest * fastest > noticeable_acceleration * body.mass;
+        return 0.5 * t.density * t.drag * area * fastest * fastest >
+               noticeable_acceleration * body.mass;
     }
     bool operator()(const UserField& user) const { return !user.steady; }
     bool operator()(const Waves& waves) const {
@@ -140,7 +141,8 @@ void Fields::before_substep(SubstepContext& substep) {
         Load load{substep.body(id), scratch_->body_cache.of(id), gravity, middle, substep.h()};
         for (std::size_t k = 0; k < entries_.size(); k++) {
             const VolumeField& field = entries_[k].field;
-            if ((load.record.categories & field.mask) != 0 && contains(field.volume, load.body.center))
+            if ((load.record.categories & field.mask) != 0 &&
+                contains(field.volume, load.body.center))
                 apply_field(k, field_state, load);
         }
         if (load.impulse != Vec3{}) substep.add_impulse(id, load.impulse, load.body.center);
@@ -148,8 +150,8 @@ void Fields::before_substep(SubstepContext& substep) {
     }
 }
 
-fields_detail::SubstepFieldState Fields::substep_field_state(const SubstepContext& substep, double middle,
-                                             Vec3 gravity) const {
+fields_detail::SubstepFieldState Fields::substep_field_state(const SubstepContext& substep,
+                                                             double middle, Vec3 gravity) const {
     fields_detail::SubstepFieldState field_state;
     field_state.targets.resize(entries_.size());
     field_state.trains.resize(entries_.size());
@@ -163,7 +165,8 @@ fields_detail::SubstepFieldState Fields::substep_field_state(const SubstepContex
     return field_state;
 }
 
-void Fields::apply_field(std::size_t at, fields_detail::SubstepFieldState& field_state, Load& load) const {
+void Fields::apply_field(std::size_t at, fields_detail::SubstepFieldState& field_state,
+                         Load& load) const {
     const Entry& entry = entries_[at];
     if (const auto* central = std::get_if<Central>(&entry.field.law)) {
         if (field_state.targets[at]) pull(*central, *field_state.targets[at], load);
@@ -172,8 +175,8 @@ void Fields::apply_field(std::size_t at, fields_detail::SubstepFieldState& field
     } else if (const auto* user = std::get_if<UserField>(&entry.field.law)) {
         push(*user, *entry.force, load);
     } else {
-        fields_detail::apply_water_forces(std::get<Waves>(entry.field.law), field_state.trains[at], load,
-                                     field_state.water);
+        fields_detail::apply_water_forces(std::get<Waves>(entry.field.law), field_state.trains[at],
+                                          load, field_state.water);
     }
 }
 
@@ -185,7 +188,8 @@ void Fields::follow_targets(World& world) {
         const Result<BodyState> target = world.body(central->body);
         if (!target.ok()) continue;
         const Vec3 at = target->center + central->point;
-        if (!(length_squared(at - entry.last_wake_position) > wake_distance * wake_distance)) continue;
+        if (!(length_squared(at - entry.last_wake_position) > wake_distance * wake_distance))
+            continue;
         entry.last_wake_position = at;
         std::vector<BodyState> bodies;
         world.copy_bodies(bodies);

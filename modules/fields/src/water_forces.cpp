@@ -40,7 +40,7 @@ void add_triangle(const Corner& a, const Corner& b, const Corner& c, WaterSums& 
 
 // The part of a triangle that is under water: 3 or 4 corners, cut where the depth is zero.
 void add_clipped_panel(const std::array<Corner, 3>& corners, const std::array<double, 3>& depth,
-                 WaterSums& sums, std::vector<WaterScratch::Wet>& wet) {
+                       WaterSums& sums, std::vector<WaterScratch::Wet>& wet) {
     std::array<Corner, 4> left;
     std::size_t count = 0;
     for (std::size_t k = 0; k < 3; k++) {
@@ -55,7 +55,8 @@ void add_clipped_panel(const std::array<Corner, 3>& corners, const std::array<do
 }
 
 // What panels stand for has no torque where the true surface has none.
-Vec3 without_symmetric_torque(const PanelSurface& surface, const Load& load, Vec3 force, Vec3 torque) {
+Vec3 without_symmetric_torque(const PanelSurface& surface, const Load& load, Vec3 force,
+                              Vec3 torque) {
     const Vec3 arm = apply(load.body.pose, surface.center) - load.body.center;
     if (surface.ball > 0) return cross(arm, force);
     if (!surface.round) return torque;
@@ -72,7 +73,8 @@ Vec3 mean_flow(const WaveTrain& train, const Load& load, const WaterScratch& scr
     for (std::size_t k = 0; k < depth.size(); k++)
         if (depth[k] > 0) middle += scratch.arms[k], wet++;
     const WaveTrain::Sample sample = train.at(load.body.center + middle * (1 / wet));
-    if (sample.depth > 0 && 8 * load.record.reach < train.shortest_wavelength()) return sample.velocity;
+    if (sample.depth > 0 && 8 * load.record.reach < train.shortest_wavelength())
+        return sample.velocity;
     const std::size_t stride = 1 + depth.size() / 12;
     Vec3 sum;
     double count = 0;
@@ -107,7 +109,7 @@ void add_surface(const WaveTrain& train, const PanelSurface& surface, const Load
     scratch.arms.clear();
     for (const Vec3 vertex : surface.vertices) scratch.arms.push_back(origin + axes * vertex);
     train.sample_pressure(load.body.center, scratch.arms, load.record.reach + length(origin),
-                scratch.pressure);
+                          scratch.pressure);
     const std::vector<double>& depth = scratch.pressure.depth;
     const auto wet = std::ranges::count_if(depth, [](double d) { return d > 0; });
     if (wet == 0) return;
@@ -199,7 +201,8 @@ Middle middle_of(const Load& load, Vec3 force, Vec3 torque) {
 
 }  // namespace
 
-void apply_water_forces(const Waves& waves, const WaveTrain& train, Load& load, WaterScratch& scratch) {
+void apply_water_forces(const Waves& waves, const WaveTrain& train, Load& load,
+                        WaterScratch& scratch) {
     const double gravity = -load.gravity.y;
     if (!(gravity > 0)) return;
     if (load.body.pose.position.y - load.record.reach >= train.max_surface_height()) return;

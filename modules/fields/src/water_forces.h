@@ -25,6 +25,7 @@ struct WaterScratch {
 };
 
 // `train`: of these waves, in the middle of the sub-step. Nothing where gravity does not pull down.
-void apply_water_forces(const Waves& waves, const WaveTrain& train, Load& load, WaterScratch& scratch);
+void apply_water_forces(const Waves& waves, const WaveTrain& train, Load& load,
+                        WaterScratch& scratch);
 
 }  // namespace jostle::modules::fields_detail

@@ -40,7 +40,8 @@ WaveTrain::Sample WaveTrain::at(Vec3 p) const {
     for (std::size_t k = 0; k < count_; k++) {
         const Component& c = components_[k];
         const double size = c.amplitude * exp_of_negative(-c.number * depth);
-        const double crest = size * add_crest_heights[k].cos, rise = size * add_crest_heights[k].sin;
+        const double crest = size * add_crest_heights[k].cos,
+                     rise = size * add_crest_heights[k].sin;
         sample.head += crest;
         sample.velocity += Vec3{c.x * crest, rise, c.z * crest} * c.omega;
         sample.lift += (Vec3{c.x * rise, -crest, c.z * rise} + slope * crest) * c.number;
@@ -55,7 +56,7 @@ WaveTrain::Sample WaveTrain::at(Vec3 p) const {
 // side by side.
 
 void WaveTrain::sample_pressure(Vec3 center, std::span<const Vec3> arms, double reach,
-                      Pressure& pressure) const {
+                                Pressure& pressure) const {
     const std::size_t count = arms.size();
     pressure.depth.resize(count), pressure.head.resize(count);
     pressure.crest.resize(count * count_);
@@ -73,8 +74,8 @@ void WaveTrain::sample_pressure(Vec3 center, std::span<const Vec3> arms, double 
 }
 
 // Its height over each point.
-void WaveTrain::add_crest_heights(const Component& wave, Vec3 center, std::span<const Vec3> arms, double reach,
-                      double* crest) {
+void WaveTrain::add_crest_heights(const Component& wave, Vec3 center, std::span<const Vec3> arms,
+                                  double reach, double* crest) {
     const double phase = wave.number * (wave.x * center.x + wave.z * center.z) + wave.turn;
     const double along = wave.number * wave.x, across = wave.number * wave.z;
     if (wave.number * reach > 0.8) {

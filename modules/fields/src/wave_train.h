@@ -34,7 +34,7 @@ public:
         std::vector<double> crest;        // m, of one wave after the other
     };
     void sample_pressure(physics::Vec3 center, std::span<const physics::Vec3> arms, double reach,
-               Pressure& pressure) const;
+                         Pressure& pressure) const;
 
     double shortest_wavelength() const;                          // m, of all waves; 1e30 without
     double max_surface_height() const { return level_ + sum_; }  // m, y that no crest passes
@@ -46,7 +46,7 @@ private:
         double turn;                      // rad, of the moment
     };
     static void add_crest_heights(const Component& wave, physics::Vec3 center,
-                      std::span<const physics::Vec3> arms, double reach, double* crest);
+                                  std::span<const physics::Vec3> arms, double reach, double* crest);
     static void fade(const Component& wave, std::span<const double> depth, const double* crest,
                      double* head);
     std::array<Component, wave_components_max> components_ = {};

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double impulse_speed_max = 20, pushed_speed_max = 50;  // m/s
 constexpr double pushed_spin_max = 60;                           // rad/s
-constexpr double impulse_reach_max = 2;                                      // m
+constexpr double impulse_reach_max = 2;                          // m
 
 constexpr JointSpring grab_spring{.hertz = 5, .damping_ratio = 1};  // follows, does not shake
 constexpr double acceleration_max = 200;  // m/s^2: a hand may be strong, not endless
@@ -24,18 +24,20 @@ Vec3 capped(Vec3 now, Vec3 before, double cap) {
 
 }  // namespace
 
-Status apply_player_impulse(World& world, const BodyState& body, Vec3 impulse, std::optional<Vec3> point) {
+Status apply_player_impulse(World& world, const BodyState& body, Vec3 impulse,
+                            std::optional<Vec3> point) {
     const double most = body.mass * impulse_speed_max, size = length(impulse);
     if (size > most) impulse = impulse * (most / size);
     const Vec3 arm = point.value_or(body.center) - body.center;
     const double far = length(arm);
     if (!point || far <= impulse_reach_max)
         return apply_limited_impulse(world, body, impulse, point.value_or(body.center));
-    return apply_limited_impulse(world, body, impulse, body.center + arm * (impulse_reach_max / far));
+    return apply_limited_impulse(world, body, impulse,
+                                 body.center + arm * (impulse_reach_max / far));
 }
 
 Status apply_limited_impulse(World& world, const BodyState& body, Vec3 impulse, Vec3 point,
-                          Vec3 angular_impulse) {
+                             Vec3 angular_impulse) {
     if (Status s = world.apply_impulse(body.id, impulse, point); !s.ok()) return s;
     if (Status s = world.apply_angular_impulse(body.id, angular_impulse); !s.ok()) return s;
     const BodyState pushed = *world.body(body.id);

@@ -19,7 +19,7 @@ constexpr double blend_seconds_max = 60;  // s
 
 // Where a bone is whose parent is there, with its joint turned so far.
 Transform bone_pose(const Transform& parent, const Transform& parent_rest, const Transform& frame,
-                 const Transform& rest, Quat turn) {
+                    const Transform& rest, Quat turn) {
     const Transform joint = compose(compose(parent, inverse(parent_rest)), frame);
     return compose(compose(joint, {{}, turn}), compose(inverse(frame), rest));
 }
@@ -64,7 +64,7 @@ Ragdolls::BoneJoint Ragdolls::bone_joint_of(const JointKind& kind) {
         return {BoneJointKind::hinge, hinge->limit.enabled, hinge->limit.lower, hinge->limit.upper};
     if (const auto* cone = std::get_if<ConeTwistJoint>(&kind))
         return {BoneJointKind::cone_twist, cone->twist.enabled, cone->twist.lower,
-                cone->twist.upper,    cone->swing,         cone->friction_torque};
+                cone->twist.upper,         cone->swing,         cone->friction_torque};
     if (const auto* ball = std::get_if<BallJoint>(&kind))
         return {.friction = ball->friction_torque};
     return {};
@@ -216,7 +216,8 @@ Status Ragdolls::set_mode(World& world, RagdollId id, RagdollMode mode, double b
     const Result<RagdollPose> now = pose(world, id);
     if (!now.ok()) return now.error();
     // Bodies that nothing pushes have no joints between them.
-    const bool is_kinematic = mode == RagdollMode::kinematic, was_kinematic = figure->mode == mode && is_kinematic;
+    const bool is_kinematic = mode == RagdollMode::kinematic,
+               was_kinematic = figure->mode == mode && is_kinematic;
     if (is_kinematic && !was_kinematic) destroy_joints(world, *figure);
     if (Status s = set_types(world, *figure, mode); !s.ok()) return s;
     if (!is_kinematic && figure->mode == RagdollMode::kinematic)
@@ -226,8 +227,10 @@ Status Ragdolls::set_mode(World& world, RagdollId id, RagdollMode mode, double b
     figure->blend_elapsed = 0;
     figure->pose_changed = true;
     figure->blend_start_root = now->root;
-    for (std::size_t k = 0; k < figure->bones.size(); k++) figure->bones[k].blend_start_rotation = now->rotations[k];
-    for (Bone& bone : figure->bones) bone.previous_rotation = blend > 0 ? bone.blend_start_rotation : bone.target_rotation;
+    for (std::size_t k = 0; k < figure->bones.size(); k++)
+        figure->bones[k].blend_start_rotation = now->rotations[k];
+    for (Bone& bone : figure->bones)
+        bone.previous_rotation = blend > 0 ? bone.blend_start_rotation : bone.target_rotation;
     return {};
 }
 
@@ -321,14 +324,17 @@ void Ragdolls::move_kinematic_bones(World& world, Figure& figure, double dt) {
     const bool blends = figure.blend_elapsed < figure.blend;
     const double destroy_joints = blends ? figure.blend_elapsed / figure.blend : 1;
     std::vector<Transform> poses;
-    const Transform root = blends ? interpolate(figure.blend_start_root, figure.root, destroy_joints) : figure.root;
+    const Transform root =
+        blends ? interpolate(figure.blend_start_root, figure.root, destroy_joints) : figure.root;
     for (const Bone& bone : figure.bones) {
-        const Quat turn = blends ? interpolate(bone.blend_start_rotation, bone.target_rotation, destroy_joints) : bone.target_rotation;
+        const Quat turn =
+            blends ? interpolate(bone.blend_start_rotation, bone.target_rotation, destroy_joints)
+                   : bone.target_rotation;
         poses.push_back(bone.parent < 0
-                             ? compose(root, bone.rest)
-                             : bone_pose(poses[static_cast<std::size_t>(bone.parent)],
-                                      figure.bones[static_cast<std::size_t>(bone.parent)].rest,
-                                      bone.frame, bone.rest, turn));
+                            ? compose(root, bone.rest)
+                            : bone_pose(poses[static_cast<std::size_t>(bone.parent)],
+                                        figure.bones[static_cast<std::size_t>(bone.parent)].rest,
+                                        bone.frame, bone.rest, turn));
         if (figure.mode == RagdollMode::kinematic || bone.parent < 0)
             static_cast<void>(world.move_to(bone.body, poses.back(), dt).ok());
         if (figure.mode != RagdollMode::kinematic) return;  // the root alone is held
@@ -344,13 +350,17 @@ void Ragdolls::drive_muscles(World& world, Figure& figure, double dt) {
     figure.pose_changed = false;
     for (Bone& bone : figure.bones) {
         if (bone.parent < 0) continue;
-        const double strength = figure.mode == RagdollMode::powered ? bone.strength * destroy_joints : 0;
-        const Quat turn = blends ? interpolate(bone.blend_start_rotation, bone.target_rotation, destroy_joints) : bone.target_rotation;
+        const double strength =
+            figure.mode == RagdollMode::powered ? bone.strength * destroy_joints : 0;
+        const Quat turn =
+            blends ? interpolate(bone.blend_start_rotation, bone.target_rotation, destroy_joints)
+                   : bone.target_rotation;
         Quat target = turn;
         if (bone.muscle.hertz > 0 && bone.previous_rotation != turn) {
-            target = from_rotation_vector(angular_velocity_between(bone.previous_rotation, turn, dt) *
-                                          lead_time_of(bone.muscle, dt, substeps)) *
-                     turn;
+            target =
+                from_rotation_vector(angular_velocity_between(bone.previous_rotation, turn, dt) *
+                                     lead_time_of(bone.muscle, dt, substeps)) *
+                turn;
             figure.pose_changed = true;
         }
         bone.previous_rotation = turn;
@@ -368,7 +378,8 @@ void Ragdolls::before_step(World& world, double dt) {
         const bool changes = figure.pose_changed || figure.blend_elapsed < figure.blend;
         if (figure.blend_elapsed < figure.blend)
             figure.blend_elapsed = minimum(figure.blend, figure.blend_elapsed + dt);
-        if (is_kinematic || (figure.kinematic_root && (changes || figure.mode == RagdollMode::powered)))
+        if (is_kinematic ||
+            (figure.kinematic_root && (changes || figure.mode == RagdollMode::powered)))
             move_kinematic_bones(world, figure, dt);
         if (is_kinematic)
             figure.pose_changed = false;

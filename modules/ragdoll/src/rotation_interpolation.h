@@ -20,10 +20,11 @@ inline physics::Vec3 rotation_vector(physics::Quat q) {
 // A part of the way from one to the other, along the shorter arc.
 inline physics::Quat interpolate(physics::Quat from, physics::Quat to, double fraction) {
     using namespace physics;
-    return normalized(from_rotation_vector(rotation_vector(to * conjugate(from)) * fraction) * from);
+    return normalized(from_rotation_vector(rotation_vector(to * conjugate(from)) * fraction) *
+                      from);
 }
 inline physics::Transform interpolate(const physics::Transform& from, const physics::Transform& to,
-                                  double fraction) {
+                                      double fraction) {
     return {from.position + (to.position - from.position) * fraction,
             interpolate(from.rotation, to.rotation, fraction)};
 }

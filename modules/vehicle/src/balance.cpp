@@ -27,9 +27,9 @@ namespace {
 
 constexpr double speed_min = 0.5;  // m/s that the steering counts with
 constexpr double blend_speed_low = 15,
-                 blend_speed_high = 30;        // m/s between which the two ways to steer are mixed
+                 blend_speed_high = 30;  // m/s between which the two ways to steer are mixed
 constexpr double swing_damping_seconds = 0.025;  // s
-constexpr double rider_friction_share = 0.85;   // of friction that a rider uses
+constexpr double rider_friction_share = 0.85;    // of friction that a rider uses
 
 double axle_distance(const VehicleDef& def) {
     return maximum(absolute(def.wheels.back().attachment.z - def.wheels.front().attachment.z), 0.1);
@@ -139,14 +139,16 @@ void measure_lean(const BodyState& chassis, Car& car) {
     car.lean.inertia = inertia + chassis.mass * height * height;
     const Vec3 hub = apply(chassis.pose, car.def.wheels.front().attachment);
     const Vec3 front = v + cross(chassis.angular_velocity, hub - chassis.center);
-    car.lean.front_heading = arc_tangent(dot(front, right), maximum(dot(front, forward), speed_min));
+    car.lean.front_heading =
+        arc_tangent(dot(front, right), maximum(dot(front, forward), speed_min));
 }
 
 double balance_steering(const Car& car, double dt) {
     if (!car.lean.touching) return car.steering;
     const double share = feet_support_share(car), lock = full_lock(car.def);
     const LateralAcceleration lateral = target_lateral_acceleration(car);
-    const double by_slip = clamp((car.speed - blend_speed_low) / (blend_speed_high - blend_speed_low), 0, 1);
+    const double by_slip =
+        clamp((car.speed - blend_speed_low) / (blend_speed_high - blend_speed_low), 0, 1);
     double angle = 0;
     if (by_slip < 1) angle += (1 - by_slip) * steering_from_path(car, lateral, dt);
     if (by_slip > 0) angle += by_slip * steering_from_slip(car, lateral);
@@ -165,7 +167,8 @@ Vec3 feet_angular_impulse(const ChassisFrame& frame, const Car& car) {
     const double rate = -dot(frame.w, frame.axes.z), damps = 2 * w * lean.inertia;
     const double stands = (w * w + lean.weight / lean.height) * lean.inertia;
     // Implicit in what the chassis alone answers: its tyres give way aside.
-    const double upright = -stands * lean.angle - damps * rate / (1 + frame.h * damps / lean.own_inertia);
+    const double upright =
+        -stands * lean.angle - damps * rate / (1 + frame.h * damps / lean.own_inertia);
     const double most = 0.5 * car.mass * lean.weight;
     return frame.axes.z * (-clamp(upright, -most, most) * share * lies * frame.h);
 }

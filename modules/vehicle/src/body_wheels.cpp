@@ -53,8 +53,8 @@ double sag_of(const Wheel& wheel, double gravity) {
     return clamp(gravity / (w * w), 0, wheel.suspension.longest - wheel.suspension.shortest);
 }
 
-Status make_wheel_body(World& world, const BodyState& chassis, const Filter& filter, std::size_t index,
-                Car& car) {
+Status make_wheel_body(World& world, const BodyState& chassis, const Filter& filter,
+                       std::size_t index, Car& car) {
     const Wheel& wheel = car.def.wheels[index];
     const double pressed = sag_of(wheel, length(world.gravity()));
     const Vec3 hub = wheel.attachment + wheel.down * (wheel.suspension.longest - pressed);
@@ -105,10 +105,10 @@ double spin_of(const MovingBody& wheel, const MovingBody& chassis, Vec3 axle) {
 
 // What turned it since the last sub-step besides the drive line.
 void estimate_resistance(double spin, double inertia, double h, WheelBody& wheel) {
-    const double resistance = (inertia * (spin - wheel.spin) - wheel.reaction_impulse) / h;
+    const double resistance = (inertia * (spin - wheel.spin) - wheel.drive_impulse) / h;
     wheel.resistance += (resistance - wheel.resistance) * (h / (h + resistance_time_constant));
     wheel.spin = spin;
-    wheel.reaction_impulse = 0;
+    wheel.drive_impulse = 0;
 }
 
 // As the drive line sees it.
@@ -124,8 +124,8 @@ DriveLineWheel drive_line_wheel_of(const Wheel& made, const WheelBody& wheel) {
 }
 
 // N that a bar presses a wheel down by; less where it is too stiff for the sub-step.
-double anti_roll_force(const Car& car, std::uint32_t wheel, const std::array<double, wheels_max>& pressed,
-                double h) {
+double anti_roll_force(const Car& car, std::uint32_t wheel,
+                       const std::array<double, wheels_max>& pressed, double h) {
     double push = 0;
     for (const AntiRollBar& bar : car.def.anti_roll_bars) {
         if (bar.left != wheel && bar.right != wheel) continue;
@@ -207,7 +207,8 @@ void drive_body_wheels(SubstepContext& substep, Car& car) {
         if (substep.contains(wheel.body)) {
             const MovingBody body = substep.body(wheel.body);
             axles[k] = rotate(body.pose.rotation, car.def.wheels[k].axle);
-            estimate_resistance(spin_of(body, chassis, axles[k]), inertia_of(car.def.wheels[k]), h, wheel);
+            estimate_resistance(spin_of(body, chassis, axles[k]), inertia_of(car.def.wheels[k]), h,
+                                wheel);
         }
         wheels[k] = drive_line_wheel_of(car.def.wheels[k], wheel);
     }
@@ -215,15 +216,17 @@ void drive_body_wheels(SubstepContext& substep, Car& car) {
     for (std::size_t k = 0; k < car.bodies.size(); k++) {
         WheelBody& wheel = car.bodies[k];
         if (!substep.contains(wheel.body)) continue;
-        wheel.reaction_impulse = wheels[k].inertia * (wheels[k].spin - wheel.spin) - h * wheel.resistance;
-        substep.add_angular_impulse(wheel.body, axles[k] * -wheel.reaction_impulse);
-        substep.add_angular_impulse(car.def.chassis, axles[k] * wheel.reaction_impulse);
+        wheel.drive_impulse =
+            wheels[k].inertia * (wheels[k].spin - wheel.spin) - h * wheel.resistance;
+        substep.add_angular_impulse(wheel.body, axles[k] * -wheel.drive_impulse);
+        substep.add_angular_impulse(car.def.chassis, axles[k] * wheel.drive_impulse);
     }
     apply_anti_roll_bars(substep, chassis, car);
     const Vec3 up = rotate(chassis.pose.rotation, {0, 1, 0});
-    substep.add_impulse(car.def.chassis,
-                        aerodynamic_impulse(car.def.aerodynamics, chassis.linear_velocity, up, car.mass, h),
-                        chassis.center);
+    substep.add_impulse(
+        car.def.chassis,
+        aerodynamic_impulse(car.def.aerodynamics, chassis.linear_velocity, up, car.mass, h),
+        chassis.center);
 }
 
 void update_wheel_state(const World& world, double dt, Car& car) {

@@ -23,12 +23,13 @@ enum class Driver : std::uint8_t { none, pilot, player };
 
 // Saved.
 struct WheelRuntime {
-    double stiffness = 0, damping = 0;      // of the suspension: N/m, N s/m
-    double spin = 0, angle = 0;             // rad/s, rad
-    double longitudinal_deflection = 0, lateral_deflection = 0;  // m that the tread is bent: pushes the chassis so
-    double travel = 0;                      // m
+    double stiffness = 0, damping = 0;  // of the suspension: N/m, N s/m
+    double spin = 0, angle = 0;         // rad/s, rad
+    double longitudinal_deflection = 0,
+           lateral_deflection = 0;              // m that the tread is bent: pushes the chassis so
+    double travel = 0;                          // m
     double load = 0, forward = 0, lateral = 0;  // N
-    double friction = 0;                    // with the ground
+    double friction = 0;                        // with the ground
     bool touches = false;
     BodyId ground = {};
     ShapeId shape = {};
@@ -39,9 +40,9 @@ struct WheelRuntime {
 struct WheelBody {
     BodyId body = {};
     physics::JointId joint = {};
-    double spin = 0;     // rad/s ahead at the last sub-step
-    double drive_impulse = 0;   // N m s that it was given then
-    double resistance = 0;  // N m that ground and brakes turn it by: learned
+    double spin = 0;           // rad/s ahead at the last sub-step
+    double drive_impulse = 0;  // N m s that it was given then
+    double resistance = 0;     // N m that ground and brakes turn it by: learned
 };
 
 // The ground under a wheel, for a step.
@@ -49,10 +50,10 @@ struct Ground {
     bool found = false;
     bool dynamic = false;  // is pushed back
     Vec3 point = {}, normal = {};
-    Vec3 velocity = {};       // m/s, there
-    double reach = 0;         // m from the plane to the wheel's centre when it touches
-    double inverse_mass = 0;  // 1/kg that a tyre meets along the ground; 0: not asked yet
-    Vec3 reaction_impulse = {};         // N s: what it is owed at the end of the step
+    Vec3 velocity = {};          // m/s, there
+    double reach = 0;            // m from the plane to the wheel's centre when it touches
+    double inverse_mass = 0;     // 1/kg that a tyre meets along the ground; 0: not asked yet
+    Vec3 reaction_impulse = {};  // N s: what it is owed at the end of the step
 };
 
 // What follows from the definition and the controls, for a step.
@@ -67,18 +68,22 @@ struct Lean {
     double height = 1;           // m: of a pendulum that falls as fast
     double weight = 9.81;        // m/s^2 down
     double inertia = 0;          // kg m^2 about the line that it leans over
-    double own_inertia = 1;              // kg m^2 about its centre of mass, along its way
-    double yaw_rate = 0;             // rad/s to the right
-    double front_heading = 0;           // rad to the right: where the front wheel goes
+    double own_inertia = 1;      // kg m^2 about its centre of mass, along its way
+    double yaw_rate = 0;         // rad/s to the right
+    double front_heading = 0;    // rad to the right: where the front wheel goes
 };
 
-enum class FrictionState : std::uint8_t { holds, slipping_forward, slipping_backward };  // of a brake, clutch, coupling
+enum class FrictionState : std::uint8_t {
+    sticking,
+    slipping_forward,
+    slipping_backward
+};  // of a brake, clutch, coupling
 
 struct Car {
     CarId id = 0;
     VehicleDef def;
     CarControls controls;
-    Driver driver = Driver::nobody;
+    Driver driver = Driver::none;
     Pilot pilot;
     double driver_steering = 0, driver_throttle = 0;  // what a person holds, -1 to 1
     std::uint32_t driver_buttons = 0;
@@ -102,7 +107,7 @@ struct Car {
     Vec3 support_impulse = {};  // N s of each sub-step
     double mass = 0;
     double external_acceleration_max = 100;  // m/s^2, rad/s^2 that are learned
-    Mat3 inverse_inertia;     // world axes
+    Mat3 inverse_inertia;                    // world axes
     std::vector<Ground> grounds;
     std::vector<WheelAxes> wheel_axes;
     Lean lean;
@@ -120,21 +125,21 @@ struct ChassisFrame {
 
 // How a tread pushes at a load, in a sub-step.
 struct TreadState {
-    double limit;                         // N: friction * load
-    double longitudinal_deflection, lateral_deflection;        // s per m of bend: C / (3 mu length)
-    double roll;                          // share of its bend that a sub-step leaves
-    double rolls;                         // 0 at standstill, 1 from 1 m/s on
-    double longitudinal_damping, lateral_damping;  // N s/m, at standstill
-    double longitudinal_secant, lateral_secant;    // N per m of bend, as it is bent
+    double limit;                                        // N: friction * load
+    double longitudinal_deflection, lateral_deflection;  // s per m of bend: C / (3 mu length)
+    double roll;                                         // share of its bend that a sub-step leaves
+    double rolling_share;                                // 0 at standstill, 1 from 1 m/s on
+    double longitudinal_damping, lateral_damping;        // N s/m, at standstill
+    double longitudinal_secant, lateral_secant;          // N per m of bend, as it is bent
 };
 
 // A wheel that touches, in a sub-step. Step by step filled in by find_contacts(), solve_loads(),
 // and drive(); not cleared before, which would cost as much as the solve.
 struct Contact {
     std::uint32_t wheel;
-    Vec3 arm;                   // m from the centre of mass
+    Vec3 arm;                       // m from the centre of mass
     Vec3 normal, forward, lateral;  // unit
-    Vec3 velocity;              // m/s of the chassis there, against the ground
+    Vec3 velocity;                  // m/s of the chassis there, against the ground
     double longitudinal_velocity, lateral_velocity;
     double pressed;       // m
     double lever;         // suspension travel per motion along the normal

@@ -28,8 +28,13 @@ void estimate_external_acceleration(const MovingBody& chassis, double h, Car& ca
         // A crash is not learned as if it lasted.
         const Vec3 a = (chassis.linear_velocity - car.expected_v) / h,
                    alpha = (chassis.angular_velocity - car.expected_w) / h;
-        car.external_acceleration += (clamp_components(a, car.external_acceleration_max) - car.external_acceleration) * share;
-        car.external_angular_acceleration += (clamp_components(alpha, car.external_acceleration_max) - car.external_angular_acceleration) * share;
+        car.external_acceleration +=
+            (clamp_components(a, car.external_acceleration_max) - car.external_acceleration) *
+            share;
+        car.external_angular_acceleration +=
+            (clamp_components(alpha, car.external_acceleration_max) -
+             car.external_angular_acceleration) *
+            share;
     }
     car.has_expected_motion = true;
     car.expected_v = chassis.linear_velocity;
@@ -157,11 +162,14 @@ void deflect_tread(const ChassisFrame& frame, Car& car, DriveLineWheel& spun, Co
         tread_of(tyre, contact, run.friction, absolute(contact.longitudinal_velocity), frame.h);
     const double slip = contact.longitudinal_velocity - spun.radius * run.spin;
     run.longitudinal_deflection = (run.longitudinal_deflection - frame.h * slip) * tread.roll;
-    run.lateral_deflection = (run.lateral_deflection - frame.h * contact.lateral_velocity) * tread.roll;
+    run.lateral_deflection =
+        (run.lateral_deflection - frame.h * contact.lateral_velocity) * tread.roll;
     const double s2 = clamp_to_friction(tread, run.longitudinal_deflection, run.lateral_deflection);
     compute_secant_stiffness(tread, run.longitudinal_deflection, run.lateral_deflection, s2);
-    spun.force = tread.longitudinal_secant * run.longitudinal_deflection - tread.longitudinal_damping * slip;
-    spun.slope = spun.radius * (tread.longitudinal_secant * frame.h * tread.roll + tread.longitudinal_damping);
+    spun.force =
+        tread.longitudinal_secant * run.longitudinal_deflection - tread.longitudinal_damping * slip;
+    spun.slope = spun.radius *
+                 (tread.longitudinal_secant * frame.h * tread.roll + tread.longitudinal_damping);
     spun.brake += tyre.rolling_resistance * contact.load * spun.radius;
 }
 
@@ -175,16 +183,18 @@ void grip(const ChassisFrame& frame, Car& car, DriveLineWheel& spun, Contact& co
     const double slip = contact.longitudinal_velocity - spun.radius * spun.spin;
     run.longitudinal_deflection += frame.h * spun.radius * gained * tread.roll;
     clamp_to_friction(tread, run.longitudinal_deflection, run.lateral_deflection);
-    double forward = tread.longitudinal_secant * run.longitudinal_deflection - tread.longitudinal_damping * slip;
-    double lateral =
-        tread.lateral_secant * run.lateral_deflection - tread.lateral_damping * contact.lateral_velocity;
+    double forward =
+        tread.longitudinal_secant * run.longitudinal_deflection - tread.longitudinal_damping * slip;
+    double lateral = tread.lateral_secant * run.lateral_deflection -
+                     tread.lateral_damping * contact.lateral_velocity;
     const double force2 = forward * forward + lateral * lateral;
     if (force2 > tread.limit * tread.limit) {
         const double less = tread.limit / square_root(force2);
         forward *= less;
         lateral *= less;
     }
-    if (spun.spin != 0) spun.spin += frame.h * spun.radius * (counted - forward) / spun.effective_inertia;
+    if (spun.spin != 0)
+        spun.spin += frame.h * spun.radius * (counted - forward) / spun.effective_inertia;
     contact.longitudinal_force = run.forward = forward;
     contact.lateral_force = run.lateral = lateral;
     run.load = contact.load;
@@ -200,31 +210,34 @@ void drive(const ChassisFrame& frame, Car& car, DriveLineWheels& wheels, Contact
 // ---- what comes of it ----
 
 struct Push {
-    Vec3 impulse = {}, turn = {};  // N s, N m s about the centre of mass
+    Vec3 impulse = {}, angular_impulse = {};  // N s, N m s about the centre of mass
 };
 
-void apply_ground_reaction(SubstepContext& substep, const ChassisFrame& frame, const Contact& contact, Vec3 impulse,
-                 Car& car) {
+void apply_ground_reaction(SubstepContext& substep, const ChassisFrame& frame,
+                           const Contact& contact, Vec3 impulse, Car& car) {
     Ground& ground = car.grounds[contact.wheel];
     if (!ground.dynamic) return;
     const BodyId body = car.wheels[contact.wheel].ground;
-    if (!substep.add_impulse(body, -impulse, frame.center + contact.arm)) ground.reaction_impulse += -impulse;
+    if (!substep.add_impulse(body, -impulse, frame.center + contact.arm))
+        ground.reaction_impulse += -impulse;
 }
 
-void apply_wheel_forces(SubstepContext& substep, const ChassisFrame& frame, Contacts& contacts, Car& car,
-                    Push& push) {
+void apply_wheel_forces(SubstepContext& substep, const ChassisFrame& frame, Contacts& contacts,
+                        Car& car, Push& push) {
     for (const Contact& contact : contacts) {
-        const Vec3 impulse = (contact.normal * contact.load + contact.forward * contact.longitudinal_force +
-                              contact.lateral * contact.lateral_force) *
-                             frame.h;
+        const Vec3 impulse =
+            (contact.normal * contact.load + contact.forward * contact.longitudinal_force +
+             contact.lateral * contact.lateral_force) *
+            frame.h;
         push.impulse += impulse;
-        push.yaw_rate += cross(contact.arm, impulse);
+        push.angular_impulse += cross(contact.arm, impulse);
         apply_ground_reaction(substep, frame, contact, impulse, car);
     }
 }
 
 // Wheels take their spin from the chassis and leave it there.
-void update_wheel_spin(const ChassisFrame& frame, const DriveLineWheels& wheels, Car& car, Push& push) {
+void update_wheel_spin(const ChassisFrame& frame, const DriveLineWheels& wheels, Car& car,
+                       Push& push) {
     constexpr double turn = 2 * pi;
     Vec3 left{};
     for (std::size_t k = 0; k < car.wheels.size(); k++) {
@@ -234,11 +247,12 @@ void update_wheel_spin(const ChassisFrame& frame, const DriveLineWheels& wheels,
         run.angle += run.spin * frame.h;
         if (run.angle < 0 || run.angle > turn) run.angle -= turn * std::floor(run.angle / turn);
     }
-    push.yaw_rate += frame.axes * left;
+    push.angular_impulse += frame.axes * left;
 }
 
 void apply_aerodynamics(const ChassisFrame& frame, const Car& car, Push& push) {
-    push.impulse += aerodynamic_impulse(car.def.aerodynamics, frame.v, frame.axes.y, car.mass, frame.h);
+    push.impulse +=
+        aerodynamic_impulse(car.def.aerodynamics, frame.v, frame.axes.y, car.mass, frame.h);
 }
 
 }  // namespace
@@ -250,10 +264,12 @@ void step_car(SubstepContext& substep, Car& car) {
     const int solve_interval = substeps_per_solve(substep, car);
     const BodyId chassis = car.def.chassis;
     if (substep.index() % solve_interval != 0) {
-        if (car.supported) substep.add_impulse(chassis, car.support_impulse, substep.body(chassis).center);
+        if (car.supported)
+            substep.add_impulse(chassis, car.support_impulse, substep.body(chassis).center);
         return;
     }
-    const int left = substep.count() - substep.index(), steps = left < solve_interval ? left : solve_interval;
+    const int left = substep.count() - substep.index(),
+              steps = left < solve_interval ? left : solve_interval;
     const ChassisFrame frame = frame_of(substep, steps * substep.h(), car);
     Contacts contacts;
     find_contacts(substep, frame, car, contacts);
@@ -265,13 +281,14 @@ void step_car(SubstepContext& substep, Car& car) {
     apply_wheel_forces(substep, frame, contacts, car, push);
     update_wheel_spin(frame, wheels, car, push);
     apply_aerodynamics(frame, car, push);
-    push.yaw_rate += feet_angular_impulse(frame, car);
+    push.angular_impulse += feet_angular_impulse(frame, car);
     car.supported = contacts.count > 0;
-    car.support_impulse = car.supported ? car.external_acceleration * (-car.mass * substep.h()) : Vec3{};
+    car.support_impulse =
+        car.supported ? car.external_acceleration * (-car.mass * substep.h()) : Vec3{};
     substep.add_impulse(chassis, push.impulse - car.support_impulse * (steps - 1), frame.center);
-    substep.add_angular_impulse(chassis, push.yaw_rate);
+    substep.add_angular_impulse(chassis, push.angular_impulse);
     car.expected_v += push.impulse * (1 / car.mass);
-    car.expected_w += car.inverse_inertia * push.yaw_rate;
+    car.expected_w += car.inverse_inertia * push.angular_impulse;
     car.speed = -dot(frame.v, frame.axes.z);
 }
 

@@ -99,7 +99,8 @@ void check_wheels(const VehicleDef& def, Check& check) {
 }
 
 void check_anti_roll_bars(const VehicleDef& def, Check& check) {
-    check.number("anti_roll_bars", static_cast<double>(def.anti_roll_bars.size()), 0, anti_roll_bars_max);
+    check.number("anti_roll_bars", static_cast<double>(def.anti_roll_bars.size()), 0,
+                 anti_roll_bars_max);
     const double last = static_cast<double>(def.wheels.size()) - 1;
     for (std::size_t k = 0; k < def.anti_roll_bars.size(); k++) {
         const AntiRollBar& bar = def.anti_roll_bars[k];
@@ -130,7 +131,8 @@ bool check_groups(const VehicleDef& def, const std::vector<std::uint32_t>& first
 }
 
 void check_differential_locks(const VehicleDef& def, Check& check) {
-    check.number("couplings", static_cast<double>(def.differential_locks.size()), 0, differential_locks_max);
+    check.number("couplings", static_cast<double>(def.differential_locks.size()), 0,
+                 differential_locks_max);
     for (std::size_t k = 0; k < def.differential_locks.size(); k++) {
         const DifferentialLock& coupling = def.differential_locks[k];
         check.enter("couplings", k);
@@ -164,8 +166,8 @@ void check_engine(const Engine& engine, Check& check) {
     }
     check.number("inertia", engine.inertia, 0.001, 1e5);
     check.number("idle", engine.idle_speed, 1, 5000);
-    check.number("most", engine.torque_max, 1, 1e4);
-    check.that(engine.torque_max > engine.idle_speed, "most is not above idle");
+    check.number("most", engine.max_speed, 1, 1e4);
+    check.that(engine.max_speed > engine.idle_speed, "most is not above idle");
     check.number("friction", engine.friction, 0, 1e4);
     check.leave();
 }
@@ -181,7 +183,8 @@ void check_gearbox(const Gearbox& gearbox, Check& check) {
     check.number("shift_pause", gearbox.shift_pause, 0, 100);
     check.number("shift_up_speed", gearbox.shift_up_speed, 0, 1e4);
     check.number("shift_down_speed", gearbox.shift_down_speed, 0, 1e4);
-    check.that(gearbox.shift_down_speed < gearbox.shift_up_speed, "shift_down_speed is not below shift_up_speed");
+    check.that(gearbox.shift_down_speed < gearbox.shift_up_speed,
+               "shift_down_speed is not below shift_up_speed");
     check.number("clutch_torque", gearbox.clutch_torque, 1, 1e7);
     check.leave();
 }
@@ -275,7 +278,7 @@ std::string validate(const Car& car) {
                "wheels have another number of bodies");
     for (const WheelBody& wheel : car.bodies) {
         check.number("spin", wheel.spin, -1e6, 1e6);
-        check.number("pushed", wheel.reaction_impulse, -1e12, 1e12);
+        check.number("pushed", wheel.drive_impulse, -1e12, 1e12);
         check.number("resists", wheel.resistance, -1e12, 1e12);
     }
     check.leave();

@@ -32,10 +32,10 @@ struct FrictionConstraint {
     std::array<std::uint8_t, unknowns_max> at;
     std::array<double, unknowns_max> weight;
     std::size_t size;
-    double most;   // N m
-    double stiff;  // N m s/rad
+    double torque_max;  // N m
+    double stiff;       // N m s/rad
     FrictionState grip;
-    double before;  // rad/s: its speed at the start
+    double initial_speed;  // rad/s: its speed at the start
 };
 struct FrictionConstraints {
     std::array<FrictionConstraint, constraints_max> of;
@@ -46,17 +46,22 @@ using Speeds = std::array<double, unknowns_max>;
 
 double speed_of(const FrictionConstraint& constraint, const Speeds& y) {
     double sum = 0;
-    for (std::size_t k = 0; k < constraint.size; k++) sum += constraint.weight[k] * y[constraint.at[k]];
+    for (std::size_t k = 0; k < constraint.size; k++)
+        sum += constraint.weight[k] * y[constraint.at[k]];
     return sum;
 }
 
 // Slips if a sub-step of all that it bears does not stop it.
-FrictionState initial_friction_state(const FrictionConstraint& constraint, double inertia, double h) {
-    if (absolute(constraint.initial_speed) * inertia <= h * constraint.torque_max) return FrictionState::holds;
-    return constraint.initial_speed > 0 ? FrictionState::slipping_forward : FrictionState::slipping_backward;
+FrictionState initial_friction_state(const FrictionConstraint& constraint, double inertia,
+                                     double h) {
+    if (absolute(constraint.initial_speed) * inertia <= h * constraint.torque_max)
+        return FrictionState::sticking;
+    return constraint.initial_speed > 0 ? FrictionState::slipping_forward
+                                        : FrictionState::slipping_backward;
 }
 
-void add_brakes(const Car& car, double h, const DriveLineWheels& wheels, FrictionConstraints& constraints) {
+void add_brakes(const Car& car, double h, const DriveLineWheels& wheels,
+                FrictionConstraints& constraints) {
     for (std::size_t i = 0; i < car.wheels.size(); i++) {
         const DriveLineWheel& wheel = wheels[i];
         if (wheel.brake <= 0) continue;
@@ -96,7 +101,8 @@ void add_clutch(const Car& car, double h, const Speeds& y, FrictionConstraints& 
     constraint.grip = initial_friction_state(constraint, car.def.engine.inertia, h);
 }
 
-double add_group(const Car& car, const std::vector<std::uint32_t>& group, double sign, FrictionConstraint& constraint) {
+double add_group(const Car& car, const std::vector<std::uint32_t>& group, double sign,
+                 FrictionConstraint& constraint) {
     double inertia = 0;
     for (const std::uint32_t wheel : group) {
         constraint.at[constraint.size] = static_cast<std::uint8_t>(wheel);
@@ -106,13 +112,14 @@ double add_group(const Car& car, const std::vector<std::uint32_t>& group, double
     return inertia;
 }
 
-void add_differential_locks(const Car& car, double h, const Speeds& y, FrictionConstraints& constraints) {
+void add_differential_locks(const Car& car, double h, const Speeds& y,
+                            FrictionConstraints& constraints) {
     const double drive = absolute(car.clutch_torque * current_gear_ratio(car));
     for (const DifferentialLock& coupling : car.def.differential_locks) {
         FrictionConstraint& constraint = constraints.of[constraints.count++];
         constraint.size = 0;
-        const double inertia =
-            add_group(car, coupling.first, 1, constraint) + add_group(car, coupling.second, -1, constraint);
+        const double inertia = add_group(car, coupling.first, 1, constraint) +
+                               add_group(car, coupling.second, -1, constraint);
         const bool locked = coupling.kind == DifferentialLockKind::locked;
         constraint.torque_max = locked ? 1e12 : coupling.preload + coupling.ratio * drive;
         constraint.stiff = differential_lock_stiffness * inertia / h;
@@ -138,7 +145,8 @@ void add_steering(const Car& car, double h, const Speeds& y, FrictionConstraints
 }
 
 // Without links.
-void assemble(const Car& car, double h, const DriveLineWheels& wheels, double throttle, System& system) {
+void assemble(const Car& car, double h, const DriveLineWheels& wheels, double throttle,
+              System& system) {
     const std::size_t engine = car.wheels.size();
     system.clear(engine + 1);
     const double lost =
@@ -146,8 +154,8 @@ void assemble(const Car& car, double h, const DriveLineWheels& wheels, double th
     for (std::size_t i = 0; i < engine; i++) {
         const DriveLineWheel& wheel = wheels[i];
         system.a[i][i] = wheel.effective_inertia;
-        system.b[i] =
-            wheel.effective_inertia * wheel.spin - h * (wheel.radius * wheel.force + wheel.share * lost);
+        system.b[i] = wheel.effective_inertia * wheel.spin -
+                      h * (wheel.radius * wheel.force + wheel.share * lost);
     }
     const Engine& made = car.def.engine;
     const double torque = throttle * torque_at(made, car.engine_speed);
@@ -156,35 +164,42 @@ void assemble(const Car& car, double h, const DriveLineWheels& wheels, double th
 }
 
 void add(const FrictionConstraint& constraint, double h, System& system) {
-    if (constraint.grip != FrictionState::holds) {
-        const double push = h * (constraint.grip == FrictionState::slipping_forward ? constraint.torque_max : -constraint.torque_max);
-        for (std::size_t k = 0; k < constraint.size; k++) system.b[constraint.at[k]] -= push * constraint.weight[k];
+    if (constraint.grip != FrictionState::sticking) {
+        const double push =
+            h * (constraint.grip == FrictionState::slipping_forward ? constraint.torque_max
+                                                                    : -constraint.torque_max);
+        for (std::size_t k = 0; k < constraint.size; k++)
+            system.b[constraint.at[k]] -= push * constraint.weight[k];
         return;
     }
     const double hold = h * constraint.stiff;
     for (std::size_t k = 0; k < constraint.size; k++)
         for (std::size_t l = 0; l < constraint.size; l++)
             if (constraint.at[l] <= constraint.at[k])
-                system.a[constraint.at[k]][constraint.at[l]] += hold * constraint.weight[k] * constraint.weight[l];
+                system.a[constraint.at[k]][constraint.at[l]] +=
+                    hold * constraint.weight[k] * constraint.weight[l];
 }
 
 // Whether a link was not as guessed.
 bool update_friction_state(FrictionConstraint& constraint, const Speeds& y) {
     const double speed = speed_of(constraint, y);
-    if (constraint.grip == FrictionState::holds) {
+    if (constraint.grip == FrictionState::sticking) {
         if (absolute(constraint.stiff * speed) <= constraint.torque_max) return false;
-        constraint.grip = speed > 0 ? FrictionState::slipping_forward : FrictionState::slipping_backward;
+        constraint.grip =
+            speed > 0 ? FrictionState::slipping_forward : FrictionState::slipping_backward;
         return true;
     }
     if (constraint.grip == FrictionState::slipping_forward ? speed >= 0 : speed <= 0) return false;
-    constraint.grip = FrictionState::holds;
+    constraint.grip = FrictionState::sticking;
     return true;
 }
 
 double torque_of(const FrictionConstraint& constraint, const Speeds& y) {
-    if (constraint.grip == FrictionState::holds)
-        return clamp(constraint.stiff * speed_of(constraint, y), -constraint.torque_max, constraint.torque_max);
-    return constraint.grip == FrictionState::slipping_forward ? constraint.torque_max : -constraint.torque_max;
+    if (constraint.grip == FrictionState::sticking)
+        return clamp(constraint.stiff * speed_of(constraint, y), -constraint.torque_max,
+                     constraint.torque_max);
+    return constraint.grip == FrictionState::slipping_forward ? constraint.torque_max
+                                                              : -constraint.torque_max;
 }
 
 // The driver's foot, the governor that keeps the engine idling, and the cut beyond its most.
@@ -193,7 +208,7 @@ double effective_throttle(const Car& car) {
     const double speed = car.engine_speed;
     const double foot = car.shift_left > 0 ? 0 : car.controls.throttle * rider_throttle(car);
     const double governor = clamp((engine.idle_speed - speed) / (0.1 * engine.idle_speed), 0, 1);
-    const double cut = clamp((engine.torque_max - speed) / (0.02 * engine.torque_max), 0, 1);
+    const double cut = clamp((engine.max_speed - speed) / (0.02 * engine.max_speed), 0, 1);
     return maximum(foot * cut, governor);
 }
 
@@ -235,7 +250,8 @@ void solve_drive_line(Car& car, double h, DriveLineWheels& wheels) {
     const std::size_t engine = car.wheels.size();
     Speeds y;
     for (std::size_t i = 0; i < engine; i++) {
-        wheels[i].effective_inertia = wheels[i].inertia + h * wheels[i].radius * maximum(wheels[i].slope, 0);
+        wheels[i].effective_inertia =
+            wheels[i].inertia + h * wheels[i].radius * maximum(wheels[i].slope, 0);
         y[i] = wheels[i].spin;
     }
     y[engine] = car.engine_speed;
@@ -255,7 +271,8 @@ void solve_drive_line(Car& car, double h, DriveLineWheels& wheels) {
         system.solve();
         y = system.b;
         bool again = false;
-        for (std::size_t k = 0; k < constraints.count; k++) again = update_friction_state(constraints.of[k], y) || again;
+        for (std::size_t k = 0; k < constraints.count; k++)
+            again = update_friction_state(constraints.of[k], y) || again;
         if (!again) break;
     }
     car.clutch_torque = clutched ? torque_of(constraints.of[clutch], y) : 0;
@@ -265,7 +282,8 @@ void solve_drive_line(Car& car, double h, DriveLineWheels& wheels) {
     for (std::size_t i = 0; i < engine; i++) wheels[i].spin = clamp(y[i], -1e5, 1e5);
     // What a brake holds stands still.
     for (std::size_t k = 0; k < clutch; k++)
-        if (constraints.of[k].grip == FrictionState::holds) wheels[constraints.of[k].at[0]].spin = 0;
+        if (constraints.of[k].grip == FrictionState::sticking)
+            wheels[constraints.of[k].at[0]].spin = 0;
 }
 
 }  // namespace jostle::modules::vehicle_detail

@@ -11,10 +11,10 @@ namespace jostle::modules::vehicle_detail {
 // A wheel as the drive line sees it.
 struct DriveLineWheel {
     double radius, inertia, share;
-    double brake;    // N m that hold it, at most
-    double force;    // N of its tyre ahead if it spins on as it does
-    double slope;    // N s/rad by which that grows with its spin
-    double spin;     // rad/s; becomes that at the end of the sub-step
+    double brake;              // N m that hold it, at most
+    double force;              // N of its tyre ahead if it spins on as it does
+    double slope;              // N s/rad by which that grows with its spin
+    double spin;               // rad/s; becomes that at the end of the sub-step
     double effective_inertia;  // kg m^2 that a change of its tyre's force meets
 };
 using DriveLineWheels = std::array<DriveLineWheel, wheels_max>;

@@ -46,7 +46,7 @@ std::int32_t lowest_forward(const Car& car) {
     std::int32_t gear = 1;
     while (gear < top && radius > 0 &&
            gearbox.forward[static_cast<std::size_t>(gear) - 1] * gearbox.final_ratio * car.speed >
-               car.def.engine.torque_max * radius)
+               car.def.engine.max_speed * radius)
         gear++;
     return gear;
 }

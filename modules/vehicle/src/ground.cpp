@@ -30,8 +30,8 @@ struct WheelSweep {
     Vec3 down, axle;
 };
 
-std::optional<GroundHit> cast_ray_of(const Queries& queries, const QueryFilter& filter, const WheelSweep& sweep,
-                                 double radius) {
+std::optional<GroundHit> cast_ray_of(const Queries& queries, const QueryFilter& filter,
+                                     const WheelSweep& sweep, double radius) {
     const Vec3 motion = sweep.motion + sweep.down * radius;
     const auto hit = queries.cast_ray({sweep.from, motion}, filter);
     if (!hit.ok() || !*hit) return {};
@@ -39,7 +39,7 @@ std::optional<GroundHit> cast_ray_of(const Queries& queries, const QueryFilter& 
     // ends.
     const double came = (**hit).fraction * length(motion) - radius;
     return GroundHit{(**hit).body, (**hit).shape, came / length(sweep.motion), (**hit).point,
-                 (**hit).normal};
+                     (**hit).normal};
 }
 
 ShapeCast wheel_shape_cast(const WheelSweep& sweep, const Wheel& wheel, WheelCast cast) {
@@ -91,7 +91,8 @@ WheelSweep sweep_of(const Chassis& chassis, const Wheel& wheel, Vec3 axle) {
             rotate(turn, axle)};
 }
 
-void update_friction(const World& world, const Tyre& tyre, const GroundHit& found, WheelRuntime& run) {
+void update_friction(const World& world, const Tyre& tyre, const GroundHit& found,
+                     WheelRuntime& run) {
     if (run.shape == found.shape && run.friction > 0 && world.step_count() % friction_steps != 0)
         return;
     const Result<ShapeState> shape = world.shape(found.shape);
@@ -108,8 +109,8 @@ void update_ground_motion(const World& world, const GroundHit& found, Ground& gr
     ground.dynamic = body->type == BodyType::dynamic;
 }
 
-void stand(const World& world, const WheelSweep& sweep, const std::optional<GroundHit>& found, std::size_t index,
-           Car& car) {
+void stand(const World& world, const WheelSweep& sweep, const std::optional<GroundHit>& found,
+           std::size_t index, Car& car) {
     WheelRuntime& run = car.wheels[index];
     Ground& ground = car.grounds[index] = {};
     if (!is_supporting(sweep, found)) return;
@@ -133,7 +134,7 @@ void stand(const World& world, const WheelSweep& sweep, const std::optional<Grou
 }  // namespace
 
 void find_wheel_ground(const World& world, const Queries& queries, const BodyState& body, double dt,
-                     Car& car) {
+                       Car& car) {
     const Vec3 forward = body.linear_velocity * (0.5 * dt);
     Chassis chassis{body.pose, body.center + forward, body.linear_velocity, body.angular_velocity,
                     dt};

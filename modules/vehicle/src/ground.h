@@ -9,6 +9,6 @@
 namespace jostle::modules::vehicle_detail {
 
 void find_wheel_ground(const physics::World& world, const physics::Queries& queries,
-                     const physics::BodyState& chassis, double dt, Car& car);
+                       const physics::BodyState& chassis, double dt, Car& car);
 
 }  // namespace jostle::modules::vehicle_detail

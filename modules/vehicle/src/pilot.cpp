@@ -63,7 +63,7 @@ void apply_driver_input(Car& car, const Controls& controls) {
     constexpr std::uint32_t up = 4, down = 8;
     const std::uint32_t pressed = controls.buttons & ~car.driver_buttons;
     const auto top = static_cast<std::int32_t>(car.def.gearbox.forward.size());
-    car.driver = Driver::person;
+    car.driver = Driver::player;
     car.driver_steering = controls.axes[0];
     car.driver_throttle = controls.axes[1];
     car.driver_buttons = controls.buttons;

@@ -21,12 +21,13 @@ using namespace physics;
 
 namespace {
 
-constexpr double stop_stiffness_ratio = 30;  // of the spring's: what a wheel that is pressed in meets
+constexpr double stop_stiffness_ratio =
+    30;  // of the spring's: what a wheel that is pressed in meets
 
 struct Row {
-    double push;      // N of the spring now
-    double resistance;   // N s/m: c + theta h k
-    double velocity;  // m/s at the end of the sub-step if it bears nothing
+    double push;        // N of the spring now
+    double resistance;  // N s/m: c + theta h k
+    double velocity;    // m/s at the end of the sub-step if it bears nothing
     bool active;
 };
 struct Rows {

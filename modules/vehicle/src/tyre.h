@@ -22,7 +22,8 @@
 
 namespace jostle::modules::vehicle_detail {
 
-inline constexpr double rolling_speed_min = 1;  // m/s from which a tread rolls: its contact patch renews
+inline constexpr double rolling_speed_min =
+    1;  // m/s from which a tread rolls: its contact patch renews
 
 // N s/m of a tread that stands, as much as a sub-step bears.
 inline double tread_damping(double ratio, double stiffness, double inverse_mass, double rolls,
@@ -34,7 +35,7 @@ inline double tread_damping(double ratio, double stiffness, double inverse_mass,
 
 // For a sub-step in which it rolls at `speed`, m/s.
 inline TreadState tread_of(const Tyre& tyre, const Contact& contact, double friction, double speed,
-                      double h) {
+                           double h) {
     TreadState tread;
     tread.limit = friction * contact.load;
     tread.rolling_share = physics::minimum(speed / rolling_speed_min, 1);
@@ -57,7 +58,8 @@ inline TreadState tread_of(const Tyre& tyre, const Contact& contact, double fric
 
 // Back to where friction holds it: s is at most 1, or a third of it at standstill. Returns s^2.
 inline double clamp_to_friction(const TreadState& tread, double& forward, double& lateral) {
-    const double x = tread.longitudinal_deflection * forward, y = tread.lateral_deflection * lateral;
+    const double x = tread.longitudinal_deflection * forward,
+                 y = tread.lateral_deflection * lateral;
     const double most = (1 + 2 * tread.rolling_share) / 3, s2 = x * x + y * y;
     if (s2 <= most * most) return s2;
     const double less = most / physics::square_root(s2);

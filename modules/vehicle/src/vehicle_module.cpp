@@ -93,7 +93,8 @@ VehicleDef def_of(const SceneCars& cars, BodyId chassis) {
     return def;
 }
 
-void publish_wheel(const Wheel& wheel, const WheelRuntime& run, double angle, ChannelWriter& channels) {
+void publish_wheel(const Wheel& wheel, const WheelRuntime& run, double angle,
+                   ChannelWriter& channels) {
     channels.quantized(wheel.radius, 0, 2, 8);
     channels.quantized(wheel.width, 0, 1, 8);
     const Vec3 center = wheel.attachment + wheel.down * (wheel.suspension.longest - run.travel);
@@ -231,7 +232,7 @@ void Vehicles::publish(const World&, ChannelWriter& channels) const {
     for (const Car& car : cars_) {
         if (!channels.begin(0, car.def.chassis)) continue;
         channels.value(car.gear);
-        channels.quantized(car.engine_speed / car.def.engine.torque_max, 0, 1, 8);
+        channels.quantized(car.engine_speed / car.def.engine.max_speed, 0, 1, 8);
         for (std::size_t k = 0; k < car.wheels.size(); k++)
             publish_wheel(car.def.wheels[k], car.wheels[k],
                           car.steering * car.def.wheels[k].steering_most, channels);

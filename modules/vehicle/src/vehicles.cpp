@@ -37,7 +37,8 @@ double angle_of(const Car& car, std::size_t wheel) {
 
 void steer(Car& car, double dt) {
     const double most = car.def.steering_rate * dt;
-    const double wanted = car.def.balance.enabled ? balance_steering(car, dt) : car.controls.steering;
+    const double wanted =
+        car.def.balance.enabled ? balance_steering(car, dt) : car.controls.steering;
     car.steering += clamp(wanted - car.steering, -most, most);
     car.wheel_axes.resize(car.wheels.size());
     for (std::size_t k = 0; k < car.wheels.size(); k++) {
@@ -45,7 +46,7 @@ void steer(Car& car, double dt) {
         const Vec3 back = cross(wheel.axle, -wheel.down);
         const SinCos turn = sin_cos(angle_of(car, k));
         car.wheel_axes[k] = {wheel.down, wheel.axle * turn.cos + back * turn.sin,
-                       wheel.axle * turn.sin - back * turn.cos};
+                             wheel.axle * turn.sin - back * turn.cos};
     }
 }
 
@@ -63,7 +64,7 @@ bool has_lost_ground(const World& world, const Car& car) {
 void begin_step(const World& world, const Queries& queries, const BodyState& chassis, double dt,
                 Car& car) {
     if (car.driver == Driver::pilot) car.controls = pilot_controls(car, chassis);
-    if (car.driver == Driver::person) car.controls = driver_controls(car);
+    if (car.driver == Driver::player) car.controls = driver_controls(car);
     car.mass = chassis.mass;
     car.external_acceleration_max = 100 + 10 * length(world.gravity());
     car.inverse_inertia = inverse(chassis.inertia);
@@ -142,7 +143,7 @@ Status Vehicles::set_controls(World& world, CarId car, const CarControls& contro
     if (found == nullptr) return unknown_car(car);
     const std::string fault = validate(controls);
     if (!fault.empty()) return invalid_argument(fault);
-    found->driver = Driver::nobody;
+    found->driver = Driver::none;
     if (found->controls == controls) return {};
     if (Status woken = world.wake(found->def.chassis); !woken.ok()) return woken;
     found->controls = controls;
@@ -235,8 +236,8 @@ void Vehicles::after_step(World& world, double dt) {
             const Ground& ground = car.grounds[k];
             if (!ground.dynamic || ground.reaction_impulse == Vec3{}) continue;
             // The body may be gone: then nobody is owed.
-            static_cast<void>(
-                world.apply_force(car.wheels[k].ground, ground.reaction_impulse / dt, ground.point));
+            static_cast<void>(world.apply_force(car.wheels[k].ground, ground.reaction_impulse / dt,
+                                                ground.point));
         }
     }
 }

@@ -85,7 +85,7 @@ void visit_drive(StateVisitor& v, VehicleDef& def) {
     });
     v.field("inertia", def.engine.inertia);
     v.field("idle", def.engine.idle_speed);
-    v.field("most", def.engine.torque_max);
+    v.field("most", def.engine.max_speed);
     v.field("friction", def.engine.friction);
     Gearbox& gearbox = def.gearbox;
     v.field("automatic", gearbox.automatic);
@@ -110,7 +110,7 @@ void visit_controls(StateVisitor& v, Car& car) {
     v.field("steering", car.controls.steering);
     v.field("clutch", car.controls.clutch);
     v.field("gear", car.controls.gear);
-    v.field("driver", car.driver, Driver::person);
+    v.field("driver", car.driver, Driver::player);
     v.field("driver_steering", car.driver_steering);
     v.field("driver_throttle", car.driver_throttle);
     v.field("driver_buttons", car.driver_buttons);
@@ -150,7 +150,7 @@ void visit_car(StateVisitor& v, Car& car) {
         v.field("body", wheel.body);
         v.field("joint", wheel.joint);
         v.field("last_spin", wheel.spin);
-        v.field("pushed", wheel.reaction_impulse);
+        v.field("pushed", wheel.drive_impulse);
         v.field("resists", wheel.resistance);
     });
     v.field("turned", car.steering);

@@ -23,7 +23,8 @@ void clear_lane(const ContactLaneRef& lane_ref) {
     lane_ref.meta->restitution[lane] = 0;
     lane_ref.meta->contact[lane] = no_contact;
     lane_ref.meta->size[lane] = 0;
-    for (std::uint8_t& bits : lane_ref.meta->flags) bits &= static_cast<std::uint8_t>(~(1u << lane));
+    for (std::uint8_t& bits : lane_ref.meta->flags)
+        bits &= static_cast<std::uint8_t>(~(1u << lane));
 }
 
 void copy_lane(const ContactLaneRef& to, const ContactLaneRef& from) {
@@ -149,7 +150,8 @@ ContactLaneRef lane_ref_at(GraphColour& colour, int number, std::int32_t slot) {
             slot % lanes_per_block(number)};
 }
 
-ContactLaneRef lane_ref_at(ConstraintGraph& graph, ColourSetKey key, int colour, std::int32_t slot) {
+ContactLaneRef lane_ref_at(ConstraintGraph& graph, ColourSetKey key, int colour,
+                           std::int32_t slot) {
     return lane_ref_at(colour_at(graph, key, colour), colour, slot);
 }
 
@@ -162,7 +164,8 @@ SavedContact save_contact(const ContactLaneRef& lane_ref) {
                        .needs_rebuild = meta.has(LaneFlag::needs_rebuild, lane),
                        .rolls = meta.has(LaneFlag::rolls, lane)};
     for (int row = 0; row < rolling_rows; row++)
-        saved.rolling_values[static_cast<std::size_t>(row)] = float_at(*lane_ref.rolling, row, lane);
+        saved.rolling_values[static_cast<std::size_t>(row)] =
+            float_at(*lane_ref.rolling, row, lane);
     for (int row = first_saved_row; row < wide_rows; row++)
         saved.rows[static_cast<std::size_t>(row - first_saved_row)] =
             float_at(*lane_ref.block, row, lane);
@@ -177,7 +180,8 @@ void restore_contact(const ContactLaneRef& lane_ref, const SavedContact& saved) 
         float_at(*lane_ref.block, row, lane) =
             saved.rows[static_cast<std::size_t>(row - first_saved_row)];
     for (int row = 0; row < rolling_rows; row++)
-        float_at(*lane_ref.rolling, row, lane) = saved.rolling_values[static_cast<std::size_t>(row)];
+        float_at(*lane_ref.rolling, row, lane) =
+            saved.rolling_values[static_cast<std::size_t>(row)];
     meta.moved[lane] = saved.moved;
     meta.restitution[lane] = saved.restitution;
     meta.set(LaneFlag::rolls, lane, saved.rolls);

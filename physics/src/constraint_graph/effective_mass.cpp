@@ -44,7 +44,8 @@ void write_effective_mass(const ContactLaneRef& lane_ref, const ContactFrame& fr
     block.torsion_mass[lane] = k > 0 ? as_float(1 / k) : 0;
 }
 
-void rewrite_effective_mass(const ContactLaneRef& lane_ref, const InverseMass& a, const InverseMass& b) {
+void rewrite_effective_mass(const ContactLaneRef& lane_ref, const InverseMass& a,
+                            const InverseMass& b) {
     ContactConstraintWide& block = *lane_ref.block;
     const int lane = lane_ref.lane;
     const float before = block.g[0][lane];

@@ -24,6 +24,7 @@ struct ContactFrame {
 void write_effective_mass(const ContactLaneRef& lane_ref, const ContactFrame& frame,
                           const InverseMass& a, const InverseMass& b);
 // After the mass of one of its bodies changed.
-void rewrite_effective_mass(const ContactLaneRef& lane_ref, const InverseMass& a, const InverseMass& b);
+void rewrite_effective_mass(const ContactLaneRef& lane_ref, const InverseMass& a,
+                            const InverseMass& b);
 
 }  // namespace jostle::physics

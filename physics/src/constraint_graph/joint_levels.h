@@ -24,7 +24,7 @@ struct JointRun {
     int angular = -1;        // JointAngularWide of the first block; -1: the kind has none
     int row = -1;            // VelocityRowWide likewise
     int axes = -1;           // JointAxesWide likewise
-    int gear = -1;         // JointGearWide likewise
+    int gear = -1;           // JointGearWide likewise
 };
 
 struct LeveledJoint {
@@ -49,7 +49,7 @@ struct JointLevels {
     // Scratch.
     std::vector<std::uint64_t> marks;    // a bit per joint
     std::vector<std::uint32_t> reached;  // by hot index: level that the body's next joint may have
-    std::vector<int> next_lanes;             // by run number: the next free lane
+    std::vector<int> next_lanes;         // by run number: the next free lane
 };
 
 // `joints` are filled but for their runs: finds their levels and gives each a lane in a block.

@@ -18,7 +18,8 @@ namespace jostle::physics {
 using JointSolverPreferences = std::uint8_t;
 
 inline JointSolverPreferences preference_bit(std::optional<JointSolver> solver) {
-    return solver ? static_cast<JointSolverPreferences>(1u << static_cast<unsigned>(*solver)) : JointSolverPreferences{0};
+    return solver ? static_cast<JointSolverPreferences>(1u << static_cast<unsigned>(*solver))
+                  : JointSolverPreferences{0};
 }
 // By all their wishes together, else the world's.
 inline JointSolver solver_of(JointSolverPreferences preferences, JointSolver of_world) {
@@ -45,7 +46,8 @@ inline std::int64_t max_work(std::int64_t cubes, std::size_t joints, std::int64_
 
 // By what find_batches() chooses.
 struct JointSolverOptions {
-    std::span<const JointSolverPreferences> preferences;  // by place in JointLevels::joints; empty: none has one
+    std::span<const JointSolverPreferences>
+        preferences;  // by place in JointLevels::joints; empty: none has one
     JointSolver of_world = JointSolver::automatic;
     std::int64_t budget = 0;  // of those that ask for `direct`
 };

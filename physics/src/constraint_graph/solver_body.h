@@ -47,7 +47,7 @@ inline Vec3 to_vec3(const float* row) {
 // carry mass and spin through unchanged (keep 1, push 0). Touched by the body passes only.
 struct alignas(64) ExternalChange {
     float retained[8];  // damping
-    float push[8];  // gravity, forces and the gyroscopic change of spin, times the sub-step
+    float push[8];      // gravity, forces and the gyroscopic change of spin, times the sub-step
 };
 
 // Hot records by hot index. [0] is nobody, whom joints may read: it stands still and cannot be

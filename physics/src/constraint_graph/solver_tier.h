@@ -38,7 +38,8 @@ inline constexpr std::size_t index_of(SolverTier tier) {
 
 // The islands of a tier lie in so many batches, whole: threads solve batches side by side, each
 // alone, without waiting for one another. In a larger one they share the colours. In a world with a
-// tolerance a batch is a rung: its islands take substeps_per_level (stages/islands/choose_substep_levels.h).
+// tolerance a batch is a rung: its islands take substeps_per_level
+// (stages/islands/choose_substep_levels.h).
 inline constexpr int batch_count = 4;
 inline constexpr std::array<int, batch_count> substeps_per_level = {2, 6, 16, 48};
 inline constexpr std::uint8_t initial_substep_level = 2;  // of an island of which nothing is known
@@ -84,7 +85,8 @@ inline int substeps_of(ColourSetKey set, const WorldDef& world, bool halved = fa
     }
     ASSERT(set.tier != SolverTier::asleep && set.batch < batch_count);
     constexpr std::array<int, tier_count> times = {1, 1, 1, 3, 8, 4};
-    return std::min(substeps_per_level[set.batch] * times[index_of(set.tier)], limits::max_substeps);
+    return std::min(substeps_per_level[set.batch] * times[index_of(set.tier)],
+                    limits::max_substeps);
 }
 
 // Those between which an island does not change for its neighbours' sake.

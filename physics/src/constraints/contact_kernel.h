@@ -150,7 +150,8 @@ struct PairBodies {
         if constexpr (kPair == PairKind::dynamic) {
             // What has moved further than the arms are long no longer meets there.
             const Wide3 displacement = dp_b - dp_a;
-            const WideMask small = dot(displacement, displacement) < splat(tuning::arm_follows) * dot(arm_a, arm_a);
+            const WideMask small =
+                dot(displacement, displacement) < splat(tuning::arm_follows) * dot(arm_a, arm_a);
             const Wide3 apart = displacement * select(small, splat(1), splat(0));
             const Wide3 step_a = apart * load(m.anchor_blend);
             arm_a = arm_a + step_a;
@@ -284,7 +285,8 @@ JOSTLE_INLINE WideMask solve_friction(ContactConstraintWide& m, RollingWide* rol
     f1 = select(of, f1 * scale, old1);
     f2 = select(of, f2 * scale, old2);
     const Wide unclamped = fnma(load(m.torsion_mass), dot(pair.n, w), old_torsion);
-    const Wide torsion = select(of, max(-torsion_limit, min(unclamped, torsion_limit)), old_torsion);
+    const Wide torsion =
+        select(of, max(-torsion_limit, min(unclamped, torsion_limit)), old_torsion);
     store(m.friction[0], f1);
     store(m.friction[1], f2);
     store(m.torsion, torsion);
@@ -504,7 +506,8 @@ PairReport solve_block(ContactConstraintWide& m, ContactConstraintWideMeta& meta
         // it.
         Wide drift = splat(set.rebuild_drift), touch_gap = splat(set.touch_gap),
              turn_radius = splat(1),
-             max_displacement = splat(kPoints == 1 ? set.single_rebuild_motion : set.rebuild_motion);
+             max_displacement =
+                 splat(kPoints == 1 ? set.single_rebuild_motion : set.rebuild_motion);
         if (any_unusual(meta)) {
             const WideScale scale = scale_of(meta, set.gravity_ratio);
             turn_radius = scale.length;
@@ -515,9 +518,9 @@ PairReport solve_block(ContactConstraintWide& m, ContactConstraintWideMeta& meta
         const Wide lever =
             max(load(m.friction_radius), splat(tuning::min_turn_radius) * turn_radius);
         const Wide displacement = root(dot(motion.moved, motion.moved)) +
-                         lever * root(dot(motion.rotated, motion.rotated)) +
-                         splat(tuning::common_turn_radius) * turn_radius *
-                             root(dot(motion.rotated_a, motion.rotated_a));
+                                  lever * root(dot(motion.rotated, motion.rotated)) +
+                                  splat(tuning::common_turn_radius) * turn_radius *
+                                      root(dot(motion.rotated_a, motion.rotated_a));
         const Wide age = load<ContactConstraintWideMeta>(meta.moved) + displacement;
         store<ContactConstraintWideMeta>(meta.moved, age);
         report.needs_rebuild = lane_bits(age > drift) | lane_bits(displacement > max_displacement);

@@ -42,7 +42,7 @@ struct JointRange {
     JointAngularWide* angular;  // of the run's first block; null for kinds that have none
     VelocityRowWide* rows;      // likewise
     JointAxesWide* axes;        // likewise
-    JointGearWide* gears;   // likewise
+    JointGearWide* gears;       // likewise
     const JointConstraintWideMeta* metas;
     int kind;   // index into JointKind
     int first;  // block of the run

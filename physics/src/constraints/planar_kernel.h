@@ -163,8 +163,8 @@ PairReport solve_planar(ContactConstraintWide& m, ContactConstraintWideMeta& met
         push_speed = push_speed * scale.speed;
     }
     // What each point wants of its impulse, with softness as an addition to its own mass.
-    const auto preference = [&](Wide gap, Wide old, Wide mean_impulse, Wide k, Wide vn, Wide& target,
-                          Wide& soft_mass) {
+    const auto preference = [&](Wide gap, Wide old, Wide mean_impulse, Wide k, Wide vn,
+                                Wide& target, Wide& soft_mass) {
         const WideMask apart = gap > zero;
         if constexpr (kRelax) {
             const Wide bias = select(apart, gap * splat(set.inverse_h), zero);
@@ -229,7 +229,7 @@ PairReport solve_planar(ContactConstraintWide& m, ContactConstraintWideMeta& met
             any_unusual(meta) ? scale_of(meta, set.gravity_ratio) : WideScale{splat(1), splat(1)};
         const Wide lever = max(load(m.friction_radius), splat(0.3f) * scale.length);
         const Wide displacement = root(mx * mx + my * my) + lever * root(rotated * rotated) +
-                         splat(0.3f) * scale.length * root(dar * dar);
+                                  splat(0.3f) * scale.length * root(dar * dar);
         const Wide age = load(meta.moved) + displacement;
         store(meta.moved, age);
         report.needs_rebuild = lane_bits(age > splat(set.rebuild_drift) * scale.length) |

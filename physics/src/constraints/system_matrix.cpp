@@ -13,7 +13,8 @@ struct UnitChange {
 };
 // Of a body, by a unit impulse along the row.
 UnitChange change_of(const RowJacobian& row_jacobian, const SystemBody& body) {
-    return {scaled(row_jacobian.linear, body.inverse_mass), body.inverse_inertia * row_jacobian.angular};
+    return {scaled(row_jacobian.linear, body.inverse_mass),
+            body.inverse_inertia * row_jacobian.angular};
 }
 
 // J M^-1 J^T: only rows that share a body that moves meet.
@@ -34,8 +35,8 @@ void add_responses(ConstraintSystem& system) {
         for (const Use& from : uses[body]) {
             const UnitChange change = change_of(*from.row_jacobian, system.bodies[body]);
             for (const Use& to : uses[body])
-                system.matrix[to.row * count + from.row] +=
-                    dot(to.row_jacobian->linear, change.v) + dot(to.row_jacobian->angular, change.w);
+                system.matrix[to.row * count + from.row] += dot(to.row_jacobian->linear, change.v) +
+                                                            dot(to.row_jacobian->angular, change.w);
         }
     // The two halves differ by rounding.
     for (std::size_t i = 0; i < count; i++)
@@ -99,7 +100,8 @@ double rate_now(const ConstraintRow& row, const std::vector<SystemBody>& bodies)
     double rate = 0;
     for (int p = 0; p < row.jacobian_count; p++) {
         const SystemBody& body = bodies[lane_ref_of(row.jacobians[p].body)];
-        rate += dot(row.jacobians[p].linear, body.velocity) + dot(row.jacobians[p].angular, body.spin);
+        rate +=
+            dot(row.jacobians[p].linear, body.velocity) + dot(row.jacobians[p].angular, body.spin);
     }
     return rate;
 }
@@ -127,12 +129,12 @@ double response_of(const ConstraintRow& row, const std::vector<SystemBody>& bodi
 void assemble(ConstraintSystem& system) {
     const std::size_t count = system.rows.size();
     system.matrix.assign(count * count, 0);
-    system.right.resize(count);
+    system.rhs.resize(count);
     add_responses(system);
     for (std::size_t k = 0; k < count; k++) {
         const ConstraintRow& row = system.rows[k];
         add_softness(system, k);
-        system.right[k] = row.bias - rate_by_forces(row, system.bodies);
+        system.rhs[k] = row.bias - rate_by_forces(row, system.bodies);
     }
 }
 

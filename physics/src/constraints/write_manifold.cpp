@@ -7,8 +7,8 @@
 #include "physics/src/constraint_graph/wide_rows.h"
 #include "physics/src/foundation/check.h"
 #include "physics/src/foundation/tuning.h"
-#include "physics/src/state/contact_modifiers.h"
 #include "physics/src/state/contact_constraints.h"
+#include "physics/src/state/contact_modifiers.h"
 #include "physics/src/state/pair_size.h"
 
 namespace jostle::physics {
@@ -22,7 +22,8 @@ struct PreviousImpulses {
     Vec3 friction, roll;
 };
 
-PreviousImpulses previous_impulses(const ContactConstraintWide& block, const RollingWide& rolling, int lane) {
+PreviousImpulses previous_impulses(const ContactConstraintWide& block, const RollingWide& rolling,
+                                   int lane) {
     PreviousImpulses c;
     const Vec3 n = get_lane(block.normal, lane), t1 = get_lane(block.tangent, lane),
                t2 = cross(n, t1);
@@ -47,7 +48,8 @@ struct Loads {
 // that tilts rests on other corners) goes to the nearest of the points that continue none, or else
 // to the nearest of all: the load has not changed because other points were chosen to bear it.
 // `even`: what is remembered belongs to the manifold, not to its points (SolverTier::slender).
-Loads redistribute_loads(const PreviousImpulses& old, const Manifold& m, Vec3 center, double reach, bool even) {
+Loads redistribute_loads(const PreviousImpulses& old, const Manifold& m, Vec3 center, double reach,
+                         bool even) {
     Loads loads;
     bool taken[4] = {}, assigned[4] = {};
     const auto way2 = [&](int i, int j) {
@@ -72,7 +74,8 @@ Loads redistribute_loads(const PreviousImpulses& old, const Manifold& m, Vec3 ce
         if (taken[j] || (old.lambda[j] == 0 && old.mean_impulse[j] == 0)) continue;
         int best = 0;
         for (int i = 1; i < m.count; i++)
-            if (assigned[i] == assigned[best] ? way2(i, j) < way2(best, j) : assigned[best]) best = i;
+            if (assigned[i] == assigned[best] ? way2(i, j) < way2(best, j) : assigned[best])
+                best = i;
         give(best, j);
     }
     if (even) {
@@ -128,11 +131,12 @@ double patch_of(const ShapeStore& store, const Contact& contact) {
 }
 
 // Rolling, turning and moving surfaces.
-void write_rolling(const ContactLaneRef& lane_ref, const Material& ma, const Material& mb, Vec3 surface,
-                   Vec3 roll) {
+void write_rolling(const ContactLaneRef& lane_ref, const Material& ma, const Material& mb,
+                   Vec3 surface, Vec3 roll) {
     RollingWide& rolling = *lane_ref.rolling;
     const int lane = lane_ref.lane;
-    const Vec3 n = get_lane(lane_ref.block->normal, lane), t1 = get_lane(lane_ref.block->tangent, lane);
+    const Vec3 n = get_lane(lane_ref.block->normal, lane),
+               t1 = get_lane(lane_ref.block->tangent, lane);
     const Vec3 t2 = cross(n, t1);
     rolling.surface[0][lane] = as_float(dot(surface, t1));
     rolling.surface[1][lane] = as_float(dot(surface, t2));
@@ -187,7 +191,8 @@ void write_manifold(WorldState& world, const Contact& contact, const Manifold& m
     const ContactLaneRef lane_ref = lane_ref_of(world, contact);
     ContactConstraintWide& block = *lane_ref.block;
     const int lane = lane_ref.lane;
-    const PreviousImpulses old = fresh ? PreviousImpulses{} : previous_impulses(block, *lane_ref.rolling, lane);
+    const PreviousImpulses old =
+        fresh ? PreviousImpulses{} : previous_impulses(block, *lane_ref.rolling, lane);
     const Vec3 center_a = warm_of(world, contact.body_a).center,
                center_b = warm_of(world, contact.body_b).center;
 

@@ -28,8 +28,7 @@ inline double gravity_ratio_squared(Vec3 gravity) {
 // By what a usual speed is multiplied.
 inline double speed_scale(double size, double gravity_ratio_squared) {
     if (size <= 0) return 1;
-    constexpr double low_rate = 1 / tuning::min_usual_size,
-                     high_rate = 1 / tuning::max_usual_size;
+    constexpr double low_rate = 1 / tuning::min_usual_size, high_rate = 1 / tuning::max_usual_size;
     const double low = size * low_rate, high = size * high_rate;
     const double fourth =
         minimum(low * low * gravity_ratio_squared, maximum(1, high * high * gravity_ratio_squared));

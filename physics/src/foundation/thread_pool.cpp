@@ -75,7 +75,7 @@ void ThreadPool::run_grains(int self) {
     cursors_[static_cast<std::size_t>(self)].owned.store(true, std::memory_order_relaxed);
     for (int k = 0; k < count_; k++)
         run_grains_of(cursors_[static_cast<std::size_t>((self + k) % count_)],
-                       k > 0 && split_ == Split::fixed);
+                      k > 0 && split_ == Split::fixed);
 }
 
 void ThreadPool::run_grains_of(Cursor& cursor, bool leave_to_owner) {

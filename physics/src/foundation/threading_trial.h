@@ -31,8 +31,8 @@ private:
     bool shared_ = false;  // the way that is kept
     bool trying_ = false;
     int pause_ = tuning::first_trial_pause, left_ = tuning::first_trial_pause;
-    int lost_ = 0;                          // steps of the trial that were no better
-    double baseline_ms_ = 0;                    // a step took before the trial
+    int lost_ = 0;                             // steps of the trial that were no better
+    double baseline_ms_ = 0;                   // a step took before the trial
     std::array<double, sample_count> last_{};  // ms, round and round
     std::size_t next_ = 0;
 };

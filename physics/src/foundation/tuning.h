@@ -15,7 +15,7 @@ namespace jostle::physics::tuning {
 // Lengths and speeds below are for bodies of usual size: the ball around a body has a radius in
 // this range. Of smaller and larger ones they are a part or a multiple (foundation/size_scale.h).
 inline constexpr double min_usual_size = 0.05, max_usual_size = 5;  // m
-inline constexpr double usual_gravity = 9.81;                          // m/s^2
+inline constexpr double usual_gravity = 9.81;                       // m/s^2
 
 // --- broad phase ---
 // A fat box is this much larger on each side than its shape, so that small motion needs no tree
@@ -248,8 +248,8 @@ inline constexpr int sweep_impacts = 16;  // of one body in one step; then it st
 // What things cost, ns on one core of an EPYC, fitted to eleven scenes of the laboratory: the time
 // of their steps is .6 to 2 times what their work says. A look at two capsules takes .4 us, at two
 // boxes .7 to 1, at two hulls of 32 corners 2.9; this is none of them.
-inline constexpr std::int64_t body_work = 500;        // an awake body
-inline constexpr std::int64_t narrow_phase_work = 1000;       // a narrow phase call
+inline constexpr std::int64_t body_work = 500;           // an awake body
+inline constexpr std::int64_t narrow_phase_work = 1000;  // a narrow phase call
 inline constexpr std::int64_t composite_work = 3000;  // ... with a mesh or a compound, beside that
 inline constexpr std::int64_t contact_work = 40;      // a contact in a sub-step
 inline constexpr std::int64_t joint_work = 200;       // a joint in a sub-step
@@ -305,10 +305,10 @@ inline constexpr double quarantine_coordinate = 1e8;  // m
 // --- threads ---
 // How many are taken at once where threads share a range; fewer than four grains stay on one
 // thread. A grain takes some microseconds, ten times a hand-over.
-inline constexpr int pair_grain = 64;    // shapes that ask for new pairs
-inline constexpr int bound_grain = 512;  // separation bounds
-inline constexpr int narrow_phase_grain = 32;    // pairs in the narrow phase
-inline constexpr int body_grain = 256;   // bodies
+inline constexpr int pair_grain = 64;          // shapes that ask for new pairs
+inline constexpr int bound_grain = 512;        // separation bounds
+inline constexpr int narrow_phase_grain = 32;  // pairs in the narrow phase
+inline constexpr int body_grain = 256;         // bodies
 // Free bodies that listeners are shown together where they may be called at once. It decides what
 // they see, so it is the same for any number of threads.
 inline constexpr int listened_chunk = 256;

@@ -90,7 +90,8 @@ void nearest_cell_first(const HeightGrid& grid, const Aabb& box, Vec3 first, Tes
             unsigned overlapping = test(lanes.boxes_from(c), true, key);
             if (cells.column_end - c < 4) overlapping &= (1u << (cells.column_end - c)) - 1;
             for (; overlapping != 0; overlapping &= overlapping - 1) {
-                const std::uint32_t at = c + static_cast<std::uint32_t>(std::countr_zero(overlapping));
+                const std::uint32_t at =
+                    c + static_cast<std::uint32_t>(std::countr_zero(overlapping));
                 if (at != column || r != row) visit_cell(grid, at, r, visit);
             }
         }

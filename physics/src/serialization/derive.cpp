@@ -35,7 +35,8 @@ void derive_contacts(WorldState& world) {
         write_body_indices(world, c);
         derive_flags(world, c);
         const ContactLaneRef lane_ref = lane_ref_of(world, c);
-        lane_ref.meta->set(LaneFlag::bounces, lane_ref.lane, lane_ref.meta->restitution[lane_ref.lane] > 0);
+        lane_ref.meta->set(LaneFlag::bounces, lane_ref.lane,
+                           lane_ref.meta->restitution[lane_ref.lane] > 0);
         lane_ref.meta->set(LaneFlag::touching_now, lane_ref.lane, c.touching);
     }
 }

@@ -93,8 +93,9 @@ Status RestorePoint::restore_modules(World& world,
                                      std::vector<std::unique_ptr<Module>> missing) const {
     ListenerStore& listeners = state_of(world).listeners;
     const auto captured = [&](std::string_view tag) {
-        return std::any_of(state_->modules.begin(), state_->modules.end(),
-                           [&](const CapturedState::ModuleState& state) { return state.tag == tag; });
+        return std::any_of(
+            state_->modules.begin(), state_->modules.end(),
+            [&](const CapturedState::ModuleState& state) { return state.tag == tag; });
     };
     std::vector<std::string> gone;
     for (const std::unique_ptr<Module>& module : listeners.modules)

@@ -10,7 +10,6 @@
 #include "physics/src/stages/finalize/finalize.h"
 #include "physics/src/stages/finalize/integrate_free.h"
 #include "physics/src/stages/finalize/quarantine.h"
-#include "physics/src/stages/update_step_budget.h"
 #include "physics/src/stages/islands/merge_islands.h"
 #include "physics/src/stages/islands/prepare_islands.h"
 #include "physics/src/stages/pairs/update_pairs.h"
@@ -20,6 +19,7 @@
 #include "physics/src/stages/sleep/wake_bodies.h"
 #include "physics/src/stages/solver/solve_constraints.h"
 #include "physics/src/stages/step_scratch.h"
+#include "physics/src/stages/update_step_budget.h"
 #include "physics/src/state/impulse_scale.h"
 #include "physics/src/state/shape_proxy.h"
 
@@ -28,7 +28,8 @@ namespace {
 
 StepContext begin_step(WorldState& world, StepScratch& scratch, double dt) {
     world.events.begin_step();
-    world.thread_pool->set_single_threaded(!world.threading_trial.shares(world.thread_usage.step_ms));
+    world.thread_pool->set_single_threaded(
+        !world.threading_trial.shares(world.thread_usage.step_ms));
     if (world.thread_usage.solver_tasks > 1) world.thread_pool->wake();
     world.profile = {};
     world.profile.overload_level = world.overload_level.level;
@@ -102,22 +103,22 @@ void step_world(WorldState& world, StepScratch& scratch, double dt) {
     StepContext step = begin_step(world, scratch, dt);
     const bool asleep = world.bodies.awake.empty();
     set_contact_settings(step);
-    run<update_pairs>(step, Stage::update_pairs);                 // which shapes may touch
-    run<update_contacts>(step, Stage::update_contacts);           // where they touch
-    run<wake_before_solve>(step, Stage::wake_bodies);             // who is disturbed
-    if (asleep) set_contact_settings(step);                       // somebody was woken
-    run<begin_contacts>(step, Stage::begin_contacts);             // new manifolds are to be solved
-    run<prepare_islands>(step, Stage::prepare_islands);           // sub-steps by what an island is
-    run<solve_constraints>(step, Stage::solve_constraints);       // sub-steps of all that touches
-    run<merge_islands>(step, Stage::merge_islands);                 // what hangs together
-    run<integrate_free>(step, Stage::integrate_free);             // all that touches nothing
-    run<finalize>(step, Stage::finalize);                         // poses, bounds, rest time
-    run<solve_continuous>(step, Stage::solve_continuous);         // nothing passes through a wall
-    run_second<wake_after_impacts>(step, Stage::wake_bodies);     // who was hit asleep
+    run<update_pairs>(step, Stage::update_pairs);                // which shapes may touch
+    run<update_contacts>(step, Stage::update_contacts);          // where they touch
+    run<wake_before_solve>(step, Stage::wake_bodies);            // who is disturbed
+    if (asleep) set_contact_settings(step);                      // somebody was woken
+    run<begin_contacts>(step, Stage::begin_contacts);            // new manifolds are to be solved
+    run<prepare_islands>(step, Stage::prepare_islands);          // sub-steps by what an island is
+    run<solve_constraints>(step, Stage::solve_constraints);      // sub-steps of all that touches
+    run<merge_islands>(step, Stage::merge_islands);              // what hangs together
+    run<integrate_free>(step, Stage::integrate_free);            // all that touches nothing
+    run<finalize>(step, Stage::finalize);                        // poses, bounds, rest time
+    run<solve_continuous>(step, Stage::solve_continuous);        // nothing passes through a wall
+    run_second<wake_after_impacts>(step, Stage::wake_bodies);    // who was hit asleep
     run_second<move_toi_bodies>(step, Stage::solve_continuous);  // where impacts sent them
     run<quarantine>(step, Stage::quarantine);            // nothing that is not a number leaves
     run<update_sleep>(step, Stage::update_sleep);        // resting islands leave the awake set
-    step.thread_pool.finish();                                  // what finalize began
+    step.thread_pool.finish();                           // what finalize began
     run<update_triggers>(step, Stage::update_triggers);  // what is inside which trigger
     run<publish_events>(step, Stage::publish_events);    // sorted, ready to read
     ASSERT(world.wake_requests.empty());

@@ -8,15 +8,18 @@
 namespace jostle::physics {
 namespace {
 
-OverloadState next_overload_level(OverloadState overload_level, std::int64_t work, std::int64_t budget) {
+OverloadState next_overload_level(OverloadState overload_level, std::int64_t work,
+                                  std::int64_t budget) {
     ASSERT(budget > 0 && overload_level.level <= max_overload_level);
     if (work > budget) {
         overload_level.easy = 0;
         if (overload_level.level < max_overload_level) overload_level.level++;
         return overload_level;
     }
-    const bool easy = static_cast<double>(work) < tuning::cheap_step_ratio * static_cast<double>(budget);
-    overload_level.easy = easy && overload_level.level > 0 ? static_cast<std::uint8_t>(overload_level.easy + 1) : 0;
+    const bool easy =
+        static_cast<double>(work) < tuning::cheap_step_ratio * static_cast<double>(budget);
+    overload_level.easy =
+        easy && overload_level.level > 0 ? static_cast<std::uint8_t>(overload_level.easy + 1) : 0;
     if (overload_level.easy < tuning::overload_patience) return overload_level;
     return {.level = static_cast<std::uint8_t>(overload_level.level - 1)};
 }
@@ -43,7 +46,8 @@ void update_overload_level(WorldState& world, OverloadState to) {
 }  // namespace
 
 std::int64_t step_work(const StepProfile& profile) {
-    return (tuning::body_work * profile.bodies_awake + tuning::narrow_phase_work * profile.pairs_checked +
+    return (tuning::body_work * profile.bodies_awake +
+            tuning::narrow_phase_work * profile.pairs_checked +
             tuning::composite_work * profile.composites_checked +
             tuning::contact_work * profile.contact_substeps +
             tuning::joint_work * profile.joint_substeps + tuning::sweep_work * profile.sweeps +
@@ -54,7 +58,8 @@ std::int64_t step_work(const StepProfile& profile) {
 void update_step_budget(WorldState& world) {
     world.profile.work = step_work(world.profile);
     if (world.def.step_budget == 0) return;
-    update_overload_level(world, next_overload_level(world.overload_level, world.profile.work, world.def.step_budget));
+    update_overload_level(world, next_overload_level(world.overload_level, world.profile.work,
+                                                     world.def.step_budget));
 }
 
 }  // namespace jostle::physics

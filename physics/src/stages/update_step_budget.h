@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The end of a step: what it did is added up, and in a world with a budget the strain of the next
-// step follows from that (state/overload_state.h). It rises by one after a step of more work than the
-// budget, so no step is ever cut short, and falls by one after many cheap ones in a row.
+// step follows from that (state/overload_state.h). It rises by one after a step of more work than
+// the budget, so no step is ever cut short, and falls by one after many cheap ones in a row.
 #pragma once
 
 #include "physics/src/stages/step_context.h"

@@ -6,9 +6,9 @@
 #include "physics/src/collision/narrowphase/collide_composite.h"
 #include "physics/src/foundation/check.h"
 #include "physics/src/foundation/tuning.h"
-#include "physics/src/state/contact_modifiers.h"
 #include "physics/src/state/contact_constraints.h"
 #include "physics/src/state/contact_load.h"
+#include "physics/src/state/contact_modifiers.h"
 #include "physics/src/state/islands.h"
 #include "physics/src/state/separation_bounds.h"
 

@@ -22,11 +22,11 @@ ContactModifier material_modifier(const WorldState& world, std::uint32_t shape_a
                                   std::uint32_t shape_b) {
     const ShapeRecord &a = world.shapes.shapes[shape_a], &b = world.shapes.shapes[shape_b];
     ContactModifier modifier{.friction = pair_friction(a.material, b.material),
-                         .restitution = pair_restitution(a.material, b.material),
-                         .surface_velocity = {}};
+                             .restitution = pair_restitution(a.material, b.material),
+                             .surface_velocity = {}};
     if (a.material.surface_velocity != Vec3{} || b.material.surface_velocity != Vec3{})
         modifier.surface_velocity = warm_of(world, b.body).axes * b.material.surface_velocity -
-                                  warm_of(world, a.body).axes * a.material.surface_velocity;
+                                    warm_of(world, a.body).axes * a.material.surface_velocity;
     return modifier;
 }
 

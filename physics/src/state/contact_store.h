@@ -31,9 +31,9 @@ struct alignas(64) Contact {
     bool touching = false;     // pressed in the last step; binds the two bodies into one island
     bool has_bound = false;    // has an entry on the list of separation bounds
     bool dormant = false;
-    bool composite = false;  // has parts, below
-    bool has_modifier = false;   // has an entry among ContactStore::answers
-    bool queued = false;     // within a step: already among the pairs to look at
+    bool composite = false;     // has parts, below
+    bool has_modifier = false;  // has an entry among ContactStore::answers
+    bool queued = false;        // within a step: already among the pairs to look at
 
     double limit = -1;  // m: to be looked at when the motion bounds of both bodies exceeds it
     // Lists of the contacts of body a [0] and body b [1]: contact * 2 + side.
@@ -43,9 +43,9 @@ struct alignas(64) Contact {
     // A pair with a shape of many parts has no manifold itself: each of its manifolds is a contact
     // of its own, a part, that names it as parent.
     std::uint32_t parent = none;
-    std::uint32_t first_child = none;   // of a composite
-    std::uint32_t next_child = none;    // of the same parent
-    std::uint64_t key = 0;             // which part: ChildManifold::key
+    std::uint32_t first_child = none;     // of a composite
+    std::uint32_t next_child = none;      // of the same parent
+    std::uint64_t key = 0;                // which part: ChildManifold::key
     std::uint32_t touching_children = 0;  // of a composite; `touching` is what was last reported
 };
 static_assert(sizeof(Contact) == 128);  // two cache lines
@@ -86,8 +86,8 @@ struct ContactStore {
     FlatArray<Contact> contacts;
     FlatArray<SeparationBound> bounds;
     std::vector<ContactModifier> modifiers;  // rising by contact
-    bool some_dormant = true;            // of those with a bound, perhaps; not saved
-    KeySet pairs;                        // pair_key() of each contact that is no part; derived
+    bool some_dormant = true;                // of those with a bound, perhaps; not saved
+    KeySet pairs;                            // pair_key() of each contact that is no part; derived
 };
 
 inline std::uint64_t pair_key(std::uint32_t shape_a, std::uint32_t shape_b) {

@@ -10,8 +10,8 @@ namespace jostle::physics {
 
 struct GraphScratch {
     std::vector<std::uint8_t> visited, seen_jointed;  // by body; zero between uses
-    std::vector<std::uint8_t> visited_jointed;    // by body
-    std::vector<std::uint32_t> jointed;           // bodies
+    std::vector<std::uint8_t> visited_jointed;        // by body
+    std::vector<std::uint32_t> jointed;               // bodies
     std::vector<std::uint32_t> stack;
 };
 

@@ -4,10 +4,10 @@
 #include "physics/src/foundation/check.h"
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/state/body_sets.h"
-#include "physics/src/state/contact_modifiers.h"
 #include "physics/src/state/contact_constraints.h"
 #include "physics/src/state/contact_graph.h"
 #include "physics/src/state/contact_load.h"
+#include "physics/src/state/contact_modifiers.h"
 #include "physics/src/state/impulse_scale.h"
 #include "physics/src/state/joint_graph.h"
 #include "physics/src/state/partial_sleep.h"
@@ -28,7 +28,7 @@ namespace {
 
 // Those of an island that a touch leaves as they lie: all but what a kinematic body leads.
 std::vector<std::uint32_t> bodies_staying_asleep(WorldState& world,
-                                            const std::vector<BodyWarm>& sleepers) {
+                                                 const std::vector<BodyWarm>& sleepers) {
     std::vector<std::uint32_t> still;
     if (!world.def.sleeping || sleepers.size() < tuning::partial_sleep_least) return still;
     for_each_jointed(world, sleepers, [&](const JointedBodies& jointed) {

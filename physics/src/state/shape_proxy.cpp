@@ -103,8 +103,8 @@ AabbMargin margin_in_fat_aabb(const ShapeRecord& shape, const BodyWarm& warm, do
                               double dt) {
     if (is_plane(shape)) return {1e300, 1e300};
     // A quarter of the margin early: manifolds begin before surfaces meet.
-    const Aabb box =
-        grow(bounds_of(transformed_shape(shape, warm)), tuning::fat_margin_reserve * fat_margin_of(radius));
+    const Aabb box = grow(bounds_of(transformed_shape(shape, warm)),
+                          tuning::fat_margin_reserve * fat_margin_of(radius));
     const Vec3 low = box.low - shape.fat.low, high = shape.fat.high - box.high;
     const Vec3 lookahead = warm.v * dt;
     const auto least = [](Vec3 a, Vec3 b) {

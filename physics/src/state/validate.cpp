@@ -120,7 +120,8 @@ Fault check_shapes(const WorldState& world) {
     }
     std::vector<std::uint8_t> visited(shapes.size(), 0);
     for (const std::uint32_t s : world.shapes.moved)
-        if (s >= shapes.size() || !world.shapes.ids.alive(s) || !shapes[s].moved || visited[s]++ != 0)
+        if (s >= shapes.size() || !world.shapes.ids.alive(s) || !shapes[s].moved ||
+            visited[s]++ != 0)
             return at("shapes.moved", s, "is not a shape that moved, or is there twice");
     if (moved != world.shapes.moved.size()) return "shapes.moved: not every moved shape is there";
     return {};
@@ -158,7 +159,8 @@ Fault check_parts(const WorldState& world, std::uint32_t i) {
             return at("contacts", i, "has a broken list of parts");
         touching += contacts[p].touching ? 1 : 0;
     }
-    if (touching != c.touching_children) return at("contacts", i, "counts its touching parts wrongly");
+    if (touching != c.touching_children)
+        return at("contacts", i, "counts its touching parts wrongly");
     return {};
 }
 
@@ -376,8 +378,8 @@ Fault check_islands(const WorldState& world) {
         if (island.colour_set.tier == SolverTier::asleep || !exists(island.colour_set))
             return at("islands", i, "has a tier or a batch that does not exist");
         if (!(is_step_length(island.dt) || is_step_length(0.5 * island.dt)) ||
-            island.remaining_load < 0 || island.remaining_load > 1 || island.calm > tuning::tier_patience ||
-            island.split_at > world.steps)
+            island.remaining_load < 0 || island.remaining_load > 1 ||
+            island.calm > tuning::tier_patience || island.split_at > world.steps)
             return at("islands", i, "has a kept load, a patience or a date out of range");
         if (island.error.estimate < 0 || island.error.target_level >= batch_count ||
             island.error.easy > tuning::substep_level_patience)
@@ -418,7 +420,8 @@ Fault check_modifiers(const WorldState& world) {
     for (std::size_t i = 0; i < modifiers.size(); i++) {
         const ContactModifier& a = modifiers[i];
         if (!world.contacts.ids.alive(a.contact)) return at("answers", i, "names no contact");
-        if (i > 0 && modifiers[i - 1].contact >= a.contact) return at("answers", i, "is not rising");
+        if (i > 0 && modifiers[i - 1].contact >= a.contact)
+            return at("answers", i, "is not rising");
         if (!(a.friction >= 0 && a.restitution >= 0 && a.restitution <= 1))
             return at("answers", i, "has a coefficient out of range");
     }
@@ -437,9 +440,11 @@ std::optional<std::string> find_fault(const WorldState& world) {
         return "world.step_budget is out of range";
     if (world.def.step_budget > 0 && tolerance != 0)
         return "world.step_budget is set beside a tolerance";
-    if (world.overload_level.level > max_overload_level || world.overload_level.easy >= tuning::overload_patience)
+    if (world.overload_level.level > max_overload_level ||
+        world.overload_level.easy >= tuning::overload_patience)
         return "world.strain is out of range";
-    if (world.def.step_budget == 0 && (world.overload_level.level > 0 || world.overload_level.easy > 0))
+    if (world.def.step_budget == 0 &&
+        (world.overload_level.level > 0 || world.overload_level.easy > 0))
         return "world.strain is above 0 without a budget";
     if (world.def.substeps < 1 || world.def.substeps > limits::max_substeps)
         return "world.substeps is " + std::to_string(world.def.substeps) + ", out of range";

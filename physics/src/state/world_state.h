@@ -20,8 +20,8 @@
 #include "physics/src/state/island_store.h"
 #include "physics/src/state/joint_store.h"
 #include "physics/src/state/listener_store.h"
-#include "physics/src/state/shape_store.h"
 #include "physics/src/state/overload_state.h"
+#include "physics/src/state/shape_store.h"
 #include "physics/src/state/trigger_store.h"
 #include "physics/src/state/wake_requests.h"
 
@@ -32,9 +32,9 @@ namespace jostle::physics {
 struct WorldStores {
     WorldDef def;
     std::uint64_t steps = 0;
-    double last_dt = 0;  // s; 0 before the first step
-    double time = 0;     // s: the sum of all steps
-    OverloadState overload_level;       // of the next step
+    double last_dt = 0;            // s; 0 before the first step
+    double time = 0;               // s: the sum of all steps
+    OverloadState overload_level;  // of the next step
 
     BodyStore bodies;
     ShapeStore shapes;

@@ -162,8 +162,9 @@ struct ConstraintSystemBuilder {
             .role = from.role, .axis = from.axis, .joint = joint_id(world, index), .jacobians = {}};
         for (int p = 0; p < from.jacobian_count; p++)
             if (from.jacobians[p].body != none)
-                row.jacobians[row.jacobian_count++] = {number(from.jacobians[p].body), from.jacobians[p].linear,
-                                               from.jacobians[p].angular};
+                row.jacobians[row.jacobian_count++] = {number(from.jacobians[p].body),
+                                                       from.jacobians[p].linear,
+                                                       from.jacobians[p].angular};
         const double response = response_of(row, system.bodies);
         if (!(response > 0)) return;
         if (from.one_sided && !acts(row, from.error)) return;
@@ -172,7 +173,8 @@ struct ConstraintSystemBuilder {
         row.error = from.error;
         row.rate = rate_now(row, system.bodies);
         if (from.block >= 0) row.block = first_block + from.block;
-        row.bias = from.holds() ? bias_of(from.error, from.one_sided, options.position_correction) : from.speed;
+        row.bias = from.holds() ? bias_of(from.error, from.one_sided, options.position_correction)
+                                : from.speed;
         row.softness = from.compliance / h;
         if (from.spring.hertz > 0)
             soften(row, soft(from.spring.hertz, from.spring.damping_ratio, h), response);
@@ -207,7 +209,7 @@ struct ConstraintSystemBuilder {
                                   .shape_b = info.shape_b,
                                   .point = k,
                                   .jacobians = {{a, -direction, -cross(arm_a, direction)},
-                                            {b, direction, cross(arm_b, direction)}},
+                                                {b, direction, cross(arm_b, direction)}},
                                   .jacobian_count = 2};
                 row.rate = rate_now(row, system.bodies);
                 return row;
@@ -218,7 +220,8 @@ struct ConstraintSystemBuilder {
             if (!(response > 0) || !acts(normal, info.gap[k] - tuning::contact_slop)) continue;
             normal.upper = 1e300;
             const double beyond = minimum(info.gap[k] + tuning::contact_slop, 0);
-            normal.bias = info.gap[k] > 0 ? -info.gap[k] / h : -options.position_correction * beyond / h;
+            normal.bias =
+                info.gap[k] > 0 ? -info.gap[k] / h : -options.position_correction * beyond / h;
             if (options.solver_softness && info.gap[k] <= 0) {
                 const double retained = double{settings.mass_scale};
                 normal.softness = response * double{settings.impulse_scale} / retained;
@@ -348,8 +351,7 @@ Result<ConstraintSystem> World::constraint_system(JointId joint,
     if (Status s = check_options(options); !s.ok()) return s.error();
     if (Status s = check_id(world, joint); !s.ok()) return s.error();
     const Joint& named = world.joints.joints[joint.index];
-    return system_of(world, is_dynamic(world, named.body_b) ? named.body_b : named.body_a,
-                     options);
+    return system_of(world, is_dynamic(world, named.body_b) ? named.body_b : named.body_a, options);
 }
 
 }  // namespace jostle::physics

@@ -14,9 +14,9 @@ namespace {
 IslandSubsteps describe_island(const WorldState& world, const Island& island) {
     const ColourSetKey set = island.colour_set;
     IslandSubsteps result{.body = body_id(world, island.first),
-                        .bodies = static_cast<int>(island.bodies),
-                        .substeps = substeps_of(set, world),
-                        .error = island.error.estimate};
+                          .bodies = static_cast<int>(island.bodies),
+                          .substeps = substeps_of(set, world),
+                          .error = island.error.estimate};
     result.target_substeps = controls_error(world.def)
                                  ? substeps_of({set.tier, island.error.target_level}, world)
                                  : result.substeps;

@@ -163,9 +163,10 @@ Result<JointState> World::joint(JointId id) const {
         state.travel = length(a.position - pulley->point_a) +
                        pulley->ratio * length(b.position - pulley->point_b);
     if (const auto* path = std::get_if<PathJoint>(&j.kind)) {
-        const PathPoint path_point = j.memory[PathMemory::found] == 0
-                                    ? nearest_path_point(*path, state.offset)
-                                    : nearest_path_point(*path, state.offset, j.memory[PathMemory::at]);
+        const PathPoint path_point =
+            j.memory[PathMemory::found] == 0
+                ? nearest_path_point(*path, state.offset)
+                : nearest_path_point(*path, state.offset, j.memory[PathMemory::at]);
         state.travel = path_point.travel;
         state.separation = length(state.offset - path_point.position);
     }

@@ -111,8 +111,8 @@ Status check_cast(const ShapeCast& cast) {
 }
 
 // Where the surfaces meet when a moving shape has come to `there`.
-void find_contact(const TransformedShape& there, const TransformedShape& still, Vec3 motion, double gap,
-                  ShapeCastHit& hit) {
+void find_contact(const TransformedShape& there, const TransformedShape& still, Vec3 motion,
+                  double gap, ShapeCastHit& hit) {
     if (!is_composite(kind_of(*still.geometry))) {
         PairCache cache;
         const SignedDistance d = signed_distance(there, still, cache);
@@ -147,8 +147,8 @@ std::optional<ShapeCastHit> touch_of_plane(const TransformedShape& probe, Vec3 m
 }
 
 // When the moving shape first touches something else; 0 if it does at the start.
-std::optional<double> touches_at(const ShapeCast& cast, const TransformedShape& probe, const TransformedShape& still,
-                                 double size, double gap) {
+std::optional<double> touches_at(const ShapeCast& cast, const TransformedShape& probe,
+                                 const TransformedShape& still, double size, double gap) {
     if (shapes_overlap(probe, still)) return 0;
     const SweptShape moving{
         .geometry = &cast.geometry,
@@ -249,7 +249,9 @@ bool is_near(const QueryShape& shape, const Aabb& box) {
     if (kind == ShapeKind::plane) return reaches(shape.transformed_shape, box);
     // They have a tree.
     if (kind == ShapeKind::mesh || kind == ShapeKind::height_field) return true;
-    return overlap(grow(bounds_of(shape.transformed_shape), 1e-5 * radius_of(*shape.transformed_shape.geometry)), box);
+    return overlap(grow(bounds_of(shape.transformed_shape),
+                        1e-5 * radius_of(*shape.transformed_shape.geometry)),
+                   box);
 }
 
 std::optional<ShapeCastHit> first_touch_alone(const QuerySource& source, const ShapeCast& cast,
@@ -295,7 +297,8 @@ std::optional<ClosestPoint> nearest(const QuerySource& source, Vec3 point, doubl
 
 // One answer per question, or the first error with the number of its question.
 template <class Hit, class Query, class Evaluate>
-Result<std::vector<Hit>> each(std::span<const Query> queries, const char* name, Evaluate&& evaluate) {
+Result<std::vector<Hit>> each(std::span<const Query> queries, const char* name,
+                              Evaluate&& evaluate) {
     std::vector<Hit> results;
     results.reserve(queries.size());
     for (std::size_t k = 0; k < queries.size(); k++) {
@@ -398,7 +401,8 @@ Result<std::vector<ShapeId>> Queries::overlap_shape(const Geometry& geometry, co
                                                     const QueryFilter& filter) const {
     if (Status s = check_probe("geometry", geometry); !s.ok()) return s.error();
     if (Status s = check_pose("pose", pose); !s.ok()) return s.error();
-    const TransformedShape probe = transformed_shape(geometry, {pose.position, unit(pose.rotation)});
+    const TransformedShape probe =
+        transformed_shape(geometry, {pose.position, unit(pose.rotation)});
     std::vector<ShapeId> ids;
     for (const QueryShape& shape : shapes_near(*source_, bounds_of(probe), filter))
         if (shapes_overlap(probe, shape.transformed_shape)) ids.push_back(shape.shape);
@@ -461,7 +465,7 @@ Result<std::vector<ContactManifold>> collide_shapes(const Geometry& a, const Tra
     if (Status s = check_range("margin", margin, 0, 1e6); !s.ok()) return s.error();
     const Geometry ga = stored(a), gb = stored(b);
     const TransformedShape pa = transformed_shape(ga, {pose_a.position, unit(pose_a.rotation)}),
-                 pb = transformed_shape(gb, {pose_b.position, unit(pose_b.rotation)});
+                           pb = transformed_shape(gb, {pose_b.position, unit(pose_b.rotation)});
     std::vector<ChildManifold> parts;
     if (is_composite(kind_of(a)) || is_composite(kind_of(b))) {
         collide_composite(pa, pb, margin, parts);

@@ -16,8 +16,8 @@ namespace {
 
 QueryShape shape_at(const WorldState& world, std::uint32_t index) {
     const ShapeRecord& s = world.shapes.shapes[index];
-    return {transformed_shape(s, warm_of(world, s.body)), shape_id(world, index), body_id(world, s.body),
-            s.filter, s.trigger};
+    return {transformed_shape(s, warm_of(world, s.body)), shape_id(world, index),
+            body_id(world, s.body), s.filter, s.trigger};
 }
 
 // What has the two broad phases of a world.
@@ -100,7 +100,8 @@ private:
 // Some shapes of another source, elsewhere.
 class OverridePoseSource final : public QuerySource {
 public:
-    OverridePoseSource(std::shared_ptr<const QuerySource> of, std::vector<ShapePlacement> placements)
+    OverridePoseSource(std::shared_ptr<const QuerySource> of,
+                       std::vector<ShapePlacement> placements)
         : of_(std::move(of)) {
         std::ranges::sort(placements, {}, &ShapePlacement::shape);
         shapes_.reserve(placements.size());
@@ -108,7 +109,8 @@ public:
             std::optional<QueryShape> shape = of_->find(there.shape);
             if (!shape) continue;
             const auto number = static_cast<std::uint32_t>(shapes_.size());
-            shape->transformed_shape = transformed_shape(*shape->transformed_shape.geometry, there.pose);
+            shape->transformed_shape =
+                transformed_shape(*shape->transformed_shape.geometry, there.pose);
             shapes_.push_back(*shape);
             if (kind_of(*shape->transformed_shape.geometry) == ShapeKind::plane)
                 planes_.push_back(number);

@@ -70,7 +70,7 @@ Status World::step(double dt) {
     return {};
 }
 void World::parallel_for(int count, int grain,
-                      const std::function<void(int first, int last)>& part) const {
+                         const std::function<void(int first, int last)>& part) const {
     ThreadPool& thread_pool = *state_->thread_pool;
     if (thread_pool.size() > 1 && count >= 4 * grain) thread_pool.wake();
     thread_pool.run(count, grain, part);

@@ -28,9 +28,9 @@ Error bad(const std::string& why) {
 Result<Content> decode_fragment(std::string_view bytes) {
     if (bytes.size() < 6) return bad("a part of " + std::to_string(bytes.size()) + " bytes");
     const Fragment part{.message = number_at<std::uint32_t>(bytes, 0),
-                    .index = number_at<std::uint8_t>(bytes, 4),
-                    .count = number_at<std::uint8_t>(bytes, 5),
-                    .bytes = bytes.substr(6)};
+                        .index = number_at<std::uint8_t>(bytes, 4),
+                        .count = number_at<std::uint8_t>(bytes, 5),
+                        .bytes = bytes.substr(6)};
     if (part.count < 2 || part.count > fragments_max || part.index >= part.count)
         return bad("part " + std::to_string(part.index) + " of " + std::to_string(part.count));
     const bool last = part.index + 1 == part.count;
@@ -55,7 +55,8 @@ Result<Content> decode_content(std::string_view content) {
         case Kind::answer:
             if (rest.size() != sizeof(std::uint64_t))
                 return bad("a word of " + std::to_string(rest.size()) + " bytes");
-            if (kind == Kind::question) return Content{PathChallenge{number_at<std::uint64_t>(rest, 0)}};
+            if (kind == Kind::question)
+                return Content{PathChallenge{number_at<std::uint64_t>(rest, 0)}};
             return Content{PathResponse{number_at<std::uint64_t>(rest, 0)}};
     }
     return bad("kind " + std::to_string(number_at<std::uint8_t>(content, 0)) + " is not known");

@@ -77,7 +77,8 @@ std::optional<std::uint64_t> session_id_of(std::string_view packet) {
     return number_at<std::uint64_t>(packet, 0);
 }
 
-Result<std::unique_ptr<PacketCipher>> PacketCipher::make(const Credentials& credentials, Side side) {
+Result<std::unique_ptr<PacketCipher>> PacketCipher::make(const Credentials& credentials,
+                                                         Side side) {
     std::unique_ptr<PacketCipher> seal(new PacketCipher(credentials));
     const bool ours = side == Side::server;
     const auto out = key_for(credentials, ours ? to_client : to_server);

@@ -14,9 +14,9 @@ Reassembly::PartialMessage* Reassembly::find_or_add(const Fragment& part) {
         return at->count == part.count ? &*at : nullptr;
     if (partial_.size() == partial_messages_max && at == partial_.begin()) return nullptr;
     const auto made = partial_.insert(at, {.number = part.message,
-                                              .count = part.count,
-                                              .parts = std::vector<std::string>(part.count),
-                                              .missing = part.count});
+                                           .count = part.count,
+                                           .parts = std::vector<std::string>(part.count),
+                                           .missing = part.count});
     if (partial_.size() <= partial_messages_max) return &*made;
     const auto slot = made - partial_.begin();
     partial_.erase(partial_.begin());

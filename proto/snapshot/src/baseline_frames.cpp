@@ -19,7 +19,9 @@ std::uint32_t encode_baseline_frames(std::uint32_t frame, const BaselineFrames& 
     };
     const std::uint32_t second = later(baselines.baseline, baselines.baseline2, first);
     if (baselines.baseline2 == 0) return first | second << 8;
-    return first | second << 8 | later(baselines.baseline2, baselines.baseline3, baselines.baseline - baselines.baseline2) << 16;
+    return first | second << 8 |
+           later(baselines.baseline2, baselines.baseline3, baselines.baseline - baselines.baseline2)
+               << 16;
 }
 
 Result<BaselineFrames> decode_baseline_frames(std::uint32_t frame, std::uint32_t code) {

@@ -13,13 +13,14 @@ namespace jostle::wire {
 namespace {
 
 constexpr unsigned gap_order = 4;        // between ids, positions in a list
-constexpr unsigned unchanged_order = 5;      // runs of still entities
+constexpr unsigned unchanged_order = 5;  // runs of still entities
 constexpr unsigned position_order = 12;  // absolute positions
 
 // Expected to stay as it is; all others are live.
 bool is_unchanged(const Survivor& s) {
     return s.baseline->at_rest || !s.baseline2 ||
-           (same_pose(*s.baseline, *s.baseline2) && (!s.baseline3 || same_pose(*s.baseline, *s.baseline3)));
+           (same_pose(*s.baseline, *s.baseline2) &&
+            (!s.baseline3 || same_pose(*s.baseline, *s.baseline3)));
 }
 
 // Rice parameters from how restless the entity was.
@@ -59,7 +60,8 @@ void write_pose(BitWriter& out, const EntityState& now, const Survivor& s, const
         out.rice(zig_zag_encode(now.position[k] - p.position[k]), widths.position);
 
     std::array<std::uint64_t, 3> residual{};
-    for (std::size_t k = 0; k < 3; k++) residual[k] = zig_zag_encode(now.rotation[k] - p.components[k]);
+    for (std::size_t k = 0; k < 3; k++)
+        residual[k] = zig_zag_encode(now.rotation[k] - p.components[k]);
     const bool same_largest = now.largest == p.largest;
     if (widths.rotation_may_be_exact) {
         const bool exact = same_largest && residual == std::array<std::uint64_t, 3>{};
@@ -89,7 +91,8 @@ void write_spawned(BitWriter& out, const std::vector<const EntityState*>& spawne
     std::uint32_t next_id = 1;
     for (const EntityState* state : spawned) {
         out.exp_golomb(state->id - next_id, gap_order);
-        for (const std::int32_t p : state->position) out.exp_golomb(zig_zag_encode(p), position_order);
+        for (const std::int32_t p : state->position)
+            out.exp_golomb(zig_zag_encode(p), position_order);
         write_components(out, *state, spec);
         out.bits(state->at_rest ? 1 : 0, 1);
         next_id = state->id + 1;
@@ -200,7 +203,8 @@ private:
                fail("a rotation that is none");
     }
 
-    bool read_spawned(std::vector<EntityState>& spawned, const Baselines& baselines, std::size_t limit) {
+    bool read_spawned(std::vector<EntityState>& spawned, const Baselines& baselines,
+                      std::size_t limit) {
         const std::uint64_t count = in_.exp_golomb(0);
         if (ended()) return false;
         if (count > limit) return fail("spawned: more entities than the limit");

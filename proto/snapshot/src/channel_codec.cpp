@@ -66,7 +66,7 @@ private:
 };
 
 struct Changed {
-    const Channel* now = nullptr;   // null: it ended
+    const Channel* now = nullptr;       // null: it ended
     const Channel* baseline = nullptr;  // null: it is new
 
     const Channel& either() const { return now ? *now : *baseline; }
@@ -181,8 +181,8 @@ Status read_change(BitReader& bits, Channel& channel, const Channel* baseline) {
     if (count > channel_values_max)
         return bad_channels(name_of(channel) + " has more than " +
                             std::to_string(channel_values_max) + " values");
-    Result<ChannelValues> values =
-        read_values(bits, static_cast<std::size_t>(count), baseline ? baseline->values.get() : nullptr);
+    Result<ChannelValues> values = read_values(bits, static_cast<std::size_t>(count),
+                                               baseline ? baseline->values.get() : nullptr);
     if (!values.ok()) return values.error();
     channel.values = *std::move(values);
     return {};

@@ -43,7 +43,7 @@ std::uint32_t crc32(std::span<const std::byte> bytes) {
     const auto byte = [&](std::size_t k) { return std::to_integer<std::uint64_t>(bytes[at + k]); };
     for (; at + 8 <= bytes.size(); at += 8)
         crc = crc32_update(crc, byte(0) | byte(1) << 8 | byte(2) << 16 | byte(3) << 24 |
-                                   byte(4) << 32 | byte(5) << 40 | byte(6) << 48 | byte(7) << 56);
+                                    byte(4) << 32 | byte(5) << 40 | byte(6) << 48 | byte(7) << 56);
     for (; at < bytes.size(); at++) crc = tables[0][(crc ^ byte(0)) & 0xff] ^ (crc >> 8);
     return ~crc;
 }

@@ -8,11 +8,13 @@
 
 namespace jostle::wire {
 
-std::vector<Survivor> find_survivors(const Baselines& baselines, const std::vector<std::size_t>& removed) {
+std::vector<Survivor> find_survivors(const Baselines& baselines,
+                                     const std::vector<std::size_t>& removed) {
     if (!baselines.baseline) return {};
     const std::vector<EntityState>& baseline = baselines.baseline->entities;
     std::vector<Survivor> survivors(baseline.size() - removed.size());
-    EntityFinder in_base2(baselines.baseline2), in_base3(baselines.baseline2 ? baselines.baseline3 : nullptr);
+    EntityFinder in_base2(baselines.baseline2),
+        in_base3(baselines.baseline2 ? baselines.baseline3 : nullptr);
     std::size_t next_removed = 0, next = 0;
     for (std::size_t i = 0; i < baseline.size(); i++) {
         if (next_removed < removed.size() && removed[next_removed] == i) {
@@ -31,15 +33,18 @@ std::vector<Survivor> find_survivors(const Baselines& baselines, const std::vect
 Spacing spacing_of(std::uint32_t frame, const Baselines& baselines) {
     Spacing t;
     if (baselines.baseline) t.dt1 = std::int64_t{frame} - baselines.baseline->frame;
-    if (baselines.baseline2) t.dt2 = std::int64_t{baselines.baseline->frame} - baselines.baseline2->frame;
-    if (baselines.baseline2 && baselines.baseline3) t.dt3 = std::int64_t{baselines.baseline2->frame} - baselines.baseline3->frame;
+    if (baselines.baseline2)
+        t.dt2 = std::int64_t{baselines.baseline->frame} - baselines.baseline2->frame;
+    if (baselines.baseline2 && baselines.baseline3)
+        t.dt3 = std::int64_t{baselines.baseline2->frame} - baselines.baseline3->frame;
     return t;
 }
 
 EntityDiff entity_diff(const QuantizedFrame& frame, const Baselines& baselines) {
     EntityDiff to;
     static const std::vector<EntityState> nobody;
-    const std::vector<EntityState>&baseline = baselines.baseline ? baselines.baseline->entities : nobody,
+    const std::vector<EntityState>&baseline =
+              baselines.baseline ? baselines.baseline->entities : nobody,
           &now = frame.entities;
     to.surviving.resize(std::min(baseline.size(), now.size()));
     std::size_t i = 0, k = 0, surviving = 0;
@@ -61,9 +66,10 @@ EntityDiff entity_diff(const QuantizedFrame& frame, const Baselines& baselines) 
 }
 
 EntityDiff entity_diff(const QuantizedFrame& frame, const Baselines& baselines,
-                         std::span<const UnchangedRun> unchanged) {
+                       std::span<const UnchangedRun> unchanged) {
     EntityDiff to;
-    EntityFinder in_base2(baselines.baseline2), in_base3(baselines.baseline2 ? baselines.baseline3 : nullptr);
+    EntityFinder in_base2(baselines.baseline2),
+        in_base3(baselines.baseline2 ? baselines.baseline3 : nullptr);
     std::size_t at = 0, left_out = 0;
     const auto look_until = [&](std::size_t end) {
         for (; at < end; at++) {
@@ -86,7 +92,7 @@ EntityDiff entity_diff(const QuantizedFrame& frame, const Baselines& baselines,
 }
 
 std::vector<EntityState> merge_entities(std::vector<EntityState> surviving,
-                                const std::vector<EntityState>& spawned) {
+                                        const std::vector<EntityState>& spawned) {
     if (spawned.empty()) return surviving;
     std::vector<EntityState> all(surviving.size() + spawned.size());
     std::merge(surviving.begin(), surviving.end(), spawned.begin(), spawned.end(), all.begin(),

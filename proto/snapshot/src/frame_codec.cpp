@@ -3,8 +3,8 @@
 
 #include "jostle/snapshot/bit_frame.h"
 #include "jostle/snapshot/crc32.h"
-#include "jostle/snapshot/range_frame.h"
 #include "jostle/snapshot/entity_diff.h"
+#include "jostle/snapshot/range_frame.h"
 
 namespace jostle::wire {
 namespace {
@@ -27,8 +27,8 @@ bool usable(const QuantSpec& spec) {
 std::vector<std::byte> encode_frame(const QuantizedFrame& frame, const Baselines& baselines,
                                     const QuantSpec& spec, Codec codec,
                                     std::span<const UnchangedRun> unchanged) {
-    const EntityDiff to =
-        unchanged.empty() ? entity_diff(frame, baselines) : entity_diff(frame, baselines, unchanged);
+    const EntityDiff to = unchanged.empty() ? entity_diff(frame, baselines)
+                                            : entity_diff(frame, baselines, unchanged);
     const Spacing t = spacing_of(frame.frame, baselines);
     return codec == Codec::range ? encode_range_frame(to, baselines, t, spec)
                                  : encode_bit_frame(to, t, spec);
@@ -65,8 +65,8 @@ std::uint32_t crc_over(std::uint32_t state, std::span<const EntityState> entitie
         state = crc32_update(state, word(e.id) | word(e.position[0]) << 32);
         state = crc32_update(state, word(e.position[1]) | word(e.position[2]) << 32);
         state = crc32_update(state, std::uint64_t{e.largest} | half(e.rotation[0]) << 8 |
-                                       half(e.rotation[1]) << 24 | half(e.rotation[2]) << 40 |
-                                       std::uint64_t{e.at_rest ? 1u : 0u} << 56);
+                                        half(e.rotation[1]) << 24 | half(e.rotation[2]) << 40 |
+                                        std::uint64_t{e.at_rest ? 1u : 0u} << 56);
     }
     return state;
 }

@@ -54,7 +54,9 @@ void predict_position(Prediction& p, const EntityState& baseline, const EntitySt
         const std::int64_t b1 = baseline.position[k];
         const std::int64_t d = baseline2 ? b1 - baseline2->position[k] : 0;
         const std::int64_t before =
-            baseline3 ? scaled(std::int64_t{baseline2->position[k]} - baseline3->position[k], t.dt2, t.dt3) : d;
+            baseline3 ? scaled(std::int64_t{baseline2->position[k]} - baseline3->position[k], t.dt2,
+                               t.dt3)
+                      : d;
         p.position_step[k] = d;
         p.position_acceleration[k] = d - before;
         // Kept within int32, so that a residual never needs more than 33 bits.
@@ -70,8 +72,8 @@ void predict_rotation(Prediction& p, const EntityState& baseline, const EntitySt
     const Four q1 = unpack(baseline, n);
     p.rotation = q1;
     Four& change = p.rotation_acceleration;
-    const bool turned =
-        baseline2 && !(same_rotation(baseline, *baseline2) && (!baseline3 || same_rotation(*baseline2, *baseline3)));
+    const bool turned = baseline2 && !(same_rotation(baseline, *baseline2) &&
+                                       (!baseline3 || same_rotation(*baseline2, *baseline3)));
     if (turned) {
         Four q2 = unpack(*baseline2, n);
         face(q2, q1);
@@ -114,8 +116,8 @@ void predict_rotation(Prediction& p, const EntityState& baseline, const EntitySt
 
 }  // namespace
 
-Prediction predict(const EntityState& baseline, const EntityState* baseline2, const EntityState* baseline3,
-                   const Spacing& spacing, const QuantSpec& spec) {
+Prediction predict(const EntityState& baseline, const EntityState* baseline2,
+                   const EntityState* baseline3, const Spacing& spacing, const QuantSpec& spec) {
     if (baseline.at_rest || !baseline2) baseline2 = baseline3 = nullptr;
     Prediction p;
     predict_position(p, baseline, baseline2, baseline3, spacing);

@@ -40,8 +40,8 @@ WordChanges changes_between(std::span<const std::uint32_t> before,
 }
 
 Result<std::vector<std::uint32_t>> apply_changes(std::span<const std::uint32_t> before,
-                                                std::size_t size, std::string_view changed,
-                                                std::string_view values) {
+                                                 std::size_t size, std::string_view changed,
+                                                 std::string_view values) {
     const auto wrong = [](const std::string& why) {
         return Error{ErrorCode::corrupt_data, "a list of words: " + why};
     };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A character that goes on in another world (jostle/modules/controlled_entity_state.h): what a client foresees of
-// the one that it walks with.
+// A character that goes on in another world (jostle/modules/controlled_entity_state.h): what a
+// client foresees of the one that it walks with.
 #include "jostle/modules/controlled_entity_state.h"
 
 #include "tests/modules/character/stage.h"
@@ -34,12 +34,13 @@ struct TwoWorlds {
     }
     std::vector<std::uint32_t> encode() {
         return encode_controlled_entity(there.world, *there.crowd, body,
-                           [&](BodyId id) { return id == body ? 3u : 0u; })
+                                        [&](BodyId id) { return id == body ? 3u : 0u; })
             .value();
     }
     bool apply(std::span<const std::uint32_t> words) {
-        return apply_controlled_entity(here.world, *here.crowd, copy, words,
-                           [&](std::uint32_t name) { return name == 3 ? copy : BodyId{}; });
+        return apply_controlled_entity(
+            here.world, *here.crowd, copy, words,
+            [&](std::uint32_t name) { return name == 3 ? copy : BodyId{}; });
     }
     double distance() {
         return length(test::must(here.world.body(copy)).pose.position -

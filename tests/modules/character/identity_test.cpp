@@ -66,7 +66,7 @@ TEST(Identity, a_loaded_and_a_restored_world_go_on_with_the_same_bits) {
     play(world, 100);
     const std::vector<std::byte> bytes = save(world);
     RestorePoint before;
-    before.keep(world);
+    before.capture(world);
     play(world, 140);
     const std::uint64_t hash = state_hash(world);
     World loaded = test::must(load(bytes));
@@ -83,7 +83,7 @@ TEST(Identity, forged_bytes_are_refused_or_do_no_harm) {
     play(world, 30);
     const std::vector<std::byte> whole = save_module(*world.module("character"));
     RestorePoint start;
-    start.keep(world);
+    start.capture(world);
     int refused = 0, taken = 0;
     test::Random random(9);
     for (std::size_t at = 0; at < whole.size(); at++) {

@@ -23,7 +23,8 @@ Vec3 by_projections(Vec3 desired, const std::vector<VelocityPlane>& planes) {
     for (int round = 0; round < 20000; round++)
         for (std::size_t k = 0; k < planes.size(); k++) {
             const Vec3 from = v + corrections[k];
-            v = from + planes[k].normal * maximum(0, planes[k].min_speed - dot(planes[k].normal, from));
+            v = from +
+                planes[k].normal * maximum(0, planes[k].min_speed - dot(planes[k].normal, from));
             corrections[k] = from - v;
         }
     return v;

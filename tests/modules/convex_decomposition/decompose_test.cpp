@@ -67,7 +67,8 @@ TEST(Decompose, a_ring_that_moves_has_its_hole) {
     World world = std::move(*World::create());
     ASSERT_TRUE(world.create_body({.type = BodyType::static_body}, {.geometry = Plane{}}).ok());
     const BodyId ring = *world.create_body({.pose = {.position = {0, 0.31, 0}}}, shapes);
-    EXPECT_NEAR(world.body(ring)->mass, 1000 * found.mesh_volume * (1 + found.max_volume_error), 1e-6);
+    EXPECT_NEAR(world.body(ring)->mass, 1000 * found.mesh_volume * (1 + found.max_volume_error),
+                1e-6);
     const BodyId peg =
         *world.create_body({.pose = {.position = {0, 2, 0}}}, {.geometry = Capsule{0.2, 0.3}});
     for (int k = 0; k < 120; k++) ASSERT_TRUE(world.step(1.0 / 60).ok());
@@ -76,7 +77,8 @@ TEST(Decompose, a_ring_that_moves_has_its_hole) {
 
 TEST(Decompose, options_are_within_their_range) {
     const Solid solid = cube();
-    for (const Options& wrong : {Options{.hulls_max = 0}, {.max_volume_error = -1}, {.planes_per_axis = 0}})
+    for (const Options& wrong :
+         {Options{.hulls_max = 0}, {.max_volume_error = -1}, {.planes_per_axis = 0}})
         EXPECT_FALSE(decompose(solid.vertices, solid.indices, wrong).ok());
 }
 

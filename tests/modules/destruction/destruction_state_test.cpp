@@ -49,7 +49,7 @@ TEST(DestructionState, a_loaded_and_a_restored_world_go_on_alike) {
         World& world = show.stage.world;
         const std::vector<std::byte> bytes = save(world);
         RestorePoint before;
-        before.keep(world);
+        before.capture(world);
         show.stage.step(60);
         const std::uint64_t hash = state_hash(world);
         World loaded = std::move(*load(bytes));

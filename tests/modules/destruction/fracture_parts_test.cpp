@@ -70,8 +70,7 @@ TEST(FractureParts, parts_that_touch_are_bonded_over_their_common_face) {
 TEST(FractureParts, what_overlaps_is_there_once) {
     const std::vector<Part> parts = {box_hull({-1.5, -0.5, 0}, {1.5, 0.5, 1}),
                                      box_hull({-0.5, -1.5, 0}, {0.5, 1.5, 1})};
-    const FractureResult made =
-        fracture_parts(parts, random_seeds({1.5, 1.5, 0.9}, 80, 5)).value();
+    const FractureResult made = fracture_parts(parts, random_seeds({1.5, 1.5, 0.9}, 80, 5)).value();
     const double error = std::abs((volume_of(made.shape) + made.lost_volume) / 5 - 1);
     RecordProperty("volume_error", std::to_string(error * 1e15) + "e-15");
     EXPECT_LT(error, 1e-12);

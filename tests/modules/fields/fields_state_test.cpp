@@ -62,7 +62,7 @@ TEST(FieldsState, goes_on_with_the_same_bits_after_a_load_and_a_restore) {
     World loaded = test::must(load(save(world)));
     EXPECT_EQ(first_difference(world, loaded), std::nullopt);
     RestorePoint point;
-    point.keep(world);
+    point.capture(world);
     test::run(world, 0.7);
     test::run(loaded, 0.7);
     EXPECT_EQ(first_difference(world, loaded), std::nullopt);

@@ -25,8 +25,8 @@ struct PressureSample {
     Vec3 force, torque;
     std::size_t panels = 0;
 };
-PressureSample sample_pressure(const Waves& waves, const Geometry& geometry, const Transform& pose, double time,
-              double longest) {
+PressureSample sample_pressure(const Waves& waves, const Geometry& geometry, const Transform& pose,
+                               double time, double longest) {
     World world = test::make_world();
     const BodyId body = test::add(
         world, {.geometry = geometry, .position = pose.position, .rotation = pose.rotation});
@@ -104,8 +104,10 @@ TEST(Waves, push_a_small_body_by_the_gradient_of_their_pressure) {
     const double height = water_at(waves, g, at, 0).height;
     const double fade = 0.3 * std::exp(-number * (height - at.y)), angle = number * at.x;
     const double size = 0.2, volume = size * size * size;
-    const PressureSample still = sample_pressure({}, Box{{size / 2, size / 2, size / 2}}, {at, {}}, 0, 1);
-    const PressureSample moved = sample_pressure(waves, Box{{size / 2, size / 2, size / 2}}, {at, {}}, 0, 1);
+    const PressureSample still =
+        sample_pressure({}, Box{{size / 2, size / 2, size / 2}}, {at, {}}, 0, 1);
+    const PressureSample moved =
+        sample_pressure(waves, Box{{size / 2, size / 2, size / 2}}, {at, {}}, 0, 1);
     // Wheeler's depth adds to Airy's slope of the pressure that of the surface above: both stated.
     const double slope = -0.3 * number * std::sin(angle);
     const double along = 1000 * g * fade * number * (std::sin(angle) + std::cos(angle) * slope);

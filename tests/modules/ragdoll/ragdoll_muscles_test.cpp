@@ -59,7 +59,8 @@ TEST(RagdollMuscles, a_pose_of_one_hertz_is_followed) {
         std::complex<double> sum = 0;
         for (int k = 1; k <= 300; k++) {
             const double t = k / 60.0;
-            RagdollPose pose{.rotations = {{}, from_axis_angle({0, 0, 1}, 0.5 * std::sin(2 * pi * t))}};
+            RagdollPose pose{
+                .rotations = {{}, from_axis_angle({0, 0, 1}, 0.5 * std::sin(2 * pi * t))}};
             stage.ragdolls->set_pose(id, pose).expect();
             stage.step();
             if (k > 180) sum += stage.angle(id, 1) * std::polar(1.0, -2 * pi * t);

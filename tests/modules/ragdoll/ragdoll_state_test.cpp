@@ -60,7 +60,7 @@ TEST(RagdollState, a_loaded_and_a_restored_world_go_on_alike) {
     play(world, show, 0, 40);
     const std::vector<std::byte> bytes = save(world);
     RestorePoint before;
-    before.keep(world);
+    before.capture(world);
     play(world, show, 40, 120);
     const std::uint64_t hash = state_hash(world);
     World loaded = std::move(*load(bytes));

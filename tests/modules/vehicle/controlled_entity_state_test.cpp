@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A car that goes on in another world (jostle/modules/controlled_entity_state.h): what a client foresees of the car
-// that it drives.
+// A car that goes on in another world (jostle/modules/controlled_entity_state.h): what a client
+// foresees of the car that it drives.
 #include "jostle/modules/controlled_entity_state.h"
 
 #include <gtest/gtest.h>
@@ -36,13 +36,14 @@ struct TwoWorlds {
         world.add_module(std::move(made)).expect();
     }
     std::optional<std::vector<std::uint32_t>> encode() {
-        return modules::encode_controlled_entity(there.world, *there.vehicles, there.chassis,
-                                    [&](BodyId id) { return id == there.chassis ? 7u : 9u; });
+        return modules::encode_controlled_entity(
+            there.world, *there.vehicles, there.chassis,
+            [&](BodyId id) { return id == there.chassis ? 7u : 9u; });
     }
     bool apply(std::span<const std::uint32_t> words) {
-        return modules::apply_controlled_entity(world, *vehicles, chassis, words, [&](std::uint32_t name) {
-            return name == 7 ? chassis : BodyId{};
-        });
+        return modules::apply_controlled_entity(
+            world, *vehicles, chassis, words,
+            [&](std::uint32_t name) { return name == 7 ? chassis : BodyId{}; });
     }
     double distance() const {
         return length(world.body(chassis)->pose.position - there.body().pose.position);

@@ -64,8 +64,8 @@ TEST(Differential, limited_slip_adds_what_its_friction_bears) {
 }
 
 TEST(Differential, a_locked_one_turns_both_wheels_alike) {
-    const Split split =
-        on_split_ground(DifferentialLock{.first = {2}, .second = {3}, .kind = DifferentialLockKind::locked});
+    const Split split = on_split_ground(
+        DifferentialLock{.first = {2}, .second = {3}, .kind = DifferentialLockKind::locked});
     EXPECT_NEAR(split.spin_left, split.spin_right, 0.01 * split.spin_right);
     EXPECT_GT(split.right, 4 * split.left) << "the gripping wheel pushes alone";
 }
@@ -74,7 +74,9 @@ TEST(Differential, a_locked_axle_resists_a_bend_and_an_open_one_does_not) {
     const auto difference = [](bool locked) {
         TestCar of({}, {0, 0, -5});
         VehicleDef def = plain_saloon(of.chassis);
-        if (locked) def.differential_locks = {{.first = {2}, .second = {3}, .kind = DifferentialLockKind::locked}};
+        if (locked)
+            def.differential_locks = {
+                {.first = {2}, .second = {3}, .kind = DifferentialLockKind::locked}};
         of.add(def);
         coast(of, 0.5);
         of.set({.steering = 0.5, .gear = 0});
@@ -96,7 +98,8 @@ TEST(Differential, a_centre_lock_holds_the_axles_together) {
     saloon.front_drive = 0.4;
     VehicleDef def = modules::saloon(saloon);
     for (std::size_t k : {0u, 1u}) def.wheels[k].tyre.friction = 0.01;
-    def.differential_locks = {{.first = {0, 1}, .second = {2, 3}, .kind = DifferentialLockKind::locked}};
+    def.differential_locks = {
+        {.first = {0, 1}, .second = {2, 3}, .kind = DifferentialLockKind::locked}};
     of.add(def);
     of.set({.throttle = 0.6});
     of.drive(2);

@@ -116,7 +116,7 @@ TEST(VehicleState, a_restored_world_drives_on_with_the_same_bits) {
     World world = lively(2);
     drive(world, 150);
     RestorePoint point;
-    point.keep(world);
+    point.capture(world);
     drive(world, 150);
     const std::uint64_t end = state_hash(world);
     point.restore(world).expect();
@@ -162,7 +162,7 @@ TEST(VehicleState, forged_bytes_are_refused_or_harmless) {
         const int changes = 1 + k % 4;
         for (int c = 0; c < changes; c++)
             corrupted[static_cast<std::size_t>(random.in(0, 1) * 0.999999 *
-                                            static_cast<double>(corrupted.size()))] =
+                                               static_cast<double>(corrupted.size()))] =
                 static_cast<std::byte>(random.in(0, 255.99));
         if (k % 7 == 0) corrupted.resize(corrupted.size() / 2);
         auto vehicles = std::make_unique<Vehicles>();

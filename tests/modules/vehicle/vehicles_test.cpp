@@ -26,8 +26,9 @@ TEST(Vehicles, a_def_that_makes_no_sense_is_refused_by_name) {
               "wheels is 0; it must be from 1 to 16");
     EXPECT_EQ(error_of([](VehicleDef& def) { def.wheels[2].drive_share = 0.1; }),
               "drive shares of all wheels are neither 0 nor 1 in sum");
-    EXPECT_EQ(error_of([](VehicleDef& def) { def.differential_locks = {{.first = {2}, .second = {7}}}; }),
-              "couplings[0].names a wheel that there is not");
+    EXPECT_EQ(
+        error_of([](VehicleDef& def) { def.differential_locks = {{.first = {2}, .second = {7}}}; }),
+        "couplings[0].names a wheel that there is not");
     EXPECT_EQ(error_of([](VehicleDef& def) {
                   def.steering_drive = {.left = {0, 1}, .right = {1}};
               }),

@@ -16,13 +16,16 @@ TEST(JointSolverPreferences, are_heard_in_their_order) {
     for (const JointSolver of_world : all) {
         EXPECT_EQ(solver_of(preference_bit({}), of_world), of_world);
         for (const JointSolver own : all)
-            EXPECT_EQ(solver_of(static_cast<JointSolverPreferences>(preference_bit({}) | preference_bit(own)), of_world),
+            EXPECT_EQ(solver_of(static_cast<JointSolverPreferences>(preference_bit({}) |
+                                                                    preference_bit(own)),
+                                of_world),
                       own);
         for (const JointSolver first : all)
             for (const JointSolver second : all)
-                EXPECT_EQ(
-                    solver_of(static_cast<JointSolverPreferences>(preference_bit(first) | preference_bit(second)), of_world),
-                    first > second ? first : second);
+                EXPECT_EQ(solver_of(static_cast<JointSolverPreferences>(preference_bit(first) |
+                                                                        preference_bit(second)),
+                                    of_world),
+                          first > second ? first : second);
     }
 }
 

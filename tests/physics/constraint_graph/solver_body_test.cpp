@@ -28,7 +28,8 @@ TEST(SolverBodies, nobody_stands_still_and_cannot_be_pushed) {
 TEST(SolverBodies, every_set_and_list_has_a_spare_body_of_its_own) {
     std::set<std::int32_t> indices;
     for (std::size_t set = 0; set < solved_set_count; set++)
-        for (const bool single : {false, true}) indices.insert(SolverBodies::spare_index(set, single));
+        for (const bool single : {false, true})
+            indices.insert(SolverBodies::spare_index(set, single));
     EXPECT_EQ(indices.size(), 2u * solved_set_count);
     EXPECT_EQ(*indices.rbegin(), -1);
     EXPECT_EQ(*indices.begin(), -static_cast<std::int32_t>(SolverBodies::spare));

@@ -18,7 +18,8 @@ ConstraintSystem carts() {
     s.bodies[0].free_velocity = {2, 0, 0};
     s.bodies[2].velocity = s.bodies[2].free_velocity = {-1, 0, 0};
     const auto join = [&](int a, int b) {
-        s.rows.push_back({.jacobians = {{a, {-1, 0, 0}, {}}, {b, {1, 0, 0}, {}}}, .jacobian_count = 2});
+        s.rows.push_back(
+            {.jacobians = {{a, {-1, 0, 0}, {}}, {b, {1, 0, 0}, {}}}, .jacobian_count = 2});
     };
     join(0, 1);
     join(1, 2);

@@ -24,7 +24,8 @@ TEST(Bounds, of_convex_shapes_end_where_they_do) {
         for (int round = 0; round < 200; round++) {
             SCOPED_TRACE(testing::Message() << kind_name(kind) << " " << round);
             const Geometry geometry = random_geometry(kind, random);
-            const TransformedShape shape = transformed_shape(geometry, {random.vector(20), random_rotation(random)});
+            const TransformedShape shape =
+                transformed_shape(geometry, {random.vector(20), random_rotation(random)});
             const Aabb box = bounds_of(shape);
             const Convex convex = convex_of(shape, {});
             for (int axis = 0; axis < 3; axis++) {
@@ -39,7 +40,8 @@ TEST(Bounds, of_convex_shapes_end_where_they_do) {
 // A cylinder of radius 1 and height 2 that leans by 45 degrees reaches sqrt 2 both ways.
 TEST(Bounds, of_a_leaning_cylinder) {
     const Geometry cylinder = Cylinder{1, 1};
-    const Aabb box = bounds_of(transformed_shape(cylinder, {{5, 0, 0}, from_axis_angle({0, 0, 1}, pi / 4)}));
+    const Aabb box =
+        bounds_of(transformed_shape(cylinder, {{5, 0, 0}, from_axis_angle({0, 0, 1}, pi / 4)}));
     const double reach = square_root(2);
     EXPECT_TRUE(near(box.low, {5 - reach, -reach, -1}, 1e-12));
     EXPECT_TRUE(near(box.high, {5 + reach, reach, 1}, 1e-12));

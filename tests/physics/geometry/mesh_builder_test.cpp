@@ -34,8 +34,9 @@ void check_mesh(const std::shared_ptr<const TriangleMesh>& mesh, Random& random)
     const Geometry ground = Mesh{mesh}, ball = Sphere{1}, box = Box{{1, 0.5, 2}};
     for (const Geometry* shape : {&ball, &box}) {
         std::vector<ChildManifold> parts;
-        collide_composite(transformed_shape(ground, {}), transformed_shape(*shape, {random.vector(2), random.rotation()}),
-                          0.1, parts);
+        collide_composite(transformed_shape(ground, {}),
+                          transformed_shape(*shape, {random.vector(2), random.rotation()}), 0.1,
+                          parts);
         for (const ChildManifold& part : parts)
             for (int k = 0; k < part.manifold.count; k++)
                 EXPECT_TRUE(is_finite(part.manifold.point[k]) && is_finite(part.manifold.gap[k]) &&

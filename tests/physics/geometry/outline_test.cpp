@@ -27,8 +27,8 @@ double area_of(const Outline& outline) {
 
 TEST(Outline, of_a_turned_box_has_four_corners_and_its_area) {
     const Geometry box = Box{{2, 1, 0.5}};
-    const Outline outline =
-        outline_of(transformed_shape(box, {{10, 5, 7}, from_axis_angle({0, 0, 1}, 0.5)}), {10, 5, 0});
+    const Outline outline = outline_of(
+        transformed_shape(box, {{10, 5, 7}, from_axis_angle({0, 0, 1}, 0.5)}), {10, 5, 0});
     ASSERT_EQ(outline.count, 4);
     EXPECT_EQ(outline.radius, 0);
     EXPECT_NEAR(area_of(outline), 8, 1e-12);

@@ -47,7 +47,8 @@ TEST(Ray, meets_flat_and_slanted_sides) {
 
 TEST(Ray, meets_flat_ends_from_above) {
     for (const Geometry& shape : {Geometry{Cylinder{1, 2}}, Geometry{Box{{1, 2, 1}}}})
-        expect_hit(cast_ray(transformed_shape(shape, {}), {0.5, 6, 0.5}, {0, -8, 0}), 0.5, {0, 1, 0});
+        expect_hit(cast_ray(transformed_shape(shape, {}), {0.5, 6, 0.5}, {0, -8, 0}), 0.5,
+                   {0, 1, 0});
     const Geometry cone = Cone{1, 2};
     expect_hit(cast_ray(transformed_shape(cone, {}), {0.5, -6, 0.5}, {0, 8, 0}), 0.5, {0, -1, 0});
 }
@@ -57,7 +58,8 @@ TEST(Ray, from_inside_answers_at_once_against_its_motion) {
          {Geometry{Sphere{1}}, Geometry{Capsule{1, 1}}, Geometry{Box{{1, 1, 1}}},
           Geometry{Cylinder{1, 1}}, Geometry{Cone{1, 1}}, Geometry{Plane{}}}) {
         SCOPED_TRACE(kind_name(kind_of(shape)));
-        expect_hit(cast_ray(transformed_shape(shape, {}), {0.1, -0.2, 0.1}, {0, 3, 4}), 0, {0, -0.6, -0.8});
+        expect_hit(cast_ray(transformed_shape(shape, {}), {0.1, -0.2, 0.1}, {0, 3, 4}), 0,
+                   {0, -0.6, -0.8});
     }
 }
 
@@ -86,7 +88,8 @@ TEST(Ray, meets_the_nearest_child_of_a_compound) {
         {{Sphere{0.5}, {.position = {0, 0, 2}}}, {Sphere{0.5}, {.position = {0, 0, -2}}}}))};
     // Turned so that its z axis points along x.
     const Transform pose{{10, 0, 0}, from_axis_angle({0, 1, 0}, pi / 2)};
-    expect_hit(cast_ray(transformed_shape(pair, pose), {0, 0, 0}, {30, 0, 0}), 7.5 / 30, {-1, 0, 0});
+    expect_hit(cast_ray(transformed_shape(pair, pose), {0, 0, 0}, {30, 0, 0}), 7.5 / 30,
+               {-1, 0, 0});
 }
 
 }  // namespace

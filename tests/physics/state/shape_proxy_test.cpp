@@ -163,7 +163,8 @@ TEST(ShapeProxy, derived_pose_puts_a_shape_where_its_body_takes_it) {
     shape.pose.rotation = from_axis_angle({0, 0, 1}, pi / 2);
     derive_shape_pose(cold, shape);
     EXPECT_FALSE(shape.aligned);
-    EXPECT_TRUE(near(transformed_shape(shape, warm).axes.x, {-1, 0, 0}, 1e-12)) << "half a turn in all";
+    EXPECT_TRUE(near(transformed_shape(shape, warm).axes.x, {-1, 0, 0}, 1e-12))
+        << "half a turn in all";
 }
 
 }  // namespace

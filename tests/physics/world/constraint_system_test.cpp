@@ -57,8 +57,8 @@ TEST(ConstraintSystem, right_hand_sides_are_at_the_velocities_of_now) {
     EXPECT_NEAR(s.right[1], -2, 1e-12);
     // Apart by 0.1 m: a fifth of it in h.
     must(p.world.set_pose(p.bob, {.position = {0.1, -1, 0}}));
-    const ConstraintSystem apart =
-        must(p.world.constraint_system(p.joint, {.h = 0.01, .forces = false, .position_correction = 0.2}));
+    const ConstraintSystem apart = must(p.world.constraint_system(
+        p.joint, {.h = 0.01, .forces = false, .position_correction = 0.2}));
     EXPECT_NEAR(apart.rows[0].error, 0.1, 1e-12);
     EXPECT_NEAR(apart.rows[0].bias, -0.2 * 0.1 / 0.01, 1e-9);
 }
@@ -98,7 +98,8 @@ TEST(ConstraintSystem, contacts_are_a_normal_and_two_directions_of_friction) {
     for (const bool asleep : {false, true}) {
         if (asleep) run(world, 2);
         EXPECT_EQ(state_of(world, box).awake, !asleep);
-        const ConstraintSystem s = must(world.constraint_system(box, {.h = 0.01, .position_correction = 0}));
+        const ConstraintSystem s =
+            must(world.constraint_system(box, {.h = 0.01, .position_correction = 0}));
         ASSERT_EQ(s.rows.size(), 12u);
         for (int k = 0; k < 12; k += 3) {
             const ConstraintRow& normal = s.rows[static_cast<std::size_t>(k)];
@@ -181,7 +182,8 @@ TEST(ConstraintSystem, refuses_with_reasons) {
     EXPECT_EQ(empty.code, ErrorCode::failed_precondition);
     EXPECT_THAT(empty.message, HasSubstr("touches nothing"));
     EXPECT_THAT(error(world.constraint_system(alone, {.h = 1})).message, HasSubstr("h is 1"));
-    EXPECT_THAT(error(world.constraint_system(alone, {.position_correction = -1})).message, HasSubstr("mend"));
+    EXPECT_THAT(error(world.constraint_system(alone, {.position_correction = -1})).message,
+                HasSubstr("mend"));
 
     std::vector<BodyId> chain;
     for (int k = 0; k < 502; k++) {

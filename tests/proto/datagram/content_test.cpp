@@ -15,7 +15,8 @@ std::vector<std::string> encode_one(std::string_view message, std::uint32_t numb
 }  // namespace
 
 TEST(Content, questions_and_answers_have_nine_bytes) {
-    const std::string question = encode(PathChallenge{0x1122334455667788}), answer = encode(PathResponse{9});
+    const std::string question = encode(PathChallenge{0x1122334455667788}),
+                      answer = encode(PathResponse{9});
     EXPECT_EQ(question.size(), 9u);
     EXPECT_EQ(std::get<PathChallenge>(*decode_content(question)).token, 0x1122334455667788u);
     EXPECT_EQ(std::get<PathResponse>(*decode_content(answer)).token, 9u);

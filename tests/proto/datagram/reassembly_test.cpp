@@ -71,7 +71,8 @@ TEST(Reassembly, holds_300_kB_at_most_and_the_newest_four) {
         for (std::size_t k = 1; k < fragments_max; k++) EXPECT_FALSE(reassembly.add(cut.part(k)));
         EXPECT_LE(reassembly.bytes_held(), 4 * 63 * fragment_bytes);
     }
-    EXPECT_FALSE(reassembly.add(Cut(fragments_max * fragment_bytes, 96).part(0))) << "it was given up";
+    EXPECT_FALSE(reassembly.add(Cut(fragments_max * fragment_bytes, 96).part(0)))
+        << "it was given up";
     EXPECT_TRUE(reassembly.add(Cut(fragments_max * fragment_bytes, 97).part(0)));
 }
 

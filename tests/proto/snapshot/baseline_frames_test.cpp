@@ -22,8 +22,10 @@ TEST(BaselineFrames, every_set_of_bases_comes_back) {
                 BaselineFrames baselines;
                 if (a != 0) baselines.base = frame - a;
                 if (a != 0 && b != 0) baselines.baseline2 = baselines.base - b;
-                if (baselines.baseline2 != 0 && c != 0) baselines.baseline3 = baselines.baseline2 - c;
-                const auto back = decode_baseline_frames(frame, encode_baseline_frames(frame, baselines));
+                if (baselines.baseline2 != 0 && c != 0)
+                    baselines.baseline3 = baselines.baseline2 - c;
+                const auto back =
+                    decode_baseline_frames(frame, encode_baseline_frames(frame, baselines));
                 ASSERT_TRUE(back.ok()) << back.error().message;
                 EXPECT_EQ(*back, baselines);
                 sets++;

@@ -25,7 +25,8 @@ const QuantizedFrame* at(const std::vector<QuantizedFrame>& frames, std::ptrdiff
 constexpr Codec codecs[] = {Codec::bits, Codec::range};
 constexpr std::size_t most_entities = 1u << 20;
 
-void expect_round_trip(const QuantizedFrame& frame, const Baselines& baselines, const QuantSpec& spec) {
+void expect_round_trip(const QuantizedFrame& frame, const Baselines& baselines,
+                       const QuantSpec& spec) {
     for (const Codec codec : codecs) {
         const auto bytes = encode_frame(frame, baselines, spec, codec);
         const auto back = decode_frame(frame.frame, bytes, baselines, spec, most_entities, codec);
@@ -46,7 +47,8 @@ TEST(FrameCodec, every_frame_of_a_restless_world_comes_back_at_any_spacing_of_ba
             for (std::ptrdiff_t i = 0; i < std::ssize(frames); i++) {
                 const QuantizedFrame* base = at(frames, i - s[0]);
                 const QuantizedFrame* baseline2 = base ? at(frames, i - s[0] - s[1]) : nullptr;
-                const QuantizedFrame* baseline3 = baseline2 ? at(frames, i - s[0] - s[1] - s[2]) : nullptr;
+                const QuantizedFrame* baseline3 =
+                    baseline2 ? at(frames, i - s[0] - s[1] - s[2]) : nullptr;
                 const auto& frame = frames[static_cast<std::size_t>(i)];
                 expect_round_trip(frame, {base, baseline2, baseline3}, spec);
                 expect_round_trip(frame, {base, baseline2, nullptr}, spec);

@@ -75,8 +75,8 @@ inline std::string golden_name(const GoldenSequence& sequence, Codec codec) {
 }
 
 // The whole file: "JGLD", u32 codec, u32 units_per_meter, u32 M, u32 frames; per frame u32
-// frame, base, baseline2, baseline3, crc, entities, packed bytes, then per entity u32 id, i32 x y z, u8
-// largest, i16 r r r, u8 at_rest, then the packed bytes.
+// frame, base, baseline2, baseline3, crc, entities, packed bytes, then per entity u32 id, i32 x y
+// z, u8 largest, i16 r r r, u8 at_rest, then the packed bytes.
 inline std::vector<std::byte> golden_file(const GoldenSequence& sequence, Codec codec) {
     std::vector<std::byte> out;
     const auto put = [&](std::uint32_t value, int size = 4) {
@@ -93,8 +93,8 @@ inline std::vector<std::byte> golden_file(const GoldenSequence& sequence, Codec 
         return nullptr;
     };
     for (const GoldenFrame& g : sequence.frames) {
-        const auto packed = encode_frame(g.frame, {find(g.base), find(g.baseline2), find(g.baseline3)},
-                                         sequence.spec, codec);
+        const auto packed = encode_frame(
+            g.frame, {find(g.base), find(g.baseline2), find(g.baseline3)}, sequence.spec, codec);
         put(g.frame.frame);
         put(g.base);
         put(g.baseline2);

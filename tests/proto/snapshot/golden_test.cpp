@@ -81,7 +81,8 @@ TEST(Golden, sequences_reach_the_corners_of_the_arithmetic) {
         for (const GoldenFrame& g : sequence.frames) {
             const QuantizedFrame base = frame_of(g.base), baseline2 = frame_of(g.baseline2),
                                  baseline3 = frame_of(g.baseline3);
-            const Spacing t{g.base ? g.frame.frame - g.base : 1, g.baseline2 ? g.base - g.baseline2 : 1,
+            const Spacing t{g.base ? g.frame.frame - g.base : 1,
+                            g.baseline2 ? g.base - g.baseline2 : 1,
                             g.baseline3 ? g.baseline2 - g.baseline3 : 1};
             for (const EntityState& now : g.frame.entities) {
                 const EntityState* b1 = find(base, now.id);

@@ -19,8 +19,8 @@
 
 #include "grpc/health/v1/health.grpc.pb.h"
 #include "server/grpc/grpc_server.h"
-#include "server/http/http_server.h"
 #include "server/http/http_routes.h"
+#include "server/http/http_server.h"
 #include "server/services/query_control.h"
 #include "server/services/world_control.h"
 #include "server/util/clock.h"

@@ -49,11 +49,12 @@ protected:
     }
     Identity known(const std::string& subject, const std::string& role,
                    const Json& more = Json::object()) {
-        return authorizer->identify({.bearer = token(subject, role, more), .address = home}, now).value();
+        return authorizer->identify({.bearer = token(subject, role, more), .address = home}, now)
+            .value();
     }
     Identity anonymous() { return authorizer->identify({.address = home}, now).value(); }
-    Status ask(const Identity& who, const char* call, const WorldTarget& world = {"w1", "arena", ""},
-               const char* address = home) {
+    Status ask(const Identity& who, const char* call,
+               const WorldTarget& world = {"w1", "arena", ""}, const char* address = home) {
         return authorizer->admit(who, {.call = call, .world = world, .address = address}, now);
     }
     std::vector<Json> audited() {
@@ -80,7 +81,8 @@ TEST_F(AuthorizerTest, knows_who_calls_by_token_by_certificate_or_not_at_all) {
     EXPECT_EQ(operator_.subject, "certificate:CN=operator");
     EXPECT_EQ(operator_.role, Role::admin);
     EXPECT_EQ(
-        authorizer->identify(
+        authorizer
+            ->identify(
                 {.bearer = token("anna", "viewer"), .certificate = "CN=operator", .address = home},
                 now)
             ->role,
@@ -104,9 +106,10 @@ TEST_F(AuthorizerTest, what_anonymous_may_do_is_a_setting) {
     config.auth = {.audit_log = folder / "audit"};
     open();
     EXPECT_EQ(anonymous().role, Role::admin) << "no keys, and on loopback";
-    EXPECT_EQ(
-        authorizer->identify({.bearer = token("anna", "admin"), .address = home}, now).error().message,
-        "this server believes no token: auth.keys is not set");
+    EXPECT_EQ(authorizer->identify({.bearer = token("anna", "admin"), .address = home}, now)
+                  .error()
+                  .message,
+              "this server believes no token: auth.keys is not set");
     config.listen = "0.0.0.0:50051";
     open();
     EXPECT_EQ(anonymous().role, Role::director) << "no keys, and beyond";
@@ -334,7 +337,8 @@ TEST_F(AuthorizerTest, no_token_or_ticket_is_ever_written) {
     EXPECT_FALSE(show(login.token(endless)));
     EXPECT_FALSE(show(test::assemble(R"({"alg":"none"})", endless.dump(),
                                      [](const std::string&) { return std::string(); })));
-    const std::string ticket = authorizer->issue_ticket(known("anna", "player"), "w1", home, now).value();
+    const std::string ticket =
+        authorizer->issue_ticket(known("anna", "player"), "w1", home, now).value();
     secrets.push_back(ticket);
     EXPECT_TRUE(authorizer->redeem_ticket(ticket, "w1", home, now).ok());
     EXPECT_FALSE(authorizer->redeem_ticket(ticket, "w1", home, now).ok());
@@ -387,7 +391,8 @@ TEST_F(AuthorizerTest, many_threads_ask_while_keys_change) {
             threads.emplace_back([&, t] {
                 const std::string address = "10.0.0." + std::to_string(t);
                 for (int i = 0; i < 50; ++i) {
-                    const auto who = authorizer->identify({.bearer = bearer, .address = address}, now);
+                    const auto who =
+                        authorizer->identify({.bearer = bearer, .address = address}, now);
                     if (!who.ok()) continue;
                     const auto ticket = authorizer->issue_ticket(*who, "w1", address, now);
                     if (ticket.ok() && authorizer->redeem_ticket(*ticket, "w1", address, now).ok())

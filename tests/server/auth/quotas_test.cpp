@@ -25,7 +25,8 @@ TEST(Quotas, a_minutes_worth_at_once_then_as_it_flows_in) {
     EXPECT_FALSE(no.granted);
     EXPECT_NEAR(to_ms(no.retry_after), 3000, 2) << "one each three seconds";
     EXPECT_FALSE(quotas.take(QuotaKind::creates, "anna", "192.0.2.1", start + 2990ms).granted);
-    EXPECT_TRUE(quotas.take(QuotaKind::creates, "anna", "192.0.2.1", start + no.retry_after).granted)
+    EXPECT_TRUE(
+        quotas.take(QuotaKind::creates, "anna", "192.0.2.1", start + no.retry_after).granted)
         << "who waits as long as he is told is let in";
     EXPECT_EQ(grants(quotas, QuotaKind::creates, "anna", "192.0.2.1", 100, start + 10min), 20);
 }
@@ -33,7 +34,8 @@ TEST(Quotas, a_minutes_worth_at_once_then_as_it_flows_in) {
 TEST(Quotas, of_queries_a_seconds_worth_at_once) {
     Quotas quotas({.queries_per_second = 50});
     EXPECT_EQ(grants(quotas, QuotaKind::queries, "anna", "192.0.2.1", 1000), 50);
-    EXPECT_NEAR(to_ms(quotas.look(QuotaKind::queries, "anna", "192.0.2.1", start).retry_after), 20, 2);
+    EXPECT_NEAR(to_ms(quotas.look(QuotaKind::queries, "anna", "192.0.2.1", start).retry_after), 20,
+                2);
 }
 
 TEST(Quotas, subjects_at_one_address_have_their_own_and_share_ten_times_as_much) {
@@ -44,7 +46,8 @@ TEST(Quotas, subjects_at_one_address_have_their_own_and_share_ten_times_as_much)
     EXPECT_EQ(granted, 50);
     EXPECT_EQ(grants(quotas, QuotaKind::joins, "s0", "192.0.2.2", 1), 0) << "his own are gone";
     EXPECT_EQ(grants(quotas, QuotaKind::joins, "new", "192.0.2.2", 100), 5);
-    EXPECT_EQ(grants(quotas, QuotaKind::joins, "", "192.0.2.3", 100), 50) << "anonymous: by address";
+    EXPECT_EQ(grants(quotas, QuotaKind::joins, "", "192.0.2.3", 100), 50)
+        << "anonymous: by address";
 }
 
 TEST(Quotas, a_refusal_costs_nothing) {

@@ -47,7 +47,8 @@ TEST(Tickets, what_is_no_ticket_is_unknown) {
     for (const std::string& text :
          {std::string(), std::string(32, '0'), std::string(32, 'g'), std::string(1 << 20, 'a'),
           real.substr(1), real + "0", upper + " ", std::string(32, '\0')}) {
-        EXPECT_EQ(tickets.redeem(text, {}).ticket_status, TicketStatus::unknown) << text.substr(0, 40);
+        EXPECT_EQ(tickets.redeem(text, {}).ticket_status, TicketStatus::unknown)
+            << text.substr(0, 40);
     }
     EXPECT_EQ(tickets.redeem(real, {}).ticket_status, TicketStatus::good);
 }
@@ -67,7 +68,8 @@ TEST(Tickets, of_too_many_of_one_holder_his_own_oldest_goes) {
     EXPECT_EQ(tickets.waiting(), 4u);
     EXPECT_EQ(tickets.redeem(other, {}).ticket_status, TicketStatus::good);
     EXPECT_EQ(tickets.redeem(own[6], {}).ticket_status, TicketStatus::unknown);
-    for (int i = 7; i < 10; ++i) EXPECT_EQ(tickets.redeem(own[i], {}).ticket_status, TicketStatus::good);
+    for (int i = 7; i < 10; ++i)
+        EXPECT_EQ(tickets.redeem(own[i], {}).ticket_status, TicketStatus::good);
     for (int i = 0; i < 10; ++i) EXPECT_TRUE(tickets.issue(nobody, "192.0.2.1", "w1", {}).ok());
     EXPECT_EQ(tickets.waiting(), 5u) << "an address holds several people";
 }

@@ -151,8 +151,9 @@ TEST_F(AccessTest, every_rpc_of_the_table_lets_in_whom_it_says_and_nobody_else) 
             make_worlds();
             const auto code = call("/" + std::string(row.call), "mine", token_of(someone));
             const bool owns = someone.name == "dora" || someone.is == Role::admin;
-            const bool may = row.kind == CallKind::open ||
-                             (someone.is >= row.min_role && (row.scope != Scope::own_world || owns));
+            const bool may =
+                row.kind == CallKind::open ||
+                (someone.is >= row.min_role && (row.scope != Scope::own_world || owns));
             EXPECT_EQ(is_refusal(code), !may)
                 << row.call << " by " << someone.role << " " << someone.name << ": " << code;
             if (someone.is == Role::none && !may) {
@@ -194,8 +195,9 @@ TEST_F(AccessTest, every_route_of_the_table_lets_in_whom_it_says_and_nobody_else
             request.authorization = token.empty() ? "" : "Bearer " + token;
             const HttpResponse answer = routes.answer(request);
             const bool owns = someone.name == "dora" || someone.is == Role::admin;
-            const bool may = row.kind == CallKind::open ||
-                             (someone.is >= row.min_role && (row.scope != Scope::own_world || owns));
+            const bool may =
+                row.kind == CallKind::open ||
+                (someone.is >= row.min_role && (row.scope != Scope::own_world || owns));
             EXPECT_EQ(answer.status == 401 || answer.status == 403, !may)
                 << row.call << " by " << someone.name << ": " << answer.status << answer.body;
         }

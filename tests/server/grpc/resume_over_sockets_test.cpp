@@ -68,7 +68,8 @@ protected:
     GrpcServer* woken = &server;
     WorldDirectory worlds{{.on_frame = [this](bool) { woken->wake(); }}, 4};
     const std::unique_ptr<Authorizer> authorizer = *Authorizer::open(config);
-    PlayContext context{.config = config, .worlds = worlds, .sessions = sessions, .authorizer = *gate};
+    PlayContext context{
+        .config = config, .worlds = worlds, .sessions = sessions, .authorizer = *gate};
     GrpcServer server{context, {}, [] { return true; }, {.port = 0}};
     client::Loop loop;
 };

@@ -75,7 +75,8 @@ protected:
     SessionDirectory sessions{4};
     WorldDirectory worlds{{}, 4};
     const std::unique_ptr<Authorizer> authorizer = *Authorizer::open(config);
-    PlayContext context{.config = config, .worlds = worlds, .sessions = sessions, .authorizer = *gate};
+    PlayContext context{
+        .config = config, .worlds = worlds, .sessions = sessions, .authorizer = *gate};
     std::promise<void> go_on;
     std::shared_future<void> opened = go_on.get_future().share();
     std::atomic<int> waiting{0};

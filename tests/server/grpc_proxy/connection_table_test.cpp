@@ -57,7 +57,8 @@ TEST(ConnectionTable, an_attackers_address_waits_a_second_then_two_then_four_up_
     for (const auto wait : {1s, 2s, 4s, 8s, 16s, 32s, 60s, 60s}) {
         table.penalize(*attacker, t);
         table.penalize(*attacker, t + wait / 2);  // its other connections: the same attack
-        EXPECT_EQ(table.refusal_for(from("192.0.2.1", 2), t + wait - 1ms), Refusal::address_penalized);
+        EXPECT_EQ(table.refusal_for(from("192.0.2.1", 2), t + wait - 1ms),
+                  Refusal::address_penalized);
         EXPECT_FALSE(table.refusal_for(from("192.0.2.2", 2), t)) << "nobody else does";
         t += wait;
         EXPECT_FALSE(table.refusal_for(from("192.0.2.1", 2), t));

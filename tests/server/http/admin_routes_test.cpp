@@ -135,11 +135,11 @@ TEST_F(AdminRoutesTest, what_is_wrong_is_said) {
 TEST_F(AdminRoutesTest, profiles_hold_no_scrape_up_and_too_many_are_turned_away) {
     ASSERT_TRUE(worlds.create("b", *scenes::find_scene("stack")).ok());
     HttpServer gateway(context, routes,
-                    {.host = "127.0.0.1",
-                     .port = 0,
-                     .metrics = &metrics.listener(Listener::admin),
-                     .work_queue_max = 1,
-                     .query_threads = 2});
+                       {.host = "127.0.0.1",
+                        .port = 0,
+                        .metrics = &metrics.listener(Listener::admin),
+                        .work_queue_max = 1,
+                        .query_threads = 2});
     ASSERT_TRUE(http_server.start().ok());
     std::vector<std::thread> slow;
     std::atomic<int> served{0};
@@ -160,7 +160,8 @@ TEST_F(AdminRoutesTest, profiles_hold_no_scrape_up_and_too_many_are_turned_away)
     EXPECT_EQ(metrics.listener(Listener::admin).refused(ConnectionRefusal::busy).Value(), 1);
     for (std::thread& thread : slow) thread.join();
     EXPECT_EQ(served, 2);
-    EXPECT_TRUE(ask(http_server.port(), "/play").starts_with("HTTP/1.1 404")) << "nobody plays here";
+    EXPECT_TRUE(ask(http_server.port(), "/play").starts_with("HTTP/1.1 404"))
+        << "nobody plays here";
     http_server.stop();
 }
 

@@ -38,7 +38,8 @@ protected:
     SessionDirectory sessions{10};
     WorldDirectory worlds{{}, 2};
     const std::unique_ptr<Authorizer> authorizer = *Authorizer::open(config);
-    PlayContext context{.config = config, .worlds = worlds, .sessions = sessions, .authorizer = *gate};
+    PlayContext context{
+        .config = config, .worlds = worlds, .sessions = sessions, .authorizer = *gate};
     WorldControl control{context};
     QueryControl queries{context};
     HttpRoutes routes{control,

@@ -16,7 +16,8 @@ TEST(HttpServerTest, stops_at_any_moment_of_its_housekeeping) {
     SessionDirectory sessions(10);
     WorldDirectory worlds({}, 1);
     const std::unique_ptr<Authorizer> authorizer = *Authorizer::open(config);
-    PlayContext context{.config = config, .worlds = worlds, .sessions = sessions, .authorizer = *gate};
+    PlayContext context{
+        .config = config, .worlds = worlds, .sessions = sessions, .authorizer = *gate};
     WorldControl control(context);
     const QueryControl queries(context);
     const HttpRoutes routes(control, queries,

@@ -228,7 +228,8 @@ TEST(FlowControl, a_wanted_divider_is_kept) {
     Reader reader(0.01, at_once(), 3);
     reader.play_until(10);
     EXPECT_EQ(reader.read_between(2, 8), 120);
-    EXPECT_EQ(reader.flow().rate_skipped() + reader.flow().skipped(), 0u) << "it is what it asked for";
+    EXPECT_EQ(reader.flow().rate_skipped() + reader.flow().skipped(), 0u)
+        << "it is what it asked for";
 }
 
 TEST(FlowControl, an_ack_covers_what_went_before_and_nonsense_covers_nothing) {

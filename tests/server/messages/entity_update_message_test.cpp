@@ -89,11 +89,12 @@ TEST(EntityUpdateMessage, carries_how_bodies_move_where_it_is_not_as_usual) {
     odd.shapes[1].mass = 7;
     GeometryTable table;
     const auto messages = entity_update_messages({},
-                                          {std::make_shared<const EntityDescription>(plain),
-                                           std::make_shared<const EntityDescription>(odd)},
-                                          table);
+                                                 {std::make_shared<const EntityDescription>(plain),
+                                                  std::make_shared<const EntityDescription>(odd)},
+                                                 table);
     const v1::EntityUpdate entity_update = parse(messages.entity_updates[0]).entity_update();
-    EXPECT_EQ(entity_update.added(0).ByteSizeLong(), 37u) << "an id, a type, and a box of three numbers";
+    EXPECT_EQ(entity_update.added(0).ByteSizeLong(), 37u)
+        << "an id, a type, and a box of three numbers";
     const v1::Entity& told = entity_update.added(1);
     EXPECT_TRUE(told.jointed());
     EXPECT_EQ(told.linear_damping(), 0.05);
@@ -136,8 +137,10 @@ TEST(EntityUpdateMessage, equal_meshes_of_two_bodies_have_one_id_and_others_have
     const auto messages = entity_update_messages({}, entities, table);
     EXPECT_EQ(messages.geometry.size(), 2u);
     const v1::EntityUpdate entity_update = parse(messages.entity_updates[0]).entity_update();
-    EXPECT_EQ(entity_update.added(0).shapes(0).geometry(), entity_update.added(1).shapes(0).geometry());
-    EXPECT_NE(entity_update.added(0).shapes(0).geometry(), entity_update.added(2).shapes(0).geometry());
+    EXPECT_EQ(entity_update.added(0).shapes(0).geometry(),
+              entity_update.added(1).shapes(0).geometry());
+    EXPECT_NE(entity_update.added(0).shapes(0).geometry(),
+              entity_update.added(2).shapes(0).geometry());
 }
 
 TEST(EntityUpdateMessage, what_a_client_may_spawn_is_told_with_its_body) {
@@ -148,7 +151,9 @@ TEST(EntityUpdateMessage, what_a_client_may_spawn_is_told_with_its_body) {
     const physics::Geometry hull = physics::Hull{physics::build_hull(points).value()};
     const auto messages = entity_update_messages({}, {entity_with(1, hull)}, table);
     EXPECT_TRUE(messages.geometry.empty());
-    EXPECT_GT(parse(messages.entity_updates[0]).entity_update().added(0).shapes(0).hull().points_size(), 20);
+    EXPECT_GT(
+        parse(messages.entity_updates[0]).entity_update().added(0).shapes(0).hull().points_size(),
+        20);
 }
 
 TEST(EntityUpdateMessage, a_long_list_comes_in_messages_of_bounded_size) {

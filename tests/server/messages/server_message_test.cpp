@@ -41,8 +41,10 @@ TEST(ServerMessage, a_snapshot_is_its_two_pieces_one_after_the_other) {
 }
 
 TEST(ServerMessage, a_snapshot_of_which_little_is_to_be_told_has_a_head_of_seventeen_bytes) {
-    const EncodedSnapshot encoded{
-        .frame = 1'000'000, .baselines = {999'999, 999'998, 999'997}, .packed = {}, .crc = 0xdeadbeef};
+    const EncodedSnapshot encoded{.frame = 1'000'000,
+                                  .baselines = {999'999, 999'998, 999'997},
+                                  .packed = {},
+                                  .crc = 0xdeadbeef};
     EncodedSnapshot with_body = encoded;
     with_body.packed.resize(1000, std::byte{7});
     const auto size = [](const EncodedSnapshot& snapshot) {
@@ -54,7 +56,7 @@ TEST(ServerMessage, a_snapshot_of_which_little_is_to_be_told_has_a_head_of_seven
 }
 
 TEST(ServerMessage, statistics_stand_beside_what_is_shared) {
-    JointFrame frame;
+    Frame frame;
     frame.tick = 77;
     const std::string shared = encode_shared_snapshot({.frame = 77});
     const auto message =

@@ -102,10 +102,11 @@ TEST(JournalCodec, a_world_that_went_back_is_an_entry_of_its_own_and_version_2_k
     const std::string bytes =
         encode_journal({.ticks = {}, .paused_ticks = {}, .rewind = Rewind{.tick = 90, .to = 30}});
     EXPECT_EQ(decode_journal(bytes).value().rewind, (Rewind{.tick = 90, .to = 30}));
-    EXPECT_EQ(error_of(decode_journal(encode_journal(
-                           {.ticks = {}, .paused_ticks = {}, .rewind = Rewind{.tick = 9, .to = 9}})))
-                  .message,
-              "what is kept of the commands of a world goes back from tick 9 to 9");
+    EXPECT_EQ(
+        error_of(decode_journal(encode_journal(
+                     {.ticks = {}, .paused_ticks = {}, .rewind = Rewind{.tick = 9, .to = 9}})))
+            .message,
+        "what is kept of the commands of a world goes back from tick 9 to 9");
     EXPECT_EQ(error_of(decode_journal(encode_journal(
                            {.ticks = {}, .paused_ticks = {{8, 9}}, .rewind = Rewind{9, 3}})))
                   .code,

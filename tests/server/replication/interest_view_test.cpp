@@ -38,7 +38,7 @@ struct Field {
         list = entities;
     }
     FramePtr frame(std::uint32_t tick) {
-        auto made = std::make_shared<JointFrame>();
+        auto made = std::make_shared<Frame>();
         made->tick = tick;
         made->entity_list = list;
         std::vector<EntityPose> poses;
@@ -60,8 +60,12 @@ struct Field {
 
 // Our bytes for the test: six numbers, then the packed cell.
 std::string put_cell(const EncodedCell& cell) {
-    const std::uint32_t head[] = {cell.id,          cell.number,      cell.baselines.baseline,
-                                  cell.baselines.baseline2, cell.baselines.baseline3, cell.crc};
+    const std::uint32_t head[] = {cell.id,
+                                  cell.number,
+                                  cell.baselines.baseline,
+                                  cell.baselines.baseline2,
+                                  cell.baselines.baseline3,
+                                  cell.crc};
     std::string bytes(sizeof head + cell.packed.size(), '\0');
     std::memcpy(bytes.data(), head, sizeof head);
     std::memcpy(bytes.data() + sizeof head, cell.packed.data(), cell.packed.size());
@@ -108,8 +112,8 @@ struct TestView {
             return states.contains(number) ? &states[number] : nullptr;
         };
         const auto packed = std::as_bytes(std::span(sent)).subspan(sizeof head);
-        auto content =
-            wire::decode_frame(head[1], packed, {baseline(head[2]), baseline(head[3]), baseline(head[4])}, {});
+        auto content = wire::decode_frame(
+            head[1], packed, {baseline(head[2]), baseline(head[3]), baseline(head[4])}, {});
         ASSERT_TRUE(content.ok()) << content.error().message;
         EXPECT_EQ(wire::frame_crc(*content), head[5]);
         states[head[1]] = *std::move(content);
@@ -216,7 +220,7 @@ TEST(CellSnapshotCache, a_cell_that_stays_empty_is_gone_after_a_while) {
         auto flier = std::make_shared<EntityDescription>();
         flier->id = 1;
         list->push_back(flier);
-        auto frame = std::make_shared<JointFrame>();
+        auto frame = std::make_shared<Frame>();
         frame->tick = tick;
         frame->entity_list = list;
         const auto cells = eyes.feed.cells(frame, [&] {

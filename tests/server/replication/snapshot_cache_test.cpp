@@ -19,7 +19,7 @@ namespace {
 
 // Forty bodies that move evenly, one of them asleep.
 FramePtr frame_at(std::uint32_t tick) {
-    auto frame = std::make_shared<JointFrame>();
+    auto frame = std::make_shared<Frame>();
     frame->tick = tick;
     std::vector<EntityPose> poses;
     for (EntityId id = 1; id <= 40; ++id) {
@@ -33,7 +33,8 @@ FramePtr frame_at(std::uint32_t tick) {
 
 // Our bytes for the test: four numbers, then the packed frame.
 std::string serialize(const EncodedSnapshot& s) {
-    const std::uint32_t head[] = {s.frame, s.baselines.baseline, s.baselines.baseline2, s.baselines.baseline3, s.crc};
+    const std::uint32_t head[] = {s.frame, s.baselines.baseline, s.baselines.baseline2,
+                                  s.baselines.baseline3, s.crc};
     std::string bytes(sizeof head + s.packed.size(), '\0');
     std::memcpy(bytes.data(), head, sizeof head);
     std::memcpy(bytes.data() + sizeof head, s.packed.data(), s.packed.size());
@@ -55,8 +56,8 @@ struct Receiver {
         };
         baselines = {head[1], head[2], head[3]};
         const auto packed = std::as_bytes(std::span(bytes)).subspan(sizeof head);
-        auto frame =
-            wire::decode_frame(head[0], packed, {baseline(head[1]), baseline(head[2]), baseline(head[3])}, {});
+        auto frame = wire::decode_frame(
+            head[0], packed, {baseline(head[1]), baseline(head[2]), baseline(head[3])}, {});
         ASSERT_TRUE(frame.ok()) << frame.error().message;
         EXPECT_EQ(wire::frame_crc(*frame), head[4]);
         ring.push_back(std::move(*frame));
@@ -136,7 +137,7 @@ TEST(SnapshotCache, of_a_world_that_mostly_rests_every_frame_decodes_to_its_pose
             pose.awake = random() % 3 != 0;
             editor.set(pose.id - 1, pose.pose, pose.awake);
         }
-        const auto frame = std::make_shared<JointFrame>();
+        const auto frame = std::make_shared<Frame>();
         frame->tick = tick;
         frame->entity_list = list;
         bool changed = false;
@@ -176,7 +177,8 @@ TEST(SnapshotCache, a_tracker_that_forgot_asks_for_an_absolute_frame) {
     baselines.on_sent(6);
     baselines.on_sent(7);
     EXPECT_EQ(baselines.baselines_for(8), (wire::BaselineFrames{7, 6, 5}));
-    EXPECT_EQ(baselines.baselines_for(1000), wire::BaselineFrames{}) << "too far apart to predict from";
+    EXPECT_EQ(baselines.baselines_for(1000), wire::BaselineFrames{})
+        << "too far apart to predict from";
     baselines.reset();
     EXPECT_EQ(baselines.baselines_for(8), wire::BaselineFrames{});
 }
@@ -189,7 +191,7 @@ TEST(SnapshotCache, bodies_at_rest_are_silent) {
     });
     BaselineTracker baselines;
     for (std::uint32_t tick = 1; tick <= 5; ++tick) {
-        auto frame = std::make_shared<JointFrame>();
+        auto frame = std::make_shared<Frame>();
         frame->tick = tick;
         std::vector<EntityPose> poses;
         for (EntityId id = 1; id <= 1000; ++id)
@@ -218,7 +220,7 @@ struct ChannelPublisher {
         return cache.encoding(frames.at(tick), baselines, kinds);
     }
     void frame(std::uint32_t tick, Channels channels) {
-        auto frame = std::make_shared<JointFrame>();
+        auto frame = std::make_shared<Frame>();
         frame->tick = tick;
         frame->channels = std::make_shared<const Channels>(std::move(channels));
         frames[tick] = std::move(frame);

@@ -60,7 +60,8 @@ protected:
     SessionDirectory sessions{2};
     WorldDirectory worlds{{}, 4};
     const std::unique_ptr<Authorizer> authorizer = *Authorizer::open(config);
-    PlayContext context{.config = config, .worlds = worlds, .sessions = sessions, .authorizer = *gate};
+    PlayContext context{
+        .config = config, .worlds = worlds, .sessions = sessions, .authorizer = *gate};
     AdminControl control{context};
 };
 

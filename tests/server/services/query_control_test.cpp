@@ -76,7 +76,8 @@ protected:
     SessionDirectory sessions{10};
     WorldDirectory worlds{{}, 2};
     const std::unique_ptr<Authorizer> who_may = *Authorizer::open(config);
-    PlayContext context{.config = config, .worlds = worlds, .sessions = sessions, .authorizer = *who_may};
+    PlayContext context{
+        .config = config, .worlds = worlds, .sessions = sessions, .authorizer = *who_may};
     QueryControl queries{context};
 };
 

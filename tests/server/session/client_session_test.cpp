@@ -29,18 +29,19 @@ protected:
     SessionDirectory sessions{2};
     WorldDirectory worlds{{}, 4};
     const std::unique_ptr<Authorizer> authorizer = *Authorizer::open(config);
-    PlayContext context{.config = config, .worlds = worlds, .sessions = sessions, .authorizer = *gate};
+    PlayContext context{
+        .config = config, .worlds = worlds, .sessions = sessions, .authorizer = *gate};
 };
 
 // One client: what it says goes straight to its link, what the link says to a PlayState.
 struct TestClient {
     explicit TestClient(PlayContext& context)
         : session(context,
-               Peer{.name = "test",
-                    .address = "127.0.0.1",
-                    .call = "jostle.v1.PlayService/Play",
-                    .who = context.authorizer.identify({.address = "127.0.0.1"})},
-               Clock::now()) {}
+                  Peer{.name = "test",
+                       .address = "127.0.0.1",
+                       .call = "jostle.v1.PlayService/Play",
+                       .who = context.authorizer.identify({.address = "127.0.0.1"})},
+                  Clock::now()) {}
 
     void send(const v1::ClientMessage& message, Clock::duration later = 0s) {
         session.receive(message.SerializeAsString(), Clock::now() + later);
@@ -708,7 +709,8 @@ TEST_F(ClientSessionTest, a_spawn_of_what_may_not_be_is_refused_with_a_list_of_w
 TEST_F(ClientSessionTest, a_ticket_leads_to_its_world_once) {
     ASSERT_TRUE(worlds.create("second", *scenes::find_scene("dominoes")).ok());
     const std::string ticket =
-        authorizer->issue_ticket({.subject = "ann", .role = Role::player, .anonymous = false}, "w2",
+        authorizer
+            ->issue_ticket({.subject = "ann", .role = Role::player, .anonymous = false}, "w2",
                            "127.0.0.1")
             .value();
     TestClient client(context), thief(context);

@@ -39,9 +39,9 @@ struct Driver {
     Driver(const scenes::SceneDescription& scene, const char* name, bool told = true)
         : world(server.host(scene)),
           session(server,
-               {.channels =
-                    told ? std::vector<std::string>{motion_kind} : std::vector<std::string>{}},
-               {.delay_ms = 50, .jitter_ms = 10, .seed = 7}) {
+                  {.channels =
+                       told ? std::vector<std::string>{motion_kind} : std::vector<std::string>{}},
+                  {.delay_ms = 50, .jitter_ms = 10, .seed = 7}) {
         session.tamper = [this](std::string& bytes) {
             v1::ServerMessage message;
             if (!message.ParseFromString(bytes)) return;

@@ -13,7 +13,7 @@ namespace {
 using test::SessionHarness;
 using test::TestServer;
 
-double furthest_off_mm(const client::WorldView& view, const JointFrame& frame) {
+double furthest_off_mm(const client::WorldView& view, const Frame& frame) {
     double off = view.frame().entities.size() == frame.entities.size() ? 0 : 1e9;
     for (const EntityPose& truth : frame.entities) {
         const auto seen = view.pose_of(truth.id);
@@ -41,8 +41,8 @@ Flipped flip_a_bit(client::ClientOptions options, std::size_t bit) {
         v1::ServerMessage message;
         if (!message.ParseFromString(bytes) || !message.has_snapshot()) return;
         v1::Snapshot& snapshot = *message.mutable_snapshot();
-        const bool absolute =
-            snapshot.cells_size() == 0 ? snapshot.baselines() == 0 : snapshot.cells(0).baselines() == 0;
+        const bool absolute = snapshot.cells_size() == 0 ? snapshot.baselines() == 0
+                                                         : snapshot.cells(0).baselines() == 0;
         seen.keyframes += absolute ? 1 : 0;
         std::string& packed = snapshot.cells_size() == 0
                                   ? *snapshot.mutable_packed()
@@ -78,7 +78,8 @@ TEST(FlippedBit, is_counted_once_and_healed_by_a_keyframe) {
 }
 
 TEST(FlippedBit, of_a_part_of_the_world_is_healed_as_well) {
-    const Flipped seen = flip_a_bit({.codec = 1, .interest = client::AreaOfInterest{.radius = 100}}, 3);
+    const Flipped seen =
+        flip_a_bit({.codec = 1, .interest = client::AreaOfInterest{.radius = 100}}, 3);
     EXPECT_EQ(seen.flips, 1);
     EXPECT_EQ(seen.errors, 1u);
     EXPECT_LT(seen.off_mm, 2);

@@ -71,7 +71,7 @@ Round shoot(bool attach_view_time, client::NetworkConditions each_way, double re
     TestServer server(config);
     const auto world = server.host(range_scene());
     SessionHarness shooter(server, {.name = "shooter", .attach_view_time = attach_view_time},
-                       each_way);
+                           each_way);
     Round round;
     test::play(server, *world, {&shooter}, 8 * 60, [&](int tick) {
         const std::optional<double> view_time = x_of(shooter.draw(), target);

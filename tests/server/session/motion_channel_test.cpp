@@ -17,7 +17,8 @@ using test::TestServer;
 physics::Vec3 sent_velocity(const SessionHarness& player, EntityId id) {
     const auto told = player.conversation.view().channel(motion_kind, id);
     if (told.size() != 6) return {99, 99, 99};
-    return physics::Vec3{told[0] / velocity_units, told[1] / velocity_units, told[2] / velocity_units};
+    return physics::Vec3{told[0] / velocity_units, told[1] / velocity_units,
+                         told[2] / velocity_units};
 }
 
 // Every body that is awake, in each of thirty frames: how far it went is how fast it was.
@@ -74,7 +75,7 @@ TEST(MotionChannel, ends_with_the_last_who_asked) {
     TestServer server;
     const auto world = server.host(test::small_scene());
     std::optional<SessionHarness> player(std::in_place, server,
-                                     client::ClientOptions{.channels = {motion_kind}});
+                                         client::ClientOptions{.channels = {motion_kind}});
     test::play(server, *world, {&*player}, 5);
     EXPECT_FALSE(world->frame()->channels->empty());
     player.reset();

@@ -39,7 +39,8 @@ TEST(ResumeRegistry, who_shows_his_token_gets_back_what_he_left_once) {
     EXPECT_EQ(claim.client->client, 7u);
     EXPECT_EQ(claim.resume_session, resume_session);
     EXPECT_EQ(claim.until, start + 30s);
-    EXPECT_EQ(desk.claim(resume_session->token).status, ClaimStatus::pending) << "he has his place now";
+    EXPECT_EQ(desk.claim(resume_session->token).status, ClaimStatus::pending)
+        << "he has his place now";
     EXPECT_TRUE(desk.take_expired(start + 60s).empty()) << "and does not lose it";
     desk.close(*resume_session);
     EXPECT_EQ(desk.claim(resume_session->token).status, ClaimStatus::unknown);

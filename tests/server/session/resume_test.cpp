@@ -66,7 +66,8 @@ TEST_F(ResumeTest, who_comes_back_within_the_time_is_who_he_was_and_keeps_his_bo
     EXPECT_EQ(bodies_of(*world, id), 3);
     cut(player);
     EXPECT_EQ(server.context.resume_registry.disconnected(), 1u);
-    EXPECT_EQ(server.context.connected_clients.look(server.now).size(), 0u) << "he is not connected";
+    EXPECT_EQ(server.context.connected_clients.look(server.now).size(), 0u)
+        << "he is not connected";
     run_alone(120);
     remove_expired_clients(server.context, server.now);
     EXPECT_EQ(bodies_of(*world, id), 3) << "lost, and not left";
@@ -122,7 +123,8 @@ TEST_F(ResumeTest, who_stays_away_too_long_has_left) {
 }
 
 TEST_F(ResumeTest, who_says_goodbye_or_never_meant_to_come_back_has_left_at_once) {
-    SessionHarness polite(server, {.name = "polite"}), old(server, {.name = "old", .resume = false});
+    SessionHarness polite(server, {.name = "polite"}),
+        old(server, {.name = "old", .resume = false});
     test::play(server, *world, {&polite, &old}, 30);
     polite.conversation.leave();
     test::play(server, *world, {&polite, &old}, 3);
@@ -231,11 +233,11 @@ TEST_F(ResumeTest, who_comes_back_before_the_server_saw_the_break_takes_his_plac
     player.conversation.ended(Error{ErrorCode::unavailable, "another network"});
     ClientSession& before = *player.session;
     ClientSession now_on(server.context,
-                      {.name = "test",
-                       .address = "127.0.0.1",
-                       .call = "jostle.v1.PlayService/Play",
-                       .who = server.authorizer->identify({.address = "127.0.0.1"})},
-                      server.now);
+                         {.name = "test",
+                          .address = "127.0.0.1",
+                          .call = "jostle.v1.PlayService/Play",
+                          .who = server.authorizer->identify({.address = "127.0.0.1"})},
+                         server.now);
     player.conversation.begin(server.now);
     now_on.receive(*player.conversation.take_message(server.now), server.now);
     EXPECT_FALSE(now_on.take_message(server.now)) << "it waits for the old link to give way";
@@ -262,11 +264,11 @@ TEST_F(ResumeTest, a_token_that_is_not_his_gets_nobody_in) {
         hello.mutable_hello()->set_protocol(1);
         hello.mutable_hello()->mutable_resume()->set_token(token);
         ClientSession session(server.context,
-                        {.name = "thief",
-                         .address = "127.0.0.1",
-                         .call = "jostle.v1.PlayService/Play",
-                         .who = server.authorizer->identify({.address = "127.0.0.1"})},
-                        server.now);
+                              {.name = "thief",
+                               .address = "127.0.0.1",
+                               .call = "jostle.v1.PlayService/Play",
+                               .who = server.authorizer->identify({.address = "127.0.0.1"})},
+                              server.now);
         session.receive(hello.SerializeAsString(), server.now);
         v1::ServerMessage welcome;
         ASSERT_TRUE(welcome.ParseFromString(link.take_message(server.now)->head));
@@ -294,11 +296,11 @@ TEST_F(ResumeTest, who_came_by_a_ticket_to_watch_comes_back_to_watch) {
     cut(watcher);
     // The same Hello, but for what he wants to be.
     watcher.session.emplace(server.context,
-                         Peer{.name = "test",
-                              .address = "127.0.0.1",
-                              .call = "jostle.v1.PlayService/Play",
-                              .who = server.authorizer->identify({.address = "127.0.0.1"})},
-                         server.now);
+                            Peer{.name = "test",
+                                 .address = "127.0.0.1",
+                                 .call = "jostle.v1.PlayService/Play",
+                                 .who = server.authorizer->identify({.address = "127.0.0.1"})},
+                            server.now);
     watcher.conversation.begin(server.now);
     v1::ClientMessage hello;
     ASSERT_TRUE(hello.ParseFromString(*watcher.conversation.take_message(server.now)));
@@ -329,7 +331,8 @@ TEST_F(ResumeTest, a_hand_lets_go_while_its_owner_is_lost) {
 TEST_F(ResumeTest, places_that_are_kept_give_way_to_those_who_are_there) {
     std::vector<std::unique_ptr<SessionHarness>> lost;
     for (int i = 0; i < 20; i++) {  // as many as the server takes
-        lost.push_back(std::make_unique<SessionHarness>(server, client::ClientOptions{.name = "lost"}));
+        lost.push_back(
+            std::make_unique<SessionHarness>(server, client::ClientOptions{.name = "lost"}));
         run(*lost.back(), 5);
         cut(*lost.back());
     }

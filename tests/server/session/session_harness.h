@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-#include "clients/cpp/core/src/play_protocol.h"
 #include "clients/cpp/core/src/delayed_messages.h"
+#include "clients/cpp/core/src/play_protocol.h"
 #include "server/session/client_session.h"
 
 namespace jostle::test {
@@ -31,10 +31,11 @@ struct TestServer {
     server::Config config;
     const std::unique_ptr<server::Authorizer> authorizer = *server::Authorizer::open(config);
     server::SessionDirectory sessions{20};
-    server::WorldDirectory worlds{{.limits = {.scene = {.first_step_seconds_max = 100},
-                                              .lag_compensation_ms_max = config.tick.lag_compensation_ms_max},
-                                   .own_thread = false},
-                                  2};
+    server::WorldDirectory worlds{
+        {.limits = {.scene = {.first_step_seconds_max = 100},
+                    .lag_compensation_ms_max = config.tick.lag_compensation_ms_max},
+         .own_thread = false},
+        2};
     server::PlayContext context{
         .config = config, .worlds = worlds, .sessions = sessions, .authorizer = *gate};
     server::Clock::time_point now = server::Clock::now();
@@ -42,7 +43,7 @@ struct TestServer {
 
 struct SessionHarness {
     SessionHarness(TestServer& at, client::ClientOptions options,
-               const client::NetworkConditions& each_way = {})
+                   const client::NetworkConditions& each_way = {})
         : server(at),
           conversation(std::move(options)),
           settings(each_way),
@@ -57,18 +58,19 @@ struct SessionHarness {
     // A new connection.
     void connect() {
         session.emplace(server.context,
-                     server::Peer{.name = "test",
-                                  .address = "127.0.0.1",
-                                  .call = "jostle.v1.PlayService/Play",
-                                  .who = server.authorizer->identify({.address = "127.0.0.1"})},
-                     server.now);
+                        server::Peer{.name = "test",
+                                     .address = "127.0.0.1",
+                                     .call = "jostle.v1.PlayService/Play",
+                                     .who = server.authorizer->identify({.address = "127.0.0.1"})},
+                        server.now);
         conversation.begin(server.now);
     }
     // What either side has to say now, and what has arrived.
     void exchange() {
         while (auto said = conversation.take_message(server.now))
             outgoing.push(*std::move(said), server.now);
-        while (const auto arrived = outgoing.take(server.now)) session->receive(*arrived, server.now);
+        while (const auto arrived = outgoing.take(server.now))
+            session->receive(*arrived, server.now);
         while (const auto out = session->take_message(server.now)) {
             std::string bytes = out->head + (out->shared ? *out->shared : "");
             for (const server::SharedBytes& cell : out->cells) bytes += *cell;

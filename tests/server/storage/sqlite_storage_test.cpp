@@ -26,7 +26,7 @@ using test::JournalMaker;
 using test::stored_world;
 
 std::unique_ptr<SqliteStorage> opened(const std::string& path,
-                                    const SqliteStorageOptions& options = {}) {
+                                      const SqliteStorageOptions& options = {}) {
     Result<std::unique_ptr<SqliteStorage>> store = SqliteStorage::open(path, options);
     EXPECT_TRUE(store.ok()) << store.error().message;
     return store.ok() ? *std::move(store) : nullptr;

@@ -28,7 +28,8 @@ struct Desk {
     Clock::duration slowest{};
 
     explicit Desk(const StorageWriterSettings& settings = {})
-        : writer(std::make_unique<StorageWriter>(std::make_unique<FaultyStorage>(disk), settings)) {}
+        : writer(std::make_unique<StorageWriter>(std::make_unique<FaultyStorage>(disk), settings)) {
+    }
 
     bool push(StorageChange change) {
         const auto began = Clock::now();

@@ -18,7 +18,7 @@ using test::TestCertificate;
 class TlsMaterialTest : public testing::Test {
 protected:
     Result<TlsMaterial> read(const std::string& chain, const std::string& key,
-                          const std::string& client_ca = {}) const {
+                             const std::string& client_ca = {}) const {
         TlsSettings files{.certificate = folder.write("chain.pem", chain),
                           .key = folder.write("key.pem", key)};
         if (!client_ca.empty()) files.client_ca = folder.write("client_ca.pem", client_ca);
@@ -43,7 +43,8 @@ protected:
 };
 
 TEST_F(TlsMaterialTest, a_good_pair_says_whose_it_is_and_when_it_ends) {
-    const Result<TlsMaterial> material = read(leaf.pem() + middle.pem(), leaf.key_pem(), root.pem());
+    const Result<TlsMaterial> material =
+        read(leaf.pem() + middle.pem(), leaf.key_pem(), root.pem());
     ASSERT_TRUE(material.ok()) << material.error().message;
     EXPECT_EQ(material->subject, "CN=localhost");
     EXPECT_NEAR(std::chrono::duration<double>(material->expires - now).count(), 7200, 5)

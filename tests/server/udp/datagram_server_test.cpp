@@ -73,8 +73,8 @@ struct DatagramServerTest : testing::Test {
         const auto question = client->open(*packet);
         ASSERT_TRUE(question);
         const auto content = *datagram::decode_content(question->content);
-        from.send(client->close(
-            datagram::encode(datagram::PathResponse{std::get<datagram::PathChallenge>(content).token})));
+        from.send(client->close(datagram::encode(
+            datagram::PathResponse{std::get<datagram::PathChallenge>(content).token})));
     }
     void say(std::string_view text) { path->send(std::span(&text, 1), Clock::now()); }
 
@@ -134,7 +134,8 @@ TEST_F(DatagramServerTest, packets_without_the_key_get_no_answer) {
     EXPECT_EQ(path->take_messages().size(), 1u) << "of be_known() alone";
 }
 
-TEST_F(DatagramServerTest, a_client_that_moves_is_asked_there_and_gets_all_where_it_was_until_then) {
+TEST_F(DatagramServerTest,
+       a_client_that_moves_is_asked_there_and_gets_all_where_it_was_until_then) {
     be_known(*end);
     ASSERT_TRUE(wait_until([&] { return path->is_open(Clock::now()); }));
     const End elsewhere(port.port());
@@ -182,7 +183,8 @@ TEST_F(DatagramServerTest, mail_that_nobody_takes_is_bounded) {
         end->send(client->close(message("x")));
         if (i % 16 == 0) std::this_thread::sleep_for(1ms);
     }
-    EXPECT_TRUE(wait_until([&] { return messages == static_cast<int>(DatagramConnection::received_max); }));
+    EXPECT_TRUE(
+        wait_until([&] { return messages == static_cast<int>(DatagramConnection::received_max); }));
     std::this_thread::sleep_for(50ms);
     EXPECT_EQ(path->take_messages().size(), DatagramConnection::received_max);
 }

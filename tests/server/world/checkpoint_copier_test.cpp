@@ -18,7 +18,8 @@ TEST(CheckpointCopier, is_copied_by_who_wants_it_while_the_world_waits) {
     CheckpointCopier taker([&] {
         begun = true;
         std::this_thread::sleep_for(20ms);
-        return CheckpointCopy{.tick = static_cast<std::uint32_t>(world), .bodies = {}, .host_state = {}};
+        return CheckpointCopy{
+            .tick = static_cast<std::uint32_t>(world), .bodies = {}, .host_state = {}};
     });
     std::uint32_t taken = 0;
     std::jthread other([&] { taken = taker.take()->tick; });
@@ -33,7 +34,8 @@ TEST(CheckpointCopier, is_copied_by_the_world_if_nobody_came_in_time) {
     int world = 7, copies = 0;
     CheckpointCopier taker([&] {
         copies++;
-        return CheckpointCopy{.tick = static_cast<std::uint32_t>(world), .bodies = {}, .host_state = {}};
+        return CheckpointCopy{
+            .tick = static_cast<std::uint32_t>(world), .bodies = {}, .host_state = {}};
     });
     taker.finish();
     world = 8;

@@ -30,7 +30,7 @@ struct Hosted {
         return result.entity;
     }
     EntityId named(const std::string& name) {
-        JointFrame frame;
+        Frame frame;
         world.copy_into(frame);
         for (const auto& entity : *frame.entity_list)
             if (entity->name == name) return entity->id;

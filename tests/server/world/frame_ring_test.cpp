@@ -9,7 +9,7 @@ namespace jostle::server {
 namespace {
 
 FramePtr frame_of(std::uint32_t tick) {
-    auto frame = std::make_shared<JointFrame>();
+    auto frame = std::make_shared<Frame>();
     frame->tick = tick;
     return frame;
 }

@@ -33,13 +33,13 @@ protected:
         EXPECT_TRUE(result.status.ok()) << result.status.error().message;
         return result.entity;
     }
-    JointFrame step(int times = 1) {
+    Frame step(int times = 1) {
         for (int i = 0; i < times; ++i) EXPECT_TRUE(world.step(dt).ok());
-        JointFrame frame;
+        Frame frame;
         world.copy_into(frame);
         return frame;
     }
-    static const EntityPose* find(const JointFrame& frame, EntityId id) {
+    static const EntityPose* find(const Frame& frame, EntityId id) {
         const auto at = std::ranges::find(frame.entities, id, &EntityPose::id);
         return at == frame.entities.end() ? nullptr : &*at;
     }
@@ -51,7 +51,7 @@ protected:
 
 TEST_F(HostedWorldTest, a_frame_lists_entities_and_roster_alike) {
     const EntityId ball = spawn(1);
-    const JointFrame frame = step();
+    const Frame frame = step();
     ASSERT_EQ(frame.entities.size(), frame.entity_list->size());
     for (std::size_t i = 0; i < frame.entities.size(); ++i) {
         EXPECT_EQ(frame.entities[i].id, (*frame.entity_list)[i]->id);
@@ -118,7 +118,7 @@ TEST_F(HostedWorldTest, a_held_body_follows_the_hand_and_falls_when_let_go) {
     const physics::Vec3 target{4, 12, 3};
     EXPECT_TRUE(apply(1, GrabCommand{ball, find(step(), ball)->pose.position}).status.ok());
     EXPECT_TRUE(apply(1, DragCommand{target}).status.ok());
-    const JointFrame held = step(240);
+    const Frame held = step(240);
     EXPECT_LT(length(find(held, ball)->pose.position - target), 0.2);
     EXPECT_TRUE(apply(1, ReleaseCommand{}).status.ok());
     EXPECT_LT(find(step(30), ball)->pose.position.y, target.y - 1);
@@ -174,12 +174,12 @@ TEST(HostedWorld, a_frame_carries_what_modules_tell_with_bodies_as_entities) {
     HostedWorld world = HostedWorld::create(scene, {}, 1).value();
     const auto frame_after = [&](int steps) {
         for (int i = 0; i < steps; i++) EXPECT_TRUE(world.step(dt).ok());
-        JointFrame frame;
+        Frame frame;
         world.copy_into(frame);
         return frame;
     };
     EXPECT_TRUE(frame_after(0).channels->empty()) << "modules speak after a step";
-    const JointFrame two = frame_after(2), three = frame_after(1), four = frame_after(1);
+    const Frame two = frame_after(2), three = frame_after(1), four = frame_after(1);
     ASSERT_EQ(two.channels->size(), 1u);
     EXPECT_EQ(world.channel_kinds()[0].name, "counter");
     const Channel& told = two.channels->front();
@@ -199,7 +199,7 @@ TEST_F(HostedWorldTest, every_frame_shows_every_body_where_it_is) {
         if (tick == 700) apply(1, DeleteCommand{balls.front()});
         if (tick == 600) apply(2, ExplodeCommand{.center = {0, 0.5, 0}, .radius = 6, .speed = 4});
         ASSERT_TRUE(world.step(dt, tick).ok());
-        JointFrame frame;
+        Frame frame;
         frame.tick = tick;
         world.copy_into(frame);
         still += frame.changed_at != tick;

@@ -64,7 +64,7 @@ struct SteppedWorld {
         show();
     }
     void show() {
-        auto frame = std::make_shared<JointFrame>();
+        auto frame = std::make_shared<Frame>();
         frame->tick = ++tick;
         frame->due = Clock::time_point() + std::chrono::microseconds(tick * 16'667);
         world.copy_into(*frame);

@@ -60,11 +60,13 @@ struct Play {
     }
     Play copied() const {
         physics::RestorePoint point;
-        point.keep(world.world());
+        point.capture(world.world());
         physics::World other = std::move(*physics::World::create({}));
         point.restore(other).expect();
-        const SavedHostState host_state = *decode_host_state(encode_host_state(world.host_state(tick)));
-        return {std::move(*HostedWorld::restore(std::move(other), host_state, limits(), 60, 0)), tick};
+        const SavedHostState host_state =
+            *decode_host_state(encode_host_state(world.host_state(tick)));
+        return {std::move(*HostedWorld::restore(std::move(other), host_state, limits(), 60, 0)),
+                tick};
     }
     static HostLimits limits() { return {.scene = {.bodies_max = 400}, .bodies_owned_max = 12}; }
 };
@@ -80,8 +82,9 @@ TEST(SavedHostState, a_copy_goes_on_as_the_world_would_have) {
         EXPECT_EQ(copy.said, run.said) << scene;
         EXPECT_EQ(physics::state_hash(copy.world.world()), physics::state_hash(run.world.world()))
             << scene;
-        EXPECT_EQ(encode_host_state(copy.world.host_state(1)), encode_host_state(run.world.host_state(1)));
-        JointFrame frame, other;
+        EXPECT_EQ(encode_host_state(copy.world.host_state(1)),
+                  encode_host_state(run.world.host_state(1)));
+        Frame frame, other;
         run.world.copy_into(frame);
         copy.world.copy_into(other);
         EXPECT_EQ(frame.entity_list->size(), other.entity_list->size());
@@ -99,8 +102,8 @@ TEST(SavedHostState, an_input_that_was_counted_is_not_applied_again) {
 
 TEST(SavedHostState, of_another_world_it_is_refused) {
     Play run{std::move(*HostedWorld::create(*scenes::find_scene("stack"), Play::limits(), 1))};
-    const Error error = error_of(HostedWorld::restore(std::move(*physics::World::create({})),
-                                                      run.world.host_state(0), Play::limits(), 60, 0));
+    const Error error = error_of(HostedWorld::restore(
+        std::move(*physics::World::create({})), run.world.host_state(0), Play::limits(), 60, 0));
     EXPECT_EQ(error.code, ErrorCode::corrupt_data);
     EXPECT_EQ(error.message, "entity 1 is kept, but the world lacks its body");
 }

@@ -26,7 +26,8 @@ using Numbers = std::vector<std::uint32_t>;
 
 TEST(ScheduledInputs, wait_for_their_tick_and_those_without_one_do_not) {
     ScheduledInputs early(100);
-    EXPECT_EQ(taken_at(early, 10, {scheduled_input(1, 1, 12), scheduled_input(2, 1, 0)}), Numbers{201});
+    EXPECT_EQ(taken_at(early, 10, {scheduled_input(1, 1, 12), scheduled_input(2, 1, 0)}),
+              Numbers{201});
     EXPECT_EQ(taken_at(early, 11, {scheduled_input(3, 1, 11)}), Numbers{301});
     EXPECT_EQ(taken_at(early, 12, {scheduled_input(3, 2, 0)}), (Numbers{101, 302}));
     EXPECT_EQ(taken_at(early, 13, {}), Numbers{});
@@ -34,7 +35,8 @@ TEST(ScheduledInputs, wait_for_their_tick_and_those_without_one_do_not) {
 
 TEST(ScheduledInputs, of_one_client_keep_their_order_whatever_ticks_they_name) {
     ScheduledInputs early(100);
-    EXPECT_EQ(taken_at(early, 10, {scheduled_input(1, 1, 12), scheduled_input(1, 2, 0)}), Numbers{});
+    EXPECT_EQ(taken_at(early, 10, {scheduled_input(1, 1, 12), scheduled_input(1, 2, 0)}),
+              Numbers{});
     EXPECT_EQ(taken_at(early, 11, {scheduled_input(1, 3, 11)}), Numbers{});
     EXPECT_EQ(taken_at(early, 12, {}), (Numbers{101, 102, 103}));
 }
@@ -56,7 +58,8 @@ TEST(ScheduledInputs, of_who_leaves_do_not_outlive_the_visit) {
 
 TEST(ScheduledInputs, are_all_taken_at_once_when_there_are_too_many) {
     ScheduledInputs early(2);
-    EXPECT_TRUE(taken_at(early, 10, {scheduled_input(1, 1, 14), scheduled_input(2, 1, 14)}).empty());
+    EXPECT_TRUE(
+        taken_at(early, 10, {scheduled_input(1, 1, 14), scheduled_input(2, 1, 14)}).empty());
     EXPECT_EQ(taken_at(early, 11, {scheduled_input(1, 2, 14)}), (Numbers{101, 201, 102}));
 }
 

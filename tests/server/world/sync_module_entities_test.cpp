@@ -59,9 +59,9 @@ protected:
         return HostedWorld::create(scene, {}, 1).value();
     }
     // Each entity of a frame is in its list, and the other way round.
-    JointFrame step() {
+    Frame step() {
         EXPECT_TRUE(world.step(dt).ok());
-        JointFrame frame;
+        Frame frame;
         world.copy_into(frame);
         EXPECT_EQ(frame.entities.size(), frame.entity_list->size());
         for (std::size_t i = 0; i < frame.entities.size(); i++)
@@ -82,7 +82,7 @@ protected:
 TEST_F(SyncModuleEntitiesTest, what_a_module_makes_is_an_entity_of_the_scene) {
     EXPECT_EQ(step().entities.size(), of_scene + 1) << "made when it was configured";
     maker.before = [&](World& w) { maker.made.push_back(Maker::make(w)); };
-    const JointFrame frame = step();
+    const Frame frame = step();
     EXPECT_EQ(frame.entities.size(), of_scene + 2);
     EXPECT_EQ(frame.entity_list->back()->owner, 0u);
     maker.before = {};
@@ -93,7 +93,7 @@ TEST_F(SyncModuleEntitiesTest, what_a_module_removes_is_no_entity_and_nobody_hol
     const EntityId ball = step().entities.back().id;
     EXPECT_TRUE(apply(GrabCommand{ball, {50, 50, 50}}).status.ok());
     maker.after = [&](World& w) { w.destroy_body(maker.made[0]).expect(); };
-    const JointFrame frame = step();
+    const Frame frame = step();
     maker.after = {};
     EXPECT_EQ(frame.entities.size(), of_scene);
     EXPECT_FALSE(apply(DragCommand{}).status.ok());
@@ -111,7 +111,7 @@ TEST_F(SyncModuleEntitiesTest, a_body_in_the_place_of_another_is_another_entity)
         EXPECT_EQ(next.index, maker.made[0].index) << "the world reuses it";
         maker.made[0] = next;
     };
-    const JointFrame frame = step();
+    const Frame frame = step();
     EXPECT_EQ(frame.entities.size(), of_scene + 1);
     EXPECT_GT(frame.entities.back().id, old);
 }

@@ -116,7 +116,7 @@ struct Cost {
 Cost cost_of_watching(const char* name, Metrics& metrics) {
     HostedWorld world = std::move(*HostedWorld::create(*scenes::find_scene(name), {}, 1));
     for (int i = 0; i < 30; i++) EXPECT_TRUE(world.step(1.0 / 60).ok());
-    JointFrame frame;
+    Frame frame;
     world.copy_into(frame);
     TickMetrics watch(&metrics, name);
     const auto seconds_of_a_tick = [&](int calls) {

@@ -10,12 +10,12 @@ using namespace std::chrono_literals;
 TEST(TickTrace, stages_lie_side_by_side_within_their_tick) {
     const Clock::time_point zero{1000s};
     TickProfile tick{.tick = 42,
-                    .due = zero - 50us,
-                    .begun = zero,
-                    .ended = zero + 900us,
-                    .step_begun = zero + 100us,
-                    .bodies_awake = 7,
-                    .late_ticks = 3};
+                     .due = zero - 50us,
+                     .begun = zero,
+                     .ended = zero + 900us,
+                     .step_begun = zero + 100us,
+                     .bodies_awake = 7,
+                     .late_ticks = 3};
     tick.stage_ms[0] = 0.2;  // update_pairs
     tick.stage_ms[6] = 0.5;  // solve_constraints
     const std::string trace = tick_trace("arena", std::vector{tick});

@@ -53,7 +53,8 @@ TEST(Analysis, a_four_bar_linkage_has_three_redundant_rows) {
     hinge({}, right, {1.5, 0, 0});
     hinge(left, coupler, {0, 0, -1});
     hinge(right, coupler, {1.5, 0, -1});
-    const ConstraintSystem system = must(world.constraint_system(coupler, {.position_correction = 0}));
+    const ConstraintSystem system =
+        must(world.constraint_system(coupler, {.position_correction = 0}));
     const Problem problem = problem_of(system);
     ASSERT_EQ(problem.count, 20u);
     const Analysis analysis = analyse(problem);

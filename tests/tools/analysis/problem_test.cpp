@@ -22,7 +22,8 @@ TEST(Problem, stacked_boxes_weigh_on_what_is_below) {
         add(world, {.geometry = Box{{0.4, 0.4, 0.4}}, .position = {0, 1.4, 0}, .density = 500});
     run(world, 0.6);
     constexpr double h = 0.1, g = 9.81;
-    const ConstraintSystem system = must(world.constraint_system(high, {.h = h, .position_correction = 0}));
+    const ConstraintSystem system =
+        must(world.constraint_system(high, {.h = h, .position_correction = 0}));
     const Problem problem = problem_of(system);
     const Solution solution =
         solve(problem, Method::projected_gauss_seidel, {.iterations_max = 5000});
@@ -41,7 +42,8 @@ TEST(Problem, stacked_boxes_weigh_on_what_is_below) {
     const double high_mass = 500 * 0.8 * 0.8 * 0.8, low_mass = 1000;
     EXPECT_NEAR(on_low, high_mass * g * h, 1e-3 * high_mass * g * h);
     EXPECT_NEAR(on_floor, (high_mass + low_mass) * g * h, 1e-3 * (high_mass + low_mass) * g * h);
-    EXPECT_EQ(must(world.constraint_system(low, {.h = h, .position_correction = 0})).matrix, system.matrix);
+    EXPECT_EQ(must(world.constraint_system(low, {.h = h, .position_correction = 0})).matrix,
+              system.matrix);
 }
 
 TEST(Problem, names_say_which_joint_or_contact) {

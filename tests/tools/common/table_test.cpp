@@ -19,7 +19,7 @@ TEST(CtlTable, columns_line_up_whatever_the_letters) {
 TEST(CtlTable, what_strangers_wrote_cannot_move_the_cursor) {
     EXPECT_EQ(sanitized("a\x1b[2Jb\nc\x7f"), "a?[2Jb?c?");
     EXPECT_EQ(sanitized("x\xc2\x9b"
-                    "2Jy"),
+                        "2Jy"),
               "x?2Jy")
         << "CSI in one character";
     EXPECT_EQ(sanitized("Zo\xc3\xab"), "Zo\xc3\xab");

@@ -56,8 +56,8 @@ TEST_F(PassiveClientPoolTest, sinks_that_play_by_a_script_see_what_became_of_the
 }
 
 TEST_F(PassiveClientPoolTest, sinks_that_see_a_part_of_the_world_decode_what_they_are_sent) {
-    const Report report =
-        run({.clients = 5, .seconds = 0.5, .interest_radius = 6, .max_kbps = 200, .decode_ratio = 1});
+    const Report report = run(
+        {.clients = 5, .seconds = 0.5, .interest_radius = 6, .max_kbps = 200, .decode_ratio = 1});
     EXPECT_EQ(report.errors, 0u) << report.last_error;
     EXPECT_EQ(report.connected, 5);
     EXPECT_GT(report.decoded_share, 0.9);

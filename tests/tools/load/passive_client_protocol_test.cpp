@@ -81,7 +81,8 @@ TEST(PassiveClientProtocol, acknowledges_when_as_much_time_passed_as_the_server_
     EXPECT_EQ(count_acks(talk.said(noon + 10s)), 0) << "nothing new came";
 }
 
-TEST(PassiveClientProtocol, acknowledges_every_third_snapshot_when_told_so_whatever_the_server_says) {
+TEST(PassiveClientProtocol,
+     acknowledges_every_third_snapshot_when_told_so_whatever_the_server_says) {
     Talk talk({.ack_every = 3});
     talk.welcome(1000);
     talk.snapshot(1);

@@ -14,14 +14,19 @@ TEST(Report, a_missed_plan_says_what_was_missed) {
                         .age_ms = {.count = 5, .p99 = 60},
                         .errors = 2,
                         .last_error = "gone"};
-    EXPECT_EQ(violated_thresholds(report, {.age_ms_p99_max = 50.0, .errors_max = 0, .connected_min = {}}).size(),
-              3u);
+    EXPECT_EQ(
+        violated_thresholds(report, {.age_ms_p99_max = 50.0, .errors_max = 0, .connected_min = {}})
+            .size(),
+        3u);
     EXPECT_TRUE(
-        violated_thresholds(report, {.age_ms_p99_max = {}, .errors_max = 2, .connected_min = 9}).empty());
+        violated_thresholds(report, {.age_ms_p99_max = {}, .errors_max = 2, .connected_min = 9})
+            .empty());
     // No clock, no age: a plan for the age is not kept by knowing nothing.
     const Report blind{.clients = 1, .connected = 1, .snapshots = 5, .last_error = {}};
-    EXPECT_EQ(violated_thresholds(blind, {.age_ms_p99_max = 50.0, .errors_max = 0, .connected_min = {}}).size(),
-              1u);
+    EXPECT_EQ(
+        violated_thresholds(blind, {.age_ms_p99_max = 50.0, .errors_max = 0, .connected_min = {}})
+            .size(),
+        1u);
 }
 
 TEST(Report, json_has_every_promised_key_and_null_for_what_is_not_known) {

@@ -18,7 +18,8 @@ double ms(Clock::duration d) {
 }
 
 // How long each of `count` pieces of 1 kB takes, one every millisecond.
-std::vector<double> delays_of(const NetworkConditions& settings, int count, std::uint64_t stream = 0) {
+std::vector<double> delays_of(const NetworkConditions& settings, int count,
+                              std::uint64_t stream = 0) {
     PathEmulator path(settings, stream, start);
     std::vector<double> delays;
     for (int k = 0; k < count; k++) {

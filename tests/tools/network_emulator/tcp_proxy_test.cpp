@@ -59,7 +59,7 @@ private:
 TEST(TcpProxy, bytes_come_back_whole_and_two_delays_late) {
     const Echo echo;
     TcpProxy relay({.target = "127.0.0.1:" + std::to_string(echo.port),
-                     .down = {.delay_ms = 30, .jitter_ms = 5}});
+                    .down = {.delay_ms = 30, .jitter_ms = 5}});
     ASSERT_TRUE(relay.listen("127.0.0.1:0"));
     std::atomic<bool> stop{false};
     std::thread thread([&] { relay.run(stop); });

@@ -7,8 +7,8 @@
 #include <thread>
 
 #include "jostle/physics/serialization.h"
-#include "jostle/scenes/catalog.h"
 #include "jostle/scenes/bench_scenes.h"
+#include "jostle/scenes/catalog.h"
 #include "jostle/scenes/scene_file.h"
 #include "server/recovery/world_archive.h"
 #include "server/storage/sqlite_storage.h"
@@ -25,8 +25,10 @@ using test::error_of;
 // A store in which a yard of boxes was played in for 200 ticks: in each tenth somebody throws a
 // ball. `late` throws one more, in tick 125.
 void play(const std::string& path, bool late) {
-    server::PersistenceSettings settings{
-        .store = path, .level = "process", .replay_seconds_max = 0.003, .history_retention_hours = 1};
+    server::PersistenceSettings settings{.store = path,
+                                         .level = "process",
+                                         .replay_seconds_max = 0.003,
+                                         .history_retention_hours = 1};
     const server::HostLimits limits{.scene = {.bodies_max = 400}};
     auto archive = server::WorldArchive::open(settings, limits, 1, nullptr).value();
     server::WorldDirectory worlds({.limits = limits, .own_thread = false, .keepers = archive.get()},
@@ -105,10 +107,10 @@ TEST(PersistedWorld, a_world_that_was_stopped_in_the_midst_of_a_step_is_done_aga
     const std::string path = folder / "worlds.db";
     const server::HostLimits limits{.scene = {.bodies_max = 5000, .work_per_second_max = 1e12}};
     for (int life = 0; life < 6; life++) {
-        auto archive =
-            server::WorldArchive::open({.store = path, .level = "process", .history_retention_hours = 1},
-                                       limits, 1, nullptr)
-                .value();
+        auto archive = server::WorldArchive::open(
+                           {.store = path, .level = "process", .history_retention_hours = 1},
+                           limits, 1, nullptr)
+                           .value();
         server::WorldDirectory worlds({.limits = limits, .keepers = archive.get()}, 4, "test");
         for (auto& kept : archive->take_worlds()) worlds.adopt(std::move(kept.start));
         auto world = worlds.find("");
@@ -153,7 +155,8 @@ TEST(PersistedWorld, what_is_not_there_is_named_with_what_is) {
               folder / "worlds.db has no world \"field\"; it has yard");
     EXPECT_EQ(error_of(PersistedWorld::open(folder / "world.db", "yard")).message,
               folder / "world.db: No such file or directory");
-    EXPECT_EQ(error_of(PersistedWorld::open(folder / "world.db", "yard")).code, ErrorCode::not_found)
+    EXPECT_EQ(error_of(PersistedWorld::open(folder / "world.db", "yard")).code,
+              ErrorCode::not_found)
         << "and looking for it did not make it";
 }
 

@@ -67,7 +67,8 @@ TEST_F(Sim, gives_the_same_hash_with_every_instruction_set_and_names_them_for_an
 }
 
 TEST_F(Sim, says_which_island_took_how_many_substeps_to_keep_to_a_tolerance) {
-    ASSERT_EQ(run("machines --seconds 1 --error-tolerance 1e-3 --substep-report " + file("e.json")), 0)
+    ASSERT_EQ(run("machines --seconds 1 --error-tolerance 1e-3 --substep-report " + file("e.json")),
+              0)
         << output();
     const auto island_substeps = nlohmann::json::parse(read(file("e.json")));
     ASSERT_GE(island_substeps.size(), 4u) << "car, wheels, gears, lift, gimbal";
@@ -76,8 +77,9 @@ TEST_F(Sim, says_which_island_took_how_many_substeps_to_keep_to_a_tolerance) {
         EXPECT_GE(island["substeps"].get<int>(), 2);
         EXPECT_GT(island["joints"].get<int>() + island["contacts"].get<int>(), 0);
     }
-    ASSERT_EQ(run("machines --seconds 1 --error-tolerance 1e-3 --substep-budget 100 --substep-report -"),
-              0);
+    ASSERT_EQ(
+        run("machines --seconds 1 --error-tolerance 1e-3 --substep-budget 100 --substep-report -"),
+        0);
     EXPECT_NE(output().find("furthest off:"), std::string::npos) << output();
     EXPECT_NE(output().find("wants more"), std::string::npos) << output();
     ASSERT_EQ(run("stack --seconds 3 --substep-report -"), 0);

@@ -27,7 +27,8 @@ SolverResult by_elimination(const Problem& problem) {
             if (std::abs(row(i)[k]) > std::abs(row(best)[k])) best = i;
         std::swap(order[k], order[best]);
         const double pivot = row(k)[k];
-        if (!(std::abs(pivot) > zero_tolerance(n) * most)) return {.failed = pivot_error(problem, k)};
+        if (!(std::abs(pivot) > zero_tolerance(n) * most))
+            return {.failed = pivot_error(problem, k)};
         for (std::size_t i = k + 1; i < n; i++) {
             const double factor = row(i)[k] / pivot;
             if (factor == 0) continue;

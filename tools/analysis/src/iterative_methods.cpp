@@ -45,7 +45,7 @@ double relative(double residual, const Problem& problem) {
 }
 
 double relative_residual(const Problem& problem, const SparseRows& rows,
-                      const std::vector<double>& x) {
+                         const std::vector<double>& x) {
     double sum = 0;
     for (std::size_t i = 0; i < problem.count; i++) {
         const double left = problem.rhs[i] - rows.times(i, x);
@@ -60,7 +60,7 @@ double bounded(const Problem& problem, std::size_t row, double value,
 }
 
 double relative_natural_residual(const Problem& problem, const SparseRows& rows,
-                            const std::vector<double>& x) {
+                                 const std::vector<double>& x) {
     double sum = 0;
     for (std::size_t i = 0; i < problem.count; i++) {
         const double own = problem.at(i, i);
@@ -85,8 +85,9 @@ SolverResult sweep(const Problem& problem, bool within_bounds, const SolverLimit
             const double now = result.x[i] + (problem.rhs[i] - rows.times(i, result.x)) / own;
             result.x[i] = within_bounds ? bounded(problem, i, now, result.x) : now;
         }
-        result.residuals.push_back(within_bounds ? relative_natural_residual(problem, rows, result.x)
-                                                : relative_residual(problem, rows, result.x));
+        result.residuals.push_back(within_bounds
+                                       ? relative_natural_residual(problem, rows, result.x)
+                                       : relative_residual(problem, rows, result.x));
         if (result.residuals.back() <= limits.tolerance) {
             result.converged = true;
             break;

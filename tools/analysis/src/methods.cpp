@@ -53,7 +53,7 @@ bool iterates(Method method) {
 Solution solve(const Problem& problem, Method method, const SolverLimits& limits) {
     const double start = convergence::thread_seconds();
     SolverResult result = iterates(method) ? solve_by_iteration(problem, method, limits)
-                                   : solve_directly(problem, method);
+                                           : solve_directly(problem, method);
     Solution solution{.method = method,
                       .failed = std::move(result.failed),
                       .x = std::move(result.x),

@@ -9,8 +9,9 @@
 namespace jostle::linear_systems {
 namespace {
 
-PreconditioningResult evaluate(const Problem& problem, const Problem& basis, const Analysis& analysis,
-                  bool scaled, double epsilon, const SolverLimits& limits) {
+PreconditioningResult evaluate(const Problem& problem, const Problem& basis,
+                               const Analysis& analysis, bool scaled, double epsilon,
+                               const SolverLimits& limits) {
     PreconditioningResult result{.scaled = scaled, .epsilon = epsilon};
     Problem soft = basis;
     double most = 0;
@@ -41,8 +42,10 @@ PreconditioningResult evaluate(const Problem& problem, const Problem& basis, con
 
 }  // namespace
 
-std::vector<PreconditioningResult> evaluate_preconditioning(const Problem& problem, const Analysis& analysis,
-                                  const SolverLimits& limits, std::span<const double> epsilons) {
+std::vector<PreconditioningResult> evaluate_preconditioning(const Problem& problem,
+                                                            const Analysis& analysis,
+                                                            const SolverLimits& limits,
+                                                            std::span<const double> epsilons) {
     std::vector<PreconditioningResult> all;
     if (problem.count == 0) return all;
     const Eigen::MatrixXd matrix = scaled_matrix(problem);

@@ -103,8 +103,8 @@ inline Status read_number(NetworkConditions& settings, std::string_view part) {
         settings.*field.at = value;
         return {};
     }
-    return invalid_setting(part,
-                    "there are delay, jitter, tail, stalls, stall_every, loss, retransmit, seed");
+    return invalid_setting(
+        part, "there are delay, jitter, tail, stalls, stall_every, loss, retransmit, seed");
 }
 
 }  // namespace network_simulator_detail
@@ -113,7 +113,8 @@ inline Result<NetworkConditions> parse_network_conditions(std::string_view text)
     NetworkConditions settings;
     while (!text.empty()) {
         const std::size_t comma = text.find(',');
-        if (const Status read = network_simulator_detail::read_number(settings, text.substr(0, comma));
+        if (const Status read =
+                network_simulator_detail::read_number(settings, text.substr(0, comma));
             !read.ok())
             return read.error();
         text = comma == std::string_view::npos ? std::string_view() : text.substr(comma + 1);
@@ -145,13 +146,16 @@ inline std::int64_t NetworkSimulator::after_stalls(std::int64_t arrival_us) {
 inline std::int64_t NetworkSimulator::arrival_us(std::int64_t sent_us) {
     if (!begun_) {
         begun_ = true;
-        stall_us_ = sent_us + network_simulator_detail::us_of(settings_.stall_every_ms * (0.5 + next_uniform()));
+        stall_us_ = sent_us + network_simulator_detail::us_of(settings_.stall_every_ms *
+                                                              (0.5 + next_uniform()));
     }
     double transit_ms = settings_.delay_ms;
     if (settings_.jitter_ms > 0) transit_ms += settings_.jitter_ms * next_uniform();
     if (settings_.tail_ms > 0) transit_ms -= settings_.tail_ms * std::log(1 - next_uniform());
-    if (settings_.loss > 0 && next_uniform() < settings_.loss) transit_ms += settings_.retransmit_ms;
-    std::int64_t arrival = std::max(sent_us + network_simulator_detail::us_of(transit_ms), last_arrival_us_);
+    if (settings_.loss > 0 && next_uniform() < settings_.loss)
+        transit_ms += settings_.retransmit_ms;
+    std::int64_t arrival =
+        std::max(sent_us + network_simulator_detail::us_of(transit_ms), last_arrival_us_);
     if (settings_.stalls_ms > 0) arrival = after_stalls(arrival);
     return last_arrival_us_ = arrival;
 }

@@ -10,9 +10,9 @@
 #include <optional>
 
 #include "clients/cpp/core/src/connection.h"
-#include "clients/cpp/core/src/play_protocol.h"
 #include "clients/cpp/core/src/datagram_socket.h"
 #include "clients/cpp/core/src/delayed_messages.h"
+#include "clients/cpp/core/src/play_protocol.h"
 
 namespace jostle::client {
 
@@ -26,7 +26,7 @@ struct ClientState {
     // The loop thread's own.
     std::unique_ptr<Connection> connection;
     std::unique_ptr<DatagramSocket> datagrams;  // of the connection's stream, if it has any
-    std::uint64_t socket_id = 0;           // for the watch
+    std::uint64_t socket_id = 0;                // for the watch
     // Of a client with a bad link: what is on its way in and out. Empty otherwise.
     std::optional<DelayedMessages> incoming, outgoing;
     Clock::time_point connect_at{};

@@ -89,10 +89,11 @@ std::optional<std::string> DatagramSocket::take(const std::string& bytes) {
     const auto content = datagram::decode_content(bytes);
     if (!content.ok()) return std::nullopt;  // of a newer server; not for us
     if (const auto* question = std::get_if<datagram::PathChallenge>(&*content))
-        transmit(datagram::encode(datagram::PathResponse{question->word}));
+        transmit(datagram::encode(datagram::PathResponse{question->token}));
     if (const auto* message = std::get_if<datagram::Message>(&*content))
         return std::string(message->bytes);
-    if (const auto* part = std::get_if<datagram::Fragment>(&*content)) return reassembly_.add(*part);
+    if (const auto* part = std::get_if<datagram::Fragment>(&*content))
+        return reassembly_.add(*part);
     return std::nullopt;
 }
 

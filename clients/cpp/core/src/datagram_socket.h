@@ -47,7 +47,8 @@ public:
     }
 
 private:
-    DatagramSocket(int descriptor, std::unique_ptr<datagram::PacketCipher> cipher, Clock::time_point now)
+    DatagramSocket(int descriptor, std::unique_ptr<datagram::PacketCipher> cipher,
+                   Clock::time_point now)
         : descriptor_(descriptor), cipher_(std::move(cipher)), opened_(now) {}
     std::optional<std::string> take(const std::string& content);
     void transmit(const std::string& content);

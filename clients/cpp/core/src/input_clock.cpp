@@ -58,7 +58,8 @@ void InputClock::on_margin(std::uint32_t sequence, double margin_us) {
         return;
     }
     correction_us_ = std::abs(off_us);
-    consecutive_out_of_range_ = off_us > 0 ? std::max(0, consecutive_out_of_range_) + 1 : std::min(0, consecutive_out_of_range_) - 1;
+    consecutive_out_of_range_ = off_us > 0 ? std::max(0, consecutive_out_of_range_) + 1
+                                           : std::min(0, consecutive_out_of_range_) - 1;
     if (consecutive_out_of_range_ >= consecutive_margins) speed_ = 1 - speed_correction;
     if (consecutive_out_of_range_ <= -consecutive_margins) speed_ = 1 + speed_correction;
 }

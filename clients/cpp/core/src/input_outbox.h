@@ -62,14 +62,14 @@ private:
     std::size_t put(v1::InputBatch& batch, std::uint32_t from) const;
     std::size_t mark_sent_until(std::uint32_t end);
 
-    std::deque<v1::Input> inputs_;          // numbers first_ to next_ - 1
+    std::deque<v1::Input> inputs_;               // numbers first_ to next_ - 1
     std::deque<std::uint32_t> awaiting_result_;  // rising
-    std::uint32_t first_ = 1;               // the first that is kept
-    std::uint32_t next_unsent_ = 1;         // by whatever way
-    std::uint32_t next_ = 1;                // of the next input
+    std::uint32_t first_ = 1;                    // the first that is kept
+    std::uint32_t next_unsent_ = 1;              // by whatever way
+    std::uint32_t next_ = 1;                     // of the next input
     std::uint32_t stream_next_ = 0;  // the stream said all before, without a gap; 0: it begins
     bool retains_ = false;
-    bool resumed_ = false;            // answers may come twice
+    bool resumed_ = false;                   // answers may come twice
     Clock::time_point unconfirmed_since_{};  // said by datagram and not confirmed
 };
 

@@ -13,17 +13,20 @@
 namespace jostle::client {
 
 Result<wire::QuantizedFrame> InterestCells::decode(const v1::CellUpdate& part,
-                                               const wire::QuantSpec& spec,
-                                               wire::Codec codec) const {
+                                                   const wire::QuantSpec& spec,
+                                                   wire::Codec codec) const {
     const std::string name =
         "cell " + std::to_string(part.cell()) + " of tick " + std::to_string(part.number());
-    const Result<wire::BaselineFrames> told = wire::decode_baseline_frames(part.number(), part.baselines());
+    const Result<wire::BaselineFrames> told =
+        wire::decode_baseline_frames(part.number(), part.baselines());
     if (!told.ok()) return Error{told.error().code, name + ": " + told.error().message};
     const auto known = cells_.find(part.cell());
-    if (known != cells_.end() && part.baselines() != 0 && part.number() <= known->second.back().frame)
+    if (known != cells_.end() && part.baselines() != 0 &&
+        part.number() <= known->second.back().frame)
         return Error{ErrorCode::failed_precondition, name + " is not newer than the last one"};
     wire::Baselines baselines;
-    const wire::QuantizedFrame** slots[] = {&baselines.baseline, &baselines.baseline2, &baselines.baseline3};
+    const wire::QuantizedFrame** slots[] = {&baselines.baseline, &baselines.baseline2,
+                                            &baselines.baseline3};
     const std::uint32_t numbers[] = {told->baseline, told->baseline2, told->baseline3};
     for (int k = 0; k < 3 && numbers[k] != 0; k++) {
         if (known != cells_.end())
@@ -43,7 +46,7 @@ Result<wire::QuantizedFrame> InterestCells::decode(const v1::CellUpdate& part,
 }
 
 Status InterestCells::apply(const v1::Snapshot& snapshot, const wire::QuantSpec& spec,
-                        wire::Codec codec) {
+                            wire::Codec codec) {
     std::vector<std::pair<std::uint32_t, wire::QuantizedFrame>> fresh;
     for (const v1::CellUpdate& part : snapshot.cells()) {
         auto state = decode(part, spec, codec);
@@ -82,8 +85,8 @@ wire::QuantizedFrame merge_cells(std::vector<CellEntity> all, std::uint32_t numb
     return frame;
 }
 
-wire::EntityState interpolate_entity(const wire::EntityState& a, const wire::EntityState& b, double t,
-                          const wire::QuantSpec& spec, double width_us) {
+wire::EntityState interpolate_entity(const wire::EntityState& a, const wire::EntityState& b,
+                                     double t, const wire::QuantSpec& spec, double width_us) {
     if (wire::same_pose(a, b)) return b;
     const wire::Pose from = wire::dequantize(a, spec), to = wire::dequantize(b, spec);
     if (is_teleport(from, to, width_us)) return a;
@@ -113,8 +116,9 @@ double InterestCells::progress(const States& states, std::uint32_t number) const
     return shortest <= step_ ? 1 : std::min(1.0, double(since + step_) / shortest);
 }
 
-wire::QuantizedFrame InterestCells::rendered_frame(std::uint32_t number, const wire::QuantSpec& spec,
-                                      double tick_us) const {
+wire::QuantizedFrame InterestCells::rendered_frame(std::uint32_t number,
+                                                   const wire::QuantSpec& spec,
+                                                   double tick_us) const {
     std::vector<CellEntity> all;
     std::deque<wire::EntityState> made;
     for (const auto& [cell, states] : cells_) {
@@ -122,7 +126,7 @@ wire::QuantizedFrame InterestCells::rendered_frame(std::uint32_t number, const w
         const double t = progress(states, number);
         const wire::QuantizedFrame* const before = t < 1 ? &states[states.size() - 2] : nullptr;
         const double width_us = before ? (now.frame - before->frame) * tick_us : 0;
-        wire::Finder in_before(before);
+        wire::EntityFinder in_before(before);
         for (const wire::EntityState& entity : now.entities) {
             const wire::EntityState* const was = in_before.find(entity.id);
             if (was) made.push_back(interpolate_entity(*was, entity, t, spec, width_us));

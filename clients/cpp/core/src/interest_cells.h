@@ -27,7 +27,7 @@ public:
     // The same for a picture: a cell that is told with some snapshots only moves on evenly from one
     // telling to the next, and is shown so much later. `tick_us`: of a tick of the world.
     wire::QuantizedFrame rendered_frame(std::uint32_t number, const wire::QuantSpec& spec,
-                               double tick_us) const;
+                                        double tick_us) const;
     void clear() { cells_.clear(); }
 
 private:

@@ -88,7 +88,7 @@ std::vector<InterpolationBuffer::RenderedPose> InterpolationBuffer::poses_at(
 }
 
 bool InterpolationBuffer::teleported_since(std::uint32_t entity, std::int64_t server_us,
-                                       const wire::QuantSpec& spec) const {
+                                           const wire::QuantSpec& spec) const {
     for (std::size_t k = 1; k < frames_.size(); k++) {
         if (frames_[k].server_us <= server_us) continue;
         const wire::EntityState* a = find_state(frames_[k - 1].frame, entity);
@@ -108,8 +108,10 @@ void InterpolationBuffer::update_errors(const wire::QuantSpec& spec) {
     for (RenderedPose& drawn : rendered_) {
         while (k < poses.size() && poses[k].smooth_pose.entity < drawn.smooth_pose.entity) k++;
         if (k == poses.size() || poses[k].smooth_pose.entity != drawn.smooth_pose.entity) continue;
-        drawn.error = smoothable_error(pose_error(drawn.smooth_pose.pose, poses[k].smooth_pose.pose), poses[k].body_speed);
-        if (!drawn.error.none() && teleported_since(drawn.smooth_pose.entity, last_newest_frame_us_, spec))
+        drawn.error = smoothable_error(
+            pose_error(drawn.smooth_pose.pose, poses[k].smooth_pose.pose), poses[k].body_speed);
+        if (!drawn.error.none() &&
+            teleported_since(drawn.smooth_pose.entity, last_newest_frame_us_, spec))
             drawn.error = {};
     }
 }
@@ -130,7 +132,8 @@ std::vector<SmoothPose> InterpolationBuffer::sample(std::int64_t now_us,
     out.reserve(now.size());
     std::size_t k = 0;
     for (RenderedPose& drawn : now) {
-        while (k < rendered_.size() && rendered_[k].smooth_pose.entity < drawn.smooth_pose.entity) k++;
+        while (k < rendered_.size() && rendered_[k].smooth_pose.entity < drawn.smooth_pose.entity)
+            k++;
         if (k < rendered_.size() && rendered_[k].smooth_pose.entity == drawn.smooth_pose.entity) {
             drawn.error =
                 decayed(rendered_[k].error, drawn.body_speed, static_cast<double>(passed_us) / 1e6);

@@ -85,8 +85,7 @@ void LoopThread::handle(const Connection::Tag& tag, bool ok, Clock::time_point n
 void LoopThread::receive(ClientState& client, Clock::time_point now) {
     if (!client.incoming) return;
     const std::lock_guard lock(client.mutex);
-    while (const auto message = client.incoming->take(now))
-        client.protocol.receive(*message, now);
+    while (const auto message = client.incoming->take(now)) client.protocol.receive(*message, now);
 }
 
 // What came by datagrams, of those who have something new.
@@ -128,7 +127,7 @@ void LoopThread::send_datagrams(ClientState& client, Clock::time_point now) {
     {
         const std::lock_guard lock(client.mutex);
         client.protocol.set_datagrams(client.datagrams->alive(now),
-                                          client.datagrams->timed_out(now));
+                                      client.datagrams->timed_out(now));
         message = client.protocol.take_datagram(now);
     }
     if (message) client.datagrams->send(*message);
@@ -159,17 +158,18 @@ void LoopThread::write(ClientState& client, Clock::time_point now) {
 
 // Starts what can be started: a connection, the next write, the next attempt.
 void LoopThread::advance(ClientState& client, Clock::time_point now) {
-    if (client.over) return;
+    if (client.finished) return;
     if (!client.connection) {
         if (now < client.connect_at) return;
         const std::lock_guard lock(client.mutex);
         if (client.destroyed || client.protocol.leaving()) {
-            client.over = true;
+            client.finished = true;
             return;
         }
         client.protocol.begin(now);
         const ClientOptions& options = client.protocol.options();
-        if (NetworkConditions network_conditions = options.network_conditions; network_conditions.impaired()) {
+        if (NetworkConditions network_conditions = options.network_conditions;
+            network_conditions.impaired()) {
             client.incoming.emplace(network_conditions);
             network_conditions.seed ^= 0x9e3779b9u;  // another link back
             client.outgoing.emplace(network_conditions);
@@ -207,11 +207,12 @@ void LoopThread::on_stream_end(ClientState& client, Clock::time_point now) {
     if (client.protocol.stats().connected) client.reconnect_delay = std::chrono::milliseconds(250);
     client.protocol.ended(wanted ? Status() : stream_error(end));
     if (wanted || !client.protocol.options().reconnect) {
-        client.over = true;
+        client.finished = true;
         return;
     }
     client.connect_at = now + client.reconnect_delay;
-    client.reconnect_delay = std::min<Clock::duration>(client.reconnect_delay * 2, reconnect_delay_max);
+    client.reconnect_delay =
+        std::min<Clock::duration>(client.reconnect_delay * 2, reconnect_delay_max);
 }
 
 // Cancels what is connected and takes the last events off the queue_.

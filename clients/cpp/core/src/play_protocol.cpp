@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::uint32_t protocol_version = 1;
 constexpr auto batch_period = std::chrono::microseconds(33'333);  // 30 batches a second
-constexpr int initial_pings = 3;                                    // to have a clock soon
+constexpr int initial_pings = 3;                                  // to have a clock soon
 constexpr auto initial_ping_period = std::chrono::milliseconds(100);
 constexpr auto ping_period = std::chrono::seconds(1);
 constexpr std::size_t results_max = 4096, ages_max = 1u << 16;  // not taken yet
@@ -133,7 +133,7 @@ void PlayProtocol::on_message(Clock::time_point now) {
         case v1::ServerMessage::kSnapshot:
             if (message_.snapshot().has_controlled_entity())
                 // What cannot be read is not foreseen.
-                static_cast<void>(view_.apply(message_.snapshot().driven()).ok());
+                static_cast<void>(view_.apply(message_.snapshot().controlled_entity()).ok());
             if (message_.snapshot().frame() != 0) on_snapshot(message_.snapshot(), now);
             inputs_.confirm(message_.snapshot().client_update().input_received(), now);
             // These stand by themselves, whatever became of the poses.
@@ -173,7 +173,8 @@ void PlayProtocol::on_welcome(const v1::Welcome& welcome, Clock::time_point now)
     tick_us_ = 1e6 / std::clamp(welcome.tick_hz(), 1.0, 1e5);
     stats_.connected = true;
     stats_.client_id = welcome.client_id();
-    ack_period_ = std::chrono::milliseconds(std::min<std::uint32_t>(welcome.ack_interval_ms(), ack_ms_max));
+    ack_period_ =
+        std::chrono::milliseconds(std::min<std::uint32_t>(welcome.ack_interval_ms(), ack_ms_max));
     if (options_.datagrams && welcome.has_datagrams()) ticket_ = welcome.datagrams();
     inputs_.retain_until_confirmed(ticket_.has_value() || !resume_token_.empty());
 }
@@ -227,10 +228,11 @@ void PlayProtocol::on_snapshot(const v1::Snapshot& snapshot, Clock::time_point n
 }
 
 void PlayProtocol::adjust_input_clock(const v1::Snapshot& snapshot, double age_us,
-                                Clock::time_point now) {
+                                      Clock::time_point now) {
     input_clock_.on_frame(snapshot.frame(), age_us, 1000 * clock_.rtt_ms() / 2,
                           static_cast<std::int64_t>(to_us(now)));
-    input_clock_.on_margin(snapshot.client_update().input_sequence(), snapshot.client_update().input_margin_us());
+    input_clock_.on_margin(snapshot.client_update().input_sequence(),
+                           snapshot.client_update().input_margin_us());
     stats_.input_margin_ms = input_clock_.margin_ms();
 }
 
@@ -304,7 +306,7 @@ std::string PlayProtocol::hello() {
     hello.set_codec(options_.codec);
     for (const std::string& kind : options_.channels) hello.add_channels(kind);
     hello.set_max_kbps(options_.max_kbps);
-    hello.set_datagrams(options_.datagrams && !options_.link.impaired());
+    hello.set_datagrams(options_.datagrams && !options_.network_conditions.impaired());
     if (options_.interest) write(*hello.mutable_interest(), *options_.interest);
     hello.set_resumable(options_.resume && options_.reconnect);
     if (!resume_token_.empty()) {
@@ -329,7 +331,7 @@ std::optional<std::string> PlayProtocol::take_message(Clock::time_point now) {
     if (sends_inputs_on_stream(now) && now - last_batch_ >= batch_period) return take_inputs(now);
     if (now >= next_ping_) {
         next_ping_ = now + (++pings_sent_ < initial_pings ? Clock::duration(initial_ping_period)
-                                                        : Clock::duration(ping_period));
+                                                          : Clock::duration(ping_period));
         message.mutable_ping()->set_client_time_us(to_us(now));
         return message.SerializeAsString();
     }
@@ -368,9 +370,10 @@ std::optional<std::string> PlayProtocol::take_datagram(Clock::time_point now) {
     const bool inputs = through && !leaving_ && inputs_.has_unconfirmed() &&
                         inputs_.fits(datagram_inputs_bytes) &&
                         now - last_datagram_batch_ >= batch_period;
-    const Clock::duration period = through                            ? datagram_keepalive_period
-                                   : now - ticket_received_at_ < initial_probe_duration ? initial_probe_period
-                                                                      : probe_period;
+    const Clock::duration period = through ? datagram_keepalive_period
+                                   : now - ticket_received_at_ < initial_probe_duration
+                                       ? initial_probe_period
+                                       : probe_period;
     if (!inputs && !(through && datagram_ack_due_) && now - last_datagram_ < period)
         return std::nullopt;
     last_datagram_ = now;

@@ -101,7 +101,7 @@ private:
     Clock::time_point last_datagram_{}, last_datagram_batch_{}, ticket_received_at_{};
     bool interest_due_ = false;
     bool hello_due_ = false, ack_due_ = false;
-    bool need_keyframe_ = false;    // what comes cannot be decoded without one
+    bool need_keyframe_ = false;       // what comes cannot be decoded without one
     bool keyframe_requested_ = false;  // it can, and somebody asked for one
     Clock::duration ack_period_{};
     NewestFrame newest_;

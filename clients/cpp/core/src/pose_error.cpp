@@ -10,7 +10,8 @@ namespace {
 using Quaternion = std::array<double, 4>;
 
 constexpr double half_life_s = 0.1, correction_time_max_s = 3;
-constexpr double correction_speed_min = 1.1, correction_spin_min = 1.5, correction_speed_ratio = 0.35;
+constexpr double correction_speed_min = 1.1, correction_spin_min = 1.5,
+                 correction_speed_ratio = 0.35;
 constexpr double negligible_m = 1e-5, negligible_rad = 1e-5;
 
 Quaternion product(const Quaternion& a, const Quaternion& b) {
@@ -53,7 +54,8 @@ double remaining_error(double error, double most_speed, double seconds) {
 
 PoseError pose_error(const wire::Pose& rendered, const wire::Pose& target) {
     PoseError error;
-    for (std::size_t k = 0; k < 3; k++) error.position[k] = rendered.position[k] - target.position[k];
+    for (std::size_t k = 0; k < 3; k++)
+        error.position[k] = rendered.position[k] - target.position[k];
     const Quaternion& q = target.rotation;
     error.rotation = product(rendered.rotation, {-q[0], -q[1], -q[2], q[3]});
     if (error.rotation[3] < 0)
@@ -64,7 +66,8 @@ PoseError pose_error(const wire::Pose& rendered, const wire::Pose& target) {
 wire::Pose apply_error(const wire::Pose& target, const PoseError& error) {
     if (error.none()) return target;
     wire::Pose rendered;
-    for (std::size_t k = 0; k < 3; k++) rendered.position[k] = target.position[k] + error.position[k];
+    for (std::size_t k = 0; k < 3; k++)
+        rendered.position[k] = target.position[k] + error.position[k];
     rendered.rotation = product(error.rotation, target.rotation);
     double norm = 0;
     for (const double c : rendered.rotation) norm += c * c;
@@ -79,7 +82,8 @@ PoseError decayed(const PoseError& error, const BodySpeed& body_speed, double se
     const double still = remaining_error(distance, correction_speed(body_speed), seconds);
     if (still > negligible_m)
         for (std::size_t k = 0; k < 3; k++) left.position[k] = error.position[k] * still / distance;
-    const double angle = remaining_error(angle_of(error.rotation), correction_spin(body_speed), seconds);
+    const double angle =
+        remaining_error(angle_of(error.rotation), correction_spin(body_speed), seconds);
     if (angle > negligible_rad) left.rotation = turned_to(error.rotation, angle);
     return left;
 }

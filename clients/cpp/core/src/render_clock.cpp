@@ -31,8 +31,8 @@ void RenderClock::on_frame(std::int64_t server_us, std::int64_t arrived_us, bool
     if (!first && server_us <= newest_us_) return;
     const auto interval = static_cast<double>(first ? 0 : server_us - newest_us_);
     const double gap = static_cast<double>(first ? 0 : arrived_us - arrived_us_);
-    gap_ended_ =
-        (gap > frame_gap_us && !after_rest) || (gap_ended_ && gap < burst_interval_ratio * interval);
+    gap_ended_ = (gap > frame_gap_us && !after_rest) ||
+                 (gap_ended_ && gap < burst_interval_ratio * interval);
     arrivals_.push_back({static_cast<double>(arrived_us - server_us), interval,
                          !first && !after_rest && interval < rest_us && !gap_ended_});
     if (arrivals_.size() > arrivals_max) arrivals_.pop_front();
@@ -61,7 +61,8 @@ void RenderClock::update_target_delay() {
         late.push_back(arrival.lateness_us - min_lateness_us_);
     }
     if (late.empty()) return;
-    const double interval = percentile(intervals, 0.5), jitter = percentile(late, jitter_percentile);
+    const double interval = percentile(intervals, 0.5),
+                 jitter = percentile(late, jitter_percentile);
     target_delay_us_ =
         std::min(delay_max_us, std::max(intervals_behind * interval, interval + jitter));
 }

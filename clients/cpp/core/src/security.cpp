@@ -54,9 +54,10 @@ Result<Security> read_security(const SecurityFiles& files, const std::string& ta
         return invalid_argument(
             "--cert and --key go together: the certificate and its private key");
     security.tls = files.tls || !files.certificate.empty() || !files.root_certificates.empty();
-    for (const auto& [path, out] : {std::pair(&files.root_certificates, &security.root_certificates_pem),
-                                    std::pair(&files.certificate, &security.certificate_pem),
-                                    std::pair(&files.key, &security.key_pem)})
+    for (const auto& [path, out] :
+         {std::pair(&files.root_certificates, &security.root_certificates_pem),
+          std::pair(&files.certificate, &security.certificate_pem),
+          std::pair(&files.key, &security.key_pem)})
         if (Status s = read_pem(*path, *out); !s.ok()) return s.error();
     if (Status s = read_token(files.token, security.token); !s.ok()) return s.error();
     if (!security.token.empty() && !security.tls && !is_loopback(target))

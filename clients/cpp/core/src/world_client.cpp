@@ -56,8 +56,9 @@ struct WorldClient::Impl {
 
     template <class Request, class Response>
     Result<Response> invoke(grpc::Status (v1::WorldService::Stub::*method)(grpc::ClientContext*,
-                                                                        const Request&, Response*),
-                         const Request& request) {
+                                                                           const Request&,
+                                                                           Response*),
+                            const Request& request) {
         return call(*stub, method, request, security);
     }
 };
@@ -98,8 +99,9 @@ struct QueryClient::Impl {
 
     template <class Request, class Response>
     Result<Response> invoke(grpc::Status (v1::QueryService::Stub::*method)(grpc::ClientContext*,
-                                                                        const Request&, Response*),
-                         Request& request, const QueryOptions& options) {
+                                                                           const Request&,
+                                                                           Response*),
+                            Request& request, const QueryOptions& options) {
         request.set_world(world);
         write(*request.mutable_filter(), options);
         if (options.view_time) *request.mutable_view_time() = *options.view_time;
@@ -107,11 +109,11 @@ struct QueryClient::Impl {
     }
 
     Result<QueryResult<std::vector<std::uint32_t>>> overlap(v1::OverlapRequest& request,
-                                                       const QueryOptions& options) {
+                                                            const QueryOptions& options) {
         const auto response = invoke(&v1::QueryService::Stub::Overlap, request, options);
         if (!response.ok()) return response.error();
-        QueryResult<std::vector<std::uint32_t>> result{.tick = response->tick(),
-                                                  .view_time_clamped = response->view_time_clamped()};
+        QueryResult<std::vector<std::uint32_t>> result{
+            .tick = response->tick(), .view_time_clamped = response->view_time_clamped()};
         result.value.assign(response->entities().begin(), response->entities().end());
         return result;
     }
@@ -127,7 +129,7 @@ QueryClient::QueryClient(const std::string& target, std::string world, Security 
 QueryClient::~QueryClient() = default;
 
 Result<QueryResult<std::optional<RayHit>>> QueryClient::cast_ray(Point origin, Point motion,
-                                                            const QueryOptions& options) {
+                                                                 const QueryOptions& options) {
     v1::CastRaysRequest request;
     v1::Ray& ray = *request.add_rays();
     write(*ray.mutable_origin(), origin);
@@ -135,7 +137,7 @@ Result<QueryResult<std::optional<RayHit>>> QueryClient::cast_ray(Point origin, P
     const auto response = impl_->invoke(&v1::QueryService::Stub::CastRays, request, options);
     if (!response.ok()) return response.error();
     QueryResult<std::optional<RayHit>> result{.tick = response->tick(),
-                                         .view_time_clamped = response->view_time_clamped()};
+                                              .view_time_clamped = response->view_time_clamped()};
     if (response->rays_size() == 0 || response->rays(0).hits_size() == 0) return result;
     const v1::Hit& hit = response->rays(0).hits(0);
     result.value = RayHit{.entity = hit.entity(),
@@ -147,34 +149,34 @@ Result<QueryResult<std::optional<RayHit>>> QueryClient::cast_ray(Point origin, P
 }
 
 Result<QueryResult<std::vector<std::uint32_t>>> QueryClient::overlap(const v1::Shape& shape,
-                                                                const QueryOptions& options) {
+                                                                     const QueryOptions& options) {
     v1::OverlapRequest request;
     *request.mutable_shape() = shape;
     return impl_->overlap(request, options);
 }
 
 Result<QueryResult<std::vector<std::uint32_t>>> QueryClient::overlap(Point point,
-                                                                const QueryOptions& options) {
+                                                                     const QueryOptions& options) {
     v1::OverlapRequest request;
     write(*request.mutable_point(), point);
     return impl_->overlap(request, options);
 }
 
-Result<QueryResult<std::optional<ClosestPointHit>>> QueryClient::closest_point(Point point, double max_distance,
-                                                                  const QueryOptions& options) {
+Result<QueryResult<std::optional<ClosestPointHit>>> QueryClient::closest_point(
+    Point point, double max_distance, const QueryOptions& options) {
     v1::ClosestPointsRequest request;
     write(*request.add_points(), point);
     request.set_max_distance(max_distance);
     const auto response = impl_->invoke(&v1::QueryService::Stub::ClosestPoints, request, options);
     if (!response.ok()) return response.error();
-    QueryResult<std::optional<ClosestPointHit>> result{.tick = response->tick(),
-                                          .view_time_clamped = response->view_time_clamped()};
+    QueryResult<std::optional<ClosestPointHit>> result{
+        .tick = response->tick(), .view_time_clamped = response->view_time_clamped()};
     if (response->points_size() == 0 || response->points(0).entity() == 0) return result;
     const v1::ClosestPoint& closest = response->points(0);
     result.value = ClosestPointHit{.entity = closest.entity(),
-                           .distance = closest.distance(),
-                           .point = read(closest.point()),
-                           .normal = read(closest.normal())};
+                                   .distance = closest.distance(),
+                                   .point = read(closest.point()),
+                                   .normal = read(closest.normal())};
     return result;
 }
 

@@ -39,15 +39,15 @@ Status WorldView::apply(const v1::GeometryChunk& part) {
         partial_geometry_ = {};
         return Error{ErrorCode::corrupt_data, "geometry " + std::to_string(part.id()) + ": " + why};
     };
-    if (part.part() == 0) partial_geometry_ = {.id = part.id(), .next = 0, .bytes = {}};
-    if (part.id() != partial_geometry_.id || part.part() != partial_geometry_.next ||
-        part.part() >= part.parts())
-        return failed("part " + std::to_string(part.part()) + " of " +
-                      std::to_string(part.parts()) + " does not follow the one before");
+    if (part.chunk() == 0) partial_geometry_ = {.id = part.id(), .next = 0, .bytes = {}};
+    if (part.id() != partial_geometry_.id || part.chunk() != partial_geometry_.next ||
+        part.chunk() >= part.chunk_count())
+        return failed("part " + std::to_string(part.chunk()) + " of " +
+                      std::to_string(part.chunk_count()) + " does not follow the one before");
     if (partial_geometry_.bytes.size() + part.data().size() > geometry_bytes_max)
         return failed("it has more than " + std::to_string(geometry_bytes_max) + " bytes");
     partial_geometry_.bytes += part.data();
-    if (++partial_geometry_.next < part.parts()) return {};
+    if (++partial_geometry_.next < part.chunk_count()) return {};
     v1::Shape shape;
     if (!shape.ParseFromString(partial_geometry_.bytes)) return failed("its bytes are no Shape");
     geometry_[part.id()] = std::move(shape);
@@ -68,12 +68,12 @@ void WorldView::apply(const v1::EntityUpdate& entity_update) {
 }
 
 Status WorldView::apply(const v1::ControlledEntityState& driven) {
-    if (!driven.whole() && driven.entity() != controlled_entity_.entity)
+    if (!driven.keyframe() && driven.entity() != controlled_entity_.entity)
         return Error{ErrorCode::failed_precondition,
                      "driven: entity " + std::to_string(driven.entity()) + " was not told whole"};
-    if (driven.whole()) controlled_entity_ = {};
-    Result<std::vector<std::uint32_t>> words =
-        wire::apply_changes(controlled_entity_.words, driven.words(), driven.changed(), driven.values());
+    if (driven.keyframe()) controlled_entity_ = {};
+    Result<std::vector<std::uint32_t>> words = wire::apply_changes(
+        controlled_entity_.words, driven.words(), driven.changed_mask(), driven.values());
     controlled_entity_ = {};
     if (!words.ok()) return Error{words.error().code, "driven: " + words.error().message};
     controlled_entity_ = {driven.entity(), driven.tick(), driven.module(), *std::move(words)};
@@ -118,9 +118,11 @@ Status WorldView::apply(const v1::Snapshot& snapshot) {
     const Result<wire::BaselineFrames> told_bases =
         wire::decode_baseline_frames(snapshot.frame(), snapshot.baselines());
     if (!told_bases.ok()) return told_bases.error();
-    const std::uint32_t numbers[] = {told_bases->baseline, told_bases->baseline2, told_bases->baseline3};
+    const std::uint32_t numbers[] = {told_bases->baseline, told_bases->baseline2,
+                                     told_bases->baseline3};
     wire::Baselines baselines;
-    const wire::QuantizedFrame** slots[] = {&baselines.baseline, &baselines.baseline2, &baselines.baseline3};
+    const wire::QuantizedFrame** slots[] = {&baselines.baseline, &baselines.baseline2,
+                                            &baselines.baseline3};
     const wire::Channels* base_channels = &no_channels_;
     for (int k = 0; k < 3; k++) {
         if (numbers[k] == 0) break;
@@ -148,7 +150,7 @@ Status WorldView::apply(const v1::Snapshot& snapshot) {
 
 // Either a whole frame, or the cells that are in sight.
 Result<wire::QuantizedFrame> WorldView::decode_poses(const v1::Snapshot& snapshot,
-                                                 const wire::Baselines& baselines) {
+                                                     const wire::Baselines& baselines) {
     if (cells_) {
         if (Status s = cells_->apply(snapshot, spec_, codec_); !s.ok()) return s.error();
         wire::QuantizedFrame seen = cells_->frame(snapshot.frame());
@@ -157,8 +159,8 @@ Result<wire::QuantizedFrame> WorldView::decode_poses(const v1::Snapshot& snapsho
         return seen;
     }
     const auto* bytes = reinterpret_cast<const std::byte*>(snapshot.packed().data());
-    auto decoded = wire::decode_frame(snapshot.frame(), {bytes, snapshot.packed().size()}, baselines,
-                                      spec_, wire::default_entities_max, codec_);
+    auto decoded = wire::decode_frame(snapshot.frame(), {bytes, snapshot.packed().size()},
+                                      baselines, spec_, wire::default_entities_max, codec_);
     if (decoded.ok() && wire::frame_crc(*decoded) != snapshot.crc())
         return Error{ErrorCode::corrupt_data, "the CRC does not match"};
     return decoded;
@@ -166,7 +168,7 @@ Result<wire::QuantizedFrame> WorldView::decode_poses(const v1::Snapshot& snapsho
 
 wire::QuantizedFrame WorldView::rendered_frame() const {
     if (!cells_ || frames_.empty()) return frame();
-    wire::QuantizedFrame shown = cells_->shown(frame().frame, spec_, tick_us_);
+    wire::QuantizedFrame shown = cells_->rendered_frame(frame().frame, spec_, tick_us_);
     std::erase_if(shown.entities, [&](const auto& e) { return !entities_.contains(e.id); });
     return shown;
 }
@@ -179,9 +181,10 @@ WorldView::SnapshotTimes WorldView::times_of(const v1::Snapshot& snapshot) const
     };
     SnapshotTimes times{.due_us = due(snapshot.frame())};
     const auto baselines = wire::decode_baseline_frames(snapshot.frame(), snapshot.baselines());
-    if (!baselines.ok() || baselines->baseline == 0 || snapshot.still() == 0) return times;
-    if (snapshot.still() <= snapshot.frame() - baselines->baseline)
-        times.unchanged_until_us = due(baselines->baseline + snapshot.still());
+    if (!baselines.ok() || baselines->baseline == 0 || snapshot.unchanged_ticks() == 0)
+        return times;
+    if (snapshot.unchanged_ticks() <= snapshot.frame() - baselines->baseline)
+        times.unchanged_until_us = due(baselines->baseline + snapshot.unchanged_ticks());
     return times;
 }
 

@@ -62,7 +62,7 @@ bool LocalWorld::add(std::uint32_t entity, const LocalBody& of, std::span<const 
 }
 
 bool LocalWorld::add_boundary_body(std::uint32_t entity, std::span<const ShapeDef> shapes,
-                            const Transform& pose) {
+                                   const Transform& pose) {
     const Result<BodyId> body =
         world_.create_body({.type = BodyType::static_body, .pose = pose}, shapes);
     if (body.ok()) change().boundary[entity] = *body;
@@ -82,7 +82,7 @@ BodyId LocalWorld::body_of(std::uint32_t entity) const {
 }
 
 bool LocalWorld::set_controlled(std::uint32_t entity, const std::string& tag,
-                       std::span<const std::uint32_t> words) {
+                                std::span<const std::uint32_t> words) {
     const auto at = members_->moving.find(entity);
     if (at == members_->moving.end()) return false;
     know_modules();
@@ -91,7 +91,7 @@ bool LocalWorld::set_controlled(std::uint32_t entity, const std::string& tag,
         if (!made.ok() || !world_.add_module(std::move(made).value()).ok()) return false;
     }
     if (!modules::apply_controlled_entity(world_, *world_.module(tag), at->second, words,
-                              [this](std::uint32_t name) { return body_of(name); }))
+                                          [this](std::uint32_t name) { return body_of(name); }))
         return false;
     if (members_->controlled != entity || members_->controller_module != tag) {
         Members& members = change();
@@ -147,7 +147,8 @@ void LocalWorld::perform(const Push& push) {
     const auto at = members_->moving.find(push.entity);
     if (at == members_->moving.end()) return;
     static_cast<void>(
-        modules::apply_player_impulse(world_, *world_.body(at->second), push.impulse, push.point).ok());
+        modules::apply_player_impulse(world_, *world_.body(at->second), push.impulse, push.point)
+            .ok());
 }
 
 void LocalWorld::perform(const Grab& grab) {
@@ -175,7 +176,8 @@ void LocalWorld::perform(const Release&) {
 }
 
 void LocalWorld::perform(const Steer& steer) {
-    Module* const module = members_->controlled == 0 ? nullptr : world_.module(members_->controller_module);
+    Module* const module =
+        members_->controlled == 0 ? nullptr : world_.module(members_->controller_module);
     if (module != nullptr) module->control(world_, body_of(members_->controlled), steer.controls);
 }
 
@@ -185,7 +187,7 @@ void LocalWorld::step(double seconds) {
 
 void LocalWorld::save(TickState& tick_state, std::uint32_t tick) const {
     tick_state.tick = tick;
-    tick_state.point.save(world_);
+    tick_state.point.capture(world_);
     tick_state.members = members_;
     tick_state.motions.clear();
     for (const auto& [entity, body] : members_->moving) tick_state.motions[entity] = motion(entity);

@@ -76,13 +76,14 @@ public:
     bool add(std::uint32_t entity, const LocalBody& body, std::span<const physics::ShapeDef> shapes,
              const MotionState& motion, bool at_rest);
     bool add_boundary_body(std::uint32_t entity, std::span<const physics::ShapeDef> shapes,
-                    const physics::Transform& pose);
+                           const physics::Transform& pose);
     // One that stands, or a kinematic one of the fixed.
     void put(std::uint32_t entity, const physics::Transform& pose);
     // From now on it moves one of the moving as the module of that tag does, and it is as the words
-    // say (jostle/modules/controlled_entity_state.h). False: there is no such module, or it takes no such words.
+    // say (jostle/modules/controlled_entity_state.h). False: there is no such module, or it takes
+    // no such words.
     bool set_controlled(std::uint32_t entity, const std::string& module,
-               std::span<const std::uint32_t> words);
+                        std::span<const std::uint32_t> words);
     void remove(std::uint32_t entity);
     MotionState motion(std::uint32_t entity) const;
     // m from its origin to the furthest corner of what bounds it.

@@ -27,9 +27,9 @@ Vec3 rotation_vector_between(const Quat& a, const Quat& b) {
 
 Transform interpolate(const Transform& a, const Transform& b, double t) {
     if (t == 0) return a;
-    return {
-        .position = a.position + (b.position - a.position) * t,
-        .rotation = from_rotation_vector(rotation_vector_between(a.rotation, b.rotation) * t) * a.rotation};
+    return {.position = a.position + (b.position - a.position) * t,
+            .rotation = from_rotation_vector(rotation_vector_between(a.rotation, b.rotation) * t) *
+                        a.rotation};
 }
 
 }  // namespace jostle::client

@@ -18,7 +18,7 @@ namespace {
 constexpr double position_tolerance_m = 0.003, rotation_tolerance_rad = 0.01;
 // What a body did between two frames, against what was foreseen of it: up to this it is the
 // integers' noise, beyond somebody pushed it.
-constexpr double disturbance_speed = 0.25, disturbance_spin = 1;                  // m/s, rad/s
+constexpr double disturbance_speed = 0.25, disturbance_spin = 1;                // m/s, rad/s
 constexpr double control_speed_tolerance = 0.05, control_spin_tolerance = 0.1;  // m/s, rad/s
 constexpr double leave_factor = 1.5;  // of neighbor_radius_m: who came near stays until so far away
 constexpr double boundary_factor = 2;
@@ -49,13 +49,13 @@ bool was_disturbed(const MotionState& guess, const BodyUpdate& update) {
 // What hangs on a module that is not here floats as fast as frames say. What hangs on joints goes
 // on as it goes there, and nothing here moves it.
 LocalBody local_body(const BodyUpdate& update, bool own) {
-    return {
-        .type = update.jointed && update.type == BodyType::dynamic ? BodyType::kinematic : update.type,
-        .mass = update.mass,
-        .linear_damping = update.linear_damping,
-        .angular_damping = update.angular_damping,
-        .gravity_scale = update.controllable && !own ? 0 : update.gravity_scale,
-        .locks = update.locks};
+    return {.type = update.jointed && update.type == BodyType::dynamic ? BodyType::kinematic
+                                                                       : update.type,
+            .mass = update.mass,
+            .linear_damping = update.linear_damping,
+            .angular_damping = update.angular_damping,
+            .gravity_scale = update.controllable && !own ? 0 : update.gravity_scale,
+            .locks = update.locks};
 }
 
 // Statics do not, nor what stands on its rails.
@@ -89,7 +89,8 @@ void PredictionEngine::follow(std::uint32_t entity) {
     newest_control_ = 0;
 }
 
-void PredictionEngine::add_action(std::uint32_t sequence, std::uint32_t input_tick, InputAction action) {
+void PredictionEngine::add_action(std::uint32_t sequence, std::uint32_t input_tick,
+                                  InputAction action) {
     if (sequence == 0 || input_tick == 0) return;
     std::uint32_t first = input_tick;
     if (!inputs_.empty() && inputs_.back().sequence == sequence) {
@@ -188,9 +189,11 @@ void PredictionEngine::resimulate_from(std::uint32_t first) {
 
 // Who is near where the body is, or where it comes to be, or was and is not yet far; and the
 // nearest of the others.
-PredictionEngine::Neighborhood PredictionEngine::collect_neighbors(const FrameUpdate& frame, const Vec3& center) const {
+PredictionEngine::Neighborhood PredictionEngine::collect_neighbors(const FrameUpdate& frame,
+                                                                   const Vec3& center) const {
     std::vector<std::pair<double, const BodyUpdate*>> candidates;
-    const MotionState* const predicted = is_member(entity_) ? &history_.back().motions.at(entity_) : nullptr;
+    const MotionState* const predicted =
+        is_member(entity_) ? &history_.back().motions.at(entity_) : nullptr;
     for (const BodyUpdate& body : frame.bodies) {
         const bool own = body.entity == entity_;
         if (!is_simulated(body) && !own) continue;
@@ -198,15 +201,16 @@ PredictionEngine::Neighborhood PredictionEngine::collect_neighbors(const FrameUp
         double far = own ? 0 : gap(at, center);
         if (predicted && !own) far = std::min(far, gap(at, predicted->pose.position));
         far = std::max(0.0, far - extra_radius_);
-        if (far <= boundary_factor * options_.neighbor_radius_m) candidates.emplace_back(far, &body);
+        if (far <= boundary_factor * options_.neighbor_radius_m)
+            candidates.emplace_back(far, &body);
     }
     std::sort(candidates.begin(), candidates.end(), [](const auto& a, const auto& b) {
         return std::pair(a.first, a.second->entity) < std::pair(b.first, b.second->entity);
     });
     Neighborhood neighborhood;
     for (const auto& [far, body] : candidates) {
-        const double most =
-            is_member(body->entity) ? leave_factor * options_.neighbor_radius_m : options_.neighbor_radius_m;
+        const double most = is_member(body->entity) ? leave_factor * options_.neighbor_radius_m
+                                                    : options_.neighbor_radius_m;
         // What moves on rails costs nothing to foresee.
         const bool railed = body->type == BodyType::kinematic;
         if (railed || (far <= most && neighborhood.near.size() < options_.neighbors_max))
@@ -217,7 +221,8 @@ PredictionEngine::Neighborhood PredictionEngine::collect_neighbors(const FrameUp
     return neighborhood;
 }
 
-bool PredictionEngine::add(const FrameUpdate& frame, const BodyUpdate& body, const MotionState& motion) {
+bool PredictionEngine::add(const FrameUpdate& frame, const BodyUpdate& body,
+                           const MotionState& motion) {
     const auto shapes = frame.shapes_of(body.entity);
     return shapes && world_->add(body.entity, local_body(body, body.entity == entity_), *shapes,
                                  motion, body.at_rest);
@@ -232,7 +237,7 @@ void PredictionEngine::add_fixed(const FrameUpdate& frame, const Bodies& near) {
         }
         if (world_->members().fixed.size() >= options_.static_bodies_max) return;
         LocalBody stands = local_body(body, false);
-        stands.is_simulated = false;
+        stands.simulated = false;
         if (const auto shapes = frame.shapes_of(body.entity))
             world_->add(body.entity, stands, *shapes, {.pose = body.pose}, true);
     }
@@ -273,7 +278,8 @@ MotionState PredictionEngine::estimated_motion(const BodyUpdate& now, std::uint3
     MotionState right{now.pose, guess.linear, guess.angular};
     const TickState* before = find(newest_frame_);
     const auto was = near_updates_.find(id);
-    if (before && was != near_updates_.end() && before->motions.contains(id) && frame > newest_frame_) {
+    if (before && was != near_updates_.end() && before->motions.contains(id) &&
+        frame > newest_frame_) {
         const Transform& from = before->motions.at(id).pose;
         const double seconds = seconds_since(was->second, frame);
         const Vec3 more =
@@ -287,10 +293,10 @@ MotionState PredictionEngine::estimated_motion(const BodyUpdate& now, std::uint3
         right.linear += length(more) > disturbance_speed * seconds
                             ? more * (1 / seconds)
                             : (now.pose.position - guess.pose.position) * (1 / slow_seconds);
-        right.angular +=
-            length(turned) > disturbance_spin * seconds
-                ? turned * (1 / seconds)
-                : rotation_vector_between(guess.pose.rotation, now.pose.rotation) * (1 / slow_seconds);
+        right.angular += length(turned) > disturbance_spin * seconds
+                             ? turned * (1 / seconds)
+                             : rotation_vector_between(guess.pose.rotation, now.pose.rotation) *
+                                   (1 / slow_seconds);
     }
     if (now.at_rest) right.linear = right.angular = {};
     corrected_[id] = frame;
@@ -298,10 +304,11 @@ MotionState PredictionEngine::estimated_motion(const BodyUpdate& now, std::uint3
 }
 
 bool PredictionEngine::boundary_changed(const Bodies& boundary) const {
-    return !std::equal(
-        boundary.begin(), boundary.end(), boundary_.begin(), boundary_.end(), [](const auto& now, const auto& before) {
-            return now.first == before.first && poses_agree(now.second.pose, before.second.pose);
-        });
+    return !std::equal(boundary.begin(), boundary.end(), boundary_.begin(), boundary_.end(),
+                       [](const auto& now, const auto& before) {
+                           return now.first == before.first &&
+                                  poses_agree(now.second.pose, before.second.pose);
+                       });
 }
 
 void PredictionEngine::update_members(const FrameUpdate& frame, const Neighborhood& neighborhood) {
@@ -324,7 +331,8 @@ void PredictionEngine::update_boundary(const FrameUpdate& frame, const Bodies& b
     for (const auto& [id, now] : boundary) {
         const auto before = boundary_.find(id);
         if (!world_->members().boundary.contains(id)) {
-            if (const auto shapes = frame.shapes_of(id)) world_->add_boundary_body(id, *shapes, now.pose);
+            if (const auto shapes = frame.shapes_of(id))
+                world_->add_boundary_body(id, *shapes, now.pose);
         } else if (before == boundary_.end() || !(before->second.pose == now.pose)) {
             world_->put(id, now.pose);
         }
@@ -339,7 +347,8 @@ void PredictionEngine::start(const FrameUpdate& frame, const Neighborhood& neigh
     update_members(frame, neighborhood);
     if (is_controlled(frame)) {
         newest_control_ = frame.control.tick;
-        if (!world_->control(entity_, frame.control.module, frame.control.words)) return reset_world();
+        if (!world_->set_controlled(entity_, frame.control.module, frame.control.words))
+            return reset_world();
     }
     // Distances are between origins, which tells nothing of what is larger than a step.
     if (is_member(entity_)) extra_radius_ = std::max(0.0, world_->bounding_radius(entity_) - 1);
@@ -416,7 +425,7 @@ void PredictionEngine::apply_control(const ControlUpdate& control) {
     const std::uint32_t now = tick();
     roll_back(control.tick);
     drop_newest();
-    const bool goes_on = world_->control(entity_, control.module, control.words);
+    const bool goes_on = world_->set_controlled(entity_, control.module, control.words);
     save(control.tick);
     if (!goes_on) return reset_world();
     step_to(now);
@@ -451,7 +460,7 @@ void PredictionEngine::on_frame(const FrameUpdate& update) {
 
 // --- pictures ---
 
-std::vector<std::uint32_t> PredictionEngine::drawn() const {
+std::vector<std::uint32_t> PredictionEngine::predicted_entities() const {
     std::vector<std::uint32_t> ids;
     if (world_)
         for (const auto& [id, body] : world_->members().moving) ids.push_back(id);
@@ -461,7 +470,8 @@ std::vector<std::uint32_t> PredictionEngine::drawn() const {
     return ids;
 }
 
-std::optional<wire::Pose> PredictionEngine::predicted_pose(std::uint32_t id, double position, BodySpeed* body_speed) {
+std::optional<wire::Pose> PredictionEngine::predicted_pose(std::uint32_t id, double position,
+                                                           BodySpeed* body_speed) {
     if (history_.empty()) return std::nullopt;
     const double at = std::clamp(position, static_cast<double>(history_.front().tick),
                                  static_cast<double>(tick()));
@@ -475,23 +485,26 @@ std::optional<wire::Pose> PredictionEngine::predicted_pose(std::uint32_t id, dou
 }
 
 // Who was foreseen and is no longer, or the other way round, is walked over.
-PoseError PredictionEngine::error_of(const SmoothPose& drawn, const std::optional<wire::Pose>& predicted,
-                              const RenderedPose* before, const BodySpeed& body_speed, double seconds) {
+PoseError PredictionEngine::error_of(const SmoothPose& drawn,
+                                     const std::optional<wire::Pose>& predicted,
+                                     const RenderedPose* before, const BodySpeed& body_speed,
+                                     double seconds) {
     if (!before) return smoothable_error(pose_error(drawn.pose, *predicted), body_speed);
     PoseError error = before->error;
     if (!predicted && before->predicted_pose)
         error = smoothable_error(pose_error(before->pose, drawn.pose), body_speed);
     else if (predicted && changed_)
-        error =
-            smoothable_error(pose_error(before->pose,
-                                predicted_pose(drawn.entity, last_position_, nullptr).value_or(*predicted)),
-                     body_speed);
+        error = smoothable_error(
+            pose_error(before->pose,
+                       predicted_pose(drawn.entity, last_position_, nullptr).value_or(*predicted)),
+            body_speed);
     return decayed(error, body_speed, seconds);
 }
 
 std::vector<SmoothPose> PredictionEngine::sample(double position, std::int64_t now_us,
-                                          std::vector<SmoothPose> poses) {
-    const double seconds = static_cast<double>(std::max<std::int64_t>(0, now_us - last_sample_us_)) / 1e6;
+                                                 std::vector<SmoothPose> poses) {
+    const double seconds =
+        static_cast<double>(std::max<std::int64_t>(0, now_us - last_sample_us_)) / 1e6;
     if (now_us - last_sample_us_ > sample_gap_max_us) rendered_.clear();
     if (!history_.empty()) {
         const double most = newest_frame_ + options_.ticks_ahead_max;
@@ -503,10 +516,12 @@ std::vector<SmoothPose> PredictionEngine::sample(double position, std::int64_t n
         const auto predicted = predicted_pose(drawn.entity, position, &body_speed);
         const auto before = rendered_.find(drawn.entity);
         if (!predicted && before == rendered_.end()) continue;
-        const PoseError error = error_of(
-            drawn, predicted, before == rendered_.end() ? nullptr : &before->second, body_speed, seconds);
+        const PoseError error =
+            error_of(drawn, predicted, before == rendered_.end() ? nullptr : &before->second,
+                     body_speed, seconds);
         drawn.pose = apply_error(predicted ? *predicted : drawn.pose, error);
-        if (predicted || !error.none()) now[drawn.entity] = {drawn.pose, error, predicted.has_value()};
+        if (predicted || !error.none())
+            now[drawn.entity] = {drawn.pose, error, predicted.has_value()};
     }
     rendered_ = std::move(now);
     last_position_ = position;

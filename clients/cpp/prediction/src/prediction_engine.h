@@ -27,7 +27,7 @@ struct BodyUpdate {
     physics::Transform pose;
     bool at_rest = false;
     std::optional<Velocity> velocity = {};  // nothing: that was not told
-    bool controllable = false;                  // a module of the server moves it
+    bool controllable = false;              // a module of the server moves it
     bool jointed = false;                   // joints of the server hold it
     double linear_damping = 0, angular_damping = 0, gravity_scale = 1;
     physics::AxisLocks locks = 0;
@@ -124,9 +124,11 @@ private:
     void compare(const FrameUpdate& frame, const Neighborhood& neighborhood);
 
     // --- pictures ---
-    std::optional<wire::Pose> predicted_pose(std::uint32_t id, double position, BodySpeed* body_speed);
-    PoseError error_of(const SmoothPose& predicted_entities, const std::optional<wire::Pose>& predicted,
-                       const RenderedPose* before, const BodySpeed& body_speed, double seconds);
+    std::optional<wire::Pose> predicted_pose(std::uint32_t id, double position,
+                                             BodySpeed* body_speed);
+    PoseError error_of(const SmoothPose& predicted_entities,
+                       const std::optional<wire::Pose>& predicted, const RenderedPose* before,
+                       const BodySpeed& body_speed, double seconds);
 
     PredictorOptions options_;
     PredictorStats stats_;
@@ -135,13 +137,13 @@ private:
     double tick_s_ = 1.0 / 60;
     std::uint32_t entity_ = 0;
     std::optional<LocalWorld> world_;
-    std::deque<TickState> history_;  // one for each tick, the newest last: where the world is
-    std::vector<TickState> free_states_;   // for their memory
-    std::deque<Sent> inputs_;     // by sequence
+    std::deque<TickState> history_;       // one for each tick, the newest last: where the world is
+    std::vector<TickState> free_states_;  // for their memory
+    std::deque<Sent> inputs_;             // by sequence
     std::uint32_t newest_frame_ = 0, newest_control_ = 0;
     double extra_radius_ = 0;  // m that the followed body is larger than a metre about its origin
-    Bodies near_updates_;       // of that frame: who was near
-    Bodies boundary_;        // as they stand in the world
+    Bodies near_updates_;      // of that frame: who was near
+    Bodies boundary_;          // as they stand in the world
     std::map<std::uint32_t, std::uint32_t> corrected_;  // tick, by entity
     // The last picture.
     std::map<std::uint32_t, RenderedPose> rendered_;

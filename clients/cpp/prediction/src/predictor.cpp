@@ -144,7 +144,7 @@ Predictor::~Predictor() = default;
 
 void Predictor::begin(const v1::Welcome& welcome) {
     impl_->engine.begin(to_vector(welcome.gravity()), welcome.tick_hz(),
-                           static_cast<int>(std::min(welcome.substeps(), 64u)));
+                        static_cast<int>(std::min(welcome.substeps(), 64u)));
     impl_->newest_frame = impl_->newest_control = 0;
 }
 
@@ -156,13 +156,14 @@ void Predictor::follow(std::uint32_t entity) {
 }
 
 void Predictor::add_input(std::uint32_t sequence, const v1::Input& input) {
-    if (auto action = to_act(input)) impl_->engine.add_action(sequence, input.tick(), *std::move(action));
+    if (auto action = to_act(input))
+        impl_->engine.add_action(sequence, input.tick(), *std::move(action));
 }
 
 void Predictor::on_results(const std::vector<v1::InputResult>& results) {
     for (const v1::InputResult& result : results)
         impl_->engine.on_result(result.sequence(), result.tick(),
-                                   result.code() == v1::INPUT_CODE_APPLIED);
+                                result.code() == v1::INPUT_CODE_APPLIED);
 }
 
 void Predictor::on_frame(const WorldView& view) {
@@ -175,9 +176,10 @@ void Predictor::on_frame(const WorldView& view) {
     std::vector<BodyUpdate> bodies;
     if (impl_->followed != 0) bodies = bodies_of(view);
     impl_->engine.on_frame({.number = frame,
-                               .bodies = bodies,
-                               .shapes_of = [&](std::uint32_t id) { return shapes_of(view, id); },
-                               .control = {controlled_entity.entity, controlled_entity.tick, controlled_entity.module, controlled_entity.words}});
+                            .bodies = bodies,
+                            .shapes_of = [&](std::uint32_t id) { return shapes_of(view, id); },
+                            .control = {controlled_entity.entity, controlled_entity.tick,
+                                        controlled_entity.module, controlled_entity.words}});
 }
 
 std::vector<SmoothPose> Predictor::sample(double position, std::int64_t now_us,

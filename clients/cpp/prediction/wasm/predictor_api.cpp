@@ -189,7 +189,7 @@ uint32_t jostle_predictor_velocities(JostlePredictor* p, uint32_t bodies) {
 }
 
 uint32_t jostle_predictor_control(JostlePredictor* p, uint32_t entity, uint32_t tick,
-                                uint32_t letters, uint32_t words) {
+                                  uint32_t letters, uint32_t words) {
     p->drive = {};
     if (letters > longest_tag || words > modules::controlled_entity_words_max) return 0;
     if (!has(*p, letters + words, 1)) return 0;
@@ -224,9 +224,9 @@ uint32_t jostle_predictor_frame(JostlePredictor* p, uint32_t number, uint32_t bo
         if (motion != motions.end()) body.velocity = motion->second;
     }
     p->engine.on_frame({.number = number,
-                           .bodies = p->told,
-                           .shapes_of = [p](auto entity) { return p->shapes_of(entity); },
-                           .drive = p->drive});
+                        .bodies = p->told,
+                        .shapes_of = [p](auto entity) { return p->shapes_of(entity); },
+                        .drive = p->drive});
     return 1;
 }
 

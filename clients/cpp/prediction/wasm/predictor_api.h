@@ -51,12 +51,13 @@ void jostle_predictor_set_body(JostlePredictor*, uint32_t entity, double linear_
                                double angular_damping, double gravity_scale, uint32_t locks,
                                uint32_t moved_by);
 JOSTLE_EXPORT(remove_body) void jostle_predictor_remove_body(JostlePredictor*, uint32_t entity);
-// Its shapes, as shape_encoding.h has them. The host calls it when it is asked (below), and once for
-// each body. 1: they were understood.
+// Its shapes, as shape_encoding.h has them. The host calls it when it is asked (below), and once
+// for each body. 1: they were understood.
 JOSTLE_EXPORT(set_shapes)
 uint32_t jostle_predictor_set_shapes(JostlePredictor*, uint32_t entity, uint32_t count);
 // The host's: the predictor wants the shapes of a body.
-JOSTLE_IMPORT(request_shapes) void jostle_predictor_request_shapes(JostlePredictor*, uint32_t entity);
+JOSTLE_IMPORT(request_shapes)
+void jostle_predictor_request_shapes(JostlePredictor*, uint32_t entity);
 
 // Whose motion is foreseen; 0: nobody's.
 JOSTLE_EXPORT(follow) void jostle_predictor_follow(JostlePredictor*, uint32_t entity);
@@ -93,8 +94,8 @@ JOSTLE_EXPORT(motions) uint32_t jostle_predictor_velocities(JostlePredictor*, ui
 // What the client drives, after a tick (proto/WIRE.md, "Driven things"); good until the next.
 // Numbers: the letters of the module's tag, then the words. 1: they were taken.
 JOSTLE_EXPORT(drive)
-uint32_t jostle_predictor_control(JostlePredictor*, uint32_t entity, uint32_t tick, uint32_t letters,
-                                uint32_t words);
+uint32_t jostle_predictor_control(JostlePredictor*, uint32_t entity, uint32_t tick,
+                                  uint32_t letters, uint32_t words);
 // A frame of the server. Numbers, for each of its bodies in rising order of entity: entity,
 // position (3), rotation (4: x y z w), whether it rests (0 or 1). Bodies that were not added are
 // left out.

@@ -20,7 +20,7 @@ inline constexpr std::string_view magic = "JREC", end_magic = "JEND";
 inline constexpr std::uint32_t version = 1;
 inline constexpr std::uint64_t header_bytes = 16;
 inline constexpr std::uint64_t record_header_bytes = 16;  // of a record, before its message
-inline constexpr std::uint64_t crc_from = 8;     // a CRC is of what follows it in its record
+inline constexpr std::uint64_t crc_from = 8;  // a CRC is of what follows it in its record
 inline constexpr std::uint32_t message_bytes_max = 1u << 26;
 inline constexpr std::uint64_t index_head_bytes = 8, entry_bytes = 16, trailer_bytes = 16;
 

@@ -44,7 +44,8 @@ Result<RecordingReader> RecordingReader::open(std::unique_ptr<std::istream> in) 
         ScanResult rebuild_index = reader.scan_to(reader.end_ = reader.size_);
         reader.end_ = rebuild_index.end;
         reader.index_ = std::move(rebuild_index.index);
-        reader.truncation_reason_ = rebuild_index.fault.empty() ? status.error().message : rebuild_index.fault;
+        reader.truncation_reason_ =
+            rebuild_index.fault.empty() ? status.error().message : rebuild_index.fault;
     }
     if (Status status = reader.read_welcome(); !status.ok()) return status.error();
     return reader;
@@ -128,7 +129,8 @@ RecordingReader::ScanResult RecordingReader::scan_to(std::uint64_t end) {
             rebuild_index.fault = record.error().message;
             break;
         }
-        if (const auto entry = index_entry_for(record->message, rebuild_index.end)) rebuild_index.index.push_back(*entry);
+        if (const auto entry = index_entry_for(record->message, rebuild_index.end))
+            rebuild_index.index.push_back(*entry);
         rebuild_index.end = record->next;
     }
     return rebuild_index;
@@ -136,8 +138,9 @@ RecordingReader::ScanResult RecordingReader::scan_to(std::uint64_t end) {
 
 Status RecordingReader::read_welcome() {
     if (end_ <= header_bytes)
-        return fault_at(header_bytes,
-                        "nothing was recorded: " + (truncation_reason_.empty() ? "it has no message" : truncation_reason_));
+        return fault_at(header_bytes, "nothing was recorded: " + (truncation_reason_.empty()
+                                                                      ? "it has no message"
+                                                                      : truncation_reason_));
     Result<Record> record = read(header_bytes);
     if (!record.ok()) return record.error();
     if (!record->message.has_welcome())
@@ -150,7 +153,8 @@ Status RecordingReader::read_welcome() {
 }
 
 Result<RecordingReader::Record> RecordingReader::read(std::uint64_t offset) {
-    if (offset > end_ || end_ - offset < record_header_bytes || !read_bytes(offset, record_header_bytes, bytes_))
+    if (offset > end_ || end_ - offset < record_header_bytes ||
+        !read_bytes(offset, record_header_bytes, bytes_))
         return fault_at(offset, "the file ends within the head of a record: it was cut off there");
     const auto length = get<std::uint32_t>(bytes_, 0);
     const auto crc = get<std::uint32_t>(bytes_, 4);
@@ -159,9 +163,10 @@ Result<RecordingReader::Record> RecordingReader::read(std::uint64_t offset) {
                                     std::to_string(message_bytes_max) + " can be: it is damaged");
     const std::uint64_t rest = record_header_bytes - crc_from + length;
     if (rest > end_ - offset - crc_from || !read_bytes(offset + crc_from, rest, bytes_))
-        return fault_at(
-            offset, "a message of " + std::to_string(length) + " bytes, of which the file has " +
-                        std::to_string(end_ - offset - record_header_bytes) + ": it was cut off there");
+        return fault_at(offset, "a message of " + std::to_string(length) +
+                                    " bytes, of which the file has " +
+                                    std::to_string(end_ - offset - record_header_bytes) +
+                                    ": it was cut off there");
     if (crc_of(bytes_) != crc)
         return fault_at(offset, "the CRC of the record does not match: it is damaged");
     Record record{.offset = offset,

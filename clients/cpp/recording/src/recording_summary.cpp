@@ -81,7 +81,8 @@ RecordingVerification check(Playback& playback) {
             continue;
         }
         note(moved.error().message);
-        for (Result<bool> skipped = playback.skip_to_keyframe();; skipped = playback.skip_to_keyframe()) {
+        for (Result<bool> skipped = playback.skip_to_keyframe();;
+             skipped = playback.skip_to_keyframe()) {
             if (skipped.ok() && !*skipped) return result;
             if (skipped.ok()) break;
             note(skipped.error().message);

@@ -164,19 +164,22 @@ Status File::load_buffers(const GltfBufferReader& outside) {
         if (!length.ok()) return length.error();
         std::vector<std::byte> bytes;
         if (!uri.exists()) {
-            if (k > 0 || !has_chunk_) return buffer.make_error("has no uri, and the file no such chunk");
+            if (k > 0 || !has_chunk_)
+                return buffer.make_error("has no uri, and the file no such chunk");
             bytes = std::move(chunk_);
         } else if (!uri.value->is_string()) {
             return uri.make_error("is no text");
         } else if (const auto& text = uri.value->get_ref<const std::string&>();
                    text.starts_with("data:")) {
             const std::size_t comma = text.find(";base64,");
-            if (comma == std::string::npos) return uri.make_error("is a data URI, but not in base64");
+            if (comma == std::string::npos)
+                return uri.make_error("is a data URI, but not in base64");
             auto decoded = from_base64(std::string_view(text).substr(comma + 8));
             if (!decoded) return uri.make_error("is not base64");
             bytes = std::move(*decoded);
         } else {
-            if (!outside) return uri.make_error("names a buffer outside, and nobody reads those here");
+            if (!outside)
+                return uri.make_error("names a buffer outside, and nobody reads those here");
             Result<std::vector<std::byte>> read = outside(text);
             if (!read.ok()) return uri.make_error("cannot be read: " + read.error().message);
             bytes = std::move(*read);
@@ -185,7 +188,7 @@ Status File::load_buffers(const GltfBufferReader& outside) {
         if (total > file_bytes_max) return list->make_error("have more than 64 MB");
         if (bytes.size() < *length)
             return buffer.make_error("has " + std::to_string(bytes.size()) + " bytes and says " +
-                                std::to_string(*length));
+                                     std::to_string(*length));
         buffers_.push_back(std::move(bytes));
     }
     return {};
@@ -204,13 +207,14 @@ Result<std::size_t> File::index(const JsonNode& place, std::size_t count, const 
     const Result<std::size_t> value = whole(place, 0);
     if (!value.ok()) return value.error();
     if (*value >= count)
-        return place.make_error("is " + std::to_string(*value) + "; there are " + std::to_string(count) +
-                           " " + of_what);
+        return place.make_error("is " + std::to_string(*value) + "; there are " +
+                                std::to_string(count) + " " + of_what);
     return value;
 }
 
 Result<std::vector<double>> File::numbers(const JsonNode& place, std::size_t count) {
-    if (place.size() != count) return place.make_error("must be " + std::to_string(count) + " numbers");
+    if (place.size() != count)
+        return place.make_error("must be " + std::to_string(count) + " numbers");
     std::vector<double> values;
     for (std::size_t k = 0; k < count; k++) {
         const JsonNode number = place.at(k);
@@ -237,7 +241,8 @@ Result<AccessorData> File::accessor(const JsonNode& which, const std::string& ty
     for (const auto* value : {&component_type, &count, &offset})
         if (!value->ok()) return value->error();
     if (*count > numbers_max / width_of(type))
-        return a.at("count").make_error("is more than " + std::to_string(numbers_max / width_of(type)));
+        return a.at("count").make_error("is more than " +
+                                        std::to_string(numbers_max / width_of(type)));
     const Component component = component_of(*component_type);
     if (component.read == nullptr) return a.at("componentType").make_error("is none of glTF's");
 

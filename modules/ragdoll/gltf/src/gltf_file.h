@@ -27,7 +27,7 @@ struct JsonNode {
     physics::Error make_error(const std::string& what) const;
     JsonNode at(const char* name) const;   // of an object; not there if it lacks it
     JsonNode at(std::size_t index) const;  // of an array
-    std::size_t size() const;           // of an array; else 0
+    std::size_t size() const;              // of an array; else 0
 };
 
 // What an accessor holds, as doubles: `width` for each element.

@@ -94,12 +94,13 @@ private:
             joints_[k].parent < 0
                 ? -1
                 : static_cast<int>(of_joint_[static_cast<std::size_t>(joints_[k].parent)]);
-        const bool kept = above < 0 || (bears && bone_options.kind != GltfBoneKind::welded);
+        const bool kept = above < 0 || (bears && bone_options.kind != GltfBoneKind::merged);
         of_joint_[k] = kept ? pieces.size() : static_cast<std::size_t>(above);
         if (kept) {
             if (above >= 0)
                 pieces[static_cast<std::size_t>(above)].children.push_back(of_joint_[k]);
-            pieces.push_back({.joint = k, .parent = above, .bone_options = bone_options, .start = place_of(k)});
+            pieces.push_back(
+                {.joint = k, .parent = above, .bone_options = bone_options, .start = place_of(k)});
         } else {
             tips_.push_back({of_joint_[k], place_of(k)});
         }

@@ -67,8 +67,8 @@ Result<std::vector<Node>> read_nodes(const File& file) {
             const Result<std::size_t> child = File::index(children.at(c), nodes.size(), "nodes");
             if (!child.ok()) return child.error();
             if (nodes[*child].parent != no_joint)
-                return children.at(c).make_error("is a child of nodes[" +
-                                            std::to_string(nodes[*child].parent) + "] already");
+                return children.at(c).make_error(
+                    "is a child of nodes[" + std::to_string(nodes[*child].parent) + "] already");
             nodes[*child].parent = k;
         }
     }
@@ -81,7 +81,8 @@ Result<std::vector<Node>> read_nodes(const File& file) {
         }
         for (; !way.empty(); way.pop_back()) {
             Node& node = nodes[way.back()];
-            node.world = node.parent == no_joint ? node.local : nodes[node.parent].world * node.local;
+            node.world =
+                node.parent == no_joint ? node.local : nodes[node.parent].world * node.local;
             if (!is_near(node.world))
                 return list->at(way.back()).make_error("stands further away than 1e9");
             node.placed = true;
@@ -135,7 +136,7 @@ struct SkinReader {
             (parents[k] == no_joint ? order : children[parents[k]]).push_back(k);
         if (order.size() != 1)
             return skin.at("joints").make_error("have " + std::to_string(order.size()) +
-                                           " roots; a figure has one");
+                                                " roots; a figure has one");
         for (std::size_t k = 0; k < order.size(); k++)
             order.insert(order.end(), children[order[k]].begin(), children[order[k]].end());
         for (const std::size_t k : order) {
@@ -161,7 +162,7 @@ struct SkinReader {
         if (!matrices.ok()) return matrices.error();
         if (matrices->count() < result.size())
             return place.make_error("has " + std::to_string(matrices->count()) + " matrices for " +
-                               std::to_string(result.size()) + " joints");
+                                    std::to_string(result.size()) + " joints");
         for (std::size_t k = 0; k < result.size(); k++)
             result[k] = result[k] * affine_of((*matrices)[k]);
         return result;
@@ -182,8 +183,9 @@ struct SkinReader {
             const JsonNode primitives = meshes->at(*mesh).at("primitives");
             all += primitives.size();
             if (all > elements_max)
-                return primitives.make_error("are too many: at most " + std::to_string(elements_max) +
-                                        " of all meshes of a skin");
+                return primitives.make_error("are too many: at most " +
+                                             std::to_string(elements_max) +
+                                             " of all meshes of a skin");
             for (std::size_t p = 0; p < primitives.size(); p++)
                 if (Status s = read_primitive(primitives.at(p).at("attributes"), *to_scene, points);
                     !s.ok())
@@ -194,11 +196,12 @@ struct SkinReader {
 
     Status read_primitive(const JsonNode& attributes, const std::vector<Affine>& to_scene,
                           std::size_t& points) {
-        const JsonNode joints_at = attributes.at("JOINTS_0"), weights_at = attributes.at("WEIGHTS_0");
+        const JsonNode joints_at = attributes.at("JOINTS_0"),
+                       weights_at = attributes.at("WEIGHTS_0");
         if (!joints_at.exists() || !weights_at.exists()) return {};
         const Result<AccessorData> position = file.accessor(attributes.at("POSITION"), "VEC3"),
-                              joint = file.accessor(joints_at, "VEC4"),
-                              weight = file.accessor(weights_at, "VEC4");
+                                   joint = file.accessor(joints_at, "VEC4"),
+                                   weight = file.accessor(weights_at, "VEC4");
         for (const auto* numbers : {&position, &joint, &weight})
             if (!numbers->ok()) return numbers->error();
         if (joint->count() != position->count() || weight->count() != position->count())
@@ -235,7 +238,7 @@ Result<std::vector<SkeletonJoint>> read_skeleton(const File& file, std::size_t s
     if (!skins.ok()) return skins.error();
     if (skin >= skins->size())
         return skins->make_error("has no [" + std::to_string(skin) + "]; there are " +
-                            std::to_string(skins->size()));
+                                 std::to_string(skins->size()));
     const Result<std::vector<Node>> nodes = read_nodes(file);
     if (!nodes.ok()) return nodes.error();
     SkinReader reader{file, *nodes, skins->at(skin), {}, {}, {}};

@@ -48,7 +48,7 @@ enum class RowRole : std::uint8_t {
     motor,
     friction,  // of a joint
     velocity,  // of a VelocityRow
-    gear,    // of a gear, a rack or a pulley
+    gear,      // of a gear, a rack or a pulley
     normal,    // of a point of contact
     tangent,   // friction there
 };
@@ -102,7 +102,7 @@ struct ConstraintSystem {
     std::vector<ConstraintRow> rows;  // joints by id, then contacts by shapes
     // rows x rows, row by row; symmetric, positive semi-definite.
     std::vector<double> matrix;
-    std::vector<double> right;  // one a row
+    std::vector<double> rhs;  // one a row
 
     double at(std::size_t row, std::size_t column) const {
         return matrix[row * rows.size() + column];

@@ -55,8 +55,8 @@ struct StepProfile {
     int manifolds = 0;           // that exist, but for those of sleeping islands
     int touching = 0;            // of manifolds: the ones that press
     int islands_awake = 0;
-    int joints = 0;           // that were solved: of bodies_in_solver
-    int joints_direct = 0;    // of joints: solved at once, in groups that nothing touches
+    int joints = 0;          // that were solved: of bodies_in_solver
+    int joints_direct = 0;   // of joints: solved at once, in groups that nothing touches
     int joints_batched = 0;  // of joints: their points are solved at once, beside contacts
     // Of joints: JointSolver::direct was asked for, and they are neither of the two.
     int joints_direct_fallback = 0;
@@ -71,7 +71,7 @@ struct StepProfile {
     // (.6 to 2 times in the scenes of the laboratory), but counted, so the same for any machine and
     // any number of threads. WorldDef::step_budget.
     std::int64_t work = 0;
-    int overload_level = 0;        // at which the step was taken: World::strain()
+    int overload_level = 0;  // at which the step was taken: World::strain()
     int solver_tasks = 0;  // batches of islands that threads solved side by side; 0 with one thread
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // A moment of a world in memory, to go back to. For rollback: every tick keeps one, and when a
-// command comes late the world goes back a few ticks. Faster than bytes (serialization.h), but good only
-// within the process. Geometry is shared with the world, never copied.
+// command comes late the world goes back a few ticks. Faster than bytes (serialization.h), but good
+// only within the process. Geometry is shared with the world, never copied.
 //
 //     RestorePoint before;
 //     before.keep(world);

@@ -284,7 +284,7 @@ public:
     // order: each writes what is its own and no other reads, and of the world it only reads. Then
     // the bits are the same for any number of threads.
     void parallel_for(int count, int grain,
-                   const std::function<void(int first, int last)>& part) const;
+                      const std::function<void(int first, int last)>& part) const;
 
     // --- for debug views ---
     std::vector<ContactInfo> contacts() const;         // by shapes

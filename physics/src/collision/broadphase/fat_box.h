@@ -21,7 +21,8 @@ inline Aabb fat_box(const Aabb& shape, Vec3 step, double radius) {
     const Aabb wide = grow(shape, fat_margin_of(radius));
     const double displacement = length(step), most = tuning::fat_lookahead_radii * radius;
     const bool far = displacement * tuning::fat_lookahead_steps > most;
-    const Vec3 lookahead = step * (far ? maximum(1, most / displacement) : tuning::fat_lookahead_steps);
+    const Vec3 lookahead =
+        step * (far ? maximum(1, most / displacement) : tuning::fat_lookahead_steps);
     return {wide.low + min(lookahead, Vec3{}), wide.high + max(lookahead, Vec3{})};
 }
 

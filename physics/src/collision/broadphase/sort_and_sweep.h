@@ -30,8 +30,8 @@ private:
     };
     std::size_t first_from(double x) const;
 
-    std::vector<Entry> entries_;       // by box.low.x when sorted_
-    std::vector<double> reach_;        // [k]: largest box.high.x of entries_[0..k]
+    std::vector<Entry> entries_;      // by box.low.x when sorted_
+    std::vector<double> reach_;       // [k]: largest box.high.x of entries_[0..k]
     std::vector<std::int32_t> rank_;  // by handle; -1: free
     std::vector<std::int32_t> free_;
     bool sorted_ = true;

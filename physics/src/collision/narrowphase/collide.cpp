@@ -9,7 +9,8 @@
 namespace jostle::physics {
 namespace {
 
-using Collide = Manifold (*)(const TransformedShape& a, const TransformedShape& b, double margin, PairCache& cache);
+using Collide = Manifold (*)(const TransformedShape& a, const TransformedShape& b, double margin,
+                             PairCache& cache);
 
 template <Manifold (*kCollide)(const TransformedShape&, const TransformedShape&, double)>
 Manifold plain(const TransformedShape& a, const TransformedShape& b, double margin, PairCache&) {
@@ -21,18 +22,21 @@ Manifold swapped(const TransformedShape& a, const TransformedShape& b, double ma
 }
 
 // Seen from a's position, so that large coordinates cancel once.
-Manifold general(const TransformedShape& a, const TransformedShape& b, double margin, PairCache& cache) {
+Manifold general(const TransformedShape& a, const TransformedShape& b, double margin,
+                 PairCache& cache) {
     Manifold m = collide_convex(convex_of(a, a.position), convex_of(b, a.position), margin, cache);
     for (int k = 0; k < m.count; k++) m.point[k] += a.position;
     return m;
 }
 
 // The closed form is exact while the segment is outside the box.
-Manifold box_capsule(const TransformedShape& a, const TransformedShape& b, double margin, PairCache& cache) {
+Manifold box_capsule(const TransformedShape& a, const TransformedShape& b, double margin,
+                     PairCache& cache) {
     const auto m = collide_box_capsule(a, b, margin);
     return m ? *m : general(a, b, margin, cache);
 }
-Manifold capsule_box(const TransformedShape& a, const TransformedShape& b, double margin, PairCache& cache) {
+Manifold capsule_box(const TransformedShape& a, const TransformedShape& b, double margin,
+                     PairCache& cache) {
     const auto m = collide_box_capsule(b, a, margin);
     return m ? flipped(*m) : general(a, b, margin, cache);
 }
@@ -59,7 +63,8 @@ constexpr Collide table[simple_kinds][simple_kinds] = {
 
 }  // namespace
 
-Manifold collide(const TransformedShape& a, const TransformedShape& b, double margin, PairCache& cache) {
+Manifold collide(const TransformedShape& a, const TransformedShape& b, double margin,
+                 PairCache& cache) {
     ASSERT(a.geometry->index() < simple_kinds && b.geometry->index() < simple_kinds);
     return table[a.geometry->index()][b.geometry->index()](a, b, margin, cache);
 }

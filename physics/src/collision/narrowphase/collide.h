@@ -9,6 +9,7 @@
 namespace jostle::physics {
 
 // Points with a gap of at most `margin`. Convex kinds and planes; two planes never collide.
-Manifold collide(const TransformedShape& a, const TransformedShape& b, double margin, PairCache& cache);
+Manifold collide(const TransformedShape& a, const TransformedShape& b, double margin,
+                 PairCache& cache);
 
 }  // namespace jostle::physics

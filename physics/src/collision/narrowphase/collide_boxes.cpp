@@ -135,7 +135,7 @@ int clip(FacePoint* polygon, int count, bool along_v, double sign, double limit)
         if ((op < 0 && oq > 0) || (op > 0 && oq < 0)) {
             const double t = op / (op - oq);
             retained[made++] = {p.u + t * (q.u - p.u), p.v + t * (q.v - p.v),
-                            p.gap + t * (q.gap - p.gap)};
+                                p.gap + t * (q.gap - p.gap)};
         }
     }
     std::copy(retained.data(), retained.data() + made, polygon);
@@ -230,7 +230,8 @@ Manifold general_contact(const BoxPair& pair, const FaceAxis& face, const BoxEdg
 
 }  // namespace
 
-Manifold collide_boxes(const TransformedShape& a, const TransformedShape& b, double margin, PairCache& cache) {
+Manifold collide_boxes(const TransformedShape& a, const TransformedShape& b, double margin,
+                       PairCache& cache) {
     const BoxPair pair = make_pair(a, b);
     const double size = minimum(length(pair.half_a), length(pair.half_b));
     const FaceAxis face = best_face(pair, size, static_cast<int>(cache.axis) - 1);

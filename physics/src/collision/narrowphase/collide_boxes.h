@@ -8,6 +8,7 @@
 
 namespace jostle::physics {
 
-Manifold collide_boxes(const TransformedShape& a, const TransformedShape& b, double margin, PairCache& cache);
+Manifold collide_boxes(const TransformedShape& a, const TransformedShape& b, double margin,
+                       PairCache& cache);
 
 }  // namespace jostle::physics

@@ -29,14 +29,14 @@ TransformedShape child_of(const TransformedShape& compound, const CompoundChild&
 // The box of a shape in another's frame.
 Aabb bounds_in(const TransformedShape& frame, const TransformedShape& shape) {
     const TransformedShape local{shape.geometry,
-                       transposed_times(frame.axes, shape.position - frame.position),
-                       transpose(frame.axes) * shape.axes};
+                                 transposed_times(frame.axes, shape.position - frame.position),
+                                 transpose(frame.axes) * shape.axes};
     return bounds_of(local);
 }
 
 // Children of the compound that may be within the margin of the shape, rising.
-std::vector<std::uint32_t> children_near(const TransformedShape& compound, const TransformedShape& shape,
-                                         double margin) {
+std::vector<std::uint32_t> children_near(const TransformedShape& compound,
+                                         const TransformedShape& shape, double margin) {
     const CompoundShape& data = *std::get<Compound>(*compound.geometry).data;
     std::vector<std::uint32_t> near;
     if (kind_of(*shape.geometry) == ShapeKind::plane) {
@@ -46,15 +46,17 @@ std::vector<std::uint32_t> children_near(const TransformedShape& compound, const
     const Aabb box = grow(bounds_in(compound, shape), margin);
     data.tree->query(box, [&](std::uint32_t k) {
         const CompoundChild& child = data.children[k];
-        if (overlap(bounds_of(transformed_shape(child.geometry, child.pose)), box)) near.push_back(k);
+        if (overlap(bounds_of(transformed_shape(child.geometry, child.pose)), box))
+            near.push_back(k);
     });
     std::sort(near.begin(), near.end());
     return near;
 }
 
 // Neither is a compound.
-void collide_children(const TransformedShape& a, const TransformedShape& b, double margin, std::uint64_t key,
-                   const SurfaceMotion* motion, std::vector<ChildManifold>& out) {
+void collide_children(const TransformedShape& a, const TransformedShape& b, double margin,
+                      std::uint64_t key, const SurfaceMotion* motion,
+                      std::vector<ChildManifold>& out) {
     if (is_surface(a) || is_surface(b)) {
         const bool a_is_surface = is_surface(a);
         if ((a_is_surface && !is_convex(kind_of(*b.geometry))) ||
@@ -80,7 +82,8 @@ bool parts_overlap(const TransformedShape& a, const TransformedShape& b) {
 
 // Calls visit(part of a, part of b, key) for every two parts that may be near, until it says stop.
 template <class Visit>
-void for_each_two(const TransformedShape& a, const TransformedShape& b, double margin, Visit&& visit) {
+void for_each_two(const TransformedShape& a, const TransformedShape& b, double margin,
+                  Visit&& visit) {
     const auto* compound_a = std::get_if<Compound>(a.geometry);
     const auto* compound_b = std::get_if<Compound>(b.geometry);
     const auto against_b = [&](const TransformedShape& part, std::uint64_t key) {
@@ -105,19 +108,21 @@ void for_each_two(const TransformedShape& a, const TransformedShape& b, double m
 void collide_composite(const TransformedShape& a, const TransformedShape& b, double margin,
                        std::vector<ChildManifold>& out, const std::atomic<bool>* stopped,
                        const SurfaceMotion* motion) {
-    for_each_two(a, b, margin, [&](const TransformedShape& pa, const TransformedShape& pb, std::uint64_t key) {
-        collide_children(pa, pb, margin, key, motion, out);
-        return out.size() >= child_manifolds_max ||
-               (stopped != nullptr && stopped->load(std::memory_order_relaxed));
-    });
+    for_each_two(a, b, margin,
+                 [&](const TransformedShape& pa, const TransformedShape& pb, std::uint64_t key) {
+                     collide_children(pa, pb, margin, key, motion, out);
+                     return out.size() >= child_manifolds_max ||
+                            (stopped != nullptr && stopped->load(std::memory_order_relaxed));
+                 });
 }
 
 bool shapes_overlap(const TransformedShape& a, const TransformedShape& b) {
     bool any = false;
-    for_each_two(a, b, 0, [&](const TransformedShape& pa, const TransformedShape& pb, std::uint64_t) {
-        any = parts_overlap(pa, pb);
-        return any;
-    });
+    for_each_two(a, b, 0,
+                 [&](const TransformedShape& pa, const TransformedShape& pb, std::uint64_t) {
+                     any = parts_overlap(pa, pb);
+                     return any;
+                 });
     return any;
 }
 

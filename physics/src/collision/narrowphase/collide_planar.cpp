@@ -197,7 +197,8 @@ Manifold over_plane(const TransformedShape& plane, const TransformedShape& shape
 
 }  // namespace
 
-Manifold collide_planar(const TransformedShape& a, const TransformedShape& b, double margin, PairCache& cache) {
+Manifold collide_planar(const TransformedShape& a, const TransformedShape& b, double margin,
+                        PairCache& cache) {
     if (kind_of(*a.geometry) == ShapeKind::plane) return over_plane(a, b, margin);
     if (kind_of(*b.geometry) == ShapeKind::plane) return flipped(over_plane(b, a, margin));
     Manifold m =

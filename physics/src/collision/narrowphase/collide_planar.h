@@ -9,6 +9,7 @@
 namespace jostle::physics {
 
 // Shapes with an outline (geometry/outline.h) and planes. Normals and points have z = 0.
-Manifold collide_planar(const TransformedShape& a, const TransformedShape& b, double margin, PairCache& cache);
+Manifold collide_planar(const TransformedShape& a, const TransformedShape& b, double margin,
+                        PairCache& cache);
 
 }  // namespace jostle::physics

@@ -28,7 +28,8 @@ Manifold collide_plane_sphere(const TransformedShape& a, const TransformedShape&
     return m;
 }
 
-Manifold collide_plane_capsule(const TransformedShape& a, const TransformedShape& b, double margin) {
+Manifold collide_plane_capsule(const TransformedShape& a, const TransformedShape& b,
+                               double margin) {
     const Capsule& capsule = std::get<Capsule>(*b.geometry);
     const Vec3 half = b.axes.y * capsule.half_length;
     Manifold m{.normal = world_normal(a), .distance = 1e300};

@@ -107,7 +107,8 @@ Manifold collide_spheres(const TransformedShape& a, const TransformedShape& b, d
                          std::get<Sphere>(*b.geometry).radius, margin);
 }
 
-Manifold collide_sphere_capsule(const TransformedShape& a, const TransformedShape& b, double margin) {
+Manifold collide_sphere_capsule(const TransformedShape& a, const TransformedShape& b,
+                                double margin) {
     const Capsule& capsule = std::get<Capsule>(*b.geometry);
     const double t =
         clamp(dot(a.position - b.position, b.axes.y), -capsule.half_length, capsule.half_length);
@@ -183,7 +184,8 @@ Manifold collide_box_sphere(const TransformedShape& a, const TransformedShape& b
     return m;
 }
 
-std::optional<Manifold> collide_box_capsule(const TransformedShape& a, const TransformedShape& b, double margin) {
+std::optional<Manifold> collide_box_capsule(const TransformedShape& a, const TransformedShape& b,
+                                            double margin) {
     const Vec3 h = std::get<Box>(*a.geometry).half_extents;
     const Capsule& capsule = std::get<Capsule>(*b.geometry);
     const double r = capsule.radius, half = capsule.half_length;

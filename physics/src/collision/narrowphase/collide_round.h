@@ -11,11 +11,13 @@
 namespace jostle::physics {
 
 Manifold collide_spheres(const TransformedShape& a, const TransformedShape& b, double margin);
-Manifold collide_sphere_capsule(const TransformedShape& a, const TransformedShape& b, double margin);
+Manifold collide_sphere_capsule(const TransformedShape& a, const TransformedShape& b,
+                                double margin);
 Manifold collide_capsules(const TransformedShape& a, const TransformedShape& b, double margin);
 Manifold collide_box_sphere(const TransformedShape& a, const TransformedShape& b, double margin);
 // Nothing when the capsule's segment enters the box, or lies over the rim of a face: that is not a
 // closed form's work.
-std::optional<Manifold> collide_box_capsule(const TransformedShape& a, const TransformedShape& b, double margin);
+std::optional<Manifold> collide_box_capsule(const TransformedShape& a, const TransformedShape& b,
+                                            double margin);
 
 }  // namespace jostle::physics

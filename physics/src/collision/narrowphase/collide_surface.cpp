@@ -68,8 +68,8 @@ bool may_act(const Geometry& surface, const SurfaceTriangle& t, Vec3 face, doubl
 // origin.
 class ShapeMotion {
 public:
-    ShapeMotion(const SurfaceMotion& motion, const TransformedShape& surface, const TransformedShape& convex,
-             const Convex& shape)
+    ShapeMotion(const SurfaceMotion& motion, const TransformedShape& surface,
+                const TransformedShape& convex, const Convex& shape)
         : ends_{transposed_times(surface.axes, motion.to_start),
                 transposed_times(surface.axes, motion.to_end)},
           turn_(transposed_times(surface.axes, motion.turn)),

@@ -8,8 +8,8 @@
 
 #include "physics/src/collision/narrowphase/manifold.h"
 #include "physics/src/collision/narrowphase/surface_motion.h"
-#include "physics/src/geometry/transformed_shape.h"
 #include "physics/src/geometry/surface.h"
+#include "physics/src/geometry/transformed_shape.h"
 
 namespace jostle::physics {
 

@@ -10,7 +10,8 @@ namespace jostle::physics {
 
 std::vector<ImpactPoint> points_touching(const SweptShape& a, const SweptShape& b, double fraction,
                                          double gap) {
-    const TransformedShape pa = transformed_shape_at(a, fraction), pb = transformed_shape_at(b, fraction);
+    const TransformedShape pa = transformed_shape_at(a, fraction),
+                           pb = transformed_shape_at(b, fraction);
     std::vector<ChildManifold> parts;
     if (is_composite(kind_of(*pa.geometry)) || is_composite(kind_of(*pb.geometry))) {
         collide_composite(pa, pb, gap, parts);
@@ -27,7 +28,8 @@ std::vector<ImpactPoint> points_touching(const SweptShape& a, const SweptShape& 
 
 std::vector<ImpactPoint> points_along(const SweptShape& a, const SweptShape& b,
                                       const Impact& impact) {
-    const TransformedShape pa = transformed_shape_at(a, impact.fraction), pb = transformed_shape_at(b, impact.fraction);
+    const TransformedShape pa = transformed_shape_at(a, impact.fraction),
+                           pb = transformed_shape_at(b, impact.fraction);
     const ShapeKind kind_a = kind_of(*pa.geometry), kind_b = kind_of(*pb.geometry);
     std::vector<ImpactPoint> points;
     if (is_convex(kind_a) && kind_b == ShapeKind::plane) {

@@ -62,7 +62,8 @@ SurfacePoint nearest_on_compound(const TransformedShape& shape, Vec3 point) {
     SurfacePoint best = nearest_in(data.bounds, local, [&](const Aabb& box, SurfacePoint& found) {
         data.tree->query(box, [&](std::uint32_t k) {
             const CompoundChild& child = data.children[k];
-            const SurfacePoint p = nearest_on_simple(transformed_shape(child.geometry, child.pose), local);
+            const SurfacePoint p =
+                nearest_on_simple(transformed_shape(child.geometry, child.pose), local);
             if (p.distance < found.distance) found = p;
         });
     });

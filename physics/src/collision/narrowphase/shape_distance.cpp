@@ -14,7 +14,8 @@ SignedDistance from_plane(const TransformedShape& plane, const TransformedShape&
 
 }  // namespace
 
-SignedDistance signed_distance(const TransformedShape& a, const TransformedShape& b, PairCache& cache) {
+SignedDistance signed_distance(const TransformedShape& a, const TransformedShape& b,
+                               PairCache& cache) {
     if (kind_of(*a.geometry) == ShapeKind::plane) return from_plane(a, b);
     if (kind_of(*b.geometry) == ShapeKind::plane) {
         const SignedDistance d = from_plane(b, a);

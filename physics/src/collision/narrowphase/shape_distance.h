@@ -13,6 +13,7 @@ struct SignedDistance {
     Vec3 on_a, on_b;      // m, world, on the surfaces
 };
 
-SignedDistance signed_distance(const TransformedShape& a, const TransformedShape& b, PairCache& cache);
+SignedDistance signed_distance(const TransformedShape& a, const TransformedShape& b,
+                               PairCache& cache);
 
 }  // namespace jostle::physics

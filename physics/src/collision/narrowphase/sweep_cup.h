@@ -61,7 +61,8 @@ public:
 private:
     // Whether a shape that goes back by `way`, or all along it up to there, is higher everywhere.
     static bool leaves(Vec3 distance, Vec3 n, double radius) {
-        const double up = absolute(dot(distance, n)), shift = length(distance - n * dot(distance, n));
+        const double up = absolute(dot(distance, n)),
+                     shift = length(distance - n * dot(distance, n));
         return up * 2 * radius >= shift * (2 * radius + shift);
     }
     static double largest(double a, double b, double c) { return maximum(a, maximum(b, c)); }

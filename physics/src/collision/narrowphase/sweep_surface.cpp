@@ -40,7 +40,8 @@ struct Candidate {
 
 class SurfaceSweep {
 public:
-    SurfaceSweep(const TransformedShape& surface, const TransformedShape& convex, Vec3 motion, double gap)
+    SurfaceSweep(const TransformedShape& surface, const TransformedShape& convex, Vec3 motion,
+                 double gap)
         : surface_(surface),
           // In the surface's frame, seen from where the shape begins.
           origin_(transposed_times(surface.axes, convex.position - surface.position)),
@@ -101,8 +102,9 @@ private:
             if (best_.fraction < before) lanes_.set_interval(from, minimum(until, best_.fraction));
         };
         if (const auto* mesh = std::get_if<Mesh>(surface_.geometry))
-            mesh->data->tree->nearest_first(
-                lanes_, [&](std::uint32_t index) { test_triangle(triangle_of(*mesh->data, index)); });
+            mesh->data->tree->nearest_first(lanes_, [&](std::uint32_t index) {
+                test_triangle(triangle_of(*mesh->data, index));
+            });
         else
             nearest_cell_first(*std::get<HeightField>(*surface_.geometry).data, box,
                                origin_ + middle_ + motion_ * until, lanes_, test_triangle);
@@ -169,7 +171,7 @@ private:
     // Whether the point that is deepest along the normal of the triangle is inside of it when it
     // comes to its plane: nothing touches the triangle before.
     bool lands_inside(const SurfaceTriangle& t, const Vec3 corner[3], Vec3 n, double apart,
-                           double last) {
+                      double last) {
         const double fraction = (apart - gap_) / -dot(motion_, n);
         const Vec3 there = support(shape_, -n) - n * shape_.radius + motion_ * fraction;
         const Vec3 front = cross(corner[1] - corner[0], corner[2] - corner[0]);
@@ -276,8 +278,9 @@ private:
 
 }  // namespace
 
-std::optional<SurfaceTouch> sweep_to_surface(const TransformedShape& surface, const TransformedShape& convex,
-                                             Vec3 motion, double gap) {
+std::optional<SurfaceTouch> sweep_to_surface(const TransformedShape& surface,
+                                             const TransformedShape& convex, Vec3 motion,
+                                             double gap) {
     return SurfaceSweep(surface, convex, motion, gap).first();
 }
 

@@ -19,7 +19,8 @@ struct SurfaceTouch {
 
 // The first moment at which the shape is within twice `gap` of a triangle, from either side;
 // nothing if there is none on its way. Fraction 0 if it is so at the start.
-std::optional<SurfaceTouch> sweep_to_surface(const TransformedShape& surface, const TransformedShape& convex,
-                                             Vec3 motion, double gap);
+std::optional<SurfaceTouch> sweep_to_surface(const TransformedShape& surface,
+                                             const TransformedShape& convex, Vec3 motion,
+                                             double gap);
 
 }  // namespace jostle::physics

@@ -67,7 +67,8 @@ bool balls_pass_by(const SweptShape& a, const SweptShape& b, const SweepInterval
 // of 10.
 template <class ExtentA, class ExtentB>
 double safe_step(const SweptShape& a, const SweptShape& b, const Gap& now, double t,
-                 const SweepInterval& interval, double least, ExtentA&& extent_a, ExtentB&& extent_b) {
+                 const SweepInterval& interval, double least, ExtentA&& extent_a,
+                 ExtentB&& extent_b) {
     const Vec3 n = now.normal, apart = center_at(b.sweep, t) - center_at(a.sweep, t);
     const Vec3 motion = b.sweep.translation - a.sweep.translation;
     const Vec3 across_a = cross(n, a.sweep.rotation_vector),
@@ -140,8 +141,8 @@ struct ContactFeature {
 // gap_at(t, exact): what is not exact may say less than the distance. step_from(normal, t, least):
 // safe_step() from the last gap on.
 template <class GapAt, class StepFrom>
-Impact advance(const SweptShape& a, const SweptShape& b, const SweepInterval& interval, GapAt&& gap_at,
-               StepFrom&& step_from) {
+Impact advance(const SweptShape& a, const SweptShape& b, const SweepInterval& interval,
+               GapAt&& gap_at, StepFrom&& step_from) {
     constexpr int rounds_max = 400;
     double t = interval.from;
     for (int round = 0; round < rounds_max; round++) {
@@ -200,9 +201,11 @@ auto extent_of(const Convex& c, Vec3 arm) {
     };
 }
 
-Impact plane_impact(const SweptShape& plane, const SweptShape& shape, const SweepInterval& interval) {
+Impact plane_impact(const SweptShape& plane, const SweptShape& shape,
+                    const SweepInterval& interval) {
     const auto gap_at = [&](double t, bool) {
-        const TransformedShape pp = transformed_shape_at(plane, t), ps = transformed_shape_at(shape, t);
+        const TransformedShape pp = transformed_shape_at(plane, t),
+                               ps = transformed_shape_at(shape, t);
         const Vec3 n = pp.axes * std::get<Plane>(*plane.geometry).normal;
         const Convex c = convex_at(shape, ps, pp.position);
         const Vec3 lowest = support(c, -n) - n * c.radius;
@@ -231,7 +234,8 @@ Impact convex_impact(const SweptShape& a, const SweptShape& b, const SweepInterv
         return gap_of(g, a, b, ca.radius, cb.radius, origin);
     };
     return advance(a, b, interval, gap_at, [&](const Gap& now, double t, double least) {
-        return safe_step(a, b, now, t, interval, least, extent_of(ca, origin - center_at(a.sweep, t)),
+        return safe_step(a, b, now, t, interval, least,
+                         extent_of(ca, origin - center_at(a.sweep, t)),
                          extent_of(cb, origin - center_at(b.sweep, t)));
     });
 }
@@ -365,14 +369,16 @@ bool children_pass_by(const SweptShape& a, const SweptShape& b, const SweepInter
 // The convex shape's whole way in the other's frame at rest is not a box; both ways are taken in
 // the world and the box is turned into the frame of `frame` as it stands at the start and at the
 // end.
-Aabb swept_aabb_in(const SweptShape& frame, const SweptShape& shape, const SweepInterval& interval) {
+Aabb swept_aabb_in(const SweptShape& frame, const SweptShape& shape,
+                   const SweepInterval& interval) {
     const Aabb box = swept_bounds(shape, interval.from, interval.until);
     const Vec3 middle = (box.low + box.high) * 0.5, half = (box.high - box.low) * 0.5;
     // How far the frame itself moves meanwhile.
-    const double own = (length(frame.sweep.translation) +
-                        length(frame.sweep.rotation_vector) *
-                            (length(half) + length(middle - center_at(frame.sweep, interval.from)))) *
-                       (interval.until - interval.from);
+    const double own =
+        (length(frame.sweep.translation) +
+         length(frame.sweep.rotation_vector) *
+             (length(half) + length(middle - center_at(frame.sweep, interval.from)))) *
+        (interval.until - interval.from);
     const TransformedShape p = transformed_shape_at(frame, interval.from);
     const Vec3 center = transposed_times(p.axes, middle - p.position);
     const Mat3 back = transpose(p.axes);
@@ -396,7 +402,7 @@ Impact turned_round(Impact impact) {
 // box around its way holds lie in front of it, and that takes no search. `triangle` and `shape`: as
 // they stand at way.from, seen from `origin`.
 bool stays_separated(const SweptShape& surface, const SweptShape& moving, const Convex& triangle,
-                 const Convex& shape, Vec3 origin, const SweepInterval& interval) {
+                     const Convex& shape, Vec3 origin, const SweepInterval& interval) {
     const SweepInterval wider{interval.from, interval.until, 3 * interval.gap};
     const Vec3* const corner = triangle.corner;
     const Vec3 out = cross(corner[1] - corner[0], corner[2] - corner[0]);
@@ -414,10 +420,12 @@ bool stays_separated(const SweptShape& surface, const SweptShape& moving, const 
            interval.until - interval.from;
 }
 
-Impact surface_impact(const SweptShape& surface, const SweptShape& shape, const SweepInterval& interval) {
+Impact surface_impact(const SweptShape& surface, const SweptShape& shape,
+                      const SweepInterval& interval) {
     Impact best;
     const double most = closing_at_most(surface, shape);
-    const TransformedShape surface_now = transformed_shape_at(surface, interval.from), shape_now = transformed_shape_at(shape, interval.from);
+    const TransformedShape surface_now = transformed_shape_at(surface, interval.from),
+                           shape_now = transformed_shape_at(shape, interval.from);
     const Convex convex_now = convex_at(shape, shape_now, shape_now.position);
     for_each_triangle(
         *surface.geometry, grow(swept_aabb_in(surface, shape, interval), 2 * interval.gap),
@@ -428,13 +436,15 @@ Impact surface_impact(const SweptShape& surface, const SweptShape& shape, const 
                    c;
             if (stays_separated(surface, shape, triangle, convex_now, origin, interval)) return;
             const auto gap_at = [&](double at, bool exact) {
-                const TransformedShape ps = transformed_shape_at(surface, at), pc = transformed_shape_at(shape, at);
+                const TransformedShape ps = transformed_shape_at(surface, at),
+                                       pc = transformed_shape_at(shape, at);
                 origin = pc.position;
                 triangle = triangle_convex(t.corner, ps.position - origin, ps.axes);
                 c = convex_at(shape, pc, origin);
-                const GjkGoal early{.beyond = c.radius + interval.gap + most * (interval.until - at),
-                                    .loose = tuning::loose_gap,
-                                    .radii = c.radius};
+                const GjkGoal early{
+                    .beyond = c.radius + interval.gap + most * (interval.until - at),
+                    .loose = tuning::loose_gap,
+                    .radii = c.radius};
                 const GjkResult g = gjk(triangle, c, hint, exact ? GjkGoal{} : early);
                 hint = g.normal;
                 return gap_of(g, surface, shape, 0, c.radius, origin);
@@ -475,7 +485,8 @@ TransformedShape transformed_shape_at(const SweptShape& shape, double fraction) 
 }
 
 Aabb swept_bounds(const SweptShape& shape, double from, double until) {
-    const Aabb start = bounds_of(transformed_shape_at(shape, from)), end = bounds_of(transformed_shape_at(shape, until));
+    const Aabb start = bounds_of(transformed_shape_at(shape, from)),
+               end = bounds_of(transformed_shape_at(shape, until));
     const Aabb both = unite(start, end);
     if (shape.sweep.rotation_vector == Vec3{}) return both;
     // On its way round a point stays within the chord of its arc: r (1 - cos(angle / 2)).
@@ -490,7 +501,8 @@ Impact time_of_impact(const SweptShape& a, const SweptShape& b, double from, dou
     const ShapeKind ka = kind_of(*a.geometry), kb = kind_of(*b.geometry);
     const SweepInterval interval{from, minimum(until, minimum(a.sweep.until, b.sweep.until)), gap};
     if (from > interval.until) return {};
-    if (ka != ShapeKind::plane && kb != ShapeKind::plane && balls_pass_by(a, b, interval)) return {};
+    if (ka != ShapeKind::plane && kb != ShapeKind::plane && balls_pass_by(a, b, interval))
+        return {};
     if (ka == ShapeKind::compound || kb == ShapeKind::compound) {
         const bool first = ka == ShapeKind::compound;
         const SweptShape &compound = first ? a : b, &other = first ? b : a;

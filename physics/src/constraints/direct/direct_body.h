@@ -34,13 +34,14 @@ struct DirectBody {
     Vec3 x1;
     Quat q1;
     Mat3 axes1;
-    Vec3 v0, w0;        // as the step began
-    Vec3 mean_w;        // rad/s: the unknown
-    Vec3 sum, twist;    // impulse, N s; angular impulse, N m s
-    Vec3 residual, spin_correction;  // of the turn's equation, N m s; what that does to the spin, rad/s
-    Mat3 inertia;       // world, as the step began
-    Mat3 stiffness;     // of the joints' forces, as the body turns: N m / rad
-    Mat3 response;      // inverse of the step's matrix of the body
+    Vec3 v0, w0;      // as the step began
+    Vec3 mean_w;      // rad/s: the unknown
+    Vec3 sum, twist;  // impulse, N s; angular impulse, N m s
+    Vec3 residual,
+        spin_correction;  // of the turn's equation, N m s; what that does to the spin, rad/s
+    Mat3 inertia;         // world, as the step began
+    Mat3 stiffness;       // of the joints' forces, as the body turns: N m / rad
+    Mat3 response;        // inverse of the step's matrix of the body
 };
 
 // m diag(d) m^T.

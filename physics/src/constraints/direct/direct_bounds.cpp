@@ -45,7 +45,8 @@ void DirectGroup::damp_springs() {
         for (DirectJoint& joint : joints)
             for (std::size_t k = 0; k < joint.free_axes.size(); k++) {
                 FreeAxis& free_axis = joint.free_axes[k];
-                if (!free_axis.is_damped() || free_axis.at_limit != 0 || free_axis.is_held()) continue;
+                if (!free_axis.is_damped() || free_axis.at_limit != 0 || free_axis.is_held())
+                    continue;
                 call(joint, free_axis, joint.impulse[as_index(joint.first_free_axis()) + k]);
             }
     };
@@ -113,7 +114,7 @@ void DirectGroup::set_bounds(double h) {
 // impulses, of which a unit force makes `scale`. What is no longer held pushes for `time`. True if
 // something changed: then solve again.
 bool DirectGroup::enforce_bounds(DirectJoint& joint, const double* value, double scale, double time,
-                              bool at_velocities) {
+                                 bool at_velocities) {
     bool changed = false;
     for (int row = joint.first_free_axis(); row < joint.rows(); row++) {
         FreeAxis& free_axis = joint.free_axes[as_index(row - joint.first_free_axis())];
@@ -125,7 +126,8 @@ bool DirectGroup::enforce_bounds(DirectJoint& joint, const double* value, double
             }
             free_axis.at_limit = 0;
             joint.target[row] = 0;
-            if (free_axis.steps > 0 && free_axis.actuation == FreeAxis::at_rest) load_actuation(free_axis, 0);
+            if (free_axis.steps > 0 && free_axis.actuation == FreeAxis::at_rest)
+                load_actuation(free_axis, 0);
         } else if (free_axis.is_held()) {
             const int p = free_axis.actuation / 2;
             if (value[row] > scale * free_axis.push_between(p))
@@ -157,8 +159,10 @@ bool DirectGroup::reach_limits(double h, double time) {
                 trial_value(joint, free_axis, bodies[as_index(joint.a)], bodies[as_index(joint.b)]);
             free_axis.at_limit = value < free_axis.lower ? 1 : (value > free_axis.upper ? -1 : 0);
             if (free_axis.at_limit == 0) continue;
-            const double excess = bounded_excess(free_axis, free_axis.is_linear() ? most : max_turn);
-            const double beyond = value - (free_axis.at_limit > 0 ? free_axis.lower : free_axis.upper) - excess;
+            const double excess =
+                bounded_excess(free_axis, free_axis.is_linear() ? most : max_turn);
+            const double beyond =
+                value - (free_axis.at_limit > 0 ? free_axis.lower : free_axis.upper) - excess;
             if (beyond * free_axis.at_limit >= 0) {  // comes back faster by itself
                 free_axis.at_limit = 0;
                 continue;
@@ -168,7 +172,8 @@ bool DirectGroup::reach_limits(double h, double time) {
             if (free_axis.at_limit == 0) continue;
             joint.target[row] = excess;
             free_axis.overrun = is_overrun(free_axis);
-            if (time != 0 && free_axis.actuation != before) give(joint, free_axis, time * free_axis.push());
+            if (time != 0 && free_axis.actuation != before)
+                give(joint, free_axis, time * free_axis.push());
             set_row(joint, row);
             changed = true;
         }

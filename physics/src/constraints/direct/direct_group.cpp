@@ -42,7 +42,8 @@ void DirectGroup::save(int depth) {
     for (const DirectBody& body : bodies) to.bodies.push_back({body.x, body.p, body.l, body.q});
     for (const DirectJoint& joint : joints) {
         to.joints.push_back({joint.force_sum, joint.torque_sum, {}});
-        for (const FreeAxis& free_axis : joint.free_axes) to.free_axes.push_back({free_axis.at_limit, free_axis.actuation});
+        for (const FreeAxis& free_axis : joint.free_axes)
+            to.free_axes.push_back({free_axis.at_limit, free_axis.actuation});
     }
     for (std::size_t k = 0; k < joints.size(); k++)
         std::copy(std::begin(joints[k].force), std::end(joints[k].force), to.joints[k].force);

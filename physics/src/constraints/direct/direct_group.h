@@ -115,7 +115,7 @@ private:
     void set_row(DirectJoint& joint, int row);
     void set_bounds(double h);
     bool enforce_bounds(DirectJoint& joint, const double* value, double scale, double time,
-                     bool at_velocities = false);
+                        bool at_velocities = false);
     bool reach_limits(double h, double time);
     bool is_on_limit() const;
 
@@ -138,17 +138,17 @@ private:
 
     BlockLdl matrix_;
     std::vector<JointSystemBlock> system_blocks_;
-    std::vector<int> pattern_;        // bodies and rows of each joint, of which the pattern is
-    std::vector<double> right_side_;  // by the matrix's rows
+    std::vector<int> pattern_;          // bodies and rows of each joint, of which the pattern is
+    std::vector<double> right_side_;    // by the matrix's rows
     std::vector<Vec3> previous_guess_;  // momenta
-    std::vector<Saved> saved_;        // by depth
+    std::vector<Saved> saved_;          // by depth
     bool factored_ = false;
     // What there is, beside joints that hold.
     bool smooth_ = true;   // neither damping nor limits nor what grips
     bool damped_ = false;  // bodies or springs are
     bool sprung_ = false;  // ... and what of that is damped:
     bool damped_springs_ = false;
-    bool actuated_ = false;     // by motors or friction
+    bool actuated_ = false;    // by motors or friction
     bool limited_ = false;     // some ways are
     bool locked_ = false;      // axes of bodies are
     bool energy_ = false;      // the step under way is an energy-momentum one

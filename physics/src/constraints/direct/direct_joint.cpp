@@ -69,15 +69,17 @@ double end_share(const FreeAxis& free_axis, double h) {
 }
 
 double free_axis_error(const FreeAxis& free_axis, double value, double impulse, double h) {
-    if (free_axis.at_limit != 0) return value - (free_axis.at_limit > 0 ? free_axis.lower : free_axis.upper);
+    if (free_axis.at_limit != 0)
+        return value - (free_axis.at_limit > 0 ? free_axis.lower : free_axis.upper);
     if (free_axis.is_held()) {
         const double gone = value - free_axis.start;
         return free_axis.is_linear() ? gone - free_axis.hold_speed() * h
-                               : wrapped(wrapped(gone) - free_axis.hold_speed() * h);
+                                     : wrapped(wrapped(gone) - free_axis.hold_speed() * h);
     }
     if (!free_axis.implicit) return 0;
     const double share = end_share(free_axis, h);
-    return stretch_of(free_axis, value) + stretch_of(free_axis, free_axis.start) * ((1 - share) / share) +
+    return stretch_of(free_axis, value) +
+           stretch_of(free_axis, free_axis.start) * ((1 - share) / share) +
            impulse / spring_pull(free_axis, h);
 }
 
@@ -85,7 +87,7 @@ double free_axis_error(const FreeAxis& free_axis, double value, double impulse, 
 
 double bounded_excess(const FreeAxis& free_axis, double most) {
     return free_axis.at_limit > 0 ? minimum(0, free_axis.start - free_axis.lower + most)
-                            : maximum(0, free_axis.start - free_axis.upper - most);
+                                  : maximum(0, free_axis.start - free_axis.upper - most);
 }
 
 double spring_pull(const FreeAxis& free_axis, double h) {
@@ -148,7 +150,8 @@ void measure(DirectJoint& j, const DirectBody& a, const DirectBody& b, double h)
     int row = j.first_free_axis();
     for (const FreeAxis& free_axis : j.free_axes) {
         const bool on = free_axis.at_limit != 0 || free_axis.is_held() || free_axis.implicit;
-        j.error[row] = on ? free_axis_error(free_axis, value_of(free_axis, ends), j.impulse[row], h) : 0;
+        j.error[row] =
+            on ? free_axis_error(free_axis, value_of(free_axis, ends), j.impulse[row], h) : 0;
         row++;
     }
 }

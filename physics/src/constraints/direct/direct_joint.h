@@ -34,8 +34,9 @@ struct DirectJoint {
     bool is_ball() const { return kind == Points::ball; }
     // Whether a row's error is in m; else in rad.
     bool is_linear(int row) const {
-        return row < points || (row >= first_free_axis() &&
-                                free_axes[static_cast<std::size_t>(row - first_free_axis())].is_linear());
+        return row < points ||
+               (row >= first_free_axis() &&
+                free_axes[static_cast<std::size_t>(row - first_free_axis())].is_linear());
     }
 
     // Constant: in the principal axes of the bodies.
@@ -62,7 +63,7 @@ struct DirectJoint {
     double error[max_rows] = {};    // of where the step tries to go: m and rad
     double impulse[max_rows] = {};  // unknowns of the step under way
     double force[max_rows] = {};    // half of what acts on b, N and N m: from step to step
-    Vec3 force_sum, torque_sum;      // impulses on b over the whole step, N s and N m s
+    Vec3 force_sum, torque_sum;     // impulses on b over the whole step, N s and N m s
 };
 
 // The rows' vectors: at the bodies' state, or means over the step, with which the error changes by
@@ -86,7 +87,8 @@ inline Vec3 pull_of(const DirectJoint& joint, const double* value) {
 }
 // By how much a limit is overrun beyond `most` as the step begins; negative at the lower one.
 inline bool is_overrun(const FreeAxis& free_axis) {
-    return free_axis.at_limit > 0 ? free_axis.start < free_axis.lower : free_axis.start > free_axis.upper;
+    return free_axis.at_limit > 0 ? free_axis.start < free_axis.lower
+                                  : free_axis.start > free_axis.upper;
 }
 double bounded_excess(const FreeAxis& free_axis, double most);
 // What a row of a spring takes in this step: impulse per error at its end (that of the step's mean
@@ -115,6 +117,6 @@ struct WarmStartCache {
 void load_forces(DirectJoint& joint, const DirectBody& a, const DirectBody& b,
                  const WarmStartCache& cache, double h);
 WarmStartCache save_forces(const DirectJoint& joint, const DirectBody& a, const DirectBody& b,
-                         double h);
+                           double h);
 
 }  // namespace jostle::physics

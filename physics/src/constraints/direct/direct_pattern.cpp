@@ -92,7 +92,8 @@ bool DirectGroup::find_pattern(std::int64_t max_work) {
         rows.push_back(joint.rows());
     }
     for (const DirectBody& body : bodies) pushed.push_back(body.pushed ? 1 : 0);
-    if (!find_joint_system_blocks(ends, rows, pushed, max_work, matrix_, system_blocks_)) return false;
+    if (!find_joint_system_blocks(ends, rows, pushed, max_work, matrix_, system_blocks_))
+        return false;
     right_side_.assign(as_index(matrix_.rows()), 0);
     // Blocks are then summed up one after the other.
     std::sort(system_blocks_.begin(), system_blocks_.end(),
@@ -190,10 +191,12 @@ void DirectGroup::soften(double h) {
         for (std::size_t i = 0; i < joint.free_axes.size(); i++) {
             const FreeAxis& free_axis = joint.free_axes[i];
             if (free_axis.rate == 0 || free_axis.at_limit != 0 || free_axis.is_held()) continue;
-            const double compliance = free_axis.implicit ? 1 / (spring_pull(free_axis, h) * h)
-                                                   : 1 / maximum(free_axis.damper, min_damper);
+            const double compliance = free_axis.implicit
+                                          ? 1 / (spring_pull(free_axis, h) * h)
+                                          : 1 / maximum(free_axis.damper, min_damper);
             if (!free_axis.implicit && !free_axis.is_damped()) continue;
-            const int row = joint.first_free_axis() + static_cast<int>(i), node = static_cast<int>(k);
+            const int row = joint.first_free_axis() + static_cast<int>(i),
+                      node = static_cast<int>(k);
             values[matrix_.block_at(node, node) + row * (joint.rows() + 1)] += compliance;
         }
     }

@@ -44,7 +44,8 @@ void DirectGroup::kick(double h, bool second) {
     if (!sprung_ && !actuated_) return;
     for (DirectJoint& joint : joints)
         for (const FreeAxis& free_axis : joint.free_axes) {
-            const double push = free_axis.push() - free_axis.stiffness * stretch_of(free_axis, free_axis.value);
+            const double push =
+                free_axis.push() - free_axis.stiffness * stretch_of(free_axis, free_axis.value);
             if (push != 0) give(joint, free_axis, 0.5 * h * push);
         }
 }

@@ -17,8 +17,10 @@ LockedRows locked_rows(const DirectJoint& j, const DirectBody& a, const DirectBo
     return {first, normalized(cross(last, first)), last};
 }
 
-void load_free_axis(FreeAxis& free_axis, double& force, const WarmStartCache::FreeAxisImpulses& cache, double h) {
-    if (free_axis.has_limit()) free_axis.at_limit = cache.lower > 0 ? 1 : (cache.upper > 0 ? -1 : 0);
+void load_free_axis(FreeAxis& free_axis, double& force,
+                    const WarmStartCache::FreeAxisImpulses& cache, double h) {
+    if (free_axis.has_limit())
+        free_axis.at_limit = cache.lower > 0 ? 1 : (cache.upper > 0 ? -1 : 0);
     load_actuation(free_axis, (cache.motor + cache.friction) / h);
     if (free_axis.at_limit != 0) {
         if (free_axis.is_held()) free_axis.actuation = FreeAxis::at_rest;
@@ -34,17 +36,19 @@ WarmStartCache::FreeAxisImpulses save_free_axis(const FreeAxis& free_axis, doubl
     if (free_axis.at_limit < 0) cache.upper = maximum(-2 * h * force, 1e-300);
     const bool held = free_axis.at_limit == 0 && free_axis.is_held();
     const double gripped = h * (held ? 2 * force : free_axis.push());
-    cache.friction = maximum(-free_axis.friction_limit * h, minimum(gripped, free_axis.friction_limit * h));
+    cache.friction =
+        maximum(-free_axis.friction_limit * h, minimum(gripped, free_axis.friction_limit * h));
     cache.motor = gripped - cache.friction;
-    if (free_axis.rate > 0) cache.spring = -h * free_axis.stiffness * stretch_of(free_axis, free_axis.value);
+    if (free_axis.rate > 0)
+        cache.spring = -h * free_axis.stiffness * stretch_of(free_axis, free_axis.value);
     return cache;
 }
 
 }  // namespace
 
 // Forces are halves, of the two halves of a step.
-void load_forces(DirectJoint& j, const DirectBody& a, const DirectBody& b, const WarmStartCache& cache,
-                 double h) {
+void load_forces(DirectJoint& j, const DirectBody& a, const DirectBody& b,
+                 const WarmStartCache& cache, double h) {
     const double half = 0.5 / h;
     if (j.is_ball())
         for (int k = 0; k < 3; k++) j.force[k] = cache.point[k] * half;
@@ -55,7 +59,8 @@ void load_forces(DirectJoint& j, const DirectBody& a, const DirectBody& b, const
     Vec3 angular = cache.angular;
     if (j.gimbal && j.turns > 0) {
         const LockedRows rows = locked_rows(j, a, b);
-        angular = rows.first * cache.turns.x + rows.middle * cache.turns.y + rows.last * cache.turns.z;
+        angular =
+            rows.first * cache.turns.x + rows.middle * cache.turns.y + rows.last * cache.turns.z;
     }
     // The rows of the turns are perpendicular where joints hold.
     for (int k = j.points; k < j.first_free_axis(); k++) {
@@ -64,12 +69,14 @@ void load_forces(DirectJoint& j, const DirectBody& a, const DirectBody& b, const
     }
     int row = j.first_free_axis();
     for (FreeAxis& free_axis : j.free_axes) {
-        load_free_axis(free_axis, j.force[row], cache.free_axes[static_cast<std::size_t>(free_axis.slot)], h);
+        load_free_axis(free_axis, j.force[row],
+                       cache.free_axes[static_cast<std::size_t>(free_axis.slot)], h);
         row++;
     }
 }
 
-WarmStartCache save_forces(const DirectJoint& j, const DirectBody& a, const DirectBody& b, double h) {
+WarmStartCache save_forces(const DirectJoint& j, const DirectBody& a, const DirectBody& b,
+                           double h) {
     const double both = 2 * h;
     WarmStartCache cache;
     if (j.is_ball())
@@ -83,12 +90,13 @@ WarmStartCache save_forces(const DirectJoint& j, const DirectBody& a, const Dire
     if (j.gimbal && j.turns > 0) {
         const LockedRows rows = locked_rows(j, a, b);
         cache.turns = {dot(rows.first, cache.angular), dot(rows.middle, cache.angular),
-                      dot(rows.last, cache.angular)};
+                       dot(rows.last, cache.angular)};
         cache.angular = {};
     }
     int row = j.first_free_axis();
     for (const FreeAxis& free_axis : j.free_axes)
-        cache.free_axes[static_cast<std::size_t>(free_axis.slot)] = save_free_axis(free_axis, j.force[row++], h);
+        cache.free_axes[static_cast<std::size_t>(free_axis.slot)] =
+            save_free_axis(free_axis, j.force[row++], h);
     return cache;
 }
 

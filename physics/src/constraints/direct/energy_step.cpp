@@ -64,7 +64,8 @@ Mat3 response_about_one(const DirectBody& body, double h) {
     const double inertia = dot(axis, body.inertia * axis);
     const double stiff = 2 * inertia + 0.5 * h * dot(axis, body.stiffness * axis);
     const double spin_correction = inertia > 0 ? 1 / (stiff > 0 ? stiff : 2 * inertia) : 0;
-    return {axis * (axis.x * spin_correction), axis * (axis.y * spin_correction), axis * (axis.z * spin_correction)};
+    return {axis * (axis.x * spin_correction), axis * (axis.y * spin_correction),
+            axis * (axis.z * spin_correction)};
 }
 
 }  // namespace
@@ -78,7 +79,9 @@ double DirectGroup::stiffest() {
         DirectBody &a = bodies[as_index(joint.a)], &b = bodies[as_index(joint.b)];
         for (const FreeAxis& free_axis : joint.free_axes)
             if (free_axis.is_linear())
-                pull += free_axis.linear * (free_axis.push() - free_axis.stiffness * stretch_of(free_axis, free_axis.value));
+                pull += free_axis.linear *
+                        (free_axis.push() -
+                         free_axis.stiffness * stretch_of(free_axis, free_axis.value));
         stiffen(a, pull, lever_of(joint, a.axes * joint.arm_a, joint.apart));
         stiffen(b, -pull, b.axes * joint.arm_b);
     }
@@ -185,10 +188,11 @@ double DirectGroup::residual_of(double h, bool stiffness_too) {
         }
         const Vec3 momentum = body.inertia * body.mean_w;
         body.residual = (momentum - body.inertia * body.w0) * 2 + cross(body.mean_w, momentum) * h -
-                    body.twist + cross(body.mean_w, body.twist) * (0.5 * h);
-        const double size = square_root(absolute(dot(body.residual, body.inverse_inertia * body.residual) *
-                                                 body.inverse_mass)) *
-                            h;
+                        body.twist + cross(body.mean_w, body.twist) * (0.5 * h);
+        const double size =
+            square_root(absolute(dot(body.residual, body.inverse_inertia * body.residual) *
+                                 body.inverse_mass)) *
+            h;
         largest = size <= largest ? largest : size;
     }
     const double apart = measure_all(h);
@@ -222,8 +226,8 @@ void DirectGroup::correct(double h, bool again) {
         const DirectBody &a = bodies[as_index(joint.a)], &b = bodies[as_index(joint.b)];
         double* const to = right_side_.data() + matrix_.row_of(static_cast<int>(k));
         for (int r = 0; r < joint.rows(); r++)
-            to[r] = -dot(joint.angular_a[r], a.spin_correction) - dot(joint.angular_b[r], b.spin_correction) -
-                    joint.error[r] / h;
+            to[r] = -dot(joint.angular_a[r], a.spin_correction) -
+                    dot(joint.angular_b[r], b.spin_correction) - joint.error[r] / h;
     }
     matrix_.solve(right_side_);
     count_.solves++;

@@ -24,8 +24,9 @@ Vec3 turn_row(const FreeAxis& free_axis, const FreeAxisEnds& ends) {
         return sine > 1e-12 ? away * (1 / sine) : rotate(a, {0, 1, 0});
     }
     const GimbalRows rows = gimbal_rows(a, b);
-    return free_axis.kind == Kind::first ? rows.first
-                                   : (free_axis.kind == Kind::middle ? rows.middle : rows.last);
+    return free_axis.kind == Kind::first
+               ? rows.first
+               : (free_axis.kind == Kind::middle ? rows.middle : rows.last);
 }
 
 Vec3 line_of(Vec3 apart) {
@@ -62,7 +63,8 @@ double value_of(const FreeAxis& free_axis, const FreeAxisEnds& ends) {
             return length(ends.apart);
         case Kind::hinge: {
             const Vec3 x = ends.axes_b * free_axis.x_b;
-            return arc_tangent(dot(x, ends.axes_a * free_axis.y_a), dot(x, ends.axes_a * free_axis.x_a));
+            return arc_tangent(dot(x, ends.axes_a * free_axis.y_a),
+                               dot(x, ends.axes_a * free_axis.x_a));
         }
         case Kind::twist:
             return twist_angle(ends.a * free_axis.frame_a, ends.b * free_axis.frame_b);
@@ -71,9 +73,11 @@ double value_of(const FreeAxis& free_axis, const FreeAxisEnds& ends) {
         default:
             break;
     }
-    const GimbalAngles turns = gimbal_angles(ends.a * free_axis.frame_a, ends.b * free_axis.frame_b);
-    return free_axis.kind == Kind::first ? turns.first
-                                   : (free_axis.kind == Kind::middle ? turns.middle : turns.last);
+    const GimbalAngles turns =
+        gimbal_angles(ends.a * free_axis.frame_a, ends.b * free_axis.frame_b);
+    return free_axis.kind == Kind::first
+               ? turns.first
+               : (free_axis.kind == Kind::middle ? turns.middle : turns.last);
 }
 
 void write_free_axis(FreeAxis& free_axis, const FreeAxisEnds& ends) {
@@ -86,11 +90,13 @@ void write_free_axis(FreeAxis& free_axis, const FreeAxisEnds& ends) {
         write_turn(free_axis, turn_row(free_axis, ends));
 }
 
-void write_mean_free_axis(FreeAxis& free_axis, const FreeAxisEnds& before, const FreeAxisEnds& after) {
+void write_mean_free_axis(FreeAxis& free_axis, const FreeAxisEnds& before,
+                          const FreeAxisEnds& after) {
     const Vec3 arm_a = (before.arm_a + after.arm_a) * 0.5,
                arm_b = (before.arm_b + after.arm_b) * 0.5;
     if (free_axis.kind == Kind::travel) {
-        const Vec3 axis = (before.axes_a * free_axis.axis_a + after.axes_a * free_axis.axis_a) * 0.5;
+        const Vec3 axis =
+            (before.axes_a * free_axis.axis_a + after.axes_a * free_axis.axis_a) * 0.5;
         write_line(free_axis, axis, arm_a + (before.apart + after.apart) * 0.5, arm_b);
     } else if (free_axis.kind == Kind::distance) {
         // The lengths' difference is the mean way along it, exactly.
@@ -106,7 +112,8 @@ void write_mean_free_axis(FreeAxis& free_axis, const FreeAxisEnds& before, const
 
 double rate_of(const FreeAxis& free_axis, const DirectBody& a, const DirectBody& b) {
     const double turning = dot(free_axis.angular_a, spin(a)) + dot(free_axis.angular_b, spin(b));
-    return free_axis.is_linear() ? turning + dot(free_axis.linear, velocity(b) - velocity(a)) : turning;
+    return free_axis.is_linear() ? turning + dot(free_axis.linear, velocity(b) - velocity(a))
+                                 : turning;
 }
 
 double response_of(const FreeAxis& free_axis, const DirectBody& a, const DirectBody& b) {

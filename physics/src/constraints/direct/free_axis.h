@@ -28,7 +28,7 @@ struct FreeAxis {
     // The steps of what grips it, by speed.
     int steps = 0;
     double speeds[2] = {}, most[2] = {};  // rad/s or m/s; N m or N
-    double friction_limit = 0;                      // what of that is friction, N m or N
+    double friction_limit = 0;            // what of that is friction, N m or N
     double rate = 0, damping_ratio = 0;   // of the spring, rad/s
     double rest = 0;
     // Constant: in the principal axes of the bodies.
@@ -41,7 +41,7 @@ struct FreeAxis {
     double start = 0;      // as the step began
     double stiffness = 0;  // of the spring as the step began, N m / rad or N/m
     double damper = 0;     // impulse per speed of half a step
-    double applied = 0;      // impulse of the energy-momentum step that is no row's
+    double applied = 0;    // impulse of the energy-momentum step that is no row's
     bool overrun = false;  // the limit, as the step began: the row's push leaves no speed
     int at_limit = 0;      // 1: on the lower one, -1: on the upper one, 0: between
     // 2 p: between steps, p of them at less speed; 2 p + 1: at the speed of step p; or at_rest: a
@@ -56,7 +56,9 @@ struct FreeAxis {
     bool is_held() const { return actuation >= 0 && actuation % 2 == 1; }
     // The force between steps, of which p are at less speed.
     double push_between(int p) const;
-    double push() const { return actuation >= 0 && actuation % 2 == 0 ? push_between(actuation / 2) : 0; }
+    double push() const {
+        return actuation >= 0 && actuation % 2 == 0 ? push_between(actuation / 2) : 0;
+    }
     double hold_speed() const { return speeds[actuation / 2]; }
     bool is_damped() const { return rate > 0 && damping_ratio > 0; }
 };
@@ -73,7 +75,8 @@ void write_free_axis(FreeAxis& free_axis, const FreeAxisEnds& ends);
 double value_of(const FreeAxis& free_axis, const FreeAxisEnds& ends);
 // Vectors with which the value changes by h J (v, w) from one place to the other; the value stays
 // what it is.
-void write_mean_free_axis(FreeAxis& free_axis, const FreeAxisEnds& before, const FreeAxisEnds& after);
+void write_mean_free_axis(FreeAxis& free_axis, const FreeAxisEnds& before,
+                          const FreeAxisEnds& after);
 // Rate of the value.
 double rate_of(const FreeAxis& free_axis, const DirectBody& a, const DirectBody& b);
 // By how much a unit impulse speeds it up, 1/kg or 1/(kg m^2).

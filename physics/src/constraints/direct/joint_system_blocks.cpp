@@ -8,8 +8,8 @@
 namespace jostle::physics {
 
 bool find_joint_system_blocks(std::span<const JointEnds> joints, std::span<const int> rows,
-                   std::span<const std::uint8_t> pushed, std::int64_t max_work, BlockLdl& matrix,
-                   std::vector<JointSystemBlock>& system_blocks) {
+                              std::span<const std::uint8_t> pushed, std::int64_t max_work,
+                              BlockLdl& matrix, std::vector<JointSystemBlock>& system_blocks) {
     ASSERT(joints.size() == rows.size());
     std::vector<std::vector<int>> of_body(pushed.size());
     for (std::size_t k = 0; k < joints.size(); k++)
@@ -35,8 +35,8 @@ bool find_joint_system_blocks(std::span<const JointEnds> joints, std::span<const
                 const int later = first_later ? list[i] : list[k];
                 const int sooner = first_later ? list[k] : list[i];
                 system_blocks.push_back({matrix.block_at(later, sooner), later, sooner, body,
-                                     joints[as_index(later)].b == body,
-                                     joints[as_index(sooner)].b == body});
+                                         joints[as_index(later)].b == body,
+                                         joints[as_index(sooner)].b == body});
             }
     }
     return true;

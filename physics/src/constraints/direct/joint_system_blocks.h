@@ -24,7 +24,7 @@ struct JointEnds {
 // Analyses the matrix, a node a joint, and lists the blocks. False, and of no use, if a factor
 // would take more multiplications than `max_work`. `pushed`: by body.
 bool find_joint_system_blocks(std::span<const JointEnds> joints, std::span<const int> rows,
-                   std::span<const std::uint8_t> pushed, std::int64_t max_work, BlockLdl& matrix,
-                   std::vector<JointSystemBlock>& system_blocks);
+                              std::span<const std::uint8_t> pushed, std::int64_t max_work,
+                              BlockLdl& matrix, std::vector<JointSystemBlock>& system_blocks);
 
 }  // namespace jostle::physics

@@ -32,7 +32,7 @@ JOSTLE_INLINE void substitute(const BatchView& batch) {
 
 // Impulses of the batch's joints into their blocks: as they are kept, and as they acted.
 JOSTLE_INLINE void store_batch_impulse(const BatchView& batch, BatchJoint& joint, WideQuat carried,
-                                Wide3 impulse, bool acted) {
+                                       Wide3 impulse, bool acted) {
     alignas(32) float stored[3][8], world[3][8];
     const Wide3 own = rotate(conjugate(carried), impulse);
     store3(joint.impulse, load3(joint.impulse) + own);
@@ -112,7 +112,7 @@ void solve_batch(const BatchView& batch, SolverBody* bodies, const JointStep& st
         store3(b.v, load3(b.v) + impulse);
         store3(b.w, load3(b.w) + cross(load3(joint.lever_b), impulse));
         store_batch_impulse(batch, joint, load4(carrier_of(batch, k).rotation), impulse,
-                     kPass == BatchPass::relax);
+                            kPass == BatchPass::relax);
     }
     for (int k = 0; k < batch.body_count; k++) {
         if (batch.pushed[k] == 0) continue;

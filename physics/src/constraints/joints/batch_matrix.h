@@ -80,7 +80,8 @@ JOSTLE_INLINE const BatchBody& carrier_of(const BatchView& batch, int joint) {
     return batch.bodies[batch.pushed[ends.b] != 0 ? ends.b : ends.a];
 }
 
-JOSTLE_INLINE void find_rows(const BatchBody& body, const SolverBody* bodies, const float* rows[8]) {
+JOSTLE_INLINE void find_rows(const BatchBody& body, const SolverBody* bodies,
+                             const float* rows[8]) {
     for (int k = 0; k < 8; k++) rows[k] = bodies[body.hot[k]].v;
 }
 

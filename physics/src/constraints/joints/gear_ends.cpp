@@ -56,7 +56,7 @@ double travel_against(Vec3 point, Vec3 axis, const Carrier& carrier) {
 }
 
 GearTerms gear_terms(const Joint& joint, const JointEnd& a, const JointEnd& b,
-                         const Carrier* carriers) {
+                     const Carrier* carriers) {
     GearTerms terms;
     End* rows = terms.ends;
     const JointEnd* ends[] = {&a, &b};
@@ -114,7 +114,7 @@ GearTerms gear_terms(const Joint& joint, const JointEnd& a, const JointEnd& b,
 }
 
 void write_gear(const Joint& joint, const JointEnd& a, const JointEnd& b, const Carrier* carriers,
-                  JointGearWide& to, const JointLane& lane) {
+                JointGearWide& to, const JointLane& lane) {
     const GearTerms terms = gear_terms(joint, a, b, carriers);
     const bool rope = std::holds_alternative<PulleyJoint>(joint.kind);
     const std::int32_t hot[] = {a.hot, b.hot, carriers[0].hot, carriers[1].hot};

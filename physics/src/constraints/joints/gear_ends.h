@@ -32,7 +32,7 @@ struct GearTerms {
         bool turns = false;   // the way is an angle; else a length
         double scale = 1;     // of its way in the sum
         Vec3 axis;            // world
-        double travel = 0;       // rad or m
+        double travel = 0;    // rad or m
         double length = 0;    // m, of a rope
         double sign[4] = {};  // how its way changes with each body's
         Vec3 arm[4];          // m, of the end from each body's centre of mass
@@ -43,10 +43,10 @@ struct GearTerms {
     double sum = 0, target = 0;  // of both ways, by their scales
 };
 GearTerms gear_terms(const Joint& joint, const JointEnd& a, const JointEnd& b,
-                         const Carrier* carriers);
+                     const Carrier* carriers);
 
 void write_gear(const Joint& joint, const JointEnd& a, const JointEnd& b, const Carrier* carriers,
-                  JointGearWide& to, const JointLane& lane);
+                JointGearWide& to, const JointLane& lane);
 void read_gear(Joint& joint, const JointGearWide& from, double dt, const JointLane& lane);
 
 }  // namespace jostle::physics

@@ -31,8 +31,8 @@ std::int32_t root_of(std::vector<std::int32_t>& parent, std::int32_t joint) {
 
 // The first joint of each group is its root; the others follow it in `next`, in order.
 void merge_groups(JointBatches& batches, const JointLevels& levels,
-                 std::span<const std::uint8_t> is_point, std::size_t bodies,
-                 std::span<const JointSolverPreferences> preferences) {
+                  std::span<const std::uint8_t> is_point, std::size_t bodies,
+                  std::span<const JointSolverPreferences> preferences) {
     const std::size_t joints = levels.joints.size();
     std::vector<std::int32_t>&parent = batches.parent, &first = batches.first;
     parent.resize(joints);
@@ -89,9 +89,11 @@ void find_matrix(JointPattern& pattern, std::int64_t most) {
     BlockLdl matrix;
     pattern.max_work = most;
     const auto pushed = std::count(pattern.pushed.begin(), pattern.pushed.end(), 1);
-    pattern.compliance = is_redundant(static_cast<int>(joints), static_cast<int>(pushed)) ? net_compliance : 0;
-    pattern.too_dense = !find_joint_system_blocks(pattern.joints, std::vector<int>(joints, rows),
-                                       pattern.pushed, most, matrix, pattern.system_blocks);
+    pattern.compliance =
+        is_redundant(static_cast<int>(joints), static_cast<int>(pushed)) ? net_compliance : 0;
+    pattern.too_dense =
+        !find_joint_system_blocks(pattern.joints, std::vector<int>(joints, rows), pattern.pushed,
+                                  most, matrix, pattern.system_blocks);
     if (pattern.too_dense) return;
     pattern.work = matrix.work();
     pattern.values = matrix.value_count();
@@ -148,7 +150,7 @@ std::int64_t most_work_of(const JointBatches::Size& group, const JointSolverOpti
     if (is_net(group.joints, group.bodies) && !(target && group.joints <= tuning::max_net_joints))
         return 0;
     return max_work(std::int64_t{group.joints} * rows * rows * rows, as_index(group.joints),
-                     target ? options.budget : 0);
+                    target ? options.budget : 0);
 }
 
 // The one of that pattern with a free lane, or a new one.
@@ -203,7 +205,8 @@ void find_batches(JointBatches& batches, JointLevels& levels,
         BodyNumbering number{batches.first, {}, {}};
         batches.key.clear();
         for (auto k = static_cast<std::int32_t>(root); k >= 0; k = batches.next[as_index(k)])
-            for (const std::int32_t hot : {levels.joints[as_index(k)].a, levels.joints[as_index(k)].b})
+            for (const std::int32_t hot :
+                 {levels.joints[as_index(k)].a, levels.joints[as_index(k)].b})
                 batches.key.push_back(number(hot) * 2 + (hot > 0 ? 1 : 0));
         const JointPattern* const pattern = pattern_of(batches, number.pushed, most);
         if (pattern == nullptr) continue;

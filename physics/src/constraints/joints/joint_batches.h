@@ -34,10 +34,11 @@ struct JointPattern {
     std::vector<BlockLdl::Below> below;
     std::vector<BlockLdl::Update> updates;
     int values = 0, max_below = 0;
-    bool too_dense = false;      // then there is no more than that
+    bool too_dense = false;     // then there is no more than that
     std::int64_t max_work = 0;  // for which
     std::int64_t work = 0;
-    float compliance = 0;  // part of a row's own response by which it gives way: nets have rows to spare
+    float compliance =
+        0;  // part of a row's own response by which it gives way: nets have rows to spare
     std::uint64_t used = 0;  // when, by JointBatches::count
 };
 

@@ -374,7 +374,8 @@ JOSTLE_INLINE void spring_row(JointPair& pair, const HeldRow& row, const WideSof
 
 // Drives the row's speed to the target with at most `most` per sub-step.
 template <class Row>
-JOSTLE_INLINE void motor_row(JointPair& pair, const Row& row, Wide speed, Wide most, float* stored) {
+JOSTLE_INLINE void motor_row(JointPair& pair, const Row& row, Wide speed, Wide most,
+                             float* stored) {
     const Wide before = load(stored);
     const Wide now = max(min(before - (row.speed(pair) - speed) * row.response, most), -most);
     row.apply(pair, now - before);

@@ -181,8 +181,10 @@ struct JointRowWriter {
         };
         const Vec3 linear_a = turned(kind.linear_a, a), linear_b = turned(kind.linear_b, b);
         JointRow row{.role = RowRole::velocity};
-        row.jacobians[0] = {joint.body_a, linear_a, turned(kind.angular_a, a) + cross(a.arm, linear_a)};
-        row.jacobians[1] = {joint.body_b, linear_b, turned(kind.angular_b, b) + cross(b.arm, linear_b)};
+        row.jacobians[0] = {joint.body_a, linear_a,
+                            turned(kind.angular_a, a) + cross(a.arm, linear_a)};
+        row.jacobians[1] = {joint.body_b, linear_b,
+                            turned(kind.angular_b, b) + cross(b.arm, linear_b)};
         row.jacobian_count = 2;
         row.speed = kind.speed - kind.bias;
         row.compliance = kind.softness;
@@ -261,9 +263,10 @@ struct JointRowWriter {
         const Vec3 bead = inverse_rotate(a.frame, apart());
         const std::vector<double>& memory = joint.memory;
         const PathPoint path_point = memory[PathMemory::found] == 0
-                                    ? nearest_path_point(kind, bead)
-                                    : nearest_path_point(kind, bead, memory[PathMemory::at]);
-        axes(layout_at(kind, path_point), {0, 1, 2, 0, 1, 2}, a.arm + rotate(a.frame, path_point.position));
+                                         ? nearest_path_point(kind, bead)
+                                         : nearest_path_point(kind, bead, memory[PathMemory::at]);
+        axes(layout_at(kind, path_point), {0, 1, 2, 0, 1, 2},
+             a.arm + rotate(a.frame, path_point.position));
     }
 
     // Gears, racks and pulleys.

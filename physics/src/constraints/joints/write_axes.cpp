@@ -27,7 +27,8 @@ std::uint32_t write_axis(const JointAxis& axis, const double* impulses, double h
     std::uint32_t uses = 0;
     const bool limited = axis.free && axis.limit.enabled,
                sprung = axis.free && axis.spring.hertz > 0,
-               driven = axis.free && axis.motor.enabled, friction_limit = axis.free && axis.friction > 0;
+               driven = axis.free && axis.motor.enabled,
+               friction_limit = axis.free && axis.friction > 0;
     lane.put(to.lower_at, limited ? axis.limit.lower : double{-never});
     lane.put(to.upper_at, limited ? axis.limit.upper : double{never});
     lane.put(to.lower, stored(limited, impulses[AxisImpulses::lower]));
@@ -59,8 +60,9 @@ bool turns_with_a(const JointKind& kind) {
 
 std::uint32_t write_axes(const Joint& joint, const JointEnd& a, const JointEnd& b, double h,
                          const PathPoint* path_point, JointAxesWide& to, const JointLane& lane) {
-    const AxesLayout layout = path_point == nullptr ? layout_of(joint.kind)
-                                               : layout_at(std::get<PathJoint>(joint.kind), *path_point);
+    const AxesLayout layout = path_point == nullptr
+                                  ? layout_of(joint.kind)
+                                  : layout_at(std::get<PathJoint>(joint.kind), *path_point);
     const Quat frame_a = a.frame * layout.turn_a, frame_b = b.frame * layout.turn_b;
     lane.put(to.frame_a, frame_a);
     lane.put(to.turn, conjugate(frame_a) * frame_b);

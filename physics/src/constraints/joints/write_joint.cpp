@@ -135,13 +135,14 @@ void write_joint(const Joint& joint, const JointEnd& a, const JointEnd& b, doubl
     } else if (const auto* path = std::get_if<PathJoint>(&joint.kind)) {
         const Vec3 bead = inverse_rotate(a.frame, (b.center - a.center) + (b.arm - a.arm));
         const std::vector<double>& memory = joint.memory;
-        path_point = memory[PathMemory::found] == 0 ? nearest_path_point(*path, bead)
-                                               : nearest_path_point(*path, bead, memory[PathMemory::at]);
+        path_point = memory[PathMemory::found] == 0
+                         ? nearest_path_point(*path, bead)
+                         : nearest_path_point(*path, bead, memory[PathMemory::at]);
         to.axes->at[lane.at] = path_point->at;
         // The circle that stands for the curve in this step touches it in the middle of b's way.
         if (path->smooth)
-            path_point = lane_ref_at(*path,
-                             path_point->at + maximum(-0.5, minimum(memory[PathMemory::step] / 2, 0.5)));
+            path_point = lane_ref_at(
+                *path, path_point->at + maximum(-0.5, minimum(memory[PathMemory::step] / 2, 0.5)));
         arm_a += rotate(a.frame, path_point->position);
     }
     JointConstraintWide& block = to.block;
@@ -156,7 +157,8 @@ void write_joint(const Joint& joint, const JointEnd& a, const JointEnd& b, doubl
     if (to.row != nullptr)
         write_row(std::get<VelocityRow>(joint.kind), joint.motor, a, b, h, *to.row, lane);
     if (to.axes != nullptr)
-        to.meta.uses |= write_axes(joint, a, b, h, path_point ? &*path_point : nullptr, *to.axes, lane);
+        to.meta.uses |=
+            write_axes(joint, a, b, h, path_point ? &*path_point : nullptr, *to.axes, lane);
     if (to.angular == nullptr) return;
     JointAngularWide& angular = *to.angular;
     lane.put(angular.angular, rotate(carried, joint.angular));

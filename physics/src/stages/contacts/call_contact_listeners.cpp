@@ -4,8 +4,8 @@
 #include "jostle/physics/step_listener.h"
 #include "physics/src/constraint_graph/wide_rows.h"
 #include "physics/src/foundation/check.h"
-#include "physics/src/state/contact_modifiers.h"
 #include "physics/src/state/contact_constraints.h"
+#include "physics/src/state/contact_modifiers.h"
 
 namespace jostle::physics {
 namespace {
@@ -28,7 +28,8 @@ void sanitize(ContactModifier& modifier) {
 
 }  // namespace
 
-ContactModifier call_contact_listeners(const WorldState& world, const PreSolveContact& m, ContactModifier modifier) {
+ContactModifier call_contact_listeners(const WorldState& world, const PreSolveContact& m,
+                                       ContactModifier modifier) {
     ASSERT(world.listeners.stepping != nullptr && has_pre_solve_listeners(world.listeners));
     PreSolve pair{.world = *world.listeners.stepping,
                   .shape_a = shape_id(world, m.shape_a),
@@ -58,10 +59,11 @@ bool modify_contact(WorldState& world, std::uint32_t index) {
     const BodyWarm &a = warm_of(world, c.body_a), &b = warm_of(world, c.body_b);
     const Vec3 point = a.center + get_lane(lane_ref.block->arm_a, lane_ref.lane);
     const ContactModifier given = material_modifier(world, c.shape_a, c.shape_b);
-    ContactModifier modifier = call_contact_listeners(world,
-                                         {c.shape_a, c.shape_b, normal_of(lane_ref), point,
-                                          velocity_at(b, point) - velocity_at(a, point)},
-                                         given);
+    ContactModifier modifier =
+        call_contact_listeners(world,
+                               {c.shape_a, c.shape_b, normal_of(lane_ref), point,
+                                velocity_at(b, point) - velocity_at(a, point)},
+                               given);
     if (is_same(modifier, given)) return false;
     modifier.contact = index;
     set_modifier(world, modifier);

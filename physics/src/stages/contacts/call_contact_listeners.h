@@ -20,7 +20,9 @@ struct PreSolveContact {
 };
 
 // What all listeners make of an answer.
-ContactModifier call_contact_listeners(const WorldState& world, const PreSolveContact& pre_solve_contact, ContactModifier modifier);
+ContactModifier call_contact_listeners(const WorldState& world,
+                                       const PreSolveContact& pre_solve_contact,
+                                       ContactModifier modifier);
 
 // For a contact whose manifold was just written: keeps what they say, if it is not what the
 // materials give. Returns whether the manifold is to be written again.

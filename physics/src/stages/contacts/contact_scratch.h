@@ -21,12 +21,12 @@ struct NarrowPhaseTask {
     // may begin is ContactScratch::fresh[list].
     std::int32_t list = -1;
     bool persists = false;     // has points, and a lane that they were written to ...
-    bool done = false;        // ... and stays in: nothing is left to decide
-    bool bounces = false;     // its bodies are to be swept, however slow: ccd_policy.h
-    double closing = 0;       // m/s: how fast those do that bounce
-    float direction[3] = {};  // along which they are apart by `near`; zero: not known
-    double predicted_gap = 0;     // m: smallest gap of any point at the end of the step, as the bodies
-                              // move now
+    bool done = false;         // ... and stays in: nothing is left to decide
+    bool bounces = false;      // its bodies are to be swept, however slow: ccd_policy.h
+    double closing = 0;        // m/s: how fast those do that bounce
+    float direction[3] = {};   // along which they are apart by `near`; zero: not known
+    double predicted_gap = 0;  // m: smallest gap of any point at the end of the step, as the bodies
+                               // move now
     // m: the smallest gap now. Of a composite pair: everything nearer than this beyond the
     // speculative margin is among its parts.
     double near = 0;
@@ -50,10 +50,11 @@ struct NewContact {
 struct BodyCluster {
     std::uint32_t cluster_parent = 0;  // itself, unless it was joined to another
     int bodies = 0;
-    int row = 0;            // bodies in its longest row, from one to the next
-    bool held = false;      // by a wall that is near, or by what one of them leans on
-    double fastest = 0;     // m/s: closing speed
-    double min_retained_energy = 0;  // what keeps less of its energy at an impact bounces in a crowd
+    int row = 0;         // bodies in its longest row, from one to the next
+    bool held = false;   // by a wall that is near, or by what one of them leans on
+    double fastest = 0;  // m/s: closing speed
+    double min_retained_energy =
+        0;  // what keeps less of its energy at an impact bounces in a crowd
 };
 
 struct ContactScratch {
@@ -70,7 +71,8 @@ struct ContactScratch {
     // Bodies that may bounce off something in this step: awake, in any order, some more than once.
     std::vector<std::uint32_t> bouncing;
     std::vector<BodyCluster> clusters;
-    std::vector<std::pair<std::uint32_t, std::uint32_t>> cluster_edges;  // awake bodies side by side
+    std::vector<std::pair<std::uint32_t, std::uint32_t>>
+        cluster_edges;                      // awake bodies side by side
     std::vector<std::uint32_t> cluster_of;  // by awake body; empty where nobody is about to bounce
 };
 

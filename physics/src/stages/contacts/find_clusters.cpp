@@ -28,7 +28,8 @@ bool is_member(const BodyCold& cold) {
 // The crowd that one has become part of.
 std::uint32_t cluster_root(std::vector<BodyCluster>& clusters, std::uint32_t cluster) {
     while (clusters[cluster].cluster_parent != cluster) {
-        clusters[cluster].cluster_parent = clusters[clusters[cluster].cluster_parent].cluster_parent;
+        clusters[cluster].cluster_parent =
+            clusters[clusters[cluster].cluster_parent].cluster_parent;
         cluster = clusters[cluster].cluster_parent;
     }
     return cluster;
@@ -39,16 +40,18 @@ std::uint32_t cluster_with(ContactScratch& scratch, const BodyCold& cold, bool p
     std::uint32_t& cluster = scratch.cluster_of[cold.at];
     if (cluster == no_cluster) {
         cluster = static_cast<std::uint32_t>(scratch.clusters.size());
-        scratch.clusters.push_back(
-            {.cluster_parent = cluster, .bodies = 1, .held = pressed && scratch.had_contacts[cold.at] != 0});
+        scratch.clusters.push_back({.cluster_parent = cluster,
+                                    .bodies = 1,
+                                    .held = pressed && scratch.had_contacts[cold.at] != 0});
     }
     return cluster_root(scratch.clusters, cluster);
 }
 
 // `closing`: m/s. Of two the second may be what holds the first.
 void merge_clusters(ContactScratch& scratch, const BodyCold& a, const BodyCold& b, double closing,
-                 bool pressed) {
-    if (!is_member(a)) return is_member(b) ? merge_clusters(scratch, b, a, closing, pressed) : void();
+                    bool pressed) {
+    if (!is_member(a))
+        return is_member(b) ? merge_clusters(scratch, b, a, closing, pressed) : void();
     std::uint32_t cluster = cluster_with(scratch, a, pressed);
     if (is_member(b)) {
         std::uint32_t other = cluster_with(scratch, b, pressed);
@@ -85,7 +88,8 @@ void merge_neighbours(const StepContext& step, ContactScratch& scratch, bool pre
     for (std::uint32_t awake = 0; awake < scratch.cluster_of.size(); awake++)
         if (const std::uint32_t cluster = scratch.cluster_of[awake]; cluster != no_cluster)
             members.push_back(
-                {awake, scratch.clusters[cluster_root(scratch.clusters, cluster)].fastest * step.dt});
+                {awake,
+                 scratch.clusters[cluster_root(scratch.clusters, cluster)].fastest * step.dt});
     for (const Member& member : members) {
         const BodyWarm& warm = world.bodies.awake[member.awake];
         const BodyCold& cold = world.bodies.cold[warm.body];
@@ -95,7 +99,8 @@ void merge_neighbours(const StepContext& step, ContactScratch& scratch, bool pre
             const bool is_a = c.body_a == warm.body;
             const std::uint32_t other = is_a ? c.body_b : c.body_a;
             const BodyCold& cold_other = world.bodies.cold[other];
-            const double reach = (cold.inner_radius + cold_other.inner_radius) + member.displacement;
+            const double reach =
+                (cold.inner_radius + cold_other.inner_radius) + member.displacement;
             const bool near =
                 is_member(cold_other)
                     ? length_squared(warm_of(world, other).center - warm.center) < reach * reach
@@ -152,9 +157,10 @@ private:
         return best;
     }
 
-    std::vector<std::uint32_t> first_, neighbours_;  // by awake body: where its neighbours begin; those
-    std::vector<int> steps_;                     // by awake body, of the walk
-    std::vector<std::uint32_t> seen_;            // in the order of the walk
+    std::vector<std::uint32_t> first_,
+        neighbours_;                   // by awake body: where its neighbours begin; those
+    std::vector<int> steps_;           // by awake body, of the walk
+    std::vector<std::uint32_t> seen_;  // in the order of the walk
 };
 
 // Which share of the energy each impact has to keep so that, after so many and among so many
@@ -201,7 +207,7 @@ void find_clusters(StepContext& step) {
         if (!task.bounces) continue;
         const Contact& c = world.contacts.contacts[task.contact];
         merge_clusters(scratch, world.bodies.cold[c.body_a], world.bodies.cold[c.body_b],
-                    task.closing, falls > 0);
+                       task.closing, falls > 0);
     }
     merge_neighbours(step, scratch, falls > 0);
     for (std::uint32_t& cluster : scratch.cluster_of)
@@ -213,13 +219,14 @@ void find_clusters(StepContext& step) {
         if (!cluster.held || cluster.bodies < min_cluster_size || cluster.row > 0) continue;
         cluster.row = rows.longest_from(awake);
         if (cluster.row < min_cluster_size) continue;
-        cluster.min_retained_energy = retained_energy_fraction(cluster.fastest, maximum(tuning::restitution_speed, falls),
-                                      2 * cluster.row, cluster.bodies);
+        cluster.min_retained_energy =
+            retained_energy_fraction(cluster.fastest, maximum(tuning::restitution_speed, falls),
+                                     2 * cluster.row, cluster.bodies);
     }
 }
 
-bool bounces_in_cluster(const WorldState& world, const ContactScratch& scratch, std::uint32_t shape_a,
-                      std::uint32_t shape_b) {
+bool bounces_in_cluster(const WorldState& world, const ContactScratch& scratch,
+                        std::uint32_t shape_a, std::uint32_t shape_b) {
     if (scratch.clusters.empty()) return false;
     const ShapeRecord &a = world.shapes.shapes[shape_a], &b = world.shapes.shapes[shape_b];
     const auto min_retained_energy = [&](const ShapeRecord& shape) {

@@ -20,8 +20,8 @@ namespace jostle::physics {
 void find_clusters(StepContext& step);
 
 // Whether two shapes bounce off each other in a crowd: one of their bodies is in one.
-bool bounces_in_cluster(const WorldState& world, const ContactScratch& scratch, std::uint32_t shape_a,
-                      std::uint32_t shape_b);
+bool bounces_in_cluster(const WorldState& world, const ContactScratch& scratch,
+                        std::uint32_t shape_a, std::uint32_t shape_b);
 // Whether they bounce off each other one at a time in this step, not in a crowd.
 bool bounces_alone(const StepContext& step, std::uint32_t shape_a, std::uint32_t shape_b);
 

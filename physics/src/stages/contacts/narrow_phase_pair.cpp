@@ -8,8 +8,8 @@
 #include "physics/src/constraints/write_manifold.h"
 #include "physics/src/foundation/check.h"
 #include "physics/src/foundation/tuning.h"
-#include "physics/src/stages/contacts/predicted_pair.h"
 #include "physics/src/stages/contacts/pair_motion.h"
+#include "physics/src/stages/contacts/predicted_pair.h"
 #include "physics/src/stages/continuous/ccd_policy.h"
 #include "physics/src/stages/step_scratch.h"
 #include "physics/src/state/contact_constraints.h"
@@ -154,8 +154,8 @@ bool is_even_surface(const WorldState& world, const Contact& c) {
 }
 
 // How a moves against it in the step, as seen from where it is looked at.
-SurfaceMotion surface_motion_of(const WorldState& world, const Contact& c, const PredictedPair& pair,
-                          double dt) {
+SurfaceMotion surface_motion_of(const WorldState& world, const Contact& c,
+                                const PredictedPair& pair, double dt) {
     const BodyMotion a = motion_of(world, c.body_a), b = motion_of(world, c.body_b);
     const Vec3 u = a.v - b.v;
     const double time = pair.time(), left = dt - time;
@@ -176,7 +176,9 @@ void narrow_phase_composite(StepContext& step, NarrowPhaseTask& task) {
     std::optional<double> pre_solve_contact;
     if (swept && uses_speculative_contact(step, c.shape_a, c.shape_b))
         pre_solve_contact = time_to_contact(world, c, dt);
-    const double time = pre_solve_contact && *pre_solve_contact > 0 ? *pre_solve_contact : midpoint_time(world, c, displacement, dt);
+    const double time = pre_solve_contact && *pre_solve_contact > 0
+                            ? *pre_solve_contact
+                            : midpoint_time(world, c, displacement, dt);
     const double way_ahead = displacement * time / dt;
     std::vector<ChildManifold> children;
     const PredictedPair pair(world, c, time);
@@ -186,8 +188,8 @@ void narrow_phase_composite(StepContext& step, NarrowPhaseTask& task) {
     if (displacement > tuning::composite_slack * scale && is_even_surface(world, c))
         surface_motion = surface_motion_of(world, c, pair, dt);
     collide_composite(pair.shape_a(), pair.shape_b(),
-                      tuning::speculative_margin * scale + task.near, children, &step.scratch.stopped,
-                      surface_motion ? &*surface_motion : nullptr);
+                      tuning::speculative_margin * scale + task.near, children,
+                      &step.scratch.stopped, surface_motion ? &*surface_motion : nullptr);
     if (is_stopped(step)) {
         task.done = true;  // as it was
         return;
@@ -209,7 +211,8 @@ void narrow_phase_composite(StepContext& step, NarrowPhaseTask& task) {
                 continue;
             }
         }
-        if (swept && !pre_solve_contact && child.manifold.distance > tuning::touch_gap * scale) continue;
+        if (swept && !pre_solve_contact && child.manifold.distance > tuning::touch_gap * scale)
+            continue;
         found.push_back({child, expected_gap(world, c, child.manifold, dt), none});
         task.predicted_gap = minimum(task.predicted_gap, found.back().predicted_gap);
     }
@@ -233,7 +236,8 @@ Approach approach_of(WorldState& world, const Contact& c) {
 Manifold predicted_manifold(const StepContext& step, Contact& c) {
     WorldState& world = step.world;
     const double dt = step.dt;
-    const double displacement = max_closing_distance(world, c, dt), scale = scale_of_pair(world.bodies, c);
+    const double displacement = max_closing_distance(world, c, dt),
+                 scale = scale_of_pair(world.bodies, c);
     const double predicted = tuning::speculative_margin * scale, past = tuning::just_past * scale;
     const auto within = [&](double margin, const PredictedPair& pair) {
         const TransformedShape &a = pair.shape_a(), &b = pair.shape_b();
@@ -253,12 +257,14 @@ Manifold predicted_manifold(const StepContext& step, Contact& c) {
         const Manifold now = within(predicted, pair);
         near = {now.normal, smallest_gap(now)};
         const double most = closing_along(world, c, near.normal) + closing_by_turning(world, c);
-        if (now.count == 0 && near.normal != Vec3{} && near.gap - most * dt >= predicted) return now;
+        if (now.count == 0 && near.normal != Vec3{} && near.gap - most * dt >= predicted)
+            return now;
         const std::optional<double> pre_solve_contact =
             swept ? time_to_contact(world, c, dt) : std::optional(0.0);
         if (!pre_solve_contact) return now;
         if (*pre_solve_contact > 0)
-            return within(predicted, PredictedPair(world, c, minimum(dt, *pre_solve_contact + past / most)));
+            return within(predicted,
+                          PredictedPair(world, c, minimum(dt, *pre_solve_contact + past / most)));
     } else if (!c.touching) {
         near = approach_of(world, c);
     }
@@ -279,8 +285,8 @@ void defer_to_clusters(StepContext& step, NarrowPhaseTask& task, const Manifold&
     task.near = smallest_gap(manifold);
     task.predicted_gap = expected_gap(world, c, manifold, step.dt);
     task.closing = manifold.count > 0
-                        ? closing_speed(world, c, manifold)
-                        : closing_along(world, c, manifold.normal) + closing_by_turning(world, c);
+                       ? closing_speed(world, c, manifold)
+                       : closing_along(world, c, manifold.normal) + closing_by_turning(world, c);
     if (manifold.count == 0) return;
     task.list = scratch.fresh_count.fetch_add(1, std::memory_order_relaxed);
     ASSERT(static_cast<std::size_t>(task.list) < scratch.tasks.size());

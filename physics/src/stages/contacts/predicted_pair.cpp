@@ -23,7 +23,7 @@ SweptShape swept(const WorldState& world, std::uint32_t body, std::uint32_t shap
 }  // namespace
 
 PredictedPair::Side::Side(const WorldState& world, std::uint32_t body, std::uint32_t shape_index,
-                      double time) {
+                          double time) {
     const BodyWarm& warm = warm_of(world, body);
     const ShapeRecord& record = world.shapes.shapes[shape_index];
     v = warm.v;
@@ -67,7 +67,8 @@ void PredictedPair::rewind_manifold(Manifold& m, double displacement) const {
 // start. No further than to half of what is thin: a body may be stopped before it gets there.
 double midpoint_time(const WorldState& world, const Contact& c, double displacement, double dt) {
     const bool touching = c.composite ? c.touching_children > 0 : c.touching;
-    if (!touching || displacement < tuning::noticed_motion * scale_of_pair(world.bodies, c)) return 0;
+    if (!touching || displacement < tuning::noticed_motion * scale_of_pair(world.bodies, c))
+        return 0;
     const BodyCold &a = world.bodies.cold[c.body_a], &b = world.bodies.cold[c.body_b];
     const double thin =
         b.type == BodyType::dynamic ? minimum(a.inner_radius, b.inner_radius) : a.inner_radius;

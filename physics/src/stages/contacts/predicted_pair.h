@@ -50,7 +50,8 @@ private:
 
 // s from the start of the step: the middle of its forces, for two that touch and move against each
 // other by `way`, m; else 0.
-double midpoint_time(const WorldState& world, const Contact& contact, double displacement, double dt);
+double midpoint_time(const WorldState& world, const Contact& contact, double displacement,
+                     double dt);
 
 // s from the start of the step: when two meet in it; 0 if they touch now, nothing if they do not.
 std::optional<double> time_to_contact(const WorldState& world, const Contact& contact, double dt);

@@ -17,7 +17,8 @@ void queue(ContactStore& store, ContactScratch& scratch, std::uint32_t contact) 
     ASSERT(store.ids.alive(contact) && c.parent == none);
     if (c.queued) return;
     c.queued = true;
-    scratch.tasks.push_back({.contact = contact, .list = c.composite ? scratch.child_list_count++ : -1});
+    scratch.tasks.push_back(
+        {.contact = contact, .list = c.composite ? scratch.child_list_count++ : -1});
 }
 
 // Who leans on something, before anything changes: stages/continuous/ccd_policy.h.
@@ -47,10 +48,11 @@ void select_due_pairs(StepContext& step) {
     ContactScratch& scratch = step.scratch.contacts;
     std::vector<std::uint8_t>& due = scratch.due;
     due.resize(bounds.size());
-    step.thread_pool.run(static_cast<int>(bounds.size()), tuning::bound_grain, [&](int begin, int end) {
-        for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); k++)
-            due[k] = is_due(world, bounds[k], step.dt) ? 1 : 0;
-    });
+    step.thread_pool.run(
+        static_cast<int>(bounds.size()), tuning::bound_grain, [&](int begin, int end) {
+            for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); k++)
+                due[k] = is_due(world, bounds[k], step.dt) ? 1 : 0;
+        });
     std::size_t retained = 0;
     for (std::size_t k = 0; k < bounds.size(); k++) {
         if (k + 8 < bounds.size() && due[k + 8] != 0)
@@ -68,7 +70,7 @@ void select_due_pairs(StepContext& step) {
 
 // A composite pair is looked at as a whole when any of its parts needs it.
 void select_manifolds_to_rebuild(ContactStore& store, const ConstraintGraph& graph,
-                               ContactScratch& scratch) {
+                                 ContactScratch& scratch) {
     const auto prefetch_contacts_of = [&](const ContactConstraintWideMeta& meta) {
         for (int lane = 0; lane < 8; lane++)
             if ((meta.bits(LaneFlag::needs_rebuild) >> lane & 1) != 0 && meta.contact[lane] != none)

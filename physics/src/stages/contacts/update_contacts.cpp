@@ -5,9 +5,9 @@
 
 #include "physics/src/foundation/prefetch.h"
 #include "physics/src/foundation/tuning.h"
+#include "physics/src/stages/contacts/narrow_phase_pair.h"
 #include "physics/src/stages/contacts/select_pairs.h"
 #include "physics/src/stages/contacts/update_touching.h"
-#include "physics/src/stages/contacts/narrow_phase_pair.h"
 #include "physics/src/stages/step_scratch.h"
 
 namespace jostle::physics {
@@ -40,16 +40,17 @@ Skipped update_contacts(StepContext& step) {
     if (step.world.bodies.awake.empty()) return no_awake_bodies;
     select_pairs(step);
     std::vector<NarrowPhaseTask>& tasks = step.scratch.contacts.tasks;
-    step.thread_pool.run(static_cast<int>(tasks.size()), tuning::narrow_phase_grain, [&](int begin, int end) {
-        for (int k = begin; k < end; k++) {
-            NarrowPhaseTask& task = tasks[static_cast<std::size_t>(k)];
-            prefetch_ahead(step.world, tasks, k, end);
-            if (is_stopped(step))
-                task.done = true;  // as it was
-            else
-                narrow_phase_pair(step, task);
-        }
-    });
+    step.thread_pool.run(static_cast<int>(tasks.size()), tuning::narrow_phase_grain,
+                         [&](int begin, int end) {
+                             for (int k = begin; k < end; k++) {
+                                 NarrowPhaseTask& task = tasks[static_cast<std::size_t>(k)];
+                                 prefetch_ahead(step.world, tasks, k, end);
+                                 if (is_stopped(step))
+                                     task.done = true;  // as it was
+                                 else
+                                     narrow_phase_pair(step, task);
+                             }
+                         });
     update_touching(step);
     step.world.profile.pairs_checked = static_cast<int>(tasks.size());
     step.world.profile.composites_checked = step.scratch.contacts.child_list_count;

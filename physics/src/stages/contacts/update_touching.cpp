@@ -10,9 +10,9 @@
 #include "physics/src/stages/contacts/find_clusters.h"
 #include "physics/src/stages/contacts/pair_motion.h"
 #include "physics/src/stages/step_scratch.h"
-#include "physics/src/state/contact_modifiers.h"
 #include "physics/src/state/contact_constraints.h"
 #include "physics/src/state/contact_graph.h"
+#include "physics/src/state/contact_modifiers.h"
 #include "physics/src/state/pair_size.h"
 #include "physics/src/state/separation_bounds.h"
 #include "physics/src/state/shape_proxy.h"
@@ -58,8 +58,9 @@ bool has_asleep(const BodyStore& bodies, const Contact& c) {
 // A kinematic body stops for nobody.
 double mass_as_mover(const BodyStore& bodies, std::uint32_t mover, std::uint32_t other_body) {
     const BodyCold& cold = bodies.cold[mover];
-    return cold.type == BodyType::dynamic ? cold.mass
-                                          : tuning::kinematic_mass_ratio * bodies.cold[other_body].mass;
+    return cold.type == BodyType::dynamic
+               ? cold.mass
+               : tuning::kinematic_mass_ratio * bodies.cold[other_body].mass;
 }
 
 // Whether a manifold begins. One with a body that sleeps begins only when they meet,
@@ -98,7 +99,7 @@ void update_composite(WorldState& world, ContactScratch& scratch, std::uint32_t 
     for (std::uint32_t p = contacts[task.contact].first_child; p != none;) {
         const std::uint32_t next = contacts[p].next_child;
         const bool persists = std::any_of(found.begin(), found.end(),
-                                         [&](const FoundChild& f) { return f.contact == p; });
+                                          [&](const FoundChild& f) { return f.contact == p; });
         if (persists)
             move_to_its_list(world, p);
         else

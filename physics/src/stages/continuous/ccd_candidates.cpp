@@ -9,7 +9,8 @@
 
 namespace jostle::physics {
 
-void CcdCandidates::find(std::uint32_t body, const Aabb& swept_box, std::vector<std::uint32_t>& near) {
+void CcdCandidates::find(std::uint32_t body, const Aabb& swept_box,
+                         std::vector<std::uint32_t>& near) {
     ASSERT(near.empty());
     note_fast();
     swept_.query(swept_box, [&](std::uint32_t other) {

@@ -14,7 +14,7 @@ namespace {
 class SweepCandidateFinder {
 public:
     SweepCandidateFinder(StepContext& step, const SweptMotions& motions,
-                const std::vector<std::uint32_t>& fast)
+                         const std::vector<std::uint32_t>& fast)
         : step_(step),
           world_(step.world),
           motions_(motions),
@@ -23,7 +23,8 @@ public:
 
     void run() {
         record_center_motions();
-        if (scratch_.sweep_candidates.size() < fast_.size()) scratch_.sweep_candidates.resize(fast_.size());
+        if (scratch_.sweep_candidates.size() < fast_.size())
+            scratch_.sweep_candidates.resize(fast_.size());
         if (scratch_.manifolds.size() < fast_.size()) scratch_.manifolds.resize(fast_.size());
         for (std::size_t k = 0; k < fast_.size(); k++) {
             scratch_.sweep_candidates[k].clear();
@@ -58,7 +59,8 @@ private:
             scratch_.fast_body[bodies.awake[fast_[k]].body] = static_cast<std::uint32_t>(k);
         scratch_.center_motions.resize(bodies.cold.size());
         for (const BodyWarm& warm : bodies.awake)
-            scratch_.center_motions[warm.body] = {motions_.of(world_, warm.body).center, warm.center};
+            scratch_.center_motions[warm.body] = {motions_.of(world_, warm.body).center,
+                                                  warm.center};
     }
     CenterMotion center_motion_of(std::uint32_t body) const {
         const BodyCold& cold = world_.bodies.cold[body];
@@ -73,10 +75,12 @@ private:
     void take(std::size_t count, ContactOf&& contact_of, EndsOf&& ends) {
         std::vector<std::uint8_t>& found = scratch_.ends;
         found.resize(count);
-        step_.thread_pool.run(static_cast<int>(count), tuning::bound_grain, [&](int begin, int end) {
-            for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); k++)
-                found[k] = ends(k);
-        });
+        step_.thread_pool.run(static_cast<int>(count), tuning::bound_grain,
+                              [&](int begin, int end) {
+                                  for (auto k = static_cast<std::size_t>(begin);
+                                       k < static_cast<std::size_t>(end); k++)
+                                      found[k] = ends(k);
+                              });
         for (std::size_t k = 0; k < count; k++) {
             if (found[k] == neither) continue;
             const Contact& c = world_.contacts.contacts[contact_of(k)];
@@ -103,14 +107,16 @@ private:
     }
     std::uint8_t ends_of(const Contact& c) const {
         if (c.parent != none) return neither;  // its parent has a bound
-        const auto may_collide = [&](std::uint32_t mover, std::uint32_t hit_body, std::uint32_t shape) {
+        const auto may_collide = [&](std::uint32_t mover, std::uint32_t hit_body,
+                                     std::uint32_t shape) {
             return fast_index(mover) != not_fast &&
-                   motions_.may_collide(world_, motions_.of(world_, mover), world_.bodies.cold[mover],
-                                     hit_body, shape,
-                                     [&] { return bounces_alone(step_, c.shape_a, c.shape_b); });
+                   motions_.may_collide(world_, motions_.of(world_, mover),
+                                        world_.bodies.cold[mover], hit_body, shape,
+                                        [&] { return bounces_alone(step_, c.shape_a, c.shape_b); });
         };
-        return static_cast<std::uint8_t>((may_collide(c.body_a, c.body_b, c.shape_b) ? a : neither) |
-                                         (may_collide(c.body_b, c.body_a, c.shape_a) ? b : neither));
+        return static_cast<std::uint8_t>(
+            (may_collide(c.body_a, c.body_b, c.shape_b) ? a : neither) |
+            (may_collide(c.body_b, c.body_a, c.shape_a) ? b : neither));
     }
 
     static constexpr std::uint32_t not_fast = 0xffffffff;
@@ -125,7 +131,7 @@ private:
 }  // namespace
 
 void find_sweep_candidates(StepContext& step, const SweptMotions& motions,
-                const std::vector<std::uint32_t>& fast) {
+                           const std::vector<std::uint32_t>& fast) {
     SweepCandidateFinder(step, motions, fast).run();
 }
 

@@ -17,6 +17,6 @@ namespace jostle::physics {
 // the shapes in no order, each as often as shapes of its own are in pairs with it, and in manifolds
 // the pairs of shapes that have one.
 void find_sweep_candidates(StepContext& step, const SweptMotions& motions,
-                const std::vector<std::uint32_t>& fast);
+                           const std::vector<std::uint32_t>& fast);
 
 }  // namespace jostle::physics

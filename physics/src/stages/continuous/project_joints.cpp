@@ -58,14 +58,15 @@ public:
         }
         std::sort(joints.begin(), joints.end());
         joints.erase(std::unique(joints.begin(), joints.end()), joints.end());
-        for (const std::uint32_t index : joints) add(world_.joints.joints[index], transformed_shape);
+        for (const std::uint32_t index : joints)
+            add(world_.joints.joints[index], transformed_shape);
     }
 
     double widest() {
         double most = 0;
         for (ProjectedJoint& joint : joints_) {
             const ProjectedBody &a = bodies_[as_index(joint.ends.a)],
-                           &b = bodies_[as_index(joint.ends.b)];
+                                &b = bodies_[as_index(joint.ends.b)];
             joint.arm_a = a.axes * joint.local_a;
             joint.arm_b = b.axes * joint.local_b;
             joint.gap = (b.center + joint.arm_b) - (a.center + joint.arm_a);
@@ -183,7 +184,8 @@ private:
             to.rotation = warm.rotation;
             to.held = cold.type != BodyType::dynamic || cold.set != BodySet::awake ||
                       cold.asleep_in_place || cold.locks != 0;
-            to.transformed_shape = !to.held && std::binary_search(transformed_shape.begin(), transformed_shape.end(), body);
+            to.transformed_shape = !to.held && std::binary_search(transformed_shape.begin(),
+                                                                  transformed_shape.end(), body);
             to.held |= to.transformed_shape;
             to.inverse_mass = cold.inverse_mass;
             turn(to);
@@ -213,7 +215,7 @@ private:
         for (const JointSystemBlock& c : system_blocks_) {
             const ProjectedBody& body = bodies_[as_index(c.body)];
             const ProjectedJoint &later = joints_[as_index(c.later)],
-                            &sooner = joints_[as_index(c.sooner)];
+                                 &sooner = joints_[as_index(c.sooner)];
             const double sign = c.later_b == c.sooner_b ? 1 : -1;
             const Vec3 at = c.later_b ? later.arm_b : later.arm_a;
             const Vec3 by = c.sooner_b ? sooner.arm_b : sooner.arm_a;

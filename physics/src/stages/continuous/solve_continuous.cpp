@@ -17,15 +17,15 @@
 #include "physics/src/stages/continuous/bounce_events.h"
 #include "physics/src/stages/continuous/ccd_candidates.h"
 #include "physics/src/stages/continuous/ccd_policy.h"
-#include "physics/src/stages/continuous/project_joints.h"
 #include "physics/src/stages/continuous/find_sweep_candidates.h"
 #include "physics/src/stages/continuous/parabola.h"
+#include "physics/src/stages/continuous/project_joints.h"
 #include "physics/src/stages/continuous/swept_motions.h"
 #include "physics/src/stages/continuous/toi_body.h"
 #include "physics/src/stages/continuous/toi_dependents.h"
 #include "physics/src/stages/step_scratch.h"
-#include "physics/src/state/contact_modifiers.h"
 #include "physics/src/state/contact_constraints.h"
+#include "physics/src/state/contact_modifiers.h"
 #include "physics/src/state/joint_graph.h"
 #include "physics/src/state/pair_size.h"
 #include "physics/src/state/shape_proxy.h"
@@ -120,7 +120,8 @@ private:
     }
     // What a step adds to the velocity of a body that nobody follows, m/s.
     Vec3 gain_of(const BodyCold& cold) const {
-        return any_bounces_ && !is_supported(cold) ? gain_in_free_fall(world_, cold, step_.dt) : Vec3{};
+        return any_bounces_ && !is_supported(cold) ? gain_in_free_fall(world_, cold, step_.dt)
+                                                   : Vec3{};
     }
     // Whether a velocity takes a body away from all that bore it.
     bool leaves_its_support(std::uint32_t body, Vec3 v, double at) const {
@@ -196,10 +197,12 @@ private:
     // was thrown off that way asks the trees.
     void start_toi_bodies() {
         find_sweep_candidates(step_, motions_, fast_);
-        const std::vector<std::vector<std::uint32_t>>& sweep_candidates = step_.scratch.continuous.sweep_candidates;
+        const std::vector<std::vector<std::uint32_t>>& sweep_candidates =
+            step_.scratch.continuous.sweep_candidates;
         std::vector<std::size_t> starting;  // by TOI body: index of the fast body
         for (std::size_t k = 0; k < fast_.size(); k++)
-            if (!sweep_candidates[k].empty() || finalize_.left_predicted_aabb[fast_[k]] != 0) starting.push_back(k);
+            if (!sweep_candidates[k].empty() || finalize_.left_predicted_aabb[fast_[k]] != 0)
+                starting.push_back(k);
         if (starting.empty()) return;
         bodies_.reserve(starting.size() + starting.size() / 4);
         for (const std::size_t k : starting) add(world_.bodies.awake[fast_[k]].body, true);
@@ -232,7 +235,7 @@ private:
             const std::uint32_t other = is_a ? c.shape_b : c.shape_a;
             const std::uint32_t hit_body = is_a ? c.body_b : c.body_a;
             if (motions_.may_collide(world_, motion, cold, hit_body, other,
-                                  [&] { return bounces_alone(step_, c.shape_a, c.shape_b); }))
+                                     [&] { return bounces_alone(step_, c.shape_a, c.shape_b); }))
                 found.push_back(other);
         }
     }
@@ -368,7 +371,8 @@ private:
     // Whether the other one looks at this TOI body in the same round: once is enough.
     bool is_tested_by(std::size_t k, std::uint32_t other) const {
         const std::uint32_t known = toi_body_of(other);
-        if (known == no_index || known >= k || bodies_[known].full_search_round != round_) return false;
+        if (known == no_index || known >= k || bodies_[known].full_search_round != round_)
+            return false;
         const std::vector<std::uint32_t>& near = bodies_[known].candidates;
         for (std::uint32_t s = world_.bodies.cold[bodies_[k].body].first_shape; s != none;
              s = world_.shapes.shapes[s].next)
@@ -401,10 +405,11 @@ private:
     // left. Of more impacts, which in a crowd that does not bounce well would never end, the
     // contact solver sees the sum.
     bool passes_impact_on(const ToiBody& t, std::uint32_t known, std::uint32_t own,
-                  std::uint32_t other) const {
+                          std::uint32_t other) const {
         const double restitution = pair_restitution(world_.shapes.shapes[own].material,
                                                     world_.shapes.shapes[other].material);
-        const int had = std::max(t.impact_chain_length, known == no_index ? 0 : bodies_[known].impact_chain_length);
+        const int had = std::max(t.impact_chain_length,
+                                 known == no_index ? 0 : bodies_[known].impact_chain_length);
         double left = 1;
         for (int k = 0; k < had; k++) left *= restitution;
         return left > tuning::min_impact_chain;
@@ -540,10 +545,11 @@ private:
                 visit(own);
             return;
         }
-        const double margin = 6 * sweep_gap(swept_shapes.shapes.front(), other) + tuning::swept_margin;
+        const double margin =
+            6 * sweep_gap(swept_shapes.shapes.front(), other) + tuning::swept_margin;
         std::vector<std::uint32_t> near;
         swept_shapes.tree.query(grow(swept_bounds(swept(other, motion), from, until), margin),
-                        [&](std::uint32_t k) { near.push_back(k); });
+                                [&](std::uint32_t k) { near.push_back(k); });
         std::sort(near.begin(), near.end());
         for (const std::uint32_t k : near) visit(swept_shapes.shapes[k]);
     }
@@ -636,7 +642,8 @@ private:
         request_wake(body_a, body_b);
         if (modifier.restitution > 0 && !bodies_[index].at_start)
             put_on_parabolas(a, fall_of(body_a), b, fall_of(body_b), points, at, step_.dt);
-        const HardestPoint hit = resolve_impact(a, b, points, modifier.restitution, modifier.friction);
+        const HardestPoint hit =
+            resolve_impact(a, b, points, modifier.restitution, modifier.friction);
         report(own, other, hit);
         report_impulse(world_, own, other, hit);
         if (modifier.restitution > 0 && hit.approach > tuning::restitution_speed)
@@ -661,14 +668,16 @@ private:
 
     // How two shapes touch that meet between sub-steps, and whether they do.
     ContactModifier modifier_for(std::uint32_t own, std::uint32_t other, const ImpactBody& a,
-                             const ImpactBody& b, const std::vector<ImpactPoint>& points) const {
+                                 const ImpactBody& b,
+                                 const std::vector<ImpactPoint>& points) const {
         const ContactModifier modifier = material_modifier(world_, own, other);
         if (!has_pre_solve_listeners(world_.listeners) || points.empty()) return modifier;
         Vec3 point;
         for (const ImpactPoint& p : points)
             point += p.position * (1.0 / static_cast<double>(points.size()));
         const Vec3 va = a.v + cross(a.w, point - a.center), vb = b.v + cross(b.w, point - b.center);
-        return call_contact_listeners(world_, {own, other, points.front().normal, point, vb - va}, modifier);
+        return call_contact_listeners(world_, {own, other, points.front().normal, point, vb - va},
+                                      modifier);
     }
     // What passes through each other by what listeners said before.
     void note_passes() {
@@ -771,7 +780,7 @@ private:
     std::vector<std::uint32_t> fast_;  // awake indices, rising
     SweptMotions motions_;             // in the whole step
     CcdCandidates candidates_{world_, finalize_.previous, fast_};
-    ToiDependents dependents_;      // of TOI bodies, by whom they meet next
+    ToiDependents dependents_;             // of TOI bodies, by whom they meet next
     std::vector<std::size_t> hit_bodies_;  // scratch
     std::vector<ToiBody> bodies_;
     std::vector<double> next_;  // by TOI body: when something next happens to it

@@ -28,7 +28,8 @@ public:
     // `known`: awake indices. sweep_of_body(awake index): its sweep from the start of the step to
     // its end.
     template <class MotionOf>
-    void note(StepContext& step, const std::vector<std::uint32_t>& known, MotionOf&& sweep_of_body) {
+    void note(StepContext& step, const std::vector<std::uint32_t>& known,
+              MotionOf&& sweep_of_body) {
         const BodyStore& bodies = step.world.bodies;
         motions_.resize(known.size());
         sweeps_.resize(known.size());
@@ -74,7 +75,7 @@ public:
     // asked last.
     template <class Bounces>
     bool may_collide(const WorldState& world, const SweptMotion& motion, const BodyCold& cold,
-                  std::uint32_t other, std::uint32_t other_shape, Bounces&& bounces) const {
+                     std::uint32_t other, std::uint32_t other_shape, Bounces&& bounces) const {
         const BodyCold& cold_other = world.bodies.cold[other];
         if (left_to_contacts(world, cold, cold_other)) return false;
         const SweptMotion other_motion = of(world, other);
@@ -98,11 +99,12 @@ public:
 
 private:
     static bool is_on_path(const WorldState& world, const SweptMotion& motion, double radius,
-                          const ShapeRecord& shape) {
+                           const ShapeRecord& shape) {
         const Vec3 end = motion.center + motion.motion;
         const Aabb swept_box =
             grow({min(motion.center, end), max(motion.center, end)}, radius + tuning::swept_margin);
-        return is_plane(shape) ? reaches_plane(world, shape, swept_box) : overlap(swept_box, shape.fat);
+        return is_plane(shape) ? reaches_plane(world, shape, swept_box)
+                               : overlap(swept_box, shape.fat);
     }
 
     static constexpr std::uint32_t not_known = 0xffffffff;

@@ -89,7 +89,8 @@ void begin_toi(const WorldState& world, ToiBody& t, const BodyWarm& previous, do
     // Contacts that did nothing let it fly.
     const Vec3 fall = gain_in_free_fall(world, cold, dt);
     const double least = 1e-3;  // m/s
-    t.held = cold.constraints > 0 && length(now.v - previous.v - fall) > least + 0.05 * length(fall);
+    t.held =
+        cold.constraints > 0 && length(now.v - previous.v - fall) > least + 0.05 * length(fall);
     if (t.held) return;
     t.velocity = previous.v;
     t.gain = now.v - previous.v;
@@ -174,7 +175,7 @@ void finish_toi(WorldState& world, const ToiBody& t, double dt) {
     warm.v = t.velocity + t.gain * (until - t.sweep.from);
     warm.w = stayed ? t.spin : t.end_spin;
     move_body_to(world, t.body, center_at(t.sweep, until),
-                    stayed ? rotation_at(t.sweep, until) : t.end_rotation, dt);
+                 stayed ? rotation_at(t.sweep, until) : t.end_rotation, dt);
 }
 
 }  // namespace jostle::physics

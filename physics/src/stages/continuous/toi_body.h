@@ -39,11 +39,11 @@ struct ToiBody {
     bool fast = false;     // looks for impacts itself
     bool changed = false;  // its pose or velocity is no longer what the step made it
     int impacts = 0;
-    int legs = 0;                         // that lie behind it
-    int impact_chain_length = 0;                    // impacts that it had, found by itself or another
-    bool checked = false;                 // the impact below is the first on its way
-    bool queued = false;                  // on the list of those that are to look
-    std::uint32_t full_search_round = 0;            // the round in which it last looked at everything
+    int legs = 0;                                 // that lie behind it
+    int impact_chain_length = 0;                  // impacts that it had, found by itself or another
+    bool checked = false;                         // the impact below is the first on its way
+    bool queued = false;                          // on the list of those that are to look
+    std::uint32_t full_search_round = 0;          // the round in which it last looked at everything
     std::vector<std::uint32_t> deflected_bodies;  // bodies that go another way since then
     // The first impact that is known, if any.
     double fraction = Impact::never;  // of the step
@@ -53,7 +53,7 @@ struct ToiBody {
     bool at_start = false;  // they touched already when its sweep began
     Aabb swept;             // holds all that is left of its way
     std::vector<std::uint32_t> candidates;  // shapes that may be in that box, rising, once each
-    SweptShapes swept_shapes;                         // of its sweep, when first asked for
+    SweptShapes swept_shapes;               // of its sweep, when first asked for
     bool manifolds_known = false;
     std::vector<std::uint64_t> manifolds;  // pair_key() of the shapes of its manifolds, rising
 };

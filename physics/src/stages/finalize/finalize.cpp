@@ -31,12 +31,13 @@ Skipped finalize(StepContext& step) {
     // Kinematic bodies were finalized with the free ones: contacts do not move them.
     const std::vector<std::uint32_t>& solved = solver.bodies.all;
     ASSERT(solved.empty() || solver.hot.size() == world.bodies.awake.size() + 1);
-    step.thread_pool.run(static_cast<int>(solved.size()), tuning::body_grain, [&](int begin, int end) {
-        for (int k = begin; k < end; k++) {
-            const std::uint32_t i = solved[static_cast<std::size_t>(k)] - 1;
-            finalize_body(step, i, motion_of(solver, i + 1, world.bodies.awake[i]));
-        }
-    });
+    step.thread_pool.run(
+        static_cast<int>(solved.size()), tuning::body_grain, [&](int begin, int end) {
+            for (int k = begin; k < end; k++) {
+                const std::uint32_t i = solved[static_cast<std::size_t>(k)] - 1;
+                finalize_body(step, i, motion_of(solver, i + 1, world.bodies.awake[i]));
+            }
+        });
     // In order of the awake set.
     ASSERT(scratch.left_fat_aabb.size() == world.bodies.awake.size());
     auto& moves = scratch.moves;

@@ -5,8 +5,8 @@
 //
 // Reads: SolverScratch::hot, bodies and spin_axes. Writes: what finalize_body does, and
 // ShapeStore::moved for all shapes that left their fat box. Tells the moving broad phase of their
-// new boxes, beside the stages that follow: who asks it calls ThreadPool::finish() before. Leaves in
-// scratch: FinalizeScratch, for solve_continuous and quarantine.
+// new boxes, beside the stages that follow: who asks it calls ThreadPool::finish() before. Leaves
+// in scratch: FinalizeScratch, for solve_continuous and quarantine.
 #pragma once
 
 #include "physics/src/stages/step_context.h"

@@ -138,7 +138,8 @@ void finalize_body(StepContext& step, std::uint32_t awake_index, const FreeMotio
     warm.v = motion.v;
     warm.w = motion.w;
     if (scratch.fast[awake_index] != 0)
-        scratch.left_predicted_aabb[awake_index] = left_predicted_aabb(world.shapes, warm, cold) ? 1 : 0;
+        scratch.left_predicted_aabb[awake_index] =
+            left_predicted_aabb(world.shapes, warm, cold) ? 1 : 0;
     MotionBound& bound = world.bodies.motion[warm.body];
     bound.travel += displacement;
     bound.turned += turned;

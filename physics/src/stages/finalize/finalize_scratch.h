@@ -15,10 +15,10 @@ namespace jostle::physics {
 
 struct FinalizeScratch {
     // By awake body: flags.
-    std::vector<std::uint8_t> left_fat_aabb;  // some shape of it did
-    std::vector<std::uint8_t> not_finite;     // or too fast or too far: to be quarantined
-    std::vector<std::uint8_t> fast;           // moved far, or may have bounced: to be swept
-    std::vector<std::uint8_t> left_predicted_aabb;        // fast, and not where its fat boxes foresaw
+    std::vector<std::uint8_t> left_fat_aabb;        // some shape of it did
+    std::vector<std::uint8_t> not_finite;           // or too fast or too far: to be quarantined
+    std::vector<std::uint8_t> fast;                 // moved far, or may have bounced: to be swept
+    std::vector<std::uint8_t> left_predicted_aabb;  // fast, and not where its fat boxes foresaw
     // Not fast, and did not go as its velocity says: contacts turned it round in the step. Or it
     // may have bounced and is not to be swept itself.
     std::vector<std::uint8_t> deflected;

@@ -44,8 +44,9 @@ void advance(const WorldState& world, const SubstepInfo& substep_info, BodyWarm&
 
 // Before a sub-step listeners, too, push where bodies are in its middle: free_motion() then starts
 // where it passes there with the new velocity.
-void listen_to(StepContext& step, const SubstepInfo& substep_info, std::span<const std::uint32_t> awake,
-               std::span<BodyWarm> moving, std::size_t first, ListenedGroup& group) {
+void listen_to(StepContext& step, const SubstepInfo& substep_info,
+               std::span<const std::uint32_t> awake, std::span<BodyWarm> moving, std::size_t first,
+               ListenedGroup& group) {
     const auto call = [&] {
         call_listeners(step, substep_info, awake, moving, static_cast<std::uint32_t>(first), group);
     };
@@ -56,8 +57,8 @@ void listen_to(StepContext& step, const SubstepInfo& substep_info, std::span<con
 }
 
 // All of them, or chunks of them at once; which are together follows from the awake set alone.
-void listen(StepContext& step, const SubstepInfo& substep_info, std::span<const std::uint32_t> awake,
-            std::span<BodyWarm> moving) {
+void listen(StepContext& step, const SubstepInfo& substep_info,
+            std::span<const std::uint32_t> awake, std::span<BodyWarm> moving) {
     const std::size_t chunk =
         listens_at_once(step.world.listeners) ? std::size_t{tuning::listened_chunk} : moving.size();
     const std::size_t chunks = (moving.size() + chunk - 1) / chunk;
@@ -66,8 +67,8 @@ void listen(StepContext& step, const SubstepInfo& substep_info, std::span<const 
     step.thread_pool.run_tasks(static_cast<int>(chunks), [&](int number) {
         const auto k = static_cast<std::size_t>(number);
         const std::size_t first = k * chunk, count = std::min(chunk, moving.size() - first);
-        listen_to(step, substep_info, awake.subspan(first, count), moving.subspan(first, count), first,
-                  groups[k]);
+        listen_to(step, substep_info, awake.subspan(first, count), moving.subspan(first, count),
+                  first, groups[k]);
     });
 }
 
@@ -97,20 +98,22 @@ void integrate_by_substeps(StepContext& step, std::vector<std::uint32_t>& others
     for (int n = 0; n < count; n++) {
         SubstepInfo substep_info{n, count, step.dt / count};
         if (listened) listen(step, substep_info, awake, moving);
-        step.thread_pool.run(static_cast<int>(moving.size()), tuning::body_grain, [&](int begin, int end) {
-            for (int k = begin; k < end; k++)
-                advance(world, substep_info, moving[static_cast<std::size_t>(k)]);
-        });
+        step.thread_pool.run(
+            static_cast<int>(moving.size()), tuning::body_grain, [&](int begin, int end) {
+                for (int k = begin; k < end; k++)
+                    advance(world, substep_info, moving[static_cast<std::size_t>(k)]);
+            });
         substep_info.after = true;
         if (listened) listen(step, substep_info, awake, moving);
     }
-    step.thread_pool.run(static_cast<int>(moving.size()), tuning::body_grain, [&](int begin, int end) {
-        for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); k++) {
-            const BodyWarm& now = moving[k];
-            const Vec3 displacement = now.center - world.bodies.awake[awake[k]].center;
-            finalize_body(step, awake[k], {displacement, now.rotation, now.v, now.w});
-        }
-    });
+    step.thread_pool.run(
+        static_cast<int>(moving.size()), tuning::body_grain, [&](int begin, int end) {
+            for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); k++) {
+                const BodyWarm& now = moving[k];
+                const Vec3 displacement = now.center - world.bodies.awake[awake[k]].center;
+                finalize_body(step, awake[k], {displacement, now.rotation, now.v, now.w});
+            }
+        });
 }
 
 }  // namespace
@@ -130,16 +133,17 @@ Skipped integrate_free(StepContext& step) {
     const bool by_substeps = has_substep_listeners(world.listeners) || !world.fields.empty();
     if (by_substeps) integrate_by_substeps(step, others);
     const std::vector<std::uint32_t>& free = by_substeps ? others : step.scratch.solver.free;
-    step.thread_pool.run(static_cast<int>(free.size()), tuning::body_grain, [&](int begin, int end) {
-        for (int k = begin; k < end; k++) {
-            const std::uint32_t i = free[static_cast<std::size_t>(k)];
-            ASSERT(i < world.bodies.awake.size());
-            const BodyWarm& warm = world.bodies.awake[i];
-            finalize_body(
-                step, i,
-                free_motion(warm, world.bodies.cold[warm.body], world.def.gravity, step.dt));
-        }
-    });
+    step.thread_pool.run(
+        static_cast<int>(free.size()), tuning::body_grain, [&](int begin, int end) {
+            for (int k = begin; k < end; k++) {
+                const std::uint32_t i = free[static_cast<std::size_t>(k)];
+                ASSERT(i < world.bodies.awake.size());
+                const BodyWarm& warm = world.bodies.awake[i];
+                finalize_body(
+                    step, i,
+                    free_motion(warm, world.bodies.cold[warm.body], world.def.gravity, step.dt));
+            }
+        });
     return ran;
 }
 

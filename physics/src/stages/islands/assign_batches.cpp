@@ -92,8 +92,8 @@ std::vector<Group> find_groups(const WorldState& world, const CoupledIslands& co
 
 // The heaviest stay where they are while there is space; the others fill up batch after batch:
 // neighbours in the lists of bodies stay together.
-void assign(WorldState& world, const CoupledIslands& coupled, const std::vector<std::uint32_t>& weights,
-            SolverTier tier, const Work& work) {
+void assign(WorldState& world, const CoupledIslands& coupled,
+            const std::vector<std::uint32_t>& weights, SolverTier tier, const Work& work) {
     std::vector<Group> groups = find_groups(world, coupled, weights, tier);
     const std::uint32_t batches = batches_for(work.all), fair = work.all / batches;
     std::vector<std::size_t> heaviest(groups.size());

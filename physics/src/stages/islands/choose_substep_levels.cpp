@@ -83,7 +83,8 @@ bool is_held(const BodyCold& cold) {
            (cold.constraints > 0 || cold.first_joint != none);
 }
 
-std::vector<CoupledGroup> find_active_groups(const WorldState& world, const CoupledIslands& coupled) {
+std::vector<CoupledGroup> find_active_groups(const WorldState& world,
+                                             const CoupledIslands& coupled) {
     std::vector<CoupledGroup> groups;
     std::vector<bool> seen(world.islands.islands.size(), false);  // by first of a group
     for (const BodyWarm& warm : world.bodies.awake) {
@@ -133,7 +134,8 @@ void choose_substep_levels(StepContext& step) {
     for (std::uint32_t i = 0; i < world.islands.ids.size(); i++) {
         if (!is_awake(world, i) || !world.islands.islands[i].error.fresh) continue;
         choose_target_level(world, world.islands.islands[i]);
-        if (world.islands.islands[i].error.target_level != world.islands.islands[i].colour_set.batch)
+        if (world.islands.islands[i].error.target_level !=
+            world.islands.islands[i].colour_set.batch)
             asking.push_back(i);
     }
     if (world.def.substep_budget == 0 && !asking.empty()) {

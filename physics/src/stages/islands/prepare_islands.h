@@ -11,8 +11,8 @@
 // What bore something that is gone starts with as much less: its impulses, which warm-start the
 // next step, would throw it up.
 //
-// Reads: awake bodies, contacts that press, joints, Island::remaining_load. Writes: tier and batch of
-// islands (Island::colour_set), and with them the colours and slots of contacts; impulses of
+// Reads: awake bodies, contacts that press, joints, Island::remaining_load. Writes: tier and batch
+// of islands (Island::colour_set), and with them the colours and slots of contacts; impulses of
 // islands that lost a load. Runs every eighth step, and when a load was lost; with a tolerance,
 // every step (choose_substep_levels.h). Leaves nothing else in scratch.
 #pragma once

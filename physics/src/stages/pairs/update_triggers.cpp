@@ -14,12 +14,13 @@ namespace {
 
 bool overlap_now(const WorldState& world, std::uint32_t a, std::uint32_t b) {
     const ShapeRecord &sa = world.shapes.shapes[a], &sb = world.shapes.shapes[b];
-    const TransformedShape pa = transformed_shape(sa, warm_of(world, sa.body)), pb = transformed_shape(sb, warm_of(world, sb.body));
+    const TransformedShape pa = transformed_shape(sa, warm_of(world, sa.body)),
+                           pb = transformed_shape(sb, warm_of(world, sb.body));
     return shapes_overlap(pa, pb);
 }
 
 void test_trigger(const WorldState& world, std::uint32_t trigger, std::vector<std::uint32_t>& found,
-               std::vector<Inside>& inside) {
+                  std::vector<Inside>& inside) {
     const ShapeRecord& shape = world.shapes.shapes[trigger];
     ASSERT(shape.trigger);
     const BodyCold& own = world.bodies.cold[shape.body];

@@ -125,7 +125,8 @@ void put_parts_to_sleep(StepContext& step) {
     auto& count = scratch.resting;
     count.assign(world.islands.ids.size(), 0);
     const auto rests = [&](std::size_t i, const BodyCold& cold) {
-        return scratch.near_restless[i + 1] == 0 && (cold.constraints > 0 || cold.first_joint != none);
+        return scratch.near_restless[i + 1] == 0 &&
+               (cold.constraints > 0 || cold.first_joint != none);
     };
     for (std::size_t i = 0; i < world.bodies.awake.size(); i++) {
         const BodyCold& cold = world.bodies.cold[world.bodies.awake[i].body];

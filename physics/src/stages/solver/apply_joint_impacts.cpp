@@ -38,7 +38,7 @@ JointImpactPoints joint_impact_points(const SolverBodies& hot, const JointImpact
     const ContactConstraintWide& block = *s.block;
     const int k = s.lane;
     const SolverBody &a = hot[static_cast<std::size_t>(block.a[k])],
-                  &b = hot[static_cast<std::size_t>(block.b[k])];
+                     &b = hot[static_cast<std::size_t>(block.b[k])];
     const Vec3 n = get_lane(block.normal, k), t1 = get_lane(block.tangent, k), t2 = cross(n, t1);
     const Vec3 arm_a = get_lane(block.arm_a, k), arm_b = get_lane(block.arm_b, k);
     JointImpactPoints impact;
@@ -47,8 +47,8 @@ JointImpactPoints joint_impact_points(const SolverBodies& hot, const JointImpact
         const double gap{block.gap[i][k]};
         if (gap > 0.5 * double{no_point}) continue;
         const Vec3 in_plane = t1 * double{block.x[i][k]} + t2 * double{block.y[i][k]};
-        const double closing =
-            -dot(n, solver_velocity_at(b, arm_b + in_plane) - solver_velocity_at(a, arm_a + in_plane));
+        const double closing = -dot(
+            n, solver_velocity_at(b, arm_b + in_plane) - solver_velocity_at(a, arm_a + in_plane));
         if (closing <= tuning::restitution_speed || gap > closing * dt) continue;
         impact.closing = maximum(impact.closing, closing);
         impact.points.push_back({in_plane, n});
@@ -84,7 +84,7 @@ bool resolve_joint_impact(SolverBodies& hot, const JointImpact& s, double dt) {
     const JointImpactPoints impact = joint_impact_points(hot, s, dt);
     if (impact.points.empty()) return false;
     SolverBody &hot_a = hot[static_cast<std::size_t>(s.block->a[s.lane])],
-            &hot_b = hot[static_cast<std::size_t>(s.block->b[s.lane])];
+               &hot_b = hot[static_cast<std::size_t>(s.block->b[s.lane])];
     ImpactBody a = solver_impact_body(hot_a, {}), b = solver_impact_body(hot_b, impact.center_b);
     resolve_impact(a, b, impact.points, double{s.meta->restitution[s.lane]},
                    double{s.block->mu[s.lane]});

@@ -15,7 +15,7 @@ namespace {
 
 // Exact both ways.
 constexpr float longer = 2, shorter = 0.5f;
-constexpr double max_error = 1e6;     // m: what is not a number, too
+constexpr double max_error = 1e6;    // m: what is not a number, too
 constexpr double min_error = 1e-12;  // m: 0 says that nothing is known
 
 // With contacts, always in the same order.

@@ -30,8 +30,8 @@ struct JointGroupScratch {
     std::vector<std::unique_ptr<JointGroup>> of_island;  // by island
     std::vector<std::uint32_t> active;                   // islands, in order, that are such groups
     std::vector<std::uint8_t> refused;                   // by island
-    std::vector<JointSolverPreferences> preferences;                     // by island: of its joints
-    std::vector<std::uint8_t> left_to_iterative;            // by island: unless they ask for more
+    std::vector<JointSolverPreferences> preferences;     // by island: of its joints
+    std::vector<std::uint8_t> left_to_iterative;         // by island: unless they ask for more
     std::vector<std::uint8_t> grouped;                   // by awake body: is in one
     std::vector<std::uint32_t> awake;                    // bodies of all of them
     std::vector<FreeMotion> motions;                     // of those

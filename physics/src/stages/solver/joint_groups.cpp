@@ -10,8 +10,8 @@
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/stages/solver/error_trial.h"
 #include "physics/src/stages/solver/group_fields.h"
-#include "physics/src/stages/solver/warm_start_cache.h"
 #include "physics/src/stages/solver/substep_hooks.h"
+#include "physics/src/stages/solver/warm_start_cache.h"
 #include "physics/src/stages/step_scratch.h"
 #include "physics/src/state/joint_graph.h"
 
@@ -226,7 +226,8 @@ void gather_joint(const StepContext& step, JointGroup& group, std::size_t k, dou
            end_of(world, group, b, from.frame_b));
     const DirectBody &body_a = group.solver.bodies[a], &body_b = group.solver.bodies[b];
     write_vectors(joint, body_a, body_b);
-    load_forces(joint, body_a, body_b, read_warm_start(from, carried_by(group, joint, from.kind)), h);
+    load_forces(joint, body_a, body_b, read_warm_start(from, carried_by(group, joint, from.kind)),
+                h);
 }
 
 // False if it is too dense to be solved directly.

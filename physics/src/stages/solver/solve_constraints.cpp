@@ -10,11 +10,11 @@
 #include "physics/src/constraints/free_motion.h"
 #include "physics/src/foundation/check.h"
 #include "physics/src/foundation/tuning.h"
+#include "physics/src/stages/solver/apply_joint_impacts.h"
 #include "physics/src/stages/solver/error_trial.h"
 #include "physics/src/stages/solver/joint_groups.h"
 #include "physics/src/stages/solver/solve_joint_batches.h"
 #include "physics/src/stages/solver/solve_joints.h"
-#include "physics/src/stages/solver/apply_joint_impacts.h"
 #include "physics/src/stages/solver/substep_hooks.h"
 #include "physics/src/stages/step_scratch.h"
 
@@ -266,7 +266,8 @@ std::vector<SolverTask> make_tasks(const StepContext& step) {
     std::vector<SolverTask> tasks;
     // Listeners see the same groups of bodies whatever the threads. With a tolerance batches differ
     // in their sub-steps.
-    const bool any_together = step.thread_pool.size() == 1 || listens_on_one_thread(step.world.listeners);
+    const bool any_together =
+        step.thread_pool.size() == 1 || listens_on_one_thread(step.world.listeners);
     const std::size_t together = any_together && !controls_error(step.world.def) ? batch_count : 1;
     for (const SolverTier tier : all_tiers) {
         const std::size_t first = index_of(ColourSetKey{tier, 0});
@@ -331,9 +332,11 @@ void run_substeps(StepContext& step, const SolverTask& task, const ContactSettin
     SolverScratch& scratch = step.scratch.solver;
     ASSERT(set.substeps >= 1);
     const double h = step.dt / set.substeps;
-    const ContactTask contacts{scratch.colour_runs[task.first], scratch.hot.data(), set, step.thread_pool};
+    const ContactTask contacts{scratch.colour_runs[task.first], scratch.hot.data(), set,
+                               step.thread_pool};
     const Kernels& kernel = kernels();
-    if (!scratch.jointed.of(task.first, task.last).empty()) apply_joint_impacts(step, contacts.runs);
+    if (!scratch.jointed.of(task.first, task.last).empty())
+        apply_joint_impacts(step, contacts.runs);
     const bool bounces = begin_restitution(contacts);
     const bool listened = has_substep_listeners(step.world.listeners);
     const std::vector<std::uint32_t>& in_fields = scratch.in_fields[task.first];
@@ -400,7 +403,8 @@ void solve_with(StepContext& step, const SolverTask& task, const ContactSettings
         shares_levels(joints) || std::any_of(colours.begin(), colours.end(),
                                              [](const ColourRun& run) { return run.shared; });
     ThreadPool alone(1);
-    StepContext substeps{world, step.scratch, shared ? step.thread_pool : alone, step.dt, step.contacts};
+    StepContext substeps{world, step.scratch, shared ? step.thread_pool : alone, step.dt,
+                         step.contacts};
     run_substeps(substeps, task, set, joints, kinematic);
 }
 

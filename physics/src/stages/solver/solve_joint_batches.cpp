@@ -38,7 +38,8 @@ void find_joint_batches(StepContext& step, const JointTask& task) {
                  {preferences, of_world, direct_budget(world.joints.ids.alive_count())});
     task.batches.refused = 0;
     for (std::size_t k = 0; k < preferences.size(); k++)
-        if (solver_of(preferences[k], of_world) == JointSolver::direct && task.batches.found[k] == 0)
+        if (solver_of(preferences[k], of_world) == JointSolver::direct &&
+            task.batches.found[k] == 0)
             task.batches.refused++;
 }
 

@@ -176,8 +176,8 @@ void prepare_joints(StepContext& step, const JointTask& task, double h) {
                 const Carrier carriers[] = {carrier_at(world, bodies[0]),
                                             carrier_at(world, bodies[1])};
                 write_gear(joint, end_of(world, joint.body_a, joint.frame_a, meta.a[lane]),
-                             end_of(world, joint.body_b, joint.frame_b, meta.b[lane]), carriers,
-                             *gear_of(levels, meta.gear), JointLane{lane});
+                           end_of(world, joint.body_b, joint.frame_b, meta.b[lane]), carriers,
+                           *gear_of(levels, meta.gear), JointLane{lane});
             }
         }
     });

@@ -56,7 +56,7 @@ struct BodiesBySet {
 // What a trial of half of the sub-steps keeps (stages/solver/error_trial.h).
 struct ErrorTrial {
     std::vector<GraphColour> colours;  // as they were before it
-    std::vector<SolverBody> bodies;       // as they were after it, in the task's order
+    std::vector<SolverBody> bodies;    // as they were after it, in the task's order
 };
 
 // What listeners are shown of a group.
@@ -66,7 +66,7 @@ struct ListenedGroup {
 };
 
 struct SolverScratch {
-    SolverBodies hot;                         // by hot index
+    SolverBodies hot;                      // by hot index
     std::vector<ExternalChange> external;  // by hot index
     BodiesBySet bodies;                    // dynamic bodies with contacts or joints
     BodiesBySet jointed;                   // those of them with joints

@@ -24,8 +24,8 @@ BodyWarm motion_now(const BodyStore& bodies, const SolverScratch& scratch,
     return now;
 }
 
-void apply_solver_impulse(const BodyStore& bodies, SolverScratch& scratch, std::uint32_t awake_index,
-              Vec3 impulse, Vec3 angular_impulse) {
+void apply_solver_impulse(const BodyStore& bodies, SolverScratch& scratch,
+                          std::uint32_t awake_index, Vec3 impulse, Vec3 angular_impulse) {
     ASSERT(awake_index + 1 < scratch.hot.size());
     SolverBody& hot = scratch.hot[awake_index + 1];
     const BodyCold& cold = bodies.cold[bodies.awake[awake_index].body];

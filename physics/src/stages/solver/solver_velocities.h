@@ -17,7 +17,7 @@ BodyWarm motion_now(const BodyStore& bodies, const SolverScratch& scratch,
 
 // N s, and N m s about the centre of mass. It counts among what acts without contacts: no warm
 // start repeats it.
-void apply_solver_impulse(const BodyStore& bodies, SolverScratch& scratch, std::uint32_t awake_index,
-              Vec3 impulse, Vec3 angular_impulse);
+void apply_solver_impulse(const BodyStore& bodies, SolverScratch& scratch,
+                          std::uint32_t awake_index, Vec3 impulse, Vec3 angular_impulse);
 
 }  // namespace jostle::physics

@@ -14,8 +14,8 @@ namespace {
 // What both kinds of groups have in common.
 class Substep : public SubstepContext {
 public:
-    Substep(StepContext& step, const SubstepInfo& substep_info, std::span<const std::uint32_t> awake,
-            std::vector<BodyId>& ids)
+    Substep(StepContext& step, const SubstepInfo& substep_info,
+            std::span<const std::uint32_t> awake, std::vector<BodyId>& ids)
         : step_(step), substep_info_(substep_info), ids_(ids) {
         ids_.clear();
         for (const std::uint32_t index : awake)
@@ -25,7 +25,9 @@ public:
     double h() const override { return substep_info_.h; }
     int index() const override { return substep_info_.index; }
     int count() const override { return substep_info_.count; }
-    double time() const override { return step_.world.time + substep_info_.index * substep_info_.h; }
+    double time() const override {
+        return step_.world.time + substep_info_.index * substep_info_.h;
+    }
     const World& world() const override { return *step_.world.listeners.stepping; }
     std::span<const BodyId> bodies() const override { return ids_; }
 
@@ -89,7 +91,7 @@ private:
     }
     void push(BodyId id, Vec3 impulse, Vec3 angular_impulse) override {
         apply_solver_impulse(step_.world.bodies, step_.scratch.solver, awake_index(id), impulse,
-                 angular_impulse);
+                             angular_impulse);
     }
 
     std::size_t first_, last_;
@@ -100,7 +102,9 @@ public:
     FreeSubstep(StepContext& step, const SubstepInfo& substep_info,
                 std::span<const std::uint32_t> awake, std::span<BodyWarm> moving,
                 std::uint32_t first_free_index, std::vector<BodyId>& ids)
-        : Substep(step, substep_info, awake, ids), moving_(moving), first_free_index_(first_free_index) {}
+        : Substep(step, substep_info, awake, ids),
+          moving_(moving),
+          first_free_index_(first_free_index) {}
 
     bool contains(BodyId id) const override { return moving_index(id) != none; }
 
@@ -109,8 +113,8 @@ private:
         const std::uint32_t at = awake_index(id);
         ASSERT(at == none || at < step_.scratch.solver.free_index.size());
         const std::uint32_t moving_index = at == none ? none : step_.scratch.solver.free_index[at];
-        const bool inside =
-            moving_index != none && moving_index >= first_free_index_ && moving_index - first_free_index_ < moving_.size();
+        const bool inside = moving_index != none && moving_index >= first_free_index_ &&
+                            moving_index - first_free_index_ < moving_.size();
         return inside ? moving_index - first_free_index_ : none;
     }
     BodyWarm motion(BodyId id) const override { return moving_[moving_index(id)]; }
@@ -125,7 +129,8 @@ private:
     std::uint32_t first_free_index_;
 };
 
-void call(const ListenerStore& listeners, const SubstepInfo& substep_info, SubstepContext& context) {
+void call(const ListenerStore& listeners, const SubstepInfo& substep_info,
+          SubstepContext& context) {
     ASSERT(listeners.stepping != nullptr && has_substep_listeners(listeners));
     for (const auto& [listener, hooks] : listeners.order) {
         if (!hooks.substeps) continue;
@@ -177,9 +182,11 @@ void push_by_fields(StepContext& step, const SubstepInfo& substep_info,
             const std::uint32_t awake = hot[k] - 1;
             if (!reaches(world.fields, center_now(bodies, scratch, awake), 0)) continue;
             const BodyWarm now = motion_now(bodies, scratch, awake);
-            const FieldPush push = field_push(world, now, bodies.cold[now.body], time, substep_info.h);
+            const FieldPush push =
+                field_push(world, now, bodies.cold[now.body], time, substep_info.h);
             if (push.force == Vec3{} && push.torque == Vec3{}) continue;
-            apply_solver_impulse(bodies, scratch, awake, push.force * substep_info.h, push.torque * substep_info.h);
+            apply_solver_impulse(bodies, scratch, awake, push.force * substep_info.h,
+                                 push.torque * substep_info.h);
         }
     });
 }

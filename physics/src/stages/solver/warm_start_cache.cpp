@@ -26,8 +26,8 @@ WarmStartCache read_warm_start(const Joint& from, Quat carried) {
         for (std::size_t k = 0; k < count; k++) {
             const double* const at = &from.memory[k * AxisImpulses::count];
             cache.free_axes[k] = {at[AxisImpulses::lower], at[AxisImpulses::upper],
-                            at[AxisImpulses::spring_impulse], at[AxisImpulses::motor],
-                            at[AxisImpulses::friction]};
+                                  at[AxisImpulses::spring_impulse], at[AxisImpulses::motor],
+                                  at[AxisImpulses::friction]};
         }
         return cache;
     }

@@ -53,7 +53,7 @@ struct SceneModule {
     // world in which it was kept.
     std::vector<std::byte> state;
 };
-inline constexpr std::size_t modules_max = 64;          // of a scene file and of a hosted world
+inline constexpr std::size_t modules_max = 64;           // of a scene file and of a hosted world
 inline constexpr std::size_t module_objects_max = 4096;  // of a module in a scene file
 
 struct SceneDescription {

@@ -31,6 +31,6 @@ physics::Result<physics::ShapeDef> shape_from_bytes(std::string_view bytes,
 void write_contact_properties(v1::Shape& out, const physics::ShapeDef& def);
 // Kind, size and place only: what a viewer draws.
 void write_geometry(v1::Shape& out, const physics::Geometry& geometry,
-                   const physics::Transform& pose);
+                    const physics::Transform& pose);
 
 }  // namespace jostle::scenes

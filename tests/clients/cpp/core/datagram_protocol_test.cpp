@@ -48,9 +48,7 @@ struct DatagramProtocolTest : testing::Test {
         return message;
     }
     std::optional<v1::ClientMessage> by_stream() { return parsed(protocol.take_message(now)); }
-    std::optional<v1::ClientMessage> by_datagram() {
-        return parsed(protocol.take_datagram(now));
-    }
+    std::optional<v1::ClientMessage> by_datagram() { return parsed(protocol.take_datagram(now)); }
 
     Clock::time_point now{1000s};
     PlayProtocol protocol{ClientOptions{.datagrams = true}};
@@ -61,8 +59,7 @@ struct DatagramProtocolTest : testing::Test {
 TEST_F(DatagramProtocolTest, each_snapshot_is_acknowledged_at_once_with_those_before_it) {
     protocol.set_datagrams(true, false);
     by_datagram();
-    for (const std::uint32_t frame : {5u, 6u, 8u})
-        protocol.receive_datagram(snapshot(frame), now);
+    for (const std::uint32_t frame : {5u, 6u, 8u}) protocol.receive_datagram(snapshot(frame), now);
     const auto ack = by_datagram();
     ASSERT_TRUE(ack && ack->has_ack());
     EXPECT_EQ(ack->ack().frame(), 8u);
@@ -116,8 +113,7 @@ TEST_F(DatagramProtocolTest, when_the_way_breaks_the_stream_says_the_ack_that_ma
     const auto ack = by_stream();
     ASSERT_TRUE(ack && ack->has_ack());
     EXPECT_EQ(ack->ack().frame(), 5u);
-    EXPECT_NE(protocol.stats().last_error.find("datagrams do not get through"),
-              std::string::npos);
+    EXPECT_NE(protocol.stats().last_error.find("datagrams do not get through"), std::string::npos);
 }
 
 TEST_F(DatagramProtocolTest, results_come_without_a_world_and_count) {

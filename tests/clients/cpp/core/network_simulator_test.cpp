@@ -67,19 +67,20 @@ TEST(NetworkSimulator, what_is_lost_comes_a_retransmission_later) {
 
 TEST(NetworkSimulator, the_same_seed_is_the_same_link_in_every_language) {
     NetworkSimulator network({.delay_ms = 40,
-                          .jitter_ms = 20,
-                          .tail_ms = 5,
-                          .stalls_ms = 100,
-                          .stall_every_ms = 500,
-                          .loss = 0.05,
-                          .seed = 7});
+                              .jitter_ms = 20,
+                              .tail_ms = 5,
+                              .stalls_ms = 100,
+                              .stall_every_ms = 500,
+                              .loss = 0.05,
+                              .seed = 7});
     std::int64_t sum = 0;
     for (int k = 0; k < 1000; k++) sum += network.arrival_us(k * 16'667LL) - k * 16'667LL;
     EXPECT_EQ(sum, 109'097'580);  // clients/web/src/network_simulator.test.ts has the same number
 }
 
 TEST(NetworkSimulator, is_told_in_a_line_and_says_what_it_cannot_read) {
-    const auto network = parse_network_conditions("delay=80,jitter=20.5,stalls=250,loss=0.02,seed=9");
+    const auto network =
+        parse_network_conditions("delay=80,jitter=20.5,stalls=250,loss=0.02,seed=9");
     ASSERT_TRUE(network.ok());
     EXPECT_EQ(network->delay_ms, 80);
     EXPECT_EQ(network->jitter_ms, 20.5);

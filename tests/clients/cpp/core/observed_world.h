@@ -70,7 +70,8 @@ public:
     void look(const std::vector<SmoothPose>& poses, double shown_s, double s, double seconds) {
         if (shown_s < 0) return;  // nobody told of what was before the first frame
         double error = 0;
-        for (const SmoothPose& now : poses) error = std::max(error, add_rendered_pose(now, shown_s, seconds));
+        for (const SmoothPose& now : poses)
+            error = std::max(error, add_rendered_pose(now, shown_s, seconds));
         errors_.push_back(error);
         if (!last_.empty()) {
             const double speed = (shown_s - last_shown_) / seconds;
@@ -122,7 +123,8 @@ private:
 };
 
 // So many seconds of frames, 60 a second, over a link, drawn so many times a second.
-inline Observation observe(const NetworkConditions& link_settings, double pictures_hz, double seconds = 60) {
+inline Observation observe(const NetworkConditions& link_settings, double pictures_hz,
+                           double seconds = 60) {
     constexpr std::int64_t epoch_us = 7'000'000'000;  // of the server's clock
     constexpr std::int64_t ours_us = 1'000'000;       // of ours, at the same time
     NetworkSimulator link(link_settings);
@@ -140,7 +142,8 @@ inline Observation observe(const NetworkConditions& link_settings, double pictur
             arrival_us = link.arrival_us(std::llround(next * 1e6 / 60));
         }
         const auto poses = buffer.sample(ours_us + us, {});
-        const double shown_s = static_cast<double>(buffer.clock().render_time_us() - epoch_us) / 1e6;
+        const double shown_s =
+            static_cast<double>(buffer.clock().render_time_us() - epoch_us) / 1e6;
         if (!poses.empty())
             watcher.look(poses, shown_s, static_cast<double>(us) / 1e6, 1 / pictures_hz);
     }

@@ -91,7 +91,8 @@ TEST(PlayProtocol, results_that_nobody_takes_do_not_pile_up) {
     stream.welcome();
     for (std::uint32_t i = 1; i <= 5000; i++) {
         v1::ServerMessage message;
-        v1::InputResult& result = *message.mutable_snapshot()->mutable_client_update()->add_results();
+        v1::InputResult& result =
+            *message.mutable_snapshot()->mutable_client_update()->add_results();
         result.set_sequence(i);
         result.set_code(v1::INPUT_CODE_APPLIED);
         stream.hear(message);

@@ -176,7 +176,8 @@ TEST_F(WorldViewTest, an_entity_of_a_datagram_that_overtook_its_roster_is_a_base
         const auto packed = wire::encode_frame(frame, {base, nullptr, nullptr}, {});
         v1::Snapshot s;
         s.set_frame(frame.frame);
-        s.set_baselines(wire::encode_baseline_frames(frame.frame, {.base = base ? base->frame : 0}));
+        s.set_baselines(
+            wire::encode_baseline_frames(frame.frame, {.base = base ? base->frame : 0}));
         s.set_packed(packed.data(), packed.size());
         s.set_crc(wire::frame_crc(frame));
         return s;

@@ -115,11 +115,13 @@ struct Yard {
         const auto vector = [](const v1::Vec3& v) { return Vec3{v.x(), v.y(), v.z()}; };
         if (input.has_impulse()) {
             const physics::BodyState body = *server.body(bodies.at(input.impulse().entity()));
-            modules::apply_player_impulse(server, body, vector(input.impulse().impulse()), std::nullopt)
+            modules::apply_player_impulse(server, body, vector(input.impulse().impulse()),
+                                          std::nullopt)
                 .expect();
         } else if (input.has_grab()) {
             const physics::BodyState body = *server.body(bodies.at(input.grab().entity()));
-            held = *server.create_joint(modules::make_grab_joint(body, vector(input.grab().point())));
+            held =
+                *server.create_joint(modules::make_grab_joint(body, vector(input.grab().point())));
         } else if (input.has_drag()) {
             auto kind = std::get<physics::GrabJoint>(server.joint(held)->def.kind);
             kind.target = vector(input.drag().target());
@@ -520,7 +522,8 @@ TEST(Predictor, who_is_told_how_a_body_moves_corrects_nothing) {
         yard.server.set_gravity_scale(body, 0).expect();
         yard.server.set_locks(body, physics::lock_y).expect();
         if (told) {
-            v1::Entity& entity = *yard.entity_update.mutable_added(yard.entity_update.added_size() - 1);
+            v1::Entity& entity =
+                *yard.entity_update.mutable_added(yard.entity_update.added_size() - 1);
             entity.set_linear_damping(0.7);
             entity.set_angular_damping(0.5);
             entity.set_gravity_scale(0);

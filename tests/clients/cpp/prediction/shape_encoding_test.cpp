@@ -54,7 +54,8 @@ TEST(ShapeEncoding, a_box_has_its_place_its_size_and_all_that_decides_how_it_tou
 }
 
 TEST(ShapeEncoding, hulls_meshes_fields_and_compounds_are_built) {
-    const auto hull = decode_shapes(one({7}, {5, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0.1, 0.1, 0.1}));
+    const auto hull =
+        decode_shapes(one({7}, {5, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0.1, 0.1, 0.1}));
     ASSERT_TRUE(hull);
     EXPECT_EQ(std::get<Hull>(hull->front().geometry).data->vertices.size(), 4u) << "one is inside";
     const auto mesh = decode_shapes(one({8}, {3, 0, 0, 0, 1, 0, 0, 0, 0, 1, 1, 0, 2, 1}));

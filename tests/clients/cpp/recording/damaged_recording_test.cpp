@@ -47,7 +47,8 @@ TEST(DamagedRecording, one_that_was_cut_at_any_byte_is_read_up_to_there) {
     const std::vector<std::uint64_t> places = record_places(world.file);
     const auto whole = opened(world.file).value().index();
     ASSERT_GT(world.file.size(), 2048u);
-    for (std::size_t truncation_reason = 1; truncation_reason <= 1024 + (world.file.size() - places.back()); truncation_reason++) {
+    for (std::size_t truncation_reason = 1;
+         truncation_reason <= 1024 + (world.file.size() - places.back()); truncation_reason++) {
         const std::string rest = world.file.substr(0, world.file.size() - truncation_reason);
         auto reader = opened(rest);
         ASSERT_TRUE(reader.ok()) << reader.error().message;
@@ -73,7 +74,8 @@ TEST(DamagedRecording, one_without_its_index_says_where_it_ends) {
               "byte " + std::to_string(index) + ": it has no index: it was cut off there");
     std::string wrong = file;
     wrong[index + 20] = static_cast<char>(wrong[index + 20] ^ 1);
-    EXPECT_EQ(opened(wrong)->truncation_reason(), "byte " + std::to_string(index) + ": its index is damaged");
+    EXPECT_EQ(opened(wrong)->truncation_reason(),
+              "byte " + std::to_string(index) + ": its index is damaged");
     EXPECT_EQ(opened(wrong)->index(), opened(file)->index()) << "it was made anew";
     // What a file system may leave of blocks that were never written.
     EXPECT_EQ(opened(file.substr(0, index) + std::string(5000, '\0'))->end(), index);

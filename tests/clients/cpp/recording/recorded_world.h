@@ -43,11 +43,11 @@ inline RecordedWorld record_world(int ticks, int ticks_between_keyframes) {
 
     Clock::time_point now = Clock::time_point() + 1000s;
     server::ClientSession link(context,
-                            {.name = "test",
-                             .address = "127.0.0.1",
-                             .call = "jostle.v1.PlayService/Play",
-                             .who = authorizer->identify({.address = "127.0.0.1"})},
-                            now);
+                               {.name = "test",
+                                .address = "127.0.0.1",
+                                .call = "jostle.v1.PlayService/Play",
+                                .who = authorizer->identify({.address = "127.0.0.1"})},
+                               now);
     RecordedWorld made;
     std::ostringstream out;
     RecordingWriter writer(out, 1'700'000'000'000'000);
@@ -67,8 +67,7 @@ inline RecordedWorld record_world(int ticks, int ticks_between_keyframes) {
         now += 16'667us;
         world->tick(now);
         const double seconds = std::chrono::duration<double>(now - began).count();
-        for (v1::Input& input :
-             thrower.act(seconds, protocol.view(), protocol.stats().client_id))
+        for (v1::Input& input : thrower.act(seconds, protocol.view(), protocol.stats().client_id))
             protocol.send(std::move(input));
         if (tick % ticks_between_keyframes == 0) protocol.request_keyframe();
         while (const auto said = protocol.take_message(now)) link.receive(*said, now);

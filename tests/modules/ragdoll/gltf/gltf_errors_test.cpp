@@ -14,7 +14,7 @@ namespace {
 using nlohmann::json;
 
 std::string error_of(const std::function<void(GltfSkeleton&)>& change,
-                      const GltfFigureOptions& options = {}) {
+                     const GltfFigureOptions& options = {}) {
     GltfSkeleton skeleton;
     change(skeleton);
     const auto figure = figure_from_gltf(skeleton.gltf(), options);

@@ -184,7 +184,8 @@ TEST(CompositeOracle, boxes_that_lie_along_a_flat_field_are_not_missed) {
         const Quat roll = from_rotation_vector({random.in(-3, 3), 0, tilts[random.below(4)]});
         const Transform pose{{random.in(-1, 1), random.in(-0.5, 0.5), random.in(-1, 1)},
                              yaw * roll};
-        const TransformedShape ground = transformed_shape(field, {}), lying = transformed_shape(box, pose);
+        const TransformedShape ground = transformed_shape(field, {}),
+                               lying = transformed_shape(box, pose);
         if (!shapes_overlap(ground, lying)) continue;
         touching++;
         std::vector<ChildManifold> manifolds;

@@ -23,7 +23,8 @@ TEST(CollideConvex, apart_gives_what_the_whole_search_gives) {
         const Geometry gb =
             random_geometry(round % 2 == 0 ? ShapeKind::hull : ShapeKind::box, random);
         const Convex a = convex_of(transformed_shape(ga, {{}, random.rotation()}), {});
-        const Convex b = convex_of(transformed_shape(gb, {random.vector(2), random.rotation()}), {});
+        const Convex b =
+            convex_of(transformed_shape(gb, {random.vector(2), random.rotation()}), {});
         const Separation s = separate(a, b, 0, 1e300);
         if (s.distance <= 0) continue;
         apart++;

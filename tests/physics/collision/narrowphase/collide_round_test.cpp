@@ -31,7 +31,8 @@ Manifold beside_edge(const Geometry& box, double lean, double turn) {
     const Geometry capsule = Capsule{r, length_of_half};
     const Vec3 axis = Vec3{0, 0, 1} * std::cos(turn) + side * std::sin(turn);
     const TransformedShape a{&box, {}, diagonal({1, 1, 1})};
-    const TransformedShape b{&capsule, Vec3{half.x, half.y, 0} + out * r, {cross(axis, out), axis, out}};
+    const TransformedShape b{
+        &capsule, Vec3{half.x, half.y, 0} + out * r, {cross(axis, out), axis, out}};
     PairCache cache;
     return collide(a, b, 0.02, cache);
 }

@@ -81,7 +81,8 @@ struct Report {
 
 void check(const Pair& p, Report& report) {
     PairCache cache;
-    const Manifold m = collide(transformed_shape(p.a, p.pose_a), transformed_shape(p.b, p.pose_b), margin, cache);
+    const Manifold m =
+        collide(transformed_shape(p.a, p.pose_a), transformed_shape(p.b, p.pose_b), margin, cache);
     OracleGap truth = separation(p.a, p.pose_a, p.b, p.pose_b);
     // A search may miss the top of a ridge. Every slab gap is a lower bound of the distance, so a
     // better one that somebody claims is taken, after it was measured.
@@ -180,7 +181,8 @@ INSTANTIATE_TEST_SUITE_P(every_pair, CollideOracle, testing::ValuesIn(convex_pai
 TEST(Collide, normals_of_plain_cases) {
     const auto normal = [](const Geometry& a, Vec3 pa, const Geometry& b, Vec3 pb) {
         PairCache cache;
-        const Manifold m = collide(transformed_shape(a, {pa, {}}), transformed_shape(b, {pb, {}}), margin, cache);
+        const Manifold m =
+            collide(transformed_shape(a, {pa, {}}), transformed_shape(b, {pb, {}}), margin, cache);
         EXPECT_GT(m.count, 0);
         return m.normal;
     };
@@ -209,8 +211,8 @@ TEST(Collide, lying_capsule_has_two_points) {
     PairCache cache;
     const Geometry lying = Capsule{0.25, 0.5}, ground = Plane{};
     const Quat along_x = from_rotation_vector({0, 0, pi / 2});
-    const Manifold m =
-        collide(transformed_shape(lying, {{0, 0.25, 0}, along_x}), transformed_shape(ground, {}), margin, cache);
+    const Manifold m = collide(transformed_shape(lying, {{0, 0.25, 0}, along_x}),
+                               transformed_shape(ground, {}), margin, cache);
     ASSERT_EQ(m.count, 2);
     EXPECT_NEAR(std::fabs(m.point[0].x - m.point[1].x), 1, 1e-9);
 }
@@ -223,7 +225,8 @@ TEST(Collide, pairs_of_which_one_is_nowhere_stay_within_their_arrays) {
         for (const Geometry& b : {Geometry(Box{}), Geometry(Cylinder{}), Geometry(Capsule{})})
             for (const Vec3 at : {Vec3{nowhere, 0, 0}, Vec3{nowhere, nowhere, nowhere}}) {
                 PairCache cache;
-                const Manifold m = collide(transformed_shape(a, {{}, {}}), transformed_shape(b, {at, {}}), margin, cache);
+                const Manifold m = collide(transformed_shape(a, {{}, {}}),
+                                           transformed_shape(b, {at, {}}), margin, cache);
                 EXPECT_LE(m.count, 4);
             }
 }

@@ -17,7 +17,8 @@ TEST(PassesCylinder, says_so_of_those_alone_that_were_apart_all_the_way) {
     int passed = 0, touched = 0, missed = 0;
     for (int round = 0; round < 3000; round++) {
         const Geometry geometry = Cylinder{random.in(0.2, 0.5), random.in(0.05, 0.3)};
-        const Convex start = convex_of(transformed_shape(geometry, {random.vector(1), random.rotation()}), {});
+        const Convex start =
+            convex_of(transformed_shape(geometry, {random.vector(1), random.rotation()}), {});
         const Vec3 motion = start.axes.x * random.in(-1, 1) + start.axes.z * random.in(-1, 1);
         const Vec3 at = start.position + motion * random.in(0, 1) + random.vector(0.5);
         const Vec3 corner[3] = {at, at + random.vector(0.5), at + random.vector(0.5)};

@@ -14,7 +14,8 @@ using namespace physics;
 
 SignedDistance between(const Geometry& a, Vec3 at_a, const Geometry& b, Vec3 at_b) {
     PairCache cache;
-    return signed_distance(transformed_shape(a, {at_a, {}}), transformed_shape(b, {at_b, {}}), cache);
+    return signed_distance(transformed_shape(a, {at_a, {}}), transformed_shape(b, {at_b, {}}),
+                           cache);
 }
 
 TEST(ShapeDistance, is_that_of_surfaces_not_of_cores) {
@@ -47,7 +48,8 @@ TEST(ShapeDistance, is_the_same_from_both_sides_and_between_its_points) {
         const Geometry a = random_geometry(kinds[random.below(6)], random);
         const Geometry b = random_geometry(kinds[random.below(6)], random);
         const TransformedShape pa = transformed_shape(a, {random.vector(100), random.rotation()});
-        const TransformedShape pb = transformed_shape(b, {pa.position + random.vector(3), random.rotation()});
+        const TransformedShape pb =
+            transformed_shape(b, {pa.position + random.vector(3), random.rotation()});
         PairCache forth, back;
         const SignedDistance ab = signed_distance(pa, pb, forth);
         const SignedDistance ba = signed_distance(pb, pa, back);

@@ -63,7 +63,8 @@ struct Sweeper {
 
 // By the other search: never, at the start (0), or the fraction.
 double touch_by_search(const Geometry& surface, const Transform& at, const Sweeper& s) {
-    if (shapes_overlap(transformed_shape(s.geometry, s.pose), transformed_shape(surface, at))) return 0;
+    if (shapes_overlap(transformed_shape(s.geometry, s.pose), transformed_shape(surface, at)))
+        return 0;
     const SweptShape moving{.geometry = &s.geometry,
                             .offset = {},
                             .axes = to_matrix(Quat{}),
@@ -84,8 +85,8 @@ struct Score {
 };
 
 void compare(const Geometry& surface, const Transform& at, const Sweeper& s, Score& score) {
-    const auto touch =
-        sweep_to_surface(transformed_shape(surface, at), transformed_shape(s.geometry, s.pose), s.motion, s.gap());
+    const auto touch = sweep_to_surface(transformed_shape(surface, at),
+                                        transformed_shape(s.geometry, s.pose), s.motion, s.gap());
     const double expected = touch_by_search(surface, at, s);
     if (expected > 1) {
         score.misses++;
@@ -161,8 +162,9 @@ TEST(SweepSurface, seams_of_a_flat_ground_have_its_normal) {
         // Half of them level.
         const Quat turn = k % 2 == 0 ? Quat{} : random.rotation();
         const Geometry& shape = shapes[k % 5];
-        const auto touch = sweep_to_surface(transformed_shape(surface, {}), transformed_shape(shape, {from, turn}),
-                                            {0, -3, 0}, 1e-6 * radius_of(shape));
+        const auto touch =
+            sweep_to_surface(transformed_shape(surface, {}), transformed_shape(shape, {from, turn}),
+                             {0, -3, 0}, 1e-6 * radius_of(shape));
         ASSERT_TRUE(touch.has_value());
         ASSERT_TRUE(touch->settled);
         worst = std::max(worst, length(touch->normal - Vec3{0, 1, 0}));
@@ -177,11 +179,13 @@ TEST(SweepSurface, who_goes_along_a_wall_does_not_meet_it) {
     const Geometry wall = hills_of_mesh(8, 1, 0);
     const Sphere ball{0.5};
     const Geometry shape = ball;
-    const auto past = sweep_to_surface(transformed_shape(wall, {}), transformed_shape(shape, {{-2, 0.5 + 1e-4, 0}, {}}),
-                                       {4, 0, 0}, 5e-7);
+    const auto past =
+        sweep_to_surface(transformed_shape(wall, {}),
+                         transformed_shape(shape, {{-2, 0.5 + 1e-4, 0}, {}}), {4, 0, 0}, 5e-7);
     EXPECT_FALSE(past.has_value());
-    const auto into = sweep_to_surface(transformed_shape(wall, {}), transformed_shape(shape, {{-2, 0.5 + 1e-4, 0}, {}}),
-                                       {4, -1e-3, 0}, 5e-7);
+    const auto into =
+        sweep_to_surface(transformed_shape(wall, {}),
+                         transformed_shape(shape, {{-2, 0.5 + 1e-4, 0}, {}}), {4, -1e-3, 0}, 5e-7);
     ASSERT_TRUE(into.has_value());
     EXPECT_NEAR(into->fraction, 0.1, 1e-3);
 }

@@ -6,8 +6,8 @@
 namespace jostle::test {
 namespace {
 using physics::BlockLdl;
-using physics::JointSystemBlock;
 using physics::JointEnds;
+using physics::JointSystemBlock;
 
 // Beads on a line, 1 kg each, of which joints hold the distance: J has -1 at a and 1 at b.
 TEST(JointSystemBlocks, beads_on_a_line_have_the_matrix_of_a_chain) {
@@ -48,7 +48,8 @@ TEST(JointSystemBlocks, what_would_cost_too_much_is_said_before_it_is_done) {
     BlockLdl matrix;
     std::vector<JointSystemBlock> system_blocks;
     EXPECT_FALSE(find_joint_system_blocks(joints, std::vector<int>(joints.size(), 3),
-                               std::vector<std::uint8_t>(40, 1), 1'000'000, matrix, system_blocks));
+                                          std::vector<std::uint8_t>(40, 1), 1'000'000, matrix,
+                                          system_blocks));
     EXPECT_TRUE(system_blocks.empty());
 }
 

@@ -29,7 +29,8 @@ JointLevels levels_of(const std::vector<std::pair<int, int>>& ends, std::size_t 
     return levels;
 }
 
-JointBatches batches_of(JointLevels& levels, std::size_t bodies, const JointSolverOptions& asks = {}) {
+JointBatches batches_of(JointLevels& levels, std::size_t bodies,
+                        const JointSolverOptions& asks = {}) {
     JointBatches batches;
     const std::vector<std::uint8_t> all(levels.joints.size(), 1);
     find_batches(batches, levels, all, bodies, asks);
@@ -137,7 +138,7 @@ TEST(JointBatches, hold_a_long_chain_with_a_heavy_end_in_two_solves) {
         double most = 0;
         for (int k = 0; k < links; k++) {
             const SolverBody &a = hot[static_cast<std::size_t>(k)],
-                          &b = hot[static_cast<std::size_t>(k) + 1];
+                             &b = hot[static_cast<std::size_t>(k) + 1];
             const double arm = k == 0 ? 0 : -0.1;
             const Vec3 at_a = to_vec3(a.v) + cross(to_vec3(a.w), {0, arm, 0});
             const Vec3 at_b = to_vec3(b.v) + cross(to_vec3(b.w), {0, 0.1, 0});

@@ -24,7 +24,8 @@ TEST(PairMotion, closing_way_is_velocity_and_both_turns) {
                 .spin = {0, 24, 0}});
     WorldState& state = state_of(world);
     const std::uint32_t contact = create_contact(state, 0, 1);
-    EXPECT_NEAR(max_closing_distance(state, state.contacts.contacts[contact], dt), (6 + 12) * dt, 1e-12);
+    EXPECT_NEAR(max_closing_distance(state, state.contacts.contacts[contact], dt), (6 + 12) * dt,
+                1e-12);
 }
 
 // A wall a hundred metres wide does not turn, however far its corners are.

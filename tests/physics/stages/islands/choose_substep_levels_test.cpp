@@ -113,7 +113,8 @@ TEST(SubstepLevels, within_a_budget_those_give_in_whom_it_harms_least) {
     EXPECT_EQ(kept, 100);
     const std::vector<IslandSubsteps> island_substeps = world.island_substeps();
     EXPECT_GE(of(island_substeps, heavy).target_substeps, of(island_substeps, heavy).substeps);
-    for (const IslandSubsteps& e : island_substeps) EXPECT_LE(e.error, of(island_substeps, heavy).error);
+    for (const IslandSubsteps& e : island_substeps)
+        EXPECT_LE(e.error, of(island_substeps, heavy).error);
 }
 
 TEST(SubstepLevels, without_a_tolerance_nothing_is_tried_and_nothing_known) {

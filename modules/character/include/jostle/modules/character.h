@@ -98,7 +98,7 @@ struct CharacterState {
     physics::BodyId ground_body;
     physics::Vec3 ground_normal;    // unit
     physics::Vec3 ground_velocity;  // m/s, of the ground under the feet
-    physics::Vec3 applied_impulse;            // N s that it gave to others in the last step
+    physics::Vec3 applied_impulse;  // N s that it gave to others in the last step
 };
 
 namespace character_detail {
@@ -145,7 +145,7 @@ public:
     void control(physics::World& world, physics::BodyId body,
                  const physics::Controls& controls) override;
     bool visit_controlled_entity(physics::World& world, physics::BodyId body,
-                      physics::StateVisitor& v) override;
+                                 physics::StateVisitor& v) override;
     // "character", of each body: kind (bit 0), crouched (bit 1) and ground (bits 2, 3); in 8 bits
     // each heading from -pi to pi, speed over the ground from 0 to 20 m/s, velocity upwards from
     // -20 to 20 m/s.

@@ -21,18 +21,18 @@
 namespace jostle::decomposition {
 
 struct Options {
-    int hulls_max = 32;       // 1 to 1024
-    double max_volume_error = 0.03;     // of the mesh's volume, that parts may hold too much; 0 to 10
-    int planes_per_axis = 15;  // that are tried across each axis of a part; 1 to 127
+    int hulls_max = 32;              // 1 to 1024
+    double max_volume_error = 0.03;  // of the mesh's volume, that parts may hold too much; 0 to 10
+    int planes_per_axis = 15;        // that are tried across each axis of a part; 1 to 127
 };
 
 struct Decomposition {
     std::vector<std::shared_ptr<const physics::ConvexHull>> parts;
-    double mesh_volume = 0;  // m^3
-    double max_volume_error = 0;       // of it: what the hulls hold together, less the mesh; parts of one cut
-                             // do not overlap, parts that were joined may
-    double max_distance = 0;     // m: the furthest that a point of a hull's surface, of many that were
-                             // asked, lies outside the mesh
+    double mesh_volume = 0;       // m^3
+    double max_volume_error = 0;  // of it: what the hulls hold together, less the mesh; parts of
+                                  // one cut do not overlap, parts that were joined may
+    double max_distance = 0;  // m: the furthest that a point of a hull's surface, of many that were
+                              // asked, lies outside the mesh
 };
 
 // Triangles are three indices each, counter-clockwise seen from outside; all the wrong way round is

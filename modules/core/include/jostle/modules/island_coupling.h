@@ -11,6 +11,6 @@ namespace jostle::modules {
 
 // At least one of them is dynamic. Ends with World::destroy_joint(), or with a body.
 physics::Result<physics::JointId> create_island_coupling(physics::World& world, physics::BodyId a,
-                                         physics::BodyId b);
+                                                         physics::BodyId b);
 
 }  // namespace jostle::modules

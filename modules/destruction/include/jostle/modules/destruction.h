@@ -159,15 +159,15 @@ private:
         physics::Vec3 origin;  // of the body, in the frame of the whole
         std::vector<std::uint32_t> chunks;
         bool anchored = false;
-        bool solve_pending = true;     // is to be asked, whatever its loads
-        bool solved = false;   // its factor was made, and paid for
-        bool loaded = false;   // by contacts, when last asked
+        bool solve_pending = true;   // is to be asked, whatever its loads
+        bool solved = false;         // its factor was made, and paid for
+        bool loaded = false;         // by contacts, when last asked
         bool loads_pending = false;  // its loads wait in its chunks: there was no time to ask
-        bool split_pending = false;      // bonds broke: it is to be parted
-        double spin2 = 0;      // rad^2/s^2, when last asked
-        double energy = 0;     // J of the impacts whose loads wait
-        double age = 0;        // s, of a loose single chunk
-        double passing_time = 0;    // s, for which it passes what it broke out of
+        bool split_pending = false;  // bonds broke: it is to be parted
+        double spin2 = 0;            // rad^2/s^2, when last asked
+        double energy = 0;           // J of the impacts whose loads wait
+        double age = 0;              // s, of a loose single chunk
+        double passing_time = 0;     // s, for which it passes what it broke out of
 
         physics::Vec3 linear, angular;  // m/s, rad/s: before the step
 
@@ -193,8 +193,8 @@ private:
     const Destructible* find(DestructibleId id) const;
     Destructible* find(DestructibleId id);
     static physics::Error unknown(DestructibleId id);
-    std::size_t break_near(const physics::World& world, Destructible& destructible, physics::Vec3 center,
-                           double radius);
+    std::size_t break_near(const physics::World& world, Destructible& destructible,
+                           physics::Vec3 center, double radius);
     static void visit(physics::StateVisitor& v, Destructible& destructible);
     void visit_limits(physics::StateVisitor& v);
     static void check_destructible(physics::StateVisitor& v, const Destructible& destructible);
@@ -215,19 +215,23 @@ private:
 
     // destruction_crack.cpp: which bonds break.
     void break_all_bonds(const physics::World& world);
-    void break_bonds_if_loaded(const physics::World& world, std::uint32_t destructible, std::uint32_t piece,
-                         std::span<destruction_detail::ChunkContact> chunk_contacts);
-    bool break_bonds(Destructible& destructible, Piece& piece, std::span<const destruction_detail::ChunkLoad> chunk_loads,
-               physics::Vec3 spin, physics::Vec3 gravity, double& energy);
-    SolveResult solve_group(Destructible& destructible, const destruction_detail::Group& group, Piece* cached,
-               std::span<const destruction_detail::ChunkLoad> chunk_loads, physics::Vec3 spin,
-               physics::Vec3 gravity, double& energy);
-    static std::vector<double> loads_of(const Destructible& destructible, const destruction_detail::Group& group,
+    void break_bonds_if_loaded(const physics::World& world, std::uint32_t destructible,
+                               std::uint32_t piece,
+                               std::span<destruction_detail::ChunkContact> chunk_contacts);
+    bool break_bonds(Destructible& destructible, Piece& piece,
+                     std::span<const destruction_detail::ChunkLoad> chunk_loads, physics::Vec3 spin,
+                     physics::Vec3 gravity, double& energy);
+    SolveResult solve_group(Destructible& destructible, const destruction_detail::Group& group,
+                            Piece* cached,
+                            std::span<const destruction_detail::ChunkLoad> chunk_loads,
+                            physics::Vec3 spin, physics::Vec3 gravity, double& energy);
+    static std::vector<double> loads_of(const Destructible& destructible,
+                                        const destruction_detail::Group& group,
                                         const destruction_detail::BlockFactor& factor,
                                         std::span<const destruction_detail::ChunkLoad> chunk_loads,
                                         physics::Vec3 spin, physics::Vec3 gravity);
-    static std::vector<destruction_detail::Group> connected_groups(const Destructible& destructible,
-                                                           const destruction_detail::Group& group);
+    static std::vector<destruction_detail::Group> connected_groups(
+        const Destructible& destructible, const destruction_detail::Group& group);
 
     // destruction_losses.cpp: what others destroyed.
     void drop_lost_bodies(const physics::World& world);
@@ -236,30 +240,39 @@ private:
     // destruction_split.cpp: pieces become bodies.
     void split_all_pieces(physics::World& world);
     int split(physics::World& world, Destructible& destructible, std::size_t piece, int most);
-    bool is_passing_debris(const Destructible& destructible, const destruction_detail::Group& group) const;
-    physics::Status detach_groups(physics::World& world, Destructible& destructible, std::size_t piece,
-                         std::span<const destruction_detail::Group> leaving,
-                         const destruction_detail::Group& staying);
-    static void remove_detached_shapes(physics::World& world, Destructible& destructible, Piece& piece,
-                            std::span<const destruction_detail::Group> leaving);
+    bool is_passing_debris(const Destructible& destructible,
+                           const destruction_detail::Group& group) const;
+    physics::Status detach_groups(physics::World& world, Destructible& destructible,
+                                  std::size_t piece,
+                                  std::span<const destruction_detail::Group> leaving,
+                                  const destruction_detail::Group& staying);
+    static void remove_detached_shapes(physics::World& world, Destructible& destructible,
+                                       Piece& piece,
+                                       std::span<const destruction_detail::Group> leaving);
     void reverse_excess_impulses(physics::World& world, double dt);
     void merge_mutual_impacts();
     void start_passing();
-    void store_pre_step_state(const physics::World& world, std::uint32_t destructible, Piece& piece);
-    void store_pre_step_state(const physics::World& world, std::uint32_t destructible, physics::BodyId body);
+    void store_pre_step_state(const physics::World& world, std::uint32_t destructible,
+                              Piece& piece);
+    void store_pre_step_state(const physics::World& world, std::uint32_t destructible,
+                              physics::BodyId body);
     const physics::BodyState* pre_step_body(physics::BodyId body) const;
     const destruction_detail::PreStepState* find_pre_step_state(physics::BodyId body) const;
-    void limit_grounded_pieces(physics::World& world, std::span<destruction_detail::ChunkContact> chunk_contacts,
-                         double dt);
+    void limit_grounded_pieces(physics::World& world,
+                               std::span<destruction_detail::ChunkContact> chunk_contacts,
+                               double dt);
     static double remaining_speed(const destruction_detail::ChunkContact& chunk_contact);
-    double restored_speed(const physics::World& world, const destruction_detail::ChunkContact& chunk_contact) const;
-    std::size_t add_reversal_body(const physics::World& world, std::vector<destruction_detail::ReversalBody>& bodies,
-                     physics::BodyId id, const Piece* piece, double dt) const;
+    double restored_speed(const physics::World& world,
+                          const destruction_detail::ChunkContact& chunk_contact) const;
+    std::size_t add_reversal_body(const physics::World& world,
+                                  std::vector<destruction_detail::ReversalBody>& bodies,
+                                  physics::BodyId id, const Piece* piece, double dt) const;
     void add_nearby_bodies(const physics::World& world, std::uint32_t destructible, double dt,
-                        std::vector<destruction_detail::ReversalBody>& bodies,
-                        std::vector<std::size_t>& added) const;
-    destruction_detail::BodyPairs shared_energy_pairs(const physics::World& world, double dt,
-                                       std::vector<destruction_detail::ReversalBody>& bodies) const;
+                           std::vector<destruction_detail::ReversalBody>& bodies,
+                           std::vector<std::size_t>& added) const;
+    destruction_detail::BodyPairs shared_energy_pairs(
+        const physics::World& world, double dt,
+        std::vector<destruction_detail::ReversalBody>& bodies) const;
     void reverse_impacts(physics::World& world, double dt);
     const Piece& piece_of(const destruction_detail::ChunkContact& chunk_contact) const;
     void drop_debris(physics::World& world, double dt);
@@ -275,8 +288,9 @@ private:
     std::vector<destruction_detail::ChunkContact> chunk_contacts_;
     std::vector<destruction_detail::ChunkLoad> chunk_loads_;  // by chunk; valid for one piece's
     std::vector<std::pair<physics::BodyId, std::uint32_t>> passing_bodies_;  // bodies, of wholes
-    std::vector<physics::BodyState> reversed_bodies_;         // what got its speed back, before the step
-    std::vector<destruction_detail::PreStepState> pre_step_states_;  // pieces, and what meets them; by body
+    std::vector<physics::BodyState> reversed_bodies_;  // what got its speed back, before the step
+    std::vector<destruction_detail::PreStepState>
+        pre_step_states_;  // pieces, and what meets them; by body
     std::int64_t work_left_ = 0;
     double max_load_ratio_ = 0;  // of the piece that was asked last, before anything broke
 };

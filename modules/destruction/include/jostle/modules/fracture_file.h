@@ -24,7 +24,7 @@
 namespace jostle::modules {
 
 inline constexpr std::uint32_t fracture_version = 1;
-inline constexpr std::size_t fracture_header_bytes = 20;        // up to the counts
+inline constexpr std::size_t fracture_header_bytes = 20;      // up to the counts
 inline constexpr std::size_t fracture_bytes_max = 256 << 20;  // that are read
 
 // Of a shape that Destruction::add() would take, of boxes and hulls; an error names the chunk.

@@ -65,9 +65,9 @@ using FractureProgress = std::function<void(std::size_t seeds_done, std::size_t 
 
 struct FractureResult {
     FracturedShape shape = {};
-    double volume = 0;  // m^3, of the solid: what its parts hold, each place once
-    double lost = 0;  // m^3 of it in splinters, too thin for a hull or of less than a millionth of
-                      // the mean volume: they are left out
+    double volume = 0;       // m^3, of the solid: what its parts hold, each place once
+    double lost_volume = 0;  // m^3 of it in splinters, too thin for a hull or of less than a
+                             // millionth of the mean volume: they are left out
 };
 // The same of a solid of several hulls, such as those that a mesh is decomposed into. Cells end
 // where a part ends, and bonds hold them together where parts touch. Where parts overlap the first
@@ -79,8 +79,7 @@ physics::Result<FractureResult> fracture_parts(
 physics::Result<FracturedShape> split_box(physics::Vec3 half_extents, int nx, int ny, int nz);
 
 // Points strewn evenly over a box about the origin; the same ones for the same seed.
-std::vector<physics::Vec3> random_seeds(physics::Vec3 half_extents, int count,
-                                           std::uint64_t seed);
+std::vector<physics::Vec3> random_seeds(physics::Vec3 half_extents, int count, std::uint64_t seed);
 
 // Anchors each chunk that reaches as far as dot(direction, x) >= offset. How many did.
 std::size_t anchor(FracturedShape& shape, physics::Vec3 direction, double offset);

@@ -81,19 +81,22 @@ private:
     struct Entry {
         FieldKey key;
         VolumeField field;
-        physics::Vec3 last_wake_position = {};  // Central: where its body was when it last woke others
+        physics::Vec3 last_wake_position =
+            {};  // Central: where its body was when it last woke others
         std::shared_ptr<const UserForce> force;  // follows from the law's name
     };
 
-    fields_detail::SubstepFieldState substep_field_state(const physics::SubstepContext& substep, double middle,
-                                         physics::Vec3 gravity) const;
-    void apply_field(std::size_t at, fields_detail::SubstepFieldState& moment, fields_detail::Load& load) const;
+    fields_detail::SubstepFieldState substep_field_state(const physics::SubstepContext& substep,
+                                                         double middle,
+                                                         physics::Vec3 gravity) const;
+    void apply_field(std::size_t at, fields_detail::SubstepFieldState& moment,
+                     fields_detail::Load& load) const;
     void follow_targets(physics::World& world);
     void explode_due(physics::World& world);
     Entry* find(FieldKey key);
     std::size_t count_waters_except(FieldKey key) const;
     physics::Status check_field(const physics::World& world, FieldKey key,
-                              const VolumeField& field) const;
+                                const VolumeField& field) const;
     void visit_entry(physics::StateVisitor& v, Entry& entry);
 
     std::vector<Entry> entries_;

@@ -132,8 +132,9 @@ private:
         physics::Transform frame, frame_b;  // of the joint in the figure; in the bone
         Muscle muscle;
         double strength = 1;
-        physics::Quat target_rotation, previous_rotation;  // turns of the joint: at the end of the coming step, now
-        physics::Quat blend_start_rotation;            // where a blend began
+        physics::Quat target_rotation,
+            previous_rotation;  // turns of the joint: at the end of the coming step, now
+        physics::Quat blend_start_rotation;  // where a blend began
     };
     struct Figure {
         bool alive = false;
@@ -141,7 +142,7 @@ private:
         RagdollMode mode = RagdollMode::limp;
         bool kinematic_root = false;
         bool pose_changed = false;                  // a new pose for the coming step
-        double blend = 0, blend_elapsed = 0;       // s: of the whole, and so far
+        double blend = 0, blend_elapsed = 0;        // s: of the whole, and so far
         physics::Transform root, blend_start_root;  // of the figure's frame
         std::vector<Bone> bones;
     };

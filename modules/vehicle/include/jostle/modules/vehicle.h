@@ -111,7 +111,8 @@ public:
     bool is_controllable(BodyId body) const override;
     void control(physics::World& world, BodyId body, const physics::Controls& controls) override;
     // Not of a car with wheels that are bodies.
-    bool visit_controlled_entity(physics::World& world, BodyId body, physics::StateVisitor& v) override;
+    bool visit_controlled_entity(physics::World& world, BodyId body,
+                                 physics::StateVisitor& v) override;
     // "vehicle", of each chassis: gear, engine (8 bits of 0 to its most); then for each wheel its
     // radius (8 bits of 0 to 2 m) and width (8 bits of 0 to 1 m), where its centre is in the
     // chassis (3 x 16 bits of -8 to 8 m), 1 if it touches + 2 if it slides, angle (16 bits of 0 to

@@ -17,9 +17,9 @@ namespace jostle::modules {
 using physics::BodyId;
 using physics::Vec3;
 
-inline constexpr std::size_t wheels_max = 16;     // of a car
+inline constexpr std::size_t wheels_max = 16;              // of a car
 inline constexpr std::size_t differential_locks_max = 16;  // of a car: differentials that lock
-inline constexpr std::size_t anti_roll_bars_max = 6;        // anti-roll
+inline constexpr std::size_t anti_roll_bars_max = 6;       // anti-roll
 inline constexpr std::size_t curve_points_max = 16;
 inline constexpr std::size_t gears_max = 12;  // ahead
 
@@ -119,22 +119,22 @@ struct TorquePoint {
 struct Engine {
     std::vector<TorquePoint> curve = {{0, 120},   {100, 190}, {250, 240},
                                       {450, 250}, {600, 220}, {700, 160}};
-    double inertia = 0.2;   // kg m^2, with flywheel, 0.001 to 1e5
-    double idle_speed = 90;       // rad/s, 1 to 5000: held by the governor
-    double max_speed = 680;      // rad/s, above idle, to 1e4: beyond it the fuel is cut
-    double friction = 0.1;  // N m s/rad with the throttle closed, 0 to 1e4
+    double inertia = 0.2;    // kg m^2, with flywheel, 0.001 to 1e5
+    double idle_speed = 90;  // rad/s, 1 to 5000: held by the governor
+    double max_speed = 680;  // rad/s, above idle, to 1e4: beyond it the fuel is cut
+    double friction = 0.1;   // N m s/rad with the throttle closed, 0 to 1e4
 };
 
 struct Gearbox {
     bool automatic = true;
     std::vector<double> forward = {3.6, 2.1, 1.4, 1.0, 0.8};  // 0.01 to 1000 each
-    double reverse = 3.3;                                   // 0.01 to 1000
-    double final_ratio = 3.7;                               // 0.01 to 1000
-    double efficiency = 0.95;                               // 0.1 to 1
-    double shift_time = 0.25;                               // s with the clutch open, 0 to 10
+    double reverse = 3.3;                                     // 0.01 to 1000
+    double final_ratio = 3.7;                                 // 0.01 to 1000
+    double efficiency = 0.95;                                 // 0.1 to 1
+    double shift_time = 0.25;                                 // s with the clutch open, 0 to 10
     double shift_pause = 0.6;  // s between two shifts of an automatic, 0 to 100
-    // rad/s of the engine, 0 to 1e4, down < up; with little throttle it shifts up at half of shift_up_speed,
-    // where the next gear would not shift down again.
+    // rad/s of the engine, 0 to 1e4, down < up; with little throttle it shifts up at half of
+    // shift_up_speed, where the next gear would not shift down again.
     double shift_up_speed = 560, shift_down_speed = 230;
     double clutch_torque = 500;  // N m that it holds, 1 to 1e7
 };
@@ -151,8 +151,8 @@ struct Aerodynamics {
 struct Balance {
     bool enabled = false;
     double max_lean_angle = 0.7;  // rad at full lock, 0 to 1.2
-    double frequency = 0.8;  // Hz with which the lean follows, 0.1 to 5
-    double feet_speed_max = 3;   // m/s, 0 to 20; 0: never
+    double frequency = 0.8;       // Hz with which the lean follows, 0.1 to 5
+    double feet_speed_max = 3;    // m/s, 0 to 20; 0: never
 };
 
 struct VehicleDef {

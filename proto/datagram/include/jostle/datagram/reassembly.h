@@ -33,7 +33,7 @@ private:
     PartialMessage* find_or_add(const Fragment& part);
 
     std::vector<PartialMessage> partial_;  // the newest number last
-    std::optional<std::uint32_t> done_;   // the newest that was finished
+    std::optional<std::uint32_t> done_;    // the newest that was finished
 };
 
 }  // namespace jostle::datagram

@@ -11,8 +11,8 @@
 
 namespace jostle::wire {
 
-// Frame numbers, 0: none. baseline2 only with base, baseline3 only with baseline2; they fall, each by 1 to
-// baseline_distance_max.
+// Frame numbers, 0: none. baseline2 only with base, baseline3 only with baseline2; they fall, each
+// by 1 to baseline_distance_max.
 struct BaselineFrames {
     std::uint32_t baseline = 0, baseline2 = 0, baseline3 = 0;
 

@@ -10,8 +10,8 @@
 namespace jostle::wire {
 
 // The frames that a snapshot refers to. Without base it is absolute: it has all entities in full.
-// baseline2 and baseline3 sharpen the prediction; baseline2 needs base, baseline3 needs baseline2. Their frame numbers
-// fall, each by 1 to 255: frame > base > baseline2 > baseline3.
+// baseline2 and baseline3 sharpen the prediction; baseline2 needs base, baseline3 needs baseline2.
+// Their frame numbers fall, each by 1 to 255: frame > base > baseline2 > baseline3.
 struct Baselines {
     const QuantizedFrame* baseline = nullptr;
     const QuantizedFrame* baseline2 = nullptr;

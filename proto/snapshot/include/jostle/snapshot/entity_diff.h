@@ -54,11 +54,12 @@ private:
 };
 
 // `removed`: rising positions in the base.
-std::vector<Survivor> find_survivors(const Baselines& baselines, const std::vector<std::size_t>& removed);
+std::vector<Survivor> find_survivors(const Baselines& baselines,
+                                     const std::vector<std::size_t>& removed);
 
 // What becomes of the base's entities in a frame.
 struct EntityDiff {
-    std::vector<std::size_t> removed;               // positions in the base
+    std::vector<std::size_t> removed;                    // positions in the base
     std::vector<const EntityState*> spawned, surviving;  // kept: as many as survivors
     std::vector<Survivor> survivors;
     std::size_t unchanged_after = 0;  // left out after the last one
@@ -66,11 +67,11 @@ struct EntityDiff {
 EntityDiff entity_diff(const QuantizedFrame& frame, const Baselines& baselines);
 // Where frame and base are of the same entities, and those in `quiet` need not be looked at.
 EntityDiff entity_diff(const QuantizedFrame& frame, const Baselines& baselines,
-                         std::span<const UnchangedRun> unchanged);
+                       std::span<const UnchangedRun> unchanged);
 
 // Survivors and newcomers as one list. Both rise.
 std::vector<EntityState> merge_entities(std::vector<EntityState> surviving,
-                                const std::vector<EntityState>& spawned);
+                                        const std::vector<EntityState>& spawned);
 
 // 1 where a frame is missing.
 Spacing spacing_of(std::uint32_t frame, const Baselines& baselines);

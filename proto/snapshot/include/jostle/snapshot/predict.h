@@ -17,7 +17,8 @@ inline constexpr std::uint8_t others[4][3] = {{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {
 
 // Ticks between the frames: 1 to 255, and 1 where a frame is missing.
 struct Spacing {
-    std::int64_t dt1 = 1, dt2 = 1, dt3 = 1;  // frame - base, base - baseline2, baseline2 - baseline3
+    std::int64_t dt1 = 1, dt2 = 1,
+                 dt3 = 1;  // frame - base, base - baseline2, baseline2 - baseline3
 };
 
 struct Prediction {
@@ -35,10 +36,10 @@ struct Prediction {
     std::int64_t position_change = 0, rotation_change = 0;
 };
 
-// baseline2 and baseline3 may be null; baseline3 is used only with baseline2. What is at rest in base is predicted
-// to stay.
-Prediction predict(const EntityState& baseline, const EntityState* baseline2, const EntityState* baseline3,
-                   const Spacing& spacing, const QuantSpec& spec);
+// baseline2 and baseline3 may be null; baseline3 is used only with baseline2. What is at rest in
+// base is predicted to stay.
+Prediction predict(const EntityState& baseline, const EntityState* baseline2,
+                   const EntityState* baseline3, const Spacing& spacing, const QuantSpec& spec);
 
 // Nearest integer to a / b, halves away from zero; b > 0.
 inline std::int64_t divide_rounded(std::int64_t a, std::int64_t b) {

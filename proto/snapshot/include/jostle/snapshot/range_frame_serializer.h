@@ -11,8 +11,8 @@
 #include <string>
 
 #include "jostle/snapshot/bit_stream.h"
-#include "jostle/snapshot/frame_models.h"
 #include "jostle/snapshot/entity_diff.h"
+#include "jostle/snapshot/frame_models.h"
 
 namespace jostle::wire {
 
@@ -48,12 +48,13 @@ public:
     }
 
     // Of each survivor its state: an encoder tells `kept`, a decoder fills `states`.
-    bool survivors(const std::vector<const EntityState*>& surviving, std::vector<EntityState>& states,
-                   const std::vector<Survivor>& survivors, const Spacing& t,
-                   std::size_t unchanged_after = 0) {
+    bool survivors(const std::vector<const EntityState*>& surviving,
+                   std::vector<EntityState>& states, const std::vector<Survivor>& survivors,
+                   const Spacing& t, std::size_t unchanged_after = 0) {
         unchanged_after_ = unchanged_after;
         std::size_t resting = unchanged_after;
-        for (const Survivor& s : survivors) resting += s.unchanged_before + (s.baseline->at_rest ? 1 : 0);
+        for (const Survivor& s : survivors)
+            resting += s.unchanged_before + (s.baseline->at_rest ? 1 : 0);
         std::uint64_t run = 0;
         if (!resting_run(run, surviving, survivors, 0, resting)) return false;
         for (std::size_t i = 0; i < survivors.size(); i++) {
@@ -82,7 +83,8 @@ private:
     enum PriorMotion : std::size_t { motionless, moving, stopped };
 
     static PriorMotion prior_motion_of(const Survivor& s) {
-        if (!s.baseline2 || s.baseline2->at_rest || !same_pose(*s.baseline, *s.baseline2)) return moving;
+        if (!s.baseline2 || s.baseline2->at_rest || !same_pose(*s.baseline, *s.baseline2))
+            return moving;
         return s.baseline3 && same_pose(*s.baseline, *s.baseline3) ? motionless : stopped;
     }
 
@@ -104,7 +106,8 @@ private:
     std::uint64_t count(CountModels& m, std::uint64_t value) {
         const unsigned target_width = bit_width(value + 1) - 1;
         unsigned width = 0;
-        while (width < CountModels::widths && coder_.bit(m.wider[width], target_width > width)) width++;
+        while (width < CountModels::widths && coder_.bit(m.wider[width], target_width > width))
+            width++;
         const std::uint64_t leading = std::uint64_t{1} << width;
         return (leading | coder_.raw((value + 1) & (leading - 1), width)) - 1;
     }
@@ -248,8 +251,10 @@ private:
 
     bool awake(EntityState& state, const Survivor& s, const Spacing& t) {
         const PriorMotion prior_motion = prior_motion_of(s);
-        const bool changed = coder_.bit(models_.changes[prior_motion], !same_pose(state, *s.baseline));
-        state.at_rest = coder_.bit(models_.falls_asleep[prior_motion][changed ? 1 : 0], state.at_rest);
+        const bool changed =
+            coder_.bit(models_.changes[prior_motion], !same_pose(state, *s.baseline));
+        state.at_rest =
+            coder_.bit(models_.falls_asleep[prior_motion][changed ? 1 : 0], state.at_rest);
         return !changed || pose(state, s, t);
     }
 
@@ -276,11 +281,13 @@ private:
             const bool back = backwards(p.position_step[k], acceleration);
             const std::size_t step = width_of(p.position_step[k], 3);
             MagnitudeModels& m =
-                models_.position[step][k == 1 ? 1 : 0][signed_class(back ? -acceleration : acceleration)]
+                models_.position[step][k == 1 ? 1 : 0]
+                                [signed_class(back ? -acceleration : acceleration)]
                                 [size_class(p.position_change - size_of(acceleration))]
                                 [k == 0 ? 0 : 1 + width_of(off, 4) / 2];
             const std::int64_t error = state.position[k] - p.position[k];
-            const std::int64_t coded = number(m, models_.position_tail[step], back ? -error : error);
+            const std::int64_t coded =
+                number(m, models_.position_tail[step], back ? -error : error);
             const std::int64_t v = p.position[k] + (back ? -coded : coded);
             if (!is_position(v)) return fail("a position out of range");
             state.position[k] = static_cast<std::int32_t>(v);
@@ -307,8 +314,9 @@ private:
             const bool back = backwards(step[k], acceleration[k]);
             const std::size_t width = width_of(step[k], 3);
             MagnitudeModels& m =
-                models_.rotation[width][signed_class(back ? -acceleration[k] : acceleration[k])][size_class(
-                    change - size_of(acceleration[k]))][k == 0 ? moved_off : 2 + width_of(off, 2)];
+                models_.rotation[width][signed_class(back ? -acceleration[k] : acceleration[k])]
+                                [size_class(change - size_of(acceleration[k]))]
+                                [k == 0 ? moved_off : 2 + width_of(off, 2)];
             const std::int64_t error = state.rotation[k] - r[k];
             const std::int64_t coded =
                 number(m, models_.rotation_tail[width], back ? -error : error);

@@ -25,7 +25,7 @@ WordChanges changes_between(std::span<const std::uint32_t> before,
 // The list of `size` words. corrupt_data: it is too long, or the bytes, which are foreign, do not
 // belong together.
 Result<std::vector<std::uint32_t>> apply_changes(std::span<const std::uint32_t> before,
-                                                std::size_t size, std::string_view changed,
-                                                std::string_view values);
+                                                 std::size_t size, std::string_view changed,
+                                                 std::string_view values);
 
 }  // namespace jostle::wire

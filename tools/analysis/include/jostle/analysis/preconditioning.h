@@ -27,8 +27,8 @@ struct PreconditioningResult {
 inline constexpr double default_epsilons[] = {0, 1e-12, 1e-9, 1e-6, 1e-3};
 
 // Unscaled, then scaled, with each epsilon.
-std::vector<PreconditioningResult> evaluate_preconditioning(const Problem& problem, const Analysis& analysis,
-                                  const SolverLimits& limits = {},
-                                  std::span<const double> epsilons = default_epsilons);
+std::vector<PreconditioningResult> evaluate_preconditioning(
+    const Problem& problem, const Analysis& analysis, const SolverLimits& limits = {},
+    std::span<const double> epsilons = default_epsilons);
 
 }  // namespace jostle::linear_systems

@@ -15,7 +15,7 @@ namespace jostle::linear_systems {
 struct Problem {
     std::size_t count = 0;       // rows
     std::vector<double> matrix;  // count x count, row by row
-    std::vector<double> right;
+    std::vector<double> rhs;
     std::vector<double> lower, upper;
     // Friction: the bounds of a row are -friction x .. friction x of the row that it leans on. -1:
     // it leans on none.
@@ -34,6 +34,6 @@ struct Problem {
 Problem problem_of(const physics::ConstraintSystem& system);
 
 // Without bounds and names.
-Problem problem_of(std::size_t count, std::vector<double> matrix, std::vector<double> right);
+Problem problem_of(std::size_t count, std::vector<double> matrix, std::vector<double> rhs);
 
 }  // namespace jostle::linear_systems

@@ -38,8 +38,8 @@ struct ClientOptions {
     std::uint32_t codec = 2;
     // kbit/s that the server may send, of all that it sends, from 16; 0: what the world takes.
     std::uint32_t max_kbps = 0;
-    // The part of the world that it is told of at first; Client::set_interest() moves it. Without one it
-    // is told of all.
+    // The part of the world that it is told of at first; Client::set_interest() moves it. Without
+    // one it is told of all.
     std::optional<AreaOfInterest> interest = {};
     // Takes snapshots and sends inputs as datagrams where the server offers them, for links that
     // lose packets; while they do not get through, all goes by the stream. Not for a client with a
@@ -53,8 +53,9 @@ struct ClientOptions {
     // Each input is meant for a tick (InputClock) and waits for it at the server, so that the
     // client can foresee what it does. Costs about a tick of delay.
     bool timed_inputs = false;
-    // An Aim that names no moment gets that of the last picture (Client::rendered_time), so that the
-    // server judges it by what was seen. Else it is judged by the world as it is when it arrives.
+    // An Aim that names no moment gets that of the last picture (Client::rendered_time), so that
+    // the server judges it by what was seen. Else it is judged by the world as it is when it
+    // arrives.
     bool attach_view_time = true;
     // For tests and demonstrations: a link that is worse than the real one, in both directions, to
     // a millisecond.

@@ -46,7 +46,8 @@ private:
     std::int64_t now_us_ = 0;
     double mean_us_ = 0, last_us_ = 0, jitter_us_ = 0;
     int frames_since_margin_ = 0;  // since the last margin
-    int consecutive_out_of_range_ = 0;          // how many margins in a row were beyond; negative: short of it
+    int consecutive_out_of_range_ =
+        0;  // how many margins in a row were beyond; negative: short of it
     int jumps_ = 0;
     std::uint32_t last_sent_sequence_ = 0, last_margin_sequence_ = 0;  // newest
 };

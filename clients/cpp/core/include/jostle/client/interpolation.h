@@ -58,7 +58,7 @@ private:
     FramePair frames_around(double at_us) const;
     std::vector<RenderedPose> poses_at(double at_us, const wire::QuantSpec& spec) const;
     bool teleported_since(std::uint32_t entity, std::int64_t server_us,
-                      const wire::QuantSpec& spec) const;
+                          const wire::QuantSpec& spec) const;
     void update_errors(const wire::QuantSpec& spec);
 
     RenderClock clock_;

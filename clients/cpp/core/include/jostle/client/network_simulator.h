@@ -8,8 +8,8 @@
 
 namespace jostle::client {
 
-using jostle::NetworkSimulator;
 using jostle::NetworkConditions;
+using jostle::NetworkSimulator;
 using jostle::parse_network_conditions;
 
 }  // namespace jostle::client

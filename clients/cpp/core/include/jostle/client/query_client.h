@@ -62,15 +62,15 @@ public:
 
     // The first thing that the ray from `origin` to `origin + motion` meets, if any.
     Result<QueryResult<std::optional<RayHit>>> cast_ray(Point origin, Point motion,
-                                                   const QueryOptions& options = {});
+                                                        const QueryOptions& options = {});
     // Entities that overlap a convex shape where it stands, or hold a point. In rising order.
     Result<QueryResult<std::vector<std::uint32_t>>> overlap(const v1::Shape& shape,
-                                                       const QueryOptions& options = {});
+                                                            const QueryOptions& options = {});
     Result<QueryResult<std::vector<std::uint32_t>>> overlap(Point point,
-                                                       const QueryOptions& options = {});
+                                                            const QueryOptions& options = {});
     // The nearest surface within `max_distance` (m) of the point, if any.
-    Result<QueryResult<std::optional<ClosestPointHit>>> closest_point(Point point, double max_distance,
-                                                         const QueryOptions& options = {});
+    Result<QueryResult<std::optional<ClosestPointHit>>> closest_point(
+        Point point, double max_distance, const QueryOptions& options = {});
 
 private:
     struct Impl;

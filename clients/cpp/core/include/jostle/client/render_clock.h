@@ -38,9 +38,9 @@ public:
 
 private:
     struct Arrival {
-        double lateness_us;  // arrival less tick: the way, and how the clocks differ
-        double interval_us;  // since the tick before
-        bool counts_for_jitter;      // tells of the jitter
+        double lateness_us;      // arrival less tick: the way, and how the clocks differ
+        double interval_us;      // since the tick before
+        bool counts_for_jitter;  // tells of the jitter
     };
     void adapt();
     void update_target_delay();
@@ -49,8 +49,8 @@ private:
     std::int64_t newest_us_ = 0, arrived_us_ = 0;
     double min_lateness_us_ = 0;  // lateness of the quickest of them
     double delay_us_ = 60'000, target_delay_us_ = delay_us_;
-    int frames_until_update_ = 0;          // frames; what is wanted is looked at with every eighth
-    bool gap_ended_ = false;  // and what it held up still comes
+    int frames_until_update_ = 0;  // frames; what is wanted is looked at with every eighth
+    bool gap_ended_ = false;       // and what it held up still comes
     bool started_ = false;
     std::int64_t now_us_ = 0;
     double render_time_us_ = 0, speed_ = 1;

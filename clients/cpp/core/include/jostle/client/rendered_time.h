@@ -16,8 +16,9 @@ struct NewestFrame {
     std::int64_t due_us = 0;
 };
 
-// `render_time_us`: of RenderClock; 0, or more than a second before the newest frame: nobody draws, so
-// what is known is the newest frame. Pictures go on for 50 ms after the newest frame, not longer.
+// `render_time_us`: of RenderClock; 0, or more than a second before the newest frame: nobody draws,
+// so what is known is the newest frame. Pictures go on for 50 ms after the newest frame, not
+// longer.
 v1::ViewTime rendered_time(const NewestFrame& newest, std::int64_t render_time_us, double tick_us);
 
 }  // namespace jostle::client

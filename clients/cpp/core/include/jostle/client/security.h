@@ -12,7 +12,7 @@ namespace jostle::client {
 
 struct Security {
     bool tls = false;
-    std::string root_certificates_pem;           // whose certificates the server may show; empty: the
+    std::string root_certificates_pem;     // whose certificates the server may show; empty: the
                                            // system's authorities
     std::string certificate_pem, key_pem;  // shown to the server; empty: none
     std::string token;                     // sent with each call; empty: none

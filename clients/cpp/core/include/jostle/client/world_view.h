@@ -26,7 +26,8 @@ class InterestCells;
 
 class WorldView {
 public:
-    static constexpr std::size_t frame_history_max = 32;  // decoded frames kept as bases of later ones
+    static constexpr std::size_t frame_history_max =
+        32;  // decoded frames kept as bases of later ones
     static constexpr std::size_t geometry_bytes_max = 256u << 20;  // of one large shape
 
     // A new stream: everything is forgotten.
@@ -82,8 +83,8 @@ public:
     // The values of one of them; entity 0: the module itself. Empty: there is none.
     std::span<const std::int32_t> channel(std::string_view kind, std::uint32_t entity) const;
 
-    // What this client drives, for who foresees it (jostle/modules/controlled_entity_state.h has the words, which
-    // are foreign); entity 0: that was not told. It stays as it was told last.
+    // What this client drives, for who foresees it (jostle/modules/controlled_entity_state.h has
+    // the words, which are foreign); entity 0: that was not told. It stays as it was told last.
     struct ControlledEntityState {
         std::uint32_t entity = 0, tick = 0;
         std::string module;
@@ -99,7 +100,8 @@ private:
 
     const KnownFrame* find(std::uint32_t frame) const;
     void remove_unknown_entities();
-    Result<wire::QuantizedFrame> decode_poses(const v1::Snapshot& snapshot, const wire::Baselines& baselines);
+    Result<wire::QuantizedFrame> decode_poses(const v1::Snapshot& snapshot,
+                                              const wire::Baselines& baselines);
 
     wire::QuantSpec spec_;
     std::int64_t epoch_us_ = 0;
@@ -109,9 +111,10 @@ private:
     wire::Channels no_channels_;
     std::vector<v1::ChannelKind> kinds_;
     std::deque<KnownFrame> frames_;
-    bool datagrams_ = false;                     // snapshots may overtake rosters
-    std::optional<wire::QuantizedFrame> known_frame_;  // the newest frame, where it has unknown entities
-    std::shared_ptr<InterestCells> cells_;           // null: it is told of all of the world
+    bool datagrams_ = false;  // snapshots may overtake rosters
+    std::optional<wire::QuantizedFrame>
+        known_frame_;                       // the newest frame, where it has unknown entities
+    std::shared_ptr<InterestCells> cells_;  // null: it is told of all of the world
     std::map<std::uint32_t, v1::Entity> entities_;
     std::map<std::uint64_t, v1::Shape> geometry_;  // large shapes, by id
     ControlledEntityState controlled_entity_;

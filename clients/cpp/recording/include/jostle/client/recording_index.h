@@ -12,7 +12,7 @@ namespace jostle::client {
 
 struct RecordingEntry {
     enum class Kind : std::uint32_t {
-        keyframe = 1,  // a snapshot without a base
+        keyframe = 1,    // a snapshot without a base
         persistent = 2,  // a EntityUpdate or a GeometryChunk: counts from there on
     };
     std::uint64_t offset = 0;  // of its record in the file
@@ -24,7 +24,7 @@ struct RecordingEntry {
 
 // What the index says of a message; nothing: it is not in it.
 inline std::optional<RecordingEntry> index_entry_for(const v1::ServerMessage& message,
-                                              std::uint64_t offset) {
+                                                     std::uint64_t offset) {
     using Kind = RecordingEntry::Kind;
     if (message.has_entity_update() || message.has_geometry())
         return RecordingEntry{.offset = offset, .kind = Kind::persistent};

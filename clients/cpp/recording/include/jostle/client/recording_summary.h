@@ -19,7 +19,7 @@ struct RecordingSummary {
     std::uint64_t keyframes = 0, keyframe_bytes = 0;  // those and what they take
     std::size_t entities = 0, entities_max = 0;       // at the end, and at most
     std::map<std::string, std::uint64_t> messages{};  // of each kind: how many
-    std::string first_error{};                              // that ended the count; empty: none
+    std::string first_error{};                        // that ended the count; empty: none
 };
 // Reads every record, and decodes no snapshot.
 RecordingSummary summarize(RecordingReader& recording);

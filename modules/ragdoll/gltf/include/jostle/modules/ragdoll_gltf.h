@@ -42,11 +42,11 @@ struct GltfBoneOptions {
 };
 
 struct GltfFigureOptions {
-    std::size_t skin = 0;        // which of the file's
-    double scale = 1;            // m of a unit of the file, 1e-4 to 1e4
-    double density = 1000;       // kg/m^3
-    double min_radius = 0.02;  // m, of a bone's capsule, after scaling
-    GltfBoneOptions default_bone = {};     // joints that are not named below
+    std::size_t skin = 0;               // which of the file's
+    double scale = 1;                   // m of a unit of the file, 1e-4 to 1e4
+    double density = 1000;              // kg/m^3
+    double min_radius = 0.02;           // m, of a bone's capsule, after scaling
+    GltfBoneOptions default_bone = {};  // joints that are not named below
     std::vector<GltfBoneOptions> bones = {};
 };
 

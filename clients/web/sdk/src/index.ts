@@ -1,11 +1,11 @@
-export { areaOfInterestFromQuery, type AreaOfInterest } from './connection/area_of_interest.js';
-export { Connection, openSocket, type Events, type Input, type PredictionListener, type Socket, type State } from './connection/connection.js';
-export { nowUs } from './clock/clock.js';
+export { type AreaOfInterest } from './connection/area_of_interest.js';
+export { Connection, openSocket, type ConnectionListener, type Input, type PredictionListener, type Socket, type ConnectionState } from './connection/connection.js';
+export { nowUs } from './clock/clock_sync.js';
 export { FrameBuffer, POSE_FLOATS, type PoseFrame } from './interpolation/frame_buffer.js';
 export { RenderedPoses } from './interpolation/rendered_poses.js';
-export { networkConditionsFromQuery } from './network_simulator/network_simulator.js';
+export { IDEAL_NETWORK, NetworkSimulator, type NetworkConditions } from './network_simulator/network_simulator.js';
 export { simulatedSocket } from './network_simulator/simulated_socket.js';
-export { MOTION } from './prediction/motion.js';
+export { MOTION_CHANNEL } from './prediction/motion_channel.js';
 export { postToServer, Queries } from './queries/queries.js';
 export { withToken } from './queries/bearer_token.js';
 export { RecordedStream } from './recording/recorded_stream.js';

@@ -1,20 +1,20 @@
-// Who is playing: a token that the page was opened with, as #token=... . It is taken out of the address at once, so that neither
-// history nor a shared link holds it, and kept for as long as the tab lives.
+// The token of the user, from #token=... of the URL. It is removed from the URL immediately, so that neither the history nor
+// a shared link contains it, and stored for the lifetime of the tab.
 
 const KEY = 'jostle-token';
 
 export interface UrlLocation {
   readonly hash: string;
-  /** Puts another hash in the address without a trace of the old one. */
+  /** Replaces the hash without a history entry. */
   replaceHash(hash: string): void;
 }
 
-export function takeToken(place: UrlLocation, store: Pick<Storage, 'getItem' | 'setItem'>): string {
-  const fields = new URLSearchParams(place.hash.replace(/^#/, ''));
-  const given = fields.get('token');
-  if (given === null) return store.getItem(KEY) ?? '';
+export function takeToken(url: UrlLocation, store: Pick<Storage, 'getItem' | 'setItem'>): string {
+  const fields = new URLSearchParams(url.hash.replace(/^#/, ''));
+  const token = fields.get('token');
+  if (token === null) return store.getItem(KEY) ?? '';
   fields.delete('token');
-  place.replaceHash(fields.toString());
-  store.setItem(KEY, given);
-  return given;
+  url.replaceHash(fields.toString());
+  store.setItem(KEY, token);
+  return token;
 }

@@ -1,7 +1,7 @@
 import { expect, it } from 'vitest';
-import { ClockSync } from './clock.js';
+import { ClockSync } from './clock_sync.js';
 
-it('believes the shortest round trip, whatever the others say', () => {
+it('uses the sample with the shortest round trip', () => {
   const clock = new ClockSync();
   expect(clock.ready).toBe(false);
   clock.add(0, 1_050_000, 100_000); // 100 ms round trip, true offset 1 s
@@ -11,7 +11,7 @@ it('believes the shortest round trip, whatever the others say', () => {
   expect(clock.rttMs).toBe(2);
 });
 
-it('takes no pong from the future', () => {
+it('rejects pongs from the future', () => {
   const clock = new ClockSync();
   clock.add(500, 1, 400);
   expect(clock.ready).toBe(false);

@@ -1,5 +1,5 @@
-// The server's clock from round trips: the sample with the shortest one says most and is forgotten after half a minute,
-// because clocks drift. All in microseconds.
+// Estimates the server's clock from round trips. The sample with the shortest round trip is the most accurate; samples
+// expire after 30 s because clocks drift. All times in microseconds.
 
 const SAMPLE_LIFE_US = 30e6;
 
@@ -9,7 +9,7 @@ export class ClockSync {
 
   add(sentUs: number, serverUs: number, nowUs: number): void {
     const rtt = nowUs - sentUs;
-    if (rtt < 0) return; // not an echo of ours
+    if (rtt < 0) return; // not an echo of this client
     this.samples.push({ offset: serverUs - sentUs - rtt / 2, rtt, at: nowUs });
     this.samples = this.samples.filter((s) => s.at + SAMPLE_LIFE_US >= nowUs);
     this.offset = this.samples.reduce((a, b) => (b.rtt < a.rtt ? b : a)).offset;

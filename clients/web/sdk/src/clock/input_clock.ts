@@ -1,8 +1,8 @@
-// Which tick of the server an input that is made now is meant for (Input.tick). It runs ahead of the server, so that inputs arrive
-// before their tick: the server tells by how much (the margin, Private.input_margin_us), and this clock is steered until that is a
-// tick and four times its jitter. Within a tick of that it runs evenly; after three margins in a row beyond, at 1.05 or 0.95 times
-// the speed, for as long as it takes; more than ten ticks off, it jumps. The C++ client library has the same
-// (jostle/client/input_clock.h). Times in microseconds.
+// The server tick that an input made now is meant for (Input.tick). The clock runs ahead of the server, so that inputs
+// arrive before their tick. The server reports the margin (ClientUpdate.input_margin_us), and the clock is adjusted until
+// the margin is one tick plus four times its jitter. Within one tick of that target the speed is 1. After three consecutive
+// margins outside, it is 1.05 or 0.95 for as long as necessary. An error of more than ten ticks causes a jump. Same
+// algorithm as jostle/client/input_clock.h of the C++ client library. Times in microseconds.
 
 const MEAN_WEIGHT = 1 / 8;
 const JITTER_WEIGHT = 1 / 16;
@@ -18,78 +18,75 @@ export class InputClock {
   speed = 1;
   jumps = 0;
   private tickUs = 1e6 / 60;
-  private positionTicks = 0; // in ticks
-  private now = 0;
-  private correctionUs = 0; // how much is still to be won or lost
-  private measured = false;
-  private mean = 0;
-  private last = 0;
-  private jitter = FIRST_JITTER_US;
-  private framesSinceMargin = 0; // since the last margin
-  private consecutiveOutOfRange = 0; // how many margins in a row were beyond; negative: short of it
+  private positionTicks = 0;
+  private updatedUs = 0;
+  private correctionUs = 0; // remaining correction
+  private hasMargin = false;
+  private meanMarginUs = 0;
+  private lastMarginUs = 0;
+  private jitterUs = FIRST_JITTER_US;
+  private framesSinceMargin = 0;
+  private consecutiveOutOfRange = 0; // consecutive margins above (positive) or below (negative) the target
   private sentSequence = 0;
   private lastMarginSequence = 0;
 
-  /** A stream of a world with so many ticks a second begins. */
+  /** Starts a stream of a world with `tickHz` ticks per second. */
   begin(tickHz: number): void {
     Object.assign(this, new InputClock());
     if (tickHz > 0 && Number.isFinite(tickHz)) this.tickUs = 1e6 / tickHz;
   }
 
   get targetUs(): number {
-    return this.tickUs + JITTER_MARGIN_FACTOR * this.jitter;
+    return this.tickUs + JITTER_MARGIN_FACTOR * this.jitterUs;
   }
-  /** As told, smoothed. */
+  /** The reported margin, smoothed. */
   get marginUs(): number {
-    return this.mean;
+    return this.meanMarginUs;
   }
 
-  /** A frame arrived: its tick was due so long ago, by the server's clock; and how long an input is on its way. */
+  /** A frame arrived. `dueAgoUs`: time since its tick was due, on the server's clock; `oneWayUs`: latency of an input. */
   onFrame(tick: number, dueAgoUs: number, oneWayUs: number, nowUs: number): void {
-    const wanted = tick + (dueAgoUs + oneWayUs + this.targetUs) / this.tickUs;
+    const target = tick + (dueAgoUs + oneWayUs + this.targetUs) / this.tickUs;
     if (!this.ready) {
       this.ready = true;
-      this.positionTicks = wanted;
-      this.now = nowUs;
+      this.positionTicks = target;
+      this.updatedUs = nowUs;
       return;
     }
-    // Margins know better; but without inputs there are none.
-    const off = wanted - this.position(nowUs);
-    if (++this.framesSinceMargin > MARGIN_TIMEOUT_FRAMES && Math.abs(off) > JUMP_TICKS) this.jump(off);
+    // Margins are more accurate, but there are none without inputs.
+    const error = target - this.position(nowUs);
+    if (++this.framesSinceMargin > MARGIN_TIMEOUT_FRAMES && Math.abs(error) > JUMP_TICKS) this.jump(error);
   }
 
-  /** Inputs up to that number have left. */
+  /** Inputs up to this number were sent. */
   sent(sequence: number): void {
     this.sentSequence = sequence;
   }
 
-  /**
-   * The server told the margin of an input. That of one that was sent before the last jump tells nothing, nor does 0: it knows
-   * none.
-   */
+  /** The server reported the margin of an input; 0: unknown. Margins of inputs sent before the last jump are ignored. */
   onMargin(sequence: number, marginUs: number): void {
     if (sequence <= this.lastMarginSequence || marginUs === 0) return;
     this.lastMarginSequence = sequence;
     this.framesSinceMargin = 0;
-    if (!this.measured) this.mean = this.last = marginUs;
-    this.measured = true;
-    // From one to the next: that the way became longer is no jitter.
-    const change = Math.min(Math.abs(marginUs - this.last), 2 * this.tickUs);
-    this.jitter += JITTER_WEIGHT * (change - this.jitter);
-    this.last = marginUs;
-    this.mean += MEAN_WEIGHT * (marginUs - this.mean);
-    this.steer(marginUs - this.targetUs);
+    if (!this.hasMargin) this.meanMarginUs = this.lastMarginUs = marginUs;
+    this.hasMargin = true;
+    // Between consecutive margins, because a longer latency is not jitter.
+    const change = Math.min(Math.abs(marginUs - this.lastMarginUs), 2 * this.tickUs);
+    this.jitterUs += JITTER_WEIGHT * (change - this.jitterUs);
+    this.lastMarginUs = marginUs;
+    this.meanMarginUs += MEAN_WEIGHT * (marginUs - this.meanMarginUs);
+    this.adjust(marginUs - this.targetUs);
   }
 
-  private steer(off: number): void {
-    if (Math.abs(off) > JUMP_TICKS * this.tickUs) return this.jump(-off / this.tickUs);
-    if (Math.abs(off) < this.tickUs) {
+  private adjust(error: number): void {
+    if (Math.abs(error) > JUMP_TICKS * this.tickUs) return this.jump(-error / this.tickUs);
+    if (Math.abs(error) < this.tickUs) {
       this.consecutiveOutOfRange = 0;
       this.speed = 1;
       return;
     }
-    this.correctionUs = Math.abs(off);
-    this.consecutiveOutOfRange = off > 0 ? Math.max(0, this.consecutiveOutOfRange) + 1 : Math.min(0, this.consecutiveOutOfRange) - 1;
+    this.correctionUs = Math.abs(error);
+    this.consecutiveOutOfRange = error > 0 ? Math.max(0, this.consecutiveOutOfRange) + 1 : Math.min(0, this.consecutiveOutOfRange) - 1;
     if (this.consecutiveOutOfRange >= CONSECUTIVE_MARGINS) this.speed = 1 - SPEED_CORRECTION;
     if (this.consecutiveOutOfRange <= -CONSECUTIVE_MARGINS) this.speed = 1 + SPEED_CORRECTION;
   }
@@ -99,24 +96,24 @@ export class InputClock {
     this.jumps++;
     this.speed = 1;
     this.consecutiveOutOfRange = 0;
-    this.measured = false;
+    this.hasMargin = false;
     this.lastMarginSequence = Math.max(this.lastMarginSequence, this.sentSequence);
   }
 
-  /** In ticks, with a fraction; never back but by a jump. 0 until ready. */
+  /** In ticks, with a fraction; decreases only in a jump. 0 until ready. */
   position(nowUs: number): number {
-    if (this.ready && nowUs > this.now) {
-      const passed = nowUs - this.now;
-      this.positionTicks += (passed * this.speed) / this.tickUs;
-      this.now = nowUs;
-      this.correctionUs -= Math.abs(this.speed - 1) * passed;
+    if (this.ready && nowUs > this.updatedUs) {
+      const elapsed = nowUs - this.updatedUs;
+      this.positionTicks += (elapsed * this.speed) / this.tickUs;
+      this.updatedUs = nowUs;
+      this.correctionUs -= Math.abs(this.speed - 1) * elapsed;
       if (this.correctionUs <= 0) this.speed = 1;
     }
     return this.positionTicks;
   }
 
-  /** The tick that an input of now is meant for: the next whole one. */
+  /** The tick of an input made now: the next whole tick. */
   tick(nowUs: number): number {
-    return Math.ceil(Math.min(2 ** 32 - 1, Math.max(0, this.position(nowUs)))); // a server may say anything of its time
+    return Math.ceil(Math.min(2 ** 32 - 1, Math.max(0, this.position(nowUs)))); // the server's times are untrusted
   }
 }

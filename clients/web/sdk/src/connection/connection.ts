@@ -1,7 +1,7 @@
-// The play stream over a WebSocket: hello, acks, batches of inputs, pings, and coming back after a loss. No view in it.
+// The play stream over a WebSocket: hello, acks, input batches, pings and reconnecting. It renders nothing.
 
 import { create, fromBinary, toBinary, type MessageInitShape } from '@bufbuild/protobuf';
-import { ClockSync, nowUs } from '../clock/clock.js';
+import { ClockSync, nowUs } from '../clock/clock_sync.js';
 import { baselineFrames } from '../snapshot/baseline_frames.js';
 import {
   DecodeError,
@@ -47,38 +47,39 @@ const BATCH_MS = 1000 / 30;
 const PING_MS = 1000;
 const INPUTS_PER_BATCH = 32;
 const RECONNECT_DELAYS_MS = [250, 500, 1000, 2000, 5000];
-const SERVER_TIMEOUT_MS = 5000; // a server says something every second at least: after this it is gone
-const STABLE_CONNECTION_MS = 5000; // who was in a world for so long comes back without a pause
-const CLOSE_POLICY_VIOLATION = 1008; // the close code of a refusal that asking again will not change
+const SERVER_TIMEOUT_MS = 5000; // the server sends at least once per second; after this silence the connection is lost
+const STABLE_CONNECTION_MS = 5000; // a connection that lasted this long resets the reconnect delay
+const CLOSE_POLICY_VIOLATION = 1008; // WebSocket close code of a rejection that a retry would not change
 
 export type Input = MessageInitShape<typeof InputSchema>;
-export type State = 'connecting' | 'playing' | 'waiting' | 'stopped';
+export type ConnectionState = 'connecting' | 'playing' | 'waiting' | 'stopped';
 
-export interface Events {
-  state(state: State, why: string): void;
+export interface ConnectionListener {
+  /** The state changed; `reason` is empty unless the connection was lost or rejected. */
+  state(state: ConnectionState, reason: string): void;
   entityList(entities: ReadonlyMap<number, Entity>): void;
   stats(stats: WorldStats): void;
-  /** What happened in one tick; only while `setEventsEnabled`. */
+  /** Events of one tick; only while enabled by setEventsEnabled(). */
   worldEvents(events: WorldEvents): void;
   inputRejected(result: InputResult): void;
-  /** What the server has to say to the person. */
+  /** A message from the server for the user. */
   notice(text: string): void;
 }
 
-/** Who foresees what inputs do (prediction/prediction_controller.ts). */
+/** Receives what prediction needs: entities, frames, inputs and results (prediction/prediction_controller.ts). */
 export interface PredictionListener {
   begin(welcome: Welcome): void;
   entityAdded(entity: Entity): void;
   entityRemoved(entity: number): void;
-  /** What this client drives, before the frame of its tick; undefined: that is not known any more. */
-  controlledEntity(thing: ControlledEntity | undefined): void;
+  /** State of the controlled entity, before the frame of its tick; undefined: no longer known. */
+  controlledEntity(state: ControlledEntity | undefined): void;
   frame(frame: PoseFrame): void;
   result(result: InputResult): void;
-  /** An input that will be sent with that number; one of the same number as the last comes in its place. Tick 0: the next one. */
+  /** An input that will be sent as `sequence`; the same number again replaces the last input. Tick 0: the next tick. */
   input(sequence: number, tick: number, input: Input): void;
 }
 
-/** What a WebSocket is to us; tests bring their own. */
+/** The subset of WebSocket that a connection uses; tests and recordings implement it. */
 export interface Socket {
   binaryType: string;
   onopen: (() => void) | null;
@@ -102,19 +103,19 @@ export class Connection {
   decodeErrors = 0;
   ageMs = 0;
   world = '';
-  state: State = 'stopped';
+  state: ConnectionState = 'stopped';
 
   private readonly largeShapes = new LargeShapes();
   private readonly controlledEntity = new ControlledStateDecoder();
   private eventsEnabled = false;
   private socket: Socket | undefined;
   private spec: QuantSpec = { unitsPerMeter: 512, rotationComponent: 511 };
-  private codec = 1; // of snapshots
+  private codec = 1; // snapshot codec
   private readonly cells = new InterestCells();
   private focus = { x: 0, z: 0 };
   private readonly inputs = new InputQueue<Input>();
-  private resumeToken = new Uint8Array(0); // empty: it has no place that it could come back to
-  resumed = 0; // connections in which it was the client that it was before
+  private resumeToken = new Uint8Array(0); // empty: no session to resume
+  resumed = 0; // number of resumed connections
   private needKeyframe = false;
   private ackDue = false;
   private lastAck = 0;
@@ -123,7 +124,7 @@ export class Connection {
   private attempt = 0;
   private timer: ReturnType<typeof setInterval> | undefined;
   private retry: ReturnType<typeof setTimeout> | undefined;
-  private lastHeard = 0;
+  private lastReceivedUs = 0;
   private playingSince = 0;
   private lastNotice: Notice | undefined;
   private predictionListener: PredictionListener | undefined;
@@ -131,14 +132,14 @@ export class Connection {
 
   constructor(
     private readonly url: string,
-    private readonly events: Events,
+    private readonly listener: ConnectionListener,
     private readonly open: (url: string) => Socket = openSocket,
     private readonly token = '',
-    private readonly kinds: Iterable<string> = [], // of channels that somebody here understands
-    private readonly areaOfInterest: AreaOfInterest | undefined = undefined, // absent: it is told of all of the world
+    private readonly channelKinds: Iterable<string> = [], // channel kinds to subscribe to
+    private readonly areaOfInterest: AreaOfInterest | undefined = undefined, // undefined: the whole world
   ) {}
 
-  /** Leaves the present world, if any, and joins another by id or name. */
+  /** Leaves the current world, if any, and joins a world by id or name; empty: the server's first world. */
   join(world: string): void {
     this.stop();
     this.world = world;
@@ -146,10 +147,10 @@ export class Connection {
     this.connect();
   }
 
-  /** Whether the server is to tell what happens. It is asked when one joins, so a change leaves and comes back. */
-  setEventsEnabled(wanted: boolean): void {
-    if (this.eventsEnabled === wanted) return;
-    this.eventsEnabled = wanted;
+  /** Subscribes to events. The subscription is part of Hello, so a change rejoins the world. */
+  setEventsEnabled(enabled: boolean): void {
+    if (this.eventsEnabled === enabled) return;
+    this.eventsEnabled = enabled;
     if (this.state === 'playing' || this.state === 'connecting') this.join(this.world);
   }
 
@@ -161,14 +162,14 @@ export class Connection {
     this.setState('stopped', '');
   }
 
-  /** Asks again at once, while waiting for the next attempt. */
+  /** Connects immediately instead of waiting for the next attempt. */
   retryNow(): void {
     if (this.state !== 'waiting') return;
     clearTimeout(this.retry);
     this.connect();
   }
 
-  /** From now on inputs name the tick that they are meant for (InputClock), and this is told of all that it needs to foresee them. */
+  /** From now on, inputs carry the tick that they are meant for (InputClock), and the listener receives what prediction needs. */
   enablePrediction(predictionListener: PredictionListener): void {
     this.predictionListener = predictionListener;
     if (!this.welcome) return;
@@ -177,26 +178,26 @@ export class Connection {
     predictionListener.controlledEntity(this.controlledEntity.newest);
   }
 
-  send(given: Input): void {
+  send(original: Input): void {
     if (this.state !== 'playing') return;
     const now = nowUs();
     const tick = this.predictionListener && this.inputClock.ready ? this.inputClock.tick(now) : 0;
-    const input = this.withViewTime(tick > 0 ? { ...given, tick } : given);
-    // Dragging makes many targets; of a tick only the newest that has not been sent matters.
+    const input = this.withViewTime(tick > 0 ? { ...original, tick } : original);
+    // Dragging produces many targets; only the newest unsent target of a tick matters.
     const last = this.inputs.last;
     if (input.kind?.case === 'drag' && last?.kind?.case === 'drag' && last.tick === input.tick) this.inputs.replaceLast(input);
     else this.inputs.push(input);
     this.predictionListener?.input(this.inputs.newest, tick, input);
-    // What waits for its batch needs a longer lead.
+    // Waiting for the next batch would need a larger input lead.
     if (tick > 0 && now - this.lastBatch >= BATCH_MS * 1000) this.sendInputs(now);
   }
 
-  /** What the last picture shows; absent before the first frame. */
+  /** Server tick of the last rendered frame; undefined before the first frame. */
   renderedTime() {
     return renderedTime(this.frames.newest, this.renderClock.renderTimeUs, this.welcome?.tickHz ?? 0);
   }
 
-  /** An aim that names no moment gets that of the picture, so that the server judges it by what was seen. */
+  /** Adds the rendered time to an aim without view time, so that the server evaluates it against what was on screen. */
   private withViewTime(input: Input): Input {
     const { kind } = input;
     if (kind?.case !== 'impulse' && kind?.case !== 'grab' && kind?.case !== 'explode') return input;
@@ -206,9 +207,9 @@ export class Connection {
     return { ...input, kind: { case: kind.case, value } } as Input;
   }
 
-  private setState(state: State, why: string): void {
+  private setState(state: ConnectionState, reason: string): void {
     this.state = state;
-    this.events.state(state, why);
+    this.listener.state(state, reason);
   }
 
   private dropSocket(): void {
@@ -223,13 +224,13 @@ export class Connection {
     this.setState('connecting', '');
     this.lastNotice = undefined;
     this.playingSince = 0;
-    this.lastHeard = nowUs();
+    this.lastReceivedUs = nowUs();
     const socket = this.open(this.url);
     this.socket = socket;
     socket.binaryType = 'arraybuffer';
     socket.onopen = () => {
       const { world, token, eventsEnabled: events } = this;
-      const channels = [...this.kinds];
+      const channels = [...this.channelKinds];
       const hello = { protocol: PROTOCOL, world, name: 'browser', events, token, channels, codec: NEWEST_CODEC,
         maxKbps: this.areaOfInterest?.maxKbps ?? 0,
         ...(this.areaOfInterest ? { interest: this.interest(this.areaOfInterest) } : {}),
@@ -243,35 +244,35 @@ export class Connection {
     this.timer = setInterval(() => this.pump(), BATCH_MS);
   }
 
-  /** The server ended it, or nobody is there. */
+  /** The server closed the connection or is unreachable. */
   private closed(code: number, reason: string): void {
     const notice = this.lastNotice;
     const last = notice?.code === NoticeCode.DRAINING ? reason || notice.message : notice?.message || reason;
-    const why = last || (this.playingSince > 0 ? 'the connection was lost' : 'the server does not answer');
-    // A world that is gone, or that would not have us, will not change its mind.
-    const forGood =
+    const explanation = last || (this.playingSince > 0 ? 'the connection was lost' : 'the server does not respond');
+    // A closed world, or one that rejected the client, will not accept a retry.
+    const permanent =
       notice?.code === NoticeCode.WORLD_CLOSED ||
       (notice?.code === NoticeCode.REFUSED && code === CLOSE_POLICY_VIOLATION && this.playingSince === 0);
-    if (forGood) {
+    if (permanent) {
       this.dropSocket();
-      this.setState('stopped', why);
+      this.setState('stopped', explanation);
     } else {
-      this.reconnect(why);
+      this.reconnect(explanation);
     }
   }
 
-  /** Something is wrong with what it knows. */
-  private startNewSession(why: string): void {
+  /** Drops the session because its state is inconsistent. */
+  private startNewSession(reason: string): void {
     this.resumeToken = new Uint8Array(0);
-    this.reconnect(why);
+    this.reconnect(reason);
   }
 
-  private reconnect(why: string): void {
+  private reconnect(reason: string): void {
     this.dropSocket();
     if (this.playingSince > 0 && nowUs() - this.playingSince > STABLE_CONNECTION_MS * 1000) this.attempt = 0;
-    const pause = RECONNECT_DELAYS_MS[Math.min(this.attempt++, RECONNECT_DELAYS_MS.length - 1)]!;
-    this.setState('waiting', why);
-    this.retry = setTimeout(() => this.connect(), pause);
+    const delayMs = RECONNECT_DELAYS_MS[Math.min(this.attempt++, RECONNECT_DELAYS_MS.length - 1)]!;
+    this.setState('waiting', reason);
+    this.retry = setTimeout(() => this.connect(), delayMs);
   }
 
   private sendMessage(message: MessageInitShape<typeof ClientMessageSchema>['message']): void {
@@ -280,18 +281,18 @@ export class Connection {
 
   private receive(bytes: Uint8Array): void {
     this.bytesReceived += bytes.length;
-    this.lastHeard = nowUs();
+    this.lastReceivedUs = nowUs();
     let message: ServerMessage['message'];
     try {
       message = fromBinary(ServerMessageSchema, bytes).message;
     } catch {
-      return this.startNewSession('the server sent what this viewer cannot read');
+      return this.startNewSession('the server sent a malformed message');
     }
     switch (message.case) {
       case 'welcome':
         return this.onWelcome(message.value);
       case 'geometry':
-        if (!this.largeShapes.add(message.value)) this.startNewSession('the server sent a shape that this viewer cannot read');
+        if (!this.largeShapes.add(message.value)) this.startNewSession('the server sent a malformed shape');
         return;
       case 'entityUpdate':
         return this.onEntityList(message.value);
@@ -305,9 +306,9 @@ export class Connection {
   }
 
   private onNotice(notice: Notice): void {
-    // The others end the stream, and are shown as what ended it.
+    // Other notices end the stream and become the reason of the state change.
     if (notice.code === NoticeCode.RATE_LIMIT || notice.code === NoticeCode.DRAINING)
-      this.events.notice(notice.message);
+      this.listener.notice(notice.message);
     if (notice.code !== NoticeCode.RATE_LIMIT) this.lastNotice = notice;
   }
 
@@ -318,7 +319,7 @@ export class Connection {
     this.codec = welcome.codec || 1;
     if (!isValidSpec(this.spec) || this.codec > NEWEST_CODEC) {
       this.dropSocket();
-      return this.setState('stopped', 'the server sends positions in a form that this viewer cannot read');
+      return this.setState('stopped', 'the server uses an unsupported snapshot codec or quantization');
     }
     this.resumeToken = new Uint8Array(welcome.resumeToken);
     if (welcome.resumed) this.inputs.resumeAfter(welcome.lastSequence);
@@ -344,7 +345,7 @@ export class Connection {
     this.clock.reset();
     this.entities.clear();
     this.largeShapes.clear();
-    this.controlledEntity.forget();
+    this.controlledEntity.reset();
   }
 
   private onEntityList(change: EntityUpdate): void {
@@ -353,45 +354,45 @@ export class Connection {
       this.predictionListener?.entityRemoved(id);
     }
     for (const entity of change.added) {
-      this.largeShapes.fillIn(entity);
+      this.largeShapes.resolve(entity);
       this.entities.set(entity.id, entity);
       this.predictionListener?.entityAdded(entity);
     }
-    this.events.entityList(this.entities);
+    this.listener.entityList(this.entities);
   }
 
   private onSnapshot(s: Snapshot): void {
     this.ackDue = true;
-    // Before its frame, so that late inputs are where the server had them.
+    // Before the frame, so that the predictor moves late inputs to the ticks of the server.
     for (const result of s.clientUpdate?.results ?? []) this.predictionListener?.result(result);
     if (s.controlledEntity) {
       this.controlledEntity.apply(s.controlledEntity);
       this.predictionListener?.controlledEntity(this.controlledEntity.newest);
     }
     this.decode(s);
-    // These stand by themselves, whatever became of the poses.
+    // These are valid even if the poses could not be decoded.
     for (const result of s.clientUpdate?.results ?? [])
-      if (this.inputs.onResult(result.sequence) && result.code !== InputCode.APPLIED) this.events.inputRejected(result);
-    if (s.stats) this.events.stats(s.stats);
-    for (const tick of s.events) this.events.worldEvents(tick);
-    // An ack that waited long for the next batch would make the way look long.
+      if (this.inputs.onResult(result.sequence) && result.code !== InputCode.APPLIED) this.listener.inputRejected(result);
+    if (s.stats) this.listener.stats(s.stats);
+    for (const tick of s.events) this.listener.worldEvents(tick);
+    // An ack that waits for the next batch would inflate the measured latency.
     if (this.inputs.length === 0) this.sendAckIfDue();
   }
 
   private decode(s: Snapshot): void {
     try {
       const baselines = baselineFrames(s.frame, s.baselines);
-      const [base, baseline2, baseline3] = baselines.map((number) => {
+      const [baseline, baseline2, baseline3] = baselines.map((number) => {
         const frame = this.frames.find(number);
-        if (number !== 0 && !frame) throw new DecodeError(`base frame ${number} is not known`);
+        if (number !== 0 && !frame) throw new DecodeError(`baseline frame ${number} is unknown`);
         return frame;
       });
-      const frame = this.welcome?.cells ? this.decodeCells(s) : this.decodeWholeFrame(s, { base, baseline2, baseline3 });
+      const frame = this.welcome?.cells ? this.decodeCells(s) : this.decodeWholeFrame(s, { baseline, baseline2, baseline3 });
       const serverUs = this.dueUs(s.frame, s.lateUs);
       const channels = decodeChannels(s.channels, s.channelsCrc, this.frames.channelsOf(baselines[0]));
       if (s.unchangedTicks > 0) this.frames.hold(this.dueUs(baselines[0] + s.unchangedTicks, s.lateUs));
       const blends = this.welcome?.cells ? this.cells.blends(s.frame) : undefined;
-      const told = this.frames.add(frame, serverUs, this.spec, channels, blends, 1e6 / (this.welcome?.tickHz || 60));
+      const poseFrame = this.frames.add(frame, serverUs, this.spec, channels, blends, 1e6 / (this.welcome?.tickHz || 60));
       this.needKeyframe = false;
       this.snapshots++;
       this.decodedAt = nowUs();
@@ -403,7 +404,7 @@ export class Connection {
         this.inputClock.onFrame(s.frame, agoUs, (1000 * this.clock.rttMs) / 2, arrived);
         this.inputClock.onMargin(s.clientUpdate?.inputSequence ?? 0, s.clientUpdate?.inputMarginUs ?? 0);
       }
-      this.predictionListener?.frame(told);
+      this.predictionListener?.frame(poseFrame);
     } catch (error) {
       if (!(error instanceof DecodeError)) throw error;
       if (!this.needKeyframe) this.decodeErrors++;
@@ -413,19 +414,19 @@ export class Connection {
 
   private decodeWholeFrame(s: Snapshot, baselines: Baselines): QuantizedFrame {
     const frame = decodeFrame(s.frame, s.packed, baselines, this.spec, undefined, this.codec);
-    if (frameCrc(frame) !== s.crc) throw new DecodeError(`frame ${s.frame}: the CRC does not match`);
+    if (frameCrc(frame) !== s.crc) throw new DecodeError(`frame ${s.frame}: CRC mismatch`);
     return frame;
   }
 
-  /** The cells that are in sight. */
+  /** Merges the cells of the area of interest. */
   private decodeCells(s: Snapshot): QuantizedFrame {
     this.cells.apply(s.cells, s.cellsLeft, this.spec, this.codec, s.frame);
-    const viewTime = this.cells.frame(s.frame);
-    // Who was removed may still be in a cell that comes late.
-    return { frame: viewTime.frame, entities: viewTime.entities.filter((e) => this.entities.has(e.id)) };
+    const merged = this.cells.frame(s.frame);
+    // A late cell may still contain a removed entity.
+    return { frame: merged.frame, entities: merged.entities.filter((e) => this.entities.has(e.id)) };
   }
 
-  /** What it wants to be told of from now on; only while `sight` is given. */
+  /** Moves the center of the area of interest, in m. No effect without an area of interest. */
   setInterestFocus(x: number, z: number): void {
     if (!this.areaOfInterest || Math.hypot(x - this.focus.x, z - this.focus.z) < Math.max(2, this.areaOfInterest.radius / 16)) return;
     this.focus = { x, z };
@@ -436,7 +437,7 @@ export class Connection {
     return create(InterestSchema, { focus: { ...this.focus, y: 0 }, radius: areaOfInterest.radius });
   }
 
-  /** When a tick was due, on the server's clock. */
+  /** When the tick of a frame was due, in microseconds of the server's clock. */
   private dueUs(frame: number, lateUs: bigint): number {
     return Number(this.welcome!.epochUs) + Math.round((frame * 1e6) / this.welcome!.tickHz) + Number(lateUs);
   }
@@ -457,10 +458,10 @@ export class Connection {
     if (this.needKeyframe || nowUs() >= dueUs) this.sendMessage({ case: 'ack', value: this.ack() });
   }
 
-  /** Thirty times a second: what is to be said, and whether anybody is still there. */
+  /** Thirty times per second: sends what is due and detects a silent server. */
   private pump(): void {
     const now = nowUs();
-    if (now - this.lastHeard > SERVER_TIMEOUT_MS * 1000) return this.reconnect('the server does not answer');
+    if (now - this.lastReceivedUs > SERVER_TIMEOUT_MS * 1000) return this.reconnect('the server does not respond');
     if (this.state !== 'playing') return;
     if (now - this.lastPing >= PING_MS * 1000) {
       this.lastPing = now;

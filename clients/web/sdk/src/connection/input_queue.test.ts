@@ -8,19 +8,19 @@ describe('the input queue', () => {
     return queue;
   };
 
-  it('sends again what did not come, under its numbers, and nothing twice', () => {
+  it('resends only lost inputs under their original numbers', () => {
     const queue = filled(10);
     expect(queue.take(8)).toMatchObject({ firstSequence: 1 });
     for (const sequence of [1, 2, 3]) expect(queue.onResult(sequence)).toBe(true);
-    queue.resumeAfter(5); // 4 and 5 came; their answers are still to come
+    queue.resumeAfter(5); // the server has 4 and 5; their results are pending
     expect(queue.take(32)).toEqual({ firstSequence: 6, inputs: ['input 6', 'input 7', 'input 8', 'input 9', 'input 10'] });
-    expect(queue.onResult(3)).toBe(false); // told again, for the server does not know that it came
+    expect(queue.onResult(3)).toBe(false); // repeated, because the server does not know that it arrived
     expect(queue.onResult(4)).toBe(true);
     expect(queue.onResult(4)).toBe(false);
     expect(queue.onResult(10)).toBe(true);
   });
 
-  it('begins anew where the server does not know it any more', () => {
+  it('restarts numbering when the server does not resume the session', () => {
     const queue = filled(10);
     queue.take(8);
     queue.startNewSession();
@@ -29,7 +29,7 @@ describe('the input queue', () => {
     expect(queue.take(32)).toEqual({ firstSequence: 1, inputs: ['first'] });
   });
 
-  it('believes no server that has more than was sent', () => {
+  it('ignores confirmations beyond the last sent input', () => {
     const queue = filled(3);
     queue.take(2);
     queue.resumeAfter(4_000_000_000);

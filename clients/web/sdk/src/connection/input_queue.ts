@@ -1,16 +1,16 @@
-// Inputs on their way to the server, under numbers that rise from 1: those that wait to be sent, and those that were sent and are not
-// answered yet, which are sent again when the connection broke before they came. The C++ client library has the same
-// (clients/cpp/core/src/input_outbox.h), with datagrams beside the stream.
+// Inputs under ascending sequence numbers from 1: those waiting to be sent, and those sent without a result, which are
+// resent if the connection breaks before the server received them. clients/cpp/core/src/input_outbox.h is the counterpart in
+// the C++ client library, which also supports datagrams.
 
-const AWAITING_RESULT_MAX = 8192; // a server that answers nothing: the oldest are not sent again
+const AWAITING_RESULT_MAX = 8192; // bounds the memory if the server sends no results: older inputs are not resent
 
 export class InputQueue<Input> {
   private waiting: Input[] = [];
   private awaitingResult: { sequence: number; input: Input }[] = []; // rising
-  private nextUnsent = 1; // of waiting[0]
-  private resumed = false; // answers may come twice
+  private nextUnsent = 1; // sequence of waiting[0]
+  private resumed = false; // results may arrive twice
 
-  /** The newest one that was not sent. */
+  /** The newest unsent input. */
   get last(): Input | undefined {
     return this.waiting[this.waiting.length - 1];
   }
@@ -20,7 +20,7 @@ export class InputQueue<Input> {
   get lastSent(): number {
     return this.nextUnsent - 1;
   }
-  /** The number of the newest one, sent or not. */
+  /** Sequence of the newest input, sent or not. */
   get newest(): number {
     return this.lastSent + this.waiting.length;
   }
@@ -33,16 +33,16 @@ export class InputQueue<Input> {
     this.waiting[this.waiting.length - 1] = input;
   }
 
-  /** The next ones to send, at most so many. */
-  take(most: number): { firstSequence: number; inputs: Input[] } {
+  /** Takes at max `max` inputs to send. */
+  take(max: number): { firstSequence: number; inputs: Input[] } {
     const firstSequence = this.nextUnsent;
-    const inputs = this.waiting.splice(0, most);
+    const inputs = this.waiting.splice(0, max);
     for (const input of inputs) this.awaitingResult.push({ sequence: this.nextUnsent++, input });
     if (this.awaitingResult.length > AWAITING_RESULT_MAX) this.awaitingResult.splice(0, this.awaitingResult.length - AWAITING_RESULT_MAX);
     return { firstSequence, inputs };
   }
 
-  /** One was answered. False: it was so before, on the connection that broke. */
+  /** Returns false for a result that the previous connection already delivered. */
   onResult(sequence: number): boolean {
     const at = this.awaitingResult.findIndex((sent) => sent.sequence >= sequence);
     if (at < 0 || this.awaitingResult[at]!.sequence !== sequence) return !this.resumed;
@@ -50,7 +50,7 @@ export class InputQueue<Input> {
     return true;
   }
 
-  /** A new client: numbers begin anew, and nothing waits. */
+  /** Starts a new session: sequences restart at 1 and no input waits. */
   startNewSession(): void {
     this.waiting = [];
     this.awaitingResult = [];
@@ -58,12 +58,12 @@ export class InputQueue<Input> {
     this.resumed = false;
   }
 
-  /** The same client, of which the server has the inputs up to that one: those after it are sent again. */
+  /** Resumes a session of which the server has all inputs up to `lastSequence`; later inputs are resent. */
   resumeAfter(lastSequence: number): void {
     const last = Math.min(lastSequence, this.lastSent);
-    const again = this.awaitingResult.filter((sent) => sent.sequence > last).map((sent) => sent.input);
+    const resent = this.awaitingResult.filter((sent) => sent.sequence > last).map((sent) => sent.input);
     this.awaitingResult = this.awaitingResult.filter((sent) => sent.sequence <= last);
-    this.waiting = [...again, ...this.waiting];
+    this.waiting = [...resent, ...this.waiting];
     this.nextUnsent = last + 1;
     this.resumed = true;
   }

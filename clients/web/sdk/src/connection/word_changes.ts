@@ -1,4 +1,5 @@
-// A list of words as what changed in it since the list before, and what somebody drives, which is told so (proto/WIRE.md, "Driven things").
+// A list of words, delta-encoded against the previous list, and the state of the controlled entity, which is sent in this form
+// (proto/WIRE.md).
 
 import type { ControlledEntityState } from '../gen/jostle/v1/play_pb.js';
 
@@ -11,17 +12,17 @@ function bitCount(byte: number): number {
   return count;
 }
 
-/** The list of `size` words; undefined: the bytes do not belong together. */
-export function applyChanges(before: Uint32Array, size: number, changed: Uint8Array, values: Uint8Array): Uint32Array | undefined {
+/** The list of `size` words; undefined if the arguments are inconsistent. */
+export function applyChanges(previous: Uint32Array, size: number, changed: Uint8Array, values: Uint8Array): Uint32Array | undefined {
   if (size > WORDS_MAX || values.length !== 4 * changed.reduce((sum, byte) => sum + bitCount(byte), 0)) return undefined;
   const words = new Uint32Array(size);
-  words.set(before.subarray(0, size));
-  const told = new DataView(values.buffer, values.byteOffset, values.length);
+  words.set(previous.subarray(0, size));
+  const view = new DataView(values.buffer, values.byteOffset, values.length);
   let at = 0;
   for (let k = 0; k < 8 * changed.length; k++) {
     if (((changed[k >> 3]! >> (k & 7)) & 1) === 0) continue;
     if (k >= size) return undefined;
-    words[k] = told.getUint32(at, true);
+    words[k] = view.getUint32(at, true);
     at += 4;
   }
   return words;
@@ -34,18 +35,18 @@ export interface ControlledEntity {
   readonly words: Uint32Array;
 }
 
-/** What this client drives, as it was told last. */
+/** Decodes the state of the entity that this client controls. */
 export class ControlledStateDecoder {
-  /** undefined: nothing was told, or not all of it. */
+  /** undefined: none was received, or not completely. */
   newest: ControlledEntity | undefined;
 
   apply({ entity, tick, module, words: size, keyframe, changedMask, values }: ControlledEntityState): void {
-    const before = keyframe ? NO_WORDS : this.newest?.entity === entity ? this.newest.words : undefined;
-    const words = before && applyChanges(before, size, changedMask, values);
+    const previous = keyframe ? NO_WORDS : this.newest?.entity === entity ? this.newest.words : undefined;
+    const words = previous && applyChanges(previous, size, changedMask, values);
     this.newest = words && { entity, tick, module, words };
   }
 
-  forget(): void {
+  reset(): void {
     this.newest = undefined;
   }
 }

@@ -16,7 +16,7 @@ const filled = (count: number) => {
   return frames;
 };
 
-it('keeps the newest 32 frames as bases', () => {
+it('keeps the newest 32 frames as baselines', () => {
   const frames = filled(40);
   expect(frames.find(8)).toBeUndefined();
   expect(frames.find(9)?.frame).toBe(9);
@@ -25,7 +25,7 @@ it('keeps the newest 32 frames as bases', () => {
   expect(frames.newest?.frame).toBe(40);
 });
 
-it('finds the frames on either side of a time, and stays within at the ends', () => {
+it('finds the frames around a time and clamps at the ends', () => {
   const frames = filled(5);
   const around = (us: number) => {
     const pair = frames.around(us)!;
@@ -34,11 +34,11 @@ it('finds the frames on either side of a time, and stays within at the ends', ()
   expect(around(3500)).toEqual([3, 4]);
   expect(around(4000)).toEqual([3, 4]);
   expect(around(0)).toEqual([1, 1]);
-  expect(around(9000)).toEqual([4, 5]); // the last two: motion goes on from them
+  expect(around(9000)).toEqual([4, 5]); // the last two, for extrapolation
   expect(new FrameBuffer().around(0)).toBeUndefined();
 });
 
-it('gives an unchanged entity the pose it had, wherever it stands now', () => {
+it('reuses the pose of an unchanged entity', () => {
   const frames = new FrameBuffer();
   const stays = entity(7, 1024);
   frames.add({ frame: 1, entities: [entity(1, 0), stays] }, 0, spec);

@@ -1,11 +1,11 @@
-// Which moment of the world a picture shows, for servers that judge what is aimed at by what was seen (Aim.seen,
-// CastRaysRequest.seen). The C++ client library has the same (jostle/client/rendered_time.h).
+// The tick that the last rendered frame showed, for lag compensation on the server (Aim.view_time,
+// CastRaysRequest.view_time). Same as jostle/client/rendered_time.h of the C++ client library.
 
 const RENDERING_TIMEOUT_US = 1_000_000;
-const EXTRAPOLATE_US = 50_000; // as rendered_poses.ts
+const EXTRAPOLATE_US = 50_000; // as in rendered_poses.ts
 
-/** `renderTimeUs`: of RenderClock; 0, or more than a second before the newest frame: nobody draws, so what is known is the newest
- * frame. Pictures go on for 50 ms after it, not longer. */
+/** `renderTimeUs`: of RenderClock. If it is 0, or more than 1 s before the newest frame, nothing is rendered and the newest
+ * frame counts. The result is at most 50 ms after the newest frame, the limit of extrapolation. */
 export function renderedTime(
   newest: { frame: number; serverUs: number } | undefined,
   renderTimeUs: number,

@@ -1,15 +1,15 @@
-// A bad link, for tests and demonstrations: says when a message that is sent now arrives at the other end of a stream. Nothing is
-// lost or overtaken, as on TCP: a lost message comes a retransmission later, and those behind it wait. The same seed gives the
-// same link, here and in the C++ client library (jostle/client/network_simulator.h). One direction each.
+// Simulates network conditions for tests and demonstrations: when a message sent now arrives at the other end of a stream.
+// As on TCP, nothing is lost or reordered: a lost message arrives one retransmission later and delays those behind it.
+// Deterministic per seed, and identical to base/include/jostle/base/network_simulator.h. One instance per direction.
 
 export interface NetworkConditions {
   readonly delay: number; // ms, of every message
-  readonly jitter: number; // ms on top, from 0 to this, each alike
-  readonly tail: number; // ms on top, exponential with this mean
-  readonly stalls: number; // ms, how long nothing arrives
-  readonly stallEvery: number; // ms from the beginning of one stall to the next: 0.5 to 1.5 times
-  readonly loss: number; // share of messages that are sent a second time, 0 to 1
-  readonly retransmit: number; // ms: that much later
+  readonly jitter: number; // ms, added, uniform from 0
+  readonly tail: number; // ms, added, exponential with this mean
+  readonly stalls: number; // ms, duration of a stall
+  readonly stallEvery: number; // ms, between the starts of two stalls: 0.5 to 1.5 times
+  readonly loss: number; // fraction of messages that are retransmitted, 0 to 1
+  readonly retransmit: number; // ms, delay of a retransmission
   readonly seed: number;
 }
 
@@ -24,66 +24,43 @@ export const IDEAL_NETWORK: NetworkConditions = {
   seed: 1,
 };
 
-const NAMES: Record<string, [field: keyof NetworkConditions, most: number]> = {
-  delay: ['delay', 60_000],
-  jitter: ['jitter', 60_000],
-  tail: ['tail', 60_000],
-  stalls: ['stalls', 60_000],
-  stall_every: ['stallEvery', 1e9],
-  loss: ['loss', 1],
-  retransmit: ['retransmit', 60_000],
-  seed: ['seed', 2 ** 32 - 1],
-};
-
-/** From an address line: ?delay=80&jitter=20&stalls=250. What is out of range is left out; undefined: a good link. */
-export function networkConditionsFromQuery(search: string): NetworkConditions | undefined {
-  const settings: { -readonly [K in keyof NetworkConditions]: NetworkConditions[K] } = { ...IDEAL_NETWORK };
-  for (const [name, text] of new URLSearchParams(search)) {
-    const [field, most] = NAMES[name] ?? [];
-    const value = Number(text);
-    if (field && text !== '' && value >= 0 && value <= most!) settings[field] = value;
-  }
-  const { delay, jitter, tail, stalls, loss } = settings;
-  return delay > 0 || jitter > 0 || tail > 0 || stalls > 0 || loss > 0 ? settings : undefined;
-}
-
-const usOf = (ms: number) => Math.round(1000 * ms);
+const toUs = (ms: number) => Math.round(1000 * ms);
 
 export class NetworkSimulator {
   private random: number;
   private lastArrival = 0;
-  private stall = 0; // begin of the next one, or of the one that is on
-  private begun = false;
+  private stall = 0; // start of the next or current stall
+  private started = false;
 
-  constructor(private readonly settings: NetworkConditions) {
-    this.random = settings.seed | 0;
+  constructor(private readonly conditions: NetworkConditions) {
+    this.random = conditions.seed | 0;
   }
 
-  /** When a message that is sent now arrives; times rise, in microseconds of any clock. */
+  /** When a message sent now arrives, in microseconds of any clock; `sentUs` must not decrease. */
   arrivalUs(sentUs: number): number {
-    const { delay, jitter, tail, stalls, stallEvery, loss, retransmit } = this.settings;
-    if (!this.begun) {
-      this.begun = true;
-      this.stall = sentUs + usOf(stallEvery * (0.5 + this.nextUniform()));
+    const { delay, jitter, tail, stalls, stallEvery, loss, retransmit } = this.conditions;
+    if (!this.started) {
+      this.started = true;
+      this.stall = sentUs + toUs(stallEvery * (0.5 + this.nextUniform()));
     }
-    let way = delay;
-    if (jitter > 0) way += jitter * this.nextUniform();
-    if (tail > 0) way -= tail * Math.log(1 - this.nextUniform());
-    if (loss > 0 && this.nextUniform() < loss) way += retransmit;
-    let arrival = Math.max(sentUs + usOf(way), this.lastArrival);
+    let latencyMs = delay;
+    if (jitter > 0) latencyMs += jitter * this.nextUniform();
+    if (tail > 0) latencyMs -= tail * Math.log(1 - this.nextUniform());
+    if (loss > 0 && this.nextUniform() < loss) latencyMs += retransmit;
+    let arrival = Math.max(sentUs + toUs(latencyMs), this.lastArrival);
     if (stalls > 0) arrival = this.skipStalls(arrival);
     return (this.lastArrival = arrival);
   }
 
   private skipStalls(arrival: number): number {
-    const length = usOf(this.settings.stalls);
-    // A stall begins after the one before has ended.
+    const length = toUs(this.conditions.stalls);
+    // A stall starts after the previous one has ended.
     while (arrival >= this.stall + length)
-      this.stall += Math.max(usOf(this.settings.stallEvery * (0.5 + this.nextUniform())), length + 1000);
+      this.stall += Math.max(toUs(this.conditions.stallEvery * (0.5 + this.nextUniform())), length + 1000);
     return arrival >= this.stall ? this.stall + length : arrival;
   }
 
-  /** Mulberry32 by Tommy Ettinger. 0 to 1, less than 1. */
+  /** Mulberry32 by Tommy Ettinger: 0 <= x < 1. */
   private nextUniform(): number {
     this.random = (this.random + 0x6d2b79f5) | 0;
     let t = Math.imul(this.random ^ (this.random >>> 15), this.random | 1);

@@ -6,9 +6,9 @@ import { IDEAL_NETWORK } from './network_simulator.js';
 beforeEach(() => void vi.useFakeTimers());
 afterEach(() => void vi.useRealTimers());
 
-it('holds messages both ways for so long and keeps their order, the end last', async () => {
+it('delays messages in both directions and preserves their order, with the close last', async () => {
   const sent: number[] = [];
-  const heard: (number | string)[] = [];
+  const received: (number | string)[] = [];
   const real: Socket = {
     binaryType: '',
     onopen: null,
@@ -18,23 +18,23 @@ it('holds messages both ways for so long and keeps their order, the end last', a
     close: () => {},
   };
   const socket = simulatedSocket(() => real, { ...IDEAL_NETWORK, delay: 80, jitter: 20 })('ws://x');
-  socket.onmessage = ({ data }) => void heard.push(new Uint8Array(data)[0]!);
-  socket.onclose = ({ reason }) => void heard.push(reason);
+  socket.onmessage = ({ data }) => void received.push(new Uint8Array(data)[0]!);
+  socket.onclose = ({ reason }) => void received.push(reason);
   for (let k = 0; k < 5; k++) {
     socket.send(Uint8Array.of(k));
     real.onmessage!({ data: Uint8Array.of(k).buffer });
   }
   await vi.advanceTimersByTimeAsync(79);
   expect(sent).toEqual([]);
-  expect(heard).toEqual([]);
+  expect(received).toEqual([]);
   await vi.advanceTimersByTimeAsync(22);
   expect(sent).toEqual([0, 1, 2, 3, 4]);
-  real.onclose!({ code: 1000, reason: 'over' });
+  real.onclose!({ code: 1000, reason: 'closed' });
   await vi.advanceTimersByTimeAsync(101);
-  expect(heard).toEqual([0, 1, 2, 3, 4, 'over']);
+  expect(received).toEqual([0, 1, 2, 3, 4, 'closed']);
 });
 
-it('sends nothing after it was closed', async () => {
+it('sends nothing after close', async () => {
   const sent: Uint8Array[] = [];
   const real: Socket = {
     binaryType: '',

@@ -1,42 +1,41 @@
-// A socket behind a bad link: messages in both directions arrive when a NetworkSimulator says so. For tests and demonstrations; the
-// viewer takes one from its address line (?delay=80&jitter=20&stalls=250).
+// A socket with simulated network conditions: a NetworkSimulator delays the messages of each direction.
 
-import { nowUs } from '../clock/clock.js';
+import { nowUs } from '../clock/clock_sync.js';
 import type { Socket } from '../connection/connection.js';
 import { NetworkSimulator, type NetworkConditions } from './network_simulator.js';
 
-/** What is on its way in one direction, in order. */
+/** Messages in flight in one direction, in order. */
 class DelayedMessages {
-  private readonly due: { readonly at: number; readonly arrive: () => void }[] = [];
-  private readonly link: NetworkSimulator;
+  private readonly due: { readonly at: number; readonly deliver: () => void }[] = [];
+  private readonly simulator: NetworkSimulator;
 
-  constructor(settings: NetworkConditions) {
-    this.link = new NetworkSimulator(settings);
+  constructor(conditions: NetworkConditions) {
+    this.simulator = new NetworkSimulator(conditions);
   }
 
-  push(arrive: () => void): void {
-    this.due.push({ at: this.link.arrivalUs(Math.round(nowUs())), arrive });
-    if (this.due.length === 1) this.wait();
+  push(deliver: () => void): void {
+    this.due.push({ at: this.simulator.arrivalUs(Math.round(nowUs())), deliver });
+    if (this.due.length === 1) this.schedule();
   }
 
-  private wait(): void {
-    setTimeout(() => this.arrive(), Math.max(0, Math.ceil((this.due[0]!.at - nowUs()) / 1000)));
+  private schedule(): void {
+    setTimeout(() => this.deliverDue(), Math.max(0, Math.ceil((this.due[0]!.at - nowUs()) / 1000)));
   }
 
-  private arrive(): void {
-    while (this.due.length > 0 && this.due[0]!.at <= nowUs()) this.due.shift()!.arrive();
-    if (this.due.length > 0) this.wait();
+  private deliverDue(): void {
+    while (this.due.length > 0 && this.due[0]!.at <= nowUs()) this.due.shift()!.deliver();
+    if (this.due.length > 0) this.schedule();
   }
 }
 
-/** Opens sockets as `open` does. */
-export function simulatedSocket(open: (url: string) => Socket, settings: NetworkConditions): (url: string) => Socket {
+/** Wraps `open` so that its sockets have the given conditions. */
+export function simulatedSocket(open: (url: string) => Socket, conditions: NetworkConditions): (url: string) => Socket {
   return (url) => {
     const real = open(url);
-    const incoming = new DelayedMessages(settings);
-    const outgoing = new DelayedMessages({ ...settings, seed: (settings.seed ^ 0x9e3779b9) >>> 0 }); // another link back
+    const incoming = new DelayedMessages(conditions);
+    const outgoing = new DelayedMessages({ ...conditions, seed: (conditions.seed ^ 0x9e3779b9) >>> 0 }); // an independent sequence of random numbers
     let closed = false;
-    const shown: Socket = {
+    const simulated: Socket = {
       get binaryType() {
         return real.binaryType;
       },
@@ -52,12 +51,12 @@ export function simulatedSocket(open: (url: string) => Socket, settings: Network
         real.close();
       },
     };
-    real.onopen = () => shown.onopen?.();
-    real.onmessage = (event) => incoming.push(() => shown.onmessage?.(event));
+    real.onopen = () => simulated.onopen?.();
+    real.onmessage = (event) => incoming.push(() => simulated.onmessage?.(event));
     real.onclose = (event) => {
       closed = true;
-      incoming.push(() => shown.onclose?.(event));
+      incoming.push(() => simulated.onclose?.(event));
     };
-    return shown;
+    return simulated;
   };
 }

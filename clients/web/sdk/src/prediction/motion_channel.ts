@@ -1,2 +1,2 @@
-/** The channel that says how bodies move (proto/WIRE.md, "Channels"): who predicts asks for it. */
-export const MOTION = 'jostle.motion';
+/** Channel kind with the velocities of bodies (proto/WIRE.md, "Channels"). Prediction needs it. */
+export const MOTION_CHANNEL = 'jostle.motion';

@@ -1,4 +1,4 @@
-// Whom the viewer foresees: who is taken hold of or pushed, until it rests, and not who is foreseen wrongly again and again.
+// Which body is predicted: the grabbed or pushed one until it rests, but not one with repeated corrections.
 
 import { create } from '@bufbuild/protobuf';
 import { describe, expect, it } from 'vitest';
@@ -33,8 +33,8 @@ async function room() {
 const grab = { kind: { case: 'grab', value: { entity: CRATE, point: { x: 0, y: 0.25, z: 0 } } } } as const;
 const release = { kind: { case: 'release', value: {} } } as const;
 
-describe('foreseen', () => {
-  it('follows who is taken hold of at once, and lets go of who rests', async () => {
+describe('prediction controller', () => {
+  it('follows a grabbed body immediately and stops when it rests', async () => {
     const { prediction, frame, tick } = await room();
     for (let k = 0; k < 5; k++) frame(0, true);
     expect(prediction.stats.bodies).toBe(0);
@@ -47,19 +47,19 @@ describe('foreseen', () => {
     expect([prediction.followed, prediction.stats.bodies]).toEqual([0, 0]);
   });
 
-  it('leaves to the server who is foreseen wrongly in frame after frame', async () => {
+  it('stops predicting a body with repeated corrections', async () => {
     const { prediction, frame, tick } = await room();
     frame(0);
     prediction.input(1, tick() + 3, { kind: { case: 'impulse', value: { entity: CRATE, impulse: { x: 1 } } } });
     let frames = 0;
-    for (; prediction.followed === CRATE && frames < 200; frames++) frame(frames % 2); // something that nobody was told of throws it about
-    expect(frames, 'half of a third of a second and more').toBeGreaterThan(15);
+    for (; prediction.followed === CRATE && frames < 200; frames++) frame(frames % 2); // moved by an unknown cause
+    expect(frames, 'more than a sixth of a second').toBeGreaterThan(15);
     expect(frames).toBeLessThan(60);
     prediction.input(2, tick() + 3, grab);
     expect(prediction.followed, 'not again').toBe(0);
   });
 
-  it('follows what is driven until it is let go, whatever else is pushed', async () => {
+  it('follows the controlled entity until it is released', async () => {
     const { prediction, frame, tick } = await room();
     prediction.entityAdded({ ...box(CRATE, BodyType.DYNAMIC, { x: 0.25, y: 0.25, z: 0.25 }, 50), controllable: true });
     frame(0, true);
@@ -68,13 +68,13 @@ describe('foreseen', () => {
     prediction.input(2, tick() + 3, { kind: { case: 'impulse', value: { entity: FLOOR, impulse: { x: 1 } } } });
     prediction.input(3, tick() + 3, { kind: { case: 'control', value: { axes: [0, 1000], buttons: 1 } } });
     for (let k = 0; k < 100; k++) frame(0, true);
-    expect(prediction.followed, 'it rests, and somebody drives it').toBe(CRATE);
-    expect(prediction.stats.bodies, 'what moves it was not told').toBe(0);
+    expect(prediction.followed, 'at rest, but controlled').toBe(CRATE);
+    expect(prediction.stats.bodies, 'its module state is unknown').toBe(0);
     prediction.input(4, tick() + 3, { kind: { case: 'possess', value: { entity: 0 } } });
     expect(prediction.followed).toBe(0);
   });
 
-  it('says once that the predictor failed, and foresees nothing from then on', async () => {
+  it('reports a predictor failure once and stops predicting', async () => {
     const { prediction, predictor, errors, frame, tick } = await room();
     frame(0);
     prediction.input(1, tick() + 3, grab);

@@ -1,5 +1,4 @@
-// What the player sees of a push, and how it is put right when somebody else pushes: the stories of
-// tests/clients/cpp/prediction/predictor_test.cpp, with the same numbers.
+// Prediction of impulses and its corrections: the cases and numbers of tests/clients/cpp/prediction/predictor_test.cpp.
 
 import { create } from '@bufbuild/protobuf';
 import { describe, expect, it } from 'vitest';
@@ -11,42 +10,42 @@ import { compile, Predictor, PredictorError } from './predictor.js';
 import { box, OTHER, OWN, predictorModule, Yard } from '../testing/yard.js';
 
 describe('predictor', () => {
-  it('shows a push in its picture instead of a round trip later', async () => {
+  it('shows an impulse in the next frame instead of after a round trip', async () => {
     const yard = await Yard.make();
     yard.run(3);
-    const rest = yard.drawn.get(OWN)!;
+    const rest = yard.rendered.get(OWN)!;
     yard.push([2, 0, 0]);
-    let [foreseenMs, interpolatedMs] = [0, 0];
+    let [predictedMs, interpolatedMs] = [0, 0];
     for (let ms = 1; ms < 500 && interpolatedMs === 0; ms++) {
       yard.run(0.001);
-      if (foreseenMs === 0 && yard.drawn.get(OWN)![0] - rest[0] > 0.002) foreseenMs = ms;
+      if (predictedMs === 0 && yard.rendered.get(OWN)![0] - rest[0] > 0.002) predictedMs = ms;
       if (yard.interpolated.get(OWN)![0] - rest[0] > 0.004) interpolatedMs = ms;
     }
-    expect(foreseenMs).toBeGreaterThan(0);
-    expect(foreseenMs, 'its picture, or the one after where its tick begins there').toBeLessThanOrEqual(34);
-    expect(interpolatedMs, 'there and back, a tick of margin and the delay of pictures').toBeGreaterThanOrEqual(150);
+    expect(predictedMs).toBeGreaterThan(0);
+    expect(predictedMs, 'this rendered frame or the next').toBeLessThanOrEqual(34);
+    expect(interpolatedMs, 'a round trip, one tick of margin and the render delay').toBeGreaterThanOrEqual(150);
   });
 
-  it('corrects nothing where the server agrees', async () => {
+  it('makes no corrections when the server agrees', async () => {
     const yard = await Yard.make();
     yard.run(3);
-    const began = yard.us;
+    const startUs = yard.us;
     yard.speed = 2;
-    let worstToldMm = 0;
+    let worstErrorMm = 0;
     for (let k = 0; k < 5; k++) {
       yard.push([0, 0, k % 2 === 0 ? 2 : -2]);
-      for (let picture = 0; picture < 60; picture++) {
+      for (let frame = 0; frame < 60; frame++) {
         yard.run(1 / 60);
-        worstToldMm = Math.max(worstToldMm, 1000 * yard.predictor.stats.lastErrorM);
+        worstErrorMm = Math.max(worstErrorMm, 1000 * yard.predictor.stats.lastErrorM);
       }
     }
     expect(yard.predictor.stats.corrections).toBe(0);
-    expect(yard.offMm(began)).toBeLessThan(2);
-    expect(worstToldMm, 'half a unit in each direction, and a little').toBeLessThan(3);
-    expect(yard.stepMm, 'from rest to its speed in one picture').toBeLessThan(20);
+    expect(yard.errorMm(startUs)).toBeLessThan(2);
+    expect(worstErrorMm, 'half a quantization unit per axis, and rounding').toBeLessThan(3);
+    expect(yard.stepMm, 'from rest to full speed in one rendered frame').toBeLessThan(20);
   });
 
-  it('walks to what others do without a step', async () => {
+  it('smooths corrections caused by other clients', async () => {
     const yard = await Yard.make();
     yard.run(3);
     yard.speed = 3;
@@ -55,11 +54,11 @@ describe('predictor', () => {
     expect(yard.predictor.stats.corrections).toBeGreaterThan(0);
     yard.run(1.6);
     expect(yard.stepMm).toBeLessThan(20);
-    expect(yard.offMm(yard.us - 600_000)).toBeLessThan(5);
-    expect(yard.drawn.get(OWN)![2], 'v^2 / (2 mu g) is 0.92 m').toBeGreaterThan(0.8);
+    expect(yard.errorMm(yard.us - 600_000)).toBeLessThan(5);
+    expect(yard.rendered.get(OWN)![2], 'v^2 / (2 mu g) is 0.92 m').toBeGreaterThan(0.8);
   });
 
-  it('ends where the server has it when both push at once', async () => {
+  it('converges to the server when both clients push', async () => {
     const yard = await Yard.make();
     yard.run(3);
     yard.speed = 5;
@@ -67,62 +66,62 @@ describe('predictor', () => {
     yard.push([-3, 0, 0]);
     yard.run(2);
     expect(yard.stepMm).toBeLessThan(20);
-    expect(yard.offMm(yard.us - 600_000)).toBeLessThan(5);
+    expect(yard.errorMm(yard.us - 600_000)).toBeLessThan(5);
   });
 
-  it('moves what our body runs into with it', async () => {
+  it('predicts bodies hit by the predicted body', async () => {
     const yard = await Yard.make();
     yard.run(3);
-    expect(yard.predictor.stats.bodies, 'ours and the one that is near').toBe(2);
-    const stood = yard.drawn.get(OTHER)![0];
+    expect(yard.predictor.stats.bodies, 'the own body and its neighbor').toBe(2);
+    const start = yard.rendered.get(OTHER)![0];
     yard.push([4, 0, 0]);
-    yard.run(0.4); // it is a metre away
-    expect(yard.drawn.get(OTHER)![0] - stood).toBeGreaterThan(0.05);
-    expect(yard.interpolated.get(OTHER)![0] - stood).toBeLessThan(0.01);
+    yard.run(0.4); // the neighbor is 1 m away
+    expect(yard.rendered.get(OTHER)![0] - start).toBeGreaterThan(0.05);
+    expect(yard.interpolated.get(OTHER)![0] - start).toBeLessThan(0.01);
     yard.run(2);
-    expect(yard.offMm(yard.us - 600_000)).toBeLessThan(5);
+    expect(yard.errorMm(yard.us - 600_000)).toBeLessThan(5);
   });
 
-  it('follows the hand that drags', async () => {
+  it('predicts dragging', async () => {
     const yard = await Yard.make();
     yard.run(3);
-    const began = yard.us;
+    const startUs = yard.us;
     yard.speed = 3;
     const at = (x: number, y: number, z: number) => ({ x, y, z });
     yard.send({ kind: { case: 'grab', value: { entity: OWN, point: at(0.2, 0.45, 0.1) } } });
     for (let k = 0; k < 120; k++) {
-      const turn = k / 20;
-      yard.send({ kind: { case: 'drag', value: { target: at(0.2 + Math.sin(turn), 0.45 + Math.min(1, k / 60), 0.1 + 1 - Math.cos(turn)) } } });
+      const angle = k / 20;
+      yard.send({ kind: { case: 'drag', value: { target: at(0.2 + Math.sin(angle), 0.45 + Math.min(1, k / 60), 0.1 + 1 - Math.cos(angle)) } } });
       yard.run(1 / 60);
     }
-    yard.run(0.3); // until the server has told of all of it
+    yard.run(0.3); // until the server has sent all of it
     expect(yard.predictor.stats.corrections).toBe(0);
-    expect(yard.offMm(began)).toBeLessThan(2);
+    expect(yard.errorMm(startUs)).toBeLessThan(2);
     expect(yard.stepMm).toBeLessThan(20);
-    expect(yard.drawn.get(OWN)![1], 'it was lifted').toBeGreaterThan(1);
+    expect(yard.rendered.get(OWN)![1], 'it was lifted').toBeGreaterThan(1);
   });
 
-  it('takes a refused push back, and moves a late one', async () => {
-    const refused = await Yard.make();
-    refused.run(3);
-    refused.refuses = true;
-    refused.speed = 2;
-    refused.push([0, 0, 2]);
-    refused.run(2);
-    expect(refused.offMm(refused.us - 600_000)).toBeLessThan(5);
-    expect(refused.stepMm).toBeLessThan(20);
-    expect(Math.abs(refused.drawn.get(OWN)![2])).toBeLessThan(0.003);
+  it('rolls back a rejected impulse and moves a late one', async () => {
+    const rejected = await Yard.make();
+    rejected.run(3);
+    rejected.rejects = true;
+    rejected.speed = 2;
+    rejected.push([0, 0, 2]);
+    rejected.run(2);
+    expect(rejected.errorMm(rejected.us - 600_000)).toBeLessThan(5);
+    expect(rejected.stepMm).toBeLessThan(20);
+    expect(Math.abs(rejected.rendered.get(OWN)![2])).toBeLessThan(0.003);
 
     const late = await Yard.make();
     late.run(3);
     late.speed = 2;
     late.push([0, 0, 2], 4);
     late.run(2);
-    expect(late.offMm(late.us - 600_000)).toBeLessThan(5);
+    expect(late.errorMm(late.us - 600_000)).toBeLessThan(5);
     expect(late.stepMm).toBeLessThan(20);
   });
 
-  it('goes on where it was after half a second in which nothing was drawn', async () => {
+  it('continues at the current pose after half a second without rendering', async () => {
     const yard = await Yard.make();
     yard.run(3);
     yard.push([0, 0, 4]);
@@ -130,40 +129,40 @@ describe('predictor', () => {
     yard.run(0.5, false);
     const { corrections } = yard.predictor.stats;
     yard.run(2);
-    expect(yard.predictor.stats.corrections, 'it was foreseen meanwhile').toBe(corrections);
-    expect(yard.offMm(yard.us - 600_000)).toBeLessThan(2);
+    expect(yard.predictor.stats.corrections, 'predicted meanwhile').toBe(corrections);
+    expect(yard.errorMm(yard.us - 600_000)).toBeLessThan(2);
   });
 
-  it('knows from its first frame how fast a body is, where that is told', async () => {
+  it('uses velocities of the first frame when they are sent', async () => {
     const predictor = await Predictor.create(await predictorModule());
     predictor.begin(60, { x: 0, y: 0, z: 0 });
     predictor.addBody(box(7, BodyType.DYNAMIC, { x: 0.5, y: 0.5, z: 0.5 }, 10));
     predictor.follow(7);
     const entity = { id: 7, position: [0, 0, 0] as [number, number, number], largest: 3, rotation: [0, 0, 0] as [number, number, number], atRest: false };
-    const told = [{ kind: 4, entity: 7, values: new Int32Array([256, -128, 0, 0, 0, 0]) }]; // 2 and -1 m/s
-    predictor.onFrame(new FrameBuffer().add({ frame: 1, entities: [entity] }, 0, { unitsPerMeter: 512, rotationComponent: 511 }, told), 4);
+    const velocities = [{ kind: 4, entity: 7, values: new Int32Array([256, -128, 0, 0, 0, 0]) }]; // 2 and -1 m/s
+    predictor.onFrame(new FrameBuffer().add({ frame: 1, entities: [entity] }, 0, { unitsPerMeter: 512, rotationComponent: 511 }, velocities), 4);
     const poses = new Float64Array([0, 0, 0, 0, 0, 0, 1]);
-    const picture = { poses, indexOf: () => 0 };
-    predictor.draw(picture, 1, 0);
-    for (let k = 1; k <= 120; k++) predictor.draw(picture, 61, k * 16_667);
-    expect(poses[0], 'a second later').toBeCloseTo(2, 2);
+    const scene = { poses, indexOf: () => 0 };
+    predictor.applyTo(scene, 1, 0);
+    for (let k = 1; k <= 120; k++) predictor.applyTo(scene, 61, k * 16_667);
+    expect(poses[0], 'one second later').toBeCloseTo(2, 2);
     expect(poses[1]).toBeCloseTo(-1, 2);
   });
 
-  it('says what is wrong with a module that is none', async () => {
+  it('reports an invalid WebAssembly module', async () => {
     await expect(compile(new Uint8Array([1, 2, 3]))).rejects.toThrow(/^predictor\.wasm cannot be loaded: /);
-    await expect(compile(Promise.resolve(new Response('', { status: 404 })))).rejects.toThrow('predictor.wasm cannot be loaded: the server answers 404');
+    await expect(compile(Promise.resolve(new Response('', { status: 404 })))).rejects.toThrow('predictor.wasm cannot be loaded: HTTP status 404');
     const nothing = await WebAssembly.compile(new Uint8Array([0, 0x61, 0x73, 0x6d, 1, 0, 0, 0]));
     await expect(Predictor.create(nothing)).rejects.toThrow(PredictorError);
   });
 
-  it('leaves out whose shapes the solver cannot have, and says how many', async () => {
+  it('skips and counts bodies with unsupported shapes', async () => {
     const predictor = await Predictor.create(await predictorModule());
     predictor.begin(60, { x: 0, y: -9.81, z: 0 });
     predictor.addBody(box(1, BodyType.DYNAMIC, { x: 0.5, y: 0.5, z: 0.5 }, 10));
     const points = [create(Vec3Schema), create(Vec3Schema, { x: 1 }), create(Vec3Schema, { z: 1 })];
-    const flat = create(ShapeSchema, { kind: { case: 'hull', value: create(HullSchema, { points }) } });
-    predictor.addBody(create(EntitySchema, { id: 2, type: BodyType.DYNAMIC, mass: 1, shapes: [flat] }));
+    const degenerate = create(ShapeSchema, { kind: { case: 'hull', value: create(HullSchema, { points }) } });
+    predictor.addBody(create(EntitySchema, { id: 2, type: BodyType.DYNAMIC, mass: 1, shapes: [degenerate] }));
     predictor.follow(1);
     const frames = new FrameBuffer();
     const entities = [1, 2].map((id) => ({ id, position: [id * 512, 0, 0] as [number, number, number], largest: 3, rotation: [0, 0, 0] as [number, number, number], atRest: false }));

@@ -1,6 +1,7 @@
-// Foresees what the inputs of this client do, with the server's own solver as WebAssembly (predictor.wasm, built by
-// scripts/build-predictor of clients/cpp/prediction). It is the C++ client's Predictor: what it does, and how it is put right, is in
-// clients/cpp/prediction/include/jostle/client/predictor.h, its calls in clients/cpp/prediction/wasm/predictor_api.h.
+// Predicts the effects of this client's inputs with the server's own solver, compiled to WebAssembly (predictor.wasm, built
+// by scripts/build-predictor from clients/cpp/prediction). The counterpart of Predictor in the C++ client library:
+// clients/cpp/prediction/include/jostle/client/predictor.h describes the algorithm, and
+// clients/cpp/prediction/wasm/predictor_api.h the exported functions.
 
 import type { PoseFrame } from '../interpolation/frame_buffer.js';
 import { POSE_FLOATS } from '../interpolation/frame_buffer.js';
@@ -10,12 +11,12 @@ import { BodyType, type Locks } from '../gen/jostle/v1/scene_pb.js';
 import type { ControlledEntity } from '../connection/word_changes.js';
 import { encodeShapes } from './shape_encoding.js';
 
-/** The module cannot be loaded, or has failed and is of no use any more. */
+/** The module cannot be loaded, or it failed and cannot be used any more. */
 export class PredictorError extends Error {}
 
 type Pointer = number;
 
-/** What predictor.wasm exports. */
+/** The exports of predictor.wasm. */
 export interface PredictorExports {
   readonly memory: WebAssembly.Memory;
   _initialize?(): void;
@@ -44,10 +45,10 @@ export interface PredictorExports {
 }
 
 const WASI = 'wasi_snapshot_preview1';
-const NOT_SUPPORTED = 58; // of WASI's errors
-const FRAME_NUMBERS = 9;
-const DRAWN_NUMBERS = 8;
-const MOTION_NUMBERS = 7;
+const NOT_SUPPORTED = 58; // WASI errno notsup
+const FRAME_VALUES = 9;
+const POSE_VALUES = 8;
+const VELOCITY_VALUES = 7;
 const NO_CONTROLLED_ENTITY: ControlledEntity = { entity: 0, tick: 0, module: '', words: new Uint32Array(0) };
 
 /** AxisLocks of the solver. */
@@ -57,7 +58,7 @@ function lockBits(locks: Locks | undefined): number {
   return [x, y, z, turnX, turnY, turnZ].reduce((bits, locked, k) => bits | (locked ? 1 << k : 0), 0);
 }
 
-/** What the C++ library asks of a system: the time, and nothing else that it would get. */
+/** The system calls of the C++ library; only the clock is supported. */
 function system(module: WebAssembly.Module, memory: () => WebAssembly.Memory): WebAssembly.ModuleImports {
   const api: WebAssembly.ModuleImports = {};
   for (const { module: from, name } of WebAssembly.Module.imports(module)) if (from === WASI) api[name] = () => NOT_SUPPORTED;
@@ -66,12 +67,12 @@ function system(module: WebAssembly.Module, memory: () => WebAssembly.Memory): W
     return 0;
   };
   api['proc_exit'] = (code: number) => {
-    throw new PredictorError(`the predictor ended itself with ${code}`);
+    throw new PredictorError(`the predictor exited with code ${code}`);
   };
   return api;
 }
 
-/** Instantiates a compiled module; `asked` is told whose shapes are wanted. */
+/** Instantiates a compiled module. `onShapesRequested` is called when it needs the shapes of an entity. */
 export async function instantiate(module: WebAssembly.Module, onShapesRequested: (entity: number) => void): Promise<PredictorExports> {
   let api: PredictorExports | undefined;
   const imports = {
@@ -83,34 +84,34 @@ export async function instantiate(module: WebAssembly.Module, onShapesRequested:
   return api;
 }
 
-/** From the bytes of predictor.wasm, or from the answer that brings them. */
+/** Compiles the bytes of predictor.wasm, or of the response that has them. Throws PredictorError. */
 export async function compile(source: BufferSource | Promise<Response>): Promise<WebAssembly.Module> {
   try {
     if (!(source instanceof Promise)) return await WebAssembly.compile(source);
-    const answer = await source;
-    if (!answer.ok) throw new Error(`the server answers ${answer.status}`);
-    return await WebAssembly.compile(await answer.arrayBuffer());
+    const response = await source;
+    if (!response.ok) throw new Error(`HTTP status ${response.status}`);
+    return await WebAssembly.compile(await response.arrayBuffer());
   } catch (error) {
     throw new PredictorError(`predictor.wasm cannot be loaded: ${error instanceof Error ? error.message : error}`);
   }
 }
 
 export interface PredictorStats {
-  readonly frames: number; // that were compared
-  readonly corrections: number; // of them: that were not what was foreseen
-  readonly steps: number; // that were taken, again or not
-  readonly lastErrorM: number; // greatest of the last frame, before it was corrected
-  readonly bodies: number; // that are foreseen
-  readonly unusable: number; // bodies whose shapes the solver cannot have
-  readonly controlUpdates: number; // times that what is driven was compared
-  readonly controlCorrections: number; // of them: that were not what was foreseen
-  readonly lastControlErrorM: number; // of the last one
+  readonly frames: number; // compared frames
+  readonly corrections: number; // frames that differed from the prediction
+  readonly steps: number; // simulated steps, repeated ones included
+  readonly lastErrorM: number; // largest error of the last frame, before its correction
+  readonly bodies: number; // predicted bodies
+  readonly unusable: number; // bodies with shapes that the solver does not support
+  readonly controlUpdates: number; // compared states of the controlled entity
+  readonly controlCorrections: number; // states that differed from the prediction
+  readonly lastControlErrorM: number; // error of the last state
 }
 
-/** Poses of a picture, which are replaced where they are foreseen (RenderedPoses). */
+/** Poses of a rendered frame, in which predicted poses are replaced (RenderedPoses). */
 export interface RenderedScene {
   readonly poses: Float64Array;
-  /** -1: it is not in the picture. */
+  /** -1: not in the rendered frame. */
   indexOf(entity: number): number;
 }
 
@@ -124,17 +125,17 @@ export class Predictor {
   private constructor() {}
 
   static async create(module: WebAssembly.Module): Promise<Predictor> {
-    const made = new Predictor();
+    const predictor = new Predictor();
     try {
-      made.api = await instantiate(module, (entity) => made.sendShapes(entity));
-      made.self = made.api.create();
+      predictor.api = await instantiate(module, (entity) => predictor.sendShapes(entity));
+      predictor.self = predictor.api.create();
     } catch (error) {
       throw new PredictorError(`predictor.wasm cannot be started: ${error instanceof Error ? error.message : error}`);
     }
-    return made;
+    return predictor;
   }
 
-  /** A stream begins: everything is forgotten. */
+  /** Starts a stream and resets the predictor. Gravity in m/s^2; substeps 0: as many as each island needs. */
   begin(tickHz: number, gravity: { readonly x: number; readonly y: number; readonly z: number }, substeps = 0): void {
     this.entities.clear();
     this.api.begin(this.self, tickHz, gravity.x, gravity.y, gravity.z, substeps);
@@ -152,12 +153,12 @@ export class Predictor {
     this.api.remove_body(this.self, entity);
   }
 
-  /** Whose motion is foreseen; 0: nobody's. */
+  /** Selects the body to predict; 0: none. */
   follow(entity: number): void {
     this.api.follow(this.self, entity);
   }
 
-  /** An input of that number that is meant for that tick; what is none of a hand or a push does nothing. */
+  /** An input for a tick. Inputs other than impulses, grabs, drags and controls are ignored. */
   addInput(sequence: number, tick: number, { kind }: Input): void {
     const { api, self } = this;
     switch (kind?.case) {
@@ -179,41 +180,41 @@ export class Predictor {
         return api.release(self, sequence, tick);
       case 'control': {
         const { axes = [], buttons = 0 } = kind.value;
-        this.room(axes.length).set(axes.map((thousandths) => thousandths / 1000));
+        this.buffer(axes.length).set(axes.map((thousandths) => thousandths / 1000));
         return api.steer(self, sequence, tick, axes.length, buttons);
       }
-      case 'possess': // lets go of what was driven
+      case 'possess': // releases the controlled entity
         return api.steer(self, sequence, tick, 0, 0);
     }
   }
 
-  /** What became of one. */
+  /** The result of an input. */
   onResult(sequence: number, tick: number, applied: boolean): void {
     this.api.result(this.self, sequence, tick, applied ? 1 : 0);
   }
 
-  /** What is driven, before the frame of its tick; undefined: nothing that is known. */
-  drive(thing: ControlledEntity | undefined): void {
-    const { entity, tick, module, words } = thing ?? NO_CONTROLLED_ENTITY;
-    const numbers = this.room(module.length + words.length);
+  /** State of the controlled entity, before the frame of its tick; undefined: none is known. */
+  setControlled(state: ControlledEntity | undefined): void {
+    const { entity, tick, module, words } = state ?? NO_CONTROLLED_ENTITY;
+    const numbers = this.buffer(module.length + words.length);
     for (let k = 0; k < module.length; k++) numbers[k] = module.charCodeAt(k);
     numbers.set(words, module.length);
     this.api.control(this.self, entity, tick, module.length, words.length);
   }
 
-  /** `motion`: the number of the kind MOTION (motion.ts), where that is told. */
-  onFrame({ frame, entities, poses, channels }: PoseFrame, motion?: number): void {
-    const motions = channels.filter(({ kind, values }) => kind === motion && values.length === MOTION_NUMBERS - 1);
-    const moves = this.room(motions.length * MOTION_NUMBERS);
-    motions.forEach(({ entity, values }, i) => {
-      moves[i * MOTION_NUMBERS] = entity;
-      moves.set(values, i * MOTION_NUMBERS + 1);
+  /** `velocityKind`: index of the velocity channel in Welcome.channels, if there is one. */
+  onFrame({ frame, entities, poses, channels }: PoseFrame, velocityKind?: number): void {
+    const velocities = channels.filter(({ kind, values }) => kind === velocityKind && values.length === VELOCITY_VALUES - 1);
+    const velocityValues = this.buffer(velocities.length * VELOCITY_VALUES);
+    velocities.forEach(({ entity, values }, i) => {
+      velocityValues[i * VELOCITY_VALUES] = entity;
+      velocityValues.set(values, i * VELOCITY_VALUES + 1);
     });
-    this.api.velocities(this.self, motions.length);
-    const numbers = this.room(entities.length * FRAME_NUMBERS);
+    this.api.velocities(this.self, velocities.length);
+    const numbers = this.buffer(entities.length * FRAME_VALUES);
     for (let i = 0; i < entities.length; i++) {
       const { id, atRest } = entities[i]!;
-      const to = i * FRAME_NUMBERS;
+      const to = i * FRAME_VALUES;
       numbers[to] = id;
       for (let k = 0; k < POSE_FLOATS; k++) numbers[to + 1 + k] = poses[i * POSE_FLOATS + k]!;
       numbers[to + 8] = atRest ? 1 : 0;
@@ -221,45 +222,45 @@ export class Predictor {
     this.api.frame(this.self, frame, entities.length);
   }
 
-  /** Puts what is foreseen into the picture of now: at that place of the input clock, in ticks. How many bodies that are. */
-  draw(scene: RenderedScene, position: number, nowUs: number): number {
+  /** Replaces the predicted poses of a rendered frame and returns their number; `position`: of the input clock, in ticks. */
+  applyTo(scene: RenderedScene, position: number, nowUs: number): number {
     const { api, self } = this;
-    const wanted = this.room(api.predicted(self)).slice();
-    const numbers = this.room(wanted.length * DRAWN_NUMBERS);
+    const ids = this.buffer(api.predicted(self)).slice();
+    const numbers = this.buffer(ids.length * POSE_VALUES);
     let count = 0;
-    for (const id of wanted) {
+    for (const id of ids) {
       const i = scene.indexOf(id);
       if (i < 0) continue;
-      const to = count++ * DRAWN_NUMBERS;
+      const to = count++ * POSE_VALUES;
       numbers[to] = id;
       for (let k = 0; k < POSE_FLOATS; k++) numbers[to + 1 + k] = scene.poses[i * POSE_FLOATS + k]!;
     }
     if (api.sample(self, position, nowUs, count) !== count) return 0;
-    const answer = this.room(wanted.length * DRAWN_NUMBERS);
+    const results = this.buffer(ids.length * POSE_VALUES);
     for (let n = 0; n < count; n++) {
-      const from = n * DRAWN_NUMBERS;
-      const i = scene.indexOf(answer[from]!);
-      for (let k = 0; k < POSE_FLOATS; k++) scene.poses[i * POSE_FLOATS + k] = answer[from + 1 + k]!;
+      const from = n * POSE_VALUES;
+      const i = scene.indexOf(results[from]!);
+      for (let k = 0; k < POSE_FLOATS; k++) scene.poses[i * POSE_FLOATS + k] = results[from + 1 + k]!;
     }
     return count;
   }
 
   get stats(): PredictorStats {
-    const figure = (which: number) => this.api.stat(this.self, which);
-    return { frames: figure(0), corrections: figure(1), steps: figure(2), lastErrorM: figure(3), bodies: figure(4), unusable: figure(5), controlUpdates: figure(6), controlCorrections: figure(7), lastControlErrorM: figure(8) };
+    const stat = (which: number) => this.api.stat(this.self, which);
+    return { frames: stat(0), corrections: stat(1), steps: stat(2), lastErrorM: stat(3), bodies: stat(4), unusable: stat(5), controlUpdates: stat(6), controlCorrections: stat(7), lastControlErrorM: stat(8) };
   }
 
-  /** The predictor's list of numbers. Good until the next call: its memory may move. */
-  private room(count: number): Float64Array {
+  /** The module's number buffer. Valid until the next call, because the memory may move. */
+  private buffer(count: number): Float64Array {
     const at = this.api.buffer(this.self, count);
-    if (at === 0 && count > 0) throw new PredictorError(`the predictor has no room for ${count} numbers`);
+    if (at === 0 && count > 0) throw new PredictorError(`the predictor cannot allocate ${count} numbers`);
     return new Float64Array(this.api.memory.buffer, at, count);
   }
 
   private sendShapes(id: number): void {
     const numbers = encodeShapes(this.entities.get(id)?.shapes ?? []);
     if (!numbers) return;
-    this.room(numbers.length).set(numbers);
+    this.buffer(numbers.length).set(numbers);
     this.api.set_shapes(this.self, id, numbers.length);
   }
 }

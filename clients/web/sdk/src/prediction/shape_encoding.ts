@@ -1,20 +1,20 @@
-// A body's shapes as the row of numbers that the predictor reads (clients/cpp/prediction/wasm/shape_encoding.h says which).
+// Encodes the shapes of a body as the numbers that the predictor decodes (clients/cpp/prediction/wasm/shape_encoding.h).
 
 import { Combine, type Shape } from '../gen/jostle/v1/scene_pb.js';
 
 type Point = { readonly x: number; readonly y: number; readonly z: number };
 
-const WATER = 1000; // kg/m^3, the usual density
-const NOWHERE: Point = { x: 0, y: 0, z: 0 };
+const DEFAULT_DENSITY = 1000; // kg/m^3
+const ORIGIN: Point = { x: 0, y: 0, z: 0 };
 const UP: Point = { x: 0, y: 1, z: 0 };
-const EVERYTHING = 0xffffffff;
+const ALL_CATEGORIES = 0xffffffff;
 
-/** undefined: the solver of the predictor has no such shape, or it was never told. */
+/** undefined: the solver of the predictor does not support a shape, or the shape is unknown. */
 export function encodeShapes(shapes: readonly Shape[]): number[] | undefined {
   const out: number[] = [shapes.length];
   for (const shape of shapes) {
     if (!putGeometry(out, shape, false)) return undefined;
-    putTouch(out, shape);
+    putMaterial(out, shape);
   }
   return out;
 }
@@ -23,23 +23,23 @@ function put(out: number[], { x, y, z }: Point): void {
   out.push(x, y, z);
 }
 
-/** Combine, from 0. */
-const rule = (told: Combine, usual: Combine) => (told === Combine.UNSPECIFIED ? usual : told) - 1;
+/** Combine rule, from 0. */
+const rule = (value: Combine, fallback: Combine) => (value === Combine.UNSPECIFIED ? fallback : value) - 1;
 
-function putTouch(out: number[], shape: Shape): void {
+function putMaterial(out: number[], shape: Shape): void {
   out.push(shape.friction ?? 0.5, shape.restitution ?? 0, shape.rollingFriction ?? 0, shape.torsionalFriction ?? 0);
-  put(out, shape.surfaceVelocity ?? NOWHERE);
+  put(out, shape.surfaceVelocity ?? ORIGIN);
   out.push(rule(shape.frictionRule, Combine.GEOMETRIC_MEAN), rule(shape.restitutionRule, Combine.MAXIMUM));
   const { filter } = shape;
-  out.push(filter?.category ?? 1, filter?.mask ?? EVERYTHING, filter?.group ?? 0, shape.trigger ? 1 : 0);
-  out.push(shape.density ?? WATER, shape.mass ?? 0);
+  out.push(filter?.category ?? 1, filter?.mask ?? ALL_CATEGORIES, filter?.group ?? 0, shape.trigger ? 1 : 0);
+  out.push(shape.density ?? DEFAULT_DENSITY, shape.mass ?? 0);
 }
 
 function putGeometry(out: number[], shape: Shape, inside: boolean): boolean {
   const { kind, position, rotation: q } = shape;
   const begin = (number: number) => {
     out.push(number);
-    put(out, position ?? NOWHERE);
+    put(out, position ?? ORIGIN);
     out.push(q?.x ?? 0, q?.y ?? 0, q?.z ?? 0, q ? q.w : 1);
   };
   switch (kind.case) {
@@ -53,7 +53,7 @@ function putGeometry(out: number[], shape: Shape, inside: boolean): boolean {
       return true;
     case 'box':
       begin(3);
-      put(out, kind.value.halfExtents ?? NOWHERE);
+      put(out, kind.value.halfExtents ?? ORIGIN);
       return true;
     case 'plane':
       begin(4);

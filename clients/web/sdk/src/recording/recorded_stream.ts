@@ -1,6 +1,6 @@
-// A recording as a stream: what a connection gets instead of a server's socket, so that everything behind it is as with a server. It
-// has a time of its own, which can stand, go faster and be set; messages are handed over a little before they are shown. To go back, or
-// far ahead, it begins anew as a server would: the Welcome, who is there, a keyframe, and what follows.
+// A recording as a socket: a connection reads it instead of a server, so that live worlds and recordings share one code path.
+// It has its own time, which can be paused, scaled and set. Messages are delivered shortly before they are rendered. To seek
+// backwards or far ahead, it restarts as a server would: Welcome, entity updates, a keyframe and what follows it.
 
 import { fromBinary, create, toBinary } from '@bufbuild/protobuf';
 import type { Socket } from '../connection/connection.js';
@@ -8,8 +8,8 @@ import { ClientMessageSchema, ServerMessageSchema } from '../gen/jostle/v1/play_
 import type { Recording } from './recording.js';
 
 const LEAD_TIME_US = 200_000;
-const REPLAY_AHEAD_MAX_US = 1e6; // so far ahead is played through
-const FRAME_TIME_MAX_US = 250_000; // who did not draw for longer did not watch
+const REPLAY_AHEAD_MAX_US = 1e6; // longer forward seeks restart at a keyframe
+const FRAME_TIME_MAX_US = 250_000; // a longer gap between rendered frames does not advance the time further
 
 export class RecordedStream implements Socket {
   binaryType = '';
@@ -18,13 +18,13 @@ export class RecordedStream implements Socket {
   onclose: ((event: { code: number; reason: string }) => void) | null = null;
 
   playing = true;
-  /** Times the real one. */
+  /** Playback speed; 1 is real time. */
   speed = 1;
   private renderTimeUs: number; // on the server's clock
   private readonly firstUs: number;
   private readonly lastUs: number;
   private lastFrameUs = 0;
-  private next = 0; // message to be handed over
+  private next = 0; // index of the next message to deliver
   private welcomed = false;
   private seekUs: number | undefined;
 
@@ -33,7 +33,7 @@ export class RecordedStream implements Socket {
     this.lastUs = recording.dueUs(recording.lastTick);
   }
 
-  /** As WebSockets open: by and by. */
+  /** Opens asynchronously, as WebSockets do. */
   open(): this {
     this.welcomed = false;
     queueMicrotask(() => this.onopen?.());
@@ -56,13 +56,13 @@ export class RecordedStream implements Socket {
     this.welcomed = false;
   }
 
-  // --- its time ---
+  // --- time ---
 
-  /** The tick that is shown. */
+  /** The rendered tick. */
   get tick(): number {
     const { welcome, firstTick, lastTick } = this.recording;
-    const passed = Math.round(((this.renderTimeUs - this.firstUs) * welcome.tickHz) / 1e6);
-    return Math.min(lastTick, firstTick + passed);
+    const elapsed = Math.round(((this.renderTimeUs - this.firstUs) * welcome.tickHz) / 1e6);
+    return Math.min(lastTick, firstTick + elapsed);
   }
   get seconds(): number {
     return (this.renderTimeUs - this.firstUs) / 1e6;
@@ -71,7 +71,7 @@ export class RecordedStream implements Socket {
     return (this.lastUs - this.firstUs) / 1e6;
   }
 
-  /** Shows that many seconds after its beginning, with the next picture. */
+  /** Seeks to a time in seconds from the start; takes effect with the next rendered frame. */
   seek(seconds: number): void {
     this.seekUs = Math.min(this.lastUs, Math.max(this.firstUs, this.firstUs + seconds * 1e6));
   }
@@ -81,18 +81,18 @@ export class RecordedStream implements Socket {
     this.playing = true;
   }
 
-  /** A picture is drawn, at nowUs on our clock: what it shows, on the server's clock. */
+  /** Call once per rendered frame; returns the rendered time on the server's clock. `nowUs`: local clock. */
   advance(nowUs: number): number {
-    const passed = Math.min(FRAME_TIME_MAX_US, Math.max(0, nowUs - this.lastFrameUs));
+    const elapsed = Math.min(FRAME_TIME_MAX_US, Math.max(0, nowUs - this.lastFrameUs));
     this.lastFrameUs = nowUs;
     if (!this.welcomed) return this.renderTimeUs;
     if (this.seekUs !== undefined) {
-      const ahead = this.seekUs - this.renderTimeUs;
+      const offsetUs = this.seekUs - this.renderTimeUs;
       this.renderTimeUs = this.seekUs;
       this.seekUs = undefined;
-      if (this.next === 0 || ahead < 0 || ahead > REPLAY_AHEAD_MAX_US) this.begin();
+      if (this.next === 0 || offsetUs < 0 || offsetUs > REPLAY_AHEAD_MAX_US) this.begin();
     } else if (this.playing) {
-      this.renderTimeUs = Math.min(this.lastUs, this.renderTimeUs + passed * this.speed);
+      this.renderTimeUs = Math.min(this.lastUs, this.renderTimeUs + elapsed * this.speed);
       if (this.renderTimeUs >= this.lastUs) this.playing = false;
     }
     this.deliverMessages();

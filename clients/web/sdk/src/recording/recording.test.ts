@@ -1,4 +1,4 @@
-// Six seconds of the scene `machines`, as jostle-record wrote them: 30 snapshots a second, a keyframe every 2 s.
+// Six seconds of the scene `machines`, recorded by jostle-record: 30 snapshots per second, a keyframe every 2 s.
 
 import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';
@@ -10,87 +10,87 @@ import { RecordedStream } from './recorded_stream.js';
 
 const bytes = () => new Uint8Array(readFileSync(new URL('../testing/machines.rec', import.meta.url)));
 
-/** A connection that gets the recording, drawn 60 times a second of a clock of its own. */
-async function watch(recording: Recording) {
+/** A connection that plays the recording, rendered 60 times per second of a simulated clock. */
+async function play(recording: Recording) {
   const stream = new RecordedStream(recording);
   const states: string[] = [];
   const nothing = () => {};
   const connection = new Connection('', { state: (s, why) => states.push(s + why), entityList: nothing, stats: nothing, worldEvents: nothing, inputRejected: nothing, notice: nothing }, () => stream.open());
   connection.join('');
   await Promise.resolve();
-  const drawn = new RenderedPoses();
+  const rendered = new RenderedPoses();
   let us = 1e6;
   const run = (seconds: number) => {
     for (const end = us + seconds * 1e6; us < end; ) {
       us += 1e6 / 60;
-      drawn.update(connection.frames, stream.advance(us), us);
+      rendered.update(connection.frames, stream.advance(us), us);
     }
   };
-  const poses = () => [...drawn.poses.subarray(0, drawn.count * POSE_FLOATS)];
-  return { stream, connection, drawn, run, poses, states };
+  const poses = () => [...rendered.poses.subarray(0, rendered.count * POSE_FLOATS)];
+  return { stream, connection, rendered, run, poses, states };
 }
 
 describe('recording', () => {
-  it('is read whole, by its records and not by its index', () => {
+  it('is read by its records, not by its index', () => {
     const recording = new Recording(bytes());
     expect([recording.firstTick, recording.lastTick, recording.truncationReason]).toEqual([191, 550, '']);
     expect(recording.messages.filter(({ keyframe }) => keyframe)).toHaveLength(3);
     expect(recording.welcome.tickHz).toBe(60);
   });
 
-  it('that was cut off at any byte is read as far as it goes', () => {
-    const whole = bytes();
-    const messages = new Recording(whole).messages.length;
+  it('truncated at any byte is read up to the cut', () => {
+    const complete = bytes();
+    const messages = new Recording(complete).messages.length;
     let last = 0;
-    for (let end = whole.length; end > 0; end -= 97) {
+    for (let end = complete.length; end > 0; end -= 97) {
       try {
-        const truncationReason = new Recording(whole.subarray(0, end));
-        expect(truncationReason.messages.length).toBeLessThanOrEqual(messages);
-        last = truncationReason.messages.length;
+        const truncated = new Recording(complete.subarray(0, end));
+        expect(truncated.messages.length).toBeLessThanOrEqual(messages);
+        last = truncated.messages.length;
       } catch (error) {
         expect(error).toBeInstanceOf(RecordingError);
       }
     }
-    expect(last, 'the Welcome, who is there, a keyframe').toBeLessThan(10);
+    expect(last, 'Welcome, entity updates and a keyframe').toBeLessThan(10);
   });
 
-  it('is played up to what is damaged, and says what that is', () => {
+  it('is played up to damaged data and reports it', () => {
     const damaged = bytes();
     damaged[6000]! ^= 1;
     const recording = new Recording(damaged);
     expect(recording.lastTick).toBeGreaterThan(191);
     expect(recording.lastTick).toBeLessThan(550);
-    expect(recording.truncationReason).toMatch(/^byte \d+: the CRC of the record does not match: it is damaged$/);
+    expect(recording.truncationReason).toMatch(/^byte \d+: CRC mismatch: the record is damaged$/);
   });
 
-  it('says what is wrong with what is none', () => {
-    expect(() => new Recording(new TextEncoder().encode('nothing of that kind'))).toThrow('byte 0: it is no recording, which begins with the letters JREC; jostle-record makes one');
+  it('rejects other files with an error message', () => {
+    expect(() => new Recording(new TextEncoder().encode('nothing of that kind'))).toThrow('byte 0: not a recording: must start with "JREC"; create one with jostle-record');
     const later = bytes();
     later[4] = 2;
-    expect(() => new Recording(later)).toThrow('byte 4: it is a recording of version 2; this page plays version 1');
-    expect(() => new Recording(bytes().subarray(0, 16))).toThrow('nothing was recorded that could be shown');
+    expect(() => new Recording(later)).toThrow('byte 4: unsupported version 2; supported: 1');
+    expect(() => new Recording(bytes().subarray(0, 16))).toThrow('the recording has no keyframe');
   });
 });
 
 describe('recorded stream', () => {
-  it('plays in real time through the path of a live world, to its end', async () => {
-    const { stream, connection, drawn, run, states } = await watch(new Recording(bytes()));
+  it('plays in real time through the live connection path', async () => {
+    const { stream, connection, rendered, run, states } = await play(new Recording(bytes()));
     run(3);
     expect([connection.state, connection.decodeErrors]).toEqual(['playing', 0]);
     expect(stream.seconds).toBeCloseTo(3, 1);
-    expect(drawn.count).toBe(connection.entities.size);
-    expect(drawn.source!.frame).toBeGreaterThanOrEqual(stream.tick);
+    expect(rendered.count).toBe(connection.entities.size);
+    expect(rendered.source!.frame).toBeGreaterThanOrEqual(stream.tick);
     run(4);
     expect([stream.playing, stream.tick, stream.seconds]).toEqual([false, 550, stream.length]);
     expect(states).toEqual(['stopped', 'connecting', 'playing']);
     stream.play();
     run(0.1);
-    expect(stream.seconds, 'from the beginning').toBeLessThan(0.2);
+    expect(stream.seconds, 'from the start').toBeLessThan(0.2);
     connection.stop();
   });
 
-  it('shows a tick the same, however one came there', async () => {
-    const { stream, connection, run, poses } = await watch(new Recording(bytes()));
+  it('shows the same state of a tick after seeking and after playing', async () => {
+    const { stream, connection, run, poses } = await play(new Recording(bytes()));
     stream.playing = false;
     run(0.05);
     const first = poses();
@@ -109,20 +109,20 @@ describe('recorded stream', () => {
     expect(poses(), 'in steps').toEqual(jumped);
     stream.seek(0);
     run(1);
-    expect(poses(), 'back, and it stands').toEqual(first);
+    expect(poses(), 'back at the start, paused').toEqual(first);
     expect(connection.decodeErrors).toBe(0);
     connection.stop();
   });
 
-  it('goes at the speed that one wants', async () => {
-    const { stream, connection, run } = await watch(new Recording(bytes()));
+  it('plays at the selected speed', async () => {
+    const { stream, connection, run } = await play(new Recording(bytes()));
     stream.speed = 4;
     run(1);
     expect(stream.seconds).toBeCloseTo(4, 0);
     stream.speed = 0.25;
-    const before = stream.seconds;
+    const previous = stream.seconds;
     run(1);
-    expect(stream.seconds - before).toBeCloseTo(0.25, 1);
+    expect(stream.seconds - previous).toBeCloseTo(0.25, 1);
     connection.stop();
   });
 });

@@ -4,30 +4,30 @@ import { DecodeError } from './decode_frame.js';
 import { goldenChannels } from '../testing/golden_channels.js';
 
 describe('channels', () => {
-  it('of the golden file decode to what C++ encoded', () => {
+  it('in the golden file decode to the values encoded by C++', () => {
     const decoded: Channels[] = [];
-    for (const { base, crc, channels, packed } of goldenChannels()) {
-      decoded.push(decodeChannels(packed, crc, base === 0 ? NO_CHANNELS : decoded[base - 1]!));
+    for (const { baseline, crc, channels, packed } of goldenChannels()) {
+      decoded.push(decodeChannels(packed, crc, baseline === 0 ? NO_CHANNELS : decoded[baseline - 1]!));
       expect(decoded.at(-1)).toEqual(channels);
     }
     expect(decoded.length).toBe(16);
   });
 
-  it('are those of the base, the very objects, where nothing changed', () => {
+  it('are shared with the baseline when unchanged', () => {
     const golden = goldenChannels();
-    const { packed, crc, base } = golden.find((frame) => frame.base !== 0 && golden[frame.base - 1]!.base === 0)!;
-    const first = decodeChannels(golden[base - 1]!.packed, golden[base - 1]!.crc, NO_CHANNELS);
+    const { packed, crc, baseline } = golden.find((frame) => frame.baseline !== 0 && golden[frame.baseline - 1]!.baseline === 0)!;
+    const first = decodeChannels(golden[baseline - 1]!.packed, golden[baseline - 1]!.crc, NO_CHANNELS);
     expect(decodeChannels(new Uint8Array(), 0, first)).toBe(first);
     const next = decodeChannels(packed, crc, first);
     expect(next.some((channel) => first.includes(channel))).toBe(true);
   });
 
-  it('are refused when a bit is wrong or bytes are missing, never read as something else', () => {
+  it('are rejected when bits are flipped or bytes are missing', () => {
     const { packed, crc } = goldenChannels()[0]!;
     for (let bit = 0; bit < packed.length * 8; bit++) {
-      const bad = packed.slice();
-      bad[bit >> 3]! ^= 1 << (bit & 7);
-      expect(() => decodeChannels(bad, crc, NO_CHANNELS)).toThrow(DecodeError);
+      const damaged = packed.slice();
+      damaged[bit >> 3]! ^= 1 << (bit & 7);
+      expect(() => decodeChannels(damaged, crc, NO_CHANNELS)).toThrow(DecodeError);
     }
     for (let size = 1; size < packed.length; size++) expect(() => decodeChannels(packed.subarray(0, size), crc, NO_CHANNELS)).toThrow(DecodeError);
   });

@@ -1,5 +1,5 @@
-// The twin of proto/snapshot/include/jostle/snapshot in TypeScript, decoding only; written from proto/WIRE.md and proved by proto/golden. Codec 1 is here,
-// codec 2 in range_frame.ts.
+// Decodes snapshots: the TypeScript counterpart of proto/snapshot, written from proto/WIRE.md and verified by proto/golden.
+// This file has codec 1; range_frame.ts has codec 2.
 
 import { BitReader, bitWidth, zigZagDecode } from './bit_reader.js';
 import { crc32 } from './crc32.js';
@@ -27,16 +27,16 @@ import { RangeFrameReader } from './range_frame.js';
 
 export { DecodeError, isValidSpec, type Baselines, type EntityState, type QuantSpec, type QuantizedFrame } from './frame_state.js';
 
-/** The highest codec that decodeFrame() knows. */
+/** The highest codec that decodeFrame() supports. */
 export const NEWEST_CODEC = 2;
 
 const GAP_ORDER = 4;
-const STILL_ORDER = 5;
+const MOTIONLESS_RUN_ORDER = 5;
 const POSITION_ORDER = 12;
 const MAX_SPACING = 255;
 const KP = [0, 0, 0, 1, 2, 2, 3, 3, 4, 5, 6, 7];
 const KR = [0, 0, 0, 1, 2, 3, 4, 4, 5, 6, 7, 8];
-function isStill(s: Survivor): boolean {
+function isMotionless(s: Survivor): boolean {
   if (s.b1.atRest || !s.b2) return true;
   return samePose(s.b1, s.b2) && (!s.b3 || samePose(s.b1, s.b3));
 }
@@ -52,12 +52,12 @@ class BitFrameReader {
   }
 
   decode(baselines: Baselines, t: Spacing, maxEntities: number): EntityState[] {
-    const removed = new Set(this.readPositions(baselines.base?.entities.length ?? 0, 'removed'));
+    const removed = new Set(this.readPositions(baselines.baseline?.entities.length ?? 0, 'removed'));
     const survivors = survivorsOf(baselines, removed);
     const spawned = this.readSpawned(baselines, maxEntities - survivors.length);
-    const kept = this.readSurvivors(survivors, t);
-    if (!this.in.atCleanEnd()) this.fail('bits are left over or missing');
-    return merge(kept, spawned);
+    const updated = this.readSurvivors(survivors, t);
+    if (!this.in.atCleanEnd()) this.fail('unexpected or missing bits at the end');
+    return merge(updated, spawned);
   }
 
   private fail(what: string): never {
@@ -65,27 +65,27 @@ class BitFrameReader {
   }
 
   private checkEnd(): void {
-    if (this.in.pastEnd) this.fail('the data ends early');
+    if (this.in.pastEnd) this.fail('truncated data');
   }
 
   private readPositions(size: number, what: string): number[] {
     const count = this.in.expGolomb(0);
     this.checkEnd();
-    if (count > size) this.fail(`${what}: more than there are`);
-    const positions: number[] = [];
+    if (count > size) this.fail(`${what}: count ${count} exceeds ${size}`);
+    const indices: number[] = [];
     let next = 0;
     for (let i = 0; i < count; i++) {
       const position = next + this.in.expGolomb(GAP_ORDER);
       this.checkEnd();
-      if (position >= size) this.fail(`${what}: a position past the end`);
-      positions.push(position);
+      if (position >= size) this.fail(`${what}: index out of range`);
+      indices.push(position);
       next = position + 1;
     }
-    return positions;
+    return indices;
   }
 
   private checkRotation(r: readonly number[]): void {
-    if (!isRotation(r, this.spec.rotationComponent)) this.fail('a rotation that is none');
+    if (!isRotation(r, this.spec.rotationComponent)) this.fail('invalid rotation');
   }
 
   private readComponents(): { largest: number; rotation: Three } {
@@ -109,19 +109,19 @@ class BitFrameReader {
     const count = this.in.expGolomb(0);
     this.checkEnd();
     if (count > limit) this.fail('spawned: more entities than the limit');
-    const known = new Finder(baselines.base);
+    const known = new Finder(baselines.baseline);
     const out: EntityState[] = [];
     let nextId = 1;
     for (let i = 0; i < count; i++) {
       const id = nextId + this.in.expGolomb(GAP_ORDER);
-      if (id > 0xffffffff) this.fail('spawned: an id beyond 32 bits');
+      if (id > 0xffffffff) this.fail('spawned: id exceeds 32 bits');
       const position: Three = [0, 0, 0];
       for (let k = 0; k < 3; k++)
-        position[k] = this.int32(zigZagDecode(this.in.expGolomb(POSITION_ORDER)), 'spawned: a position');
+        position[k] = this.int32(zigZagDecode(this.in.expGolomb(POSITION_ORDER)), 'spawned: position');
       const { largest, rotation } = this.readComponents();
       const atRest = this.in.bits(1) === 1;
       this.checkEnd();
-      if (known.find(id)) this.fail('spawned: an id that the base has');
+      if (known.find(id)) this.fail('spawned: id is already in the baseline');
       out.push({ id, position, largest, rotation, atRest });
       nextId = id + 1;
     }
@@ -131,7 +131,7 @@ class BitFrameReader {
   private readMoved(s: Survivor, t: Spacing): EntityState {
     const p = predict(s, t, this.spec.rotationComponent);
     let { positionChange, rotationChange } = p;
-    if (isStill(s) || !s.b3 || samePose(s.b1, s.b2!)) {
+    if (isMotionless(s) || !s.b3 || samePose(s.b1, s.b2!)) {
       positionChange = Math.max(positionChange, 4 * t.dt1);
       rotationChange = Math.max(rotationChange, 4 * t.dt1);
     }
@@ -139,7 +139,7 @@ class BitFrameReader {
     const kr = KR[Math.min(bitWidth(rotationChange), 11)]!;
     const position: Three = [0, 0, 0];
     for (let k = 0; k < 3; k++)
-      position[k] = this.int32(p.position[k]! + zigZagDecode(this.in.rice(kp)), 'a position');
+      position[k] = this.int32(p.position[k]! + zigZagDecode(this.in.rice(kp)), 'position');
     if (!(rotationChange === 0 && this.in.bits(1) === 1)) {
       if (this.in.takeEscape()) {
         const { largest, rotation } = this.readComponents();
@@ -155,11 +155,11 @@ class BitFrameReader {
 
   private readSurvivors(survivors: Survivor[], t: Spacing): EntityState[] {
     const out: EntityState[] = [];
-    let run = this.in.expGolomb(STILL_ORDER);
+    let run = this.in.expGolomb(MOTIONLESS_RUN_ORDER);
     for (const s of survivors) {
-      const still = isStill(s);
+      const motionless = isMotionless(s);
       let changed: boolean;
-      if (still) {
+      if (motionless) {
         changed = run === 0;
         if (!changed) run--;
       } else {
@@ -167,20 +167,20 @@ class BitFrameReader {
       }
       if (changed) {
         out.push(this.readMoved(s, t));
-        if (still) run = this.in.expGolomb(STILL_ORDER);
+        if (motionless) run = this.in.expGolomb(MOTIONLESS_RUN_ORDER);
       } else {
         out.push(s.b1);
       }
       this.checkEnd();
     }
-    if (run !== 0) this.fail('a run of still entities past the end');
+    if (run !== 0) this.fail('run of unchanged entities exceeds the frame');
     for (const i of this.readPositions(out.length, 'rest toggles'))
       out[i] = { ...out[i]!, atRest: !out[i]!.atRest };
     return out;
   }
 }
 
-/** Foreign bytes: throws DecodeError that says what was wrong and where. */
+/** Decodes a frame. Throws DecodeError, which names the defect and its position, for malformed bytes. */
 export function decodeFrame(
   frame: number,
   packed: Uint8Array,
@@ -189,24 +189,24 @@ export function decodeFrame(
   maxEntities = 1 << 20,
   codec = 1,
 ): QuantizedFrame {
-  if (!isValidSpec(spec)) throw new DecodeError('a quantisation out of range');
-  if (codec < 1 || codec > NEWEST_CODEC) throw new DecodeError(`codec ${codec} is not known; 1 and 2 are`);
-  const baseline2 = baselines.base ? baselines.baseline2 : undefined;
+  if (!isValidSpec(spec)) throw new DecodeError('quantization out of range');
+  if (codec < 1 || codec > NEWEST_CODEC) throw new DecodeError(`unknown codec ${codec}; supported: 1 and 2`);
+  const baseline2 = baselines.baseline ? baselines.baseline2 : undefined;
   const baseline3 = baseline2 ? baselines.baseline3 : undefined;
   const t: Spacing = {
-    dt1: baselines.base ? frame - baselines.base.frame : 1,
-    dt2: baselines.base && baseline2 ? baselines.base.frame - baseline2.frame : 1,
+    dt1: baselines.baseline ? frame - baselines.baseline.frame : 1,
+    dt2: baselines.baseline && baseline2 ? baselines.baseline.frame - baseline2.frame : 1,
     dt3: baseline2 && baseline3 ? baseline2.frame - baseline3.frame : 1,
   };
   for (const dt of [t.dt1, t.dt2, t.dt3])
     if (dt < 1 || dt > MAX_SPACING)
-      throw new DecodeError(`frame ${frame} is not 1 to 255 ticks after its baselines`);
+      throw new DecodeError(`frame ${frame}: baseline distances must be 1 to 255 ticks`);
   const reader = codec === 2 ? new RangeFrameReader(packed, spec) : new BitFrameReader(packed, spec);
-  const entities = reader.decode({ base: baselines.base, baseline2, baseline3 }, t, maxEntities);
+  const entities = reader.decode({ baseline: baselines.baseline, baseline2, baseline3 }, t, maxEntities);
   return { frame, entities };
 }
 
-/** The CRC of WIRE.md: 24 bytes per entity. */
+/** The CRC of WIRE.md over 24 bytes per entity. */
 export function frameCrc(frame: QuantizedFrame): number {
   const bytes = new Uint8Array(24 * frame.entities.length);
   const view = new DataView(bytes.buffer);

@@ -1,10 +1,11 @@
-// Where each model of codec 2 is, and how all begin (proto/WIRE.md, "Models"): the twin of proto/snapshot/include/jostle/snapshot/frame_models.h.
+// Layout and initial state of the models of codec 2 (proto/WIRE.md, "Models"), as in
+// proto/snapshot/include/jostle/snapshot/frame_models.h.
 
 import type { Models } from './range_decoder.js';
 import { INITIAL_MODELS } from './start_models.js';
 
-export const MAGNITUDE = 5; // models of a number: not 0, negative, above 1, above 3, odd
-export const FIRST_WIDTH = 2; // of a number above 3: bits below its leading one
+export const MAGNITUDE = 5; // models of a number: nonzero, negative, above 1, above 3, odd
+export const FIRST_WIDTH = 2; // bits below the leading one of a number above 3
 export const LAST_WIDTH = 14;
 export const TAIL = 2 * (LAST_WIDTH - FIRST_WIDTH) + 1;
 export const COUNT = 40;
@@ -41,25 +42,25 @@ const ALPHABET = '0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz
 const LEVELS = [64, 64, 64, 89, 133, 198, 295, 439, 652, 968, 1434, 2117, 3108, 4531, 6537, 9296, 12964, 17625, 23222, 29502];
 const TRAINED = 8;
 
-function read(letters: string): Models {
+function parseModels(letters: string): Models {
   const one = new Uint16Array(MODEL_COUNT);
-  const seen = new Uint8Array(MODEL_COUNT);
+  const updates = new Uint8Array(MODEL_COUNT);
   for (let i = 0; i < MODEL_COUNT; i++) {
     const index = ALPHABET.indexOf(letters[i]!);
     const level = index >> 1;
     one[i] = level < 20 ? LEVELS[level]! : 65536 - LEVELS[39 - level]!;
-    seen[i] = index % 2 === 0 ? 0 : TRAINED;
+    updates[i] = index % 2 === 0 ? 0 : TRAINED;
   }
-  return { one, seen };
+  return { one, updates };
 }
 
-const start = INITIAL_MODELS.map(read);
-const working: Models = { one: new Uint16Array(MODEL_COUNT), seen: new Uint8Array(MODEL_COUNT) };
+const start = INITIAL_MODELS.map(parseModels);
+const working: Models = { one: new Uint16Array(MODEL_COUNT), updates: new Uint8Array(MODEL_COUNT) };
 
-/** As a frame begins whose base is so many ticks old. Good until the next call. */
-export function initialModels(baseAge: number): Models {
-  const { one, seen } = start[baseAge > 2 ? 1 : 0]!;
+/** The initial models of a frame whose baseline is `baselineAge` ticks old. Valid until the next call. */
+export function initialModels(baselineAge: number): Models {
+  const { one, updates } = start[baselineAge > 2 ? 1 : 0]!;
   working.one.set(one);
-  working.seen.set(seen);
+  working.updates.set(updates);
   return working;
 }

@@ -1,11 +1,11 @@
-// The state of frames as whole numbers, and what both codecs' decoders share. The twin of proto/snapshot/include/jostle/snapshot/entity_state.h and
-// entity_diff.h.
+// Quantized state of frames, and what the decoders of both codecs share. As in
+// proto/snapshot/include/jostle/snapshot/entity_state.h and entity_diff.h.
 
 export interface EntityState {
   readonly id: number;
-  /** Units of 1 / unitsPerMeter m. */
+  /** In units of 1 / unitsPerMeter m. */
   readonly position: readonly [number, number, number];
-  /** Which quaternion component was left out: 0 x, 1 y, 2 z, 3 w. */
+  /** Index of the omitted quaternion component: 0 x, 1 y, 2 z, 3 w. */
   readonly largest: number;
   readonly rotation: readonly [number, number, number];
   readonly atRest: boolean;
@@ -13,24 +13,24 @@ export interface EntityState {
 
 export interface QuantizedFrame {
   readonly frame: number;
-  /** In rising order of id. */
+  /** In ascending order of id. */
   readonly entities: readonly EntityState[];
 }
 
 export interface QuantSpec {
   readonly unitsPerMeter: number;
-  readonly rotationComponent: number; // M
+  readonly rotationComponent: number; // M of WIRE.md
 }
 
 export interface Baselines {
-  readonly base?: QuantizedFrame | undefined;
+  readonly baseline?: QuantizedFrame | undefined;
   readonly baseline2?: QuantizedFrame | undefined;
   readonly baseline3?: QuantizedFrame | undefined;
 }
 
 export class DecodeError extends Error {}
 
-/** Whether the arithmetic below is exact with this quantisation (WIRE.md). */
+/** Whether the integer arithmetic is exact with this quantization (WIRE.md). */
 export function isValidSpec({ unitsPerMeter: u, rotationComponent: m }: QuantSpec): boolean {
   return Number.isInteger(u) && u >= 1 && u <= 65536 && Number.isInteger(m) && m >= 1 && m <= 16383;
 }
@@ -71,7 +71,7 @@ export function samePose(a: EntityState, b: EntityState): boolean {
   );
 }
 
-/** Walks a frame's entities along rising ids. */
+/** Looks up entities of a frame by ascending ids. */
 export class Finder {
   private at = 0;
   constructor(private readonly frame: QuantizedFrame | undefined) {}
@@ -84,12 +84,12 @@ export class Finder {
   }
 }
 
-/** Entities of the base that are still there; `removed` are positions in it. */
+/** Entities of the baseline that still exist; `removed` has indices in the baseline. */
 export function survivorsOf(baselines: Baselines, removed: Set<number>): Survivor[] {
   const in2 = new Finder(baselines.baseline2);
   const in3 = new Finder(baselines.baseline2 ? baselines.baseline3 : undefined);
   const out: Survivor[] = [];
-  (baselines.base?.entities ?? []).forEach((b1, i) => {
+  (baselines.baseline?.entities ?? []).forEach((b1, i) => {
     if (removed.has(i)) return;
     const b2 = in2.find(b1.id);
     out.push({ b1, b2, b3: b2 ? in3.find(b1.id) : undefined });
@@ -99,16 +99,16 @@ export function survivorsOf(baselines: Baselines, removed: Set<number>): Survivo
 
 export function isRotation(r: readonly number[], m: number): boolean {
   let sum = 0;
-  let most = 0;
+  let largest = 0;
   for (let k = 0; k < 3; k++) {
     sum += r[k]! * r[k]!;
-    most = Math.max(most, Math.abs(r[k]!));
+    largest = Math.max(largest, Math.abs(r[k]!));
   }
-  return most <= m && sum <= 2 * m * m;
+  return largest <= m && sum <= 2 * m * m;
 }
 
-/** Survivors and newcomers in rising order of id. */
-export function merge(kept: EntityState[], spawned: EntityState[]): EntityState[] {
-  if (spawned.length === 0) return kept;
-  return [...kept, ...spawned].sort((a, b) => a.id - b.id);
+/** Survivors and spawned entities in ascending order of id. */
+export function merge(survivors: EntityState[], spawned: EntityState[]): EntityState[] {
+  if (spawned.length === 0) return survivors;
+  return [...survivors, ...spawned].sort((a, b) => a.id - b.id);
 }

@@ -5,7 +5,7 @@ import { InterestCells, type CellUpdate } from './interest_cells.js';
 
 const SPEC = { unitsPerMeter: 512, rotationComponent: 511 };
 
-// A cell without entities, absolute or against another: its CRC is 0.
+// A cell without entities, with or without baselines; its CRC is 0.
 const empty = (cell: number, number: number, baselines = 0): CellUpdate => ({
   cell,
   number,
@@ -14,8 +14,8 @@ const empty = (cell: number, number: number, baselines = 0): CellUpdate => ({
   crc: 0,
 });
 
-describe('cells in sight', () => {
-  it('are empty at first and stay known until they are left', () => {
+describe('interest cells', () => {
+  it('are empty at first and known until removed', () => {
     const cells = new InterestCells();
     cells.apply([empty(7, 10), empty(8, 10)], [], SPEC, 1);
     expect(cells.frame(10)).toEqual({ frame: 10, entities: [] });
@@ -23,16 +23,16 @@ describe('cells in sight', () => {
     expect(() => cells.apply([empty(8, 13, 3 | (255 << 8))], [], SPEC, 1)).toThrow(/cell 8 of tick 13: its state 10/);
   });
 
-  it('that are spoilt change nothing', () => {
+  it('that are corrupt change nothing', () => {
     const cells = new InterestCells();
     cells.apply([empty(7, 10)], [], SPEC, 1);
     expect(() => cells.apply([empty(9, 11), { ...empty(7, 11), crc: 5 }], [], SPEC, 1)).toThrow(DecodeError);
-    expect(() => cells.apply([empty(9, 12, 1 | (255 << 8))], [], SPEC, 1)).toThrow(/not known/);
+    expect(() => cells.apply([empty(9, 12, 1 | (255 << 8))], [], SPEC, 1)).toThrow(/is unknown/);
     expect(() => cells.apply([empty(7, 10, 1 | (255 << 8))], [], SPEC, 1)).toThrow(/not newer/);
-    cells.apply([empty(7, 10)], [], SPEC, 1); // told whole: it begins anew
+    cells.apply([empty(7, 10)], [], SPEC, 1); // without baselines: restarts the history
   });
 
-  it('show an entity that is in two of them where it was last', () => {
+  it('use the newer state of an entity in two cells', () => {
     const cells = new InterestCells();
     const at = (id: number, x: number): EntityState => ({
       id,
@@ -41,10 +41,10 @@ describe('cells in sight', () => {
       rotation: [0, 0, 0],
       atRest: false,
     });
-    // As if they had been decoded: what is told by whom is the decoder's matter.
-    const known = (cells as unknown as { cells: Map<number, { frame: number; entities: EntityState[] }[]> }).cells;
-    known.set(1, [{ frame: 20, entities: [at(3, 100), at(4, 1)] }]);
-    known.set(2, [{ frame: 24, entities: [at(2, 7), at(3, 104)] }]);
+    // Inserted as if they had been decoded.
+    const states = (cells as unknown as { cells: Map<number, { frame: number; entities: EntityState[] }[]> }).cells;
+    states.set(1, [{ frame: 20, entities: [at(3, 100), at(4, 1)] }]);
+    states.set(2, [{ frame: 24, entities: [at(2, 7), at(3, 104)] }]);
     expect(cells.frame(25).entities.map((e) => [e.id, e.position[0]])).toEqual([
       [2, 7],
       [3, 104],
@@ -53,10 +53,10 @@ describe('cells in sight', () => {
     expect(frameCrc(cells.frame(25))).toBeGreaterThan(0);
   });
 
-  // The story of tests/clients/cpp/core/interest_cells_test.cpp: 12 m/s, told with every fourth snapshot.
-  it('that are told less often move evenly in pictures', () => {
+  // Same case as in tests/clients/cpp/core/interest_cells_test.cpp: 12 m/s, updated with every fourth snapshot.
+  it('with a lower update rate are interpolated', () => {
     const cells = new InterestCells();
-    const known = (cells as unknown as { cells: Map<number, { frame: number; entities: EntityState[] }[]> }).cells;
+    const states = (cells as unknown as { cells: Map<number, { frame: number; entities: EntityState[] }[]> }).cells;
     const frames = new FrameBuffer();
     const at = (id: number, x: number): EntityState => ({ id, position: [Math.round(512 * x), 0, 0], largest: 3, rotation: [0, 0, 0], atRest: false });
     const far: { frame: number; entities: EntityState[] }[] = [];
@@ -64,7 +64,7 @@ describe('cells in sight', () => {
     let last = 0;
     for (let tick = 1; tick <= 100; tick++) {
       if (tick % 4 === 1) far.push({ frame: tick, entities: [at(2, 0.2 * tick)] });
-      known.set(8, far);
+      states.set(8, far);
       cells.apply([], [], SPEC, 1, tick);
       const { poses } = frames.add(cells.frame(tick), tick * 16_667, SPEC, [], cells.blends(tick), 16_667);
       if (tick > 20) steps.push(poses[0]! - last);

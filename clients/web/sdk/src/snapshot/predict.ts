@@ -1,8 +1,9 @@
-// Where a body should be, from up to three earlier frames: the twin of proto/snapshot/include/jostle/snapshot/predict.h. Integers, every product below 2^53.
+// Predicts the pose of a body from up to three earlier frames, as proto/snapshot/include/jostle/snapshot/predict.h. Integer
+// arithmetic; every product is below 2^53.
 
 import { INT32_MAX, INT32_MIN, sameRotation, type EntityState, type Four, type Spacing, type Survivor, type Three } from './frame_state.js';
 
-/** a / b to the nearest integer, halves away from zero; b > 0. */
+/** a / b rounded to the nearest integer, halves away from zero; b > 0. */
 function div(a: number, b: number): number {
   const half = Math.trunc(b / 2);
   return a >= 0 ? Math.trunc((a + half) / b) : -Math.trunc((-a + half) / b);
@@ -20,7 +21,7 @@ function unpack(state: EntityState, n: number, q: Four): Four {
     q[k] = state.rotation[from++]!;
     sum += q[k]! * q[k]!;
   }
-  // Below 2^53 the square root of a double is off by less than one.
+  // Below 2^53 the square root of a double is off by less than 1.
   let root = Math.floor(Math.sqrt(Math.max(0, n - sum)));
   while (root * root > n - sum && root > 0) root--;
   while ((root + 1) * (root + 1) <= n - sum) root++;
@@ -28,27 +29,27 @@ function unpack(state: EntityState, n: number, q: Four): Four {
   return q;
 }
 
-function face(q: Four, towards: Four): void {
-  const dot = q[0] * towards[0] + q[1] * towards[1] + q[2] * towards[2] + q[3] * towards[3];
+function alignSign(q: Four, reference: Four): void {
+  const dot = q[0] * reference[0] + q[1] * reference[1] + q[2] * reference[2] + q[3] * reference[3];
   if (dot < 0) for (let k = 0; k < 4; k++) q[k] = -q[k]!;
 }
 
 export interface Prediction {
   position: Three;
-  /** The last step, and how much it differed from the one before. */
+  /** The last step, and its change since the step before. */
   positionStep: Three;
   positionAcceleration: Three;
   rotation: Four;
   rotationStep: Four;
   rotationAcceleration: Four;
   largest: number;
-  /** The other three of `rotation`, as a state has them. */
+  /** The other three components of `rotation`, as stored in a state. */
   components: Three;
   positionChange: number;
   rotationChange: number;
 }
 
-// What predict works in: thousands of bodies sixty times a second should leave nothing to collect.
+// Reused between calls to avoid garbage for thousands of bodies at 60 Hz.
 const q1: Four = [0, 0, 0, 0];
 const q2: Four = [0, 0, 0, 0];
 const q3: Four = [0, 0, 0, 0];
@@ -68,7 +69,7 @@ const prediction: Prediction = {
   rotationChange: 0,
 };
 
-/** The result is good until the next call. */
+/** Predicts the pose of the next frame. The result is valid until the next call. */
 export function predict(s: Survivor, t: Spacing, m: number): Prediction {
   const { b1 } = s;
   const b2 = b1.atRest ? undefined : s.b2;
@@ -77,11 +78,11 @@ export function predict(s: Survivor, t: Spacing, m: number): Prediction {
   let positionChange = 0;
   for (let k = 0; k < 3; k++) {
     const d = b2 ? b1.position[k]! - b2.position[k]! : 0;
-    const before = b2 && b3 ? scale(b2.position[k]! - b3.position[k]!, t.dt2, t.dt3) : d;
+    const previousStep = b2 && b3 ? scale(b2.position[k]! - b3.position[k]!, t.dt2, t.dt3) : d;
     position[k] = Math.min(INT32_MAX, Math.max(INT32_MIN, b1.position[k]! + scale(d, t.dt1, t.dt2)));
     positionStep[k] = d;
-    positionAcceleration[k] = d - before;
-    positionChange += Math.abs(d - before);
+    positionAcceleration[k] = d - previousStep;
+    positionChange += Math.abs(d - previousStep);
   }
 
   const n = 2 * m * m;
@@ -92,24 +93,24 @@ export function predict(s: Survivor, t: Spacing, m: number): Prediction {
     change[k] = 0;
   }
   if (b2 && !(sameRotation(b1, b2) && (!b3 || sameRotation(b2, b3)))) {
-    face(unpack(b2, n, q2), q1);
+    alignSign(unpack(b2, n, q2), q1);
     let step2 = 0;
     for (let k = 0; k < 4; k++) {
       step[k] = q1[k]! - q2[k]!;
       step2 += step[k]! * step[k]!;
     }
     if (b3) {
-      face(unpack(b3, n, q3), q2);
+      alignSign(unpack(b3, n, q3), q2);
       for (let k = 0; k < 4; k++) change[k] = step[k]! - scale(q2[k]! - q3[k]!, t.dt2, t.dt3);
     }
     if (step2 <= Math.trunc(n / 2)) {
       const acceleration =
         t.dt1 === t.dt2 ? step2 : div(step2 * t.dt1 * (t.dt1 + t.dt2), 2 * t.dt2 * t.dt2);
-      const bends = acceleration * m >= Math.trunc(n / 4);
+      const curved = acceleration * m >= Math.trunc(n / 4);
       for (let k = 0; k < 4; k++)
-        q[k] = q1[k]! + scale(step[k]!, t.dt1, t.dt2) - (bends ? div(q1[k]! * acceleration, n) : 0);
+        q[k] = q1[k]! + scale(step[k]!, t.dt1, t.dt2) - (curved ? div(q1[k]! * acceleration, n) : 0);
     } else {
-      step.fill(0); // too large to predict from: as if it had not turned
+      step.fill(0); // too large to extrapolate: treated as no rotation
     }
   }
   let largest = 0;

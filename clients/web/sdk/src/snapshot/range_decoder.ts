@@ -1,18 +1,18 @@
-// The range decoder of codec 2 (proto/WIRE.md): bits against models that learn from them. Numbers of 32 bits are kept unsigned
-// by `>>> 0`. Reading never trusts the bytes: past the end it gives zeros and remembers how many.
+// The range decoder of codec 2 (proto/WIRE.md): bits with adaptive models. 32-bit values are unsigned by `>>> 0`. Reads
+// past the end return zeros and are counted.
 
-export const SEEN_MAX = 100;
-/** An encoder leaves out zeros at the end, and so many at most. */
+export const UPDATES_MAX = 100;
+/** Trailing zero bytes that an encoder omits, at most. */
 const TAIL = 4;
 const BOTTOM = 2 ** 24;
-const PIECE = 16; // raw bits that one division of the range takes
+const RAW_BITS_MAX = 16; // raw bits per division of the range
 
-const RATES = Uint16Array.from({ length: SEEN_MAX + 1 }, (_, n) => Math.floor(655360 / (10 * n + 16)));
+const RATES = Uint16Array.from({ length: UPDATES_MAX + 1 }, (_, n) => Math.floor(655360 / (10 * n + 16)));
 
-/** How likely each next bit is a one, of 65536, and how many bits said so. */
+/** Probability of a one for each model, of 65536, and its number of updates. */
 export interface Models {
   readonly one: Uint16Array;
-  readonly seen: Uint8Array;
+  readonly updates: Uint8Array;
 }
 
 export class RangeDecoder {
@@ -32,17 +32,17 @@ export class RangeDecoder {
     return at < this.bytes.length ? this.bytes[at]! : 0;
   }
 
-  private take(): void {
+  private shift(): void {
     this.range = (this.range << 8) >>> 0;
     this.code = ((this.code << 8) | this.next()) >>> 0;
   }
 
   bit(model: number): boolean {
-    const { one, seen } = this.models;
+    const { one, updates } = this.models;
     const p = one[model]!;
-    const n = seen[model]!;
+    const n = updates[model]!;
     const rate = RATES[n]!;
-    if (n < SEEN_MAX) seen[model] = n + 1;
+    if (n < UPDATES_MAX) updates[model] = n + 1;
     const bound = Math.imul(this.range >>> 16, p) >>> 0;
     const value = this.code < bound;
     let learned: number;
@@ -55,31 +55,31 @@ export class RangeDecoder {
       learned = p - (Math.imul(p, rate) >>> 16);
     }
     one[model] = learned < 64 ? 64 : learned > 65472 ? 65472 : learned;
-    while (this.range < BOTTOM) this.take();
+    while (this.range < BOTTOM) this.shift();
     return value;
   }
 
-  /** `count` bits, each as likely a one as a zero; at most 50. */
+  /** `count` equiprobable bits; at most 50. */
   raw(count: number): number {
     let value = 0;
     for (let left = count; left > 0; ) {
-      const bits = Math.min(left, PIECE);
+      const bits = Math.min(left, RAW_BITS_MAX);
       left -= bits;
       this.range >>>= bits;
       const digit = Math.min(Math.floor(this.code / this.range), 2 ** bits - 1);
       this.code = (this.code - digit * this.range) >>> 0;
       value = value * 2 ** bits + digit;
-      while (this.range < BOTTOM) this.take();
+      while (this.range < BOTTOM) this.shift();
     }
     return value;
   }
 
-  /** More zeros were read past the end than an encoder leaves out. */
+  /** More zeros were read past the end than an encoder omits. */
   get pastEnd(): boolean {
     return this.at > this.bytes.length + TAIL;
   }
 
-  /** Every byte was needed, and no more. */
+  /** All bytes were read, and no more. */
   get atCleanEnd(): boolean {
     return !this.pastEnd && this.at >= this.bytes.length;
   }

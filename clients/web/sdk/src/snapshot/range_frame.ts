@@ -1,4 +1,5 @@
-// Frames of codec 2: the twin of proto/snapshot/include/jostle/snapshot/range_frame_serializer.h, decoding only; written from proto/WIRE.md.
+// Decodes frames of codec 2, as proto/snapshot/include/jostle/snapshot/range_frame_serializer.h; written from
+// proto/WIRE.md.
 
 import { bitWidth } from './bit_reader.js';
 import * as M from './frame_models.js';
@@ -32,7 +33,7 @@ function motionClassOf(s: Survivor): number {
 
 const width = (v: number, most: number) => Math.min(bitWidth(Math.abs(v)), most);
 
-/** -4 and below, -3 and -2, -1, 0, 1, 2 and 3, 4 and above. */
+/** Classes: -4 and below, -3 and -2, -1, 0, 1, 2 and 3, 4 and above. */
 function signedClass(v: number): number {
   if (v < 0) return v <= -4 ? 0 : v <= -2 ? 1 : 2;
   return v >= 4 ? 6 : v >= 2 ? 5 : v === 1 ? 4 : 3;
@@ -42,7 +43,7 @@ function sizeClass(v: number): number {
   return v === 0 ? 0 : v <= 3 ? 1 : 2;
 }
 
-// What a turn works in: thousands of bodies sixty times a second should leave nothing to collect.
+// Reused between calls to avoid garbage for thousands of bodies at 60 Hz.
 const r: Three = [0, 0, 0];
 const step: Three = [0, 0, 0];
 const acceleration: Three = [0, 0, 0];
@@ -59,16 +60,16 @@ export class RangeFrameReader {
 
   decode(baselines: Baselines, t: Spacing, maxEntities: number): EntityState[] {
     this.in = new RangeDecoder(this.packed, M.initialModels(t.dt1));
-    const inBase = baselines.base?.entities.length ?? 0;
+    const baselineSize = baselines.baseline?.entities.length ?? 0;
     const changes = this.in.bit(M.CHANGES_ENTITIES);
-    const removed = changes ? this.readRemoved(inBase) : new Set<number>();
-    const limit = maxEntities - (inBase - removed.size);
+    const removed = changes ? this.readRemoved(baselineSize) : new Set<number>();
+    const limit = maxEntities - (baselineSize - removed.size);
     if (limit < 0) this.fail('more entities than the limit');
     const spawned = changes ? this.readSpawned(baselines, limit) : [];
-    const kept = this.readSurvivors(survivorsOf(baselines, removed), t);
+    const updated = this.readSurvivors(survivorsOf(baselines, removed), t);
     this.checkEnd();
-    if (!this.in.atCleanEnd) this.fail('bytes are left over');
-    return merge(kept, spawned);
+    if (!this.in.atCleanEnd) this.fail('unexpected bytes at the end');
+    return merge(updated, spawned);
   }
 
   private fail(what: string): never {
@@ -76,16 +77,16 @@ export class RangeFrameReader {
   }
 
   private checkEnd(): void {
-    if (this.in.pastEnd) this.fail('the data ends early');
+    if (this.in.pastEnd) this.fail('truncated data');
   }
 
   // ---- numbers ----
 
   /** The width of value + 1 in unary, then its bits below the leading one. */
   private count(models: number): number {
-    let wide = 0;
-    while (wide < M.COUNT && this.in.bit(models + wide)) wide++;
-    return 2 ** wide + this.in.raw(wide) - 1;
+    let bitCount = 0;
+    while (bitCount < M.COUNT && this.in.bit(models + bitCount)) bitCount++;
+    return 2 ** bitCount + this.in.raw(bitCount) - 1;
   }
 
   private number(models: number, tail: number): number {
@@ -103,22 +104,22 @@ export class RangeFrameReader {
     const steps = M.LAST_WIDTH - M.FIRST_WIDTH;
     let k = 0;
     while (k < steps && this.in.bit(tail + k)) k++;
-    let wide = M.FIRST_WIDTH + k;
-    if (k === steps) wide += this.in.raw(5);
+    let bitCount = M.FIRST_WIDTH + k;
+    if (k === steps) bitCount += this.in.raw(5);
     const second = this.in.bit(tail + steps + k) ? 3 : 2;
-    return second * 2 ** (wide - 1) + this.in.raw(wide - 1);
+    return second * 2 ** (bitCount - 1) + this.in.raw(bitCount - 1);
   }
 
-  // ---- entities that go and come ----
+  // ---- removed and spawned entities ----
 
   private readRemoved(size: number): Set<number> {
     const total = this.count(M.REMOVED);
-    if (total > size) this.fail('removed: more than there are');
+    if (total > size) this.fail(`removed: count ${total} exceeds ${size}`);
     const positions = new Set<number>();
     let next = 0;
     for (let i = 0; i < total; i++) {
       const position = next + this.count(M.REMOVED_GAP);
-      if (position >= size) this.fail('removed: a position past the end');
+      if (position >= size) this.fail('removed: index out of range');
       positions.add(position);
       next = position + 1;
     }
@@ -129,28 +130,28 @@ export class RangeFrameReader {
   private readSpawned(baselines: Baselines, limit: number): EntityState[] {
     const total = this.count(M.SPAWNED);
     if (total > limit) this.fail('spawned: more entities than the limit');
-    const known = new Finder(baselines.base);
+    const known = new Finder(baselines.baseline);
     const out: EntityState[] = [];
-    let before = NO_ENTITY;
+    let previous = NO_ENTITY;
     for (let i = 0; i < total; i++) {
-      before = this.readSpawnedEntity(before);
+      previous = this.readSpawnedEntity(previous);
       this.checkEnd();
-      if (known.find(before.id)) this.fail('spawned: an id that the base has');
-      out.push(before);
+      if (known.find(previous.id)) this.fail('spawned: id is already in the baseline');
+      out.push(previous);
     }
     return out;
   }
 
-  private readSpawnedEntity(before: EntityState): EntityState {
-    const id = before.id + 1 + this.count(M.ID_GAP);
-    if (id > 0xffffffff) this.fail('spawned: an id beyond 32 bits');
+  private readSpawnedEntity(previous: EntityState): EntityState {
+    const id = previous.id + 1 + this.count(M.ID_GAP);
+    if (id > 0xffffffff) this.fail('spawned: id exceeds 32 bits');
     const position: Three = [0, 0, 0];
     for (let k = 0; k < 3; k++) {
       const size = this.count(M.POSITION_STEP + k * M.COUNT);
       const negative = size !== 0 && this.in.bit(M.POSITION_NEGATIVE);
-      position[k] = this.int32(before.position[k]! + (negative ? -size : size), 'spawned: a position');
+      position[k] = this.int32(previous.position[k]! + (negative ? -size : size), 'spawned: position');
     }
-    let { largest, rotation } = before;
+    let { largest, rotation } = previous;
     if (this.in.bit(M.TURNED)) ({ largest, rotation } = this.readComponents());
     return { id, position, largest, rotation, atRest: this.in.bit(M.SPAWNED_AT_REST) };
   }
@@ -165,7 +166,7 @@ export class RangeFrameReader {
   }
 
   private checkRotation(rotation: readonly number[]): void {
-    if (!isRotation(rotation, this.spec.rotationComponent)) this.fail('a rotation that is none');
+    if (!isRotation(rotation, this.spec.rotationComponent)) this.fail('invalid rotation');
   }
 
   private int32(v: number, what: string): number {
@@ -173,7 +174,7 @@ export class RangeFrameReader {
     return v;
   }
 
-  // ---- entities that stay ----
+  // ---- surviving entities ----
 
   private readSurvivors(survivors: Survivor[], t: Spacing): EntityState[] {
     const out: EntityState[] = [];
@@ -198,20 +199,20 @@ export class RangeFrameReader {
     return out;
   }
 
-  /** How many at rest stay as they are before the next that does not, of so many that are left. */
+  /** Number of resting entities that are unchanged before the next changed one, of `left` remaining. */
   private restingRun(left: number): number {
     if (left === 0) return 0;
     if (this.in.bit(M.NONE_WAKE)) return left;
     const run = this.count(M.RESTING_RUN);
-    if (run >= left) this.fail('a run of resting entities past the end');
+    if (run >= left) this.fail('run of resting entities exceeds the frame');
     this.checkEnd();
     return run;
   }
 
   private readAwake(s: Survivor, t: Spacing): EntityState {
-    const pace = motionClassOf(s);
-    const changed = this.in.bit(M.CHANGES + pace);
-    const atRest = this.in.bit(M.FALLS_ASLEEP + 2 * pace + (changed ? 1 : 0));
+    const motionClass = motionClassOf(s);
+    const changed = this.in.bit(M.CHANGES + motionClass);
+    const atRest = this.in.bit(M.FALLS_ASLEEP + 2 * motionClass + (changed ? 1 : 0));
     if (changed) return this.readPose(s, t, atRest);
     return atRest ? { ...s.b1, atRest } : s.b1;
   }
@@ -223,14 +224,14 @@ export class RangeFrameReader {
     for (let k = 0; k < 3; k++) {
       const d = p.positionStep[k]!;
       const dd = p.positionAcceleration[k]!;
-      const back = (d !== 0 ? d : dd) < 0;
-      const wide = width(d, 3);
+      const mirrored = (d !== 0 ? d : dd) < 0;
+      const bitCount = width(d, 3);
       const others = sizeClass(p.positionChange - Math.abs(dd));
-      const before = k === 0 ? 0 : 1 + (width(off, 4) >> 1);
-      const context = (((wide * 2 + (k === 1 ? 1 : 0)) * 7 + signedClass(back ? -dd : dd)) * 3 + others) * 4 + before;
-      const told = this.number(M.POSITION + context * M.MAGNITUDE, M.POSITION_TAIL + wide * M.TAIL);
-      position[k] = this.int32(p.position[k]! + (back ? -told : told), 'a position');
-      off += Math.abs(told);
+      const previous = k === 0 ? 0 : 1 + (width(off, 4) >> 1);
+      const context = (((bitCount * 2 + (k === 1 ? 1 : 0)) * 7 + signedClass(mirrored ? -dd : dd)) * 3 + others) * 4 + previous;
+      const residual = this.number(M.POSITION + context * M.MAGNITUDE, M.POSITION_TAIL + bitCount * M.TAIL);
+      position[k] = this.int32(p.position[k]! + (mirrored ? -residual : residual), 'position');
+      off += Math.abs(residual);
     }
     const largest = this.readLargest(p);
     const rotation = this.readRotation(p, largest, off !== 0);
@@ -238,7 +239,7 @@ export class RangeFrameReader {
     return { id: s.b1.id, position, largest, rotation, atRest };
   }
 
-  /** Which component is left out: the predicted one mostly, the less so the less it leads. */
+  /** The omitted component: mostly the predicted one, less likely the smaller its lead. */
   private readLargest(p: Prediction): number {
     let second = 0;
     for (let k = 0; k < 4; k++) if (k !== p.largest) second = Math.max(second, Math.abs(p.rotation[k]!));
@@ -265,13 +266,13 @@ export class RangeFrameReader {
     for (let k = 0; k < 3; k++) {
       const d = step[k]!;
       const dd = acceleration[k]!;
-      const back = (d !== 0 ? d : dd) < 0;
-      const wide = width(d, 3);
-      const before = k === 0 ? (movedOff ? 1 : 0) : 2 + width(off, 2);
-      const context = ((wide * 7 + signedClass(back ? -dd : dd)) * 3 + sizeClass(change - Math.abs(dd))) * 5 + before;
-      const told = this.number(M.ROTATION + context * M.MAGNITUDE, M.ROTATION_TAIL + wide * M.TAIL);
-      rotation[k] = r[k]! + (back ? -told : told) + 0; // + 0: no negative zero
-      off += Math.abs(told);
+      const mirrored = (d !== 0 ? d : dd) < 0;
+      const bitCount = width(d, 3);
+      const previous = k === 0 ? (movedOff ? 1 : 0) : 2 + width(off, 2);
+      const context = ((bitCount * 7 + signedClass(mirrored ? -dd : dd)) * 3 + sizeClass(change - Math.abs(dd))) * 5 + previous;
+      const residual = this.number(M.ROTATION + context * M.MAGNITUDE, M.ROTATION_TAIL + bitCount * M.TAIL);
+      rotation[k] = r[k]! + (mirrored ? -residual : residual) + 0; // + 0: no negative zero
+      off += Math.abs(residual);
     }
     this.checkRotation(rotation);
     return rotation;

@@ -1,5 +1,4 @@
-// A world whose motion is known by formula, seen through a bad link: what pictures do to it. The same as in the tests of the C++
-// client library (tests/clients/cpp/core/observed_world.h).
+// A world with motion in closed form, observed over a simulated network. Same as tests/clients/cpp/core/observed_world.h.
 
 import type { EntityState } from '../snapshot/decode_frame.js';
 import { FrameBuffer, POSE_FLOATS } from '../interpolation/frame_buffer.js';
@@ -10,8 +9,8 @@ import { RenderClock } from '../clock/render_clock.js';
 type Point = readonly [number, number, number];
 
 /**
- * Bodies: 1 goes straight at 2 m/s, 2 runs a circle of 2 m at 3 m/s, 3 bounces 0.4 m high without loss and drifts at 0.5 m/s,
- * 4 leaps by 5 m every 7 s, 5 is there for 3 s of every 6.
+ * Bodies: 1 moves straight at 2 m/s, 2 on a circle of 2 m radius at 3 m/s, 3 bounces 0.4 m high without loss and drifts at
+ * 0.5 m/s, 4 teleports by 5 m every 7 s, 5 exists for 3 s of every 6 s.
  */
 export function positionAt(body: number, s: number): Point {
   if (body === 1) return [2 * s, 0, 0];
@@ -30,114 +29,114 @@ const isThere = (body: number, s: number) => body !== 5 || s % 6 < 3;
 const SPEC = { unitsPerMeter: 512, rotationComponent: 511 };
 
 function entitiesAt(s: number): EntityState[] {
-  const there = [1, 2, 3, 4, 5].filter((body) => isThere(body, s));
-  return there.map((id) => {
+  const present = [1, 2, 3, 4, 5].filter((body) => isThere(body, s));
+  return present.map((id) => {
     const position = positionAt(id, s).map((m) => Math.round(m * SPEC.unitsPerMeter)) as [number, number, number];
     return { id, position, largest: 3, rotation: [0, 0, 0], atRest: false };
   });
 }
 
-/** What is watched of a viewer. */
+/** Measurements of the rendered motion. */
 export interface Observation {
-  pictures: number;
+  renderedFrames: number;
   backwardSteps: number;
-  halfwayLeaps: number;
+  interpolatedTeleports: number;
   ghosts: number;
   leastSpeed: number; // of the clock
   greatestSpeed: number;
-  /** How much further a body came in one picture than 1.1 times its top speed explains. */
+  /** How much farther a body moved in one rendered frame than 1.1 times its top speed allows. */
   stepMm: number;
-  /** How far a body was from where it was at the time shown: in 95 % of pictures, and ever. */
-  usualErrorMm: number;
+  /** Distance of a body from its true position at the rendered time: 95th percentile and maximum. */
+  errorP95Mm: number;
   errorMm: number;
-  behindMs: number; // mean: shown behind the server
+  delayMs: number; // mean render delay
 }
 
 class Observer {
-  readonly seen: Observation = {
-    pictures: 0,
+  readonly observation: Observation = {
+    renderedFrames: 0,
     backwardSteps: 0,
-    halfwayLeaps: 0,
+    interpolatedTeleports: 0,
     ghosts: 0,
     leastSpeed: 1,
     greatestSpeed: 1,
     stepMm: 0,
-    usualErrorMm: 0,
+    errorP95Mm: 0,
     errorMm: 0,
-    behindMs: 0,
+    delayMs: 0,
   };
   readonly errors: number[] = [];
   private last = new Map<number, Point>();
-  private lastShown = 0;
+  private lastRenderedS = 0;
 
-  look(drawn: RenderedPoses, shown: number, s: number, seconds: number): void {
-    if (shown < 0) return; // nobody told of what was before the first frame
-    const { seen } = this;
-    const places = new Map<number, Point>();
+  addFrame(poses: RenderedPoses, renderedS: number, s: number, seconds: number): void {
+    if (renderedS < 0) return; // before the first frame
+    const { observation } = this;
+    const positions = new Map<number, Point>();
     let error = 0;
-    for (let i = 0; i < drawn.count; i++) {
+    for (let i = 0; i < poses.count; i++) {
       const at = i * POSE_FLOATS;
-      const place = [drawn.poses[at]!, drawn.poses[at + 1]!, drawn.poses[at + 2]!] as const;
-      places.set(drawn.ids[i]!, place);
-      error = Math.max(error, this.setInterestFocus(drawn.ids[i]!, place, shown, seconds));
+      const position = [poses.poses[at]!, poses.poses[at + 1]!, poses.poses[at + 2]!] as const;
+      positions.set(poses.ids[i]!, position);
+      error = Math.max(error, this.positionError(poses.ids[i]!, position, renderedS, seconds));
     }
     this.errors.push(error);
     if (this.last.size > 0) {
-      const speed = (shown - this.lastShown) / seconds;
-      if (speed < 0) seen.backwardSteps++;
-      seen.leastSpeed = Math.min(seen.leastSpeed, speed);
-      seen.greatestSpeed = Math.max(seen.greatestSpeed, speed);
+      const speed = (renderedS - this.lastRenderedS) / seconds;
+      if (speed < 0) observation.backwardSteps++;
+      observation.leastSpeed = Math.min(observation.leastSpeed, speed);
+      observation.greatestSpeed = Math.max(observation.greatestSpeed, speed);
     }
-    seen.pictures++;
-    seen.behindMs += 1000 * (s - shown);
-    this.last = places;
-    this.lastShown = shown;
+    observation.renderedFrames++;
+    observation.delayMs += 1000 * (s - renderedS);
+    this.last = positions;
+    this.lastRenderedS = renderedS;
   }
 
-  private setInterestFocus(body: number, place: Point, shown: number, seconds: number): number {
-    const { seen } = this;
+  private positionError(body: number, position: Point, renderedS: number, seconds: number): number {
+    const { observation } = this;
     if (body === 4) {
-      if ((place[0] + 0.1) % 5 > 0.2) seen.halfwayLeaps++;
+      if ((position[0] + 0.1) % 5 > 0.2) observation.interpolatedTeleports++;
       return 0;
     }
-    // One that went or is to come may be off by the frames on either side.
-    if (!isThere(body, shown) && !isThere(body, shown + 0.02) && !isThere(body, shown - 0.1)) seen.ghosts++;
-    const between = (a: Point, b: Point) => Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-    const before = this.last.get(body);
-    if (before) {
+    // A body that appears or disappears may be off by the adjacent frames.
+    if (!isThere(body, renderedS) && !isThere(body, renderedS + 0.02) && !isThere(body, renderedS - 0.1)) observation.ghosts++;
+    const distance = (a: Point, b: Point) => Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+    const previous = this.last.get(body);
+    if (previous) {
       const explained = 1.1 * TOP_SPEED[body]! * seconds;
-      seen.stepMm = Math.max(seen.stepMm, 1000 * (between(place, before) - explained));
+      observation.stepMm = Math.max(observation.stepMm, 1000 * (distance(position, previous) - explained));
     }
-    return between(place, positionAt(body, shown));
+    return distance(position, positionAt(body, renderedS));
   }
 }
 
-/** So many seconds of frames, 60 a second, over a link, drawn so many times a second. */
-export function observe(settings: NetworkConditions, picturesHz: number, seconds = 60): Observation {
-  const epochUs = 7e9; // of the server's clock
-  const oursUs = 1e6; // of ours, at the same time
-  const link = new NetworkSimulator(settings);
+/** `seconds` of frames at 60 Hz over a network, rendered at `renderHz`. */
+export function observe(conditions: NetworkConditions, renderHz: number, seconds = 60): Observation {
+  const epochUs = 7e9; // on the server's clock
+  const localUs = 1e6; // on the local clock, at the same time
+  const simulator = new NetworkSimulator(conditions);
   const clock = new RenderClock();
   const frames = new FrameBuffer();
-  const drawn = new RenderedPoses();
-  const watcher = new Observer();
+  const poses = new RenderedPoses();
+  const observer = new Observer();
   let next = 1;
-  let arrivalUs = link.arrivalUs(0);
-  for (let picture = 0; picture < seconds * picturesHz; picture++) {
-    const us = Math.round((picture * 1e6) / picturesHz);
+  let arrivalUs = simulator.arrivalUs(0);
+  for (let index = 0; index < seconds * renderHz; index++) {
+    const us = Math.round((index * 1e6) / renderHz);
     for (; arrivalUs <= us; next++) {
       const dueUs = Math.round(((next - 1) * 1e6) / 60);
       frames.add({ frame: next, entities: entitiesAt(dueUs / 1e6) }, epochUs + dueUs, SPEC);
-      clock.onFrame(epochUs + dueUs, oursUs + arrivalUs);
-      arrivalUs = link.arrivalUs(Math.round((next * 1e6) / 60));
+      clock.onFrame(epochUs + dueUs, localUs + arrivalUs);
+      arrivalUs = simulator.arrivalUs(Math.round((next * 1e6) / 60));
     }
-    drawn.update(frames, clock.advance(oursUs + us), oursUs + us);
-    if (drawn.count > 0) watcher.look(drawn, (clock.renderTimeUs - epochUs) / 1e6, us / 1e6, 1 / picturesHz);
+    poses.update(frames, clock.advance(localUs + us), localUs + us);
+    if (poses.count > 0) observer.addFrame(poses, (clock.renderTimeUs - epochUs) / 1e6, us / 1e6, 1 / renderHz);
   }
-  const { seen, errors } = watcher;
+  const { observation, errors } = observer;
   errors.sort((a, b) => a - b);
-  seen.errorMm = 1000 * errors[errors.length - 1]!;
-  seen.usualErrorMm = 1000 * errors[Math.floor(errors.length * 0.95)]!;
-  seen.behindMs /= seen.pictures;
-  return seen;
+  observation.errorMm = 1000 * errors[errors.length - 1]!;
+  observation.errorP95Mm = 1000 * errors[Math.floor(errors.length * 0.95)]!;
+  observation.delayMs /= observation.renderedFrames;
+  return observation;
 }

@@ -1,22 +1,22 @@
-// Where the viewer looks from: orbit with the mouse, pan with the right button, zoom with the wheel; touch works alike.
+// Camera: orbit with the left button, pan with the right button, zoom with the wheel; touch gestures do the same.
 
 import * as THREE from 'three';
-import { frameOf } from './framing';
+import { frameBox } from './framing';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 
 const FOLLOW_RATE = 3; // 1/s
-const FOLLOW_UP = 0.3; // m over what is driven: it stays clear of the panels below
-const SETTLE_RATE = 4; // 1/s
-const SETTLE_S = 2; // after taking a wheel the camera comes near; then its distance is the pointer's again
-const SETTLE_SLOPE = 0.32; // rad above what is driven
-const NEAREST = 9; // m, of a whole scene
-const FURTHEST = 95;
+const FOLLOW_UP = 0.3; // m above the controlled entity, which keeps it clear of the panels at the bottom
+const APPROACH_RATE = 4; // 1/s
+const APPROACH_S = 2; // duration of the approach after taking control; then the user sets the distance
+const APPROACH_SLOPE = 0.32; // rad above the controlled entity
+const FRAME_DISTANCE_MIN = 9; // m, limits of frame()
+const FRAME_DISTANCE_MAX = 95;
 const FROM = new THREE.Vector3(13, 9, 18).normalize();
 
 export class Camera {
   readonly camera = new THREE.PerspectiveCamera(55, 1, 0.1, 500);
   readonly controls: OrbitControls;
-  private settling = { distance: 0, left: 0 };
+  private approaching = { distance: 0, remainingS: 0 };
 
   constructor(canvas: HTMLCanvasElement) {
     this.camera.position.set(13, 10, 17);
@@ -29,28 +29,28 @@ export class Camera {
     this.controls.minDistance = 1;
   }
 
-  /** So that all of that box is seen, unless it is huge. */
+  /** Shows all of the box, within the distance limits. */
   frame(box: THREE.Box3): void {
     if (box.isEmpty()) return;
-    const { position, target } = frameOf(box, FROM, this.camera.fov, this.camera.aspect, NEAREST, FURTHEST);
+    const { position, target } = frameBox(box, FROM, this.camera.fov, this.camera.aspect, FRAME_DISTANCE_MIN, FRAME_DISTANCE_MAX);
     this.camera.position.copy(position);
     this.controls.target.copy(target);
   }
 
-  /** Follow something that is driven from about so far, from now on. */
-  settle(distance: number): void {
-    this.settling = { distance, left: SETTLE_S };
+  /** Approaches the followed entity to `distance` (m) during the next seconds. */
+  startApproach(distance: number): void {
+    this.approaching = { distance, remainingS: APPROACH_S };
   }
 
-  /** Keeps behind and above something that is driven: `heading`, rad about y from -z, to the left. */
+  /** Keeps the camera behind and above an entity. `heading`: rad about y from -z, to the left; undefined: the user turns it. */
   follow(position: ArrayLike<number>, heading: number | undefined, seconds: number): void {
     const target = this.controls.target;
     const moved = new THREE.Vector3(position[0], position[1]! + FOLLOW_UP, position[2]).sub(target);
     target.add(moved);
     this.camera.position.add(moved);
-    if (this.settling.left > 0) this.comeNear(seconds);
+    if (this.approaching.remainingS > 0) this.approach(seconds);
     if (heading === undefined) return;
-    // Turns after it, by most of what is left in half a second, unless somebody holds the camera.
+    // Turn after the entity: most of the angle within 0.5 s.
     const arm = this.camera.position.clone().sub(target);
     const now = Math.atan2(arm.x, arm.z);
     const left = Math.atan2(Math.sin(heading - now), Math.cos(heading - now));
@@ -58,24 +58,24 @@ export class Camera {
     this.camera.position.copy(target).add(arm);
   }
 
-  private comeNear(seconds: number): void {
-    this.settling.left -= seconds;
+  private approach(seconds: number): void {
+    this.approaching.remainingS -= seconds;
     const arm = new THREE.Spherical().setFromVector3(this.camera.position.clone().sub(this.controls.target));
-    const share = 1 - Math.exp(-SETTLE_RATE * seconds);
-    arm.radius += share * (this.settling.distance - arm.radius);
-    arm.phi += share * (Math.PI / 2 - SETTLE_SLOPE - arm.phi);
+    const fraction = 1 - Math.exp(-APPROACH_RATE * seconds);
+    arm.radius += fraction * (this.approaching.distance - arm.radius);
+    arm.phi += fraction * (Math.PI / 2 - APPROACH_SLOPE - arm.phi);
     this.camera.position.copy(this.controls.target).add(new THREE.Vector3().setFromSpherical(arm));
   }
 
-  /** Draws from no further away than that: so what stands between does not hide what is looked at. */
-  within(distance: number, draw: () => void): void {
+  /** Calls `draw` with the camera at most `distance` m from its target, so that obstacles do not hide the target. */
+  renderWithin(distance: number, draw: () => void): void {
     const { position } = this.camera;
     const { target } = this.controls;
-    const own = position.clone();
-    const arm = own.distanceTo(target);
-    if (distance < arm) position.lerpVectors(target, own, distance / arm);
+    const saved = position.clone();
+    const arm = saved.distanceTo(target);
+    if (distance < arm) position.lerpVectors(target, saved, distance / arm);
     draw();
-    position.copy(own);
+    position.copy(saved);
   }
 
   resize(width: number, height: number): void {
@@ -83,7 +83,7 @@ export class Camera {
     this.camera.updateProjectionMatrix();
   }
 
-  /** A ray through a point of the canvas, in pixels from its corner. */
+  /** A ray through a point of the canvas, in pixels from its top left corner. */
   ray(x: number, y: number, width: number, height: number): THREE.Raycaster {
     const raycaster = new THREE.Raycaster();
     raycaster.setFromCamera(new THREE.Vector2((x / width) * 2 - 1, 1 - (y / height) * 2), this.camera);

@@ -1,13 +1,13 @@
 import * as THREE from 'three';
 import { describe, expect, it } from 'vitest';
-import { frameOf } from './framing';
+import { frameBox } from './framing';
 
 const FROM = new THREE.Vector3(13, 9, 18).normalize();
 
-/** Where the corners of the box are in the picture, -1 to 1. */
+/** The corners of the box in the view, -1 to 1. */
 function corners(box: THREE.Box3, aspect: number): THREE.Vector3[] {
   const camera = new THREE.PerspectiveCamera(55, aspect, 0.1, 500);
-  const { position, target } = frameOf(box, FROM, 55, aspect, 9, 200);
+  const { position, target } = frameBox(box, FROM, 55, aspect, 9, 200);
   camera.position.copy(position);
   camera.lookAt(target);
   camera.updateMatrixWorld();
@@ -23,9 +23,9 @@ describe('framing', () => {
     ['a long mole', new THREE.Box3(new THREE.Vector3(18, -2, -22), new THREE.Vector3(22, 8, 10))],
   ] as const)
     for (const aspect of [16 / 9, 0.5])
-      it(`sees all of ${name} clear of the panels, and no smaller than it must, in ${aspect.toFixed(1)}`, () => {
-        const seen = corners(box, aspect);
-        const reach = (of: (v: THREE.Vector3) => number) => Math.max(...seen.map(of));
+      it(`fits ${name} between the panels at aspect ${aspect.toFixed(1)}`, () => {
+        const points = corners(box, aspect);
+        const reach = (of: (v: THREE.Vector3) => number) => Math.max(...points.map(of));
         const [right, top, bottom] = [reach((v) => Math.abs(v.x)), reach((v) => v.y), reach((v) => -v.y)];
         expect(right).toBeLessThan(0.981);
         expect(top).toBeLessThan(0.921);
@@ -33,8 +33,8 @@ describe('framing', () => {
         expect(Math.max(right / 0.98, top / 0.92, bottom / 0.68)).toBeGreaterThan(0.999);
       });
 
-  it('comes no nearer to a thing that is alone', () => {
-    const { position, target } = frameOf(new THREE.Box3(new THREE.Vector3(0, 0, 0), new THREE.Vector3(1, 1, 1)), FROM, 55, 1.5, 9, 80);
+  it('keeps the minimum distance to a single body', () => {
+    const { position, target } = frameBox(new THREE.Box3(new THREE.Vector3(0, 0, 0), new THREE.Vector3(1, 1, 1)), FROM, 55, 1.5, 9, 80);
     expect(position.distanceTo(target)).toBeCloseTo(9, 6);
   });
 });

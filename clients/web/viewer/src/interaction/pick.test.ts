@@ -14,7 +14,7 @@ const pick = (entity: number): Pick => ({
   distance: 3,
 });
 
-/** A flat height field of 2 m by 2 m, whose cell at x > 0, z < 0 is open, with a cone of 1 m beside it at x = 5. */
+/** A flat height field of 2 m by 2 m with a hole at x > 0, z < 0, and a cone of 1 m radius at x = 5. */
 function fieldAndCone(): SceneView {
   const view = new SceneView();
   const heights = [0, 0, 0, 0, 0, 0, 0, 0, 0];
@@ -50,9 +50,9 @@ function fieldAndCone(): SceneView {
     0,
     { unitsPerMeter: 512, rotationComponent: 511 },
   );
-  const drawn = new RenderedPoses();
-  drawn.update(frames, 0, 0);
-  view.update(drawn);
+  const poses = new RenderedPoses();
+  poses.update(frames, 0, 0);
+  view.update(poses);
   view.scene.updateMatrixWorld();
   return view;
 }
@@ -60,56 +60,56 @@ function fieldAndCone(): SceneView {
 const down = (x: number, z: number) =>
   new THREE.Raycaster(new THREE.Vector3(x, 10, z), new THREE.Vector3(0, -1, 0), 0, 100);
 
-describe('in the drawing', () => {
-  it('meets a height field but not its hole', () => {
+describe('picking the rendered scene', () => {
+  it('hits a height field but not its hole', () => {
     const view = fieldAndCone();
     const hit = pickRendered(view, down(-0.5, -0.5))!;
     expect([hit.entity, hit.distance, hit.normal.y]).toEqual([1, 10, 1]);
     expect(pickRendered(view, down(0.5, -0.5))).toBeUndefined();
   });
 
-  it('meets the side of a cone, and names the second of the shapes', () => {
+  it('hits the side of a cone and returns the index of the second shape', () => {
     const hit = pickRendered(fieldAndCone(), down(5.5, 0))!;
     expect([hit.entity, hit.shape]).toEqual([2, 1]);
-    expect(hit.distance).toBeCloseTo(10, 1); // at half of its radius it is at half of its height
-    expect(hit.normal.y).toBeCloseTo(1 / Math.sqrt(5), 1); // two up for one out
+    expect(hit.distance).toBeCloseTo(10, 1); // at half of its radius the cone has half of its height
+    expect(hit.normal.y).toBeCloseTo(1 / Math.sqrt(5), 1); // slope 2
   });
 });
 
-describe('by the server', () => {
+describe('picking by the server', () => {
   const ray = new THREE.Ray(new THREE.Vector3(0, 10, 0), new THREE.Vector3(0, -1, 0));
   const queries = (json: string) => new Queries(() => 'w', async () => ({ status: 200, text: async () => json }));
 
-  it('is the first hit, as far away as its share of the ray', async () => {
+  it('returns the first hit with its distance', async () => {
     const json = '{"rays":[{"hits":[{"entity":9,"shape":2,"fraction":0.02,"point":{"x":1},"normal":{"y":1}}]}]}';
     const { hit } = (await pickFromServer(queries(json), ray))!;
     expect([hit!.entity, hit!.shape, hit!.distance, hit!.point.x, hit!.normal.y]).toEqual([9, 2, 10, 1, 1]);
   });
 
-  it('tells nothing there from no answer', async () => {
+  it('distinguishes no hit from no response', async () => {
     expect(await pickFromServer(queries('{"rays":[{}]}'), ray)).toEqual({ hit: undefined });
     expect(await pickFromServer(queries('no'), ray)).toBeUndefined();
   });
 });
 
-describe('which of the two counts', () => {
-  const rest = () => false;
-  const moves = () => true;
+describe('choosing between both picks', () => {
+  const resting = () => false;
+  const moving = () => true;
 
-  it('the server, when it answers', () => {
-    expect(choosePick(pick(1), { hit: pick(2) }, rest)?.entity).toBe(2);
-    expect(choosePick(undefined, { hit: pick(2) }, rest)?.entity).toBe(2);
-    expect(choosePick(pick(1), { hit: undefined }, rest)).toBeUndefined();
+  it('prefers the server when it responds', () => {
+    expect(choosePick(pick(1), { hit: pick(2) }, resting)?.entity).toBe(2);
+    expect(choosePick(undefined, { hit: pick(2) }, resting)?.entity).toBe(2);
+    expect(choosePick(pick(1), { hit: undefined }, resting)).toBeUndefined();
   });
 
-  it('the drawing, when the server does not answer or the body seen is moving', () => {
-    expect(choosePick(pick(1), undefined, rest)?.entity).toBe(1);
-    expect(choosePick(pick(1), { hit: undefined }, moves)?.entity).toBe(1);
-    expect(choosePick(pick(1), { hit: pick(2) }, moves)?.entity).toBe(1);
+  it('uses the rendered scene without a response or for a moving body', () => {
+    expect(choosePick(pick(1), undefined, resting)?.entity).toBe(1);
+    expect(choosePick(pick(1), { hit: undefined }, moving)?.entity).toBe(1);
+    expect(choosePick(pick(1), { hit: pick(2) }, moving)?.entity).toBe(1);
   });
 
-  it("the server's point, when both mean the same body", () => {
+  it("uses the server's point when both picks agree on the body", () => {
     const exact = { ...pick(1), distance: 3.001 };
-    expect(choosePick(pick(1), { hit: exact }, moves)).toBe(exact);
+    expect(choosePick(pick(1), { hit: exact }, moving)).toBe(exact);
   });
 });

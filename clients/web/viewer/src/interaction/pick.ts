@@ -1,4 +1,4 @@
-// What is under the pointer. The drawing answers at once; the server answers rightly, a round trip later.
+// What is under the pointer. The rendered scene gives an immediate result, the server the exact one after a round trip.
 
 import * as THREE from 'three';
 import type { Queries } from '@jostle/client';
@@ -6,15 +6,15 @@ import type { SceneView } from '../scene/scene_view';
 
 export interface Pick {
   readonly entity: number;
-  readonly shape: number; // which of the entity's shapes
+  readonly shape: number; // index of the entity's shape
   readonly point: THREE.Vector3;
-  readonly normal: THREE.Vector3; // out of what was hit
-  readonly distance: number; // m from the eye
+  readonly normal: THREE.Vector3; // outward normal of the hit surface
+  readonly distance: number; // m from the ray origin
 }
 
-const REACH = 500; // m: as far as the camera sees
+const REACH = 500; // m: far plane of the camera
 
-/** Among what is drawn. */
+/** In the rendered scene. */
 export function pickRendered(view: SceneView, raycaster: THREE.Raycaster): Pick | undefined {
   for (const hit of raycaster.intersectObjects(view.objects, false)) {
     if (hit.instanceId === undefined) continue;
@@ -24,34 +24,34 @@ export function pickRendered(view: SceneView, raycaster: THREE.Raycaster): Pick 
     const instance = new THREE.Matrix4();
     (hit.object as THREE.InstancedMesh).getMatrixAt(hit.instanceId, instance);
     normal.applyNormalMatrix(new THREE.Matrix3().getNormalMatrix(instance)).normalize();
-    if (normal.dot(raycaster.ray.direction) > 0) normal.negate(); // the back of a mesh
+    if (normal.dot(raycaster.ray.direction) > 0) normal.negate(); // the back side of a mesh
     return { entity, shape, point: hit.point, normal, distance: hit.distance };
   }
   return undefined;
 }
 
-const CLOSEST = 1.2; // m
-const OFF_WALL = 0.25; // m
+const CAMERA_DISTANCE_MIN = 1.2; // m
+const WALL_CLEARANCE = 0.25; // m
 
-/** How far one can go from a place towards another until something stands in the way that stays where it is. `but`: no matter. */
-export function unobstructedDistance(view: SceneView, from: THREE.Vector3, to: THREE.Vector3, but: number): number {
-  const way = to.clone().sub(from);
-  const raycaster = new THREE.Raycaster(from, way.clone().normalize(), 0, way.length());
+/** Distance from `from` towards `to` up to the first static body; Infinity without one. `except`: an entity to ignore. */
+export function unobstructedDistance(view: SceneView, from: THREE.Vector3, to: THREE.Vector3, except: number): number {
+  const displacement = to.clone().sub(from);
+  const raycaster = new THREE.Raycaster(from, displacement.clone().normalize(), 0, displacement.length());
   for (const hit of raycaster.intersectObjects(view.objects, false)) {
     if (hit.instanceId === undefined) continue;
     const { entity } = view.ownerAt(hit.object, hit.instanceId);
-    if (entity !== 0 && entity !== but && !view.loosePoseOf(entity)) return Math.max(CLOSEST, hit.distance - OFF_WALL);
+    if (entity !== 0 && entity !== except && !view.dynamicPoseOf(entity)) return Math.max(CAMERA_DISTANCE_MIN, hit.distance - WALL_CLEARANCE);
   }
   return Infinity;
 }
 
-/** How high what is drawn reaches at a place; undefined: nothing is there. */
-export function topAt(view: SceneView, x: number, z: number): number | undefined {
+/** Height of the rendered scene at a position; undefined where there is nothing. */
+export function surfaceHeightAt(view: SceneView, x: number, z: number): number | undefined {
   const down = new THREE.Raycaster(new THREE.Vector3(x, REACH, z), new THREE.Vector3(0, -1, 0), 0, 2 * REACH);
   return pickRendered(view, down)?.point.y;
 }
 
-/** In the server's world, as it was in the picture if that is given; undefined when the server does not say. */
+/** In the server's world, at `viewTime` if given; undefined without a response. */
 export async function pickFromServer(
   queries: Queries,
   { origin, direction }: THREE.Ray,
@@ -69,14 +69,14 @@ export async function pickFromServer(
   return { hit: { entity, shape, point, normal, distance: fraction * REACH } };
 }
 
-/** Which of the two counts. The picture is some tens of milliseconds behind the server: of a body that moves, the server's answer
- * is about another moment than the one in which the person aimed, so there what was seen counts. */
+/** Chooses between the two results. Rendering is tens of milliseconds behind the server: for a moving body, the server's
+ * result may refer to another time than the user's aim, so the rendered result counts. */
 export function choosePick(
-  drawn: Pick | undefined,
+  rendered: Pick | undefined,
   fromServer: { hit: Pick | undefined } | undefined,
-  moves: (entity: number) => boolean,
+  isMoving: (entity: number) => boolean,
 ): Pick | undefined {
-  if (!fromServer) return drawn;
-  if (drawn && drawn.entity !== fromServer.hit?.entity && moves(drawn.entity)) return drawn;
+  if (!fromServer) return rendered;
+  if (rendered && rendered.entity !== fromServer.hit?.entity && isMoving(rendered.entity)) return rendered;
   return fromServer.hit;
 }

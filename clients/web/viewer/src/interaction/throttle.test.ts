@@ -4,32 +4,32 @@ import { Throttle } from './throttle';
 beforeEach(() => void vi.useFakeTimers());
 afterEach(() => void vi.useRealTimers());
 
-it('runs ten times in a second of sixty askings, and once more for the last', async () => {
-  const seen: number[] = [];
-  let asked = 0;
-  const paced = new Throttle(100, async () => void seen.push(asked));
-  for (; asked < 60; asked++) {
-    paced.request();
+it('runs ten times per second for sixty requests, plus once for the last one', async () => {
+  const runs: number[] = [];
+  let requested = 0;
+  const throttle = new Throttle(100, async () => void runs.push(requested));
+  for (; requested < 60; requested++) {
+    throttle.request();
     await vi.advanceTimersByTimeAsync(1000 / 60);
   }
-  expect(seen.length).toBe(10);
+  expect(runs.length).toBe(10);
   await vi.advanceTimersByTimeAsync(1000);
-  expect(seen.length).toBe(11);
-  expect(seen[10]).toBe(60);
+  expect(runs.length).toBe(11);
+  expect(runs[10]).toBe(60);
 });
 
-it('waits for a slow answer before it asks again', async () => {
+it('waits for a slow run before starting the next', async () => {
   let started = 0;
-  let answer = () => {};
-  const paced = new Throttle(100, () => {
+  let finish = () => {};
+  const throttle = new Throttle(100, () => {
     started++;
-    return new Promise((done) => (answer = done));
+    return new Promise((done) => (finish = done));
   });
-  paced.request();
-  paced.request();
+  throttle.request();
+  throttle.request();
   await vi.advanceTimersByTimeAsync(5000);
   expect(started).toBe(1);
-  answer();
+  finish();
   await vi.advanceTimersByTimeAsync(1);
   expect(started).toBe(2);
 });

@@ -1,13 +1,13 @@
-// Work that is asked for often and done at most so often: never twice at the same time, and once more after the last asking.
+// Limits how often requested work runs: at most once per interval, never concurrently, and once more after the last request.
 
 export class Throttle {
   private due = false;
   private running = false;
-  private last = -Infinity; // ms, when it last began
+  private last = -Infinity; // ms, when it last started
   private timer: ReturnType<typeof setTimeout> | undefined;
 
   constructor(
-    private readonly everyMs: number,
+    private readonly intervalMs: number,
     private readonly run: () => Promise<void>,
   ) {}
 
@@ -18,7 +18,7 @@ export class Throttle {
 
   private next(): void {
     if (!this.due || this.running || this.timer !== undefined) return;
-    const wait = this.last + this.everyMs - performance.now();
+    const wait = this.last + this.intervalMs - performance.now();
     if (wait > 0) {
       this.timer = setTimeout(() => {
         this.timer = undefined;

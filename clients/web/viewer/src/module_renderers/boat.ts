@@ -1,26 +1,26 @@
-// The module "boat": the leg of its screw, turned by the rudder, and the foam behind it. boats.h of the module "fields" has the
-// layout.
+// Renders the module "boat": the outboard motor, turned by the rudder, and foam behind the propeller. Layout: boats.h of
+// the module "fields".
 
 import * as THREE from 'three';
 import type { ModuleRenderer, RenderContext } from './module_renderer';
 import { ValueReader } from './value_reader';
 
-const REACH = 8; // m, of the screw, along each axis
-const RUDDER_SHOWN = 0.5; // rad at full rudder
+const POSITION_MAX = 8; // m: range of the propeller position along each axis
+const RUDDER_ANGLE_MAX = 0.5; // rad: rendered angle at full rudder
 
 export interface Boat {
-  screw: [number, number, number]; // m, in the hull
+  propeller: [number, number, number]; // m, in the local frame of the hull
   throttle: number; // -1 to 1
   rudder: number; // -1 to 1, to the right
   wet: boolean;
 }
 
-/** Nothing unless the numbers are exactly a boat. */
+/** undefined if the values are not exactly one boat. */
 export function readBoat(values: Int32Array): Boat | undefined {
   const reader = new ValueReader(values);
-  const along = () => reader.quantized(-REACH, REACH, 16);
+  const along = () => reader.quantized(-POSITION_MAX, POSITION_MAX, 16);
   const boat: Boat = {
-    screw: [along(), along(), along()],
+    propeller: [along(), along(), along()],
     throttle: reader.quantized(-1, 1, 8),
     rudder: reader.quantized(-1, 1, 8),
     wet: (reader.value() & 1) !== 0,
@@ -35,27 +35,27 @@ const FLECKS = 7;
 const origin = new THREE.Vector3();
 const rotation = new THREE.Quaternion();
 const turn = new THREE.Quaternion();
-const place = new THREE.Vector3();
+const point = new THREE.Vector3();
 const size = new THREE.Vector3();
 const UP = new THREE.Vector3(0, 1, 0);
 
 function drawBoat(boat: Boat, pose: ArrayLike<number>, { solids, nowMs }: RenderContext): void {
   origin.set(pose[0]!, pose[1]!, pose[2]!);
   rotation.set(pose[3]!, pose[4]!, pose[5]!, pose[6]!);
-  turn.setFromAxisAngle(UP, -RUDDER_SHOWN * boat.rudder).premultiply(rotation);
-  const [x, y, z] = boat.screw;
-  // Outside of the stern, as an outboard motor.
-  const at = (up: number, behind: number) => place.set(x, y + up, z + 0.4 + behind).applyQuaternion(rotation).add(origin);
+  turn.setFromAxisAngle(UP, -RUDDER_ANGLE_MAX * boat.rudder).premultiply(rotation);
+  const [x, y, z] = boat.propeller;
+  // Outside the stern, like an outboard motor.
+  const at = (up: number, behind: number) => point.set(x, y + up, z + 0.4 + behind).applyQuaternion(rotation).add(origin);
   solids.add('box', at(0.45, 0), turn, size.set(0.1, 0.7, 0.16), LEG);
   solids.add('box', at(1.15, 0.05), turn, size.set(0.24, 0.26, 0.34), HOOD);
   if (!boat.wet || Math.abs(boat.throttle) < 0.05) return;
   for (let k = 0; k < FLECKS; k++) {
-    // Each drifts astern and shrinks, over and over.
+    // Each fleck drifts astern, shrinks and repeats.
     const age = (nowMs / 700 + k / FLECKS) % 1;
-    const aside = 0.5 * Math.sin(5 * k) * age;
+    const sideways = 0.5 * Math.sin(5 * k) * age;
     const r = 0.3 * Math.abs(boat.throttle) * (1 - age);
-    place.set(x + aside, y + 0.45, z + 0.7 + 2.2 * age * Math.sign(boat.throttle)).applyQuaternion(rotation).add(origin);
-    solids.add('sphere', place, rotation, size.set(r, 0.5 * r, r), FOAM);
+    point.set(x + sideways, y + 0.45, z + 0.7 + 2.2 * age * Math.sign(boat.throttle)).applyQuaternion(rotation).add(origin);
+    solids.add('sphere', point, rotation, size.set(r, 0.5 * r, r), FOAM);
   }
 }
 
@@ -68,9 +68,9 @@ export const boats: ModuleRenderer = {
     }
   },
   steering: {
-    keys: 'W ahead · S astern · A D rudder',
+    keys: 'W forward · S reverse · A D rudder',
     camera: 'behind',
     distance: 11,
-    statusText: ({ values }) => (readBoat(values)?.wet === false ? 'the screw is out of the water' : ''),
+    statusText: ({ values }) => (readBoat(values)?.wet === false ? 'propeller out of the water' : ''),
   },
 };

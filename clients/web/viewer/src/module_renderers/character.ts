@@ -1,11 +1,12 @@
-// The module "character": a face where it looks, arms and feet that swing with the way it goes. character.h has the layout.
+// Renders the module "character": a visor, a backpack, and hands and feet that swing with the walked distance. Layout:
+// character.h.
 
 import * as THREE from 'three';
 import type { ModuleRenderer, RenderContext } from './module_renderer';
 import { ValueReader } from './value_reader';
 
-const GROUNDS = ['on ground', 'slides', 'in the air'] as const;
-const STRIDE = 1.5; // m for one step of each foot
+const GROUNDS = ['on ground', 'sliding', 'airborne'] as const;
+const STRIDE = 1.5; // m per step of each foot
 
 export interface Character {
   rigid: boolean;
@@ -13,10 +14,10 @@ export interface Character {
   ground: (typeof GROUNDS)[number];
   heading: number; // rad about y, from -z, to the left
   speed: number; // m/s over the ground
-  rising: number; // m/s
+  verticalSpeed: number; // m/s
 }
 
-/** Nothing unless the numbers are exactly a character. */
+/** undefined if the values are not exactly one character. */
 export function readCharacter(values: Int32Array): Character | undefined {
   const reader = new ValueReader(values);
   const bits = reader.value();
@@ -28,7 +29,7 @@ export function readCharacter(values: Int32Array): Character | undefined {
     ground,
     heading: reader.quantized(-Math.PI, Math.PI, 8),
     speed: reader.quantized(0, 20, 8),
-    rising: reader.quantized(-20, 20, 8),
+    verticalSpeed: reader.quantized(-20, 20, 8),
   };
   return reader.failed || reader.left > 0 ? undefined : character;
 }
@@ -39,23 +40,23 @@ const GLOVE = new THREE.Color(0xf1e3d3);
 const PACK = new THREE.Color(0x5a4632);
 const UP = new THREE.Vector3(0, 1, 0);
 const turn = new THREE.Quaternion();
-const place = new THREE.Vector3();
+const point = new THREE.Vector3();
 const size = new THREE.Vector3();
 
-function drawCharacter(who: Character, entity: number, pose: ArrayLike<number>, { solids, entityOf }: RenderContext): void {
+function drawCharacter(character: Character, entity: number, pose: ArrayLike<number>, { solids, entityOf }: RenderContext): void {
   const shape = entityOf(entity)?.shapes[0];
   if (shape?.kind.case !== 'capsule') return;
   const { radius: r, halfLength } = shape.kind.value;
-  turn.setFromAxisAngle(UP, who.heading);
+  turn.setFromAxisAngle(UP, character.heading);
   const middle = pose[1]! + (shape.position?.y ?? 0);
-  const add = (kind: 'sphere' | 'box', aside: number, up: number, ahead: number, x: number, y: number, z: number, color: THREE.Color) => {
-    place.set(aside, 0, -ahead).applyQuaternion(turn);
-    place.set(pose[0]! + place.x, middle + up, pose[2]! + place.z);
-    solids.add(kind, place, turn, size.set(x, y, z), color);
+  const add = (kind: 'sphere' | 'box', sideways: number, up: number, ahead: number, x: number, y: number, z: number, color: THREE.Color) => {
+    point.set(sideways, 0, -ahead).applyQuaternion(turn);
+    point.set(pose[0]! + point.x, middle + up, pose[2]! + point.z);
+    solids.add(kind, point, turn, size.set(x, y, z), color);
   };
-  // How far it has come along its heading says where its feet are: they stand still on ground that they stand on.
-  const way = -pose[0]! * Math.sin(who.heading) - pose[2]! * Math.cos(who.heading);
-  const swing = who.ground === 'in the air' ? 0.9 : Math.sin((Math.PI * way) / STRIDE) * Math.min(1, who.speed / 2);
+  // The position along the heading sets the swing, so that feet on the ground stand still.
+  const distance = -pose[0]! * Math.sin(character.heading) - pose[2]! * Math.cos(character.heading);
+  const swing = character.ground === 'airborne' ? 0.9 : Math.sin((Math.PI * distance) / STRIDE) * Math.min(1, character.speed / 2);
   const head = halfLength + 0.12 * r;
   add('sphere', 0, head, 0.62 * r, 0.62 * r, 0.36 * r, 0.5 * r, GLASS);
   add('box', 0, 0.35 * halfLength, -0.95 * r, 0.55 * r, 0.45 * halfLength, 0.3 * r, PACK);
@@ -68,18 +69,18 @@ function drawCharacter(who: Character, entity: number, pose: ArrayLike<number>, 
 export const characters: ModuleRenderer = {
   draw(data, context) {
     for (const { entity, values } of data) {
-      const who = readCharacter(values);
+      const character = readCharacter(values);
       const pose = context.poseOf(entity);
-      if (who && pose) drawCharacter(who, entity, pose, context);
+      if (character && pose) drawCharacter(character, entity, pose, context);
     }
   },
   steering: {
-    keys: 'W A S D walk as the camera looks · drag to look round · space jumps · shift crouches',
+    keys: 'W A S D walk relative to the camera · drag to turn the camera · Space jump · Shift crouch',
     camera: 'free',
     distance: 5.5,
     statusText({ values }) {
-      const who = readCharacter(values);
-      return who ? `${who.speed.toFixed(1)} m/s${who.ground === 'on ground' ? '' : ` · ${who.ground}`}${who.crouched ? ' · crouched' : ''}` : '';
+      const character = readCharacter(values);
+      return character ? `${character.speed.toFixed(1)} m/s${character.ground === 'on ground' ? '' : ` · ${character.ground}`}${character.crouched ? ' · crouched' : ''}` : '';
     },
   },
 };

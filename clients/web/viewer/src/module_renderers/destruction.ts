@@ -1,5 +1,4 @@
-// The module "destruction": stone and brick for what may break, each piece in a shade of its own, and how much of it still holds.
-// destruction.h has the layout.
+// Renders the module "destruction": a stone color per piece, and the share of intact bonds. Layout: destruction.h.
 
 import * as THREE from 'three';
 import { isOfModule, type ModuleRenderer } from './module_renderer';
@@ -7,19 +6,19 @@ import { ValueReader } from './value_reader';
 
 export interface DestructibleState {
   pieces: number;
-  bonds: number; // that hold
-  bondsAtFirst: number;
+  bonds: number; // intact
+  initialBonds: number;
 }
 
-/** Nothing unless the numbers are exactly what destructibles tell. */
+/** undefined if the values are malformed. */
 export function readDestructibles(values: Int32Array): DestructibleState[] | undefined {
   const reader = new ValueReader(values);
   const states: DestructibleState[] = [];
-  while (reader.left > 0) states.push({ pieces: reader.value(), bonds: reader.value(), bondsAtFirst: reader.value() });
+  while (reader.left > 0) states.push({ pieces: reader.value(), bonds: reader.value(), initialBonds: reader.value() });
   return reader.failed ? undefined : states;
 }
 
-const GOLDEN = 0.618034; // neighbours in number are far apart in shade
+const GOLDEN = 0.618034; // golden ratio: consecutive ids get distant shades
 const shade = new THREE.Color();
 
 function stone(id: number): number {
@@ -28,7 +27,7 @@ function stone(id: number): number {
 }
 
 export const destructibles: ModuleRenderer = {
-  bodyColors(_told, entities) {
+  bodyColors(_data, entities) {
     const colors = new Map<number, number>();
     for (const entity of entities.values())
       if (isOfModule(entity) && entity.shapes.length > 0 && entity.shapes.every(({ kind }) => kind.case === 'hull'))
@@ -38,8 +37,8 @@ export const destructibles: ModuleRenderer = {
   statusText(data) {
     const states = data.flatMap(({ values }) => readDestructibles(values) ?? []);
     if (states.length === 0) return '';
-    const sum = (of: keyof DestructibleState) => states.reduce((total, whole) => total + whole[of], 0);
-    const held = sum('bondsAtFirst') > 0 ? (100 * sum('bonds')) / sum('bondsAtFirst') : 100;
-    return `${states.length} ${states.length === 1 ? 'wall' : 'walls'} in ${sum('pieces')} ${sum('pieces') === 1 ? 'piece' : 'pieces'} · ${Math.floor(held)} % of the bonds hold`;
+    const sum = (of: keyof DestructibleState) => states.reduce((total, state) => total + state[of], 0);
+    const intact = sum('initialBonds') > 0 ? (100 * sum('bonds')) / sum('initialBonds') : 100;
+    return `${states.length} ${states.length === 1 ? 'wall' : 'walls'} in ${sum('pieces')} ${sum('pieces') === 1 ? 'piece' : 'pieces'} · ${Math.floor(intact)} % of the bonds intact`;
   },
 };

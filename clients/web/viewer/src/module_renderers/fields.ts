@@ -1,5 +1,5 @@
-// The module "fields": of the kind "fields.waves", which is told now and then, water with waves that run on by themselves; of the kind
-// "fields" flashes of blasts, and in the debug view arrows of the wind and rings round what attracts. fields.h has the layouts.
+// Renders the module "fields". Kind "fields.waves", sent at a low rate: water whose waves the client advances. Kind
+// "fields": explosion marks, and in the debug view wind arrows and rings around attractors. Layouts: fields.h.
 
 import * as THREE from 'three';
 import type { WaterSurface } from '../scene/water';
@@ -7,20 +7,20 @@ import type { ModuleRenderer, RenderContext } from './module_renderer';
 import { ValueReader } from './value_reader';
 
 const KINDS = ['central', 'turbulence', 'user'] as const;
-// What the module has at most.
+// Limits of the module.
 const WATERS_MAX = 4;
 const WAVES_MAX = 8;
 const FIELDS_MAX = 64;
 const BLASTS_MAX = 8;
-const ARROWS = 4; // to each side
+const ARROWS = 4; // per side
 const ARROW_SPACING = 3; // m
-const RINGS = [1, 2, 4]; // m
+const RINGS = [1, 2, 4]; // m, radii
 
 interface Wave {
   amplitude: number; // m
   length: number; // m
   heading: number; // rad from x to z
-  phase: number; // rad, at the tick in which it was told
+  phase: number; // rad, at the tick of the data
   omega: number; // rad/s
 }
 export interface WavyWater {
@@ -37,20 +37,20 @@ export interface Fields {
 
 const readPoint = (reader: ValueReader): Point => [reader.f32(), reader.f32(), reader.f32()];
 
-/** First how many there are; more than `most` fail. */
-function counted<T>(reader: ValueReader, most: number, read: (reader: ValueReader) => T): T[] {
+/** A count, then that many items; fails if the count exceeds `max`. */
+function counted<T>(reader: ValueReader, max: number, read: (reader: ValueReader) => T): T[] {
   const count = reader.value();
-  if (count < 0 || count > most) reader.failed = true;
+  if (count < 0 || count > max) reader.failed = true;
   const all: T[] = [];
   while (!reader.failed && all.length < count) all.push(read(reader));
   return all;
 }
 
-/** As many as there are; more than `most` fail. */
-function untilEnd<T>(reader: ValueReader, most: number, read: (reader: ValueReader) => T): T[] {
+/** Items until the end; fails if there are more than `max`. */
+function untilEnd<T>(reader: ValueReader, max: number, read: (reader: ValueReader) => T): T[] {
   const all: T[] = [];
   while (!reader.failed && reader.left > 0) {
-    if (all.length === most) reader.failed = true;
+    if (all.length === max) reader.failed = true;
     else all.push(read(reader));
   }
   return all;
@@ -72,7 +72,7 @@ function readWater(reader: ValueReader): WavyWater {
   return { level: reader.f32(), density: reader.f32(), waves: counted(reader, WAVES_MAX, readWave) };
 }
 
-/** Nothing unless the numbers are exactly so many waters. */
+/** undefined if the values are malformed. */
 export function readWaters(values: Int32Array): WavyWater[] | undefined {
   const reader = new ValueReader(values);
   const waters = untilEnd(reader, WATERS_MAX, readWater);
@@ -87,7 +87,7 @@ function readField(reader: ValueReader): Field {
   return { kind: 'user' };
 }
 
-/** Nothing unless the numbers are exactly what the other fields tell. */
+/** undefined if the values are malformed. */
 export function readFields(values: Int32Array): Fields | undefined {
   const reader = new ValueReader(values);
   const others = counted(reader, FIELDS_MAX, readField);
@@ -95,7 +95,7 @@ export function readFields(values: Int32Array): Fields | undefined {
   return reader.failed ? undefined : { others, blasts };
 }
 
-/** As it is that long after it was told. */
+/** The surface `seconds` after the tick of the data. */
 export function waterSurface({ level, waves }: WavyWater, seconds: number): WaterSurface {
   return {
     level,
@@ -104,7 +104,7 @@ export function waterSurface({ level, waves }: WavyWater, seconds: number): Wate
       number: (2 * Math.PI) / length,
       x: Math.cos(heading),
       z: Math.sin(heading),
-      turn: phase - omega * seconds,
+      phase: phase - omega * seconds,
     })),
   };
 }
@@ -112,7 +112,7 @@ export function waterSurface({ level, waves }: WavyWater, seconds: number): Wate
 const WIND = new THREE.Color(0x9ad1ff);
 const PULL = new THREE.Color(0xff9df0);
 
-function drawWind(wind: Point, { lines, around }: RenderContext): void {
+function drawWind(wind: Point, { lines, cameraTarget }: RenderContext): void {
   const [x, y, z] = wind;
   const speed = Math.hypot(x, y, z);
   if (speed === 0) return;
@@ -121,11 +121,11 @@ function drawWind(wind: Point, { lines, around }: RenderContext): void {
   const from = (value: number) => Math.round(value / ARROW_SPACING) * ARROW_SPACING;
   for (let i = -ARROWS; i <= ARROWS; i++)
     for (let k = -ARROWS; k <= ARROWS; k++) {
-      const [px, py, pz] = [from(around.x) + step(i), around.y + 2.5, from(around.z) + step(k)];
+      const [px, py, pz] = [from(cameraTarget.x) + step(i), cameraTarget.y + 2.5, from(cameraTarget.z) + step(k)];
       const [tx, ty, tz] = [px + reach * x, py + reach * y, pz + reach * z];
       lines.vertex(px, py, pz, WIND);
       lines.vertex(tx, ty, tz, WIND);
-      // The head: two strokes back and to the sides.
+      // The arrow head: two strokes.
       for (const side of [-1, 1]) {
         lines.vertex(tx, ty, tz, WIND);
         lines.vertex(tx - reach * (0.25 * x + side * 0.12 * z), ty - 0.25 * reach * y, tz - reach * (0.25 * z - side * 0.12 * x), WIND);
@@ -144,8 +144,8 @@ function drawRings([x, y, z]: Point, { lines }: RenderContext): void {
 }
 
 export const waves: ModuleRenderer = {
-  draw(data, { water, around }) {
-    for (const { values, seconds } of data) for (const one of readWaters(values) ?? []) water.add(waterSurface(one, seconds), around);
+  draw(data, { water, cameraTarget }) {
+    for (const { values, seconds } of data) for (const one of readWaters(values) ?? []) water.add(waterSurface(one, seconds), cameraTarget);
   },
 };
 

@@ -1,4 +1,4 @@
-// The golden channels of every module, read as their headers say and drawn. What they must mean is what tests/modules/golden made.
+// Decodes and renders the golden channels of every module. The expected values are those of tests/modules/golden.
 
 import { create } from '@bufbuild/protobuf';
 import { describe, expect, it } from 'vitest';
@@ -23,14 +23,14 @@ const capsules = (ids: number[], name = ''): Map<number, Entity> =>
 const from = (first: number, count: number) => Array.from({ length: count }, (_, k) => first + k);
 
 describe('golden channels', () => {
-  it('of a boat: full ahead, the rudder half to the right, the screw in the water', () => {
+  it('of a boat: full throttle, rudder half expected, propeller under water', () => {
     const data = goldenModule('boat');
     expect(data.map(({ entity }) => entity)).toEqual([1]);
     const { values } = data[0]!;
     const boat = readBoat(values)!;
     expect(boat).toMatchObject({ throttle: 1, wet: true });
     expect(boat.rudder).toBeCloseTo(0.5, 2);
-    boat.screw.forEach((x, axis) => expect(x).toBeCloseTo([0, -0.4, 2.4][axis]!, 3));
+    boat.propeller.forEach((x, axis) => expect(x).toBeCloseTo([0, -0.4, 2.4][axis]!, 3));
     for (const part of broken(values)) expect(readBoat(part)).toBeUndefined();
     const context = testRenderContext();
     boats.draw!(data, context);
@@ -38,10 +38,10 @@ describe('golden channels', () => {
     expect(context.solids.countOf('sphere')).toBeGreaterThan(3); // foam
     expect(boats.steering!.statusText!(data[0]!)).toBe('');
     const dry = withValue(values, 5, 0);
-    expect(boats.steering!.statusText!({ ...data[0]!, values: dry })).toBe('the screw is out of the water');
+    expect(boats.steering!.statusText!({ ...data[0]!, values: dry })).toBe('propeller out of the water');
   });
 
-  it('of characters: one walks to the right, one crouches, one is in the air', () => {
+  it('of characters: one walking expected, one crouching, one airborne', () => {
     const data = goldenModule('character');
     expect(data.map(({ entity }) => entity)).toEqual([2, 3, 4]);
     const [walks, crouches, jumps] = data.map(({ values }) => readCharacter(values));
@@ -49,8 +49,8 @@ describe('golden channels', () => {
     expect(walks!.heading).toBeCloseTo(-Math.PI / 2, 1);
     expect(walks!.speed).toBeCloseTo(3, 1);
     expect(crouches).toMatchObject({ rigid: true, crouched: true, ground: 'on ground' });
-    expect(jumps).toMatchObject({ ground: 'in the air' });
-    expect(jumps!.rising).toBeCloseTo(5 - (9.81 * 20) / 60, 0);
+    expect(jumps).toMatchObject({ ground: 'airborne' });
+    expect(jumps!.verticalSpeed).toBeCloseTo(5 - (9.81 * 20) / 60, 0);
     for (const part of broken(data[0]!.values)) expect(readCharacter(part)).toBeUndefined();
     const context = testRenderContext(undefined, capsules([2, 3, 4]));
     characters.draw!(data, context);
@@ -58,20 +58,20 @@ describe('golden channels', () => {
     expect(characters.steering!.statusText!(data[1]!)).toBe('0.0 m/s · crouched');
   });
 
-  it('of two walls: one whole, one that lost its middle', () => {
+  it('of two walls: one intact, one with a broken middle', () => {
     const data = goldenModule('destruction');
     expect(data.map(({ entity }) => entity)).toEqual([0]);
     const { values } = data[0]!;
-    const [whole, hit] = readDestructibles(values)!;
-    expect(whole).toEqual({ pieces: 1, bonds: 69, bondsAtFirst: 69 });
+    const [intact, hit] = readDestructibles(values)!;
+    expect(intact).toEqual({ pieces: 1, bonds: 69, initialBonds: 69 });
     expect(hit!.pieces).toBeGreaterThan(1);
     expect(hit!.bonds).toBeLessThan(69);
-    // Two walls are also one, or none.
+    // A prefix of whole walls is valid.
     for (const part of broken(values)) if (part.length % 3 !== 0) expect(readDestructibles(part)).toBeUndefined();
-    expect(destructibles.statusText!(data)).toBe('2 walls in 4 pieces · 84 % of the bonds hold');
+    expect(destructibles.statusText!(data)).toBe('2 walls in 4 pieces · 84 % of the bonds intact');
   });
 
-  it('of water: waves that have run on for half a second', () => {
+  it('of water: waves advanced by half a second', () => {
     const data = goldenModule('fields', 0);
     expect(data.map(({ entity }) => entity)).toEqual([0]);
     const { values } = data[0]!;
@@ -90,24 +90,24 @@ describe('golden channels', () => {
     expect(readWaters(new Int32Array([...values, ...values, ...values, ...values, ...values]))).toBeUndefined();
   });
 
-  it('of water that was told a while ago is drawn as it is now', () => {
+  it('of water sent earlier are advanced to the current time', () => {
     const data = goldenModule('fields', 0).map((one) => ({ ...one, seconds: 0.75 }));
     const context = testRenderContext();
     waves.draw!(data, context);
-    expect(context.water.drawn).toHaveLength(1);
-    // The height over a place, by the formula of waves.h with the scene's own time.
+    expect(context.water.surfaces).toHaveLength(1);
+    // The height at a position, by the formula of waves.h with the scene's own time.
     const time = 31 / 60 + 0.75;
     const wave = (amplitude: number, length: number, heading: number, phase: number) => {
       const number = (2 * Math.PI) / length;
       const along = Math.cos(heading) * 3 + Math.sin(heading) * 4;
       return amplitude * Math.cos(number * along - Math.sqrt(9.81 * number) * time + phase);
     };
-    const right = 0.5 + wave(0.25, 16, 0.4, 0) + wave(0.125, 6, -0.5, 1);
-    expect(heightAt(context.water.drawn[0]!, 3, 4)).toBeCloseTo(right, 3);
+    const expected = 0.5 + wave(0.25, 16, 0.4, 0) + wave(0.125, 6, -0.5, 1);
+    expect(heightAt(context.water.surfaces[0]!, 3, 4)).toBeCloseTo(expected, 3);
     expect(waterSurface(readWaters(data[0]!.values)![0]!, 0).waves).toHaveLength(2);
   });
 
-  it('of other fields: wind, an attraction and a blast, arrows and rings only in the debug view', () => {
+  it('of force fields: wind, attraction and blast, with arrows and rings only in the debug view', () => {
     const data = goldenModule('fields', 1);
     const { values } = data[0]!;
     expect(readFields(values)).toEqual({
@@ -128,7 +128,7 @@ describe('golden channels', () => {
     expect(debug.lines.count).toBe(81 * 6 + 3 * 32 * 2);
   });
 
-  it('of figures: a limp and a powered one, eleven bones each, dressed as people', () => {
+  it('of ragdolls: one limp and one powered, eleven bones each, colored as people', () => {
     const data = goldenModule('ragdoll');
     expect(data.map(({ entity, values }) => [entity, readMode(values)])).toEqual([
       [2, 'limp'],
@@ -148,7 +148,7 @@ describe('golden channels', () => {
     expect(context.solids.countOf('sphere')).toBe(2 * 3); // eyes and hair
   });
 
-  it('of a car: pulls away to the right on four wheels', () => {
+  it('of a car: accelerating to the expected on four wheels', () => {
     const data = goldenModule('vehicle');
     expect(data.map(({ entity }) => entity)).toEqual([2]);
     const { values } = data[0]!;
@@ -167,7 +167,7 @@ describe('golden channels', () => {
     expect(rearLeft!.steering).toBeCloseTo(0, 3);
     expect(left!.center[0]).toBeCloseTo(-0.8, 3);
     expect(right!.center[0]).toBeCloseTo(0.8, 3);
-    // Four wheels are also three and a part of one, or three.
+    // A prefix of whole wheels is valid.
     for (const part of broken(values)) if (part.length % 9 !== 2) expect(readCar(part)).toBeUndefined();
     const context = testRenderContext();
     vehicles.draw!(data, context);

@@ -1,32 +1,31 @@
-// The module "hovercraft": from each thruster a line down to where its ray ends, the warmer the more it thrusts. WIRE.md has the
-// layout.
+// Renders the module "hovercraft": a line from each thruster down to the end of its ray, colored by thrust. Layout: WIRE.md.
 
 import * as THREE from 'three';
 import type { ModuleRenderer, RenderContext, ChannelData } from './module_renderer';
 import { ValueReader } from './value_reader';
 
 const THRUSTERS = 4;
-const FARTHEST = 2; // m, of a thruster from the craft's origin, along each axis
-const LONGEST_RAY = 4; // m
+const POSITION_MAX = 2; // m: range of a thruster position along each axis
+const RAY_MAX = 4; // m
 
 const IDLE = new THREE.Color(0x3d7cc9);
 const FULL = new THREE.Color(0xffb347);
 
 export interface Thruster {
-  position: [number, number, number]; // m, in the craft's frame
+  position: [number, number, number]; // m, in the local frame of the craft
   ray: number; // m
   thrust: number; // 0 to 1
 }
 
-/** Nothing unless the numbers are exactly a hovercraft. */
+/** undefined if the values are not exactly one hovercraft. */
 export function readThrusters(values: Int32Array): Thruster[] | undefined {
   const reader = new ValueReader(values);
-  const along = () => reader.quantized(-FARTHEST, FARTHEST, 16);
+  const along = () => reader.quantized(-POSITION_MAX, POSITION_MAX, 16);
   const thrusters = Array.from(
     { length: THRUSTERS },
     (): Thruster => ({
       position: [along(), along(), along()],
-      ray: reader.quantized(0, LONGEST_RAY, 16),
+      ray: reader.quantized(0, RAY_MAX, 16),
       thrust: reader.quantized(0, 1, 8),
     }),
   );
@@ -60,5 +59,5 @@ export const hovercraft: ModuleRenderer = {
   draw(data, context) {
     for (const one of data) drawHovercraft(one, context);
   },
-  steering: { keys: 'W S ahead and back · A D turn', camera: 'behind', distance: 9 },
+  steering: { keys: 'W S forward and back · A D turn', camera: 'behind', distance: 9 },
 };

@@ -1,5 +1,5 @@
-// What draws channels of one kind: given their numbers, which are foreign, and where to draw. Called once a picture; draws nothing of
-// numbers that it cannot read, and never throws.
+// Interface of module renderers. A renderer draws the channels of one kind once per rendered frame. Channel values are
+// untrusted: a renderer ignores values that it cannot decode, and never throws.
 
 import type { BlastMarks } from '../scene/blast_marks';
 import type { Entity } from '@jostle/client/gen/play_pb';
@@ -12,12 +12,12 @@ export interface RenderContext {
   readonly solids: Solids;
   readonly water: Water;
   readonly blasts: Pick<BlastMarks, 'add'>;
-  readonly nowMs: number; // for what fades by itself
-  /** What the camera looks at. */
-  readonly around: { readonly x: number; readonly y: number; readonly z: number };
-  /** Whether to show what is not to be seen, like wind. */
+  readonly nowMs: number; // for animations
+  /** Target of the camera. */
+  readonly cameraTarget: { readonly x: number; readonly y: number; readonly z: number };
+  /** Whether to show invisible effects such as wind. */
   readonly debug: boolean;
-  /** Where an entity is in this picture: px py pz qx qy qz qw. */
+  /** Pose of an entity in this rendered frame: px py pz qx qy qz qw. */
   poseOf(entity: number): ArrayLike<number> | undefined;
   entityOf(entity: number): Entity | undefined;
 }
@@ -26,30 +26,30 @@ export interface RenderContext {
 export interface ChannelData {
   readonly entity: number; // 0: the module itself
   readonly values: Int32Array;
-  readonly seconds: number; // since the tick in which the server told it, at the moment that is shown; may be a little before it
+  readonly seconds: number; // from the tick of the data to the rendered time; may be slightly negative
 }
 
-/** How entities of which the kind tells are driven. */
+/** How entities with this kind of channel are controlled. */
 export interface Steering {
   readonly keys: string;
-  /** `behind`: the camera turns after it. `free`: it goes where the camera looks. */
+  /** `behind`: the camera turns with the entity. `free`: the entity moves relative to the camera. */
   readonly camera: 'behind' | 'free';
-  readonly distance: number; // m of the camera
-  /** What the driver wants to know, like how fast. */
+  readonly distance: number; // m, of the camera
+  /** Status for the user who controls the entity, such as its speed. */
   statusText?(data: ChannelData): string;
 }
 
-/** Of one kind: `told` is all of it in the frame that is shown. */
+/** Renderer of one kind; `data` has all channels of the kind in the rendered frame. */
 export interface ModuleRenderer {
   draw?(data: readonly ChannelData[], context: RenderContext): void;
   readonly steering?: Steering;
-  /** Colours for bodies that have none of their own. */
+  /** Colors of bodies that have no color of their own. */
   bodyColors?(data: readonly ChannelData[], entities: ReadonlyMap<number, Entity>): Map<number, number>;
-  /** What everybody wants to know, in one line. */
+  /** Status for all users, in one line. */
   statusText?(data: readonly ChannelData[]): string;
 }
 
-/** A body that a module made: no scene named it, no player spawned it. */
+/** Whether a module created the body: it has neither a scene name nor an owner. */
 export function isOfModule({ name, owner }: Entity): boolean {
   return name === '' && owner === 0;
 }

@@ -1,4 +1,5 @@
-// Draws what modules tell, and says who can be driven and how. Only kinds that have a drawer are asked for.
+// Renders module channels, and reports which entities can be controlled and how. Kinds without a renderer are not
+// subscribed to.
 
 import type * as THREE from 'three';
 import { BlastMarks } from '../scene/blast_marks';
@@ -16,7 +17,7 @@ import { Solids } from '../scene/solids';
 import { VertexBuffer } from '../scene/vertex_buffer';
 import { Water } from '../scene/water';
 
-/** By kind: a new one is a file in drawers/ and a line here. */
+/** By kind. A new module needs a file in this folder and a line here. */
 const RENDERERS: ReadonlyMap<string, ModuleRenderer> = new Map([
   ['boat', boats],
   ['character', characters],
@@ -28,26 +29,26 @@ const RENDERERS: ReadonlyMap<string, ModuleRenderer> = new Map([
   ['vehicle', vehicles],
 ]);
 
-/** Kinds that can be drawn. */
+/** Channel kinds that can be rendered. */
 export const RENDERED_CHANNEL_KINDS: readonly string[] = [...RENDERERS.keys()];
 
-/** What is shown of what modules tell. */
+/** The channels of the rendered frame. */
 export interface RenderedChannels {
   readonly frame: number;
   readonly channels: Channels;
-  readonly secondsAfter: number; // s, from that frame to the moment that is shown
+  readonly secondsAfter: number; // s, from that frame to the rendered time
   readonly kinds: readonly { name: string; divisor: number }[];
   readonly tickHz: number;
 }
 
-/** Of the moment that a picture shows. */
-export interface FrameInput extends Pick<RenderContext, 'nowMs' | 'around' | 'poseOf' | 'entityOf'> {
-  /** What else is to be drawn, that no module tells. */
+/** Input of one rendered frame. */
+export interface FrameInput extends Pick<RenderContext, 'nowMs' | 'cameraTarget' | 'poseOf' | 'entityOf'> {
+  /** Adds solids that do not belong to a module. */
   decorate?(solids: Solids): void;
 }
 
-/** What is told of one kind, and who draws it. */
-interface Part {
+/** The channels of one kind and their renderer. */
+interface KindChannels {
   readonly renderer: ModuleRenderer;
   readonly data: readonly ChannelData[];
 }
@@ -58,7 +59,7 @@ export class ModuleView {
   readonly water: Water;
   readonly blasts: BlastMarks;
   debug = false;
-  private parts: readonly Part[] = [];
+  private renderedKinds: readonly KindChannels[] = [];
   private coloredChannels: readonly Channel[] = [];
 
   constructor(
@@ -71,73 +72,73 @@ export class ModuleView {
     this.blasts = new BlastMarks(scene);
   }
 
-  /** Once a picture, after the bodies were put where they are. */
-  update(shown: RenderedChannels, input: FrameInput): void {
-    this.parts = this.partsOf(shown, shown.channels);
+  /** Call once per rendered frame, after the body poses were updated. */
+  update(rendered: RenderedChannels, input: FrameInput): void {
+    this.renderedKinds = this.groupByKind(rendered, rendered.channels);
     const { lines, solids, water, blasts, debug } = this;
     for (const buffer of [lines, solids, water]) buffer.begin();
     const context: RenderContext = { ...input, lines, solids, water, blasts, debug };
-    for (const { renderer, data } of this.parts) renderer.draw?.(data, context);
+    for (const { renderer, data } of this.renderedKinds) renderer.draw?.(data, context);
     input.decorate?.(solids);
     for (const buffer of [lines, solids, water]) buffer.end();
     blasts.update(input.nowMs);
   }
 
-  /** Colours for bodies that have none; nothing when they are as they were. `changed`: other bodies are there than before. */
-  bodyColors(shown: RenderedChannels, changed: boolean, entities: ReadonlyMap<number, Entity>): Map<number, number> | undefined {
-    const dressing = shown.channels.filter(({ kind }) => this.drawerOf(shown, kind)?.bodyColors);
+  /** Colors of bodies without an own color; undefined if they did not change. `changed`: the set of bodies changed. */
+  bodyColors(rendered: RenderedChannels, changed: boolean, entities: ReadonlyMap<number, Entity>): Map<number, number> | undefined {
+    const coloring = rendered.channels.filter(({ kind }) => this.rendererOf(rendered, kind)?.bodyColors);
     // Frames share channels that did not change.
-    const same = dressing.length === this.coloredChannels.length && dressing.every((channel, k) => channel === this.coloredChannels[k]);
+    const same = coloring.length === this.coloredChannels.length && coloring.every((channel, k) => channel === this.coloredChannels[k]);
     if (same && !changed) return undefined;
-    this.coloredChannels = dressing;
+    this.coloredChannels = coloring;
     const colors = new Map<number, number>();
-    for (const { renderer, data } of this.partsOf(shown, dressing))
+    for (const { renderer, data } of this.groupByKind(rendered, coloring))
       for (const [entity, color] of renderer.bodyColors?.(data, entities) ?? []) colors.set(entity, color);
     return colors;
   }
 
-  /** How an entity is driven; nothing when no module that we know has it. */
+  /** How an entity is controlled; undefined if no rendered module has it. */
   steeringOf(entity: number): Steering | undefined {
     return this.controlledRenderer(entity)?.steering;
   }
 
-  /** What the driver of that entity wants to know. */
+  /** Status text for the user who controls the entity. */
   controlledStatusText(entity: number): string {
     const { steering, data } = this.controlledRenderer(entity) ?? {};
     return (data && steering?.statusText?.(data)) ?? '';
   }
 
-  /** What everybody wants to know. */
+  /** Status text for all users. */
   statusText(): string {
-    return this.parts
+    return this.renderedKinds
       .map(({ renderer, data }) => renderer.statusText?.(data) ?? '')
       .filter((statusText) => statusText !== '')
       .join(' · ');
   }
 
-  private drawerOf({ kinds }: RenderedChannels, kind: number): ModuleRenderer | undefined {
+  private rendererOf({ kinds }: RenderedChannels, kind: number): ModuleRenderer | undefined {
     return this.renderers.get(kinds[kind]?.name ?? '');
   }
 
-  /** Of some of its channels, which are in order of their kinds. */
-  private partsOf(shown: RenderedChannels, channels: Channels): Part[] {
+  /** Groups channels, which are in ascending order of kind. */
+  private groupByKind(rendered: RenderedChannels, channels: Channels): KindChannels[] {
     const data = new Map<number, ChannelData[]>();
     for (const { kind, entity, values } of channels) {
-      // A kind is told in tick 1 and every `divisor` ticks from there.
-      const ticks = (shown.frame - 1) % Math.max(shown.kinds[kind]?.divisor ?? 1, 1);
-      const seconds = ticks / shown.tickHz + shown.secondsAfter;
+      // A kind is sent in tick 1 and every `divisor` ticks after it.
+      const ticks = (rendered.frame - 1) % Math.max(rendered.kinds[kind]?.divisor ?? 1, 1);
+      const seconds = ticks / rendered.tickHz + rendered.secondsAfter;
       const ofKind = data.get(kind);
       if (ofKind) ofKind.push({ entity, values, seconds });
       else data.set(kind, [{ entity, values, seconds }]);
     }
     return [...data].flatMap(([kind, ofKind]) => {
-      const renderer = this.drawerOf(shown, kind);
+      const renderer = this.rendererOf(rendered, kind);
       return renderer ? [{ renderer, data: ofKind }] : [];
     });
   }
 
   private controlledRenderer(entity: number): { steering: Steering; data: ChannelData } | undefined {
-    for (const { renderer, data } of this.parts) {
+    for (const { renderer, data } of this.renderedKinds) {
       const one = renderer.steering && data.find((of) => of.entity === entity);
       if (renderer.steering && one) return { steering: renderer.steering, data: one };
     }

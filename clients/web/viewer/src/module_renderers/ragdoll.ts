@@ -1,5 +1,5 @@
-// The module "ragdoll": figures get clothes, and a face if they are people. ragdoll.h has the layout. Bones are bodies, which follow
-// the first bone in their numbers.
+// Renders the module "ragdoll": clothes, and faces for human figures. Layout: ragdoll.h. The ids of the bones are
+// consecutive, from that of the first bone.
 
 import * as THREE from 'three';
 import type { Entity } from '@jostle/client/gen/play_pb';
@@ -7,7 +7,7 @@ import { isOfModule, type ModuleRenderer, type ChannelData } from './module_rend
 
 const MODES = ['limp', 'powered', 'kinematic'] as const;
 const BONES_MAX = 64;
-// Of human_figure(): pelvis, chest, head, upper arms, lower arms, upper legs, lower legs.
+// Bone indices of human_figure(): pelvis, chest, head, upper arms, lower arms, upper legs, lower legs.
 const PERSON_BONES = 11;
 const HEAD = 2;
 const SHIRT_BONES = [1, 3, 4];
@@ -19,15 +19,15 @@ const SKINS = [0xf2cda7, 0xd9a066, 0x8d5a3b, 0xe8b48a];
 
 export type Mode = (typeof MODES)[number];
 
-/** Of a figure. Nothing unless the numbers are exactly a mode. */
+/** undefined if the values are not exactly one mode. */
 export function readMode(values: Int32Array): Mode | undefined {
   return values.length === 1 ? MODES[values[0]!] : undefined;
 }
 
-/** The first bones of those that can be read. */
+/** The first bones of the figures that can be decoded. */
 const rootsOf = (data: readonly ChannelData[]) => data.filter(({ values }) => readMode(values)).map(({ entity }) => entity);
 
-/** The bones of each figure, by its first one. */
+/** The bones of each figure, by its first bone. */
 export function bonesOf(roots: readonly number[], entities: ReadonlyMap<number, Entity>): number[][] {
   const others = new Set(roots);
   return roots.map((root) => {
@@ -43,7 +43,7 @@ export function bonesOf(roots: readonly number[], entities: ReadonlyMap<number, 
 
 const origin = new THREE.Vector3();
 const rotation = new THREE.Quaternion();
-const place = new THREE.Vector3();
+const point = new THREE.Vector3();
 const size = new THREE.Vector3();
 const EYE = new THREE.Color(0x16181d);
 const HAIR = new THREE.Color(0x3b2a20);
@@ -59,10 +59,10 @@ export const ragdolls: ModuleRenderer = {
       origin.set(pose[0]!, pose[1]!, pose[2]!);
       rotation.set(pose[3]!, pose[4]!, pose[5]!, pose[6]!);
       const add = (x: number, y: number, z: number, across: number, up: number, deep: number, color: THREE.Color) => {
-        place.set(x, y, z).applyQuaternion(rotation).add(origin);
-        solids.add('sphere', place, rotation, size.set(across, up, deep), color);
+        point.set(x, y, z).applyQuaternion(rotation).add(origin);
+        solids.add('sphere', point, rotation, size.set(across, up, deep), color);
       };
-      // It looks towards z.
+      // The face is at +z.
       for (const side of [-1, 1]) add(side * 0.38 * r, 0.4 * halfLength, 0.88 * r, 0.15 * r, 0.18 * r, 0.15 * r, EYE);
       add(0, halfLength + 0.25 * r, -0.16 * r, 1.02 * r, 0.88 * r, 1.0 * r, HAIR);
     }

@@ -1,8 +1,8 @@
 import { describe, expect, it } from 'vitest';
 import { ValueReader } from './value_reader';
 
-describe('numbers of a channel', () => {
-  it('are read in their order, and nothing is left', () => {
+describe('ValueReader', () => {
+  it('reads values in order until none are left', () => {
     const reader = new ValueReader(new Int32Array([-7, 255, 0, 0x3fc00000]));
     expect(reader.left).toBe(4);
     expect(reader.value()).toBe(-7);
@@ -12,7 +12,7 @@ describe('numbers of a channel', () => {
     expect([reader.left, reader.failed]).toEqual([0, false]);
   });
 
-  it('fail past the end, beyond their steps, and when a float is no number', () => {
+  it('fails past the end, on out-of-range values and on non-finite floats', () => {
     const readers: [number[], (reader: ValueReader) => number, number][] = [
       [[], (reader) => reader.value(), 0],
       [[], (reader) => reader.f32(), 0],

@@ -1,4 +1,4 @@
-// The numbers of a channel, in their order; they are foreign. Past the end all is zero and `failed` is set.
+// Reads the values of a channel in order. Values are untrusted: reads past the end return 0 and set `failed`.
 
 const word = new DataView(new ArrayBuffer(4));
 
@@ -16,7 +16,7 @@ export class ValueReader {
     this.failed = true;
     return 0;
   }
-  /** A number that was rounded to 2^bits even steps from low to high; what is none of them fails. */
+  /** A value quantized to 2^bits steps from low to high; fails for other values. */
   quantized(low: number, high: number, bits: number): number {
     const step = this.value();
     const last = 2 ** bits - 1;
@@ -24,7 +24,7 @@ export class ValueReader {
     this.failed = true;
     return low;
   }
-  /** A float that came as its four bytes; what is no number fails. */
+  /** A float sent as its four bytes; fails if it is not finite. */
   f32(): number {
     word.setInt32(0, this.value());
     const value = word.getFloat32(0);

@@ -1,10 +1,10 @@
-// The module "vehicle": wheels, which are no bodies, and redder where the tyre slides. vehicle.h has the layout.
+// Renders the module "vehicle": wheels, which are not bodies, reddened while the tire slides. Layout: vehicle.h.
 
 import * as THREE from 'three';
 import type { ModuleRenderer, RenderContext } from './module_renderer';
 import { ValueReader } from './value_reader';
 
-const FARTHEST = 8; // m, of a wheel from the chassis's origin, along each axis
+const POSITION_MAX = 8; // m: range of a wheel position along each axis
 
 const RUBBER = new THREE.Color(0x15161a);
 const SLIDING = new THREE.Color(0x7a1f2e);
@@ -14,23 +14,23 @@ const SPOKE = new THREE.Color(0x3a3f4a);
 export interface Wheel {
   radius: number; // m
   width: number; // m
-  center: [number, number, number]; // m, in the chassis
+  center: [number, number, number]; // m, in the local frame of the chassis
   touches: boolean;
   slides: boolean;
-  angle: number; // rad that it has turned
+  angle: number; // rad, accumulated rotation
   spin: number; // rad/s
   steering: number; // rad, to the right
 }
 export interface Car {
   gear: number; // -1 reverse, 0 neutral
-  engine: number; // 0 to 1 of its most
+  engine: number; // 0 to 1 of the maximum
   wheels: Wheel[];
 }
 
 function readWheel(reader: ValueReader): Wheel {
   const radius = reader.quantized(0, 2, 8);
   const width = reader.quantized(0, 1, 8);
-  const along = () => reader.quantized(-FARTHEST, FARTHEST, 16);
+  const along = () => reader.quantized(-POSITION_MAX, POSITION_MAX, 16);
   const center: Wheel['center'] = [along(), along(), along()];
   const bits = reader.value();
   return {
@@ -45,7 +45,7 @@ function readWheel(reader: ValueReader): Wheel {
   };
 }
 
-/** Nothing unless the numbers are exactly a car. */
+/** undefined if the values are malformed. */
 export function readCar(values: Int32Array): Car | undefined {
   const reader = new ValueReader(values);
   const car: Car = { gear: reader.value(), engine: reader.quantized(0, 1, 8), wheels: [] };
@@ -57,20 +57,20 @@ const origin = new THREE.Vector3();
 const rotation = new THREE.Quaternion();
 const center = new THREE.Vector3();
 const turn = new THREE.Quaternion();
-const part = new THREE.Quaternion();
+const scratch = new THREE.Quaternion();
 const size = new THREE.Vector3();
 const X = new THREE.Vector3(1, 0, 0);
 const Y = new THREE.Vector3(0, 1, 0);
-const LYING = new THREE.Quaternion().setFromAxisAngle(new THREE.Vector3(0, 0, 1), -Math.PI / 2); // a cylinder's axis from y to x
+const AXIS_TO_X = new THREE.Quaternion().setFromAxisAngle(new THREE.Vector3(0, 0, 1), -Math.PI / 2); // rotates the axis of a cylinder from y to x
 
 function drawWheel(wheel: Wheel, seconds: number, { solids }: RenderContext): void {
   center.set(...wheel.center).applyQuaternion(rotation).add(origin);
-  // Ahead is -z: a wheel that rolls ahead turns from the top towards -z.
+  // Forward is -z: the top of a wheel that rolls forward moves towards -z.
   turn.copy(rotation);
-  turn.multiply(part.setFromAxisAngle(Y, -wheel.steering));
-  turn.multiply(part.setFromAxisAngle(X, -(wheel.angle + wheel.spin * seconds)));
+  turn.multiply(scratch.setFromAxisAngle(Y, -wheel.steering));
+  turn.multiply(scratch.setFromAxisAngle(X, -(wheel.angle + wheel.spin * seconds)));
   const half = 0.5 * wheel.width;
-  const across = part.copy(turn).multiply(LYING);
+  const across = scratch.copy(turn).multiply(AXIS_TO_X);
   solids.add('cylinder', center, across, size.set(wheel.radius, half, wheel.radius), wheel.slides ? SLIDING : RUBBER);
   solids.add('cylinder', center, across, size.set(0.64 * wheel.radius, 1.03 * half, 0.64 * wheel.radius), RIM);
   solids.add('box', center, turn, size.set(1.08 * half, 0.6 * wheel.radius, 0.09 * wheel.radius), SPOKE);
@@ -93,7 +93,7 @@ export const vehicles: ModuleRenderer = {
     }
   },
   steering: {
-    keys: 'W throttle · S brake, then reverse · A D steer · space hand brake · E Q gears of a manual gearbox',
+    keys: 'W throttle · S brake, then reverse · A D steer · Space hand brake · E Q shift gears (manual gearbox)',
     camera: 'behind',
     distance: 8,
     statusText({ values }) {

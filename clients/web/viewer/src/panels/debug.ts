@@ -1,4 +1,4 @@
-// Toggles of the debug view. The server is asked five times a second while something is on that it has to tell, else never.
+// Toggles of the debug view. While a toggle needs solver data, the server is queried five times per second.
 
 import { islandTints, type DebugView, type DebugOptions } from '../scene/debug_view';
 import type { DebugResponse } from '@jostle/client/gen/query_pb';
@@ -6,19 +6,19 @@ import { Throttle } from '../interaction/throttle';
 import type { Queries } from '@jostle/client';
 import type { SceneView } from '../scene/scene_view';
 
-const EVERY_MS = 200;
-const MISSES = 2;
+const QUERY_INTERVAL_MS = 200;
+const MISSED_RESPONSES_MAX = 2;
 
 type Toggle = keyof DebugOptions | 'sleep' | 'fields';
-const LOCAL_TOGGLES: readonly Toggle[] = ['sleep', 'fields']; // snapshots tell
+const LOCAL_TOGGLES: readonly Toggle[] = ['sleep', 'fields']; // shown from snapshots and channels, without queries
 const TOGGLES: { toggle: Toggle; label: string; hint: string }[] = [
-  { toggle: 'contacts', label: 'Contacts', hint: 'Points and normals: red presses, blue is near; the longer, the harder' },
-  { toggle: 'islands', label: 'Islands', hint: 'Bodies that hang together have one colour' },
-  { toggle: 'sleep', label: 'Sleep', hint: 'Bodies that sleep are blue' },
-  { toggle: 'bounds', label: 'Bounds', hint: 'The box around each shape' },
-  { toggle: 'joints', label: 'Joints', hint: 'From body to anchor to body' },
-  { toggle: 'fields', label: 'Fields', hint: 'Wind as arrows, rings round what attracts' },
-  { toggle: 'broadPhase', label: 'Broad phase', hint: 'Cells, or branches of the tree' },
+  { toggle: 'contacts', label: 'Contacts', hint: 'Points and normals: red touching, blue near; longer means a larger impulse' },
+  { toggle: 'islands', label: 'Islands', hint: 'One color per island' },
+  { toggle: 'sleep', label: 'Sleep', hint: 'Sleeping bodies are blue' },
+  { toggle: 'bounds', label: 'Bounds', hint: 'Bounding box of each shape' },
+  { toggle: 'joints', label: 'Joints', hint: 'Lines from each body to its anchor' },
+  { toggle: 'fields', label: 'Fields', hint: 'Wind as arrows, attractors as rings' },
+  { toggle: 'broadPhase', label: 'Broad phase', hint: 'Grid cells or tree nodes' },
 ];
 
 export class DebugPanel {
@@ -31,9 +31,9 @@ export class DebugPanel {
     broadPhase: false,
     fields: false,
   };
-  private missed = 0;
+  private missedResponses = 0;
   private readonly note = document.createElement('p');
-  private readonly throttle = new Throttle(EVERY_MS, () => this.ask());
+  private readonly throttle = new Throttle(QUERY_INTERVAL_MS, () => this.query());
 
   constructor(
     panel: HTMLElement,
@@ -55,47 +55,47 @@ export class DebugPanel {
     box.name = toggle;
     box.onchange = () => {
       this.on[toggle] = box.checked;
-      box.blur(); // keys go on meaning tools
+      box.blur(); // keys select tools again
       this.toggled();
     };
     row.append(box, label);
     return row;
   }
 
-  private get asksServer(): boolean {
+  private get needsServer(): boolean {
     return TOGGLES.some(({ toggle }) => !LOCAL_TOGGLES.includes(toggle) && this.on[toggle]);
   }
 
   private toggled(): void {
-    this.view.markAsleep(this.on.sleep); // snapshots say who sleeps
+    this.view.markAsleep(this.on.sleep); // snapshots have the sleep state
     if (!this.on.islands) this.view.setTints(undefined);
-    if (!this.asksServer) {
+    if (!this.needsServer) {
       this.lines.clear();
       this.note.textContent = '';
     }
   }
 
-  /** Once a picture. */
+  /** Call once per rendered frame. */
   update(): void {
-    if (this.asksServer) this.throttle.request();
+    if (this.needsServer) this.throttle.request();
   }
 
-  private async ask(): Promise<void> {
-    if (!this.asksServer) return;
+  private async query(): Promise<void> {
+    if (!this.needsServer) return;
     const { contacts, islands, bounds, joints, broadPhase } = this.on;
     const response = await this.queries.debug({ contacts, islands, bounds, joints, broadPhase });
-    // Toggles may have changed in the meantime.
-    if (!this.asksServer) return;
-    // One answer that came too late is no reason to make the lines flicker.
-    this.missed = response ? 0 : this.missed + 1;
+    // Toggles may have changed during the query.
+    if (!this.needsServer) return;
+    // A single missing response must not make the lines flicker.
+    this.missedResponses = response ? 0 : this.missedResponses + 1;
     if (!response) {
-      if (this.missed < MISSES) return;
+      if (this.missedResponses < MISSED_RESPONSES_MAX) return;
       this.lines.clear();
       this.view.setTints(undefined);
-      this.note.textContent = 'The server does not tell.';
+      this.note.textContent = 'The server did not respond.';
       return;
     }
-    this.lines.show(response, this.on, (entity) => this.view.loosePoseOf(entity));
+    this.lines.show(response, this.on, (entity) => this.view.dynamicPoseOf(entity));
     if (this.on.islands) this.view.setTints(islandTints(response.islands));
     this.note.textContent = summary(response, this.on);
   }
@@ -103,13 +103,13 @@ export class DebugPanel {
 
 export function summary(response: DebugResponse, on: DebugOptions): string {
   const counts: string[] = [];
-  const count = (wished: boolean, n: number, one: string, many: string) => {
-    if (wished) counts.push(`${n} ${n === 1 ? one : many}`);
+  const count = (enabled: boolean, n: number, one: string, many: string) => {
+    if (enabled) counts.push(`${n} ${n === 1 ? one : many}`);
   };
   count(on.contacts, response.contacts.length, 'contact', 'contacts');
   count(on.islands, response.islands.length, 'island', 'islands');
   count(on.bounds, response.bounds.length, 'box', 'boxes');
   count(on.joints, response.joints.length, 'joint', 'joints');
   count(on.broadPhase, response.broadPhase.length, 'cell', 'cells');
-  return counts.join(', ') + (response.truncated ? '; there are more than are shown' : '');
+  return counts.join(', ') + (response.truncated ? '; truncated' : '');
 }

@@ -1,22 +1,22 @@
-// What happened in a tick, in words.
+// Text descriptions of the events of a tick.
 
 import type { ContactEvent, Events } from '@jostle/client/gen/play_pb';
 
-const NAMED_SLEEPERS = 2; // more of them in one tick are only counted
+const NAMED_BODIES_MAX = 2; // if more bodies fell asleep or woke in one tick, only their number is shown
 
 /**
- * One line for each thing that happened, the ones that matter most last. What merely goes on (contacts that press, bodies that
- * stay in a trigger) is said in every tick by the server and not repeated here.
+ * One line per event, the most important last. The server repeats ongoing contacts and trigger overlaps in every tick;
+ * they are omitted.
  */
 export function describeEvents(events: Events, name: (entity: number) => string): string[] {
   const lines: string[] = [];
   const pair = ({ entityA, entityB }: Pick<ContactEvent, 'entityA' | 'entityB'>) => `${entityA} ${entityB}`;
   const both = (event: ContactEvent, verb: string) => `${name(event.entityA)} ${verb} ${name(event.entityB)}`;
-  // A hit says all that its beginning would.
+  // A hit includes the information of the contact that it began.
   const hit = new Set(events.hits.map(pair));
-  if (events.missed > 0) lines.push(`${counted(events.missed, 'tick', 'ticks')} of events went by unseen`);
+  if (events.missed > 0) lines.push(`events of ${counted(events.missed, 'tick', 'ticks')} missed`);
   lines.push(...describeSleep(events.fellAsleep, 'fell asleep', name), ...describeSleep(events.woke, 'woke', name));
-  for (const event of events.contactsEnded) lines.push(both(event, 'parted from'));
+  for (const event of events.contactsEnded) lines.push(both(event, 'separated from'));
   for (const event of events.contactsBegan) if (!hit.has(pair(event))) lines.push(both(event, 'touched'));
   for (const event of events.triggersLeft) lines.push(`${name(event.entity)} left ${name(event.trigger)}`);
   for (const event of events.triggersEntered) lines.push(`${name(event.entity)} entered ${name(event.trigger)}`);
@@ -27,7 +27,7 @@ export function describeEvents(events: Events, name: (entity: number) => string)
 }
 
 function describeSleep(entities: readonly number[], verb: string, name: (entity: number) => string): string[] {
-  if (entities.length > NAMED_SLEEPERS) return [`${entities.length} bodies ${verb}`];
+  if (entities.length > NAMED_BODIES_MAX) return [`${entities.length} bodies ${verb}`];
   return entities.map((entity) => `${name(entity)} ${verb}`);
 }
 
@@ -35,20 +35,20 @@ function counted(n: number, one: string, many: string): string {
   return `${n} ${n === 1 ? one : many}`;
 }
 
-/** The newest lines, oldest first. The same words again and again are one line with a count. */
+/** The newest lines, oldest first. Consecutive equal lines become one line with a count. */
 export class RecentLines {
-  private readonly entries: { words: string; times: number }[] = [];
+  private readonly entries: { text: string; count: number }[] = [];
 
-  constructor(private readonly most: number) {}
+  constructor(private readonly max: number) {}
 
-  add(words: string): void {
+  add(text: string): void {
     const last = this.entries[this.entries.length - 1];
-    if (last?.words === words) {
-      last.times++;
+    if (last?.text === text) {
+      last.count++;
       return;
     }
-    this.entries.push({ words, times: 1 });
-    if (this.entries.length > this.most) this.entries.shift();
+    this.entries.push({ text, count: 1 });
+    if (this.entries.length > this.max) this.entries.shift();
   }
 
   clear(): void {
@@ -56,6 +56,6 @@ export class RecentLines {
   }
 
   get lines(): string[] {
-    return this.entries.map(({ words, times }) => (times > 1 ? `${words} × ${times}` : words));
+    return this.entries.map(({ text, count }) => (count > 1 ? `${text} × ${count}` : text));
   }
 }

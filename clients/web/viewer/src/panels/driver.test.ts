@@ -7,13 +7,13 @@ import { drawArrows, offerText } from './driver';
 
 const car = (id: number, name: string) => create(EntitySchema, { id, name, controllable: true });
 
-it('says what can be driven', () => {
+it('lists controllable entities', () => {
   expect(offerText([])).toBe('');
   expect(offerText([car(3, 'digger')])).toBe('Press 8 to drive digger');
-  expect(offerText([car(3, 'car'), car(4, 'car2')])).toBe('Press 8 to drive one of 2');
+  expect(offerText([car(3, 'car'), car(4, 'car2')])).toBe('Press 8 to drive one of 2 entities');
 });
 
-it('puts an arrow over each that is there', () => {
+it('draws an arrow over each visible controllable entity', () => {
   const solids = new Solids(new THREE.Scene());
   solids.begin();
   drawArrows(solids, [car(3, 'car'), car(4, 'car2')], (id) => (id === 3 ? [10, 1, 0, 0, 0, 0, 1] : undefined), 0);

@@ -1,5 +1,5 @@
-// The line on driving: what can be driven here, how to take its wheel, what the keys do, how fast it goes. Arrows stand over what
-// can be driven while one may choose.
+// Control line: which entities can be controlled, how to take control, what the keys do, and the status. Arrows mark
+// controllable entities while the tool is selected.
 
 import * as THREE from 'three';
 import type { Entity } from '@jostle/client/gen/play_pb';
@@ -8,22 +8,22 @@ import { entityName } from './entity_names';
 
 const CHOICES_MAX = 12;
 const ARROW = new THREE.Color(0xffd166);
-const ARROW_HEIGHT = 2.4; // m over what it stands on
+const ARROW_HEIGHT = 2.4; // m above the entity
 const DOWNWARDS = new THREE.Quaternion().setFromAxisAngle(new THREE.Vector3(1, 0, 0), Math.PI);
 
 export interface DriverState {
-  choosing: boolean; // the tool is chosen
-  driven: Entity | undefined;
-  keys: string; // of what is driven
-  words: string; // on what is driven
-  general: string; // of the world
+  toolSelected: boolean; // the tool is selected
+  controlled: Entity | undefined;
+  keys: string; // of the controlled entity
+  status: string; // of the controlled entity
+  worldStatus: string; // of the world
 }
 
 export class DriverPanel {
   private readonly line = document.createElement('p');
   private readonly keys = document.createElement('p');
   private readonly choices = document.createElement('p');
-  private shown = '';
+  private renderedText = '';
   private offered = '';
 
   constructor(
@@ -35,58 +35,58 @@ export class DriverPanel {
     panel.append(this.line, this.keys, this.choices);
   }
 
-  /** Once a picture: touches the page only when something is to be said anew. */
+  /** Call once per rendered frame; changes the DOM only when the text changes. */
   update(state: DriverState, controllable: readonly Entity[]): void {
-    const { choosing, driven, keys, words, general } = state;
-    this.panel.hidden = !choosing && !driven && general === '';
+    const { toolSelected, controlled, keys, status, worldStatus } = state;
+    this.panel.hidden = !toolSelected && !controlled && worldStatus === '';
     if (this.panel.hidden) return;
-    const told = driven
-      ? `You drive ${entityName(driven, driven.id)}${words && ` · ${words}`}`
-      : choosing
+    const text = controlled
+      ? `Driving ${entityName(controlled, controlled.id)}${status && ` · ${status}`}`
+      : toolSelected
         ? controllable.length > 0
-          ? 'Click what stands under an arrow, or choose:'
-          : 'Nothing in this world can be driven'
-        : general;
-    const under = driven ? `${keys || 'W A S D or arrows, space, shift, E and Q'} · gamepad · Esc lets go` : '';
-    if (this.shown !== told + under) {
-      this.shown = told + under;
-      this.line.textContent = told;
-      this.keys.textContent = under;
+          ? 'Click an entity below an arrow, or choose one:'
+          : 'This world has no controllable entities'
+        : worldStatus;
+    const help = controlled ? `${keys || 'W A S D or arrows, Space, Shift, E and Q'} · gamepad · Esc releases` : '';
+    if (this.renderedText !== text + help) {
+      this.renderedText = text + help;
+      this.line.textContent = text;
+      this.keys.textContent = help;
     }
-    this.offer(driven || !choosing ? [] : controllable.slice(0, CHOICES_MAX), driven !== undefined);
+    this.offer(controlled || !toolSelected ? [] : controllable.slice(0, CHOICES_MAX), controlled !== undefined);
   }
 
-  private offer(choices: readonly Entity[], drives: boolean): void {
-    const offered = `${drives} ${choices.map(({ id }) => id).join()}`;
+  private offer(choices: readonly Entity[], canRelease: boolean): void {
+    const offered = `${canRelease} ${choices.map(({ id }) => id).join()}`;
     if (this.offered === offered) return;
     this.offered = offered;
     const button = (label: string, click: () => void) => {
-      const made = document.createElement('button');
-      made.type = 'button';
-      made.textContent = label;
-      made.onclick = () => {
-        made.blur(); // keys drive from now on
+      const created = document.createElement('button');
+      created.type = 'button';
+      created.textContent = label;
+      created.onclick = () => {
+        created.blur(); // keys control the entity from now on
         click();
       };
-      return made;
+      return created;
     };
     this.choices.replaceChildren(
       ...choices.map(({ id, name }) => button(name || `${id}`, () => this.take(id))),
-      ...(drives ? [button('Let go', () => this.stopControlling())] : []),
+      ...(canRelease ? [button('Release', () => this.stopControlling())] : []),
     );
   }
 }
 
-/** An invitation. */
+/** An invitation to take control; empty without controllable entities. */
 export function offerText(controllable: readonly Entity[]): string {
   if (controllable.length === 0) return '';
-  return controllable.length === 1 ? `Press 8 to drive ${entityName(controllable[0], controllable[0]!.id)}` : `Press 8 to drive one of ${controllable.length}`;
+  return controllable.length === 1 ? `Press 8 to drive ${entityName(controllable[0], controllable[0]!.id)}` : `Press 8 to drive one of ${controllable.length} entities`;
 }
 
-const place = new THREE.Vector3();
+const position = new THREE.Vector3();
 const size = new THREE.Vector3(0.28, 0.45, 0.28);
 
-/** An arrow over each; they bob. */
+/** A bobbing arrow above each entity. */
 export function drawArrows(
   solids: Solids,
   controllable: readonly Entity[],
@@ -96,6 +96,6 @@ export function drawArrows(
   const bob = 0.15 * Math.sin(nowMs / 250);
   for (const { id } of controllable) {
     const pose = poseOf(id);
-    if (pose) solids.add('cone', place.set(pose[0]!, pose[1]! + ARROW_HEIGHT + bob, pose[2]!), DOWNWARDS, size, ARROW);
+    if (pose) solids.add('cone', position.set(pose[0]!, pose[1]! + ARROW_HEIGHT + bob, pose[2]!), DOWNWARDS, size, ARROW);
   }
 }

@@ -6,13 +6,13 @@ import { describePick, entityName } from './entity_names';
 const field = { kind: { case: 'heightField' as const, value: {} } };
 const ball = { kind: { case: 'sphere' as const, value: { radius: 1 } } };
 
-it('a body is called by its name, else after its first shape', () => {
+it('uses the entity name, or else the kind of its first shape', () => {
   expect(entityName(create(EntitySchema, { name: 'goal', shapes: [ball] }), 3)).toBe('goal');
   expect(entityName(create(EntitySchema, { shapes: [ball] }), 3)).toBe('ball 3');
   expect(entityName(undefined, 3)).toBe('body 3');
 });
 
-it('the line under the pointer says name, id, the shape that was hit and how far it is', () => {
+it('describes a pick by name, id, hit shape and distance', () => {
   const hill = create(EntitySchema, { name: 'hill', shapes: [ball, field] });
   expect(describePick(hill, { entity: 12, shape: 1, distance: 14.239 })).toBe('hill · id 12 · height field · 14.2 m away');
   expect(describePick(undefined, { entity: 5, shape: 0, distance: 1.5 })).toBe('no name · id 5 · shape · 1.50 m away');

@@ -1,4 +1,4 @@
-// What a body is called where people read it.
+// Display names of bodies.
 
 import type { Entity } from '@jostle/client/gen/play_pb';
 import type { Shape } from '@jostle/client/gen/scene_pb';
@@ -10,14 +10,14 @@ export function shapeKindName(shape: Shape | undefined): string {
   return kind === undefined ? 'shape' : (KIND_NAMES[kind] ?? kind);
 }
 
-/** Its name in the scene; what has none, like a thrown ball, is called after its first shape. */
+/** The name in the scene, or else the kind of the first shape and the id. */
 export function entityName(entity: Entity | undefined, id: number): string {
   if (!entity) return `body ${id}`;
   const kind = shapeKindName(entity.shapes[0]);
   return entity.name || `${kind === 'sphere' ? 'ball' : kind} ${id}`;
 }
 
-/** One line on what is under the pointer. */
+/** One line about the body under the pointer. */
 export function describePick(entity: Entity | undefined, pick: { entity: number; shape: number; distance: number }): string {
   const parts = [
     entity?.name || 'no name',

@@ -1,4 +1,4 @@
-// What happened last, in words; a mark where something hit. The server is asked to tell only while this is open.
+// The newest events as text, with marks at hits. Events are subscribed to only while the panel is open.
 
 import { describeEvents, RecentLines } from './describe_events';
 import type { Events } from '@jostle/client/gen/play_pb';
@@ -7,14 +7,14 @@ import type { HitMarks } from '../scene/hit_marks';
 const LINES = 12;
 
 export class EventsPanel {
-  private readonly last = new RecentLines(LINES);
+  private readonly recent = new RecentLines(LINES);
   private readonly list = document.createElement('ol');
   private changed = true;
 
   constructor(
     private readonly panel: HTMLElement,
     private readonly marks: HitMarks,
-    private readonly want: (wanted: boolean) => void,
+    private readonly setEnabled: (enabled: boolean) => void,
     private readonly nameOf: (entity: number) => string,
   ) {
     const title = document.createElement('h2');
@@ -25,29 +25,29 @@ export class EventsPanel {
   toggle(): void {
     this.panel.hidden = !this.panel.hidden;
     if (this.panel.hidden) this.clear();
-    this.want(!this.panel.hidden);
+    this.setEnabled(!this.panel.hidden);
   }
 
   clear(): void {
-    this.last.clear();
+    this.recent.clear();
     this.changed = true;
   }
 
-  /** `seenMs`: when the picture will have come to that moment. */
-  addEvents(events: Events, seenMs: number): void {
-    for (const words of describeEvents(events, this.nameOf)) this.last.add(words);
-    for (const { point, speed } of events.hits) if (point) this.marks.add(point.x, point.y, point.z, speed, seenMs);
+  /** `renderedAtMs`: when rendering reaches the tick of the events. */
+  addEvents(events: Events, renderedAtMs: number): void {
+    for (const text of describeEvents(events, this.nameOf)) this.recent.add(text);
+    for (const { point, speed } of events.hits) if (point) this.marks.add(point.x, point.y, point.z, speed, renderedAtMs);
     this.changed = true;
   }
 
-  /** Once a picture: however much happens, the page is written at most once in between. */
+  /** Call once per rendered frame; updates the DOM at most once, however many events arrived. */
   update(): void {
     if (!this.changed || this.panel.hidden) return;
     this.changed = false;
-    const { lines } = this.last;
-    const shown = lines.length > 0 ? lines : ['Nothing yet.'];
+    const { lines } = this.recent;
+    const texts = lines.length > 0 ? lines : ['No events yet.'];
     this.list.replaceChildren(
-      ...shown.map((line) => {
+      ...texts.map((line) => {
         const row = document.createElement('li');
         row.textContent = line;
         return row;

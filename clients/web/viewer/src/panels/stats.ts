@@ -1,9 +1,9 @@
-// Numbers with a short history each, drawn as small plots.
+// Statistics with a short history each, as small plots.
 
 import type { Connection } from '@jostle/client';
 import type { WorldStats } from '@jostle/client/gen/play_pb';
 
-const HISTORY = 120; // samples, ten a second
+const HISTORY = 120; // samples
 const PLOT = { width: 150, height: 26 };
 
 class Plot {
@@ -34,7 +34,7 @@ class Plot {
   }
 
   private draw(): void {
-    // So small a picture is drawn faster by the processor than handed to the graphics processor; the hint asks for that.
+    // Software rendering is faster for such small plots; the hint selects it.
     const context = this.canvas.getContext('2d', { willReadFrequently: true });
     if (!context) return;
     const { width, height } = this.canvas;
@@ -63,7 +63,7 @@ export class StatsPanel {
     awake: new Plot('Awake', '', '#81b29a'),
     asleep: new Plot('Asleep', '', '#8896a5'),
     step: new Plot('Step', ' ms', '#b388eb', 2),
-    fps: new Plot('Pictures', ' /s', '#e5e9ee'),
+    fps: new Plot('Frame rate', ' /s', '#e5e9ee'),
   };
   private lastBytes = 0;
   private lastAt = performance.now();
@@ -78,7 +78,7 @@ export class StatsPanel {
     this.frames++;
   }
 
-  /** Ten times a second, with the world's statistics. */
+  /** Called with each statistics message of the world. */
   update(stats: WorldStats): void {
     this.latest = stats;
     const now = performance.now();
@@ -87,7 +87,7 @@ export class StatsPanel {
     this.lastBytes = this.connection.bytesReceived;
     this.lastAt = now;
     this.tick.textContent =
-      `tick ${stats.tick} · ${stats.bodies} bodies · ${stats.clients} playing` +
+      `tick ${stats.tick} · ${stats.bodies} bodies · ${stats.clients} clients` +
       (stats.lateTicks > 0 ? ` · ${stats.lateTicks} late ticks` : '') +
       (stats.paused ? ` · paused: ${stats.paused}` : '');
     this.plots.age.add(this.connection.ageMs);

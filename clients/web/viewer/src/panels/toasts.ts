@@ -1,4 +1,4 @@
-// Short messages that go away by themselves.
+// Short messages that disappear after 4 s.
 
 export class Toasts {
   private last = '';
@@ -6,7 +6,7 @@ export class Toasts {
 
   constructor(private readonly box: HTMLElement) {}
 
-  say(text: string): void {
+  show(text: string): void {
     const now = performance.now();
     if (text === this.last && now - this.lastAt < 1500) return;
     this.last = text;

@@ -1,5 +1,4 @@
-// Which worlds there are: join, make from a scene or from what another one was a while ago, delete. Talks JSON to
-// /api/worlds.
+// Lists the worlds: join, create from a scene or from an earlier tick of a world, delete. Uses the JSON API at /api/worlds.
 
 import { withToken } from '@jostle/client';
 
@@ -12,7 +11,7 @@ interface WorldInfo {
   clients: number;
   hz: number;
   tick: number;
-  oldestRestorableTick: number; // 0: it ends with its process
+  oldestRestorableTick: number; // 0: the world is not persisted
 }
 interface Listing {
   worlds: WorldInfo[];
@@ -24,17 +23,17 @@ function element<K extends keyof HTMLElementTagNameMap>(
   text = '',
   className = '',
 ): HTMLElementTagNameMap[K] {
-  const made = document.createElement(tag);
-  made.textContent = text;
-  if (className) made.className = className;
-  return made;
+  const created = document.createElement(tag);
+  created.textContent = text;
+  if (className) created.className = className;
+  return created;
 }
 
 export class WorldsPanel {
   constructor(
     private readonly panel: HTMLElement,
     private readonly join: (world: string) => void,
-    private readonly say: (text: string) => void,
+    private readonly showMessage: (text: string) => void,
     private readonly current: () => string,
     private readonly token = '',
   ) {}
@@ -49,10 +48,10 @@ export class WorldsPanel {
     await this.refresh();
   }
 
-  private async ask(path: string, init?: RequestInit): Promise<unknown> {
+  private async call(path: string, init?: RequestInit): Promise<unknown> {
     const headers = withToken(this.token, init?.headers as Record<string, string> | undefined);
     const response = await fetch(path, { ...init, headers }).catch(() => {
-      throw new Error('the server does not answer');
+      throw new Error('the server does not respond');
     });
     const text = await response.text();
     let payload: { message?: string } = {};
@@ -61,7 +60,7 @@ export class WorldsPanel {
     } catch {
       payload = { message: text };
     }
-    if (!response.ok) throw new Error(payload.message || `the server answers ${response.status}`);
+    if (!response.ok) throw new Error(payload.message || `the server responded with HTTP status ${response.status}`);
     return payload;
   }
 
@@ -69,15 +68,15 @@ export class WorldsPanel {
     try {
       await action();
     } catch (error) {
-      this.say(error instanceof Error ? error.message : String(error));
+      this.showMessage(error instanceof Error ? error.message : String(error));
     }
   }
 
   private refresh(): Promise<void> {
-    return this.run(async () => this.draw((await this.ask('api/worlds')) as Listing));
+    return this.run(async () => this.render((await this.call('api/worlds')) as Listing));
   }
 
-  private draw({ worlds, scenes }: Listing): void {
+  private render({ worlds, scenes }: Listing): void {
     this.panel.replaceChildren(element('h2', 'Worlds'));
     for (const world of worlds) {
       this.panel.append(this.worldRow(world));
@@ -95,12 +94,12 @@ export class WorldsPanel {
 
   private worldRow(world: WorldInfo): HTMLElement {
     const row = element('div', '', 'world');
-    const here = world.id === this.current();
-    const about = `${world.bodies} bodies, ${world.awake} awake, ${world.clients} playing`;
-    row.append(element('strong', world.name + (here ? ' (here)' : '')), element('span', about));
+    const isCurrent = world.id === this.current();
+    const about = `${world.bodies} bodies, ${world.awake} awake, ${world.clients} clients`;
+    row.append(element('strong', world.name + (isCurrent ? ' (current)' : '')), element('span', about));
     const join = element('button', 'Join');
     join.type = 'button';
-    join.disabled = here;
+    join.disabled = isCurrent;
     join.onclick = () => {
       this.panel.hidden = true;
       this.join(world.id);
@@ -108,14 +107,14 @@ export class WorldsPanel {
     const remove = element('button', 'Delete', 'danger');
     remove.type = 'button';
     remove.onclick = () => {
-      // A second click confirms: everyone in the world is thrown out.
+      // A second click confirms, because all clients of the world are disconnected.
       if (remove.textContent === 'Delete') {
-        remove.textContent = 'Really?';
+        remove.textContent = 'Confirm';
         setTimeout(() => (remove.textContent = 'Delete'), 3000);
         return;
       }
       void this.run(async () => {
-        await this.ask(`api/worlds/${encodeURIComponent(world.id)}`, { method: 'DELETE' });
+        await this.call(`api/worlds/${encodeURIComponent(world.id)}`, { method: 'DELETE' });
         await this.refresh();
       });
     };
@@ -123,39 +122,39 @@ export class WorldsPanel {
     return row;
   }
 
-  /** What if: a slider over the ticks that are kept, and a button that opens one as a world of its own. */
+  /** A slider over the restorable ticks, and a button that creates a world from the selected tick. */
   private restoreRow(world: WorldInfo, worlds: WorldInfo[]): HTMLElement {
-    const row = element('div', '', 'past');
-    // What nobody did anything in is kept a second later.
+    const row = element('div', '', 'restore');
+    // A tick without inputs is stored up to 1 s later.
     const newest = Math.max(world.oldestRestorableTick, world.tick - Math.ceil(world.hz));
     const slider = element('input');
     Object.assign(slider, { type: 'range', min: String(world.oldestRestorableTick), max: String(newest), value: String(newest) });
     slider.setAttribute('aria-label', `Tick of ${world.name}`);
-    const words = element('output');
-    const open = element('button', 'What if');
+    const label = element('output');
+    const open = element('button', 'Restore copy');
     open.type = 'button';
-    open.title = 'Opens this moment as a world of its own';
+    open.title = 'Create a new world from this tick';
     open.onclick = () => {
       const tick = Number(slider.value);
       const checkpoint = { world: world.id, tick };
       void this.run(() => this.create(`${world.name}-at-${tick}`, { checkpoint }, worlds));
     };
-    const tell = () => {
+    const updateLabel = () => {
       const ago = (world.tick - Number(slider.value)) / world.hz;
-      words.textContent = `tick ${slider.value}, ${ago.toFixed(1)} s ago`;
+      label.textContent = `tick ${slider.value}, ${ago.toFixed(1)} s ago`;
     };
-    slider.oninput = tell;
-    tell();
-    row.append(slider, words, open);
+    slider.oninput = updateLabel;
+    updateLabel();
+    row.append(slider, label, open);
     return row;
   }
 
-  /** Of that name, or with the first number that is free. */
-  private async create(wanted: string, source: object, worlds: WorldInfo[]): Promise<void> {
-    const taken = new Set(worlds.map((world) => world.name));
-    let name = wanted;
-    for (let n = 2; taken.has(name); n++) name = `${wanted}-${n}`;
-    const payload = (await this.ask('api/worlds', {
+  /** With the given name, or with the first free number appended. */
+  private async create(baseName: string, source: object, worlds: WorldInfo[]): Promise<void> {
+    const usedNames = new Set(worlds.map((world) => world.name));
+    let name = baseName;
+    for (let n = 2; usedNames.has(name); n++) name = `${baseName}-${n}`;
+    const payload = (await this.call('api/worlds', {
       method: 'POST',
       headers: { 'Content-Type': 'application/json' },
       body: JSON.stringify({ name, ...source }),

@@ -1,10 +1,10 @@
-// Where something went off: a ball of light that grows and fades within half a second.
+// Explosion marks: spheres of light that grow and fade within 0.55 s.
 
 import * as THREE from 'three';
 
 const MARKS = 8;
-const LASTS_MS = 550;
-const SAME_M = 0.05; // a picture is drawn of one tick more than once: marks nearer than that, one after the other, are one
+const DURATION_MS = 550;
+const DUPLICATE_DISTANCE_M = 0.05; // several rendered frames show the same tick: a mark closer than this to a recent one is the same blast
 
 const matrix = new THREE.Matrix4();
 const color = new THREE.Color();
@@ -12,13 +12,13 @@ const FLAME = new THREE.Color(0xffa640);
 
 export class BlastMarks {
   private readonly ball: THREE.InstancedMesh;
-  private readonly marks = Array.from({ length: MARKS }, () => ({ at: new THREE.Vector3(), radius: 0, bornMs: -Infinity }));
+  private readonly marks = Array.from({ length: MARKS }, () => ({ at: new THREE.Vector3(), radius: 0, startMs: -Infinity }));
   private next = 0;
-  private lit = 0;
+  private active = 0;
 
   constructor(scene: THREE.Scene) {
-    const look = { transparent: true, blending: THREE.AdditiveBlending, depthWrite: false, fog: false, toneMapped: false };
-    this.ball = new THREE.InstancedMesh(new THREE.IcosahedronGeometry(1, 3), new THREE.MeshBasicMaterial(look), MARKS);
+    const options = { transparent: true, blending: THREE.AdditiveBlending, depthWrite: false, fog: false, toneMapped: false };
+    this.ball = new THREE.InstancedMesh(new THREE.IcosahedronGeometry(1, 3), new THREE.MeshBasicMaterial(options), MARKS);
     this.ball.instanceMatrix.setUsage(THREE.DynamicDrawUsage);
     this.ball.instanceColor = new THREE.InstancedBufferAttribute(new Float32Array(MARKS * 3), 3);
     this.ball.frustumCulled = false;
@@ -27,33 +27,33 @@ export class BlastMarks {
   }
 
   add(x: number, y: number, z: number, radius: number, nowMs: number): void {
-    const same = this.marks.some(({ at, bornMs }) => nowMs - bornMs < LASTS_MS && Math.hypot(at.x - x, at.y - y, at.z - z) < SAME_M);
-    if (same) return;
+    const duplicate = this.marks.some(({ at, startMs }) => nowMs - startMs < DURATION_MS && Math.hypot(at.x - x, at.y - y, at.z - z) < DUPLICATE_DISTANCE_M);
+    if (duplicate) return;
     const mark = this.marks[this.next]!;
     this.next = (this.next + 1) % MARKS;
     mark.at.set(x, y, z);
     mark.radius = radius;
-    mark.bornMs = nowMs;
+    mark.startMs = nowMs;
   }
 
   get activeCount(): number {
-    return this.lit;
+    return this.active;
   }
 
-  /** Once a picture. */
+  /** Call once per rendered frame. */
   update(nowMs: number): void {
-    const before = this.lit;
-    this.lit = 0;
-    this.marks.forEach(({ at, radius, bornMs }, k) => {
-      const age = (nowMs - bornMs) / LASTS_MS;
-      const burns = age >= 0 && age < 1;
-      if (burns) this.lit++;
-      const size = burns ? radius * (0.12 + 0.5 * Math.sqrt(age)) : 0;
+    const wasActive = this.active;
+    this.active = 0;
+    this.marks.forEach(({ at, radius, startMs }, k) => {
+      const age = (nowMs - startMs) / DURATION_MS;
+      const visible = age >= 0 && age < 1;
+      if (visible) this.active++;
+      const size = visible ? radius * (0.12 + 0.5 * Math.sqrt(age)) : 0;
       this.ball.setMatrixAt(k, matrix.makeScale(size, size, size).setPosition(at));
-      this.ball.setColorAt(k, color.copy(FLAME).multiplyScalar(burns ? 0.5 * (1 - age) ** 1.5 : 0));
+      this.ball.setColorAt(k, color.copy(FLAME).multiplyScalar(visible ? 0.5 * (1 - age) ** 1.5 : 0));
     });
-    this.ball.visible = this.lit > 0;
-    if (this.lit === 0 && before === 0) return;
+    this.ball.visible = this.active > 0;
+    if (this.active === 0 && wasActive === 0) return;
     this.ball.instanceMatrix.needsUpdate = true;
     this.ball.instanceColor!.needsUpdate = true;
   }

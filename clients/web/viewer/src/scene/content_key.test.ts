@@ -1,7 +1,7 @@
 import { expect, it } from 'vitest';
 import { contentKey } from './content_key';
 
-it('is alike for alike numbers only', () => {
+it('is equal only for equal numbers', () => {
   const key = contentKey('hull', [1, 2, 3]);
   expect(contentKey('hull', [1, 2, 3])).toBe(key);
   const others = [
@@ -14,7 +14,7 @@ it('is alike for alike numbers only', () => {
   expect(new Set([key, ...others]).size).toBe(6);
 });
 
-it('ten thousand hulls that differ in one number have ten thousand keys', () => {
+it('differs for ten thousand hulls that differ in one number', () => {
   const keys = new Set(Array.from({ length: 10_000 }, (_, i) => contentKey('hull', [0, 0, i / 7, 1])));
   expect(keys.size).toBe(10_000);
 });

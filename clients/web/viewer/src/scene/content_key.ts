@@ -1,18 +1,18 @@
-// One short word for a list of numbers, so that bodies whose hulls or meshes are alike share one geometry.
+// A short key for lists of numbers, so that bodies with equal hulls or meshes share one geometry.
 
 const words = new Uint32Array(2);
 const number = new Float64Array(words.buffer);
 
 const known = new WeakMap<object, string>();
 
-/** The key of what never changes: made once, however many bodies have it. */
+/** The cached key of an immutable object. */
 export function keyOf(content: object, make: () => string): string {
   let key = known.get(content);
   if (key === undefined) known.set(content, (key = make()));
   return key;
 }
 
-/** 64 bits of hash and the count: alike for alike content; for different content alike by a chance of 1 in 10^19. */
+/** Element count and a 64-bit hash. Equal content has equal keys; different content collides with probability 1e-19. */
 export function contentKey(kind: string, ...lists: Iterable<number>[]): string {
   let a = 0x811c9dc5;
   let b = 0x9e3779b9;
@@ -30,7 +30,7 @@ export function contentKey(kind: string, ...lists: Iterable<number>[]): string {
       mix(words[1]!);
       count++;
     }
-    mix(0x2c); // where one list ends and the next begins matters
+    mix(0x2c); // separates the lists
   }
   const hex = (word: number) => (word >>> 0).toString(16).padStart(8, '0');
   return `${kind}:${count}:${hex(a)}${hex(b)}`;

@@ -5,12 +5,12 @@ import { DebugView, islandTints, normalLength } from './debug_view';
 import { DebugResponseSchema } from '@jostle/client/gen/query_pb';
 import { summary } from '../panels/debug';
 
-const answer = (init: MessageInitShape<typeof DebugResponseSchema>) => create(DebugResponseSchema, init);
+const response = (init: MessageInitShape<typeof DebugResponseSchema>) => create(DebugResponseSchema, init);
 const all = { contacts: true, islands: true, bounds: true, joints: true, broadPhase: true };
 const none = { contacts: false, islands: false, bounds: false, joints: false, broadPhase: false };
-const nowhere = () => undefined;
+const noPose = () => undefined;
 
-const scene = answer({
+const scene = response({
   contacts: [
     { point: { x: 1, y: 0, z: 0 }, normal: { x: 0, y: 1, z: 0 }, impulse: 100, touching: true },
     { point: { x: 2, y: 0, z: 0 }, normal: { x: 0, y: 1, z: 0 } },
@@ -25,18 +25,18 @@ const lines = (view: DebugView) =>
   [view.contactLines, view.boundLines, view.jointLines, view.cellLines].map((buffer) => buffer.count / 2);
 
 describe('debug lines', () => {
-  it('a contact is a point and a line, a box twelve lines, a joint one line and one to each loose body', () => {
+  it('draws a contact as a point and a line, a box as twelve lines, and a joint as one line plus one per dynamic body', () => {
     const view = new DebugView(new THREE.Scene());
-    view.show(scene, all, nowhere);
+    view.show(scene, all, noPose);
     expect(lines(view)).toEqual([3, 12, 1, 24]);
     expect([view.contactPoints.count, view.jointPoints.count]).toEqual([3, 2]);
     view.show(scene, all, (entity) => (entity === 2 ? [0, 5, 0] : undefined));
     expect(view.jointLines.count / 2).toBe(2);
   });
 
-  it('draws only what is wished for, and nothing after clear', () => {
+  it('draws only enabled layers, and nothing after clear', () => {
     const view = new DebugView(new THREE.Scene());
-    view.show(scene, { ...none, bounds: true }, nowhere);
+    view.show(scene, { ...none, bounds: true }, noPose);
     expect(lines(view)).toEqual([0, 12, 0, 0]);
     expect([view.boundLines.object.visible, view.contactLines.object.visible]).toEqual([true, false]);
     view.clear();
@@ -44,9 +44,9 @@ describe('debug lines', () => {
     expect(view.boundLines.object.visible).toBe(false);
   });
 
-  it('a box reaches from its low to its high corner', () => {
+  it('draws a box from its lower to its upper corner', () => {
     const view = new DebugView(new THREE.Scene());
-    view.show(scene, { ...none, bounds: true }, nowhere);
+    view.show(scene, { ...none, bounds: true }, noPose);
     const { geometry } = view.boundLines.object;
     const total = [0, 0, 0];
     const at = geometry.getAttribute('position');
@@ -58,43 +58,43 @@ describe('debug lines', () => {
     expect(total).toEqual([4 * 1, 4 * 2, 4 * 3]); // four edges each way
   });
 
-  it('what touches is coloured otherwise than what is only near', () => {
+  it('colors touching and near contacts differently', () => {
     const view = new DebugView(new THREE.Scene());
-    view.show(scene, all, nowhere);
+    view.show(scene, all, noPose);
     const color = view.contactPoints.object.geometry.getAttribute('color');
     expect(color.getX(0)).toBe(color.getX(2));
     expect(color.getX(0)).not.toBe(color.getX(1));
   });
 
-  it('normals grow with the impulse up to 1.5 m', () => {
+  it('scales normals with the impulse up to 1.5 m', () => {
     expect([0, 1, 100, 1e9].map((impulse) => +normalLength(impulse).toFixed(2))).toEqual([0.12, 0.18, 0.72, 1.5]);
   });
 
-  it('writes into the same memory again and again, and grows for what is more', () => {
+  it('reuses its buffers and grows them when needed', () => {
     const view = new DebugView(new THREE.Scene());
-    view.show(scene, all, nowhere);
+    view.show(scene, all, noPose);
     const { geometry } = view.boundLines.object;
     const memory = geometry.getAttribute('position');
-    for (let i = 0; i < 50; i++) view.show(scene, all, nowhere);
+    for (let i = 0; i < 50; i++) view.show(scene, all, noPose);
     expect(geometry.getAttribute('position')).toBe(memory);
-    const many = answer({ bounds: Array.from({ length: 1000 }, () => ({ high: { x: 1, y: 1, z: 1 } })) });
-    view.show(many, all, nowhere);
+    const many = response({ bounds: Array.from({ length: 1000 }, () => ({ high: { x: 1, y: 1, z: 1 } })) });
+    view.show(many, all, noPose);
     expect(lines(view)[1]).toBe(12_000);
-    expect(view.boundLines.room).toBe(32_768); // 24,000 vertices, rounded up by doubling
+    expect(view.boundLines.capacity).toBe(32_768); // 24,000 vertices, rounded up by doubling
   });
 });
 
 describe('islands', () => {
-  it('bodies of one island have one colour, whatever their order, and the next island another', () => {
-    const tints = islandTints(answer({ islands: [{ entities: [7, 3] }, { entities: [4] }, { entities: [] }] }).islands);
+  it('get one color per island, independent of body order', () => {
+    const tints = islandTints(response({ islands: [{ entities: [7, 3] }, { entities: [4] }, { entities: [] }] }).islands);
     expect(tints.size).toBe(3);
     expect(tints.get(7)).toBe(tints.get(3));
     expect(tints.get(4)).not.toBe(tints.get(3));
-    expect(islandTints(answer({ islands: [{ entities: [3, 9, 7] }] }).islands).get(9)).toBe(tints.get(3));
+    expect(islandTints(response({ islands: [{ entities: [3, 9, 7] }] }).islands).get(9)).toBe(tints.get(3));
   });
 });
 
-it('says how much there is', () => {
+it('summarizes the counts', () => {
   expect(summary(scene, all)).toBe('3 contacts, 1 island, 1 box, 1 joint, 2 cells');
-  expect(summary(answer({ truncated: true }), { ...none, contacts: true })).toBe('0 contacts; there are more than are shown');
+  expect(summary(response({ truncated: true }), { ...none, contacts: true })).toBe('0 contacts; truncated');
 });

@@ -1,5 +1,5 @@
-// What the solver sees, drawn over the bodies: contacts, bounds, joints, the broad phase as lines, islands as tints. Written anew
-// with every answer of the server; in between the pictures show the same lines.
+// Solver state as an overlay: contacts, bounds, joints and the broad phase as lines, islands as tints. Rebuilt with each
+// response of the server; rendered frames in between show the same lines.
 
 import { create } from '@bufbuild/protobuf';
 import * as THREE from 'three';
@@ -7,7 +7,7 @@ import { Vec3Schema } from '@jostle/client/gen/common_pb';
 import type { DebugBox, DebugContact, DebugIsland, DebugJoint, DebugResponse } from '@jostle/client/gen/query_pb';
 import { VertexBuffer } from './vertex_buffer';
 
-/** What is asked of the server. */
+/** What to request from the server. */
 export interface DebugOptions {
   contacts: boolean;
   islands: boolean;
@@ -17,17 +17,17 @@ export interface DebugOptions {
 }
 
 const TOUCHING = new THREE.Color(0xff6b5e);
-const NEAR = new THREE.Color(0x7cc4ff); // close, but nothing presses
+const NEAR = new THREE.Color(0x7cc4ff); // close, without contact force
 const BOUNDS = new THREE.Color(0x7bd88f);
-const CELLS = new THREE.Color(0xb79cff);
+const BROAD_PHASE = new THREE.Color(0xb79cff);
 const JOINT = new THREE.Color(0xffd166);
 const TO_BODY = new THREE.Color(0x9a8247);
 
-const SHORTEST_NORMAL = 0.12; // m
-const LONGEST_NORMAL = 1.5;
-const PER_ROOT_IMPULSE = 0.06; // m / sqrt(N s): a body of a gram and one of a ton both show
+const NORMAL_LENGTH_MIN = 0.12; // m
+const NORMAL_LENGTH_MAX = 1.5;
+const NORMAL_LENGTH_SCALE = 0.06; // m / sqrt(N s), so that the impulses of bodies of 1 g and of 1 t are both visible
 
-const nothing = create(Vec3Schema);
+const ZERO = create(Vec3Schema);
 
 export class DebugView {
   readonly contactPoints = VertexBuffer.points(7);
@@ -49,12 +49,12 @@ export class DebugView {
     for (const { object } of this.buffers) scene.add(object);
   }
 
-  /** Draws what is wished for and in the answer. Joints are tied to where their bodies are drawn. */
+  /** Draws the enabled layers of the response. Joint lines start at the rendered poses of their bodies. */
   show(response: DebugResponse, options: DebugOptions, poseOf: (entity: number) => ArrayLike<number> | undefined): void {
     for (const buffer of this.buffers) buffer.begin();
     if (options.contacts) for (const contact of response.contacts) this.drawContact(contact);
     if (options.bounds) for (const box of response.bounds) drawBox(this.boundLines, box, BOUNDS);
-    if (options.broadPhase) for (const box of response.broadPhase) drawBox(this.cellLines, box, CELLS);
+    if (options.broadPhase) for (const box of response.broadPhase) drawBox(this.cellLines, box, BROAD_PHASE);
     if (options.joints) for (const joint of response.joints) this.drawJoint(joint, poseOf);
     for (const buffer of this.buffers) buffer.end();
   }
@@ -66,7 +66,7 @@ export class DebugView {
     }
   }
 
-  private drawContact({ point: p = nothing, normal: n = nothing, impulse, touching }: DebugContact): void {
+  private drawContact({ point: p = ZERO, normal: n = ZERO, impulse, touching }: DebugContact): void {
     const color = touching ? TOUCHING : NEAR;
     const length = normalLength(impulse);
     this.contactPoints.vertex(p.x, p.y, p.z, color);
@@ -74,9 +74,9 @@ export class DebugView {
     this.contactLines.vertex(p.x + length * n.x, p.y + length * n.y, p.z + length * n.z, color);
   }
 
-  // The anchors of most joints lie together, so that a line between them alone would show nothing but their error.
+  // The anchors of most joints coincide, so a line between them alone would show only their error.
   private drawJoint(
-    { anchorA: a = nothing, anchorB: b = nothing, entityA, entityB }: DebugJoint,
+    { anchorA: a = ZERO, anchorB: b = ZERO, entityA, entityB }: DebugJoint,
     poseOf: (entity: number) => ArrayLike<number> | undefined,
   ): void {
     for (const [entity, anchor] of [
@@ -95,10 +95,10 @@ export class DebugView {
 }
 
 export function normalLength(impulse: number): number {
-  return Math.min(LONGEST_NORMAL, SHORTEST_NORMAL + PER_ROOT_IMPULSE * Math.sqrt(Math.max(0, impulse)));
+  return Math.min(NORMAL_LENGTH_MAX, NORMAL_LENGTH_MIN + NORMAL_LENGTH_SCALE * Math.sqrt(Math.max(0, impulse)));
 }
 
-function drawBox(to: VertexBuffer, { low: l = nothing, high: h = nothing }: DebugBox, color: THREE.Color): void {
+function drawBox(to: VertexBuffer, { low: l = ZERO, high: h = ZERO }: DebugBox, color: THREE.Color): void {
   for (const y of [l.y, h.y]) {
     to.vertex(l.x, y, l.z, color);
     to.vertex(h.x, y, l.z, color);
@@ -116,9 +116,9 @@ function drawBox(to: VertexBuffer, { low: l = nothing, high: h = nothing }: Debu
     }
 }
 
-const GOLDEN = 0.618034; // neighbours in number are far apart in hue
+const GOLDEN = 0.618034; // golden ratio: consecutive ids get distant hues
 
-/** A colour per body: that of its island, which is the same as long as its body with the lowest id stays. */
+/** A color per body: that of its island, which is stable while the island contains its body with the lowest id. */
 export function islandTints(islands: readonly DebugIsland[]): Map<number, number> {
   const tints = new Map<number, number>();
   const color = new THREE.Color();

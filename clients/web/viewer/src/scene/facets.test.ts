@@ -12,7 +12,7 @@ describe('hulls', () => {
     expect(hull.getAttribute('position').count).toBe(6 * 2 * 3);
   });
 
-  it('a tetrahedron has 4 faces, all turned outwards', () => {
+  it('a tetrahedron has 4 outward faces', () => {
     const points = [
       { x: 1, y: 1, z: 1 },
       { x: 1, y: -1, z: -1 },
@@ -29,7 +29,7 @@ describe('hulls', () => {
       );
   });
 
-  it('too few points or no numbers are nothing', () => {
+  it('too few or non-finite points give no geometry', () => {
     expect(hullGeometry(create(HullSchema, { points: cube.slice(0, 3) }))).toBeUndefined();
     expect(hullGeometry(create(HullSchema, { points: [...cube, { x: NaN, y: 0, z: 0 }] }))).toBeUndefined();
   });
@@ -49,19 +49,19 @@ describe('meshes', () => {
     return create(MeshSchema, { vertices, indices: [0, 1, 2, 1, 3, 2, 2, 3, 4, 3, 5, 4] });
   };
 
-  it('a crease shows, a seam in a flat surface does not', () => {
+  it('shows creases but no seams in flat surfaces', () => {
     expect(countFacets(meshGeometry(book(1))!)).toBe(2);
     expect(countFacets(meshGeometry(book(0))!)).toBe(1);
   });
 
-  it('the middle of a triangle is as far from a crease as it is', () => {
+  it('stores the true distance to the nearest crease', () => {
     const edge = meshGeometry(create(MeshSchema, { vertices: book(1).vertices, indices: [2, 3, 4] }))!.getAttribute('edge');
     // Side 2 runs from corner 0 to corner 1, along z; corner 2 is sqrt(2) m from it.
     expect([edge.getZ(0), edge.getZ(1)]).toEqual([0, 0]);
     expect(edge.getZ(2)).toBeCloseTo(Math.SQRT2);
   });
 
-  it('an index that names no vertex costs its triangle only', () => {
+  it('skips only triangles with invalid indices', () => {
     const broken = create(MeshSchema, { vertices: book(1).vertices, indices: [0, 1, 99, 1, 3, 2, 5] });
     expect(meshGeometry(broken)!.getAttribute('position').count).toBe(3);
   });
@@ -71,7 +71,7 @@ describe('height fields', () => {
   const field = (holes: number[], heights = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11]) =>
     create(HeightFieldSchema, { columns: 4, rows: 3, spacingX: 2, spacingZ: 1, heights, holes });
 
-  it('has two triangles a cell, none where a hole is', () => {
+  it('has two triangles per cell and none in holes', () => {
     expect(fieldGeometry(field([]))!.getIndex()!.count / 3).toBe(12);
     expect(fieldGeometry(field([4]))!.getIndex()!.count / 3).toBe(10);
     const corners = [...fieldGeometry(field([4]))!.getIndex()!.array];
@@ -81,7 +81,7 @@ describe('height fields', () => {
     expect([diagonals(5, 10), diagonals(0, 5)]).toEqual([0, 2]);
   });
 
-  it('stands around the origin and looks up', () => {
+  it('is centered at the origin and faces up', () => {
     const geometry = fieldGeometry(field([]))!;
     const at = geometry.getAttribute('position');
     expect([at.getX(0), at.getY(0), at.getZ(0)]).toEqual([-3, 0, -1]);
@@ -89,12 +89,12 @@ describe('height fields', () => {
     for (let i = 0; i < 12; i++) expect(geometry.getAttribute('normal').getY(i)).toBeGreaterThan(0);
   });
 
-  it('a height that is no number opens the four cells around it', () => {
+  it('leaves holes around non-finite heights', () => {
     const heights = [0, 0, 0, 0, 0, NaN, 0, 0, 0, 0, 0, 0];
     expect(fieldGeometry(field([], heights))!.getIndex()!.count / 3).toBe(12 - 8);
   });
 
-  it('too few heights are nothing', () => {
+  it('too few heights give no geometry', () => {
     expect(fieldGeometry(field([], [1, 2, 3]))).toBeUndefined();
   });
 });

@@ -1,15 +1,15 @@
-// Geometries of their own: hulls, meshes and height fields, in metres. Facets are flat; where two meet at an angle, the
-// attribute `edge` tells the shader how far a pixel is from the crease.
+// Geometries of hulls, meshes and height fields, in m. Facets are flat; the attribute `edge` gives the shader the distance
+// of a pixel to the nearest crease.
 
 import * as THREE from 'three';
 import { ConvexGeometry } from 'three/examples/jsm/geometries/ConvexGeometry.js';
 import type { HeightField, Hull, Mesh } from '@jostle/client/gen/scene_pb';
 
-const NO_EDGE = 1e4; // m: a side that is no crease is that far from everywhere
+const NO_EDGE = 1e4; // m: distance to an edge that is not a crease
 const SAME_FACET = Math.cos((2 * Math.PI) / 180);
-const CREASE = Math.cos((20 * Math.PI) / 180); // flatter than this, triangles of a mesh are one surface
+const CREASE = Math.cos((20 * Math.PI) / 180); // triangles of a mesh at a smaller angle form one surface
 
-/** The convex hull of the points; undefined when they are too few or no numbers. */
+/** The convex hull of the points; undefined for too few or non-finite points. */
 export function hullGeometry(hull: Hull): THREE.BufferGeometry | undefined {
   const points = hull.points.map((p) => new THREE.Vector3(p.x, p.y, p.z));
   if (points.length < 4 || !points.every((p) => Number.isFinite(p.lengthSq()))) return undefined;
@@ -29,7 +29,7 @@ export function meshGeometry(mesh: Mesh): THREE.BufferGeometry | undefined {
   return facets(new Float32Array(corners), CREASE);
 }
 
-/** Two triangles a cell, their diagonal from (column, row) to (column + 1, row + 1); none where a hole is. */
+/** Two triangles per cell, with the diagonal from (column, row) to (column + 1, row + 1); none in holes. */
 export function fieldGeometry(field: HeightField): THREE.BufferGeometry | undefined {
   const { columns, rows, heights } = field;
   if (columns < 2 || rows < 2 || heights.length < columns * rows) return undefined;
@@ -48,55 +48,55 @@ export function fieldGeometry(field: HeightField): THREE.BufferGeometry | undefi
     for (let column = 0; column + 1 < columns; column++) {
       if (open.has(row * (columns - 1) + column)) continue;
       const near = row * columns + column;
-      const far = near + columns; // one row on
-      // A height that is no number opens the cells around it.
+      const far = near + columns; // the next row
+      // A non-finite height opens the cells around it.
       if (![near, near + 1, far, far + 1].every((at) => Number.isFinite(heights[at]!))) continue;
       indices.push(near, far, far + 1, near, far + 1, near + 1);
     }
   const geometry = new THREE.BufferGeometry();
   geometry.setAttribute('position', new THREE.BufferAttribute(positions, 3));
   geometry.setIndex(indices);
-  geometry.computeVertexNormals(); // the material shades flat; normals only push shadows off the surface
+  geometry.computeVertexNormals(); // the material is flat shaded; normals only offset shadows
   return geometry;
 }
 
-/** How many flat faces a geometry of facets has: triangles that hang together in one plane count once. */
+/** Number of flat faces of a facet geometry: connected coplanar triangles count once. */
 export function countFacets(geometry: THREE.BufferGeometry): number {
   const edge = geometry.getAttribute('edge');
   let hidden = 0;
   for (let corner = 0; corner < edge.count; corner++) if (edge.getComponent(corner, corner % 3) >= NO_EDGE) hidden++;
-  return edge.count / 3 - hidden / 2; // each hidden side joins two triangles and is seen from both
+  return edge.count / 3 - hidden / 2; // a hidden side joins two triangles and is counted by both
 }
 
-/** Triangles, three corners each, with a normal per triangle and the distances to its three sides. */
+/** Triangles of three corners each, with a normal per triangle and the distances to its three sides. */
 function facets(corners: Float32Array, creaseCosine: number): THREE.BufferGeometry {
   const geometry = new THREE.BufferGeometry();
   geometry.setAttribute('position', new THREE.BufferAttribute(corners, 3));
-  geometry.computeVertexNormals(); // without an index: flat
+  geometry.computeVertexNormals(); // flat, because there is no index
   const normals = geometry.getAttribute('normal').array as Float32Array;
   geometry.setAttribute('edge', new THREE.BufferAttribute(edgeDistances(corners, normals, creaseCosine), 3));
   return geometry;
 }
 
-// Component k of a corner is its distance from the side opposite to corner k of its triangle: zero on that side, so that
-// what the rasteriser makes of it in between is right.
+// Component k of a corner is its distance from the side opposite corner k of its triangle. It is 0 on that side, so linear
+// interpolation gives the exact distance.
 function edgeDistances(corners: Float32Array, normals: Float32Array, creaseCosine: number): Float32Array {
   const count = corners.length / 3;
-  const place = weld(corners);
-  // Side k of a triangle runs from corner k + 1 to corner k + 2. The first two triangles on a side decide.
+  const vertices = weld(corners);
+  // Side k of a triangle runs from corner k + 1 to corner k + 2. The first two triangles of a side decide.
   const sides = new Map<number, number[]>();
   for (let corner = 0; corner < count; corner++) {
     const first = corner - (corner % 3);
-    const from = place[first + ((corner + 1) % 3)]!;
-    const to = place[first + ((corner + 2) % 3)]!;
+    const from = vertices[first + ((corner + 1) % 3)]!;
+    const to = vertices[first + ((corner + 2) % 3)]!;
     const key = Math.min(from, to) * count + Math.max(from, to);
-    const here = sides.get(key);
-    if (here) here.push(corner);
+    const known = sides.get(key);
+    if (known) known.push(corner);
     else sides.set(key, [corner]);
   }
   const creased = new Uint8Array(count).fill(1);
   for (const [one, two, ...more] of sides.values()) {
-    if (two === undefined || more.length > 0) continue; // a rim, or more than two sheets
+    if (two === undefined || more.length > 0) continue; // a border, or more than two triangles
     let cosine = 0;
     for (let c = 0; c < 3; c++) cosine += normals[3 * one! + c]! * normals[3 * two + c]!;
     if (cosine >= creaseCosine) creased[one!] = creased[two] = 0;
@@ -120,7 +120,7 @@ function edgeDistances(corners: Float32Array, normals: Float32Array, creaseCosin
   return out;
 }
 
-/** One number per place: corners that lie together share it. */
+/** A vertex number per corner; coincident corners share it. */
 function weld(corners: Float32Array): Uint32Array {
   const numbers = new Map<string, number>();
   const out = new Uint32Array(corners.length / 3);

@@ -2,7 +2,7 @@ import * as THREE from 'three';
 import { expect, it } from 'vitest';
 import { HitMarks } from './hit_marks';
 
-it('a hit shows for 0.3 s from when the picture is there, and shrinks', () => {
+it('shows a hit for 0.3 s from its rendered time, shrinking', () => {
   const marks = new HitMarks(new THREE.Scene());
   marks.add(1, 2, 3, 5, 1100);
   const size = (now: number) => {
@@ -19,7 +19,7 @@ it('a hit shows for 0.3 s from when the picture is there, and shrinks', () => {
   expect(marks.mesh.visible).toBe(false);
 });
 
-it('a hundred hits at once are 64 marks', () => {
+it('shows at most 64 marks', () => {
   const marks = new HitMarks(new THREE.Scene());
   for (let i = 0; i < 100; i++) marks.add(i, 0, 0, 1, 0);
   marks.update(10);

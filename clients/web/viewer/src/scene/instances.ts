@@ -1,9 +1,9 @@
-// Instances of one geometry: slots are taken and given back, so that a body that comes or goes costs its own parts only.
+// Instances of one geometry. Slots are acquired and released, so that adding or removing a body updates only its own parts.
 
 import * as THREE from 'three';
 import type { Kind } from './shape_parts';
 
-const NOWHERE = new THREE.Matrix4().makeScale(0, 0, 0);
+const HIDDEN = new THREE.Matrix4().makeScale(0, 0, 0);
 
 export class Instances {
   mesh: THREE.InstancedMesh;
@@ -11,8 +11,8 @@ export class Instances {
   private shapes: Uint32Array;
   private free: number[] = [];
   private used = 0;
-  private moved = false;
-  private painted = false;
+  private matricesChanged = false;
+  private colorsChanged = false;
 
   constructor(
     private readonly scene: THREE.Scene,
@@ -20,45 +20,45 @@ export class Instances {
     geometry: THREE.BufferGeometry,
     material: THREE.Material,
     private readonly castShadow: boolean,
-    room = 64,
+    capacity = 64,
   ) {
-    this.entities = new Uint32Array(room);
-    this.shapes = new Uint32Array(room);
-    this.mesh = this.makeMesh(geometry, material, room);
+    this.entities = new Uint32Array(capacity);
+    this.shapes = new Uint32Array(capacity);
+    this.mesh = this.makeMesh(geometry, material, capacity);
   }
 
-  private makeMesh(geometry: THREE.BufferGeometry, material: THREE.Material, room: number): THREE.InstancedMesh {
-    const mesh = new THREE.InstancedMesh(geometry, material, room);
+  private makeMesh(geometry: THREE.BufferGeometry, material: THREE.Material, capacity: number): THREE.InstancedMesh {
+    const mesh = new THREE.InstancedMesh(geometry, material, capacity);
     mesh.instanceMatrix.setUsage(THREE.DynamicDrawUsage);
-    mesh.instanceColor = new THREE.InstancedBufferAttribute(new Float32Array(room * 3).fill(1), 3);
+    mesh.instanceColor = new THREE.InstancedBufferAttribute(new Float32Array(capacity * 3).fill(1), 3);
     mesh.castShadow = this.castShadow;
     mesh.receiveShadow = true;
-    mesh.frustumCulled = false; // instances are all over the place
+    mesh.frustumCulled = false; // instances are spread over the world
     mesh.count = 0;
     mesh.userData['instances'] = this;
     this.scene.add(mesh);
     return mesh;
   }
 
-  /** How many slots are taken. */
+  /** Number of acquired slots. */
   get size(): number {
     return this.used;
   }
 
-  /** A slot for a part of that entity's shape; invisible until it is placed. */
-  take(entity: number, shape = 0): number {
+  /** Acquires a slot for a part of the entity's shape; invisible until its matrix is set. */
+  acquire(entity: number, shape = 0): number {
     const slot = this.free.pop() ?? this.mesh.count;
     if (slot === this.mesh.instanceMatrix.count) this.grow();
     if (slot === this.mesh.count) this.mesh.count++;
     this.used++;
     this.entities[slot] = entity;
     this.shapes[slot] = shape;
-    this.place(slot, NOWHERE);
+    this.setMatrix(slot, HIDDEN);
     return slot;
   }
 
-  giveBack(slot: number): void {
-    this.place(slot, NOWHERE);
+  release(slot: number): void {
+    this.setMatrix(slot, HIDDEN);
     this.entities[slot] = 0;
     this.used--;
     this.free.push(slot);
@@ -75,31 +75,31 @@ export class Instances {
     return this.shapes[slot] ?? 0;
   }
 
-  place(slot: number, matrix: THREE.Matrix4): void {
+  setMatrix(slot: number, matrix: THREE.Matrix4): void {
     matrix.toArray(this.mesh.instanceMatrix.array, slot * 16);
-    this.moved = true;
+    this.matricesChanged = true;
   }
 
-  paint(slot: number, color: THREE.Color): void {
+  setColor(slot: number, color: THREE.Color): void {
     color.toArray(this.mesh.instanceColor!.array, slot * 3);
-    this.painted = true;
+    this.colorsChanged = true;
   }
 
   colorAt(slot: number): THREE.Color {
     return new THREE.Color().fromArray(this.mesh.instanceColor!.array, slot * 3);
   }
 
-  /** Tells the graphics processor what changed since the last picture. */
-  publish(): void {
-    if (this.moved) {
+  /** Uploads what changed since the last rendered frame. */
+  upload(): void {
+    if (this.matricesChanged) {
       this.mesh.instanceMatrix.needsUpdate = true;
-      this.mesh.boundingSphere = null; // picking computes it anew
+      this.mesh.boundingSphere = null; // recomputed by picking
     }
-    if (this.painted) this.mesh.instanceColor!.needsUpdate = true;
-    this.moved = this.painted = false;
+    if (this.colorsChanged) this.mesh.instanceColor!.needsUpdate = true;
+    this.matricesChanged = this.colorsChanged = false;
   }
 
-  /** Gives the graphics processor its memory back; not to be used after. The material may be shared and stays. */
+  /** Releases GPU memory; the object must not be used afterwards. The material may be shared and is not disposed. */
   dispose(): void {
     this.scene.remove(this.mesh);
     this.mesh.geometry.dispose();
@@ -108,21 +108,21 @@ export class Instances {
 
   private grow(): void {
     const old = this.mesh;
-    const room = old.instanceMatrix.count * 2;
+    const capacity = old.instanceMatrix.count * 2;
     this.scene.remove(old);
-    this.mesh = this.makeMesh(old.geometry, old.material as THREE.Material, room);
+    this.mesh = this.makeMesh(old.geometry, old.material as THREE.Material, capacity);
     this.mesh.count = old.count;
     this.mesh.instanceMatrix.array.set(old.instanceMatrix.array);
     this.mesh.instanceColor!.array.set(old.instanceColor!.array);
-    this.entities = longer(this.entities, room);
-    this.shapes = longer(this.shapes, room);
-    this.moved = this.painted = true;
+    this.entities = grown(this.entities, capacity);
+    this.shapes = grown(this.shapes, capacity);
+    this.matricesChanged = this.colorsChanged = true;
     old.dispose();
   }
 }
 
-function longer(old: Uint32Array, room: number): Uint32Array {
-  const out = new Uint32Array(room);
+function grown(old: Uint32Array, capacity: number): Uint32Array {
+  const out = new Uint32Array(capacity);
   out.set(old);
   return out;
 }

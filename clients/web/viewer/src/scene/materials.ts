@@ -1,13 +1,13 @@
-// How bodies are painted. Marks that show which way a body is turned are drawn by the shader from where a pixel lies on the
-// unit geometry, so that instances of every size share one: dark edges on boxes, a belt on balls, a stripe on cylinders and cones,
-// lines on the ground. Hulls and meshes bring the distance to their creases with them.
+// Materials of bodies. Marks that show the orientation of a body are computed by the shader from the position on the unit
+// geometry, so that instances of all sizes share one geometry: dark edges on boxes, a belt on spheres, a stripe on cylinders
+// and cones, lines on the ground. Hulls and meshes have the distances to their creases as an attribute.
 
 import * as THREE from 'three';
 import type { Kind } from './shape_parts';
 
 const VERTEX_HEAD = `
 varying vec3 vUnit;  // on the unit geometry
-varying vec3 vSize;  // m from its middle to its side
+varying vec3 vSize; // m, half extents
 `;
 const VERTEX_BODY = `
 vUnit = position;
@@ -44,7 +44,7 @@ float soft = max(fwidth(aside), 1e-5);
 float stripe = 1.0 - smoothstep(band - soft, band + soft, aside);
 diffuseColor.rgb = mix(diffuseColor.rgb, vec3(1.0), 0.34 * stripe);
 `;
-// The rims are where the side meets a disc: both the way out and the way up are small there.
+// A rim is where the side meets a disc: both the radial and the axial distance are small there.
 const ROUND_RIMS = `
 float toEdge = max((1.0 - length(vUnit.xz)) * vSize.x, (1.0 - abs(vUnit.y)) * vSize.y);
 ${DARK_EDGE}`;
@@ -87,7 +87,7 @@ export function materialFor(kind: Kind): THREE.Material {
     roughness: ground ? 0.95 : 0.6,
     metalness: 0,
     flatShading: kind === 'field',
-    // One may look under a terrain or into an open mesh: both sides are real.
+    // Terrain and open meshes are visible from both sides.
     side: kind === 'field' || kind === 'mesh' ? THREE.DoubleSide : THREE.FrontSide,
   });
   const marks = MARKS[kind];
@@ -104,7 +104,7 @@ export function materialFor(kind: Kind): THREE.Material {
   return material;
 }
 
-/** The sky: the colour of the fog at the horizon, darker above. */
+/** Sky dome: the color of the fog at the horizon, darker above. */
 export function makeSky(horizon: THREE.Color, above: THREE.Color): THREE.Mesh {
   const material = new THREE.ShaderMaterial({
     side: THREE.BackSide,

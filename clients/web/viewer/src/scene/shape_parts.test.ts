@@ -7,7 +7,7 @@ import { partsOf, UNIT_GEOMETRIES } from './shape_parts';
 const shape = (init: MessageInitShape<typeof ShapeSchema>) => create(ShapeSchema, init);
 const ball = (x: number) => shape({ kind: { case: 'sphere', value: { radius: 0.5 } }, position: { x, y: 0, z: 0 } });
 
-/** Where a point of the unit geometry is in the body. */
+/** A point of the unit geometry in the frame of the body. */
 function inBody(part: { local: THREE.Matrix4 }, x: number, y: number, z: number): number[] {
   return new THREE.Vector3(x, y, z)
     .applyMatrix4(part.local)
@@ -16,26 +16,26 @@ function inBody(part: { local: THREE.Matrix4 }, x: number, y: number, z: number)
 }
 
 describe('parts of shapes', () => {
-  it('a cone stands on its disc and points along y', () => {
+  it('a cone points along y', () => {
     const [cone] = partsOf(shape({ kind: { case: 'cone', value: { radius: 0.5, halfLength: 2 } } }));
     expect(cone!.kind).toBe('cone');
     expect(inBody(cone!, 0, 1, 0)).toEqual([0, 2, 0]);
     expect(inBody(cone!, 1, -1, 0)).toEqual([0.5, -2, 0]);
-    // The unit geometry has its tip where y is 1, too.
+    // The unit geometry has its tip at y = 1, too.
     const at = UNIT_GEOMETRIES.cone().getAttribute('position');
     for (let i = 0; i < at.count; i++)
       expect(Math.hypot(at.getX(i), at.getZ(i))).toBeLessThanOrEqual((1 - at.getY(i)) / 2 + 1e-6);
   });
 
-  it('a capsule is a tube and two caps, a cylinder has its own ends', () => {
+  it('a capsule is a tube with two caps, and a cylinder includes its ends', () => {
     const kinds = (init: 'capsule' | 'cylinder') =>
       partsOf(shape({ kind: { case: init, value: { radius: 1, halfLength: 1 } } })).map((part) => part.kind);
     expect(kinds('capsule')).toEqual(['tube', 'cap', 'cap']);
     expect(kinds('cylinder')).toEqual(['cylinder']);
   });
 
-  it('a compound puts its children where they are, in its own frame', () => {
-    // Turned a quarter about z: the child's x is the body's y.
+  it('a compound places its children in its local frame', () => {
+    // A quarter turn about z: the child's x is the body's y.
     const quarter = { x: 0, y: 0, z: Math.SQRT1_2, w: Math.SQRT1_2 };
     const dumbbell = shape({
       kind: { case: 'compound', value: { children: [ball(-2), ball(2)] } },
@@ -49,7 +49,7 @@ describe('parts of shapes', () => {
     expect(inBody(parts[1]!, 1, 0, 0)).toEqual([0, 12.5, 0]);
   });
 
-  it('alike hulls share a key, wherever they are', () => {
+  it('equal hulls share a key regardless of their pose', () => {
     const points = [0, 1, 2, 3].map((k) => ({ x: k, y: k * k, z: k * k * k }));
     const hull = (x: number) => shape({ kind: { case: 'hull', value: { points } }, position: { x, y: 0, z: 0 } });
     const [one] = partsOf(hull(0));
@@ -60,7 +60,7 @@ describe('parts of shapes', () => {
     expect(partsOf(hull(0))[0]!.key).not.toBe(one!.key);
   });
 
-  it('a shape without a kind is nothing', () => {
+  it('a shape without a kind has no parts', () => {
     expect(partsOf(shape({}))).toEqual([]);
   });
 });

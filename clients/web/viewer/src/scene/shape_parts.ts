@@ -1,12 +1,12 @@
-// A body's shapes as parts that can be drawn. Round and square things are unit geometries, moved and scaled in the body; hulls,
-// meshes and height fields bring a geometry of their own.
+// Shapes as parts that can be rendered. Spheres, boxes and the like are scaled unit geometries; hulls, meshes and height
+// fields have geometries of their own.
 
 import * as THREE from 'three';
 import { contentKey, keyOf } from './content_key';
 import { fieldGeometry, hullGeometry, meshGeometry } from './facets';
 import type { Hull, Mesh, Shape } from '@jostle/client/gen/scene_pb';
 
-/** A slab is a box so wide that it is ground; a cap is the end of a capsule, a tube its middle. */
+/** slab: a box wide enough to be ground; cap: an end of a capsule; tube: its middle. */
 export type UnitKind = 'box' | 'slab' | 'plane' | 'sphere' | 'cap' | 'tube' | 'cylinder' | 'cone';
 export const UNIT_KINDS: readonly UnitKind[] = ['box', 'slab', 'plane', 'sphere', 'cap', 'tube', 'cylinder', 'cone'];
 export type OwnKind = 'hull' | 'mesh' | 'field';
@@ -16,7 +16,7 @@ export interface ShapePart {
   readonly kind: Kind;
   /** Parts with the same key share a geometry. */
   readonly key: string;
-  /** Makes it; undefined when there is nothing to be seen. */
+  /** Creates the geometry; undefined if there is nothing to render. */
   readonly geometry: () => THREE.BufferGeometry | undefined;
   readonly local: THREE.Matrix4;
 }
@@ -38,11 +38,11 @@ const UP = new THREE.Vector3(0, 1, 0);
 const ONE = new THREE.Vector3(1, 1, 1);
 const UPSIDE_DOWN = new THREE.Quaternion().setFromAxisAngle(new THREE.Vector3(1, 0, 0), Math.PI);
 
-/** `inside` is where the shape's own frame is in the body: that of the compound around it. */
-export function partsOf(shape: Shape, inside = new THREE.Matrix4()): ShapePart[] {
-  const frame = inside.clone().multiply(frameOf(shape));
-  const part = (kind: UnitKind, scale: THREE.Vector3, along = 0, turned = new THREE.Quaternion()): ShapePart => {
-    const local = new THREE.Matrix4().compose(new THREE.Vector3(0, along, 0), turned, scale);
+/** `parent`: pose of the enclosing compound in the body. */
+export function partsOf(shape: Shape, parent = new THREE.Matrix4()): ShapePart[] {
+  const frame = parent.clone().multiply(localMatrix(shape));
+  const part = (kind: UnitKind, scale: THREE.Vector3, along = 0, rotation = new THREE.Quaternion()): ShapePart => {
+    const local = new THREE.Matrix4().compose(new THREE.Vector3(0, along, 0), rotation, scale);
     return { kind, key: kind, geometry: UNIT_GEOMETRIES[kind], local: local.premultiply(frame) };
   };
   const own = (kind: OwnKind, key: string, geometry: ShapePart['geometry']): ShapePart[] => [
@@ -75,8 +75,8 @@ export function partsOf(shape: Shape, inside = new THREE.Matrix4()): ShapePart[]
     case 'plane': {
       const n = shape.kind.value.normal;
       const normal = n ? new THREE.Vector3(n.x, n.y, n.z).normalize() : UP;
-      const turned = new THREE.Quaternion().setFromUnitVectors(UP, normal);
-      return [part('plane', new THREE.Vector3(PLANE_HALF, 1, PLANE_HALF), 0, turned)];
+      const rotation = new THREE.Quaternion().setFromUnitVectors(UP, normal);
+      return [part('plane', new THREE.Vector3(PLANE_HALF, 1, PLANE_HALF), 0, rotation)];
     }
     case 'hull': {
       const hull = shape.kind.value;
@@ -100,11 +100,11 @@ export function partsOf(shape: Shape, inside = new THREE.Matrix4()): ShapePart[]
   }
 }
 
-function frameOf({ position: p, rotation: q }: Shape): THREE.Matrix4 {
+function localMatrix({ position: p, rotation: q }: Shape): THREE.Matrix4 {
   const turn = q ? new THREE.Quaternion(q.x, q.y, q.z, q.w) : new THREE.Quaternion();
   if (turn.lengthSq() === 0) turn.identity();
-  const place = p ? new THREE.Vector3(p.x, p.y, p.z) : new THREE.Vector3();
-  return new THREE.Matrix4().compose(place, turn.normalize(), ONE);
+  const translation = p ? new THREE.Vector3(p.x, p.y, p.z) : new THREE.Vector3();
+  return new THREE.Matrix4().compose(translation, turn.normalize(), ONE);
 }
 
 function* coordinates(points: Hull['points'] | Mesh['vertices']): Iterable<number> {

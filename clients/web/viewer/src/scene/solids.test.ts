@@ -6,7 +6,7 @@ const STILL = new THREE.Quaternion();
 const ONE = new THREE.Vector3(1, 1, 1);
 const RED = new THREE.Color(0xff0000);
 
-it('draws what a picture adds, and no more of what it added before', () => {
+it('renders only the solids of the current frame', () => {
   const scene = new THREE.Scene();
   const solids = new Solids(scene);
   const draw = (count: number) => {
@@ -25,5 +25,5 @@ it('draws what a picture adds, and no more of what it added before', () => {
   expect([draw(3), draw(100), draw(2), draw(0), draw(5)]).toEqual([3, 100, 2, 0, 5]);
   expect(solids.count).toBe(5);
   expect(new THREE.Vector3().setFromMatrixPosition(solids.matrixOf('box', 4)).x).toBe(4);
-  expect(scene.children).toHaveLength(1); // one mesh for all of a kind
+  expect(scene.children).toHaveLength(1); // one mesh per kind
 });

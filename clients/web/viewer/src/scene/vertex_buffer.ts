@@ -1,8 +1,8 @@
-// Coloured points or lines that are written anew many times a second into the same memory, which only ever grows.
+// Colored points or lines that are rewritten many times per second into the same buffers, which only grow.
 
 import * as THREE from 'three';
 
-const FIRST_ROOM = 1024; // vertices
+const INITIAL_CAPACITY = 1024; // vertices
 
 export class VertexBuffer {
   count = 0;
@@ -10,24 +10,24 @@ export class VertexBuffer {
   private colors!: THREE.BufferAttribute;
 
   constructor(readonly object: THREE.LineSegments | THREE.Points) {
-    object.frustumCulled = false; // its bounds change all the time
+    object.frustumCulled = false; // the bounds change constantly
     object.renderOrder = 1;
-    this.makeRoom(FIRST_ROOM);
+    this.reserve(INITIAL_CAPACITY);
     this.end();
   }
 
   static lines(opacity: number): VertexBuffer {
-    const look = { vertexColors: true, depthTest: false, transparent: true, opacity, fog: false, toneMapped: false };
-    return new VertexBuffer(new THREE.LineSegments(new THREE.BufferGeometry(), new THREE.LineBasicMaterial(look)));
+    const options = { vertexColors: true, depthTest: false, transparent: true, opacity, fog: false, toneMapped: false };
+    return new VertexBuffer(new THREE.LineSegments(new THREE.BufferGeometry(), new THREE.LineBasicMaterial(options)));
   }
 
   static points(pixels: number): VertexBuffer {
-    const look = { vertexColors: true, depthTest: false, transparent: true, fog: false, toneMapped: false };
-    const material = new THREE.PointsMaterial({ ...look, size: pixels, sizeAttenuation: false });
+    const options = { vertexColors: true, depthTest: false, transparent: true, fog: false, toneMapped: false };
+    const material = new THREE.PointsMaterial({ ...options, size: pixels, sizeAttenuation: false });
     return new VertexBuffer(new THREE.Points(new THREE.BufferGeometry(), material));
   }
 
-  get room(): number {
+  get capacity(): number {
     return this.positions.count;
   }
 
@@ -36,7 +36,7 @@ export class VertexBuffer {
   }
 
   vertex(x: number, y: number, z: number, color: THREE.Color): void {
-    if (this.count === this.room) this.makeRoom(this.room * 2);
+    if (this.count === this.capacity) this.reserve(this.capacity * 2);
     this.positions.setXYZ(this.count, x, y, z);
     this.colors.setXYZ(this.count, color.r, color.g, color.b);
     this.count++;
@@ -54,16 +54,16 @@ export class VertexBuffer {
     }
   }
 
-  private makeRoom(room: number): void {
+  private reserve(capacity: number): void {
     const { geometry } = this.object;
-    geometry.dispose(); // what the graphics processor holds of the smaller ones
-    const longer = (old: THREE.BufferAttribute | undefined) => {
-      const array = new Float32Array(room * 3);
+    geometry.dispose(); // frees the smaller GPU buffers
+    const grown = (old: THREE.BufferAttribute | undefined) => {
+      const array = new Float32Array(capacity * 3);
       if (old) array.set(old.array);
       return new THREE.BufferAttribute(array, 3).setUsage(THREE.DynamicDrawUsage);
     };
-    this.positions = longer(this.positions);
-    this.colors = longer(this.colors);
+    this.positions = grown(this.positions);
+    this.colors = grown(this.colors);
     geometry.setAttribute('position', this.positions);
     geometry.setAttribute('color', this.colors);
   }

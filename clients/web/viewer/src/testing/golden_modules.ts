@@ -1,10 +1,10 @@
-// What each module told in its golden world, for tests of drawers; tests/modules/golden keeps it and has the layout.
+// Reads the golden channels of modules for tests; tests/modules/golden has the layout.
 
 import { readFileSync } from 'node:fs';
 import { expect } from 'vitest';
 import type { ChannelData } from '../module_renderers/module_renderer';
 
-/** The channels of one of its kinds: a place in its channels(). */
+/** The channels of one kind, which is an index in the module's channels(). */
 export function goldenModule(tag: string, kind = 0): ChannelData[] {
   const bytes = readFileSync(new URL(`../../../../../proto/golden_modules/${tag}.bin`, import.meta.url));
   let at = 0;
@@ -17,11 +17,11 @@ export function goldenModule(tag: string, kind = 0): ChannelData[] {
   return channels.filter(({ ofKind }) => ofKind === kind).map(({ entity, values, seconds }) => ({ entity, values, seconds }));
 }
 
-/** What a reader must refuse: numbers that end early, and one too many. */
+/** Values that a reader must reject: truncated ones, and one too many. */
 export function* broken(values: Int32Array): Iterable<Int32Array> {
   for (let end = 0; end < values.length; end++) yield values.subarray(0, end);
   yield new Int32Array([...values, 0]);
 }
 
-/** The same numbers but for one. */
+/** A copy with one value replaced. */
 export const withValue = (values: Int32Array, at: number, value: number) => values.map((old, k) => (k === at ? value : old));

@@ -1,4 +1,4 @@
-// For tests: somewhere to draw, with bodies where one wants them.
+// A render context for tests.
 
 import * as THREE from 'three';
 import type { Entity } from '@jostle/client/gen/play_pb';
@@ -11,7 +11,7 @@ export interface TestRenderContext extends RenderContext {
   readonly flashes: number[][];
 }
 
-/** Begun. All bodies are at `pose`, or where it says. */
+/** begin() was called. All bodies are at `pose`, or where it returns. */
 export function testRenderContext(
   pose: number[] | ((entity: number) => number[] | undefined) = [0, 0, 0, 0, 0, 0, 1],
   entities: ReadonlyMap<number, Entity> = new Map(),
@@ -19,21 +19,21 @@ export function testRenderContext(
 ): TestRenderContext {
   const scene = new THREE.Scene();
   const flashes: number[][] = [];
-  const drawing: TestRenderContext = {
+  const context: TestRenderContext = {
     lines: VertexBuffer.lines(1),
     solids: new Solids(scene),
     water: new Water(scene),
     blasts: { add: (...mark: number[]) => void flashes.push(mark) },
     flashes,
     nowMs: 0,
-    around: { x: 0, y: 0, z: 0 },
+    cameraTarget: { x: 0, y: 0, z: 0 },
     debug: false,
     poseOf: typeof pose === 'function' ? pose : () => pose,
     entityOf: (entity) => entities.get(entity),
     ...more,
   };
-  drawing.lines.begin();
-  drawing.solids.begin();
-  drawing.water.begin();
-  return drawing;
+  context.lines.begin();
+  context.solids.begin();
+  context.water.begin();
+  return context;
 }

@@ -904,19 +904,19 @@ export type Joint = Message<"jostle.v1.Joint"> & {
   /**
    * Where the joint is: one frame in the world as the scene starts, or one in each body. Absent: the bodies' origins.
    *
-   * @generated from field: jostle.v1.JointFrame frame = 4;
+   * @generated from field: jostle.v1.Frame frame = 4;
    */
-  frame?: JointFrame | undefined;
+  frame?: Frame | undefined;
 
   /**
-   * @generated from field: jostle.v1.JointFrame frame_a = 5;
+   * @generated from field: jostle.v1.Frame frame_a = 5;
    */
-  frameA?: JointFrame | undefined;
+  frameA?: Frame | undefined;
 
   /**
-   * @generated from field: jostle.v1.JointFrame frame_b = 6;
+   * @generated from field: jostle.v1.Frame frame_b = 6;
    */
-  frameB?: JointFrame | undefined;
+  frameB?: Frame | undefined;
 
   /**
    * @generated from oneof jostle.v1.Joint.kind
@@ -1075,9 +1075,9 @@ export const JointRepeatSchema: GenMessage<JointRepeat> = /*@__PURE__*/
   messageDesc(file_jostle_v1_scene, 19);
 
 /**
- * @generated from message jostle.v1.JointFrame
+ * @generated from message jostle.v1.Frame
  */
-export type JointFrame = Message<"jostle.v1.JointFrame"> & {
+export type Frame = Message<"jostle.v1.Frame"> & {
   /**
    * m
    *
@@ -1092,10 +1092,10 @@ export type JointFrame = Message<"jostle.v1.JointFrame"> & {
 };
 
 /**
- * Describes the message jostle.v1.JointFrame.
+ * Describes the message jostle.v1.Frame.
  * Use `create(JointFrameSchema)` to create a new message.
  */
-export const JointFrameSchema: GenMessage<JointFrame> = /*@__PURE__*/
+export const JointFrameSchema: GenMessage<Frame> = /*@__PURE__*/
   messageDesc(file_jostle_v1_scene, 20);
 
 /**

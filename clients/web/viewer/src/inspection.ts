@@ -1,0 +1,100 @@
+// Read-only state of the viewer as window.jostle, for browser tests and the console.
+
+import { nowUs, type Connection, type RecordedStream } from '@jostle/client';
+import type { PredictionController } from '@jostle/client/prediction';
+import * as THREE from 'three';
+import type { Camera } from './camera/camera';
+import type { Driving } from './interaction/driving';
+import type { ModuleView } from './module_renderers/module_view';
+import type { StatsPanel } from './panels/stats';
+import type { SceneView } from './scene/scene_view';
+import type { UnitKind } from './scene/shape_parts';
+import { heightAt } from './scene/water';
+
+export interface Inspected {
+  readonly connection: Connection;
+  readonly view: SceneView;
+  readonly moduleView: ModuleView;
+  readonly camera: Camera;
+  readonly driving: Driving;
+  readonly statsPanel: StatsPanel;
+  recording(): RecordedStream | undefined;
+  prediction(): PredictionController | undefined;
+  controllableEntities(): number[];
+}
+
+export function exposeInspection({ connection, view, moduleView, camera, driving, statsPanel, recording, prediction, controllableEntities }: Inspected): void {
+  const value = {
+    get state() {
+      return connection.state;
+    },
+    /** Tick of the newest frame; 0 before the first. */
+    get tick() {
+      return connection.frames.newest?.frame ?? 0;
+    },
+    get entityCount() {
+      return connection.frames.newest?.entities.length ?? 0;
+    },
+    get snapshots() {
+      return connection.snapshots;
+    },
+    /** Assigned by the server; 0: not connected yet. */
+    get clientId() {
+      return connection.welcome?.clientId ?? 0;
+    },
+    /** Number of resumed connections. */
+    get resumed() {
+      return connection.resumed;
+    },
+    get decodeErrors() {
+      return connection.decodeErrors;
+    },
+    get stats() {
+      return statsPanel.latest;
+    },
+    /** The tick of an input made now; 0: unknown. */
+    get inputTick() {
+      return connection.inputClock.ready ? connection.inputClock.tick(nowUs()) : 0;
+    },
+    /** Playback state; undefined: a live world. */
+    get recording() {
+      const stream = recording();
+      return stream && { tick: stream.tick, seconds: stream.seconds, length: stream.length, playing: stream.playing };
+    },
+    /** Followed body and statistics of prediction; undefined: disabled or not loaded. */
+    get prediction() {
+      const controller = prediction();
+      return controller && { followed: controller.followed, sent: controller.sent, late: controller.late, ...controller.stats };
+    },
+    /** 0: none. */
+    get controlledEntity() {
+      return driving.entity;
+    },
+    controllableEntities,
+    dynamicBodies: () => [...connection.entities.values()].filter((entity) => entity.mass > 0).map((entity) => entity.id),
+    entityName: (id: number) => connection.entities.get(id)?.name,
+    /** Rendered pose: px py pz qx qy qz qw. */
+    poseOf: (id: number) => {
+      const pose = view.poseOf(id);
+      return pose ? [...pose] : undefined;
+    },
+    /** Position of an entity on the page, in pixels. */
+    screenPosition: (id: number) => {
+      const pose = view.poseOf(id);
+      if (!pose) return undefined;
+      const p = new THREE.Vector3(pose[0], pose[1], pose[2]).project(camera.camera);
+      return { x: ((p.x + 1) / 2) * innerWidth, y: ((1 - p.y) / 2) * innerHeight };
+    },
+    /** Number of rendered parts of each kind. */
+    partCounts: () => view.partCounts(),
+    /** Number of lines that modules rendered in the last frame. */
+    moduleLineCount: () => moduleView.lines.count / 2,
+    /** Number of solids that modules rendered in the last frame. */
+    moduleSolidCount: () => moduleView.solids.count,
+    /** Matrix of one of these solids: 16 numbers, by columns. */
+    moduleSolidMatrix: (kind: UnitKind, index: number) => [...moduleView.solids.matrixOf(kind, index).elements],
+    /** Height in m of each rendered water surface at a position. */
+    waterHeights: (x: number, z: number) => moduleView.water.surfaces.map((surface) => heightAt(surface, x, z)),
+  };
+  Object.defineProperty(window, 'jostle', { value });
+}

@@ -1,0 +1,37 @@
+import { IDEAL_NETWORK } from '@jostle/client';
+import { describe, expect, it } from 'vitest';
+import { parseUrlParameters } from './url_parameters';
+
+const areaOfInterest = (search: string) => parseUrlParameters(search).areaOfInterest;
+const networkConditions = (search: string) => parseUrlParameters(search).networkConditions;
+
+describe('area of interest', () => {
+  it('is the whole world by default', () => {
+    expect(areaOfInterest('?world=yard')).toBeUndefined();
+    expect(areaOfInterest('?interest=150')).toEqual({ radius: 150, maxKbps: 0 });
+    expect(areaOfInterest('?kbps=500&interest=x')).toEqual({ radius: 0, maxKbps: 500 });
+  });
+
+  it('ignores values that the server rejects', () => {
+    for (const search of ['?interest=-3', '?interest=0.5', '?kbps=3', '?kbps=NaN', '?interest=1e9'])
+      expect(areaOfInterest(search), search).toBeUndefined();
+  });
+});
+
+it('parses the network conditions', () => {
+  const conditions = networkConditions('?world=yard&delay=80&jitter=20.5&stalls=250&stall_every=3000&seed=9')!;
+  expect(conditions).toEqual({ ...IDEAL_NETWORK, delay: 80, jitter: 20.5, stalls: 250, stallEvery: 3000, seed: 9 });
+  expect(networkConditions('?world=yard')).toBeUndefined();
+  expect(networkConditions('?delay=-1&loss=2&jitter=much&tail=')).toBeUndefined();
+});
+
+it('selects the world, the recording, the quality and prediction', () => {
+  expect(parseUrlParameters('')).toMatchObject({ world: '', recording: undefined, quality: 'high', predict: false });
+  expect(parseUrlParameters('?world=sandbox&recording=a.rec&quality=low&predict=1')).toMatchObject({
+    world: 'sandbox',
+    recording: 'a.rec',
+    quality: 'low',
+    predict: true,
+  });
+  expect(parseUrlParameters('?quality=best&predict=yes')).toMatchObject({ quality: 'high', predict: false });
+});

@@ -1,0 +1,65 @@
+// The URL parameters of the viewer; README.md documents them. Values out of range are ignored.
+
+import { IDEAL_NETWORK, type AreaOfInterest, type NetworkConditions } from '@jostle/client';
+
+export type Quality = 'high' | 'medium' | 'low';
+
+export interface UrlParameters {
+  readonly world: string; // id or name; empty: the server's first world
+  readonly recording: string | undefined; // URL of a recording to play instead
+  readonly quality: Quality;
+  readonly predict: boolean;
+  readonly areaOfInterest: AreaOfInterest | undefined;
+  readonly networkConditions: NetworkConditions | undefined;
+}
+
+const QUALITIES: readonly Quality[] = ['high', 'medium', 'low'];
+const INTEREST_MIN = 1; // m
+const INTEREST_MAX = 1e6;
+const KBPS_MIN = 16; // kbit/s; servers reject less
+const KBPS_MAX = 1e6;
+
+export function parseUrlParameters(search: string): UrlParameters {
+  const parameters = new URLSearchParams(search);
+  return {
+    world: parameters.get('world') ?? '',
+    recording: parameters.get('recording') || undefined,
+    quality: QUALITIES.find((quality) => quality === parameters.get('quality')) ?? 'high',
+    predict: parameters.get('predict') === '1',
+    areaOfInterest: parseAreaOfInterest(parameters),
+    networkConditions: parseNetworkConditions(parameters),
+  };
+}
+
+function parseAreaOfInterest(parameters: URLSearchParams): AreaOfInterest | undefined {
+  const number = (name: string, min: number, max: number) => {
+    const value = Number(parameters.get(name) ?? '');
+    return value >= min && value <= max ? value : 0;
+  };
+  const radius = number('interest', INTEREST_MIN, INTEREST_MAX);
+  const maxKbps = Math.round(number('kbps', KBPS_MIN, KBPS_MAX));
+  return radius > 0 || maxKbps > 0 ? { radius, maxKbps } : undefined;
+}
+
+const CONDITIONS: Record<string, [field: keyof NetworkConditions, max: number]> = {
+  delay: ['delay', 60_000],
+  jitter: ['jitter', 60_000],
+  tail: ['tail', 60_000],
+  stalls: ['stalls', 60_000],
+  stall_every: ['stallEvery', 1e9],
+  loss: ['loss', 1],
+  retransmit: ['retransmit', 60_000],
+  seed: ['seed', 2 ** 32 - 1],
+};
+
+/** undefined: no parameter impairs the network. */
+function parseNetworkConditions(parameters: URLSearchParams): NetworkConditions | undefined {
+  const conditions: { -readonly [K in keyof NetworkConditions]: NetworkConditions[K] } = { ...IDEAL_NETWORK };
+  for (const [name, text] of parameters) {
+    const [field, max] = CONDITIONS[name] ?? [];
+    const value = Number(text);
+    if (field && text !== '' && value >= 0 && value <= max!) conditions[field] = value;
+  }
+  const { delay, jitter, tail, stalls, loss } = conditions;
+  return delay > 0 || jitter > 0 || tail > 0 || stalls > 0 || loss > 0 ? conditions : undefined;
+}

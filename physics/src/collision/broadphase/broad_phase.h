@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Three broad phases behind one face, with the same answers: a dynamic tree (good at everything),
-// sort and sweep (good while all is spread along one axis), a uniform grid (good while boxes are of
-// like size).
+// Three broad phases with one interface and identical query results: a dynamic tree (good in
+// general), sort and sweep (good when boxes are spread along one axis) and a uniform grid (good
+// when boxes have similar sizes).
 #pragma once
 
 #include <memory>
@@ -15,7 +15,8 @@ namespace jostle::physics {
 
 std::unique_ptr<BroadPhaseIndex> make_broad_phase(BroadPhase kind);
 
-// An index as a value: copied when its owner is, in place where both are of one kind.
+// A broad-phase index with value semantics. Copying the owner copies the index; copy assignment
+// reuses memory if both indices have the same kind.
 class OwnedBroadPhase {
 public:
     OwnedBroadPhase(std::unique_ptr<BroadPhaseIndex> index) : index_(std::move(index)) {}

@@ -69,7 +69,8 @@ void DynamicTree::move(std::int32_t leaf, const Aabb& box) {
     link(leaf);
 }
 
-// Walks down while a child can take the leaf for less added surface than making a sibling here.
+// Descends while inserting the leaf into a child adds less surface than creating a sibling at this
+// node.
 void DynamicTree::link(std::int32_t leaf) {
     const Child child = ~leaf;
     if (root_ == none) {
@@ -85,9 +86,10 @@ void DynamicTree::link(std::int32_t leaf) {
         const Node& n = node(sibling);
         const float together = half_area(unite(taken, box));
         const float here = 2 * together, inherited = 2 * (together - half_area(taken));
-        // Of a leaf the cost, of others a lower bound: what it grows by, and that at the bottom a
-        // node is made that holds at least the box (as in Box2D 3). Without the latter, boxes in
-        // one place would never be paired and make a chain.
+        // Exact cost for a leaf and a lower bound for an inner node: the growth of the box, plus
+        // the new node at the bottom, which is at least as large as the inserted box (as in Box2D
+        // 3). Without the second term, coincident boxes would never be paired and would form a
+        // chain.
         const auto cost = [&](int k) {
             const float grown = half_area(unite(n.box[k], box));
             if (is_leaf(n.child[k])) return inherited + grown;
@@ -95,7 +97,8 @@ void DynamicTree::link(std::int32_t leaf) {
         };
         const float first = cost(0), second = cost(1);
         if (here < first && here < second) break;
-        // Equal boxes: the lower side, or a thousand bodies in one place would make a chain.
+        // For equal boxes choose the lower side; otherwise a thousand coincident bodies would form
+        // a chain.
         int side = first < second ? 0 : 1;
         if (first == second) side = height_of(n.child[0]) <= height_of(n.child[1]) ? 0 : 1;
         parent = sibling;
@@ -147,7 +150,7 @@ void DynamicTree::measure_height(std::int32_t i) {
     above(i).height = 1 + std::max(height_of(n.child[0]), height_of(n.child[1]));
 }
 
-// From a node one of whose children changed.
+// Refits the ancestors of a node after one of its children changed.
 void DynamicTree::refit_up(std::int32_t i) {
     for (;;) {
         const int before = above(i).height;
@@ -160,14 +163,14 @@ void DynamicTree::refit_up(std::int32_t i) {
         const Box box = bounds_of(i);
         const std::uint32_t categories = categories_of(i);
         if (above(i).height == before && p.box[slot] == box && p.categories[slot] == categories)
-            return;  // what is above sees no change
+            return;  // the ancestors do not change
         p.box[slot] = box;
         p.categories[slot] = categories;
         i = parent;
     }
 }
 
-// Swaps a child of i with a grandchild under the other child when that shrinks the box in between.
+// Swaps a child of i with a grandchild under the other child if that shrinks the box of that child.
 void DynamicTree::rotate(std::int32_t i) {
     struct Swap {
         int side = -1, grandchild = 0;
@@ -198,7 +201,7 @@ void DynamicTree::rotate(std::int32_t i) {
     measure_height(i);
 }
 
-// ---- all at once ----
+// ---- bulk construction ----
 
 void DynamicTree::rebuild() {
     nodes_.clear();
@@ -215,16 +218,16 @@ void DynamicTree::rebuild() {
     nodes_.reserve(sorted_.size() - 1);
     above_.reserve(sorted_.size() - 1);
     root_ = build(sorted_, null_node);
-    sorted_.clear();  // copies of the tree need none of it
+    sorted_.clear();  // so that copies of the tree do not copy it
 }
 
-// Nodes come in the order in which a query walks down.
+// Allocates nodes in the order in which a query descends.
 DynamicTree::Child DynamicTree::build(std::span<Sorted> leaves, std::int32_t parent) {
     if (leaves.size() == 1) {
         at(leaves[0].leaf).parent = parent;
         return ~leaves[0].leaf;
     }
-    // Along the axis on which the middles (twice them) lie farthest apart.
+    // Split along the axis with the largest extent of the box centres (stored doubled).
     const auto middle = [](const Box& b, int k) { return b.low[k] + b.high[k]; };
     float low[3], high[3];
     for (int k = 0; k < 3; k++) low[k] = high[k] = middle(leaves[0].box, k);
@@ -243,7 +246,7 @@ DynamicTree::Child DynamicTree::build(std::span<Sorted> leaves, std::int32_t par
     const float scale = static_cast<float>(bins) / width;
     if (leaves.size() > 2 && width > 0 && scale < 1e30f) {
         const auto bin_of = [&](const Sorted& leaf) {
-            // Of boxes that no float reaches it is infinite or no number.
+            // For boxes beyond the float range this is infinite or NaN.
             const float at = (middle(leaf.box, axis) - low[axis]) * scale;
             return at < static_cast<float>(bins) ? static_cast<int>(at) : bins - 1;
         };
@@ -254,7 +257,7 @@ DynamicTree::Child DynamicTree::build(std::span<Sorted> leaves, std::int32_t par
             box[b] = count[b] == 0 ? leaf.box : unite(box[b], leaf.box);
             count[b]++;
         }
-        // What the upper bins cost, from the top.
+        // Cost of the upper bins, accumulated from the top.
         float upper[bins] = {};
         Box sum;
         std::size_t many = 0;
@@ -263,7 +266,7 @@ DynamicTree::Child DynamicTree::build(std::span<Sorted> leaves, std::int32_t par
             many += count[b];
             upper[b] = many == 0 ? 0 : half_area(sum) * static_cast<float>(many);
         }
-        // The lowest and the highest bin are never empty, so every cut has leaves on both sides.
+        // The lowest and the highest bin are never empty, so every split has leaves on both sides.
         int best = 1;
         float least = 0;
         many = 0;
@@ -280,7 +283,7 @@ DynamicTree::Child DynamicTree::build(std::span<Sorted> leaves, std::int32_t par
                                         [&](const Sorted& leaf) { return bin_of(leaf) < best; });
         cut = static_cast<std::size_t>(end - leaves.begin());
     }
-    // Where all middles coincide any half is as good.
+    // If all centres coincide, any half is as good.
     if (cut == 0 || cut == leaves.size()) cut = leaves.size() / 2;
 
     const std::int32_t made = allocate_node();

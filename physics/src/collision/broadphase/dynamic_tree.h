@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
-// A binary tree of fat boxes (after Catto, "Dynamic Bounding Volume Hierarchies", GDC 2019): insert
-// by least added surface, rotate on the way up; when many boxes moved at once it is built anew by
-// binned surface areas (Wald, "On fast Construction of SAH-based Bounding Volume Hierarchies",
-// 2007). A leaf carries a caller's number; the tree knows nothing of bodies.
+// A binary tree of fat boxes (after Catto, "Dynamic Bounding Volume Hierarchies", GDC 2019).
+// Insertion minimises the added surface and rotates nodes on the way up. After many moves the tree
+// is rebuilt with the binned surface area heuristic (Wald, "On fast Construction of SAH-based
+// Bounding Volume Hierarchies", 2007). A leaf carries a caller-defined number; the tree knows
+// nothing about bodies.
 //
-// A node holds the boxes of both its children, in floats that are rounded outwards: one cache line
-// for two tests. What is answered is decided by the exact boxes of the leaves.
+// A node holds the boxes of both children in floats that are rounded outwards: one cache line for
+// two tests. The exact boxes of the leaves decide the result.
 //
-// The shape of the tree depends on the order of changes. Callers that need an order sort what they
-// get: then a loaded world, whose tree is built anew, answers the same.
+// The structure of the tree depends on the order of changes. Callers that need an order sort the
+// results. A loaded world, whose tree is rebuilt, then gives the same answers.
 #pragma once
 
 #include <cstdint>
@@ -26,23 +27,24 @@ class DynamicTree {
 public:
     static constexpr std::int32_t null_node = -1;
 
-    // Returns the leaf's handle.
+    // Returns the handle of the leaf.
     std::int32_t insert(const Aabb& box, std::uint32_t item, std::uint32_t category = 1);
     void remove(std::int32_t leaf);
-    void move(std::int32_t leaf, const Aabb& box);  // handle stays
+    void move(std::int32_t leaf, const Aabb& box);  // the handle stays valid
 
-    // Changes the box of a leaf, or adds a leaf. The tree is not to be used before rebuild().
+    // Change the box of a leaf, or add a leaf, without updating the tree. Call rebuild() before the
+    // next query.
     void change(std::int32_t leaf, const Aabb& box) { at(leaf).box = box; }
     std::int32_t add(const Aabb& box, std::uint32_t item, std::uint32_t category = 1);
-    // Makes a new tree of all leaves: about 0.2 microseconds each.
+    // Builds a new tree from all leaves. Takes about 0.2 microseconds per leaf.
     void rebuild();
 
     const Aabb& box(std::int32_t leaf) const { return at(leaf).box; }
     int height() const { return root_ == none ? 0 : height_of(root_); }
     int leaf_count() const { return leaf_count_; }
 
-    // Calls visit(box, height) for every inner node; boxes are as much too large as floats are
-    // coarse.
+    // Calls visit(box, height) for every inner node. Float rounding makes the boxes slightly larger
+    // than the exact bounds.
     template <class Visit>
     void for_each_branch(Visit&& visit) const {
         Stack<Child> stack;
@@ -55,8 +57,8 @@ public:
         }
     }
 
-    // Calls visit(item) for every leaf whose box overlaps and whose category has a bit in the mask;
-    // whole branches without such a bit are left out.
+    // Calls visit(item) for every leaf whose box overlaps and whose category shares a bit with the
+    // mask. Branches without such a bit are skipped.
     template <class Visit>
     void query(const Aabb& box, std::uint32_t mask, Visit&& visit) const {
         if (root_ == none) return;
@@ -76,8 +78,9 @@ public:
         }
     }
 
-    // Calls visit(item, limit) for leaves that the segment meets within [0, limit], nearer branches
-    // first; visit returns the new limit (the fraction of its best hit so far, or the old limit).
+    // Calls visit(item, limit) for leaves that the segment intersects within [0, limit], nearer
+    // branches first. visit() returns the new limit: the fraction of its best hit so far, or the
+    // old limit.
     template <class Visit>
     void cast_ray(Vec3 origin, Vec3 motion, std::uint32_t mask, Visit&& visit) const {
         if (root_ == none) return;
@@ -91,7 +94,7 @@ public:
         stack.push({root_, is_leaf(root_) ? enters(root_, {}, at(handle_of(root_)).category) : 0});
         while (!stack.empty()) {
             const Entered from = stack.pop();
-            if (from.fraction > limit) continue;  // a hit came nearer since it was put there
+            if (from.fraction > limit) continue;  // a nearer hit was found since the push
             if (is_leaf(from.child)) {
                 limit = visit(at(handle_of(from.child)).item, limit);
                 continue;
@@ -111,37 +114,37 @@ private:
 
         bool operator==(const Box&) const = default;
     };
-    // An inner node's index, or ~handle of a leaf.
+    // Index of an inner node, or ~handle of a leaf.
     using Child = std::int32_t;
     static constexpr Child none = INT32_MIN;
 
     struct alignas(64) Node {
         Box box[2];
         Child child[2] = {none, none};
-        std::uint32_t categories[2] = {};  // of all leaves below
+        std::uint32_t categories[2] = {};  // union over all leaves below
     };
     static_assert(sizeof(Node) == 64);
-    // What only changes need.
+    // Per-node data that only updates need.
     struct Above {
-        std::int32_t parent = null_node;  // next free node when on the free list
-        std::int32_t height = 0;          // a leaf's is 0
+        std::int32_t parent = null_node;  // next free node if on the free list
+        std::int32_t height = 0;          // 0 for a leaf
     };
     struct Leaf {
         Aabb box;
         std::uint32_t item = 0;
         std::uint32_t category = 0;
-        std::int32_t parent = null_node;  // next free leaf when on the free list
+        std::int32_t parent = null_node;  // next free leaf if on the free list
         bool used = false;
     };
 
-    // A branch that a ray is still to look into, and where along the ray it begins.
+    // A branch that a ray has yet to visit, and the fraction at which the ray enters it.
     struct Entered {
         Child child;
         double fraction;
     };
 
-    // Depth-first order needs at most height + 1 entries; the array is enough for any tree of a
-    // real scene, the vector takes what a degenerate one would add.
+    // Depth-first order needs at most height + 1 entries. The array suffices for the tree of any
+    // realistic scene; the vector holds the overflow of a degenerate tree.
     template <class Entry>
     class Stack {
     public:
@@ -152,7 +155,7 @@ private:
                 more_.push_back(entry);
             count_++;
         }
-        // Without a branch on what nobody can foretell.
+        // Avoids a branch that the CPU cannot predict.
         void push_if(bool wanted, Entry entry) {
             if (count_ >= capacity) {
                 if (wanted) push(entry);
@@ -177,7 +180,7 @@ private:
         std::vector<Entry> more_;
     };
 
-    // A leaf while the tree is built.
+    // A leaf during construction.
     struct Sorted {
         Box box;
         std::int32_t leaf;
@@ -199,7 +202,7 @@ private:
         return {{double{b.low[0]}, double{b.low[1]}, double{b.low[2]}},
                 {double{b.high[0]}, double{b.high[1]}, double{b.high[2]}}};
     }
-    // Without branches: most tests are decided by no one axis.
+    // Branch-free, because most tests are not decided by a single axis.
     static bool meet(const Box& a, const Box& b) {
         return ((a.low[0] <= b.high[0]) & (b.low[0] <= a.high[0]) & (a.low[1] <= b.high[1]) &
                 (b.low[1] <= a.high[1]) & (a.low[2] <= b.high[2]) & (b.low[2] <= a.high[2])) != 0;
@@ -212,7 +215,7 @@ private:
         }
         return out;
     }
-    // Half the surface: what a box costs.
+    // Half the surface area: the cost of a box.
     static float half_area(const Box& b) {
         const float x = b.high[0] - b.low[0], y = b.high[1] - b.low[1], z = b.high[2] - b.low[2];
         return x * y + y * z + z * x;
@@ -243,9 +246,9 @@ private:
     Child build(std::span<Sorted> leaves, std::int32_t parent);
 
     FlatArray<Node> nodes_;
-    FlatArray<Above> above_;  // of each node
+    FlatArray<Above> above_;  // one per node
     FlatArray<Leaf> leaves_;
-    std::vector<Sorted> sorted_;  // scratch of rebuild()
+    std::vector<Sorted> sorted_;  // scratch memory of rebuild()
     Child root_ = none;
     std::int32_t free_node_ = null_node, free_leaf_ = null_node;
     int leaf_count_ = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The box by which the pairs of a moving shape are found: larger than the shape, so that small
-// motion needs no new one, and stretched ahead.
+// The enlarged box by which the broad phase finds the pairs of a moving shape. The margin avoids an
+// update after small motion; the box also extends along the motion.
 #pragma once
 
 #include "jostle/physics/aabb.h"
@@ -11,12 +11,12 @@
 
 namespace jostle::physics {
 
-// Of a body with this radius, m.
+// Margin in metres of a body with this bounding radius in metres.
 inline double fat_margin_of(double radius) {
     return tuning::fat_margin * size_scale(radius);
 }
 
-// `step`: m, what it moves in one step. `radius`: m, of the ball around its body.
+// `step`: displacement in one step, m. `radius`: bounding radius of the body, m.
 inline Aabb fat_box(const Aabb& shape, Vec3 step, double radius) {
     const Aabb wide = grow(shape, fat_margin_of(radius));
     const double displacement = length(step), most = tuning::fat_lookahead_radii * radius;

@@ -27,7 +27,7 @@ void SortAndSweep::remove(std::int32_t handle) {
         rank_[static_cast<std::size_t>(entries_[k].handle)] = static_cast<std::int32_t>(k);
     rank_[static_cast<std::size_t>(handle)] = -1;
     free_.push_back(handle);
-    sorted_ = false;  // the reaches are to be made anew
+    sorted_ = false;  // reach_ must be recomputed
 }
 
 void SortAndSweep::move(std::int32_t handle, const Aabb& box) {
@@ -37,7 +37,7 @@ void SortAndSweep::move(std::int32_t handle, const Aabb& box) {
 
 void SortAndSweep::flush() {
     if (sorted_) return;
-    // Insertion while the list is nearly sorted, a real sort when it is not.
+    // Insertion sort while the list is nearly sorted, a full sort otherwise.
     std::size_t work = 0;
     const std::size_t patience = 8 * entries_.size() + 64;
     for (std::size_t k = 1; k < entries_.size() && work < patience; k++) {
@@ -60,7 +60,7 @@ void SortAndSweep::flush() {
     sorted_ = true;
 }
 
-// The first entry from which on anything can reach as far as x.
+// The first entry from which any box can reach x.
 std::size_t SortAndSweep::first_from(double x) const {
     if (!sorted_) return 0;
     return static_cast<std::size_t>(std::lower_bound(reach_.begin(), reach_.end(), x) -
@@ -76,7 +76,7 @@ void SortAndSweep::query(const Aabb& box, std::uint32_t mask,
     }
 }
 
-// Along the list in the ray's own direction, as far as the best hit so far.
+// Walks the list in the direction of the ray, up to the best hit so far.
 void SortAndSweep::cast_ray(Vec3 origin, Vec3 motion, std::uint32_t mask,
                             const RayVisit& visit) const {
     double limit = 1;
@@ -88,7 +88,8 @@ void SortAndSweep::cast_ray(Vec3 origin, Vec3 motion, std::uint32_t mask,
         for (const Entry& e : entries_) consider(e);
         return;
     }
-    // Rounding here and in the slab test differ; boxes that begin where the ray ends must be met.
+    // Rounding differs between this test and the slab test. The pad includes boxes that begin
+    // exactly at the end of the ray.
     const double pad = 1e-9 * (absolute(origin.x) + absolute(motion.x));
     const auto end = [&] { return origin.x + motion.x * limit; };
     if (motion.x >= 0) {
@@ -114,7 +115,7 @@ void SortAndSweep::assign(const BroadPhaseIndex& other) {
     *this = static_cast<const SortAndSweep&>(other);
 }
 
-// The slab that each entry has to look through.
+// The box of each entry. Its extent along x is the slab that a query of the entry scans.
 void SortAndSweep::cells(std::vector<Aabb>& out) const {
     for (const Entry& e : entries_) out.push_back(e.box);
 }

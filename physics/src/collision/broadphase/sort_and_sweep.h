@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Boxes in a list sorted by their low end along x (sweep and prune on one axis: Baraff 1992). The
-// list is put in order by insertion, which is cheap while little moved past its neighbour.
+// Boxes in a list sorted by their lower bound along x (sweep and prune on one axis: Baraff 1992).
+// Insertion sort keeps the list ordered, which is cheap while few boxes pass a neighbour.
 #pragma once
 
 #include "physics/src/collision/broadphase/broad_phase_index.h"
@@ -30,9 +30,9 @@ private:
     };
     std::size_t first_from(double x) const;
 
-    std::vector<Entry> entries_;      // by box.low.x when sorted_
+    std::vector<Entry> entries_;      // sorted by box.low.x if sorted_
     std::vector<double> reach_;       // [k]: largest box.high.x of entries_[0..k]
-    std::vector<std::int32_t> rank_;  // by handle; -1: free
+    std::vector<std::int32_t> rank_;  // indexed by handle; -1 if free
     std::vector<std::int32_t> free_;
     bool sorted_ = true;
 };

@@ -6,7 +6,7 @@
 namespace jostle::physics {
 namespace {
 
-constexpr double cells_max = 64;  // of one box before it counts as large
+constexpr double cells_max = 64;  // per box; a box that covers more is large
 
 }  // namespace
 
@@ -19,14 +19,14 @@ double UniformGrid::Range::count() const {
 UniformGrid::Range UniformGrid::range_of(const Aabb& box) const {
     Range r{};
     for (int k = 0; k < 3; k++) {
-        // Far out all is one cell: integers must not overflow.
+        // Distant coordinates are clamped to one cell, so that integers do not overflow.
         r.low[k] = static_cast<std::int64_t>(std::floor(clamp(box.low[k] / cell_, -1e15, 1e15)));
         r.high[k] = static_cast<std::int64_t>(std::floor(clamp(box.high[k] / cell_, -1e15, 1e15)));
     }
     return r;
 }
 
-// Different cells may share a key: queries test the boxes anyway.
+// Different cells may share a key, because queries test the exact boxes.
 std::uint64_t UniformGrid::key_of(std::int64_t x, std::int64_t y, std::int64_t z) {
     const auto mix = [](std::int64_t v, std::uint64_t prime) {
         return static_cast<std::uint64_t>(v) * prime;
@@ -103,11 +103,11 @@ void UniformGrid::move(std::int32_t handle, const Aabb& box) {
     put_in(handle);
 }
 
-// Chooses the cell anew when there are twice or half as many boxes as when it was chosen: twice the
-// median of the boxes' longest sides. Every question looks at all large boxes, so the cell may be
-// up to twice that where it leaves at most one box in a hundred large: a side of three cells lies
-// in at most four, and 4^3 is cells_max. Where a few are huge that would not help, only crowd the
-// cells.
+// Recomputes the cell size when the number of boxes has doubled or halved since the last choice.
+// The base size is twice the median of the longest sides. Every query tests all large boxes, so the
+// cell may grow to twice that size if at most 1 % of the boxes are then large: a side of three
+// cells overlaps at most four, and 4^3 is cells_max. With a few huge boxes a larger cell would not
+// help and would only fill the cells.
 void UniformGrid::flush() {
     const std::size_t count = entries_.size() - free_.size();
     if (count == 0 || (count < 2 * sized_for_ && 2 * count > sized_for_)) return;
@@ -148,7 +148,7 @@ void UniformGrid::query(const Aabb& box, std::uint32_t mask,
         for (const std::int32_t handle : cell->second)
             consider(entries_[static_cast<std::size_t>(handle)]);
     });
-    // A box of several cells was met several times.
+    // A box that overlaps several cells was found several times.
     const auto begin = found.begin() + static_cast<std::ptrdiff_t>(before);
     std::sort(begin, found.end());
     found.erase(std::unique(begin, found.end()), found.end());
@@ -165,8 +165,8 @@ void UniformGrid::cast_ray(Vec3 origin, Vec3 motion, std::uint32_t mask,
             limit = visit(e.item, limit);
     };
     for (const std::int32_t handle : large_) consider(handle);
-    // Cell by cell (Amanatides and Woo, "A fast voxel traversal algorithm", 1987); a ray that
-    // crosses more cells than there are boxes looks at the boxes instead.
+    // Visit cell by cell (Amanatides and Woo, "A fast voxel traversal algorithm", 1987). A ray that
+    // crosses more cells than there are boxes tests all boxes instead.
     const double crossings = (absolute(motion.x) + absolute(motion.y) + absolute(motion.z)) / cell_;
     if (crossings > static_cast<double>(entries_.size()) + 16) {
         for (std::size_t k = 0; k < entries_.size(); k++)

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Boxes in the cells of a grid without borders (spatial hashing: Teschner et al. 2003). The cell is
-// two to four times the typical box; a box that covers too many cells stands in a list of its own.
+// Boxes in the cells of an unbounded grid (spatial hashing: Teschner et al. 2003). The cell size is
+// two to four times the typical box size. Boxes that cover too many cells are stored in a separate
+// list.
 #pragma once
 
 #include <array>
@@ -32,7 +33,7 @@ private:
         bool alive = false, large = false;
     };
     struct Range {
-        std::int64_t low[3], high[3];  // cells, both included
+        std::int64_t low[3], high[3];  // cells, both ends included
         double count() const;
     };
     Range range_of(const Aabb& box) const;
@@ -42,14 +43,13 @@ private:
     template <class Visit>
     void for_each_cell(const Range& range, Visit&& visit) const;
 
-    std::vector<Entry> entries_;  // by handle
+    std::vector<Entry> entries_;  // indexed by handle
     std::vector<std::int32_t> free_;
-    std::unordered_map<std::uint64_t, std::vector<std::int32_t>>
-        cells_;  // checked up, never walked
-                 // in a way that matters
+    // Only looked up by key. The iteration order never affects results.
+    std::unordered_map<std::uint64_t, std::vector<std::int32_t>> cells_;
     std::vector<std::int32_t> large_;
     double cell_ = 2;            // m
-    std::size_t sized_for_ = 0;  // entries when the cell was chosen
+    std::size_t sized_for_ = 0;  // number of entries when the cell size was chosen
 };
 
 }  // namespace jostle::physics

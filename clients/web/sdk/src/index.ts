@@ -1,13 +1,43 @@
-export { type AreaOfInterest } from './connection/area_of_interest.js';
-export { Connection, openSocket, type ConnectionListener, type Input, type PredictionListener, type Socket, type ConnectionState } from './connection/connection.js';
+/**
+ * Client library of the Jostle physics server: joins a world, renders smooth poses and sends inputs. README.md has an example.
+ *
+ * Units: m, kg, s, rad, N. Rotations are unit quaternions x y z w. Times with the suffix Us are microseconds; "local clock" is
+ * nowUs(), "server's clock" is that of Welcome.epochUs. Entities are numbers from 1 that are never reused in a world; 0 is none.
+ *
+ * The messages of the protocol are in `@jostle/client/gen/play_pb` and its siblings, prediction is in `@jostle/client/prediction`.
+ *
+ * @packageDocumentation
+ */
+
+// A client of one world: the usual entry point.
+export { Client, connect, ConnectError, type ConnectOptions, type Vector } from './client.js';
+export type { AreaOfInterest } from './connection/area_of_interest.js';
+
+// The parts of a client, for applications with their own render loop.
 export { nowUs } from './clock/clock_sync.js';
+export {
+  Connection,
+  openSocket,
+  type ConnectionListener,
+  type ConnectionOptions,
+  type ConnectionState,
+  type Input,
+  type PredictionListener,
+  type Socket,
+} from './connection/connection.js';
 export { FrameBuffer, POSE_FLOATS, type PoseFrame } from './interpolation/frame_buffer.js';
 export { RenderedPoses } from './interpolation/rendered_poses.js';
+export { MOTION_CHANNEL } from './prediction/motion_channel.js';
+export { NO_CHANNELS, type Channel, type Channels } from './snapshot/channels.js';
+
+// Queries about the joined world.
+export { withToken } from './queries/bearer_token.js';
+export { postToServer, Queries, type Post } from './queries/queries.js';
+
+// Playback of recordings.
+export { RecordedStream } from './recording/recorded_stream.js';
+export { Recording, RecordingError, type RecordedMessage } from './recording/recording.js';
+
+// Simulated network conditions.
 export { IDEAL_NETWORK, NetworkSimulator, type NetworkConditions } from './network_simulator/network_simulator.js';
 export { simulatedSocket } from './network_simulator/simulated_socket.js';
-export { MOTION_CHANNEL } from './prediction/motion_channel.js';
-export { postToServer, Queries } from './queries/queries.js';
-export { withToken } from './queries/bearer_token.js';
-export { RecordedStream } from './recording/recorded_stream.js';
-export { Recording } from './recording/recording.js';
-export { NO_CHANNELS, type Channel, type Channels } from './snapshot/channels.js';

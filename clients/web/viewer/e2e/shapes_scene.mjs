@@ -1,4 +1,4 @@
-// One of everything that has a shape, on a hilly height field with a hole: what the viewer must be able to draw.
+// A scene with every kind of shape on a hilly height field with a hole.
 
 const vec = (x, y, z) => ({ x, y, z });
 const COLUMNS = 41;
@@ -18,7 +18,7 @@ function hills() {
   return { columns: COLUMNS, rows: ROWS, spacingX: SPACING, spacingZ: SPACING, heights, holes };
 }
 
-// A gem: two rings and two tips.
+// A gem: two rings and a tip.
 const gem = [0, 1, 2, 3, 4, 5]
   .flatMap((k) => {
     const [c, s] = [Math.cos((k * Math.PI) / 3), Math.sin((k * Math.PI) / 3)];
@@ -26,7 +26,7 @@ const gem = [0, 1, 2, 3, 4, 5]
   })
   .concat([vec(0, -0.5, 0)]);
 
-// Steps of a stair that winds: a mesh with creases and seams.
+// A spiral stair: a mesh with creases and seams.
 function stair() {
   const vertices = [];
   const indices = [];
@@ -63,7 +63,7 @@ const row = (name, shapes, z, more = {}) => ({
 
 export const shapesScene = {
   name: 'shapes',
-  description: 'One of everything that has a shape.',
+  description: 'Every kind of shape.',
   bodies: [
     { name: 'hills', type: 'BODY_TYPE_FIXED', shapes: [{ heightField: hills() }], color: 0x6f7f63 },
     { name: 'net', type: 'BODY_TYPE_FIXED', position: vec(0, -6, 0), shapes: [{ plane: {} }] },

@@ -1,9 +1,8 @@
-// The viewer in a real headless Chromium against a real server: joins, drags a box and sees it move, throws a ball and sees
-// one more body, draws shapes of every kind and a module's lines, asks what is under the pointer, looks at the solver, reads events,
-// foresees what it drags over a slow link, plays a recording, comes back to a server that was killed, drives a car, a character
-// and a boat.
-// Usage: node viewer/e2e/viewer.mjs SERVER_BINARY [--screenshot FILE]; FILE shows the sandbox, FILE-shapes the debug view of a world of
-// shapes. Exit status 1 when something does not hold.
+// Tests the viewer in headless Chromium against a real server: joining, dragging, throwing, shapes of every kind, module renderers,
+// picking by the server, the debug view, events, prediction over a slow network, recordings, resuming after a server failure, and
+// controlling a car, a character and a boat.
+// Usage: node viewer/e2e/viewer.mjs SERVER_BINARY [--screenshot FILE]
+// FILE shows the sandbox, FILE-shapes the debug view of a world of shapes. The exit status is 1 if a test fails.
 
 import { spawn } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, existsSync } from 'node:fs';
@@ -11,10 +10,10 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
-import { playing } from './playing.mjs';
-import { predicting } from './predicting.mjs';
-import { replaying } from './replaying.mjs';
-import { restarting } from './restarting.mjs';
+import { testControl } from './control.mjs';
+import { testPrediction } from './prediction.mjs';
+import { testRecording } from './recording.mjs';
+import { testResume } from './resume.mjs';
 import { shapesScene } from './shapes_scene.mjs';
 
 const CHROMIUM_FLAGS = [
@@ -40,31 +39,31 @@ const webRoot = fileURLToPath(new URL('../../dist', import.meta.url));
 const folder = mkdtempSync(join(tmpdir(), 'jostle-e2e-'));
 const portFile = join(folder, 'ports.json');
 
-// Long enough for a busy machine that draws in software, where one picture can take a second.
-const PATIENCE_S = 60;
+// Long enough for a busy machine with software rendering, where one frame can take 1 s.
+const TIMEOUT_S = 60;
 
 async function until(what, check) {
-  const end = Date.now() + PATIENCE_S * 1000;
+  const end = Date.now() + TIMEOUT_S * 1000;
   for (;;) {
     const value = await check();
     if (value) return value;
-    if (Date.now() > end) throw new Error(`not within ${PATIENCE_S} s: ${what}`);
-    await new Promise((done) => setTimeout(done, 50));
+    if (Date.now() > end) throw new Error(`timeout after ${TIMEOUT_S} s: ${what}`);
+    await new Promise((resolve) => setTimeout(resolve, 50));
   }
 }
 
 let passed = 0;
-function expect(holds, what) {
-  if (!holds) throw new Error(`does not hold: ${what}`);
+function expect(condition, what) {
+  if (!condition) throw new Error(`expectation failed: ${what}`);
   passed++;
   console.log(`  ok: ${what}`);
 }
 
 const scenes = ['sandbox', 'hovercraft', 'race_track', 'parkour'];
-const ways = { '--listen': '127.0.0.1:0', '--http': '127.0.0.1:0', '--admin': '127.0.0.1:0', '--web-root': webRoot, '--port-file': portFile };
-// On a busy machine a step may take long: that is not what is looked at here.
-const patience = ['tick.step_seconds_max', 'scene.first_step_seconds_max'].flatMap((limit) => ['--set', `${limit}=${PATIENCE_S}`]);
-const process_ = spawn(server, [...scenes.flatMap((scene) => ['--scene', scene]), ...Object.entries(ways).flat(), ...patience], {
+const options = { '--listen': '127.0.0.1:0', '--http': '127.0.0.1:0', '--admin': '127.0.0.1:0', '--web-root': webRoot, '--port-file': portFile };
+// A step may take long on a busy machine, which is not tested here.
+const limits = ['tick.step_seconds_max', 'scene.first_step_seconds_max'].flatMap((limit) => ['--set', `${limit}=${TIMEOUT_S}`]);
+const serverProcess = spawn(server, [...scenes.flatMap((scene) => ['--scene', scene]), ...Object.entries(options).flat(), ...limits], {
   stdio: ['ignore', 'inherit', 'inherit'],
 });
 let browser;
@@ -73,181 +72,181 @@ try {
   const ports = await until('the server writes its ports', () => existsSync(portFile) && JSON.parse(readFileSync(portFile, 'utf8')));
   browser = await chromium.launch({ executablePath: '/usr/bin/chromium', args: CHROMIUM_FLAGS });
   const page = await browser.newPage({ viewport: { width: 1280, height: 720 } });
-  page.setDefaultTimeout(PATIENCE_S * 1000);
+  page.setDefaultTimeout(TIMEOUT_S * 1000);
   const post = (path, message) =>
     fetch(`http://127.0.0.1:${ports.http}${path}`, {
       method: 'POST',
       headers: { 'Content-Type': 'application/json' },
       body: JSON.stringify(message),
     });
-  const shoot = (what) => page.screenshot({ path: screenshot.replace(/(\.\w+)?$/, `-${what}$1`), timeout: 40_000 });
+  const takeScreenshot = (what) => page.screenshot({ path: screenshot.replace(/(\.\w+)?$/, `-${what}$1`), timeout: 40_000 });
   const down = { origin: { y: 50 }, motion: { y: -100 } };
   const servesQueries = (await post('/api/query/CastRays', { rays: [down] })).status === 200;
-  if (!servesQueries) console.log('  skipped: this server answers no /api/query; picking by it, the debug view and events are not checked');
-  const made = await post('/api/worlds', { name: 'shapes', scene: shapesScene });
-  const servesShapes = made.ok;
-  if (!servesShapes) console.log(`  skipped: this server does not take the world of shapes: ${await made.text()}`);
+  if (!servesQueries) console.log('  skipped: this server does not serve /api/query; picking by the server, the debug view and events are not tested');
+  const created = await post('/api/worlds', { name: 'shapes', scene: shapesScene });
+  const servesShapes = created.ok;
+  if (!servesShapes) console.log(`  skipped: this server rejects the world of shapes: ${await created.text()}`);
 
   const errors = [];
-  let debugQuestions = 0;
-  let raysAnswered = 0;
+  let debugRequests = 0;
+  let rayResponses = 0;
   page.on('pageerror', (error) => errors.push(String(error)));
   page.on('console', (message) => {
     const expected = !servesQueries && message.location().url.includes('/api/query/');
     if (message.type() === 'error' && !expected) errors.push(message.text());
   });
-  page.on('response', (response) => response.url().endsWith('/api/query/CastRays') && response.status() === 200 && raysAnswered++);
-  page.on('request', (request) => request.url().endsWith('/api/query/Debug') && debugQuestions++);
-  // Drawn in software here: few pixels, or the page would have no time for anything else.
+  page.on('response', (response) => response.url().endsWith('/api/query/CastRays') && response.status() === 200 && rayResponses++);
+  page.on('request', (request) => request.url().endsWith('/api/query/Debug') && debugRequests++);
+  // Low quality, because software rendering would use all of the time.
   await page.goto(`http://127.0.0.1:${ports.http}/?quality=low`);
 
   await until('the viewer plays', () => page.evaluate(() => window.jostle?.state === 'playing' && window.jostle.snapshots > 30));
-  expect((await page.evaluate(() => window.jostle.entities)) > 200, 'the sandbox has more than 200 bodies');
-  await until('statistics arrive', () => page.evaluate(() => window.jostle.stats?.bodies > 200));
-  expect((await page.locator('#stats .plot').count()) === 7, 'seven live plots');
+  expect((await page.evaluate(() => window.jostle.entityCount)) > 200, 'the sandbox has more than 200 bodies');
+  await until('statistics are received', () => page.evaluate(() => window.jostle.stats?.bodies > 200));
+  expect((await page.locator('#stats .plot').count()) === 7, 'the statistics panel has seven plots');
 
-  // Snapshots come before pictures: on a busy machine the first picture of the tower may be a while.
-  await until('the tower is drawn', () =>
+  // On a busy machine the tower may be rendered long after the first snapshot.
+  await until('the tower is rendered', () =>
     page.evaluate(() => {
-      const towers = window.jostle.loose().filter((id) => window.jostle.nameOf(id) === 'tower');
-      return towers.length > 0 && towers.every((id) => window.jostle.pose(id));
+      const towers = window.jostle.dynamicBodies().filter((id) => window.jostle.entityName(id) === 'tower');
+      return towers.length > 0 && towers.every((id) => window.jostle.poseOf(id));
     }),
   );
-  // The top box of the tower: alone against the sky, so nothing hides it.
+  // The top box of the tower, which nothing hides.
   const box = await page.evaluate(() => {
-    const towers = window.jostle.loose().filter((id) => window.jostle.nameOf(id) === 'tower');
-    return towers.sort((a, b) => window.jostle.pose(b)[1] - window.jostle.pose(a)[1])[0];
+    const towers = window.jostle.dynamicBodies().filter((id) => window.jostle.entityName(id) === 'tower');
+    return towers.sort((a, b) => window.jostle.poseOf(b)[1] - window.jostle.poseOf(a)[1])[0];
   });
-  const before = await page.evaluate((id) => window.jostle.pose(id), box);
-  const at = await page.evaluate((id) => window.jostle.screen(id), box);
+  const initial = await page.evaluate((id) => window.jostle.poseOf(id), box);
+  const at = await page.evaluate((id) => window.jostle.screenPosition(id), box);
   await page.mouse.move(at.x, at.y);
-  const readout = await until('the line on what is under the pointer', () => page.locator('#readout:not([hidden])').textContent());
-  expect(readout.startsWith(`tower · id ${box} · box · `), `under the pointer: ${readout}`);
+  const readout = await until('the readout describes the body under the pointer', () => page.locator('#readout:not([hidden])').textContent());
+  expect(readout.startsWith(`tower · id ${box} · box · `), `the readout shows ${readout}`);
   if (servesQueries) {
-    await until('the server answers the ray of the pointer', () => raysAnswered > 0);
-    const [before, began] = [raysAnswered, Date.now()];
+    await until('the server responds to the ray of the pointer', () => rayResponses > 0);
+    const [responsesBefore, startMs] = [rayResponses, Date.now()];
     for (let i = 0; i < 60; i++) await page.mouse.move(at.x + (i % 3) - 1, at.y);
-    await new Promise((done) => setTimeout(done, 1000));
-    await until('the server answers a ray of the moves', () => raysAnswered > before);
-    const perSecond = (raysAnswered - before) / ((Date.now() - began) / 1000);
-    expect(perSecond <= 11, `60 moves of the pointer: ${perSecond.toFixed(1)} rays answered a second`);
+    await new Promise((resolve) => setTimeout(resolve, 1000));
+    await until('the server responds to a ray of the moves', () => rayResponses > responsesBefore);
+    const perSecond = (rayResponses - responsesBefore) / ((Date.now() - startMs) / 1000);
+    expect(perSecond <= 11, `60 pointer moves cause ${perSecond.toFixed(1)} ray queries per second`);
     await page.mouse.move(at.x, at.y);
   }
   await page.mouse.down();
   for (let i = 1; i <= 20; i++) {
     await page.mouse.move(at.x - 10 * i, at.y - 4 * i);
-    await new Promise((done) => setTimeout(done, 40));
+    await new Promise((resolve) => setTimeout(resolve, 40));
   }
   const moved = await until('the dragged box moves more than 1 m', async () => {
-    const now = await page.evaluate((id) => window.jostle.pose(id), box);
-    const way = Math.hypot(now[0] - before[0], now[1] - before[1], now[2] - before[2]);
-    return way > 1 ? way : 0;
+    const pose = await page.evaluate((id) => window.jostle.poseOf(id), box);
+    const distance = Math.hypot(pose[0] - initial[0], pose[1] - initial[1], pose[2] - initial[2]);
+    return distance > 1 ? distance : 0;
   });
   await page.mouse.up();
-  expect(moved > 1, `dragging moved the box ${moved.toFixed(2)} m on the server`);
+  expect(moved > 1, `dragging moves the box ${moved.toFixed(2)} m on the server`);
 
-  const count = await page.evaluate(() => window.jostle.entities);
+  const count = await page.evaluate(() => window.jostle.entityCount);
   await page.keyboard.press('2');
   await page.mouse.click(640, 380);
-  await until('the thrown ball is there', () => page.evaluate((n) => window.jostle.entities === n + 1, count));
-  expect(true, 'throwing a ball made one more body');
+  await until('the thrown ball exists', () => page.evaluate((n) => window.jostle.entityCount === n + 1, count));
+  expect(true, 'throwing a ball adds one body');
 
   await page.keyboard.press('w');
-  await until('the list of worlds', () => page.locator('#worlds .world').count());
-  expect((await page.locator('#worlds .scene').count()) >= 5, 'the world picker offers the scenes');
+  await until('the list of worlds is shown', () => page.locator('#worlds .world').count());
+  expect((await page.locator('#worlds .scene').count()) >= 5, 'the worlds panel lists the scenes');
   await page.locator('#worlds .scene', { hasText: 'billiards' }).click();
-  await until('the new world is joined', () => page.evaluate(() => window.jostle.state === 'playing' && window.jostle.entities < 60));
-  expect(true, 'a world made from a scene is joined');
+  await until('the new world is joined', () => page.evaluate(() => window.jostle.state === 'playing' && window.jostle.entityCount < 60));
+  expect(true, 'a world created from a scene is joined');
   await page.keyboard.press('w');
   await page.locator('#worlds .world', { hasText: 'sandbox' }).locator('button', { hasText: 'Join' }).click();
-  await until('back in the sandbox', () => page.evaluate(() => window.jostle.entities > 200 && window.jostle.snapshots > 30));
+  await until('the sandbox is joined again', () => page.evaluate(() => window.jostle.entityCount > 200 && window.jostle.snapshots > 30));
 
   if (servesShapes) {
     await page.goto(`http://127.0.0.1:${ports.http}/?quality=low&world=shapes`);
     await until('the world of shapes plays', () => page.evaluate(() => window.jostle?.state === 'playing' && window.jostle.snapshots > 30));
-    const parts = await page.evaluate(() => window.jostle.parts());
-    const right = { field: 1, plane: 1, mesh: 1, cylinder: 10, cone: 5, hull: 5, sphere: 5, box: 6, tube: 4, cap: 8 };
-    const same = Object.keys({ ...right, ...parts }).every((kind) => parts[kind] === right[kind]);
-    expect(same, `every shape is drawn as what it is: ${JSON.stringify(parts)}`);
+    const parts = await page.evaluate(() => window.jostle.partCounts());
+    const expected = { field: 1, plane: 1, mesh: 1, cylinder: 10, cone: 5, hull: 5, sphere: 5, box: 6, tube: 4, cap: 8 };
+    const same = Object.keys({ ...expected, ...parts }).every((kind) => parts[kind] === expected[kind]);
+    expect(same, `every kind of shape is rendered: ${JSON.stringify(parts)}`);
   }
   await page.goto(`http://127.0.0.1:${ports.http}/?quality=low&world=hovercraft`);
   await until('the hovercraft plays', () => page.evaluate(() => window.jostle?.state === 'playing' && window.jostle.snapshots > 30));
-  await until('its four jets are drawn', () => page.evaluate(() => window.jostle.moduleLines() === 4));
-  expect(true, "a module's state is drawn: four jets of a hovercraft");
-  if (screenshot) await shoot('hovercraft');
+  await until('the four thrusters are rendered', () => page.evaluate(() => window.jostle.moduleLineCount() === 4));
+  expect(true, 'the module state of the hovercraft is rendered');
+  if (screenshot) await takeScreenshot('hovercraft');
 
   if (servesShapes && servesQueries) {
     await page.goto(`http://127.0.0.1:${ports.http}/?quality=low&world=shapes`);
     await until('the world of shapes plays again', () => page.evaluate(() => window.jostle?.state === 'playing' && window.jostle.snapshots > 30));
-    expect(debugQuestions === 0, 'no question for the debug view while it is off');
+    expect(debugRequests === 0, 'no debug queries while the debug view is off');
     await page.keyboard.press('d');
     for (const toggle of ['contacts', 'joints', 'islands']) await page.locator(`#debug input[name=${toggle}]`).check();
-    const note = await until('the debug view says what there is', async () => {
+    const note = await until('the debug view summarizes the counts', async () => {
       const text = await page.locator('#debug .note').textContent();
       return /[1-9]\d* contacts?, [1-9]\d* islands?, 4 joints/.test(text) && text;
     });
     expect(true, `the debug view shows ${note}`);
-    const asked = debugQuestions;
+    const requestsBefore = debugRequests;
     const since = Date.now();
-    await new Promise((done) => setTimeout(done, 1200));
-    await until('the debug view asks again and again', () => debugQuestions > asked + 1);
-    const perSecond = (debugQuestions - asked) / ((Date.now() - since) / 1000);
-    expect(perSecond <= 6, `the debug view asks ${perSecond.toFixed(1)} times a second`);
+    await new Promise((resolve) => setTimeout(resolve, 1200));
+    await until('the debug view repeats its query', () => debugRequests > requestsBefore + 1);
+    const perSecond = (debugRequests - requestsBefore) / ((Date.now() - since) / 1000);
+    expect(perSecond <= 6, `the debug view queries ${perSecond.toFixed(1)} times per second`);
     for (const toggle of ['contacts', 'joints', 'islands']) await page.locator(`#debug input[name=${toggle}]`).uncheck();
-    await until('it asks no longer', async () => {
-      const last = debugQuestions;
-      await new Promise((done) => setTimeout(done, 700));
-      return debugQuestions === last;
+    await until('the queries stop', async () => {
+      const last = debugRequests;
+      await new Promise((resolve) => setTimeout(resolve, 700));
+      return debugRequests === last;
     });
-    expect(true, 'and no longer once it is off');
+    expect(true, 'no debug queries after it is turned off');
     await page.keyboard.press('d');
 
     await page.keyboard.press('e');
-    await until('back in the world with events', () => page.evaluate(() => window.jostle.state === 'playing' && window.jostle.snapshots > 0));
+    await until('the world is rejoined with events', () => page.evaluate(() => window.jostle.state === 'playing' && window.jostle.snapshots > 0));
     await page.keyboard.press('2');
-    const words = await until('a thrown ball hits something', async () => {
+    const description = await until('a thrown ball hits a body', async () => {
       await page.mouse.click(640, 400);
-      await new Promise((done) => setTimeout(done, 300));
+      await new Promise((resolve) => setTimeout(resolve, 300));
       return (await page.locator('#events li').allTextContents()).find((line) => / hit .* at \d+\.\d m\/s/.test(line));
     });
-    expect(true, `events in words: ${words}`);
+    expect(true, `the events panel shows ${description}`);
     await page.keyboard.press('e');
   }
 
-  await predicting({ page, url: `http://127.0.0.1:${ports.http}`, until, expect });
-  await replaying({ page, url: `http://127.0.0.1:${ports.http}`, until, expect, shoot: screenshot && shoot });
+  await testPrediction({ page, url: `http://127.0.0.1:${ports.http}`, until, expect });
+  await testRecording({ page, url: `http://127.0.0.1:${ports.http}`, until, expect, takeScreenshot: screenshot && takeScreenshot });
 
-  // Its errors are those of a server that is away.
-  const others = await browser.newPage({ viewport: { width: 1280, height: 720 } });
-  others.setDefaultTimeout(PATIENCE_S * 1000);
-  const shootOthers = (what) => others.screenshot({ path: screenshot.replace(/(\.\w+)?$/, `-${what}$1`), timeout: 40_000 });
-  await restarting({ page: others, server, folder, webRoot, until, expect, shoot: screenshot && shootOthers });
-  await others.close();
+  // On a page of its own, because a stopped server causes console errors.
+  const otherPage = await browser.newPage({ viewport: { width: 1280, height: 720 } });
+  otherPage.setDefaultTimeout(TIMEOUT_S * 1000);
+  const takeOtherScreenshot = (what) => otherPage.screenshot({ path: screenshot.replace(/(\.\w+)?$/, `-${what}$1`), timeout: 40_000 });
+  await testResume({ page: otherPage, server, folder, webRoot, until, expect, takeScreenshot: screenshot && takeOtherScreenshot });
+  await otherPage.close();
 
-  // Last, and made only now: its waves cost the server more than all the others.
+  // Created last, because its waves cost the server more than all other worlds.
   const harbour = await post('/api/worlds', { name: 'harbour', sceneName: 'harbour' });
-  expect(harbour.ok, `a harbour is made: ${harbour.status}`);
-  await playing({ page, url: `http://127.0.0.1:${ports.http}`, until, expect, shoot: screenshot && shoot });
+  expect(harbour.ok, `the harbour is created: ${harbour.status}`);
+  await testControl({ page, url: `http://127.0.0.1:${ports.http}`, until, expect, takeScreenshot: screenshot && takeScreenshot });
 
-  expect((await page.evaluate(() => window.jostle.decodeErrors)) === 0, 'every snapshot decoded with its CRC');
-  expect(errors.length === 0, `no error on the page ${errors.join('; ')}`);
+  expect((await page.evaluate(() => window.jostle.decodeErrors)) === 0, 'every snapshot is decoded with a matching CRC');
+  expect(errors.length === 0, `the page has no errors ${errors.join('; ')}`);
   if (screenshot) {
     await page.goto(`http://127.0.0.1:${ports.http}/?quality=medium`);
-    await until('a finer picture', () => page.evaluate(() => window.jostle?.snapshots > 100));
+    await until('medium quality is rendered', () => page.evaluate(() => window.jostle?.snapshots > 100));
     await page.screenshot({ path: screenshot, timeout: 40_000 });
     console.log(`  wrote ${screenshot}`);
     if (servesShapes) {
       await page.goto(`http://127.0.0.1:${ports.http}/?quality=high&world=shapes`);
-      await until('the shapes in a finer picture', () => page.evaluate(() => window.jostle?.snapshots > 100));
-      const beside = screenshot.replace(/(\.\w+)?$/, '-shapes$1');
+      await until('the shapes are rendered in high quality', () => page.evaluate(() => window.jostle?.snapshots > 100));
+      const shapesScreenshot = screenshot.replace(/(\.\w+)?$/, '-shapes$1');
       if (servesQueries) {
         await page.keyboard.press('d');
         for (const toggle of ['contacts', 'joints', 'bounds']) await page.locator(`#debug input[name=${toggle}]`).check();
-        await until('lines', async () => /contact/.test(await page.locator('#debug .note').textContent()));
+        await until('contacts are shown', async () => /contact/.test(await page.locator('#debug .note').textContent()));
       }
-      await new Promise((done) => setTimeout(done, 1500));
-      await page.screenshot({ path: beside, timeout: 40_000 });
-      console.log(`  wrote ${beside}`);
+      await new Promise((resolve) => setTimeout(resolve, 1500));
+      await page.screenshot({ path: shapesScreenshot, timeout: 40_000 });
+      console.log(`  wrote ${shapesScreenshot}`);
     }
   }
 } catch (error) {
@@ -255,8 +254,8 @@ try {
   status = 1;
 } finally {
   await browser?.close();
-  process_.kill('SIGTERM');
-  await new Promise((done) => (process_.exitCode !== null ? done() : process_.on('exit', done)));
+  serverProcess.kill('SIGTERM');
+  await new Promise((resolve) => (serverProcess.exitCode !== null ? resolve() : serverProcess.on('exit', resolve)));
   rmSync(folder, { recursive: true, force: true });
 }
 console.log(`viewer: ${passed} passed, ${status} failed`);

@@ -90,14 +90,14 @@ const listener: ConnectionListener = {
 const open = parameters.networkConditions ? simulatedSocket(openSocket, parameters.networkConditions) : openSocket;
 let recorded: RecordedStream | undefined; // played instead of a live world
 const channelKinds = parameters.predict ? [...RENDERED_CHANNEL_KINDS, MOTION_CHANNEL] : RENDERED_CHANNEL_KINDS;
-const connection = new Connection(
-  websocketUrl(),
+const connection = new Connection({
+  url: websocketUrl(),
   listener,
-  (url) => (recorded ? recorded.open() : open(url)),
+  openSocket: (url) => (recorded ? recorded.open() : open(url)),
   token,
   channelKinds,
-  parameters.areaOfInterest,
-);
+  areaOfInterest: parameters.areaOfInterest,
+});
 
 let prediction: PredictionController | undefined;
 async function enablePrediction(): Promise<void> {

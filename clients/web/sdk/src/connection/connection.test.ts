@@ -1,30 +1,8 @@
-import { create, fromBinary, toBinary } from '@bufbuild/protobuf';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
-import { Connection, type Socket, type ConnectionState } from './connection.js';
+import { Connection, type ConnectionState } from './connection.js';
+import { FakeSocket } from '../testing/fake_socket.js';
 import { goldenChannels } from '../testing/golden_channels.js';
-import { ClientMessageSchema, InputCode, NoticeCode, ServerMessageSchema } from '../gen/jostle/v1/play_pb.js';
-
-class FakeSocket implements Socket {
-  binaryType = '';
-  onopen: (() => void) | null = null;
-  onmessage: ((event: { data: ArrayBuffer }) => void) | null = null;
-  onclose: ((event: { code: number; reason: string }) => void) | null = null;
-  sent: Uint8Array[] = [];
-  send(bytes: Uint8Array) {
-    this.sent.push(bytes);
-  }
-  closed = false;
-  close() {
-    this.closed = true;
-  }
-  take() {
-    return this.sent.splice(0).map((bytes) => fromBinary(ClientMessageSchema, bytes).message);
-  }
-  deliver(message: Parameters<typeof create<typeof ServerMessageSchema>>[1]) {
-    const bytes = toBinary(ServerMessageSchema, create(ServerMessageSchema, message));
-    this.onmessage?.({ data: bytes.slice().buffer as ArrayBuffer });
-  }
-}
+import { InputCode, NoticeCode } from '../gen/jostle/v1/play_pb.js';
 
 describe('connection', () => {
   let sockets: FakeSocket[];
@@ -37,9 +15,9 @@ describe('connection', () => {
     sockets = [];
     states = [];
     messages = [];
-    connection = new Connection(
-      'ws://test/play',
-      {
+    connection = new Connection({
+      url: 'ws://test/play',
+      listener: {
         state: (s, reason) => states.push([s, reason]),
         entityList: () => {},
         stats: () => {},
@@ -47,11 +25,11 @@ describe('connection', () => {
         inputRejected: (result) => messages.push(result.message),
         notice: (text) => messages.push(text),
       },
-      () => {
+      openSocket: () => {
         sockets.push(new FakeSocket());
         return sockets[sockets.length - 1]!;
       },
-    );
+    });
     connection.join('sandbox');
     sockets[0]!.onopen?.();
   });

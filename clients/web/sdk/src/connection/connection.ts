@@ -51,16 +51,22 @@ const SERVER_TIMEOUT_MS = 5000; // the server sends at least once per second; af
 const STABLE_CONNECTION_MS = 5000; // a connection that lasted this long resets the reconnect delay
 const CLOSE_POLICY_VIOLATION = 1008; // WebSocket close code of a rejection that a retry would not change
 
+/** An input in the form of proto Input, with all fields optional. */
 export type Input = MessageInitShape<typeof InputSchema>;
+/** waiting: for the next attempt to reconnect. stopped: by stop(), or rejected by the server. */
 export type ConnectionState = 'connecting' | 'playing' | 'waiting' | 'stopped';
 
+/** Callbacks of a connection. */
 export interface ConnectionListener {
   /** The state changed; `reason` is empty unless the connection was lost or rejected. */
   state(state: ConnectionState, reason: string): void;
+  /** Entities were added or removed. */
   entityList(entities: ReadonlyMap<number, Entity>): void;
+  /** Statistics of the world, about twice per second. */
   stats(stats: WorldStats): void;
   /** Events of one tick; only while enabled by setEventsEnabled(). */
   worldEvents(events: WorldEvents): void;
+  /** The server rejected an input; InputResult.message has the reason. */
   inputRejected(result: InputResult): void;
   /** A message from the server for the user. */
   notice(text: string): void;
@@ -89,21 +95,38 @@ export interface Socket {
   close(): void;
 }
 
+/** Opens a WebSocket. */
 export const openSocket = (url: string) => new WebSocket(url) as unknown as Socket;
 
+export interface ConnectionOptions {
+  /** WebSocket URL of the play stream. */
+  readonly url: string;
+  readonly listener: ConnectionListener;
+  /** Default: a WebSocket. */
+  readonly openSocket?: ((url: string) => Socket) | undefined;
+  /** Bearer token of the user; default: none. */
+  readonly token?: string | undefined;
+  /** Channel kinds to subscribe to; default: none. */
+  readonly channelKinds?: readonly string[] | undefined;
+  /** Default: the whole world. */
+  readonly areaOfInterest?: AreaOfInterest | undefined;
+}
+
+/** A play stream that reconnects. join() starts it, stop() ends it. */
 export class Connection {
   readonly clock = new ClockSync();
   readonly frames = new FrameBuffer();
   readonly renderClock = new RenderClock();
   readonly inputClock = new InputClock();
   readonly entities = new Map<number, Entity>();
-  welcome: Welcome | undefined;
+  welcome: Welcome | undefined; // undefined: before the first connection
   bytesReceived = 0;
-  snapshots = 0;
-  decodeErrors = 0;
-  ageMs = 0;
-  world = '';
+  snapshots = 0; // decoded
+  decodeErrors = 0; // each causes a request for a keyframe
+  ageMs = 0; // of the newest frame when it arrived
+  world = ''; // id or name that was joined
   state: ConnectionState = 'stopped';
+  resumed = 0; // number of resumed connections
 
   private readonly largeShapes = new LargeShapes();
   private readonly controlledEntity = new ControlledStateDecoder();
@@ -115,7 +138,6 @@ export class Connection {
   private focus = { x: 0, z: 0 };
   private readonly inputs = new InputQueue<Input>();
   private resumeToken = new Uint8Array(0); // empty: no session to resume
-  resumed = 0; // number of resumed connections
   private needKeyframe = false;
   private ackDue = false;
   private lastAck = 0;
@@ -130,14 +152,21 @@ export class Connection {
   private predictionListener: PredictionListener | undefined;
   private lastBatch = 0;
 
-  constructor(
-    private readonly url: string,
-    private readonly listener: ConnectionListener,
-    private readonly open: (url: string) => Socket = openSocket,
-    private readonly token = '',
-    private readonly channelKinds: Iterable<string> = [], // channel kinds to subscribe to
-    private readonly areaOfInterest: AreaOfInterest | undefined = undefined, // undefined: the whole world
-  ) {}
+  readonly url: string;
+  private readonly listener: ConnectionListener;
+  private readonly openSocket: (url: string) => Socket;
+  private readonly token: string;
+  private readonly channelKinds: readonly string[];
+  private readonly areaOfInterest: AreaOfInterest | undefined;
+
+  constructor(options: ConnectionOptions) {
+    this.url = options.url;
+    this.listener = options.listener;
+    this.openSocket = options.openSocket ?? openSocket;
+    this.token = options.token ?? '';
+    this.channelKinds = options.channelKinds ?? [];
+    this.areaOfInterest = options.areaOfInterest;
+  }
 
   /** Leaves the current world, if any, and joins a world by id or name; empty: the server's first world. */
   join(world: string): void {
@@ -154,6 +183,7 @@ export class Connection {
     if (this.state === 'playing' || this.state === 'connecting') this.join(this.world);
   }
 
+  /** Leaves the world and ends the session. */
   stop(): void {
     if (this.state === 'playing') this.sendMessage({ case: 'leave', value: {} });
     this.resumeToken = new Uint8Array(0);
@@ -178,6 +208,7 @@ export class Connection {
     predictionListener.controlledEntity(this.controlledEntity.newest);
   }
 
+  /** Sends an input; does nothing unless the state is `playing`. */
   send(original: Input): void {
     if (this.state !== 'playing') return;
     const now = nowUs();
@@ -225,7 +256,7 @@ export class Connection {
     this.lastNotice = undefined;
     this.playingSince = 0;
     this.lastReceivedUs = nowUs();
-    const socket = this.open(this.url);
+    const socket = this.openSocket(this.url);
     this.socket = socket;
     socket.binaryType = 'arraybuffer';
     socket.onopen = () => {

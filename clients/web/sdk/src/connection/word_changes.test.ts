@@ -31,5 +31,5 @@ it('requires a complete controlled entity state first', () => {
   decoder.apply(changes);
   expect(decoder.newest).toEqual({ entity: 5, tick: 7, module: 'vehicle', words: Uint32Array.of(8, 9) });
   decoder.apply(create(ControlledEntityStateSchema, { ...changes, entity: 6 }));
-  expect(decoder.newest, 'of another one, and not whole').toBeUndefined();
+  expect(decoder.newest, 'another entity, without a keyframe').toBeUndefined();
 });

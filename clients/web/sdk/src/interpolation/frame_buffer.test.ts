@@ -16,7 +16,7 @@ const filled = (count: number) => {
   return frames;
 };
 
-it('keeps the newest 32 frames as baselines', () => {
+it('stores the newest 32 frames as baselines', () => {
   const frames = filled(40);
   expect(frames.find(8)).toBeUndefined();
   expect(frames.find(9)?.frame).toBe(9);

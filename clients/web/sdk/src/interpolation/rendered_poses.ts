@@ -149,18 +149,23 @@ export class RenderedPoses {
   indexOf(id: number): number {
     return this.current.indexOf(id);
   }
+  /** Valid until the next update; undefined: not in the rendered frame. */
+  poseOf(id: number): Pose | undefined {
+    const i = this.current.indexOf(id);
+    return i < 0 ? undefined : this.current.poseAt(i);
+  }
 
   /** Computes the poses at `serverUs` on the server's clock (RenderClock.advance); `nowUs`: local clock. */
   update(frames: FrameBuffer, serverUs: number, nowUs: number): void {
     const newestUs = frames.newest?.serverUs ?? 0;
-    const passedUs = Math.max(0, nowUs - this.lastSampleUs);
-    if (passedUs > SAMPLE_GAP_MAX_US || newestUs < this.lastNewestFrameUs) this.errors.clear();
+    const elapsedUs = Math.max(0, nowUs - this.lastSampleUs);
+    if (elapsedUs > SAMPLE_GAP_MAX_US || newestUs < this.lastNewestFrameUs) this.errors.clear();
     else if (this.lastRenderTimeUs > this.lastNewestFrameUs && newestUs > this.lastNewestFrameUs) this.updateErrors(frames);
     this.current.update(frames, serverUs);
     this.secondsFromSource = this.source ? Math.min(EXTRAPOLATE_US, serverUs - this.source.serverUs) / 1e6 : 0;
     for (const [id, error] of this.errors) {
       const i = this.current.indexOf(id);
-      if (i >= 0 && decay(error, this.current.speedAt(i), passedUs / 1e6)) addError(this.current.poseAt(i), error);
+      if (i >= 0 && decay(error, this.current.speedAt(i), elapsedUs / 1e6)) addError(this.current.poseAt(i), error);
       else this.errors.delete(id);
     }
     this.lastSampleUs = nowUs;

@@ -2,11 +2,19 @@ import type { FrameBuffer } from '../interpolation/frame_buffer.js';
 import { PredictionController } from './prediction_controller.js';
 import { compile, Predictor } from './predictor.js';
 
-/** Where this package has the WebAssembly module; bundlers that understand `new URL(..., import.meta.url)` copy it. */
+/** URL of predictor.wasm in this package. Bundlers that support `new URL(..., import.meta.url)` copy the file. */
 export const predictorUrl = new URL('./predictor.wasm', import.meta.url);
 
-/** A PredictorError says why there is none. `failed` hears of what goes wrong later. */
-export async function loadPrediction(frames: FrameBuffer, failed: (error: unknown) => void): Promise<PredictionController> {
-  const predictor = await Predictor.create(await compile(fetch(predictorUrl)));
-  return new PredictionController(predictor, frames, failed);
+/**
+ * Loads the predictor; pass the controller to Connection.enablePrediction(). Throws PredictorError if that fails. `onFailure` is
+ * called if the predictor fails later; nothing is predicted afterwards. `module`: the bytes of predictor.wasm, where `fetch`
+ * cannot read predictorUrl.
+ */
+export async function loadPrediction(
+  frames: FrameBuffer,
+  onFailure: (error: unknown) => void,
+  module?: BufferSource,
+): Promise<PredictionController> {
+  const predictor = await Predictor.create(await compile(module ?? fetch(predictorUrl)));
+  return new PredictionController(predictor, frames, onFailure);
 }

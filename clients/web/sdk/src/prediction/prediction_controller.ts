@@ -71,7 +71,7 @@ export class PredictionController implements PredictionListener {
       this.controlled = kind.value.entity ?? 0;
       this.follow(this.controlled);
     } else if (this.controlled !== 0) {
-      // The controlled entity stays followed, whatever else is pushed.
+      // The controlled entity stays followed, even if other bodies are pushed.
     } else if (kind?.case === 'grab') this.follow(kind.value.entity ?? 0);
     else if (kind?.case === 'impulse' && !this.grabbed) this.follow(kind.value.entity ?? 0);
     if (kind?.case === 'grab' || kind?.case === 'release') this.grabbed = kind.case === 'grab';

@@ -1,5 +1,5 @@
 // Queries about the joined world: POST /api/query/<Method> in protobuf's JSON form. Without a response, the result is
-// undefined and the caller continues with what it has.
+// undefined, and callers use their local data.
 
 import { create, fromJsonString, toJsonString, type DescMessage, type MessageInitShape, type MessageShape } from '@bufbuild/protobuf';
 import {

@@ -1,6 +1,6 @@
 // A recording as a socket: a connection reads it instead of a server, so that live worlds and recordings share one code path.
 // It has its own time, which can be paused, scaled and set. Messages are delivered shortly before they are rendered. To seek
-// backwards or far ahead, it restarts as a server would: Welcome, entity updates, a keyframe and what follows it.
+// backwards or far ahead, it restarts as a server would: Welcome, entity updates, a keyframe and the later messages.
 
 import { fromBinary, create, toBinary } from '@bufbuild/protobuf';
 import type { Socket } from '../connection/connection.js';

@@ -15,7 +15,11 @@ async function play(recording: Recording) {
   const stream = new RecordedStream(recording);
   const states: string[] = [];
   const nothing = () => {};
-  const connection = new Connection('', { state: (s, why) => states.push(s + why), entityList: nothing, stats: nothing, worldEvents: nothing, inputRejected: nothing, notice: nothing }, () => stream.open());
+  const connection = new Connection({
+    url: '',
+    listener: { state: (s, why) => states.push(s + why), entityList: nothing, stats: nothing, worldEvents: nothing, inputRejected: nothing, notice: nothing },
+    openSocket: () => stream.open(),
+  });
   connection.join('');
   await Promise.resolve();
   const rendered = new RenderedPoses();

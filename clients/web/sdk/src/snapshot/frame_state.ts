@@ -1,4 +1,4 @@
-// Quantized state of frames, and what the decoders of both codecs share. As in
+// Quantized state of frames, and helpers of the decoders of both codecs. As in
 // proto/snapshot/include/jostle/snapshot/entity_state.h and entity_diff.h.
 
 export interface EntityState {

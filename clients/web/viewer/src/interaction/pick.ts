@@ -1,4 +1,4 @@
-// What is under the pointer. The rendered scene gives an immediate result, the server the exact one after a round trip.
+// Picks the body under the pointer. The rendered scene gives an immediate result, the server the exact one after a round trip.
 
 import * as THREE from 'three';
 import type { Queries } from '@jostle/client';

@@ -31,12 +31,12 @@ describe('vehicle', () => {
     const context = testRenderContext((entity) => (entity === 7 ? [10, 0, 0, 0, 0, 0, 1] : undefined));
     vehicles.draw!([data(CAR)], context);
     const { solids } = context;
-    expect(solids.countOf('cylinder')).toBe(2); // tyre and rim
-    const tyre = solids.matrixOf('cylinder', 0);
-    const at = new THREE.Vector3().setFromMatrixPosition(tyre);
+    expect(solids.countOf('cylinder')).toBe(2); // tire and rim
+    const tire = solids.matrixOf('cylinder', 0);
+    const at = new THREE.Vector3().setFromMatrixPosition(tire);
     expect(at.distanceTo(new THREE.Vector3(10, 0, -1))).toBeLessThan(0.01);
     // Its axis is the x axis of the chassis, and its former top points forward after a quarter turn.
-    const axis = new THREE.Vector3(0, 1, 0).transformDirection(tyre);
+    const axis = new THREE.Vector3(0, 1, 0).transformDirection(tire);
     expect(Math.abs(axis.x)).toBeCloseTo(1, 3);
     const spoke = solids.matrixOf('box', 0);
     expect(new THREE.Vector3(0, 1, 0).transformDirection(spoke).z).toBeCloseTo(-1, 3);

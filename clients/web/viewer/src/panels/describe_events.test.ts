@@ -51,7 +51,7 @@ describe('event descriptions', () => {
   });
 });
 
-it('keeps the last 12 lines and counts repetitions', () => {
+it('stores the last 12 lines and counts repetitions', () => {
   const last = new RecentLines(12);
   for (let i = 0; i < 20; i++) last.add(`line ${i}`);
   last.add('line 19');

@@ -1,4 +1,4 @@
-// Control line: which entities can be controlled, how to take control, what the keys do, and the status. Arrows mark
+// Control line: which entities can be controlled, how to take control, the keys, and the status. Arrows mark
 // controllable entities while the tool is selected.
 
 import * as THREE from 'three';

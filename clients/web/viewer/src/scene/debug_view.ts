@@ -1,10 +1,9 @@
 // Solver state as an overlay: contacts, bounds, joints and the broad phase as lines, islands as tints. Rebuilt with each
 // response of the server; rendered frames in between show the same lines.
 
-import { create } from '@bufbuild/protobuf';
-import * as THREE from 'three';
-import { Vec3Schema } from '@jostle/client/gen/common_pb';
+import type { Vec3 } from '@jostle/client/gen/common_pb';
 import type { DebugBox, DebugContact, DebugIsland, DebugJoint, DebugResponse } from '@jostle/client/gen/query_pb';
+import * as THREE from 'three';
 import { VertexBuffer } from './vertex_buffer';
 
 /** What to request from the server. */
@@ -27,7 +26,7 @@ const NORMAL_LENGTH_MIN = 0.12; // m
 const NORMAL_LENGTH_MAX = 1.5;
 const NORMAL_LENGTH_SCALE = 0.06; // m / sqrt(N s), so that the impulses of bodies of 1 g and of 1 t are both visible
 
-const ZERO = create(Vec3Schema);
+const ZERO: Vec3 = { $typeName: 'jostle.v1.Vec3', x: 0, y: 0, z: 0 };
 
 export class DebugView {
   readonly contactPoints = VertexBuffer.points(7);

@@ -58,10 +58,10 @@ float belt = 1.0 - smoothstep(0.26 - soft, 0.26 + soft, across);
 diffuseColor.rgb = mix(diffuseColor.rgb, vec3(1.0), 0.42 * belt);
 `;
 const LINES = `
-vec2 metres = vUnit.xz * vSize.xz;
+vec2 meters = vUnit.xz * vSize.xz;
 for (int i = 0; i < 2; i++) {
   float spacing = i == 0 ? 1.0 : 5.0;
-  vec2 at = metres / spacing;
+  vec2 at = meters / spacing;
   vec2 blur = max(fwidth(at), vec2(1e-6));
   vec2 away = abs(fract(at - 0.5) - 0.5) / blur;
   vec2 line = (1.0 - min(away, 1.0)) * (1.0 - smoothstep(0.15, 0.5, blur));

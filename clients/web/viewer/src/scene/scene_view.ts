@@ -27,7 +27,7 @@ interface RenderedEntity {
 const PALETTE = [0x5b8def, 0xe07a5f, 0xf2cc8f, 0x6bb392, 0xa78bfa, 0xef8354, 0x4cc9c0, 0xe66a9c];
 const OWN_COLOR = 0xffd166;
 const STATIC_COLOR = 0x66727f;
-const ASLEEP_GREY = new THREE.Color(0x39424c);
+const ASLEEP_GRAY = new THREE.Color(0x39424c);
 const ASLEEP_WEIGHT = 0.3;
 // In the debug view.
 const ASLEEP_MARK = new THREE.Color(0x2f6fd6);
@@ -185,7 +185,7 @@ export class SceneView {
     color.set(this.currentColor(rendered));
     // Static bodies always rest; only dynamic bodies are rendered as sleeping.
     if (asleep && rendered.entity.mass > 0)
-      color.lerp(this.asleepMarked ? ASLEEP_MARK : ASLEEP_GREY, this.asleepMarked ? ASLEEP_MARK_WEIGHT : ASLEEP_WEIGHT);
+      color.lerp(this.asleepMarked ? ASLEEP_MARK : ASLEEP_GRAY, this.asleepMarked ? ASLEEP_MARK_WEIGHT : ASLEEP_WEIGHT);
     for (const { instances, slot } of rendered.parts) instances.setColor(slot, color);
   }
 

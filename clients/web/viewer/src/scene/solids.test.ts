@@ -15,12 +15,12 @@ it('renders only the solids of the current frame', () => {
     solids.end();
     const mesh = scene.children[0] as THREE.InstancedMesh;
     const matrix = new THREE.Matrix4();
-    let seen = 0;
+    let visible = 0;
     for (let slot = 0; slot < mesh.count; slot++) {
       mesh.getMatrixAt(slot, matrix);
-      if (matrix.getMaxScaleOnAxis() > 0) seen++;
+      if (matrix.getMaxScaleOnAxis() > 0) visible++;
     }
-    return seen;
+    return visible;
   };
   expect([draw(3), draw(100), draw(2), draw(0), draw(5)]).toEqual([3, 100, 2, 0, 5]);
   expect(solids.count).toBe(5);

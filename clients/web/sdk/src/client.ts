@@ -1,0 +1,197 @@
+// The client of the public API: one connection to one world, with smooth poses, inputs and optional prediction.
+
+import { nowUs } from './clock/clock_sync.js';
+import type { AreaOfInterest } from './connection/area_of_interest.js';
+import { Connection, type ConnectionListener, type ConnectionState, type Input, type Socket } from './connection/connection.js';
+import type { Entity } from './gen/jostle/v1/play_pb.js';
+import { RenderedPoses } from './interpolation/rendered_poses.js';
+import { MOTION_CHANNEL } from './prediction/motion_channel.js';
+import type { PredictionController } from './prediction/prediction_controller.js';
+
+/** A vector in the world: m, m/s or N s. */
+export interface Vector {
+  readonly x: number;
+  readonly y: number;
+  readonly z: number;
+}
+
+export interface ConnectOptions {
+  /** WebSocket URL of the play stream, such as `ws://127.0.0.1:8080/play`. */
+  readonly url: string;
+  /** Id or name of a world; default: the server's first world. */
+  readonly world?: string;
+  /** Bearer token of the user; default: none. */
+  readonly token?: string;
+  /** Kinds of module channels to receive, at most 64 (PoseFrame.channels); default: none. */
+  readonly channels?: readonly string[];
+  /** The part of the world to receive; default: the whole world. */
+  readonly areaOfInterest?: AreaOfInterest;
+  /** Whether to receive events (ConnectionListener.worldEvents); default: false. */
+  readonly events?: boolean;
+  /**
+   * Predicts the effects of own inputs; default: false. Pass the bytes of predictor.wasm where `fetch` cannot read the package,
+   * as in Node: `await readFile(predictorUrl)` with `predictorUrl` of `@jostle/client/prediction`.
+   */
+  readonly prediction?: boolean | BufferSource;
+  /** Callbacks; all are optional. */
+  readonly listener?: Partial<ConnectionListener>;
+  /** ms until connect() gives up; default: 10 000. */
+  readonly timeoutMs?: number;
+  /** Opens the socket; default: a WebSocket. For tests, simulated networks, recordings and runtimes without WebSocket. */
+  readonly openSocket?: (url: string) => Socket;
+}
+
+/** The server is unreachable, or it rejected the client. */
+export class ConnectError extends Error {}
+
+const TIMEOUT_MS = 10_000;
+
+/**
+ * Joins a world. Resolves once the server has accepted the client; poses are available from the first frame on.
+ * Rejects with ConnectError if the server rejects the client or does not respond in time, and with PredictorError if prediction
+ * is requested but predictor.wasm cannot be loaded.
+ */
+export async function connect(options: ConnectOptions): Promise<Client> {
+  const { prediction = false, timeoutMs = TIMEOUT_MS } = options;
+  const client = new Client(options);
+  if (prediction !== false) await client.loadPrediction(prediction === true ? undefined : prediction);
+  await client.join(options.world ?? '', timeoutMs);
+  return client;
+}
+
+export class Client {
+  /** The underlying connection, for its statistics, clocks and frames. */
+  readonly connection: Connection;
+  private readonly listener: Partial<ConnectionListener>;
+  private readonly poses = new RenderedPoses();
+  private prediction: PredictionController | undefined;
+  private onState: ((state: ConnectionState, reason: string) => void) | undefined;
+
+  /** Use connect(). */
+  constructor(options: ConnectOptions) {
+    const { url, token, channels = [], areaOfInterest, events = false, prediction = false, listener = {} } = options;
+    this.listener = listener;
+    const channelKinds = prediction === false ? channels : [...channels, MOTION_CHANNEL];
+    const forward: ConnectionListener = {
+      state: (state, reason) => {
+        this.onState?.(state, reason);
+        listener.state?.(state, reason);
+      },
+      entityList: (entities) => listener.entityList?.(entities),
+      stats: (stats) => listener.stats?.(stats),
+      worldEvents: (worldEvents) => listener.worldEvents?.(worldEvents),
+      inputRejected: (result) => listener.inputRejected?.(result),
+      notice: (text) => listener.notice?.(text),
+    };
+    this.connection = new Connection({ url, listener: forward, openSocket: options.openSocket, token, channelKinds, areaOfInterest });
+    this.connection.setEventsEnabled(events);
+  }
+
+  /** Called by connect(). */
+  async loadPrediction(module: BufferSource | undefined): Promise<void> {
+    const { loadPrediction } = await import('./prediction/index.js');
+    const failed = (error: unknown) => {
+      this.prediction = undefined;
+      this.listener.notice?.(`prediction is disabled: ${error instanceof Error ? error.message : String(error)}`);
+    };
+    this.prediction = await loadPrediction(this.connection.frames, failed, module);
+    this.connection.enablePrediction(this.prediction);
+  }
+
+  /** Called by connect(). */
+  async join(world: string, timeoutMs: number): Promise<void> {
+    let timer: ReturnType<typeof setTimeout> | undefined;
+    try {
+      await new Promise<void>((resolve, reject) => {
+        let lastReason = 'the server does not respond';
+        timer = setTimeout(() => reject(new ConnectError(`${this.connection.url}: ${lastReason}`)), timeoutMs);
+        this.onState = (state, reason) => {
+          lastReason = reason || lastReason;
+          if (state === 'playing') resolve();
+          if (state === 'stopped' && reason) reject(new ConnectError(`${this.connection.url}: ${reason}`));
+        };
+        this.connection.join(world);
+      });
+    } catch (error) {
+      this.close();
+      throw error;
+    } finally {
+      clearTimeout(timer);
+      this.onState = undefined;
+    }
+  }
+
+  get state(): ConnectionState {
+    return this.connection.state;
+  }
+
+  /** The id that the server assigned; Entity.owner has it for own bodies. */
+  get clientId(): number {
+    return this.connection.welcome?.clientId ?? 0;
+  }
+
+  /** All entities of the world by id: shapes, names, masses and owners. Poses are separate: sample(). */
+  get entities(): ReadonlyMap<number, Entity> {
+    return this.connection.entities;
+  }
+
+  /**
+   * Computes the poses to render now: interpolated between frames, slightly in the past, and predicted for own inputs. Call it
+   * once per rendered frame. Returns the same object every time, valid until the next call: `count` entities with ascending
+   * `ids`, and seven numbers per entity in `poses`: position in m, rotation as a quaternion x y z w.
+   */
+  sample(localUs = nowUs()): RenderedPoses {
+    const renderTimeUs = this.connection.renderClock.advance(localUs);
+    this.poses.update(this.connection.frames, renderTimeUs, localUs);
+    this.prediction?.applyTo(this.poses, this.connection.inputClock.position(localUs), localUs);
+    return this.poses;
+  }
+
+  /** Pose of an entity as of the last sample(): px py pz in m, qx qy qz qw; undefined: not in that frame. */
+  poseOf(entity: number): Float64Array | undefined {
+    return this.poses.poseOf(entity);
+  }
+
+  /**
+   * Sends an input. The server applies it in the next tick, or in the tick that prediction sets. Rejected inputs are reported to
+   * ConnectionListener.inputRejected. Does nothing while the client is not connected.
+   */
+  send(kind: NonNullable<Input['kind']>): void {
+    this.connection.send({ kind });
+  }
+
+  /** Applies an impulse in N s to a body; `point`: where, in the world, default: the center of mass. The server limits the velocity change to 20 m/s. */
+  applyImpulse(entity: number, impulse: Vector, point?: Vector): void {
+    this.send({ case: 'impulse', value: point ? { entity, impulse, point } : { entity, impulse } });
+  }
+
+  /** Attaches a spring to a point of a body, in the world; drag() moves its other end. A client holds one body at a time. */
+  grab(entity: number, point: Vector): void {
+    this.send({ case: 'grab', value: { entity, point } });
+  }
+
+  /** Moves the target of the grabbed point, in the world. */
+  drag(target: Vector): void {
+    this.send({ case: 'drag', value: { target } });
+  }
+
+  /** Releases the grabbed body. */
+  release(): void {
+    this.send({ case: 'release', value: {} });
+  }
+
+  /** Takes control of an entity with Entity.controllable that no other client controls; 0: releases control. */
+  takeControl(entity: number): void {
+    this.send({ case: 'possess', value: { entity } });
+  }
+
+  /** Input for the controlled entity until the next call: at most eight axes from -1 to 1, and a bit per button. Modules define their meaning. */
+  control(axes: readonly number[], buttons = 0): void {
+    this.send({ case: 'control', value: { axes: axes.map((axis) => Math.round(1000 * axis)), buttons } });
+  }
+
+  /** Leaves the world and closes the connection. */
+  close(): void {
+    this.connection.stop();
+  }
+}

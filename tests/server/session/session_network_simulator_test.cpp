@@ -79,9 +79,9 @@ TEST(SessionNetworkSimulator, settings_that_cannot_be_read_are_refused_at_the_st
     config.development.network_conditions = "delay=soon";
     const Status refused = check(config);
     ASSERT_FALSE(refused.ok());
-    EXPECT_EQ(
-        refused.error().message,
-        "development.network_conditions: link setting 'delay=soon': after = comes a number from 0");
+    EXPECT_EQ(refused.error().message,
+              "development.network_conditions: link setting 'delay=soon': the value must be a number "
+              "of at least 0");
 }
 
 TEST(SessionNetworkSimulator, a_farewell_is_heard_though_the_line_is_cut_behind_it) {

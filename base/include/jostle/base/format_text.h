@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// printf's patterns into a string.
+// printf-style formatting into a std::string.
 #pragma once
 
 #include <cstdarg>
@@ -9,7 +9,7 @@
 
 namespace jostle {
 
-// A line: what is longer than 639 characters is cut.
+/// Formats `pattern` and its arguments as printf does. The result is truncated to 639 characters.
 __attribute__((format(printf, 1, 2))) inline std::string format_text(const char* pattern, ...) {
     char text[640];
     va_list arguments;

@@ -9,12 +9,13 @@
 namespace jostle::physics {
 namespace {
 
-constexpr int rim_points = 8;  // corners that stand for the rim of a disc
+constexpr int rim_points = 8;  // corners that approximate the rim of a disc
 
-// A disc across the local y axis at height y, with one corner where it looks along d.
+// A disc normal to the local y axis at height y, with one corner in the direction of d.
 void put_disc(Feature& f, double y, double radius, Vec3 d) {
     const double across = square_root(d.x * d.x + d.z * d.z);
-    // Level with the other side: fixed corners, so that a resting rim keeps its points.
+    // If the disc is parallel to the other shape's face, the corners are fixed, so that a resting
+    // rim keeps its points.
     const Vec3 first = across > 1e-4 ? Vec3{d.x / across, 0, d.z / across} : Vec3{1, 0, 0};
     const Vec3 second{-first.z, 0, first.x};
     constexpr double half = 0.70710678118654752440;
@@ -78,7 +79,7 @@ Feature feature_of_polyhedron(const Convex& shape, Vec3 d) {
     return f;
 }
 
-// The edge of a polyhedron that looks along d and runs along u, within six degrees: two corners, or
+// The edge of a polyhedron that faces d and is parallel to u within six degrees: two corners, or
 // none.
 Feature edge_of_polyhedron(const Convex& shape, Vec3 d, Vec3 u) {
     PolyhedronParts parts;
@@ -127,13 +128,13 @@ Feature local_feature(const Convex& shape, Vec3 d) {
     return feature_of_polyhedron(shape, d);
 }
 
-// The part of a polygon (or segment, or point) on the inner side of a plane.
+// Clips a polygon (or segment, or point) to the inner side of a plane.
 int cut(Vec3* polygon, int count, Vec3 normal, double offset) {
     UninitializedArray<Vec3, ContactPoints::capacity> retained;
     int made = 0;
     const double slack = 1e-12;
     const auto height = [&](Vec3 p) { return dot(normal, p) - offset; };
-    const bool open = count == 2;  // an edge has no way back from its end to its start
+    const bool open = count == 2;  // a segment has no closing side
     for (int k = 0; k < count; k++) {
         const Vec3 p = polygon[k];
         const double hp = height(p);
@@ -155,7 +156,8 @@ struct Sink {
     double radius_a, radius_b;
     double margin;
 
-    // Cores' points `pa` and `pb`, of which one was found on the other's face along the normal.
+    // `pa` and `pb` lie on the cores. One of them was projected onto the other's face along the
+    // normal.
     void add(Vec3 pa, Vec3 pb) { add(pa, pb, dot(pb - pa, normal)); }
     void add(Vec3 pa, Vec3 pb, double distance) {
         if (out.count == ContactPoints::capacity) return;
@@ -167,8 +169,8 @@ struct Sink {
     }
 };
 
-// Two edges side by side: the ends of what they have in common, and of round ones two about the
-// nearest point if they cross. False when they cross at a large angle.
+// Two nearly parallel edges: adds the ends of their overlap. For round edges that cross it also
+// adds two points around the closest point. Returns false if the edges cross at a large angle.
 bool add_side_by_side(Sink& sink, const Feature& fa, const Feature& fb, Vec3 n) {
     const double half_a = 0.5 * length(fa.corner[1] - fa.corner[0]);
     const double half_b = 0.5 * length(fb.corner[1] - fb.corner[0]);
@@ -178,7 +180,7 @@ bool add_side_by_side(Sink& sink, const Feature& fa, const Feature& fb, Vec3 n) 
     const Vec3 v = (fb.corner[1] - fb.corner[0]) * (0.5 / half_b);
     const double cosine = dot(u, v);
     if (cosine * cosine < 0.99 || absolute(dot(n, u)) > 0.1) return false;
-    // Where b's ends are along a.
+    // The interval of edge b projected onto edge a.
     const double middle = dot(b - a, u), reach = half_b * absolute(cosine);
     const double low = maximum(-half_a, middle - reach), high = minimum(half_a, middle + reach);
     if (high - low < 0.04 * half_a) return false;
@@ -186,7 +188,8 @@ bool add_side_by_side(Sink& sink, const Feature& fa, const Feature& fb, Vec3 n) 
     const auto add_at = [&](double s) {
         const Vec3 pa = a + u * s;
         const Vec3 pb = b + v * clamp(dot(pa - b, v), -half_b, half_b);
-        // At its ends the distance of round edges is not quite along the normal of the middle.
+        // At the ends of the overlap, the distance between round edges is not exactly along the
+        // contact normal.
         const double along = dot(pb - pa, n);
         sink.add(pa, pb, along > 0 && radius > 0 ? length(pb - pa) : along);
     };
@@ -200,7 +203,8 @@ bool add_side_by_side(Sink& sink, const Feature& fa, const Feature& fb, Vec3 n) 
     return true;
 }
 
-// A capsule that lies along an edge of a polyhedron: on one point it would rock from end to end.
+// A capsule that lies along an edge of a polyhedron. With a single point it would rock from end to
+// end.
 bool add_along_edge(Sink& sink, const Convex& a, const Convex& b, const Feature& fa,
                     const Feature& fb, Vec3 n) {
     const auto edge = [](const Convex& shape, Vec3 d, Vec3 u) {
@@ -220,8 +224,8 @@ bool add_along_edge(Sink& sink, const Convex& a, const Convex& b, const Feature&
     return false;
 }
 
-// The incident feature cut to the outline of the reference face, and how far its corners are from
-// that face along the normal.
+// Clips the incident feature to the outline of the reference face and measures the distance of its
+// corners from that face along the normal.
 void add_clipped(Sink& sink, const Feature& reference, const Feature& incident, Vec3 n,
                  bool reference_is_a) {
     UninitializedArray<Vec3, ContactPoints::capacity> polygon;
@@ -229,8 +233,8 @@ void add_clipped(Sink& sink, const Feature& reference, const Feature& incident, 
     for (int k = 0; k < count; k++) polygon[k] = incident.corner[k];
     for (int k = 0; k < reference.count && count > 0; k++) {
         const Vec3 p = reference.corner[k], q = reference.corner[(k + 1) % reference.count];
-        // The prism stands along the normal of the contact, not of the face, so that points that
-        // lie on each other along it stay together.
+        // The clipping prism extends along the contact normal, not the face normal. Points that are
+        // opposite each other along the contact normal stay paired.
         const Vec3 side = reference_is_a ? cross(q - p, n) : cross(n, q - p);
         const double l = length(side);
         if (l < 1e-300) continue;
@@ -267,8 +271,8 @@ ContactPoints contact_points(const Convex& a, const Convex& b, const Witness& wi
         const Feature fa = feature_along(a, n), fb = feature_along(b, -n);
         const double alignment_a = fa.count >= 3 ? dot(fa.normal, n) : -1;
         const double alignment_b = fb.count >= 3 ? -dot(fb.normal, n) : -1;
-        // A face serves as reference while the normal is near its own. An edge that lies on it is
-        // only there when the face is what touches.
+        // A face can be the reference face only if its normal is near the contact normal. An edge
+        // in that face is used only if the face is the touching feature.
         const double least = fa.count == 2 || fb.count == 2 ? 0.995 : 0.5;
         const bool on_face = maximum(alignment_a, alignment_b) > 1 - 1e-9;
         bool side_by_side =
@@ -283,7 +287,7 @@ ContactPoints contact_points(const Convex& a, const Convex& b, const Witness& wi
         }
         if (side_by_side) lost = maximum(lost, tuning::crossing_gap * (a.radius + b.radius));
     }
-    // What cutting lost: the point that the normal came from.
+    // Clipping can lose the point that produced the normal. Add it again.
     double lowest = 1e300;
     for (int k = 0; k < out.count; k++) lowest = minimum(lowest, out.gap[k]);
     if (lowest > deepest + lost * (1 + 1e-6) && deepest <= margin) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// From a normal to contact points: the feature (face, edge or corner) that each shape turns towards
-// the other, one cut to the outline of the other.
+// Contact points for a given normal: finds the feature (face, edge or corner) of each shape that
+// faces the other shape and clips one feature to the outline of the other.
 #pragma once
 
 #include "physics/src/collision/narrowphase/manifold.h"
@@ -10,24 +10,24 @@
 
 namespace jostle::physics {
 
-// The part of a convex core that looks along a direction.
+// The feature of a convex core that faces a direction.
 struct Feature {
-    int count = 0;  // corners: 1 a point, 2 an edge, more a face
+    int count = 0;  // corners: 1 for a point, 2 for an edge, 3 or more for a face
     UninitializedArray<Vec3, max_face_vertices> corner;
-    Vec3 normal;  // unit, out of the shape; of an edge: the one nearest to the direction
+    Vec3 normal;  // unit, out of the shape; for an edge, the normal closest to the direction
 };
 Feature feature_along(const Convex& shape, Vec3 direction);
 
-// What an axis test or GJK or EPA found: the cores' separation along the normal and a pair of
-// points where it is attained.
+// Result of an axis test, GJK or EPA: the separation of the cores along the normal and a pair of
+// points at that separation.
 struct Witness {
     Vec3 normal;          // unit, from a to b
     double distance = 0;  // m, between the cores
     Vec3 on_a, on_b;
 };
 
-// All contact points with a gap of at most `margin`, before reduction. Always at least one, and one
-// of them has the gap of the witness.
+// All contact points with a gap of at most `margin`, before reduction. There is at least one point,
+// and one point has the gap of the witness.
 struct ContactPoints {
     static constexpr int capacity = 2 * static_cast<int>(max_face_vertices);
     int count = 0;
@@ -37,11 +37,10 @@ struct ContactPoints {
 ContactPoints contact_points(const Convex& a, const Convex& b, const Witness& witness,
                              double margin);
 
-// The points of b that stand over a's face whose normal is n; none when none does.
+// The points of b above the face of a with normal n. Empty if no point of b is above the face.
 ContactPoints points_over_face(const Convex& a, const Convex& b, Vec3 n, double margin);
 
-// The best four of them.
-// `size`: m, of the smaller shape.
+// Reduces the points to the best four. `size`: size of the smaller shape, m.
 Manifold manifold_of(const ContactPoints& points, Vec3 normal, double size);
 
 }  // namespace jostle::physics

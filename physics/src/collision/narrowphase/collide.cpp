@@ -21,7 +21,7 @@ Manifold swapped(const TransformedShape& a, const TransformedShape& b, double ma
     return flipped(kCollide(b, a, margin));
 }
 
-// Seen from a's position, so that large coordinates cancel once.
+// Computes relative to a's position, so that large coordinates cancel once.
 Manifold general(const TransformedShape& a, const TransformedShape& b, double margin,
                  PairCache& cache) {
     Manifold m = collide_convex(convex_of(a, a.position), convex_of(b, a.position), margin, cache);
@@ -29,7 +29,7 @@ Manifold general(const TransformedShape& a, const TransformedShape& b, double ma
     return m;
 }
 
-// The closed form is exact while the segment is outside the box.
+// The closed form is exact only while the segment is outside the box.
 Manifold box_capsule(const TransformedShape& a, const TransformedShape& b, double margin,
                      PairCache& cache) {
     const auto m = collide_box_capsule(a, b, margin);

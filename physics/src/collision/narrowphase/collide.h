@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The table: shape kind x shape kind to function.
+// Dispatch table from a pair of shape kinds to the collision function.
 #pragma once
 
 #include "physics/src/collision/narrowphase/collide_convex.h"
@@ -8,7 +8,8 @@
 
 namespace jostle::physics {
 
-// Points with a gap of at most `margin`. Convex kinds and planes; two planes never collide.
+// Contact points with a gap of at most `margin`. Supports convex kinds and planes; two planes never
+// collide.
 Manifold collide(const TransformedShape& a, const TransformedShape& b, double margin,
                  PairCache& cache);
 

@@ -11,12 +11,12 @@
 namespace jostle::physics {
 namespace {
 
-// The pair as the separating axis test sees it.
+// The pair in the form that the separating axis test uses.
 struct BoxPair {
     Vec3 half_a, half_b;
     Vec3 axis_a[3], axis_b[3];      // world
-    Vec3 between;                   // from a's centre to b's, world
-    double along_a[3], along_b[3];  // `between` in each box's axes
+    Vec3 between;                   // from a's centre to b's centre, world
+    double along_a[3], along_b[3];  // `between` in the axes of each box
     double r[3][3];                 // dot(axis_a[i], axis_b[j])
 };
 
@@ -37,16 +37,16 @@ BoxPair make_pair(const TransformedShape& a, const TransformedShape& b) {
     return p;
 }
 
-// Of a pose that is no number no separation compares, and the first axis stays: such a body is put
-// back when the step ends.
+// For a NaN pose every comparison is false and the first axis stays. Such a body is restored at the
+// end of the step.
 struct FaceAxis {
     int axis = 0;                // 0-2: a face of a, 3-5: a face of b
-    double preferred = -1e300;   // its separation with the preference for the cached axis
-    double separation = -1e300;  // largest over all six
-    int widest = 0;              // which of them has that
+    double preferred = -1e300;   // its separation plus the preference for the cached axis
+    double separation = -1e300;  // largest over all six axes
+    int widest = 0;              // index of the axis with the largest separation
 };
 
-// m: of axes that are equal but for this the first wins.
+// Tolerance in metres within which axes are equal and the first axis wins.
 double tie_of(double size) {
     return minimum(1e-6, 2e-5 * size);
 }
@@ -85,9 +85,9 @@ struct BoxEdgeAxis {
     double separation = -1e300;
 };
 
-// All by the matrix of one box in the other: e_i x v has the components -v[i2] and v[i1] along the
-// axes after i (Gottschalk, Lin, Manocha, "OBBTree", SIGGRAPH 1996). What separates by less than
-// the faces does not matter, and most of that shows before the square root.
+// Uses the rotation matrix between the boxes: e_i x v has the components -v[i2] and v[i1] along the
+// axes after i (Gottschalk, Lin, Manocha, "OBBTree", SIGGRAPH 1996). An edge axis with less
+// separation than the faces is irrelevant; most of these are rejected before the square root.
 BoxEdgeAxis best_edge(const BoxPair& p, double size, double faces) {
     const double tie = tie_of(size);
     BoxEdgeAxis best{.separation = faces - 20 * tie};
@@ -99,10 +99,11 @@ BoxEdgeAxis best_edge(const BoxPair& p, double size, double faces) {
             const double reach =
                 absolute(p.r[i2][j]) * p.half_a[i1] + absolute(p.r[i1][j]) * p.half_a[i2] +
                 absolute(p.r[i][j2]) * p.half_b[j1] + absolute(p.r[i][j1]) * p.half_b[j2];
-            const double apart = absolute(c) - reach;  // times the length of the axis, 1 at most
+            const double apart =
+                absolute(c) - reach;  // times the length of the axis, which is at most 1
             if (apart <= minimum(0, best.separation + tie)) continue;
             const double l2 = 1 - p.r[i][j] * p.r[i][j];
-            if (l2 < 1e-4) continue;  // parallel edges: a face axis says it better
+            if (l2 < 1e-4) continue;  // parallel edges: a face axis is more accurate
             const double per_length = 1 / square_root(l2);
             const double s = apart * per_length;
             if (s > best.separation + tie) {
@@ -115,7 +116,7 @@ BoxEdgeAxis best_edge(const BoxPair& p, double size, double faces) {
     return best;
 }
 
-// Of the axis that separates most, from a to b.
+// The normal of the axis with the largest separation, from a to b.
 Vec3 normal_of_widest(const BoxPair& p, const FaceAxis& face) {
     const int i = face.widest % 3;
     const bool of_a = face.widest < 3;
@@ -123,7 +124,7 @@ Vec3 normal_of_widest(const BoxPair& p, const FaceAxis& face) {
     return (of_a ? p.along_a[i] : p.along_b[i]) < 0 ? -axis : axis;
 }
 
-// Cuts the polygon to one side of the reference face: sign * coordinate <= limit.
+// Clips the polygon to one side of the reference face: sign * coordinate <= limit.
 int clip(FacePoint* polygon, int count, bool along_v, double sign, double limit) {
     UninitializedArray<FacePoint, 16> retained;
     int made = 0;
@@ -142,8 +143,8 @@ int clip(FacePoint* polygon, int count, bool along_v, double sign, double limit)
     return made;
 }
 
-// The face of the reference box along `face` against the face of the other box that looks most
-// against it.
+// Clips the incident face, the most antiparallel face of the other box, against the face of the
+// reference box with index `face`.
 Manifold face_contact(const TransformedShape& a, const BoxPair& p, int axis, double margin) {
     const bool b_is_reference = axis >= 3;
     const int face = axis % 3, u = (face + 1) % 3, v = (face + 2) % 3;
@@ -151,7 +152,7 @@ Manifold face_contact(const TransformedShape& a, const BoxPair& p, int axis, dou
     const Vec3* inc = b_is_reference ? p.axis_a : p.axis_b;
     const Vec3 half_ref = b_is_reference ? p.half_b : p.half_a;
     const Vec3 half_inc = b_is_reference ? p.half_a : p.half_b;
-    // Positions from a's centre.
+    // Positions relative to a's centre.
     const Vec3 center_ref = b_is_reference ? p.between : Vec3{};
     const Vec3 center_inc = b_is_reference ? Vec3{} : p.between;
     const double side = b_is_reference ? -p.along_b[face] : p.along_a[face];
@@ -196,9 +197,9 @@ Manifold face_contact(const TransformedShape& a, const BoxPair& p, int axis, dou
     return m;
 }
 
-// Where two edges are nearest to each other, from a's centre.
+// The closest points of two edges, relative to a's centre.
 Witness edge_witness(const BoxPair& p, const BoxEdgeAxis& edge) {
-    // The middle of the edge that reaches furthest along n.
+    // The centre of the edge that is furthest along n.
     const auto middle = [](const Vec3* axis, Vec3 half, int along, Vec3 n) {
         Vec3 sum;
         for (int k = 0; k < 3; k++)
@@ -212,7 +213,8 @@ Witness edge_witness(const BoxPair& p, const BoxEdgeAxis& edge) {
     return {edge.normal, edge.separation, a + u * at.s, b + v * at.t};
 }
 
-// What is not face on face. `edges`: two edges are what is nearest, or overlaps least.
+// Contacts other than face against face. `edges`: two edges are the closest features, or overlap
+// least.
 Manifold general_contact(const BoxPair& pair, const FaceAxis& face, const BoxEdgeAxis& edge,
                          bool edges, const Convex& a, const Convex& b, double margin) {
     const bool wider = edge.separation > face.separation;
@@ -241,14 +243,15 @@ Manifold collide_boxes(const TransformedShape& a, const TransformedShape& b, dou
     const double separation = maximum(face.separation, edge.separation);
     if (separation > margin) return {.normal = edge.normal, .distance = separation};
 
-    // Edges must be better by more than rounding, or resting faces would flicker. And boxes that
-    // are apart may be nearest at corners, where an axis shows less than the distance.
+    // An edge axis must be better than a face axis by more than rounding, or resting faces would
+    // flicker. Separated boxes may be closest at corners, where an axis shows less than the
+    // distance.
     const bool edges = edge.separation > face.preferred + 2e-5 * size;
     if (!edges && separation <= 0.01 * size) {
         cache.axis = static_cast<AxisCode>(face.axis) + 1;
         Manifold m = face_contact(a, pair, face.axis, margin);
         m.distance = separation;
-        // Near the margin the clipped face may leave nothing although the boxes are within it.
+        // Near the margin, clipping may leave no points although the boxes are within the margin.
         if (m.count > 0) return m;
     } else {
         cache.axis = edges ? 7 : 0;

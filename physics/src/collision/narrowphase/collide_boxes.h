@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Box against box: separating axes, then the incident face clipped against the reference face
+// Box against box: separating axes, then clipping of the incident face against the reference face
 // (Gottschalk 1996 for the fifteen axes; Sutherland and Hodgman 1974 for the clipping).
 #pragma once
 

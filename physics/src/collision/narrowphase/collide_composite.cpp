@@ -12,8 +12,8 @@
 namespace jostle::physics {
 namespace {
 
-// Of one pair of shapes. Two bodies that touch in so many places lie in one another; what they are
-// made of could have a billion pairs, which no memory holds.
+// Limit for one pair of shapes. Two bodies that touch in more places overlap deeply, and their
+// children could form a billion pairs, which do not fit into memory.
 constexpr std::size_t child_manifolds_max = 1 << 14;
 
 bool is_surface(const TransformedShape& shape) {
@@ -26,7 +26,7 @@ TransformedShape child_of(const TransformedShape& compound, const CompoundChild&
             compound.axes * to_matrix(child.pose.rotation)};
 }
 
-// The box of a shape in another's frame.
+// The bounding box of a shape in another frame.
 Aabb bounds_in(const TransformedShape& frame, const TransformedShape& shape) {
     const TransformedShape local{shape.geometry,
                                  transposed_times(frame.axes, shape.position - frame.position),
@@ -34,7 +34,7 @@ Aabb bounds_in(const TransformedShape& frame, const TransformedShape& shape) {
     return bounds_of(local);
 }
 
-// Children of the compound that may be within the margin of the shape, rising.
+// Children of the compound that may be within the margin of the shape, in ascending order.
 std::vector<std::uint32_t> children_near(const TransformedShape& compound,
                                          const TransformedShape& shape, double margin) {
     const CompoundShape& data = *std::get<Compound>(*compound.geometry).data;
@@ -53,7 +53,7 @@ std::vector<std::uint32_t> children_near(const TransformedShape& compound,
     return near;
 }
 
-// Neither is a compound.
+// Neither shape is a compound.
 void collide_children(const TransformedShape& a, const TransformedShape& b, double margin,
                       std::uint64_t key, const SurfaceMotion* motion,
                       std::vector<ChildManifold>& out) {
@@ -80,7 +80,8 @@ bool parts_overlap(const TransformedShape& a, const TransformedShape& b) {
     return collide(a, b, 0, cache).count > 0;
 }
 
-// Calls visit(part of a, part of b, key) for every two parts that may be near, until it says stop.
+// Calls visit(part of a, part of b, key) for every two parts that may be near, until visit()
+// returns true.
 template <class Visit>
 void for_each_two(const TransformedShape& a, const TransformedShape& b, double margin,
                   Visit&& visit) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Shapes of many parts: meshes, height fields and compounds against anything. One pair of shapes
-// then has several manifolds, one per flat piece or child.
+// Collision of composite shapes (meshes, height fields and compounds) with any shape. A pair of
+// shapes can then have several manifolds, one per flat piece or child.
 #pragma once
 
 #include <atomic>
@@ -15,9 +15,9 @@
 namespace jostle::physics {
 
 struct ChildManifold {
-    std::uint64_t key =
-        0;  // child of a in the upper half, of b in the lower, each plus one; pieces
-            // of a surface have no key of their own and are told apart by normal
+    // Child of a in the upper half, child of b in the lower half, each plus one. Pieces of a
+    // surface have no key of their own and are distinguished by their normals.
+    std::uint64_t key = 0;
     Manifold manifold;
 };
 
@@ -26,15 +26,16 @@ inline bool is_composite(ShapeKind kind) {
            kind == ShapeKind::compound;
 }
 
-// Appends every part's manifold with points within the margin, in an order that depends on the two
-// shapes alone; of more than some 16,000 only the first.
-// `stopped`: looked at between parts; when it is set, parts are missing.
-// `way`: of what is not a surface; triangles that it does not come near on it have no part either.
+// Appends the manifold of every part with points within the margin, in an order that depends only
+// on the two shapes. Appends at most about 16,000 manifolds and drops the rest.
+// `stopped`: polled between parts. If it is set, parts are missing.
+// `motion`: motion of the shape that is not a surface. Triangles that it does not approach are
+// skipped.
 void collide_composite(const TransformedShape& a, const TransformedShape& b, double margin,
                        std::vector<ChildManifold>& out, const std::atomic<bool>* stopped = nullptr,
                        const SurfaceMotion* motion = nullptr);
 
-// Whether two shapes of any kind share a point.
+// Returns whether two shapes of any kind share a point.
 bool shapes_overlap(const TransformedShape& a, const TransformedShape& b);
 
 }  // namespace jostle::physics

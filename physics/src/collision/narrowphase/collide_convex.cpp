@@ -18,8 +18,8 @@ Witness from(const GjkResult& g) {
     return {g.normal, g.distance, g.on_a, g.on_b};
 }
 
-// Two segments that cross: out along their common perpendicular; parallel ones lie in each other
-// and part in any direction across.
+// Two intersecting segments separate along their common perpendicular. Parallel segments overlap
+// and separate in any perpendicular direction.
 Witness cross_segments(const Convex& a, const Convex& b) {
     const Vec3 n = normalized(cross(a.axes.y, b.axes.y), a.axes.x);
     const GjkResult at = gjk(a, b, {});
@@ -34,8 +34,8 @@ Witness cross_segments(const Convex& a, const Convex& b) {
     return {toward, 0, on_a, on_b};
 }
 
-// Directions that a shape offers by itself: the normals of its flat ends. Snapping to one of them
-// keeps a resting contact's normal exactly where it was.
+// Normals of the flat ends of a shape. Snapping to one of them keeps the normal of a resting
+// contact exactly constant.
 int own_normals(const Convex& shape, Vec3 toward, Vec3 out[1]) {
     if (shape.core == Core::point || shape.core == Core::segment) return 0;
     out[0] = feature_along(shape, toward).normal;
@@ -50,7 +50,7 @@ Witness snapped(const Convex& a, const Convex& b, const Witness& w) {
         const Vec3 pa = support(a, n), pb = support(b, -n);
         const double distance = dot(pb - pa, n);
         if (distance < w.distance - tie) return false;
-        // Slide the witness onto the axis: its distance is that of the supports.
+        // Slide the witness onto the axis. Its distance is the distance of the support points.
         best = {n, distance, w.on_a, w.on_b};
         return true;
     };
@@ -72,13 +72,13 @@ Witness round_witness(const Convex& a, const Convex& b, double enough, PairCache
     return snapped(a, b, {p.normal, -p.depth, p.on_a, p.on_b});
 }
 
-// m: axes of two polyhedra that show as much but for this are equal.
+// Tolerance in metres within which two axes of two polyhedra are equal.
 double tie_of(const Convex& a, const Convex& b) {
     return 2e-5 * minimum(size_of(a), size_of(b));
 }
 
-// Of two polyhedra that an axis separates: it shows less than the distance when corners are what is
-// nearest. Nothing when they touch after all.
+// The witness of two polyhedra that an axis separates. If corners are the closest features, the
+// separation along the axis is less than the distance. Returns nullopt if the shapes touch.
 std::optional<Witness> apart_witness(const Convex& a, const Convex& b, Vec3 normal, double distance,
                                      double enough, PairCache& cache) {
     const Vec3 hint = length_squared(cache.direction) > 0 ? cache.direction : normal;
@@ -89,9 +89,10 @@ std::optional<Witness> apart_witness(const Convex& a, const Convex& b, Vec3 norm
     return from(g);
 }
 
-// Of two that the axis of the last time still separates: when it shows their distance it is the
-// best, and when a face does, that is. Else corners or edges are nearest, and no axis need be
-// looked for. Nothing when they touch after all.
+// The witness of two polyhedra that the axis of the previous step still separates. The axis remains
+// the best one if its separation is the distance; a face axis is the best one if its separation is
+// the distance. Otherwise corners or edges are the closest features and no axis search is needed.
+// Returns nullopt if the shapes touch.
 std::optional<Witness> still_apart_witness(const Convex& a, const Convex& b, const Separation& last,
                                            double enough, PairCache& cache) {
     const auto w = apart_witness(a, b, last.normal, last.distance, enough, cache);

@@ -14,7 +14,7 @@ int sides_of(const Outline& o) {
 Vec3 end_of(const Outline& o, int side) {
     return o.corner[(side + 1) % o.count];
 }
-// Out of the polygon: to the right of a side that runs counter-clockwise.
+// Outward normal: to the right of a side, because sides run counter-clockwise.
 Vec3 normal_of(const Outline& o, int side) {
     const Vec3 d = end_of(o, side) - o.corner[side];
     return normalized(Vec3{d.y, -d.x, 0});
@@ -22,7 +22,7 @@ Vec3 normal_of(const Outline& o, int side) {
 
 struct Axis {
     double separation = -1e300;  // of the cores
-    Vec3 normal;                 // out of the outline whose side it is
+    Vec3 normal;                 // out of the outline that owns the side
     int side = -1;
 };
 
@@ -63,7 +63,7 @@ void consider(NearestFeatures& best, Vec3 corner, Vec3 from, Vec3 to, bool corne
     best.on_b = corner_is_a ? q : corner;
 }
 
-// Closest points of two outlines that are apart: a corner of one and a side of the other.
+// Closest points of two separated outlines: a corner of one and a side of the other.
 NearestFeatures nearest(const Outline& a, const Outline& b) {
     NearestFeatures best;
     for (int k = 0; k < a.count; k++)
@@ -75,7 +75,7 @@ NearestFeatures nearest(const Outline& a, const Outline& b) {
     return best;
 }
 
-// The side that looks most against n.
+// The side whose normal is most antiparallel to n.
 int facing_side(const Outline& o, Vec3 n) {
     int best = 0;
     double most = 1e300;
@@ -89,7 +89,7 @@ int facing_side(const Outline& o, Vec3 n) {
     return best;
 }
 
-// n points out of the reference.
+// n points out of the reference outline.
 Manifold cut_side(const Outline& reference, const Outline& other, const Axis& axis, double margin,
                   bool reference_is_a) {
     const Vec3 n = axis.normal, from = reference.corner[axis.side];
@@ -101,7 +101,7 @@ Manifold cut_side(const Outline& reference, const Outline& other, const Axis& ax
         const int side = facing_side(other, n);
         p = other.corner[side];
         q = end_of(other, side);
-        // Cut to the reference side's width, plus the rounding of what lies on it.
+        // Clip to the width of the reference side. Rounding may move a clipped point off the side.
         const double sp = dot(p - from, along), sq = dot(q - from, along);
         const auto at = [&](double s) { return p + (q - p) * ((s - sp) / (sq - sp)); };
         if (sp != sq) {
@@ -120,7 +120,7 @@ Manifold cut_side(const Outline& reference, const Outline& other, const Axis& ax
         m.distance = m.count == 0 ? gap : minimum(m.distance, gap);
         if (gap > margin) return;
         m.gap[m.count] = gap;
-        // Half way between the two surfaces.
+        // Midway between the two surfaces.
         m.point[m.count] = on_other - n * (other.radius + 0.5 * gap);
         m.count++;
     };
@@ -130,7 +130,7 @@ Manifold cut_side(const Outline& reference, const Outline& other, const Axis& ax
 }
 
 Manifold collide_outlines(const Outline& a, const Outline& b, double margin, PairCache& cache) {
-    // The smaller of two outlines' sizes decides what counts as equal.
+    // The size of the smaller outline determines the tolerance.
     const auto size_of = [](const Outline& o) {
         return o.radius + length(o.corner[o.count / 2] - o.corner[0]);
     };
@@ -146,7 +146,7 @@ Manifold collide_outlines(const Outline& a, const Outline& b, double margin, Pai
         return {.normal = on_a.separation >= on_b.separation ? on_a.normal : -on_b.normal,
                 .distance = core - radii};
     if (core > 0 || core < -1e299) {
-        // Apart: corners may be nearer to each other than any side says.
+        // Separated outlines: corners may be closer to each other than any side axis shows.
         const NearestFeatures near = nearest(a, b);
         const double d = square_root(near.distance2);
         if (d - radii > margin)
@@ -170,7 +170,7 @@ Manifold collide_outlines(const Outline& a, const Outline& b, double margin, Pai
     return cut_side(b, a, on_b, margin, false);
 }
 
-// The two lowest corners over a half plane.
+// The two lowest corners above a half plane.
 Manifold over_plane(const TransformedShape& plane, const TransformedShape& shape, double margin) {
     const Vec3 n = plane.axes * std::get<Plane>(*plane.geometry).normal;
     const Outline o = outline_of(shape, shape.position);

@@ -10,7 +10,7 @@ Vec3 world_normal(const TransformedShape& plane) {
     return plane.axes * std::get<Plane>(*plane.geometry).normal;
 }
 
-// Adds the lowest point of a ball (or corner, r = 0) when it is near enough.
+// Adds the lowest point of a ball (or of a corner, r = 0) if it is within the margin.
 void add_point(Manifold& m, const TransformedShape& plane, Vec3 center, double r, double margin) {
     const double gap = dot(center - plane.position, m.normal) - r;
     m.distance = m.count == 0 ? minimum(m.distance, gap) : m.distance;
@@ -38,7 +38,7 @@ Manifold collide_plane_capsule(const TransformedShape& a, const TransformedShape
     return m;
 }
 
-// The four corners of the face that looks most against the plane's normal.
+// The four corners of the face whose normal is most antiparallel to the plane's normal.
 Manifold collide_plane_box(const TransformedShape& a, const TransformedShape& b, double margin) {
     Manifold m{.normal = world_normal(a), .distance = 1e300};
     const Vec3 h = std::get<Box>(*b.geometry).half_extents;
@@ -58,7 +58,7 @@ Manifold collide_plane_box(const TransformedShape& a, const TransformedShape& b,
     return m;
 }
 
-// The corners of the feature that looks at the plane, and the lowest point of all.
+// The corners of the feature that faces the plane, and the lowest point of the shape.
 Manifold collide_plane_convex(const TransformedShape& a, const TransformedShape& b, double margin) {
     const Vec3 n = world_normal(a);
     const Convex shape = convex_of(b, b.position);

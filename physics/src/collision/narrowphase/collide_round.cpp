@@ -7,7 +7,7 @@
 namespace jostle::physics {
 namespace {
 
-// Two balls, where `fallback` is the normal of concentric ones.
+// Two balls. `fallback` is the normal of concentric balls.
 Manifold collide_balls(Vec3 a, double radius_a, Vec3 b, double radius_b, double margin,
                        Vec3 fallback = {0, 1, 0}) {
     const Vec3 d = b - a;
@@ -23,8 +23,8 @@ Manifold collide_balls(Vec3 a, double radius_a, Vec3 b, double radius_b, double 
 // ---- box against segment, in the box's frame ----
 
 struct BoxSegment {
-    double t;          // where on the segment, -half..half
-    double distance2;  // from the box, 0: inside or touching
+    double t;          // parameter on the segment, -half..half
+    double distance2;  // from the box; 0 if the point is inside or touches
 };
 
 double outside(double x, double h) {
@@ -32,8 +32,8 @@ double outside(double x, double h) {
 }
 
 // Closest point of the segment p + t d, |t| <= half, to the box. The squared distance is convex and
-// piecewise quadratic in t with breaks where a coordinate crosses a face: walk the at most seven
-// pieces to the one where the slope turns.
+// piecewise quadratic in t, with breaks where a coordinate crosses a face. Walks the at most seven
+// pieces to the one in which the slope changes sign.
 BoxSegment closest_on_segment_to_box(Vec3 p, Vec3 d, double half, Vec3 h) {
     const auto slope = [&](double t) {
         double sum = 0;
@@ -50,7 +50,7 @@ BoxSegment closest_on_segment_to_box(Vec3 p, Vec3 d, double half, Vec3 h) {
     };
     if (slope(-half) >= 0) return {-half, distance2(-half)};
     if (slope(half) <= 0) return {half, distance2(half)};
-    // The breaks in rising order, by insertion: there are at most six between the ends.
+    // The breaks in ascending order, by insertion. There are at most six between the ends.
     double breaks[8];
     int count = 0;
     breaks[count++] = -half;
@@ -80,15 +80,15 @@ struct Span {
     double low, high;
 };
 
-// The part of a span of the segment that is between the box's two faces of one axis.
+// Clips a span of the segment to the slab between the two faces of one axis of the box.
 Span between_faces(Span s, Vec3 p, Vec3 d, Vec3 h, int axis) {
     if (absolute(d[axis]) < 1e-12) return absolute(p[axis]) > h[axis] ? Span{1, -1} : s;
     const double t1 = (-h[axis] - p[axis]) / d[axis], t2 = (h[axis] - p[axis]) / d[axis];
     return {maximum(s.low, minimum(t1, t2)), minimum(s.high, maximum(t1, t2))};
 }
 
-// The part of the segment over the face `axis` of the box, grown by nothing: where it can rest on
-// that face.
+// The part of the segment directly above the face `axis` of the box, where it can rest on that
+// face.
 Span over_face(Vec3 p, Vec3 d, double half, Vec3 h, int axis) {
     Span s{-half, half};
     for (int k = 0; k < 3; k++)
@@ -125,8 +125,8 @@ Manifold collide_capsules(const TransformedShape& a, const TransformedShape& b, 
     const Vec3 across = normalized(cross(u, v), a.axes.x);
     Manifold m = collide_balls(a.position + u * at.s, ca.radius, b.position + v * at.t, cb.radius,
                                margin, across);
-    // Side by side at a small angle: the ends of what they have in common, with their own
-    // distances, and two about the nearest point where they cross. On that alone they would rock.
+    // Nearly parallel capsules: the ends of their overlap with their own distances, and two points
+    // around the closest point if the capsules cross. On that point alone they would rock.
     const double c = dot(u, v);
     if (m.count == 0 || c * c < 0.75 || absolute(dot(m.normal, u)) > 0.1) return m;
     const double r = dot(b.position - a.position, u), reach = cb.half_length * absolute(c);
@@ -169,7 +169,7 @@ Manifold collide_box_sphere(const TransformedShape& a, const TransformedShape& b
         distance = square_root(out2);
         n = out * (1 / distance);
     } else {
-        // The centre is inside: leave through the nearest face.
+        // The centre is inside the box: separate through the nearest face.
         int face = 0;
         for (int k = 1; k < 3; k++)
             if (absolute(l[k]) - h[k] > absolute(l[face]) - h[face]) face = k;
@@ -205,9 +205,9 @@ std::optional<Manifold> collide_box_capsule(const TransformedShape& a, const Tra
         m.point[m.count] = b.position + b.axes.y * at - m.normal * (r + 0.5 * point_gap);
         m.count++;
     };
-    // Lying along an edge, on either side of it: two points, at the ends of what they have in
-    // common, with their own distances from the box, and two about the nearest where they cross. On
-    // that alone the capsule would rock from end to end.
+    // The capsule lies along an edge, on either side of it: two points at the ends of the overlap,
+    // with their own distances from the box, and two around the closest point if they cross. On
+    // that point alone the capsule would rock from end to end.
     for (int k = 0; k < 3; k++) {
         if (absolute(d[k]) < 0.995 || absolute(n[k]) > 0.1) continue;
         const Span along = between_faces({-half, half}, p, d, h, k);
@@ -227,8 +227,8 @@ std::optional<Manifold> collide_box_capsule(const TransformedShape& a, const Tra
         if (m.count == 0) add(near.t, gap);
         return m;
     }
-    // Lying on a face: two points, at the ends of what is over it. Over its rim the normal leans
-    // and heights above the face are no longer gaps.
+    // The capsule lies on a face: two points at the ends of the part above the face. Above the rim
+    // of the face the normal tilts, and heights above the face are not gaps.
     for (int k = 0; k < 3; k++) {
         if (absolute(n[k]) < 0.99 || absolute(d[k]) > 0.2) continue;
         if (absolute(n[k]) < 1 - 1e-9) return std::nullopt;

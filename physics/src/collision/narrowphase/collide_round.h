@@ -15,8 +15,8 @@ Manifold collide_sphere_capsule(const TransformedShape& a, const TransformedShap
                                 double margin);
 Manifold collide_capsules(const TransformedShape& a, const TransformedShape& b, double margin);
 Manifold collide_box_sphere(const TransformedShape& a, const TransformedShape& b, double margin);
-// Nothing when the capsule's segment enters the box, or lies over the rim of a face: that is not a
-// closed form's work.
+// Returns nullopt if the capsule's segment enters the box or lies above the rim of a face. These
+// cases have no closed form.
 std::optional<Manifold> collide_box_capsule(const TransformedShape& a, const TransformedShape& b,
                                             double margin);
 

@@ -14,41 +14,42 @@
 namespace jostle::physics {
 namespace {
 
-// Points of one triangle.
+// Contact points of one triangle.
 struct Patch {
     Vec3 normal;  // from the triangle to the shape
     double deepest = 1e300;
     std::uint32_t triangle = 0;
     ContactPoints points;
-    Vec3 corner[3];  // from the shape's position
+    Vec3 corner[3];  // relative to the shape's position
 };
 
-// A triangle that comes nearer than what may push there: a seam forbids its own contact, and its
-// face does not reach as far. Normally its neighbour pushes instead.
+// A triangle that is closer to the shape than its contact points show: its seam does not allow the
+// contact, and its face is further away. Normally a neighbouring triangle pushes instead.
 struct HeldTriangle {
-    Vec3 corner[3];  // from the shape's position
+    Vec3 corner[3];  // relative to the shape's position
     Witness witness;
     Vec3 nearest;  // on the triangle; the witness of flat features need not lie on both
     std::uint32_t triangle = 0;
-    bool through = false;  // the shortest way out is to the other side: only if nothing else pushes
+    bool through =
+        false;  // the shortest exit is to the other side: used only if no other triangle pushes
     bool covered = false;
 };
 
-// Whether an edge lets a contact push along n. `outward` lies in the triangle's plane, `face` is
-// its normal on the shape's side.
+// Returns whether an edge allows a contact normal n. `outward` lies in the triangle's plane; `face`
+// is its normal on the shape's side.
 bool edge_allows(const SurfaceEdge& edge, Vec3 face, double side, Vec3 outward, Vec3 n) {
     const double up = dot(n, face), out = dot(n, outward);
     if (out < -tuning::edge_slack) return false;  // leans inward: the face itself pushes
     if (edge.border) return up > -tuning::edge_slack;
-    if (edge.fold * side > -1e-4 * edge.reach) return out < tuning::edge_slack;  // flat or hollow
-    // A ridge: anything between the two faces' normals.
+    if (edge.fold * side > -1e-4 * edge.reach) return out < tuning::edge_slack;  // flat or concave
+    // Convex fold: any direction between the normals of the two faces is allowed.
     const Vec3 other = edge.normal * side;
     const double other_up = dot(other, face), other_out = dot(other, outward);
     return out * other_up - up * other_out <
            tuning::edge_slack;  // sine of the angle beyond the other normal
 }
 
-// Whether the normal that a pair found may act, given where on the triangle it acts.
+// Returns whether the contact normal n is allowed at the point `at` of the triangle.
 bool may_act(const Geometry& surface, const SurfaceTriangle& t, Vec3 face, double side, Vec3 at,
              Vec3 n) {
     if (dot(n, face) > 0.99995) return true;
@@ -64,8 +65,8 @@ bool may_act(const Geometry& surface, const SurfaceTriangle& t, Vec3 face, doubl
     return on_edge;
 }
 
-// What a shape may come near to on its way, in the surface's frame with the shape's position as the
-// origin.
+// The motion of a shape in the surface's frame, with the shape's position as the origin. Bounds the
+// region that the shape may approach.
 class ShapeMotion {
 public:
     ShapeMotion(const SurfaceMotion& motion, const TransformedShape& surface,
@@ -80,7 +81,7 @@ public:
                         : length(center_) + size_of(shape);
     }
 
-    // All of it, within its box at the look.
+    // The region that the shape may reach, given its current box.
     Aabb reach(const Aabb& now) const {
         const Aabb ball{center_ - Vec3{furthest_, furthest_, furthest_},
                         center_ + Vec3{furthest_, furthest_, furthest_}};
@@ -90,20 +91,21 @@ public:
                    on = max(Vec3{}, max(ends_[0], ends_[1]));
         return grow({low + back, high + on}, near_);
     }
-    // Whether it stays further off than what is near from something that is `distance` away
-    // against n, unit.
+    // Returns whether the shape stays out of reach of a feature that is `distance` away against the
+    // unit vector n.
     bool exceeds_reach(double distance, Vec3 n, const Convex& shape) const {
         const double left =
             distance + minimum(0, minimum(dot(ends_[0], n), dot(ends_[1], n))) - near_;
         if (left <= 0) return false;
-        // Turning lets no point come nearer than those that are furthest from the centre.
+        // Rotation brings no point nearer than the points that are furthest from the centre.
         const double extent = dot(support(shape, -n) - center_, -n) + shape.radius;
         return left > minimum(length(cross(turn_, n)) * furthest_, furthest_ - extent);
     }
 
 private:
     Vec3 ends_[2], turn_, center_;
-    double near_, furthest_;  // m; the second: of the shape's points from the centre
+    double near_,
+        furthest_;  // m; furthest_: largest distance of the shape's points from the centre
 };
 
 class SurfacePair {
@@ -143,7 +145,7 @@ public:
     void collide(std::vector<Manifold>& out) {
         for_each_triangle(*surface_.geometry, box_, [&](const SurfaceTriangle& t) { add(t); });
         add_uncovered_triangles();
-        // Deepest first: the normal of a piece is that of its deepest triangle.
+        // Deepest first: the normal of a piece is the normal of its deepest triangle.
         std::sort(patches_.begin(), patches_.end(), [](const Patch& x, const Patch& y) {
             return x.deepest < y.deepest || (x.deepest == y.deepest && x.triangle < y.triangle);
         });
@@ -167,8 +169,8 @@ public:
     }
 
 private:
-    // Quick: whether the shape is beyond the plane of the triangle, or beside it along the way from
-    // the point of it that is nearest to the middle.
+    // Fast rejection: returns whether the shape is beyond the plane of the triangle, or is
+    // separated along the direction from the closest point of the triangle to the shape's centre.
     bool is_apart(const SurfaceTriangle& t, const Vec3 corner[3]) const {
         const Vec3 front = normal_of(t);
         const Vec3 up = dot(middle_ - corner[0], front) < 0 ? -front : front;
@@ -180,12 +182,12 @@ private:
         return dot(support(shape_, -n) - middle_, n) + motion > shape_.radius;
     }
 
-    // Where a contact point is on its triangle.
+    // The position of a contact point on its triangle.
     static Vec3 on_ground(const Patch& patch, int k) {
         return patch.points.point[k] - patch.normal * (0.5 * patch.points.gap[k]);
     }
-    // Only what goes on as a plane makes one manifold: on a curved ground four points of many
-    // cannot stand for the others, and which four are best changes with every step.
+    // Only coplanar patches are merged into one manifold. On curved ground four points cannot
+    // represent the rest, and the best four change in every step.
     bool continues(Vec3 normal, Vec3 ground, const Patch& next) const {
         if (dot(normal, next.normal) < tuning::same_piece) return false;
         for (int k = 0; k < next.points.count; k++)
@@ -203,7 +205,7 @@ private:
                 return;
             }
         if (sum.count == ContactPoints::capacity) {
-            // Full: the points that do not matter go first.
+            // The array is full: drop the redundant points.
             sum.count = reduce(sum);
         }
         sum.point[sum.count] = point;
@@ -224,13 +226,14 @@ private:
         const Vec3 corner[3] = {t.corner[0] - origin_, t.corner[1] - origin_,
                                 t.corner[2] - origin_};
         const Vec3 front = normal_of(t);
-        // Quick: the shape does not reach the plane.
+        // Fast rejection: the shape does not reach the plane.
         const double reach = shape_.radius + margin_;
         const Vec3 low = support(shape_, -front), high = support(shape_, front);
         const double above = dot(low - corner[0], front), below = dot(corner[0] - high, front);
         if (above > reach || below > reach) return;
         if (exceeds_reach(above, front) || exceeds_reach(below, -front)) return;
-        // ... or lies beside it: along the way from the point of it that is nearest to the middle.
+        // Fast rejection: the shape is separated along the direction from the closest point to its
+        // centre.
         const Vec3 beside = nearest_on_triangle(corner, middle_);
         if (const double motion = length(middle_ - beside); motion > 0) {
             const Vec3 n = (middle_ - beside) * (1 / motion);
@@ -238,7 +241,7 @@ private:
             if (apart > reach || exceeds_reach(apart, n)) return;
         }
         const Convex triangle = triangle_convex(corner, {}, {});
-        // Mostly the face decides: its front is the first, its back the second.
+        // A face axis is usually the best: code 0 is the front, code 1 the back.
         PairCache cache{.axis = axis_of_face(dot(middle_ - corner[0], front) < 0 ? 1 : 0),
                         .direction = {}};
         const Witness w = find_witness(triangle, shape_, reach, cache);
@@ -265,16 +268,18 @@ private:
         if (patch.points.count > 0) take(patch, corner);
     }
 
-    // Whether the shape does not come near on its way to what its core is apart from along n.
+    // Returns whether the motion of the shape keeps its core, which is `distance` away along n, out
+    // of reach.
     bool exceeds_reach(double distance, Vec3 n) const {
         return motion_ && distance > shape_.radius &&
                motion_->exceeds_reach(distance - shape_.radius, n, shape_);
     }
 
-    // On which side of a triangle the shape is. Apart from it, where the shortest way between them
-    // says; over it, where the middle of the shape is. What is over another slope of a ridge is
-    // above this one too, though below its plane: there all that faces the way of the triangle
-    // nearest to the middle is met from its front, and at sharper edges both slopes count.
+    // Returns whether the shape is behind the triangle. For a separated shape the direction of the
+    // shortest distance decides; for an overlapping shape the position of its centre decides. A
+    // shape above another slope of a ridge is in front of this triangle too, although it is below
+    // its plane. At a convex edge all triangles that face the same way as the triangle nearest to
+    // the centre are touched from the front; at sharper edges both slopes count.
     bool is_behind(const SurfaceTriangle& t, const Vec3 corner[3], const Witness& w) {
         const Vec3 front = normal_of(t);
         const double up = dot(front, w.normal);
@@ -297,7 +302,7 @@ private:
         return behind;
     }
 
-    // The normal, on the shape's side, of the triangle nearest to its middle.
+    // The normal, on the shape's side, of the triangle nearest to the shape's centre.
     Vec3 exit_direction() {
         if (exit_direction_ != Vec3{}) return exit_direction_;
         double least = 1e300, upright = 0;
@@ -307,7 +312,7 @@ private:
             const Vec3 to = middle_ - nearest_on_triangle(corner, middle_);
             const Vec3 front = normal_of(t);
             const double distance = length(to), up = dot(to, front);
-            // Of those that share the nearest point the one that faces it most.
+            // Among triangles that share the nearest point, choose the one that faces it most.
             const double near = 1e-6 * size_;
             if (distance > least + near || (distance > least - near && absolute(up) <= upright))
                 return;
@@ -321,12 +326,13 @@ private:
     double gap_of(const Witness& w) const { return w.distance - shape_.radius; }
     double slack() const { return tuning::even_ground * size_; }
 
-    // A shape that is below the face without reaching up to it, as a plank under the edge of a
-    // table, is not in it.
+    // Drops points of a shape that is below the face without reaching up to it, for example a plank
+    // under the edge of a table. Such a shape does not penetrate the face.
     void drop_outside(ContactPoints& points, Vec3 face) const {
         int retained = 0;
         for (int k = 0; k < points.count; k++) {
-            // Half way between the surfaces; the face's is half the gap up.
+            // Contact points are midway between the surfaces. The point on the face is half the gap
+            // away.
             const Convex above{.core = Core::point,
                                .position = points.point[k] - face * (0.5 * points.gap[k]),
                                .size = {}};
@@ -346,7 +352,8 @@ private:
         patches_.push_back(patch);
     }
 
-    // A neighbour pushes in its stead where it is nearest to the shape, and as far out.
+    // Marks held triangles that a neighbour covers: the neighbour contains their nearest point and
+    // pushes at least as far out.
     void cover(const Vec3 corner[3], double gap) {
         for (HeldTriangle& w : held_)
             if (!w.covered && gap <= gap_of(w.witness) + slack() && holds(corner, w.nearest)) {
@@ -370,8 +377,9 @@ private:
                            [](const Patch& p) { return p.deepest < 0; });
     }
 
-    // Where no neighbour pushes, as at the sharp folds of a crumpled surface, a seam is an edge
-    // like any other. The nearest first; those that it covers need nothing more.
+    // If no neighbour pushes, for example at the sharp folds of a crumpled surface, a seam acts
+    // like any other edge. The nearest held triangle is added first; the triangles that it covers
+    // are skipped.
     void add_uncovered_triangles() {
         for (std::size_t k = 0; k < patches_.size() && !held_.empty(); k++)
             cover(patches_[k].corner, patches_[k].deepest);
@@ -399,7 +407,7 @@ private:
     Aabb box_;
     double size_ = 0;
     Vec3 middle_;
-    Vec3 exit_direction_;  // zero: not known yet
+    Vec3 exit_direction_;  // zero until computed
     std::optional<ShapeMotion> motion_;
     std::vector<Patch> patches_;
     std::vector<HeldTriangle> held_;
@@ -415,7 +423,7 @@ void collide_surface(const TransformedShape& surface, const TransformedShape& co
 Vec3 acting_normal(const Geometry& surface, const SurfaceTriangle& triangle, Vec3 at, Vec3 n) {
     const Vec3 front = normal_of(triangle);
     const double up = dot(n, front), side = up < 0 ? -1 : 1;
-    // Along the face it is a border or a ridge, seen from either side.
+    // A contact along the face is at a border or a ridge, from either side.
     if (absolute(up) < 0.5) return n;
     return may_act(surface, triangle, front * side, side, at, n) ? n : front * side;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // A convex shape against the triangles of a mesh or height field. Triangles of one sheet act as a
-// smooth surface: where a fold is flat or hollow, the edge between two of them cannot be felt.
+// smooth surface: a flat or concave edge between two of them does not produce contacts of its own.
 #pragma once
 
 #include <vector>
@@ -13,16 +13,17 @@
 
 namespace jostle::physics {
 
-// Appends one manifold per flat piece, deepest first; normals point from the surface to the shape.
-// `way`: of the shape, if it moves; else null.
+// Appends one manifold per flat piece, deepest first. Normals point from the surface to the shape.
+// `motion`: motion of the shape; null if it does not move.
 void collide_surface(const TransformedShape& surface, const TransformedShape& convex, double margin,
                      const SurfaceMotion* motion, std::vector<Manifold>& out);
 
-// The normal of a shape that touches a triangle at a point of it, local, where the shortest way to
-// the shape is along n: that of the face where a seam cannot be felt.
+// The contact normal of a shape that touches a triangle at a local point `at`, where n is the
+// direction of the shortest distance to the shape. Returns the face normal if a seam does not allow
+// n.
 Vec3 acting_normal(const Geometry& surface, const SurfaceTriangle& triangle, Vec3 at, Vec3 n);
 
-// Whether they share a point: seams count here.
+// Returns whether the shapes share a point. Seams count in this test.
 bool overlaps_surface(const TransformedShape& surface, const TransformedShape& convex);
 
 }  // namespace jostle::physics

@@ -4,13 +4,13 @@
 namespace jostle::physics {
 namespace {
 
-// Which points of a simplex carry its closest point to the origin, and how much each.
+// The points of a simplex that carry its closest point to the origin, and their weights.
 struct SimplexCarrier {
     int count = 0;
     int which[3] = {};
     double weight[3] = {};
     Vec3 closest{};
-    double distance2 = 1e300;  // m2, of that point from the origin
+    double distance2 = 1e300;  // m2, squared distance of that point from the origin
 };
 
 SimplexCarrier measured(const Simplex& s, SimplexCarrier c) {
@@ -42,13 +42,13 @@ SimplexCarrier closest_on_triangle(const Simplex& s, int i, int j, int k) {
     const Vec3 ab = b - a, ac = c - a, n = cross(ab, ac);
     const double n2 = length_squared(n);
     const double longest = maximum(length_squared(ab), length_squared(ac));
-    // In a sliver, as points on a rim make them, rounding decides; an edge is as near.
+    // In a sliver, which points on a rim can form, rounding decides. An edge is equally close.
     if (n2 > 1e-14 * longest * longest) {
-        // Barycentric coordinates of the origin's projection.
+        // Barycentric coordinates of the projected origin.
         const double u = dot(cross(b, c), n) / n2, v = dot(cross(c, a), n) / n2, w = 1 - u - v;
         if (u >= 0 && v >= 0 && w >= 0) return measured(s, {3, {i, j, k}, {u, v, w}});
     }
-    // Outside: the nearest of the three edges.
+    // The projection is outside the triangle: use the closest of the three edges.
     SimplexCarrier best;
     const int ends[3][2] = {{i, j}, {j, k}, {k, i}};
     for (const auto& e : ends) {
@@ -58,8 +58,8 @@ SimplexCarrier closest_on_triangle(const Simplex& s, int i, int j, int k) {
     return best;
 }
 
-// Nothing carries it when the origin is inside. A flat tetrahedron, as round shapes make them, has
-// no inside: rounding decides on which side of its faces anything lies.
+// The result is empty if the origin is inside. A flat tetrahedron, which round shapes can form, has
+// no inside: rounding decides on which side of its faces a point lies.
 SimplexCarrier closest_on_tetrahedron(const Simplex& s) {
     static constexpr int face[4][4] = {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2}, {1, 3, 2, 0}};
     double longest2 = 0;
@@ -69,7 +69,7 @@ SimplexCarrier closest_on_tetrahedron(const Simplex& s) {
     for (const auto& f : face) {
         const Vec3 a = s.point[f[0]].w, b = s.point[f[1]].w, c = s.point[f[2]].w;
         const Vec3 n = cross(b - a, c - a);
-        // Six times its volume, and behind this face, as seen from outside.
+        // Six times the volume, and the signed distance behind this face, seen from outside.
         const double other = dot(n, s.point[f[3]].w - a), origin = -dot(n, a);
         const bool thin = other * other <= 1e-22 * longest2 * longest2 * longest2;
         if (!thin && origin * other > 0) continue;
@@ -103,8 +103,8 @@ GjkResult gjk(const Convex& a, const Convex& b, Vec3 hint, const GjkGoal& goal) 
         const double v2 = length_squared(v);
         if (v2 <= overlap2) return result;
         const Vec3 w = add(-v);
-        // No point of the difference lies nearer than `along` in the direction of v: the lower
-        // bound of the distance, as |v| is the upper.
+        // No point of the difference lies nearer than `along` in the direction of v. `along` is a
+        // lower bound of the distance; |v| is an upper bound.
         const double along = dot(v, w);
         const double stays = along - maximum(0, dot(goal.motion, v));
         const bool far = stays > 0 && stays * stays > goal.beyond * goal.beyond * v2;
@@ -126,7 +126,7 @@ GjkResult gjk(const Convex& a, const Convex& b, Vec3 hint, const GjkGoal& goal) 
         else
             carrier = closest_on_tetrahedron(s);
         if (carrier.count == 0) return result;
-        if (carrier.distance2 >= v2) {  // rounding: no progress any more
+        if (carrier.distance2 >= v2) {  // rounding prevents further progress
             s.count--;
             break;
         }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // The closest points of two convex cores (Gilbert, Johnson, Keerthi 1988; sub-distances after
-// Ericson, "Real-Time Collision Detection", 5.1). Warm-started by a direction: with the normal of
-// the step before, pairs that hardly moved take one or two rounds.
+// Ericson, "Real-Time Collision Detection", 5.1). A direction warm-starts the search: with the
+// normal of the previous step, pairs that barely moved take one or two rounds.
 #pragma once
 
 #include "physics/src/foundation/uninitialized_array.h"
@@ -22,22 +22,23 @@ struct Simplex {
 };
 
 struct GjkResult {
-    double distance = 0;  // m by which the normal separates the cores; 0: they overlap
-    Vec3 normal;          // unit, from a to b; meaningless when they overlap
+    double distance = 0;  // separation along the normal, m; 0 if the cores overlap
+    Vec3 normal;          // unit, from a to b; undefined if the cores overlap
     Vec3 on_a, on_b;
-    Simplex simplex;  // when they overlap: holds the origin
+    Simplex simplex;  // contains the origin if the cores overlap
     int rounds = 0;
 };
 
-// When to stop before the distance is exact. What is found then is a lower bound of it.
+// Criteria for stopping before the distance is exact. The result is then a lower bound of the
+// distance.
 struct GjkGoal {
-    double beyond = 1e300;  // m: as soon as some direction separates the cores by more
-    double loose = 0;       // part that may be missing of the gap between the round shapes
-    double radii = 0;       // m, of both around the cores
-    Vec3 motion = {};       // m: how b goes on; `beyond` is asked for all along it
+    double beyond = 1e300;  // m: stop when any direction separates the cores by more
+    double loose = 0;       // tolerated relative error of the gap between the round shapes
+    double radii = 0;       // m, sum of the radii around both cores
+    Vec3 motion = {};       // m: further motion of b; `beyond` must hold along all of it
 };
 
-// `hint`: a guess of the direction from a to b; zero: none.
+// `hint`: a guess of the direction from a to b; zero for none.
 GjkResult gjk(const Convex& a, const Convex& b, Vec3 hint, const GjkGoal& goal = {});
 
 }  // namespace jostle::physics

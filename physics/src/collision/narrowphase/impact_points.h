@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Where two shapes meet at the moment of an impact.
+// Contact points of two shapes at an impact.
 #pragma once
 
 #include <vector>
@@ -13,11 +13,12 @@ struct ImpactPoint {
     Vec3 position, normal;  // m, world; unit, from a to b
 };
 
-// Where they touch at that fraction of the step, or are no further apart than `gap`, m; any kinds.
+// Points where the shapes touch at that fraction of the step, or are at most `gap` metres apart.
+// Supports all kinds.
 std::vector<ImpactPoint> points_touching(const SweptShape& a, const SweptShape& b, double fraction,
                                          double gap);
 
-// Where the whole shapes meet along the normal at which a part of one met the other.
+// Points where the whole shapes touch along the normal of an impact between parts of them.
 std::vector<ImpactPoint> points_along(const SweptShape& a, const SweptShape& b,
                                       const Impact& impact);
 

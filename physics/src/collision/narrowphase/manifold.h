@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Where two shapes touch, or nearly do: up to four points that share one normal.
+// Contact points of two shapes that touch or nearly touch: up to four points with a common normal.
 #pragma once
 
 #include "jostle/physics/vec3.h"
@@ -9,16 +9,16 @@ namespace jostle::physics {
 
 struct Manifold {
     int count = 0;  // 0..4 points
-    // Unit, world, from a to b. When count is 0: the direction along which they are apart by
-    // `distance`, or zero when that is not known.
+    // Unit, world, from a to b. If count is 0, the direction along which the shapes are `distance`
+    // apart, or zero if it is unknown.
     Vec3 normal;
-    Vec3 point[4];       // m, world, half way between the surfaces
-    double gap[4] = {};  // m, separation along the normal; negative: overlap
-    double distance =
-        0;  // m: when count is 0, a lower bound of the separation (more than the margin asked for)
+    Vec3 point[4];       // m, world, midway between the surfaces
+    double gap[4] = {};  // m, separation along the normal; negative for overlap
+    // m; if count is 0, a lower bound of the separation (greater than the requested margin).
+    double distance = 0;
 };
 
-// The same seen from the other shape.
+// The same manifold with the roles of the shapes swapped.
 inline Manifold flipped(Manifold m) {
     m.normal = -m.normal;
     return m;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The small constants decide ties: of points that are equally good up to rounding the first wins,
-// so a resting manifold keeps its points from step to step.
+// The small constants break ties: among points that are equally good up to rounding the first wins,
+// so that a resting manifold keeps its points from step to step.
 #include "physics/src/collision/narrowphase/manifold_reduction.h"
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace jostle::physics {
 
 namespace {
 
-// As below, of any number.
+// Same as reduce_to_four() without the preference by depth. Accepts any number of points.
 int best_four(FacePoint* points, int count, double scale) {
     if (count <= 4) return count;
     int deepest = 0;
@@ -61,22 +61,24 @@ int best_four(FacePoint* points, int count, double scale) {
 
 int reduce_to_four(FacePoint* points, int count, double size) {
     if (count <= 4) return count;
-    // In their order: how many from there on are nearer than that.
+    // Moves the points from index `from` on with a smaller gap to the front, in their order, and
+    // returns the end of that range.
     const auto nearer = [&](int from, double gap) {
         int end = from;
         for (int k = from; k < count; k++)
             if (points[k].gap < gap) std::rotate(points + end++, points + k, points + k + 1);
         return end;
     };
-    // What is deep bears much. What touches, or may before the manifold is rebuilt, is a face on
-    // which the body rocks: the wider, the better. The rest comes last.
+    // Deep points carry most of the load. Points that touch, or may touch before the manifold is
+    // rebuilt, form the face on which the body rocks; a wider face is better. The other points come
+    // last.
     const double scale = minimum(1, size / tuning::min_usual_size);
     const int deep = nearer(0, -tuning::bearing_overlap * scale),
               close = nearer(deep, tuning::reuse_distance * scale);
     if (deep >= 4) return best_four(points, deep, scale);
     if (deep == 0 && close >= 4) return best_four(points, close, scale);
     if (close == 0) return best_four(points, count, scale);
-    // All of the nearest kind, and what is furthest from it.
+    // All points of the nearest class, then the points furthest from them.
     int made = deep > 0 ? deep : close;
     while (made < 4) {
         const int end = made < close ? close : count;

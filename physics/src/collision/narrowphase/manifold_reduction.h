@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: MIT
 //
-// Many contact points to the best four, in a fixed order.
+// Reduction of many contact points to the best four, in a fixed order.
 #pragma once
 
 namespace jostle::physics {
 
-// A point in the plane of a reference face: along its two tangents, and above it.
+// A point in the frame of a reference face: along its two tangents, and above it.
 struct FacePoint {
     double u = 0, v = 0;  // m
     double gap = 0;       // m
-    int index = 0;        // the caller's
+    int index = 0;        // index assigned by the caller
 };
 
-// Keeps at most four of `points`: the deepest, the furthest from it, and the furthest on either
-// side of the line through those two; but what is deep before what may touch before the next look,
-// and that before the rest, because a face that tilts bears on those alone. Returns how many; they
-// are moved to the front. `size`: m, of the smaller shape.
+// Selects at most four of `points`: the deepest, the furthest from it, and the furthest on either
+// side of the line through those two. Deep points have priority over points that may touch before
+// the next narrow-phase test, and those over all others, because a tilting face rests on those
+// alone. Moves the selected points to the front and returns their number. `size`: size of the
+// smaller shape, m.
 int reduce_to_four(FacePoint* points, int count, double size);
 
 }  // namespace jostle::physics

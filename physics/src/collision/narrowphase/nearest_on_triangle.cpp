@@ -4,7 +4,7 @@
 namespace jostle::physics {
 namespace {
 
-// How far from one end of an edge to the other; anywhere on an edge without a length.
+// The fraction of an edge at a point between its ends; 0 for an edge of zero length.
 double part_of(double way, double left) {
     const double whole = way + left;
     return whole > 0 ? way / whole : 0;
@@ -27,7 +27,7 @@ Vec3 nearest_on_edges(const Vec3 corner[3], Vec3 p) {
 Vec3 nearest_on_triangle(const Vec3 corner[3], Vec3 p) {
     const Vec3 a = corner[0], b = corner[1], c = corner[2];
     const Vec3 ab = b - a, ac = c - a;
-    // In a sliver rounding decides beside what p lies; an edge is as near.
+    // In a sliver, rounding decides the Voronoi region of p. An edge is equally close.
     const double longest2 = maximum(length_squared(ab), length_squared(ac));
     if (length_squared(cross(ab, ac)) <= 1e-14 * longest2 * longest2)
         return nearest_on_edges(corner, p);

@@ -5,9 +5,9 @@
 
 namespace jostle::physics {
 
-// The point of a triangle that is nearest to p, by the part of space beside a corner, an edge or
-// the face in which p lies (Ericson, "Real-Time Collision Detection", 5.1.5). Triangles without an
-// area are segments, or points.
+// The point of a triangle nearest to p, found from the Voronoi region (corner, edge or face) that
+// contains p (Ericson, "Real-Time Collision Detection", 5.1.5). Triangles of zero area are treated
+// as segments or points.
 Vec3 nearest_on_triangle(const Vec3 corner[3], Vec3 p);
 
 }  // namespace jostle::physics

@@ -10,7 +10,7 @@
 namespace jostle::physics {
 namespace {
 
-// Against a ball without size: the cores' algorithms, which know points.
+// A ball of zero radius lets the shape distance algorithms handle a point.
 const Geometry dot_ball = Sphere{0};
 
 SurfacePoint nearest_on_simple(const TransformedShape& shape, Vec3 point) {
@@ -19,7 +19,7 @@ SurfacePoint nearest_on_simple(const TransformedShape& shape, Vec3 point) {
     return {d.distance, d.on_a, d.normal};
 }
 
-// Looks in a box that grows until what was found is nearer than its border.
+// Queries a growing box until the best distance is less than the reach of the box.
 template <class Query>
 SurfacePoint nearest_in(const Aabb& all, Vec3 local, Query&& query) {
     SurfacePoint best{1e300, {}, {0, 1, 0}};

@@ -6,18 +6,18 @@
 namespace jostle::physics {
 namespace {
 
-// Across the axis, and along it.
+// Coordinates across the axis (x, z) and along it (y).
 struct AxisPoint {
     double x, z, y;
 };
 
-// Of convex polygons with few corners.
+// A convex polygon with few corners.
 struct AxisPolygon {
     UninitializedArray<AxisPoint, 5> point;
     int count = 0;
 };
 
-// What is left of it where sign * y <= most.
+// Clips the polygon to sign * y <= most.
 AxisPolygon cut(const AxisPolygon& whole, double sign, double most) {
     AxisPolygon left;
     for (int k = 0; k < whole.count; k++) {
@@ -74,11 +74,11 @@ bool passes_cylinder(const Convex& cylinder, Vec3 middle, Vec3 motion, const Vec
             nearest = p;
         }
     }
-    // All round the axis, on one side of each of its edges.
+    // The polygon surrounds the axis: the axis is on the same side of all edges.
     if (left >= 0 || right <= 0) return false;
     const double reach = cylinder.size.x + margin;
     if (best <= reach * reach) return false;
-    // Coming nearer, it was further away before.
+    // The cylinder approaches the polygon, so it was further away earlier.
     return dot(motion, cylinder.axes.x) * nearest.x + dot(motion, cylinder.axes.z) * nearest.z >= 0;
 }
 

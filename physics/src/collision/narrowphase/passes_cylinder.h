@@ -5,10 +5,10 @@
 
 namespace jostle::physics {
 
-// Whether a cylinder that goes on square to its axis, as wheels do, has certainly not touched a
-// triangle before its middle comes to `middle`: exact but for `margin` m, where a search for the
-// nearest points goes to and fro between the two rims. What lies between the planes of its ends is
-// looked at along the axis: a polygon of up to five corners, and a disc.
+// Returns whether a cylinder that moves perpendicular to its axis, as wheels do, certainly has not
+// touched a triangle before its centre reaches `middle`. The test is exact up to `margin` m; a
+// closest-point search would alternate between the two rims. The part of the triangle between the
+// end planes is projected along the axis: a polygon of up to five corners against a disc.
 bool passes_cylinder(const Convex& cylinder, Vec3 middle, Vec3 motion, const Vec3 corner[3],
                      double margin);
 

@@ -12,7 +12,7 @@ struct Facet {
     Vec3 normal;      // unit, outward
     double distance;  // of its plane from the origin
     bool alive;
-    bool spent = false;  // cannot be replaced by finer ones
+    bool spent = false;  // cannot be refined further
 };
 
 class Polytope {
@@ -24,7 +24,7 @@ public:
         for (int k = 0; k < start.count; k++) points_[count_++] = start.point[k];
         if (!make_tetrahedron()) return descend();
         const double tolerance = 1e-7 * fine_;
-        // A facet bounds the depth from below, the support along its normal from above.
+        // A facet bounds the depth from below; the support along its normal bounds it from above.
         Facet best = facets_[0];
         double upper = 1e300;
         while (count_ < max_points) {
@@ -42,8 +42,9 @@ public:
         }
         if (upper - best.distance <= 1e-6 * fine_ && !spent_below(upper - 1e-6 * fine_))
             return answer(best);
-        // Round shapes deep in each other would need thousands of facets to bring the two bounds
-        // together, and rounding may have stopped the growth: then the last part is a descent.
+        // For deeply overlapping round shapes the two bounds would need thousands of facets to
+        // converge, and rounding may have stopped the expansion. A descent then finishes the
+        // search.
         return descend();
     }
 
@@ -53,7 +54,7 @@ private:
         p.w = p.a - p.b;
         return p;
     }
-    // How far the difference reaches along a unit vector: an upper bound of the depth.
+    // The extent of the difference along a unit vector: an upper bound of the depth.
     double height(Vec3 n) const { return dot(support(a_, n) - support(b_, -n), n); }
 
     bool spent_below(double distance) const {
@@ -62,8 +63,8 @@ private:
         return false;
     }
 
-    // From the facets that promise the least depth, and the shapes' own axes, to the direction of
-    // least depth near them.
+    // Descends from the facets with the least depth, and from the axes of the shapes, to the
+    // direction of least depth near them.
     Penetration descend() {
         Vec3 n;
         double least = 1e300;
@@ -94,7 +95,7 @@ private:
         return parted(n, maximum(0, least));
     }
 
-    // Moved out along n the shapes part where they touch last.
+    // Moves b out along n. The closest points of the separated shapes are the deepest points.
     Penetration parted(Vec3 n, double depth) const {
         Convex moved = b_;
         const Vec3 out = n * (depth + 1e-3 * size_);
@@ -103,7 +104,7 @@ private:
         return {depth, n, g.on_a, g.on_b - out};
     }
 
-    // A ring of trials around the direction that turns, and shrinks when none is better.
+    // Tests a ring of directions around n. The ring rotates, and shrinks if no direction is better.
     double walk_down(Vec3& n, double least) const {
         double turn = 0;
         for (double step = 0.1; step > 1e-7;) {
@@ -138,7 +139,7 @@ private:
         return false;
     }
 
-    // A simplex of fewer points (the origin lies on it) is blown up with supports off it.
+    // Expands a simplex of fewer points, which contains the origin, with support points outside it.
     bool make_tetrahedron() {
         if (count_ == 0) points_[count_++] = support_along({1, 0, 0});
         static constexpr Vec3 axes[3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
@@ -186,7 +187,7 @@ private:
         const double longest2 = maximum(length_squared(points_[j].w - points_[i].w),
                                         maximum(length_squared(points_[k].w - points_[j].w),
                                                 length_squared(points_[i].w - points_[k].w)));
-        // Where the corners all but lie in a line, the normal is noise.
+        // If the corners are nearly collinear, the normal is noise.
         if (l * l <= 1e-20 * size_ * size_ * longest2) return false;
         const double distance = dot(n, points_[i].w) / l;
         if (distance < -1e-9 * size_) return false;  // the origin is inside
@@ -209,8 +210,8 @@ private:
         return best;
     }
 
-    // Replaces the facets that see the new point by a fan to their rim. False when rounding made a
-    // facet without area: the polytope then stays as it was before.
+    // Replaces the facets that face the new point with a fan to their rim. Returns false if
+    // rounding produced a facet of zero area; the polytope is then unchanged.
     bool add_point(const SimplexPoint& point) {
         compact();
         const int index = count_;
@@ -245,7 +246,7 @@ private:
             if (!add_facet_at_end(edges[k][0], edges[k][1], index)) return revive(before);
         return true;
     }
-    // As add_facet, but never moves the others.
+    // Same as add_facet(), but never moves the other facets.
     bool add_facet_at_end(int i, int j, int k) {
         return facet_count_ < max_facets && add_facet(i, j, k);
     }
@@ -256,7 +257,7 @@ private:
         return false;
     }
 
-    // Of the facets in one plane the one that the origin's projection lies on.
+    // Among coplanar facets, uses the one that contains the projection of the origin.
     Penetration answer(const Facet& nearest) const {
         const Facet* facet = nullptr;
         double most = -1e-6, weight[3] = {};
@@ -289,7 +290,7 @@ private:
     }
 
     const Convex &a_, &b_;
-    double size_, fine_;  // m: of both together, of the smaller
+    double size_, fine_;  // m: of both shapes together, and of the smaller one
     SimplexPoint points_[max_points];
     int count_ = 0;
     Facet facets_[max_facets];

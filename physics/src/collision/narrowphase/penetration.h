@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The least way to part two overlapping convex cores (EPA: van den Bergen, "Proximity queries and
-// penetration depth computation on 3D game objects", 2001): a polytope inside the difference of the
-// two grows towards the nearest piece of its border.
+// Minimum translation that separates two overlapping convex cores (EPA: van den Bergen, "Proximity
+// queries and penetration depth computation on 3D game objects", 2001). A polytope inside the
+// Minkowski difference expands towards the nearest part of its boundary.
 #pragma once
 
 #include "physics/src/collision/narrowphase/gjk.h"
@@ -15,7 +15,7 @@ struct Penetration {
     Vec3 on_a, on_b;   // deepest points
 };
 
-// `start`: a simplex that holds the origin, from gjk.
+// `start`: a simplex from gjk() that contains the origin.
 Penetration penetration(const Convex& a, const Convex& b, const Simplex& start);
 
 }  // namespace jostle::physics

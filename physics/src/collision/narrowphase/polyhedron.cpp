@@ -8,15 +8,15 @@
 namespace jostle::physics {
 namespace {
 
-// Corner k of a box has +x when bit 0 is set, +y for bit 1, +z for bit 2. Faces: -x +x -y +y -z +z.
+// Corner k of a box has +x if bit 0 is set, +y for bit 1, +z for bit 2. Faces: -x +x -y +y -z +z.
 constexpr std::uint16_t box_loops[24] = {0, 4, 6, 2, 1, 3, 7, 5, 0, 1, 5, 4,
                                          2, 6, 7, 3, 0, 2, 3, 1, 4, 5, 7, 6};
 constexpr HullEdge box_edges[12] = {{0, 4, 0, 2}, {4, 6, 0, 5}, {6, 2, 0, 3}, {2, 0, 0, 4},
                                     {1, 3, 1, 4}, {3, 7, 1, 3}, {7, 5, 1, 5}, {5, 1, 1, 2},
                                     {0, 1, 2, 4}, {5, 4, 2, 5}, {6, 7, 3, 5}, {3, 2, 3, 4}};
 
-// Faces: front, back, then the sides along the edges 01, 12, 20. Each edge is there twice, once
-// between front and side, once between side and back.
+// Faces: front, back, then the sides along the edges 01, 12, 20. Each edge occurs twice: between
+// front and side, and between side and back.
 constexpr std::uint16_t triangle_loops[12] = {0, 1, 2, 0, 2, 1, 1, 0, 2, 1, 0, 2};
 constexpr HullEdge triangle_edges[6] = {{0, 1, 0, 2}, {1, 2, 0, 3}, {2, 0, 0, 4},
                                         {1, 0, 1, 2}, {2, 1, 1, 3}, {0, 2, 1, 4}};
@@ -50,18 +50,19 @@ Polyhedron flat_of(const Vec3* corner, PolyhedronParts& parts) {
             (corner[0] + corner[1] + corner[2]) * (1.0 / 3)};
 }
 
-// Of what the normals between two faces of an edge show of the way between two balls.
+// The largest projection of the vector between two balls onto the normals between the two faces of
+// an edge.
 double most_of_arc(Vec3 d, Vec3 first, Vec3 second, Vec3 along) {
     const double most = maximum(dot(d, first), dot(d, second));
     const Vec3 turn = cross(first, second);
     if (dot(cross(first, d), turn) < 0 || dot(cross(d, second), turn) < 0) return most;
-    // Of all directions square to the edge d itself, without its part along the edge, shows most,
-    // when it is between the two.
+    // Among all directions perpendicular to the edge, d without its component along the edge has
+    // the largest projection, if it lies between the two normals.
     const double part = dot(d, along);
     return square_root(maximum(0, length_squared(d) - part * part / length_squared(along)));
 }
 
-// As a float that is no less.
+// Rounds up to a float.
 float rounded_up(double most, Vec3 apart) {
     return static_cast<float>(most + 1e-6 * length(apart));
 }

@@ -40,7 +40,7 @@ struct Best {
     Vec3 on_a, on_b;
 };
 
-// The last point of a face on the way from its middle to a point in its plane: one of the shape's.
+// The last point inside the face on the segment from its centre to a point in its plane.
 Vec3 last_on_face(const Polyhedron& shape, std::uint32_t face, Vec3 point) {
     const auto corners = shape.vertices_of(shape.faces[face]);
     const Vec3 normal = shape.faces[face].normal;
@@ -58,8 +58,8 @@ Vec3 last_on_face(const Polyhedron& shape, std::uint32_t face, Vec3 point) {
     return middle + (point - middle) * maximum(part, 0);
 }
 
-// Points of the two shapes, in a's frame, near where an axis is attained: the one that is beside a
-// face may not be on it.
+// Points of the two shapes, in a's frame, near the separation of an axis. The point projected onto
+// a face plane may lie outside the face.
 Vec3 point_of_a(const Pair& p, const Best& axis) {
     return kind_of(axis.code) == face_of_a ? last_on_face(p.a, first_edge(axis.code), axis.on_a)
                                            : axis.on_a;
@@ -70,22 +70,24 @@ Vec3 point_of_b(const Pair& p, const Best& axis) {
     return p.position + p.axes * last_on_face(p.b, first_edge(axis.code), in_b);
 }
 
-// Which axes cannot be the best: most of them, once one is known. Balls inside the shapes bound
-// what an axis shows, and so all the axes of an edge's arc.
+// Rejects axes that cannot be the best, which is most of them once one axis is known. Balls inside
+// the shapes bound the separation along an axis, and along all axes of an edge's normal arc.
 class AxisFilter {
 public:
     AxisFilter(const Pair& p, const Best& old) : axes_(p.axes), slack_(1e-4 * p.size) {
         add(p.a.middle, p.a.inner_radius, p.middle_b, p.b.inner_radius);
         if (old.code == 0) return;
-        // Where the shapes were nearest: of what is long the ball in the middle says little.
+        // Points where the shapes were nearest. For long shapes the ball at the centre is a weak
+        // bound.
         add(point_of_a(p, old), 0, p.middle_b, p.b.inner_radius);
         add(p.a.middle, p.a.inner_radius, point_of_b(p, old), 0);
         raise_bound(old.distance);
     }
-    // An axis shows so much: who shows less by more than ties may turn is of no interest.
+    // Raises the bound to a known separation. Axes that are lower by more than the tie tolerance
+    // are rejected.
     void raise_bound(double distance) { known_ = maximum(known_, distance - slack_); }
     bool has_bound() const { return known_ > -1e299; }
-    // `most`: what an axis shows at most, m.
+    // `most`: upper bound of the separation along an axis, m.
     bool may_be_best(float most) const { return double{most} >= known_; }
 
     std::span<const InnerBalls> in_a() const { return {in_a_, count_}; }
@@ -104,7 +106,7 @@ private:
     InnerBalls in_a_[3], in_b_[3];
 };
 
-// How far b's deepest vertex is from a face of a.
+// The separation of b's deepest vertex from a face of a.
 Best face_axis_a(const Pair& p, std::uint32_t face) {
     const HullFace& f = p.a.faces[face];
     const Vec3 deepest = p.vertex_b(furthest_vertex(p.b, -transposed_times(p.axes, f.normal)));
@@ -120,8 +122,8 @@ Best face_axis_b(const Pair& p, std::uint32_t face) {
     return {s, -n, face_of_b | face << 14, deepest, deepest - n * s};
 }
 
-// The best of a shape's faces, or one that shows more than `enough`. `most`: what each shows at
-// most; `axis`: what it shows.
+// The best face axis of a shape, or the first one with a separation above `enough`. `most`: upper
+// bounds of the separations; `axis`: computes the separation.
 template <class Axis>
 Best best_face(std::size_t count, const float* most, double enough, AxisFilter& filter,
                const Axis& axis) {
@@ -142,16 +144,16 @@ Best best_face(std::size_t count, const float* most, double enough, AxisFilter& 
     return best;
 }
 
-// Whether the arcs (na1, na2) and (nb1, nb2) on the sphere of directions cross; nb are b's normals
-// turned round. along_a = na2 x na1 and along_b alike are the edges' directions.
+// Returns whether the arcs (na1, na2) and (nb1, nb2) on the unit sphere intersect. nb are b's
+// negated normals. along_a = na2 x na1 and the corresponding along_b are the edge directions.
 bool arcs_cross(Vec3 na1, Vec3 na2, Vec3 along_a, Vec3 nb1, Vec3 nb2, Vec3 along_b) {
     const double cba = dot(nb1, along_a), dba = dot(nb2, along_a);
     const double adc = dot(na1, along_b), bdc = dot(na2, along_b);
     return cba * dba < 0 && adc * bdc < 0 && cba * bdc > 0;
 }
 
-// Where s u, 0 <= s <= 1, and r + t v, least <= t <= 1, are closest (Ericson, "Real-Time Collision
-// Detection", 5.1.9). Edges that are all but parallel meet in what they have in common.
+// Closest points of s u, 0 <= s <= 1, and r + t v, least <= t <= 1 (Ericson, "Real-Time Collision
+// Detection", 5.1.9). Nearly parallel edges use a point of their overlap.
 struct Nearest {
     double s, t;
 };
@@ -163,7 +165,7 @@ Nearest nearest_on_edges(Vec3 r, Vec3 u, Vec3 v, double least) {
     return {clamp((ru + t * uv) / uu, 0, 1), t};
 }
 
-// The axis of two edges, whether or not they are a face of the difference.
+// The axis of two edges, whether or not they form a face of the Minkowski difference.
 struct EdgeAxis {
     double distance = -1e300;
     Vec3 normal;
@@ -174,9 +176,10 @@ EdgeAxis edge_axis(const Pair& p, std::uint32_t ea, std::uint32_t eb) {
     const Vec3 pb = p.vertex_b(y.from), v = p.vertex_b(y.to) - pb;
     Vec3 n = cross(u, v);
     const double l2 = length_squared(n), uu = length_squared(u), vv = length_squared(v);
-    if (l2 < 1e-10 * uu * vv) return {};  // parallel: a face says it better
+    if (l2 < 1e-10 * uu * vv) return {};  // parallel: a face axis is more accurate
     n = n * (1 / square_root(l2));
-    // Out of a and into b: of a triangle's edge with one that lies in its plane only b can tell.
+    // Orient n out of a and into b. For an edge in the plane of a triangle, only b determines the
+    // sign.
     if (dot(n, pa - p.a.middle) < dot(n, pb - p.middle_b)) n = -n;
     return {dot(n, pb - pa), n};
 }
@@ -248,7 +251,7 @@ Best axis_of(const Pair& p, AxisCode code) {
         return face_axis_b(p, first_edge(code));
     if (kind_of(code) == edge_pair && first_edge(code) < p.a.edges.size() &&
         second_edge(code) < p.b.edges.size()) {
-        // Only a real face of the difference bounds the distance; others may lie.
+        // Only a real face of the Minkowski difference bounds the distance; other axes may not.
         const HullEdge &x = p.a.edges[first_edge(code)], &y = p.b.edges[second_edge(code)];
         if (arcs_cross(p.a.faces[x.left].normal, p.a.faces[x.right].normal,
                        p.a.vertices[x.to] - p.a.vertices[x.from], -p.normal_b(y.left),
@@ -277,7 +280,7 @@ Separation separate(const Convex& a, const Convex& b, AxisCode cached, double en
     const Best old = axis_of(p, cached);
     if (old.distance > enough) return in_world(a, old);
 
-    // Of axes that are equal up to rounding the cached one stays, else faces go before edges: the
+    // Among axes that are equal up to rounding, the cached one wins, then faces before edges. The
     // normal of a resting contact must not flicker.
     const double tie = 2e-5 * p.size;
     AxisFilter filter(p, old);
@@ -333,7 +336,7 @@ Separation separate_segment(const Convex& polyhedron, const Convex& segment) {
     }
     for (std::uint32_t e = 0; e < p.edges.size(); e++) {
         const HullEdge& edge = p.edges[e];
-        // The segment's normals are the great circle across it.
+        // The normals of a segment form the great circle perpendicular to it.
         if (dot(p.faces[edge.left].normal, along) * dot(p.faces[edge.right].normal, along) >= 0)
             continue;
         const Vec3 from = p.vertices[edge.from], u = p.vertices[edge.to] - from;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// The separating axis of two polyhedra: the direction along which they are furthest apart, or
-// overlap least. Face normals of both and cross products of edges, of which only those that are
-// faces of the Minkowski difference are checked at (Gregorius, "The separating axis test between
-// convex polyhedra", GDC 2013).
+// The separating axis of two polyhedra: the direction with the largest separation, or with the
+// least overlap. Candidates are the face normals of both and the cross products of edges that form
+// faces of the Minkowski difference (Gregorius, "The separating axis test between convex
+// polyhedra", GDC 2013).
 #pragma once
 
 #include <cstdint>
@@ -12,27 +12,28 @@
 
 namespace jostle::physics {
 
-// Which axis a pair used last, as a number to keep: 0 none, else kind, first and second index.
+// Code of the axis that a pair used last: 0 for none, otherwise kind, first index and second index.
 using AxisCode = std::uint32_t;
 
-// The axis of a face of the first shape, for who knows which it may be.
+// The code of the axis of a face of the first shape, for callers that can guess the face.
 AxisCode axis_of_face(std::uint32_t face);
 
 struct Separation {
-    double distance = -1e300;  // m along the normal; negative: overlap
-    Vec3 normal;               // unit, from a to b, in the frame that a and b are given in
+    double distance = -1e300;  // m along the normal; negative for overlap
+    Vec3 normal;               // unit, from a to b, in the frame of a and b
     AxisCode code = 0;
-    Vec3 on_a, on_b;  // points of the two shapes where it is attained
+    Vec3 on_a, on_b;  // points of the two shapes at that separation
 };
 
-// `cached`: the axis of the last time: tried first, and kept when it is as good up to the
-// tolerance. Stops early when an axis shows more than `enough`.
+// `cached`: the axis of the previous call. It is tested first and retained if it is as good as the
+// best one up to the tolerance. The search stops early if an axis separates by more than `enough`.
 Separation separate(const Convex& a, const Convex& b, AxisCode cached, double enough);
 
-// What the axis of the last time shows now; less than anything where it is none.
+// The separation along the cached axis; the lowest value if there is none.
 Separation separate_again(const Convex& a, const Convex& b, AxisCode cached);
 
-// What the faces show that look most along a direction from a to b, unit, world: the better one.
+// The separation along the face normals closest to `direction` (from a to b, unit, world). Returns
+// the better of the two.
 Separation separate_by_face(const Convex& a, const Convex& b, Vec3 direction);
 
 // A segment against a polyhedron.

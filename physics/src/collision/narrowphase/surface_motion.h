@@ -5,11 +5,12 @@
 
 namespace jostle::physics {
 
-// How a shape moves against a surface that does not turn while its contacts hold.
+// The motion of a shape relative to a surface that does not rotate while its contacts are valid.
 struct SurfaceMotion {
-    Vec3 to_start, to_end;  // m, world: from where it is looked at, back and on
-    Vec3 turn;              // rad, world: at most, to either ...
-    Vec3 center;            // m, world: ... about this point
+    Vec3 to_start, to_end;  // m, world: from the pose of the narrow-phase test back to the start
+                            // and on to the end
+    Vec3 turn;              // rad, world: maximum rotation to either pose
+    Vec3 center;            // m, world: centre of that rotation
     double near = 0;        // m
 };
 

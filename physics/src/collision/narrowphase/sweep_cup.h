@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// What a round shape cannot have touched before it came down on the face of a triangle: the cup
-// that its bottom is. Where it touches, at a distance t along the face, the shape is higher than
-// the face by r - sqrt(r^2 - t^2) >= t^2 / (2 r) if it is round with the radius r in that
-// direction; another triangle that stays lower than this is not touched. Nor was it while the shape
-// came down: going back along the way it leaves the face by c per metre and shifts along it by s,
-// and while c >= s + s^2 way / (2 r) no point of it is let in. Around a wheel on fine triangles
-// this leaves out all of them but those in whose edge it stands.
+// Rejects triangles that a round shape cannot have touched before it landed on the face of another
+// triangle. At a tangential distance t from the touch point, the surface of a shape with radius of
+// curvature r in that direction is higher than the face by r - sqrt(r^2 - t^2) >= t^2 / (2 r). A
+// triangle below this cup is not touched at the landing. It was not touched earlier either: going
+// back along the motion, the shape rises from the face by c per metre and shifts along it by s, and
+// while c >= s + s^2 distance / (2 r) no point enters the cup. For a wheel on fine triangles this
+// rejects all of them except those at the edge on which it stands.
 #pragma once
 
 #include "physics/src/geometry/support.h"
@@ -15,8 +15,9 @@ namespace jostle::physics {
 
 class SweepCup {
 public:
-    // `touch` of the face with the unit normal n, towards the shape; `middle` of the shape at any
-    // part of its way. `margin` m: what is left to rounding.
+    // `touch`: the touch point on the face with unit normal n, which points towards the shape.
+    // `middle`: the centre of the shape at any fraction of its motion. `margin`: allowance for
+    // rounding, m.
     void put(const Convex& shape, Vec3 middle, Vec3 motion, Vec3 touch, Vec3 n, double margin) {
         holds_ = false;
         const bool round = shape.core == Core::point || shape.core == Core::segment;
@@ -59,14 +60,15 @@ public:
     }
 
 private:
-    // Whether a shape that goes back by `way`, or all along it up to there, is higher everywhere.
+    // Returns whether a shape that moves back by `distance`, or by any part of it, is higher
+    // everywhere.
     static bool leaves(Vec3 distance, Vec3 n, double radius) {
         const double up = absolute(dot(distance, n)),
                      shift = length(distance - n * dot(distance, n));
         return up * 2 * radius >= shift * (2 * radius + shift);
     }
     static double largest(double a, double b, double c) { return maximum(a, maximum(b, c)); }
-    // How far all three are from `from` along a direction; 0: it is between them.
+    // The distance of all three points from `from` along a direction; 0 if `from` is between them.
     static double apart(Vec3 direction, double from, Vec3 a, Vec3 b, Vec3 c) {
         const double x = dot(direction, a) - from, y = dot(direction, b) - from,
                      z = dot(direction, c) - from;
@@ -75,9 +77,9 @@ private:
 
     bool holds_ = false;
     Vec3 touch_, normal_;
-    Vec3 side_, other_;                 // unit, along the face; `other` of a cylinder is its axis
+    Vec3 side_, other_;                 // unit, along the face; for a cylinder, other_ is its axis
     double bend_ = 0, other_bend_ = 0;  // 1/m
-    double middle_ = 0, half_ = 0;      // m along the axis of a cylinder
+    double middle_ = 0, half_ = 0;      // m, along the axis of a cylinder
     double margin_ = 0;
 };
 

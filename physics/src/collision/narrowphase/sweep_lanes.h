@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Which of four boxes a convex shape may touch on the part of its way that is still of interest:
-// those that its own box meets there, and that are not separated from it along the way from their
-// nearest point to its middle, at the end of that part. A shape that comes nearer to a box along
-// that direction was still further apart before.
+// Selects which of four boxes a convex shape may touch on the remaining part of its motion. A box
+// is selected if the shape's own box intersects it there, and if the direction from the nearest
+// point of the box to the shape's centre, at the end of that part, does not separate them. A shape
+// that approaches a box along that direction was even further away earlier.
 #pragma once
 
 #include "physics/src/geometry/box_lanes.h"
@@ -13,13 +13,13 @@ namespace jostle::physics {
 
 class SweepLanes {
 public:
-    // In the frame of the boxes; `middle` and `box` of the shape where its way begins, `gap` m:
-    // what is within it is touched.
+    // In the frame of the boxes. `middle` and `box`: of the shape at the start of its motion.
+    // `gap`: shapes within this distance touch, m.
     SweepLanes(const Convex& shape, Vec3 middle, const Aabb& box, Vec3 motion, double gap)
         : core_(shape.core), middle_(row(middle)), motion_(row(motion)) {
         const double distance = length(motion), reach = 0.5 * length(box.high - box.low);
         const Vec3 off = abs(middle);
-        // Ten times what float rounds away.
+        // Ten times the float rounding error.
         const double slack =
             1e-6 * (maximum(off.x, maximum(off.y, off.z)) + 2 * (reach + distance)) + gap;
         const Vec3 s{slack, slack, slack};
@@ -30,7 +30,7 @@ public:
         set_size(shape, reach, slack);
     }
 
-    // From here to there, fractions of the motion, is what counts now.
+    // Sets the active part of the motion, in fractions.
     void set_interval(double from, double until) {
         const Float4 at = motion_ * lanes(from), end = motion_ * lanes(until);
         spread(low_ + smaller4(at, end), overlap_.low);
@@ -38,12 +38,12 @@ public:
         spread(middle_ + end, end_);
     }
 
-    // `key` is less for what lies nearer to the way of the middle, and earlier.
-    // A branch that is alone is not looked at closer: what is in it is.
+    // `key` is smaller for boxes nearer to the path of the centre, and for earlier boxes. A single
+    // branch is accepted without further tests, because its children are tested.
     unsigned operator()(const BoxLanes& boxes, bool leaf, Float4& key) const {
         const unsigned meets = overlapping(overlap_, boxes);
         if (meets == 0 || (!leaf && (meets & (meets - 1)) == 0)) return meets;
-        Float4 d[3];  // to the middle
+        Float4 d[3];  // from the box to the centre
         for (int k = 0; k < 3; k++)
             d[k] = end_[k] - larger4(smaller4(end_[k], boxes.high[k]), boxes.low[k]);
         const Float4 along = times(d, ahead_), squared = times(d, d);
@@ -80,7 +80,7 @@ private:
         spread(row(shape.axes.x), x_);
         spread(row(shape.axes.z), z_);
     }
-    // Of the shape along d, times the length of d.
+    // Extent of the shape along d, times the length of d.
     Float4 extent(const Float4 d[3], Float4 squared) const {
         const Float4 round = radius_ * root4(squared);
         if (core_ == Core::cylinder) {
@@ -96,12 +96,12 @@ private:
     }
 
     Core core_;
-    // x, y, z beside one another.
+    // x, y, z in adjacent lanes.
     Float4 middle_, motion_, low_, high_;
-    // Four times the same.
+    // The same value in all four lanes.
     BoxLanes overlap_;
     Float4 end_[3], ahead_[3], earlier_, radius_;
-    Float4 size_[3], x_[3], y_[3], z_[3];  // as far as the core needs them
+    Float4 size_[3], x_[3], y_[3], z_[3];  // only those that the core needs
 };
 
 }  // namespace jostle::physics

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// For a direction n that leaves the triangle for the shape, the gap along n closes by -m.n a
-// fraction: the shape does not touch before that is used up. That bound costs one support point.
-// Three directions come first: the sides of the triangle's box, its own normal, and the way from
-// its nearest point to the middle of the shape. When the point that is deepest along the normal
-// comes down inside of the triangle the bound is the answer. Only what is left is searched, by
+// For a direction n from the triangle to the shape, the gap along n closes by -m.n per unit of the
+// fraction. The shape does not touch before the gap is closed. This bound costs one support point.
+// The sweep first tests three directions: the sides of the triangle's box, its normal, and the
+// direction from its nearest point to the shape's centre. If the deepest point along the normal
+// lands inside the triangle, the bound is the exact result. The remaining triangles are searched by
 // conservative advancement: Newton's method on a distance that is convex in the fraction.
 #include "physics/src/collision/narrowphase/sweep_surface.h"
 
@@ -28,8 +28,9 @@ namespace {
 
 constexpr double beyond_reach = 2;
 
-// Triangles are asked for in boxes around parts of the way: a diagonal way's own box would hold a
-// hillside. So long in sizes of the shape, and so many at most.
+// Triangles are queried in boxes around parts of the motion, because the box of a whole diagonal
+// motion could contain a hillside. part_length: length of a part in multiples of the shape's size.
+// parts_max: maximum number of parts.
 constexpr double part_length = 6;
 constexpr double parts_max = 256;
 
@@ -43,7 +44,7 @@ public:
     SurfaceSweep(const TransformedShape& surface, const TransformedShape& convex, Vec3 motion,
                  double gap)
         : surface_(surface),
-          // In the surface's frame, seen from where the shape begins.
+          // In the surface's frame, relative to the shape's start position.
           origin_(transposed_times(surface.axes, convex.position - surface.position)),
           motion_(transposed_times(surface.axes, motion)),
           local_{convex.geometry, {}, transpose(surface.axes) * convex.axes},
@@ -76,8 +77,8 @@ public:
     }
 
 private:
-    // The fraction at which the box of the shape meets that of the surface; more than 1 if it does
-    // not.
+    // The fraction at which the box of the shape reaches the box of the surface; more than 1 if it
+    // does not.
     double enters_surface() const {
         const auto* mesh = std::get_if<Mesh>(surface_.geometry);
         const Aabb& all = mesh != nullptr ? mesh->data->bounds
@@ -98,7 +99,7 @@ private:
             if (!overlap(own, box)) return;
             const double before = best_.fraction;
             look(t, until);
-            // What comes later than that no longer counts.
+            // Later touches are irrelevant.
             if (best_.fraction < before) lanes_.set_interval(from, minimum(until, best_.fraction));
         };
         if (const auto* mesh = std::get_if<Mesh>(surface_.geometry))
@@ -119,15 +120,15 @@ private:
         }
     }
 
-    // The fraction before which a gap along n at the start, unit, is not closed. Half a gap is left
-    // to rounding: what lies in the plane of a face that was touched is not touched earlier.
+    // The fraction before which a gap along the unit vector n at the start is not closed. Half a
+    // gap allows for rounding: a triangle in the plane of a touched face is not touched earlier.
     double enters_along(double apart, Vec3 n) const {
         if (apart <= 2 * gap_) return 0;
         const double speed = -dot(motion_, n);
         return speed > 0 ? (apart - 0.5 * gap_) / speed : beyond_reach;
     }
 
-    // By its plane and its box.
+    // Tests a triangle by its plane and its box.
     void look(const SurfaceTriangle& t, double until) {
         const Vec3 corner[3] = {t.corner[0] - origin_, t.corner[1] - origin_,
                                 t.corner[2] - origin_};
@@ -144,7 +145,7 @@ private:
         if (by_box >= last) return;
         candidates_.push_back({maximum(maximum(by_box, by_plane), from_), t.index});
     }
-    // From the middle against n, unit.
+    // Extent from the centre against the unit vector n.
     double extent_along(Vec3 n) const {
         const double along = absolute(dot(n, shape_.axes.y));
         if (shape_.core == Core::cylinder)
@@ -168,8 +169,8 @@ private:
         }
         return enters;
     }
-    // Whether the point that is deepest along the normal of the triangle is inside of it when it
-    // comes to its plane: nothing touches the triangle before.
+    // Returns whether the point that is deepest along the triangle's normal lands inside the
+    // triangle. Then nothing touches the triangle earlier.
     bool lands_inside(const SurfaceTriangle& t, const Vec3 corner[3], Vec3 n, double apart,
                       double last) {
         const double fraction = (apart - gap_) / -dot(motion_, n);
@@ -190,7 +191,7 @@ private:
                                 t.corner[2] - origin_};
         if (cup_.hides(corner)) return;
         Vec3 n;
-        // Where it would be at last most are still beside it.
+        // At the end of the interval most triangles are still separated.
         for (const double then : {last, at}) {
             const Vec3 nearest = nearest_on_triangle(corner, middle_ + motion_ * then);
             const Vec3 core = nearest_of_core(nearest, then);
@@ -210,8 +211,8 @@ private:
             return;
         advance(t, corner, n, at, last);
     }
-    // The point of a long shape's axis that is about nearest to a point at that fraction, as it
-    // stands at the start; of other shapes their middle.
+    // The point on a long shape's axis that is approximately nearest to a point at that fraction,
+    // expressed at the shape's start pose. For other shapes, their centre.
     Vec3 nearest_of_core(Vec3 point, double at) const {
         if (shape_.core != Core::cylinder && shape_.core != Core::segment) return middle_;
         const double along = dot(point - middle_ - motion_ * at, shape_.axes.y);
@@ -237,7 +238,7 @@ private:
             if (speed <= 0) return;
             const double next = at + (apart - gap_) / speed;
             if (next >= last) return;
-            // Shorter than rounding can tell.
+            // The step is shorter than rounding resolves.
             if (next <= at) break;
             at = next;
         }
@@ -246,8 +247,8 @@ private:
         hint_ = hint;
     }
 
-    // Of an edge or a corner that was touched, or a face that was not come down on. What was in the
-    // shape at the start has none.
+    // The normal at a touched edge or corner, or at a face that the shape did not land on. A shape
+    // that overlaps at the start has no normal.
     void find_normal() {
         const SurfaceTriangle t = triangle_of(*surface_.geometry, touched_);
         const Vec3 corner[3] = {t.corner[0] - origin_, t.corner[1] - origin_,
@@ -269,7 +270,7 @@ private:
     Vec3 middle_;
     double gap_, from_ = 0;
     SweepLanes lanes_;
-    SweepCup cup_;  // below what was come down on
+    SweepCup cup_;  // below the face that the shape landed on
     SurfaceTouch best_{beyond_reach, false, {}, {}};
     std::uint32_t touched_ = 0;
     Vec3 hint_;

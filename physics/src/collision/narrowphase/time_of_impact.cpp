@@ -13,35 +13,35 @@
 namespace jostle::physics {
 namespace {
 
-// What is advanced: a distance and its direction as a function of time.
+// The advanced quantity: a distance and its direction as a function of time.
 struct Gap {
     double distance;  // m
     Vec3 normal;      // from a to b
     Vec3 point;       // m, world, between the surfaces
-    Vec3 turn;        // a step: how the normal goes along with what it belongs to, as a guess
+    Vec3 turn;  // per step: estimated rotation of the normal with the feature that it belongs to
 };
 
-// Fastest closing of any two points along any direction, m per step: what is further apart than
-// they can come in the time that is left needs no better direction.
+// Upper bound of the closing speed of any two points along any direction, m per step. Shapes that
+// are further apart than this allows in the remaining time need no better direction.
 double closing_at_most(const SweptShape& a, const SweptShape& b) {
     return length(a.sweep.translation - b.sweep.translation) +
            length(a.sweep.rotation_vector) * a.radius + length(b.sweep.rotation_vector) * b.radius;
 }
 
-// Fastest closing of any two points along a direction, m per step.
+// Upper bound of the closing speed of any two points along a direction, m per step.
 double closing(const Sweep& a, double radius_a, const Sweep& b, double radius_b, Vec3 normal) {
     return dot(a.translation - b.translation, normal) +
            length(cross(normal, a.rotation_vector)) * radius_a +
            length(cross(normal, b.rotation_vector)) * radius_b;
 }
 
-// What part of the way is checked at.
+// The part of the motion to test.
 struct SweepInterval {
     double from, until;  // fractions of the step
     double gap;          // m
 };
 
-// Whether the balls around the two bodies' centres never touch on the way.
+// Returns whether the bounding balls around the two bodies' centres never touch in the interval.
 bool balls_pass_by(const SweptShape& a, const SweptShape& b, const SweepInterval& interval) {
     const Vec3 apart = center_at(b.sweep, interval.from) - center_at(a.sweep, interval.from);
     const Vec3 motion = b.sweep.translation - a.sweep.translation;
@@ -52,19 +52,20 @@ bool balls_pass_by(const SweptShape& a, const SweptShape& b, const SweepInterval
     return length_squared(apart + motion * nearest) > reach * reach;
 }
 
-// For how long from the fraction t on the shapes stay apart, at least, as a fraction of the step:
-// `least`, as is known, or longer; beyond `way` if they do not meet on it.
+// A lower bound of the time from fraction t during which the shapes stay separated, as a fraction
+// of the step: at least `least`, which is already known. Beyond the end of `interval` if they do
+// not touch in it.
 //
-// To second order, along a direction m = n + d n' that turns as time d goes on. A body that turns
-// by w for that long reaches as far along m as it did, before, along
-//   m + d m x w + (at most d^2 w^2 |m| / 2) = n + d (n' + n x w) + (at most d^2 bend / radius),
-// so with the shapes' support functions h about their bodies' centres the gap is, times |m|, at
+// Second-order bound along a direction m = n + d n' that rotates as time d passes. The extent along
+// m of a body that rotates by w in that time equals its initial extent along
+//   m + d m x w + (at most d^2 w^2 |m| / 2) = n + d (n' + n x w) + (at most d^2 bend / radius).
+// With the support functions h of the shapes about their bodies' centres, the gap times |m| is at
 // least
-//   m . (centres apart) - ha(n + d (n' + n x wa)) - hb(-n - d (n' + n x wb)) - d^2 bend.
-// Support functions are convex, so this is concave in d: where it is positive at both ends of a
-// time it is positive in between, and its chords lie below it. A direction that stays square to the
-// face or the edges that it comes from loses nothing to their tilting: 3 gaps to an impact instead
-// of 10.
+//   m . (difference of centres) - ha(n + d (n' + n x wa)) - hb(-n - d (n' + n x wb)) - d^2 bend.
+// Support functions are convex, so this bound is concave in d: if it is positive at both ends of an
+// interval it is positive in between, and its chords lie below it. A direction that stays
+// perpendicular to its face or edges loses nothing to their tilting: an impact takes 3 gap
+// evaluations instead of 10.
 template <class ExtentA, class ExtentB>
 double safe_step(const SweptShape& a, const SweptShape& b, const Gap& now, double t,
                  const SweepInterval& interval, double least, ExtentA&& extent_a,
@@ -109,8 +110,8 @@ double safe_step(const SweptShape& a, const SweptShape& b, const Gap& now, doubl
     return maximum(low, least);
 }
 
-// How a normal n goes along with the edges that it is square to, at u . n = 0 and v . n = 0 (either
-// may be zero: none).
+// The rotation of a normal n with the edges that it is perpendicular to, at u . n = 0 and v . n =
+// 0. Either edge may be zero, which means none.
 Vec3 turn_with_edges(Vec3 n, Vec3 u, Vec3 wu, Vec3 v, Vec3 wv) {
     // n' = x u + y v with u . n' = -(wu x u) . n and v . n' = -(wv x v) . n.
     const double uu = dot(u, u), vv = dot(v, v), uv = dot(u, v), ru = -dot(cross(wu, u), n),
@@ -121,8 +122,8 @@ Vec3 turn_with_edges(Vec3 n, Vec3 u, Vec3 wu, Vec3 v, Vec3 wv) {
     return vv > 0 ? v * (rv / vv) : Vec3{};
 }
 
-// The part of a shape that a normal belongs to, from the points of it that carry a gap: none or one
-// point, or two points of an edge, or three of a face.
+// The feature of a shape that a normal belongs to, from the points that carry a gap: up to one
+// point, two points of an edge, or three of a face.
 struct ContactFeature {
     int points = 0;
     Vec3 first, edge;
@@ -138,8 +139,8 @@ struct ContactFeature {
     }
 };
 
-// gap_at(t, exact): what is not exact may say less than the distance. step_from(normal, t, least):
-// safe_step() from the last gap on.
+// gap_at(t, exact): if not exact, it may return less than the distance. step_from(normal, t,
+// least): safe_step() from the last gap.
 template <class GapAt, class StepFrom>
 Impact advance(const SweptShape& a, const SweptShape& b, const SweepInterval& interval,
                GapAt&& gap_at, StepFrom&& step_from) {
@@ -152,14 +153,15 @@ Impact advance(const SweptShape& a, const SweptShape& b, const SweepInterval& in
             break;
         }
         const double speed = closing(a.sweep, a.radius, b.sweep, b.radius, now.normal);
-        // All points move apart along a direction that separates: they never meet.
+        // All points move apart along a separating direction: the shapes never touch.
         if (speed <= 0) return {};
         const double step = (now.distance - interval.gap) / speed;
         if (t + step > interval.until) return {};
         t += step_from(now, t, step);
         if (t > interval.until) return {};
     }
-    // Met, or creeping towards each other: what is left is shorter than rounding can tell.
+    // The shapes touch, or approach so slowly that the remaining step is shorter than rounding
+    // resolves.
     const Gap there = gap_at(t, true);
     return {.fraction = t, .normal = there.normal, .point = there.point};
 }
@@ -194,7 +196,7 @@ Convex convex_at(const SweptShape& shape, const TransformedShape& placed, Vec3 o
     return c;
 }
 
-// The support function of a shape that stands at `arm` from its body's centre.
+// The support function of a shape at an offset of `arm` from its body's centre.
 auto extent_of(const Convex& c, Vec3 arm) {
     return [&c, arm](Vec3 direction) {
         return dot(support(c, direction) + arm, direction) + c.radius * length(direction);
@@ -240,7 +242,7 @@ Impact convex_impact(const SweptShape& a, const SweptShape& b, const SweepInterv
     });
 }
 
-// ---- spheres and capsules: balls around a segment, whose distance needs no search ----
+// ---- spheres and capsules: balls around a segment, with a closed-form distance ----
 
 bool is_rod(ShapeKind kind) {
     return kind == ShapeKind::sphere || kind == ShapeKind::capsule;
@@ -297,7 +299,7 @@ Impact rod_impact(const SweptShape& a, const SweptShape& b, const SweepInterval&
     });
 }
 
-// In the shape's own axes; convex kinds.
+// In the shape's own axes. Convex kinds only.
 Aabb box_around(const Geometry& geometry) {
     if (const auto* box = std::get_if<Box>(&geometry))
         return {-box->half_extents, box->half_extents};
@@ -305,7 +307,7 @@ Aabb box_around(const Geometry& geometry) {
     return bounds_of({&geometry, {}, diagonal({1, 1, 1})});
 }
 
-// A rod around any convex shape: along the longest side of its box.
+// A bounding rod of any convex shape, along the longest side of its box.
 Rod rod_around(const SweptShape& shape, double t) {
     if (is_rod(kind_of(*shape.geometry))) return rod_at(shape, t);
     const Aabb box = box_around(*shape.geometry);
@@ -319,12 +321,14 @@ Rod rod_around(const SweptShape& shape, double t) {
             half[i], square_root(u * u + v * v)};
 }
 
-// Whether the rods around two shapes show that they do not meet: of long thin ones that turn fast
-// past each other, whose balls say nothing, most. Cheaper than the direction of their own gap.
+// Returns whether the bounding rods of two shapes prove that they do not touch. This rejects most
+// pairs of long thin shapes that rotate fast past each other, for which bounding balls are too
+// coarse. Cheaper than the direction of their exact gap.
 bool rods_pass_by(const SweptShape& a, const SweptShape& b, const SweepInterval& interval) {
     const Rod ra = rod_around(a, interval.from), rb = rod_around(b, interval.from);
     if (maximum(ra.half - 2 * ra.radius, rb.half - 2 * rb.radius) < 0) return false;
-    // Beyond doubt: further than what counts as a touch, however roughly that is measured.
+    // A gap clearly larger than any distance that counts as a touch, regardless of the measurement
+    // error.
     const SweepInterval wider{interval.from, interval.until, 3 * interval.gap};
     const Gap now = gap_of(ra, rb, a.sweep.rotation_vector, b.sweep.rotation_vector);
     if (now.distance <= wider.gap) return false;
@@ -336,10 +340,10 @@ bool rods_pass_by(const SweptShape& a, const SweptShape& b, const SweepInterval&
                      extent_of(rb, center_at(b.sweep, interval.from))) > left;
 }
 
-// A ball around a convex shape as it goes straight on, and by how much more the shape may lie
-// beside that as its body turns.
+// A ball around a convex shape in linear motion, and the additional deviation of the shape due to
+// the rotation of its body.
 struct SweptBall {
-    Vec3 center, motion;  // m, at way.from; m per step
+    Vec3 center, motion;  // m, at interval.from; m per step
     double reach;         // m
 };
 SweptBall swept_ball(const SweptShape& shape, const SweepInterval& interval) {
@@ -353,8 +357,8 @@ SweptBall swept_ball(const SweptShape& shape, const SweepInterval& interval) {
         0.5 * length(box.high - box.low) + 0.5 * left * left * length_squared(turn) * length(arm)};
 }
 
-// Whether the balls around two convex shapes never touch: of parts of bodies they say more than
-// those around the bodies.
+// Returns whether the bounding balls of two convex shapes never touch. For children of bodies they
+// are tighter than the balls around the bodies.
 bool children_pass_by(const SweptShape& a, const SweptShape& b, const SweepInterval& interval) {
     if (a.offset == Vec3{} && b.offset == Vec3{}) return false;
     const SweptBall ba = swept_ball(a, interval), bb = swept_ball(b, interval);
@@ -366,14 +370,14 @@ bool children_pass_by(const SweptShape& a, const SweptShape& b, const SweepInter
     return length_squared(apart + motion * nearest) > reach * reach;
 }
 
-// The convex shape's whole way in the other's frame at rest is not a box; both ways are taken in
-// the world and the box is turned into the frame of `frame` as it stands at the start and at the
-// end.
+// The swept box of the convex shape in `frame`. The relative motion does not sweep a box, so both
+// motions are bounded in the world, and the box is transformed into the frame at the start of the
+// interval.
 Aabb swept_aabb_in(const SweptShape& frame, const SweptShape& shape,
                    const SweepInterval& interval) {
     const Aabb box = swept_bounds(shape, interval.from, interval.until);
     const Vec3 middle = (box.low + box.high) * 0.5, half = (box.high - box.low) * 0.5;
-    // How far the frame itself moves meanwhile.
+    // The motion of the frame itself during the interval.
     const double own =
         (length(frame.sweep.translation) +
          length(frame.sweep.rotation_vector) *
@@ -386,7 +390,7 @@ Aabb swept_aabb_in(const SweptShape& frame, const SweptShape& shape,
     return grow({center - reach, center + reach}, own);
 }
 
-// Of several parts.
+// Keeps the earlier impact of two parts.
 void keep_first(Impact& best, const Impact& next) {
     const bool at_start = best.at_start || next.at_start;
     if (next.fraction < best.fraction) best = next;
@@ -398,9 +402,9 @@ Impact turned_round(Impact impact) {
     return impact;
 }
 
-// Whether a shape stays on one side of a triangle, further than what counts as a touch: most that a
-// box around its way holds lie in front of it, and that takes no search. `triangle` and `shape`: as
-// they stand at way.from, seen from `origin`.
+// Returns whether a shape stays on one side of a triangle, further away than a touch. Most
+// triangles in the box around a motion are such, and the test needs no search. `triangle` and
+// `shape`: poses at interval.from, relative to `origin`.
 bool stays_separated(const SweptShape& surface, const SweptShape& moving, const Convex& triangle,
                      const Convex& shape, Vec3 origin, const SweepInterval& interval) {
     const SweepInterval wider{interval.from, interval.until, 3 * interval.gap};
@@ -475,7 +479,7 @@ Vec3 center_at(const Sweep& s, double fraction) {
 Quat rotation_at(const Sweep& s, double fraction) {
     if (s.rotation_vector == Vec3{} || fraction == s.from) return s.rotation;
     return from_rotation_vector(s.rotation_vector * (fraction - s.from)) *
-           s.rotation;  // unit to rounding
+           s.rotation;  // unit length up to rounding
 }
 
 TransformedShape transformed_shape_at(const SweptShape& shape, double fraction) {
@@ -489,7 +493,7 @@ Aabb swept_bounds(const SweptShape& shape, double from, double until) {
                end = bounds_of(transformed_shape_at(shape, until));
     const Aabb both = unite(start, end);
     if (shape.sweep.rotation_vector == Vec3{}) return both;
-    // On its way round a point stays within the chord of its arc: r (1 - cos(angle / 2)).
+    // On a circular path a point stays within the sagitta of its arc: r (1 - cos(angle / 2)).
     const double angle = length(shape.sweep.rotation_vector) * (until - from);
     const double bulge =
         angle < pi ? shape.radius * (1 - sin_cos(0.5 * angle).cos) : 2 * shape.radius;
@@ -524,7 +528,7 @@ Impact time_of_impact(const SweptShape& a, const SweptShape& b, double from, dou
     if (is_rod(ka) && is_rod(kb)) return rod_impact(a, b, interval);
     if (is_convex(ka) && is_convex(kb))
         return rods_pass_by(a, b, interval) ? Impact{} : convex_impact(a, b, interval);
-    // Planes and surfaces do not meet each other.
+    // Planes and surfaces do not collide with each other.
     if (is_convex(ka) == is_convex(kb)) return {};
     if (is_convex(ka)) return turned_round(time_of_impact(b, a, from, gap, interval.until));
     if (ka == ShapeKind::plane) return plane_impact(a, b, interval);

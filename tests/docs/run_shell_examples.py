@@ -1,0 +1,148 @@
+#!/usr/bin/env python3
+"""Runs the shell examples of the documents and compares the output that they show.
+
+Usage: run_shell_examples.py ROOT PROGRAMS [PAGE...]     PROGRAMS: folder of the built programs; PAGE: docs/a.md; default: every page
+A fence ```sh test is run; all of a page's run one after the other in one shell, which stops at the first command that fails.
+A fence ```text output after it shows lines of its output, in order; `...` stands for any text, and a line of `...` for any lines.
+
+A page runs in an empty folder that has links to the folders of the project, with the built programs first on PATH, and in a network of
+its own (Linux network namespace), so the default ports are free. Background jobs end with the page. Exit status: 0 all examples ran
+and printed what is shown, 1 not, 77 this machine does not allow network namespaces.
+"""
+
+import os
+import pathlib
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import tempfile
+
+FENCE = re.compile(r"^( *)```(sh test|text output) *\n(.*?)^ *```", re.M | re.S)
+PAGE_SECONDS = 240
+SKIPPED = 77
+MARK = "=== example of line "
+LINKED = ("clients", "deploy", "docs", "examples", "proto", "scenes", "scripts", "server", "tests")
+
+
+def examples(text):
+    """[(line, commands, [lines of shown output])]"""
+    found = []
+    for match in FENCE.finditer(text):
+        indent, kind, body = match.groups()
+        body = re.sub(f"^{indent}", "", body, flags=re.M)
+        if kind == "sh test":
+            found.append((text.count("\n", 0, match.start()) + 1, body, []))
+        elif found:
+            found[-1][2].extend(body.splitlines())
+    return found
+
+
+def script_of(found):
+    lines = ["set -euo pipefail", "trap 'trap - EXIT; kill $(jobs -p) 2>/dev/null || true; wait' EXIT", "ip link set lo up"]
+    for line, commands, _ in found:
+        lines += [f'echo "{MARK}{line}"', commands]
+    return "\n".join(lines) + "\n"
+
+
+def outputs(text):
+    """Printed lines by the line of the fence."""
+    by_line, current = {}, None
+    for line in text.splitlines():
+        if line.startswith(MARK):
+            current = by_line.setdefault(int(line[len(MARK):]), [])
+        elif current is not None:
+            current.append(line.rstrip())
+    return by_line
+
+
+def missing_line(shown, printed):
+    """The first shown line that is not printed after those before it, or None."""
+    at = 0
+    for line in shown:
+        if line.strip() in ("", "..."):
+            continue
+        pattern = re.compile(".*".join(re.escape(piece) for piece in line.strip().split("...")))
+        while at < len(printed) and not pattern.fullmatch(printed[at].strip()):
+            at += 1
+        if at == len(printed):
+            return line
+        at += 1
+    return None
+
+
+def prepare(root, programs, folder):
+    """Links and programs of the page's folder; the environment."""
+    for name in LINKED:
+        if (root / name).exists():
+            (folder / name).symlink_to(root / name)
+    tools = folder / ".bin"
+    tools.mkdir()
+    # Debian's Python has the modules that scripts/setup installs; another one may come first on PATH.
+    if pathlib.Path("/usr/bin/python3").exists():
+        (tools / "python3").symlink_to("/usr/bin/python3")
+    environment = {key: value for key, value in os.environ.items() if not key.lower().endswith("_proxy") and not key.startswith("JOSTLE_")}
+    return environment | {"PATH": f"{tools}:{programs}:{os.environ['PATH']}", "JOSTLE_BUILD": str(programs.parent),
+                          "HOME": str(folder), "CXX": os.environ.get("CXX", "g++")}
+
+
+def run_page(root, programs, page):
+    """Faults of one page as texts, and how many examples it has."""
+    found = examples((root / page).read_text(encoding="utf-8"))
+    if not found:
+        return [], 0
+    with tempfile.TemporaryDirectory(prefix="jostle-docs-") as name:
+        folder = pathlib.Path(name)
+        environment = prepare(root, programs, folder)
+        log = folder / ".log"
+        with log.open("w") as out:
+            run = subprocess.Popen(["unshare", "--net", "bash", "-c", script_of(found)], cwd=folder, env=environment, stdin=subprocess.DEVNULL,
+                                   stdout=out, stderr=subprocess.STDOUT, start_new_session=True)
+            try:
+                status = run.wait(PAGE_SECONDS)
+            except subprocess.TimeoutExpired:
+                status = None
+            try:
+                os.killpg(run.pid, signal.SIGKILL)  # background jobs that outlive their shell
+            except ProcessLookupError:
+                pass
+            run.wait()
+        text = log.read_text(errors="replace")
+    printed = outputs(text)
+    if status != 0:
+        failed = max(printed, default=found[0][0])
+        reason = f"exit status {status}" if status is not None else f"still running after {PAGE_SECONDS} s"
+        tail = "\n    ".join(printed.get(failed, text.splitlines())[-30:])
+        return [f"{page}:{failed}: the example failed with {reason}; it printed:\n    {tail}"], len(found)
+    faults = []
+    for line, _, shown in found:
+        missing = missing_line(shown, printed.get(line, []))
+        if missing is not None:
+            tail = "\n    ".join(printed.get(line, [])[-40:])
+            faults.append(f"{page}:{line}: the example does not print \"{missing.strip()}\"; it printed:\n    {tail}")
+    return faults, len(found)
+
+
+def main():
+    if len(sys.argv) < 3:
+        print(next(line for line in __doc__.splitlines() if line.startswith("Usage")), file=sys.stderr)
+        return 2
+    root, programs = pathlib.Path(sys.argv[1]).resolve(), pathlib.Path(sys.argv[2]).resolve()
+    if shutil.which("unshare") is None or subprocess.run(["unshare", "--net", "true"], capture_output=True).returncode != 0:
+        print("skipped: this machine does not allow network namespaces (unshare --net)")
+        return SKIPPED
+    pages = sys.argv[3:] or [page.relative_to(root).as_posix() for page in [root / "README.md", *sorted((root / "docs").rglob("*.md"))]]
+    count, failed = 0, 0
+    for page in pages:
+        faults, examples_count = run_page(root, programs, page)
+        count += examples_count
+        failed += len(faults)
+        for fault in faults:
+            print(fault)
+    print(f"shell examples: {count} run, {failed} faults")
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -196,7 +196,7 @@ void add_accuracy(CLI::App& app, int& status) {
     command->add_option("--plot", flags->plot, "Draws each scene into this folder as SVG");
     command->add_option("--overview", flags->sheet, "Draws all scenes, small, into this SVG");
     command->add_option("--tables", flags->tables,
-                        "Writes the tables of docs/accuracy.md anew, in this copy of it");
+                        "Writes the tables of docs/records/accuracy.md anew, in this copy of it");
     command->add_option("--merge", flags->add,
                         "Reports on the rows of this JSON or CSV of before as well");
     CLI::Option* regression = command->add_flag(

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The tables of docs/accuracy.md. They stand between <!-- begin NAME --> and <!-- end NAME -->, and
+// The tables of docs/records/accuracy.md. They stand between <!-- begin NAME --> and <!-- end NAME -->, and
 // --tables writes them anew: nobody copies figures by hand.
 #pragma once
 

@@ -124,7 +124,7 @@ void add_stability(CLI::App& app, int& status) {
         ->check(CLI::Validator(check_mode, "MODE"));
     command->add_option("--json", flags->json, "Writes the rows here as JSON");
     command->add_option("--tables", flags->tables,
-                        "Writes the table of docs/accuracy.md anew, in this copy of it");
+                        "Writes the table of docs/records/accuracy.md anew, in this copy of it");
     command->footer("\n" + stress_test_list() + "\n" + engine_list() + footer);
     command->callback([flags, &status] { status = run(*flags); });
 }

@@ -14,7 +14,7 @@ namespace {
 
 using physics::Vec3;
 
-// docs/format_changes.md. Version 2 has no rewinds.
+// docs/design/format_changes.md. Version 2 has no rewinds.
 constexpr std::uint64_t journal_version = 3, oldest_version = 2;
 constexpr std::uint64_t only_counted = 255;  // in place of a kind
 

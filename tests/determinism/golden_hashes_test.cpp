@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // A changed hash is a changed result, down to the last bit. If it is meant: run
-// build/PRESET/bin/golden_hashes and say why in docs/format_changes.md. Other compilers and CPUs:
+// build/PRESET/bin/golden_hashes and say why in docs/design/format_changes.md. Other compilers and CPUs:
 // scripts/determinism-check.
 #include "tests/determinism/golden_hashes.h"
 

@@ -2,7 +2,7 @@
 //
 // What a fuzz target is: a file that defines run(). It is handed one input after another, and must
 // neither crash, nor hang, nor take more memory than the input is worth, nor find a promise broken.
-// docs/fuzzing.md says how to add one.
+// docs/design/fuzzing.md says how to add one.
 #pragma once
 
 #include <cstddef>

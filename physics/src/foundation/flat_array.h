@@ -2,7 +2,7 @@
 //
 // A vector of plain records by the thousand, whose assignment writes past the caches. Copying a
 // world moves more megabytes than a core's caches hold, and a plain store first reads the line that
-// it is about to overwrite. Takes 0.6 of the time of a vector's assignment (docs/lab_diary.md,
+// it is about to overwrite. Takes 0.6 of the time of a vector's assignment (docs/records/lab_diary.md,
 // "Keeping and restoring 5000 bodies").
 #pragma once
 

@@ -2,7 +2,7 @@
 //
 // Every numeric constant of the solver that was chosen, with its unit, its reason and, where it is
 // another's, its source. SI throughout the library: metres, kilograms, seconds, radians.
-// docs/lab_diary.md and the tests say what each was measured to do. What a user may set is in
+// docs/records/lab_diary.md and the tests say what each was measured to do. What a user may set is in
 // WorldDef; what a caller may ask for at most in limits.h. Bounds of an algorithm (rounds,
 // tolerances of rounding) stand beside it.
 #pragma once

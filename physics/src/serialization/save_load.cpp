@@ -16,7 +16,7 @@ namespace jostle::physics {
 namespace {
 
 constexpr std::uint64_t magic = 0x31444c524f574a00ull;  // "\0JWORLD1"
-// docs/format_changes.md has one line for each. Older ones lack what is optional in the field list.
+// docs/design/format_changes.md has one line for each. Older ones lack what is optional in the field list.
 constexpr std::uint32_t version = saved_world_version, oldest_version = 8;
 constexpr std::size_t length_at = 8 + 4, checksum_at = length_at + 8,
                       header_bytes = checksum_at + 8;

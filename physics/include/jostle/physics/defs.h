@@ -129,7 +129,7 @@ struct BodyAndShapes {
     std::vector<ShapeDef> shapes = {};
 };
 
-// How pairs are found. The result is the same, the cost is not: docs/performance.md.
+// How pairs are found. The result is the same, the cost is not: docs/records/performance.md.
 enum class BroadPhase : std::uint8_t {
     dynamic_tree,
     sort_and_sweep,

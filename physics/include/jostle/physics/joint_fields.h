@@ -63,7 +63,7 @@ void visit_axis(auto& v, auto& axis, double low, double high) {
     v.later("spring_most", axis.spring_most, 0, 1e12, 16);
 }
 
-// The order of fields is that of saved worlds: docs/format_changes.md has a line for each change.
+// The order of fields is that of saved worlds: docs/design/format_changes.md has a line for each change.
 template <class Kind>
 struct JointFields;
 

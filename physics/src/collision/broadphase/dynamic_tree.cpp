@@ -153,7 +153,7 @@ void DynamicTree::measure_height(std::int32_t i) {
 // Refits the ancestors of a node after one of its children changed.
 void DynamicTree::refit_up(std::int32_t i) {
     for (;;) {
-        const int before = above(i).height;
+        const int old_height = above(i).height;
         measure_height(i);
         rotate(i);
         const std::int32_t parent = above(i).parent;
@@ -162,7 +162,7 @@ void DynamicTree::refit_up(std::int32_t i) {
         const int slot = slot_of(parent, i);
         const Box box = bounds_of(i);
         const std::uint32_t categories = categories_of(i);
-        if (above(i).height == before && p.box[slot] == box && p.categories[slot] == categories)
+        if (above(i).height == old_height && p.box[slot] == box && p.categories[slot] == categories)
             return;  // the ancestors do not change
         p.box[slot] = box;
         p.categories[slot] = categories;

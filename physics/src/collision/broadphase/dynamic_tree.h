@@ -156,13 +156,13 @@ private:
             count_++;
         }
         // Avoids a branch that the CPU cannot predict.
-        void push_if(bool wanted, Entry entry) {
+        void push_if(bool condition, Entry entry) {
             if (count_ >= capacity) {
-                if (wanted) push(entry);
+                if (condition) push(entry);
                 return;
             }
             small_[count_] = entry;
-            count_ += wanted ? 1 : 0;
+            count_ += condition ? 1 : 0;
         }
         Entry pop() {
             count_--;

@@ -133,7 +133,7 @@ void UniformGrid::flush() {
 
 void UniformGrid::query(const Aabb& box, std::uint32_t mask,
                         std::vector<std::uint32_t>& found) const {
-    const std::size_t before = found.size();
+    const std::size_t old_size = found.size();
     const auto consider = [&](const Entry& e) {
         if (e.alive && (e.category & mask) != 0 && overlap(e.box, box)) found.push_back(e.item);
     };
@@ -149,7 +149,7 @@ void UniformGrid::query(const Aabb& box, std::uint32_t mask,
             consider(entries_[static_cast<std::size_t>(handle)]);
     });
     // A box that overlaps several cells was found several times.
-    const auto begin = found.begin() + static_cast<std::ptrdiff_t>(before);
+    const auto begin = found.begin() + static_cast<std::ptrdiff_t>(old_size);
     std::sort(begin, found.end());
     found.erase(std::unique(begin, found.end()), found.end());
     for (const std::int32_t handle : large_) consider(entries_[static_cast<std::size_t>(handle)]);

@@ -234,10 +234,10 @@ private:
         if (exceeds_reach(above, front) || exceeds_reach(below, -front)) return;
         // Fast rejection: the shape is separated along the direction from the closest point to its
         // centre.
-        const Vec3 beside = nearest_on_triangle(corner, middle_);
-        if (const double motion = length(middle_ - beside); motion > 0) {
-            const Vec3 n = (middle_ - beside) * (1 / motion);
-            const double apart = dot(support(shape_, -n) - beside, n);
+        const Vec3 on_triangle = nearest_on_triangle(corner, middle_);
+        if (const double motion = length(middle_ - on_triangle); motion > 0) {
+            const Vec3 n = (middle_ - on_triangle) * (1 / motion);
+            const double apart = dot(support(shape_, -n) - on_triangle, n);
             if (apart > reach || exceeds_reach(apart, n)) return;
         }
         const Convex triangle = triangle_convex(corner, {}, {});
@@ -265,7 +265,7 @@ private:
                                  t.index,
                                  dot(w.normal, face) <= 0});
         }
-        if (patch.points.count > 0) take(patch, corner);
+        if (patch.points.count > 0) add_patch(patch, corner);
     }
 
     // Returns whether the motion of the shape keeps its core, which is `distance` away along n, out
@@ -278,27 +278,27 @@ private:
     // Returns whether the shape is behind the triangle. For a separated shape the direction of the
     // shortest distance decides; for an overlapping shape the position of its centre decides. A
     // shape above another slope of a ridge is in front of this triangle too, although it is below
-    // its plane. At a convex edge all triangles that face the same way as the triangle nearest to
-    // the centre are touched from the front; at sharper edges both slopes count.
+    // its plane. Near an edge, triangles that face the same way as the triangle nearest to the
+    // centre are touched from the front. Otherwise the planes of both slopes decide.
     bool is_behind(const SurfaceTriangle& t, const Vec3 corner[3], const Witness& w) {
         const Vec3 front = normal_of(t);
         const double up = dot(front, w.normal);
         if (gap_of(w) > -tuning::even_ground * size_ && absolute(up) > 0.5) return up < 0;
         const Vec3 nearest = nearest_on_triangle(corner, middle_);
         const bool below = dot(middle_ - corner[0], front) < 0;
-        bool behind = below, beside = false;
+        bool behind = below, near_edge = false;
         for (int k = 0; k < 3; k++) {
             const Vec3 along = corner[(k + 1) % 3] - corner[k];
             const Vec3 beyond = cross(along, front);
             const double reach = dot(corner[(k + 2) % 3] - corner[k], beyond);
             if (dot(nearest - corner[k], beyond) < 1e-6 * reach) continue;
-            beside = true;
+            near_edge = true;
             const SurfaceEdge edge = edge_of(*surface_.geometry, t, k);
             if (edge.border) continue;
             const bool behind_that = dot(middle_ - corner[k], edge.normal) < 0;
             behind = edge.fold < 0 ? behind && behind_that : behind || behind_that;
         }
-        if (beside && dot(front, exit_direction()) > 0) return false;
+        if (near_edge && dot(front, exit_direction()) > 0) return false;
         return behind;
     }
 
@@ -345,7 +345,7 @@ private:
         points.count = retained;
     }
 
-    void take(Patch& patch, const Vec3 corner[3]) {
+    void add_patch(Patch& patch, const Vec3 corner[3]) {
         std::copy(corner, corner + 3, patch.corner);
         for (int k = 0; k < patch.points.count; k++)
             patch.deepest = minimum(patch.deepest, patch.points.gap[k]);
@@ -356,12 +356,12 @@ private:
     // pushes at least as far out.
     void cover(const Vec3 corner[3], double gap) {
         for (HeldTriangle& w : held_)
-            if (!w.covered && gap <= gap_of(w.witness) + slack() && holds(corner, w.nearest)) {
+            if (!w.covered && gap <= gap_of(w.witness) + slack() && contains(corner, w.nearest)) {
                 w.covered = true;
                 cover(w.corner, gap);
             }
     }
-    bool holds(const Vec3 corner[3], Vec3 p) const {
+    bool contains(const Vec3 corner[3], Vec3 p) const {
         const Vec3 n = normalized(cross(corner[1] - corner[0], corner[2] - corner[0]));
         const double near = 1e-5 * (size_ + length(corner[1] - corner[0]));
         if (absolute(dot(p - corner[0], n)) > near) return false;
@@ -395,7 +395,7 @@ private:
             patch.points = contact_points(triangle_convex(next->corner, {}, {}), shape_,
                                           next->witness, margin_);
             if (patch.points.count == 0) continue;
-            take(patch, next->corner);
+            add_patch(patch, next->corner);
             cover(next->corner, patches_.back().deepest);
         }
     }

@@ -19,7 +19,7 @@ SimplexCarrier measured(const Simplex& s, SimplexCarrier c) {
     return c;
 }
 
-void keep(Simplex& s, const SimplexCarrier& c) {
+void reduce(Simplex& s, const SimplexCarrier& c) {
     UninitializedArray<SimplexPoint, 3> point;
     for (int k = 0; k < c.count; k++) point[k] = s.point[c.which[k]];
     for (int k = 0; k < c.count; k++) {
@@ -130,7 +130,7 @@ GjkResult gjk(const Convex& a, const Convex& b, Vec3 hint, const GjkGoal& goal) 
             s.count--;
             break;
         }
-        keep(s, carrier);
+        reduce(s, carrier);
         v = carrier.closest;
     }
     for (int k = 0; k < s.count; k++) {

@@ -5,9 +5,9 @@ namespace jostle::physics {
 namespace {
 
 // The fraction of an edge at a point between its ends; 0 for an edge of zero length.
-double part_of(double way, double left) {
-    const double whole = way + left;
-    return whole > 0 ? way / whole : 0;
+double part_of(double from_start, double to_end) {
+    const double sum = from_start + to_end;
+    return sum > 0 ? from_start / sum : 0;
 }
 
 Vec3 nearest_on_edges(const Vec3 corner[3], Vec3 p) {

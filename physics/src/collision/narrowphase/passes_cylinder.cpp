@@ -18,10 +18,11 @@ struct AxisPolygon {
 };
 
 // Clips the polygon to sign * y <= most.
-AxisPolygon cut(const AxisPolygon& whole, double sign, double most) {
+AxisPolygon cut(const AxisPolygon& polygon, double sign, double most) {
     AxisPolygon left;
-    for (int k = 0; k < whole.count; k++) {
-        const AxisPoint &a = whole.point[k], &b = whole.point[k + 1 < whole.count ? k + 1 : 0];
+    for (int k = 0; k < polygon.count; k++) {
+        const AxisPoint &a = polygon.point[k],
+                        &b = polygon.point[k + 1 < polygon.count ? k + 1 : 0];
         const double over_a = sign * a.y - most, over_b = sign * b.y - most;
         if (over_a <= 0) left.point[left.count++] = a;
         if ((over_a < 0 && over_b > 0) || (over_a > 0 && over_b < 0)) {

@@ -41,7 +41,7 @@ public:
             if (known(p.w) || !add_point(p)) facets_[nearest()].spent = true;
         }
         if (upper - best.distance <= 1e-6 * fine_ && !spent_below(upper - 1e-6 * fine_))
-            return answer(best);
+            return result_of(best);
         // For deeply overlapping round shapes the two bounds would need thousands of facets to
         // converge, and rounding may have stopped the expansion. A descent then finishes the
         // search.
@@ -233,32 +233,32 @@ private:
             edge_count++;
             return true;
         };
-        const int before = facet_count_;
-        for (int k = 0; k < before; k++) {
+        const int old_count = facet_count_;
+        for (int k = 0; k < old_count; k++) {
             Facet& f = facets_[k];
             if (dot(f.normal, w) - f.distance <= 1e-13 * size_) continue;
             f.alive = false;
             for (int e = 0; e < 3; e++)
-                if (!add_edge(f.corner[e], f.corner[(e + 1) % 3])) return revive(before);
+                if (!add_edge(f.corner[e], f.corner[(e + 1) % 3])) return revive(old_count);
         }
-        if (edge_count == 0) return revive(before);
+        if (edge_count == 0) return revive(old_count);
         for (int k = 0; k < edge_count; k++)
-            if (!add_facet_at_end(edges[k][0], edges[k][1], index)) return revive(before);
+            if (!add_facet_at_end(edges[k][0], edges[k][1], index)) return revive(old_count);
         return true;
     }
     // Same as add_facet(), but never moves the other facets.
     bool add_facet_at_end(int i, int j, int k) {
         return facet_count_ < max_facets && add_facet(i, j, k);
     }
-    bool revive(int before) {
+    bool revive(int old_count) {
         count_--;
-        facet_count_ = before;
-        for (int k = 0; k < before; k++) facets_[k].alive = true;
+        facet_count_ = old_count;
+        for (int k = 0; k < old_count; k++) facets_[k].alive = true;
         return false;
     }
 
     // Among coplanar facets, uses the one that contains the projection of the origin.
-    Penetration answer(const Facet& nearest) const {
+    Penetration result_of(const Facet& nearest) const {
         const Facet* facet = nullptr;
         double most = -1e-6, weight[3] = {};
         for (int k = 0; k < facet_count_; k++) {

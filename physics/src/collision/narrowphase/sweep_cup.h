@@ -52,11 +52,11 @@ public:
     bool hides(const Vec3 corner[3]) const {
         if (!holds_) return false;
         const Vec3 a = corner[0] - touch_, b = corner[1] - touch_, c = corner[2] - touch_;
-        const double beside = apart(other_, middle_, a, b, c);
-        if (beside > half_) return true;
+        const double across = apart(other_, middle_, a, b, c);
+        if (across > half_) return true;
         const double high = largest(dot(normal_, a), dot(normal_, b), dot(normal_, c)) + margin_;
         const double aside = apart(side_, 0, a, b, c);
-        return high < bend_ * aside * aside + other_bend_ * beside * beside;
+        return high < bend_ * aside * aside + other_bend_ * across * across;
     }
 
 private:

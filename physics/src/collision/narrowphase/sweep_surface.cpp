@@ -97,10 +97,11 @@ private:
             const Aabb own{min(t.corner[0], min(t.corner[1], t.corner[2])),
                            max(t.corner[0], max(t.corner[1], t.corner[2]))};
             if (!overlap(own, box)) return;
-            const double before = best_.fraction;
-            look(t, until);
+            const double old_fraction = best_.fraction;
+            test_fast(t, until);
             // Later touches are irrelevant.
-            if (best_.fraction < before) lanes_.set_interval(from, minimum(until, best_.fraction));
+            if (best_.fraction < old_fraction)
+                lanes_.set_interval(from, minimum(until, best_.fraction));
         };
         if (const auto* mesh = std::get_if<Mesh>(surface_.geometry))
             mesh->data->tree->nearest_first(lanes_, [&](std::uint32_t index) {
@@ -129,7 +130,7 @@ private:
     }
 
     // Tests a triangle by its plane and its box.
-    void look(const SurfaceTriangle& t, double until) {
+    void test_fast(const SurfaceTriangle& t, double until) {
         const Vec3 corner[3] = {t.corner[0] - origin_, t.corner[1] - origin_,
                                 t.corner[2] - origin_};
         if (cup_.hides(corner)) return;

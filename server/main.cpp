@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// jostle-server: flags over the config file over the defaults, then run.
+// jostle-server: applies defaults, config file and flags in this order, then runs the server.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <optional>
@@ -16,15 +16,15 @@ namespace {
 
 constexpr const char* examples = R"(
 Examples:
-  jostle-server                                   the sandbox; viewer at http://localhost:8080
-  jostle-server --scene pyramid --scene my.json   two worlds, one from a scene file
+  jostle-server                                   host the sandbox; viewer at http://localhost:8080
+  jostle-server --scene pyramid --scene my.json   host two worlds, one from a scene file
   jostle-server --scene a=pyramid --scene b=pyramid
   jostle-server --config server.toml --log-level debug --set world.worlds_max=4
-  jostle-server --config server.toml --health     exits with 0 when that server serves
+  jostle-server --config server.toml --health     check a running server with these settings
 
-SIGTERM or Ctrl-C tells clients goodbye and exits with 0; a second one exits at once.
-A flag wins over its environment variable, and that over the config file.
-Exit status: 0 in order, 1 could not start, 2 wrong flags or config.)";
+SIGTERM or Ctrl-C notifies clients, then exits with status 0; a second signal exits at once.
+A flag overrides its environment variable; the variable overrides the config file.
+Exit status: 0 success, 1 start failed, 2 invalid flags or config, 3 shutdown timed out.)";
 
 struct Flags {
     std::vector<std::string> scenes, settings;
@@ -34,40 +34,64 @@ struct Flags {
 };
 
 void add_flags(CLI::App& app, Flags& flags) {
-    app.add_option("--scene", flags.scenes,
-                   "World to host: a scene's name or a scene file, with NAME= before it for a name "
-                   "of its own; may be given several times");
-    app.add_option("--listen", flags.listen, "Address of gRPC, HOST:PORT; port 0 takes a free one")
-        ->envname("JOSTLE_LISTEN");
-    app.add_option("--http", flags.http, "Address of viewer and WebSocket, HOST:PORT")
-        ->envname("JOSTLE_HTTP");
+    app.add_option(
+           "--scene", flags.scenes,
+           "Host a world from a catalogue scene or a scene file; repeatable\n[default: sandbox]")
+        ->type_name("[NAME=]SCENE")
+        ->group("Worlds");
+    app.add_flag("--list-scenes", flags.list_scenes, "Print the scene catalogue and exit")
+        ->group("Worlds");
+    app.add_option("--listen", flags.listen,
+                   "Listen for gRPC; port 0 selects a free port\n[default: 127.0.0.1:50051]")
+        ->type_name("HOST:PORT")
+        ->envname("JOSTLE_LISTEN")
+        ->group("Network");
+    app.add_option("--http", flags.http,
+                   "Listen for the viewer and WebSocket clients\n[default: 127.0.0.1:8080]")
+        ->type_name("HOST:PORT")
+        ->envname("JOSTLE_HTTP")
+        ->group("Network");
     app.add_option("--admin", flags.admin,
-                   "Address of metrics and profiles, HOST:PORT; \"\" for none")
-        ->envname("JOSTLE_ADMIN");
+                   "Listen for metrics and profiles; \"\" disables\n[default: 127.0.0.1:9464]")
+        ->type_name("HOST:PORT")
+        ->envname("JOSTLE_ADMIN")
+        ->group("Network");
     app.add_option("--datagrams", flags.datagrams,
-                   "Address of datagrams (UDP), HOST:PORT, for clients that ask for them; none "
-                   "unless given")
-        ->envname("JOSTLE_DATAGRAMS");
-    app.add_option("--config", flags.config, "TOML file; docs/operations.md lists its settings")
-        ->envname("JOSTLE_CONFIG");
-    app.add_option("--set", flags.settings,
-                   "A setting of the config file, KEY=VALUE, as in client.bodies_owned_max=10");
-    app.add_option("--web-root", flags.web_root, "Folder of the built viewer");
-    app.add_option("--log-level", flags.log_level, "trace, debug, info, warn or error")
-        ->envname("JOSTLE_LOG_LEVEL");
-    app.add_option("--port-file", flags.port_file, "Writes the real ports here as JSON");
+                   "Listen for UDP datagrams of clients that request them\n[default: disabled]")
+        ->type_name("HOST:PORT")
+        ->envname("JOSTLE_DATAGRAMS")
+        ->group("Network");
+    app.add_option("--port-file", flags.port_file, "Write the bound ports to FILE as JSON")
+        ->type_name("FILE")
+        ->group("Network");
     app.add_flag("--insecure", flags.insecure,
-                 "Lets strangers in: listens beyond this machine without TLS and tokens");
-    app.add_flag("--list-scenes", flags.list_scenes,
-                 "Names every scene of the catalogue and exits");
+                 "Allow non-loopback listeners without TLS and authentication")
+        ->group("Network");
+    app.add_option("--config", flags.config, "Read settings from a TOML file (docs/operations.md)")
+        ->type_name("FILE")
+        ->envname("JOSTLE_CONFIG")
+        ->group("Settings");
+    app.add_option("--set", flags.settings,
+                   "Override a setting, such as client.bodies_owned_max=10; repeatable")
+        ->type_name("KEY=VALUE")
+        ->group("Settings");
+    app.add_option("--web-root", flags.web_root,
+                   "Serve the viewer from DIR [default: clients/web/dist]")
+        ->type_name("DIR")
+        ->group("Settings");
+    app.add_option("--log-level", flags.log_level,
+                   "Log at LEVEL: trace, debug, info, warn or error [default: info]")
+        ->type_name("LEVEL")
+        ->envname("JOSTLE_LOG_LEVEL")
+        ->group("Settings");
     app.add_flag("--health", flags.health,
-                 "Asks the server at --listen and --http whether it serves, says so and exits "
-                 "with 0, or with 1 if not");
-    app.set_version_flag("--version", "jostle-server " JOSTLE_VERSION);
+                 "Check the server at --listen and --http; exit with 0 if it serves, else 1");
+    app.set_version_flag("--version", "jostle-server " JOSTLE_VERSION,
+                         "Print the version and exit");
     app.footer(examples);
 }
 
-// A flag that was given replaces what the file said.
+// A given flag overrides the value from the config file.
 void apply_flags(jostle::server::Config& config, const Flags& flags) {
     const auto take = [](std::string& setting, const std::string& flag) {
         if (!flag.empty()) setting = flag;
@@ -85,7 +109,7 @@ void apply_flags(jostle::server::Config& config, const Flags& flags) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    CLI::App app{"Hosts physics worlds and streams them to players, bots and browsers."};
+    CLI::App app{"Host physics worlds and stream them to players, bots and browsers."};
     Flags flags;
     add_flags(app, flags);
     try {
@@ -112,7 +136,7 @@ int main(int argc, char** argv) {
     }
     apply_flags(config, flags);
     jostle::Status checked = jostle::server::check(config);
-    // A probe lets nobody in; its flags need not be all of the server's.
+    // A health probe does not listen, and it need not be given all flags of the server.
     if (checked.ok() && !flags.health) checked = jostle::server::check_exposure(config);
     if (!checked.ok()) {
         std::fprintf(stderr, "jostle-server: %s\n", checked.error().message.c_str());

@@ -27,7 +27,7 @@ struct Range {
     double value, low, high;
 };
 
-// Settings that only make sense together, or with one of a few words.
+// Settings that depend on each other, and settings with a fixed list of values.
 Status check_access(const Config& c) {
     if (c.tls.certificate.empty() != c.tls.key.empty())
         return invalid_argument("tls.certificate and tls.key belong together; set both or neither");
@@ -35,15 +35,17 @@ Status check_access(const Config& c) {
         return invalid_argument("tls.client_ca is set without tls.certificate and tls.key");
     if (!c.auth.keys.empty() && (c.auth.issuer.empty() || c.auth.audience.empty()))
         return invalid_argument(
-            "auth.keys is set without auth.issuer and auth.audience: say whose tokens for whom");
+            "auth.keys is set without auth.issuer and auth.audience; set both to the expected "
+            "claims");
     static constexpr std::array roles = {"", "none", "viewer", "player", "director", "admin"};
     if (std::find(roles.begin(), roles.end(), c.auth.anonymous_role) == roles.end())
         return invalid_argument("auth.anonymous_role is \"" + c.auth.anonymous_role +
                                 "\"; it must be none, viewer, player, director or admin");
     for (const std::string& host : c.allowed_hosts)
         if (host.empty() || host.find_first_of("/ ") != std::string::npos)
-            return invalid_argument("allowed_hosts names \"" + host +
-                                    "\"; write a host's name alone, as play.example.org");
+            return invalid_argument(
+                "allowed_hosts: \"" + host +
+                "\" is not a host name; write only the name, such as play.example.org");
     return {};
 }
 
@@ -123,22 +125,24 @@ Status check(const Config& c) {
         return invalid_argument("log_format is \"" + c.log_format + "\"; it must be text or json");
     if (c.scenes.empty()) return invalid_argument("scenes is empty; name at least one scene");
     if (static_cast<int>(c.scenes.size()) > c.world.worlds_max)
-        return invalid_argument("scenes names more worlds than world.worlds_max");
-    static constexpr std::array kept = {"none", "process", "machine"};
-    if (std::find(kept.begin(), kept.end(), c.persistence.durability) == kept.end())
+        return invalid_argument("scenes lists more worlds than world.worlds_max allows");
+    static constexpr std::array durability_levels = {"none", "process", "machine"};
+    if (std::find(durability_levels.begin(), durability_levels.end(), c.persistence.durability) ==
+        durability_levels.end())
         return invalid_argument("persistence.durability is \"" + c.persistence.durability +
                                 "\"; it must be none, process or machine");
-    if (const auto link = parse_network_conditions(c.development.network_conditions); !link.ok())
-        return invalid_argument("development.network_conditions: " + link.error().message);
+    if (const auto conditions = parse_network_conditions(c.development.network_conditions);
+        !conditions.ok())
+        return invalid_argument("development.network_conditions: " + conditions.error().message);
     return check_access(c);
 }
 
 Result<HostPort> parse_host_port(const std::string& address) {
     const auto bad = [&](const char* why) {
-        return invalid_argument("\"" + address + "\" is no HOST:PORT: " + why);
+        return invalid_argument("\"" + address + "\" is not HOST:PORT: " + why);
     };
     const std::size_t colon = address.rfind(':');
-    if (colon == std::string::npos) return bad("there is no colon");
+    if (colon == std::string::npos) return bad("the colon is missing");
     HostPort out{.host = address.substr(0, colon)};
     if (out.host.size() > 2 && out.host.front() == '[' && out.host.back() == ']')
         out.host = out.host.substr(1, out.host.size() - 2);

@@ -13,7 +13,7 @@ namespace jostle::server {
 
 namespace {
 
-// Sets one field from a value; false when the type is wrong.
+// Sets one field from a value; returns false if the value has the wrong type.
 using Setter = std::function<bool(const toml::node&)>;
 
 template <class T>
@@ -150,9 +150,9 @@ Status apply_table(const Setters& setters, const toml::table& table, const std::
         }
         const auto at = setters.find(path);
         if (at == setters.end())
-            return Error{ErrorCode::invalid_argument, location_of(name, node.source()) +
-                                                          "there is no setting \"" + path +
-                                                          "\"; docs/operations.md lists them"};
+            return Error{ErrorCode::invalid_argument,
+                         location_of(name, node.source()) + "unknown setting \"" + path +
+                             "\"; docs/operations.md lists the settings"};
         if (!at->second(node))
             return Error{ErrorCode::invalid_argument, location_of(name, node.source()) + "\"" +
                                                           path +
@@ -184,8 +184,9 @@ Status load_settings(Config& config, const std::vector<std::string>& settings) {
     for (const std::string& setting : settings) {
         const std::size_t equals = setting.find('=');
         if (equals == std::string::npos || setting.find('\n') != std::string::npos)
-            return Error{ErrorCode::invalid_argument,
-                         "\"" + setting + "\" is no KEY=VALUE, as in client.bodies_owned_max=10"};
+            return Error{
+                ErrorCode::invalid_argument,
+                "\"" + setting + "\" is not KEY=VALUE; write it as in client.bodies_owned_max=10"};
         const std::string key = setting.substr(0, equals), value = setting.substr(equals + 1);
         try {
             static_cast<void>(toml::parse(setting));
@@ -200,7 +201,7 @@ Status load_settings(Config& config, const std::vector<std::string>& settings) {
 }
 
 Status load_config(Config& config, const std::string& path) {
-    std::error_code ignored;  // a path that cannot be looked at cannot be opened either
+    std::error_code ignored;  // a path without access cannot be opened either
     std::ifstream in(path);
     // A directory opens, but reading from it throws.
     if (!in || std::filesystem::is_directory(path, ignored))

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Reads a TOML file over a Config. Keys are the names of config.h, with a table for each inner
+// Loads a TOML file into a Config. Keys are the names in config.h, with a table for each inner
 // struct.
 #pragma once
 
@@ -15,7 +15,8 @@ namespace jostle::server {
 // is then unchanged.
 Status load_config(Config& config, const std::string& path);
 Status load_config_text(Config& config, const std::string& text, const std::string& name);
-// KEY=VALUE each, as on a command line: what is no TOML value is taken as a string.
+// Each setting is KEY=VALUE, as on a command line. A value that is not valid TOML is read as a
+// string.
 Status load_settings(Config& config, const std::vector<std::string>& settings);
 
 }  // namespace jostle::server

@@ -8,13 +8,14 @@ namespace jostle::server {
 
 namespace {
 
-// The first setting whose address strangers can reach, as "listen is 0.0.0.0:50051"; empty: none.
+// The first setting with an address that other machines can reach, as "listen is 0.0.0.0:50051";
+// empty: none.
 std::string reachable(const Config& config) {
     for (const auto& [key, address] :
          {std::pair("listen", config.listen), std::pair("http", config.http),
           std::pair("admin", config.admin),
           std::pair("datagrams.listen", config.datagrams.listen)}) {
-        if (address.empty()) continue;  // no such port
+        if (address.empty()) continue;  // disabled
         const Result<HostPort> parsed = parse_host_port(address);
         if (!parsed.ok() || !is_loopback(parsed->host)) return std::string(key) + " is " + address;
     }
@@ -43,9 +44,9 @@ Status check_exposure(const Config& config) {
     if (missing.empty()) return {};
     return Error{
         ErrorCode::failed_precondition,
-        where + ", where strangers can reach it, without " + missing +
-            ". Set them (docs/security.md), listen on 127.0.0.1, or set insecure = true if "
-            "something in front of this server sees to both"};
+        where + ", which other machines can reach, without " + missing +
+            "; set them (docs/security.md), listen on 127.0.0.1, or set insecure = true if "
+            "a proxy in front of this server provides both"};
 }
 
 std::string anonymous_role(const Config& config) {

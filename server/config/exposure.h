@@ -1,22 +1,23 @@
 // SPDX-License-Identifier: MIT
 //
-// Who can reach this server, by its settings alone, and what follows from it. Asked once, before
-// anything listens.
+// Reachability of this server according to its settings, and the consequences. Evaluated once,
+// before the server listens.
 #pragma once
 
 #include "server/config/config.h"
 
 namespace jostle::server {
 
-// "localhost", 127.0.0.0/8, ::1. Any other name counts as one that strangers can reach.
+// True for "localhost", 127.0.0.0/8 and ::1. Any other name counts as reachable from other
+// machines.
 bool is_loopback(const std::string& host);
 
-// Refuses to listen beyond loopback without both TLS and tokens, unless `insecure` is set.
+// Rejects listeners beyond loopback without both TLS and tokens, unless `insecure` is set.
 Status check_exposure(const Config& config);
 
-// What those may do who show neither a token nor a certificate: auth.anonymous_role. Without it:
-// nothing once there are keys for tokens; before that everything on loopback, where only people of
-// this machine come from, and what a director may do elsewhere.
+// Role of a client without token and certificate: auth.anonymous_role. If it is empty, the role is
+// "none" once auth.keys is set, else "admin" on loopback, where all clients are on this machine,
+// and "director" on other addresses.
 std::string anonymous_role(const Config& config);
 
 }  // namespace jostle::server

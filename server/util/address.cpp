@@ -15,7 +15,7 @@ const in6_addr& ipv6_prefix_of(const sockaddr_storage& address) {
     return reinterpret_cast<const sockaddr_in6&>(address).sin6_addr;
 }
 
-// IPv4, also when it came by an IPv6 socket.
+// The IPv4 address, also if it is mapped into IPv6.
 std::optional<in_addr> ipv4_of(const sockaddr_storage& address) {
     if (address.ss_family == AF_INET) return reinterpret_cast<const sockaddr_in&>(address).sin_addr;
     if (address.ss_family != AF_INET6 || !IN6_IS_ADDR_V4MAPPED(&ipv6_prefix_of(address)))
@@ -42,7 +42,7 @@ std::string network_of(const sockaddr_storage& address) {
 
 std::string network_of(std::string_view address) {
     sockaddr_storage parsed{};
-    const std::string text(address.substr(0, address.find('%')));  // without its zone
+    const std::string text(address.substr(0, address.find('%')));  // without the zone
     auto& four = reinterpret_cast<sockaddr_in&>(parsed);
     auto& six = reinterpret_cast<sockaddr_in6&>(parsed);
     if (inet_pton(AF_INET, text.c_str(), &four.sin_addr) == 1)
@@ -59,7 +59,7 @@ std::string address_name(const sockaddr_storage& address) {
 }
 
 std::string peer_name(const sockaddr_storage& address) {
-    // Ports lie alike in both kinds of address.
+    // sockaddr_in and sockaddr_in6 hold the port at the same offset.
     const std::string port =
         std::to_string(ntohs(reinterpret_cast<const sockaddr_in6&>(address).sin6_port));
     const std::string host = address_name(address);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A queue between threads with a fixed capacity: many writers, one reader. push() tells the truth
-// when it is full, so that the writer can tell its client; nothing is ever dropped silently.
+// A queue between threads with a fixed capacity: many writers, one reader. push() reports a full
+// queue, so that the writer can inform its client; no item is dropped silently.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@ class BoundedQueue {
 public:
     explicit BoundedQueue(std::size_t capacity) : capacity_(capacity) { items_.reserve(capacity); }
 
-    // Any thread. False: full, and the item was not taken.
+    // Any thread. Returns false if the queue is full; the item is then not queued.
     bool push(T item) {
         const std::lock_guard lock(mutex_);
         if (items_.size() >= capacity_) return false;
@@ -24,8 +24,8 @@ public:
         return true;
     }
 
-    // The reader: all items in order of arrival. `out` is cleared first; its memory is reused for
-    // the next ones.
+    // The reader: moves all items to `out` in order of arrival. `out` is cleared first; its memory
+    // is reused for the next items.
     void drain_into(std::vector<T>& out) {
         out.clear();
         const std::lock_guard lock(mutex_);

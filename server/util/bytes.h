@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Numbers and texts one after the other, the same on every machine. Who reads checks ok() at the
-// end: what was read beyond the end, or of a number that is none, is 0 or empty.
+// Numbers and strings in sequence, with the same bytes on every machine. The reader checks ok() at
+// the end: after a read beyond the end or of a malformed number, every value is 0 or empty.
 #pragma once
 
 #include <bit>
@@ -14,7 +14,7 @@ namespace jostle::server {
 
 class ByteWriter {
 public:
-    void number(std::uint64_t value) {  // seven bits a byte, the lowest first
+    void number(std::uint64_t value) {  // varint: seven bits per byte, least significant first
         for (; value >= 0x80; value >>= 7) bytes_ += static_cast<char>(value | 0x80);
         bytes_ += static_cast<char>(value);
     }
@@ -63,7 +63,8 @@ public:
         bytes_.remove_prefix(size);
         return value;
     }
-    // Of how many things that take a byte each at least; more than there are bytes left is none.
+    // Number of list elements, each of which takes at least one byte; fails if it exceeds the
+    // number of remaining bytes.
     std::size_t count() {
         const std::uint64_t value = number();
         return value <= bytes_.size() ? value : fail();

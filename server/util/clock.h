@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The server's one clock: monotonic. What depends on time takes the time as an argument, so that
-// tests make their own.
+// The server's monotonic clock. Functions that depend on time take it as an argument, so that tests
+// can supply their own.
 #pragma once
 
 #include <chrono>
@@ -11,12 +11,13 @@ namespace jostle::server {
 
 using Clock = std::chrono::steady_clock;
 
-// A thread that looks every few hundredths of a second and has not looked for so long stood still,
-// and with it the process or the machine: nobody else was late.
+// A thread that polls every few tens of milliseconds and misses polls for this long was stalled,
+// and with it the process or the machine. Peers and worlds are then not blamed for the delay.
 inline constexpr auto process_stall_min = std::chrono::milliseconds(500);
 
-// On the wire: microseconds of the server's monotonic clock. That of the machine may have begun
-// after the first tick of a world that was kept: on the wire it began 35 years earlier.
+// Wire time: microseconds of the server's monotonic clock, plus 2^50 us (35 years). The machine's
+// clock may have started after the first tick of a restored world; the offset keeps that tick's
+// time positive.
 inline std::uint64_t to_us(Clock::time_point t) {
     constexpr std::int64_t earlier = std::int64_t{1} << 50;
     return static_cast<std::uint64_t>(

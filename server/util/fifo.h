@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// A queue of few items, of which a server has several for each client: it has no memory while
-// nothing was ever in it, and little while little is. (std::deque begins with 576 bytes.)
-// References are good until the next change.
+// A queue of few items; a server has several per client. It allocates nothing until the first item
+// and stays small for few items (an empty std::deque takes 576 bytes). References are valid until
+// the next change.
 #pragma once
 
 #include <cstddef>
@@ -30,7 +30,7 @@ public:
     void push_back(T item) { items_.push_back(std::move(item)); }
     void pop_back() { items_.pop_back(); }
     void pop_front(std::size_t count = 1) {
-        for (; count > 0; count--) items_[first_++] = T();  // what it held is let go of at once
+        for (; count > 0; count--) items_[first_++] = T();  // releases what the item held at once
         if (empty())
             clear();
         else if (first_ >= items_.size() / 2)
@@ -43,12 +43,12 @@ public:
     }
 
 private:
-    static constexpr std::size_t retained_capacity =
-        64;  // items; after a flood its memory is given back
+    // Items. After a burst, the memory beyond this capacity is released.
+    static constexpr std::size_t retained_capacity = 64;
 
     std::ptrdiff_t offset() const { return static_cast<std::ptrdiff_t>(first_); }
 
-    std::vector<T> items_;  // those before first_ are gone
+    std::vector<T> items_;  // items before first_ are popped
     std::size_t first_ = 0;
 };
 

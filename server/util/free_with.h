@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What a C library made, in a unique_ptr: std::unique_ptr<X509, FreeWith<X509_free>>.
+// Deleter for an object of a C library: std::unique_ptr<X509, FreeWith<X509_free>>.
 #pragma once
 
 namespace jostle::server {

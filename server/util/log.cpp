@@ -18,8 +18,8 @@ namespace jostle::server {
 namespace {
 
 constexpr std::size_t queue_lines = 8192;
-// Of a line: a pipe that has room at all has room for this (PIPE_BUF is 4096), so that a write that
-// poll() allowed does not wait.
+// Maximum bytes per line. A pipe that is writable has room for PIPE_BUF (4096) bytes, so a write
+// after poll() never blocks.
 constexpr std::size_t message_bytes_max = 2000;
 constexpr std::size_t json_message_bytes_max = 1500;
 constexpr int reader_timeout_ms = 250;
@@ -34,7 +34,7 @@ std::string time_of(const spdlog::log_clock::time_point at, bool utc) {
     return fmt::format("{}.{:03}{}", text, ms.count() % 1000, utc ? "Z" : "");
 }
 
-// A printable message has no other characters that JSON escapes.
+// A printable message contains no other characters that JSON escapes.
 std::string json_string(const std::string& text) {
     std::string out = "\"";
     for (const char c : text) {
@@ -44,7 +44,7 @@ std::string json_string(const std::string& text) {
     return out + '"';
 }
 
-// Used by the one thread that writes; closing() and dropped() by any.
+// Used by the writing thread only; close_soon() and dropped() by any thread.
 class LineWriter final : public spdlog::sinks::base_sink<spdlog::details::null_mutex> {
 public:
     LineWriter(int descriptor, bool json) : descriptor_(descriptor), json_(json) {}
@@ -74,10 +74,10 @@ private:
     }
     void report_drops(spdlog::log_clock::time_point at) {
         const std::uint64_t now = dropped_;
-        if (now == told_) return;
-        if (write(
-                line(at, "warning", fmt::format("{} lines of this log were dropped", now - told_))))
-            told_ = now;
+        if (now == reported_drops_) return;
+        if (write(line(at, "warning",
+                       fmt::format("dropped {} lines of this log", now - reported_drops_))))
+            reported_drops_ = now;
     }
     bool write(const std::string& text) const {
         std::size_t done = 0;
@@ -96,11 +96,11 @@ private:
     const bool json_;
     std::atomic<bool> closing_{false};
     std::atomic<std::uint64_t> dropped_{0};
-    std::uint64_t told_ = 0;
+    std::uint64_t reported_drops_ = 0;
 };
 
 std::shared_ptr<LineWriter> writer;
-std::uint64_t overruns_before = 0;  // of the queue, when it was stopped
+std::uint64_t overruns_at_stop = 0;  // of the queue, when the log was stopped
 
 }  // namespace
 
@@ -108,7 +108,7 @@ void start_log(const LogSettings& settings) {
     std::signal(SIGPIPE, SIG_IGN);
     spdlog::init_thread_pool(queue_lines, 1);
     writer = std::make_shared<LineWriter>(settings.descriptor, settings.json);
-    overruns_before = 0;
+    overruns_at_stop = 0;
     const auto logger = std::make_shared<spdlog::async_logger>(
         "jostle", writer, spdlog::thread_pool(), spdlog::async_overflow_policy::overrun_oldest);
     logger->set_level(spdlog::level::from_str(settings.level));
@@ -119,8 +119,8 @@ void stop_log() {
     const auto pool = spdlog::thread_pool();
     if (!pool) return;
     writer->close_soon();
-    overruns_before = pool->overrun_counter();
-    // Whoever still logs does so without a queue; the last holder of the pool empties it.
+    overruns_at_stop = pool->overrun_counter();
+    // Threads that still log do so without a queue; the last holder of the pool drains it.
     spdlog::drop("jostle");
     spdlog::set_default_logger(std::make_shared<spdlog::logger>(
         "late", std::make_shared<LineWriter>(STDOUT_FILENO, false)));
@@ -129,7 +129,7 @@ void stop_log() {
 
 std::uint64_t log_lines_dropped() {
     const auto pool = spdlog::thread_pool();
-    return (writer ? writer->dropped() : 0) + (pool ? pool->overrun_counter() : overruns_before);
+    return (writer ? writer->dropped() : 0) + (pool ? pool->overrun_counter() : overruns_at_stop);
 }
 
 }  // namespace jostle::server

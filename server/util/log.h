@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Levels with a meaning each, one line per event: debug for what a developer follows, info for what
-// an operator wants to know of once, warn for what a client did wrong or the machine could not keep
-// up with, error for what is our fault. Nothing is logged per tick.
+// One line per event. Levels: debug is for developers; info reports events once for operators; warn
+// reports a fault of a client or an overloaded machine; error reports a fault of the server.
+// Nothing is logged per tick.
 //
-// Any thread may log, and none ever waits for whoever reads the log: lines go through a bounded
-// queue to a thread that writes them; what finds no room, or no reader in time, is dropped and
-// counted. What strangers said is escaped, so that a line is one event.
+// Any thread may log, and logging never waits for the reader of the log: lines go through a bounded
+// queue to a writing thread. A line is dropped and counted if the queue is full or the reader is
+// too slow. Text from clients is escaped, so that one line is one event.
 #pragma once
 
 #include <spdlog/spdlog.h>
@@ -19,16 +19,16 @@ namespace jostle::server {
 
 struct LogSettings {
     std::string level = "info";
-    bool json = false;  // {"time": ..., "level": ..., "message": ...} a line
+    bool json = false;  // one {"time": ..., "level": ..., "message": ...} object per line
     int descriptor = 1;
 };
 
-// Before the first line; until then lines go to standard output at once. A reader that goes away
-// is no signal any more (SIGPIPE).
+// Call before the first line; until then lines go to standard output synchronously. Ignores
+// SIGPIPE, so that a closed log pipe does not end the process.
 void start_log(const LogSettings& settings);
-// Writes what is queued; waits a moment at most for a reader that does not read.
+// Writes the queued lines; does not wait for a stalled reader.
 void stop_log();
-// Since start_log().
+// Lines dropped since start_log().
 std::uint64_t log_lines_dropped();
 
 template <class... Args>

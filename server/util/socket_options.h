@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Options of sockets that both listeners set. Any thread.
+// Socket options that both listeners set. Any thread.
 #pragma once
 
 #include <netinet/in.h>
@@ -17,9 +17,9 @@ inline void set_socket_option(int descriptor, int level, int name, int value) {
     setsockopt(descriptor, level, name, &value, sizeof value);
 }
 
-// The system closes the connection when the peer takes nothing for so long though there is
-// something for it: it is gone, or it does not read (RFC 5482; on Linux that counts for a window
-// that stays shut, too).
+// The kernel closes the connection if the peer acknowledges no data for this long while data is
+// pending: the peer is gone or does not read (RFC 5482; on Linux the timeout also covers a zero
+// window).
 inline void set_tcp_user_timeout(int descriptor, Clock::duration tcp_user_timeout) {
     const auto ms = std::chrono::duration_cast<std::chrono::milliseconds>(tcp_user_timeout).count();
     set_socket_option(descriptor, IPPROTO_TCP, TCP_USER_TIMEOUT, static_cast<int>(ms));

@@ -11,8 +11,8 @@ bool is_continuation(unsigned char c) {
     return (c & 0xc0) == 0x80;
 }
 
-// Bytes of the UTF-8 character that begins there; 0: none does (RFC 3629: no overlong forms, no
-// surrogates, nothing above U+10FFFF).
+// Bytes of the UTF-8 character at the start of `text`; 0 if it is not valid (RFC 3629: no overlong
+// forms, no surrogates, nothing above U+10FFFF).
 std::size_t character_at(std::string_view text) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
     const unsigned char lead = byte(0);
@@ -28,8 +28,8 @@ std::size_t character_at(std::string_view text) {
     return size;
 }
 
-// Those of ASCII, U+0080 to U+009F, which terminals obey as well, and those of Unicode that break
-// lines or turn their direction: U+200E to 200F, 2028 to 202E, 2066 to 2069.
+// ASCII control characters; U+0080 to U+009F, which terminals also obey; and Unicode characters
+// that break lines or change their direction: U+200E to 200F, 2028 to 202E, 2066 to 2069.
 bool is_control(std::string_view character) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(character[i]); };
     const auto within = [](unsigned char c, int low, int high) { return low <= c && c <= high; };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Strangers' text, made safe to show: names and messages that end up in logs, close reasons and
-// answers. Pure functions; any thread.
+// Makes text from clients safe to display: names and messages in logs, close reasons and responses.
+// Pure functions; any thread.
 #pragma once
 
 #include <cstddef>
@@ -10,14 +10,14 @@
 
 namespace jostle::server {
 
-// The longest beginning of at most so many bytes that cuts no UTF-8 character in two.
+// The longest prefix of at most `bytes_max` bytes that does not split a UTF-8 character.
 std::string_view clip_utf8(std::string_view text, std::size_t bytes_max);
 
-// On one line, clipped: control characters and what is no UTF-8 become \n, \t, \x1b and the like, a
-// backslash becomes two.
+// One clipped line: control characters and invalid UTF-8 become \n, \t, \x1b and so on; a backslash
+// becomes two.
 std::string printable(std::string_view text, std::size_t bytes_max);
 
-// The same between double quotes, of which it has none inside: where it ends is beyond doubt.
+// The same in double quotes. Quotes inside are escaped, so that the end is unambiguous.
 std::string quoted(std::string_view text, std::size_t bytes_max = 256);
 
 }  // namespace jostle::server

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The wall's clock, for what must agree with other machines: tokens, certificates, lines of logs.
-// It can be set and jumps; whatever waits or counts goes by clock.h.
+// Wall-clock time, for data that must agree with other machines: tokens, certificates, log lines.
+// It can be set and may jump; timeouts and intervals use clock.h.
 #pragma once
 
 #include <spdlog/fmt/chrono.h>
@@ -14,7 +14,7 @@ namespace jostle::server {
 
 using WallTime = std::chrono::system_clock::time_point;
 
-// The last second that a WallTime can hold is in 2262; foreign times are compared with this first.
+// A WallTime ends in 2262; external times are compared with this limit first.
 inline constexpr std::int64_t wall_seconds_max = 9'000'000'000;  // in 2255
 
 // "2026-09-21T14:13:20.007Z"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Files that operators replace while the server runs: what tells a new one from the old, and how to
-// read it without trusting it. Links are followed, so a link that is swapped (as Kubernetes does
-// with its secrets) shows as another file.
+// Files that operators replace while the server runs: detects a replacement, and reads a file
+// without trusting it. Symbolic links are followed, so a swapped link (as in Kubernetes secrets)
+// counts as a new file.
 #pragma once
 
 #include <fcntl.h>
@@ -40,7 +40,8 @@ inline FileStamp stamp_of(const std::string& path) {
             .changed_ns = s.st_ctim.tv_nsec};
 }
 
-// The whole of a regular file. A pipe or a device is refused without waiting for it.
+// Reads an entire regular file of at most `bytes_max` bytes. A pipe or a device is rejected without
+// waiting for it.
 inline Result<std::string> read_bounded(const std::string& path, std::size_t bytes_max) {
     const auto failed = [&](const std::string& why) {
         return Error{ErrorCode::failed_precondition, "cannot read " + path + ": " + why};
@@ -53,7 +54,7 @@ inline Result<std::string> read_bounded(const std::string& path, std::size_t byt
     } const closer{file};
     struct stat s {};
     if (::fstat(file, &s) != 0) return failed(std::strerror(errno));
-    if (!S_ISREG(s.st_mode)) return failed("it is no regular file");
+    if (!S_ISREG(s.st_mode)) return failed("it is not a regular file");
     std::string text(bytes_max + 1, '\0');
     std::size_t size = 0;
     while (size < text.size()) {

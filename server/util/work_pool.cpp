@@ -40,7 +40,7 @@ void WorkPool::stop() {
 }
 
 void WorkPool::run(int niceness) {
-    // Of this thread alone, on Linux; without it the work is only less polite.
+    // Applies to this thread only (Linux). If the call fails, the work runs at normal priority.
     static_cast<void>(setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), niceness));
     std::unique_lock lock(mutex_);
     for (;;) {
@@ -52,7 +52,7 @@ void WorkPool::run(int niceness) {
         try {
             work();
         } catch (const std::exception& error) {
-            log_error("a piece of work failed: {}", error.what());
+            log_error("work pool: a task failed: {}", error.what());
         }
         lock.lock();
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Threads that do what takes long, and a bounded queue before them: who finds it full is told at
-// once, so that nobody waits for what will never be done in time. Any thread may add.
+// A thread pool for slow work with a bounded queue. A full queue rejects work at once, so that no
+// caller waits for work that would not finish in time. Any thread may add work.
 #pragma once
 
 #include <condition_variable>
@@ -16,13 +16,14 @@ namespace jostle::server {
 
 class WorkPool {
 public:
-    // `niceness`: how far its threads stand back behind those that tick and send (setpriority).
+    // `niceness`: priority offset of its threads relative to the threads that tick and send
+    // (setpriority).
     WorkPool(int threads, std::size_t queue_max, int niceness);
     ~WorkPool();
 
-    // False: the queue is full or the pool is stopping; the work is not done.
+    // Returns false if the queue is full or the pool is stopping; the work is then not run.
     bool add(std::function<void()> work);
-    // Does what is queued, then ends the threads.
+    // Runs the queued work, then joins the threads.
     void stop();
 
 private:

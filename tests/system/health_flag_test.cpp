@@ -59,7 +59,7 @@ TEST(HealthFlag, server_and_probe_read_the_same_environment) {
     setenv("JOSTLE_LISTEN", "nonsense", 1);
     ServerProcess wrong({"--health"}, false);
     EXPECT_EQ(wrong.wait(5s), 2);
-    EXPECT_THAT(wrong.log(), HasSubstr("listen: \"nonsense\" is no HOST:PORT"));
+    EXPECT_THAT(wrong.log(), HasSubstr("listen: \"nonsense\" is not HOST:PORT"));
 
     ServerProcess server({"--scene", "stack", "--listen", "127.0.0.1:0", "--http", "127.0.0.1:0"});
     EXPECT_TRUE(server.is_running()) << server.log();

@@ -34,7 +34,7 @@ TEST(ConfigLoader, the_operators_port_may_be_none_and_is_else_an_address) {
     EXPECT_EQ(error_of("admin = \"\"\n"), "");
     EXPECT_EQ(error_of("admin = \"0.0.0.0:9000\"\n"), "");
     const std::string wrong = error_of("admin = \"here\"\n");
-    EXPECT_NE(wrong.find("admin: \"here\" is no HOST:PORT"), std::string::npos) << wrong;
+    EXPECT_NE(wrong.find("admin: \"here\" is not HOST:PORT"), std::string::npos) << wrong;
 }
 
 TEST(ConfigLoader, mistakes_name_file_and_key) {

@@ -60,10 +60,10 @@ TEST(Exposure, the_refusal_says_what_to_do) {
     const Error error = error_of(check_exposure(config));
     EXPECT_EQ(error.code, ErrorCode::failed_precondition);
     EXPECT_EQ(error.message,
-              "http is 0.0.0.0:8080, where strangers can reach it, without tls.certificate and "
-              "tls.key, and auth.keys, auth.issuer and auth.audience. Set them (docs/security.md), "
-              "listen on 127.0.0.1, or set insecure = true if something in front of this server "
-              "sees to both");
+              "http is 0.0.0.0:8080, which other machines can reach, without tls.certificate and "
+              "tls.key, and auth.keys, auth.issuer and auth.audience; set them (docs/security.md), "
+              "listen on 127.0.0.1, or set insecure = true if a proxy in front of this server "
+              "provides both");
 }
 
 TEST(Exposure, anonymous_people_may_less_the_more_can_come) {
@@ -88,14 +88,16 @@ TEST(Config, settings_of_access_that_contradict_each_other_are_refused) {
               "tls.certificate and tls.key belong together; set both or neither");
     EXPECT_EQ(fault_of([](Config& c) { c.tls = {.client_ca = "ca.pem"}; }),
               "tls.client_ca is set without tls.certificate and tls.key");
-    EXPECT_EQ(fault_of([](Config& c) { c.auth.audience.clear(); }),
-              "auth.keys is set without auth.issuer and auth.audience: say whose tokens for whom");
+    EXPECT_EQ(
+        fault_of([](Config& c) { c.auth.audience.clear(); }),
+        "auth.keys is set without auth.issuer and auth.audience; set both to the expected claims");
     EXPECT_EQ(
         fault_of([](Config& c) { c.auth.anonymous_role = "root"; }),
         "auth.anonymous_role is \"root\"; it must be none, viewer, player, director or admin");
-    EXPECT_EQ(fault_of([](Config& c) { c.allowed_hosts = {"https://play.example.org"}; }),
-              "allowed_hosts names \"https://play.example.org\"; write a host's name alone, as "
-              "play.example.org");
+    EXPECT_EQ(
+        fault_of([](Config& c) { c.allowed_hosts = {"https://play.example.org"}; }),
+        "allowed_hosts: \"https://play.example.org\" is not a host name; write only the name, such "
+        "as play.example.org");
     EXPECT_EQ(fault_of([](Config& c) { c.auth.leeway_seconds = 301; }),
               "auth.leeway_seconds is 301; it must be from 0 to 300");
     EXPECT_EQ(fault_of([](Config& c) { c.quota.joins_per_minute = 0; }),

@@ -1,22 +1,29 @@
 // SPDX-License-Identifier: MIT
 //
-// How this build rounds: the one choice at configure time (JOSTLE_FUSED) that results depend on.
-// The same state and the same inputs give the same bits in all builds of one arithmetic, and others
-// in those of the other. A saved world is read by both. Who compares hashes of two programs
-// compares this first.
+// The floating-point arithmetic of this build. It is the only configure-time choice (JOSTLE_FUSED)
+// that changes results.
 #pragma once
 
 namespace jostle::physics {
 
+/// The floating-point arithmetic of a build.
+///
+/// All builds with the same arithmetic produce the same bits from the same state and inputs. Builds
+/// with different arithmetic produce different bits. Both read each other's saved worlds. Compare
+/// this value before comparing state hashes of two programs.
 enum class Arithmetic {
-    fused,  // The solver's multiply-adds are rounded once, denormal floats are zero. The default;
-            // needs AVX2 and FMA, or 64-bit ARM, to be fast
-    portable,  // Every operation is rounded, denormal floats are kept: what any processor and
-               // WebAssembly can do
+    /// The solver rounds each multiply-add once, and denormal floats are flushed to zero. The
+    /// default. Fast on processors with AVX2 and FMA and on 64-bit ARM.
+    fused,
+    /// Every operation is rounded separately, and denormal floats are preserved. Runs on any
+    /// processor and on WebAssembly.
+    portable,
 };
 
-Arithmetic arithmetic();  // of this build
+/// Returns the arithmetic of this build.
+Arithmetic arithmetic();
 
-const char* arithmetic_name(Arithmetic arithmetic);  // "fused", "portable"
+/// Returns "fused" or "portable". The string has static storage duration.
+const char* arithmetic_name(Arithmetic arithmetic);
 
 }  // namespace jostle::physics

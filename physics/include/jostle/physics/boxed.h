@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A value that lies elsewhere, so that what holds it stays small. Copied, compared and destroyed
-// with its holder, as if it lay within. It is always there.
+// Heap-allocated value with value semantics. It keeps a struct with a large, rarely used member
+// small.
 #pragma once
 
 #include <memory>
@@ -9,13 +9,16 @@
 
 namespace jostle::physics {
 
+/// Owns a T on the heap. Copy, move, comparison and destruction behave as for a T member. Never
+/// null: a moved-from Boxed holds a default-constructed T.
 template <class T>
 class Boxed {
 public:
     Boxed() : value_(std::make_unique<T>()) {}
-    Boxed(T value) : value_(std::make_unique<T>(std::move(value))) {}  // implicit: it is a T
+    /// Implicit, so that a T initializes a Boxed<T>.
+    Boxed(T value) : value_(std::make_unique<T>(std::move(value))) {}
     Boxed(const Boxed& other) : value_(std::make_unique<T>(*other)) {}
-    // What was moved from is as good as new.
+    /// Leaves a default-constructed T in `other`.
     Boxed(Boxed&& other) : value_(std::exchange(other.value_, std::make_unique<T>())) {}
     Boxed& operator=(const Boxed& other) {
         *value_ = *other;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Compounds: several convex shapes in one, found through a tree. Built once, immutable, shared by
-// any number of shapes and worlds, from any thread.
+// Compound shapes: several convex shapes in one, indexed by a bounding volume hierarchy.
 #pragma once
 
 #include <cstdint>
@@ -17,25 +16,31 @@ namespace jostle::physics {
 
 class Bvh;
 
+/// Maximum number of children of a compound.
 inline constexpr std::size_t max_compound_children = 60000;
 
+/// One child of a compound.
 struct CompoundChild {
-    Geometry geometry = {};  // convex
-    Transform pose = {};     // in the compound; coordinates within max_shape_size
+    Geometry geometry = {};  ///< must be convex (is_convex)
+    Transform pose = {};     ///< in the compound's local frame; coordinates within max_shape_size
 };
 
+/// A compound shape. Immutable once built, and shared by any number of shapes, worlds and threads.
+/// Create it with build_compound().
 struct CompoundShape {
-    std::vector<CompoundChild> children;
+    std::vector<CompoundChild> children;  ///< 1 to max_compound_children
 
     // Derived by build_compound.
-    std::shared_ptr<const Bvh> tree;  // of the children
-    Aabb bounds;
-    double inner_radius = 0;  // m: of the ball that fits into the thinnest child
-    std::uint64_t content_hash = 0;
+    std::shared_ptr<const Bvh> tree;  ///< bounding volume hierarchy of the children
+    Aabb bounds;                      ///< in the compound's local frame
+    double inner_radius = 0;  ///< m, radius of the largest ball that fits into the thinnest child
+    std::uint64_t content_hash = 0;  ///< equal for equal contents
 };
 
-// Of 1 to max_compound_children. Children may overlap; each counts in full for the mass. An error
-// names the child: "children[3] ...".
+/// Builds a compound from 1 to max_compound_children convex children. Children may overlap; each
+/// contributes its full mass.
+///
+/// Errors: invalid_argument, naming the child: "children[3] ...".
 Result<std::shared_ptr<const CompoundShape>> build_compound(std::vector<CompoundChild> children);
 
 }  // namespace jostle::physics

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: MIT
 //
-// What a step has to solve, as plain data: the rows of all joints and contacts that hang together,
-// their Jacobian, and the linear system of their impulses,
-//     (J M^-1 J^T + softness) impulses = bias - J (velocities as forces alone would make them).
-// World::constraint_system() makes one, for whoever wants to see it, solve it in another way, or
-// know why it is hard. Asking changes nothing.
+// The linear system that a step solves, as plain data: the rows of all joints and contacts of a
+// connected group of bodies, their Jacobian, and the equation for their impulses,
+//     (J M^-1 J^T + softness) impulses = bias - J (velocities after forces alone).
+// World::constraint_system() builds it, for inspection, for another solver, or to examine its
+// conditioning. Building it does not change the world.
 //
-// Springs are implicit Euler's (Catto, "Soft Constraints", GDC 2011): a softness beside J M^-1 J^T
-// and a share of the error in the bias. Friction is by the point and the direction: two rows beside
-// each normal, each within friction times the normal's impulse. What limits a vector of three (the
-// torque of a drive or of a ball's friction, a hand's force) bounds each component. Not there:
-// bounces, resistance to rolling, and the means that the solver remembers of contacts.
+// Springs are integrated implicitly (Catto, "Soft Constraints", GDC 2011): a softness added to J
+// M^-1 J^T and a share of the error in the bias. Friction acts per point and direction: two rows
+// per normal row, each bounded by friction times the impulse of the normal row. Limits of a
+// three-component vector (the torque of a drive or of ball joint friction, the force of a grab)
+// bound each component separately. The system does not contain restitution, rolling friction, or
+// the mean impulses that the solver stores for contacts.
 #pragma once
 
 #include <cstdint>
@@ -22,95 +23,110 @@
 
 namespace jostle::physics {
 
+/// Maximum number of rows of a constraint system.
 inline constexpr int constraint_rows_max = 1500;
 
+/// Options of World::constraint_system().
 struct ConstraintSystemOptions {
-    // s, 1e-6 to 0.25, over which the impulses act; 0: a sub-step, as the body's island takes them
-    // (of a step of 1/60 s before the first).
+    /// Time over which the impulses act, in s, 1e-6 to 0.25. 0 selects one sub-step of the body's
+    /// island; before the first step, of a step of 1/60 s.
     double h = 0;
-    // Whether forces act for h: gravity, fields, the user's, those of uneven inertias, damping. If
-    // not, the right-hand side is that of the velocities of now.
+    /// If true, forces act during h: gravity, force fields, applied forces, gyroscopic torques and
+    /// damping. If false, the right-hand side uses the current velocities.
     bool forces = true;
-    // The share of each error of position that is to be gone after h, 0..1 (Baumgarte). 0:
-    // velocities alone, so that impulses are what forces and velocities need.
+    /// Fraction of each position error that is corrected within h, 0 to 1 (Baumgarte). 0 solves
+    /// velocities only, so the impulses are those required by forces and velocities.
     double position_correction = 0;
-    // true: what is rigid is as soft as the sweeps of the solver make it, which mends errors at
-    // their rate instead of the above. false: rigid.
+    /// If true, rigid rows get the softness that the iterative solver uses, and errors are
+    /// corrected at its rate instead of position_correction. If false, they are rigid.
     bool solver_softness = false;
 };
 
+/// The purpose of a constraint row.
 enum class RowRole : std::uint8_t {
-    point,     // holds a point, along an axis
-    turn,      // holds a direction, about an axis
-    distance,  // a rod
-    limit,     // of an angle or a length
-    spring,
-    motor,
-    friction,  // of a joint
-    velocity,  // of a VelocityRow
-    gear,      // of a gear, a rack or a pulley
-    normal,    // of a point of contact
-    tangent,   // friction there
+    point,     ///< constrains a point along an axis
+    turn,      ///< constrains the rotation about an axis
+    distance,  ///< constrains a distance, as a rod
+    limit,     ///< limit of an angle or a length
+    spring,    ///< spring of a joint
+    motor,     ///< motor of a joint
+    friction,  ///< friction of a joint
+    velocity,  ///< row of a VelocityRow
+    gear,      ///< row of a gear, a rack or a pulley
+    normal,    ///< normal of a contact point
+    tangent,   ///< friction at a contact point
 };
 
-// What a row has to do with one body: the row's rate is the sum of linear . v + angular . w, and an
-// impulse along it pushes along linear and turns about angular.
+/// The part of a row that belongs to one body. The rate of the row is the sum of linear . v +
+/// angular . w over its bodies. An impulse along the row acts along `linear` and about `angular`.
 struct RowJacobian {
-    int body = -1;         // of ConstraintSystem::bodies
-    Vec3 linear, angular;  // v is that of the centre of mass
+    int body = -1;         ///< index in ConstraintSystem::bodies
+    Vec3 linear, angular;  ///< v is the velocity of the centre of mass
 };
 
+/// One scalar constraint.
 struct ConstraintRow {
     RowRole role = RowRole::point;
-    // x, y, z are 0, 1, 2: of the world for points of balls, hinges, fixed joints and grabs; of a's
-    // frame for turns and for what slides. A tangent's is 0 or 1. -1: there is but one direction.
+    /// Axis of the row: 0, 1, 2 for x, y, z. World axes for the points of ball, hinge, fixed and
+    /// grab joints; axes of a's frame for rotations and sliding axes; 0 or 1 for tangents. -1 if
+    /// the row has only one direction.
     int axis = -1;
-    JointId joint;             // of a joint's row
-    ShapeId shape_a, shape_b;  // of a contact's
-    int point = 0;             // which of its points
+    JointId joint;             ///< of a joint row; otherwise null
+    ShapeId shape_a, shape_b;  ///< of a contact row; otherwise null
+    int point = 0;             ///< index of the contact point
+    /// The parts of the row; the first jacobian_count are valid.
     RowJacobian jacobians[4];
     int jacobian_count = 0;
 
-    // N s or N m s. Of friction at contacts they are those of now, which the normal's impulse
-    // moves: -friction * impulse of normal_row .. friction * that.
+    /// Bounds of the impulse, in N s or N m s. For contact friction these are the current bounds;
+    /// they follow the normal impulse: -friction * impulse of normal_row to friction * impulse of
+    /// normal_row.
     double lower = 0, upper = 0;
-    int normal_row = -1;
-    double friction = 0;
+    int normal_row = -1;  ///< of contact friction: index of the normal row
+    double friction = 0;  ///< of contact friction: coefficient
 
-    double error = 0;     // m or rad; of limits and contacts what is left, negative: beyond
-    double rate = 0;      // J v, with the velocities of now, m/s or rad/s
-    double bias = 0;      // the rate that is wanted
-    double softness = 0;  // rate per impulse
-    // Rows of one block are a spring of two or three directions: softness is their part of J M^-1
-    // J^T times one share, off the diagonal, too. -1: a row by itself.
+    /// m or rad; for limits and contacts the remaining distance, negative beyond the limit.
+    double error = 0;
+    double rate = 0;      ///< J v with the current velocities, m/s or rad/s
+    double bias = 0;      ///< target rate, m/s or rad/s
+    double softness = 0;  ///< rate per impulse
+    /// Rows of one block form a spring in two or three directions. Their softness is their part of
+    /// J M^-1 J^T, including the off-diagonal elements, times a common factor. -1 if the row is in
+    /// no block.
     int block = -1;
 };
-std::string name_of(const ConstraintRow& row);  // "point x", "limit", "normal of point 2"
+/// Returns a readable name: "point x", "limit", "normal of point 2".
+std::string name_of(const ConstraintRow& row);
 
+/// A body of a constraint system.
 struct SystemBody {
     BodyId id;
-    bool moves = false;             // dynamic; else the inverse masses are zero
-    Vec3 inverse_mass;              // 1/kg, along the world's axes: zero along locked ones
-    Mat3 inverse_inertia;           // 1/(kg m^2), world
-    Vec3 velocity, spin;            // m/s, rad/s, now
-    Vec3 free_velocity, free_spin;  // as the forces alone would have them after h
+    bool moves = false;    ///< true for dynamic bodies; otherwise the inverse masses are zero
+    Vec3 inverse_mass;     ///< 1/kg, along the world axes; zero along locked axes
+    Mat3 inverse_inertia;  ///< 1/(kg m^2), world
+    Vec3 velocity, spin;   ///< current, m/s and rad/s
+    Vec3 free_velocity, free_spin;  ///< after h under forces alone, m/s and rad/s
 };
 
+/// The constraint rows of a connected group of bodies and their linear system.
 struct ConstraintSystem {
-    double h = 0;                     // s
-    std::vector<SystemBody> bodies;   // by id
-    std::vector<ConstraintRow> rows;  // joints by id, then contacts by shapes
-    // rows x rows, row by row; symmetric, positive semi-definite.
+    double h = 0;                     ///< time over which the impulses act, s
+    std::vector<SystemBody> bodies;   ///< sorted by id
+    std::vector<ConstraintRow> rows;  ///< joints sorted by id, then contacts sorted by shapes
+    /// J M^-1 J^T + softness, rows x rows, row-major; symmetric, positive semi-definite.
     std::vector<double> matrix;
-    std::vector<double> rhs;  // one a row
+    std::vector<double> rhs;  ///< right-hand side, one entry per row
 
+    /// Returns an element of `matrix`.
     double at(std::size_t row, std::size_t column) const {
         return matrix[row * rows.size() + column];
     }
-    // Dense, row by row. rows x 6 bodies: linear x y z, then angular x y z of each body.
+    /// Returns J as a dense row-major matrix of rows x 6 bodies. Each body has the columns linear
+    /// x, y, z and angular x, y, z.
     std::vector<double> jacobian() const;
-    // 6 bodies x 6 bodies, in the same order.
+    /// Returns M^-1 as a dense row-major matrix of 6 bodies x 6 bodies, in the same column order.
     std::vector<double> inverse_mass() const;
+    /// Returns the number of dynamic bodies.
     int moving_bodies() const;
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What to create, with defaults that work. Units are SI: metres, kilograms, seconds, radians. A Def
-// is a constant description: the world copies what it needs and keeps no pointer to it. A value out
-// of its range is refused with an Error that names it.
+// Definitions of the objects of a world, with usable defaults. Units are SI: metres, kilograms,
+// seconds, radians. A definition is a constant description: the world copies what it needs and does
+// not keep a reference. A value out of range is rejected with an Error that names it.
 #pragma once
 
 #include <cstdint>
@@ -14,22 +14,24 @@
 
 namespace jostle::physics {
 
+/// How a body moves.
 enum class BodyType {
-    static_body,  // never moves: floors, walls
-    kinematic,    // moves by its velocity alone and pushes others: platforms
-    dynamic,      // moves by forces, impulses and contacts
+    static_body,  ///< never moves: floors, walls
+    kinematic,    ///< moves with its set velocity and is not affected by contacts: platforms
+    dynamic,      ///< moves by forces, impulses and contacts
 };
 
-// How a pair of shapes makes one coefficient of its two. When their materials ask for different
-// rules the one further down this list wins.
+/// Rule that combines the coefficients of two shapes. If two materials use different rules, the
+/// rule that is later in this list applies.
 enum class Combine : std::uint8_t {
-    average,
-    geometric_mean,
-    minimum,
-    multiply,
-    maximum,
+    average,         ///< (a + b) / 2
+    geometric_mean,  ///< sqrt(a b)
+    minimum,         ///< min(a, b)
+    multiply,        ///< a b
+    maximum,         ///< max(a, b)
 };
 
+/// Combines two coefficients by the rule that applies to the pair.
 inline double combine(double a, Combine rule_a, double b, Combine rule_b) {
     switch (rule_a < rule_b ? rule_b : rule_a) {
         case Combine::average:
@@ -46,139 +48,159 @@ inline double combine(double a, Combine rule_a, double b, Combine rule_b) {
     return maximum(a, b);
 }
 
+/// Surface properties of a shape.
 struct Material {
-    double friction = 0.5;  // Coulomb coefficient, 0 to 100
-    // Share of the approach speed that comes back, 0 to 1. What meets at less than 0.3 m/s does not
-    // bounce.
+    double friction = 0.5;  ///< Coulomb coefficient, 0 to 100
+    /// Coefficient of restitution, 0 to 1. Impacts slower than 0.3 m/s do not bounce.
     double restitution = 0.0;
-    // Resistance against rolling, and against turning on the spot: the torque that a normal force
-    // of 1 N holds, N m / N = m, 0 to 100. A pair uses the larger. Balls and capsules always hold
-    // friction * radius / 25 against turning: elastic bodies touch in a small disc (Hertz).
+    /// Rolling and torsional resistance: the torque that a normal force of 1 N resists, in N m / N
+    /// = m, 0 to 100. A pair uses the larger value. Spheres and capsules always resist torsion with
+    /// at least friction * radius / 25, because elastic bodies touch in a small disc (Hertz).
     double rolling_friction = 0;
     double torsional_friction = 0;
-    // Of the surface against its body, in the body's axes: a conveyor belt. m/s, each component
-    // within 1e4. What touches is driven along the tangent plane of the contact.
+    /// Velocity of the surface relative to the body, in the body's local frame, as for a conveyor
+    /// belt. m/s, each component within 1e4. Touching bodies are driven along the tangent plane of
+    /// the contact.
     Vec3 surface_velocity = {};
-    Combine friction_rule = Combine::geometric_mean;
-    Combine restitution_rule = Combine::maximum;
+    Combine friction_rule = Combine::geometric_mean;  ///< how friction is combined
+    Combine restitution_rule = Combine::maximum;      ///< how restitution is combined
 
     bool operator==(const Material&) const = default;
 };
 
-// Which shapes meet. Two shapes of one group, other than 0, always meet when it is positive and
-// never when it is negative. All others meet when each one's category has a bit in the other's
-// mask.
+/// Collision filter. Two shapes with the same non-zero group always collide if the group is
+/// positive and never if it is negative. All other pairs collide if the category of each shape has
+/// a bit in the mask of the other shape.
 struct Filter {
-    std::uint32_t category = 1;
-    std::uint32_t mask = 0xffffffff;
-    std::int32_t group = 0;
+    std::uint32_t category = 1;       ///< bits of the categories that this shape belongs to
+    std::uint32_t mask = 0xffffffff;  ///< bits of the categories that this shape collides with
+    std::int32_t group = 0;           ///< 0: no group
 
     bool operator==(const Filter&) const = default;
 };
 
+/// Returns true if the filters of two shapes allow them to collide.
 inline bool may_collide(const Filter& a, const Filter& b) {
     if (a.group != 0 && a.group == b.group) return a.group > 0;
     return (a.category & b.mask) != 0 && (b.category & a.mask) != 0;
 }
 
+/// Description of a shape for World::create_shape() and related calls.
 struct ShapeDef {
-    Geometry geometry = Box{};
-    Transform pose = {};  // of the shape in its body
-    Material material = {};
-    // kg/m^3, 1e-6 to 1e6: mass, centre of mass and inertia follow from it. May be 0 for what needs
-    // no density: a shape with a mass of its own, a trigger, a shape of a body that is not dynamic.
+    Geometry geometry = Box{};  ///< see geometry.h for the kinds that each body type supports
+    Transform pose = {};        ///< in the body's local frame
+    Material material = {};     ///< surface properties
+    /// Density in kg/m^3, 1e-6 to 1e6. It determines mass, centre of mass and inertia. 0 is allowed
+    /// if the density is not used: for a shape with an explicit mass, a trigger, and a shape of a
+    /// body that is not dynamic.
     double density = 1000;
-    double mass = 0;  // kg, 0 or 1e-9 to 1e15; above 0 it replaces the density
-    Filter filter = {};
-    // Touches nothing, adds no mass, and reports what is inside it (Events::triggers_entered). Not
-    // for meshes and height fields, which have no inside.
+    double mass = 0;     ///< explicit mass in kg, 1e-9 to 1e15, which replaces the density; 0: none
+    Filter filter = {};  ///< which shapes it collides with
+    /// If true, the shape is a trigger: it does not collide, adds no mass, and reports the shapes
+    /// inside it (Events::triggers_entered). Meshes and height fields cannot be triggers because
+    /// they have no inside.
     bool trigger = false;
-    // Its touching contacts are listed in Events::contacts after each step, with their impulses,
-    // while one of the two bodies is awake.
+    /// If true, Events::contacts lists the touching contacts of this shape with their impulses
+    /// after each step in which one of the two bodies is awake.
     bool report_stays = false;
-    std::uint64_t user_data = 0;  // kept, saved and returned, never read
+    std::uint64_t user_data = 0;  ///< stored, saved and returned, not interpreted
 };
 
-// Directions in which a dynamic body cannot move, as bits: along the world's axes, and about them.
+/// Degrees of freedom that a dynamic body does not have, as bits: translation along and rotation
+/// about the world axes.
 using AxisLocks = std::uint8_t;
-inline constexpr AxisLocks lock_x = 1, lock_y = 2, lock_z = 4;  // motion along
-inline constexpr AxisLocks lock_rotation_x = 8, lock_rotation_y = 16,
-                           lock_rotation_z = 32;  // turns about
+/// Translation along the world axes.
+inline constexpr AxisLocks lock_x = 1, lock_y = 2, lock_z = 4;
+/// Rotation about the world axes.
+inline constexpr AxisLocks lock_rotation_x = 8, lock_rotation_y = 16, lock_rotation_z = 32;
 
+/// Description of a body for World::create_body().
 struct BodyDef {
-    BodyType type = BodyType::dynamic;
-    Transform pose = {};         // of the body's origin; coordinates within 1e7 m
-    Vec3 linear_velocity = {};   // m/s, of the centre of mass, each component within 1e4
-    Vec3 angular_velocity = {};  // rad/s, world axes, each component within 1e4
-    double linear_damping = 0;   // 1/s, 0 to 1e4: dv/dt = -damping v
-    double angular_damping = 0;  // 1/s, 0 to 1e4
-    double gravity_scale = 1;    // within 1e3: 0 floats, -1 rises
-    bool sleep_allowed = true;
-    AxisLocks locks = 0;
-    // Swept, so that it passes through nothing, in a step in which a point of it moves further than
-    // half the radius of the ball that fits into its thinnest shape.
+    BodyType type = BodyType::dynamic;  ///< how the body moves
+    Transform pose = {};                ///< of the body's origin, world; coordinates within 1e7 m
+    Vec3 linear_velocity = {};          ///< m/s, of the centre of mass, each component within 1e4
+    Vec3 angular_velocity = {};         ///< rad/s, world axes, each component within 1e4
+    double linear_damping = 0;          ///< 1/s, 0 to 1e4: dv/dt = -damping v
+    double angular_damping = 0;         ///< 1/s, 0 to 1e4
+    double gravity_scale = 1;           ///< -1e3 to 1e3; 0: no gravity, -1: inverted
+    bool sleep_allowed = true;          ///< whether the body may fall asleep
+    AxisLocks locks = 0;                ///< locked degrees of freedom; used by dynamic bodies only
+    /// Continuous collision detection. If true, the body is swept in every step in which one of its
+    /// points moves farther than half the radius of the ball that fits into its thinnest shape, so
+    /// that it does not tunnel.
     bool continuous = true;
-    // kg, 0 or 1e-9 to 1e15; above 0: mass and inertia of the shapes are scaled to it.
+    /// Total mass in kg, 1e-9 to 1e15. Mass and inertia of the shapes are scaled to it. 0 uses the
+    /// mass of the shapes.
     double mass = 0;
-    std::uint64_t user_data = 0;  // kept, saved and returned, never read
+    std::uint64_t user_data = 0;  ///< stored, saved and returned, not interpreted
 };
 
-// A body with its shapes, for World::create_bodies.
+/// A body with its shapes, for World::create_bodies().
 struct BodyAndShapes {
     BodyDef body = {};
     std::vector<ShapeDef> shapes = {};
 };
 
-// How pairs are found. The result is the same, the cost is not: docs/records/performance.md.
+/// Algorithm of the broad phase. All produce the same results at different cost
+/// (docs/performance.md).
 enum class BroadPhase : std::uint8_t {
     dynamic_tree,
     sort_and_sweep,
     uniform_grid,
 };
 
-// The highest level of World::strain().
+/// The highest value of World::overload_level().
 inline constexpr int max_overload_level = 3;
 
+/// Description of a world for World::create().
 struct WorldDef {
-    Vec3 gravity{0, -9.81, 0};  // m/s^2, each component within 1e4
-    // Sub-steps per step, 1 to 64: more is stiffer and more exact. Multiplied per island: flat and
-    // slow x1/2, heaps at rest x3/2 (where bodies may sleep), more than 40 layers on little ground
-    // x2, mass ratio of 100 or more on top x4.
+    Vec3 gravity{0, -9.81, 0};  ///< m/s^2, each component within 1e4
+    /// Sub-steps per step, 1 to 64. More sub-steps make contacts and joints stiffer and more
+    /// accurate. The number is scaled per island: flat and slow islands take 1/2, resting piles 3/2
+    /// (if bodies may sleep), islands of more than 40 layers on a small base 2, and islands with a
+    /// mass ratio of 100 or more on top 4 times as many.
     int substeps = 8;
-    // m, 0 or 1e-9 to 1e3. Above 0: each island takes as many sub-steps as keep its bodies within
-    // so far, after a second, of where endlessly many would bring them: 2, 6, 16 or 48, three to
-    // eight times as many where it is slender or carries what is heavy, at most 64; `substeps` is
-    // not read. What the length of the step itself does to the motion is not part of it. Every
-    // eighth step of an island is then taken twice, with half of its sub-steps first: that measures
-    // it. Not where a listener hears of sub-steps. World::island_substeps() says what was found and
-    // spent.
+    /// Target error in m, 1e-9 to 1e3; 0 disables error control. With a tolerance, each island
+    /// takes as many sub-steps as are needed for its bodies to be within this distance of the
+    /// converged solution after one simulated second: 2, 6, 16 or 48, and three to eight times as
+    /// many for slender and heavily loaded islands, at most 64. `substeps` is then ignored. The
+    /// error does not include the effect of the step length on the motion.
+    ///
+    /// To measure the error, every eighth step of an island is computed twice, first with half the
+    /// sub-steps. It is not measured while a listener receives sub-steps. World::island_substeps()
+    /// reports the results.
     double tolerance = 0;
-    // With a tolerance: sub-steps that a step may take, summed over the bodies with contacts or
-    // joints; 0: any number; up to 4294967295. Where it does not suffice, islands go without in
-    // which that does least harm; the least above they all take, whatever the budget.
+    /// Budget for error control: sub-steps per step, summed over the bodies with contacts or
+    /// joints. 0 to 4294967295; 0: unlimited. If the budget is insufficient, islands take fewer
+    /// sub-steps where this increases the error least. Every island takes the minimum number of
+    /// sub-steps regardless of the budget.
     std::int64_t substep_budget = 0;
-    // Work of a step (StepProfile::work, in units of about 0.1 microseconds), 0 to 4294967295; 0:
-    // any amount. After a step of more the next one gives something up, one level for each such
-    // step (World::strain()); it is taken back, level by level, after 30 steps in a row of less
-    // than 60 %. 1: manifolds are used again over more motion, 16 mm instead of 4, however fast. 2:
-    // also, impacts of moving bodies on each other are left to the contact solver, so what is small
-    // and fast may pass through what moves; through static and kinematic bodies nothing does. 3:
-    // also, islands take half of their sub-steps, but for what is slender, tall or heavily loaded.
-    // Work is counted, not timed: the same bits on any machine. Not with a tolerance.
+    /// Budget for the work of a step (StepProfile::work, units of about 0.1 us), 0 to 4294967295;
+    /// 0: unlimited. Each step that exceeds the budget raises the overload level
+    /// (World::overload_level()) by one for the next step. The level falls by one after 30
+    /// consecutive steps below 60 % of the budget. Cannot be combined with a tolerance. Work is
+    /// counted, not timed, so results are the same on every machine.
+    ///
+    /// Each level includes the previous ones:
+    /// - Level 1: manifolds are reused over more motion, 16 mm instead of 4 mm, at any speed.
+    /// - Level 2: impacts between moving bodies are left to the contact solver, so small and fast
+    ///   bodies may pass through moving ones. No body passes through static and kinematic bodies.
+    /// - Level 3: islands take half of their sub-steps, except slender, tall and heavily loaded
+    ///   islands.
     std::int64_t step_budget = 0;
-    // Threads per step, 1 to 64. The result has the same bits for any number. Steps of less than
-    // two milliseconds use them only where a trial shows that they help (thread_trials.h).
+    /// Threads per step, 1 to 64. Results are bit-identical for any number. Steps shorter than 2 ms
+    /// use several threads only if a trial shows a speed-up (thread_trials.h).
     int threads = 1;
-    bool sleeping = true;    // bodies at rest leave the step
-    bool continuous = true;  // fast bodies are swept, so that nothing tunnels
-    // All happens in the xy plane: bodies move along x and y and turn about z. Shapes are their
-    // outlines seen along z, 1 m deep: spheres (discs), capsules, boxes, hulls and planes only.
-    // Poses, velocities and gravity that leave the plane are refused.
+    bool sleeping = true;    ///< whether resting bodies fall asleep and leave the step
+    bool continuous = true;  ///< whether fast bodies are swept (BodyDef::continuous)
+    /// If true, the world is two-dimensional: bodies move along x and y and rotate about z. Shapes
+    /// are their outlines along z, 1 m deep; only spheres (discs), capsules, boxes, hulls and
+    /// planes are supported. Poses, velocities and gravity out of the plane are rejected.
     bool planar = false;
-    BroadPhase broad_phase = BroadPhase::dynamic_tree;
-    // m/s, 0 to 1e6: contacts that begin at this speed or faster are listed in Events::hits.
+    BroadPhase broad_phase = BroadPhase::dynamic_tree;  ///< algorithm of the broad phase
+    /// Contacts that begin at this speed or faster are listed in Events::hits. m/s, 0 to 1e6.
     double hit_speed = 1;
-    // How joints are solved that do not say so themselves (JointDef::solver): joint_solver.h.
+    /// Solver of the joints whose JointDef::solver is empty (joint_solver.h).
     JointSolver joint_solver = JointSolver::automatic;
 };
 

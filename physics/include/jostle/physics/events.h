@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What happened in the last step, and by calls between the step before and it. Arrays, to read
-// until the next step. Sorted by the ids they name, so the order does not depend on threads. Code
-// that is to run within a step: step_listener.h.
+// Events of the last step, including those caused by calls between the previous step and it. To run
+// code during a step, use a StepListener (step_listener.h).
 #pragma once
 
 #include <span>
@@ -12,69 +11,77 @@
 
 namespace jostle::physics {
 
-// Two shapes began to press on each other, or bounced: then they part with the next step.
+/// Two shapes started to touch. Also reported for a bounce within a step; the shapes then separate
+/// in the next step.
 struct ContactBegin {
     ShapeId shape_a, shape_b;
     BodyId body_a, body_b;
-    Vec3 point;           // m, world: the middle of the contact points
-    Vec3 normal;          // unit, from a to b
-    double approach = 0;  // m/s at the start of the step, or at a bounce within it; >= 0
+    Vec3 point;           ///< m, world, mean of the contact points
+    Vec3 normal;          ///< unit vector from a to b
+    double approach = 0;  ///< m/s, at the start of the step or at a bounce within it; >= 0
 };
 
-// They parted, or a call moved, changed or destroyed one of them. The id of what was destroyed is
-// no longer valid.
+/// Two shapes stopped touching, or a call moved, changed or destroyed one of them. The ids of
+/// destroyed objects are no longer valid.
 struct ContactEnd {
     ShapeId shape_a, shape_b;
     BodyId body_a, body_b;
 };
 
-// They press on each other now, or met between sub-steps, and one of the shapes asked
-// (ShapeDef::report_stays). One for each pair of shapes: of several manifolds and impacts impulses
-// are summed, point and normal are those of the one that bears most.
+/// Two shapes that touch, or that collided between sub-steps, at least one of which has
+/// ShapeDef::report_stays set. One entry per pair of shapes: the impulses of all its manifolds and
+/// impacts are summed; point and normal are those of the manifold with the largest impulse.
 struct ContactStay {
     ShapeId shape_a, shape_b;
     BodyId body_a, body_b;
-    Vec3 point;   // m, world: the middle of the contact points
-    Vec3 normal;  // unit, from a to b
-    // N s over the step: that of the last sub-step times their number, and of impacts between them.
+    Vec3 point;   ///< m, world, mean of the contact points
+    Vec3 normal;  ///< unit vector from a to b
+    /// Impulse along the normal over the step, in N s: that of the last sub-step times the number
+    /// of sub-steps, plus the impulses of impacts between sub-steps.
     double normal_impulse = 0;
-    double friction_impulse = 0;
-    double penetration = 0;  // m, of the deepest point; negative: apart
+    double friction_impulse = 0;  ///< N s over the step, tangential
+    double penetration = 0;       ///< m, of the deepest point; negative if the shapes are separated
 };
 
-// They met at WorldDef::hit_speed or faster.
+/// Two shapes that collided at WorldDef::hit_speed or faster.
 struct ContactHit {
     ShapeId shape_a, shape_b;
     BodyId body_a, body_b;
-    Vec3 point;           // m, world
-    Vec3 normal;          // unit, from a to b
-    double approach = 0;  // m/s: at the start of the step, or at an impact within it
+    Vec3 point;           ///< m, world
+    Vec3 normal;          ///< unit vector from a to b
+    double approach = 0;  ///< m/s, at the start of the step or at an impact within it
 };
 
-// A shape is in a trigger, came into it, or left it. It leaves when it is destroyed, too.
+/// A shape that is inside a trigger, entered it, or left it. Destroying the shape or the trigger
+/// counts as leaving.
 struct TriggerEvent {
     ShapeId trigger, shape;
     BodyId trigger_body, body;
 };
 
-// A joint's force or torque exceeded what it bears. The joint is gone; its id is no longer valid.
+/// A joint whose force or torque exceeded JointDef::break_force or break_torque. The joint has been
+/// destroyed; its id is no longer valid.
 struct JointBreak {
     JointId joint;
     BodyId body_a, body_b;
-    double force = 0, torque = 0;  // N, N m
+    double force = 0, torque = 0;  ///< N, N m
 };
 
+/// The events of the last step (World::events). The spans are valid until the next step or restore.
+/// Entries are sorted by the ids they name, so their order does not depend on the number of
+/// threads.
 struct Events {
-    std::span<const ContactBegin> contacts_began;
-    std::span<const ContactEnd> contacts_ended;
-    std::span<const ContactStay> contacts;
-    std::span<const ContactHit> hits;
+    std::span<const ContactBegin> contacts_began;  ///< pairs of shapes that started to touch
+    std::span<const ContactEnd> contacts_ended;    ///< pairs of shapes that stopped touching
+    std::span<const ContactStay> contacts;         ///< pairs with ShapeDef::report_stays that touch
+    std::span<const ContactHit> hits;  ///< contacts that began at WorldDef::hit_speed or faster
+    /// Shapes that entered, stayed in and left triggers.
     std::span<const TriggerEvent> triggers_entered, triggers_stayed, triggers_left;
-    std::span<const JointBreak> joints_broke;
-    std::span<const BodyId> fell_asleep;
-    std::span<const BodyId> woke;
-    // Bodies whose state was no longer finite, or was faster than 1e6 m/s or rad/s, or further than
-    // 1e8 m from the origin. They are at rest where they were before the step.
+    std::span<const JointBreak> joints_broke;  ///< joints that exceeded their limits
+    std::span<const BodyId> fell_asleep;       ///< bodies that fell asleep
+    std::span<const BodyId> woke;              ///< bodies that woke
+    /// Bodies whose state became non-finite, faster than 1e6 m/s or 1e6 rad/s, or farther than 1e8
+    /// m from the origin. The step resets them to their pose before the step, at rest.
     std::span<const BodyId> quarantined;
 };
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Force fields: what acts on every dynamic body in a region, evaluated in every sub-step where the
-// body then is. Part of the world's state: saved, hashed, restored. A field wakes nobody by itself:
-// what sleeps in a steady wind sleeps on. To create, change or destroy one wakes what is in its
-// region. A force law of your own: StepListener::before_substep.
+// Force fields: forces on every dynamic body in a region, evaluated in every sub-step at the body's
+// current position. Fields are part of the world's state: they are saved, hashed and restored. A
+// field does not wake bodies by itself: bodies asleep in a steady wind stay asleep. Creating,
+// changing or destroying a field wakes the bodies in its region. For other force laws, use
+// StepListener::before_substep().
 #pragma once
 
 #include <cstdint>
@@ -15,73 +16,76 @@
 
 namespace jostle::physics {
 
-// A medium that flows past bodies: quadratic drag, F = density / 2 * drag * area * |u| u, with u
-// the medium's velocity against the body's centre. The area is what the body's shapes show to the
-// flow: exact for a convex shape; of several the sum. The change of speed within a sub-step is
-// integrated exactly, so no drag is too strong.
+/// A medium that flows past bodies, with quadratic drag: F = density / 2 * drag * area * |u| u,
+/// where u is the velocity of the medium relative to the body's centre of mass. The area is the
+/// projection of the body's shapes along the flow: exact for a convex shape, the sum for several
+/// shapes. The change of speed within a sub-step is integrated exactly, so any drag is stable. Not
+/// available in planar worlds.
 struct UniformWind {
-    Vec3 velocity = {};      // m/s
-    Vec3 gust = {};          // m/s, added times sin(2 pi t / gust_period)
-    double gust_period = 1;  // s, > 0
-    double density = 1.2;    // kg/m^3, >= 0: air
-    double drag = 1;         // coefficient, >= 0: sphere about 0.5, box about 1
+    Vec3 velocity = {};  ///< m/s, each component within 1e4
+    Vec3 gust = {};      ///< m/s, each component within 1e4; added times sin(2 pi t / gust_period)
+    double gust_period = 1;  ///< s, 1e-3 to 1e12
+    double density = 1.2;    ///< kg/m^3, 0 to 1e6; the default is air
+    double drag = 1;         ///< drag coefficient, 0 to 1e6: about 0.5 for a sphere, 1 for a box
 
     bool operator==(const UniformWind&) const = default;
 };
 
-// Away from a point, or towards it: F = strength / max(r, nearest)^falloff, N; times the mass if
-// `per_mass`, m/s^2.
+/// A central force away from a point: F = strength / max(r, nearest)^falloff. The strength is in N,
+/// or in m/s^2 and multiplied by the mass if `per_mass` is set (at r = 1 m).
 struct RadialField {
-    Vec3 center = {};      // m
-    double strength = 0;   // > 0 pushes away, < 0 pulls
-    int falloff = 2;       // 0 to 4
-    double nearest = 0.1;  // m, > 0
-    bool per_mass = false;
+    Vec3 center = {};       ///< m, each component within 1e7
+    double strength = 0;    ///< -1e12 to 1e12; > 0 pushes away, < 0 pulls
+    int falloff = 2;        ///< exponent, 0 to 4
+    double nearest = 0.1;   ///< m, 1e-6 to 1e12; the force is constant within this radius
+    bool per_mass = false;  ///< whether the strength is an acceleration
 
     bool operator==(const RadialField&) const = default;
 };
 
-// Around an axis, by the right hand: F = strength / max(r, nearest)^falloff along the tangent, and
-// likewise towards the axis and along it.
+/// A vortex about an axis, by the right-hand rule: the tangential force is strength / max(r,
+/// nearest)^falloff. `pull` and `lift` give the forces towards and along the axis by the same law.
 struct VortexField {
-    Vec3 center = {};       // m, on the axis
-    Vec3 axis = {0, 1, 0};  // unit
-    double strength = 0;    // of the tangential part
-    double pull = 0;        // > 0: towards the axis
-    double lift = 0;        // > 0: along the axis
-    int falloff = 1;        // 0 to 4
-    double nearest = 0.1;   // m, > 0
-    bool per_mass = false;
+    Vec3 center = {};       ///< m, a point on the axis; each component within 1e7
+    Vec3 axis = {0, 1, 0};  ///< unit vector
+    double strength = 0;    ///< -1e12 to 1e12, of the tangential force
+    double pull = 0;        ///< -1e12 to 1e12; > 0: towards the axis
+    double lift = 0;        ///< -1e12 to 1e12; > 0: along the axis
+    int falloff = 1;        ///< exponent, 0 to 4
+    double nearest = 0.1;   ///< m, 1e-6 to 1e12; the force is constant within this radius
+    bool per_mass = false;  ///< whether the strengths are accelerations
 
     bool operator==(const VortexField&) const = default;
 };
 
-// A fluid below a plane. Lift is the weight of what the body displaces, at its centre: the volume
-// below the surface is exact for spheres, boxes and hulls, and to 1e-6 of the volume for capsules,
-// cylinders and cones. Drag acts on what is submerged, at its centre: quadratic with the area that
-// the whole shape shows to the flow, and on the spin by `angular_drag`. Meshes, height fields and
-// planes displace nothing.
+/// A fluid below a plane. Buoyancy is the weight of the displaced fluid and acts at the centre of
+/// the displaced volume. The volume is exact for spheres, boxes and hulls, and accurate to 1e-6 of
+/// the shape's volume for capsules, cylinders and cones. Drag acts on the submerged part: quadratic
+/// drag with the projected area of the whole shape, and angular damping by `angular_drag`. Meshes,
+/// height fields and planes displace nothing. Not available in planar worlds.
 struct BuoyancyField {
-    Vec3 normal = {0, 1, 0};  // unit, out of the fluid
-    double offset = 0;        // m: the surface is where dot(normal, p) == offset
-    double density = 1000;    // kg/m^3, >= 0
-    Vec3 flow = {};           // m/s
-    double drag = 1;          // coefficient, >= 0
-    double angular_drag = 1;  // 1/s, >= 0, times the displaced mass over the body's
+    Vec3 normal = {0, 1, 0};  ///< unit vector out of the fluid
+    double offset = 0;        ///< m, within 1e7: the surface is where dot(normal, p) == offset
+    double density = 1000;    ///< kg/m^3, 0 to 1e6
+    Vec3 flow = {};           ///< velocity of the fluid, m/s, each component within 1e4
+    double drag = 1;          ///< drag coefficient, 0 to 1e6
+    double angular_drag = 1;  ///< 1/s, 0 to 1e6, times the displaced mass over the body's mass
 
     bool operator==(const BuoyancyField&) const = default;
 };
 
+/// The force law of a field.
 using ForceField = std::variant<UniformWind, RadialField, VortexField, BuoyancyField>;
 
+/// Description of a force field for World::create_field().
 struct FieldDef {
-    ForceField force = UniformWind{};
-    // Bodies whose centre of mass is in the box; absent: everywhere. One that an impact throws into
-    // it feels the field from the next step on.
+    ForceField force = UniformWind{};  ///< the force law
+    /// The field acts on bodies whose centre of mass is in this box; if empty, everywhere. A body
+    /// that an impact moves into the box is affected from the next step.
     std::optional<Aabb> region = {};
-    // Bodies one of whose shapes has a category with a bit in the mask.
+    /// The field acts on bodies with a shape whose category has a bit in this mask.
     std::uint32_t mask = 0xffffffff;
-    std::uint64_t user_data = 0;  // kept, saved and returned, never read
+    std::uint64_t user_data = 0;  ///< stored, saved and returned, not interpreted
 };
 
 }  // namespace jostle::physics

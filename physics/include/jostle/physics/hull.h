@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Convex hulls: built once, immutable, shared by any number of shapes and worlds, from any thread.
+// Convex hulls: polyhedra with adjacency and mass properties, immutable once built.
 #pragma once
 
 #include <cstdint>
@@ -15,50 +15,59 @@
 
 namespace jostle::physics {
 
-inline constexpr std::size_t max_hull_points = 100000;  // that build_hull takes
-inline constexpr std::size_t max_hull_vertices = 252;   // of the finished hull
-inline constexpr std::size_t max_face_vertices = 64;
+/// Maximum number of input points of build_hull().
+inline constexpr std::size_t max_hull_points = 100000;
+inline constexpr std::size_t max_hull_vertices = 252;  ///< maximum number of vertices of a hull
+inline constexpr std::size_t max_face_vertices = 64;   ///< maximum number of vertices of a face
 
+/// A face of a convex hull.
 struct HullFace {
-    Vec3 normal;                         // unit, outward
-    double offset = 0;                   // m: dot(normal, x) = offset on the face; none is above
-    std::uint32_t first = 0, count = 0;  // in face_vertices, counter-clockwise seen from outside
+    Vec3 normal;        ///< unit vector, outward
+    double offset = 0;  ///< m; dot(normal, x) = offset on the face, at most offset for all vertices
+    /// Range in face_vertices, counter-clockwise seen from outside.
+    std::uint32_t first = 0, count = 0;
 };
 
+/// An edge of a convex hull.
 struct HullEdge {
-    std::uint16_t from = 0, to = 0;     // vertices; from -> to runs counter-clockwise round `left`
-    std::uint16_t left = 0, right = 0;  // faces
+    std::uint16_t from = 0, to = 0;  ///< vertices; from -> to runs counter-clockwise around `left`
+    std::uint16_t left = 0, right = 0;  ///< adjacent faces
 };
 
-struct HullLanes;  // vertices, faces and edges side by side, for the narrow phase
+struct HullLanes;  ///< vertices, faces and edges in SIMD layout, for the narrow phase
 
+/// A convex polyhedron in its local frame. Immutable and shared by any number of shapes, worlds and
+/// threads. Create it with build_hull().
 struct ConvexHull {
-    std::vector<Vec3> vertices;
-    std::vector<HullFace> faces;  // coplanar triangles are merged
-    std::vector<std::uint16_t> face_vertices;
-    std::vector<HullEdge> edges;  // each once
+    std::vector<Vec3> vertices;                ///< m
+    std::vector<HullFace> faces;               ///< coplanar triangles are merged
+    std::vector<std::uint16_t> face_vertices;  ///< indices of vertices, face by face
+    std::vector<HullEdge> edges;               ///< each edge once
 
-    // Of the solid, density 1.
-    double volume = 0;                        // m^3
-    Vec3 center;                              // of mass
-    Mat3 unit_inertia = diagonal({0, 0, 0});  // about `center`, m^5
-    double inner_radius = 0;                  // m: of a ball about `center` that fits inside
-    Aabb bounds;
-    std::uint64_t content_hash = 0;
-    std::shared_ptr<const HullLanes> lanes;
+    // Mass properties of the solid with density 1.
+    double volume = 0;                        ///< m^3
+    Vec3 center;                              ///< centre of mass, m
+    Mat3 unit_inertia = diagonal({0, 0, 0});  ///< about `center`, m^5
+    double inner_radius = 0;         ///< m, radius of a ball around `center` that fits inside
+    Aabb bounds;                     ///< in the local frame
+    std::uint64_t content_hash = 0;  ///< equal for equal contents
+    std::shared_ptr<const HullLanes> lanes;  ///< not null in a hull from build_hull()
 
+    /// Returns the vertex indices of a face.
     std::span<const std::uint16_t> vertices_of(const HullFace& face) const {
         return {face_vertices.data() + face.first, face.count};
     }
 };
 
-// The hull of 4 to max_hull_points points, in any order, that do not lie in one plane. Coordinates
-// are within max_shape_size. Points inside and duplicates are dropped. Triangles that agree to 1e-6
-// of the size are merged into faces. An error names the point or the number that is too large.
-//
-// Quickhull (Barber, Dobkin, Huhdanpaa, "The Quickhull Algorithm for Convex Hulls", 1996), on
-// coordinates rounded to 2^-30 of the size: there each question of topology has an exact answer, so
-// no input can break it. Vertices keep the coordinates that were given.
+/// Builds the convex hull of 4 to max_hull_points points, in any order, that do not lie in one
+/// plane. Coordinates are within max_shape_size. Interior points and duplicates are dropped.
+/// Triangles that are coplanar within 1e-6 of the size are merged into faces.
+///
+/// Errors: invalid_argument, naming the point or the count that exceeds its maximum.
+///
+/// Quickhull (Barber, Dobkin, Huhdanpaa, "The Quickhull Algorithm for Convex Hulls", 1996) on
+/// coordinates rounded to 2^-30 of the size. On these coordinates every topological predicate is
+/// exact, so the algorithm handles any input. Vertices retain the original coordinates.
 Result<std::shared_ptr<const ConvexHull>> build_hull(std::span<const Vec3> points);
 
 }  // namespace jostle::physics

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Handles. An id is valid until its object is destroyed. A later object may have the same index,
-// but not the same generation. The lowest free index is handed out first, so the same calls give
-// the same ids. A default id is null: it names nothing.
+// Handles of the objects of a world. An id is valid until its object is destroyed. A later object
+// may reuse the index, but with another generation. The lowest free index is assigned first, so the
+// same sequence of calls yields the same ids. A default-constructed id is null and names no object.
 #pragma once
 
 #include <compare>
@@ -10,6 +10,7 @@
 
 namespace jostle::physics {
 
+/// Handle of a body.
 struct BodyId {
     std::uint32_t index = 0xffffffff;
     std::uint32_t generation = 0;
@@ -17,6 +18,7 @@ struct BodyId {
     auto operator<=>(const BodyId&) const = default;
 };
 
+/// Handle of a shape.
 struct ShapeId {
     std::uint32_t index = 0xffffffff;
     std::uint32_t generation = 0;
@@ -24,6 +26,7 @@ struct ShapeId {
     auto operator<=>(const ShapeId&) const = default;
 };
 
+/// Handle of a joint.
 struct JointId {
     std::uint32_t index = 0xffffffff;
     std::uint32_t generation = 0;
@@ -31,13 +34,16 @@ struct JointId {
     auto operator<=>(const JointId&) const = default;
 };
 
-struct FieldId {  // a force field
+/// Handle of a force field.
+struct FieldId {
     std::uint32_t index = 0xffffffff;
     std::uint32_t generation = 0;
 
     auto operator<=>(const FieldId&) const = default;
 };
 
+/// Return true for a null id. A non-null id may still name a destroyed object; see
+/// World::contains().
 inline bool is_null(BodyId id) {
     return id.index == 0xffffffff;
 }

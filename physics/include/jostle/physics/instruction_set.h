@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Which instructions the inner loops use. The library takes the best that the processor has. A
-// program may ask for another, to measure it or to prove that the bits are the same. Process-wide:
-// change it while no world steps.
+// Selection of the instruction set that the inner loops use. By default the library uses the
+// fastest available one. A program can select another to measure it or to verify that the results
+// are identical.
 #pragma once
 
 #include <span>
@@ -11,23 +11,31 @@
 
 namespace jostle::physics {
 
+/// Instruction sets of the inner loops. All produce the same bits. Process-wide: change it only
+/// while no world is stepping.
 enum class InstructionSet {
-    scalar,  // one float at a time: for proofs. The only one on x86-64 processors without AVX2
-             // and FMA, where it is many times slower, unless the build is portable (arithmetic.h)
-    baseline,  // what the compiler assumes of its target: NEON on aarch64, SSE2 on x86-64 in a
-               // portable build and not in others
-    avx2,      // with FMA, unless the build is portable
-    avx512,    // contacts sixteen at a time, all else eight at a time, as with avx2
+    /// One float at a time, for verification. On x86-64 processors without AVX2 and FMA it is the
+    /// only one and many times slower, unless the build is portable (arithmetic.h).
+    scalar,
+    /// The instruction set that the compiler assumes for its target: NEON on aarch64; SSE2 on
+    /// x86-64, in portable builds only.
+    baseline,
+    avx2,    ///< eight lanes, with FMA unless the build is portable
+    avx512,  ///< contacts with sixteen lanes, everything else with eight lanes as avx2
 };
 
-const char* instruction_set_name(InstructionSet set);  // "scalar", "baseline", "avx2", "avx512"
+/// Returns "scalar", "baseline", "avx2" or "avx512". The string has static storage duration.
+const char* instruction_set_name(InstructionSet set);
 
-// Those that this build has and this processor can run, from slow to fast.
+/// Returns the instruction sets that this build contains and this processor supports, slowest
+/// first.
 std::span<const InstructionSet> available_instruction_sets();
 
-InstructionSet instruction_set();  // in use
+/// Returns the instruction set in use.
+InstructionSet instruction_set();
 
-// One that is not available is an error that names those that are.
+/// Selects an instruction set. Errors: failed_precondition if it is not available; the message
+/// lists the available ones.
 Status use_instruction_set(InstructionSet set);
 
 }  // namespace jostle::physics

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// How joints are solved: WorldDef::joint_solver for all of a world's, JointDef::solver for one.
-// How many were solved in which way says the profile: joints, joints_direct, joints_batched,
+// Selection of the joint solver: WorldDef::joint_solver for a world, JointDef::solver for one
+// joint. The profile counts the joints of each solver: joints, joints_direct, joints_batched,
 // joints_direct_fallback.
 #pragma once
 
@@ -9,31 +9,43 @@
 
 namespace jostle::physics {
 
-// What joints tie together is solved in one way, a joint group. Its solver is what its joints ask
-// for: a joint's own wish goes before the world's, and of several own wishes `direct` before
-// `iterative` before `automatic`. In the air a group is an island: bodies that touched lately count
-// until it is split. Beside contacts it is what balls, hinges, cones and rigid fixed joints tie.
+/// Solver of a joint group. A joint group consists of connected joints that are solved together.
+///
+/// A group uses the solver that its joints request. A joint's own setting takes precedence over the
+/// world's; of several own settings, `direct` takes precedence over `iterative`, and `iterative`
+/// over `automatic`.
+///
+/// Without contacts, a group is an island; bodies that touched recently count until the island is
+/// split. With contacts, a group consists of bodies connected by ball, hinge, cone-twist and rigid
+/// fixed joints.
 enum class JointSolver : std::uint8_t {
-    // Directly where that is affordable: in the air at most 64 times the work of joints that know
-    // nothing of each other, and no figures with cone-twists; beside contacts at most as much for
-    // the points of two joints or more. Nets (more than eight joints, and three for two bodies) are
-    // not: nearly singular as they bend. Else iteratively.
+    /// Direct where affordable, otherwise iterative.
+    ///
+    /// Without contacts: direct if the factorization takes at most 64 times the work of independent
+    /// joints and the group has no cone-twist joints (ragdolls). With contacts: direct for the
+    /// points of two or more joints, with the same limit. Nets (more than eight joints, and at
+    /// least three joints per two bodies) are iterative, because they become nearly singular when
+    /// they bend.
     automatic,
-    // One joint after the other, sub-step by sub-step, with the contacts: as soft as the sub-step
-    // is long, in time that only the number of joints decides. Nothing is solved directly.
+    /// Joints are solved one after the other in each sub-step, together with the contacts.
+    /// Stiffness depends on the length of the sub-step; cost depends only on the number of joints.
     iterative,
-    // All joints of a group at once, by a factorisation, with cone-twists and however dense, up to
-    // a ceiling: where the world has n joints a group of k may take 2e7 k / n multiplications for
-    // each factorisation (a net of 30 x 30 balls alone in its world), so that all of them together
-    // take no more. Falls back to `automatic`
-    //   above that ceiling, and for nets of more than 2048 joints;
-    //   where a listener of sub-steps is there, or a body has exactly one locked turn;
-    //   for gears, racks, pulleys, paths, grabs and velocity rows, orientations that are driven,
-    //   springs with a greatest force or torque, balls and cone-twists that rub, springy fixed
-    //   joints and ropes of no length;
-    //   beside contacts, for all but the points of balls, hinges, cone-twists and rigid fixed
-    //   joints.
-    // What the continuous stage does to joints that an impact parted is not asked.
+    /// All joints of a group are solved at once by a factorization, including cone-twist joints and
+    /// dense groups, up to a limit: in a world of n joints, a group of k joints may take 2e7 k / n
+    /// multiplications per factorization (a net of 30 x 30 balls alone in its world), so all groups
+    /// together never take more than 2e7.
+    ///
+    /// Falls back to `automatic`:
+    /// - above this limit, and for nets of more than 2048 joints;
+    /// - if a listener receives sub-steps, or a body has exactly one locked rotation;
+    /// - for gears, racks, pulleys, paths, grabs and velocity rows, driven orientations, springs
+    ///   with a maximum force or torque, ball and cone-twist joints with friction, soft fixed
+    ///   joints, and ropes of length zero;
+    /// - with contacts, for everything except the points of ball, hinge, cone-twist and rigid fixed
+    ///   joints.
+    ///
+    /// The setting does not affect how the continuous stage repairs joints that an impact
+    /// separated.
     direct,
 };
 

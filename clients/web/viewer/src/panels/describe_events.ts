@@ -31,7 +31,8 @@ function describeSleep(entities: readonly number[], verb: string, name: (entity:
   return entities.map((entity) => `${name(entity)} ${verb}`);
 }
 
-function counted(n: number, one: string, many: string): string {
+/** A number with its noun. */
+export function counted(n: number, one: string, many: string): string {
   return `${n} ${n === 1 ? one : many}`;
 }
 

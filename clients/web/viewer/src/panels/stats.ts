@@ -2,6 +2,7 @@
 
 import type { Connection } from '@jostle/client';
 import type { WorldStats } from '@jostle/client/gen/play_pb';
+import { counted } from './describe_events';
 
 const HISTORY = 120; // samples
 const PLOT = { width: 150, height: 26 };
@@ -87,7 +88,7 @@ export class StatsPanel {
     this.lastBytes = this.connection.bytesReceived;
     this.lastAt = now;
     this.tick.textContent =
-      `tick ${stats.tick} · ${stats.bodies} bodies · ${stats.clients} clients` +
+      `tick ${stats.tick} · ${stats.bodies} bodies · ${counted(stats.clients, 'client', 'clients')}` +
       (stats.lateTicks > 0 ? ` · ${stats.lateTicks} late ticks` : '') +
       (stats.paused ? ` · paused: ${stats.paused}` : '');
     this.plots.age.add(this.connection.ageMs);

@@ -1,6 +1,7 @@
 // Lists the worlds: join, create from a scene or from an earlier tick of a world, delete. Uses the JSON API at /api/worlds.
 
 import { withToken } from '@jostle/client';
+import { counted } from './describe_events';
 
 interface WorldInfo {
   id: string;
@@ -95,7 +96,7 @@ export class WorldsPanel {
   private worldRow(world: WorldInfo): HTMLElement {
     const row = element('div', '', 'world');
     const isCurrent = world.id === this.current();
-    const about = `${world.bodies} bodies, ${world.awake} awake, ${world.clients} clients`;
+    const about = `${world.bodies} bodies, ${world.awake} awake, ${counted(world.clients, 'client', 'clients')}`;
     row.append(element('strong', world.name + (isCurrent ? ' (current)' : '')), element('span', about));
     const join = element('button', 'Join');
     join.type = 'button';

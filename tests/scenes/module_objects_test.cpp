@@ -196,7 +196,7 @@ TEST(ModuleObjects, every_field_is_a_setting_that_its_module_knows) {
                     given.numbers.emplace_back(name, value);
                     const auto status = module->configure(world, given);
                     const std::string what = status.ok() ? "" : status.error().message;
-                    EXPECT_EQ(what.find("there is no setting"), std::string::npos)
+                    EXPECT_EQ(what.find("unknown setting"), std::string::npos)
                         << kind.name() << ": " << what;
                     EXPECT_EQ(what.find(name + " is "), std::string::npos)
                         << kind.name() << " refuses an end of the range: " << what;

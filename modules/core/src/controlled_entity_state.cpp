@@ -12,7 +12,7 @@ using namespace physics;
 namespace {
 
 constexpr std::size_t motion_word_count = 13;
-// As World takes them.
+// The ranges that World accepts: m; m/s and rad/s.
 constexpr double coordinate_max = 1e7, velocity_max = 1e4;
 constexpr double float_max = std::numeric_limits<float>::max();
 
@@ -110,12 +110,13 @@ public:
     void field(std::string_view name, ShapeId& id) override {
         BodyId body;
         field(name, body);
-        const std::uint32_t place = next();
+        const std::uint32_t index = next();
         const std::vector<ShapeId> shapes = world_.shapes_of(body);
-        id = place < shapes.size() ? shapes[place] : ShapeId{};
+        id = index < shapes.size() ? shapes[index] : ShapeId{};
     }
     void field(std::string_view, JointId& id) override { id = {}; }
-    // No array is longer than the words that are left.
+    // An array has at most as many elements as there are words left, so foreign words cannot cause
+    // a large allocation.
     std::size_t count(std::string_view, std::size_t) override {
         const std::uint32_t size = next();
         if (size <= words_.size()) return size;

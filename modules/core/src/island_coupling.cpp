@@ -6,7 +6,7 @@ namespace jostle::modules {
 using namespace physics;
 
 Result<JointId> create_island_coupling(World& world, BodyId a, BodyId b) {
-    // A row whose force may be nothing but zero.
+    // A constraint row whose impulse is limited to zero.
     return world.create_joint({.body_a = a,
                                .body_b = b,
                                .kind = VelocityRow{.lower = 0, .upper = 0},

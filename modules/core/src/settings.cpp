@@ -11,7 +11,7 @@ using physics::Error;
 using physics::ErrorCode;
 using physics::Status;
 
-// Short: 0.3, not 0.300000.
+// Prints a number in its shortest form: 0.3, not 0.300000.
 std::string text(double number) {
     char digits[32];
     std::snprintf(digits, sizeof digits, "%.10g", number);
@@ -72,11 +72,13 @@ void SettingsReader::bytes(std::string_view name, std::span<const std::byte>& to
 Status SettingsReader::finish() {
     for (const auto& [name, value] : settings_.numbers)
         if (!has(numbers_, name))
-            fail("there is no setting " + name + "; there are: " + list(numbers_));
+            fail("unknown setting " + name + "; must be one of: " + list(numbers_));
     for (const auto& [name, body] : settings_.bodies)
-        if (!has(bodies_, name)) fail("there is no body " + name + "; there are: " + list(bodies_));
+        if (!has(bodies_, name))
+            fail("unknown body setting " + name + "; must be one of: " + list(bodies_));
     for (const auto& [name, bytes] : settings_.bytes)
-        if (!has(bytes_, name)) fail("there are no bytes " + name + "; there are: " + list(bytes_));
+        if (!has(bytes_, name))
+            fail("unknown file setting " + name + "; must be one of: " + list(bytes_));
     if (fault_.empty()) return {};
     return Error{ErrorCode::invalid_argument, fault_};
 }
@@ -85,7 +87,7 @@ void bounded(physics::StateVisitor& v, std::string_view name, double& value, dou
              double high) {
     v.field(name, value);
     if (v.loading() && !(value >= low && value <= high))
-        v.fail(name, "is not from " + range(low, high));
+        v.fail(name, "is out of range; it must be from " + range(low, high));
 }
 
 void bounded(physics::StateVisitor& v, std::string_view name, physics::Vec3& value, double most) {

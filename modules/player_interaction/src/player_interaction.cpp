@@ -13,9 +13,10 @@ constexpr double impulse_speed_max = 20, pushed_speed_max = 50;  // m/s
 constexpr double pushed_spin_max = 60;                           // rad/s
 constexpr double impulse_reach_max = 2;                          // m
 
-constexpr JointSpring grab_spring{.hertz = 5, .damping_ratio = 1};  // follows, does not shake
-constexpr double acceleration_max = 200;  // m/s^2: a hand may be strong, not endless
-constexpr double turn_damping = 4;        // 1/s: a held body stops spinning about the hand
+// soft enough to drag without shaking
+constexpr JointSpring grab_spring{.hertz = 5, .damping_ratio = 1};
+constexpr double acceleration_max = 200;  // m/s^2, limits the force of a grab
+constexpr double turn_damping = 4;  // 1/s: damps the spin of a grabbed body about the grab point
 
 Vec3 capped(Vec3 now, Vec3 before, double cap) {
     const double most = std::max(cap, length(before)), size = length(now);

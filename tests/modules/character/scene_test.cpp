@@ -104,8 +104,7 @@ TEST(Scene, what_is_wrong_is_named) {
               "mass is 0; it must be from 1 to 10000");
     EXPECT_EQ(cast.error_of({}), "has no body; name those that are to walk");
     EXPECT_EQ(cast.error_of({.bodies = {{"ghost", BodyId{99, 1}}}}), "ghost is no body");
-    EXPECT_EQ(cast.error_of({.numbers = {{"sped", 1}}}).substr(0, 27),
-              "there is no setting sped; t");
+    EXPECT_EQ(cast.error_of({.numbers = {{"sped", 1}}}).substr(0, 27), "unknown setting sped; m");
 }
 
 TEST(Scene, clients_are_told_of_each_character_in_eight_bytes) {

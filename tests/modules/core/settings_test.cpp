@@ -49,9 +49,9 @@ TEST(Settings, what_is_wrong_is_named_with_what_would_do) {
               "height is 4; it must be from 0.3 to 3");
     EXPECT_EQ(craft.error_of({.numbers = {{"lights", 0.5}}}), "lights is 0.5; it must be 0 or 1");
     EXPECT_EQ(craft.error_of({.numbers = {{"hieght", 1}}}),
-              "there is no setting hieght; there are: height, speed, lights");
+              "unknown setting hieght; must be one of: height, speed, lights");
     EXPECT_EQ(craft.error_of({.bodies = {{"craft", BodyId{7, 1}}}}),
-              "there is no body craft; there are: hull");
+              "unknown body setting craft; must be one of: hull");
     EXPECT_EQ(craft.error_of({.numbers = {{"speed", 21}, {"height", 9}}}),
               "height is 9; it must be from 0.3 to 3")
         << "one at a time, in the order of the module";

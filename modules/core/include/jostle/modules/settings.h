@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What a scene says of a module, read setting by setting, each in its range; and saved fields,
-// which are foreign as well.
+// Helpers that read and check untrusted values of a module: SettingsReader for the settings in a
+// scene, bounded() for saved fields.
 //
 //     SettingsReader settings(given);
 //     settings.number("height", height_, 0.3, 3);   // m
@@ -19,33 +19,40 @@
 
 namespace jostle::modules {
 
+/// Reads the settings of a module one by one and checks the range of each. Call number(), flag(),
+/// body() and bytes() for every setting that the module accepts, then finish(). The settings must
+/// outlive the reader.
 class SettingsReader {
 public:
     explicit SettingsReader(const physics::ModuleSettings& settings) : settings_(settings) {}
 
-    // Absent: `to` keeps its value. Of several of a name the last counts.
+    /// Reads a number from low to high into `to`. If the setting is absent, `to` is unchanged. If a
+    /// name occurs several times, the last one applies.
     void number(std::string_view name, double& to, double low, double high);
-    void flag(std::string_view name, bool& to);  // 0 or 1
+    /// Reads a flag: 0 or 1.
+    void flag(std::string_view name, bool& to);
+    /// Reads a body. The caller checks that it is suitable.
     void body(std::string_view name, physics::BodyId& to);
-    // As long as the settings are. What they mean is for the caller to check.
+    /// Reads the contents of a file. The bytes stay valid as long as the settings. The caller
+    /// checks the contents.
     void bytes(std::string_view name, std::span<const std::byte>& to);
-    // A setting that nobody asked for is an error, too, which lists what there is. After all
-    // others.
+    /// Returns the first error. A setting that was not read is an error too; its message lists the
+    /// accepted names. Call it last.
     physics::Status finish();
 
 private:
     void fail(std::string message);
 
     const physics::ModuleSettings& settings_;
-    std::vector<std::string> numbers_, bodies_, bytes_;  // that were asked for
-    std::string fault_;                                  // the first; empty: none
+    std::vector<std::string> numbers_, bodies_, bytes_;  ///< names read so far
+    std::string fault_;                                  ///< first error; empty if none
 };
 
-// A number of a module's state: saves it, and ends a load when it is not from low to high.
+/// Visits a number of a module's state. Loading fails if the value is not from low to high.
 void bounded(physics::StateVisitor& v, std::string_view name, double& value, double low,
              double high);
 
-// ... each component within `most`.
+/// Visits a vector of a module's state. Loading fails if a component is not from -most to most.
 void bounded(physics::StateVisitor& v, std::string_view name, physics::Vec3& value, double most);
 
 }  // namespace jostle::modules

@@ -18,7 +18,7 @@ void clear_lane(const ContactLaneRef& lane_ref) {
     block.a[lane] = block.b[lane] = 0;
     for (int row = first_saved_row; row < wide_rows; row++) float_at(block, row, lane) = 0;
     for (auto& gap : block.gap) gap[lane] = no_point;
-    block.g[0][lane] = 1;  // is divided by
+    block.g[0][lane] = 1;  // used as a divisor
     lane_ref.meta->moved[lane] = 0;
     lane_ref.meta->restitution[lane] = 0;
     lane_ref.meta->contact[lane] = no_contact;
@@ -52,8 +52,8 @@ GraphColour& colour_at(ConstraintGraph& graph, ColourSetKey key, int colour) {
     return graph.sets[index_of(key)].colours[static_cast<std::size_t>(colour)];
 }
 
-// Gives back memory when most contacts of a colour went, perhaps to another set: a heap would else
-// keep its memory in each set that it was ever in.
+// Releases memory after most contacts of a colour were removed or moved to another set. Otherwise a
+// pile would retain memory in every set that it was ever in.
 void shrink(GraphColour& colour) {
     constexpr std::size_t small = 8;  // blocks
     const std::size_t capacity = colour.blocks.capacity();
@@ -71,14 +71,14 @@ void remove_block(GraphColour& colour) {
     colour.rollings.pop_back();
 }
 
-// The colours of a kind: the first and how many.
+// Returns the first colour of a kind and the number of its colours.
 std::pair<int, int> colours_of(PairKind kind) {
     if (kind == PairKind::dynamic) return {0, dynamic_colours};
     if (kind == PairKind::kinematic) return {dynamic_colours, kinematic_colours};
     return {dynamic_colours + kinematic_colours, static_colours};
 }
 
-// Twice the mean of its dynamic bodies' indices.
+// Sort key: twice the mean index of the dynamic bodies.
 std::int32_t body_order(const GraphColour& colour, int slot) {
     const ContactConstraintWide& block = colour.blocks[static_cast<std::size_t>(slot / 8)];
     const std::int32_t a = block.a[slot % 8], b = block.b[slot % 8];
@@ -136,7 +136,7 @@ std::uint32_t remove_contact(ConstraintGraph& graph, ColourSetKey key, int numbe
         remove_block(colour);
         shrink(colour);
     }
-    // No block is empty.
+    // Invariant: no block is empty.
     ASSERT(static_cast<int>(colour.blocks.size()) ==
            (colour.contacts + lanes_per_block(number) - 1) / lanes_per_block(number));
     return moved;

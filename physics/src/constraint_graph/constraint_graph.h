@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// The constraint graph: which contacts are solved, in which order, and which at the same time. Its
-// edges are contacts, its nodes bodies. A colour is a list of contacts no two of which share a body
-// that they can push, so its blocks may be solved in any order and on any thread. Colours come in
-// sets: one per solver tier and batch (solver_tier.h), and one for what sleeps in place.
+// The constraint graph defines which contacts are solved, in which order, and which in parallel.
+// Its edges are contacts and its nodes are bodies. A colour is a list of contacts of which no two
+// share a movable body, so its blocks can be solved in any order and on any thread. Colours are
+// grouped in sets: one per solver tier and batch (solver_tier.h), and one for contacts whose bodies
+// sleep in place.
 //
-// Knows contacts and bodies by number only. Who owns a slot is written in the block
-// (ContactConstraintWideMeta::contact). Changed serially, in an order that does not depend on
-// threads: slots decide the bits of a solve.
+// The graph refers to contacts and bodies by index only. The block stores the owner of each slot
+// (ContactConstraintWideMeta::contact). All changes are serial and in an order that does not depend
+// on threads, because slots determine the bits of a solve.
 #pragma once
 
 #include <array>
@@ -21,14 +22,14 @@
 
 namespace jostle::physics {
 
-// 64 colours, as one bit mask per body, and three overflow lists whose blocks hold one lane each
-// and are solved one after the other, for bodies with more contacts of a kind than there are
-// colours.
+// 64 colours, as one bit mask per body, plus three overflow lists for bodies with more contacts of
+// a kind than there are colours. Blocks of overflow lists hold one lane each and are solved
+// serially.
 inline constexpr int dynamic_colours = 48, kinematic_colours = 6, static_colours = 10;
 inline constexpr int mask_colours = dynamic_colours + kinematic_colours + static_colours;
 static_assert(mask_colours == 64);
-// Each of the 64 has two lists of blocks: manifolds of several points, and, from single_colours on,
-// those of one point, whose kernels do a quarter of the work.
+// Each of the 64 colours has two lists of blocks: manifolds with several points and, from
+// single_colours on, manifolds with one point, whose kernels do a quarter of the work.
 inline constexpr int single_colours = mask_colours;
 inline constexpr int overflow_colours = 2 * mask_colours;
 inline constexpr int colour_count = overflow_colours + 3;
@@ -39,7 +40,7 @@ inline constexpr bool is_overflow(int colour) {
 inline constexpr bool is_single(int colour) {
     return colour >= single_colours && colour < overflow_colours;
 }
-// The bit in the bodies' masks.
+// The colour's bit in the masks of the bodies.
 inline constexpr int mask_bit(int colour) {
     return colour % mask_colours;
 }
@@ -56,7 +57,7 @@ inline constexpr int lanes_per_block(int colour) {
 struct GraphColour {
     std::vector<ContactConstraintWide> blocks;
     std::vector<ContactConstraintWideMeta> metas;
-    // As many as blocks; contents mean something where a lane bounces or rolls.
+    // One entry per block. Entries are valid only for lanes that bounce or roll.
     std::vector<RestitutionWide> restitutions;
     std::vector<RollingWide> rollings;
     std::int32_t contacts = 0;
@@ -64,18 +65,19 @@ struct GraphColour {
 
 struct ColourSet {
     std::array<GraphColour, colour_count> colours;
-    std::int32_t contacts = 0;  // of all colours
+    std::int32_t contacts = 0;  // sum over all colours
 };
 
 struct ConstraintGraph {
-    std::array<ColourSet, colour_set_count> sets;  // by index_of(ColourSetKey)
+    std::array<ColourSet, colour_set_count> sets;  // indexed by index_of(ColourSetKey)
 
-    // Those that the solver works on.
+    // The sets that the solver processes.
     auto solved() { return std::span(sets).first<solved_set_count>(); }
     auto solved() const { return std::span(sets).first<solved_set_count>(); }
 };
 
-// Contacts with static bodies come last: what rests on the floor is pushed out of it in the end.
+// Contacts with static bodies come last, so that the final pass pushes resting bodies out of the
+// floor.
 inline constexpr std::array<int, colour_count> make_solve_order() {
     std::array<int, colour_count> order{};
     int n = 0;
@@ -91,43 +93,43 @@ inline constexpr std::array<int, colour_count> make_solve_order() {
 }
 inline constexpr std::array<int, colour_count> solve_order = make_solve_order();
 
-// Whether threads share its colours. Those of a smaller one are so short that handing them over
-// again and again would cost more than they do.
+// Returns whether threads share the colours of the set. For smaller sets the handover between
+// threads would cost more than the work.
 bool is_shared(const ColourSet& set);
 
-// The lowest colour of a kind whose bit is not taken, else that kind's overflow list.
+// Returns the lowest colour of a kind whose bit is not in `taken`, or that kind's overflow list.
 int free_colour(std::uint64_t taken, PairKind kind);
-// Between bodies that sleep nothing is solved, so nothing needs a colour of its own. All colours
-// are used in turn: one long list that grows would hold much more memory than it needs.
+// Contacts between sleeping bodies are not solved, so they need no distinct colours. They are
+// distributed over all colours: a single growing list would reserve much more memory than it needs.
 int asleep_colour(PairKind kind, std::uint32_t contact);
 
-// Adds a contact at the end of a colour and returns its slot. Its lane is empty but for its owner.
+// Adds a contact at the end of a colour and returns its slot. Only the owner of its lane is set.
 std::int32_t add_contact(ConstraintGraph& graph, ColourSetKey key, int colour,
                          std::uint32_t contact);
-// Removes a contact. The last one of the colour moves into its slot: returns that one, or
-// no_contact when the last one was removed.
+// Removes a contact. The last contact of the colour moves into its slot. Returns the moved contact,
+// or no_contact if the last one was removed.
 std::uint32_t remove_contact(ConstraintGraph& graph, ColourSetKey key, int colour,
                              std::int32_t slot);
 
 ContactLaneRef lane_ref_at(GraphColour& colour, int number, std::int32_t slot);
 ContactLaneRef lane_ref_at(ConstraintGraph& graph, ColourSetKey key, int colour, std::int32_t slot);
 
-// A lane's content outside the graph and back again. The flags that follow from the bodies are not
-// part of it.
+// Copies the content of a lane out of the graph and back. Flags derived from the bodies are not
+// included.
 SavedContact save_contact(const ContactLaneRef& lane_ref);
 void restore_contact(const ContactLaneRef& lane_ref, const SavedContact& saved);
 
-// Whether most contacts of a colour lie in the order of their bodies; brings them there. Then each
-// thread has the same bodies in all colours. Not for overflow lists, which are solved in the order
-// in which they came. Slots change: the owners are to be told. Colours may be sorted at the same
-// time.
+// is_sorted() returns whether most contacts of a colour are in the order of their bodies;
+// sort_contacts() establishes that order. Each thread then processes the same bodies in all
+// colours. Not for overflow lists, which are solved in insertion order. Sorting changes slots, so
+// the caller must update the owners. Different colours may be sorted concurrently.
 bool is_sorted(const GraphColour& colour);
 void sort_contacts(GraphColour& colour, int number);
 
 // Adds an empty block at the end of a colour.
 void add_block(GraphColour& colour);
 
-// Calls visit(colour) or visit(colour, its number) for every colour of every set in use.
+// Calls visit(colour) or visit(colour, number) for every colour of every non-empty set.
 template <class Sets, class Visit>
 void for_each_colour(Sets&& sets, Visit&& visit) {
     for (auto& set : sets) {

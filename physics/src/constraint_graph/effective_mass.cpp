@@ -16,7 +16,7 @@ void write_effective_mass(const ContactLaneRef& lane_ref, const ContactFrame& fr
     };
     const Vec3 mass = a.linear + b.linear;
     const auto along = [&](Vec3 u, Vec3 v) { return dot(scaled(mass, u), v); };
-    // Rows of the normals: (arm x n), t1, t2; of friction: arm x t; of torsion: n.
+    // Rows of the normals: (arm x n), t1, t2. Rows of friction: arm x t. Row of torsion: n.
     const Vec3 na = cross(arm_a, n), nb = cross(arm_b, n);
     block.g[0][lane] = as_float(maximum(along(n, n) + both(na, nb, na, nb), 1e-30));
     block.g[1][lane] = as_float(both(na, nb, t1, t1));
@@ -34,7 +34,7 @@ void write_effective_mass(const ContactLaneRef& lane_ref, const ContactFrame& fr
         block.friction_mass[1][lane] = as_float(-f01 / det);
         block.friction_mass[2][lane] = as_float(f00 / det);
     } else {
-        // Locked axes leave one direction in which anything can slide, or none.
+        // Locked axes leave one sliding direction or none.
         const double trace = f00 + f11, scale = trace > 0 ? 1 / (trace * trace) : 0;
         block.friction_mass[0][lane] = as_float(f00 * scale);
         block.friction_mass[1][lane] = as_float(f01 * scale);
@@ -53,8 +53,8 @@ void rewrite_effective_mass(const ContactLaneRef& lane_ref, const InverseMass& a
                          {get_lane(block.normal, lane), get_lane(block.tangent, lane),
                           get_lane(block.arm_a, lane), get_lane(block.arm_b, lane)},
                          a, b);
-    // A contact is as stiff as its bodies are heavy: what it gives beyond its mean impulse would
-    // jump, so the mean makes up for the difference and the load stays what it is.
+    // Contact stiffness is proportional to the mass of the bodies. The part of the impulse beyond
+    // the mean would jump with the mass, so the mean is adjusted to preserve the load.
     const float stiffer = before / block.g[0][lane];
     for (int k = 0; k < 4; k++)
         block.mean_impulse[k][lane] =

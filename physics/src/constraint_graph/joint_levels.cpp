@@ -20,7 +20,7 @@ template <class Kind>
 constexpr bool is_of_axes = requires(Kind kind) {
     axes_of(kind);
 };
-// By index into JointKind.
+// Indexed like JointKind.
 template <class... Kinds>
 constexpr std::array<bool, sizeof...(Kinds)> find_axes(std::type_identity<std::variant<Kinds...>>) {
     return {is_of_axes<Kinds>...};
@@ -43,7 +43,7 @@ bool has_angular(std::uint32_t kind) {
            !has_gear(kind);
 }
 
-// Returns how many there are.
+// Returns the number of levels.
 int find_levels(JointLevels& levels, std::size_t bodies) {
     ASSERT(std::is_sorted(
         levels.joints.begin(), levels.joints.end(),
@@ -63,7 +63,7 @@ int find_levels(JointLevels& levels, std::size_t bodies) {
             reached(joint.carrier_a) = reached(joint.carrier_b) = level + 1;
         }
         reached(joint.a) = reached(joint.b) = level + 1;
-        levels.reached[0] = 0;  // what cannot be pushed makes nobody wait
+        levels.reached[0] = 0;  // immovable bodies do not order joints
         count = std::max(count, level + 1);
         joint.run = level * kernel_kinds + joint.kind;
     }

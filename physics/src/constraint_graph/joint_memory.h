@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What joints of some kinds keep beside what all have: numbers in Joint::memory, as many as the
-// kind says. Saved and hashed with the joint.
+// Persistent numbers that some joint kinds store in Joint::memory in addition to the common state.
+// The kind determines their count. They are saved and hashed with the joint.
 #pragma once
 
 #include <cstddef>
@@ -13,12 +13,12 @@
 
 namespace jostle::physics {
 
-// Impulses of one sub-step along a free axis of a slider, a six-dof or a wheel, N s or N m s.
+// Impulses of one sub-step along a free axis of a slider, six-dof or wheel, N s or N m s.
 struct AxisImpulses {
     enum At : std::size_t { lower, upper, spring_impulse, motor, friction, count };
 };
 
-// By kind: how many axes have such impulses, one after the other.
+// Number of axes with such impulses, by kind.
 constexpr std::size_t axes_of(const SliderJoint&) {
     return 1;
 }
@@ -29,13 +29,14 @@ constexpr std::size_t axes_of(const WheelJoint&) {
     return 3;
 }
 
-// What gears and racks keep: what their ends were measured against, and how far they have turned or
-// travelled in all.
+// State of gears and racks: the reference that their ends were measured against, and their
+// accumulated rotation or travel.
 struct GearMemory {
     enum At : std::size_t { measured, carrier_a, carrier_b, travel_a, travel_b, sum, count };
 };
 
-// Whether a joint is one row that couples the ways of two ends, each against a carrier.
+// Whether a joint kind is one row that couples the displacements of two ends, each relative to a
+// carrier.
 template <class Kind>
 inline constexpr bool is_geared =
     std::is_same_v<Kind, GearJoint> || std::is_same_v<Kind, RackJoint> ||
@@ -43,7 +44,8 @@ inline constexpr bool is_geared =
 template <class Kind>
 inline constexpr bool has_gear_memory = is_geared<Kind> && !std::is_same_v<Kind, PulleyJoint>;
 
-// Balls that are driven or rub have a kernel of their own, so that others have nothing to look at.
+// Ball joints with a drive or friction use their own kernel, so that other ball joints pay nothing
+// for them.
 inline constexpr std::uint32_t driven_ball = joint_kinds, kernel_kinds = joint_kinds + 1;
 inline std::uint32_t kernel_of(const JointKind& kind) {
     const auto* ball = std::get_if<BallJoint>(&kind);
@@ -56,8 +58,8 @@ inline bool joint_is_geared(const JointKind& kind) {
     return std::visit([]<class Kind>(const Kind&) { return is_geared<Kind>; }, kind);
 }
 
-// What a path keeps after its axis' impulses: where b was on the curve, once it was found, and how
-// far that was from where it was the step before.
+// State of a path joint after its axis impulses: the position of b on the curve once it was found,
+// and its distance from the position in the previous step.
 struct PathMemory {
     enum At : std::size_t { found = AxisImpulses::count, at, step, count };
 };

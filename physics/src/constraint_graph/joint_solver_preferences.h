@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What the joints of a group ask of the solver (jostle/physics/joint_solver.h), and how much a
-// group may cost that asks to be solved directly. Pure functions: which groups there are decide
-// stages/solver/joint_groups.cpp and constraints/joints/joint_batches.cpp.
+// Solver preferences of the joints of a group (jostle/physics/joint_solver.h), and the cost limit
+// of a group that requests the direct solver. Pure functions. stages/solver/joint_groups.cpp and
+// constraints/joints/joint_batches.cpp form the groups.
 #pragma once
 
 #include <cstdint>
@@ -14,14 +14,14 @@
 
 namespace jostle::physics {
 
-// The own wishes of some joints: a bit for each JointSolver.
+// The union of the preferences of some joints: one bit per JointSolver.
 using JointSolverPreferences = std::uint8_t;
 
 inline JointSolverPreferences preference_bit(std::optional<JointSolver> solver) {
     return solver ? static_cast<JointSolverPreferences>(1u << static_cast<unsigned>(*solver))
                   : JointSolverPreferences{0};
 }
-// By all their wishes together, else the world's.
+// The solver for the combined preferences, or the world's solver if there are none.
 inline JointSolver solver_of(JointSolverPreferences preferences, JointSolver of_world) {
     for (const JointSolver solver :
          {JointSolver::direct, JointSolver::iterative, JointSolver::automatic})
@@ -29,27 +29,28 @@ inline JointSolver solver_of(JointSolverPreferences preferences, JointSolver of_
     return of_world;
 }
 
-// Multiplications of one factorisation that each joint of a group may take that asks for `direct`,
-// where the world has so many joints: all groups together stay within tuning::max_direct_work,
-// whoever made the scene. What a group may take does not depend on which others there are just now.
+// Maximum multiplications of one factorisation per joint of a group that requests `direct`. Depends
+// only on the number of joints in the world: all groups together stay within
+// tuning::max_direct_work for any scene, and the limit of a group does not depend on the other
+// current groups.
 inline std::int64_t direct_budget(std::size_t joints_of_world) {
     return tuning::max_direct_work /
            static_cast<std::int64_t>(joints_of_world == 0 ? 1 : joints_of_world);
 }
-// ... and that a group may take: `cubes`, of the joints' rows. `budget`: 0 for those that do not
-// ask.
+// Maximum multiplications for a group. `cubes`: sum of the cubes of the joints' row counts.
+// `budget`: direct_budget(), or 0 for groups without a request.
 inline std::int64_t max_work(std::int64_t cubes, std::size_t joints, std::int64_t budget) {
     const std::int64_t affordable = tuning::direct_work * cubes;
     const std::int64_t granted = budget * static_cast<std::int64_t>(joints);
     return granted > affordable ? granted : affordable;
 }
 
-// By what find_batches() chooses.
+// Options for find_batches().
 struct JointSolverOptions {
-    std::span<const JointSolverPreferences>
-        preferences;  // by place in JointLevels::joints; empty: none has one
+    // Indexed like JointLevels::joints. Empty if no joint has a preference.
+    std::span<const JointSolverPreferences> preferences;
     JointSolver of_world = JointSolver::automatic;
-    std::int64_t budget = 0;  // of those that ask for `direct`
+    std::int64_t budget = 0;  // per joint that requests `direct`
 };
 
 }  // namespace jostle::physics

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What the contact solver knows of a body. Float, relative to the pose at the start of the step:
-// deltas are small, so float loses nothing; the pose itself is double and elsewhere. Rows of 32
-// bytes, so that one row of eight bodies is one transposed load.
+// Contact solver data of a body. Floats are relative to the pose at the start of the step: deltas
+// are small, so float loses no precision. The pose itself is stored elsewhere in double. Rows are
+// 32 bytes, so that one row of eight bodies is one transposed load.
 #pragma once
 
 #include <algorithm>
@@ -17,52 +17,54 @@
 namespace jostle::physics {
 
 struct alignas(64) SolverBody {
-    // row 0: velocity; read and written by every contact pass
+    // Row 0: velocity. Read and written by every contact pass.
     float v[3];          // m/s
     float w[3];          // rad/s
-    float inverse_mass;  // 1/kg; zero for what contacts cannot push
-    float inverse_spin;  // 1/(kg m^2) when the inertia is isotropic; row 2 is then not read
-    // row 1: motion since the start of the step; read by every contact pass, written once per
-    // sub-step
+    float inverse_mass;  // 1/kg; zero for bodies that contacts cannot push
+    float inverse_spin;  // 1/(kg m^2) for isotropic inertia; row 2 is then not read
+    // Row 1: motion since the start of the step. Read by every contact pass, written once per
+    // sub-step.
     float dp[3];        // m
     float dr[3];        // rad, rotation vector
-    float free_z;       // 0 when it cannot move along z, else 1
-    float spins_along;  // 1: joints find w and inertia in axes that turn with it (SpinAxes::body)
-    // row 2: inverse inertia in world axes, constant over the step (SpinAxes: solver_scratch.h)
+    float free_z;       // 0 if the body cannot move along z, else 1
+    float spins_along;  // 1: joints read w and inertia in body-fixed axes (SpinAxes::body)
+    // Row 2: inverse inertia in world axes, constant over the step (SpinAxes: solver_scratch.h).
     float inertia[6];  // xx yy zz xy xz yz
     float free_x, free_y;
-    // row 3: velocity before any contact of this sub-step acted. v - free is what all contacts
-    // together did, which is exactly what warm starting the next sub-step would add again: warm
-    // starting costs one subtraction per body.
+    // Row 3: velocity before any contact of this sub-step acted. v - free is the total effect of
+    // all contacts, which is exactly what warm starting adds in the next sub-step. Warm starting
+    // therefore costs one subtraction per body.
     float free[8];
 };
 static_assert(sizeof(SolverBody) == 128);
 
-// The first three of a row.
+// The first three elements of a row.
 inline Vec3 to_vec3(const float* row) {
     return {double{row[0]}, double{row[1]}, double{row[2]}};
 }
 
-// What changes a body apart from contacts, per sub-step: free = row 0 * keep + push. Lanes 6 and 7
-// carry mass and spin through unchanged (keep 1, push 0). Touched by the body passes only.
+// Velocity change per sub-step from all sources except contacts: free = row 0 * retained + push.
+// Lanes 6 and 7 pass mass and spin through unchanged (retained 1, push 0). Only the body passes use
+// it.
 struct alignas(64) ExternalChange {
     float retained[8];  // damping
-    float push[8];      // gravity, forces and the gyroscopic change of spin, times the sub-step
+    float push[8];      // gravity, forces and gyroscopic spin change, times the sub-step
 };
 
-// Hot records by hot index. [0] is nobody, whom joints may read: it stands still and cannot be
-// pushed. Below it are bodies for unused lanes, which are read and written like all others: threads
-// that work at the same time have each their own.
+// Hot records by hot index. Index 0 is a dummy body that joints may read: immovable and at rest.
+// Negative indices are dummy bodies for unused lanes, which are read and written like all others.
+// Concurrent threads use different dummy bodies.
 class SolverBodies {
 public:
     static constexpr std::size_t spare = 2 * solved_set_count;
 
-    // Unused lanes of the colour sets of one task, by its first, and of one of its two lists.
+    // The dummy body for unused lanes of a task's colour sets, given its first set and one of its
+    // two lists.
     static constexpr std::int32_t spare_index(std::size_t first_set, bool single) {
         return -1 - static_cast<std::int32_t>(2 * first_set + (single ? 1 : 0));
     }
 
-    void resize(std::size_t count) {  // nobody included
+    void resize(std::size_t count) {  // includes the dummy body 0
         all_.resize(spare + count);
         std::fill(all_.begin(), all_.begin() + spare + 1, SolverBody{});
     }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// How hard the solver works on an island: its sub-steps per step and its sweeps over the points of
-// a manifold. A rule chooses it from what the island is (stages/islands/prepare_islands.h);
-// each tier has colour sets of its own, so all that hangs together by contacts or joints has the
-// same tier.
+// Solver effort for an island: its sub-steps per step and its sweeps over the points of a manifold.
+// A rule chooses the tier from the properties of the island (stages/islands/prepare_islands.h).
+// Each tier has its own colour sets, so all bodies connected by contacts or joints have the same
+// tier.
 #pragma once
 
 #include <algorithm>
@@ -16,17 +16,17 @@
 
 namespace jostle::physics {
 
-// In rising order.
+// In ascending order.
 enum class SolverTier : std::uint8_t {
-    flat,     // at most three layers, all slow
-    low,      // what nothing is known of yet or moves: contacts learn the force of each point
-    pile,     // most of it lies still, on more ground than it is high: like low, but stiffer; with
-              // sleep, more sub-steps
-    slender,  // stacks and walls: contacts learn the force of a manifold; moments would make it
-              // sway
-    tall,     // many layers of that, which at the same sub-steps lean and in the end fall
-    heavy,    // a body rests on nothing but what is a hundred times lighter
-    asleep,  // none: of contacts, not of islands. Its bodies sleep in place (state/partial_sleep.h)
+    flat,  // at most three layers, all slow
+    low,   // new or moving islands: contacts learn the force of each point
+    // Mostly at rest, wider than high. Like low but stiffer; with sleep, more sub-steps.
+    pile,
+    // Stacks and walls. Contacts learn the force of a whole manifold; moments would make it sway.
+    slender,
+    tall,    // slender with many layers, which lean and finally fall with the same sub-steps
+    heavy,   // a body rests only on bodies that are a hundred times lighter
+    asleep,  // contacts only, not islands: bodies that sleep in place (state/partial_sleep.h)
 };
 inline constexpr int tier_count = 6;
 inline constexpr std::array<SolverTier, tier_count> all_tiers = {
@@ -36,15 +36,15 @@ inline constexpr std::size_t index_of(SolverTier tier) {
     return static_cast<std::size_t>(tier);
 }
 
-// The islands of a tier lie in so many batches, whole: threads solve batches side by side, each
-// alone, without waiting for one another. In a larger one they share the colours. In a world with a
-// tolerance a batch is a rung: its islands take substeps_per_level
-// (stages/islands/choose_substep_levels.h).
+// The islands of a tier are distributed over this many batches, each island in one batch. Threads
+// solve batches in parallel without waiting for each other. In a larger island they share the
+// colours. In a world with a tolerance a batch is a sub-step level: its islands take
+// substeps_per_level sub-steps (stages/islands/choose_substep_levels.h).
 inline constexpr int batch_count = 4;
 inline constexpr std::array<int, batch_count> substeps_per_level = {2, 6, 16, 48};
-inline constexpr std::uint8_t initial_substep_level = 2;  // of an island of which nothing is known
+inline constexpr std::uint8_t initial_substep_level = 2;  // for an island without history
 
-// Which colours a contact is in: a set per tier and batch, and one for what sleeps in place.
+// Identifies a colour set: one per tier and batch, and one for contacts that sleep in place.
 struct ColourSetKey {
     SolverTier tier = SolverTier::low;
     std::uint8_t batch = 0;
@@ -60,8 +60,8 @@ inline constexpr std::size_t index_of(ColourSetKey key) {
 inline constexpr ColourSetKey asleep_set = {SolverTier::asleep, 0};
 static_assert(index_of(asleep_set) == colour_set_count - 1);
 
-// Sub-steps of an island. More of them keep a heap from slipping now and then: where bodies may
-// sleep, what then rests saves more than they cost.
+// Sub-steps of an island. More sub-steps keep a pile from slipping occasionally. If bodies may
+// sleep, the bodies that come to rest save more time than the sub-steps cost.
 inline int substeps_of(SolverTier tier, const WorldDef& world) {
     ASSERT(tier != SolverTier::asleep && world.substeps >= 1);
     constexpr std::array<int, tier_count> halves = {1, 2, 2, 2, 4, 8};
@@ -72,11 +72,11 @@ inline int substeps_of(SolverTier tier, const WorldDef& world) {
 inline bool controls_error(const WorldDef& world) {
     return world.tolerance > 0;
 }
-// ... of the islands of a set. With a tolerance what is slender, tall or heavy begins higher: a
-// stack that its sub-steps cannot hold sways ever more, from nothing, and no comparison of two
-// steps shows that before it does (six hold 33 layers, by what prepare_islands.h says of a wall).
-// `halved`: half as many, where that leaves two; not of what is slender, tall or heavy, which needs
-// them to stand; not with a tolerance.
+// Sub-steps of the islands of a set. With a tolerance, slender, tall and heavy islands start
+// higher: a stack with too few sub-steps sways with growing amplitude, and comparing two steps does
+// not reveal that in advance (six sub-steps hold 33 layers; see prepare_islands.h about walls).
+// `halved`: half the sub-steps, but at least two. It does not apply to slender, tall or heavy
+// islands, which need them to stand, nor with a tolerance.
 inline int substeps_of(ColourSetKey set, const WorldDef& world, bool halved = false) {
     if (!controls_error(world)) {
         const int all = substeps_of(set.tier, world);
@@ -89,7 +89,7 @@ inline int substeps_of(ColourSetKey set, const WorldDef& world, bool halved = fa
                     limits::max_substeps);
 }
 
-// Those between which an island does not change for its neighbours' sake.
+// Tiers within which an island keeps its own tier regardless of its neighbours.
 inline bool is_usual(SolverTier tier) {
     return SolverTier::low <= tier && tier <= SolverTier::slender;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// One body's, contact's or joint's numbers within rows of eight lanes.
+// Access to the values of one body, contact or joint in rows of eight lanes.
 #pragma once
 
 #include "jostle/physics/vec3.h"

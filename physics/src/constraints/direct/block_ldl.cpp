@@ -9,11 +9,12 @@ namespace jostle::physics {
 namespace {
 
 constexpr int max_block_rows = BlockLdl::max_rows;
-// A pivot of which no more than this is left of its diagonal depends on the rows before it.
+// A pivot that elimination reduces to this fraction of its diagonal, or less, depends on earlier
+// rows.
 constexpr double dependent_pivot = 1e-10;
 
-// The inverse of a pivot block of n rows by its own L D L^T; `kept` is its diagonal before the
-// elimination. Returns how many rows depend on others.
+// Inverts a pivot block of n rows by its own L D L^T. `kept`: its diagonal before the elimination.
+// Returns the number of dependent rows.
 int invert_pivot(const double* block, int n, const double* kept, double* inverse) {
     double lower[max_block_rows][max_block_rows] = {}, pivot[max_block_rows],
            reciprocal[max_block_rows], x[max_block_rows][max_block_rows] = {};
@@ -48,7 +49,7 @@ int invert_pivot(const double* block, int n, const double* kept, double* inverse
     return skipped_rows;
 }
 
-// ... of three rows by cofactors, where they are far from dependent.
+// Inverts a block of three rows by cofactors if the rows are far from dependent.
 bool invert_three(const double* m, const double* kept, double* inverse) {
     const double a = m[0], b = m[3], c = m[6], d = m[4], e = m[7], f = m[8];
     const double m0 = d * f - e * e, m1 = c * e - b * f, m2 = b * e - c * d;
@@ -70,7 +71,7 @@ void BlockLdl::clear() {
     std::fill(values_.begin(), values_.end(), 0.0);
 }
 
-// Column by column, to the right. kRows: of all nodes, 0 if they differ.
+// Factors column by column, right-looking. kRows: rows of every node, 0 if they differ.
 template <int kRows>
 int BlockLdl::factor_columns() {
     int skipped_rows = 0;
@@ -84,7 +85,7 @@ int BlockLdl::factor_columns() {
             skipped_rows += invert_pivot(pivot, nk, kept, inverse);
         const int first = first_below_[as_index(k)], count = first_below_[as_index(k) + 1] - first;
         if (count == 0) continue;
-        // The column is kept beside; L = column D^-1 takes its place.
+        // The column is copied. L = column D^-1 overwrites it.
         column_at_.resize(as_index(count));
         std::size_t size = 0;
         for (int i = 0; i < count; i++) {

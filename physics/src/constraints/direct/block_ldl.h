@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// Block-sparse L D L^T of a symmetric, positive semi-definite matrix, in double. The pattern is
-// analysed once and used again for each matrix of it: A. George, J. Liu, "Computer solution of
-// large sparse positive definite systems", 1981; T. Davis, "Direct methods for sparse linear
-// systems", 2006.
+// Block-sparse L D L^T of a symmetric, positive semi-definite matrix in double. The pattern is
+// analysed once and reused for every matrix with that pattern (A. George, J. Liu, "Computer
+// solution of large sparse positive definite systems", 1981; T. Davis, "Direct methods for sparse
+// linear systems", 2006).
 //
-// A node is a few rows that belong together, an edge says that two nodes meet in the matrix. On
-// trees and chains nothing is filled in, so factor and solve take time in proportion to the nodes.
-// Rows that depend on others (loops of hinges have some) are found by their pivots and left out:
-// their unknowns are zero, and the others solve what the rows agree on.
+// A node is a group of rows. An edge means that the matrix couples two nodes. Trees and chains have
+// no fill-in, so factor and solve take time proportional to the number of nodes. Dependent rows, as
+// in some loops of hinges, are detected by their pivots and skipped: their unknowns are zero, and
+// the other rows solve the consistent part.
 #pragma once
 
 #include <cstddef>
@@ -24,21 +24,20 @@ inline std::size_t as_index(int i) {
     return static_cast<std::size_t>(i);
 }
 
-// Whether so many joints tie so few bodies that their matrix is dense, as that of a cloth is, and
-// nearly singular as soon as the cloth bends: known without a look at its pattern. A few joints on
-// one body (a door on three hinges) are none.
+// Returns whether so many joints connect so few bodies that their matrix is dense, as for a cloth,
+// and nearly singular as soon as the cloth bends. Needs no pattern analysis. A few joints on one
+// body (a door on three hinges) do not count.
 inline bool is_net(int joints, int bodies) {
     return joints > 8 && 2 * joints > 3 * bodies;
 }
 
-// Whether so many joints tie so few bodies that many of their rows say what others say.
+// Returns whether so many joints connect so few bodies that many rows are redundant.
 inline bool is_redundant(int joints, int bodies) {
     return 4 * joints > 5 * bodies;
 }
 
-// What a factor takes at least in which so many nodes of so many rows all meet each other, as the
-// joints of one body do: known without a list of their edges, of which there are as many as
-// squares.
+// Minimum work of a factorisation in which `nodes` nodes of `rows` rows each are all coupled, as
+// the joints of one body are. Needs no edge list, whose length is quadratic.
 inline std::int64_t clique_work(std::size_t nodes, int rows) {
     if (nodes > 1'000'000) return std::numeric_limits<std::int64_t>::max();
     const auto n = static_cast<std::int64_t>(nodes), m = std::int64_t{rows};
@@ -47,35 +46,36 @@ inline std::int64_t clique_work(std::size_t nodes, int rows) {
 
 class BlockLdl {
 public:
-    static constexpr int max_rows = 8;  // of a node
+    static constexpr int max_rows = 8;  // per node
     using Edge = std::pair<int, int>;
 
-    // By minimum degree; ties by number. Edges may occur more than once, in either direction.
-    // False, and of no use, if a factor would take more multiplications than `max_work`.
+    // Orders the elimination by minimum degree, then by number. Edges may occur more than once, in
+    // either direction. Returns false, and the object is then unusable, if a factorisation would
+    // take more than `max_work` multiplications.
     bool analyze(std::span<const int> rows_of_node, std::span<const Edge> edges,
                  std::int64_t max_work = std::numeric_limits<std::int64_t>::max());
 
     int nodes() const { return static_cast<int>(rows_.size()); }
     int rows() const { return begin_.empty() ? 0 : begin_.back(); }
-    // Of the first unknown of a node.
+    // Index of the first unknown of a node.
     int row_of(int node) const { return begin_[static_cast<std::size_t>(position(node))]; }
-    // Multiplications of one factor(): what the pattern costs.
+    // Multiplications of one factor(): the cost of the pattern.
     std::int64_t work() const { return work_; }
 
-    // Where the block of two nodes lies among values(), row by row. The rows are those of the one
-    // that is eliminated later; a block of a node with itself is read below its diagonal only.
+    // Index of the block of two nodes in values(), row-major. The rows belong to the node that is
+    // eliminated later. Only the lower triangle of a diagonal block is read.
     bool is_later(int a, int b) const { return position(a) >= position(b); }
     int block_at(int later, int sooner) const;
     std::span<double> values() { return values_; }
     void clear();
 
-    // For other arithmetic on the same pattern, by elimination order: node, diagonal block among
-    // the values, blocks below it and updates by it.
+    // The pattern in elimination order, for other arithmetic on it: nodes, diagonal blocks in the
+    // values, the blocks below them and their updates.
     struct Below {
-        int position, at;  // the lower node by elimination order; its block among the values
+        int position, at;  // the lower node by elimination order; its block in the values
     };
     struct Update {
-        int at, i, j;  // block at -= L_i D L_j^T; i and j count in the column
+        int at, i, j;  // block at -= L_i D L_j^T; i and j index the column
     };
     int position(int node) const { return position_[static_cast<std::size_t>(node)]; }
     int diagonal(int at) const { return diagonal_[as_index(at)]; }
@@ -83,14 +83,14 @@ public:
     std::span<const Update> updates(int at) const { return column(updates_, first_update_, at); }
     int value_count() const { return static_cast<int>(values_.size()); }
 
-    // Values become factors. Returns how many rows were left out as they depend on others; rows
-    // of zeroes are left out, too.
+    // Replaces the values with factors. Returns the number of rows skipped because they depend on
+    // others. Zero rows are skipped, too.
     int factor();
-    // x: right-hand sides in, unknowns out, by row_of().
+    // x: right-hand sides in, unknowns out, indexed by row_of().
     void solve(std::span<double> x) const;
 
 private:
-    static constexpr std::size_t max_values = max_rows * max_rows;  // of a block
+    static constexpr std::size_t max_values = max_rows * max_rows;  // per block
 
     template <class T>
     static std::span<const T> column(const std::vector<T>& all, const std::vector<int>& first,
@@ -98,7 +98,7 @@ private:
         const int begin = first[as_index(at)], end = first[as_index(at) + 1];
         return std::span(all).subspan(as_index(begin), as_index(end - begin));
     }
-    int find(int row, int column) const;  // by elimination order
+    int find(int row, int column) const;  // in elimination order
     std::vector<int> order_by_degree(std::span<const int> rows_of_node, std::span<const Edge> edges,
                                      std::int64_t max_work) const;
     void fill(std::span<const Edge> edges, const std::vector<int>& order);
@@ -109,16 +109,16 @@ private:
     template <int kRows>
     void solve_columns(double* x) const;
 
-    std::vector<int> position_;  // by node
-    // By elimination order.
+    std::vector<int> position_;  // indexed by node
+    // In elimination order.
     std::vector<int> rows_, begin_, diagonal_, first_below_, first_update_;
-    std::vector<std::vector<int>> filled_;  // positions below each
+    std::vector<std::vector<int>> filled_;  // positions below each node
     std::vector<Below> below_;
     std::vector<Update> updates_;
     std::vector<double> values_, inverse_, kept_, column_;
     std::vector<int> column_at_;
     std::int64_t work_ = 0;
-    int same_rows_ = 0;  // of all nodes, or 0
+    int same_rows_ = 0;  // rows of every node, or 0 if they differ
 };
 
 }  // namespace jostle::physics

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The pattern of a block-sparse L D L^T: the order of elimination, what it fills in, and where the
-// blocks lie.
+// The pattern of a block-sparse L D L^T: elimination order, fill-in and block positions.
 #include <algorithm>
 #include <iterator>
 #include <set>
@@ -13,7 +12,7 @@
 namespace jostle::physics {
 namespace {
 
-// Of a node of so many rows, and those below it.
+// Work for a node with `rows` rows and the nodes below it.
 std::int64_t work_of(std::int64_t rows, std::span<const int> nodes_below,
                      std::span<const int> rows_of) {
     std::int64_t below = 0, squares = 0;
@@ -22,26 +21,26 @@ std::int64_t work_of(std::int64_t rows, std::span<const int> nodes_below,
         below += m;
         squares += m * m;
     }
-    // Of each two of those below, and each with itself.
+    // One update per pair of nodes below, and per node with itself.
     return rows * rows * rows + rows * (below * below + squares) / 2;
 }
 
 }  // namespace
 
-// Ends early, with some of the nodes, when they alone take more than `max_work`: the factor has
-// below each what is still near it.
+// Stops early with a partial order if these nodes alone exceed `max_work`: their factor has one
+// block for each remaining neighbour.
 std::vector<int> BlockLdl::order_by_degree(std::span<const int> rows_of_node,
                                            std::span<const Edge> edges,
                                            std::int64_t max_work) const {
     const std::size_t n = position_.size();
-    std::vector<std::vector<int>> near(n);  // sorted
+    std::vector<std::vector<int>> near(n);  // each list sorted
     for (const auto& [a, b] : edges)
         if (a != b) near[as_index(a)].push_back(b), near[as_index(b)].push_back(a);
     for (std::vector<int>& list : near) {
         std::sort(list.begin(), list.end());
         list.erase(std::unique(list.begin(), list.end()), list.end());
     }
-    std::set<std::pair<std::size_t, int>> queue;  // degree, node
+    std::set<std::pair<std::size_t, int>> queue;  // (degree, node)
     for (std::size_t i = 0; i < n; i++) queue.insert({near[i].size(), static_cast<int>(i)});
     std::vector<int> order, others, merged;
     order.reserve(n);
@@ -52,7 +51,7 @@ std::vector<int> BlockLdl::order_by_degree(std::span<const int> rows_of_node,
         order.push_back(node);
         others = std::exchange(near[as_index(node)], {});
         work += work_of(rows_of_node[as_index(node)], others, rows_of_node);
-        // They meet each other from now on.
+        // The elimination couples all neighbours of the node.
         for (const int a : others) {
             std::vector<int>& list = near[as_index(a)];
             const std::size_t before = list.size();
@@ -69,7 +68,7 @@ std::vector<int> BlockLdl::order_by_degree(std::span<const int> rows_of_node,
     return order;
 }
 
-// What lies below each node takes in what lies below its children in the elimination tree.
+// The nodes below each node include the nodes below its children in the elimination tree.
 void BlockLdl::fill(std::span<const Edge> edges, const std::vector<int>& order) {
     const std::size_t n = order.size();
     for (std::size_t p = 0; p < n; p++) position_[as_index(order[p])] = static_cast<int>(p);

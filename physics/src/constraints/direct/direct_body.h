@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A body of a joint group, in double. Its axes are the principal ones of its inertia. The state is
-// momentum, not velocity: what conserves momentum then does so to rounding.
+// A body of a joint group, in double. Its axes are the principal axes of its inertia. The state
+// stores momentum, not velocity, so that momentum-conserving steps conserve it to rounding.
 #pragma once
 
 #include "jostle/physics/quat.h"
@@ -10,38 +10,38 @@ namespace jostle::physics {
 
 struct DirectBody {
     // Constant over the step.
-    double mass = 0, inverse_mass = 0;  // kg; zero of what joints cannot push
-    Vec3 inverse_masses;                // along the world's axes: zero along locked ones
-    // kg m^2, about the principal axes. Of what turns about one axis of the world alone, or not at
-    // all, the others are zero, and so are their inverses.
+    double mass = 0, inverse_mass = 0;  // kg; zero for bodies that joints cannot push
+    Vec3 inverse_masses;                // along the world axes: zero along locked axes
+    // kg m^2, about the principal axes. For a body that rotates about a single world axis or not at
+    // all, the other moments and their inverses are zero.
     Vec3 moments, inverse_moments;
     bool turns_freely = true;
     Vec3 force, torque;  // N, N m, world; gravity included
     double linear_damping = 0, angular_damping = 0;
-    bool pushed = false;       // joints can push it; else it moves at v and w, whatever they do
-    double spring_square = 0;  // rad^2/s^2: of the rates of the springs on it, together
+    bool pushed = false;       // joints can push it; else it moves at v and w regardless of joints
+    double spring_square = 0;  // rad^2/s^2: sum of the squared rates of all springs on it
 
     // State.
-    Vec3 x;     // m, of the centre of mass
-    Quat q;     // of the principal axes
+    Vec3 x;     // m, centre of mass
+    Quat q;     // orientation of the principal axes
     Vec3 p, l;  // kg m/s, kg m^2/s about the centre, world
-    Vec3 v, w;  // of what is not pushed; of others scratch
-    // Of that state.
+    Vec3 v, w;  // state of bodies that are not pushed; scratch for others
+    // Derived from the state.
     Mat3 axes;
     Mat3 inverse_inertia;  // world
 
-    // Where the step tries to go, and what the energy-momentum step knows of it.
+    // The end of the current step attempt, and data of the energy-momentum step.
     Vec3 x1;
     Quat q1;
     Mat3 axes1;
-    Vec3 v0, w0;      // as the step began
-    Vec3 mean_w;      // rad/s: the unknown
-    Vec3 sum, twist;  // impulse, N s; angular impulse, N m s
-    Vec3 residual,
-        spin_correction;  // of the turn's equation, N m s; what that does to the spin, rad/s
-    Mat3 inertia;         // world, as the step began
-    Mat3 stiffness;       // of the joints' forces, as the body turns: N m / rad
-    Mat3 response;        // inverse of the step's matrix of the body
+    Vec3 v0, w0;           // at the start of the step
+    Vec3 mean_w;           // rad/s: the unknown
+    Vec3 sum, twist;       // impulse, N s; angular impulse, N m s
+    Vec3 residual;         // of the rotation equation, N m s
+    Vec3 spin_correction;  // the residual's effect on the spin, rad/s
+    Mat3 inertia;          // world, at the start of the step
+    Mat3 stiffness;        // of the joint forces against rotation of the body: N m / rad
+    Mat3 response;         // inverse of the body's matrix in the step
 };
 
 // m diag(d) m^T.
@@ -61,7 +61,7 @@ inline Vec3 velocity(const DirectBody& body) {
 inline Vec3 spin(const DirectBody& body) {
     return body.pushed ? body.inverse_inertia * body.l : body.w;
 }
-// After x and q have changed.
+// Call after x and q changed.
 inline void refresh(DirectBody& body) {
     body.axes = to_matrix(body.q);
     body.inverse_inertia = in_axes(body.axes, body.inverse_moments);

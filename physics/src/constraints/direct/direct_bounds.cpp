@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// What acts along the ways that joints leave free: limits, motors and friction by an active set,
-// and springs with their damping.
+// Forces along the free axes of joints: limits, motors and friction by an active set, and damped
+// springs.
 #include "physics/src/constraints/direct/direct_group.h"
 #include "physics/src/constraints/softness.h"
 #include "physics/src/foundation/tuning.h"
 
 namespace jostle::physics {
-// Along a way, whether its row is on or not.
+// Applies an impulse along a free axis, whether or not its row is active.
 void DirectGroup::give(DirectJoint& joint, const FreeAxis& free_axis, double impulse) {
     DirectBody &a = bodies[as_index(joint.a)], &b = bodies[as_index(joint.b)];
     const Vec3 linear = free_axis.linear * impulse, about_b = free_axis.angular_b * impulse;
@@ -21,16 +21,16 @@ void DirectGroup::give(DirectJoint& joint, const FreeAxis& free_axis, double imp
 
 // ---- springs ----
 
-// By the two bodies' own masses at the state. Half of the damping acts at the step's velocity
-// before it, half at that after it: the trapezoidal rule, with the rate at which two bodies alone
-// lose exactly what they should.
+// Uses the masses of the two bodies in the current state. Half of the damping acts at the velocity
+// before the step, half at the velocity after it (trapezoidal rule), with the rate at which an
+// isolated pair of bodies loses exactly the right energy.
 void DirectGroup::set_springs() {
     for (DirectJoint& joint : joints)
         for (FreeAxis& free_axis : joint.free_axes) {
             if (free_axis.rate == 0) continue;
             const double response =
                 response_of(free_axis, bodies[as_index(joint.a)], bodies[as_index(joint.b)]);
-            // Along what is locked it pushes nobody.
+            // A spring along a locked axis has no effect.
             const double mass = response > FreeAxis::min_response ? 1 / response : 0;
             free_axis.stiffness = free_axis.rate * free_axis.rate * mass;
             if (free_axis.damping_ratio == 0) continue;
@@ -39,7 +39,7 @@ void DirectGroup::set_springs() {
         }
 }
 
-// The half before the step.
+// The damping half before the step.
 void DirectGroup::damp_springs() {
     const auto each = [&](const auto& call) {
         for (DirectJoint& joint : joints)
@@ -59,7 +59,7 @@ void DirectGroup::damp_springs() {
     });
 }
 
-// To what a kick of h follows.
+// Limits the stiffness to what a kick of duration h resolves.
 void DirectGroup::soften_springs(double h) {
     for (DirectJoint& joint : joints)
         for (FreeAxis& free_axis : joint.free_axes) {
@@ -70,7 +70,7 @@ void DirectGroup::soften_springs(double h) {
 
 // ---- limits, motors and friction ----
 
-// On or off, as the way says.
+// Activates or deactivates the row according to the free axis.
 void DirectGroup::set_row(DirectJoint& joint, int row) {
     FreeAxis& free_axis = joint.free_axes[as_index(row - joint.first_free_axis())];
     const bool bound = free_axis.at_limit != 0 || free_axis.is_held();
@@ -84,8 +84,8 @@ void DirectGroup::set_row(DirectJoint& joint, int row) {
     factored_ = false;
 }
 
-// As the step begins: what was on its limit still is; what is pushed between two steps of its grip
-// and may reach the next one is held there.
+// Called at the start of the step. A free axis at its limit stays there. A free axis between two
+// actuation steps that may reach the next one is held at that step's speed.
 void DirectGroup::set_bounds(double h) {
     if (damped_springs_ && step_ != h) factored_ = false;
     step_ = h;
@@ -110,9 +110,9 @@ void DirectGroup::set_bounds(double h) {
     }
 }
 
-// A limit does not pull, and what holds at a speed gives no more than its most. `value`: forces or
-// impulses, of which a unit force makes `scale`. What is no longer held pushes for `time`. True if
-// something changed: then solve again.
+// Enforces that a limit only pushes and that an actuation hold stays within its maximum force.
+// `value`: forces or impulses; a unit force yields `scale`. A released free axis is pushed for
+// `time`. Returns true if a bound changed; the caller then solves again.
 bool DirectGroup::enforce_bounds(DirectJoint& joint, const double* value, double scale, double time,
                                  bool at_velocities) {
     bool changed = false;
@@ -146,7 +146,7 @@ bool DirectGroup::enforce_bounds(DirectJoint& joint, const double* value, double
     return changed;
 }
 
-// Limits that the step would leave behind hold.
+// Activates the limits that the step would exceed.
 bool DirectGroup::reach_limits(double h, double time) {
     bool changed = false;
     const double most = tuning::joint_push_speed * absolute(h);
@@ -163,7 +163,7 @@ bool DirectGroup::reach_limits(double h, double time) {
                 bounded_excess(free_axis, free_axis.is_linear() ? most : max_turn);
             const double beyond =
                 value - (free_axis.at_limit > 0 ? free_axis.lower : free_axis.upper) - excess;
-            if (beyond * free_axis.at_limit >= 0) {  // comes back faster by itself
+            if (beyond * free_axis.at_limit >= 0) {  // it recovers faster without the limit
                 free_axis.at_limit = 0;
                 continue;
             }

@@ -8,26 +8,27 @@
 namespace jostle::physics {
 namespace {
 
-// RATTLE's corrections stop to converge at about one radian.
+// RATTLE's corrections stop converging at about one radian.
 constexpr double followed_swing = 0.7;  // rad
-// ... and where a body turns further in a step, as the way an impulse takes is then bent.
+// Above this rotation per step an impulse no longer displaces a body along a straight line.
 constexpr double followed_turn = 1;  // rad
-// In a part of a composition: a thousand swings then stay within 0.04 rad of the true ones.
+// Per part of a composition. A thousand oscillations then stay within 0.04 rad of the exact
+// solution.
 constexpr double followed_spring = 0.35;  // rad
 constexpr int max_spring_parts = 64, springs_followed = 8;
 constexpr int max_halvings = 6, max_steps = 1024;
-constexpr double burst = 0.01;  // of the energy that there is
-// After so many sub-steps a longer one is tried again.
+constexpr double burst = 0.01;  // relative energy gain that counts as a blow-up
+// After this many sub-steps, a longer one is tried again.
 constexpr int steps_at_halvings = 4;
-// Suzuki's a, a, 1 - 4 a, a, a with a = 1 / (4 - 4^(1/3)).
+// Suzuki's coefficients a, a, 1 - 4 a, a, a with a = 1 / (4 - 4^(1/3)).
 constexpr double suzuki = 0.41449077179437573714;
 constexpr double suzuki_stages[] = {suzuki, suzuki, 1 - 4 * suzuki, suzuki, suzuki};
 constexpr double longest_stage = 4 * suzuki - 1;
 
 }  // namespace
 
-// Of what joints may be apart, m: of what a step of h gets wrong anyway a small part. Scaled with
-// the group.
+// Allowed joint error, m: a small part of the error that a step of length h makes anyway. Scaled
+// with the group's size.
 double DirectGroup::tolerance(double h) const {
     return minimum(1e-5, 0.1 * h * h) * minimum(1, 2 * reach_);
 }
@@ -74,15 +75,15 @@ void DirectGroup::restore(int depth) {
     energy_ = false;
 }
 
-// Rows that hardly differ from what others say pull as hard as one likes: a net whose joints hold
-// at the end of a step may move at any speed. It shows as energy from nowhere since `before`.
+// Nearly redundant rows can pull with arbitrary force: a net whose joints hold at the end of a step
+// may move at any speed. This shows as an energy gain since `before`.
 bool DirectGroup::has_burst(double h, const Saved& before) {
     if (!looped_ || !smooth_ || sprung_) return false;
-    double had = 0, has = 0, work = 0, scale = 0;  // J; of what is kinetic
+    double had = 0, has = 0, work = 0, scale = 0;  // J; sums over the kinetic energy
     for (std::size_t k = 0; k < bodies.size(); k++) {
         const DirectBody& body = bodies[k];
         if (!body.pushed && body.v == Vec3{} && body.w == Vec3{}) continue;
-        if (!body.pushed) return false;  // what drives others does work
+        if (!body.pushed) return false;  // driven bodies do work
         const SavedBody& was = before.bodies[k];
         const Vec3 spin_then = rotate(conjugate(was.q), was.l);
         const Vec3 kick = body.force * h, twist = body.torque * h;
@@ -101,16 +102,16 @@ bool DirectGroup::has_burst(double h, const Saved& before) {
 
 bool DirectGroup::compose(double h) {
     count_.compositions++;
-    // Fourth order wants digits.
+    // The fourth-order composition needs a finer tolerance.
     const double fine = minimum(1e-7, tolerance(h)) * minimum(1, 2 * reach_);
     for (const double stage : suzuki_stages)
         if (!step_rattle(h * stage, fine) || is_on_limit()) return false;
     return !has_burst(h, saved_[0]);
 }
 
-// What had to be halved is halved at once for the rest of the advance, and what could not be done
-// at all is not tried again: a taut bridge between two walls has rows that depend on others and
-// bend nowhere, however short the step.
+// After a halving, the rest of the advance starts with halved steps. After a failure at the
+// smallest step, it uses the velocity fallback: a taut bridge between two walls has dependent rows
+// and cannot bend, however short the step.
 void DirectGroup::step(double h, int depth) {
     if (resorting_) return resort_to_velocities(h);
     if (depth <= halvings_) {
@@ -135,7 +136,7 @@ void DirectGroup::step(double h, int depth) {
     step(0.5 * h, depth + 1);
 }
 
-// Of a body, freely: about its axes and with them (free_turn.h).
+// Fastest free rotation of a body, about its axes and including their precession (free_turn.h).
 double DirectGroup::fastest_turn() const {
     double most = 0;
     for (const DirectBody& body : bodies)
@@ -155,7 +156,7 @@ void DirectGroup::advance(double dt, int substeps) {
         substeps = static_cast<int>(minimum(turn / followed_turn, max_steps - 1)) + 1;
     int parts = parts_of(dt, substeps);
     if (turn * longest_stage > followed_turn * parts) parts = 0;
-    // Ends that are far apart come together step by step, forward in time.
+    // Separated ends converge step by step, forward in time.
     if (parts > 0 && set_targets(dt / substeps)) parts = 0;
     for (int part = 0; part < parts; part++) {
         const double h = dt / parts;
@@ -174,20 +175,20 @@ void DirectGroup::advance(double dt, int substeps) {
     }
 }
 
-// Of a composition there are five steps, forward and back: where nothing is damped, rubs or is on
-// its limit. Springs want some for each radian.
+// A composition has five steps, forwards and backwards. It requires that no free axis has damping,
+// friction or an active limit. Springs need several parts per radian.
 int DirectGroup::parts_of(double dt, int substeps) {
     if (damped_ || actuated_ || outside != nullptr || substeps < 5 || (!smooth_ && is_on_limit()))
         return 0;
     const double wanted = spring_rate_ * dt / followed_spring;
-    // Of a large group that would cost more than its swings are worth.
+    // For a large group the cost would exceed the benefit for its oscillations.
     const double many = maximum(1, static_cast<double>(joints.size()) / springs_followed);
     if (wanted * many > max_spring_parts) return 0;
     return static_cast<int>(maximum(substeps / 5, wanted + 1));
 }
 
-// Kick, velocities that joints allow and that take their errors away, drift, velocities without
-// that: of first order, and cannot fail.
+// Fallback: kick, velocities that satisfy the joints and reduce their errors, drift, velocities
+// without the error term. First order; cannot fail.
 void DirectGroup::resort_to_velocities(double h) {
     count_.last_resorts++;
     set_bounds(h);

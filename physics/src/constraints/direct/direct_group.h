@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// Bodies that joints tie together and nothing touches, moved together: all joints are solved at
-// once, by a direct factorisation, and hold at the end of each step to rounding or the tolerance.
+// A group of bodies connected by joints and without contacts. A direct factorisation solves all
+// joints simultaneously; at the end of each step they hold to rounding or to the tolerance.
 //
 // Three kinds of steps, all of second order in h and exact in angular momentum:
 //   RATTLE (H. C. Andersen, 1983; E. Hairer, Ch. Lubich, G. Wanner, "Geometric numerical
-//     integration", VII.1): symplectic; while the fastest swing that the joints' forces can cause
-//     turns by no more than 0.7 rad in h;
-//   five of those put together to fourth order (M. Suzuki, 1990), where nothing is lost or limited;
-//   energy-momentum (J. C. Simo, K. K. Wong, 1991; O. Gonzalez, 1996): bounded however stiff.
-// A step that does not converge is halved; one that will not be halved further is solved for
+//     integration", VII.1): symplectic; used while the fastest oscillation that the joint forces
+//     can cause advances by at most 0.7 rad in h;
+//   five RATTLE steps composed to fourth order (M. Suzuki, 1990), if nothing is damped or limited;
+//   energy-momentum (J. C. Simo, K. K. Wong, 1991; O. Gonzalez, 1996): bounded for any stiffness.
+// A step that does not converge is halved. A step that cannot be halved further is solved for
 // velocities alone, which cannot fail.
 #pragma once
 
@@ -24,12 +24,12 @@
 
 namespace jostle::physics {
 
-// What pushes bodies from outside by where and when they are.
+// External forces on the bodies as a function of position and time.
 class ExternalForces {
 public:
     virtual ~ExternalForces() = default;
-    // Writes each body's force and torque: means over h from `from` seconds after the step's begin,
-    // at where the body is `ahead` seconds later than it says.
+    // Writes the force and torque of each body: means over h from `from` seconds after the start of
+    // the step, at the body's predicted position `lookahead` seconds after its current state.
     virtual void push(std::vector<DirectBody>& bodies, double from, double h, double lookahead) = 0;
 };
 
@@ -37,18 +37,19 @@ class DirectGroup {
 public:
     std::vector<DirectBody> bodies;
     std::vector<DirectJoint> joints;
-    ExternalForces* outside = nullptr;  // else the bodies' forces are constant
+    ExternalForces* outside = nullptr;  // if null, the forces of the bodies are constant
 
-    // What happened since prepare(), for the profile and for tests.
+    // Counters since prepare(), for the profile and for tests.
     struct Count {
         int compositions = 0, rattle_steps = 0, energy_steps = 0, halvings = 0, last_resorts = 0;
         int factors = 0, solves = 0, skipped_rows = 0;
     };
 
-    // Once bodies and joints are there: their pattern, unless it is that of before. False, and of
-    // no use, if a factor would take more multiplications than `max_work`.
+    // Call after bodies and joints are set. Analyses their pattern unless it is unchanged. Returns
+    // false, and the group is then unusable, if a factorisation would take more than `max_work`
+    // multiplications.
     bool prepare(std::int64_t max_work = std::numeric_limits<std::int64_t>::max());
-    // By dt, in about so many sub-steps.
+    // Advances by dt seconds in about `substeps` sub-steps.
     void advance(double dt, int substeps);
     const Count& count() const { return count_; }
 
@@ -77,7 +78,7 @@ private:
     void regularize();
     double min_response(const DirectJoint& joint) const;
     void drop_locked();
-    void soften(double h);  // the rows of springs, in the energy-momentum step or at velocities
+    void soften(double h);  // spring rows in the energy-momentum step or at velocity level
 
     // ---- direct_group.cpp ----
     void step(double h, int depth);
@@ -90,21 +91,21 @@ private:
     void restore(int depth);
     void resort_to_velocities(double h);
 
-    // ---- what all steps share: direct_system.cpp ----
-    // Forces, springs, what grips without holding, and damping, for half a step of h.
+    // ---- common to all steps: direct_system.cpp ----
+    // Forces, springs, actuation between its steps, and damping, for half a step of h.
     void kick(double h, bool second);
     void damp(double time);
     void write_all_vectors();
-    void factor_here();  // at the state, unless it is there
+    void factor_here();  // at the current state, unless already factored
     void push(const DirectJoint& joint, const double* impulse);
     void act(DirectJoint& joint, const double* impulse);
     void record(DirectJoint& joint, const double* impulse);
     double measure_all(double h);
     double error_of_holding() const;
-    bool set_targets(double h);  // true if something is left for later steps
+    bool set_targets(double h);  // true if part of the error is left for later steps
     void commit();
-    // Velocities to what joints allow. `bias`: 1/s, of errors to take away at once. The multipliers
-    // over h are kept as the joints' forces if `save_forces`.
+    // Projects velocities onto the joint constraints. `bias`: error correction rate, 1/s. If
+    // `save_forces`, the multipliers divided by h become the joint forces.
     void project_velocities(double h, double bias, bool save_forces = true);
 
     // ---- direct_bounds.cpp ----
@@ -128,38 +129,39 @@ private:
     double residual_of(double h, bool stiffness_too);
     void correct(double h, bool again);
     bool solve_energy_positions(double h, double tolerance);
-    double stiffest();  // rad/s: no swing is faster
+    double stiffest();  // rad/s: upper bound of the oscillation rates
 
-    // Part of a row's own response by which it gives way in a group of dependent rows, and rounds.
+    // Regularisation: compliance of a dependent row relative to its own response, and the number of
+    // rounds.
     static constexpr double proximal = 1e-4;
     static constexpr int proximal_rounds = 3;
-    // How often a step is taken again because a limit or a motor's most was met.
+    // Maximum number of retries of a step after a limit or a motor maximum was reached.
     static constexpr int bound_rounds = 4;
 
     BlockLdl matrix_;
     std::vector<JointSystemBlock> system_blocks_;
-    std::vector<int> pattern_;          // bodies and rows of each joint, of which the pattern is
-    std::vector<double> right_side_;    // by the matrix's rows
+    std::vector<int> pattern_;  // bodies and rows of each joint for which the pattern is valid
+    std::vector<double> right_side_;    // indexed by the matrix's rows
     std::vector<Vec3> previous_guess_;  // momenta
-    std::vector<Saved> saved_;          // by depth
+    std::vector<Saved> saved_;          // indexed by depth
     bool factored_ = false;
-    // What there is, beside joints that hold.
-    bool smooth_ = true;   // neither damping nor limits nor what grips
-    bool damped_ = false;  // bodies or springs are
-    bool sprung_ = false;  // ... and what of that is damped:
+    // Features of the group in addition to rigid joints.
+    bool smooth_ = true;   // no damping, limits or actuation
+    bool damped_ = false;  // bodies or springs have damping
+    bool sprung_ = false;
     bool damped_springs_ = false;
     bool actuated_ = false;    // by motors or friction
-    bool limited_ = false;     // some ways are
-    bool locked_ = false;      // axes of bodies are
-    bool energy_ = false;      // the step under way is an energy-momentum one
-    double spring_rate_ = 0;   // rad/s: no spring swings faster
-    double step_ = 0;          // s: of the step under way, for springs
-    double time_ = 0;          // s since advance() began
-    int halvings_ = 0;         // at which a step is begun
-    bool resorting_ = false;   // for the rest of the advance
-    bool looped_ = false;      // there are more joints than bodies that they push
-    bool degenerate_ = false;  // rows of the advance depend on others, all but or altogether
-    double reach_ = 0;         // m: a length of the group's
+    bool limited_ = false;     // some free axes have limits
+    bool locked_ = false;      // bodies have locked axes
+    bool energy_ = false;      // the current step is an energy-momentum step
+    double spring_rate_ = 0;   // rad/s: upper bound of the spring rates
+    double step_ = 0;          // s: length of the current step, for springs
+    double time_ = 0;          // s since the start of advance()
+    int halvings_ = 0;         // initial number of halvings of a step
+    bool resorting_ = false;   // velocity fallback for the rest of the advance
+    bool looped_ = false;      // there are more joints than pushed bodies
+    bool degenerate_ = false;  // rows of this advance are dependent or nearly dependent
+    double reach_ = 0;         // m: characteristic length of the group
     Count count_;
 };
 

@@ -4,8 +4,8 @@
 namespace jostle::physics {
 namespace {
 
-// Both bodies feel the force in one point, half-way across what is left between the ends: the
-// angular momentum of the two is then kept exactly, gap or not.
+// Both bodies receive the force at one point, midway across the remaining gap between the ends. The
+// angular momentum of the pair is then conserved exactly, regardless of the gap.
 void write_ball(DirectJoint& j, Vec3 arm_a, Vec3 arm_b, Vec3 apart) {
     const Vec3 a = arm_a + apart * 0.5, b = arm_b - apart * 0.5;
     j.angular_a[0] = {0, -a.z, a.y};
@@ -27,7 +27,7 @@ void write_turn(DirectJoint& j, int k, Vec3 of_a, Vec3 of_b) {
     j.angular_b[j.points + k] = -j.angular_a[j.points + k];
 }
 
-// Rows of ways, and none of what is switched off.
+// Copies the rows of the free axes; inactive rows are zero.
 void copy_free_axes(DirectJoint& j) {
     int row = j.first_free_axis();
     for (const FreeAxis& free_axis : j.free_axes) {
@@ -61,8 +61,8 @@ void measure_at(DirectJoint& j, Vec3 xa, const Mat3& a, Vec3 xb, const Mat3& b, 
 
 constexpr double min_stiffness = 1e-30;  // N/m or N m / rad
 
-// The share of the end's stretch in the mean that pulls. Half keeps energy; what is damped and not
-// resolved by h goes to rest instead.
+// The weight of the final stretch in the mean that pulls. A weight of 0.5 conserves energy; damped
+// springs that h does not resolve settle at rest instead.
 double end_share(const FreeAxis& free_axis, double h) {
     const double turn = free_axis.rate * h;
     return 0.5 + 0.5 * minimum(1, free_axis.damping_ratio * turn * turn);
@@ -120,7 +120,7 @@ void write_mean_vectors(DirectJoint& j, const DirectBody& a, const DirectBody& b
     if (j.is_ball()) {
         write_ball(j, arm_a, arm_b, apart);
     } else if (j.kind == DirectJoint::Points::rod) {
-        // The lengths' difference is the mean way along it, exactly.
+        // The difference of the lengths is exactly the mean displacement along the line.
         const Vec3 before = (b.x + b.axes * j.arm_b) - (a.x + a.axes * j.arm_a);
         const Vec3 after = (b.x1 + b.axes1 * j.arm_b) - (a.x1 + a.axes1 * j.arm_a);
         const double sum = length(before) + length(after);

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// A joint of a group as rows: what it keeps zero, in double. With v, w the velocities of the two
-// bodies, a row's error changes at the rate
+// A joint of a group as constraint rows, in double. With the velocities v, w of the two bodies, the
+// error of a row changes at the rate
 //     linear . (v_b - v_a) + angular_a . w_a + angular_b . w_b
-// and its multiplier pushes along the same vectors. Rows come in this order: those of the points,
-// those that keep directions perpendicular, one for each way that is free and has something along
-// it.
+// and its multiplier pushes along the same vectors. Row order: point rows, rows that keep
+// directions perpendicular, then one row per free axis on which something acts.
 #pragma once
 
 #include <array>
@@ -16,103 +15,104 @@
 
 namespace jostle::physics {
 
-// Bodies by number in the group.
+// Bodies are referenced by their number in the group.
 struct DirectJoint {
     static constexpr int max_rows = 8;
-    // ball: the ends stay together, three rows along the world's axes; rod: at a distance, one row;
-    // across: b's end stays on a line or in a plane of a's, or is free.
+    // ball: the ends coincide, three rows along the world axes. rod: the ends keep a distance, one
+    // row. across: b's end stays on a line or in a plane of a, or is free.
     enum class Points : std::uint8_t { ball, rod, across };
 
     int a = 0, b = 0;
     Points kind = Points::across;
-    int points = 0;  // rows of the points
-    int turns = 0;   // directions of a that stay perpendicular to directions of b: 0..3
-    int count = 0;   // of all rows
+    int points = 0;  // number of point rows
+    int turns = 0;   // number of directions of a that stay perpendicular to directions of b: 0..3
+    int count = 0;   // number of all rows
     std::vector<FreeAxis> free_axes;
     int rows() const { return count; }
     int first_free_axis() const { return points + turns; }
     bool is_ball() const { return kind == Points::ball; }
-    // Whether a row's error is in m; else in rad.
+    // Whether a row's error is in metres; otherwise it is in radians.
     bool is_linear(int row) const {
         return row < points ||
                (row >= first_free_axis() &&
                 free_axes[static_cast<std::size_t>(row - first_free_axis())].is_linear());
     }
 
-    // Constant: in the principal axes of the bodies.
+    // Constant, in the principal axes of the bodies.
     Vec3 arm_a, arm_b;          // of the ends, m
-    double distance = 0;        // m, of a rod
-    Vec3 across[2];             // unit, of a
+    double distance = 0;        // m, for a rod
+    Vec3 across[2];             // unit, fixed in a
     Vec3 turn_a[3], turn_b[3];  // unit
-    bool gimbal = false;        // keeps impulses of locked turns by gimbal row (axes_layout.h)
-    Quat frame_a, frame_b;      // of that
+    bool gimbal = false;        // stores impulses of locked rotations by gimbal row (axes_layout.h)
+    Quat frame_a, frame_b;      // frames of the gimbal
 
-    // Where the two bodies are.
-    Vec3 apart;  // of the ends, b's from a's, m
-    // Not of balls: theirs are the axes of the world.
+    // At the current state of the two bodies.
+    Vec3 apart;  // from a's end to b's end, m
+    // Not used by ball joints, whose rows are the world axes.
     Vec3 linear[max_rows];
     Vec3 angular_a[max_rows], angular_b[max_rows];
-    // Rows that are switched off just now (a limit that is not reached, a motor at its most) have
-    // no vectors and no multiplier.
+    // Inactive rows (a limit that is not reached, a motor at its maximum) have no vectors and no
+    // multiplier.
     std::array<bool, max_rows> off{};
-    // ... and rows along which locked axes let nothing move: what is wrong there stays wrong.
+    // Rows along locked axes, where nothing can move. Their errors are not corrected.
     std::array<bool, max_rows> blocked{};
 
-    double start[max_rows] = {};    // errors as the step began; not of ways
-    double target[max_rows] = {};   // what is to be left of them
-    double error[max_rows] = {};    // of where the step tries to go: m and rad
-    double impulse[max_rows] = {};  // unknowns of the step under way
-    double force[max_rows] = {};    // half of what acts on b, N and N m: from step to step
+    double start[max_rows] = {};    // errors at the start of the step; without free axes
+    double target[max_rows] = {};   // errors to be left over
+    double error[max_rows] = {};    // errors at the end of the current attempt: m and rad
+    double impulse[max_rows] = {};  // unknowns of the current step
+    double force[max_rows] = {};    // half of the force on b, N and N m; carried from step to step
     Vec3 force_sum, torque_sum;     // impulses on b over the whole step, N s and N m s
 };
 
-// The rows' vectors: at the bodies' state, or means over the step, with which the error changes by
-// exactly h J (v, w) where a Cayley map turns the bodies.
+// Write the vectors of the rows: at the bodies' state, or as means over the step, for which the
+// error changes by exactly h J (v, w) if a Cayley map rotates the bodies.
 void write_vectors(DirectJoint& joint, const DirectBody& a, const DirectBody& b);
 void write_mean_vectors(DirectJoint& joint, const DirectBody& a, const DirectBody& b);
 
-// Errors of the state, and of where the step tries to go (`h` later: what is held at a speed goes
-// on by speed h).
+// Errors at the current state, and at the end of the attempt, `h` later. An axis held at a speed
+// advances by speed times h.
 void measure_start(DirectJoint& joint, const DirectBody& a, const DirectBody& b);
 void measure(DirectJoint& joint, const DirectBody& a, const DirectBody& b, double h);
-// Of a way there.
+// The value of a free axis at the end of the attempt.
 double trial_value(const DirectJoint& joint, const FreeAxis& free_axis, const DirectBody& a,
                    const DirectBody& b);
-// The force on b of impulses along the rows.
+// The force on b from impulses along the rows.
 inline Vec3 pull_of(const DirectJoint& joint, const double* value) {
     if (joint.is_ball()) return {value[0], value[1], value[2]};
     Vec3 sum;
     for (int k = 0; k < joint.rows(); k++) sum += joint.linear[k] * value[k];
     return sum;
 }
-// By how much a limit is overrun beyond `most` as the step begins; negative at the lower one.
+// Returns whether the limit is overrun at the start of the step. bounded_excess(): the overrun
+// beyond `most`; negative at the lower limit.
 inline bool is_overrun(const FreeAxis& free_axis) {
     return free_axis.at_limit > 0 ? free_axis.start < free_axis.lower
                                   : free_axis.start > free_axis.upper;
 }
 double bounded_excess(const FreeAxis& free_axis, double most);
-// What a row of a spring takes in this step: impulse per error at its end (that of the step's mean
-// stretch, or of a later one where the spring is damped and too stiff for h to resolve),
-// 1/compliance.
+// Stiffness of a spring row in this step, 1/compliance: impulse per error at its end. The error is
+// that of the mean stretch over the step, or of a later stretch if the spring is damped and too
+// stiff for h to resolve.
 double spring_pull(const FreeAxis& free_axis, double h);
 
-// Which kinds have rows here.
+// Whether the kind has rows in the direct solver.
 bool supported(const JointKind& kind);
 struct DirectEnd {
-    Vec3 arm;    // of the frame's origin from the centre, principal axes
-    Quat frame;  // of the frame, principal axes
+    Vec3 arm;    // from the centre to the frame's origin, principal axes
+    Quat frame;  // orientation of the frame, principal axes
 };
 void set_up(DirectJoint& joint, const JointKind& kind, const DirectEnd& a, const DirectEnd& b);
 
-// What a world keeps of a joint from step to step: impulses of a sub-step of h on b. Of a distance
-// only what acts along it. After write_vectors().
+// State of a joint that the world retains from step to step: impulses on b of a sub-step of h. For
+// a distance joint only the component along it. Valid after write_vectors().
 struct WarmStartCache {
     Vec3 point, angular;  // world
-    Vec3 turns;           // of what keeps them by gimbal row: first, middle, last
+    Vec3 turns;           // for gimbal joints: first, middle, last
     struct FreeAxisImpulses {
         double lower = 0, upper = 0, spring = 0, motor = 0, friction = 0;
     };
-    std::array<FreeAxisImpulses, 6> free_axes{};  // by slot
+    std::array<FreeAxisImpulses, 6> free_axes{};  // indexed by slot
 };
 void load_forces(DirectJoint& joint, const DirectBody& a, const DirectBody& b,
                  const WarmStartCache& cache, double h);

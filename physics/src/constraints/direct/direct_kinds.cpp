@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The kinds of joints as rows and ways.
+// Converts the joint kinds to rows and free axes.
 #include "physics/src/constraints/direct/direct_joint.h"
 #include "physics/src/constraints/joints/axes_layout.h"
 #include "physics/src/foundation/check.h"
@@ -85,7 +85,7 @@ void set_up_points(DirectJoint& j, const AxesLayout& layout, const Mat3& a) {
     }
 }
 
-// The middle turn is locked if any is. A turn that is left alone is that of a hinge.
+// If any rotation is locked, the middle one is. A single free rotation is a hinge.
 void set_up_turns(DirectJoint& j, const AxesLayout& layout, const Mat3& a, const Mat3& b) {
     const bool first = layout.axes[3].free, middle = layout.axes[4].free,
                last = layout.axes[5].free;
@@ -171,7 +171,7 @@ void set_up_kind(DirectJoint& j, const auto& kind, const DirectEnd& a, const Dir
     if constexpr (requires { layout_of(kind); })
         set_up_axes(j, layout_of(kind), a, b);
     else
-        ASSERT(!supported(JointKind(kind)));  // never called: it has no rows here
+        ASSERT(!supported(JointKind(kind)));  // never called: the kind has no rows in this solver
 }
 
 bool supported(const SixDofAxes& axes) {

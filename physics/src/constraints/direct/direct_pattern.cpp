@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The matrix of a group: its pattern, kept while bodies, joints and rows stay the same, and its
-// numbers, J M^-1 J^T.
+// The matrix of a group: its pattern, which is reused while bodies, joints and rows are unchanged,
+// and its values, J M^-1 J^T.
 #include <algorithm>
 #include <utility>
 
@@ -11,10 +11,10 @@ namespace jostle::physics {
 namespace {
 
 constexpr double min_damper = 1e-30;  // N s/m or N m s
-// m: of bodies that do not turn, held at their centres.
+// m: for bodies that do not rotate and are held at their centres.
 constexpr double min_reach = 0.01;
 
-// m: at this distance all its mass would be as hard to turn.
+// Radius of gyration in metres of the principal axis with the largest moment.
 double gyration_of(const DirectBody& body) {
     const Vec3& i = body.moments;
     return square_root(maximum(i.x, maximum(i.y, i.z)) * body.inverse_mass);
@@ -24,7 +24,7 @@ double gyration_of(const DirectBody& body) {
 
 // ---- the pattern ----
 
-// What there is beside joints that hold.
+// Records which features the group has in addition to rigid joints.
 void DirectGroup::list_what_acts() {
     damped_ = sprung_ = damped_springs_ = actuated_ = limited_ = locked_ = false;
     for (DirectBody& body : bodies) {
@@ -41,7 +41,8 @@ void DirectGroup::list_what_acts() {
         arms += length(joint.arm_a) + length(joint.arm_b) + joint.distance;
         for (const int body : {joint.a, joint.b}) arms += gyration_of(bodies[as_index(body)]);
         for (FreeAxis& free_axis : joint.free_axes) {
-            // Nothing moves along it: axes are locked. A swing of nothing has no axis yet.
+            // Locked axes allow no motion along this free axis. The axis of a swing of zero is
+            // undefined.
             if (free_axis.kind != FreeAxis::Kind::swing &&
                 response_of(free_axis, bodies[as_index(joint.a)], bodies[as_index(joint.b)]) <=
                     min_response(joint))
@@ -56,8 +57,8 @@ void DirectGroup::list_what_acts() {
     }
     damped_ |= damped_springs_;
     smooth_ = !damped_ && !limited_ && !actuated_;
-    // A spring's rate is its own against both bodies: of two, each feels no more than all of them
-    // together.
+    // A spring's rate refers to its own two bodies. With several springs on a body, the sum of
+    // squares bounds the rate.
     double most = 0;
     for (const DirectBody& body : bodies)
         if (body.pushed) most = maximum(most, body.spring_square);
@@ -95,7 +96,7 @@ bool DirectGroup::find_pattern(std::int64_t max_work) {
     if (!find_joint_system_blocks(ends, rows, pushed, max_work, matrix_, system_blocks_))
         return false;
     right_side_.assign(as_index(matrix_.rows()), 0);
-    // Blocks are then summed up one after the other.
+    // Sorted by position, so that the contributions to a block are summed consecutively.
     std::sort(system_blocks_.begin(), system_blocks_.end(),
               [](const JointSystemBlock& x, const JointSystemBlock& y) {
                   return std::pair(x.at, x.body) < std::pair(y.at, y.body);
@@ -103,10 +104,9 @@ bool DirectGroup::find_pattern(std::int64_t max_work) {
     return true;
 }
 
-// ---- the numbers ----
+// ---- the values ----
 
-// `linear`: by how much an inverse mass counts; `response`: what takes the place of the inverse
-// inertia.
+// `linear`: factor of the inverse masses; `response`: replaces the inverse inertia.
 void DirectGroup::assemble(double linear, const Mat3 DirectBody::*response) {
     matrix_.clear();
     double* const values = matrix_.values().data();
@@ -145,7 +145,7 @@ void DirectGroup::assemble(double linear, const Mat3 DirectBody::*response) {
     count_.factors++;
 }
 
-// Rows that depend on others no longer do.
+// Makes dependent rows independent.
 void DirectGroup::regularize() {
     double* const values = matrix_.values().data();
     for (std::size_t k = 0; k < joints.size(); k++) {
@@ -155,7 +155,7 @@ void DirectGroup::regularize() {
     }
 }
 
-// What is no more than the rounding of axes across those that may move, 1/kg.
+// Threshold below which a response is rounding noise of the movable axes, 1/kg.
 double DirectGroup::min_response(const DirectJoint& joint) const {
     double sum = 0;
     for (const int index : {joint.a, joint.b}) {
@@ -166,7 +166,7 @@ double DirectGroup::min_response(const DirectJoint& joint) const {
     return 1e-20 * sum;
 }
 
-// Rows along what is locked: a diagonal of zero is left out.
+// Rows along locked axes: the factorisation skips rows with a zero diagonal.
 void DirectGroup::drop_locked() {
     double* const values = matrix_.values().data();
     for (std::size_t k = 0; k < joints.size(); k++) {
@@ -182,8 +182,8 @@ void DirectGroup::drop_locked() {
     }
 }
 
-// What a spring's row gives way: to its force where it is stretched over the step, to its damping
-// at velocities.
+// Compliance of a spring row: from its force over the step if it is stretched, from its damping at
+// velocity level.
 void DirectGroup::soften(double h) {
     double* const values = matrix_.values().data();
     for (std::size_t k = 0; k < joints.size(); k++) {

@@ -24,7 +24,7 @@ void DirectGroup::factor_here() {
     factored_ = true;
 }
 
-// ---- what acts ----
+// ---- forces and damping ----
 
 void DirectGroup::damp(double time) {
     for (DirectBody& body : bodies) {
@@ -50,7 +50,7 @@ void DirectGroup::kick(double h, bool second) {
         }
 }
 
-// On the two bodies.
+// Applies impulses along the rows to the two bodies.
 void DirectGroup::push(const DirectJoint& joint, const double* impulse) {
     DirectBody &a = bodies[as_index(joint.a)], &b = bodies[as_index(joint.b)];
     const Vec3 linear = pull_of(joint, impulse);
@@ -65,7 +65,7 @@ void DirectGroup::push(const DirectJoint& joint, const double* impulse) {
     b.l += about_b;
 }
 
-// For good: what joints report is the sum of it.
+// Applies and records impulses. Joints report the recorded sum.
 void DirectGroup::act(DirectJoint& joint, const double* impulse) {
     push(joint, impulse);
     record(joint, impulse);
@@ -81,8 +81,8 @@ void DirectGroup::record(DirectJoint& joint, const double* impulse) {
 
 // ---- errors ----
 
-// The largest, m: turns count with the group's own length. Where ends were far apart it is what is
-// left to go in this step.
+// Returns the largest error in metres. Rotational errors are scaled with the group's length. For
+// separated ends it is the remaining error of this step.
 double DirectGroup::measure_all(double h) {
     double largest = 0;
     for (DirectJoint& joint : joints) {
@@ -91,14 +91,14 @@ double DirectGroup::measure_all(double h) {
             joint.error[k] -= joint.target[k];
             if (locked_ && joint.blocked[as_index(k)]) joint.error[k] = 0;
             const double size = absolute(joint.error[k]) * (joint.is_linear(k) ? 1 : reach_);
-            largest = size <= largest ? largest : size;  // keeps a NaN
+            largest = size <= largest ? largest : size;  // propagates NaN
         }
     }
     return largest;
 }
 
-// Of what holds alone, not of limits and of what grips. Two motors that contradict each other, or a
-// limit that other joints keep out of reach, have no solution: whoever does not find one may go on.
+// Error of the rigid rows alone, without limits and actuation. Two contradicting motors, or a limit
+// that other joints keep out of reach, have no solution; the step may still succeed without one.
 double DirectGroup::error_of_holding() const {
     double largest = 0;
     for (const DirectJoint& joint : joints)
@@ -109,7 +109,7 @@ double DirectGroup::error_of_holding() const {
     return largest;
 }
 
-// What is far apart comes together no faster than joints may push.
+// Separated ends approach each other at a bounded speed.
 bool DirectGroup::set_targets(double h) {
     bool left_over = false;
     const double most = tuning::joint_push_speed * absolute(h);

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// What a world keeps of a joint, as the forces that a group works with, and back.
+// Converts the stored state of a joint to the forces of a group, and back.
 #include "physics/src/constraints/direct/direct_joint.h"
 
 namespace jostle::physics {
 namespace {
 
-// The three rows of a gimbal whose locked turns are zero, world. Read where write_vectors() left
-// them: the rows of the turns lie in the plane of what is locked.
+// The three rows of a gimbal whose locked rotations are zero, world. Evaluated at the state of
+// write_vectors(): the rotational rows span the locked subspace.
 struct LockedRows {
     Vec3 first, middle, last;
 };
@@ -46,7 +46,7 @@ WarmStartCache::FreeAxisImpulses save_free_axis(const FreeAxis& free_axis, doubl
 
 }  // namespace
 
-// Forces are halves, of the two halves of a step.
+// Forces are stored as halves, one per half step.
 void load_forces(DirectJoint& j, const DirectBody& a, const DirectBody& b,
                  const WarmStartCache& cache, double h) {
     const double half = 0.5 / h;
@@ -62,7 +62,7 @@ void load_forces(DirectJoint& j, const DirectBody& a, const DirectBody& b,
         angular =
             rows.first * cache.turns.x + rows.middle * cache.turns.y + rows.last * cache.turns.z;
     }
-    // The rows of the turns are perpendicular where joints hold.
+    // The rotational rows are perpendicular if the joint holds.
     for (int k = j.points; k < j.first_free_axis(); k++) {
         const double size = length_squared(j.angular_b[k]);
         j.force[k] = size > 1e-6 ? dot(j.angular_b[k], angular) * half / size : 0;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// The energy-momentum step: arms are means over the step and a Cayley map turns the bodies, so that
-// joints do no work, however stiff they pull. Its unknowns are the mean spins and the impulses;
-// Newton's method knows how the pull changes as the arms turn (geometric stiffness: M. Tournier et
-// al., "Stable constrained dynamics", 2015), which for points is a matter of each body alone. At
-// the end velocities are projected: what of a whip's crack h cannot resolve is lost, nothing is
-// gained.
+// The energy-momentum step: arms are means over the step and a Cayley map rotates the bodies, so
+// that joints do no work at any stiffness. Its unknowns are the mean spins and the impulses.
+// Newton's method includes the change of the joint forces as the arms rotate (geometric stiffness:
+// M. Tournier et al., "Stable constrained dynamics", 2015), which for point rows is a per-body
+// term. At the end velocities are projected: energy that h cannot resolve, as in the crack of a
+// whip, is lost, and none is gained.
 #include "physics/src/constraints/direct/direct_group.h"
 #include "physics/src/constraints/direct/free_turn.h"
 
@@ -13,19 +13,19 @@ namespace jostle::physics {
 namespace {
 
 constexpr int max_energy_corrections = 16;
-// The matrix is made anew when an error keeps more of itself.
+// The matrix is rebuilt if a correction leaves more than this fraction of the error.
 constexpr double slow_contraction = 0.35;
-// What the first guess, the pull of the step before, misses by is about what the step gets wrong:
-// of that a small part may be left, as W. E. Milne's device has it ("Numerical solution of
-// differential equations", 1953), but no more than this, m.
-// Limits and what grips are judged by their impulses, and want them found.
+// The error of the first guess, the force of the previous step, is about the error of the step
+// itself. A small part of it may remain, as in W. E. Milne's device ("Numerical solution of
+// differential equations", 1953), but at most this many metres. Limits and actuation are decided by
+// their impulses, which must be converged.
 constexpr double small_part = 0.02, max_left = 1e-5;
 
 double enough_of(double first, double tolerance) {
     return maximum(tolerance, minimum(max_left, small_part * first));
 }
 
-// A force on a body at an arm pulls it straight, or topples it: minus the derivative of its torque.
+// Adds the geometric stiffness of a force at an arm: minus the derivative of its torque.
 void stiffen(DirectBody& body, Vec3 force, Vec3 arm) {
     const double along = dot(force, arm);
     const Vec3 f = force * 0.5;
@@ -38,12 +38,12 @@ void stiffen(DirectBody& body, Vec3 force, Vec3 arm) {
         Vec3{-(arm.x * f.z + arm.z * f.x), -(arm.y * f.z + arm.z * f.y), along - 2 * arm.z * f.z};
 }
 
-// Where b's end slides, a feels the force there.
+// For a sliding end of b, the force acts on a at that end.
 Vec3 lever_of(const DirectJoint& joint, Vec3 arm, Vec3 apart) {
     return joint.kind == DirectJoint::Points::across ? arm + apart : arm;
 }
 
-// Of a positive definite one.
+// Inverts a positive definite matrix. Returns false otherwise.
 bool invert(const Mat3& m, Mat3& to) {
     const double a = m.x.x, b = m.x.y, c = m.x.z, d = m.y.y, e = m.y.z, f = m.z.z;
     const double m0 = d * f - e * e, m1 = c * e - b * f, m2 = b * e - c * d;
@@ -55,7 +55,7 @@ bool invert(const Mat3& m, Mat3& to) {
     return true;
 }
 
-// ... of a body that turns about one of its axes, or about none.
+// The response of a body that rotates about one of its axes, or about none.
 Mat3 response_about_one(const DirectBody& body, double h) {
     Vec3 axis;
     for (int k = 0; k < 3; k++)
@@ -70,8 +70,8 @@ Mat3 response_about_one(const DirectBody& body, double h) {
 
 }  // namespace
 
-// Half of the trace or of the norm of I^-1 K bounds the squares of the swings of a body; joints can
-// only lower them (Rayleigh).
+// Half of the trace or of the norm of I^-1 K bounds the squared oscillation rates of a body. Joints
+// can only lower them (Rayleigh).
 double DirectGroup::stiffest() {
     for (DirectBody& body : bodies) body.stiffness = diagonal({0, 0, 0});
     for (const DirectJoint& joint : joints) {
@@ -104,7 +104,7 @@ void DirectGroup::begin_energy_step(double h) {
         body.inertia = in_axes(body.axes, body.moments);
         body.twist = {};
     }
-    // The first guess: as the joints pulled until now.
+    // Initial guess: the current joint forces.
     for (DirectJoint& joint : joints) {
         for (int k = 0; k < joint.rows(); k++)
             joint.impulse[k] = joint.off[as_index(k)] ? 0 : 2 * h * joint.force[k];
@@ -128,8 +128,8 @@ void DirectGroup::begin_energy_step(double h) {
                 : body.w0;
 }
 
-// What grips without holding, and springs of ways that are held: along the means of the guess
-// before.
+// Actuation between its steps, and springs of held free axes, along the means of the previous
+// iterate.
 void DirectGroup::add_known_pushes(double h) {
     for (DirectJoint& joint : joints)
         for (FreeAxis& free_axis : joint.free_axes) {
@@ -149,7 +149,7 @@ void DirectGroup::add_known_pushes(double h) {
         }
 }
 
-// Where the unknowns lead, and by how much that misses, m.
+// Computes the state that the unknowns lead to and returns its error, m.
 double DirectGroup::residual_of(double h, bool stiffness_too) {
     for (DirectBody& body : bodies) {
         const Vec3 t = body.mean_w * (0.5 * h);
@@ -210,7 +210,7 @@ void DirectGroup::correct(double h, bool again) {
                 body.response = response_about_one(body, h);
                 continue;
             }
-            // What is pushed together instead of pulled may have no such matrix: then without.
+            // Under compression the matrix may be indefinite. The stiffness is then omitted.
             if (!invert(body.inertia * 2 + body.stiffness * (0.5 * h), body.response))
                 body.response = body.inverse_inertia * 0.5;
         }

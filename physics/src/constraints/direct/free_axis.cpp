@@ -11,13 +11,13 @@ namespace {
 
 using Kind = FreeAxis::Kind;
 
-// Of what only turns.
+// The row of a purely rotational free axis.
 Vec3 turn_row(const FreeAxis& free_axis, const FreeAxisEnds& ends) {
     if (free_axis.kind == Kind::hinge) return ends.axes_a * free_axis.axis_a;
     const Quat a = ends.a * free_axis.frame_a, b = ends.b * free_axis.frame_b;
     if (free_axis.kind == Kind::swing || free_axis.kind == Kind::twist) {
         const Vec3 x = rotate(a, {1, 0, 0}), to = rotate(b, {1, 0, 0});
-        // At a swing of a half turn there is no twist to speak of.
+        // At a swing of 180 degrees the twist is undefined.
         if (free_axis.kind == Kind::twist) return (x + to) * (1 / maximum(1 + dot(x, to), 0.05));
         const Vec3 away = cross(x, to);
         const double sine = length(away);
@@ -40,7 +40,7 @@ void write_turn(FreeAxis& free_axis, Vec3 row) {
     free_axis.angular_b = row;
 }
 
-// Both bodies feel the force in one point, or along the line of two.
+// Both bodies receive the force at one point, or along the line through two points.
 void write_line(FreeAxis& free_axis, Vec3 line, Vec3 lever_a, Vec3 lever_b) {
     free_axis.linear = line;
     free_axis.angular_a = cross(line, lever_a);
@@ -99,7 +99,7 @@ void write_mean_free_axis(FreeAxis& free_axis, const FreeAxisEnds& before,
             (before.axes_a * free_axis.axis_a + after.axes_a * free_axis.axis_a) * 0.5;
         write_line(free_axis, axis, arm_a + (before.apart + after.apart) * 0.5, arm_b);
     } else if (free_axis.kind == Kind::distance) {
-        // The lengths' difference is the mean way along it, exactly.
+        // The difference of the lengths is exactly the mean displacement along the line.
         const double sum = length(before.apart) + length(after.apart);
         write_line(free_axis,
                    sum > 1e-12 ? (before.apart + after.apart) * (1 / sum) : line_of(before.apart),
@@ -130,7 +130,7 @@ double stretch_of(const FreeAxis& free_axis, double value) {
     return free_axis.is_linear() ? stretch : wrapped(stretch);
 }
 
-// ---- grip ----
+// ---- actuation ----
 
 void add_step(FreeAxis& free_axis, double speed, double most) {
     for (int k = 0; k < free_axis.steps; k++)
@@ -158,7 +158,7 @@ void nothing_along(FreeAxis& free_axis) {
 void actuation_on_limit(FreeAxis& free_axis) {
     if (free_axis.steps == 0 || free_axis.at_limit == 0) return;
     const int into = -free_axis.at_limit;
-    // Steps that are slower than what creeps that way.
+    // Number of steps that are slower than a creeping motion in that direction.
     const auto slower = [&](int direction) {
         int count = 0;
         for (int k = 0; k < free_axis.steps; k++)

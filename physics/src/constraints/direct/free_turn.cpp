@@ -4,7 +4,7 @@
 namespace jostle::physics {
 
 Quat turn_by(Vec3 r) {
-    const double s = 0.25 * length_squared(r);  // of half the angle
+    const double s = 0.25 * length_squared(r);  // square of half the angle
     if (!(s < 0.25)) return from_rotation_vector(r);
     const double cosine =
         1 - s * (1.0 / 2 -
@@ -32,7 +32,7 @@ Quat about(int axis, double angle) {
     return turn_by(r);
 }
 
-// The axis whose two others are most alike.
+// The axis whose two other moments are most similar.
 int top_axis(Vec3 inverse) {
     const double yz = absolute(inverse.y - inverse.z), zx = absolute(inverse.z - inverse.x),
                  xy = absolute(inverse.x - inverse.y);

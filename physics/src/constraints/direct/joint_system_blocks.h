@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Which blocks the matrix J M^-1 J^T of some joints has: each body that they can push couples every
-// two of its joints, and each with itself.
+// The block structure of the matrix J M^-1 J^T of some joints: each body that they can push couples
+// every two of its joints, and each joint with itself.
 #pragma once
 
 #include <cstdint>
@@ -13,16 +13,17 @@
 namespace jostle::physics {
 
 struct JointSystemBlock {
-    int at;  // of the block among the matrix's values
+    int at;  // of the block in the matrix's values
     int later, sooner, body;
-    bool later_b, sooner_b;  // whether it is their b
+    bool later_b, sooner_b;  // whether the body is b of that joint
 };
 struct JointEnds {
-    int a = 0, b = 0;  // bodies by number
+    int a = 0, b = 0;  // body numbers
 };
 
-// Analyses the matrix, a node a joint, and lists the blocks. False, and of no use, if a factor
-// would take more multiplications than `max_work`. `pushed`: by body.
+// Analyses the matrix with one node per joint and lists the blocks. Returns false, and the results
+// are then unusable, if a factorisation would take more than `max_work` multiplications. `pushed`:
+// indexed by body.
 bool find_joint_system_blocks(std::span<const JointEnds> joints, std::span<const int> rows,
                               std::span<const std::uint8_t> pushed, std::int64_t max_work,
                               BlockLdl& matrix, std::vector<JointSystemBlock>& system_blocks);

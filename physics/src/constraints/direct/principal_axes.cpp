@@ -14,7 +14,7 @@ PrincipalAxes principal_axes(const Mat3& inertia) {
         const int i = (axis + 1) % 3, k = (axis + 2) % 3;
         const Vec3 columns[3] = {m.x, m.y, m.z};
         const double mixed = columns[i][k];
-        // Half of the turn that makes the two meet no more.
+        // Half of the angle that makes the off-diagonal element zero.
         const double angle = 0.5 * arc_tangent(2 * mixed, columns[i][i] - columns[k][k]);
         Vec3 along;
         along[axis] = 1;

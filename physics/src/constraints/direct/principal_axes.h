@@ -8,13 +8,14 @@
 namespace jostle::physics {
 
 struct PrincipalAxes {
-    Quat frame;    // of the axes, in the body's
+    Quat frame;    // orientation of the axes in the body's frame
     Vec3 moments;  // kg m^2, about them
 
     bool operator==(const PrincipalAxes&) const = default;
 };
 
-// Of a symmetric matrix, by Jacobi's rotations. One that is diagonal keeps its axes, to the bit.
+// Principal axes of a symmetric matrix, by Jacobi rotations. A diagonal matrix retains its axes bit
+// by bit.
 PrincipalAxes principal_axes(const Mat3& inertia);
 
 }  // namespace jostle::physics

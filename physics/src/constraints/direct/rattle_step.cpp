@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// RATTLE: half a kick, the way on which all joints hold at its end, half a kick, the velocities
-// that joints allow. The matrix of where the step begins serves for the way as well: there is one
-// factorisation a step.
+// RATTLE: half a kick, a drift at whose end all joints hold, half a kick, projection of the
+// velocities onto the joint constraints. The matrix at the start of the step is also used for the
+// drift: one factorisation per step.
 #include "physics/src/constraints/direct/direct_group.h"
 #include "physics/src/constraints/direct/free_turn.h"
 
@@ -24,7 +24,8 @@ void drift(DirectBody& body, double h) {
 
 }  // namespace
 
-// From the momenta there are, to where joints hold. False if that is not found.
+// Drifts from the current momenta to a state in which the joints hold. Returns false if it does not
+// converge.
 bool DirectGroup::solve_positions(double h, double tolerance) {
     for (DirectJoint& joint : joints) {
         for (int k = 0; k < joint.rows(); k++)
@@ -50,7 +51,7 @@ bool DirectGroup::solve_positions(double h, double tolerance) {
         for (std::size_t k = 0; k < joints.size(); k++) {
             DirectJoint& joint = joints[k];
             double* const more = right_side_.data() + matrix_.row_of(static_cast<int>(k));
-            // What damps does so at velocities.
+            // Dampers act at velocity level.
             if (damped_springs_)
                 for (int r = joint.first_free_axis(); r < joint.rows(); r++)
                     if (!joint.free_axes[as_index(r - joint.first_free_axis())].bound) more[r] = 0;
@@ -90,7 +91,7 @@ bool DirectGroup::step_rattle(double h, double tolerance) {
     }
     for (DirectJoint& joint : joints) record(joint, joint.impulse);
     commit();
-    if (sprung_ || actuated_) factor_here();  // along the ways as they are now
+    if (sprung_ || actuated_) factor_here();  // along the current free axes
     kick(h, true);
     project_velocities(h, 0);
     time_ += h;

@@ -46,30 +46,32 @@ constexpr AccessRow table[] = {
     {"GET /play", play, Role::viewer, any_world},
     {"GET /healthz", open, Role::none, server},
     {"GET /readyz", open, Role::none, server},
-    // The admin listener, which is on loopback or asks for a certificate. Metrics name nobody.
+    // The admin listener is on loopback or requires a client certificate. Metrics identify no
+    // client.
     {"GET /metrics", open, Role::none, server},
     {"GET /debug/profile", admin, Role::admin, any_world},
-    // The last, because it takes what no other took.
+    // Must be last: it matches every path that no other row matches.
     {"GET /{file}", open, Role::none, server},
 };
 
 constexpr std::string_view viewer_files = "GET /{file}";
 constexpr std::array<std::string_view, 2> not_files = {"/api", "/debug"};
 
-// The next part of a path, without the '/' before it.
-std::string_view take_part(std::string_view& path) {
+// Removes the next segment from a path with a leading '/' and returns it without the '/'.
+std::string_view take_segment(std::string_view& path) {
     path.remove_prefix(1);
     const std::string_view part = path.substr(0, path.find('/'));
     path.remove_prefix(part.size());
     return part;
 }
 
-// "/api/worlds/{id}" fits "/api/worlds/w1": a part in braces takes any one part that is not empty.
-bool fits(std::string_view pattern, std::string_view path) {
+// "/api/worlds/{id}" matches "/api/worlds/w1": a segment in braces matches any one non-empty
+// segment.
+bool matches(std::string_view pattern, std::string_view path) {
     while (!pattern.empty() && !path.empty()) {
-        const std::string_view wanted = take_part(pattern), given = take_part(path);
-        const bool any = wanted.starts_with('{');
-        if (any ? given.empty() : wanted != given) return false;
+        const std::string_view expected = take_segment(pattern), actual = take_segment(path);
+        const bool any = expected.starts_with('{');
+        if (any ? actual.empty() : expected != actual) return false;
     }
     return pattern.empty() && path.empty();
 }
@@ -105,7 +107,7 @@ const AccessRow* find_route(std::string_view method, std::string_view path) {
     for (const AccessRow& row : table) {
         const std::size_t space = row.call.find(" /");
         if (space == std::string_view::npos || row.call == viewer_files) continue;
-        if (row.call.substr(0, space) == method && fits(row.call.substr(space + 1), path))
+        if (row.call.substr(0, space) == method && matches(row.call.substr(space + 1), path))
             return &row;
     }
     return method == "GET" && may_be_file(path) ? find_call(viewer_files) : nullptr;

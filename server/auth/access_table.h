@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Who may do what, in one table: a row for each RPC, each HTTP route, and for the inputs within a
-// play stream. authorizer.h decides by it, docs/operations.md prints it, and a test holds it
-// against the services: a new RPC without a row fails there, and is refused here.
+// The access rules in one table: a row for each RPC, each HTTP route, and for the inputs within a
+// play stream. authorizer.h evaluates it, docs/operations.md documents it, and a test compares it
+// with the services: a new RPC without a row fails that test and is rejected at run time.
 #pragma once
 
 #include <span>
@@ -12,17 +12,17 @@
 
 namespace jostle::server {
 
-// What a call is: which quota pays for it, and whether the audit log tells of its grants (refusals
-// it always tells of).
+// The kind of a call selects its quota, and whether the audit log records granted calls. Refusals
+// are always recorded.
 enum class CallKind { open, read, query, join, play, inputs, create, remove, admin };
 
 std::string_view name_of(CallKind kind);
 
-// What a call touches.
+// The object of a call.
 enum class Scope {
-    server,     // no world, or all
-    any_world,  // one; whose it is does not matter
-    own_world,  // one; below admin only one's own
+    server,     // no world, or all worlds
+    any_world,  // one world, of any owner
+    own_world,  // one world; callers below admin must own it
 };
 
 struct AccessRow {
@@ -32,16 +32,16 @@ struct AccessRow {
     Scope scope;
 };
 
-// A stream that is no spectator's needs this beside its own row.
+// Required in addition to the row of the stream, unless the client is a spectator.
 inline constexpr std::string_view play_inputs = "play inputs";
 
 std::span<const AccessRow> access_table();
 
-// The row of that name, or of an RPC with a '/' before it, as gRPC writes them; null: none.
+// The row with that name, or of an RPC with a leading '/', as gRPC passes it; null: none.
 const AccessRow* find_call(std::string_view call);
 
-// The row of a request. `path` is without the query; HEAD counts as GET. What is neither an API nor
-// of the admin listener is a file of the viewer. Null: there is no such route.
+// The row of a request. `path` excludes the query; HEAD counts as GET. A GET outside the APIs and
+// the admin routes is a file of the viewer. Null: no such route.
 const AccessRow* find_route(std::string_view method, std::string_view path);
 
 }  // namespace jostle::server

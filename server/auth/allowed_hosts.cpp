@@ -10,7 +10,7 @@ namespace jostle::server {
 
 namespace {
 
-// "Play.Example.org.:8080" to "play.example.org", "[::1]:80" to "::1".
+// Converts "Play.Example.org.:8080" to "play.example.org" and "[::1]:80" to "::1".
 std::string name_in(std::string_view host) {
     if (host.starts_with('[')) return std::string(host.substr(1, host.find(']') - 1));
     host = host.substr(0, host.find(':'));

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Against DNS rebinding: a page of a stranger makes its own name point at this server, and the
-// browser then takes the two for one site. Its requests still carry the stranger's name in Host.
+// Protection against DNS rebinding: an attacker's page resolves its own host name to this server,
+// so that the browser treats both as one origin. Its requests still carry the attacker's name in
+// Host.
 #pragma once
 
 #include <string>
@@ -10,8 +11,9 @@
 
 namespace jostle::server {
 
-// Does a Host header name this server? IP addresses and localhost do (no page can make them its
-// own), and the names allowed; "*" allows all. Without a Host it is no browser that asks.
+// Whether a Host header names this server. IP addresses and localhost do, because no page can claim
+// them as its own name; so do the allowed names, and "*" allows all. A request without Host does
+// not come from a browser and is allowed.
 bool host_is_allowed(std::string_view host_header, const std::vector<std::string>& allowed);
 
 }  // namespace jostle::server

@@ -22,17 +22,18 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr std::size_t text_bytes_max = 256;
-constexpr std::size_t queue_max = 4096;    // lines
-constexpr std::size_t piece_bytes = 4096;  // a pipe that is ready takes so much without waiting
-constexpr auto look_again = 100ms;         // at a file that takes nothing
-constexpr auto between_summaries = 1s;
+constexpr std::size_t queue_max = 4096;  // lines
+// a pipe that polls writable accepts this much without blocking
+constexpr std::size_t chunk_bytes = 4096;
+constexpr auto retry_interval = 100ms;  // after a failed write
+constexpr auto summary_interval = 1s;
 
-// Beyond ASCII all is escaped, so that no terminal or reader is led astray by what it shows.
+// Non-ASCII characters are escaped, so that a line cannot mislead a terminal or a reader.
 std::string to_line(const nlohmann::ordered_json& json) {
     return json.dump(-1, ' ', true, nlohmann::json::error_handler_t::replace) + "\n";
 }
 
-// Negative: errno says why. A pipe that nobody reads is not waited for.
+// Returns a negative value and sets errno on failure. Does not wait for a pipe without a reader.
 int open_for_appending(const std::string& path) {
     if (path.empty()) return ::fcntl(STDERR_FILENO, F_DUPFD_CLOEXEC, 0);
     return ::open(path.c_str(), O_WRONLY | O_APPEND | O_CREAT | O_CLOEXEC | O_NONBLOCK | O_NOCTTY,
@@ -57,7 +58,7 @@ Result<std::unique_ptr<AuditLog>> AuditLog::open(std::string path) {
     if (file < 0)
         return Error{ErrorCode::failed_precondition,
                      "cannot write the audit log " + path + ": " + std::strerror(errno) +
-                         "; set auth.audit_log to a file in a folder that may be written to"};
+                         "; set auth.audit_log to a file in a folder that is writable"};
     std::unique_ptr<AuditLog> log(new AuditLog(std::move(path), file));
     log->thread_ = std::thread([raw = log.get()] { raw->run(); });
     return log;
@@ -114,7 +115,7 @@ std::uint64_t AuditLog::dropped() const {
     return dropped_;
 }
 
-// The thread that writes. Signals are for others: one about a broken pipe must not end the process.
+// The writing thread. It blocks all signals: a SIGPIPE must not end the process.
 void AuditLog::run() {
     sigset_t all;
     sigfillset(&all);
@@ -127,7 +128,7 @@ void AuditLog::run() {
     }
 }
 
-// False: all is written, or the time for it is over, and the log comes to its end.
+// Returns false if everything is written or the time to do so is over; the log then ends.
 bool AuditLog::wait_for_work(std::vector<std::string>& lines) {
     lines.clear();
     std::unique_lock lock(mutex_);
@@ -148,26 +149,27 @@ void AuditLog::write_line(const std::string& line) {
     for (std::size_t offset = 0; offset < line.size();) {
         if (write_some(line, offset)) continue;
         if (!wait_for_retry()) return;
-        const int before = file_;
+        const int previous_file = file_;
         switch_file();
-        if (file_ != before) offset = 0;  // no half lines in the new file
+        if (file_ != previous_file) offset = 0;  // no partial lines in the new file
     }
-    if (failing_) log_info("the audit log is written again");
+    if (failing_) log_info("the audit log can be written again");
     failing_ = false;
 }
 
-// False: nothing could be written now.
+// Returns false if nothing could be written.
 bool AuditLog::write_some(const std::string& line, std::size_t& offset) {
     pollfd ready{.fd = file_, .events = POLLOUT, .revents = 0};
     if (::poll(&ready, 1, 0) <= 0) return false;
-    const std::size_t size = std::min(piece_bytes, line.size() - offset);
+    const std::size_t size = std::min(chunk_bytes, line.size() - offset);
     const ssize_t written = ::write(file_, line.data() + offset, size);
     if (written > 0) offset += static_cast<std::size_t>(written);
     if (written < 0 && errno != EAGAIN && errno != EINTR) log_failure_once(errno);
     return written > 0;
 }
 
-// At most once a second, so that whoever makes lines drop cannot fill the log with that.
+// At most once per second, so that a client that causes dropped lines cannot fill the log with
+// summaries.
 void AuditLog::write_unwritten() {
     Unwritten now;
     {
@@ -175,7 +177,7 @@ void AuditLog::write_unwritten() {
         if (!unwritten_.any() || (Clock::now() < next_summary_ && !stop_)) return;
         std::swap(now, unwritten_);
     }
-    next_summary_ = Clock::now() + between_summaries;
+    next_summary_ = Clock::now() + summary_interval;
     write_line(to_line({{"time", rfc3339(std::chrono::system_clock::now())},
                         {"what", "unwritten"},
                         {"dropped", now.dropped},
@@ -189,29 +191,29 @@ void AuditLog::switch_file() {
     }
     const int fresh = open_for_appending(path_);
     if (fresh < 0) {
-        log_error("cannot open the audit log {} anew: {}; the old file is written on", path_,
+        log_error("cannot reopen the audit log {}: {}; writing continues to the old file", path_,
                   std::strerror(errno));
         return;
     }
     ::close(std::exchange(file_, fresh));
 }
 
-// False: the log comes to its end.
+// Returns false if the log ends.
 bool AuditLog::wait_for_retry() {
     std::unique_lock lock(mutex_);
     if (!stop_) {
-        work_.wait_for(lock, look_again, [&] { return stop_ || reopen_; });
+        work_.wait_for(lock, retry_interval, [&] { return stop_ || reopen_; });
         return true;
     }
     if (Clock::now() >= give_up_) return false;
     lock.unlock();
-    std::this_thread::sleep_for(look_again / 10);
+    std::this_thread::sleep_for(retry_interval / 10);
     return true;
 }
 
 void AuditLog::log_failure_once(int error) {
     if (!std::exchange(failing_, true))
-        log_error("the audit log cannot be written: {}; its lines wait", std::strerror(error));
+        log_error("cannot write the audit log: {}; entries are queued", std::strerror(error));
 }
 
 }  // namespace jostle::server

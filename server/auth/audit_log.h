@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Who was let in, who was refused and why, and who changed what: one JSON object a line. Nothing
-// secret comes in: there is no field for a token or a ticket.
+// The audit log records granted and refused access with the reason, and every change with its
+// author: one JSON object per line. It contains no secrets: there is no field for a token or a
+// ticket.
 //
-// record() from any thread, and never waits: a thread of its own writes. When the disk is full or
-// nobody reads the pipe, lines wait in a bounded queue; those that find no place are counted, and
-// the count is written once writing works again.
+// record() may be called from any thread and never waits: a separate thread writes. While the disk
+// is full or a pipe has no reader, lines wait in a bounded queue. Lines that do not fit are
+// counted, and the count is written once writing works again.
 #pragma once
 
 #include <condition_variable>
@@ -21,7 +22,7 @@
 
 namespace jostle::server {
 
-// Texts may come from strangers: each is escaped, and cut at 256 bytes.
+// Text may come from clients: each field is escaped and clipped at 256 bytes.
 struct AuditEntry {
     WallTime time;
     std::string_view what;     // "login", "ticket", or a name of CallKind
@@ -31,23 +32,24 @@ struct AuditEntry {
     std::string_view reason;  // of a refusal or a failure
 };
 
-// One line, with its end.
+// One line, including the newline.
 std::string audit_line(const AuditEntry& entry);
 
 class AuditLog {
 public:
-    // A file, appended to and made with mode 0600; an empty path is standard error.
+    // Appends to a file, created with mode 0600; an empty path is standard error.
     static Result<std::unique_ptr<AuditLog>> open(std::string path);
-    // Gives the writing of what waits a second.
+    // Waits up to 1 s for queued lines to be written.
     ~AuditLog();
 
     void record(const AuditEntry& entry);
-    // A line was left out on purpose, as those of somebody who is refused all the time.
+    // Counts a line that was suppressed on purpose, such as repeated refusals of one address.
     void mute();
 
-    // Opens the file anew (SIGHUP, after it was renamed). If that fails, the old one is written on.
+    // Reopens the file (SIGHUP, after a rotation). If that fails, writing continues to the old
+    // file.
     void reopen();
-    // False: what was recorded is not written within that time.
+    // Returns false if the recorded entries are not written within `timeout`.
     bool flush(Clock::duration timeout);
 
     std::uint64_t dropped() const;
@@ -71,11 +73,11 @@ private:
     void log_failure_once(int error);
 
     const std::string path_;
-    int file_;              // of the writing thread
-    bool failing_ = false;  // likewise
+    int file_;              // used by the writing thread
+    bool failing_ = false;  // used by the writing thread
     Clock::time_point next_summary_{};
 
-    mutable std::mutex mutex_;  // of all that follows
+    mutable std::mutex mutex_;  // guards all members below
     std::condition_variable work_, idle_;
     std::vector<std::string> queue_;
     Unwritten unwritten_;

@@ -23,12 +23,13 @@ Error denied(std::string message) {
 Error rate_limited(std::string_view what, Clock::duration wait) {
     const double seconds = to_ms(wait) / 1000;
     return {ErrorCode::resource_exhausted,
-            fmt::format("too many {}; ask again in {:.1f} s", what, seconds),
+            fmt::format("too many {}; retry in {:.1f} s", what, seconds),
             static_cast<int>(to_ms(wait))};
 }
 
-// For whom tickets are counted: all who are anonymous are one subject, but not one person. The
-// words keep a subject apart that is written as an address is.
+// The account that tickets are counted for. All anonymous callers share one subject but are not one
+// person, so they are counted by address. The prefix separates a subject from an address with the
+// same text.
 std::string account_of(const Identity& who, std::string_view address) {
     return who.anonymous ? "address " + network_of(address) : "subject " + who.subject;
 }
@@ -75,42 +76,42 @@ AuditEntry entry_of(const Identity& who, std::string_view address, const ClockPa
             .address = address};
 }
 
-AuditEntry entry_of(const Identity& who, const AccessRequest& ask, const ClockPair& now) {
-    AuditEntry entry = entry_of(who, ask.address, now);
-    const AccessRow* row = find_call(ask.call);
+AuditEntry entry_of(const Identity& who, const AccessRequest& request, const ClockPair& now) {
+    AuditEntry entry = entry_of(who, request.address, now);
+    const AccessRow* row = find_call(request.call);
     entry.what = row ? name_of(row->kind) : "unknown";
-    entry.call = ask.call;
-    entry.world = ask.world.id;
+    entry.call = request.call;
+    entry.world = request.world.id;
     return entry;
 }
 
 Status check_role(const Identity& who, const AccessRow& row) {
     if (who.role >= row.min_role) return {};
-    const std::string needed = fmt::format("this takes the role {}", name_of(row.min_role));
-    if (who.anonymous) return unauthenticated(needed + "; show a token (Authorization: Bearer)");
-    return denied(fmt::format("{}, and yours is {}", needed, name_of(who.role)));
+    const std::string needed = fmt::format("this call requires the role {}", name_of(row.min_role));
+    if (who.anonymous) return unauthenticated(needed + "; send a token (Authorization: Bearer)");
+    return denied(fmt::format("{}; your role is {}", needed, name_of(who.role)));
 }
 
-// A token for one world opens no other, and makes none.
+// A token for one world gives access to no other world and cannot create one.
 Status check_world_of_token(const Identity& who, const AccessRow& row, const WorldTarget& world) {
     if (who.world.empty()) return {};
     const bool is_it = who.world == world.id || who.world == world.name;
     if (row.kind == CallKind::create || (row.scope != Scope::server && !is_it))
-        return denied("your token is for another world");
+        return denied("the token is for another world");
     return {};
 }
 
 Status check_owner(const Identity& who, const AccessRow& row, const WorldTarget& world) {
     if (row.scope != Scope::own_world || who.role >= Role::admin) return {};
     if (!world.owner.empty() && world.owner == who.subject) return {};
-    return denied("this world is not yours; only an admin may do that to it");
+    return denied("this world has another owner; only its owner or an admin may do this");
 }
 
 Status check_rights(const Identity& who, const AccessRow* row, const WorldTarget& world,
                     const ClockPair& now) {
-    if (!row) return denied("this call stands in no row of the access table");
+    if (!row) return denied("this call is not in the access table");
     if (row->kind == CallKind::open) return {};
-    if (now.wall >= who.expires) return unauthenticated("your token has expired");
+    if (now.wall >= who.expires) return unauthenticated("the token has expired");
     if (Status s = check_role(who, *row); !s.ok()) return s;
     if (Status s = check_world_of_token(who, *row, world); !s.ok()) return s;
     return check_owner(who, *row, world);
@@ -123,7 +124,7 @@ std::string_view reason_of(TicketStatus ticket_status) {
         case TicketStatus::unknown:
             return "the ticket is unknown";
         case TicketStatus::used:
-            return "the ticket was used before";
+            return "the ticket was already used";
         case TicketStatus::expired:
             return "the ticket has expired";
     }
@@ -168,8 +169,8 @@ Result<Identity> Authorizer::identify(const PeerCredentials& caller, const Clock
     return who;
 }
 
-// Checking a signature is the most that a stranger can make this server do before it knows him. So
-// an address whose tokens are refused all the time is made to wait, whatever it shows.
+// Verifying a signature is the most expensive work that an unauthenticated client can cause. An
+// address whose tokens are refused repeatedly must therefore wait, even with a valid token.
 Result<Identity> Authorizer::identify_token(const PeerCredentials& caller, const ClockPair& now) {
     const std::string network = network_of(caller.address);
     AuditEntry entry{.time = now.wall, .what = "login", .outcome = "refused"};
@@ -184,22 +185,22 @@ Result<Identity> Authorizer::identify_token(const PeerCredentials& caller, const
     if (!quota.granted) return refuse(rate_limited("refused tokens", quota.retry_after));
     Result<Identity> who =
         keys_ ? verify_token(caller.bearer, *keys_->keys(), rules_, now.wall)
-              : unauthenticated("this server believes no token: auth.keys is not set");
+              : unauthenticated("this server accepts no tokens: auth.keys is not set");
     if (who.ok()) return who;
     quotas_.take(QuotaKind::refused_logins, {}, network, now.steady);
     return refuse(who.error());
 }
 
-Status Authorizer::admit(const Identity& who, const AccessRequest& ask, const ClockPair& now) {
-    const AccessRow* row = find_call(ask.call);
-    Status status = check_rights(who, row, ask.world, now);
-    if (const std::optional<QuotaCharge> paid = row ? quota_for(row->kind) : std::nullopt;
-        status.ok() && paid) {
-        const Quotas::QuotaDecision quota =
-            quotas_.take(paid->work, quota_subject_of(who), network_of(ask.address), now.steady);
-        if (!quota.granted) status = rate_limited(paid->name, quota.retry_after);
+Status Authorizer::admit(const Identity& who, const AccessRequest& request, const ClockPair& now) {
+    const AccessRow* row = find_call(request.call);
+    Status status = check_rights(who, row, request.world, now);
+    if (const std::optional<QuotaCharge> charge = row ? quota_for(row->kind) : std::nullopt;
+        status.ok() && charge) {
+        const Quotas::QuotaDecision quota = quotas_.take(charge->work, quota_subject_of(who),
+                                                         network_of(request.address), now.steady);
+        if (!quota.granted) status = rate_limited(charge->name, quota.retry_after);
     }
-    AuditEntry entry = entry_of(who, ask, now);
+    AuditEntry entry = entry_of(who, request, now);
     entry.outcome = status.ok() ? "granted" : "refused";
     if (!status.ok()) {
         entry.reason = status.error().message;
@@ -210,9 +211,9 @@ Status Authorizer::admit(const Identity& who, const AccessRequest& ask, const Cl
     return status;
 }
 
-void Authorizer::record(const Identity& who, const AccessRequest& ask, const Status& outcome,
+void Authorizer::record(const Identity& who, const AccessRequest& request, const Status& outcome,
                         const ClockPair& now) {
-    AuditEntry entry = entry_of(who, ask, now);
+    AuditEntry entry = entry_of(who, request, now);
     entry.outcome = outcome.ok() ? "done" : "failed";
     if (!outcome.ok()) entry.reason = outcome.error().message;
     audit_->record(entry);
@@ -223,8 +224,8 @@ Result<std::string> Authorizer::issue_ticket(const Identity& who, std::string_vi
     return tickets_.issue(who, account_of(who, address), std::string(world_id), now.steady);
 }
 
-// Which of the three was wrong with a ticket is for the audit log alone: to a guesser it would say
-// how near he is.
+// Only the audit log records why a ticket was rejected: the reason would help an attacker who
+// guesses tickets.
 Result<Authorizer::Entry> Authorizer::redeem_ticket(std::string_view ticket,
                                                     std::string_view world_id,
                                                     std::string_view address,
@@ -245,7 +246,8 @@ Result<Authorizer::Entry> Authorizer::redeem_ticket(std::string_view ticket,
         return Entry{std::move(redeemed.who), std::move(redeemed.world_id)};
     }
     audit_refusal(entry, now);
-    return unauthenticated("the ticket is not good (any more); ask JoinWorld for another");
+    return unauthenticated(
+        "the ticket is invalid or no longer valid; get a new one from JoinWorld");
 }
 
 void Authorizer::poll(const ClockPair& now) {
@@ -257,7 +259,7 @@ void Authorizer::reload() {
     audit_->reopen();
 }
 
-// One line for a token at an address, not one for each of its calls.
+// Records one line per token and address, not one per call.
 void Authorizer::audit_login(const Identity& who, std::string_view address, const ClockPair& now) {
     const std::string key = fmt::format("{}\n{}\n{}\n{}", who.subject, address, who.token_id,
                                         who.expires.time_since_epoch().count());
@@ -271,7 +273,7 @@ void Authorizer::audit_login(const Identity& who, std::string_view address, cons
     audit_->record(entry);
 }
 
-// Whoever is refused all the time must not fill the disk with that.
+// Repeated refusals of one address must not fill the disk.
 void Authorizer::audit_refusal(const AuditEntry& entry, const ClockPair& now) {
     const std::string network = network_of(entry.address);
     if (quotas_.take(QuotaKind::audited_refusals, {}, network, now.steady).granted) {
@@ -284,11 +286,10 @@ void Authorizer::audit_refusal(const AuditEntry& entry, const ClockPair& now) {
 Result<std::string_view> parse_bearer(std::string_view authorization) {
     if (authorization.empty()) return std::string_view{};
     constexpr std::string_view scheme = "bearer ";
-    bool fits = authorization.size() > scheme.size();
-    for (std::size_t i = 0; fits && i < scheme.size(); ++i)
-        fits = (authorization[i] | (scheme[i] == ' ' ? 0 : 0x20)) == scheme[i];
-    if (!fits)
-        return unauthenticated("the Authorization header is not \"Bearer\" and a token after it");
+    bool has_scheme = authorization.size() > scheme.size();
+    for (std::size_t i = 0; has_scheme && i < scheme.size(); ++i)
+        has_scheme = (authorization[i] | (scheme[i] == ' ' ? 0 : 0x20)) == scheme[i];
+    if (!has_scheme) return unauthenticated("the Authorization header is not \"Bearer TOKEN\"");
     return authorization.substr(scheme.size());
 }
 

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 //
-// The one door. Whoever takes calls, by gRPC, HTTP or WebSocket, asks here who is calling, and
-// then, for each call, whether he may. Both are told to the audit log. Nothing of a server is
-// reached without it but what the access table calls open.
+// The single access check of the server. Every transport (gRPC, HTTP, WebSocket) identifies the
+// caller here and then admits each call. Both results are written to the audit log. Only calls that
+// the access table marks as open are reachable without it.
 //
-//     Result<Identity> who = gate.identify({.bearer = token, .address = peer});
-//     Status may = gate.admit(*who, {.call = "jostle.v1.WorldService/DeleteWorld",
-//                                    .world = {id, name, owner}, .address = peer});
-//     gate.record(*who, same, worlds.remove(...));
+//     Result<Identity> who = authorizer.identify({.bearer = token, .address = peer});
+//     Status status = authorizer.admit(*who, {.call = "jostle.v1.WorldService/DeleteWorld",
+//                                             .world = {id, name, owner}, .address = peer});
+//     authorizer.record(*who, same, worlds.remove(...));
 //
-// Any thread. Only open(), poll() and reload() read files; nothing else waits for anything.
-// Refusals are unauthenticated (show a token), permission_denied (it is not enough), or
-// resource_exhausted with a time to ask again.
+// Any thread. Only open(), poll() and reload() read files; no other function blocks. A refusal is
+// unauthenticated (send a token), permission_denied (the rights are insufficient), or
+// resource_exhausted with a time to retry.
 #pragma once
 
 #include <memory>
@@ -30,17 +30,17 @@
 
 namespace jostle::server {
 
-// What a connection shows of itself.
+// The credentials that a connection presents.
 struct PeerCredentials {
     std::string_view bearer;       // a token without "Bearer "; empty: none
-    std::string_view certificate;  // the subject of a client certificate that TLS has verified
+    std::string_view certificate;  // subject of a client certificate verified by TLS
     std::string_view address;      // IP address without the port
 };
 
-// The world that a call is about; empty fields: none, or not known.
+// The world that a call refers to; fields are empty if there is none or it is unknown.
 struct WorldTarget {
     std::string_view id, name;
-    std::string_view owner;  // subject of who created it; empty: the server itself
+    std::string_view owner;  // subject of the creator; empty: the server itself
 };
 
 struct AccessRequest {
@@ -54,19 +54,19 @@ public:
     // Reads the keys and opens the audit log.
     static Result<std::unique_ptr<Authorizer>> open(const Config& config);
 
-    // A token decides, if there is one; then a certificate, whose holder is an admin; who shows
-    // neither is anonymous.
+    // A token takes precedence over a client certificate. The holder of a certificate is an admin;
+    // a caller with neither is anonymous.
     Result<Identity> identify(const PeerCredentials& caller,
                               const ClockPair& now = ClockPair::now());
 
-    Status admit(const Identity& who, const AccessRequest& ask,
+    Status admit(const Identity& who, const AccessRequest& request,
                  const ClockPair& now = ClockPair::now());
 
-    // What came of a call that changes something. The world may be known only now.
-    void record(const Identity& who, const AccessRequest& ask, const Status& outcome,
+    // Records the outcome of a call that changes something. The world may be known only now.
+    void record(const Identity& who, const AccessRequest& request, const Status& outcome,
                 const ClockPair& now = ClockPair::now());
 
-    // For JoinWorld, once it was admitted.
+    // For JoinWorld, after it was admitted.
     Result<std::string> issue_ticket(const Identity& who, std::string_view world_id,
                                      std::string_view address,
                                      const ClockPair& now = ClockPair::now());
@@ -75,15 +75,15 @@ public:
         Identity who;
         std::string world_id;
     };
-    // Instead of identify() and admit() of a play stream whose Hello brings a ticket; play_inputs
-    // is still to be asked for. `world_id` is the world that Hello names; empty: that of the
+    // Replaces identify() and admit() for a play stream whose Hello contains a ticket; play_inputs
+    // must still be admitted. `world_id` is the world named in the Hello; empty: the world of the
     // ticket.
     Result<Entry> redeem_ticket(std::string_view ticket, std::string_view world_id,
                                 std::string_view address, const ClockPair& now = ClockPair::now());
 
-    // Every second or so: takes over keys that have changed.
+    // Call about once per second: loads keys that have changed.
     void poll(const ClockPair& now = ClockPair::now());
-    // SIGHUP: reads the keys and opens the audit log's file anew.
+    // SIGHUP: reloads the keys and reopens the audit log.
     void reload();
 
     AuditLog& audit() { return *audit_; }
@@ -97,16 +97,16 @@ private:
 
     const TokenRules rules_;
     const Role anonymous_role_;
-    const std::unique_ptr<KeySet> keys_;  // null: no token is believed
+    const std::unique_ptr<KeySet> keys_;  // null: every token is rejected
     const std::unique_ptr<AuditLog> audit_;
     Quotas quotas_;
     Tickets tickets_;
     std::mutex logins_mutex_;
-    LruMap<bool> logins_;  // which were told to the audit log already
+    LruMap<bool> logins_;  // true: already recorded in the audit log
 };
 
-// The token in an Authorization header, "Bearer TOKEN"; empty: there is no header. Anything else is
-// an error.
+// The token in an Authorization header, "Bearer TOKEN"; empty if there is no header. Any other form
+// is an error.
 Result<std::string_view> parse_bearer(std::string_view authorization);
 
 }  // namespace jostle::server

@@ -7,7 +7,7 @@ namespace jostle::server {
 
 namespace {
 
-// The six bits of a digit; -1: it is none.
+// The six bits of a digit; -1: not a base64url digit.
 int bits_of(char digit) {
     if (digit >= 'A' && digit <= 'Z') return digit - 'A';
     if (digit >= 'a' && digit <= 'z') return digit - 'a' + 26;
@@ -20,21 +20,21 @@ int bits_of(char digit) {
 }  // namespace
 
 std::optional<std::string> from_base64url(std::string_view text) {
-    if (text.size() % 4 == 1) return std::nullopt;  // six bits are no byte
+    if (text.size() % 4 == 1) return std::nullopt;  // six bits do not form a byte
     std::string bytes;
     bytes.reserve(text.size() * 3 / 4);
-    std::uint32_t held = 0;  // bits that are not written yet
-    int count = 0;           // of them
+    std::uint32_t pending = 0;  // bits that are not written yet
+    int count = 0;              // number of pending bits
     for (const char digit : text) {
         const int bits = bits_of(digit);
         if (bits < 0) return std::nullopt;
-        held = (held << 6 | static_cast<std::uint32_t>(bits)) & 0xffff;
+        pending = (pending << 6 | static_cast<std::uint32_t>(bits)) & 0xffff;
         count += 6;
         if (count < 8) continue;
         count -= 8;
-        bytes += static_cast<char>(held >> count & 0xff);
+        bytes += static_cast<char>(pending >> count & 0xff);
     }
-    if ((held & ((1u << count) - 1)) != 0) return std::nullopt;
+    if ((pending & ((1u << count) - 1)) != 0) return std::nullopt;
     return bytes;
 }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// One moment on both clocks: tokens and audit lines go by the wall's, quotas and tickets by the
-// monotonic one, which nobody can set. Callers of the gate leave it out; tests make their own.
+// One point in time on both clocks. Tokens and audit lines use wall-clock time; quotas and tickets
+// use the monotonic clock, which cannot be set. Callers of the authorizer use the default; tests
+// supply their own.
 #pragma once
 
 #include "server/util/clock.h"

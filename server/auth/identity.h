@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Who is asking: what authorizer.h makes of a token, a client's certificate or nothing, and what
-// every right, quota and audit line goes by. A value; any thread.
+// The identity of a caller: authorizer.h derives it from a token, a client certificate or neither,
+// and rights, quotas and audit lines depend on it. A value; any thread.
 #pragma once
 
 #include <optional>
@@ -12,23 +12,24 @@
 
 namespace jostle::server {
 
-// Each may do what those before it may. `none`: only what is open to all (access_table.h).
+// Each role includes the rights of all earlier ones. `none`: only calls open to all
+// (access_table.h).
 enum class Role { none, viewer, player, director, admin };
 
 std::string_view name_of(Role role);
 std::optional<Role> parse_role(std::string_view name);
 
-// Subjects that no token may name: whoever shows nothing, and holders of client certificates.
+// Subjects that no token may name: anonymous callers and holders of client certificates.
 inline constexpr std::string_view anonymous_subject = "anonymous";
 inline constexpr std::string_view certificate_prefix = "certificate:";
 
 struct Identity {
-    std::string subject{anonymous_subject};  // the owner of the worlds that it creates
+    std::string subject{anonymous_subject};  // owns the worlds that it creates
     Role role = Role::none;
     bool anonymous = true;
     WallTime expires = WallTime::max();
-    std::string world;     // id or name of the only world that it may touch; empty: any
-    std::string token_id;  // "jti", for the audit log; empty: the token has none
+    std::string world;     // id or name of the only accessible world; empty: any world
+    std::string token_id;  // "jti" for the audit log; empty: absent
 };
 
 }  // namespace jostle::server

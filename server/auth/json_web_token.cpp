@@ -25,7 +25,7 @@ Error refused(std::string message) {
 // The three parts of a token, still encoded.
 struct Parts {
     std::string_view header, claims, signature;
-    std::string_view signed_text;  // header and claims, with the dot between them
+    std::string_view signed_text;  // header, '.' and claims
 };
 
 std::optional<Parts> split(std::string_view token) {
@@ -39,38 +39,38 @@ std::optional<Parts> split(std::string_view token) {
 
 Result<json> read_object(std::string_view encoded, const std::string& what) {
     const std::optional<std::string> text = from_base64url(encoded);
-    if (!text) return refused("the token's " + what + " is no base64url");
+    if (!text) return refused("the token's " + what + " is not base64url");
     Result<json> object = parse_strict_json(*text, token_depth_max);
     if (!object.ok())
-        return refused("the token's " + what + " cannot be read: " + object.error().message);
-    if (!object->is_object()) return refused("the token's " + what + " is no JSON object");
+        return refused("the token's " + what + " cannot be parsed: " + object.error().message);
+    if (!object->is_object()) return refused("the token's " + what + " is not a JSON object");
     return object;
 }
 
-// The key that the header names.
+// The key named in the header.
 Result<const VerifyKey*> choose_key(const json& header, const VerifyKeys& keys) {
     const std::string* algorithm = string_member(header, "alg");
     if (!algorithm || *algorithm != "ES256")
-        return refused("the token is not signed with ES256, the one algorithm that is taken");
+        return refused("the token is not signed with ES256, the only accepted algorithm");
     if (header.contains("crit"))
-        return refused("the token's header asks for an extension (crit); none is known here");
+        return refused("the token's header requires an extension (crit); none is supported");
     if (const std::string* type = string_member(header, "typ");
         header.contains("typ") && (!type || (*type != "JWT" && *type != "at+jwt")))
         return refused("the token's header has a typ other than JWT and at+jwt");
     const std::string* id = string_member(header, "kid");
     if (!id) return refused("the token's header names no key (kid)");
     const auto key = keys.find(*id);
-    if (key == keys.end()) return refused("the token is signed with a key that is not known here");
+    if (key == keys.end()) return refused("the token is signed with an unknown key");
     return &key->second;
 }
 
-// A time among the claims; nothing: it is missing.
+// A time claim; empty: missing.
 Result<std::optional<WallTime>> time_of(const json& claims, const char* name) {
     const auto at = claims.find(name);
     if (at == claims.end()) return std::optional<WallTime>();
     const double value = at->is_number() ? at->get<double>() : -1;
     if (!(value >= 0 && value < wall_seconds_max))
-        return refused(std::string("the token's ") + name + " is no time in seconds since 1970");
+        return refused(std::string("the token's ") + name + " is not a time in seconds since 1970");
     return std::optional(WallTime(seconds(static_cast<std::int64_t>(value))));
 }
 
@@ -91,16 +91,16 @@ Result<Times> read_times(const json& claims) {
 }
 
 Status check_times(const Times& times, seconds leeway, WallTime now) {
-    if (!times.expires) return refused("the token has no end (exp)");
+    if (!times.expires) return refused("the token has no expiry time (exp)");
     if (now >= *times.expires + leeway) return refused("the token has expired");
     if (*times.expires > now + token_life_max + leeway)
-        return refused("the token ends (exp) more than 24 hours from now");
+        return refused("the token expires (exp) more than 24 hours from now");
     if (times.issued && *times.issued > now + leeway)
         return refused("the token was issued (iat) in the future");
     if (times.issued && *times.expires - *times.issued > token_life_max)
-        return refused("the token is good for more than 24 hours (iat to exp)");
+        return refused("the token is valid for more than 24 hours (iat to exp)");
     if (times.begins && *times.begins > now + leeway)
-        return refused("the token is not good yet (nbf)");
+        return refused("the token is not valid yet (nbf)");
     return {};
 }
 
@@ -116,29 +116,29 @@ bool names_audience(const json& claims, const std::string& audience) {
 
 Status check_parties(const json& claims, const TokenRules& rules) {
     const std::string* issuer = string_member(claims, "iss");
-    if (!issuer) return refused("the token does not say who issued it (iss)");
-    if (*issuer != rules.issuer) return refused("the token is of another issuer (iss)");
-    if (!claims.contains("aud")) return refused("the token does not say whom it is for (aud)");
+    if (!issuer) return refused("the token has no issuer (iss)");
+    if (*issuer != rules.issuer) return refused("the token is from another issuer (iss)");
+    if (!claims.contains("aud")) return refused("the token has no audience (aud)");
     if (!names_audience(claims, rules.audience))
         return refused("the token is for another audience (aud)");
     return {};
 }
 
 Status check_subject(const std::string* subject) {
-    if (!subject || subject->empty()) return refused("the token names no subject (sub)");
+    if (!subject || subject->empty()) return refused("the token has no subject (sub)");
     if (subject->size() > subject_bytes_max)
         return refused("the token's subject is longer than 128 bytes");
     if (*subject == anonymous_subject || subject->starts_with(certificate_prefix))
-        return refused("the token's subject is one that only the server gives");
+        return refused("the token's subject is reserved for the server");
     return {};
 }
 
-// A short text that need not be there.
+// An optional short string.
 Result<std::string> option_of(const json& claims, const char* name) {
     if (!claims.contains(name)) return std::string();
     const std::string* text = string_member(claims, name);
     if (!text || text->empty() || text->size() > subject_bytes_max)
-        return refused(std::string("the token's ") + name + " is no text of 1 to 128 bytes");
+        return refused(std::string("the token's ") + name + " is not a string of 1 to 128 bytes");
     return *text;
 }
 
@@ -161,7 +161,7 @@ Result<Identity> read_identity(const json& claims) {
     return who;
 }
 
-// The claims, once the key that the header names has signed them.
+// The claims, if the signature matches the key named in the header.
 Result<json> read_signed(std::string_view token, const VerifyKeys& keys) {
     if (token.size() > token_bytes_max) return refused("the token is longer than 8192 bytes");
     const std::optional<Parts> parts = split(token);
@@ -174,7 +174,7 @@ Result<json> read_signed(std::string_view token, const VerifyKeys& keys) {
     if (!signature || signature->size() != 64)
         return refused("the token's signature is not 64 bytes of base64url");
     if (!(*key)->verifies(parts->signed_text, *signature))
-        return refused("the token's signature is not that of the key it names");
+        return refused("the token's signature does not match its key");
     return read_object(parts->claims, "claims");
 }
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// JSON Web Tokens (RFC 7519): what a login service signs and a client shows. A token is read as
-// RFC 8725 advises: one algorithm, which the token cannot choose; keys from our own set alone; all
-// of iss, aud, sub and exp; a day at most. Pure functions; any thread.
+// JSON Web Tokens (RFC 7519), signed by a login service and presented by clients. Tokens are
+// verified as RFC 8725 advises: one algorithm, which the token cannot choose; keys only from the
+// server's own set; iss, aud, sub and exp required; a lifetime of at most one day. Pure functions;
+// any thread.
 #pragma once
 
 #include <chrono>
@@ -25,12 +26,12 @@ inline constexpr std::chrono::hours token_life_max{24};
 
 struct TokenRules {
     std::string issuer, audience;
-    std::chrono::seconds leeway{30};  // by which clocks may differ
+    std::chrono::seconds leeway{30};  // tolerated clock difference
 };
 
-// Who the token says it is for, once its signature, times and parties hold. Each fault has a
-// message of its own, unauthenticated, which quotes nothing of the token. The identity expires with
-// the token, leeway included.
+// The identity in the token, if its signature, times and parties are valid. Each fault has its own
+// unauthenticated message, which quotes nothing from the token. The identity expires with the
+// token, including the leeway.
 Result<Identity> verify_token(std::string_view token, const VerifyKeys& keys,
                               const TokenRules& rules, WallTime now);
 

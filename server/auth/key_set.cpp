@@ -16,26 +16,26 @@ using nlohmann::json;
 constexpr std::size_t file_bytes_max = 1 << 18;
 constexpr std::size_t keys_max = 100;
 constexpr std::size_t id_bytes_max = 256;
-constexpr std::size_t set_depth_max = 8;  // keys of other kinds may carry what they like
+constexpr std::size_t set_depth_max = 8;  // keys of other types may have nested members
 
 Error broken(std::string message) {
     return {ErrorCode::invalid_argument, std::move(message)};
 }
 
-// A member that is that text.
-bool says(const json& key, const char* name, std::string_view text) {
+// Whether the member `name` is the string `text`.
+bool has_text(const json& key, const char* name, std::string_view text) {
     const std::string* found = string_member(key, name);
     return found && *found == text;
 }
 
-// Why a key cannot check tokens; empty: it can.
+// Why a key cannot verify tokens; empty if it can.
 std::string rejection_reason(const json& key) {
-    if (!key.is_object()) return "it is no JSON object";
-    if (!says(key, "kty", "EC") || !says(key, "crv", "P-256"))
-        return "it is no EC key on the curve P-256";
-    if (key.contains("d")) return "it is a private key, which belongs with the issuer alone";
-    if (key.contains("use") && !says(key, "use", "sig")) return "its use is not sig";
-    if (key.contains("alg") && !says(key, "alg", "ES256")) return "its alg is not ES256";
+    if (!key.is_object()) return "it is not a JSON object";
+    if (!has_text(key, "kty", "EC") || !has_text(key, "crv", "P-256"))
+        return "it is not an EC key on the curve P-256";
+    if (key.contains("d")) return "it is a private key; only the issuer may hold it";
+    if (key.contains("use") && !has_text(key, "use", "sig")) return "its use is not sig";
+    if (key.contains("alg") && !has_text(key, "alg", "ES256")) return "its alg is not ES256";
     const std::string* id = string_member(key, "kid");
     if (!id || id->empty() || id->size() > id_bytes_max) return "it has no kid of 1 to 256 bytes";
     return {};
@@ -52,25 +52,25 @@ std::optional<VerifyKey> point_of(const json& key) {
 
 Result<ParsedKeySet> read_key_set(std::string_view text) {
     const Result<json> set = parse_strict_json(text, set_depth_max);
-    if (!set.ok()) return broken("it cannot be read: " + set.error().message);
+    if (!set.ok()) return broken("it cannot be parsed: " + set.error().message);
     const auto list = set->is_object() ? set->find("keys") : set->end();
     if (list == set->end() || !list->is_array())
-        return broken("it is no JSON object with an array \"keys\"");
-    if (list->size() > keys_max) return broken("it holds more than 100 keys");
+        return broken("it is not a JSON object with an array \"keys\"");
+    if (list->size() > keys_max) return broken("it contains more than 100 keys");
     ParsedKeySet out;
     for (std::size_t i = 0; i < list->size(); ++i) {
         const json& key = (*list)[i];
         std::string fault = rejection_reason(key);
         const std::optional<VerifyKey> point = fault.empty() ? point_of(key) : std::nullopt;
-        if (fault.empty() && !point) fault = "its x and y are no point of the curve";
+        if (fault.empty() && !point) fault = "its x and y are not a point of the curve";
         if (!fault.empty()) {
-            out.warnings.push_back(fmt::format("key {} is left out: {}", i + 1, fault));
+            out.warnings.push_back(fmt::format("key {} is skipped: {}", i + 1, fault));
             continue;
         }
         if (!out.keys.emplace(*string_member(key, "kid"), *point).second)
-            return broken(fmt::format("key {} has the kid of one before it", i + 1));
+            return broken(fmt::format("key {} has the kid of an earlier key", i + 1));
     }
-    if (out.keys.empty()) return broken("it holds no EC key on P-256 with a kid");
+    if (out.keys.empty()) return broken("it contains no EC key on P-256 with a kid");
     return out;
 }
 
@@ -97,19 +97,20 @@ bool KeySet::poll(Clock::time_point now) {
 
 bool KeySet::reload() {
     const Status s = read();
-    if (!s.ok()) log_error("{}; the keys of before stay in force", s.error().message);
+    if (!s.ok()) log_error("{}; the previous keys stay in force", s.error().message);
     return s.ok();
 }
 
 Status KeySet::read() {
     const std::lock_guard reading(reading_);
-    stamp_ = stamp_of(path_);  // before it is read: a change in between is seen next time
+    // taken before the read: a change in between is detected by the next poll
+    stamp_ = stamp_of(path_);
     const Result<std::string> text = read_bounded(path_, file_bytes_max);
     if (!text.ok()) return text.error();
     Result<ParsedKeySet> read = read_key_set(*text);
-    if (!read.ok()) return broken("the key set " + path_ + " is broken: " + read.error().message);
+    if (!read.ok()) return broken("the key set " + path_ + " is invalid: " + read.error().message);
     for (const std::string& warning : read->warnings) log_warn("{}: {}", path_, warning);
-    log_info("keys for tokens in force: {}", read->keys.size());
+    log_info("token keys in force: {}", read->keys.size());
     auto keys = std::make_shared<const VerifyKeys>(std::move(read->keys));
     const std::lock_guard lock(mutex_);
     keys_ = std::move(keys);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The keys that tokens are believed by: a JWKS file (RFC 7517) that the login service's operator
-// puts there and replaces while the server runs. A broken new file leaves the old keys in force.
-// keys() from any thread; poll() and reload() from whoever keeps time.
+// The keys that verify tokens: a JWKS file (RFC 7517), which the operator of the login service
+// replaces while the server runs. If a new file is invalid, the previous keys stay in force. keys()
+// may be called from any thread; poll() and reload() from the maintenance thread.
 #pragma once
 
 #include <memory>
@@ -19,24 +19,24 @@ namespace jostle::server {
 
 struct ParsedKeySet {
     VerifyKeys keys;
-    std::vector<std::string> warnings;  // of keys that were left out, and why
+    std::vector<std::string> warnings;  // why keys were skipped
 };
 
-// EC keys on P-256 that have a kid. Keys of other kinds are left out with a warning; a text without
-// any key that can be used, or with one kid twice, is an error.
+// Reads EC keys on P-256 that have a kid. Keys of other types are skipped with a warning; a set
+// without any usable key, or with a duplicate kid, is an error.
 Result<ParsedKeySet> read_key_set(std::string_view text);
 
 class KeySet {
 public:
-    // The file must be good the first time.
+    // The file must be valid at the first load.
     static Result<std::unique_ptr<KeySet>> open(std::string path);
 
     std::shared_ptr<const VerifyKeys> keys() const;
 
-    // Looks at most once a second whether the file has changed, and reads it if so. False: it is
-    // broken, which was logged; said once for each change.
+    // Checks for a change at most once per second, and reloads the file if it has changed. Returns
+    // false if the new file is invalid; each change is logged once.
     bool poll(Clock::time_point now);
-    // Reads it now (SIGHUP). False: it is broken, which was logged.
+    // Reloads now (SIGHUP). Returns false if the file is invalid, which is logged.
     bool reload();
 
 private:
@@ -45,10 +45,10 @@ private:
     Status read();
 
     const std::string path_;
-    mutable std::mutex mutex_;  // of keys_
+    mutable std::mutex mutex_;  // guards keys_
     std::shared_ptr<const VerifyKeys> keys_;
-    std::mutex reading_;  // of what follows
-    FileStamp stamp_;     // of the file when it was last read, good or not
+    std::mutex reading_;  // guards the members below
+    FileStamp stamp_;     // of the file at the last read, valid or not
     Clock::time_point next_poll_ = Clock::time_point::min();
 };
 

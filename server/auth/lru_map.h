@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A map by text with a bound: when it is full, what was not asked for longest goes. The caller
+// A bounded map with string keys that evicts the least recently used entry when full. The caller
 // locks.
 #pragma once
 
@@ -16,10 +16,10 @@ template <class Value>
 class LruMap {
 public:
     explicit LruMap(std::size_t size_max) : size_max_(size_max) {}
-    LruMap(const LruMap&) = delete;  // places_ points into entries_
+    LruMap(const LruMap&) = delete;  // index_ points into entries_
     LruMap& operator=(const LruMap&) = delete;
 
-    // The value of that key, made by `make()` if there is none. Good until the next call.
+    // The value of `key`, created by `make()` if missing. Valid until the next call.
     template <class Make>
     Value& find_or_make(std::string_view key, Make make) {
         if (const auto at = index_.find(key); at != index_.end()) {
@@ -41,7 +41,7 @@ private:
     using Entries = std::list<std::pair<std::string, Value>>;
 
     const std::size_t size_max_;
-    Entries entries_;  // the last that was asked for comes first
+    Entries entries_;  // most recently used first
     std::unordered_map<std::string_view, typename Entries::iterator> index_;  // keys of entries_
 };
 

@@ -8,16 +8,16 @@ namespace jostle::server {
 
 namespace {
 
-// A bucket's rate and store.
-struct Allowance {
-    double per_second = 1, at_once = 1;
+// The rate and burst of a bucket.
+struct BucketRate {
+    double per_second = 1, burst = 1;
 };
 
-Allowance per_minute(double count) {
+BucketRate per_minute(double count) {
     return {count / 60, count};
 }
 
-Allowance of_subject(QuotaKind work, const QuotaSettings& s) {
+BucketRate of_subject(QuotaKind work, const QuotaSettings& s) {
     switch (work) {
         case QuotaKind::creates:
             return per_minute(s.creates_per_minute);
@@ -33,28 +33,28 @@ Allowance of_subject(QuotaKind work, const QuotaSettings& s) {
     return {};
 }
 
-Allowance of_address(QuotaKind work, const QuotaSettings& s) {
-    Allowance allowance = of_subject(work, s);
-    if (work == QuotaKind::refused_logins || work == QuotaKind::audited_refusals) return allowance;
-    allowance.per_second *= s.address_factor;
-    allowance.at_once *= s.address_factor;
-    return allowance;
+BucketRate of_address(QuotaKind work, const QuotaSettings& s) {
+    BucketRate rate = of_subject(work, s);
+    if (work == QuotaKind::refused_logins || work == QuotaKind::audited_refusals) return rate;
+    rate.per_second *= s.address_factor;
+    rate.burst *= s.address_factor;
+    return rate;
 }
 
 }  // namespace
 
-// Both buckets of one take must be there at once.
+// take() needs both of its buckets at the same time, hence at least 2.
 Quotas::Quotas(const QuotaSettings& settings)
     : settings_(settings), buckets_(static_cast<std::size_t>(std::max(2, settings.buckets_max))) {}
 
 Quotas::QuotaDecision Quotas::take(QuotaKind work, std::string_view subject,
                                    std::string_view network, Clock::time_point now) {
     const std::lock_guard lock(mutex_);
-    const QuotaDecision answer = peek_locked(work, subject, network, now);
-    if (!answer.granted) return answer;
+    const QuotaDecision decision = peek_locked(work, subject, network, now);
+    if (!decision.granted) return decision;
     if (!subject.empty()) bucket_of(work, true, subject, now).take(1, now);
     bucket_of(work, false, network, now).take(1, now);
-    return answer;
+    return decision;
 }
 
 Quotas::QuotaDecision Quotas::peek(QuotaKind work, std::string_view subject,
@@ -73,8 +73,8 @@ TokenBucket& Quotas::bucket_of(QuotaKind work, bool subjects, std::string_view n
     std::string key{static_cast<char>('0' + static_cast<int>(work)), subjects ? 's' : 'a'};
     key += name;
     return buckets_.find_or_make(key, [&] {
-        const Allowance a = subjects ? of_subject(work, settings_) : of_address(work, settings_);
-        return TokenBucket(a.per_second, a.at_once, now);
+        const BucketRate a = subjects ? of_subject(work, settings_) : of_address(work, settings_);
+        return TokenBucket(a.per_second, a.burst, now);
     });
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// How much one subject, and one address, may ask for: a token bucket for each and each kind of
-// work. Their number is bounded; the one that was idle longest goes first, and it is as good as
-// full by then. Any thread.
+// Rate limits per subject and per address: one token bucket for each of them and each kind of work.
+// The number of buckets is bounded; the longest idle one is evicted first, and has refilled by
+// then. Any thread.
 #pragma once
 
 #include <mutex>
@@ -22,13 +22,13 @@ public:
 
     struct QuotaDecision {
         bool granted = true;
-        Clock::duration retry_after{};  // when it is not
+        Clock::duration retry_after{};  // set if not granted
     };
-    // One piece of work of that subject (empty: of the address alone) from that network
-    // (base/address.h). Takes from both buckets or from none.
+    // Charges one unit of work to the subject (empty: to the address alone) and to the network
+    // (util/address.h). Takes from both buckets or from neither.
     QuotaDecision take(QuotaKind work, std::string_view subject, std::string_view network,
                        Clock::time_point now);
-    // What take() would answer.
+    // The decision take() would make, without taking.
     QuotaDecision peek(QuotaKind work, std::string_view subject, std::string_view network,
                        Clock::time_point now);
 

@@ -8,7 +8,7 @@ namespace jostle::server {
 
 namespace {
 
-// Reads along without building anything; false from any of its functions ends the reading.
+// Validates without building a document; a false return from any function ends the parse.
 class Checker : public nlohmann::json_sax<nlohmann::json> {
 public:
     explicit Checker(std::size_t depth_max) : depth_max_(depth_max) {}
@@ -27,10 +27,10 @@ public:
     bool end_object() override { return leave(); }
     bool end_array() override { return leave(); }
     bool key(string_t& name) override {
-        return keys_.back().insert(name).second || refuse("a key stands twice in one object");
+        return keys_.back().insert(name).second || refuse("an object has a duplicate key");
     }
     bool parse_error(std::size_t, const std::string&, const nlohmann::json::exception&) override {
-        return refuse("it is no JSON");
+        return refuse("it is not valid JSON");
     }
 
 private:
@@ -48,7 +48,7 @@ private:
     }
 
     const std::size_t depth_max_;
-    std::vector<std::set<std::string>> keys_;  // of each object that is open
+    std::vector<std::set<std::string>> keys_;  // of each open object
 };
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// JSON from strangers: one value with nothing after it, bounded in depth, no key twice in an object
-// (readers differ on which of the two counts, and that is a way past a check).
+// Strict JSON for untrusted input: one value with nothing after it, bounded depth, no duplicate key
+// in an object (parsers disagree on which duplicate wins, which can bypass a check).
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -12,10 +12,10 @@
 
 namespace jostle::server {
 
-// Errors say what is wrong and quote nothing of the text.
+// Error messages describe the fault and quote nothing from the text.
 Result<nlohmann::json> parse_strict_json(std::string_view text, std::size_t depth_max);
 
-// A member of an object that is a string; null: it is missing or something else.
+// A string member of an object; null if it is missing or not a string.
 const std::string* string_member(const nlohmann::json& object, const char* name);
 
 }  // namespace jostle::server

@@ -14,7 +14,7 @@ namespace {
 
 constexpr char digits[] = "0123456789abcdef";
 
-std::string string_member(std::span<const std::uint8_t> key) {
+std::string hex_of(std::span<const std::uint8_t> key) {
     std::string text;
     for (const std::uint8_t byte : key) {
         text += digits[byte >> 4];
@@ -41,7 +41,7 @@ std::optional<std::array<std::uint8_t, 16>> key_of(std::string_view text) {
 
 }  // namespace
 
-// The keys are random already.
+// Keys are random, so a prefix is a good hash.
 std::size_t Tickets::KeyHash::operator()(const Key& key) const {
     std::size_t hash;
     std::memcpy(&hash, key.data(), sizeof hash);
@@ -52,12 +52,11 @@ Result<std::string> Tickets::issue(const Identity& who, const std::string& holde
                                    const std::string& world_id, Clock::time_point now) {
     Key key;
     if (::getentropy(key.data(), key.size()) != 0)
-        return Error{ErrorCode::internal, "the operating system gave no random bytes"};
+        return Error{ErrorCode::internal, "the operating system returned no random bytes"};
     const std::lock_guard lock(mutex_);
     sweep(now);
     if (!make_room_for(holder, who.anonymous))
-        return Error{ErrorCode::resource_exhausted,
-                     "too many tickets wait to be used; ask again later",
+        return Error{ErrorCode::resource_exhausted, "too many unused tickets; retry later",
                      static_cast<int>(to_ms(limits_.life))};
     std::list<Key>& own = by_holder_[holder];
     table_[key] = {.who = who,
@@ -66,7 +65,7 @@ Result<std::string> Tickets::issue(const Identity& who, const std::string& holde
                    .until = now + limits_.life,
                    .position = waiting_.insert(waiting_.end(), key),
                    .holder_position = own.insert(own.end(), key)};
-    return string_member(key);
+    return hex_of(key);
 }
 
 Tickets::Redeemed Tickets::redeem(std::string_view ticket, Clock::time_point now) {
@@ -85,7 +84,7 @@ std::size_t Tickets::waiting() const {
     return waiting_.size();
 }
 
-// All live equally long, so the oldest is the first to expire.
+// All tickets have the same lifetime, so the oldest expires first.
 void Tickets::sweep(Clock::time_point now) {
     while (!waiting_.empty()) {
         const auto oldest = table_.find(waiting_.front());
@@ -98,7 +97,8 @@ void Tickets::sweep(Clock::time_point now) {
     }
 }
 
-// It is remembered for a while, so that the audit log can tell a replay from a guess.
+// The ticket is remembered for a while, so that the audit log can distinguish a replay from a
+// guess.
 void Tickets::retire(Table::iterator at, TicketStatus ticket_status, Clock::time_point now) {
     Ticket& ticket = at->second;
     take_from_holder(ticket);
@@ -128,16 +128,17 @@ std::size_t Tickets::count_of(const std::string& holder) const {
     return at == by_holder_.end() ? 0 : at->second.size();
 }
 
-// When all places are taken, whoever holds most gives one up, but to nobody who would then have
-// more than he. The search for him walks all holders, and happens only then.
+// If the table is full, the holder with the largest tickets loses its oldest one, unless the new
+// holder would then have more tickets than that holder. The search for the largest holder visits
+// all holders, and runs only in that case.
 bool Tickets::make_room_for(const std::string& holder, bool anonymous) {
     const std::size_t own = count_of(holder);
     if (own >= (anonymous ? limits_.address_max : limits_.subject_max)) forget_oldest_of(holder);
     if (waiting_.size() < limits_.total_max) return true;
-    const auto most = std::ranges::max_element(
+    const auto largest = std::ranges::max_element(
         by_holder_, {}, [](const auto& entry) { return entry.second.size(); });
-    if (most->second.size() > own + 1) {
-        forget_oldest_of(std::string(most->first));
+    if (largest->second.size() > own + 1) {
+        forget_oldest_of(std::string(largest->first));
     } else if (own > 0) {
         forget_oldest_of(holder);
     } else {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Tickets for joining: JoinWorld gives one, a client's Hello brings it back within 30 s, once. It
-// stands for the identity that asked for it, so the stream itself needs no token. How many wait is
-// bounded, in total and for each holder, and nobody's tickets can push out those of somebody who
-// has fewer. Any thread.
+// Tickets for joining a world: JoinWorld issues a ticket, and a client's Hello redeems it within 30
+// s, once. A ticket stands for the identity that requested it, so the stream itself needs no token.
+// The number of unused tickets is bounded in total and per holder, and no holder can evict the
+// tickets of a holder with fewer. Any thread.
 #pragma once
 
 #include <array>
@@ -22,10 +22,11 @@ namespace jostle::server {
 
 struct TicketLimits {
     Clock::duration life = std::chrono::seconds(30);
-    Clock::duration memory = std::chrono::seconds(60);  // of those that are used or expired
+    // how long used or expired tickets are remembered
+    Clock::duration memory = std::chrono::seconds(60);
     std::size_t total_max = 10000;
-    std::size_t subject_max = 32;    // of one subject
-    std::size_t address_max = 1000;  // of those who are anonymous at one address
+    std::size_t subject_max = 32;    // per subject
+    std::size_t address_max = 1000;  // per address, for anonymous callers
 };
 
 enum class TicketStatus { good, unknown, used, expired };
@@ -34,17 +35,17 @@ class Tickets {
 public:
     explicit Tickets(TicketLimits limits = {}) : limits_(limits) {}
 
-    // 32 hexadecimal digits. `holder` is whom the bound is for: the subject, or an address. Of too
-    // many of one holder the oldest goes.
+    // Returns 32 hexadecimal digits. `holder` is the account that the limit applies to: a subject
+    // or an address. If a holder has too many tickets, its oldest is discarded.
     Result<std::string> issue(const Identity& who, const std::string& holder,
                               const std::string& world_id, Clock::time_point now);
 
     struct Redeemed {
         TicketStatus ticket_status = TicketStatus::unknown;
-        Identity who;          // not of an unknown one
-        std::string world_id;  // likewise
+        Identity who;          // empty if the ticket is unknown
+        std::string world_id;  // empty if the ticket is unknown
     };
-    // Whatever comes of it, the ticket is used up.
+    // Consumes the ticket, whatever the status.
     Redeemed redeem(std::string_view ticket, Clock::time_point now);
 
     std::size_t waiting() const;
@@ -57,7 +58,7 @@ private:
     struct Ticket {
         Identity who;
         std::string holder, world_id;
-        Clock::time_point until;  // it expires, or is forgotten
+        Clock::time_point until;  // expires or, once redeemed or expired, is forgotten
         TicketStatus ticket_status = TicketStatus::good;
         std::list<Key>::iterator position, holder_position;
     };
@@ -73,9 +74,9 @@ private:
     const TicketLimits limits_;
     mutable std::mutex mutex_;
     Table table_;
-    std::list<Key> waiting_;                           // in the order in which they expire
+    std::list<Key> waiting_;                           // in order of expiry
     std::list<Key> past_;                              // in the order in which they are forgotten
-    std::map<std::string, std::list<Key>> by_holder_;  // of those that wait, the oldest first
+    std::map<std::string, std::list<Key>> by_holder_;  // unused tickets, oldest first
 };
 
 }  // namespace jostle::server

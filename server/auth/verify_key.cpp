@@ -31,13 +31,13 @@ Number number_of(std::string_view bytes) {
     return Number(BN_bin2bn(bytes_of(bytes), static_cast<int>(bytes.size()), nullptr));
 }
 
-// r and s, one after the other, as the structure that OpenSSL reads; empty: out of memory.
+// Converts r and s in sequence to the DER structure that OpenSSL reads; empty: out of memory.
 std::string to_der(std::string_view raw) {
     const Signature signature(ECDSA_SIG_new());
     Number r = number_of(raw.substr(0, number_bytes)), s = number_of(raw.substr(number_bytes));
     if (!signature || !r || !s) return {};
     if (ECDSA_SIG_set0(signature.get(), r.get(), s.get()) != 1) return {};
-    r.release();  // they are the signature's now
+    r.release();  // the signature owns them now
     s.release();
     unsigned char* out = nullptr;
     const int size = i2d_ECDSA_SIG(signature.get(), &out);
@@ -70,11 +70,11 @@ bool is_good(EVP_PKEY* key) {
 
 std::optional<VerifyKey> VerifyKey::from_point(std::string_view x, std::string_view y) {
     if (x.size() != number_bytes || y.size() != number_bytes) return std::nullopt;
-    std::string point = "\x04";  // both coordinates follow
+    std::string point = "\x04";  // uncompressed point: both coordinates follow
     point.append(x).append(y);
     const std::shared_ptr<EVP_PKEY> key(key_of_point(point), EVP_PKEY_free);
     const bool good = key && is_good(key.get());
-    ERR_clear_error();  // OpenSSL keeps a list of faults in each thread, and others read it
+    ERR_clear_error();  // OpenSSL has an error queue per thread that other code reads
     if (!good) return std::nullopt;
     return VerifyKey(key);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A public key on the curve P-256 that signatures of tokens are checked with (ES256). Immutable and
-// shared; any thread.
+// A public key on the curve P-256 that verifies token signatures (ES256). Immutable and shared; any
+// thread.
 #pragma once
 
 #include <memory>
@@ -16,10 +16,10 @@ namespace jostle::server {
 
 class VerifyKey {
 public:
-    // Coordinates of 32 bytes each, big-endian. Nothing: they are no point of the curve.
+    // Coordinates of 32 bytes each, big-endian. Empty if they are not a point of the curve.
     static std::optional<VerifyKey> from_point(std::string_view x, std::string_view y);
 
-    // Is it this key's signature of the message? 64 bytes, r and s, as tokens carry it.
+    // Whether `signature` is this key's signature of `message`: 64 bytes, r and s, as in tokens.
     bool verifies(std::string_view message, std::string_view signature) const;
 
 private:

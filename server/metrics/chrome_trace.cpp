@@ -8,7 +8,7 @@ namespace jostle::server {
 
 namespace {
 
-constexpr std::size_t span_bytes = 110;  // about what one takes
+constexpr std::size_t span_bytes = 110;  // typical size of one span
 
 void append_text(std::string& out, std::string_view text) {
     static constexpr char digits[] = "0123456789abcdef";
@@ -27,7 +27,7 @@ void append_text(std::string& out, std::string_view text) {
     out += '"';
 }
 
-// To a thousandth at most: the clock's nanoseconds, when the unit is a microsecond.
+// At most three decimals: nanoseconds, because the unit is a microsecond.
 void append_number(std::string& out, double number) {
     char text[40];
     const int digits = number == std::floor(number) ? 0 : 3;
@@ -75,7 +75,8 @@ std::string write_chrome_trace(const TraceRows& titles, const std::vector<TraceS
         append_span(out, span);
         out += ",\n";
     }
-    out.resize(out.size() - 2);  // the comma after the last; there is a title at least
+    // the comma after the last entry; at least one title is always written
+    out.resize(out.size() - 2);
     out += "\n]}\n";
     return out;
 }

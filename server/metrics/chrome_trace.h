@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Chrome's trace format: what took how long, as JSON that chrome://tracing, ui.perfetto.dev and
-// speedscope.app draw. Pure functions.
+// Writes Chrome's trace format: durations as JSON for chrome://tracing, ui.perfetto.dev and
+// speedscope.app. Pure functions.
 #pragma once
 
 #include <cstdint>
@@ -11,20 +11,20 @@
 
 namespace jostle::server {
 
-// A bar of a row. Rows are threads in the words of the format; bars of one row lie side by side or
-// inside each other.
+// A span on a row of the trace. The format calls rows threads; spans on one row do not overlap, or
+// are nested.
 struct TraceSpan {
-    std::string_view name;  // outlives the call of write_chrome_trace()
+    std::string_view name;  // must outlive the call of write_chrome_trace()
     double start_us = 0;
     double duration_us = 0;
     int row = 0;
-    // Shown when the bar is clicked: numbers by name.
+    // Numbers by name; the viewer displays them when the span is selected.
     std::vector<std::pair<std::string_view, double>> details = {};
 };
 
 struct TraceRows {
-    std::string process;            // the title of all
-    std::vector<std::string> rows;  // the title of each row, by number
+    std::string process;            // title of the trace
+    std::vector<std::string> rows;  // title of each row, by number
 };
 
 std::string write_chrome_trace(const TraceRows& titles, const std::vector<TraceSpan>& spans);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The values that labels of metrics may have, each set as an enumeration with its names. Sets are
-// small and closed: nothing that a stranger sends becomes a label.
+// The values of metric labels, each set as an enumeration with its names. Sets are small and
+// closed: nothing that a client sends becomes a label.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace jostle::server {
 
-// What became of an input, as InputCode of play.proto.
+// The result of an input, like InputCode in play.proto.
 enum class InputOutcome { applied, invalid, not_found, not_allowed, limit };
 constexpr auto names_of(InputOutcome) {
     return std::to_array<std::string_view>(
@@ -28,14 +28,14 @@ constexpr auto names_of(Listener) {
     return std::to_array<std::string_view>({"grpc", "http", "admin"});
 }
 
-// Why a connection was closed, most of them as soon as they came.
+// Why a connection was closed, in most cases right after it was accepted.
 enum class ConnectionRefusal {
-    limit,          // the listener has as many as it may
-    address_limit,  // ... as many of that address
-    handshake,      // TLS could not be agreed on
-    busy,           // no thread to answer it: too many wait already
-    penalty,        // one of that address was an attack, a moment ago
-    attack,         // it sent what no client sends
+    limit,          // the listener has its maximum of connections
+    address_limit,  // the address has its maximum of connections
+    handshake,      // the TLS handshake failed
+    busy,           // too many requests wait for a thread
+    penalty,        // the address attacked the server a moment ago
+    attack,         // it sent frames that no regular client sends
 };
 constexpr auto names_of(ConnectionRefusal) {
     return std::to_array<std::string_view>(

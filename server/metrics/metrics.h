@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Every number that the server shows to Prometheus, in one table: name, help, labels, unit. The app
-// makes one and hands it by reference to those who count; nobody asks for it by name. Counting
-// takes any thread and no lock, but for the histogram of ticks, whose lock is a world's own.
+// All Prometheus metrics of the server in one table: name, help, labels, unit. The app creates the
+// table and passes it by reference to the code that counts. Counting works from any thread without
+// a lock, except for the tick histogram, whose lock belongs to one world.
 //
-// A series with a fixed set of labels is there from the start, at 0. Those of a world come with it
-// and go with it (world_metrics.h), those of a call come with its first answer (rpc_metrics.h).
+// A series with a fixed label set exists from the start with the value 0. The series of a world
+// exist as long as the world (world_metrics.h); the series of a call appear with its first response
+// (rpc_metrics.h).
 #pragma once
 
 #include <prometheus/counter.h>
@@ -26,7 +27,7 @@
 
 namespace jostle::server {
 
-// One counter for each value of a label that has few.
+// One counter for each value of a label with few values.
 template <class Label>
 class CountersBy {
 public:
@@ -42,7 +43,7 @@ private:
     std::array<prometheus::Counter*, names_of(Label{}).size()> counters_{};
 };
 
-// What a door of the server counts: how many are inside, and who was sent away.
+// Counters of a listener: open connections, and refused connections by reason.
 struct ListenerMetrics {
     prometheus::Gauge& open;
     std::array<prometheus::Counter*, names_of(ConnectionRefusal{}).size()> refused_by;
@@ -59,98 +60,97 @@ struct Metrics {
     using Gauges = prometheus::Family<prometheus::Gauge>&;
     using Histograms = prometheus::Family<prometheus::Histogram>&;
 
-    // `stages`: the names of the parts of a step.
+    // `stages`: the names of the stages of a step.
     Metrics(const std::string& version, const std::vector<std::string>& stages);
     Metrics(const Metrics&) = delete;
     Metrics& operator=(const Metrics&) = delete;
 
-    prometheus::Registry registry;  // first: it owns the families below
+    prometheus::Registry registry;  // must be first: it owns the families below
 
-    // --- worlds: label world, the name ---
+    // --- worlds: label world (the name) ---
     Histograms tick_seconds =
         histograms("jostle_tick_duration_seconds",
-                   "Time that one tick of a world took: inputs, step, frame and answers.");
+                   "Duration of one tick of a world: inputs, step, frame and responses.");
     Counters late_ticks =
         counters("jostle_late_ticks_total",
-                 "Ticks of a world that were given up because it was late by more than it may "
-                 "catch up.");
-    Gauges bodies = gauges("jostle_world_bodies", "Bodies of a world after its last tick.");
-    Gauges awake_bodies = gauges("jostle_world_awake_bodies",
-                                 "Dynamic bodies of a world that were awake in its last tick.");
+                 "Ticks of a world that were skipped because it was later than the catch-up "
+                 "limit.");
+    Gauges bodies = gauges("jostle_world_bodies", "Bodies in a world after its last tick.");
+    Gauges awake_bodies =
+        gauges("jostle_world_awake_bodies", "Awake dynamic bodies in a world in its last tick.");
     Gauges queue_depth = gauges("jostle_world_queue_depth",
-                                "Inputs that waited for a world when its last tick began; "
-                                "world.command_queue_max is the most.");
-    Gauges paused = gauges("jostle_world_paused",
-                           "1 while a world takes no steps: it is paused, or they are refused.");
-    Gauges clients = gauges("jostle_clients", "Clients that play in a world or watch it.");
+                                "Inputs queued for a world when its last tick began; "
+                                "world.command_queue_max is the maximum.");
+    Gauges paused =
+        gauges("jostle_world_paused",
+               "1 while a world takes no steps: it is paused, or its steps are rejected.");
+    Gauges clients = gauges("jostle_clients", "Connected players and spectators of a world.");
 
-    // --- the solver, all worlds together: label stage ---
+    // --- the solver, total of all worlds: label stage ---
     Counters stage_seconds = counters("jostle_step_stage_seconds_total",
-                                      "Time spent in a stage of the step, of all worlds.");
+                                      "Time spent in a stage of the step, total of all worlds.");
     std::vector<Counter*> stages;  // by number
 
-    // --- what clients send and get ---
+    // --- client traffic ---
     CountersBy<InputOutcome> inputs = {
-        counters("jostle_inputs_total", "Inputs of clients that were answered, by the answer."),
-        "code"};
+        counters("jostle_inputs_total", "Client inputs with a result, by result code."), "code"};
     Counter& snapshot_bytes =
-        one(counters("jostle_snapshot_bytes_total", "Bytes of the snapshots that were sent."));
+        one(counters("jostle_snapshot_bytes_total", "Bytes of snapshots sent."));
     Counter& snapshots_sent =
-        one(counters("jostle_snapshots_sent_total", "Snapshots that were sent to clients."));
+        one(counters("jostle_snapshots_sent_total", "Snapshots sent to clients."));
     CountersBy<SkipReason> snapshots_skipped = {
         counters("jostle_snapshots_skipped_total",
-                 "Snapshots that a client was not sent. window: too many unacknowledged. pending: "
-                 "the last write was not taken yet. rate: it kept hitting its window."),
+                 "Snapshots not sent to a client. window: too many are unacknowledged. pending: "
+                 "the last write is not complete. rate: the client repeatedly filled its window."),
         "reason"};
     Counter& datagrams_received =
-        one(counters("jostle_datagrams_received_total", "Datagrams that were authentic."));
+        one(counters("jostle_datagrams_received_total", "Authentic datagrams received."));
     Counter& datagrams_refused =
         one(counters("jostle_datagrams_refused_total",
-                     "Datagrams without a ticket, changed, sent twice or of no known form."));
+                     "Datagrams refused: no ticket, altered, duplicated or malformed."));
     Counter& datagrams_sent =
-        one(counters("jostle_datagrams_sent_total", "Datagrams that were sent to clients."));
+        one(counters("jostle_datagrams_sent_total", "Datagrams sent to clients."));
     CountersBy<ErrorCode> refusals = {
         counters("jostle_refusals_total",
-                 "Conversations that the server ended because of what the client did or asked."),
+                 "Streams and calls that the server ended because of a client fault."),
         "reason"};
 
-    Gauge& clients_max = one(gauges("jostle_clients_max", "Most clients that may be connected."));
+    Gauge& clients_max = one(gauges("jostle_clients_max", "Maximum number of connected clients."));
 
-    // --- the doors: label listener ---
+    // --- listeners: label listener ---
     Gauges connections = gauges("jostle_connections", "Open connections of a listener.");
-    Counters connections_refused = counters("jostle_connections_refused_total",
-                                            "Connections that were closed instead of served.");
+    Counters connections_refused =
+        counters("jostle_connections_refused_total", "Connections closed instead of served.");
     std::array<ListenerMetrics, names_of(Listener{}).size()> listeners;
 
     // --- the process ---
     // Unix time in seconds; a series appears when a certificate is loaded. Label listener.
     Gauges certificate_expiry =
         gauges("jostle_tls_certificate_expiry_timestamp_seconds",
-               "When the certificate of a listener ends to be valid, as Unix time.");
+               "Expiry time of the certificate of a listener, as Unix time.");
     Counter& log_dropped =
         one(counters("jostle_log_dropped_total",
-                     "Lines that the log left out because they came faster than they were "
+                     "Log lines dropped because they were produced faster than they were "
                      "written."));
     Counter& world_restarts =
-        one(counters("jostle_world_restarts_total",
-                     "Worlds that ended by an error and were begun anew from their scenes."));
-    Gauges build_info = gauges("jostle_build_info", "1; the label says which version runs.");
+        one(counters("jostle_world_restarts_total", "Worlds restarted after an error."));
+    Gauges build_info = gauges("jostle_build_info", "1; the label is the running version.");
 
     // --- gRPC calls: labels grpc_service, grpc_method, grpc_code ---
     Counters rpcs_handled =
-        counters("grpc_server_handled_total", "Calls that were answered, whatever the answer.");
+        counters("grpc_server_handled_total", "Completed calls, by status code.");
     Histograms rpc_seconds = histograms("grpc_server_handling_seconds",
-                                        "Time from the arrival of a unary call to its answer.");
+                                        "Time from the arrival of a unary call to its response.");
 
-    // --- the operating system's view, read when asked for (process_metrics.h) ---
+    // --- operating system values, read at each scrape (process_metrics.h) ---
     Gauge& resident_bytes =
-        one(gauges("process_resident_memory_bytes", "Memory of the process that is in RAM."));
+        one(gauges("process_resident_memory_bytes", "Resident memory of the process."));
     Gauge& virtual_bytes =
         one(gauges("process_virtual_memory_bytes", "Address space of the process."));
     Gauge& open_fds = one(gauges("process_open_fds", "Open file descriptors."));
-    Gauge& max_fds = one(gauges("process_max_fds", "Most file descriptors that may be open."));
+    Gauge& max_fds = one(gauges("process_max_fds", "Maximum number of open file descriptors."));
     Gauge& start_time =
-        one(gauges("process_start_time_seconds", "When the process began, as Unix time."));
+        one(gauges("process_start_time_seconds", "Start time of the process, as Unix time."));
     Counter& cpu_seconds =
         one(counters("process_cpu_seconds_total", "Processor time of the process."));
 
@@ -158,7 +158,7 @@ struct Metrics {
         return listeners[static_cast<std::size_t>(which)];
     }
 
-    // How many hold the series of a world's name: world_metrics.h.
+    // Number of holders of the series of a world name: world_metrics.h.
     struct {
         std::mutex mutex;
         std::map<std::string, int> count;
@@ -175,7 +175,7 @@ private:
     ListenerMetrics make_listener(Listener which);
 };
 
-// For what is counted elsewhere: brings a counter up to a total, which never falls.
+// For values counted elsewhere: raises a counter to a total, which never decreases.
 void raise_to(prometheus::Counter& counter, double total);
 
 }  // namespace jostle::server

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// All metrics as Prometheus reads them: text format 0.0.4.
+// All metrics in the Prometheus text format 0.0.4.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@ struct Metrics;
 
 inline constexpr std::string_view metrics_content_type = "text/plain; version=0.0.4; charset=utf-8";
 
-// With the process as it is now. Any thread, one at a time.
+// Includes the current process metrics. Any thread, one call at a time.
 std::string metrics_text(Metrics& metrics);
 
 }  // namespace jostle::server

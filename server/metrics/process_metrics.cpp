@@ -19,10 +19,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// Of /proc/self/stat, as proc(5) numbers the fields.
+// From /proc/self/stat; field numbers as in proc(5).
 struct ProcessStat {
     double user_ticks = 0, system_ticks = 0;       // 14, 15
-    double start_ticks = 0;                        // 22: since the machine began
+    double start_ticks = 0;                        // 22: since boot
     double virtual_bytes = 0, resident_pages = 0;  // 23, 24
 };
 
@@ -30,7 +30,7 @@ std::optional<ProcessStat> read_stat() {
     std::ifstream in("/proc/self/stat");
     std::string line;
     if (!std::getline(in, line)) return std::nullopt;
-    // The name in brackets may hold anything; what follows the last bracket is field 3.
+    // The name in parentheses may contain any character; field 3 follows the last parenthesis.
     std::istringstream fields(line.substr(line.rfind(')') + 1));
     std::array<std::string, 25> field;
     for (std::size_t i = 3; i < field.size(); i++)
@@ -43,7 +43,7 @@ std::optional<ProcessStat> read_stat() {
                        .resident_pages = number(24)};
 }
 
-// Unix time at which the machine began.
+// Unix time of the boot.
 std::optional<double> boot_time() {
     std::ifstream in("/proc/stat");
     for (std::string word; in >> word;)
@@ -58,7 +58,7 @@ std::optional<double> count_open_fds() {
          at.increment(error))
         count++;
     if (error) return std::nullopt;
-    return count - 1;  // the one that reads the folder
+    return count - 1;  // minus the descriptor that reads the directory
 }
 
 }  // namespace

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// What the operating system says of this process, under the names that all programs give it.
+// Process metrics from the operating system, with the conventional Prometheus names.
 #pragma once
 
 namespace jostle::server {
 
 struct Metrics;
 
-// Reads /proc/self into `metrics`; what cannot be read stays as it was.
+// Reads /proc/self into `metrics`; values that cannot be read remain unchanged.
 void read_process_metrics(Metrics& metrics);
 
 }  // namespace jostle::server

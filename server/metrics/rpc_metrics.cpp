@@ -7,7 +7,7 @@ namespace jostle::server {
 
 namespace {
 
-// gRPC's codes by number.
+// gRPC status codes by number.
 constexpr std::array<std::string_view, 17> code_names = {
     "OK",
     "CANCELLED",
@@ -38,7 +38,7 @@ RpcMetrics::RpcMetrics(Metrics& metrics) : metrics_(metrics) {
     methods_[""] = {.service = "unknown", .name = "unknown"};
 }
 
-// There at 0 from the start: a rate can only be seen of a series that was there before.
+// The series exist with 0 from the start: a rate is only visible for a series that existed before.
 void RpcMetrics::add(const std::string& path, Kind kind) {
     const std::lock_guard lock(mutex_);
     const std::size_t slash = path.rfind('/');

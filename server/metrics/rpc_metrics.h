@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Counts gRPC calls by service, method and code. Only methods that were added get
-// series of their own: a stranger may call what there is not, and must not make a series of it.
-// Any thread.
+// Counts gRPC calls by service, method and code. Only methods that were added have their own
+// series: a call of an unknown method must not create a series. Any thread.
 #pragma once
 
 #include <map>
@@ -18,12 +17,12 @@ class RpcMetrics {
 public:
     explicit RpcMetrics(Metrics& metrics);
 
-    // A method that is served, by its path: "/jostle.v1.WorldService/ListWorlds". Of streams the
-    // time is not measured: they last as long as a client stays.
+    // Adds a served method by its path: "/jostle.v1.WorldService/ListWorlds". The duration of
+    // streams is not measured: a stream lasts as long as its client stays.
     enum class Kind { unary, streaming };
     void add(const std::string& path, Kind kind);
 
-    // `path` as gRPC gives it; `code`: gRPC's number; `seconds` of a unary call.
+    // `path` as gRPC passes it; `code`: gRPC status number; `seconds` of a unary call.
     void handled(std::string_view path, int code, double seconds);
 
 private:
@@ -37,7 +36,7 @@ private:
 
     Metrics& metrics_;
     std::mutex mutex_;
-    std::map<std::string, Method, std::less<>> methods_;  // by path; "": all unknown ones
+    std::map<std::string, Method, std::less<>> methods_;  // by path; "": all unknown methods
 };
 
 }  // namespace jostle::server

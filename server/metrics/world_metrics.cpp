@@ -7,8 +7,8 @@ namespace jostle::server {
 
 namespace {
 
-// Seconds. A world of a few bodies takes 30 us, and 16.7 ms is a whole period at 60 Hz: a share of
-// ticks above it means that the world is late.
+// Seconds. A tick of a world with a few bodies takes 30 us; 16.7 ms is one period at 60 Hz, so
+// ticks above it make the world late.
 const prometheus::Histogram::BucketBoundaries tick_buckets = {
     0.00005, 0.0001, 0.00025, 0.0005, 0.001, 0.002, 0.004, 0.008, 0.0167, 0.0334, 0.1, 0.5, 2};
 
@@ -17,7 +17,7 @@ const prometheus::Histogram::BucketBoundaries tick_buckets = {
 WorldMetrics::WorldMetrics(Metrics& metrics, const std::string& world)
     : metrics_(metrics), world_(world), series_(acquire_series()) {}
 
-// Adding a series that is there gives the one that is there.
+// Add() returns the existing series if there is one.
 WorldMetrics::Series WorldMetrics::acquire_series() {
     const std::lock_guard lock(metrics_.world_holders.mutex);
     metrics_.world_holders.count[world_]++;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The series of one world, labelled with its name. They are there for as long as somebody holds
-// them, so that worlds that come and go leave nothing behind. A name that is used again while its
-// old world still ends shares them.
+// The series of one world, labelled with its name. They exist as long as they have a holder, so
+// that deleted worlds leave no series behind. A new world that reuses a name while the old world
+// still ends shares them.
 #pragma once
 
 #include <cstddef>
@@ -14,13 +14,13 @@
 
 namespace jostle::server {
 
-// What one tick of a world was like.
+// The measurements of one tick of a world.
 struct TickSample {
     double seconds = 0;                     // the whole tick
-    std::span<const double> stage_ms = {};  // of the step, by stage; empty: it took none
+    std::span<const double> stage_ms = {};  // by stage of the step; empty: no step
     std::size_t bodies = 0, awake = 0;
-    std::size_t queued = 0;        // inputs that waited when it began
-    std::uint32_t late_ticks = 0;  // given up since the world began
+    std::size_t queued = 0;        // inputs queued when the tick began
+    std::uint32_t late_ticks = 0;  // skipped since the world started
 };
 
 class WorldMetrics {
@@ -30,13 +30,13 @@ public:
     WorldMetrics(const WorldMetrics&) = delete;
     WorldMetrics& operator=(const WorldMetrics&) = delete;
 
-    // The world's thread.
+    // Called by the world's thread.
     void count_tick(const TickSample& tick);
     // Any thread.
     prometheus::Gauge& clients() { return *series_.clients; }
 
 private:
-    // Of one name; several holders may share them.
+    // The series of one name; several holders may share them.
     struct Series {
         prometheus::Histogram* tick_seconds;
         prometheus::Counter* late_ticks;

@@ -109,7 +109,7 @@ TEST_F(AuthorizerTest, what_anonymous_may_do_is_a_setting) {
     EXPECT_EQ(authorizer->identify({.bearer = token("anna", "admin"), .address = home}, now)
                   .error()
                   .message,
-              "this server believes no token: auth.keys is not set");
+              "this server accepts no tokens: auth.keys is not set");
     config.listen = "0.0.0.0:50051";
     open();
     EXPECT_EQ(anonymous().role, Role::director) << "no keys, and beyond";
@@ -164,7 +164,7 @@ TEST_F(AuthorizerTest, a_token_for_one_world_opens_no_other) {
         EXPECT_TRUE(ask(by_id, call, {"w1", "arena", ""}).ok()) << call;
         EXPECT_TRUE(ask(by_name, call, {"w1", "arena", ""}).ok()) << call;
         EXPECT_EQ(error_of(ask(by_id, call, {"w2", "pit", ""})).message,
-                  "your token is for another world")
+                  "the token is for another world")
             << call;
         EXPECT_FALSE(ask(by_name, call, {"w2", "pit", ""}).ok()) << call;
         EXPECT_FALSE(ask(by_id, call, {}).ok()) << "which one is not said: " << call;
@@ -195,7 +195,7 @@ TEST_F(AuthorizerTest, who_asks_too_often_is_told_when_to_come_back) {
     for (int i = 0; i < 3; ++i) EXPECT_TRUE(ask(anna, create, {}).ok());
     const Error error = error_of(ask(anna, create, {}));
     EXPECT_EQ(error.code, ErrorCode::resource_exhausted);
-    EXPECT_EQ(error.message, "too many new worlds; ask again in 20.0 s");
+    EXPECT_EQ(error.message, "too many new worlds; retry in 20.0 s");
     EXPECT_NEAR(error.retry_after_ms, 20000, 2);
     EXPECT_TRUE(ask(anna, debug).ok()) << "other work goes on";
     now.steady += std::chrono::milliseconds(error.retry_after_ms);
@@ -257,7 +257,7 @@ TEST_F(AuthorizerTest, what_was_wrong_with_a_ticket_is_told_to_the_audit_log_alo
         if (line["what"] == "ticket" && line["outcome"] == "refused")
             reasons.push_back(line["reason"]);
     EXPECT_EQ(reasons, (std::vector<std::string>{
-                           "the ticket was used before", "the ticket is unknown",
+                           "the ticket was already used", "the ticket is unknown",
                            "the ticket is for another world",
                            "the token behind the ticket has expired", "the ticket has expired"}));
     for (const Error& error : errors) {
@@ -287,10 +287,11 @@ TEST_F(AuthorizerTest, grants_refusals_and_changes_are_audited_and_reading_is_no
                        " " + line["world"].get<std::string>() + " " +
                        line["reason"].get<std::string>());
     }
-    EXPECT_EQ(told, (std::vector<std::string>{
-                        "login granted  ", "create granted  ", "create done w7 ",
-                        "create failed w7 the name is taken", "join granted w1 ",
-                        "admin refused w1 this takes the role admin, and yours is director"}));
+    EXPECT_EQ(told,
+              (std::vector<std::string>{
+                  "login granted  ", "create granted  ", "create done w7 ",
+                  "create failed w7 the name is taken", "join granted w1 ",
+                  "admin refused w1 this call requires the role admin; your role is director"}));
 }
 
 TEST_F(AuthorizerTest, a_token_is_told_of_once_not_with_each_call) {
@@ -414,7 +415,7 @@ TEST(BearerIn, takes_the_token_out_of_the_header) {
     for (const char* header :
          {"Bearer", "Bearer ", "Basic YTpi", "a.b.c", "Bearer\ta.b.c", "BearerX a.b.c"})
         EXPECT_EQ(parse_bearer(header).ok() ? "ok" : parse_bearer(header).error().message,
-                  "the Authorization header is not \"Bearer\" and a token after it")
+                  "the Authorization header is not \"Bearer TOKEN\"")
             << header;
 }
 

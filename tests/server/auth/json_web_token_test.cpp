@@ -68,10 +68,10 @@ TEST_F(JsonWebToken, the_audience_may_be_one_of_several) {
 }
 
 TEST_F(JsonWebToken, each_required_claim_is_missed_by_name) {
-    EXPECT_EQ(fault_with({{"iss", nullptr}}), "the token does not say who issued it (iss)");
-    EXPECT_EQ(fault_with({{"aud", nullptr}}), "the token does not say whom it is for (aud)");
-    EXPECT_EQ(fault_with({{"sub", nullptr}}), "the token names no subject (sub)");
-    EXPECT_EQ(fault_with({{"exp", nullptr}}), "the token has no end (exp)");
+    EXPECT_EQ(fault_with({{"iss", nullptr}}), "the token has no issuer (iss)");
+    EXPECT_EQ(fault_with({{"aud", nullptr}}), "the token has no audience (aud)");
+    EXPECT_EQ(fault_with({{"sub", nullptr}}), "the token has no subject (sub)");
+    EXPECT_EQ(fault_with({{"exp", nullptr}}), "the token has no expiry time (exp)");
     EXPECT_EQ(fault_with({{"role", nullptr}}),
               "the token's role is not viewer, player, director or admin");
     EXPECT_EQ(fault_with({{"iat", nullptr}}), "") << "iat is not required";
@@ -89,16 +89,16 @@ TEST_F(JsonWebToken, nothing_is_good_for_more_than_a_day) {
     constexpr std::int64_t day = 86400;
     EXPECT_EQ(fault_with({{"exp", seconds + day}}), "");
     EXPECT_EQ(fault_with({{"exp", seconds + 25 * 3600}}),
-              "the token ends (exp) more than 24 hours from now");
+              "the token expires (exp) more than 24 hours from now");
     EXPECT_EQ(fault_with({{"exp", seconds + 25 * 3600}, {"iat", nullptr}}),
-              "the token ends (exp) more than 24 hours from now");
+              "the token expires (exp) more than 24 hours from now");
     EXPECT_EQ(fault_with({{"iat", seconds - 5 * 3600}, {"exp", seconds + 20 * 3600}}),
-              "the token is good for more than 24 hours (iat to exp)");
+              "the token is valid for more than 24 hours (iat to exp)");
 }
 
 TEST_F(JsonWebToken, what_begins_later_is_not_good_yet) {
     EXPECT_EQ(fault_with({{"nbf", seconds + 30}}), "");
-    EXPECT_EQ(fault_with({{"nbf", seconds + 31}}), "the token is not good yet (nbf)");
+    EXPECT_EQ(fault_with({{"nbf", seconds + 31}}), "the token is not valid yet (nbf)");
     EXPECT_EQ(fault_with({{"iat", seconds + 31}}), "the token was issued (iat) in the future");
     EXPECT_EQ(fault_with({{"nbf", seconds + 31}}, now + 1s), "");
 }
@@ -106,13 +106,14 @@ TEST_F(JsonWebToken, what_begins_later_is_not_good_yet) {
 TEST_F(JsonWebToken, times_that_are_none_are_refused) {
     for (const Json& time :
          {Json("soon"), Json(-1), Json(1e300), Json(true), Json::array({1}), Json(253402300799)})
-        EXPECT_EQ(fault_with({{"exp", time}}), "the token's exp is no time in seconds since 1970");
+        EXPECT_EQ(fault_with({{"exp", time}}),
+                  "the token's exp is not a time in seconds since 1970");
     EXPECT_EQ(fault_with({{"exp", static_cast<double>(seconds) + 60.5}}), "");
 }
 
 TEST_F(JsonWebToken, another_issuer_or_audience_is_refused) {
     EXPECT_EQ(fault_with({{"iss", "https://login.example.org/"}}),
-              "the token is of another issuer (iss)");
+              "the token is from another issuer (iss)");
     EXPECT_EQ(fault_with({{"aud", "Jostle"}}), "the token is for another audience (aud)");
 }
 
@@ -129,7 +130,7 @@ TEST_F(JsonWebToken, subjects_and_roles_of_the_servers_own_are_not_given_away) {
 }
 
 TEST_F(JsonWebToken, only_es256_is_taken_whatever_the_token_says) {
-    const std::string taken = "the token is not signed with ES256, the one algorithm that is taken";
+    const std::string taken = "the token is not signed with ES256, the only accepted algorithm";
     const auto sign = [&](const std::string& text) { return login.key.sign(text); };
     for (const char* algorithm : {"none", "None", "RS256", "HS256", "ES384", "es256", ""}) {
         Json header = login.header();
@@ -161,7 +162,7 @@ TEST_F(JsonWebToken, the_public_key_is_no_secret_to_sign_with) {
 }
 
 TEST_F(JsonWebToken, a_forged_signature_is_refused) {
-    const std::string forged = "the token's signature is not that of the key it names";
+    const std::string forged = "the token's signature does not match its key";
     const test::SigningKey stranger;
     const auto of_stranger = [&](const std::string& text) { return stranger.sign(text); };
     EXPECT_EQ(fault_of(test::assemble(login.header().dump(), good.dump(), of_stranger)), forged);
@@ -187,7 +188,7 @@ TEST_F(JsonWebToken, no_character_of_it_can_be_changed) {
 }
 
 TEST_F(JsonWebToken, only_keys_of_the_set_count) {
-    const std::string unknown = "the token is signed with a key that is not known here";
+    const std::string unknown = "the token is signed with an unknown key";
     Json header = login.header();
     header["kid"] = "second";
     EXPECT_EQ(fault_of(login.token(header, good)), unknown);
@@ -235,7 +236,7 @@ TEST_F(JsonWebToken, a_claim_that_stands_twice_is_refused_though_it_was_signed) 
     claims.insert(1, R"("role":"admin",)");
     const auto sign = [&](const std::string& text) { return login.key.sign(text); };
     EXPECT_EQ(fault_of(test::assemble(login.header().dump(), claims, sign)),
-              "the token's claims cannot be read: a key stands twice in one object");
+              "the token's claims cannot be parsed: an object has a duplicate key");
 }
 
 TEST_F(JsonWebToken, eight_kibibytes_are_the_most_that_is_looked_at) {

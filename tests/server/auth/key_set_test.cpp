@@ -37,20 +37,21 @@ TEST(KeySet, keys_of_other_kinds_are_left_out_and_named) {
     EXPECT_EQ(read->keys.size(), 1u);
     EXPECT_TRUE(read->keys.contains("good"));
     ASSERT_EQ(read->warnings.size(), 8u);
-    EXPECT_EQ(read->warnings[0], "key 1 is left out: it is no EC key on the curve P-256");
+    EXPECT_EQ(read->warnings[0], "key 1 is skipped: it is not an EC key on the curve P-256");
     EXPECT_EQ(read->warnings[4],
-              "key 6 is left out: it is a private key, which belongs with the issuer alone");
+              "key 6 is skipped: it is a private key; only the issuer may hold it");
 }
 
 TEST(KeySet, what_is_no_key_set_is_refused) {
-    EXPECT_EQ(fault_of("{"), "it cannot be read: it is no JSON");
-    EXPECT_EQ(fault_of("[]"), "it is no JSON object with an array \"keys\"");
-    EXPECT_EQ(fault_of("{\"keys\": {}}"), "it is no JSON object with an array \"keys\"");
-    EXPECT_EQ(fault_of("{\"keys\": []}"), "it holds no EC key on P-256 with a kid");
-    EXPECT_EQ(fault_of(test::key_set(Json(std::vector<int>(101)))), "it holds more than 100 keys");
+    EXPECT_EQ(fault_of("{"), "it cannot be parsed: it is not valid JSON");
+    EXPECT_EQ(fault_of("[]"), "it is not a JSON object with an array \"keys\"");
+    EXPECT_EQ(fault_of("{\"keys\": {}}"), "it is not a JSON object with an array \"keys\"");
+    EXPECT_EQ(fault_of("{\"keys\": []}"), "it contains no EC key on P-256 with a kid");
+    EXPECT_EQ(fault_of(test::key_set(Json(std::vector<int>(101)))),
+              "it contains more than 100 keys");
     EXPECT_EQ(fault_of(test::key_set(
                   Json::array({SigningKey().public_key("a"), SigningKey().public_key("a")}))),
-              "key 2 has the kid of one before it");
+              "key 2 has the kid of an earlier key");
 }
 
 TEST(KeySet, the_first_file_must_be_good) {

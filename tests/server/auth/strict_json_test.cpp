@@ -20,8 +20,8 @@ TEST(StrictJson, reads_one_value) {
 }
 
 TEST(StrictJson, refuses_a_key_that_stands_twice_wherever_it_is) {
-    EXPECT_EQ(fault_of(R"({"a": 1, "b": 2, "a": 3})"), "a key stands twice in one object");
-    EXPECT_EQ(fault_of(R"([{"x": {"a": 1, "\u0061": 2}}])"), "a key stands twice in one object")
+    EXPECT_EQ(fault_of(R"({"a": 1, "b": 2, "a": 3})"), "an object has a duplicate key");
+    EXPECT_EQ(fault_of(R"([{"x": {"a": 1, "\u0061": 2}}])"), "an object has a duplicate key")
         << "escapes are other spellings of the same key";
     EXPECT_EQ(fault_of(R"({"a": {"a": {"a": 1}}, "b": {"a": 1}})"), "");
 }
@@ -35,7 +35,7 @@ TEST(StrictJson, depth_is_bounded) {
 TEST(StrictJson, what_is_no_json_or_more_than_that_is_refused) {
     for (const char* text : {"", "{", "{} {}", "{\"a\": 1,}", "'a'", "{\"a\": NaN}", "\"\xff\"",
                              "{\"a\": 1} x", "\xef\xbb\xbf{", "/* no */ {}"}) {
-        EXPECT_EQ(fault_of(text), "it is no JSON") << text;
+        EXPECT_EQ(fault_of(text), "it is not valid JSON") << text;
     }
 }
 

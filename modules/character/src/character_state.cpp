@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Characters as bytes: saved, from scenes, from those who drive, and for clients.
+// Serialization of characters: saved state, scene settings, driver input and client channels.
 #include <string>
 
 #include "jostle/modules/character.h"
@@ -74,9 +74,9 @@ Error unknown_character(const std::string& name, const std::string& why) {
     return {ErrorCode::invalid_argument, name + " " + why};
 }
 
-// What a scene says for all of its characters.
+// Settings that a scene gives for all of its characters.
 struct SceneNumbers {
-    CharacterAbilities abilities;
+    CharacterAbilities abilities;             // m; 0 derives it from the height
     double skin = 0.02, crouched_height = 0;  // m; 0: by the height
     double stroll = 0, stroll_turn = 0;
 };
@@ -98,25 +98,26 @@ Status read(const ModuleSettings& given, SceneNumbers& numbers) {
 Result<CharacterData> character_data_for(World& world, const std::string& name, BodyId id,
                                          const SceneNumbers& numbers) {
     const Result<BodyState> body = world.body(id);
-    if (!body.ok()) return unknown_character(name, "is no body");
+    if (!body.ok()) return unknown_character(name, "is not a body");
     if (body->type == BodyType::static_body)
-        return unknown_character(name, "is static; a character is kinematic or dynamic");
+        return unknown_character(name, "is static; it must be kinematic or dynamic");
     const std::vector<ShapeId> shapes = world.shapes_of(id);
-    if (shapes.empty()) return unknown_character(name, "has no shape; give it a capsule");
+    if (shapes.empty())
+        return unknown_character(name, "has no shape; its first shape must be an upright capsule");
     const Result<ShapeState> shape = world.shape(shapes.front());
     const auto* capsule = std::get_if<Capsule>(&shape->geometry);
     if (capsule == nullptr || absolute(rotate(shape->pose.rotation, {0, 1, 0}).y) < 0.999999)
-        return unknown_character(name, "has another first shape than an upright capsule");
+        return unknown_character(name, "has the wrong first shape; it must be an upright capsule");
     CharacterData r;
     r.kind = body->type == BodyType::dynamic ? CharacterKind::rigid : CharacterKind::sweeping;
     r.skin = r.kind == CharacterKind::rigid ? 0 : numbers.skin;
     r.body = id;
     r.radius = capsule->radius + r.skin;
     r.height = 2 * (capsule->half_length + r.radius);
-    const bool asked = numbers.crouched_height > 0;
+    const bool configured = numbers.crouched_height > 0;
     r.crouched_height =
-        asked ? numbers.crouched_height
-              : maximum(0.6 * r.height, minimum(r.height, 2 * r.radius + 2 * min_shape_size));
+        configured ? numbers.crouched_height
+                   : maximum(0.6 * r.height, minimum(r.height, 2 * r.radius + 2 * min_shape_size));
     r.foot_height = 0.5 * r.height - shape->pose.position.y;
     r.mask = shape->filter.mask;
     r.abilities = numbers.abilities;
@@ -138,7 +139,7 @@ Status check_character_data(const std::string& name, const CharacterData& r) {
                      .skin = r.skin,
                      .abilities = r.abilities};
     if (Status s = character_detail::check_def(def); !s.ok())
-        return unknown_character(name, "cannot be a character: " + s.error().message);
+        return unknown_character(name, "cannot become a character: " + s.error().message);
     return {};
 }
 
@@ -147,7 +148,8 @@ Status check_character_data(const std::string& name, const CharacterData& r) {
 void Characters::visit(StateVisitor& v) {
     std::vector<CharacterData>& records = store_->characters;
     v.all("characters", records, [&](CharacterData& record) { visit_character_data(v, record); });
-    if (v.loading() && records.size() > most) v.fail("characters", "are more than 4096");
+    if (v.loading() && records.size() > most)
+        v.fail("characters", "has too many elements; it must have at most 4096");
 }
 
 bool Characters::visit_controlled_entity(World& world, BodyId body, StateVisitor& v) {
@@ -182,12 +184,12 @@ Status Characters::configure(World& world, const ModuleSettings& settings) {
     SceneNumbers numbers;
     if (Status s = read(settings, numbers); !s.ok()) return s;
     for (const auto& [name, body] : settings.bodies) {
-        if (is_controllable(body)) return unknown_character(name, "is a character already");
+        if (is_controllable(body)) return unknown_character(name, "is already a character");
         Result<CharacterData> record = character_data_for(world, name, body, numbers);
         if (!record.ok()) return record.error();
         if (Status s = check_character_data(name, *record); !s.ok()) return s;
         if (store_->characters.size() == most)
-            return unknown_character(name, "is one more than 4096");
+            return unknown_character(name, "exceeds the limit of 4096 characters");
         if (record->kind == CharacterKind::rigid) {
             if (Status s = world.set_locks(body, character_detail::upright); !s.ok()) return s;
         }
@@ -196,7 +198,8 @@ Status Characters::configure(World& world, const ModuleSettings& settings) {
         store_->characters.push_back(*record);
     }
     if (settings.bodies.empty())
-        return Error{ErrorCode::invalid_argument, "has no body; name those that are to walk"};
+        return Error{ErrorCode::invalid_argument,
+                     "has no body; name at least one body that becomes a character"};
     return {};
 }
 

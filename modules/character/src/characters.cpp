@@ -20,7 +20,7 @@ namespace {
 Error unknown(CharacterId id) {
     return {ErrorCode::not_found, "character {" + std::to_string(id.index) + ", " +
                                       std::to_string(id.generation) +
-                                      "} does not exist (any more)"};
+                                      "} does not exist or was removed"};
 }
 
 CharacterData character_data_of(const CharacterDef& def) {
@@ -38,7 +38,7 @@ CharacterData character_data_of(const CharacterDef& def) {
     return record;
 }
 
-// Its origin is at the feet: what crouches changes its shape, not its place.
+// The body's origin is at the feet: crouching changes the shape but not the pose.
 Result<BodyId> make_body(World& world, const CharacterData& record, const CharacterDef& def) {
     const bool sweeps = def.kind == CharacterKind::sweeping;
     const BodyDef body{.type = sweeps ? BodyType::kinematic : BodyType::dynamic,
@@ -66,8 +66,9 @@ Result<CharacterId> Characters::add(World& world, const CharacterDef& def) {
     std::size_t index = 0;
     while (index < records.size() && records[index].alive) index++;
     if (index == most)
-        return Error{ErrorCode::resource_exhausted,
-                     "there are " + std::to_string(most) + " characters; remove one first"};
+        return Error{ErrorCode::resource_exhausted, "the world already has the maximum of " +
+                                                        std::to_string(most) +
+                                                        " characters; remove one first"};
     CharacterData record = character_data_of(def);
     const Result<BodyId> body = make_body(world, record, def);
     if (!body.ok()) return body.error();
@@ -156,7 +157,7 @@ Status Characters::set_velocity(World& world, CharacterId id, Vec3 velocity) {
     if (record->kind == CharacterKind::rigid)
         return world.set_linear_velocity(record->body, velocity);
     record->velocity = velocity;
-    record->ground = GroundKind::in_air;  // until the step finds that it is not
+    record->ground = GroundKind::in_air;  // the next step detects ground contact
     return {};
 }
 
@@ -187,7 +188,7 @@ void Characters::before_step(World& world, double dt) {
     for (CharacterData& record : store_->characters) {
         if (!record.alive) continue;
         if (!world.contains(record.body))
-            record.alive = false;  // somebody destroyed it
+            record.alive = false;  // the body was destroyed by another caller
         else if (record.kind == CharacterKind::sweeping)
             sweep_step(world, record, dt);
         else

@@ -24,7 +24,7 @@ Status check(const char* name, Vec3 value, double most) {
 
 Status check_size(const CharacterDef& def) {
     if (Status s = check("radius", def.radius, radius_min, radius_max); !s.ok()) return s;
-    // A capsule with a cylinder of its own, however short.
+    // A capsule needs a cylindrical section, however short.
     const double least = 2 * def.radius + 2 * min_shape_size;
     if (Status s = check("height", def.height, least, height_max); !s.ok()) return s;
     if (Status s = check("crouched_height", def.crouched_height, least, def.height); !s.ok())
@@ -37,7 +37,8 @@ Status check_size(const CharacterDef& def) {
 
 Status check_def(const CharacterDef& def) {
     if (def.kind != CharacterKind::sweeping && def.kind != CharacterKind::rigid)
-        return Error{ErrorCode::invalid_argument, "kind is neither sweeping nor rigid"};
+        return Error{ErrorCode::invalid_argument,
+                     "kind is out of range; it must be sweeping (0) or rigid (1)"};
     if (Status s = check_feet(def.feet); !s.ok()) return s;
     if (Status s = check("heading", def.heading, -1e6, 1e6); !s.ok()) return s;
     if (Status s = check_velocity(def.velocity); !s.ok()) return s;

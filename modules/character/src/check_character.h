@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The ranges of all that a caller, a scene or saved bytes say of a character.
+// Range checks for character values from callers, scenes and saved state.
 #pragma once
 
 #include <initializer_list>
@@ -15,7 +15,7 @@ physics::Status check_walk(physics::Vec3 walk);
 physics::Status check_feet(physics::Vec3 feet);
 physics::Status check_velocity(physics::Vec3 velocity);
 
-// An ability with its range; one list for calls, scenes and saved bytes.
+// An ability and its range. Calls, scenes and saved state share this list.
 struct Ability {
     const char* name;
     double CharacterAbilities::*value;

@@ -8,17 +8,17 @@ namespace {
 
 using namespace physics;
 
-constexpr double clearance = 0.0002;  // m between what is swept here and what the skin touches
+constexpr double clearance = 0.0002;  // m between the capsules swept in this file and the skin
 
-// The capsule with most of its skin: what comes to stand on an edge does so at once where the skin
-// does.
+// The capsule with most of its skin. A character that steps onto an edge therefore stands on it as
+// soon as its skin does.
 Capsule with_skin(const CharacterData& record) {
     Capsule capsule = capsule_of(record, current_height(record));
     capsule.radius += record.skin - minimum(clearance, 0.5 * record.skin);
     return capsule;
 }
 
-// The part of the motion that is free, less the clearance.
+// Returns the fraction of the motion that is free, minus the clearance.
 double free_fraction(const EnvironmentQuery& near, const Capsule& capsule, Vec3 from, Vec3 motion) {
     const auto hit = near.sweep(capsule, from, motion);
     if (!hit) return 1;
@@ -54,7 +54,8 @@ std::optional<Vec3> climb(const EnvironmentQuery& near, const CharacterData& rec
     const double floor = from.y - 0.5 * current_height(record);
     const auto there = step_down(near, record, above + displacement * fraction, rise + clearance,
                                  floor + step + 0.002);
-    // A step rises: on level floor what is left of the way is the clearance to a wall.
+    // A step must rise. On a level floor, the remaining displacement is only the clearance to a
+    // wall.
     if (!there || there->y - from.y < 0.1 * fraction * length(displacement)) return std::nullopt;
     return there;
 }

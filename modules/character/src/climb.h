@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Over a step: up, forward and down.
+// Climbing a step: up, forward and down.
 #pragma once
 
 #include <optional>
@@ -9,14 +9,16 @@
 
 namespace jostle::modules::character_detail {
 
-// Where the centre comes to stand that starts at `from` and wants to go `way` (horizontal, m), when
-// a step is in the way that can be climbed. `least`: m that it has to get further than that.
+// Returns the centre after climbing a step that blocks a horizontal displacement (m) from `from`;
+// nullopt if there is no climbable step. The result advances by more than min_progress (m) along
+// the displacement.
 std::optional<physics::Vec3> climb(const EnvironmentQuery& near, const CharacterData& record,
                                    physics::Vec3 from, physics::Vec3 displacement,
                                    double min_progress);
 
-// Where it stands when it is put down from `from` by at most `drop`: on floor that can be walked
-// on, or on the edge of a step.
+// Lowers the character from `from` by at most `drop` (m). Returns the centre where it stands on
+// walkable floor or on the edge of a step, at most floor_height_max (m, world y) high; otherwise
+// nullopt.
 std::optional<physics::Vec3> step_down(const EnvironmentQuery& near, const CharacterData& record,
                                        physics::Vec3 from, double drop, double floor_height_max);
 

@@ -21,8 +21,8 @@ Vec3 velocity_of(const BodyState& body, const ShapeState& shape, Vec3 point) {
     return v;
 }
 
-// The middle of a manifold; of what moves by itself also its points: one end of it may come closer
-// while the middle does not.
+// Adds the centre of a manifold. For a moving body, also adds each point, because one end of the
+// manifold may approach while the centre does not.
 void add_manifold(const ContactManifold& manifold, const BodyState& body, const ShapeState& shape,
                   std::vector<Contact>& out) {
     Contact middle{.normal = -manifold.normal,

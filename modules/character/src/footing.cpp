@@ -8,13 +8,13 @@ namespace {
 
 using namespace physics;
 
-constexpr double lift_min = 0.02;  // of a normal: below, it is a wall
+constexpr double lift_min = 0.02;  // upward component of a normal; a smaller one is a wall
 
 Footing make_footing(const Contact& contact, GroundKind kind, Vec3 normal) {
     return {kind, contact.body, contact.shape, normal, contact.normal, contact.point, contact.gap};
 }
 
-// Whether steep planes hold it between them: nothing that falls can leave.
+// Returns true if steep planes wedge the character so that it cannot fall.
 bool is_wedged(std::span<const Contact> touching) {
     VelocityPlanes planes;
     for (const Contact& contact : touching) planes.add(contact.normal, 0);
@@ -40,7 +40,7 @@ bool is_step_edge(const EnvironmentQuery& near, const CharacterData& record, Vec
 
 Footing find_footing(const EnvironmentQuery& near, const CharacterData& record, Vec3 feet,
                      std::span<const Contact> contacts, double close) {
-    std::size_t touching = 0;  // they are sorted by gap
+    std::size_t touching = 0;  // contacts are sorted by gap
     const Contact* best = nullptr;
     for (; touching < contacts.size() && contacts[touching].gap <= close; touching++) {
         const Contact& contact = contacts[touching];

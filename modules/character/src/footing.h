@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What a character stands on, of all that it touches.
+// Selects the contact on which a character stands.
 #pragma once
 
 #include <span>
@@ -13,21 +13,23 @@ struct Footing {
     GroundKind kind = GroundKind::in_air;
     physics::BodyId body;
     physics::ShapeId shape;
-    physics::Vec3 normal;   // of the ground; of the tread, where an edge of a step holds it
+    physics::Vec3 normal;   // of the ground; of the tread if the edge of a step supports it
     physics::Vec3 contact;  // normal of the contact itself
     physics::Vec3 point;
     double gap = 0;
 };
 
-// The least upward part of a normal that can be walked on.
+// Smallest upward component of the normal of a walkable surface.
 double min_walkable_normal_y(const CharacterData& record);
 
-// Of contacts that are no further than `close`. `feet`: m, of the character where they were found.
+// Selects from the contacts with a gap of at most `close` (m). `feet` is the position of the
+// character for which the contacts were found, m.
 Footing find_footing(const EnvironmentQuery& near, const CharacterData& record, physics::Vec3 feet,
                      std::span<const Contact> contacts, double close);
 
-// Whether a steep contact is the edge of a step: there is floor behind it, no higher than a step,
-// and floor no more than a step below. On the edge of a cliff nobody stands by his side.
+// Returns true if a steep contact is the edge of a step: the floor behind it is no higher than a
+// step, and there is floor at most one step below. The second condition excludes the edge of a
+// cliff.
 bool is_step_edge(const EnvironmentQuery& near, const CharacterData& record, physics::Vec3 feet,
                   physics::Vec3 point, physics::Vec3 normal);
 

@@ -15,13 +15,13 @@ void move_kinematic_body(World& world, const CharacterData& record, double rise,
     const bool rests = body->linear_velocity == Vec3{} && body->angular_velocity == Vec3{};
     if (rests && body->pose == pose) return;
     constexpr double least_rise = 0.01;  // m
-    Vec3 leap = absolute(rise) > least_rise ? up * rise : Vec3{};
-    const Vec3 way = pose.position - body->pose.position - leap;
-    const double size = length(way), most = speed * dt;
-    if (size > most) leap += way * (1 - most / size);
-    if (leap != Vec3{})
+    Vec3 teleport = absolute(rise) > least_rise ? up * rise : Vec3{};
+    const Vec3 displacement = pose.position - body->pose.position - teleport;
+    const double size = length(displacement), most = speed * dt;
+    if (size > most) teleport += displacement * (1 - most / size);
+    if (teleport != Vec3{})
         static_cast<void>(
-            world.set_pose(record.body, {body->pose.position + leap, body->pose.rotation}));
+            world.set_pose(record.body, {body->pose.position + teleport, body->pose.rotation}));
     static_cast<void>(world.move_to(record.body, pose, dt));
 }
 

@@ -11,8 +11,8 @@ namespace {
 using namespace physics;
 
 constexpr double tolerance = 1e-9;  // m/s
-constexpr double same_normal_tolerance =
-    0.99985;  // cosine of a degree: normals that are taken as one
+// cosine of 1 degree: normals within this angle count as one
+constexpr double same_normal_tolerance = 0.99985;
 
 using Planes = std::span<const VelocityPlane>;
 
@@ -23,14 +23,14 @@ bool allowed(Vec3 v, Planes planes) {
     return true;
 }
 
-// Nearest to `wanted` on one plane, if the plane pushes.
+// Projects `desired` onto one plane; nullopt if `desired` does not violate it.
 std::optional<Vec3> project_on_one(Vec3 desired, const VelocityPlane& a) {
     const double push = a.min_speed - dot(a.normal, desired);
     if (push <= 0) return std::nullopt;
     return desired + a.normal * push;
 }
 
-// ... on the line of two, if both push.
+// Projects onto the intersection line of two planes; nullopt if one of them does not push.
 std::optional<Vec3> project_on_two(Vec3 desired, const VelocityPlane& a, const VelocityPlane& b) {
     const double c = dot(a.normal, b.normal), det = 1 - c * c;
     if (det < 1e-9) return std::nullopt;
@@ -41,10 +41,11 @@ std::optional<Vec3> project_on_two(Vec3 desired, const VelocityPlane& a, const V
     return desired + a.normal * pa + b.normal * pb;
 }
 
-// ... in the corner of three, if all push.
+// Returns the intersection point of three planes; nullopt if one of them does not push.
 std::optional<Vec3> intersect_three(Vec3 desired, const VelocityPlane& a, const VelocityPlane& b,
                                     const VelocityPlane& c) {
-    // v solves N v = least, where N has the normals as rows; the pushes p solve N^T p = v - wanted.
+    // v solves N v = min_speed, where the rows of N are the normals. The pushes p solve N^T p = v -
+    // desired.
     const Mat3 normals{a.normal, b.normal, c.normal};  // as columns
     if (absolute(determinant(normals)) < 1e-6) return std::nullopt;
     const Vec3 v = inverse(transpose(normals)) * Vec3{a.min_speed, b.min_speed, c.min_speed};
@@ -53,7 +54,7 @@ std::optional<Vec3> intersect_three(Vec3 desired, const VelocityPlane& a, const 
     return v;
 }
 
-// Where the planes contradict each other: each in turn, a few times.
+// For contradictory planes: projects onto each plane in turn, for a few rounds.
 Vec3 least_violating_velocity(Vec3 v, Planes planes, double most) {
     for (int round = 0; round < 8; round++)
         for (const VelocityPlane& plane : planes)
@@ -62,8 +63,8 @@ Vec3 least_violating_velocity(Vec3 v, Planes planes, double most) {
     return speed > most ? v * (most / speed) : v;
 }
 
-// What slides along planes that stand still gets no faster; three that move and are square to each
-// other add three of their speeds.
+// Upper bound on the speed of a valid result. Sliding along stationary planes never increases the
+// speed. Three moving, mutually orthogonal planes add at most three times their speed.
 double max_plane_speed(Vec3 desired, Planes planes) {
     double fastest = 0;
     for (const VelocityPlane& plane : planes) fastest = maximum(fastest, plane.min_speed);
@@ -72,9 +73,9 @@ double max_plane_speed(Vec3 desired, Planes planes) {
 
 }  // namespace
 
-// By convexity the first that is allowed and that all its planes push is the nearest of all
-// (Karush, Kuhn, Tucker). Planes that rounding made of one, or that close on each other like a
-// wedge, meet far away: nobody is thrown there.
+// The problem is convex, so the first allowed candidate that all of its planes push is the nearest
+// (Karush-Kuhn-Tucker conditions). Planes that are nearly parallel because of rounding, or that
+// close like a wedge, intersect far away; max_plane_speed() rejects these candidates.
 Vec3 nearest_velocity(Vec3 desired, Planes planes) {
     planes =
         planes.first(planes.size() < velocity_planes_max ? planes.size() : velocity_planes_max);

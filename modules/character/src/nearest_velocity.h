@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The velocity nearest to the one that is wanted among those that planes allow: a quadratic program
-// in three variables, solved exactly by trying which planes hold (at most three do).
+// The allowed velocity nearest to a desired one, where planes restrict the velocity. This is a
+// quadratic program in three variables. It is solved exactly by enumerating active sets, of at most
+// three planes.
 #pragma once
 
 #include <array>
@@ -16,13 +17,13 @@ struct VelocityPlane {
     double min_speed = 0;  // m/s along the normal
 };
 
-// More planes than this are not looked at.
+// Further planes are ignored.
 inline constexpr std::size_t velocity_planes_max = 16;
 
-// Where no velocity is allowed, one that violates the planes little.
+// Returns the nearest allowed velocity. If none is allowed, returns one with a small violation.
 physics::Vec3 nearest_velocity(physics::Vec3 desired, std::span<const VelocityPlane> planes);
 
-// Planes as they are found; of those with one normal, to a degree, the strictest counts.
+// A set of planes. Of planes whose normals agree within 1 degree, the strictest one applies.
 class VelocityPlanes {
 public:
     void add(physics::Vec3 normal, double least);

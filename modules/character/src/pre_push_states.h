@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// How bodies moved before they were pushed in this step. What was pushed may be held by others: how
-// it moves is sure only when the world has stepped.
+// States of bodies before they were pushed in this step. Other bodies may block a pushed body, so
+// its actual motion is known only after the world has stepped.
 #pragma once
 
 #include <vector>
@@ -12,13 +12,13 @@ namespace jostle::modules::character_detail {
 
 class PrePushStates {
 public:
-    // Before the first push.
+    // Call before the first push.
     void store(const physics::World& world, physics::BodyId id);
-    // As remembered; of others as they are.
+    // Returns the stored state; the current state of a body that was not stored.
     physics::Result<physics::BodyState> of(const physics::World& world, physics::BodyId id) const;
 
 private:
-    std::vector<physics::BodyState> bodies_;  // dynamic ones
+    std::vector<physics::BodyState> bodies_;  // only dynamic bodies
 };
 
 }  // namespace jostle::modules::character_detail

@@ -6,8 +6,8 @@ using namespace physics;
 
 namespace {
 
-// 1/kg: how easily a point of the body gives way along a unit direction; 0 where nothing moves it.
-// Turns that are locked, even some, are taken as all locked.
+// Compliance of a point of the body along a unit direction, 1/kg; 0 if the body cannot move. If any
+// rotation axis is locked, all are treated as locked.
 double compliance(const BodyState& body, Vec3 point, Vec3 direction) {
     if (!(body.mass > 0)) return 0;
     const Vec3 free{(body.locks & lock_x) != 0 ? 0.0 : direction.x,
@@ -19,7 +19,8 @@ double compliance(const BodyState& body, Vec3 point, Vec3 direction) {
     return straight + dot(arm, inverse(body.inertia) * arm);
 }
 
-// Legs push all through the step, so that friction may hold against them; all else is at once.
+// The effort of legs acts as a force over the whole step, so that friction can resist it.
+// Everything else is an impulse.
 bool apply(World& world, const Contact& contact, const PushResult& given, const PushState& push) {
     const double at_once = given.impact + (push.on_ground ? 0 : given.effort);
     const Vec3 n = contact.normal;

@@ -9,10 +9,10 @@ namespace {
 
 using namespace physics;
 
-constexpr double ground_gap_max = 0.01;         // m within which it stands
+constexpr double ground_gap_max = 0.01;         // m, largest gap at which it stands
 constexpr double ground_probe_distance = 0.03;  // m
-constexpr double lift_off_speed = 0.5;          // m/s: a lift may brake by so much in a step
-constexpr double velocity_change_min = 1e-9;    // m/s: less does not keep it awake
+constexpr double lift_off_speed = 0.5;        // m/s: a lift may decelerate by this much in one step
+constexpr double velocity_change_min = 1e-9;  // m/s: a smaller change must not keep the body awake
 
 Footing find_ground(const World& world, CharacterData& self, const BodyState& body) {
     const EnvironmentQuery near = make_environment_query(world, self);
@@ -38,7 +38,8 @@ void store_ground(const World& world, CharacterData& self, const Footing& footin
         self.ground_velocity = ground_velocity_at(world, *ground, footing.shape, self.feet, dt);
 }
 
-// m/s: along the floor with all of the horizontal velocity that is wanted.
+// Velocity change, m/s, along the floor. The horizontal velocity keeps the full desired speed on
+// slopes.
 Vec3 ground_velocity_change(const CharacterData& self, Vec3 velocity, Vec3 walk, double dt) {
     const Vec3 n = self.ground_normal, over = velocity - self.ground_velocity;
     Vec3 change = acceleration_step(over, walk, self.abilities.ground_acceleration, dt);
@@ -48,7 +49,8 @@ Vec3 ground_velocity_change(const CharacterData& self, Vec3 velocity, Vec3 walk,
     return change;
 }
 
-// Its feet hold it against what gravity does along the floor, all through the step.
+// Compensates the component of gravity along the floor by a force over the whole step: the feet
+// hold the character.
 void apply_holding_force(World& world, CharacterData& self, const BodyState& body, double dt) {
     const Vec3 n = self.ground_normal, gravity = world.gravity();
     const Vec3 along = gravity - n * dot(gravity, n);
@@ -84,7 +86,7 @@ void rigid_step(World& world, CharacterData& self, double dt) {
     store_ground(world, self, find_ground(world, self, *body), dt);
     Vec3 change;
     if (should_jump(self, controls.jump)) {
-        // Off the ground as it moves, but not off what is knocked away under it.
+        // Jumps relative to the moving ground, but not relative to ground that is knocked away.
         const double from = clamp(self.ground_velocity.y - velocity.y, -1, 1);
         change.y = self.abilities.jump_speed + from;
         self.ground = GroundKind::in_air;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// One step of a rigid character: impulses that give its body the velocity that is wanted.
+// Steps a rigid character: applies the impulses that give its body the desired velocity.
 #pragma once
 
 #include "modules/character/src/character_data.h"

@@ -49,7 +49,7 @@ void turn_by(CharacterData& record, double angle) {
     record.heading = wrapped(record.heading + angle);
 }
 
-// The first shape becomes the capsule that goes with the height; feet stay where they are.
+// Replaces the first shape by the capsule of the current height. The feet do not move.
 void update_shape(World& world, const CharacterData& record) {
     std::vector<ShapeDef> shapes;
     for (const ShapeId id : world.shapes_of(record.body))
@@ -67,7 +67,7 @@ void update_crouch(World& world, CharacterData& record, bool crouch) {
     if (crouch == record.crouched) return;
     if (!crouch) {
         const Capsule tall = capsule_of(record, record.height);
-        // A little off the floor, which a rigid one touches.
+        // Slightly above the floor, which a rigid character touches.
         const Vec3 center = record.feet + up * (0.5 * record.height + 0.005);
         if (!make_environment_query(world, record).is_free(tall, center)) return;
     }
@@ -92,7 +92,7 @@ void apply_ground_impulse(World& world, CharacterData& record, Vec3 impulse) {
         record.applied_impulse += impulse;
 }
 
-// What the ground stands on holds it against tilting: its mass alone counts.
+// The support of the ground resists tilting, so only its mass counts.
 Vec3 push_off(World& world, CharacterData& record, Vec3 change) {
     const double mass = record.abilities.mass;
     const Result<BodyState> ground = world.body(record.ground_body);

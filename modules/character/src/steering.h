@@ -1,43 +1,43 @@
 // SPDX-License-Identifier: MIT
 //
-// What both kinds of characters do with what they are asked to do.
+// Handling of controls, shared by both kinds of characters.
 #pragma once
 
 #include "modules/character/src/character_data.h"
 
 namespace jostle::modules::character_detail {
 
-// The controls of this step; who strolls walks on.
+// Returns the controls of this step. A strolling character keeps walking.
 CharacterControls current_controls(CharacterData& record, double dt);
 
-// A change of the horizontal velocity towards the wanted one, by at most acceleration * dt.
+// Returns the change of the horizontal velocity towards the desired one, at most acceleration * dt.
 physics::Vec3 acceleration_step(physics::Vec3 velocity, physics::Vec3 desired, double acceleration,
                                 double dt);
 
-// Whether it jumps in this step: from the ground, once for each press.
+// Returns true if the character jumps in this step: only from the ground, once per press.
 bool should_jump(CharacterData& record, bool jump);
 
-// Turns to where it walks.
+// Turns towards the walking direction.
 void turn_to_walk_direction(CharacterData& record, physics::Vec3 walk, double dt);
 
 void turn_by(CharacterData& record, double angle);
 
-// Makes it crouch or, if there is room, stand; its body's first shape follows.
+// Crouches, or stands up if there is room. Updates the first shape of the body.
 void update_crouch(physics::World& world, CharacterData& record, bool crouch);
 
-// Gives its body the shape that it has as it stands or crouches.
+// Gives the body the shape for the current height.
 void update_shape(physics::World& world, const CharacterData& record);
 
-// The velocity of a point of the ground over the coming step, m/s: what its rigid motion and the
-// belt on it make of the point.
+// Velocity of a point of the ground over the coming step, m/s: rigid motion plus the surface
+// velocity of the shape (conveyor belt).
 physics::Vec3 ground_velocity_at(const physics::World& world, const physics::BodyState& ground,
                                  physics::ShapeId shape, physics::Vec3 point, double dt);
 
-// N s to the ground, if that can move.
+// Applies an impulse, N s, to the ground if it can move.
 void apply_ground_impulse(physics::World& world, CharacterData& record, physics::Vec3 impulse);
 
-// Sets off from the ground by a velocity over it, m/s: the ground, if it can move, gets the recoil.
-// What of it is the character's own, as seen by the world; the ground has the rest.
+// Pushes off the ground with a relative velocity, m/s. Dynamic ground receives the recoil. Returns
+// the velocity change of the character in the world.
 physics::Vec3 push_off(physics::World& world, CharacterData& record, physics::Vec3 change);
 
 physics::Quat orientation(const CharacterData& record);

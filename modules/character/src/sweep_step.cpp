@@ -15,16 +15,15 @@ namespace {
 using namespace physics;
 
 constexpr double touching_gap = 0.002;  // m beyond the skin within which it stands
-constexpr double contact_reach = 0.02;  // m beyond the skin: contacts of the next moment
-constexpr double recovery_speed = 3;    // m/s at which it leaves what came closer than the skin
-constexpr double ground_leave_speed =
-    0.05;                               // m/s: who rises faster from a floor does not stand on it
-constexpr double coordinate_max = 9e6;  // m from the origin, along each axis
+constexpr double contact_reach = 0.02;  // m beyond the skin: contacts that may be reached next
+constexpr double recovery_speed = 3;    // m/s at which it leaves obstacles closer than the skin
+constexpr double ground_leave_speed = 0.05;  // m/s: above it, a rising character has left the floor
+constexpr double coordinate_max = 9e6;       // m from the origin, along each axis
 constexpr double lookahead_skins = 2;
 constexpr int slide_iterations_max = 6;
 
-// Walks in the frame of the ground as it is before the step, and is then carried along. So it
-// keeps to a platform exactly, whatever that does.
+// Moves a character in the frame of its ground before the step, then moves it along with the
+// ground. It therefore follows a platform exactly, regardless of the platform's motion.
 class SweepStep {
 public:
     SweepStep(World& world, CharacterData& record, double dt)
@@ -49,7 +48,7 @@ public:
     }
 
 private:
-    // --- what it wants ---
+    // --- desired motion ---
     void steer(const CharacterControls& controls) {
         if (data_.ground != GroundKind::on_ground) detect_ground();
         grounded_ = data_.ground == GroundKind::on_ground;
@@ -63,7 +62,7 @@ private:
         if (!grounded_) accelerate_in_air(controls.walk);
         turn_to_walk_direction(data_, controls.walk, dt_);
     }
-    // A floor may have come up to it since the last step.
+    // The floor may have risen to it since the last step.
     void detect_ground() {
         final_velocity_ = data_.velocity;
         footing_ = probe_ground();
@@ -73,8 +72,8 @@ private:
         data_.ground_velocity = predicted_ground_velocity(data_.feet);
         data_.velocity = horizontal(data_.velocity - data_.ground_velocity);
     }
-    // What is knocked away under its feet does not take it along. A platform does, whatever it
-    // does.
+    // A dynamic body that is knocked away does not carry the character along. A kinematic platform
+    // always does.
     bool is_ground_slipping() const {
         const Result<BodyState> ground = world_.body(data_.ground_body);
         return ground.ok() && ground->type == BodyType::dynamic &&
@@ -92,7 +91,8 @@ private:
         const Vec3 change =
             acceleration_step(velocity_, walk, data_.abilities.ground_acceleration, dt_);
         pre_push_states_.store(world_, data_.ground_body);
-        // And it goes along with what the ground did since the last step: its mass is felt.
+        // Includes the velocity change of the ground since the last step, so the ground carries the
+        // mass of the character.
         push_off(world_, data_, change + horizontal(ground_velocity_ - data_.ground_velocity));
         ground_velocity_ = predicted_ground_velocity(data_.feet);
         velocity_ += change;
@@ -107,7 +107,8 @@ private:
         grounded_ = false;
         data_.ground = GroundKind::in_air;
     }
-    // now_ becomes the mean velocity of a parabola, last_ the one at its end: no error in the step.
+    // velocity_ becomes the mean velocity of a parabola and final_velocity_ the velocity at its
+    // end, so integration is exact.
     void accelerate_in_air(Vec3 walk) {
         if (horizontal(walk) != Vec3{}) {
             Vec3 change = acceleration_step(velocity_, walk, data_.abilities.air_acceleration, dt_);
@@ -122,7 +123,7 @@ private:
         velocity_ += fall * 0.5;
     }
 
-    // --- how far it gets ---
+    // --- movement ---
     void move() {
         const Vec3 start = center_;
         slide();
@@ -131,7 +132,7 @@ private:
         if (size < 1e-6) return;
         const double got = dot(center_ - start, desired_velocity_) / length(desired_velocity_);
         if (got > size - 1e-4 * (size + 0.01)) return;
-        // Stopped by a riser it still wants to get on.
+        // A riser stopped it; it tries to climb.
         const Vec3 direction = (length_squared(walk_velocity_) > length_squared(desired_velocity_)
                                     ? walk_velocity_
                                     : desired_velocity_) *
@@ -163,8 +164,9 @@ private:
         }
     }
 
-    // Goes until the skin touches what is first in the way, which becomes `met`. Returns how much
-    // of the motion that was. Looks further ahead than it goes: the skin is to stay free as well.
+    // Moves until the skin touches the first obstacle and returns the fraction of the motion. Sets
+    // blocking_contact if there is an obstacle. The sweep is longer than the motion, because the
+    // skin must stay free too.
     double advance(Vec3 motion, std::optional<Contact>& blocking_contact) {
         blocking_contact.reset();
         const double size = length(motion), sweep_length = size + lookahead_skins * data_.skin;
@@ -173,7 +175,7 @@ private:
         const double closing = hit ? -dot(hit->normal, direction) : 0;
         if (hit && closing <= 0 && hit->fraction <= 0) return move_out_of_overlap(motion, *hit);
         if (!hit) return move_by(motion, 1);
-        if (closing <= 0)  // grazes it
+        if (closing <= 0)  // grazing contact
             return move_by(motion, clamp(hit->fraction * sweep_length / size - 1e-6, 0, 1));
         const double room = hit->fraction * sweep_length * closing;  // m along the normal
         const double free = maximum(0, room - data_.skin) / closing;
@@ -181,7 +183,7 @@ private:
         blocking_contact = environment_.contact_at(*hit, room - free * closing);
         return move_by(motion, free / size);
     }
-    // Out of what it overlaps: what moved into it.
+    // Leaves an overlap with a body that moved into the character.
     double move_out_of_overlap(Vec3 motion, const ShapeCastHit& overlap) {
         const double size = length(motion);
         const Result<BodyState> body = world_.body(overlap.body);
@@ -195,20 +197,21 @@ private:
         return fraction;
     }
 
-    // --- what contacts allow ---
-    // m/s of what is touched, as seen from the ground that carries the character.
+    // --- contact constraints ---
+    // Velocity of the contact relative to the ground that carries the character, m/s.
     Vec3 relative_velocity(const Contact& contact) const {
         if (grounded_ && contact.body == data_.ground_body) return {};
         return contact.velocity - ground_velocity_;
     }
-    // ... as far as its motion is sure: what was just pushed may be held by others.
+    // The same before any push of this step: other bodies may block a body that was just pushed.
     Vec3 pre_push_relative_velocity(const Contact& contact) const {
         const Result<BodyState> body = pre_push_states_.of(world_, contact.body);
         if (!contact.dynamic || !body.ok()) return relative_velocity(contact);
         return body->linear_velocity + cross(body->angular_velocity, contact.point - body->center) -
                ground_velocity_;
     }
-    // A wall to one who walks: else he would walk up what is too steep.
+    // For a walking character, a steep slope is also a vertical wall. Otherwise it would walk up
+    // the slope.
     void add(VelocityPlanes& set, const Contact& contact, double least) const {
         set.add(contact.normal, least);
         if (!grounded_ || contact.normal.y <= 0 || contact.normal.y >= min_walkable_normal_y_)
@@ -222,7 +225,7 @@ private:
         for (const Contact& contact : contacts) {
             const double room = contact.gap - data_.skin;
             double pace = dot(contact.normal, pre_push_relative_velocity(contact));
-            // What it can push moves it by impulses alone.
+            // The character moves a body that it can push only by impulses.
             if (contact.dynamic) pace = minimum(pace, maximum(0, dot(contact.normal, velocity_)));
             add(set, contact, pace - maximum(room / left, -recovery_speed));
         }
@@ -239,7 +242,7 @@ private:
         }
         return set;
     }
-    // Along the floor, up and down, with all of the horizontal velocity.
+    // Follows the floor up and down, with the full horizontal velocity.
     void follow_floor(const std::vector<Contact>& contacts) {
         velocity_ = horizontal(velocity_);
         double rise = 0;
@@ -255,7 +258,7 @@ private:
         final_velocity_ = velocity_;
     }
 
-    // --- whom it pushes ---
+    // --- pushing ---
     void push(std::vector<Contact>& contacts, double left) {
         for (Contact& contact : contacts) {
             if (!contact.dynamic) continue;
@@ -288,8 +291,8 @@ private:
         velocity_ += change;
         final_velocity_ += change;
     }
-    // m/s of the ground at a point over the step. Of one that was pushed the way along the floor is
-    // new; whether it sinks or tilts depends on what it stands on.
+    // Velocity of the ground at a point over the step, m/s. If the ground was pushed, only its new
+    // horizontal velocity is used: whether it sinks or tilts depends on its support.
     Vec3 predicted_ground_velocity(Vec3 point) const {
         const Result<BodyState> was = pre_push_states_.of(world_, data_.ground_body),
                                 now = world_.body(data_.ground_body);
@@ -304,8 +307,9 @@ private:
                 contact.velocity = surface_velocity(world_, body, contact.shape, contact.point);
     }
 
-    // --- where it stands ---
-    // The contacts where it is now. Asked again only if it moved, or pushed somebody.
+    // --- ground contact ---
+    // Contacts at the current position. The query is repeated only if the character moved or pushed
+    // a body.
     const std::vector<Contact>& current_contacts() {
         if (!contacts_valid_ || contacts_center_ != center_)
             contacts_ = environment_.contacts(core_, center_, data_.skin + contact_reach);
@@ -339,12 +343,13 @@ private:
         const Vec3 ground = ground_velocity_at(world_, *body, footing.shape, footing.point, dt_);
         return dot(footing.normal, final_velocity_ - ground) > ground_leave_speed;
     }
-    // Takes off what rounding and bent floors leave between the skin and the floor.
+    // Removes the gap between the skin and the floor that is due to rounding and curved floors.
     void close_floor_gap(const Footing& footing) {
         const double gap = footing.gap - data_.skin;
         if (absolute(gap) < 1e-6 || footing.contact.y < 0.3) return;
         const double drop = gap / footing.contact.y;
-        // Nothing is as near as that. Upwards: within the skin.
+        // Moves only if all obstacles are farther away than the gap. Upwards, it stays within the
+        // skin.
         if (contacts_.front().gap > absolute(drop)) center_.y -= drop;
     }
     void set_footing(const Footing& footing) {
@@ -352,7 +357,8 @@ private:
         data_.ground = footing.kind;
         walked_off_ = grounded_ && footing.kind != GroundKind::on_ground;
         if (walked_off_)
-            final_velocity_ += ground_velocity_;  // and goes with the old ground for this step
+            // Keeps the velocity of the old ground for this step
+            final_velocity_ += ground_velocity_;
         else
             store_ground();
     }
@@ -363,7 +369,7 @@ private:
         data_.ground_point = footing_.point;
     }
 
-    // --- with the ground ---
+    // --- moving with the ground ---
     void move_with_ground() {
         const bool stands = data_.ground == GroundKind::on_ground;
         Vec3 by;
@@ -373,7 +379,7 @@ private:
             turn_with_ground();
             sweep_with_ground(by * dt_);
         }
-        if (stands && !grounded_) final_velocity_ -= by;  // it landed
+        if (stands && !grounded_) final_velocity_ -= by;  // has landed
         if (stands)
             apply_ground_impulse(world_, data_, world_.gravity() * (data_.abilities.mass * dt_));
         store_ground();
@@ -401,7 +407,7 @@ private:
         const Vec3 feet = center_ - up * (0.5 * current_height(data_)), a = abs(feet);
         if (!is_finite(feet) || a.x > coordinate_max || a.y > coordinate_max ||
             a.z > coordinate_max)
-            data_.velocity = {};  // at the end of the world
+            data_.velocity = {};  // at the edge of the coordinate range
         else
             data_.feet = feet;
         move_kinematic_body(world_, data_, vertical_step_, length(velocity_ + ground_velocity_) + 1,
@@ -412,20 +418,20 @@ private:
     CharacterData& data_;
     EnvironmentQuery environment_;
     double dt_, min_walkable_normal_y_;
-    double effort_;  // N s that it can still push with
+    double effort_;  // N s, remaining push budget
     Capsule core_;
     Vec3 center_;
     bool grounded_ = false, walked_off_ = false;
-    double vertical_step_ = 0;  // m upwards, over a step or down to the floor
-    // m/s, as seen from the ground that carries it: at the start, of this step, and at its end.
+    double vertical_step_ = 0;  // m, upwards: climbing a step or following the floor down
+    // m/s relative to the ground that carries it: initial, mean and final velocity of the step.
     Vec3 initial_velocity_, velocity_, final_velocity_, desired_velocity_, walk_velocity_;
-    Vec3 ground_velocity_;           // m/s of that ground
+    Vec3 ground_velocity_;           // m/s, of that ground
     std::vector<Contact> contacts_;  // at contacts_center_
     Vec3 contacts_center_;
     bool contacts_valid_ = false;
     Footing footing_;
     PrePushStates pre_push_states_;
-    BodyId pushed_;  // the first of this step
+    BodyId pushed_;  // first body pushed in this step
 };
 
 }  // namespace

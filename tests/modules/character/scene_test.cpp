@@ -99,11 +99,11 @@ TEST(Scene, what_is_wrong_is_named) {
     Cast cast;
     const BodyId crate = test::add(cast.world, {.position = {9, 0.5, 0}});
     EXPECT_EQ(cast.error_of({.bodies = {{"crate", crate}}}),
-              "crate has another first shape than an upright capsule");
+              "crate has the wrong first shape; it must be an upright capsule");
     EXPECT_EQ(cast.error_of({.numbers = {{"mass", 0}}, .bodies = {{"walker", cast.walker}}}),
               "mass is 0; it must be from 1 to 10000");
-    EXPECT_EQ(cast.error_of({}), "has no body; name those that are to walk");
-    EXPECT_EQ(cast.error_of({.bodies = {{"ghost", BodyId{99, 1}}}}), "ghost is no body");
+    EXPECT_EQ(cast.error_of({}), "has no body; name at least one body that becomes a character");
+    EXPECT_EQ(cast.error_of({.bodies = {{"ghost", BodyId{99, 1}}}}), "ghost is not a body");
     EXPECT_EQ(cast.error_of({.numbers = {{"sped", 1}}}).substr(0, 27), "unknown setting sped; m");
 }
 

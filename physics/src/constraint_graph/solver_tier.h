@@ -89,7 +89,7 @@ inline int substeps_of(ColourSetKey set, const WorldDef& world, bool halved = fa
                     limits::max_substeps);
 }
 
-// Tiers within which an island keeps its own tier regardless of its neighbours.
+// Tiers of equal priority: if two such islands touch, the smaller one takes the tier of the larger.
 inline bool is_usual(SolverTier tier) {
     return SolverTier::low <= tier && tier <= SolverTier::slender;
 }

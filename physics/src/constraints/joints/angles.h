@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The angles that joints limit, of two frames in the world.
+// The angles between two world frames that joints limit.
 #pragma once
 
 #include "jostle/physics/quat.h"

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // Sliders, six-dofs and wheels: six axes, each locked, or with a limit, a spring, a motor and
-// friction (axes_layout.h). What is locked is solved together, the translations and the turns, so
-// all six locked are as good as a fixed joint; what is free is a row of its own.
+// friction (axes_layout.h). The locked translations are solved together, and so are the locked
+// rotations, so that six locked axes are as good as a fixed joint. Each free axis is a separate
+// row.
 #pragma once
 
 #include "physics/src/constraints/joints/joint_load.h"
@@ -10,7 +11,7 @@
 
 namespace jostle::physics::JOSTLE_ISA {
 
-// Three rows of which some are locked. `impulse` is along the rows, zero where they are free.
+// Three rows, some of them locked. `impulse` is along the rows and zero for free ones.
 template <bool kAngular>
 JOSTLE_INLINE void hold_locked(JointPair& pair, const WideSoft& s, const Wide3* rows, Wide3 locked,
                                Wide3 error, Wide most, Wide3& impulse) {
@@ -41,17 +42,18 @@ JOSTLE_INLINE void hold_locked(JointPair& pair, const WideSoft& s, const Wide3* 
 struct AxesKernel {
     using Own = JointAxesWide;
 
-    // Where the bodies are. GimbalRows and GimbalAngles (axes_layout.h) say what the turns are.
+    // The current poses of the bodies. GimbalRows and GimbalAngles (axes_layout.h) define the
+    // rotations.
     struct Axes {
         Wide3 along[3];  // a's axes, world
-        Wide3 about[3];  // the rows of the turns, world
+        Wide3 about[3];  // the rows of the rotations, world
         Wide offset[3], angle[3];
 
         JOSTLE_INLINE Axes(JointPair& pair, const JointAxesWide& t) {
             const WideQuat start = load4(t.frame_a), frame = pair.a.rotation * start;
             along[0] = x_axis(frame), along[1] = y_axis(frame), along[2] = z_axis(frame);
             for (int k = 0; k < 3; k++) offset[k] = dot(along[k], pair.apart);
-            // b's frame in a's, so that a small turn keeps its digits.
+            // b's frame relative to a's, so that small angles keep their precision.
             const WideQuat since = conjugate(pair.a.rotation) * pair.b.rotation;
             const Wide3 turned = rotate(conjugate(start), {since.x, since.y, since.z});
             const WideQuat q = WideQuat{turned.x, turned.y, turned.z, since.w} * load4(t.turn);
@@ -70,8 +72,8 @@ struct AxesKernel {
             about[1] = to_world(middle);
             about[2] = to_world(Wide3{splat(0), -middle.z, middle.y} * share);
         }
-        // The first axis is along an arc, towards the second: where b is on it, and how far from
-        // it.
+        // The first axis follows an arc that curves towards the second: computes b's position along
+        // it and distance from it.
         JOSTLE_INLINE void bend(Wide curvature) {
             const Wide u = offset[0], n = offset[1], one = splat(1);
             const Wide c = one - curvature * n, s = curvature * u;
@@ -94,7 +96,7 @@ struct AxesKernel {
     static JOSTLE_INLINE Wide3 locked(const JointAxesWide& t, int first) {
         return {load(t.locked[first]), load(t.locked[first + 1]), load(t.locked[first + 2])};
     }
-    // Which body the point's impulse turns with.
+    // Selects the body that the point impulse rotates with.
     static JOSTLE_INLINE void set_carrier(JointPair& pair, const JointAxesWide& t) {
         const WideMask by_a = load(t.by_a) > splat(0);
         pair.carried = {select(by_a, pair.a.rotation.x, pair.carried.x),
@@ -102,7 +104,8 @@ struct AxesKernel {
                         select(by_a, pair.a.rotation.z, pair.carried.z),
                         select(by_a, pair.a.rotation.w, pair.carried.w)};
     }
-    // Of what was kept, that along what is locked now: axes turned a little since.
+    // The stored impulse along the axes that are now locked. The axes have rotated slightly since
+    // it was stored.
     static JOSTLE_INLINE Wide3 point_impulse(const JointPair& pair, const Axes& axes,
                                              const JointConstraintWide& block,
                                              const JointAxesWide& t) {
@@ -132,7 +135,7 @@ struct AxesKernel {
                            axes.about[2] * turns.z);
     }
 
-    // The weakest first: what must hold has the last word.
+    // The weakest row first, so that the row that must hold is solved last.
     template <bool kRelax, bool kAngular>
     static JOSTLE_INLINE void solve_free(JointPair& pair, const JointStep& step, Wide3 direction,
                                          Wide at, JointAxisWide& t, unsigned uses) {

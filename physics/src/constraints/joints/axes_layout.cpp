@@ -6,9 +6,10 @@
 namespace jostle::physics {
 namespace {
 
-constexpr double min_cosine = 0.05;  // of the middle angle, where rows divide by it
+constexpr double min_cosine =
+    0.05;  // lower bound of the middle angle's cosine where rows divide by it
 
-// Turns the axes x, y, z to y, z, x once for each count.
+// Cycles the axes x, y, z to y, z, x `count` times.
 constexpr Quat cycled(int count) {
     constexpr Quat turns[] = {{0, 0, 0, 1}, {0.5, 0.5, 0.5, 0.5}, {-0.5, -0.5, -0.5, 0.5}};
     return turns[count];
@@ -68,7 +69,7 @@ AxesLayout layout_of(const SixDofJoint& six) {
 
 AxesLayout layout_of(const WheelJoint& wheel) {
     AxesLayout layout;
-    // The suspension, and the axis of steering, is the first; the axis of spin is the last.
+    // The suspension and the steering axis use the first axis; the spin axis is the last one.
     constexpr double half = 0.70710678118654752;
     const Quat upright{0, 0, half, half};
     layout.turn_a = upright;

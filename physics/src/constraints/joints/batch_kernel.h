@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// The passes over batches of joint groups (constraints/joints/joint_batches.h): eight groups at a
-// time, one in each lane.
+// The passes over batches of joint groups (constraints/joints/joint_batches.h), eight groups at a
+// time, one per lane.
 #pragma once
 
 #include "physics/src/constraints/joints/batch_matrix.h"
 
 namespace jostle::physics::JOSTLE_ISA {
 
-// By what was factored: the unknowns of the joints, which hold the right-hand sides.
+// Solves with the factor. The unknowns of the joints contain the right-hand sides on entry.
 JOSTLE_INLINE void substitute(const BatchView& batch) {
     for (int k = 0; k < batch.joint_count; k++) {
         const Wide3 x = load3(batch.joints[batch.node[k]].unknown);
@@ -30,7 +30,8 @@ JOSTLE_INLINE void substitute(const BatchView& batch) {
     }
 }
 
-// Impulses of the batch's joints into their blocks: as they are kept, and as they acted.
+// Adds the impulses of the batch's joints to their blocks: accumulated ones, and the impulses that
+// acted.
 JOSTLE_INLINE void store_batch_impulse(const BatchView& batch, BatchJoint& joint, WideQuat carried,
                                        Wide3 impulse, bool acted) {
     alignas(32) float stored[3][8], world[3][8];
@@ -50,18 +51,19 @@ JOSTLE_INLINE void store_batch_impulse(const BatchView& batch, BatchJoint& joint
 
 enum class BatchPass { first, again, relax };
 
-// Once in a sub-step: (I + h K) w' = I w, of which `stiffness` is h K by now.
+// Once per sub-step: solves (I + h K) w' = I w, where `stiffness` already contains h K.
 JOSTLE_INLINE Wide3 implicit_turn(const BatchBody& body) {
     const Wide3 w =
         load_symmetric(body.inverse_inertia) * (load_symmetric(body.stiffness) * load3(body.w));
     return select(load(body.stiff) > splat(0), -w, Wide3{splat(0), splat(0), splat(0)});
 }
 
-// In which a body's spin is kept.
+// The axes in which a body's spin is stored.
 JOSTLE_INLINE WideQuat axes_of(const BatchBody& body) {
     return turned_axes(load(body.spins_along), load4(body.rotation));
 }
-// Velocities to what the points allow. Soft passes: and take away what they are apart.
+// Projects the velocities onto the point constraints. All passes except the relaxing one also
+// correct position errors.
 template <BatchPass kPass>
 void solve_batch(const BatchView& batch, SolverBody* bodies, const JointStep& step) {
     for (int k = 0; k < batch.body_count; k++) {
@@ -128,7 +130,7 @@ void solve_batch(const BatchView& batch, SolverBody* bodies, const JointStep& st
         float* to[8];
         for (int lane = 0; lane < 8; lane++)
             to[lane] = rows[lane][6] > 0 ? const_cast<float*>(rows[lane]) : nobody;
-        // What joints do counts as what acts without contacts: SolverBody::free.
+        // Joint impulses count as non-contact changes: see SolverBody::free.
         constexpr int changed[] = {0, 24};
         for (const int row : changed) {
             Wide state[8];

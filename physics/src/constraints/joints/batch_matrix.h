@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The matrix of a batch of joint groups (constraints/joints/joint_batches.h), and its factor: eight
-// groups at a time, one in each lane.
+// The matrix of a batch of joint groups (constraints/joints/joint_batches.h) and its factor, eight
+// groups at a time, one per lane.
 #pragma once
 
 #include "physics/src/constraints/joints/joint_batches.h"
@@ -9,7 +9,7 @@
 
 namespace jostle::physics::JOSTLE_ISA {
 
-struct WideMatrix {  // by row
+struct WideMatrix {  // row-major
     Wide m[9];
 };
 JOSTLE_INLINE WideMatrix load9(const WideValue* from) {
@@ -35,8 +35,8 @@ JOSTLE_INLINE WideSymmetric load_symmetric(const WideValue* from) {
     return load_symmetric(reinterpret_cast<const float(*)[8]>(from));
 }
 
-// The inverse of a pivot block of which no more than `left` of `before`, its diagonal before the
-// elimination, may be rounding: what is less depends on rows before it and is left out.
+// The inverse of a pivot block. `before`: its diagonal before the elimination. A remaining pivot
+// below the fraction `left` of it may be rounding: that row depends on earlier rows and is skipped.
 JOSTLE_INLINE WideSymmetric inverse_of(const WideMatrix& pivot, Wide3 before) {
     const Wide left = splat(1e-5f);
     const Wide xx = pivot.m[0], xy = pivot.m[3], yy = pivot.m[4], xz = pivot.m[6], yz = pivot.m[7],
@@ -51,14 +51,14 @@ JOSTLE_INLINE WideSymmetric inverse_of(const WideMatrix& pivot, Wide3 before) {
     return {fma(u, ud, fma(l1 * l1, d1, d0)), fma(l3, ld, d1), d2, -(fma(u, ld, l1 * d1)), ud, -ld};
 }
 
-// m^-1 + [later]x I^-1 [sooner]x^T: what an impulse where the sooner joint acts does to the
-// velocity where the later one does.
+// m^-1 + [later]x I^-1 [sooner]x^T: the velocity change at the later joint from an impulse at the
+// sooner joint.
 JOSTLE_INLINE void add_response(const BatchBody& body, Wide3 later, Wide3 sooner, float sign,
                                 WideValue* to) {
     const WideSymmetric inertia = load_symmetric(body.inverse_inertia);
     const Wide3 mass = load3(body.inverse_mass);
     const Wide zero = splat(0);
-    // Columns of I^-1 [sooner]x, and of what their spins do at `later`.
+    // Columns of I^-1 [sooner]x, and the velocities that these spins cause at `later`.
     const Wide3 turns[3] = {inertia * Wide3{zero, sooner.z, -sooner.y},
                             inertia * Wide3{-sooner.z, zero, sooner.x},
                             inertia * Wide3{sooner.y, -sooner.x, zero}};
@@ -74,7 +74,7 @@ JOSTLE_INLINE void add_response(const BatchBody& body, Wide3 later, Wide3 sooner
     }
 }
 
-// In whose axes the joint's impulse is kept: of b, unless it cannot be pushed.
+// The body in whose axes the joint's impulse is stored: b, unless b cannot be pushed.
 JOSTLE_INLINE const BatchBody& carrier_of(const BatchView& batch, int joint) {
     const JointEnds& ends = batch.ends[joint];
     return batch.bodies[batch.pushed[ends.b] != 0 ? ends.b : ends.a];
@@ -85,7 +85,7 @@ JOSTLE_INLINE void find_rows(const BatchBody& body, const SolverBody* bodies,
     for (int k = 0; k < 8; k++) rows[k] = bodies[body.hot[k]].v;
 }
 
-// Where the bodies are.
+// Loads the current motion of the bodies.
 JOSTLE_INLINE void load_motion(BatchBody& body, const SolverBody* bodies) {
     const float* rows[8];
     find_rows(body, bodies, rows);
@@ -108,8 +108,8 @@ JOSTLE_INLINE void load_motion(BatchBody& body, const SolverBody* bodies) {
     store(body.rotation[3], q.w);
 }
 
-// Both bodies feel the force half-way across what is left between the ends, so that angular
-// momentum is kept.
+// Both bodies receive the force midway across the remaining gap between the ends, which conserves
+// angular momentum.
 JOSTLE_INLINE void load_levers(BatchJoint& joint, const BatchBody& a, const BatchBody& b) {
     const Wide3 arm_a = load3(joint.arm_a), arm_b = load3(joint.arm_b);
     const Wide3 swept_a = rotated_by(load4(a.rotation), arm_a);
@@ -120,7 +120,7 @@ JOSTLE_INLINE void load_levers(BatchJoint& joint, const BatchBody& a, const Batc
     store3(joint.lever_b, arm_b + swept_b - gap * splat(0.5f));
 }
 
-// The column is kept beside; L = column D^-1 takes its place.
+// The column is copied. L = column D^-1 overwrites it.
 JOSTLE_INLINE void eliminate(const BatchView& batch, int k) {
     WideValue* const stored = batch.inverse + 6 * k;
     const WideSymmetric inverse =
@@ -156,8 +156,8 @@ JOSTLE_INLINE void eliminate(const BatchView& batch, int k) {
     }
 }
 
-// What pulls at an arm straightens it, and what pushes topples it: minus the derivative of its
-// torque.
+// Adds the geometric stiffness: tension at an arm straightens, compression destabilises. Minus the
+// derivative of the torque.
 JOSTLE_INLINE void stiffen(BatchBody& body, Wide3 impulse, Wide3 arm) {
     const Wide along = dot(impulse, arm), half = splat(-0.5f);
     const Wide parts[6] = {along - arm.x * impulse.x,
@@ -169,7 +169,7 @@ JOSTLE_INLINE void stiffen(BatchBody& body, Wide3 impulse, Wide3 arm) {
     for (int k = 0; k < 6; k++) store(body.stiffness[k], load(body.stiffness[k]) + parts[k]);
 }
 
-// By its cofactors; determinants of the leading blocks beside it.
+// Inverse by cofactors, with the determinants of the leading blocks.
 struct WideInverse {
     WideSymmetric inverse;
     Wide d2, d3;
@@ -185,10 +185,11 @@ JOSTLE_INLINE WideInverse inverse_of(const WideSymmetric& m) {
             d3};
 }
 
-// A light body between joints that bear much swings faster than the sub-step can follow: its turn
-// is then implicit in what they bear (M. Tournier et al., "Stable constrained dynamics", 2015; by
-// as much as that takes: S. Andrews et al., "Geometric stiffness for real-time constrained
-// multibody dynamics", 2017). Half of the trace, or of the norm, of I^-1 K bounds its swings.
+// A light body between joints under high load oscillates faster than the sub-step resolves. Its
+// rotation is then implicit in the joint load (M. Tournier et al., "Stable constrained dynamics",
+// 2015), by just as much as stability requires (S. Andrews et al., "Geometric stiffness for
+// real-time constrained multibody dynamics", 2017). Half of the trace, or of the norm, of I^-1 K
+// bounds the squared oscillation rate.
 JOSTLE_INLINE void stiffen_inertia(BatchBody& body, const JointStep& step) {
     const WideSymmetric i = load_symmetric(body.inverse_inertia);
     const WideSymmetric k = load_symmetric(body.stiffness);
@@ -196,7 +197,7 @@ JOSTLE_INLINE void stiffen_inertia(BatchBody& body, const JointStep& step) {
                 z = i * Wide3{k.xz, k.yz, k.zz};
     const Wide trace = (x.x + y.y + z.z) * splat(0.5f);
     const Wide norm = root((dot(x, x) + dot(y, y) + dot(z, z)) * splat(0.5f));
-    const Wide swing2 = max(trace, norm) * splat(step.h);  // (rad in a sub-step)^2
+    const Wide swing2 = max(trace, norm) * splat(step.h);  // (rad per sub-step)^2
     WideMask fast = swing2 > splat(1);
     store(body.stiff, splat(0));
     if (lane_bits(fast) == 0) return;
@@ -241,7 +242,7 @@ inline void factor_batch(const BatchView& batch, const SolverBody* bodies, const
                      c.later_b == c.sooner_b ? 1.0f : -1.0f, batch.values + c.at);
     }
     for (int k = 0; k < batch.joint_count; k++) {
-        // As it is before the elimination: kept where its inverse will be.
+        // The diagonal before the elimination, stored where its inverse will be written.
         WideValue* const diagonal = batch.values + batch.diagonal[k];
         if (batch.compliance > 0)
             for (int n = 0; n < 9; n += 4)

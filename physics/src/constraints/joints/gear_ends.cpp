@@ -8,14 +8,14 @@
 namespace jostle::physics {
 namespace {
 
-// Across a direction, and continuous in it but for -z (Frisvad, "Building an orthonormal basis from
-// a 3d unit vector without normalization", 2012).
+// A vector perpendicular to n, continuous in n except at -z (Frisvad, "Building an orthonormal
+// basis from a 3d unit vector without normalization", 2012).
 Vec3 across(Vec3 n) {
     if (n.z < -0.9999) return {0, -1, 0};
     return {1 - n.x * n.x / (1 + n.z), -n.x * n.y / (1 + n.z), -n.x};
 }
 
-// Of all angles that are `angle` but for whole turns, that nearest to what was expected.
+// The angle nearest to `expected` that differs from `angle` by whole turns.
 double unwrapped(double angle, double expected) {
     return angle + 2 * pi * std::floor((expected - angle) / (2 * pi) + 0.5);
 }
@@ -72,7 +72,7 @@ GearTerms gear_terms(const Joint& joint, const JointEnd& a, const JointEnd& b,
         rows[1] = hanging(b, pulley->point_b, pulley->ratio);
         terms.target = pulley->length;
     }
-    // A carrier that is the other end, or the other's carrier, takes part once.
+    // A carrier that is also an end, or the other end's carrier, participates once.
     const std::uint32_t bodies[] = {joint.body_a, joint.body_b, carriers[0].body, carriers[1].body};
     int slots[4];
     for (int k = 0; k < 4; k++) {
@@ -104,7 +104,7 @@ GearTerms gear_terms(const Joint& joint, const JointEnd& a, const JointEnd& b,
     if (pulley == nullptr) {
         const std::vector<double>& memory = joint.memory;
         terms.target = memory[GearMemory::sum];
-        // Made just now, or carried by another body since.
+        // The joint is new, or another body has become a carrier.
         if (memory[GearMemory::measured] == 0 ||
             memory[GearMemory::carrier_a] != static_cast<double>(carriers[0].body) ||
             memory[GearMemory::carrier_b] != static_cast<double>(carriers[1].body))

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Gears, racks and pulleys as what they have in common: two ends with a way each, a turn or a
-// length, against a carrier, and one number that says how far both ways are from where they should
-// be together. In double; the kernel for eight at a time is gear_kernel.h.
+// Common form of gears, racks and pulleys: two ends, each with a displacement (an angle or a
+// length) relative to a carrier, and one error of the combined displacements. In double;
+// gear_kernel.h is the kernel for eight joints.
 #pragma once
 
 #include "physics/src/constraints/joints/joint_end.h"
@@ -11,36 +11,37 @@
 
 namespace jostle::physics {
 
-// What carries an end of a couple: a body, or the world.
+// The carrier of an end of a geared pair: a body, or the world.
 struct Carrier {
-    std::uint32_t body = 0xffffffff;  // index; none: the world
-    std::int32_t hot = 0;             // as JointEnd's
-    Vec3 center, origin;              // of mass; of the body, m
+    std::uint32_t body = 0xffffffff;  // body index; none: the world
+    std::int32_t hot = 0;             // see JointEnd::hot
+    Vec3 center, origin;              // centre of mass and origin of the body, m
     Quat rotation;
 };
 
-// How far a body has turned about its frame's z axis against the carrier, rad, -pi..pi, from some
-// angle that does not change as long as the axis keeps its place in the carrier.
+// Rotation of a body about its frame's z axis relative to the carrier, rad, -pi..pi. The reference
+// angle is constant while the axis is fixed in the carrier.
 double turn_against(Quat frame, Quat carrier);
-// How far a point has gone along the axis against the carrier, from some point on it, m.
+// Travel of a point along the axis relative to the carrier, from some reference point on the axis,
+// m.
 double travel_against(Vec3 point, Vec3 axis, const Carrier& carrier);
 
-// A couple as one row. Its bodies: those of the ends a and b, then their carriers; one that is
-// there already takes part once.
+// A geared pair as one row. Its bodies are those of the ends a and b, then their carriers. Each
+// body participates once.
 struct GearTerms {
     struct End {
-        bool turns = false;   // the way is an angle; else a length
-        double scale = 1;     // of its way in the sum
+        bool turns = false;   // the displacement is an angle; otherwise a length
+        double scale = 1;     // factor of its displacement in the sum
         Vec3 axis;            // world
         double travel = 0;    // rad or m
         double length = 0;    // m, of a rope
-        double sign[4] = {};  // how its way changes with each body's
+        double sign[4] = {};  // sign of each body's motion in the displacement
         Vec3 arm[4];          // m, of the end from each body's centre of mass
     };
     End ends[2];
     bool participates[4] = {};
     std::uint32_t body[4] = {};
-    double sum = 0, target = 0;  // of both ways, by their scales
+    double sum = 0, target = 0;  // scaled sum of both displacements
 };
 GearTerms gear_terms(const Joint& joint, const JointEnd& a, const JointEnd& b,
                      const Carrier* carriers);

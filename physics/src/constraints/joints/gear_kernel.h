@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Gears, racks and pulleys: one row that couples the ways of two ends, each against its carrier
-// (gear_ends.h). Up to four bodies take part, each once, whatever it is to the ends.
+// Gears, racks and pulleys: one row couples the displacements of two ends, each relative to its
+// carrier (gear_ends.h). Up to four bodies participate, each once, in any role.
 #pragma once
 
 #include "physics/src/constraints/joints/joint_load.h"
@@ -10,10 +10,10 @@
 namespace jostle::physics::JOSTLE_ISA {
 
 struct GearKernel {
-    // By end and slot: the arm is that of the end. What moves is in sides[0].
+    // Indexed by end and slot, with the arm of that end. sides[0] accumulates velocity changes.
     JointSide sides[2][4];
     Wide3 axis[2];
-    Wide travel[2];  // since the step began; of a rope: its length
+    Wide travel[2];  // since the start of the step; for a rope, its length
 
     JOSTLE_INLINE GearKernel(const JointGearWide& t, const SolverBody* bodies) {
         for (int end = 0; end < 2; end++) {
@@ -25,7 +25,7 @@ struct GearKernel {
                 moved = moved + (side.dp + side.swept) * sign;
                 turned = turned + side.turned * sign;
             }
-            // A rope's direction is where its end is now; an axis turns with its body.
+            // A rope's direction follows its end; an axis rotates with its body.
             const WideMask rope = load(t.rope) > splat(0), turns = load(t.turns[end]) > splat(0);
             const Wide3 start = load3(t.axis[end]);
             const Wide3 hangs = start * load(t.travel[end]) + moved;
@@ -86,7 +86,7 @@ struct GearKernel {
         const Wide since_a = gear.travel[0] - load(t.travel[0]);
         const Wide since_b = gear.travel[1] - load(t.travel[1]);
         const Wide error = load(t.error) + since_a * scale_a + since_b * scale_b;
-        // A rope that hangs loose may be used up within the sub-step, and never pushes.
+        // A slack rope may be taken up within the sub-step. It never pushes.
         const WideMask slack = rope & (splat(0) > error);
         const WideSoft s = rigid<kRelax>(step);
         const Wide none = splat(0), one = splat(1);
@@ -110,13 +110,13 @@ struct GearKernel {
             jostle::physics::JOSTLE_ISA::store(t.moved[0], since_a);
             jostle::physics::JOSTLE_ISA::store(t.moved[1], since_b);
         }
-        // About b's anchor, its own end's arm.
+        // About b's anchor, with the arm of b's own end.
         return {rows[1].linear * now,
                 (rows[1].angular - cross(gear.sides[1][1].arm, rows[1].linear)) * now};
     }
 };
 
-// Kinds of which that is the kernel: it loads its bodies by itself.
+// Tag of the kinds that use GearKernel, which loads its bodies itself.
 struct GearTag {
     using Own = JointGearWide;
 };

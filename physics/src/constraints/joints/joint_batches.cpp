@@ -14,9 +14,9 @@ namespace {
 
 constexpr std::size_t retained_patterns = 64;
 constexpr int rows = 3;
-// In float rows of a net that depend on others are not told from those that hardly do. All give
-// way a little, and each solve takes away what the one before it left (J. Carpentier et al.,
-// "Proximal and sparse resolution of constrained dynamic equations", 2021).
+// In float, dependent rows of a net cannot be distinguished from nearly dependent ones. All rows
+// get a small compliance, and each solve corrects the residual of the previous one (J. Carpentier
+// et al., "Proximal and sparse resolution of constrained dynamic equations", 2021).
 constexpr float net_compliance = 1e-2f;
 
 // ---- groups ----
@@ -29,14 +29,14 @@ std::int32_t root_of(std::vector<std::int32_t>& parent, std::int32_t joint) {
     return joint;
 }
 
-// The first joint of each group is its root; the others follow it in `next`, in order.
+// The first joint of each group is its root; the others are linked through `next` in order.
 void merge_groups(JointBatches& batches, const JointLevels& levels,
                   std::span<const std::uint8_t> is_point, std::size_t bodies,
                   std::span<const JointSolverPreferences> preferences) {
     const std::size_t joints = levels.joints.size();
     std::vector<std::int32_t>&parent = batches.parent, &first = batches.first;
     parent.resize(joints);
-    first.assign(bodies, -1);  // by body: a joint of it
+    first.assign(bodies, -1);  // by body: one of its joints
     for (std::size_t k = 0; k < joints; k++) {
         parent[k] = static_cast<std::int32_t>(k);
         if (is_point[k] == 0) continue;
@@ -68,10 +68,11 @@ void merge_groups(JointBatches& batches, const JointLevels& levels,
 
 // ---- patterns ----
 
-// Bodies by number. What joints cannot push couples nothing: it is a body of its own at each end.
+// Assigns body numbers. A body that joints cannot push couples nothing and gets a separate number
+// at each end.
 struct BodyNumbering {
-    std::vector<std::int32_t>& of_hot;  // -1: none yet
-    std::vector<std::int32_t> hot;      // by number
+    std::vector<std::int32_t>& of_hot;  // -1 if not assigned
+    std::vector<std::int32_t> hot;      // indexed by number
     std::vector<std::uint8_t> pushed;
 
     std::int32_t operator()(std::int32_t body) {
@@ -114,7 +115,7 @@ void find_matrix(JointPattern& pattern, std::int64_t most) {
     pattern.first_update.push_back(static_cast<int>(pattern.updates.size()));
 }
 
-// Null if it takes more than `most`.
+// Returns null if the factorisation takes more than `most` multiplications.
 JointPattern* pattern_of(JointBatches& batches, const std::vector<std::uint8_t>& pushed,
                          std::int64_t most) {
     std::unique_ptr<JointPattern>& found = batches.patterns[batches.key];
@@ -140,12 +141,12 @@ void clear_patterns(JointBatches& batches) {
 
 // ---- batches ----
 
-// What a factor of a group's matrix may take; 0: its joints are swept.
+// Maximum work of a factorisation of the group's matrix; 0: its joints are solved iteratively.
 std::int64_t most_work_of(const JointBatches::Size& group, const JointSolverOptions& options) {
     const JointSolver solver = solver_of(group.preferences, options.of_world);
     if (solver == JointSolver::iterative) return 0;
     const bool target = solver == JointSolver::direct;
-    // A single point is solved exactly by the sweeps, too.
+    // The iterative solver also solves a single point exactly.
     if (group.joints < 2 && !target) return 0;
     if (is_net(group.joints, group.bodies) && !(target && group.joints <= tuning::max_net_joints))
         return 0;
@@ -153,7 +154,7 @@ std::int64_t most_work_of(const JointBatches::Size& group, const JointSolverOpti
                     target ? options.budget : 0);
 }
 
-// The one of that pattern with a free lane, or a new one.
+// Returns the batch of that pattern with a free lane, or a new one.
 JointBatch& batch_of(JointBatches& batches, const JointPattern& pattern) {
     for (int k = batches.used - 1; k >= 0; k--) {
         JointBatch& batch = batches.all[as_index(k)];

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// Joints that hold bodies together point to point, in groups whose points are solved at once: by
-// L D L^T of J M^-1 J^T, in float, eight groups of one pattern side by side. The rest of these
-// joints, their limits and motors and axes, is swept as that of others, and so are contacts; the
-// points are solved exactly before and after each sweep. What float leaves is taken away by the
-// next solve. (D. Baraff, "Linear-time dynamics using Lagrange multipliers", 1996; for the pattern
-// constraints/direct/block_ldl.h.)
+// Groups of point-to-point joints whose point rows are solved simultaneously, by L D L^T of J M^-1
+// J^T in float, eight groups with the same pattern in parallel. The other rows of these joints
+// (limits, motors and axes) are solved iteratively like those of other joints, and so are contacts.
+// The point rows are solved exactly before and after each iteration. The next solve corrects the
+// rounding error of float. (D. Baraff, "Linear-time dynamics using Lagrange multipliers", 1996; for
+// the pattern see constraints/direct/block_ldl.h.)
 //
-// Made anew each step, by task of the solver; patterns are kept.
+// Rebuilt in each step per solver task; patterns are cached.
 #pragma once
 
 #include <cstdint>
@@ -23,43 +23,44 @@
 
 namespace jostle::physics {
 
-// What groups have in common that tie their bodies in the same way. Joints are numbered in their
-// order, bodies in the order in which joints name them.
+// Data shared by all groups with the same connectivity. Joints are numbered in their order, bodies
+// in the order of their first occurrence in the joints.
 struct JointPattern {
     std::vector<JointEnds> joints;
-    std::vector<std::uint8_t> pushed;  // by body
+    std::vector<std::uint8_t> pushed;  // indexed by body
     std::vector<JointSystemBlock> system_blocks;
-    // The matrix, three rows a joint; by elimination order.
+    // The matrix, three rows per joint, in elimination order.
     std::vector<int> node, diagonal, first_below, first_update;
     std::vector<BlockLdl::Below> below;
     std::vector<BlockLdl::Update> updates;
     int values = 0, max_below = 0;
-    bool too_dense = false;     // then there is no more than that
-    std::int64_t max_work = 0;  // for which
+    bool too_dense = false;     // the other fields are then not set
+    std::int64_t max_work = 0;  // limit that was exceeded
     std::int64_t work = 0;
-    float compliance =
-        0;  // part of a row's own response by which it gives way: nets have rows to spare
-    std::uint64_t used = 0;  // when, by JointBatches::count
+    // Compliance of a row relative to its own response. Nonzero for redundant nets.
+    float compliance = 0;
+    std::uint64_t used = 0;  // value of JointBatches::count at the last use
 };
 
 struct alignas(32) BatchJoint {
-    std::int32_t block[8], lane[8];                 // where it is among the levels; -1: none
-    float arm_a[3][8], arm_b[3][8], apart[3][8];    // as JointConstraintWide's
-    float lever_a[3][8], lever_b[3][8], gap[3][8];  // now; to where the force acts
+    std::int32_t block[8], lane[8];               // position in the levels; -1 if none
+    float arm_a[3][8], arm_b[3][8], apart[3][8];  // see JointConstraintWide
+    float lever_a[3][8], lever_b[3][8],
+        gap[3][8];  // current; from the centres to where the force acts
     float unknown[3][8];
-    float impulse[3][8];  // of a sub-step, as JointConstraintWide's `point`
+    float impulse[3][8];  // of a sub-step; see JointConstraintWide::point
 };
 struct alignas(32) BatchBody {
     std::int32_t hot[8];
-    float inverse_mass[3][8], inverse_inertia[6][8];  // as SolverBody's
-    float rotation[4][8];                             // since the step began
-    float moved[3][8];                                // likewise, m
-    float spins_along[8];                             // as SolverBody's
-    float v[3][8], w[3][8];                           // while solving; then what changed them
-    float stiffness[6][8];  // of what the joints bear, as the body turns: N m s / rad
-    float stiff[8];         // 1: too stiff for the sub-step; `inverse_inertia` knows of it
-    float turned[3][8];     // rad/s: what that did
-    bool any_along;         // some lanes' spins_along is 1
+    float inverse_mass[3][8], inverse_inertia[6][8];  // see SolverBody
+    float rotation[4][8];                             // since the start of the step
+    float moved[3][8];                                // since the start of the step, m
+    float spins_along[8];                             // see SolverBody
+    float v[3][8], w[3][8];                           // during the solve; afterwards the changes
+    float stiffness[6][8];  // geometric stiffness of the joint load: N m s / rad
+    float stiff[8];         // 1: too stiff for the sub-step; included in `inverse_inertia`
+    float turned[3][8];     // rad/s: the resulting change of spin
+    bool any_along;         // spins_along is 1 in some lanes
 };
 struct alignas(32) WideValue {
     float lane[8];
@@ -70,12 +71,13 @@ struct JointBatch {
     int groups = 0;  // lanes in use
     std::vector<BatchJoint> joints;
     std::vector<BatchBody> bodies;
-    std::vector<WideValue> values;   // of the matrix; then of its factor
-    std::vector<WideValue> inverse;  // six a joint, by elimination order: of the pivots
-    std::vector<WideValue> column;   // scratch
+    std::vector<WideValue> values;   // of the matrix, then of its factor
+    std::vector<WideValue> inverse;  // of the pivots, six per joint, in elimination order
+    std::vector<WideValue> column;   // scratch memory
 };
 
-// The same as the kernels see it: code built for one instruction set calls nothing of others.
+// View of a batch for the kernels: code built for one instruction set must not call code built for
+// another.
 struct BatchView {
     int groups, joint_count, body_count, system_block_count, value_count;
     BatchJoint* joints;
@@ -94,37 +96,37 @@ BatchView view_of(JointBatch& batch, JointLevels& levels);
 
 struct JointBatches {
     std::vector<JointBatch> all;
-    int used = 0;  // of them
+    int used = 0;  // number of batches in use
     std::map<std::vector<std::int32_t>, std::unique_ptr<JointPattern>> patterns;
-    std::uint64_t count = 0;  // how often batches were made
+    std::uint64_t count = 0;  // number of times that batches were built
 
     std::span<JointBatch> batches() { return std::span(all).first(static_cast<std::size_t>(used)); }
 
-    // Scratch.
+    // Scratch memory.
     struct Size {
         int joints = 0, bodies = 0;
         JointSolverPreferences preferences = 0;
     };
     std::vector<std::int32_t> parent, first, next, last;
-    std::vector<Size> size;  // by root
+    std::vector<Size> size;  // indexed by root
     std::vector<std::int32_t> key;
     std::vector<std::uint8_t> is_point;
     std::vector<JointSolverPreferences> preferences;
 
-    std::vector<std::uint8_t> found;  // by place in JointLevels::joints: is in a batch
-    int refused = 0;                  // joints that asked for it and are not
+    std::vector<std::uint8_t> found;  // indexed like JointLevels::joints: the joint is in a batch
+    int refused = 0;                  // joints that requested a batch but are in none
 };
 
-// Kinds whose two ends are held together as stiffly as can be.
+// Whether a kind holds the two ends together as stiffly as possible.
 bool holds_point(const JointKind& kind);
 
-// Finds the groups among the joints of `levels` for which `is_point` (by place in levels.joints)
-// holds: those of two joints or more that bodies tie together and that ask for nothing else, and
-// single ones that ask for it. After assign_levels(). `bodies`: how many hot indices there are.
+// Forms groups among the joints of `levels` for which `is_point` (indexed like levels.joints) is
+// set: two or more joints that bodies connect and that have no other preference, and single joints
+// that request it. Call after assign_levels(). `bodies`: number of hot indices.
 void find_batches(JointBatches& batches, JointLevels& levels,
                   std::span<const std::uint8_t> is_point, std::size_t bodies,
                   const JointSolverOptions& options = {});
-// Once the blocks of the levels are written.
+// Call after the blocks of the levels are written.
 void load_batch(JointBatch& batch, const JointLevels& levels);
 
 }  // namespace jostle::physics

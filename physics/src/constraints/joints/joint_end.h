@@ -9,9 +9,9 @@ namespace jostle::physics {
 
 // One body of a joint at the start of the step.
 struct JointEnd {
-    std::int32_t hot = 0;  // as JointConstraintWideMeta's
-    Vec3 center, arm;      // of mass; of the frame's origin from it
-    Quat rotation, frame;  // of the body; of the frame in the world
+    std::int32_t hot = 0;  // see JointConstraintWideMeta
+    Vec3 center, arm;      // centre of mass; from it to the frame's origin
+    Quat rotation, frame;  // of the body; of the frame, world
 };
 
 }  // namespace jostle::physics

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The passes over blocks of joints, and over the bodies that have some.
+// The passes over blocks of joints, and over the bodies of joints.
 #pragma once
 
 #include <type_traits>
@@ -24,7 +24,7 @@ JOSTLE_INLINE void with_kind(int kind, Pass pass) {
     with_kind(kind, pass, std::type_identity<JointKind>{});
 }
 
-// What a kind has beside the block. Ball joints have nothing and touch nothing.
+// The kind-specific data of a block. Ball joints have none.
 JOSTLE_INLINE JointAngularWide& own_of(const JointRange& range, int block,
                                        JointAngularWide& nothing) {
     return range.angular == nullptr ? nothing : range.angular[block - range.first];
@@ -86,9 +86,9 @@ void solve_joint_range(const JointRange& range, SolverBody* bodies, const JointS
     });
 }
 
-// What happens to a body's velocity between the two counts among what acts without contacts:
-// accelerate() then warm-starts contacts by what contacts did, and joints warm-start themselves, in
-// the directions of the moment.
+// Velocity changes between these two calls count as non-contact changes: accelerate() then
+// warm-starts contacts with the contact impulses only. Joints warm-start themselves along their
+// current directions.
 inline void begin_joints_range(const BodyRange& range) {
     for (int k = range.begin; k < range.end; k++) {
         SolverBody& hot = range.bodies[range.indices[k]];

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// One struct per joint kind: what it does with the impulses that it carries, and how it makes new
-// ones. warm_start() applies those of the sub-step before, solve() changes them, load() tells what
-// the joint exerted on b, in world axes. Own: what the kind has beside the block.
+// One kernel struct per joint kind. warm_start() applies the impulses of the previous sub-step, and
+// solve() updates them and returns the load that the joint exerted on b, in world axes. Own: the
+// kind-specific data of a block.
 #pragma once
 
 #include "jostle/physics/joint_defs.h"
@@ -34,7 +34,7 @@ struct JointKernel<BallJoint> {
     }
 };
 
-// Friction against all turning.
+// Friction against all rotation.
 JOSTLE_INLINE void rub(JointPair& pair, JointAngularWide& t, Wide3& friction) {
     const Wide3 stop = friction - solve3(pair.turn_matrix(), pair.spin());
     const Wide size = root(dot(stop, stop)), most = load(t.motor_most);
@@ -44,8 +44,8 @@ JOSTLE_INLINE void rub(JointPair& pair, JointAngularWide& t, Wide3& friction) {
     friction = stop * share;
     pair.store_impulse(t.friction, friction);
 }
-// A spring towards an orientation, of at most so much torque. The error is the turn from there to
-// where b is, the shorter way round.
+// A spring towards an orientation with a maximum torque. The error is the shorter rotation from
+// that orientation to b's.
 template <bool kRelax>
 JOSTLE_INLINE void drive_turn(JointPair& pair, JointAngularWide& t, Wide3& impulse, Wide3& point) {
     const WideQuat q = pair.b.rotation * load4(t.drive) * conjugate(pair.a.rotation);
@@ -56,7 +56,7 @@ JOSTLE_INLINE void drive_turn(JointPair& pair, JointAngularWide& t, Wide3& impul
     const Wide scale =
         select(turned, splat(2) * arc_tangent(sine, q.w * sign) / select(turned, sine, splat(1)),
                splat(2));
-    // The point answers at once (HeldRow), to a turn about each axis of the world.
+    // The point responds immediately (HeldRow), here to a rotation about each world axis.
     const Wide one = splat(1), zero = splat(0);
     const Wide3 units[] = {{one, zero, zero}, {zero, one, zero}, {zero, zero, one}};
     const WideSymmetric points = pair.point_matrix(), own = pair.turn_matrix();
@@ -86,7 +86,7 @@ JOSTLE_INLINE void drive_turn(JointPair& pair, JointAngularWide& t, Wide3& impul
     pair.store_impulse(t.angular, impulse);
 }
 
-// A ball that is driven or rubs: constraint_graph/joint_memory.h.
+// A ball joint with a drive or friction: see constraint_graph/joint_memory.h.
 struct DrivenBall {};
 template <>
 struct JointKernel<DrivenBall> {
@@ -134,7 +134,7 @@ struct JointKernel<HingeJoint> {
             const HeldRow row(pair, axis, point);
             const Wide3 x = x_axis(frame_b);
             const Wide angle = arc_tangent(dot(x, y_axis(frame_a)), dot(x, x_axis(frame_a)));
-            // The weakest first: what must hold has the last word.
+            // The weakest row first, so that the row that must hold is solved last.
             if ((uses & uses_spring) != 0)
                 spring_row(pair, row, spring_of<kRelax>(t.spring_soft), angle - load(t.spring_at),
                            load(t.drive_most), t.spring);
@@ -157,8 +157,8 @@ template <>
 struct JointKernel<ConeTwistJoint> {
     using Own = JointAngularWide;
     struct Axes {
-        Wide3 swing;        // about which b's x axis turns away from a's
-        Wide3 twist;        // b's spin against a, times this, is the rate of the twist angle
+        Wide3 swing;        // axis about which b's x axis is rotated away from a's
+        Wide3 twist;        // times b's spin relative to a: the rate of the twist angle
         Wide sine, cosine;  // of the swing angle
 
         JOSTLE_INLINE Axes(WideQuat frame_a, WideQuat frame_b) {
@@ -166,7 +166,7 @@ struct JointKernel<ConeTwistJoint> {
             sine = root(dot(away, away));
             cosine = dot(a, b);
             swing = normalized(away, y_axis(frame_a));
-            // At a swing of a half turn there is no twist to speak of.
+            // At a swing of 180 degrees the twist is undefined.
             twist = (a + b) * (splat(1) / max(splat(1) + cosine, splat(0.05f)));
         }
         JOSTLE_INLINE Wide3 total(const JointAngularWide& t, Wide3 friction) const {
@@ -196,7 +196,7 @@ struct JointKernel<ConeTwistJoint> {
         if ((uses & uses_motor) != 0) rub(pair, t, friction);
         if ((uses & uses_limit) != 0) {
             const WideQuat q = conjugate(frame_a) * frame_b;
-            // Of q and of -q, which are the same turn, the one less than half.
+            // q and -q are the same rotation. Use the one of less than 180 degrees.
             const Wide sign = select(splat(0) > q.w, splat(-1), splat(1));
             const Wide twist = splat(2) * arc_tangent(q.x * sign, q.w * sign);
             const HeldRow row(pair, axes.twist, point);
@@ -236,8 +236,7 @@ struct JointKernel<FixedJoint> {
     JOSTLE_INLINE static JointLoad solve(JointPair& pair, const JointStep& step,
                                          JointConstraintWide& block, JointAngularWide& t,
                                          unsigned uses) {
-        // The turn from a's frame to b's, of which frame_b has that at the start: the shorter way
-        // round.
+        // The shorter rotation from a's frame to b's. frame_b contains that rotation at the start.
         const WideQuat q = pair.b.rotation * load4(t.frame_b) * conjugate(pair.a.rotation);
         const Wide sign = select(splat(0) > q.w, splat(-2), splat(2));
         Wide3 angular = pair.to_world(t.angular), point = pair.to_world(block.point);
@@ -254,7 +253,7 @@ struct JointKernel<FixedJoint> {
 template <>
 struct JointKernel<DistanceJoint> {
     using Own = JointAngularWide;
-    // From a's anchor to b's; up when they coincide and there is no such direction.
+    // From a's anchor to b's. Up if the anchors coincide.
     JOSTLE_INLINE static Wide3 line_of(const JointPair& pair) {
         return normalized(pair.apart, {splat(0), splat(1), splat(0)});
     }
@@ -271,7 +270,8 @@ struct JointKernel<DistanceJoint> {
         const Wide3 line = line_of(pair);
         const WideRow<false> row(pair, line);
         const Wide now = root(dot(pair.apart, pair.apart));
-        // A rod is a spring as stiff as the sub-step can carry, a row that pulls and pushes.
+        // A rod is a spring with the maximum stiffness of the sub-step, a row that pulls and
+        // pushes.
         if ((uses & uses_spring) != 0)
             spring_row(pair, row, soft_or_rigid<kRelax>(step, t.spring_soft),
                        now - load(t.spring_at), splat(1e30f), t.spring);
@@ -306,7 +306,8 @@ struct JointKernel<VelocityRow> {
             return (dot(linear_a, pair.a.v) + dot(angular_a, pair.a.w)) +
                    (dot(linear_b, pair.b.v) + dot(angular_b, pair.b.w));
         }
-        JOSTLE_INLINE Wide effective(const JointPair& pair) const {  // what a unit does to the rate
+        // Rate of change per unit impulse.
+        JOSTLE_INLINE Wide effective(const JointPair& pair) const {
             return (dot(linear_a, pair.a.push(linear_a)) +
                     dot(angular_a, pair.a.inverse_inertia * angular_a)) +
                    (dot(linear_b, pair.b.push(linear_b)) +
@@ -339,7 +340,8 @@ struct JointKernel<VelocityRow> {
     }
 };
 
-// Uses of a JointAngularWide: point_soft, motor_most (of the point), spring_soft (of the spin).
+// Fields of JointAngularWide in use: point_soft, motor_most (of the point), spring_soft (of the
+// spin).
 template <>
 struct JointKernel<GrabJoint> {
     using Own = JointAngularWide;

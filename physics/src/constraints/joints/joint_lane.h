@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Numbers of one joint to and from its lane in a block: used by the writers of joints alone.
+// Transfers the values of one joint to and from its lane in a block. Used only when joints are
+// written or read.
 #pragma once
 
 #include "jostle/physics/joint_defs.h"
@@ -10,7 +11,7 @@
 
 namespace jostle::physics {
 
-inline constexpr float never = 1e30f;  // a limit that nothing reaches
+inline constexpr float never = 1e30f;  // a limit that is never reached
 
 struct JointLane {
     int at;
@@ -37,21 +38,21 @@ struct JointLane {
     }
 };
 
-// Takes away what was left of an impulse and adds none.
+// Removes the remaining impulse and adds none.
 inline constexpr Softness switched_off{0, 1e-30, 1};
-// Where kernels read this they put what the sub-step can carry.
+// The kernels replace this with the maximum stiffness of the sub-step.
 inline constexpr Softness as_stiff_as_can_be{0, 0, 0};
 
 inline Softness spring_or(const JointSpring& spring, double h, const Softness& other) {
     return spring.hertz > 0 ? physics::spring(spring.hertz, spring.damping_ratio, h) : other;
 }
 
-// Of a spring in a sub-step, N s or N m s.
+// Maximum impulse of a spring in a sub-step, N s or N m s.
 inline double strongest(double most, double h) {
     return most > 0 ? most * h : double{never};
 }
 
-// What is switched off keeps no impulse.
+// A disabled row stores no impulse.
 inline double stored(bool enabled, double impulse) {
     return enabled ? impulse : 0;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What eight joints exerted on their b in one pass, world axes.
+// The load that eight joints exerted on their bodies b in one pass, world axes.
 #pragma once
 
 #include "physics/src/constraints/contact_kernel.h"

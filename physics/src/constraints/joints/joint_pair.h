@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// The two bodies of eight joints at a moment of the step, and the rows that all kinds are made of:
+// The two bodies of eight joints at one instant of the step, and the row types that all kinds use:
 // hold two points together, hold directions together, limit or drive one angle or distance.
 //
-// Impulses turn with the body that carries them, b unless nothing moves it: kept in the world's
-// axes they would lag behind from sub-step to sub-step and push what turns.
+// Impulses rotate with the body that carries them: b, unless b is immovable. Impulses stored in
+// world axes would lag from sub-step to sub-step and accelerate rotating bodies.
 #pragma once
 
 #include "physics/src/constraint_graph/joint_constraint_wide.h"
@@ -42,14 +42,14 @@ JOSTLE_INLINE WideSymmetric turned_by(WideQuat q, const WideSymmetric& m) {
             u.z * x.z + v.z * y.z + w.z * z.z, u.x * x.y + v.x * y.y + w.x * z.y,
             u.x * x.z + v.x * y.z + w.x * z.z, u.y * x.z + v.y * y.z + w.y * z.z};
 }
-// How the axes in which a body's spin is kept have turned since the start of the step.
+// Rotation since the start of the step of the axes in which a body's spin is stored.
 JOSTLE_INLINE WideQuat turned_axes(Wide spins_along, WideQuat rotation) {
     const WideMask along = spins_along > splat(0);
     const Wide none = splat(0);
     return {select(along, rotation.x, none), select(along, rotation.y, none),
             select(along, rotation.z, none), select(along, rotation.w, splat(1))};
 }
-// [r]x m [r]x^T: what an impulse at arm r does to the velocity there, by way of the spin.
+// [r]x m [r]x^T: the velocity change at arm r from an impulse there, through the spin.
 JOSTLE_INLINE WideSymmetric across(const WideSymmetric& m, Wide3 r) {
     const Wide3 x = m * Wide3{splat(0), r.z, -r.y};  // m (r x e_x)
     const Wide3 y = m * Wide3{-r.z, splat(0), r.x};
@@ -57,13 +57,13 @@ JOSTLE_INLINE WideSymmetric across(const WideSymmetric& m, Wide3 r) {
     return {x.y * r.z - x.z * r.y, y.z * r.x - y.x * r.z, z.x * r.y - z.y * r.x,
             y.y * r.z - y.z * r.y, z.y * r.z - z.z * r.y, z.z * r.x - z.x * r.z};
 }
-// One over x; zero where x is not above the least.
+// 1 / x, or zero if x is not above `least`.
 JOSTLE_INLINE Wide inverse_above(Wide x, Wide least) {
     const WideMask solid = x > least;
     return select(solid, splat(1) / select(solid, x, splat(1)), splat(0));
 }
-// The solution of m x = v, without the directions in which nothing can move: locked axes leave
-// zero rows. LDL^T; a pivot of which next to nothing is left of the diagonal is rounding.
+// Solves m x = v without the immovable directions: locked axes leave zero rows. LDL^T; a pivot that
+// is almost zero relative to its diagonal is rounding.
 JOSTLE_INLINE Wide3 solve3(const WideSymmetric& m, Wide3 v) {
     const Wide left = splat(1e-6f);
     const Wide d0 = inverse_above(m.xx, splat(0));
@@ -80,14 +80,14 @@ struct JointSide {
     const float* rows[8];
     Wide state[8];  // SolverBody's row 0
     Wide3 v, w, dp;
-    Wide3 inverse_mass;  // per axis of the world
+    Wide3 inverse_mass;  // per world axis
     WideSymmetric inverse_inertia;
     WideQuat rotation;  // since the start of the step
-    Wide3 turned;       // the same as a rotation vector
-    Wide3 arm;          // of the anchor, now
-    Wide3 swept;        // how the anchor moved by that turn
-    bool any_along;     // some keep their spin in axes that turn with them
-    WideQuat along;     // how those have turned
+    Wide3 turned;       // `rotation` as a rotation vector
+    Wide3 arm;          // of the anchor, current
+    Wide3 swept;        // displacement of the anchor by that rotation
+    bool any_along;     // some lanes store the spin in axes that rotate with the body
+    WideQuat along;     // rotation of these axes
 
     JOSTLE_INLINE void load_from(const SolverBody* bodies, const std::int32_t* index,
                                  const float (*start_arm)[8]) {
@@ -117,7 +117,7 @@ struct JointSide {
         state[0] = v.x, state[1] = v.y, state[2] = v.z;
         const Wide3 spin = any_along ? rotate(conjugate(along), w) : w;
         state[3] = spin.x, state[4] = spin.y, state[5] = spin.z;
-        // What joints cannot push may be in several blocks at once: nothing is written to it.
+        // Bodies that joints cannot push may be in several blocks at once, so they are not written.
         alignas(32) float nobody[8];
         float* to[8];
         for (int k = 0; k < 8; k++) to[k] = rows[k][6] > 0 ? const_cast<float*>(rows[k]) : nobody;
@@ -131,7 +131,7 @@ struct JointSide {
 struct JointPair {
     JointSide a, b;
     Wide3 apart;       // from a's anchor to b's, m
-    WideQuat carried;  // how the joint's impulses turned since the start of the step
+    WideQuat carried;  // rotation of the joint's impulses since the start of the step
 
     JOSTLE_INLINE JointPair(const JointConstraintWide& block, const SolverBody* bodies) {
         a.load_from(bodies, block.a, block.arm_a);
@@ -146,8 +146,8 @@ struct JointPair {
         a.store_to();
         b.store_to();
     }
-    // From now on a is pushed, and its anchor's velocity is that of it, where b's anchor is. So
-    // rows along a's axes are rates of where that is in a's frame.
+    // Moves a's point of application and anchor velocity to b's anchor. Rows along a's axes are
+    // then rates of that point in a's frame.
     JOSTLE_INLINE void meet_at_b() { a.arm = a.arm + apart; }
     JOSTLE_INLINE Wide3 to_world(const float (*impulse)[8]) const {
         return rotate(carried, load3(impulse));
@@ -160,13 +160,13 @@ struct JointPair {
         return (b.v + cross(b.w, b.arm)) - (a.v + cross(a.w, a.arm));
     }
     JOSTLE_INLINE Wide3 spin() const { return b.w - a.w; }
-    // How fast the two ends are, together: what moves fast is mended as fast.
+    // Speed of the two ends. The limit of the position correction rises with it.
     JOSTLE_INLINE Wide pace() const {
         const Wide3 at_a = a.v + cross(a.w, a.arm), at_b = b.v + cross(b.w, b.arm);
         return root(dot(at_a, at_a)) + root(dot(at_b, at_b));
     }
 
-    // On b at its anchor, against a.
+    // Applies an impulse to b at its anchor and the opposite one to a.
     JOSTLE_INLINE void push(Wide3 impulse) {
         a.v = a.v - a.push(impulse);
         a.w = a.w - a.inverse_inertia * cross(a.arm, impulse);
@@ -178,7 +178,7 @@ struct JointPair {
         b.w = b.w + b.inverse_inertia * impulse;
     }
 
-    // What an impulse at the anchors, or a turn, does to the relative motion.
+    // Response of the relative motion to an impulse at the anchors, or to an angular impulse.
     JOSTLE_INLINE WideSymmetric point_matrix() const {
         WideSymmetric k = across(a.inverse_inertia, a.arm) + across(b.inverse_inertia, b.arm);
         const Wide3 mass = a.inverse_mass + b.inverse_mass;
@@ -190,18 +190,19 @@ struct JointPair {
     JOSTLE_INLINE WideSymmetric turn_matrix() const {
         return a.inverse_inertia + b.inverse_inertia;
     }
-    // How a turn parts the anchors.
+    // Relative velocity of the anchors from an angular impulse.
     JOSTLE_INLINE Wide3 parted_by(Wide3 turn) const {
         return cross(b.inverse_inertia * turn, b.arm) + cross(a.inverse_inertia * turn, a.arm);
     }
 };
 
-// A spring, or what the sub-step can carry, in eight lanes (constraints/softness.h).
+// Coefficients of a spring, or of the maximum stiffness of the sub-step, in eight lanes
+// (constraints/softness.h).
 struct WideSoft {
     Wide position_rate, velocity_scale, impulse_scale;
-    Wide push_speed, push_spin;  // at most, m/s and rad/s
+    Wide push_speed, push_spin;  // maxima, m/s and rad/s
 };
-// What is not a spring is without push in the relaxing pass.
+// Rows other than springs do not correct positions in the relaxing pass.
 template <bool kRelax>
 JOSTLE_INLINE WideSoft rigid(const JointStep& step) {
     if constexpr (kRelax) return {splat(0), splat(1), splat(0), splat(0), splat(0)};
@@ -215,12 +216,12 @@ JOSTLE_INLINE WideSoft spring_of(const SoftRow& row) {
     return {load(row.position_rate) * part, load(row.velocity_scale) * part,
             load(row.impulse_scale) * part, any, any};
 }
-// The most that an error may add to a row's speed.
+// Maximum speed that an error may add to a row.
 JOSTLE_INLINE Wide max_push(const WideSoft& s, Wide most) {
     return most * max(s.velocity_scale, splat(1e-6f));
 }
-// What an error adds to a row's speed. Where that would be more than `most`, it is that, and the
-// row is rigid: what is soft gives up a part of its load, for which a capped speed may not make up.
+// The speed that an error adds to a row. If it would exceed `most`, it is clamped and the row
+// becomes rigid: a soft row gives up part of its load, which a clamped speed may not replace.
 struct PositionCorrection {
     Wide3 push;
     Wide velocity_scale, impulse_scale;
@@ -229,13 +230,13 @@ JOSTLE_INLINE PositionCorrection position_correction(Wide3 error, const WideSoft
     const Wide3 push = error * s.position_rate;
     const Wide size2 = dot(push, push), limit = max_push(s, most);
     const WideMask over = size2 > limit * limit;
-    if (lane_bits(over) == 0) return {push, s.velocity_scale, s.impulse_scale};  // mostly
+    if (lane_bits(over) == 0) return {push, s.velocity_scale, s.impulse_scale};  // usual case
     const Wide part = select(over, most / root(max(size2, splat(1e-30f))), splat(1));
     return {push * part, select(over, splat(1), s.velocity_scale),
             select(over, splat(0), s.impulse_scale)};
 }
 
-// The point row: the anchors stay together. `impulse` accumulates, in world axes.
+// The point row: keeps the anchors together. `impulse` is accumulated in world axes.
 JOSTLE_INLINE void hold_points(JointPair& pair, const WideSoft& s, Wide3& impulse) {
     const PositionCorrection m = position_correction(pair.apart, s, s.push_speed + pair.pace());
     const Wide3 want = pair.anchor_velocity() * m.velocity_scale + m.push;
@@ -244,7 +245,8 @@ JOSTLE_INLINE void hold_points(JointPair& pair, const WideSoft& s, Wide3& impuls
     pair.push(d);
 }
 
-// All three turns: `error` is the rotation vector from where b should be to where it is.
+// All three rotations. `error`: rotation vector from the target orientation of b to its current
+// one.
 JOSTLE_INLINE void hold_rotation(JointPair& pair, const WideSoft& s, Wide3 error, Wide3& impulse) {
     const PositionCorrection m = position_correction(error, s, s.push_spin);
     const Wide3 want = pair.spin() * m.velocity_scale + m.push;
@@ -253,7 +255,7 @@ JOSTLE_INLINE void hold_rotation(JointPair& pair, const WideSoft& s, Wide3 error
     pair.apply_angular(d);
 }
 
-// The two turns across an axis.
+// The two rotations perpendicular to an axis.
 JOSTLE_INLINE void hold_axis(JointPair& pair, const WideSoft& s, Wide3 axis, Wide3 error,
                              Wide3& impulse) {
     const Wide zero = splat(0), one = splat(1);
@@ -267,7 +269,7 @@ JOSTLE_INLINE void hold_axis(JointPair& pair, const WideSoft& s, Wide3 axis, Wid
     const PositionCorrection m = position_correction(error, s, s.push_spin);
     const Wide3 want = pair.spin() * m.velocity_scale + m.push;
     const Wide ep = dot(p, want), eq = dot(q, want);
-    // What accumulated in the step before lies across the axis as it was then.
+    // The impulse of the previous step is perpendicular to the previous axis.
     impulse = impulse - axis * dot(axis, impulse);
     const Wide3 d =
         -((p * (qq * ep - pq * eq) + q * (pp * eq - pq * ep)) * scale) - impulse * m.impulse_scale;
@@ -280,7 +282,7 @@ template <bool kAngular>
 struct WideRow {
     static constexpr bool angular = kAngular;
     Wide3 direction;
-    Wide response;  // one over what an impulse does to the speed; 0 where it does nothing
+    Wide response;  // inverse of the speed per impulse; 0 if the impulse has no effect
 
     JOSTLE_INLINE WideRow(const JointPair& pair, Wide3 unit) : direction(unit) {
         const WideSymmetric k = kAngular ? pair.turn_matrix() : pair.point_matrix();
@@ -297,14 +299,14 @@ struct WideRow {
     }
 };
 
-// An angle about an axis of bodies that a point holds together: the point answers at once. What
-// takes turns with it would have to push as often as the bodies' inertia about the point is larger
-// than their own.
+// An angle about an axis of bodies that a point constraint holds together. The row includes the
+// immediate response of the point. Rows that alternate with it would need as many more iterations
+// as the bodies' inertia about the point exceeds their own inertia.
 struct HeldRow {
     static constexpr bool angular = true;
-    Wide3 direction, back;  // of the turn; of the point's answer
+    Wide3 direction, back;  // of the rotation; of the point's response
     Wide response;
-    Wide own;  // what an impulse would do to the speed without the point
+    Wide own;  // speed per impulse without the point
     Wide3& point;
 
     JOSTLE_INLINE HeldRow(const JointPair& pair, Wide3 axis, Wide3& impulse)
@@ -323,14 +325,14 @@ struct HeldRow {
     }
 };
 
-// `left`: how much there is before the limit; negative: beyond it. `sign` times the row's
-// direction is that in which the impulse, which is kept, may push (>= 0).
+// `left`: distance to the limit; negative beyond it. The accumulated impulse may push (>= 0) only
+// along `sign` times the row's direction.
 template <bool kRelax, class Row>
 JOSTLE_INLINE void limit_row(JointPair& pair, const JointStep& step, const Row& row, float sign,
                              Wide left, float* stored) {
     const WideMask free = left > splat(0);
     const WideSoft s = rigid<kRelax>(step);
-    // What is left may be used up within the sub-step, no more.
+    // The distance to the limit may be used up within the sub-step, but not exceeded.
     const Wide most = Row::angular ? s.push_spin : s.push_speed, push = left * s.position_rate;
     const WideMask over = push < -max_push(s, most), soft = ~free & ~over;
     const Wide before = load(stored);
@@ -359,7 +361,8 @@ JOSTLE_INLINE void spring_row(JointPair& pair, const WideRow<kAngular>& row, con
     row.apply(pair, d);
 }
 
-// The same of a row whose point answers: as stiff as it would be without.
+// The same for a row with the point's response: the spring has the stiffness that it has without
+// the point.
 JOSTLE_INLINE void spring_row(JointPair& pair, const HeldRow& row, const WideSoft& s, Wide error,
                               Wide strongest, float* stored) {
     const Wide before = load(stored);

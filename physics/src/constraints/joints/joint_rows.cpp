@@ -10,7 +10,7 @@ namespace {
 
 constexpr Vec3 axes_of_world[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
 
-// From the origin of a's axes to b's, the shorter way round.
+// The shorter rotation from `from` to `to`, as a rotation vector.
 Vec3 turn_between(Quat from, Quat to) {
     const Quat q = to * conjugate(from);
     const Vec3 axis = Vec3{q.x, q.y, q.z} * (q.w < 0 ? -1.0 : 1.0);
@@ -28,7 +28,7 @@ struct JointRowWriter {
 
     Vec3 apart() const { return (b.center - a.center) + (b.arm - a.arm); }
 
-    // The velocity of b's point against a's, along a direction. The points are at these arms.
+    // The velocity of b's point relative to a's along a direction. The points are at these arms.
     JointRow along(RowRole role, int axis, Vec3 direction, Vec3 arm_a, Vec3 arm_b) const {
         JointRow row{.role = role, .axis = axis};
         row.jacobians[0] = {joint.body_a, -direction, -cross(arm_a, direction)};
@@ -36,7 +36,7 @@ struct JointRowWriter {
         row.jacobian_count = 2;
         return row;
     }
-    // The spin of b against a, about a direction.
+    // The spin of b relative to a about a direction.
     JointRow about(RowRole role, int axis, Vec3 direction) const {
         JointRow row{.role = role, .axis = axis};
         row.jacobians[0] = {joint.body_a, {}, -direction};
@@ -46,7 +46,7 @@ struct JointRowWriter {
     }
     JointRow& add(const JointRow& row) { return rows.emplace_back(row); }
 
-    // What a degree of freedom may have beside being locked. `row` is its rate.
+    // Rows of a degree of freedom that is not locked. `row` is its rate.
     void limits(const JointRow& row, const JointLimit& limit, double value) {
         if (!limit.enabled) return;
         JointRow& lower = add(row);
@@ -87,7 +87,7 @@ struct JointRowWriter {
         added.upper = most;
     }
 
-    // The kinds' common parts.
+    // Rows that several kinds share.
     void hold_points(const JointSpring& spring = {}) {
         const Vec3 gap = apart();
         const double error[] = {gap.x, gap.y, gap.z};
@@ -215,8 +215,8 @@ struct JointRowWriter {
         }
     }
 
-    // Sliders, six-dofs, wheels and paths. `own`: which axis of the kind each of the layout's is;
-    // `origin`: where a's axes are, from a's centre of mass.
+    // Sliders, six-dofs, wheels and paths. `own`: the kind's axis for each axis of the layout.
+    // `origin`: origin of a's axes, relative to a's centre of mass.
     void axes(const AxesLayout& layout, const int (&own)[6], Vec3 origin) {
         const Quat frame_a = a.frame * layout.turn_a, frame_b = b.frame * layout.turn_b;
         const Vec3 gap = (b.center - a.center) + (b.arm - origin);
@@ -226,7 +226,8 @@ struct JointRowWriter {
         const double values[] = {angles.first, angles.middle, angles.last};
         const auto row_of = [&](int k) {
             if (k >= 3) return about(RowRole::turn, own[k], rates[k - 3]);
-            // Rates along a's axes are those of b's point in a's frame: a's arm goes to that point.
+            // Rates along a's axes are those of b's point in a's frame, so a's arm extends to that
+            // point.
             return along(RowRole::point, own[k], rotate(frame_a, axes_of_world[k]), origin + gap,
                          b.arm);
         };

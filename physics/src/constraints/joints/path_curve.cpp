@@ -9,14 +9,14 @@ namespace jostle::physics {
 namespace {
 
 struct Jet {
-    Vec3 position, first, second;  // derivatives by the parameter
+    Vec3 position, first, second;  // derivatives with respect to the parameter
 };
 
 int pieces_of(const PathJoint& path) {
     return static_cast<int>(path.points.size()) - (path.closed ? 0 : 1);
 }
 
-// Before the first and after the last point of an open path the curve is mirrored.
+// An open path is mirrored beyond its first and last point.
 Vec3 point_of(const PathJoint& path, int k) {
     const int count = static_cast<int>(path.points.size());
     const auto at = [&](int i) { return path.points[static_cast<std::size_t>(i)]; };
@@ -53,7 +53,7 @@ double within(const PathJoint& path, double at) {
     return maximum(0, minimum(at, pieces));
 }
 
-// Of a piece up to t, by Gauss and Legendre with five points in each quarter.
+// Length of a piece up to t, by Gauss-Legendre quadrature with five points per quarter.
 double length_up_to(const PathJoint& path, int piece, double t) {
     if (!path.smooth) return t * length(point_of(path, piece + 1) - point_of(path, piece));
     constexpr double nodes[] = {0, 0.5384693101056831, -0.5384693101056831, 0.9061798459386640,
@@ -69,8 +69,8 @@ double length_up_to(const PathJoint& path, int piece, double t) {
     return sum;
 }
 
-// The direction of a curve that stands still at a parameter, as one may with points in odd places:
-// along its chord.
+// The tangent of the curve. If the derivative vanishes at a parameter, which unusual points can
+// cause, the direction of the chord.
 Vec3 tangent_of(const PathJoint& path, int piece, const Jet& jet) {
     const double speed = length(jet.first);
     if (speed > 1e-9) return jet.first * (1 / speed);
@@ -82,7 +82,7 @@ Quat facing(Vec3 x, Vec3 toward) {
     if (length(y) < 1e-9) y = cross(x, absolute(x.x) < 0.7 ? Vec3{1, 0, 0} : Vec3{0, 1, 0});
     y = normalized(y);
     const Vec3 z = cross(x, y);
-    // Of a matrix of columns x, y, z (Shepperd, 1978): the largest of four comes first.
+    // From a matrix with columns x, y, z (Shepperd, 1978): divides by the largest of the four.
     const double trace = x.x + y.y + z.z;
     const double sizes[] = {trace, x.x, y.y, z.z};
     int largest = 0;
@@ -116,7 +116,8 @@ PathPoint lane_ref_at(const PathJoint& path, double at) {
     return path_point;
 }
 
-// Newton's steps on the derivative of the squared distance, halved while they lead away.
+// Newton's method on the derivative of the squared distance. Steps that increase the distance are
+// halved.
 PathPoint nearest_path_point(const PathJoint& path, Vec3 point, double guess) {
     double at = within(path, guess);
     double best = distance2_at(path, at, point);

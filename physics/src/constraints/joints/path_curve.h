@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The curve of a path joint, in a's frame. Between two points a cubic (Catmull-Rom, uniform) or a
-// straight line; parameter k + t is between points k and k + 1.
+// The curve of a path joint in a's frame. Between two points it is a cubic (Catmull-Rom, uniform)
+// or a straight line. The parameter k + t is between points k and k + 1.
 #pragma once
 
 #include "jostle/physics/joint_defs.h"
@@ -11,16 +11,16 @@ namespace jostle::physics {
 struct PathPoint {
     double at = 0;         // parameter
     Vec3 position;         // m
-    Quat rotation;         // x along the curve, y to the centre of its curvature
+    Quat rotation;         // x along the curve, y towards its centre of curvature
     double curvature = 0;  // 1/m
-    double travel = 0;     // m, from the first point on
+    double travel = 0;     // m, from the first point
 };
 
-// Where the curve is nearest to a point: near the parameter `guess`, or wherever on it.
+// The point of the curve nearest to `point`: near the parameter `guess`, or on the whole curve.
 PathPoint nearest_path_point(const PathJoint& path, Vec3 point, double guess);
 PathPoint nearest_path_point(const PathJoint& path, Vec3 point);
 PathPoint lane_ref_at(const PathJoint& path, double at);
-// How far `at` is from `before`, the shorter way round a closed path.
+// Parameter difference from `before` to `at`, the shorter direction on a closed path.
 double parameter_step(const PathJoint& path, double before, double at);
 double length_of(const PathJoint& path);  // m
 

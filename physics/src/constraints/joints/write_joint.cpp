@@ -45,7 +45,7 @@ struct JointWriteContext {
         lane.put(t.frame_b, b.frame);
     }
 
-    void operator()(const auto&) {}  // writes what it has elsewhere
+    void operator()(const auto&) {}  // writes its data elsewhere
     void drive(const RotationDrive& drive) {
         const bool driven = drive.spring.hertz > 0;
         lane.put(t.spring_soft, driven ? spring_or(drive.spring, h, {}) : switched_off);
@@ -75,7 +75,7 @@ struct JointWriteContext {
         drive(kind.drive);
     }
     void operator()(const FixedJoint& kind) {
-        // Both frames in one turn, so that a small one keeps its digits.
+        // Both frames combined into one rotation, so that small angles keep their precision.
         lane.put(t.frame_b, b.frame * conjugate(a.frame));
         lane.put(t.spring_soft, spring_or(kind.angular, h, as_stiff_as_can_be));
         lane.put(t.point_soft, spring_or(kind.linear, h, as_stiff_as_can_be));
@@ -118,7 +118,7 @@ void write_row(const VelocityRow& row, double impulse, const JointEnd& a, const 
 }  // namespace
 
 std::int32_t carrier_of(const JointKind& kind, std::int32_t a, std::int32_t b) {
-    // Most kinds stand before the first of those.
+    // Most kinds precede the first such kind.
     static constexpr std::size_t first = 6;
     static_assert(std::is_same_v<std::variant_alternative_t<first, JointKind>, SliderJoint>);
     if (b <= 0) return a;
@@ -139,7 +139,8 @@ void write_joint(const Joint& joint, const JointEnd& a, const JointEnd& b, doubl
                          ? nearest_path_point(*path, bead)
                          : nearest_path_point(*path, bead, memory[PathMemory::at]);
         to.axes->at[lane.at] = path_point->at;
-        // The circle that stands for the curve in this step touches it in the middle of b's way.
+        // The circle that approximates the curve in this step touches it in the middle of b's
+        // displacement.
         if (path->smooth)
             path_point = lane_ref_at(
                 *path, path_point->at + maximum(-0.5, minimum(memory[PathMemory::step] / 2, 0.5)));

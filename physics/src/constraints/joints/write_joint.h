@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A joint's lane in a block, from the doubles of the world and back.
+// Converts a joint between the double values of the world and its lane in a block.
 #pragma once
 
 #include "physics/src/constraint_graph/joint_constraint_wide.h"
@@ -10,12 +10,12 @@
 
 namespace jostle::physics {
 
-// The hot index of the body with which the impulse at a joint's point turns; 0 or less when nothing
-// can move either: bodies without shapes have no mass. Where a point is free to slide along axes of
-// a, that is a, whatever b does.
+// The hot index of the body that the impulse at a joint's point rotates with. 0 or negative if
+// neither body is movable: bodies without shapes have no mass. If the point can slide along axes of
+// a, the carrier is a, regardless of b.
 std::int32_t carrier_of(const JointKind& kind, std::int32_t a, std::int32_t b);
 
-// Where a joint's lane is: a block, and what its kind has besides, or null.
+// The target of a joint's lane: a block and the kind-specific data, or null.
 struct JointBlock {
     JointConstraintWide& block;
     JointAngularWide* angular;
@@ -25,14 +25,15 @@ struct JointBlock {
     JointConstraintWideMeta& meta;
 };
 
-// h: sub-step, s. Of gears, racks and pulleys write_gear() (gear_ends.h) writes the rest.
+// h: sub-step, s. For gears, racks and pulleys write_gear() (gear_ends.h) writes the remaining
+// data.
 void write_joint(const Joint& joint, const JointEnd& a, const JointEnd& b, double h,
                  const JointBlock& to, int lane);
-// Impulses, and the mean loads over a step of dt seconds, into the joint; `carried` is the rotation
-// of its carrier at the start of the step, or none. Returns whether it is loaded more than it
-// bears.
-// Whether what acted in the last step is more than it bears.
+// Whether the load of the last step exceeds the joint's limits.
 bool exceeds_break_limit(const Joint& joint);
+// Stores the impulses and the mean loads over a step of dt seconds in the joint. `carried`:
+// rotation of its carrier at the start of the step, or identity. Returns whether the load exceeds
+// the joint's limits.
 bool read_joint(Joint& joint, Quat carried, double dt, const JointBlock& from, int lane);
 
 }  // namespace jostle::physics

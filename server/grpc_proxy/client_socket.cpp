@@ -25,15 +25,15 @@ SSL* tls_on(int descriptor, SSL_CTX* context) {
     }
     SSL_set_accept_state(tls);
     SSL_set_options(tls, SSL_OP_NO_RENEGOTIATION);
-    // Idle connections keep no buffers.
+    // Release the buffers of idle connections.
     SSL_set_mode(tls, SSL_MODE_ENABLE_PARTIAL_WRITE | SSL_MODE_ACCEPT_MOVING_WRITE_BUFFER |
                           SSL_MODE_RELEASE_BUFFERS);
     return tls;
 }
 
-ClientSocket::State state_of_errno(ClientSocket::State wanted) {
-    const bool later = errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR;
-    return later ? wanted : ClientSocket::State::closed;
+ClientSocket::State state_of_errno(ClientSocket::State retry_state) {
+    const bool retry = errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR;
+    return retry ? retry_state : ClientSocket::State::closed;
 }
 
 }  // namespace
@@ -80,14 +80,14 @@ std::string ClientSocket::certificate() const {
     return tls_ ? verified_subject(tls_.get()) : std::string();
 }
 
-ClientSocket::IoResult ClientSocket::read(std::span<std::uint8_t> room) {
+ClientSocket::IoResult ClientSocket::read(std::span<std::uint8_t> buffer) {
     if (tls_) {
         ERR_clear_error();
         std::size_t count = 0;
-        const int result = SSL_read_ex(tls_.get(), room.data(), room.size(), &count);
+        const int result = SSL_read_ex(tls_.get(), buffer.data(), buffer.size(), &count);
         return {result == 1 ? State::open : state_of(result), count};
     }
-    const ssize_t count = ::recv(descriptor_, room.data(), room.size(), 0);
+    const ssize_t count = ::recv(descriptor_, buffer.data(), buffer.size(), 0);
     if (count < 0) return {state_of_errno(State::wants_read), 0};
     received_ += static_cast<std::uint64_t>(count);
     return {count == 0 ? State::closed : State::open, static_cast<std::size_t>(count)};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The socket of a client, with TLS or without, as bytes that are read and written without waiting.
-// Owns its descriptor. One thread at a time.
+// A client socket with or without TLS, read and written without blocking. Owns its descriptor. One
+// thread at a time.
 #pragma once
 
 #include <openssl/ssl.h>
@@ -18,17 +18,17 @@ namespace jostle::server {
 class ClientSocket {
 public:
     enum class State {
-        open,         // what was asked for was done, in part at least
-        wants_read,   // nothing could be done until there is something to read
-        wants_write,  // likewise, to write
-        closed,       // by the peer, or broken
+        open,         // the call succeeded, at least partially
+        wants_read,   // nothing was done; retry when the socket is readable
+        wants_write,  // nothing was done; retry when the socket is writable
+        closed,       // closed by the peer, or broken
     };
     struct IoResult {
         State state = State::open;
         std::size_t bytes = 0;
     };
 
-    // The descriptor does not block. Null `tls`: without.
+    // The descriptor must be non-blocking. Null `tls`: plain TCP.
     ClientSocket(int descriptor, SSL_CTX* tls);
     ~ClientSocket();
     ClientSocket(const ClientSocket&) = delete;
@@ -36,23 +36,24 @@ public:
 
     int descriptor() const { return descriptor_; }
 
-    // Until `open`; not needed without TLS, and then open at once.
+    // Repeat until the result is `open`; without TLS it is `open` at once.
     State handshake();
-    // Why the handshake failed, in OpenSSL's words.
+    // The OpenSSL reason of a failed handshake.
     const std::string& failure() const { return failure_; }
-    // Subject of the certificate that the client has shown and TLS verified; empty: none.
+    // Subject of the client certificate that TLS verified; empty: none.
     std::string certificate() const;
 
-    // At least 16 KiB of room, so that nothing that was decrypted stays behind.
-    IoResult read(std::span<std::uint8_t> room);
-    // What was not written is to be given again, at the beginning of the next call.
+    // `buffer` must hold at least 16 KiB (one TLS record), so that no decrypted data is left over.
+    IoResult read(std::span<std::uint8_t> buffer);
+    // The caller passes unwritten bytes again, at the start of the next call.
     IoResult write(std::span<const std::uint8_t> bytes);
-    // Tells the peer that nothing more comes.
+    // Closes the sending direction.
     void finish();
 
-    std::uint64_t received() const;  // bytes off the line, TLS's own included
+    std::uint64_t received() const;  // bytes received on the wire, including TLS overhead
 
-    // OpenSSL writes to sockets by write(): who uses these on a thread of its own calls this first.
+    // Call first on every thread that uses sockets: OpenSSL writes with write(), which can raise
+    // SIGPIPE.
     static void block_broken_pipe_signal();
 
 private:

@@ -26,14 +26,15 @@ constexpr int niceness = 5;
 constexpr auto handshake_max = std::chrono::seconds(5);
 constexpr int backlog = 1024;
 constexpr auto log_period = std::chrono::seconds(5);
-// When no descriptor is left, trying again at once would only spin.
+// If no descriptor is available, an immediate retry would only spin.
 constexpr auto accept_pause = std::chrono::milliseconds(100);
 
 std::uint16_t port_of(int descriptor) {
     sockaddr_storage own{};
     socklen_t size = sizeof own;
     getsockname(descriptor, reinterpret_cast<sockaddr*>(&own), &size);
-    return ntohs(reinterpret_cast<const sockaddr_in6&>(own).sin6_port);  // ports lie alike
+    // the port has the same offset in IPv4 and IPv6
+    return ntohs(reinterpret_cast<const sockaddr_in6&>(own).sin6_port);
 }
 
 }  // namespace
@@ -45,11 +46,11 @@ ConnectionAcceptor::~ConnectionAcceptor() {
 }
 
 Status ConnectionAcceptor::listen(const std::string& host, std::uint16_t port) {
-    const auto failed = [&](const std::string& why) {
+    const auto failed = [&](const std::string& refusal) {
         return Error{ErrorCode::unavailable,
                      fmt::format("cannot listen on {}:{} for gRPC: {}; choose another with "
                                  "--listen HOST:PORT",
-                                 host, port, why)};
+                                 host, port, refusal)};
     };
     addrinfo hints{};
     hints.ai_socktype = SOCK_STREAM;
@@ -117,11 +118,11 @@ void ConnectionAcceptor::run() {
                 else if (descriptor != wake_)
                     continue_handshake(descriptor);
             } catch (const std::exception& error) {
-                // Memory has run out: this one is not let in.
+                // Out of memory: this connection is rejected.
                 log_error("gRPC: a connection failed: {}", error.what());
             }
         }
-        // Without descriptors the listener would be ready for ever.
+        // Without available descriptors the listener would stay readable and the loop would spin.
         set_epoll_events(listener_, now < accept_again_ ? 0u : EPOLLIN, EPOLL_CTL_MOD);
         drop_timed_out(now);
         if (metrics_) metrics_->open.Set(static_cast<double>(table_.size()));
@@ -131,7 +132,7 @@ void ConnectionAcceptor::run() {
     pending_handshakes_.clear();
 }
 
-// At most so many at once: those who shake hands have their turns, too.
+// A bounded number per round, so that pending handshakes also make progress.
 void ConnectionAcceptor::accept_all(Clock::time_point now) {
     for (int i = 0; i < backlog; i++) {
         sockaddr_storage peer{};
@@ -143,7 +144,7 @@ void ConnectionAcceptor::accept_all(Clock::time_point now) {
             continue;
         }
         if (errno == EMFILE || errno == ENFILE || errno == ENOMEM || errno == ENOBUFS) {
-            log_warn("gRPC: cannot take a connection: {}", std::strerror(errno));
+            log_warn("gRPC: cannot accept a connection: {}", std::strerror(errno));
             failed_at_ = now.time_since_epoch().count();
             accept_again_ = now + accept_pause;
         }
@@ -153,9 +154,9 @@ void ConnectionAcceptor::accept_all(Clock::time_point now) {
 
 void ConnectionAcceptor::accept_one(int descriptor, const sockaddr_storage& peer,
                                     Clock::time_point now) {
-    if (const auto why = table_.refusal_for(peer, now)) {
-        count(*why);
-        ::close(descriptor);  // the cheapest answer there is
+    if (const auto refusal = table_.refusal_for(peer, now)) {
+        count(*refusal);
+        ::close(descriptor);  // the cheapest refusal
         return;
     }
     set_socket_option(descriptor, IPPROTO_TCP, TCP_NODELAY, 1);
@@ -168,14 +169,14 @@ void ConnectionAcceptor::accept_one(int descriptor, const sockaddr_storage& peer
     set_epoll_events(descriptor, EPOLLIN, EPOLL_CTL_ADD);
 }
 
-void ConnectionAcceptor::count(ConnectionTable::Refusal why) {
+void ConnectionAcceptor::count(ConnectionTable::Refusal refusal) {
     refused_++;
     if (!metrics_) return;
     using enum ConnectionTable::Refusal;
     metrics_
-        ->refused(why == full           ? ConnectionRefusal::limit
-                  : why == address_full ? ConnectionRefusal::address_limit
-                                        : ConnectionRefusal::penalty)
+        ->refused(refusal == full           ? ConnectionRefusal::limit
+                  : refusal == address_full ? ConnectionRefusal::address_limit
+                                            : ConnectionRefusal::penalty)
         .Increment();
 }
 
@@ -205,8 +206,8 @@ void ConnectionAcceptor::hand_off(std::unique_ptr<ClientSocket> socket,
     }
 }
 
-void ConnectionAcceptor::reject(PendingHandshake& pending, const std::string& why) {
-    log_debug("{}: no TLS: {}", pending.connection->peer, why);
+void ConnectionAcceptor::reject(PendingHandshake& pending, const std::string& refusal) {
+    log_debug("{}: TLS handshake failed: {}", pending.connection->peer, refusal);
     if (metrics_) metrics_->refused(ConnectionRefusal::handshake).Increment();
     table_.remove(*pending.connection);
 }
@@ -217,7 +218,7 @@ void ConnectionAcceptor::drop_timed_out(Clock::time_point now) {
             ++at;
             continue;
         }
-        reject(at->second, "it took too long");
+        reject(at->second, "timed out");
         at = pending_handshakes_.erase(at);
     }
 }
@@ -225,8 +226,8 @@ void ConnectionAcceptor::drop_timed_out(Clock::time_point now) {
 void ConnectionAcceptor::log_refusals(Clock::time_point now) {
     if (refused_ == refused_logged_ || now - logged_at_ < log_period) return;
     log_warn(
-        "gRPC: {} connections were refused: {} are open, the most allowed in all or from one "
-        "address, or others of their addresses were attacks",
+        "gRPC: refused {} connections: {} are open, a limit in total or per address is reached, or "
+        "their addresses are blocked after an attack",
         refused_ - refused_logged_, table_.size());
     refused_logged_ = refused_;
     logged_at_ = now;

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Accepts the connections of the gRPC port, in the place of gRPC, which knows no limit and goes
-// deaf when descriptors run out, and agrees with them on TLS. Has a thread of its own, which stands
-// back behind those that move bytes: who only connects, however often, slows nobody who plays.
+// Accepts the connections of the gRPC port and performs TLS handshakes. It replaces the listener of
+// gRPC, which has no connection limit and stops accepting when descriptors run out. Its thread has
+// a lower priority than the threads that move bytes, so that connection floods do not slow
+// connected clients.
 #pragma once
 
 #include <atomic>
@@ -23,11 +24,11 @@ namespace jostle::server {
 
 class ConnectionAcceptor {
 public:
-    // A client that is let in. Called on the acceptor's thread.
+    // Called on the acceptor's thread for each admitted client.
     using Handler = std::function<void(std::unique_ptr<ClientSocket>, std::shared_ptr<Connection>)>;
 
-    // All outlive the acceptor. Null certificates: without TLS; null metrics: nobody counts.
-    // `tcp_user_timeout`: a peer that takes nothing for so long is gone.
+    // All arguments must outlive the acceptor. Null certificates: no TLS; null metrics: no
+    // counting. `tcp_user_timeout`: a peer that acknowledges nothing for this long is disconnected.
     ConnectionAcceptor(ConnectionTable& table, const CertificateStore* certificates,
                        Clock::duration tcp_user_timeout, const ListenerMetrics* metrics)
         : table_(table),
@@ -36,19 +37,19 @@ public:
           metrics_(metrics) {}
     ~ConnectionAcceptor();
 
-    // Binds. An error says which address and why. Port 0: any that is free.
+    // Binds. An error names the address and the reason. Port 0 selects a free port.
     Status listen(const std::string& host, std::uint16_t port);
-    std::uint16_t port() const { return port_; }  // the real one
+    std::uint16_t port() const { return port_; }  // the bound port
     void start(Handler handler);
-    // No new connections from now on.
+    // Stops accepting connections.
     void stop();
 
-    // Any thread: false while it cannot take connections for want of descriptors or memory, and
-    // when its thread has not looked for a second.
+    // Any thread. False while no connection can be accepted for lack of descriptors or memory, or
+    // if the thread has not polled for 1 s.
     bool is_listening(Clock::time_point now) const;
 
 private:
-    // One that TLS is not agreed with yet.
+    // A connection whose TLS handshake is not complete.
     struct PendingHandshake {
         std::unique_ptr<ClientSocket> socket;
         std::shared_ptr<Connection> connection;
@@ -77,7 +78,8 @@ private:
     std::uint16_t port_ = 0;
     std::map<int, PendingHandshake> pending_handshakes_;  // by descriptor
     std::atomic<bool> stopping_{false};
-    std::atomic<Clock::rep> polled_at_{0}, failed_at_{0};  // when it did last, when it failed last
+    // time of the last poll and of the last failure
+    std::atomic<Clock::rep> polled_at_{0}, failed_at_{0};
     std::uint64_t refused_ = 0, refused_logged_ = 0;
     Clock::time_point logged_at_{}, accept_again_{};
     std::thread thread_;

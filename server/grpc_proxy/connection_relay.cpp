@@ -23,25 +23,25 @@ namespace jostle::server {
 namespace {
 
 constexpr auto sweep_period = std::chrono::milliseconds(20);
-// A tick makes gRPC write to all its clients within a millisecond or two. To wake for each of them
-// would take a quarter more of the server's time; who waits so long gathers many.
-constexpr auto gathering = std::chrono::microseconds(250);
+// A tick makes gRPC write to all its clients within one or two milliseconds. Waking up for each
+// write would take 25 % more of the server's time; this delay batches many writes.
+constexpr auto batching_delay = std::chrono::microseconds(250);
 constexpr int events_max = 256;
-// One record of TLS; and so much of one client is moved before it is the next one's turn.
+// One TLS record; also the bytes moved per client before the next client gets its turn.
 constexpr std::size_t up_bytes = 16 * 1024, down_bytes = 64 * 1024;
-// What a connection may send beside its messages, in the long run: headers, window updates, pings
-// and the frames around acks take a few kB/s of each call.
+// Sustained bytes that a connection may send in addition to its messages: headers, window updates,
+// pings and the frames around acks take a few kB/s per call.
 constexpr double slack_bytes_per_second = 16 * 1024, slack_of_call = 4 * 1024;
-// Streams that gRPC itself turns away never reach us.
+// Streams that gRPC rejects itself are never reported to the server.
 constexpr double streams_tolerated_per_second = 50;
-// When much waits in all, who has this little still goes on.
+// While the total limits are reached, connections below these values are still read.
 constexpr double small_buffer = 64 * 1024, small_backlog = 8;
 
 void close_if_open(int& descriptor) {
     if (descriptor >= 0) ::close(std::exchange(descriptor, -1));
 }
 
-// An address in no file system, so that gRPC's name of its peer tells us which connection it is.
+// Binds to an abstract socket address, so that gRPC's peer name identifies the connection.
 bool name_socket(int descriptor, const std::string& name) {
     sockaddr_un address{};
     address.sun_family = AF_UNIX;
@@ -53,36 +53,39 @@ bool name_socket(int descriptor, const std::string& name) {
 
 }  // namespace
 
-// What epoll gives back.
+// User data of an epoll registration.
 struct ConnectionRelay::End {
     Stream* stream = nullptr;
     std::uint32_t interest = 0;
-    bool is_client = false, is_watched = false;
+    bool is_client = false, is_registered = false;
 };
 
 struct ConnectionRelay::Stream {
-    Stream(std::unique_ptr<ClientSocket> socket, std::shared_ptr<Connection> whose,
+    Stream(std::unique_ptr<ClientSocket> socket, std::shared_ptr<Connection> shared_connection,
            Clock::time_point now)
-        : client(std::move(socket)), connection(std::move(whose)), guard(now), measured(now) {}
+        : client(std::move(socket)),
+          connection(std::move(shared_connection)),
+          guard(now),
+          measured(now) {}
 
     std::unique_ptr<ClientSocket> client;
     std::shared_ptr<Connection> connection;
     Http2FrameGuard guard;
-    int grpc = -1;  // our end of the pair; -1: not yet
+    int grpc = -1;  // our end of the socket pair; -1: not open yet
     End client_end{this, 0, true, false}, grpc_end{this, 0, false, false};
-    // What one side has sent and the other has not taken yet.
+    // Bytes sent by one side that the other side has not accepted yet.
     std::vector<std::uint8_t> for_grpc, for_client;
-    Clock::time_point read_again{};          // before, the client has to wait
-    Clock::time_point deadline{};            // for what it does now; never when zero
-    double unread = 0, backlog = 0;          // bytes; streams
-    std::uint64_t received = 0, opened = 0;  // when it was last read
-    std::uint64_t consumed = 0, taken = 0;   // when it was last measured
+    Clock::time_point read_again{};            // the client is not read before this time
+    Clock::time_point deadline{};              // of the current phase; zero: none
+    double unread = 0, backlog = 0;            // bytes; streams
+    std::uint64_t received = 0, opened = 0;    // at the last read
+    std::uint64_t consumed = 0, accepted = 0;  // at the last measurement
     Clock::time_point measured;
-    bool waits = false;         // for its turn to be opened towards gRPC
-    bool client_ended = false;  // sends no more
-    bool grpc_ended = false;    // sends no more
-    bool grpc_deaf = false;     // takes no more: what comes is dropped
-    bool grpc_hung_up = false;  // has closed its end; more may be left in the pair
+    bool is_queued = false;       // for its connection to gRPC
+    bool client_ended = false;    // end of input
+    bool grpc_ended = false;      // end of input
+    bool discards_input = false;  // gRPC reads no more: input is discarded
+    bool grpc_hung_up = false;    // has closed its end; the pair may hold unread bytes
     bool read_wants_write = false, write_wants_read = false;  // TLS
     bool is_dead = false;
 };
@@ -109,7 +112,7 @@ Status ConnectionRelay::start(Handler handler) {
     epoll_event event{.events = EPOLLIN, .data = {.ptr = nullptr}};
     if (epoll_ < 0 || wake_ < 0 || epoll_ctl(epoll_, EPOLL_CTL_ADD, wake_, &event) != 0)
         return Error{ErrorCode::unavailable,
-                     fmt::format("cannot watch connections: {}", std::strerror(errno))};
+                     fmt::format("cannot poll connections: {}", std::strerror(errno))};
     polled_at_ = Clock::now().time_since_epoch().count();
     thread_ = std::thread([this] { run(); });
     return {};
@@ -161,7 +164,7 @@ void ConnectionRelay::run() {
             delete_closed();
             swept = now;
         }
-        if (count > 0) std::this_thread::sleep_for(gathering);
+        if (count > 0) std::this_thread::sleep_for(batching_delay);
         const Clock::rep stop_at = stop_at_;
         if (stop_at != 0 && (streams_.empty() || now.time_since_epoch().count() >= stop_at)) break;
     }
@@ -173,30 +176,30 @@ void ConnectionRelay::run() {
 void ConnectionRelay::add_new(Clock::time_point now) {
     eventfd_t ignored = 0;
     eventfd_read(wake_, &ignored);
-    std::vector<std::unique_ptr<Stream>> taken;
+    std::vector<std::unique_ptr<Stream>> accepted;
     {
         const std::lock_guard lock(mutex_);
-        taken.swap(new_);
+        accepted.swap(new_);
     }
-    for (auto& owned : taken) {
+    for (auto& owned : accepted) {
         Stream& stream = *owned;
         streams_.emplace(&stream, std::move(owned));
         stream.deadline = now + limits_.preface_timeout;
         guarded(stream, [&] {
-            // The client may have spoken already, and TLS have read it.
+            // The client may have sent data already, and TLS may have buffered it.
             read_client(stream, now);
             if (!stream.is_dead) update_interest(stream, now);
         });
     }
 }
 
-// Memory may run out while bytes wait: this connection ends and no other does.
+// If memory runs out, only this connection ends.
 template <class Work>
 void ConnectionRelay::guarded(Stream& stream, const Work& work) {
     try {
         work();
     } catch (const std::exception& error) {
-        log_error("{} was closed: {}", stream.connection->peer, error.what());
+        log_error("{}: connection closed: {}", stream.connection->peer, error.what());
         close(stream);
     }
 }
@@ -209,7 +212,7 @@ void ConnectionRelay::on_event(End& end, std::uint32_t events, Clock::time_point
     } else {
         if ((events & EPOLLOUT) != 0) flush_to_grpc(stream);
         if ((events & (EPOLLHUP | EPOLLERR)) != 0) {
-            // epoll would say so again and again.
+            // epoll would report the hang-up repeatedly.
             epoll_ctl(epoll_, EPOLL_CTL_DEL, stream.grpc, nullptr);
             stream.grpc_hung_up = true;
             stream.deadline = now + limits_.close_timeout;
@@ -223,15 +226,15 @@ void ConnectionRelay::on_event(End& end, std::uint32_t events, Clock::time_point
 void ConnectionRelay::on_client_event(Stream& stream, std::uint32_t events, Clock::time_point now) {
     const bool hung_up = (events & EPOLLHUP) != 0;
     if ((events & EPOLLERR) != 0) return close(stream);
-    if (stream.waits && (events & EPOLLRDHUP) != 0) return close(stream);
-    if (stream.grpc_ended && hung_up) return close(stream);  // both have said all
+    if (stream.is_queued && (events & EPOLLRDHUP) != 0) return close(stream);
+    if (stream.grpc_ended && hung_up) return close(stream);  // both directions have ended
     if (!stream.for_client.empty() && ((events & EPOLLOUT) != 0 || stream.write_wants_read)) {
         stream.write_wants_read = false;
         const std::vector<std::uint8_t> waiting = std::exchange(stream.for_client, {});
         if (!write_client(stream, waiting)) return;
     }
     if ((events & EPOLLIN) != 0 || stream.read_wants_write) read_client(stream, now);
-    // Nobody wants to read now, and epoll would say it again and again.
+    // Nothing can be read now, and epoll would report the hang-up repeatedly.
     if (!stream.is_dead && hung_up && !may_read(stream, now)) close(stream);
 }
 
@@ -250,13 +253,13 @@ void ConnectionRelay::read_client(Stream& stream, Clock::time_point now) {
         if (stream.for_grpc.empty()) ::shutdown(stream.grpc, SHUT_WR);
         return;
     }
-    if (count == 0 || stream.grpc_deaf) return;
+    if (count == 0 || stream.discards_input) return;
     if (stream.unread > limits_.buffered_bytes_max) measure(stream, now);
     if (stream.unread > limits_.buffered_bytes_max) return drop_largest_buffer(stream, now);
     const std::span<const std::uint8_t> bytes(up_.data(), count);
     if (const Status allowed = stream.guard.take(bytes, now); !allowed.ok()) {
         if (stream.guard.has_preface()) return drop(stream, allowed.error().message, now);
-        // A browser, or TLS where there is none: a mistake, and no attack.
+        // A browser, or TLS on a plain port: a mistake rather than an attack.
         log_debug("{}: {}", stream.connection->peer, allowed.error().message);
         return close(stream);
     }
@@ -270,23 +273,23 @@ void ConnectionRelay::read_client(Stream& stream, Clock::time_point now) {
 
 void ConnectionRelay::to_grpc(Stream& stream, std::span<const std::uint8_t> bytes) {
     if (stream.grpc >= 0) bytes = bytes.subspan(send_to_grpc(stream, bytes));
-    if (stream.grpc_deaf) return;
+    if (stream.discards_input) return;
     stream.for_grpc.insert(stream.for_grpc.end(), bytes.begin(), bytes.end());
     if (stream.grpc >= 0 || !stream.guard.has_preface()) return;
-    stream.waits = true;
+    stream.is_queued = true;
     waiting_.push_back(&stream);
 }
 
-// A connection costs gRPC far more than it costs who makes it. Who has gone before it is his turn
-// costs it nothing.
+// A connection costs gRPC far more than the client. Connections closed before their turn cost it
+// nothing.
 void ConnectionRelay::open_waiting(Clock::time_point now) {
     while (!waiting_.empty()) {
         Stream* const stream = waiting_.front();
-        const bool is_there = streams_.contains(stream) && stream->waits && !stream->is_dead;
+        const bool is_there = streams_.contains(stream) && stream->is_queued && !stream->is_dead;
         if (is_there && !openings_.take(1, now)) return;
         waiting_.pop_front();
         if (!is_there) continue;
-        stream->waits = false;
+        stream->is_queued = false;
         guarded(*stream, [&] {
             open_grpc(*stream);
             if (stream->grpc >= 0) flush_to_grpc(*stream);
@@ -295,12 +298,12 @@ void ConnectionRelay::open_waiting(Clock::time_point now) {
     }
 }
 
-// How much it took.
+// Returns the number of bytes that gRPC accepted.
 std::size_t ConnectionRelay::send_to_grpc(Stream& stream, std::span<const std::uint8_t> bytes) {
     const ssize_t sent = ::send(stream.grpc, bytes.data(), bytes.size(), MSG_NOSIGNAL);
     if (sent >= 0) return static_cast<std::size_t>(sent);
-    // When gRPC has closed this connection, what it said before is still to be read.
-    if (errno != EAGAIN && errno != EINTR) stream.grpc_deaf = true;
+    // If gRPC has closed this connection, its earlier output must still be read.
+    if (errno != EAGAIN && errno != EINTR) stream.discards_input = true;
     return 0;
 }
 
@@ -308,7 +311,7 @@ void ConnectionRelay::open_grpc(Stream& stream) {
     int pair[2] = {-1, -1};
     if (socketpair(AF_UNIX, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0, pair) != 0 ||
         !name_socket(pair[0], stream.connection->name)) {
-        log_warn("{} was closed: {}", stream.connection->peer, std::strerror(errno));
+        log_warn("{}: connection closed: {}", stream.connection->peer, std::strerror(errno));
         close_if_open(pair[0]);
         close_if_open(pair[1]);
         return close(stream);
@@ -322,7 +325,7 @@ void ConnectionRelay::flush_to_grpc(Stream& stream) {
     std::vector<std::uint8_t>& waiting = stream.for_grpc;
     const std::size_t sent = send_to_grpc(stream, waiting);
     waiting.erase(waiting.begin(), waiting.begin() + static_cast<std::ptrdiff_t>(sent));
-    if (stream.grpc_deaf) waiting.clear();
+    if (stream.discards_input) waiting.clear();
     if (!waiting.empty()) return;
     waiting.shrink_to_fit();
     if (stream.client_ended) ::shutdown(stream.grpc, SHUT_WR);
@@ -340,7 +343,7 @@ void ConnectionRelay::read_grpc(Stream& stream, Clock::time_point now) {
     write_client(stream, {down_.data(), static_cast<std::size_t>(count)});
 }
 
-// False: the client is gone, and the stream with it.
+// Returns false if the client is disconnected; the stream is then closed.
 bool ConnectionRelay::write_client(Stream& stream, std::span<const std::uint8_t> bytes) {
     while (!bytes.empty()) {
         const auto [state, count] = stream.client->write(bytes);
@@ -362,10 +365,10 @@ bool ConnectionRelay::write_client(Stream& stream, std::span<const std::uint8_t>
     return true;
 }
 
-// What is on its way to the client still gets there: a socket that is closed while its peer sends
-// takes back what was sent before.
+// Data in flight still reaches the client: closing a socket while its peer is sending would discard
+// data sent earlier (TCP reset).
 void ConnectionRelay::on_grpc_ended(Stream& stream, Clock::time_point now) {
-    stream.grpc_ended = stream.grpc_deaf = true;
+    stream.grpc_ended = stream.discards_input = true;
     stream.for_grpc.clear();
     if (stream.client_ended) return close(stream);
     stream.deadline = now + limits_.close_timeout;
@@ -373,31 +376,32 @@ void ConnectionRelay::on_grpc_ended(Stream& stream, Clock::time_point now) {
 }
 
 bool ConnectionRelay::may_read(const Stream& stream, Clock::time_point now) const {
-    if (stream.grpc_deaf) return true;
-    if (stream.waits || (!stream.for_grpc.empty() && stream.grpc >= 0)) return false;
+    if (stream.discards_input) return true;
+    if (stream.is_queued || (!stream.for_grpc.empty() && stream.grpc >= 0)) return false;
     if (now < stream.read_again || stream.backlog > limits_.backlog_max) return false;
     if (backlog_total_ > limits_.backlog_total_max && stream.backlog > small_backlog) return false;
     return buffered_total_ <= limits_.buffered_total_max || stream.unread <= small_buffer;
 }
 
 void ConnectionRelay::update_interest(Stream& stream, Clock::time_point now) {
-    const auto watch = [&](End& end, int descriptor, std::uint32_t interest) {
-        if (end.is_watched && interest == end.interest) return;
+    const auto set_interest = [&](End& end, int descriptor, std::uint32_t interest) {
+        if (end.is_registered && interest == end.interest) return;
         epoll_event event{.events = interest, .data = {.ptr = &end}};
-        const int what = end.is_watched ? EPOLL_CTL_MOD : EPOLL_CTL_ADD;
+        const int what = end.is_registered ? EPOLL_CTL_MOD : EPOLL_CTL_ADD;
         if (epoll_ctl(epoll_, what, descriptor, &event) != 0) return close(stream);
         end.interest = interest;
-        end.is_watched = true;
+        end.is_registered = true;
     };
     const bool reads = !stream.client_ended && may_read(stream, now);
     const bool writes = !stream.for_client.empty() && !stream.write_wants_read;
-    watch(stream.client_end, stream.client->descriptor(),
-          (reads || stream.write_wants_read ? EPOLLIN : 0u) | (stream.waits ? EPOLLRDHUP : 0u) |
-              (writes || stream.read_wants_write ? EPOLLOUT : 0u));
+    set_interest(stream.client_end, stream.client->descriptor(),
+                 (reads || stream.write_wants_read ? EPOLLIN : 0u) |
+                     (stream.is_queued ? EPOLLRDHUP : 0u) |
+                     (writes || stream.read_wants_write ? EPOLLOUT : 0u));
     if (stream.is_dead || stream.grpc < 0) return;
     if (stream.grpc_ended) return close_if_open(stream.grpc);
     if (!stream.grpc_hung_up)
-        watch(
+        set_interest(
             stream.grpc_end, stream.grpc,
             (stream.for_client.empty() ? EPOLLIN : 0u) | (stream.for_grpc.empty() ? 0u : EPOLLOUT));
 }
@@ -406,13 +410,14 @@ void ConnectionRelay::measure(Stream& stream, Clock::time_point now) const {
     const double seconds = std::chrono::duration<double>(now - stream.measured).count();
     stream.measured = now;
     const std::uint64_t consumed = stream.connection->consumed.load(std::memory_order_relaxed);
-    const std::uint64_t taken = stream.connection->calls_accepted.load(std::memory_order_relaxed);
+    const std::uint64_t accepted =
+        stream.connection->calls_accepted.load(std::memory_order_relaxed);
     const auto calls =
         static_cast<double>(stream.connection->calls.load(std::memory_order_relaxed));
     stream.unread -= static_cast<double>(consumed - std::exchange(stream.consumed, consumed)) +
                      seconds * (slack_bytes_per_second + slack_of_call * calls);
     stream.unread = std::max(0.0, stream.unread);
-    stream.backlog -= static_cast<double>(taken - std::exchange(stream.taken, taken)) +
+    stream.backlog -= static_cast<double>(accepted - std::exchange(stream.accepted, accepted)) +
                       seconds * streams_tolerated_per_second;
     stream.backlog = std::max(0.0, stream.backlog);
 }
@@ -434,7 +439,8 @@ void ConnectionRelay::sweep(Clock::time_point now) {
     if (buffered_total_ > limits_.buffered_total_max && largest) {
         buffered_total_ -= largest->unread;
         drop(*largest,
-             fmt::format("{:.0f} bytes of no message, the most of all when there was no more room",
+             fmt::format("{:.0f} bytes of incomplete messages, the most of all connections at the "
+                         "total limit",
                          largest->unread),
              now);
     }
@@ -443,11 +449,11 @@ void ConnectionRelay::sweep(Clock::time_point now) {
 }
 
 void ConnectionRelay::drop_largest_buffer(Stream& stream, Clock::time_point now) {
-    drop(stream, fmt::format("{:.0f} bytes of no message", stream.unread), now);
+    drop(stream, fmt::format("{:.0f} bytes of incomplete messages", stream.unread), now);
 }
 
 void ConnectionRelay::drop(Stream& stream, const std::string& why, Clock::time_point now) {
-    log_warn("{} was cut: {}", stream.connection->peer, why);
+    log_warn("{}: connection closed as an attack: {}", stream.connection->peer, why);
     table_.penalize(*stream.connection, now);
     dropped_++;
     if (metrics_) metrics_->refused(ConnectionRefusal::attack).Increment();
@@ -459,7 +465,8 @@ void ConnectionRelay::close(Stream& stream) {
     dead_.push_back(&stream);
 }
 
-// After the events of one round: one of them may name a stream that another one has closed.
+// Deferred to the end of an event round, because an event may refer to a stream that an earlier
+// event closed.
 void ConnectionRelay::delete_closed() {
     for (Stream* stream : dead_) {
         table_.remove(*stream->connection);

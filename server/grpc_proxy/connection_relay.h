@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// Stands between the clients of the gRPC port and gRPC: moves bytes both ways between a client's
-// socket and one end of a local pair, whose other end gRPC gets. So TLS, what a client may send
-// and how much of it may wait are ours to decide, and gRPC sees only connections that have begun
-// to speak HTTP/2.
+// Relays bytes between the clients of the gRPC port and gRPC: between a client socket and one end
+// of a local socket pair, whose other end gRPC owns. The server therefore controls TLS, the frames
+// that a client may send and the amount of buffered data; gRPC only gets connections that have
+// started HTTP/2.
 //
-// A client that does what none does is cut, and its address punished (http2_frame_guard.h). One
-// that is only fast, or ahead of those who answer it, is read more slowly: TCP holds it back.
+// A client that sends frames no regular client sends is disconnected, and its address is penalized
+// (http2_frame_guard.h). A client that is only fast, or ahead of the responses, is read more
+// slowly, so that TCP flow control throttles it.
 //
-// Has a thread of its own. add() from any thread; start() and stop() once, from one.
+// Has its own thread. add() from any thread; start() and stop() once, from one thread.
 #pragma once
 
 #include <atomic>
@@ -33,33 +34,36 @@
 namespace jostle::server {
 
 struct RelayLimits {
-    double buffered_bytes_max = 8.0 * 1024 * 1024;   // of one connection, of which no message came
-    double buffered_total_max = 64.0 * 1024 * 1024;  // of all; beyond it the largest is cut
-    // Streams that were begun and that gRPC has not given us yet.
+    double buffered_bytes_max = 8.0 * 1024 * 1024;  // of one connection, without a complete message
+    double buffered_total_max = 64.0 * 1024 * 1024;  // of all; beyond it the largest is closed
+    // Streams that a client has opened and gRPC has not reported yet.
     double backlog_max = 100, backlog_total_max = 2000;
-    double openings_per_second = 500;  // of connections towards gRPC, and at once
-    Clock::duration preface_timeout = std::chrono::seconds(5);  // until HTTP/2's preface is there
-    Clock::duration close_timeout = std::chrono::seconds(2);    // from gRPC's end to the client's
+    double openings_per_second = 500;  // connections to gRPC, also the burst
+    // until the HTTP/2 preface has arrived
+    Clock::duration preface_timeout = std::chrono::seconds(5);
+    // after gRPC ends a connection, until it is closed
+    Clock::duration close_timeout = std::chrono::seconds(2);
 };
 
 class ConnectionRelay {
 public:
-    // Takes the descriptor over. Called on the relay's thread.
+    // Takes ownership of the descriptor. Called on the relay's thread.
     using Handler = std::function<void(int descriptor)>;
 
-    // Table and metrics outlive the relay; null metrics: nobody counts.
+    // Table and metrics outlive the relay; null metrics: no counting.
     ConnectionRelay(ConnectionTable& table, RelayLimits limits,
                     const ListenerMetrics* metrics = nullptr);
     ~ConnectionRelay();
 
     Status start(Handler handler);
     void add(std::unique_ptr<ClientSocket> client, std::shared_ptr<Connection> connection);
-    // Moves what gRPC has still to say to its clients, for so long at most, then closes all.
+    // Sends gRPC's remaining output to the clients for at most `timeout`, then closes all
+    // connections.
     void stop(Clock::duration timeout);
 
     // Any thread.
-    std::uint64_t drop() const { return dropped_.load(std::memory_order_relaxed); }
-    bool is_responsive(Clock::time_point now) const;  // its thread has looked within a second
+    std::uint64_t dropped() const { return dropped_.load(std::memory_order_relaxed); }
+    bool is_responsive(Clock::time_point now) const;  // its thread has polled within 1 s
 
 private:
     struct Stream;
@@ -95,17 +99,17 @@ private:
     const ListenerMetrics* const metrics_;
     Handler handler_;
     int epoll_ = -1, wake_ = -1;
-    std::mutex mutex_;  // of new_
+    std::mutex mutex_;  // guards new_
     std::vector<std::unique_ptr<Stream>> new_;
     std::map<Stream*, std::unique_ptr<Stream>> streams_;
     std::vector<Stream*> dead_;
-    std::deque<Stream*> waiting_;          // to be opened; some may have gone
-    std::vector<std::uint8_t> up_, down_;  // scratch of one move
+    std::deque<Stream*> waiting_;          // for a connection to gRPC; some may be closed
+    std::vector<std::uint8_t> up_, down_;  // scratch buffers of one transfer
     TokenBucket openings_;
     double buffered_total_ = 0, backlog_total_ = 0;
     std::atomic<std::uint64_t> dropped_{0};
     std::atomic<Clock::rep> polled_at_{0};
-    std::atomic<Clock::rep> stop_at_{0};  // 0: goes on
+    std::atomic<Clock::rep> stop_at_{0};  // 0: not stopping
     std::thread thread_;
 };
 

@@ -12,7 +12,7 @@ namespace jostle::server {
 namespace {
 
 constexpr auto first_penalty = std::chrono::seconds(1), longest_penalty = std::chrono::seconds(60);
-constexpr auto remembered = std::chrono::minutes(10);  // after a penalty has ended
+constexpr auto penalty_memory = std::chrono::minutes(10);  // after a penalty has ended
 constexpr std::size_t penalties_max = 100'000;
 
 }  // namespace
@@ -55,9 +55,9 @@ void ConnectionTable::penalize(const Connection& connection, Clock::time_point n
     const std::lock_guard lock(mutex_);
     if (penalties_.size() >= penalties_max) forget_penalties(now);
     Penalty& penalty = penalties_[connection.network];
-    // All that it has open at once is one attack.
+    // All its open connections together count as one attack.
     if (now < penalty.until) return;
-    if (now > penalty.until + remembered) penalty.count = 0;
+    if (now > penalty.until + penalty_memory) penalty.count = 0;
     const auto wait = std::min<Clock::duration>(longest_penalty,
                                                 first_penalty * (1 << std::min(penalty.count, 6)));
     penalty = {now + wait, penalty.count + 1};
@@ -65,7 +65,7 @@ void ConnectionTable::penalize(const Connection& connection, Clock::time_point n
 
 void ConnectionTable::forget_penalties(Clock::time_point now) {
     std::erase_if(penalties_,
-                  [&](const auto& entry) { return now > entry.second.until + remembered; });
+                  [&](const auto& entry) { return now > entry.second.until + penalty_memory; });
     if (penalties_.size() >= penalties_max) penalties_.clear();
 }
 
@@ -75,9 +75,9 @@ std::shared_ptr<Connection> ConnectionTable::of(std::string_view grpc_name) cons
         const auto at = connections_.find(grpc_name);
         if (at != connections_.end()) return at->second;
     }
-    auto nowhere = std::make_shared<Connection>();
-    nowhere->peer = grpc_name;
-    return nowhere;
+    auto unknown = std::make_shared<Connection>();
+    unknown->peer = grpc_name;
+    return unknown;
 }
 
 std::size_t ConnectionTable::size() const {

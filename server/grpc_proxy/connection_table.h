@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The connections of the gRPC port: how many there are, in all and of each address, and which
-// addresses were caught at an attack and have to wait. Any thread.
+// The connections of the gRPC port: their number in total and per address, and the addresses that
+// are blocked after an attack. Any thread.
 #pragma once
 
 #include <sys/socket.h>
@@ -19,26 +19,26 @@
 
 namespace jostle::server {
 
-// What the side that moves bytes and the side that answers calls tell each other.
+// State shared between the relay and the calls of one connection.
 struct Connection {
     std::string name;         // unique; gRPC's name of the peer is grpc_name()
     std::string peer;         // "192.0.2.7:4711"
     std::string address;      // "192.0.2.7"
     std::string network;      // network_of(address)
-    std::string certificate;  // subject that TLS has verified; empty: none was shown
+    std::string certificate;  // subject verified by TLS; empty: none
 
-    // Written by who answers.
-    std::atomic<std::uint64_t> consumed{0};        // bytes of messages that arrived
-    std::atomic<std::uint64_t> calls_accepted{0};  // that gRPC gave us
-    std::atomic<int> calls{0};                     // that are open
-    std::atomic<int> unary_calls{0};               // ... and are no play streams
+    // Written by the thread that handles calls.
+    std::atomic<std::uint64_t> consumed{0};        // bytes of received messages
+    std::atomic<std::uint64_t> calls_accepted{0};  // calls that gRPC reported
+    std::atomic<int> calls{0};                     // open calls
+    std::atomic<int> unary_calls{0};               // open calls except play streams
 
     std::string grpc_name() const { return "unix-abstract:" + name; }
 };
 
 struct ConnectionTableLimits {
     std::size_t total_max = 4000;
-    std::size_t per_address_max = 512;  // of one IPv4 address or IPv6 /64
+    std::size_t per_address_max = 512;  // per IPv4 address or IPv6 /64
 };
 
 class ConnectionTable {
@@ -47,18 +47,18 @@ public:
 
     explicit ConnectionTable(ConnectionTableLimits limits) : limits_(limits) {}
 
-    // Somebody has connected: why he is to be turned away; nothing: he is not.
+    // The reason to refuse a new connection; empty: accept it.
     std::optional<Refusal> refusal_for(const sockaddr_storage& peer, Clock::time_point now) const;
-    // Counts it until forget().
+    // Counts the connection until remove().
     std::shared_ptr<Connection> admit(const sockaddr_storage& peer);
     void remove(const Connection& connection);
 
-    // It did what no client does: its address gets no new connection for a second, and each time
-    // that happens again for twice as long, up to a minute.
+    // Penalizes an attack: the address gets no new connection for 1 s; each repetition doubles the
+    // time, up to 60 s.
     void penalize(const Connection& connection, Clock::time_point now);
 
-    // By gRPC's name of a peer. One that is gone, or that the process has with itself, is a
-    // connection from nowhere.
+    // Finds a connection by gRPC's peer name. A closed connection, or one that the process has with
+    // itself, returns a placeholder without an address.
     std::shared_ptr<Connection> of(std::string_view grpc_name) const;
     std::size_t size() const;
 
@@ -73,7 +73,8 @@ private:
     const ConnectionTableLimits limits_;
     mutable std::mutex mutex_;
     std::uint64_t last_number_ = 0;
-    std::map<std::string, std::shared_ptr<Connection>, std::less<>> connections_;  // by gRPC's name
+    // by gRPC's peer name
+    std::map<std::string, std::shared_ptr<Connection>, std::less<>> connections_;
     std::map<std::string, std::size_t> of_network_;
     std::map<std::string, Penalty> penalties_;  // by network
 };

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::string_view preface = "PRI * HTTP/2.0\r\n\r\nSM\r\n\r\n";
 
-// RFC 9113, 6.
+// RFC 9113, section 6.
 enum FrameType : std::uint8_t {
     data = 0,
     headers = 1,
@@ -27,17 +27,17 @@ enum FrameType : std::uint8_t {
 };
 constexpr std::uint8_t end_stream = 1, end_headers = 4;
 
-constexpr std::uint32_t frame_bytes_max = 16384;  // what our settings allow
-// Of a header block, still compressed. Clients send a few hundred bytes, with a token two thousand.
+constexpr std::uint32_t frame_bytes_max = 16384;  // the maximum that the server's settings allow
+// Compressed size of a header block. Clients send a few hundred bytes, or 2000 bytes with a token.
 constexpr std::uint32_t block_bytes_max = 32 * 1024, block_frames_max = 8;
 
-// Work is counted in small frames. A player sends some 200 frames a second: inputs, window updates
-// and pings; a message of 4 MiB has 260 of them.
+// Work is counted in small frames. A player sends about 200 frames per second (inputs, window
+// updates and pings); a message of 4 MiB takes 260 frames.
 constexpr double work_per_second = 4000, work_burst = 4000;
-constexpr double work_of_stream = 4;  // a call is more than a frame
+constexpr double work_of_stream = 4;  // opening a call costs more than a frame
 constexpr double work_of_byte = 1.0 / 4096;
-// In the long run and at once. Clients measure their lines by pings, some of them once a round
-// trip.
+// Sustained rates and bursts. Clients measure their round-trip time with pings, some of them once
+// per round trip.
 constexpr double resets_per_second = 20, resets_burst = 100;
 constexpr double settings_per_second = 1, settings_burst = 16;
 constexpr double pings_per_second = 200, pings_burst = 400;
@@ -116,7 +116,7 @@ Status Http2FrameGuard::on_header(const FrameHeader& head, Clock::time_point now
         case push_promise:
         case continuation:
             return Error{ErrorCode::invalid_argument,
-                         "a PUSH_PROMISE, or a CONTINUATION of nothing"};
+                         "PUSH_PROMISE, or CONTINUATION without a header block"};
         default:
             return allow(unusual_, "unknown", now);
     }
@@ -136,7 +136,7 @@ Status Http2FrameGuard::on_headers(const FrameHeader& head) {
 
 Status Http2FrameGuard::on_continuation(const FrameHeader& head) {
     if (head.type != continuation || head.stream != block_stream_)
-        return Error{ErrorCode::invalid_argument, "a header block with other frames in it"};
+        return Error{ErrorCode::invalid_argument, "a header block interrupted by other frames"};
     block_bytes_ += head.length;
     block_frames_++;
     if (block_bytes_ > block_bytes_max || block_frames_ > block_frames_max)

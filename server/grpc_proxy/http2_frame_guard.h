@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// Watches the HTTP/2 frames that a client of the gRPC port sends, before gRPC sees them. gRPC
-// takes frames as fast as they come and keeps what they make it keep, so floods that HTTP/2 allows
-// cost it all its memory and time: streams that are reset as soon as they are begun
-// (CVE-2023-44487), header blocks that never end (CVE-2024-27316), SETTINGS, PING, empty DATA
-// (CVE-2019-9512 to 9518). What no client needs ends the connection; of what clients need, more
-// than a generous rate has to wait.
+// Inspects the HTTP/2 frames of a client of the gRPC port before gRPC sees them. gRPC processes
+// frames as fast as they arrive and retains the state they create, so floods that HTTP/2 allows
+// exhaust its memory and time: streams that are reset right after opening (CVE-2023-44487), endless
+// header blocks (CVE-2024-27316), SETTINGS, PING and empty DATA (CVE-2019-9512 to 9518). Frames
+// that no client needs end the connection; frames that clients need are throttled beyond a generous
+// rate.
 //
-// RFC 9113, 4.1 for the frames' heads. Nothing is decompressed, and frames are not changed. A
+// Frame headers: RFC 9113, section 4.1. Nothing is decompressed, and frames are not changed. A
 // value; one thread.
 #pragma once
 
@@ -24,13 +24,13 @@ class Http2FrameGuard {
 public:
     explicit Http2FrameGuard(Clock::time_point now);
 
-    // What came next, cut anywhere. An error says which frame no client may send; the connection is
-    // to be cut before gRPC gets these bytes.
+    // Inspects the next bytes of the connection, split anywhere. An error names the forbidden
+    // frame; the caller must close the connection without passing these bytes to gRPC.
     Status take(std::span<const std::uint8_t> bytes, Clock::time_point now);
 
-    // The client has introduced itself as one of HTTP/2: before, nothing concerns gRPC.
+    // Whether the client has sent the HTTP/2 preface. Before that, gRPC is not involved.
     bool has_preface() const { return preface_bytes_ == preface_size; }
-    // Zero, or how long nothing more should be read from this client.
+    // How long the client must not be read; zero: it may be read now.
     Clock::duration throttle_delay(Clock::time_point now) { return work_.wait_for(0, now); }
 
     std::uint64_t streams_opened() const { return streams_opened_; }
@@ -52,7 +52,7 @@ private:
     std::array<std::uint8_t, header_size> header_{};
     std::uint32_t payload_left_ = 0;
     std::uint32_t last_stream_ = 0;
-    std::uint32_t block_stream_ = 0;  // whose header block goes on; 0: none does
+    std::uint32_t block_stream_ = 0;  // stream of the open header block; 0: none
     std::uint32_t block_bytes_ = 0, block_frames_ = 0;
     std::uint64_t streams_opened_ = 0;
     TokenBucket work_, resets_, settings_, pings_, empty_, unusual_;

@@ -107,7 +107,7 @@ struct Metrics {
         one(counters("jostle_datagrams_received_total", "Authentic datagrams received."));
     Counter& datagrams_refused =
         one(counters("jostle_datagrams_refused_total",
-                     "Datagrams refused: no ticket, altered, duplicated or malformed."));
+                     "Datagrams refused: unknown session, altered, duplicated or malformed."));
     Counter& datagrams_sent =
         one(counters("jostle_datagrams_sent_total", "Datagrams sent to clients."));
     CountersBy<ErrorCode> refusals = {

@@ -10,7 +10,7 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto poll_interval = 1s;
-constexpr auto retry_interval = 1min;  // of files that were refused and have not changed
+constexpr auto retry_interval = 1min;  // for rejected files that have not changed
 
 }  // namespace
 
@@ -28,16 +28,17 @@ std::shared_ptr<const TlsMaterial> CertificateStore::material() const {
 
 CertificateStore::Change CertificateStore::poll(WallTime now) {
     const std::lock_guard reading(reading_);
-    if (now >= last_poll_ && now < last_poll_ + poll_interval) return Change::none;  // clocks jump
+    // the wall clock may jump
+    if (now >= last_poll_ && now < last_poll_ + poll_interval) return Change::none;
     last_poll_ = now;
-    const bool try_again = !refusal_.empty() && now >= last_read_ + retry_interval;
-    if (stamps() == stamps_ && !try_again) return Change::none;
+    const bool retry = !refusal_.empty() && now >= last_read_ + retry_interval;
+    if (stamps() == stamps_ && !retry) return Change::none;
     return read_and_log(now);
 }
 
 CertificateStore::Change CertificateStore::reload(WallTime now) {
     const std::lock_guard reading(reading_);
-    refusal_.clear();  // who asks is told again
+    refusal_.clear();  // an explicit reload logs the reason again
     return read_and_log(now);
 }
 
@@ -46,7 +47,8 @@ CertificateStore::Stamps CertificateStore::stamps() const {
             files_.client_ca.empty() ? FileStamp{} : stamp_of(files_.client_ca)};
 }
 
-// A change while they are read is seen the next time: the stamps are from before.
+// The stamps are taken previous_stamps the read, so that a change during the read is detected by
+// the next poll.
 Status CertificateStore::read(WallTime now) {
     stamps_ = stamps();
     last_read_ = now;
@@ -60,17 +62,18 @@ Status CertificateStore::read(WallTime now) {
 }
 
 CertificateStore::Change CertificateStore::read_and_log(WallTime now) {
-    const Stamps before = stamps_;
+    const Stamps previous_stamps = stamps_;
     const Status status = read(now);
     if (status.ok()) {
         refusal_.clear();
         return Change::taken;
     }
-    if (stamps() != stamps_) return Change::none;  // they were replaced meanwhile: the next look
-    const bool said_before = status.error().message == refusal_ && stamps_ == before;
+    // replaced during the read: retried by the next poll
+    if (stamps() != stamps_) return Change::none;
+    const bool already_logged = status.error().message == refusal_ && stamps_ == previous_stamps;
     refusal_ = status.error().message;
-    if (said_before) return Change::none;
-    log_error("{}; the certificate of before stays in force", refusal_);
+    if (already_logged) return Change::none;
+    log_error("{}; the previous certificate stays in force", refusal_);
     return Change::refused;
 }
 

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
 // The certificates in force. An operator replaces files while the server runs (a new certificate, a
-// link that Kubernetes swaps), not always both at once and not always good ones. The store reads
-// what has changed, and takes it over only when all of it is good (tls_material.h); else the old
-// stays in force.
+// symbolic link that Kubernetes swaps), not always all at once and not always with valid ones. The
+// store reloads changed files and applies them only if all of them are valid (tls_material.h);
+// otherwise the previous ones stay in force.
 //
-// Both listeners take it from here. (gRPC would read the files by itself, and break every handshake
-// on a pair that does not fit.)
+// Both listeners use this store. (gRPC would load the files itself, and a certificate that does not
+// match its key would break every handshake.)
 //
-// material() and expiry() from any thread; poll() and reload() from whoever keeps time.
+// material() and expiry() may be called from any thread; poll() and reload() from the maintenance
+// thread.
 #pragma once
 
 #include <array>
@@ -25,18 +26,18 @@ class CertificateStore {
 public:
     enum class Change { none, taken, refused };
 
-    // The files must be good the first time.
+    // The files must be valid at the first load.
     static Result<std::unique_ptr<CertificateStore>> open(TlsSettings files, WallTime now);
 
     std::shared_ptr<const TlsMaterial> material() const;
-    // When the first certificate of the chain in force expires.
+    // Expiry time of the first certificate in the chain to expire.
     WallTime expiry() const { return material()->expires; }
 
-    // Looks at most once a second whether a file has changed, and reads them all if so. `refused`
-    // was logged with its reason, once for each change; what is only wrong for now (it is good from
-    // tomorrow) is tried again every minute.
+    // Checks for changed files at most once per second, and reloads all of them if one changed.
+    // `refused` is logged with its reason, once per change. Files that are rejected are retried
+    // every minute, because the fault may be temporary (not valid until tomorrow).
     Change poll(WallTime now);
-    // Reads them now (SIGHUP).
+    // Reloads now (SIGHUP).
     Change reload(WallTime now);
 
 private:
@@ -49,11 +50,11 @@ private:
     Change read_and_log(WallTime now);
 
     const TlsSettings files_;
-    mutable std::mutex mutex_;  // of material_
+    mutable std::mutex mutex_;  // guards material_
     std::shared_ptr<const TlsMaterial> material_;
-    std::mutex reading_;   // of what follows
-    Stamps stamps_;        // of the files when they were last read, good or not
-    std::string refusal_;  // why what was last read is not in force; empty: it is
+    std::mutex reading_;   // guards the members below
+    Stamps stamps_;        // of the files at the last read, valid or not
+    std::string refusal_;  // why the files of the last read are not in force; empty: they are
     WallTime last_poll_, last_read_;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Who the other side of a TLS connection is, by the certificate that it has shown.
+// Identity of the peer of a TLS connection, from its certificate.
 #pragma once
 
 #include <openssl/ssl.h>
@@ -9,7 +9,8 @@
 
 namespace jostle::server {
 
-// The subject, as "CN=ops,O=Example" (RFC 2253), when TLS has verified it; empty: none was shown.
+// The subject, such as "CN=ops,O=Example" (RFC 2253), if TLS has verified it; empty: no
+// certificate.
 std::string verified_subject(const SSL* connection);
 
 }  // namespace jostle::server

@@ -33,7 +33,7 @@ std::shared_ptr<ssl::context> context_of(const TlsMaterial& material,
         context->set_verify_mode(
             ssl::verify_peer |
             (requirements.require_certificates ? ssl::verify_fail_if_no_peer_cert : 0));
-        // Sessions may be resumed only where they were made.
+        // TLS sessions may be resumed only on the listener that created them.
         static constexpr unsigned char listener[] = "jostle";
         SSL_CTX_set_session_id_context(context->native_handle(), listener, sizeof listener - 1);
     }
@@ -52,8 +52,9 @@ std::shared_ptr<ssl::context> TlsContexts::current() {
         context_ = context_of(*material, requirements_);
         material_ = std::move(material);
     } catch (const std::exception& error) {
-        // The store has checked it; whatever it is, the old one still works.
-        log_error("the new certificate cannot be used: {}", error.what());
+        // The store has validated the certificate; on any other failure the previous one stays in
+        // use.
+        log_error("cannot use the new certificate: {}", error.what());
     }
     return context_;
 }

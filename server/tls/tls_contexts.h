@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The certificates in force as listeners take them: made anew when they change, so that each new
-// connection gets the present ones and those that run keep theirs. One thread: the listener's.
+// TLS contexts for the certificates in force. A context is rebuilt when the certificates change, so
+// that new connections use the current ones and open connections keep theirs. Used by the
+// listener's thread only.
 #pragma once
 
 #include <boost/asio/ssl/context.hpp>
@@ -15,11 +16,11 @@ class TlsContexts {
 public:
     struct TlsRequirements {
         bool require_certificates = false;
-        bool only_http2 = false;  // clients must offer "h2" by ALPN, as those of gRPC do
+        bool only_http2 = false;  // clients must offer "h2" with ALPN, as gRPC clients do
     };
 
-    // Null: no TLS. The store outlives the contexts. With a CA for clients in it, who shows a
-    // certificate must show a good one; `require_certificates`: and everybody must.
+    // Null: no TLS. The store outlives the contexts. If it contains a client CA, a presented client
+    // certificate must be valid; with `require_certificates` every client must present one.
     TlsContexts(const CertificateStore* store, TlsRequirements requirements)
         : store_(store), requirements_(requirements) {}
 

@@ -27,12 +27,12 @@ using Key = std::unique_ptr<EVP_PKEY, FreeWith<EVP_PKEY_free>>;
 using Certificate = std::unique_ptr<X509, FreeWith<X509_free>>;
 using Chain = std::vector<Certificate>;
 
-// OpenSSL keeps a list of faults in each thread, and others read it.
+// OpenSSL has an error queue per thread that other code reads.
 struct FaultCleaner {
     ~FaultCleaner() { ERR_clear_error(); }
 };
 
-Error wrong(const std::string& path, const std::string& why) {
+Error invalid(const std::string& path, const std::string& why) {
     return {ErrorCode::invalid_argument, path + ": " + why};
 }
 
@@ -56,23 +56,24 @@ std::string name_of(const Certificate& certificate) {
     return "the certificate of " + name_in(X509_get_subject_name(certificate.get()));
 }
 
-// Nobody is there to be asked for a passphrase.
-int no_passphrase(char*, int, int, void* was_asked) {
-    *static_cast<bool*>(was_asked) = true;
+// There is no prompt for a passphrase.
+int no_passphrase(char*, int, int, void* needs_passphrase) {
+    *static_cast<bool*>(needs_passphrase) = true;
     return -1;
 }
 
 Result<Key> read_key(const std::string& path) {
     const Result<std::string> text = read_bounded(path, file_bytes_max);
     if (!text.ok()) return text.error();
-    bool was_asked = false;
-    Key key(PEM_read_bio_PrivateKey(reading(*text).get(), nullptr, no_passphrase, &was_asked));
-    if (was_asked) return wrong(path, "the key has a passphrase, and nobody can be asked for it");
-    if (!key) return wrong(path, "there is no private key in PEM form");
+    bool needs_passphrase = false;
+    Key key(
+        PEM_read_bio_PrivateKey(reading(*text).get(), nullptr, no_passphrase, &needs_passphrase));
+    if (needs_passphrase) return invalid(path, "the key has a passphrase; use a key without one");
+    if (!key) return invalid(path, "the file contains no private key in PEM format");
     return key;
 }
 
-// All certificates of a file; whatever else is in it is passed over.
+// Reads all certificates of a file and ignores other content.
 Result<Chain> read_certificates(const std::string& path, std::size_t count_max) {
     const Result<std::string> text = read_bounded(path, file_bytes_max);
     if (!text.ok()) return text.error();
@@ -80,18 +81,18 @@ Result<Chain> read_certificates(const std::string& path, std::size_t count_max) 
     Chain chain;
     while (Certificate one{PEM_read_bio_X509(in.get(), nullptr, nullptr, nullptr)}) {
         if (chain.size() == count_max)
-            return wrong(path,
-                         "there are more than " + std::to_string(count_max) + " certificates");
+            return invalid(
+                path, "the file contains more than " + std::to_string(count_max) + " certificates");
         chain.push_back(std::move(one));
     }
     const bool at_end = ERR_GET_REASON(ERR_peek_last_error()) == PEM_R_NO_START_LINE;
     ERR_clear_error();
-    if (!at_end) return wrong(path, "a certificate is damaged");
-    if (chain.empty()) return wrong(path, "there is no certificate in PEM form");
+    if (!at_end) return invalid(path, "a certificate is damaged");
+    if (chain.empty()) return invalid(path, "the file contains no certificate in PEM format");
     return chain;
 }
 
-// Certificates without an end are good until the year 9999.
+// Certificates without an expiry date are valid until the year 9999.
 WallTime to_wall(const ASN1_TIME* time) {
     std::tm parts{};
     ASN1_TIME_to_tm(time, &parts);
@@ -105,49 +106,50 @@ Status check_times(const Chain& chain, const std::string& path, WallTime now) {
         const WallTime begins = to_wall(X509_get0_notBefore(one.get())),
                        ends = to_wall(X509_get0_notAfter(one.get()));
         if (now < begins)
-            return wrong(path, name_of(one) + " is good only from " + rfc3339(begins));
-        if (now >= ends) return wrong(path, name_of(one) + " has expired on " + rfc3339(ends));
+            return invalid(path, name_of(one) + " is not valid before " + rfc3339(begins));
+        if (now >= ends) return invalid(path, name_of(one) + " expired on " + rfc3339(ends));
     }
     return {};
 }
 
-// Each is signed by the next.
+// Each certificate must be signed by the next one.
 Status check_links(const Chain& chain, const std::string& path) {
     for (std::size_t i = 0; i + 1 < chain.size(); ++i) {
         X509* issuer = chain[i + 1].get();
         if (X509_check_issued(issuer, chain[i].get()) != X509_V_OK ||
             X509_verify(chain[i].get(), X509_get0_pubkey(issuer)) != 1)
-            return wrong(path, "the chain is broken: " + name_of(chain[i]) +
-                                   " was not issued by the one after it");
+            return invalid(path, "the chain is broken: " + name_of(chain[i]) +
+                                     " was not issued by the next certificate");
         if (X509_check_ca(issuer) == 0)
-            return wrong(path, name_of(chain[i + 1]) + " may not issue others");
+            return invalid(path, name_of(chain[i + 1]) + " is not a CA certificate");
     }
     return {};
 }
 
-// Would a handshake take it? OpenSSL looks at the strength of keys and signatures, too.
+// Whether a handshake would accept the pair. OpenSSL also checks the strength of keys and
+// signatures.
 Status check_pair(const Chain& chain, const Key& key, const TlsSettings& files) {
     X509* own = chain.front().get();
     if (X509_check_private_key(own, key.get()) != 1)
-        return wrong(files.key, "the key is not that of " + name_of(chain.front()) + " in " +
-                                    files.certificate);
+        return invalid(files.key, "the key does not match " + name_of(chain.front()) + " in " +
+                                      files.certificate);
     if (X509_check_purpose(own, X509_PURPOSE_SSL_SERVER, 0) != 1)
-        return wrong(files.certificate, name_of(chain.front()) + " is not one for servers");
+        return invalid(files.certificate, name_of(chain.front()) + " is not a server certificate");
     const std::unique_ptr<SSL_CTX, FreeWith<SSL_CTX_free>> trial(SSL_CTX_new(TLS_server_method()));
-    bool taken = trial && SSL_CTX_use_certificate(trial.get(), own) == 1 &&
-                 SSL_CTX_use_PrivateKey(trial.get(), key.get()) == 1;
-    for (std::size_t i = 1; taken && i < chain.size(); ++i)
-        taken = SSL_CTX_add1_chain_cert(trial.get(), chain[i].get()) == 1;
-    if (taken) return {};
+    bool accepted = trial && SSL_CTX_use_certificate(trial.get(), own) == 1 &&
+                    SSL_CTX_use_PrivateKey(trial.get(), key.get()) == 1;
+    for (std::size_t i = 1; accepted && i < chain.size(); ++i)
+        accepted = SSL_CTX_add1_chain_cert(trial.get(), chain[i].get()) == 1;
+    if (accepted) return {};
     const char* reason = ERR_reason_error_string(ERR_peek_last_error());
-    return wrong(files.certificate,
-                 std::string("OpenSSL does not take it: ") + (reason ? reason : "no reason given"));
+    return invalid(files.certificate,
+                   std::string("OpenSSL rejects it: ") + (reason ? reason : "no reason given"));
 }
 
 Status check_authorities(const Chain& authorities, const std::string& path) {
     for (const Certificate& one : authorities)
         if (X509_check_ca(one.get()) == 0)
-            return wrong(path, name_of(one) + " may not issue others");
+            return invalid(path, name_of(one) + " is not a CA certificate");
     return {};
 }
 
@@ -185,9 +187,11 @@ Result<TlsMaterial> read_tls_material(const TlsSettings& files, WallTime now) {
                          .chain_pem = to_pem(*chain),
                          .subject = name_in(X509_get_subject_name(chain->front().get())),
                          .expires = earliest_expiry(*chain)};
-    // A group of its own is how containers and service managers hand a key over.
+    // Group access is not reported: containers and service managers grant access to the key by a
+    // group.
     if ((stamp_of(files.key).mode & S_IRWXO) != 0)
-        material.warnings.push_back(files.key + " may be read by everybody here; chmod o= it");
+        material.warnings.push_back(files.key +
+                                    " is readable by all users; restrict it with chmod o=");
     if (files.client_ca.empty()) return material;
     const Result<Chain> authorities = read_certificates(files.client_ca, client_cas_max);
     if (!authorities.ok()) return authorities.error();

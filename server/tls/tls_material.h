@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What a listener needs for TLS, read from an operator's files and checked before anybody uses it:
-// the key is that of the certificate, the chain links up, nothing has expired. A value, immutable
-// once it is shared; any thread.
+// The TLS material of a listener, read from the operator's files and validated: the key matches the
+// certificate, the chain is complete, nothing has expired. A value, immutable once shared; any
+// thread.
 #pragma once
 
 #include <string>
@@ -14,15 +14,16 @@
 namespace jostle::server {
 
 struct TlsMaterial {
-    std::string key_pem;                // PKCS #8
-    std::string chain_pem;              // the server's own certificate first
-    std::string client_ca_pem;          // whose certificates clients may show; empty: no one's
+    std::string key_pem;    // PKCS #8
+    std::string chain_pem;  // the server's own certificate first
+    // CA of client certificates; empty: client certificates are not accepted
+    std::string client_ca_pem;
     std::string subject;                // of the server's own certificate, as "CN=play.example.org"
-    WallTime expires;                   // the first of the chain to do so
-    std::vector<std::string> warnings;  // what works, but should not be so
+    WallTime expires;                   // earliest expiry in the chain
+    std::vector<std::string> warnings;  // valid, but not recommended
 };
 
-// Errors name the file and what is wrong with it.
+// An error names the file and the fault.
 Result<TlsMaterial> read_tls_material(const TlsSettings& files, WallTime now);
 
 }  // namespace jostle::server

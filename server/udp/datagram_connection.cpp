@@ -12,7 +12,8 @@ namespace jostle::server {
 
 namespace {
 
-// A client that hears nothing takes the way for blocked: it is asked something now and then.
+// A client that receives nothing assumes that the path is blocked, so it is challenged
+// periodically.
 constexpr auto challenge_interval = std::chrono::milliseconds(250);
 
 std::optional<std::uint64_t> random_token() {
@@ -23,7 +24,7 @@ std::optional<std::uint64_t> random_token() {
 
 }  // namespace
 
-// What lies beyond address and port (padding, flow labels) may differ.
+// Bytes beyond address and port (padding, flow labels) may differ.
 bool DatagramAddress::operator==(const DatagramAddress& other) const {
     if (bytes.ss_family != other.bytes.ss_family) return false;
     if (bytes.ss_family == AF_INET) {
@@ -76,7 +77,7 @@ void DatagramConnection::receive(std::string_view packet, const DatagramAddress&
     if (take_packet(packet, from, now, message)) on_message_(message);
 }
 
-// True: a message was put into the mail.
+// Returns true if a message was queued.
 bool DatagramConnection::take_packet(std::string_view packet, const DatagramAddress& from,
                                      Clock::time_point now, std::string& message) {
     const std::lock_guard lock(mutex_);
@@ -88,9 +89,9 @@ bool DatagramConnection::take_packet(std::string_view packet, const DatagramAddr
     if (!content.ok()) return false;
     received_at_ = std::max(received_at_, now);
     validate_address(*content, from, opened->newest, now);
-    const auto* whole = std::get_if<datagram::Message>(&*content);
-    if (!whole || received_.size() == received_max) return false;
-    message = whole->bytes;
+    const auto* decoded = std::get_if<datagram::Message>(&*content);
+    if (!decoded || received_.size() == received_max) return false;
+    message = decoded->bytes;
     received_.push_back({message, now});
     has_messages_.store(true, std::memory_order_release);
     return true;
@@ -105,13 +106,13 @@ void DatagramConnection::validate_address(const datagram::Content& content,
         return;
     }
     if (pending_challenge_ && pending_challenge_->where == from)
-        if (const auto* answer = std::get_if<datagram::PathResponse>(&content);
-            answer && answer->token == pending_challenge_->token) {
+        if (const auto* response = std::get_if<datagram::PathResponse>(&content);
+            response && response->token == pending_challenge_->token) {
             address_ = from;
             pending_challenge_.reset();
             return;
         }
-    // One that was overtaken may come from where the client was before.
+    // A reordered packet may come from a previous address of the client.
     if (!newest) return;
     if (!pending_challenge_ || !(pending_challenge_->where == from)) {
         const auto token = random_token();
@@ -127,7 +128,7 @@ void DatagramConnection::send_challenge(const DatagramAddress& where, std::uint6
     transmit(std::span(&packet, 1), where, now);
 }
 
-// What the system does not take is lost, as on the way.
+// Packets that the kernel does not accept are lost, as on the network.
 void DatagramConnection::transmit(std::span<const std::string> packets, const DatagramAddress& to,
                                   Clock::time_point now) {
     DatagramAddress address = to;

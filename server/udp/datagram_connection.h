@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// One client's way by datagrams: its ticket, where it is, what it sent. Nothing but a question of
-// 41 bytes goes to an address before somebody with the key has answered it from there: who names
-// another's address sends him no more than he sent himself. When the client's newest packet comes
-// from elsewhere, that place is asked in turn, and until it answers the old one keeps its
-// snapshots.
+// The datagram path of one client: its session key, its validated address and its received
+// messages. An unvalidated address is sent only a challenge of 41 bytes until a holder of the key
+// responds from there; so a spoofed source address receives no more bytes than the attacker sent.
+// When the client's newest packet comes from another address, that address is challenged, and the
+// previous address continues to receive snapshots until it responds.
 //
-// Thread rule: the port's thread hands in packets, the link's thread sends and takes mail.
+// Threads: the server's thread passes packets in; the session's thread sends, and takes received
+// messages.
 #pragma once
 
 #include <netinet/in.h>
@@ -38,22 +39,23 @@ struct DatagramAddress {
 
 class DatagramConnection {
 public:
-    static constexpr std::size_t received_max = 256;  // not taken yet; more is dropped
-    // Who has not been heard for so long is not sent to.
+    static constexpr std::size_t received_max = 256;  // queued; further messages are dropped
+    // A client that was silent for this long is sent nothing.
     static constexpr auto receive_timeout = std::chrono::seconds(2);
 
-    // `on_message`: any thread, for each message that was put into the mail; it must be quick.
+    // `on_message`: called on any thread for each queued message; must be fast.
     DatagramConnection(std::unique_ptr<datagram::PacketCipher> cipher, int socket,
                        std::function<void(std::string_view)> on_message, Metrics* metrics);
 
     const datagram::Credentials& credentials() const { return cipher_->credentials(); }
 
-    // Somebody answered with the key, and was heard lately.
+    // Whether a holder of the key has responded and was heard within receive_timeout.
     bool is_open(Clock::time_point now) const;
-    // Nothing is sent until the client has answered again: it seems not to get what it is sent.
+    // Sends nothing until the client responds to a new challenge; used when it seems to receive
+    // nothing.
     void restart_path_validation();
-    // A message, given in pieces; lost without a word when there is nobody, when it needs more than
-    // datagram::fragments_max parts, or when the system's buffer is full.
+    // Sends a message, given in pieces. It is lost silently if there is no validated address, if it
+    // needs more than datagram::fragments_max fragments, or if the socket buffer is full.
     void send(std::span<const std::string_view> pieces, Clock::time_point now);
 
     struct ReceivedMessage {
@@ -63,7 +65,7 @@ public:
     bool has_messages() const { return has_messages_.load(std::memory_order_acquire); }
     std::vector<ReceivedMessage> take_messages();
 
-    // A packet that names the ticket; anybody may have sent it.
+    // A packet with this session's id; the sender is not trusted.
     void receive(std::string_view packet, const DatagramAddress& from, Clock::time_point now);
 
 private:
@@ -77,7 +79,7 @@ private:
 
     struct PendingChallenge {
         DatagramAddress where;
-        std::uint64_t token = 0;  // secret: only who is there can answer
+        std::uint64_t token = 0;  // secret: only a receiver at `where` can respond
     };
 
     mutable std::mutex mutex_;
@@ -85,10 +87,11 @@ private:
     const int socket_;
     const std::function<void(std::string_view)> on_message_;
     Metrics* const metrics_;
-    std::optional<DatagramAddress> address_;             // that answered
-    std::optional<PendingChallenge> pending_challenge_;  // another, that has not yet
+    std::optional<DatagramAddress> address_;  // validated
+    // of a new address that has not responded yet
+    std::optional<PendingChallenge> pending_challenge_;
     Clock::time_point received_at_{}, sent_{};
-    std::uint32_t messages_ = 0;  // sent
+    std::uint32_t messages_ = 0;  // number of messages sent
     std::vector<ReceivedMessage> received_;
     std::atomic<bool> has_messages_{false};
 };

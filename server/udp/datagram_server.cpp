@@ -22,14 +22,15 @@ namespace jostle::server {
 namespace {
 
 constexpr std::size_t receive_batch_size = 64;
-// A tick's snapshots to a thousand clients, and what they send meanwhile.
+// Holds the snapshots of one tick to a thousand clients, and the packets they send meanwhile.
 constexpr int buffer_bytes = 4 << 20;
 
 std::uint16_t bound_port(int descriptor) {
     sockaddr_storage own{};
     socklen_t size = sizeof own;
     getsockname(descriptor, reinterpret_cast<sockaddr*>(&own), &size);
-    return ntohs(reinterpret_cast<const sockaddr_in6&>(own).sin6_port);  // ports lie alike
+    // the port has the same offset in IPv4 and IPv6
+    return ntohs(reinterpret_cast<const sockaddr_in6&>(own).sin6_port);
 }
 
 }  // namespace
@@ -43,7 +44,7 @@ DatagramServer::~DatagramServer() {
 Status DatagramServer::start() {
     const auto failed = [&](const std::string& why) {
         return Error{ErrorCode::unavailable,
-                     fmt::format("cannot take datagrams at {}:{}: {}; choose another with "
+                     fmt::format("cannot listen for datagrams on {}:{}: {}; choose another with "
                                  "--datagrams HOST:PORT",
                                  settings_.host, settings_.port, why)};
     };
@@ -80,20 +81,20 @@ Result<std::shared_ptr<DatagramConnection>> DatagramServer::open(
     datagram::Credentials credentials;
     if (getentropy(&credentials.id, sizeof credentials.id) != 0 ||
         getentropy(credentials.key.data(), credentials.key.size()) != 0)
-        return Error{ErrorCode::internal, "the operating system gave no random bytes"};
+        return Error{ErrorCode::internal, "the operating system returned no random bytes"};
     auto cipher = datagram::PacketCipher::make(credentials, datagram::Side::server);
     if (!cipher.ok()) return cipher.error();
-    auto path = std::make_shared<DatagramConnection>(*std::move(cipher), socket_,
-                                                     std::move(on_message), settings_.metrics);
+    auto connection = std::make_shared<DatagramConnection>(
+        *std::move(cipher), socket_, std::move(on_message), settings_.metrics);
     const std::lock_guard lock(mutex_);
-    if (!connections_.try_emplace(credentials.id, path).second)
-        return Error{ErrorCode::internal, "a ticket for datagrams came twice"};
-    return path;
+    if (!connections_.try_emplace(credentials.id, connection).second)
+        return Error{ErrorCode::internal, "duplicate datagram session id"};
+    return connection;
 }
 
-void DatagramServer::close(const DatagramConnection& path) {
+void DatagramServer::close(const DatagramConnection& connection) {
     const std::lock_guard lock(mutex_);
-    connections_.erase(path.credentials().id);
+    connections_.erase(connection.credentials().id);
 }
 
 std::size_t DatagramServer::connections() const {
@@ -113,17 +114,18 @@ void DatagramServer::run() {
     while (!stopping_) {
         poll(watched.data(), watched.size(), -1);
         try {
-            take_packets();
+            receive_packets();
         } catch (const std::exception& error) {
-            // Memory has run out: these packets are lost.
+            // Out of memory: these packets are lost.
             log_error("datagrams: {}", error.what());
         }
     }
 }
 
-// All that have come.
-void DatagramServer::take_packets() {
-    // A byte more than a packet may have, so that one that was cut is seen to be too long.
+// Receives all pending packets.
+void DatagramServer::receive_packets() {
+    // One byte more than the maximum packet size, so that a truncated packet is detected as too
+    // long.
     static thread_local std::array<std::array<char, datagram::packet_bytes_max + 1>,
                                    receive_batch_size>
         bytes;
@@ -147,9 +149,9 @@ void DatagramServer::take_packets() {
             const std::string_view packet(bytes[k].data(), messages[k].msg_len);
             from[k].size = messages[k].msg_hdr.msg_namelen;
             const auto credentials = datagram::session_id_of(packet);
-            const auto path = credentials ? find(*credentials) : nullptr;
-            if (path)
-                path->receive(packet, from[k], now);
+            const auto connection = credentials ? find(*credentials) : nullptr;
+            if (connection)
+                connection->receive(packet, from[k], now);
             else if (settings_.metrics)
                 settings_.metrics->datagrams_refused.Increment();
         }

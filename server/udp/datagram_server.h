@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// The UDP socket by which clients that asked for it get their snapshots (docs/protocol.md). One
-// thread takes what comes, many packets at a time, and hands each to the path whose ticket it
-// names; what names none is dropped, without an answer. Paths send by themselves.
+// The UDP socket for snapshots of clients that request datagrams (docs/protocol.md). One thread
+// receives packets in batches and passes each packet to the connection with its session id; packets
+// without a known id are dropped without a response. Connections send by themselves.
 //
-// Thread rule: start() and stop() from one thread, all else from any. Outlives its paths.
+// Threads: start() and stop() from one thread, all other functions from any. Outlives its
+// connections.
 #pragma once
 
 #include <atomic>
@@ -24,9 +25,9 @@ namespace jostle::server {
 
 struct DatagramServerSettings {
     std::string host = "127.0.0.1";
-    std::uint16_t port = 0;             // 0: any that is free
-    std::uint16_t advertised_port = 0;  // 0: the real one
-    Metrics* metrics = nullptr;         // null: nobody counts
+    std::uint16_t port = 0;             // 0: any free port
+    std::uint16_t advertised_port = 0;  // 0: the bound port
+    Metrics* metrics = nullptr;         // null: no counting
 };
 
 class DatagramServer {
@@ -36,25 +37,25 @@ public:
     DatagramServer(const DatagramServer&) = delete;
     DatagramServer& operator=(const DatagramServer&) = delete;
 
-    // An error says which address and why.
+    // An error names the address and the reason.
     Status start();
-    // No packet is taken any more, and no path is called. What paths send still goes out.
+    // Stops receiving: no connection is called any more. Connections can still send.
     void stop();
-    std::uint16_t port() const { return port_; }  // the real one, after start()
+    std::uint16_t port() const { return port_; }  // the bound port, after start()
     std::uint16_t advertised_port() const {
         return settings_.advertised_port != 0 ? settings_.advertised_port : port_;
     }
 
-    // A new way, with a ticket of its own. `on_message` as of DatagramConnection.
+    // Opens a connection with new credentials. `on_message`: see DatagramConnection.
     Result<std::shared_ptr<DatagramConnection>> open(
         std::function<void(std::string_view)> on_message);
-    // Packets with this ticket are dropped from now on. One that is being handed over may still be.
-    void close(const DatagramConnection& path);
+    // Drops packets for this connection from now on. A packet in progress may still be delivered.
+    void close(const DatagramConnection& connection);
     std::size_t connections() const;
 
 private:
     void run();
-    void take_packets();
+    void receive_packets();
     std::shared_ptr<DatagramConnection> find(std::uint64_t credentials) const;
 
     const DatagramServerSettings settings_;
@@ -62,7 +63,7 @@ private:
     std::uint16_t port_ = 0;
     mutable std::mutex mutex_;
     std::unordered_map<std::uint64_t, std::shared_ptr<DatagramConnection>>
-        connections_;  // by ticket
+        connections_;  // by session id
     std::atomic<bool> stopping_{false};
     std::thread thread_;
 };

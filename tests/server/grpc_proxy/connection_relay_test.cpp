@@ -162,7 +162,7 @@ protected:
     std::unique_ptr<SSL, FreeWith<SSL_free>> client_tls;
 };
 
-TEST_F(ConnectionRelayTest, bytes_go_both_ways_and_grpc_can_tell_whose_they_are) {
+TEST_F(ConnectionRelayTest, relays_bytes_both_ways_with_peer_identity) {
     const Owned client = connect();
     ASSERT_TRUE(client.write(preface));
     const Owned grpc = grpc_end();
@@ -181,7 +181,7 @@ TEST_F(ConnectionRelayTest, bytes_go_both_ways_and_grpc_can_tell_whose_they_are)
     EXPECT_EQ(client.read(much.size()), much);
 }
 
-TEST_F(ConnectionRelayTest, grpc_hears_of_nobody_who_does_not_speak_http2) {
+TEST_F(ConnectionRelayTest, rejects_non_http2_clients_before_grpc) {
     const Owned silent = connect();
     EXPECT_TRUE(silent.is_closed()) << "after 0.3 s";
     const Owned browser = connect();
@@ -192,7 +192,7 @@ TEST_F(ConnectionRelayTest, grpc_hears_of_nobody_who_does_not_speak_http2) {
     EXPECT_TRUE(forgotten());
 }
 
-TEST_F(ConnectionRelayTest, what_grpc_says_last_reaches_the_client_before_the_end) {
+TEST_F(ConnectionRelayTest, delivers_final_grpc_bytes_before_close) {
     const Owned client = connect();
     client.write(preface);
     Owned grpc = grpc_end();
@@ -204,7 +204,7 @@ TEST_F(ConnectionRelayTest, what_grpc_says_last_reaches_the_client_before_the_en
     EXPECT_TRUE(forgotten()) << "after 0.3 s, though the client stays";
 }
 
-TEST_F(ConnectionRelayTest, when_the_client_says_that_it_sends_no_more_it_still_gets_its_answer) {
+TEST_F(ConnectionRelayTest, half_closed_client_still_receives_the_response) {
     const Owned client = connect();
     client.write(preface);
     const Owned grpc = grpc_end();
@@ -215,7 +215,7 @@ TEST_F(ConnectionRelayTest, when_the_client_says_that_it_sends_no_more_it_still_
     EXPECT_EQ(client.read(10), "the answer");
 }
 
-TEST_F(ConnectionRelayTest, a_client_that_goes_is_forgotten_and_grpc_told) {
+TEST_F(ConnectionRelayTest, client_disconnect_closes_the_grpc_side) {
     Owned client = connect();
     client.write(preface);
     const Owned grpc = grpc_end();
@@ -227,7 +227,7 @@ TEST_F(ConnectionRelayTest, a_client_that_goes_is_forgotten_and_grpc_told) {
     EXPECT_TRUE(forgotten());
 }
 
-TEST_F(ConnectionRelayTest, who_sends_a_megabyte_that_becomes_no_message_is_cut_and_has_to_wait) {
+TEST_F(ConnectionRelayTest, drops_and_penalizes_clients_exceeding_the_buffer_limit) {
     const Owned client = connect();
     client.write(preface);
     const Owned grpc = grpc_end();
@@ -235,11 +235,11 @@ TEST_F(ConnectionRelayTest, who_sends_a_megabyte_that_becomes_no_message_is_cut_
     int frames = 0;
     while (frames < 2000 && client.write(data_frame(16'384))) frames++;
     EXPECT_LT(frames, 2000) << "of 16 KiB each";
-    EXPECT_EQ(relay.drop(), 1u);
+    EXPECT_EQ(relay.dropped(), 1u);
     EXPECT_EQ(table.refusal_for(peer, Clock::now()), ConnectionTable::Refusal::address_penalized);
 }
 
-TEST_F(ConnectionRelayTest, who_sends_messages_sends_as_many_as_he_likes) {
+TEST_F(ConnectionRelayTest, complete_messages_do_not_count_against_the_buffer_limit) {
     const Owned client = connect();
     client.write(preface);
     const Owned grpc = grpc_end();
@@ -250,11 +250,11 @@ TEST_F(ConnectionRelayTest, who_sends_messages_sends_as_many_as_he_likes) {
         }
     });
     for (int i = 0; i < 1000; i++) ASSERT_TRUE(client.write(data_frame(16'384)));
-    EXPECT_EQ(relay.drop(), 0u);
+    EXPECT_EQ(relay.dropped(), 0u);
     shutdown(client.descriptor, SHUT_WR);
 }
 
-TEST_F(ConnectionRelayTest, of_many_who_come_at_once_those_who_go_again_cost_grpc_nothing) {
+TEST_F(ConnectionRelayTest, closed_pending_connections_never_reach_grpc) {
     ConnectionRelay slow(table, {.openings_per_second = 2});
     start(slow);
     door = &slow;
@@ -276,7 +276,7 @@ TEST_F(ConnectionRelayTest, of_many_who_come_at_once_those_who_go_again_cost_grp
     slow.stop({});
 }
 
-TEST_F(ConnectionRelayTest, tls_ends_here) {
+TEST_F(ConnectionRelayTest, terminates_tls) {
     const test::TempFolder folder;
     const auto authority = test::make_authority();
     const auto leaf = test::make_certificate({}, &authority);
@@ -302,7 +302,7 @@ TEST_F(ConnectionRelayTest, tls_ends_here) {
     EXPECT_EQ(got, much);
 }
 
-TEST_F(ConnectionRelayTest, at_the_end_all_are_closed) {
+TEST_F(ConnectionRelayTest, stop_closes_all_connections) {
     const Owned client = connect();
     client.write(preface);
     const Owned grpc = grpc_end();

@@ -24,7 +24,7 @@ sockaddr_storage from(const char* address, std::uint16_t port) {
 
 const Clock::time_point now = Clock::now();
 
-TEST(ConnectionTable, more_than_the_limit_of_one_address_are_refused_until_one_goes) {
+TEST(ConnectionTable, limits_connections_per_address) {
     ConnectionTable table({.total_max = 4, .per_address_max = 3});
     std::vector<std::shared_ptr<Connection>> open;
     for (std::uint16_t port = 1; port <= 3; port++) {
@@ -40,7 +40,7 @@ TEST(ConnectionTable, more_than_the_limit_of_one_address_are_refused_until_one_g
     EXPECT_EQ(table.size(), 3u);
 }
 
-TEST(ConnectionTable, finds_a_connection_by_the_name_that_grpc_gives_it) {
+TEST(ConnectionTable, finds_connections_by_grpc_peer_name) {
     ConnectionTable table({});
     const auto one = table.admit(from("192.0.2.1", 4711)), two = table.admit(from("192.0.2.1", 1));
     EXPECT_EQ(table.of("unix-abstract:" + one->name), one);
@@ -50,7 +50,7 @@ TEST(ConnectionTable, finds_a_connection_by_the_name_that_grpc_gives_it) {
     EXPECT_EQ(table.of("inproc")->peer, "inproc");
 }
 
-TEST(ConnectionTable, an_attackers_address_waits_a_second_then_two_then_four_up_to_a_minute) {
+TEST(ConnectionTable, penalty_doubles_up_to_one_minute) {
     ConnectionTable table({});
     const auto attacker = table.admit(from("192.0.2.1", 1));
     Clock::time_point t = now;

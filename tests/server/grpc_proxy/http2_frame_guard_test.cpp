@@ -45,7 +45,7 @@ protected:
     Http2FrameGuard guard{now};
 };
 
-TEST_F(Http2FrameGuardTest, a_player_of_an_hour_is_never_held_up) {
+TEST_F(Http2FrameGuardTest, normal_play_is_never_throttled) {
     greet();
     ASSERT_TRUE(take(frame(headers, end_headers, 1, 300)).ok());
     // Sixty times a second an input, a window update and a ping answered, however they are cut.
@@ -60,7 +60,7 @@ TEST_F(Http2FrameGuardTest, a_player_of_an_hour_is_never_held_up) {
     EXPECT_EQ(guard.streams_opened(), 1u);
 }
 
-TEST_F(Http2FrameGuardTest, a_message_of_four_megabytes_passes_at_once) {
+TEST_F(Http2FrameGuardTest, accepts_a_4_mb_message) {
     greet();
     std::string sent = frame(headers, end_headers, 1, 300);
     for (int i = 0; i < 256; i++) sent += frame(data, 0, 1, 16384);
@@ -68,7 +68,7 @@ TEST_F(Http2FrameGuardTest, a_message_of_four_megabytes_passes_at_once) {
     EXPECT_EQ(guard.throttle_delay(now), Clock::duration::zero());
 }
 
-TEST_F(Http2FrameGuardTest, what_is_no_http2_is_told_by_its_first_wrong_byte) {
+TEST_F(Http2FrameGuardTest, rejects_invalid_preface_at_the_first_wrong_byte) {
     EXPECT_EQ(take("GET / HTTP/1.1\r\n").error().message, "this is not HTTP/2");
     Http2FrameGuard other(now);
     guard = other;
@@ -79,7 +79,7 @@ TEST_F(Http2FrameGuardTest, what_is_no_http2_is_told_by_its_first_wrong_byte) {
 }
 
 // CVE-2023-44487.
-TEST_F(Http2FrameGuardTest, streams_that_are_reset_at_once_end_the_connection) {
+TEST_F(Http2FrameGuardTest, rejects_rapid_stream_resets) {
     greet();
     int begun = 0;
     Status status;
@@ -90,7 +90,7 @@ TEST_F(Http2FrameGuardTest, streams_that_are_reset_at_once_end_the_connection) {
     EXPECT_EQ(begun, 101);
 }
 
-TEST_F(Http2FrameGuardTest, ten_calls_a_second_may_be_cancelled_for_ever) {
+TEST_F(Http2FrameGuardTest, allows_ten_cancelled_calls_per_second) {
     greet();
     for (std::uint32_t i = 0; i < 36000; i++) {
         now += 100ms;
@@ -101,7 +101,7 @@ TEST_F(Http2FrameGuardTest, ten_calls_a_second_may_be_cancelled_for_ever) {
 }
 
 // CVE-2024-27316.
-TEST_F(Http2FrameGuardTest, a_header_block_ends_within_eight_frames_and_32_kilobytes) {
+TEST_F(Http2FrameGuardTest, limits_header_blocks_to_8_frames_and_32_kb) {
     greet();
     ASSERT_TRUE(take(frame(headers, 0, 1, 16000) + frame(more, 0, 1, 16000)).ok());
     EXPECT_FALSE(take(frame(more, 0, 1, 16000)).ok());
@@ -122,7 +122,7 @@ TEST_F(Http2FrameGuardTest, a_header_block_ends_within_eight_frames_and_32_kilob
     EXPECT_FALSE(take(frame(headers, 0, 1, 9) + frame(data, 0, 1, 9)).ok());
 }
 
-TEST_F(Http2FrameGuardTest, what_nobody_sends_often_ends_the_connection) {
+TEST_F(Http2FrameGuardTest, rejects_floods_of_rare_frames) {
     greet();
     EXPECT_EQ(flood(frame(settings, 0, 0, 0), 100), "too many SETTINGS frames");
     EXPECT_EQ(flood(frame(ping, 0, 0, 8), 1000), "too many PING frames");
@@ -132,14 +132,14 @@ TEST_F(Http2FrameGuardTest, what_nobody_sends_often_ends_the_connection) {
     EXPECT_FALSE(take(frame(push, 0, 1, 9)).ok());
 }
 
-TEST_F(Http2FrameGuardTest, a_frame_larger_than_our_settings_allow_ends_the_connection) {
+TEST_F(Http2FrameGuardTest, rejects_oversized_frames) {
     greet();
     EXPECT_EQ(take(frame(data, 0, 1, 16385).substr(0, 9)).error().message,
               "a frame of 16385 bytes; at most 16384 are allowed");
 }
 
 // What clients need, too, but not so much of it, has to wait.
-TEST_F(Http2FrameGuardTest, who_floods_with_window_updates_gets_four_thousand_a_second) {
+TEST_F(Http2FrameGuardTest, throttles_window_updates_to_4000_per_second) {
     greet();
     std::string many;
     for (int i = 0; i < 1000; i++) many += frame(window, 0, 0, 4);

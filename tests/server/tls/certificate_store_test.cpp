@@ -39,7 +39,7 @@ protected:
     std::chrono::system_clock::time_point now = std::chrono::system_clock::now();
 };
 
-TEST_F(CertificateStoreTest, has_key_chain_and_the_authorities) {
+TEST_F(CertificateStoreTest, loads_key_chain_and_client_authorities) {
     const TestCertificate leaf = issue("one");
     put(leaf);
     folder.write("client_ca.pem", root.pem());
@@ -52,15 +52,15 @@ TEST_F(CertificateStoreTest, has_key_chain_and_the_authorities) {
     EXPECT_EQ(open()->material()->client_ca_pem, "");
 }
 
-TEST_F(CertificateStoreTest, the_first_files_must_be_good) {
+TEST_F(CertificateStoreTest, requires_valid_files_at_startup) {
     put(issue("one"), issue("two"));
     const auto opened = CertificateStore::open(
         {.certificate = folder / "chain.pem", .key = folder / "key.pem"}, now);
     ASSERT_FALSE(opened.ok());
-    EXPECT_NE(opened.error().message.find("the key is not that of"), std::string::npos);
+    EXPECT_NE(opened.error().message.find("the key does not match"), std::string::npos);
 }
 
-TEST_F(CertificateStoreTest, a_new_pair_is_taken_over_at_the_next_look) {
+TEST_F(CertificateStoreTest, applies_a_new_pair_at_the_next_poll) {
     put(issue("one"));
     const auto store = open();
     const std::shared_ptr<const TlsMaterial> first = store->material();
@@ -75,7 +75,7 @@ TEST_F(CertificateStoreTest, a_new_pair_is_taken_over_at_the_next_look) {
     EXPECT_EQ(store->material()->subject, "CN=three");
 }
 
-TEST_F(CertificateStoreTest, a_bad_pair_is_refused_once_and_the_old_stays_in_force) {
+TEST_F(CertificateStoreTest, rejects_an_invalid_pair_once_and_retains_the_old_one) {
     const TestCertificate one = issue("one");
     put(one);
     const auto store = open();
@@ -91,7 +91,7 @@ TEST_F(CertificateStoreTest, a_bad_pair_is_refused_once_and_the_old_stays_in_for
     EXPECT_EQ(store->poll(now += 1s), Change::taken);
 }
 
-TEST_F(CertificateStoreTest, what_is_good_from_tomorrow_is_taken_tomorrow) {
+TEST_F(CertificateStoreTest, applies_a_certificate_when_it_becomes_valid) {
     put(issue("one"));
     const auto store = open();
     put(make_certificate({.name = "two", .begins_in_s = 3600, .ends_in_s = 90000}, &root));
@@ -101,7 +101,7 @@ TEST_F(CertificateStoreTest, what_is_good_from_tomorrow_is_taken_tomorrow) {
     EXPECT_EQ(store->material()->subject, "CN=two");
 }
 
-TEST_F(CertificateStoreTest, a_clock_that_is_set_back_does_not_stop_it_looking) {
+TEST_F(CertificateStoreTest, polls_after_the_clock_is_set_back) {
     put(issue("one"));
     const auto store = open();
     EXPECT_EQ(store->poll(now), Change::none);
@@ -110,7 +110,7 @@ TEST_F(CertificateStoreTest, a_clock_that_is_set_back_does_not_stop_it_looking) 
 }
 
 // Kubernetes: what the server reads are links into "..data", itself a link that is swapped.
-TEST_F(CertificateStoreTest, sees_a_link_that_is_swapped) {
+TEST_F(CertificateStoreTest, detects_a_swapped_symlink) {
     const auto put_version = [&](const std::string& version, const TestCertificate& certificate) {
         fs::create_directory(folder / version);
         std::ofstream(folder / (version + "/chain.pem")) << certificate.pem();
@@ -128,7 +128,7 @@ TEST_F(CertificateStoreTest, sees_a_link_that_is_swapped) {
 }
 
 // Readers beside fifty rotations, ten of them broken, never see anything but a good pair.
-TEST_F(CertificateStoreTest, of_fifty_rotations_ten_are_broken_and_a_good_pair_is_always_in_force) {
+TEST_F(CertificateStoreTest, retains_a_valid_pair_over_fifty_rotations) {
     TestCertificate last = issue("0");
     put(last);
     const auto store = open();

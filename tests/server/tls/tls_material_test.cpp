@@ -42,7 +42,7 @@ protected:
     const TestCertificate leaf = make_certificate({}, &middle);
 };
 
-TEST_F(TlsMaterialTest, a_good_pair_says_whose_it_is_and_when_it_ends) {
+TEST_F(TlsMaterialTest, returns_subject_and_expiry) {
     const Result<TlsMaterial> material =
         read(leaf.pem() + middle.pem(), leaf.key_pem(), root.pem());
     ASSERT_TRUE(material.ok()) << material.error().message;
@@ -54,7 +54,7 @@ TEST_F(TlsMaterialTest, a_good_pair_says_whose_it_is_and_when_it_ends) {
     EXPECT_TRUE(material->warnings.empty());
 }
 
-TEST_F(TlsMaterialTest, the_chain_may_be_one_certificate_or_reach_to_the_root) {
+TEST_F(TlsMaterialTest, accepts_partial_and_full_chains) {
     EXPECT_EQ(fault_of(leaf.pem(), leaf.key_pem()), "");
     EXPECT_EQ(fault_of(leaf.pem() + middle.pem() + root.pem(), leaf.key_pem()), "");
     const TestCertificate own = make_certificate({});
@@ -63,46 +63,46 @@ TEST_F(TlsMaterialTest, the_chain_may_be_one_certificate_or_reach_to_the_root) {
         << "what else is in a file is passed over";
 }
 
-TEST_F(TlsMaterialTest, a_key_of_another_certificate_is_refused) {
+TEST_F(TlsMaterialTest, rejects_a_mismatched_key) {
     EXPECT_EQ(fault_of(leaf.pem(), middle.key_pem()),
-              "key.pem: the key is not that of the certificate of CN=localhost in " +
+              "key.pem: the key does not match the certificate of CN=localhost in " +
                   folder / "chain.pem");
 }
 
-TEST_F(TlsMaterialTest, a_chain_must_link_up) {
+TEST_F(TlsMaterialTest, rejects_a_broken_chain) {
     const TestCertificate stranger = make_authority("Middle");
     EXPECT_EQ(
         fault_of(leaf.pem() + root.pem(), leaf.key_pem()),
         "chain.pem: the chain is broken: the certificate of CN=localhost was not issued by the "
-        "one after it");
+        "next certificate");
     EXPECT_EQ(
         fault_of(leaf.pem() + stranger.pem(), leaf.key_pem()),
         "chain.pem: the chain is broken: the certificate of CN=localhost was not issued by the "
-        "one after it")
+        "next certificate")
         << "the name alone is not enough";
     const TestCertificate forged = make_certificate({.name = "evil"}, &leaf);
     EXPECT_EQ(fault_of(forged.pem() + leaf.pem(), forged.key_pem()),
-              "chain.pem: the certificate of CN=localhost may not issue others");
+              "chain.pem: the certificate of CN=localhost is not a CA certificate");
 }
 
-TEST_F(TlsMaterialTest, what_has_expired_or_is_not_good_yet_is_refused) {
+TEST_F(TlsMaterialTest, rejects_expired_and_not_yet_valid_certificates) {
     const TestCertificate old = make_certificate({.begins_in_s = -7200, .ends_in_s = -60}, &root),
                           early = make_certificate({.begins_in_s = 60}, &root),
                           old_middle = make_certificate(
                               {.name = "Old", .authority = true, .ends_in_s = -1}, &root),
                           under_old = make_certificate({}, &old_middle);
     EXPECT_EQ(fault_of(old.pem(), old.key_pem())
-                  .find("chain.pem: the certificate of CN=localhost has expired on 20"),
+                  .find("chain.pem: the certificate of CN=localhost expired on 20"),
               0u);
     EXPECT_EQ(fault_of(early.pem(), early.key_pem())
-                  .find("chain.pem: the certificate of CN=localhost is good only from 20"),
+                  .find("chain.pem: the certificate of CN=localhost is not valid before 20"),
               0u);
     EXPECT_EQ(fault_of(under_old.pem() + old_middle.pem(), under_old.key_pem())
-                  .find("chain.pem: the certificate of CN=Old has expired on 20"),
+                  .find("chain.pem: the certificate of CN=Old expired on 20"),
               0u);
 }
 
-TEST_F(TlsMaterialTest, a_certificate_without_an_end_is_good) {
+TEST_F(TlsMaterialTest, accepts_a_certificate_without_expiry) {
     const TestCertificate endless = make_certificate({.ends_in_s = 250'000'000'000}, &root);
     const Result<TlsMaterial> material = read(endless.pem(), endless.key_pem());
     ASSERT_TRUE(material.ok()) << material.error().message;
@@ -110,9 +110,11 @@ TEST_F(TlsMaterialTest, a_certificate_without_an_end_is_good) {
 }
 
 TEST_F(TlsMaterialTest, files_that_are_none_are_named) {
-    EXPECT_EQ(fault_of("", leaf.key_pem()), "chain.pem: there is no certificate in PEM form");
-    EXPECT_EQ(fault_of(leaf.pem(), ""), "key.pem: there is no private key in PEM form");
-    EXPECT_EQ(fault_of(leaf.pem(), leaf.pem()), "key.pem: there is no private key in PEM form");
+    EXPECT_EQ(fault_of("", leaf.key_pem()),
+              "chain.pem: the file contains no certificate in PEM format");
+    EXPECT_EQ(fault_of(leaf.pem(), ""), "key.pem: the file contains no private key in PEM format");
+    EXPECT_EQ(fault_of(leaf.pem(), leaf.pem()),
+              "key.pem: the file contains no private key in PEM format");
     std::string damaged = leaf.pem();
     damaged[damaged.size() / 2] ^= 0x11;
     EXPECT_NE(fault_of(damaged, leaf.key_pem()), "");
@@ -121,7 +123,8 @@ TEST_F(TlsMaterialTest, files_that_are_none_are_named) {
         << "cut off in the middle";
     std::string many;
     for (int i = 0; i < 11; ++i) many += leaf.pem();
-    EXPECT_EQ(fault_of(many, leaf.key_pem()), "chain.pem: there are more than 10 certificates");
+    EXPECT_EQ(fault_of(many, leaf.key_pem()),
+              "chain.pem: the file contains more than 10 certificates");
     EXPECT_NE(fault_of(std::string(2 << 20, 'a'), leaf.key_pem()), "");
     EXPECT_NE(read_tls_material({.certificate = folder / "none", .key = folder / "none"}, now)
                   .error()
@@ -129,27 +132,27 @@ TEST_F(TlsMaterialTest, files_that_are_none_are_named) {
               std::string::npos);
 }
 
-TEST_F(TlsMaterialTest, nobody_is_asked_for_a_passphrase) {
+TEST_F(TlsMaterialTest, rejects_encrypted_keys_without_prompting) {
     EXPECT_EQ(fault_of(leaf.pem(), leaf.key_pem_with_passphrase("secret")),
-              "key.pem: the key has a passphrase, and nobody can be asked for it");
+              "key.pem: the key has a passphrase; use a key without one");
 }
 
-TEST_F(TlsMaterialTest, certificates_of_clients_and_weak_ones_are_not_for_servers) {
+TEST_F(TlsMaterialTest, rejects_client_and_weak_certificates) {
     const TestCertificate client = make_certificate({.name = "anna", .usage = "clientAuth"}, &root);
     EXPECT_EQ(fault_of(client.pem(), client.key_pem()),
-              "chain.pem: the certificate of CN=anna is not one for servers");
+              "chain.pem: the certificate of CN=anna is not a server certificate");
     TestCertificate weak{.x509 = {X509_dup(leaf.x509.get()), X509_free},
                          .key = {EVP_RSA_gen(1024), EVP_PKEY_free}};
     X509_set_pubkey(weak.x509.get(), weak.key.get());
     X509_sign(weak.x509.get(), middle.key.get(), EVP_sha256());
     EXPECT_EQ(fault_of(weak.pem(), weak.key_pem()),
-              "chain.pem: OpenSSL does not take it: ee key too small");
+              "chain.pem: OpenSSL rejects it: ee key too small");
 }
 
-TEST_F(TlsMaterialTest, authorities_of_clients_are_checked_as_well) {
+TEST_F(TlsMaterialTest, validates_client_authorities) {
     EXPECT_EQ(fault_of(leaf.pem(), leaf.key_pem(), root.pem() + middle.pem()), "");
     EXPECT_EQ(fault_of(leaf.pem(), leaf.key_pem(), leaf.pem()),
-              "client_ca.pem: the certificate of CN=localhost may not issue others");
+              "client_ca.pem: the certificate of CN=localhost is not a CA certificate");
     const TestCertificate old =
         make_certificate({.name = "Old", .authority = true, .ends_in_s = -1});
     EXPECT_EQ(fault_of(leaf.pem(), leaf.key_pem(), root.pem() + old.pem())
@@ -157,7 +160,7 @@ TEST_F(TlsMaterialTest, authorities_of_clients_are_checked_as_well) {
               0u);
 }
 
-TEST_F(TlsMaterialTest, a_key_that_everybody_may_read_is_warned_of) {
+TEST_F(TlsMaterialTest, warns_about_a_world_readable_key) {
     const TlsSettings files{.certificate = folder.write("chain.pem", leaf.pem()),
                             .key = folder.write("key.pem", leaf.key_pem())};
     chmod(files.key.c_str(), 0640);
@@ -166,7 +169,8 @@ TEST_F(TlsMaterialTest, a_key_that_everybody_may_read_is_warned_of) {
     const Result<TlsMaterial> material = read_tls_material(files, now);
     ASSERT_TRUE(material.ok());
     ASSERT_EQ(material->warnings.size(), 1u);
-    EXPECT_EQ(material->warnings[0], files.key + " may be read by everybody here; chmod o= it");
+    EXPECT_EQ(material->warnings[0],
+              files.key + " is readable by all users; restrict it with chmod o=");
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 namespace jostle::test {
 namespace {
 
-TEST(FormatText, fills_a_pattern_and_cuts_what_is_too_long) {
+TEST(FormatText, formats_and_truncates) {
     EXPECT_EQ(format_text("%4s %.3g", "row", 0.12345), " row 0.123");
     EXPECT_EQ(format_text("%1000d", 7).size(), 639u);
 }

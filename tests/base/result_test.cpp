@@ -21,13 +21,13 @@ TEST(Result, holds_a_value_or_an_error) {
     EXPECT_EQ(half(7).error().message, "7 is odd");
 }
 
-TEST(Result, gives_away_what_can_only_be_moved) {
+TEST(Result, supports_move_only_values) {
     Result<std::unique_ptr<int>> result = std::make_unique<int>(5);
     const std::unique_ptr<int> taken = std::move(*result);
     EXPECT_EQ(*taken, 5);
 }
 
-TEST(Status, is_success_unless_made_of_an_error) {
+TEST(Status, is_ok_unless_constructed_from_an_error) {
     EXPECT_TRUE(Status().ok());
     const Status status = half(7).error();
     ASSERT_FALSE(status.ok());

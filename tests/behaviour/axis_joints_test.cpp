@@ -41,7 +41,7 @@ double period_of(World& world, double seconds, Value value, double hz = 60) {
     return times > 0 ? (latest - first) / times : 0;
 }
 
-TEST(Slider, swings_on_its_spring_with_its_frequency) {
+TEST(Slider, spring_oscillates_at_its_frequency) {
     World world = make_world({.gravity = {}});
     const BodyId cart = block(world, {.position = {0.4, 0, 0}});
     join(world, bare_anchor(world), cart, SliderJoint{.spring = {1.5, 0}, .spring_travel = 0.1},
@@ -71,7 +71,7 @@ TEST(Slider, falls_along_its_axis_and_stops_at_its_limit) {
 }
 
 // 2 kg, 10 N: 5 m/s^2 to 3 m/s. Then friction alone: 4 N take 2 m/s each second.
-TEST(Slider, motor_and_friction_have_the_forces_that_were_given) {
+TEST(Slider, motor_and_friction_apply_their_forces) {
     World world = make_world({.gravity = {}});
     const BodyId cart = block(world, {});
     must(world.set_mass(cart, 2));
@@ -90,7 +90,7 @@ TEST(Slider, motor_and_friction_have_the_forces_that_were_given) {
 }
 
 // A weight on the far end of a drawer: the rails bear its moment, and it does not tilt.
-TEST(Slider, does_not_turn_under_a_lever) {
+TEST(Slider, does_not_rotate_under_an_off_axis_load) {
     World world = make_world();
     const BodyId drawer = block(world, {.geometry = Box{{1, 0.1, 0.3}}, .position = {1, 0, 0}});
     const JointId slider =
@@ -102,7 +102,7 @@ TEST(Slider, does_not_turn_under_a_lever) {
     EXPECT_NEAR(must(world.joint(slider)).torque.z, 9.81 * state_of(world, drawer).mass, 2);
 }
 
-TEST(Slider, breaks_at_its_force_and_says_so) {
+TEST(Slider, breaks_at_its_force_and_reports_it) {
     World world = make_world();
     const BodyId cart = block(world, {});
     const double weight = 9.81 * state_of(world, cart).mass;
@@ -130,7 +130,7 @@ double energy_after(const JointKind& kind, double& error) {
     return world.summary().kinetic_energy / before;
 }
 
-TEST(SixDof, locked_is_as_good_as_fixed) {
+TEST(SixDof, fully_locked_equals_a_fixed_joint) {
     double fixed_error = 0, locked_error = 0;
     const double fixed = energy_after(FixedJoint{}, fixed_error);
     const double locked = energy_after(SixDofJoint{}, locked_error);
@@ -148,7 +148,7 @@ TEST(SixDof, locked_is_as_good_as_fixed) {
     EXPECT_TRUE(near(position_of(worlds[0], boards[0]), position_of(worlds[1], boards[1]), 1e-5));
 }
 
-TEST(SixDof, three_free_turns_are_a_ball) {
+TEST(SixDof, three_free_rotations_equal_a_ball_joint) {
     double ball_error = 0, free_error = 0;
     const double ball = energy_after(BallJoint{}, ball_error);
     const JointAxis free{.free = true};
@@ -159,7 +159,7 @@ TEST(SixDof, three_free_turns_are_a_ball) {
 }
 
 // A lone free turn goes all the way round, whichever it is.
-TEST(SixDof, each_turn_alone_is_a_hinge) {
+TEST(SixDof, one_free_rotation_equals_a_hinge) {
     for (int axis = 0; axis < 3; axis++) {
         SCOPED_TRACE(axis);
         World world = make_world({.gravity = {}});
@@ -184,7 +184,7 @@ TEST(SixDof, each_turn_alone_is_a_hinge) {
 
 // A universal joint bent by 30 degrees: the driven shaft turns as Cardan's formula says,
 // tan(out) = tan(in) * cos(bend), with w_out between cos(bend) and 1 / cos(bend) of w_in.
-TEST(SixDof, two_free_turns_are_a_universal_joint) {
+TEST(SixDof, two_free_rotations_equal_a_universal_joint) {
     World world = make_world({.gravity = {}});
     const double bend = pi / 6;
     const Quat lean = from_axis_angle({0, 0, 1}, bend);
@@ -213,7 +213,7 @@ TEST(SixDof, two_free_turns_are_a_universal_joint) {
 }
 
 // Each translation has its own spring and its own limit.
-TEST(SixDof, axes_do_not_disturb_each_other) {
+TEST(SixDof, axes_are_independent) {
     World world = make_world({.gravity = {}});
     const BodyId bob = block(world, {.position = {0.2, -0.3, 0}});
     SixDofAxes axes;
@@ -230,7 +230,7 @@ TEST(SixDof, axes_do_not_disturb_each_other) {
 }
 
 // The wheel's spring acts between the wheel and what carries it: here what stands still.
-TEST(Wheel, suspension_swings_with_its_frequency) {
+TEST(Wheel, suspension_oscillates_at_its_frequency) {
     World world = make_world({.gravity = {}});
     const BodyId wheel =
         block(world, {.geometry = Cylinder{0.3, 0.1}, .position = {0, 0.1, 0}, .spin = {0, 0, 30}});
@@ -241,7 +241,7 @@ TEST(Wheel, suspension_swings_with_its_frequency) {
     EXPECT_NEAR(position_of(world, wheel).x, 0, 1e-4);
 }
 
-TEST(Wheel, steers_to_its_angle_and_spins_by_its_torque) {
+TEST(Wheel, reaches_its_steering_angle_and_spins_by_its_torque) {
     World world = make_world({.gravity = {}});
     const BodyId wheel = block(world, {.geometry = Sphere{0.3}});
     const double inertia = state_of(world, wheel).inertia.z.z;
@@ -286,7 +286,7 @@ TEST(Wheel, drives_a_car) {
 }
 
 // A castor turns behind the way it is pulled. The wheel's centre trails its steering axis.
-TEST(Wheel, a_castor_stays_within_its_limits) {
+TEST(Wheel, castor_stays_within_its_limits) {
     World world = make_world({.gravity = {}});
     const BodyId wheel = block(world, {.geometry = Sphere{0.3}, .spin = {0, 3, 0}});
     const JointId joint = join(
@@ -302,7 +302,7 @@ TEST(Wheel, a_castor_stays_within_its_limits) {
 }
 
 // Mirrored arms, moving bases, any thread count: a saved and loaded world goes on in the same way.
-TEST(AxisJoints, go_on_after_a_load) {
+TEST(AxisJoints, continue_identically_after_load) {
     World world = make_world();
     const BodyId a = block(world, {.geometry = Box{{0.2, 0.3, 0.1}}, .spin = {1, 2, 3}});
     const BodyId b = block(world, {.position = {2, 0, 0}});

@@ -13,7 +13,7 @@ namespace jostle::test {
 namespace {
 using namespace physics;
 
-TEST(ContactEvents, ball_lands_rolls_off_nothing_and_leaves) {
+TEST(ContactEvents, landing_and_lifting_a_ball_reports_begin_and_end) {
     World world = make_world();
     const BodyId floor = add_floor(world);
     const BodyId ball = add(world, {.geometry = Sphere{0.5}, .position = {2, 1.5, 3}});
@@ -43,7 +43,7 @@ TEST(ContactEvents, ball_lands_rolls_off_nothing_and_leaves) {
     EXPECT_EQ(ended, 1);
 }
 
-TEST(ContactEvents, sleep_is_not_an_end) {
+TEST(ContactEvents, falling_asleep_reports_no_end) {
     World world = make_world();
     add_floor(world);
     const BodyId box = add(world, {.position = {0, 0.5, 0}});
@@ -74,7 +74,7 @@ TEST(ContactEvents, destroying_a_body_ends_its_contacts_in_the_next_step) {
     EXPECT_EQ(world.events().contacts_ended.size(), 2u);
 }
 
-TEST(ContactEvents, of_a_pile_are_sorted_and_alternate) {
+TEST(ContactEvents, events_of_a_pile_are_sorted_and_alternate) {
     World world = make_world();
     add_floor(world);
     Random random(3);

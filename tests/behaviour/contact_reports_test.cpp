@@ -13,7 +13,7 @@ namespace jostle::test {
 namespace {
 using namespace physics;
 
-TEST(ContactReports, resting_box_presses_with_its_weight) {
+TEST(ContactReports, resting_box_reports_its_weight) {
     World world = make_world();
     add_floor(world);
     const BodyId box = must(world.create_body({.pose = {{0, 0.5, 0}, {}}, .sleep_allowed = false},
@@ -29,7 +29,7 @@ TEST(ContactReports, resting_box_presses_with_its_weight) {
     EXPECT_NEAR(std::fabs(stays[0].normal.y), 1, 1e-9);
 }
 
-TEST(ContactReports, friction_of_a_box_on_a_slope_is_its_weight_along_it) {
+TEST(ContactReports, friction_on_a_slope_is_the_tangential_weight) {
     const double slope = 0.3;
     World world = make_world({.gravity = leaning_gravity(slope, 0.5)});
     add_floor(world, 0.6);
@@ -44,7 +44,7 @@ TEST(ContactReports, friction_of_a_box_on_a_slope_is_its_weight_along_it) {
 }
 
 // Dropped from 1 m and from 5 cm: only the first is harder than 2 m/s.
-TEST(ContactReports, hits_are_those_above_the_worlds_speed) {
+TEST(ContactReports, hits_are_reported_above_the_hit_speed) {
     for (const double height : {0.05, 1.0}) {
         World world = make_world({.hit_speed = 2});
         add_floor(world);
@@ -66,7 +66,7 @@ TEST(ContactReports, hits_are_those_above_the_worlds_speed) {
 }
 
 // A ball so fast that it is swept meets a wall between sub-steps: what it gave it is told, m v.
-TEST(ContactReports, an_impact_between_sub_steps_presses_with_the_momentum_that_it_turned_round) {
+TEST(ContactReports, impact_between_substeps_reports_the_reversed_momentum) {
     for (const double restitution : {0.0, 0.5}) {
         World world = make_world({.gravity = {}});
         must(world.create_body({.type = BodyType::static_body},
@@ -93,7 +93,7 @@ TEST(ContactReports, an_impact_between_sub_steps_presses_with_the_momentum_that_
 }
 
 // A box that slides over forty triangles begins to touch them once, and ends once.
-TEST(ContactReports, mesh_is_one_contact_however_many_triangles) {
+TEST(ContactReports, mesh_reports_one_contact_for_any_number_of_triangles) {
     std::vector<Vec3> vertices;
     std::vector<std::array<std::uint32_t, 3>> triangles;
     for (std::uint32_t i = 0; i <= 20; i++) {

@@ -16,7 +16,7 @@ namespace {
 using namespace physics;
 
 // 1000 balls at 200 m/s and a wall of 5 cm, for each of 16 phases of the step.
-TEST(Continuous, none_of_a_thousand_balls_passes_a_thin_wall) {
+TEST(Continuous, no_ball_of_a_thousand_tunnels_through_a_thin_wall) {
     for (int phase = 0; phase < 16; phase++) {
         World world = make_world({.gravity = {}});
         add(world, {.geometry = Box{{0.025, 10, 10}}, .type = BodyType::static_body});
@@ -37,7 +37,7 @@ TEST(Continuous, none_of_a_thousand_balls_passes_a_thin_wall) {
 
 // A rod of 2 m that turns 10 rad in a step of 1/60 s, beside a post of 2 cm within its reach: it
 // stops at the post or bounces, but is never on the other side without having touched it.
-TEST(Continuous, spinning_rod_does_not_cut_through_a_post) {
+TEST(Continuous, spinning_rod_does_not_tunnel_through_a_post) {
     for (const double spin : {30.0, 100.0, 600.0}) {
         World world = make_world({.gravity = {}});
         add(world, {.geometry = Box{{0.01, 1, 0.01}},
@@ -56,7 +56,7 @@ TEST(Continuous, spinning_rod_does_not_cut_through_a_post) {
 }
 
 // Head on, 400 m/s closing speed, meeting in the middle of a step: they bounce as elastic balls do.
-TEST(Continuous, two_bullets_meet) {
+TEST(Continuous, two_bullets_collide) {
     for (int phase = 0; phase < 8; phase++) {
         World world = make_world({.gravity = {}});
         const double shift = phase * 200.0 / 60 / 8;
@@ -75,7 +75,7 @@ TEST(Continuous, two_bullets_meet) {
 }
 
 // A ball that bounces off a wall in mid-step is where the mirror says, not at the wall.
-TEST(Continuous, time_after_the_impact_is_kept) {
+TEST(Continuous, time_after_the_impact_is_simulated) {
     for (int phase = 0; phase < 16; phase++) {
         World world = make_world({.gravity = {}});
         add(world,
@@ -112,7 +112,7 @@ void throw_plank(const Geometry& ground) {
             EXPECT_LT(deepest, 0.02) << speed << " m/s, phase " << phase;
         }
 }
-TEST(Continuous, far_end_of_a_plank_does_not_go_through) {
+TEST(Continuous, end_of_a_plank_does_not_tunnel) {
     throw_plank(Box{{5, 0.005, 5}});
     throw_plank(Plane{});
     const std::vector<Vec3> vertices{{-5, 0, -5}, {5, 0, -5}, {5, 0, 5}, {-5, 0, 5}, {0.1, 0, 0.2}};
@@ -168,7 +168,7 @@ TEST(Continuous, ball_stays_between_two_thin_walls) {
 
 // A room whose walls are 2 cm thick, and in it shapes of every kind at up to 170 m/s and 100 rad/s:
 // off walls, each other and corners they fly, tumble and bounce, but not out.
-TEST(Continuous, nothing_leaves_a_room) {
+TEST(Continuous, no_body_escapes_a_room) {
     static constexpr ShapeKind kinds[] = {ShapeKind::sphere,   ShapeKind::capsule, ShapeKind::box,
                                           ShapeKind::cylinder, ShapeKind::cone,    ShapeKind::hull};
     for (const double restitution : {0.0, 0.9}) {
@@ -202,7 +202,7 @@ TEST(Continuous, nothing_leaves_a_room) {
 // A ball of half a metre comes back from a wall and catches up with a plate of two centimetres in
 // the same step, by 9 cm: little for the ball, much for the plate. The ball, which turned last,
 // looks for both, and must look as the plate would: they are never half a centimetre in each other.
-TEST(Continuous, thick_one_that_turns_looks_as_the_thin_one_would) {
+TEST(Continuous, rotating_thick_body_is_swept_like_a_thin_one) {
     for (const bool ball_first : {false, true}) {
         World world = make_world({.gravity = {}});
         add(world, {.geometry = Box{{1, 2, 2}},
@@ -228,7 +228,7 @@ TEST(Continuous, thick_one_that_turns_looks_as_the_thin_one_would) {
 // Balls of 3 to 20 cm on one line, which bounce off each other at 60 m/s and more: in every step
 // dozens turn round, and whoever was to meet them must know; light ones between heavy ones have
 // more impacts than a step allows. Nobody passes anybody, and no energy is lost.
-TEST(Continuous, beads_on_a_line_keep_their_order) {
+TEST(Continuous, colliding_beads_keep_their_order) {
     constexpr int count = 59;
     for (const unsigned seed : {1u, 2u, 3u}) {
         World world = make_world({.gravity = {}});
@@ -276,7 +276,7 @@ TEST(Continuous, beads_on_a_line_keep_their_order) {
 }
 
 // A bullet into a crate that stands free: momentum goes over in full.
-TEST(Continuous, dynamic_target_takes_the_momentum) {
+TEST(Continuous, dynamic_target_receives_the_momentum) {
     World world = make_world({.gravity = {}});
     const BodyId crate = add(world, {.geometry = Box{{0.02, 0.5, 0.5}}});
     const BodyId bullet = add(world, {.geometry = Sphere{0.03},
@@ -293,7 +293,7 @@ TEST(Continuous, dynamic_target_takes_the_momentum) {
 
 // A sleeping target wakes.
 // A ball rests a metre before a sheet of 1 cm; a bullet throws it at that, both within one step.
-TEST(Continuous, what_a_bullet_throws_stops_at_the_wall_behind) {
+TEST(Continuous, body_hit_by_a_bullet_stops_at_the_wall_behind) {
     for (const bool asleep : {false, true}) {
         for (int phase = 0; phase < 16; phase++) {
             World world = make_world({.gravity = {}});
@@ -311,7 +311,7 @@ TEST(Continuous, what_a_bullet_throws_stops_at_the_wall_behind) {
     }
 }
 
-TEST(Continuous, bullet_wakes_what_it_hits) {
+TEST(Continuous, bullet_wakes_the_body_it_hits) {
     World world = make_world();
     add_floor(world);
     const BodyId box = add(world, {.position = {0, 0.5, 0}});
@@ -337,7 +337,7 @@ TEST(Continuous, kinematic_blade_bats_a_ball) {
     EXPECT_EQ(state_of(world, blade).angular_velocity, (Vec3{0, 40, 0}));
 }
 
-TEST(Continuous, mesh_of_paper_stops_bullets) {
+TEST(Continuous, thin_mesh_stops_bullets) {
     const std::vector<Vec3> vertices{{0, -5, -5}, {0, 5, -5}, {0, 5, 5}, {0, -5, 5}};
     const std::vector<std::array<std::uint32_t, 3>> triangles{{0, 1, 2}, {0, 2, 3}};
     for (int phase = 0; phase < 16; phase++) {
@@ -357,7 +357,7 @@ TEST(Continuous, mesh_of_paper_stops_bullets) {
 // triangles: a link that meets it takes the others along by its joints in that same step. Stopped
 // by a sweep of its own it is torn 26 cm off. What counts is the mean of the chains: which of them
 // parts furthest is chance.
-TEST(Continuous, chain_that_hits_a_wall_stays_a_chain) {
+TEST(Continuous, chain_that_hits_a_wall_stays_connected) {
     constexpr int links = 6;
     const std::vector<Vec3> vertices{{0, -9, -9}, {0, 9, -9}, {0, 9, 9}, {0, -9, 9}};
     const std::vector<std::array<std::uint32_t, 3>> triangles{{0, 1, 2}, {0, 2, 3}};

@@ -13,7 +13,7 @@ namespace jostle::test {
 namespace {
 using namespace physics;
 
-TEST(DeepOverlap, five_boxes_at_half_pitch_part_below_two_metres_a_second) {
+TEST(DeepOverlap, five_overlapping_boxes_separate_below_2_m_s) {
     World world = make_world();
     add_floor(world);
     std::vector<BodyId> boxes;
@@ -35,7 +35,7 @@ TEST(DeepOverlap, five_boxes_at_half_pitch_part_below_two_metres_a_second) {
 
 // 1000 bodies on a lattice that is a quarter too narrow for them, turned at random, without
 // gravity: what pushes them apart is not to stay with them. Of 1.5 m/s 0.23 did, of 0.8 m/s 0.14.
-TEST(DeepOverlap, a_crowd_parts_without_flying_apart) {
+TEST(DeepOverlap, overlapping_cluster_separates_slowly) {
     World world = make_world({.gravity = {}, .sleeping = false});
     Random random(3);
     std::vector<BodyId> crowd;
@@ -58,7 +58,7 @@ TEST(DeepOverlap, a_crowd_parts_without_flying_apart) {
     EXPECT_LT(world.summary().max_penetration, 0.02);
 }
 
-TEST(DeepOverlap, bodies_at_the_very_same_place_come_apart) {
+TEST(DeepOverlap, coincident_bodies_separate) {
     for (const Geometry& geometry :
          {Geometry{Sphere{0.5}}, Geometry{Capsule{0.3, 0.4}}, Geometry{Box{}}}) {
         World world = make_world({.gravity = {}});
@@ -77,7 +77,7 @@ TEST(DeepOverlap, bodies_at_the_very_same_place_come_apart) {
 // Two boxes fall one close above the other, at a speed that no sweep looks at, and the lower one
 // lands. They were never nearing each other before, whatever the gap between them: the upper one's
 // contact must begin in the step after that, when it has moved 11 cm at most.
-TEST(DeepOverlap, what_falls_behind_another_sees_it_stop) {
+TEST(DeepOverlap, following_body_reacts_to_the_one_ahead_stopping) {
     double deepest = 0;
     for (int g = 0; g < 24; g++)
         for (int s = 0; s < 13; s++) {
@@ -100,7 +100,7 @@ TEST(DeepOverlap, what_falls_behind_another_sees_it_stop) {
     EXPECT_LT(deepest, 0.09);  // 0.23 when pairs were looked at by their own motions' sum
 }
 
-TEST(DeepOverlap, ball_pushed_into_the_ground_comes_up) {
+TEST(DeepOverlap, ball_pushed_into_the_ground_is_pushed_out) {
     World world = make_world();
     add_floor(world);
     const BodyId ball = add(world, {.geometry = Sphere{0.5}, .position = {0, 0, 0}});
@@ -110,7 +110,7 @@ TEST(DeepOverlap, ball_pushed_into_the_ground_comes_up) {
 
 // Two hundred cubes and balls of 0.2 m under a lid, between four walls that come in at 0.2 m/s each
 // until nothing fits any more: the heap burst at up to 10 m/s.
-TEST(DeepOverlap, a_heap_that_walls_squeeze_does_not_burst) {
+TEST(DeepOverlap, pile_squeezed_by_walls_does_not_explode) {
     World world = make_world({.sleeping = false});
     add_floor(world);
     add_static(world, {.geometry = Box{{3, 0.25, 3}}, .position = {0, 1.25, 0}});

@@ -45,7 +45,7 @@ TEST(FastBodies, stop_at_a_thick_wall) {
 }
 
 // Thrown by hand right before the wall: its neighbours must be found before it moves.
-TEST(FastBodies, thrown_from_rest_stop_too) {
+TEST(FastBodies, launched_from_rest_stop_at_the_wall) {
     for (const bool by_impulse : {false, true}) {
         World world = make_world({.gravity = {}});
         add_wall(world, 0.01);
@@ -61,7 +61,7 @@ TEST(FastBodies, thrown_from_rest_stop_too) {
     }
 }
 
-TEST(FastBodies, two_that_meet_head_on_do_not_pass_each_other) {
+TEST(FastBodies, do_not_tunnel_through_each_other_head_on) {
     for (int phase = 0; phase < 16; phase++) {
         World world = make_world({.gravity = {}});
         const double shift = phase * 60.0 / 60 / 16;
@@ -75,7 +75,7 @@ TEST(FastBodies, two_that_meet_head_on_do_not_pass_each_other) {
     }
 }
 
-TEST(FastBodies, that_pass_beside_an_edge_are_not_held_up) {
+TEST(FastBodies, pass_an_edge_without_contact) {
     for (const double speed : speeds)
         for (int phase = 0; phase < 16; phase++) {
             World world = make_world({.gravity = {}});

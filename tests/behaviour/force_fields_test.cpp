@@ -13,7 +13,7 @@ namespace {
 using namespace physics;
 
 // Quadratic drag at rest in wind of 20 m/s: v(t) = u - u / (1 + k u t), k = rho c A / 2 m.
-TEST(ForceFields, wind_takes_a_ball_along_as_the_closed_form_says) {
+TEST(ForceFields, wind_accelerates_a_ball_by_the_closed_form) {
     World world = make_world({.gravity = {}});
     const BodyId ball = add(world, {.geometry = Sphere{0.5}, .density = 10});
     must(world.create_field({.force = UniformWind{.velocity = {20, 0, 0}, .drag = 0.47}}));
@@ -24,7 +24,7 @@ TEST(ForceFields, wind_takes_a_ball_along_as_the_closed_form_says) {
 }
 
 // A parachutist of 80 kg under 1 m^2: sqrt(2 m g / rho c A).
-TEST(ForceFields, what_falls_through_still_air_has_an_end_speed) {
+TEST(ForceFields, falling_body_reaches_terminal_velocity) {
     World world = make_world();
     const BodyId body = must(world.create_body({.pose = {{0, 1000, 0}, {}}, .mass = 80},
                                                {.geometry = Box{{0.5, 0.1, 0.5}}}));
@@ -34,7 +34,7 @@ TEST(ForceFields, what_falls_through_still_air_has_an_end_speed) {
     EXPECT_NEAR(-velocity_of(world, body).y, end, 0.01);
 }
 
-TEST(ForceFields, no_drag_is_too_strong) {
+TEST(ForceFields, any_drag_is_stable) {
     World world = make_world({.gravity = {}});
     const BodyId feather =
         must(world.create_body({.mass = 1e-4}, {.geometry = Box{{0.5, 0.01, 0.5}}}));
@@ -48,7 +48,7 @@ TEST(ForceFields, no_drag_is_too_strong) {
 }
 
 // A circular orbit of radius 10: v^2 = strength / r. Ten turns.
-TEST(ForceFields, a_planet_keeps_to_its_orbit) {
+TEST(ForceFields, planet_stays_on_its_orbit) {
     World world = make_world({.gravity = {}});
     const BodyId planet =
         add(world, {.geometry = Sphere{0.1}, .position = {10, 0, 0}, .velocity = {0, 0, 10}});
@@ -64,7 +64,7 @@ TEST(ForceFields, a_planet_keeps_to_its_orbit) {
     EXPECT_NEAR(furthest, 10, 2e-3);
 }
 
-TEST(ForceFields, a_vortex_turns_what_is_in_it_by_the_right_hand) {
+TEST(ForceFields, vortex_rotates_bodies_by_the_right_hand_rule) {
     World world = make_world({.gravity = {}});
     const BodyId ball = add(world, {.geometry = Sphere{0.1}, .position = {2, 0, 0}});
     must(world.create_field({.force = VortexField{.strength = 6, .lift = 2, .per_mass = true}}));
@@ -73,7 +73,7 @@ TEST(ForceFields, a_vortex_turns_what_is_in_it_by_the_right_hand) {
     EXPECT_TRUE(near(velocity_of(world, ball) * 60, {0, 1, -3}, 1e-3));
 }
 
-TEST(ForceFields, act_in_their_region_on_their_categories) {
+TEST(ForceFields, act_only_in_their_region_and_on_their_categories) {
     World world = make_world({.gravity = {}});
     const BodyId inside = add(world, {}), outside = add(world, {.position = {20, 0, 0}});
     const BodyId other = must(world.create_body({.pose = {{0, 3, 0}, {}}},
@@ -89,7 +89,7 @@ TEST(ForceFields, act_in_their_region_on_their_categories) {
 
 // Heavy and light cubes float upright, submerged by their share of the water's density. (Those
 // between 0.21 and 0.79 of it lean.)
-TEST(ForceFields, wood_floats_as_deep_as_archimedes_says) {
+TEST(ForceFields, wood_floats_at_the_analytic_depth) {
     for (const double density : {900.0, 100.0}) {
         World world = make_world();
         const BodyId cube =
@@ -103,7 +103,7 @@ TEST(ForceFields, wood_floats_as_deep_as_archimedes_says) {
 }
 
 // A log of capsule shape lies down; a raft of boxes that touch is a solved island in water.
-TEST(ForceFields, a_log_lies_down_and_a_stack_of_planks_floats) {
+TEST(ForceFields, log_tips_over_and_a_stack_of_planks_floats) {
     World world = make_world();
     const BodyId log = add(world, {.geometry = Capsule{0.2, 1},
                                    .position = {0, 0.4, 0},
@@ -123,7 +123,7 @@ TEST(ForceFields, a_log_lies_down_and_a_stack_of_planks_floats) {
     EXPECT_NEAR(position_of(world, high).y - position_of(world, low).y, 0.2, 2e-3);
 }
 
-TEST(ForceFields, a_steady_wind_leaves_sleepers_asleep_and_a_change_wakes_them) {
+TEST(ForceFields, steady_wind_does_not_wake_bodies_and_a_change_does) {
     World world = make_world();
     add_floor(world);
     const BodyId crate = add(world, {.position = {0, 0.5, 0}});
@@ -138,7 +138,7 @@ TEST(ForceFields, a_steady_wind_leaves_sleepers_asleep_and_a_change_wakes_them) 
     EXPECT_TRUE(state_of(world, crate).awake);
 }
 
-TEST(ForceFields, what_gusts_reach_does_not_fall_asleep) {
+TEST(ForceFields, bodies_in_gusts_do_not_fall_asleep) {
     World world = make_world();
     add_floor(world);
     const BodyId crate = add(world, {.position = {0, 0.5, 0}});
@@ -147,7 +147,7 @@ TEST(ForceFields, what_gusts_reach_does_not_fall_asleep) {
     EXPECT_TRUE(state_of(world, crate).awake);
 }
 
-TEST(ForceFields, give_the_same_bits_for_any_number_of_threads_and_after_a_load) {
+TEST(ForceFields, are_bit_identical_for_any_thread_count_and_after_load) {
     const auto make = [](int threads) {
         World world = make_world({.threads = threads});
         add_floor(world);

@@ -10,7 +10,7 @@ namespace jostle::test {
 namespace {
 using namespace physics;
 
-TEST(FreeFall, projectile_is_on_its_parabola_after_four_seconds) {
+TEST(FreeFall, projectile_follows_its_parabola_for_four_seconds) {
     for (const Vec3 v0 : {Vec3{3, 4, 5}, Vec3{-7, 12, 0.3}, Vec3{0, -20, 1}}) {
         World world = make_world();
         const BodyId ball = add(world, {.position = {1, 2, 3}, .velocity = v0, .spin = {1, 2, 3}});
@@ -42,7 +42,7 @@ TEST(FreeFall, force_acts_for_one_step_only) {
     EXPECT_NEAR(velocity_of(world, box).x, 6.0 / 60, 1e-12);  // F dt / m
 }
 
-TEST(FreeFall, damping_slows_by_the_exponential_to_first_order) {
+TEST(FreeFall, damping_matches_the_exponential_to_first_order) {
     World world = make_world({.gravity = {}});
     const double c = 0.5, t = 4;
     const BodyId box =
@@ -52,7 +52,7 @@ TEST(FreeFall, damping_slows_by_the_exponential_to_first_order) {
     EXPECT_NEAR(position_of(world, box).x, 8 / c * (1 - std::exp(-c * t)), 0.01 * 16);
 }
 
-TEST(FreeFall, gravity_scale_turns_weight_around) {
+TEST(FreeFall, negative_gravity_scale_reverses_the_weight) {
     World world = make_world();
     const BodyId balloon = must(world.create_body({.gravity_scale = -1}, ShapeDef{}));
     const BodyId ghost =
@@ -62,7 +62,7 @@ TEST(FreeFall, gravity_scale_turns_weight_around) {
     EXPECT_EQ(position_of(world, ghost), (Vec3{9, 0, 0}));
 }
 
-TEST(FreeFall, far_from_the_origin_is_as_exact_as_doubles_are) {
+TEST(FreeFall, is_accurate_to_double_precision_far_from_the_origin) {
     World world = make_world();
     const BodyId ball = add(world, {.position = {1e6, 0, -1e6}, .velocity = {3, 4, 5}});
     run(world, 4);

@@ -32,7 +32,7 @@ Vec3 runge_kutta(Vec3 w, double h) {
     return w + (a + (b + c) * 2 + d) * (h / 6);
 }
 
-TEST(FreeRotation, middle_axis_flips_when_euler_says) {
+TEST(FreeRotation, intermediate_axis_flips_at_the_analytic_time) {
     World world = make_world({.gravity = {}});
     const BodyId body = add(world, wing_nut());
     const Vec3 L0 = Vec3{moments.x * spin.x, moments.y * spin.y, moments.z * spin.z};
@@ -70,7 +70,7 @@ TEST(FreeRotation, middle_axis_flips_when_euler_says) {
     EXPECT_NEAR(flips[1], true_flips[1], 0.30);
 }
 
-TEST(FreeRotation, ten_minutes_keep_energy_and_momentum) {
+TEST(FreeRotation, conserves_energy_and_momentum_for_ten_minutes) {
     World world = make_world({.gravity = {}});
     const BodyId body = add(world, wing_nut());
     const BodyState start = state_of(world, body);
@@ -91,7 +91,7 @@ TEST(FreeRotation, ten_minutes_keep_energy_and_momentum) {
     EXPECT_LT(energy_drift, 1e-2);
 }
 
-TEST(FreeRotation, sphere_turns_at_constant_rate) {
+TEST(FreeRotation, sphere_rotates_at_a_constant_rate) {
     World world = make_world({.gravity = {}});
     const BodyId ball = add(world, {.geometry = Sphere{}, .spin = {0, 0, 2}});
     run(world, 1);
@@ -100,7 +100,7 @@ TEST(FreeRotation, sphere_turns_at_constant_rate) {
     EXPECT_NEAR(norm_squared(q), 1, 1e-12);
 }
 
-TEST(FreeRotation, angular_impulse_divides_by_inertia) {
+TEST(FreeRotation, angular_impulse_is_divided_by_the_inertia) {
     World world = make_world({.gravity = {}});
     const BodyId ball = add(world, {.geometry = Sphere{0.5}});
     const double inertia = 0.4 * 1000 * 4.0 / 3 * pi * 0.125 * 0.25;  // 2/5 m r^2

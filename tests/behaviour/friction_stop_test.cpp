@@ -14,7 +14,7 @@ using namespace physics;
 
 const Vec3 along{0.86602540378443865, 0, 0.5};  // azimuth 30 degrees
 
-TEST(Friction, box_slides_as_far_as_coulomb_says) {
+TEST(Friction, box_slides_the_coulomb_distance) {
     World world = make_world();
     add_floor(world, 0.4);
     const BodyId box = add(world, {.geometry = Box{{0.5, 0.05, 0.5}},
@@ -42,7 +42,7 @@ TEST(Friction, pair_uses_the_geometric_mean) {
 }
 
 // Slides until the surface has caught up, at t = 2 v / (7 mu g), then rolls with 5/7 of the speed.
-TEST(Friction, sliding_ball_begins_to_roll) {
+TEST(Friction, sliding_ball_transitions_to_rolling) {
     World world = make_world();
     add_floor(world, 0.3);
     const BodyId ball = add(
@@ -60,7 +60,7 @@ TEST(Friction, sliding_ball_begins_to_roll) {
 
 // Each ring of the ground face brakes with mu p r: a spinning box stops in finite time and does not
 // wander.
-TEST(Friction, spinning_box_stops_on_the_spot) {
+TEST(Friction, spinning_box_stops_in_place) {
     World world = make_world();
     add_floor(world, 0.5);
     const BodyId box = add(
@@ -73,7 +73,7 @@ TEST(Friction, spinning_box_stops_on_the_spot) {
 
 // A floor of separate tiles that lie flush: a crate does not catch on their seams, but on a tile
 // that stands one centimetre higher.
-TEST(Friction, crate_slides_over_seams_and_not_over_a_kerb) {
+TEST(Friction, crate_slides_over_seams_but_not_over_a_kerb) {
     for (const bool planar : {false, true})
         for (const double speed : {0.5, 3.0, 10.0, 30.0})
             for (const double kerb : {0.0, 0.01}) {
@@ -112,7 +112,7 @@ TEST(Friction, crate_slides_over_seams_and_not_over_a_kerb) {
 
 // Coulomb's distance at any rate, along no axis: what a box that is put down at zero gap loses
 // before its weight is felt may not grow with the rate.
-TEST(Friction, stops_where_coulomb_says_at_every_rate) {
+TEST(Friction, stopping_distance_is_independent_of_the_step_rate) {
     const double distance = 25 / (2 * 0.4 * 9.81);
     double before = 1;
     for (const double hz : {60.0, 120.0, 240.0, 480.0, 960.0}) {
@@ -132,7 +132,7 @@ TEST(Friction, stops_where_coulomb_says_at_every_rate) {
 }
 
 // On a slope of 0.3 with a friction of 0.2 it slides by half of (sine - 0.2 cosine) g t^2.
-TEST(Friction, slides_as_coulomb_says_at_every_rate) {
+TEST(Friction, sliding_speed_is_independent_of_the_step_rate) {
     const double cosine = 1 / std::sqrt(1.09), way = 0.5 * 9.81 * (0.3 - 0.2) * cosine * 4;
     for (const double hz : {60.0, 120.0, 240.0, 480.0, 960.0}) {
         World world = make_world({.gravity = leaning_gravity(0.3, pi / 6)});

@@ -32,7 +32,7 @@ struct Counted {
 };
 
 // A minute at 6 rad/s against a load: 57 turns, and no drift.
-TEST(Gear, keeps_its_ratio_for_a_minute) {
+TEST(Gear, holds_its_ratio_for_a_minute) {
     World world = make_world({.gravity = {}});
     const BodyId small = wheel_at(world, {0, 0, 0}, {.motor = {true, 6, 1e5}});
     const BodyId large = wheel_at(world, {3, 0, 0}, {.motor = {true, 0, 20}});
@@ -51,7 +51,7 @@ TEST(Gear, keeps_its_ratio_for_a_minute) {
 }
 
 // Torque: 1 N m on the first wheel acts as 1 N m against I_a + I_b / ratio^2.
-TEST(Gear, accelerates_both_by_their_common_inertia) {
+TEST(Gear, accelerates_by_the_combined_inertia) {
     World world = make_world({.gravity = {}});
     const BodyId first = wheel_at(world, {0, 0, 0});
     const BodyId second = wheel_at(world, {3, 0, 0});
@@ -66,7 +66,7 @@ TEST(Gear, accelerates_both_by_their_common_inertia) {
 }
 
 // Fast: more than half a turn in each step.
-TEST(Gear, keeps_its_ratio_at_two_hundred_radians_a_second) {
+TEST(Gear, holds_its_ratio_at_200_rad_s) {
     World world = make_world({.gravity = {}});
     const BodyId first = wheel_at(world, {0, 0, 0}, {.motor = {true, 200, 1e6}});
     const BodyId second = wheel_at(world, {3, 0, 0});
@@ -83,7 +83,7 @@ TEST(Gear, keeps_its_ratio_at_two_hundred_radians_a_second) {
 
 // Both wheels on a frame that tumbles: the frame carries them, so they turn against it alone, and
 // what they do to each other it feels. Nothing outside pushes: the angular momentum stays.
-TEST(Gear, turns_against_its_carrier) {
+TEST(Gear, rotates_relative_to_its_carrier) {
     World world = make_world({.gravity = {}});
     const BodyId frame = block(world, {.geometry = Box{{1.5, 0.2, 0.2}}, .spin = {0.5, 1, 2}});
     const auto wheel = [&](double x, const HingeJoint& hinge) {
@@ -113,7 +113,7 @@ TEST(Gear, turns_against_its_carrier) {
 }
 
 // Bevel gears: one about z, the other about x.
-TEST(Gear, axes_need_not_be_parallel) {
+TEST(Gear, supports_non_parallel_axes) {
     World world = make_world({.gravity = {}});
     const Quat to_x = from_axis_angle({0, 1, 0}, pi / 2);
     const BodyId first = wheel_at(world, {0, 0, 0}, {.motor = {true, 2, 1e5}});
@@ -126,7 +126,7 @@ TEST(Gear, axes_need_not_be_parallel) {
 }
 
 // A weight on the rack turns the pinion: a = g / (1 + I / (m r^2)).
-TEST(Rack, falls_against_its_pinions_inertia) {
+TEST(Rack, falls_at_the_analytic_rate_with_the_pinion_inertia) {
     World world = make_world();
     const BodyId pinion = wheel_at(world, {0, 0, 0});
     const Quat down = from_axis_angle({1, 0, 0}, pi / 2);  // z to -y
@@ -162,7 +162,7 @@ struct Atwood {
 };
 
 // Atwood's machine: a = g (m1 - m2) / (m1 + m2), rope tension 2 m1 m2 g / (m1 + m2).
-TEST(Pulley, accelerates_as_atwood_says) {
+TEST(Pulley, matches_the_atwood_machine) {
     Atwood it(3, 2, {.point_a = {-1, 5, 0}, .point_b = {1, 5, 0}, .length = 10});
     run(it.world, 1);
     EXPECT_NEAR(velocity_of(it.world, it.left).y, -9.81 / 5, 0.01);
@@ -173,7 +173,7 @@ TEST(Pulley, accelerates_as_atwood_says) {
 }
 
 // A tackle of two: 2 kg hold 4 kg.
-TEST(Pulley, a_ratio_is_a_tackle) {
+TEST(Pulley, ratio_acts_as_a_block_and_tackle) {
     Atwood it(2, 4, {.point_a = {-1, 5, 0}, .point_b = {1, 5, 0}, .length = 15, .ratio = 2});
     run(it.world, 5);
     EXPECT_NEAR(position_of(it.world, it.left).y, 0, 2e-3);
@@ -181,7 +181,7 @@ TEST(Pulley, a_ratio_is_a_tackle) {
 }
 
 // A loose rope does nothing until it is tight.
-TEST(Pulley, pulls_and_never_pushes) {
+TEST(Pulley, only_pulls) {
     Atwood it(2, 2, {.point_a = {-1, 5, 0}, .point_b = {1, 5, 0}, .length = 11});
     run(it.world, 0.2);
     EXPECT_NEAR(velocity_of(it.world, it.left).y, -9.81 * 0.2, 1e-3);
@@ -202,7 +202,7 @@ TEST(Pulley, breaks_at_its_force) {
     EXPECT_TRUE(it.world.joints().empty());
 }
 
-TEST(GearJoints, go_on_after_a_load_and_with_any_threads) {
+TEST(GearJoints, continue_identically_after_load_for_any_thread_count) {
     const auto make = [](int threads) {
         World world = make_world({.threads = threads});
         const BodyId pinion = wheel_at(world, {0, 0, 0}, {.motor = {true, 3, 500}});

@@ -19,7 +19,7 @@ JointId grab(World& world, BodyId body, Vec3 anchor, const GrabJoint& kind) {
 }
 
 // Undamped: a ball swings about the target with the spring's frequency.
-TEST(Grab, is_a_spring_of_its_frequency) {
+TEST(Grab, oscillates_at_its_frequency) {
     World world = make_world({.gravity = {}});
     const BodyId ball = add(world, {.geometry = Sphere{0.5}, .sleep_allowed = false});
     grab(world, ball, {}, {.target = {1, 0, 0}, .spring = {1, 0}});
@@ -37,7 +37,7 @@ TEST(Grab, is_a_spring_of_its_frequency) {
 }
 
 // 2 kg, at most 10 N: 5 m/s^2, however far the target is.
-TEST(Grab, pulls_no_harder_than_its_force) {
+TEST(Grab, respects_its_maximum_force) {
     World world = make_world({.gravity = {}});
     const BodyId ball = add(world, {.geometry = Sphere{0.5}, .sleep_allowed = false});
     must(world.set_mass(ball, 2));
@@ -49,7 +49,7 @@ TEST(Grab, pulls_no_harder_than_its_force) {
 }
 
 // Hooke: it hangs g / (2 pi f)^2 below the target.
-TEST(Grab, a_weight_hangs_as_deep_as_hooke_says) {
+TEST(Grab, static_deflection_follows_hooke) {
     World world = make_world();
     const BodyId ball = add(world, {.geometry = Sphere{0.5}, .sleep_allowed = false});
     grab(world, ball, {}, {.spring = {1, 1}});
@@ -57,7 +57,7 @@ TEST(Grab, a_weight_hangs_as_deep_as_hooke_says) {
     EXPECT_NEAR(position_of(world, ball).y, -9.81 / (4 * pi * pi), 1e-3);
 }
 
-TEST(Grab, turn_damping_is_a_rate) {
+TEST(Grab, angular_damping_is_a_rate) {
     World world = make_world({.gravity = {}});
     const BodyId ball =
         add(world, {.geometry = Sphere{0.5}, .spin = {0, 3, 0}, .sleep_allowed = false});
@@ -91,7 +91,7 @@ GrabJoint hand_of(const World& world, BodyId body, Vec3 target) {
             .turn_damping = 4};
 }
 
-TEST(Grab, brings_any_mass_to_the_hand_and_stops_there) {
+TEST(Grab, moves_any_mass_to_the_target_and_stops) {
     for (const Held& held : held_bodies()) {
         SCOPED_TRACE(held.what);
         World world = make_world({.gravity = {}});
@@ -111,7 +111,7 @@ TEST(Grab, brings_any_mass_to_the_hand_and_stops_there) {
     }
 }
 
-TEST(Grab, a_hand_that_jumps_about_never_makes_a_body_run_away) {
+TEST(Grab, jumping_target_never_makes_a_body_diverge) {
     std::vector<Held> all = held_bodies();
     all.push_back({"ball by a point 100 m away", {.geometry = Sphere{0.3}}, {100, 0, 0}});
     for (const Held& held : all) {
@@ -138,7 +138,7 @@ TEST(Grab, a_hand_that_jumps_about_never_makes_a_body_run_away) {
 }
 
 // A joint to the world needs no body there: it sleeps, is saved, and goes with its body.
-TEST(Grab, to_the_world_is_saved_and_goes_with_its_body) {
+TEST(Grab, world_grab_is_saved_and_destroyed_with_its_body) {
     World world = make_world();
     const BodyId ball = add(world, {.geometry = Sphere{0.5}});
     const JointId joint = grab(world, ball, {}, {.target = {0, 1, 0}, .spring = {3, 1}});
@@ -158,7 +158,7 @@ TEST(Grab, to_the_world_is_saved_and_goes_with_its_body) {
 }
 
 // A pendulum whose pivot is a point of the world.
-TEST(WorldJoints, any_kind_may_hang_on_the_world) {
+TEST(WorldJoints, support_every_joint_kind) {
     World world = make_world();
     const BodyId ball =
         add(world, {.geometry = Sphere{0.1}, .position = {2, 3, 0}, .sleep_allowed = false});
@@ -178,7 +178,7 @@ TEST(WorldJoints, any_kind_may_hang_on_the_world) {
 
 // A lamp that hangs on the world rests against a crate. The crate is taken away and the lamp
 // swings: the crate sleeps for itself. A step of another length does not kick the lamp.
-TEST(WorldJoints, an_island_with_one_is_cut_and_its_steps_may_change) {
+TEST(WorldJoints, island_with_a_world_joint_can_split_and_change_its_substeps) {
     World world = make_world();
     add_floor(world);
     const BodyId crate = add(world, {.geometry = Box{{0.5, 0.5, 0.5}}, .position = {0, 0.5, 0}});

@@ -23,14 +23,14 @@ double worst_after(World& world, double seconds) {
     return worst;
 }
 
-TEST(HardScenes, fifty_boxes_stand_for_twenty_seconds) {
+TEST(HardScenes, stack_of_fifty_boxes_stands_for_20_s) {
     World world = make_world({.sleeping = false});
     add_floor(world);
     for (int i = 0; i < 50; i++) add(world, {.position = {0, 0.5 + i, 0}});
     EXPECT_LT(worst_after(world, 20), 0.01);
 }
 
-TEST(HardScenes, a_thousandfold_load_is_carried) {
+TEST(HardScenes, load_of_1000_times_the_mass_is_carried) {
     World world = make_world({.sleeping = false});
     add_floor(world);
     add(world, {.position = {0, 0.5, 0}, .density = 1});
@@ -38,7 +38,7 @@ TEST(HardScenes, a_thousandfold_load_is_carried) {
     EXPECT_LT(worst_after(world, 10), 0.002);
 }
 
-TEST(HardScenes, twenty_plates_of_a_centimetre_stand) {
+TEST(HardScenes, stack_of_twenty_1_cm_plates_stands) {
     World world = make_world({.sleeping = false});
     add_floor(world);
     for (int i = 0; i < 20; i++)

@@ -58,25 +58,25 @@ void expect_speeds(const std::vector<RowBall>& row, const std::vector<double>& e
 
 // --- Newton's cradle ---
 
-TEST(Cradle, one_ball_in_one_ball_out) {
+TEST(Cradle, one_ball_in_yields_one_ball_out) {
     expect_speeds({{-0.5, 1}, {0}, {0.2}, {0.4}, {0.6}}, {0, 0, 0, 0, 1});
 }
 
-TEST(Cradle, two_balls_in_two_balls_out) {
+TEST(Cradle, two_balls_in_yield_two_balls_out) {
     expect_speeds({{-0.7, 1}, {-0.5, 1}, {0}, {0.2}, {0.4}}, {0, 0, 0, 1, 1});
 }
 
-TEST(Cradle, with_gaps_the_push_arrives_later_and_whole) {
+TEST(Cradle, gaps_delay_the_impulse_without_loss) {
     expect_speeds({{-0.5, 1}, {0}, {0.203}, {0.41}, {0.63}}, {0, 0, 0, 0, 1});
 }
 
 // Two come from either side: each sends the one at the other end back.
-TEST(Cradle, from_both_sides_both_come_back) {
+TEST(Cradle, balls_from_both_sides_bounce_back) {
     expect_speeds({{-0.5, 1}, {0}, {0.2}, {0.4}, {0.9, -1}}, {-1, 0, 0, 0, 1});
 }
 
 // Each hands 2 m / (m + M) of its speed on to the next: 1 to 2, 2 to 4 kg.
-TEST(Cradle, of_unequal_masses_each_pair_counts) {
+TEST(Cradle, unequal_masses_match_pairwise_impacts) {
     const double first = 1.0 - 4.0 / 3, second = 2.0 / 3 * (1 - 4.0 / 3), last = 4.0 / 9;
     expect_speeds({{-0.5, 1, 1000}, {0, 0, 2000}, {0.2, 0, 4000}}, {first, second, last});
 }
@@ -84,7 +84,7 @@ TEST(Cradle, of_unequal_masses_each_pair_counts) {
 // On threads of a metre, two to a ball as in the toy: the first comes down from 8 degrees and
 // strikes at the bottom. Its height is that of the other side afterwards, and the others hang
 // still.
-TEST(Cradle, on_threads_the_last_swings_as_high_as_the_first_did) {
+TEST(Cradle, last_suspended_ball_rises_as_high_as_the_first) {
     for (const double hz : {60.0, 120.0, 240.0}) {
         World world = make_world({.sleeping = false});
         const BodyId frame =
@@ -124,7 +124,7 @@ TEST(Cradle, on_threads_the_last_swings_as_high_as_the_first_did) {
 // --- billiards ---
 
 // The normal is that of the moment when they meet: 30 degrees off the way of the first.
-TEST(Billiard, the_struck_ball_leaves_along_the_line_of_centres) {
+TEST(Billiard, struck_ball_moves_along_the_line_of_centers) {
     const Vec3 along = normalized(Vec3{0.8, 0, 0.6}), aside{-along.z, 0, along.x};
     const Vec3 normal = along * square_root(0.75) + aside * 0.5;
     double worst = 0;
@@ -150,7 +150,7 @@ TEST(Billiard, the_struck_ball_leaves_along_the_line_of_centres) {
 // spins much, as nothing rubs. What is too slow to bounce is left to the
 // contact solver, whose normals are those of the step. (With continuous = false it has all impacts:
 // balls spin at up to 17 rad/s, and a sixth of the energy is gone at 60 Hz.)
-TEST(Billiard, a_break_keeps_energy_and_momentum) {
+TEST(Billiard, break_conserves_energy_and_momentum) {
     for (const double hz : rates) {
         World world = make_world({.gravity = {}, .sleeping = false});
         const TestBody ball{.geometry = Sphere{radius}, .friction = 0, .restitution = 1};
@@ -179,7 +179,7 @@ TEST(Billiard, a_break_keeps_energy_and_momentum) {
 // --- energy ---
 
 // A gas of balls in a box that takes nothing, for three seconds.
-TEST(Impacts, elastic_balls_in_a_box_keep_their_energy) {
+TEST(Impacts, elastic_balls_in_a_box_conserve_energy) {
     for (const double hz : rates) {
         World world = make_world({.sleeping = false});
         const auto wall = [&](Vec3 at, Vec3 half) {
@@ -211,7 +211,7 @@ TEST(Impacts, elastic_balls_in_a_box_keep_their_energy) {
 
 // --- apexes ---
 
-TEST(Impacts, apexes_of_a_bouncing_ball_fall_by_e_squared_at_every_rate) {
+TEST(Impacts, bounce_height_decays_by_e_squared_at_every_step_rate) {
     double worst = 0;
     for (const double hz : rates)
         for (int phase = 0; phase < 4; phase++) {
@@ -248,7 +248,7 @@ TEST(Impacts, apexes_of_a_bouncing_ball_fall_by_e_squared_at_every_rate) {
 
 // Balls that rub and bounce fly into each other in empty space. Impulses come in pairs at one
 // point.
-TEST(Impacts, colliding_balls_keep_their_angular_momentum) {
+TEST(Impacts, colliding_balls_conserve_angular_momentum) {
     for (const double hz : rates) {
         World world = make_world({.gravity = {}, .sleeping = false});
         Random random(9);

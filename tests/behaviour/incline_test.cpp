@@ -43,7 +43,7 @@ TEST(Incline, box_sticks_when_friction_is_above_the_slope) {
     EXPECT_LT(creep, 1e-3);
 }
 
-TEST(Incline, box_just_above_the_limit_sticks_too) {
+TEST(Incline, box_just_above_the_friction_limit_sticks) {
     World world = incline(0.31, false);
     const BodyId box =
         add(world, {.geometry = Box{{0.5, 0.25, 0.5}}, .position = {0, 0.25, 0}, .friction = 0.31});
@@ -52,7 +52,7 @@ TEST(Incline, box_just_above_the_limit_sticks_too) {
     EXPECT_LT(length({p.x, 0, p.z}), 1e-3);
 }
 
-TEST(Incline, box_slides_as_coulomb_says_when_friction_is_below_the_slope) {
+TEST(Incline, box_slides_at_the_coulomb_acceleration_below_the_friction_limit) {
     World world = incline(0.2);
     const BodyId box =
         add(world, {.geometry = Box{{0.5, 0.25, 0.5}}, .position = {0, 0.25, 0}, .friction = 0.2});
@@ -64,7 +64,7 @@ TEST(Incline, box_slides_as_coulomb_says_when_friction_is_below_the_slope) {
 }
 
 // Contacts are integrated by sub-steps of 1/480 s: the way is long by half of one in 2 s.
-TEST(Incline, frictionless_box_slides_as_if_it_fell) {
+TEST(Incline, frictionless_box_accelerates_by_gravity_along_the_slope) {
     World world = incline(0);
     const BodyId box = add(world, {.position = {0, 0.5, 0}, .friction = 0});
     run(world, 2);
@@ -73,7 +73,7 @@ TEST(Incline, frictionless_box_slides_as_if_it_fell) {
     EXPECT_TRUE(near({p.x, 0, p.z}, downhill() * distance, 2e-3 * distance));
 }
 
-TEST(Incline, sphere_rolls_with_five_sevenths) {
+TEST(Incline, sphere_rolls_at_five_sevenths_of_the_acceleration) {
     World world = incline(0.5);
     const BodyId ball = add(world, {.geometry = Sphere{0.2}, .position = {0, 0.2, 0}});
     run(world, 2);
@@ -101,7 +101,7 @@ TEST(Incline, capsule_rolls_about_its_axis) {
 }
 
 // The same law on a slope that is a body turned in space.
-TEST(Incline, box_slides_down_a_tilted_fixed_box) {
+TEST(Incline, box_slides_down_a_tilted_static_box) {
     World world = make_world();
     const Quat tilt = from_rotation_vector(cross(downhill(), {0, -1, 0}) * std::atan(slope));
     add(world, {.geometry = Box{{20, 1, 20}},

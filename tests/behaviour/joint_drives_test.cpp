@@ -23,7 +23,7 @@ double turn_between(Quat a, Quat b) {
     return 2 * std::atan2(length(Vec3{q.x, q.y, q.z}), std::abs(q.w));
 }
 
-TEST(Drive, a_ball_goes_to_its_target_and_stays) {
+TEST(Drive, ball_joint_drive_reaches_and_holds_its_target) {
     for (const double angle : {0.5, 2.0, 3.0}) {
         World world = make_world({.gravity = {}});
         const BodyId body = ball_body(world);
@@ -36,7 +36,7 @@ TEST(Drive, a_ball_goes_to_its_target_and_stays) {
 }
 
 // Undamped, it swings with the spring's frequency.
-TEST(Drive, swings_with_its_frequency) {
+TEST(Drive, oscillates_at_its_frequency) {
     World world = make_world({.gravity = {}});
     const BodyId body = ball_body(world);
     const Quat target = from_axis_angle({0, 0, 1}, 0.5);
@@ -59,7 +59,7 @@ TEST(Drive, swings_with_its_frequency) {
 }
 
 // A torque of I rad/s^2 at most.
-TEST(Drive, has_no_more_than_its_torque) {
+TEST(Drive, respects_its_maximum_torque) {
     for (const bool cone : {false, true}) {
         World world = make_world({.gravity = {}});
         const BodyId body = ball_body(world);
@@ -77,7 +77,7 @@ TEST(Drive, has_no_more_than_its_torque) {
 }
 
 // A spring that may pull with I rad/s^2 at most, about a hinge or a six-dof's lone turn.
-TEST(Drive, a_spring_about_an_axis_has_no_more_than_its_torque) {
+TEST(Drive, axis_spring_respects_its_maximum_torque) {
     for (const bool hinge : {true, false}) {
         World world = make_world({.gravity = {}});
         const BodyId body = ball_body(world);
@@ -93,7 +93,7 @@ TEST(Drive, a_spring_about_an_axis_has_no_more_than_its_torque) {
 }
 
 // 1 m/s^2 at most; without a bound the spring is there in a moment.
-TEST(Drive, a_spring_along_a_slider_has_no_more_than_its_force) {
+TEST(Drive, slider_spring_respects_its_maximum_force) {
     for (const bool bounded : {true, false}) {
         World world = make_world({.gravity = {}});
         const BodyId body = ball_body(world);
@@ -123,7 +123,7 @@ TEST(Drive, stays_within_the_cone) {
 }
 
 // 2 rad/s^2 against the spin.
-TEST(BallFriction, takes_away_spin_by_its_torque) {
+TEST(BallFriction, reduces_spin_by_its_torque) {
     World world = make_world({.gravity = {}});
     const BodyId body = ball_body(world, {0, 3, 4});
     const double inertia = state_of(world, body).inertia.z.z;
@@ -134,7 +134,7 @@ TEST(BallFriction, takes_away_spin_by_its_torque) {
     EXPECT_LT(length(state_of(world, body).angular_velocity), 1e-4);
 }
 
-TEST(Drive, the_bound_of_a_spring_is_saved) {
+TEST(Drive, maximum_of_a_spring_is_saved) {
     World world = make_world();
     const JointId joint = join_to_world(world, ball_body(world),
                                         HingeJoint{.spring = {1, 1}, .spring_max_torque = 7});
@@ -146,7 +146,7 @@ TEST(Drive, the_bound_of_a_spring_is_saved) {
     EXPECT_FALSE(world.set_joint(joint, HingeJoint{.spring_max_torque = -1}).ok());
 }
 
-TEST(Drive, goes_on_after_a_load) {
+TEST(Drive, continues_identically_after_load) {
     World world = make_world();
     const BodyId body = ball_body(world, {1, 2, 3});
     join_to_world(world, body,

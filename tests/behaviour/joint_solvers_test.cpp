@@ -66,7 +66,7 @@ Worst run_worst(World& world, double seconds) {
 // Eight links on cone-twists so wide that nobody feels them, and a hundred links' mass at their
 // end, swing for two seconds from level. Measured: 4e-7 m and 0.04 J, 2e-4 m and 9 J, 0.011 m and
 // 54 J.
-TEST(JointSolvers, direct_keeps_the_energy_of_a_chain_of_cones) {
+TEST(JointSolvers, direct_conserves_the_energy_of_a_cone_twist_chain) {
     const auto swing = [](JointSolver solver) {
         World world = make_world({.joint_solver = solver});
         hang_chain(world, {0, 5, 0}, 8, ConeTwistJoint{.swing = 3, .twist = {}}, 1e5);
@@ -86,7 +86,7 @@ TEST(JointSolvers, direct_keeps_the_energy_of_a_chain_of_cones) {
 }
 
 // One joint of a chain in a world that says nothing decides for all of it, and for no other chain.
-TEST(JointSolvers, of_one_joint_is_that_of_its_group) {
+TEST(JointSolvers, preference_of_one_joint_applies_to_its_group) {
     World world = make_world();
     const JointKind cone = ConeTwistJoint{.swing = 3, .twist = {}};
     const CapsuleChain exact = hang_chain(world, {0, 5, 0}, 8, cone, 1e5);
@@ -116,7 +116,7 @@ TEST(JointSolvers, of_one_joint_is_that_of_its_group) {
 
 // Two worlds that are told the same in the middle of a swing go on alike, and so does one that was
 // saved before it was told; impulses that joints keep are those of either solver.
-TEST(JointSolvers, may_change_while_a_chain_swings) {
+TEST(JointSolvers, can_change_while_a_chain_swings) {
     World world = make_world();
     hang_chain(world, {0, 5, 0}, 8, BallJoint{}, 1e4);
     run(world, 0.3);
@@ -147,7 +147,7 @@ void hang_net(World& world, int n, double y, double end_density) {
 
 // 16 by 16, a hundred balls' mass on each of the last row: too dense for a world that says nothing.
 // In the air gaps were 1.6e-3 m and are 4e-5. On the floor they are 6e-5 swept and 4e-5 at once.
-TEST(JointSolvers, direct_holds_dense_nets) {
+TEST(JointSolvers, direct_solves_dense_nets) {
     for (const bool on_floor : {false, true}) {
         const auto hang = [&](JointSolver solver) {
             World world = make_world({.joint_solver = solver});
@@ -168,7 +168,7 @@ TEST(JointSolvers, direct_holds_dense_nets) {
 // A flat net has many rows that say what others say, all but exactly as soon as it bends: none of
 // them may pull as hard as it likes. For five seconds it falls, bends, swings and touches itself,
 // and gains less than 30 J, of the 1 to 19 kJ that it has above the ground.
-TEST(JointSolvers, nets_do_not_burst) {
+TEST(JointSolvers, nets_do_not_explode) {
     for (const int n : {3, 4, 6, 10}) {
         World world = make_world();
         hang_net(world, n, 5, 1000);
@@ -188,7 +188,7 @@ TEST(JointSolvers, nets_do_not_burst) {
 
 // What nobody could solve in time is solved as before, and the profile says so: a hub with a
 // thousand spokes, which alone would take 4e9 multiplications, and a net of 50 by 50.
-TEST(JointSolvers, direct_has_a_ceiling) {
+TEST(JointSolvers, direct_has_a_work_limit) {
     World hub = make_world({.gravity = {}, .joint_solver = JointSolver::direct});
     const BodyId middle = add(hub, {.geometry = Sphere{1}});
     for (int k = 0; k < 1000; k++) {

@@ -59,7 +59,7 @@ Chain hang_chain(World& world, BodyId post, Vec3 start, Vec3 way, int links) {
 
 // A ball of a thousand links' mass swings into a wall of bricks: the chain of fifty that bears it
 // opens by less than a hundredth of a link.
-TEST(JointedContacts, a_wrecking_ball_does_not_stretch_its_chain) {
+TEST(JointedContacts, wrecking_ball_does_not_stretch_its_chain) {
     World world = make_world();
     add_floor(world);
     const BodyId post = add(
@@ -83,7 +83,7 @@ TEST(JointedContacts, a_wrecking_ball_does_not_stretch_its_chain) {
 }
 
 // A chain between a post and the floor, a heavy last link: it falls, lies, and is whole throughout.
-TEST(JointedContacts, a_chain_comes_to_rest_on_the_floor_in_one_piece) {
+TEST(JointedContacts, chain_comes_to_rest_on_the_floor_connected) {
     World world = make_world();
     add_floor(world);
     const BodyId post = add(world, {.geometry = Box{{0.1, 0.1, 0.1}},
@@ -96,7 +96,7 @@ TEST(JointedContacts, a_chain_comes_to_rest_on_the_floor_in_one_piece) {
 }
 
 // Planks between two walls, hinged, and a ball of a hundred planks' mass on them.
-TEST(JointedContacts, a_bridge_bears_a_heavy_ball) {
+TEST(JointedContacts, bridge_carries_a_heavy_ball) {
     World world = make_world();
     const BodyId left = add(
         world,

@@ -14,7 +14,7 @@ using namespace physics;
 
 // A rod of 1 m on a hinge, released level: the period of a physical pendulum at 90 degrees is
 // 1.935750 s (4 K(k) / w0).
-TEST(Joints, pendulum_swings_with_the_exact_period) {
+TEST(Joints, pendulum_has_the_exact_period) {
     World world = make_world();
     const BodyId rod =
         add(world,
@@ -38,7 +38,7 @@ TEST(Joints, pendulum_swings_with_the_exact_period) {
     EXPECT_LT(worst, 1e-3);
 }
 
-TEST(Joints, hinge_keeps_its_axis_and_stops_at_its_limits) {
+TEST(Joints, hinge_holds_its_axis_and_limits) {
     World world = make_world();
     const BodyId door =
         add(world, {.geometry = Box{{0.5, 1, 0.05}}, .position = {0.5, 0, 0}, .spin = {0, 3, 0}});
@@ -57,7 +57,7 @@ TEST(Joints, hinge_keeps_its_axis_and_stops_at_its_limits) {
 }
 
 // Without gravity: the speed rises as torque over inertia until the motor's own.
-TEST(Joints, motor_accelerates_by_its_torque_to_its_speed) {
+TEST(Joints, motor_accelerates_by_its_torque_up_to_its_speed) {
     World world = make_world({.gravity = {}});
     const BodyId rod =
         add(world,
@@ -72,7 +72,7 @@ TEST(Joints, motor_accelerates_by_its_torque_to_its_speed) {
     EXPECT_NEAR(state_of(world, rod).angular_velocity.z, 2, 1e-3);
 }
 
-TEST(Joints, cone_twist_holds_swing_and_twist) {
+TEST(Joints, cone_twist_limits_swing_and_twist) {
     World world = make_world();
     const BodyId arm = add(world, {.geometry = Capsule{0.1, 0.4},
                                    .position = {0.5, 0, 0},
@@ -120,7 +120,7 @@ TEST(Joints, fixed_bodies_move_as_one) {
 // A weight on a spring: sinks by g / w^2 and swings with its own frequency.
 // Its inverse inertias about its length and across lie a millionfold apart: as far as the joints'
 // floats can tell.
-TEST(Joints, flagpole_of_thirty_metres_and_two_centimetres_is_held_by_its_foot) {
+TEST(Joints, flagpole_of_30_m_by_2_cm_is_held_at_its_base) {
     for (const Vec3 turn : {Vec3{}, Vec3{0.3, 0.5, 0.7}, Vec3{0, 1, 1.2}}) {
         World world = make_world();
         const Quat way = from_rotation_vector(turn);
@@ -134,7 +134,7 @@ TEST(Joints, flagpole_of_thirty_metres_and_two_centimetres_is_held_by_its_foot) 
     }
 }
 
-TEST(Joints, spring_swings_with_its_frequency) {
+TEST(Joints, spring_oscillates_at_its_frequency) {
     World world = make_world();
     const BodyId weight =
         add(world, {.geometry = Sphere{0.2}, .position = {0, -1, 0}, .sleep_allowed = false});
@@ -153,7 +153,7 @@ TEST(Joints, spring_swings_with_its_frequency) {
     EXPECT_NEAR(position_of(world, weight).y, -1, 0.2 * sag) << "and back";
 }
 
-TEST(Joints, rope_is_slack_until_it_is_taut_and_a_rod_never_is) {
+TEST(Joints, rope_can_be_slack_and_a_rod_cannot) {
     World world = make_world();
     const BodyId fixed = anchor(world);
     const BodyId on_rope = add(world, {.geometry = Sphere{0.1}, .position = {0, -0.5, 0}});
@@ -180,7 +180,7 @@ TEST(Joints, rope_is_slack_until_it_is_taut_and_a_rod_never_is) {
 // names the load.
 // Bodies get their shapes, and with them their mass, after they were made: joined before that they
 // are moved by nothing, and none of them can carry the joint's impulse.
-TEST(Joints, bodies_without_mass_are_joined_and_wait_for_their_shapes) {
+TEST(Joints, massless_bodies_can_be_jointed_before_their_shapes_exist) {
     World world = make_world();
     const BodyId a = must(world.create_body({.pose = {{1, 0, 0}, {}}}));
     const BodyId b = must(world.create_body({.pose = {{2, 0, 0}, {}}}));
@@ -199,7 +199,7 @@ TEST(Joints, bodies_without_mass_are_joined_and_wait_for_their_shapes) {
     EXPECT_LT(must(world.joint(both)).separation, 2e-3);
 }
 
-TEST(Joints, break_above_their_force_and_tell) {
+TEST(Joints, break_above_their_force_and_report_it) {
     for (const double bears : {90.0, 110.0}) {
         World world = make_world();
         const BodyId weight = must(
@@ -227,7 +227,7 @@ TEST(Joints, break_above_their_force_and_tell) {
     }
 }
 
-TEST(Joints, joined_bodies_collide_only_when_told) {
+TEST(Joints, jointed_bodies_collide_only_if_enabled) {
     for (const bool collide : {false, true}) {
         World world = make_world({.gravity = {}});
         const BodyId a = add(world, {.sleep_allowed = false});
@@ -245,7 +245,7 @@ TEST(Joints, joined_bodies_collide_only_when_told) {
     }
 }
 
-TEST(Joints, chain_of_twenty_hangs_together_and_sleeps) {
+TEST(Joints, chain_of_twenty_stays_connected_and_sleeps) {
     World world = make_world();
     BodyId above = anchor(world);
     std::vector<JointId> joints;
@@ -270,7 +270,7 @@ TEST(Joints, chain_of_twenty_hangs_together_and_sleeps) {
     EXPECT_EQ(world.summary().awake_bodies, 0);
 }
 
-TEST(Joints, of_a_destroyed_body_are_gone_and_wake_the_other) {
+TEST(Joints, destroying_a_body_removes_its_joints_and_wakes_the_other) {
     World world = make_world();
     const BodyId fixed = anchor(world), weight = add(world, {.position = {0, -1, 0}});
     const JointId joint = join(world, fixed, weight, BallJoint{}, {}, {{0, 1, 0}, {}});
@@ -317,7 +317,7 @@ TEST(Joints, heavy_top_precesses_at_every_rate) {
 
 // A joint whose ends begin a metre apart pulls a ball of 1 kg at a point off its middle. However
 // fine the steps, it leaves the ball no more than what it has at the speed at which joints pull.
-TEST(Joints, ends_that_start_apart_gain_no_more_in_finer_steps) {
+TEST(Joints, initial_error_adds_no_more_energy_at_finer_steps) {
     for (const double hz : {60.0, 240.0, 1000.0}) {
         for (const int substeps : {8, 64}) {
             World world = make_world({.gravity = {}, .substeps = substeps, .sleeping = false});

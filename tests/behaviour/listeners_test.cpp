@@ -42,7 +42,7 @@ struct Listener : StepListener {
 
 constexpr StepHooks substeps{.substeps = true}, pre_solve{.pre_solve = true};
 
-TEST(Listeners, are_called_in_the_order_in_which_they_were_added) {
+TEST(Listeners, are_called_in_insertion_order) {
     World world;
     const BodyId ball = add(world, {.geometry = Sphere{}});
     std::string calls;
@@ -76,7 +76,7 @@ TEST(Listeners, are_called_in_the_order_in_which_they_were_added) {
     EXPECT_EQ(calls, "ab01234567ABbB");
 }
 
-TEST(Listeners, change_the_world_before_a_step_but_cannot_step_it) {
+TEST(Listeners, can_change_the_world_before_a_step_but_not_step_it) {
     World world;
     Listener listener;
     listener.before = [&](World& w, double) {
@@ -92,7 +92,7 @@ TEST(Listeners, change_the_world_before_a_step_but_cannot_step_it) {
 }
 
 // A spring of 2 Hz by hand, kicked in sub-steps: the period shows.
-TEST(Listeners, a_spring_of_their_own_swings_at_its_frequency) {
+TEST(Listeners, custom_spring_oscillates_at_its_frequency) {
     World world = make_world({.gravity = {}});
     const BodyId ball = add(world, {.geometry = Sphere{}, .position = {1, 0, 0}});
     const double mass = state_of(world, ball).mass, k = mass * 16 * pi * pi;
@@ -110,7 +110,7 @@ TEST(Listeners, a_spring_of_their_own_swings_at_its_frequency) {
 }
 
 // Gravity taken away by hand, of bodies that the solver holds and of free ones alike.
-TEST(Listeners, carry_a_jointed_pair_and_a_free_ball_against_gravity) {
+TEST(Listeners, can_lift_a_jointed_pair_and_a_free_ball) {
     World world;
     const BodyId a = add(world, {.position = {0, 5, 0}, .spin = {0, 3, 0}});
     const BodyId b = add(world, {.position = {1, 5, 0}});
@@ -139,7 +139,7 @@ TEST(Listeners, carry_a_jointed_pair_and_a_free_ball_against_gravity) {
     EXPECT_NEAR(middle, 5, 1e-3);
 }
 
-TEST(Listeners, do_not_change_the_bits_by_the_number_of_threads) {
+TEST(Listeners, are_bit_identical_for_any_thread_count) {
     const auto hash = [](int threads) {
         World world = make_world({.threads = threads});
         add_floor(world);
@@ -161,7 +161,7 @@ TEST(Listeners, do_not_change_the_bits_by_the_number_of_threads) {
     EXPECT_EQ(hash(1), hash(4));
 }
 
-TEST(Listeners, that_may_be_called_at_once_see_each_body_in_one_group_whatever_the_threads) {
+TEST(Listeners, concurrent_listeners_see_each_body_in_one_group) {
     constexpr StepHooks at_once{.substeps = true, .concurrent = true};
     const auto hash = [&](int threads) {
         World world = make_world({.threads = threads});
@@ -194,7 +194,7 @@ TEST(Listeners, that_may_be_called_at_once_see_each_body_in_one_group_whatever_t
     EXPECT_EQ(one, hash(4));
 }
 
-TEST(Listeners, one_that_may_not_be_called_at_once_speaks_for_all) {
+TEST(Listeners, one_non_concurrent_listener_disables_concurrency) {
     constexpr StepHooks at_once{.substeps = true, .concurrent = true};
     World world = make_world({.threads = 4});
     add_floor(world);
@@ -216,7 +216,7 @@ TEST(Listeners, one_that_may_not_be_called_at_once_speaks_for_all) {
 
 // ---- answers about new contacts ----
 
-TEST(ContactModifiers, a_one_way_platform_lets_through_from_below_and_carries_from_above) {
+TEST(ContactModifiers, one_way_platform_passes_from_below_and_carries_from_above) {
     for (const double thickness : {0.1, 0.002}) {
         for (const double speed : {9.0, 60.0}) {  // the faster one is swept
             World world;
@@ -246,7 +246,7 @@ TEST(ContactModifiers, a_one_way_platform_lets_through_from_below_and_carries_fr
     }
 }
 
-TEST(ContactModifiers, friction_and_restitution_are_obeyed_for_as_long_as_they_touch) {
+TEST(ContactModifiers, friction_and_restitution_apply_while_touching) {
     World world = make_world({.gravity = leaning_gravity(0.3, 0)});
     add_floor(world, 0.5);
     const BodyId holds = add(world, {.position = {0, 0.5, 0}});
@@ -273,7 +273,7 @@ TEST(ContactModifiers, friction_and_restitution_are_obeyed_for_as_long_as_they_t
 
 // A box falls asleep 1 cm beside a plate that creeps by: their manifold ends, and another begins
 // when the plate comes. Each is asked about, and the world can be saved and loaded.
-TEST(ContactModifiers, are_forgotten_when_a_manifold_ends_with_sleep) {
+TEST(ContactModifiers, are_cleared_when_sleep_ends_a_manifold) {
     World world;
     add_floor(world);
     Listener slippery;
@@ -293,7 +293,7 @@ TEST(ContactModifiers, are_forgotten_when_a_manifold_ends_with_sleep) {
     EXPECT_TRUE(load(save(world)).ok());
 }
 
-TEST(ContactModifiers, a_surface_velocity_carries_like_a_belt) {
+TEST(ContactModifiers, surface_velocity_acts_as_a_conveyor_belt) {
     World world;
     const BodyId floor = add_floor(world);
     const BodyId crate = add(world, {.position = {0, 0.5, 0}});

@@ -66,7 +66,7 @@ double deepest_under(World& world, const Light& light, double ratio) {
 
 // The load sank for up to eight steps before anybody looked: by 0.07 and 0.10 at a ratio of 100,
 // and at 1000 through a stack, a box, and nine balls.
-TEST(MassRatio, light_ones_bear_a_thousand_times_their_mass) {
+TEST(MassRatio, light_bodies_carry_1000_times_their_mass) {
     for (const double ratio : {100.0, 1000.0}) {
         const std::string name = ", ratio " + std::to_string(ratio);
         for (const int count : {1, 5}) {

@@ -34,7 +34,7 @@ double friction_of_pair(const Material& box, const Material& ground) {
     return 16 / (2 * 9.81 * position_of(world, slider).x);
 }
 
-TEST(Materials, friction_is_combined_by_the_stronger_rule) {
+TEST(Materials, friction_uses_the_higher_priority_rule) {
     const auto pair = [](Combine rule) {
         return friction_of_pair({.friction = 0.2, .friction_rule = rule}, {.friction = 0.8});
     };
@@ -48,7 +48,7 @@ TEST(Materials, friction_is_combined_by_the_stronger_rule) {
                 0.5, 0.01);
 }
 
-TEST(Materials, restitution_is_combined_by_the_stronger_rule) {
+TEST(Materials, restitution_uses_the_higher_priority_rule) {
     const auto rise = [](Combine rule) {
         World world = make_world();
         add_with(world, {.geometry = Plane{}, .type = BodyType::static_body},
@@ -70,7 +70,7 @@ TEST(Materials, restitution_is_combined_by_the_stronger_rule) {
 }
 
 // A rolling ball with rolling friction c loses speed at c g / R * 5/7 and stops.
-TEST(Materials, rolling_friction_stops_a_ball_where_it_should) {
+TEST(Materials, rolling_friction_stops_a_ball_at_the_analytic_distance) {
     const double c = 0.01, r = 0.25, v = 2;
     World world = make_world();
     add_floor(world, 1);
@@ -87,7 +87,7 @@ TEST(Materials, rolling_friction_stops_a_ball_where_it_should) {
 }
 
 // A ball that spins on the spot: the torque c m g takes its spin I w in t = I w / (c m g).
-TEST(Materials, torsional_friction_stops_a_spinning_ball_in_time) {
+TEST(Materials, torsional_friction_stops_a_spinning_ball_at_the_analytic_time) {
     const double c = 0.02, r = 0.25, w = 10, inertia_per_mass = 0.4 * r * r;
     World world = make_world();
     add_floor(world, 1);
@@ -103,7 +103,7 @@ TEST(Materials, torsional_friction_stops_a_spinning_ball_in_time) {
 
 // Without it the disc in which a ball touches holds mu times a twenty-fifth of the radius per unit
 // of force.
-TEST(Materials, patch_of_contact_stops_a_spinning_ball_in_time) {
+TEST(Materials, contact_patch_stops_a_spinning_ball_at_the_analytic_time) {
     const double mu = 0.5, r = 0.3, w = 1, inertia_per_mass = 0.4 * r * r;
     World world = make_world();
     add_floor(world, mu);
@@ -117,7 +117,7 @@ TEST(Materials, patch_of_contact_stops_a_spinning_ball_in_time) {
 }
 
 // A belt takes a box along: it slides at mu g until it has the belt's speed, then rides.
-TEST(Materials, conveyor_takes_a_box_to_its_speed) {
+TEST(Materials, conveyor_accelerates_a_box_to_its_speed) {
     World world = make_world();
     add_with(
         world,
@@ -131,7 +131,7 @@ TEST(Materials, conveyor_takes_a_box_to_its_speed) {
     EXPECT_TRUE(near(velocity_of(world, box), {2, 0, 0.5}, 0.01));
 }
 
-TEST(Materials, conveyor_that_is_turned_drives_along_its_own_axis) {
+TEST(Materials, rotated_conveyor_drives_along_its_own_axis) {
     World world = make_world();
     add_with(world,
              {.geometry = Box{{20, 0.5, 20}},
@@ -145,7 +145,7 @@ TEST(Materials, conveyor_that_is_turned_drives_along_its_own_axis) {
     EXPECT_TRUE(near(velocity_of(world, box), {0, 0, -2}, 0.01));
 }
 
-TEST(Filters, categories_masks_and_groups_decide_who_meets) {
+TEST(Filters, categories_masks_and_groups_control_collision) {
     struct Case {
         Filter a, b;
         bool meets;
@@ -186,7 +186,7 @@ TEST(Filters, change_takes_effect_with_the_next_step) {
 }
 
 // A body that may only move along x and turn about z, pushed by a ball from an odd side.
-TEST(Locks, locked_axes_do_not_move_and_the_others_keep_momentum) {
+TEST(Locks, locked_axes_do_not_move_and_free_axes_conserve_momentum) {
     World world = make_world({.gravity = {}});
     const BodyId slider =
         must(world.create_body({.locks = lock_y | lock_z | lock_rotation_x | lock_rotation_y},
@@ -211,7 +211,7 @@ TEST(Locks, locked_axes_do_not_move_and_the_others_keep_momentum) {
 }
 
 // A box with all turns locked slides down a slope without tipping; a tall one would tip.
-TEST(Locks, locked_turns_keep_a_tall_box_upright) {
+TEST(Locks, locked_rotations_keep_a_tall_box_upright) {
     World world = make_world({.gravity = leaning_gravity(0.8, 0.3)});
     add_floor(world, 0.3);
     const BodyId tower = must(world.create_body(
@@ -223,7 +223,7 @@ TEST(Locks, locked_turns_keep_a_tall_box_upright) {
     EXPECT_NEAR(position_of(world, tower).y, 1, 2e-3);
 }
 
-TEST(Bodies, gravity_scale_and_damping_are_each_bodys_own) {
+TEST(Bodies, gravity_scale_and_damping_are_per_body) {
     World world = make_world();
     const BodyId light =
         must(world.create_body({.gravity_scale = 0.25}, {.geometry = Sphere{0.1}}));
@@ -239,7 +239,7 @@ TEST(Bodies, gravity_scale_and_damping_are_each_bodys_own) {
     EXPECT_NEAR(velocity_of(world, slow).x, 4 * std::exp(-0.5), 1e-3);
 }
 
-TEST(Bodies, mass_may_be_given_instead_of_density) {
+TEST(Bodies, mass_can_replace_density) {
     World world = make_world();
     const BodyId by_shape =
         must(world.create_body({}, {.geometry = Box{{0.5, 1, 1.5}}, .mass = 30}));
@@ -254,7 +254,7 @@ TEST(Bodies, mass_may_be_given_instead_of_density) {
 }
 
 // A lift: the box on it rises with it, at its speed, and stays on it.
-TEST(Kinematic, moved_to_a_pose_a_platform_carries_what_stands_on_it) {
+TEST(Kinematic, move_to_carries_bodies_on_the_platform) {
     World world = make_world();
     const BodyId lift = add(world, {.geometry = Box{{2, 0.1, 2}}, .type = BodyType::kinematic});
     const BodyId box = add(world, {.geometry = Box{{0.3, 0.3, 0.3}}, .position = {0.5, 0.4, 0}});

@@ -11,7 +11,7 @@ namespace jostle::test {
 namespace {
 using namespace physics;
 
-TEST(Momentum, of_64_colliding_boxes_is_conserved) {
+TEST(Momentum, is_conserved_by_64_colliding_boxes) {
     // What falls asleep is stopped.
     World world = make_world({.gravity = {}, .sleeping = false});
     Random random(14);

@@ -15,7 +15,7 @@ using namespace physics;
 
 // A chain on a kinematic body that stands still falls asleep while that body stays in the awake
 // set: in each of eight steps the parts of islands are looked at in another one.
-TEST(PartialSleep, a_chain_on_a_parked_kinematic_body_falls_asleep) {
+TEST(PartialSleep, chain_on_a_stationary_kinematic_body_falls_asleep) {
     for (int shift = 0; shift < 8; shift++) {
         World world = make_world();
         add_floor(world);
@@ -62,7 +62,7 @@ struct GuardedWall {
     int asleep() const { return world.profile().bodies_asleep_in_place; }
 };
 
-TEST(PartialSleep, a_wall_rests_but_for_what_touches_the_one_that_does_not) {
+TEST(PartialSleep, wall_sleeps_except_next_to_the_moving_body) {
     GuardedWall wall(10, 6);
     run(wall.world, 5);
     EXPECT_EQ(wall.world.profile().islands_awake, 1);
@@ -78,7 +78,7 @@ TEST(PartialSleep, a_wall_rests_but_for_what_touches_the_one_that_does_not) {
     EXPECT_EQ(wall.world.summary().awake_bodies, 0);
 }
 
-TEST(PartialSleep, events_and_states_agree_on_who_is_awake) {
+TEST(PartialSleep, events_match_awake_states) {
     GuardedWall wall(10, 6);
     std::set<BodyId> asleep;
     for (int step = 0; step < 600; step++) {
@@ -96,7 +96,7 @@ TEST(PartialSleep, events_and_states_agree_on_who_is_awake) {
     EXPECT_GE(asleep.size(), 30u);
 }
 
-TEST(PartialSleep, what_loses_its_support_falls_at_once) {
+TEST(PartialSleep, body_that_loses_its_support_falls_immediately) {
     GuardedWall wall(1, 24);
     run(wall.world, 5);
     ASSERT_GE(wall.asleep(), 16);
@@ -109,7 +109,7 @@ TEST(PartialSleep, what_loses_its_support_falls_at_once) {
     EXPECT_LT(position_of(wall.world, top).y, height - 0.4);
 }
 
-TEST(PartialSleep, a_weight_is_felt_through_a_sleeping_stack) {
+TEST(PartialSleep, load_change_wakes_a_sleeping_stack) {
     // A plank that juts out over the edge of a table by less than half, held down by bricks, bears
     // a stack at its free end.
     World world = make_world();
@@ -131,7 +131,7 @@ TEST(PartialSleep, a_weight_is_felt_through_a_sleeping_stack) {
 }
 
 // Bricks in pairs, each welded to its neighbour; a kinematic arm that stands still holds the last.
-TEST(PartialSleep, what_joints_tie_together_falls_asleep_and_wakes_as_one) {
+TEST(PartialSleep, jointed_bodies_fall_asleep_and_wake_together) {
     GuardedWall wall(10, 6);
     std::vector<std::pair<BodyId, BodyId>> pairs;
     const auto weld = [&](BodyId a, BodyId b) {
@@ -192,7 +192,7 @@ double momentum_after_hit(Rest rest) {
     return world.summary().linear_momentum.x;
 }
 
-TEST(PartialSleep, a_hit_goes_into_a_resting_block_as_into_one_that_is_awake) {
+TEST(PartialSleep, impact_on_a_sleeping_block_equals_impact_on_an_awake_block) {
     const double awake = momentum_after_hit(Rest::none),
                  in_place = momentum_after_hit(Rest::in_place),
                  asleep = momentum_after_hit(Rest::asleep);
@@ -204,7 +204,7 @@ TEST(PartialSleep, a_hit_goes_into_a_resting_block_as_into_one_that_is_awake) {
 }
 
 // A ball rolls against a corner of a block that sleeps: most of it never learns of that.
-TEST(PartialSleep, a_nudge_wakes_a_sleeping_block_where_it_is_felt) {
+TEST(PartialSleep, small_impact_wakes_only_nearby_bodies_of_a_sleeping_block) {
     World world = block_of_boxes(true);
     run(world, 3);
     ASSERT_EQ(world.summary().awake_bodies, 0);
@@ -227,7 +227,7 @@ TEST(PartialSleep, a_nudge_wakes_a_sleeping_block_where_it_is_felt) {
 }
 
 // In a wall that sleeps as a whole too.
-TEST(PartialSleep, what_loses_its_support_wakes_and_falls_at_once) {
+TEST(PartialSleep, sleeping_body_that_loses_its_support_wakes_and_falls_immediately) {
     World world = make_world();
     add_floor(world);
     std::vector<BodyId> bricks;

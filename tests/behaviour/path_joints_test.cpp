@@ -50,7 +50,7 @@ PathJoint circle(double radius) {
 }
 
 // On a circle a bead swings like a pendulum: 2 pi sqrt(r / g) (1 + A^2 / 16) for a small swing A.
-TEST(Path, a_bead_on_a_circle_is_a_pendulum) {
+TEST(Path, bead_on_a_circle_moves_as_a_pendulum) {
     World world = make_world();
     const double amplitude = 0.3;
     const BodyId bead = bead_at(world, {std::sin(amplitude), -std::cos(amplitude), 0});
@@ -62,7 +62,7 @@ TEST(Path, a_bead_on_a_circle_is_a_pendulum) {
 }
 
 // The cycloid is the curve on which all swings take the same time: 4 pi sqrt(r / g).
-TEST(Path, on_a_cycloid_every_swing_takes_the_same_time) {
+TEST(Path, cycloid_is_isochronous) {
     const double r = 0.5;
     const auto on_cycloid = [&](double u) {  // u = 0 at the bottom
         return Vec3{r * (u + std::sin(u)), -r * (1 + std::cos(u)), 0};
@@ -80,7 +80,7 @@ TEST(Path, on_a_cycloid_every_swing_takes_the_same_time) {
 }
 
 // Down a wire without friction the speed is that of the height, sqrt(2 g h).
-TEST(Path, keeps_the_energy) {
+TEST(Path, conserves_energy) {
     World world = make_world();
     const BodyId bead = bead_at(world, {0, 2, 0});
     const JointId joint = wire(
@@ -99,7 +99,7 @@ TEST(Path, keeps_the_energy) {
     EXPECT_LT(worst, 0.02);
 }
 
-TEST(Path, motor_and_limits_are_along_the_curve) {
+TEST(Path, motor_and_limits_act_along_the_curve) {
     World world = make_world({.gravity = {}});
     const BodyId bead = bead_at(world, {0, -1, 0});
     PathJoint path = circle(1);
@@ -122,7 +122,7 @@ TEST(Path, motor_and_limits_are_along_the_curve) {
 }
 
 // 1 Hz along the wire, however it bends.
-TEST(Path, a_spring_is_along_the_curve) {
+TEST(Path, spring_acts_along_the_curve) {
     World world = make_world({.gravity = {}});
     const BodyId bead = bead_at(world, {std::sin(0.5), -std::cos(0.5), 0});
     PathJoint path = circle(1);
@@ -140,7 +140,7 @@ TEST(Path, a_spring_is_along_the_curve) {
     EXPECT_NEAR(passes, 10, 1);
 }
 
-TEST(Path, goes_on_after_a_load_and_moves_with_its_body) {
+TEST(Path, continues_identically_after_load_and_moves_with_its_body) {
     World world = make_world();
     const BodyId frame = add(world, {.geometry = Box{{1, 0.05, 1}},
                                      .position = {0, 3, 0},

@@ -19,7 +19,7 @@ World flat_world(Vec3 gravity = {0, -9.81, 0}) {
 }
 
 // A disc of mass m has m r^2 / 2, not the ball's 2/5; a box its area.
-TEST(Planar, masses_are_those_of_slices) {
+TEST(Planar, masses_match_slices) {
     World world = flat_world();
     const BodyState disc = state_of(world, add(world, {.geometry = Sphere{0.5}, .density = 10}));
     EXPECT_NEAR(disc.mass, 10 * pi * 0.25, 1e-9);
@@ -30,7 +30,7 @@ TEST(Planar, masses_are_those_of_slices) {
     EXPECT_NEAR(box.inertia.z.z, box.mass / 3 * 1.25, 1e-9);
 }
 
-TEST(Planar, disc_rolls_down_a_slope_as_a_disc) {
+TEST(Planar, disc_rolls_down_a_slope_at_the_analytic_acceleration) {
     const double slope = 0.2;
     World world = flat_world(Vec3{slope, -1, 0} * (9.81 / std::sqrt(1 + slope * slope)));
     add_floor(world, 1);
@@ -59,7 +59,7 @@ TEST(Planar, pyramid_of_210_boxes_stands_and_sleeps) {
     EXPECT_LT(world.summary().max_penetration, 0.002);
 }
 
-TEST(Planar, nothing_ever_leaves_the_plane) {
+TEST(Planar, bodies_never_leave_the_plane) {
     World world = flat_world();
     add_floor(world);
     Random random(3);
@@ -95,7 +95,7 @@ TEST(Planar, nothing_ever_leaves_the_plane) {
 
 // A plank falls over on a plate, about the corner that it stands on: looked at only where that
 // slips, its far end came down 20 cm deep in the plate.
-TEST(Planar, plank_that_falls_over_comes_down_on_the_plate_below) {
+TEST(Planar, falling_plank_lands_on_the_plate_below) {
     for (const bool plate_first : {true, false}) {
         World world = flat_world();
         add_floor(world);
@@ -119,7 +119,7 @@ TEST(Planar, plank_that_falls_over_comes_down_on_the_plate_below) {
     }
 }
 
-TEST(Planar, box_slides_as_far_as_coulomb_says) {
+TEST(Planar, box_slides_the_coulomb_distance) {
     World world = flat_world();
     add_floor(world, 0.5);
     const BodyId box = add(
@@ -129,7 +129,7 @@ TEST(Planar, box_slides_as_far_as_coulomb_says) {
 }
 
 // A beam on two supports, a load at a quarter: 3/4 of the load on the near one.
-TEST(Planar, beam_shares_its_load_as_statics_says) {
+TEST(Planar, beam_reactions_match_statics) {
     World world = flat_world();
     const Vec3 left{-2, 0, 0}, right{2, 0, 0};
     for (const Vec3 at : {left, right})
@@ -152,7 +152,7 @@ TEST(Planar, beam_shares_its_load_as_statics_says) {
     EXPECT_NEAR(at_right, 0.25 * weight + 0.5 * own, 0.02 * weight);
 }
 
-TEST(Planar, pendulum_on_a_hinge_swings) {
+TEST(Planar, hinge_pendulum_swings) {
     World world = flat_world();
     const BodyId post = add(world, {.geometry = Sphere{0.05}, .type = BodyType::static_body});
     const BodyId rod = add(world, {.geometry = Box{{0.5, 0.05, 1}}, .position = {0.5, 0, 0}});
@@ -168,7 +168,7 @@ TEST(Planar, pendulum_on_a_hinge_swings) {
     EXPECT_NEAR(lowest, -0.5, 1e-3);
 }
 
-TEST(Planar, refuses_what_is_not_in_the_plane) {
+TEST(Planar, rejects_out_of_plane_input) {
     World world = flat_world();
     EXPECT_FALSE(world.create_body({.pose = {{0, 0, 1}, {}}}).ok());
     EXPECT_FALSE(world.create_body({.pose = {{}, from_rotation_vector({1, 0, 0})}}).ok());

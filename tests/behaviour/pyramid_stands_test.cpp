@@ -9,7 +9,7 @@ namespace jostle::test {
 namespace {
 using namespace physics;
 
-TEST(Pyramid, of_465_boxes_stands_at_step_2000_with_sleeping_off) {
+TEST(Pyramid, with_465_boxes_stands_at_step_2000_without_sleeping) {
     World world = make_world({.sleeping = false});
     add_floor(world);
     std::vector<BodyId> boxes;

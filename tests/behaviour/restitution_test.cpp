@@ -32,7 +32,7 @@ std::vector<double> apexes(double restitution, double start, int count, int subs
     return tops;
 }
 
-TEST(Restitution, heights_fall_by_e_squared) {
+TEST(Restitution, bounce_height_decays_by_e_squared) {
     double total = 0;
     int heights = 0;
     for (int phase = 0; phase < 16; phase++) {  // a single phase of the step says little
@@ -59,7 +59,7 @@ TEST(Restitution, perfectly_elastic_ball_keeps_its_height) {
     EXPECT_NEAR(tops.back(), 1, 0.1);
 }
 
-TEST(Restitution, without_it_nothing_bounces) {
+TEST(Restitution, zero_restitution_does_not_bounce) {
     World world = make_world();
     add_floor(world);
     const BodyId ball = add(world, {.geometry = Sphere{0.1}, .position = {0, 1.1, 0}});
@@ -75,7 +75,7 @@ TEST(Restitution, without_it_nothing_bounces) {
     EXPECT_LT(highest, 0.005);
 }
 
-TEST(Restitution, equal_balls_exchange_their_speeds_head_on) {
+TEST(Restitution, equal_balls_exchange_velocities_head_on) {
     World world = make_world({.gravity = {}});
     const Vec3 n = normalized(Vec3{0.8, 0.1, 0.6});
     const auto ball = [&](Vec3 position, Vec3 velocity) {

@@ -57,7 +57,7 @@ BodyId add_plank(World& world, Vec3 half, double r, double tilt) {
 // Small swings: w^2 = g (r - h) / (k^2 + h^2), with half the thickness h and the radius of gyration
 // k. With contacts of the start of each step 0.05 rad became 0.11 in 20 s, and with such as were
 // kept for 4 mm of motion 0.22.
-TEST(Rocking, plank_on_a_ball_keeps_its_swing_for_20_s) {
+TEST(Rocking, plank_on_a_ball_keeps_its_amplitude_for_20_s) {
     const Vec3 half{1, 0.05, 0.3};
     const double r = 0.5;
     const double gyration2 = (half.x * half.x + half.y * half.y) / 3;
@@ -73,7 +73,7 @@ TEST(Rocking, plank_on_a_ball_keeps_its_swing_for_20_s) {
 }
 
 // At 14 rad/s: 45 swings in 20 s.
-TEST(Rocking, small_plate_on_a_ball_keeps_its_swing_for_20_s) {
+TEST(Rocking, small_plate_on_a_ball_keeps_its_amplitude_for_20_s) {
     World world = make_world({.sleeping = false});
     add(world, {.geometry = Sphere{0.3}, .type = BodyType::static_body});
     const BodyId plate = add_plank(world, {0.2, 0.02, 0.2}, 0.3, 0.02);
@@ -82,7 +82,7 @@ TEST(Rocking, small_plate_on_a_ball_keeps_its_swing_for_20_s) {
 }
 
 // A ball with a weight near its lowest point: the contact runs along its surface.
-TEST(Rocking, weighted_ball_keeps_its_swing_for_20_s) {
+TEST(Rocking, weighted_ball_keeps_its_amplitude_for_20_s) {
     const double r = 0.5, depth = 0.3, weight = 0.1;
     for (const double tilt : {0.1, 0.3}) {
         World world = make_world({.sleeping = false});

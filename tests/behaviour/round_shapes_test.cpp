@@ -39,7 +39,7 @@ TEST(RoundShapes, rest_on_boxes_and_on_each_other) {
     EXPECT_TRUE(near(position_of(world, ball), {3, 0.5, 0}, 2e-3));
 }
 
-TEST(RoundShapes, ball_rolls_on_and_keeps_its_speed) {
+TEST(RoundShapes, rolling_ball_keeps_its_speed) {
     World world = make_world();
     add_floor(world);
     const double r = 0.2, v = 2;
@@ -54,7 +54,7 @@ TEST(RoundShapes, ball_rolls_on_and_keeps_its_speed) {
     EXPECT_NEAR(s.angular_velocity.z, -s.linear_velocity.x / r, 0.01);
 }
 
-TEST(RoundShapes, capsule_on_end_falls_over_when_nudged) {
+TEST(RoundShapes, upright_capsule_falls_over_when_nudged) {
     World world = make_world();
     add_floor(world);
     const BodyId capsule =

@@ -169,7 +169,7 @@ TEST(Scale, balls_settle_in_a_bin_at_any_scale) {
 
 // What was put into each other left at 47 units a second where it was small, and had not parted
 // after ten seconds where it was large.
-TEST(Scale, what_overlaps_parts_at_any_scale) {
+TEST(Scale, overlapping_bodies_separate_at_any_scale) {
     for (const Scaled& scale : all_scales()) {
         World world = scale.world();
         add_floor(world);

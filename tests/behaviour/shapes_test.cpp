@@ -17,7 +17,7 @@ Geometry hull_of(const std::vector<Vec3>& points) {
 }
 
 // A box tipped over its edge falls to the side where its centre of mass is.
-TEST(Shapes, box_on_its_edge_falls_to_the_side_of_its_centre) {
+TEST(Shapes, box_on_its_edge_falls_towards_its_center_of_mass) {
     for (const double lean : {-0.02, 0.02}) {
         World world = make_world();
         add_floor(world, 0.9);
@@ -32,7 +32,7 @@ TEST(Shapes, box_on_its_edge_falls_to_the_side_of_its_centre) {
 }
 
 // The same box whose centre of mass is moved by a heavy lump inside: the lump decides.
-TEST(Shapes, toppling_follows_the_centre_of_mass) {
+TEST(Shapes, toppling_follows_the_center_of_mass) {
     for (const double lump : {-0.3, 0.3}) {
         World world = make_world();
         add_floor(world, 0.9);
@@ -106,7 +106,7 @@ TEST(Shapes, five_cylinders_stand_on_each_other) {
 // as a coin does before it comes to rest. What it loses is of first order in the step: at 960 Hz it
 // sinks from 20 to 18.1 degrees in half a second. When friction held the middle of the disc and its
 // lever braked the turn it sank to 16.4.
-TEST(Shapes, a_disc_that_rolls_on_its_rim_goes_on) {
+TEST(Shapes, disc_rolling_on_its_rim_keeps_rolling) {
     World world = make_world();
     add_floor(world, 1);
     constexpr double radius = 0.1, half = 0.005, tilt = 20 * pi / 180;
@@ -128,7 +128,7 @@ TEST(Shapes, a_disc_that_rolls_on_its_rim_goes_on) {
 }
 
 // A solid cylinder rolls down a slope with 2/3 of g sin: rolling without slipping.
-TEST(Shapes, cylinder_rolls_down_a_slope_as_the_book_says) {
+TEST(Shapes, cylinder_rolls_down_a_slope_at_the_analytic_acceleration) {
     const double slope = 0.2;
     World world = make_world({.gravity = leaning_gravity(slope, 0)});
     add_floor(world, 1);
@@ -143,7 +143,7 @@ TEST(Shapes, cylinder_rolls_down_a_slope_as_the_book_says) {
 }
 
 // A cone on its side rolls round its tip: it does not go anywhere, and comes round again.
-TEST(Shapes, cone_on_its_side_turns_round_its_tip) {
+TEST(Shapes, cone_on_its_side_rolls_around_its_tip) {
     World world = make_world();
     add_floor(world, 0.9);
     const double r = 0.4, h = 1.0, half_angle = std::atan2(r, h);
@@ -159,7 +159,7 @@ TEST(Shapes, cone_on_its_side_turns_round_its_tip) {
 }
 
 // A compound is the same body as its parts put on one by one.
-TEST(Shapes, compound_moves_as_its_parts_do) {
+TEST(Shapes, compound_moves_like_its_children) {
     const auto fall = [](bool as_one) {
         World world = make_world();
         add_floor(world, 0.5);
@@ -187,7 +187,7 @@ TEST(Shapes, compound_moves_as_its_parts_do) {
     EXPECT_FALSE(one.awake);
 }
 
-TEST(Shapes, dice_of_a_hundred_hulls_come_to_rest_apart) {
+TEST(Shapes, hundred_hull_dice_come_to_rest_without_overlap) {
     const Geometry die =
         hull_of({{0.3, 0, 0}, {-0.3, 0, 0}, {0, 0.3, 0}, {0, -0.3, 0}, {0, 0, 0.3}, {0, 0, -0.3}});
     World world = make_world();

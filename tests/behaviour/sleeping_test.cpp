@@ -38,7 +38,7 @@ void add_tray(World& world, double half, double height = 2) {
     }
 }
 
-TEST(Sleeping, a_pile_falls_asleep_and_costs_nothing) {
+TEST(Sleeping, sleeping_pile_takes_no_time) {
     World world = make_world();
     add_tray(world, 2.5);
     const auto bodies = drop_pile(world, 30);
@@ -56,7 +56,7 @@ TEST(Sleeping, a_pile_falls_asleep_and_costs_nothing) {
     }
 }
 
-TEST(Sleeping, says_when_bodies_fall_asleep_and_wake) {
+TEST(Sleeping, reports_fell_asleep_and_woke_events) {
     World world = make_world();
     add_floor(world);
     const BodyId box = add(world, {.position = {0, 0.5, 0}});
@@ -77,7 +77,7 @@ TEST(Sleeping, says_when_bodies_fall_asleep_and_wake) {
     EXPECT_TRUE(world.contains(ball));
 }
 
-TEST(Sleeping, a_hit_wakes_the_whole_stack) {
+TEST(Sleeping, impact_wakes_the_entire_stack) {
     World world = make_world();
     add_floor(world);
     std::vector<BodyId> stack;
@@ -91,7 +91,7 @@ TEST(Sleeping, a_hit_wakes_the_whole_stack) {
     EXPECT_GT(length(position_of(world, stack[2]) - Vec3{0, 2.5, 0}), 0.1);
 }
 
-TEST(Sleeping, taking_the_support_away_wakes_what_stood_on_it) {
+TEST(Sleeping, removing_the_support_wakes_supported_bodies) {
     World world = make_world();
     add_floor(world);
     const BodyId low = add(world, {.position = {0, 0.5, 0}});
@@ -105,7 +105,7 @@ TEST(Sleeping, taking_the_support_away_wakes_what_stood_on_it) {
     EXPECT_FALSE(state_of(world, high).awake);
 }
 
-TEST(Sleeping, taking_a_fixed_support_away_wakes_too) {
+TEST(Sleeping, removing_a_static_support_wakes_supported_bodies) {
     World world = make_world();
     add_floor(world);
     const BodyId table = add(world, {.position = {0, 0.5, 0}, .type = BodyType::static_body});
@@ -143,7 +143,7 @@ TEST(Sleeping, silos_of_balls_boxes_and_capsules_fall_asleep_within_10_s) {
 
 // Its furthest point, the tip, would move at 9 cm/s about an axis at right angles to that about
 // which it turns.
-TEST(Sleeping, a_capsule_that_rolls_at_4_cm_a_second_rests) {
+TEST(Sleeping, capsule_rolling_at_4_cm_s_falls_asleep) {
     World world = make_world();
     add_floor(world);
     const BodyId capsule = add(world, {.geometry = Capsule{0.2, 0.25},
@@ -156,7 +156,7 @@ TEST(Sleeping, a_capsule_that_rolls_at_4_cm_a_second_rests) {
 }
 
 // On a spring of 6 Hz one swings by 3 mm, on one of 1.8 Hz by 10 mm: both at 11 cm/s.
-TEST(Sleeping, what_swings_by_three_millimetres_rests_and_what_swings_by_ten_does_not) {
+TEST(Sleeping, swaying_by_3_mm_falls_asleep_and_by_10_mm_does_not) {
     const auto awake_after = [](double hertz, double amplitude) {
         World world = make_world({.gravity = {}});
         const BodyId wall = add(world, {.type = BodyType::static_body});
@@ -177,7 +177,7 @@ TEST(Sleeping, what_swings_by_three_millimetres_rests_and_what_swings_by_ten_doe
     EXPECT_TRUE(awake_after(1.8, 0.01));
 }
 
-TEST(Sleeping, pushing_wakes) {
+TEST(Sleeping, impulses_wake) {
     const auto woken_by = [](auto&& push) {
         World world = make_world();
         add_floor(world);
@@ -200,7 +200,7 @@ TEST(Sleeping, pushing_wakes) {
 // then round. From the first second on nothing is awake and lies still for three quarters of one
 // (42 steps measured; one that is nudged out of its sleep begins anew), and at most 98 cubes are
 // awake at a time; let go, all sleeps.
-TEST(Sleeping, a_player_who_walks_through_cubes_keeps_awake_what_it_pushes) {
+TEST(Sleeping, moving_kinematic_body_keeps_pushed_cubes_awake) {
     World world = make_world();
     add_floor(world);
     std::vector<BodyId> cubes;
@@ -236,7 +236,7 @@ TEST(Sleeping, a_player_who_walks_through_cubes_keeps_awake_what_it_pushes) {
     EXPECT_EQ(world.summary().awake_bodies, 0);
 }
 
-TEST(Sleeping, a_body_that_may_not_sleep_does_not) {
+TEST(Sleeping, body_with_sleep_disallowed_stays_awake) {
     World world = make_world();
     add_floor(world);
     const BodyId box = add(world, {.position = {0, 0.5, 0}, .sleep_allowed = false});
@@ -244,7 +244,7 @@ TEST(Sleeping, a_body_that_may_not_sleep_does_not) {
     EXPECT_TRUE(state_of(world, box).awake);
 }
 
-TEST(Sleeping, two_piles_sleep_apart) {
+TEST(Sleeping, two_piles_sleep_independently) {
     World world = make_world();
     add_floor(world);
     const BodyId calm = add(world, {.position = {0, 0.5, 0}});

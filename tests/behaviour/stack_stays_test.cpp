@@ -27,7 +27,7 @@ double worst_offset(const World& world, const std::vector<BodyId>& boxes) {
 
 // Impulses are those of a sub-step: with another length of steps they would push too much or too
 // little for a moment.
-TEST(Stack, keeps_still_when_steps_change_their_length) {
+TEST(Stack, stays_still_when_the_step_length_changes) {
     World world = make_world({.sleeping = false});
     add_floor(world);
     const auto boxes = stack_of(world, 10);
@@ -45,7 +45,7 @@ TEST(Stack, keeps_still_when_steps_change_their_length) {
 }
 
 // A stack that sleeps is woken in steps of a quarter of the length.
-TEST(Stack, wakes_gently_into_steps_of_another_length) {
+TEST(Stack, wakes_without_motion_after_a_step_length_change) {
     World world = make_world();
     add_floor(world);
     const auto boxes = stack_of(world, 10);
@@ -93,7 +93,7 @@ TEST(Stack, ten_boxes_settle_with_sleeping_off) {
     EXPECT_LT(worst, half_way + 1e-4);
 }
 
-TEST(Stack, one_box_rests_where_it_was_put) {
+TEST(Stack, one_box_rests_at_its_initial_position) {
     World world = make_world();
     add_floor(world);
     const BodyId box = add(world, {.position = {0, 0.5, 0}});
@@ -102,7 +102,7 @@ TEST(Stack, one_box_rests_where_it_was_put) {
     EXPECT_FALSE(state_of(world, box).awake);
 }
 
-TEST(Stack, stands_on_a_fixed_box_far_from_the_origin) {
+TEST(Stack, stands_on_a_static_box_far_from_the_origin) {
     World world = make_world();
     const Vec3 place{1e6, 0, -2e6};
     add(world, {.geometry = Box{{10, 1, 10}}, .position = place, .type = BodyType::static_body});

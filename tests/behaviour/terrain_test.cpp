@@ -82,7 +82,7 @@ Ride slide(const Geometry& ground, const Geometry& slider, double rest_height) {
     return ride;
 }
 
-TEST(Terrain, seams_of_a_flat_floor_cannot_be_felt) {
+TEST(Terrain, seams_of_a_flat_floor_do_not_affect_sliding) {
     const Geometry hull = Hull{must(build_hull(std::vector<Vec3>{
         {-0.4, -0.3, -0.3}, {0.4, -0.3, -0.3}, {0.4, -0.3, 0.3}, {-0.4, -0.3, 0.3}, {0, 0.3, 0}}))};
     for (const bool field : {false, true}) {
@@ -131,7 +131,7 @@ TEST(Terrain, stack_on_a_mesh_stands_and_sleeps) {
 }
 
 // A valley of a height field: what is dropped in rolls to the lowest place and stays above ground.
-TEST(Terrain, balls_gather_in_a_valley) {
+TEST(Terrain, balls_roll_into_a_valley) {
     HeightGrid grid{.columns = 41, .rows = 41, .spacing_x = 0.5, .spacing_z = 0.5, .heights = {}};
     for (int r = 0; r < 41; r++)
         for (int c = 0; c < 41; c++)
@@ -152,7 +152,7 @@ TEST(Terrain, balls_gather_in_a_valley) {
 
 // Boxes, stones and cones thrown on crumpled ground: what lies across several of its facets is held
 // by all of them at once and does not rock, and what fell over a ridge is not caught by its slopes.
-TEST(Terrain, rubble_comes_to_rest_on_crumpled_ground) {
+TEST(Terrain, rubble_comes_to_rest_on_rough_terrain) {
     HeightGrid grid{.columns = 25, .rows = 25, .spacing_x = 1, .spacing_z = 1, .heights = {}};
     Random random(3);
     for (int r = 0; r < 25; r++)
@@ -190,7 +190,7 @@ TEST(Terrain, rubble_comes_to_rest_on_crumpled_ground) {
     for (const BodyId body : world.bodies()) EXPECT_GT(position_of(world, body).y, -0.6);
 }
 
-TEST(Terrain, hole_lets_through_and_its_rim_holds) {
+TEST(Terrain, bodies_fall_through_a_hole_and_rest_on_its_rim) {
     HeightGrid grid{.columns = 11,
                     .rows = 11,
                     .spacing_x = 1,
@@ -210,7 +210,7 @@ TEST(Terrain, hole_lets_through_and_its_rim_holds) {
 }
 
 // A ball that falls fast on a large triangle and bounces a little is held the second time as well.
-TEST(Terrain, a_small_bounce_ends_on_the_ground) {
+TEST(Terrain, small_bounce_ends_on_the_ground) {
     const std::vector<Vec3> vertices{{-5, 0, -5}, {5, 0, -5}, {5, 0, 5}, {-5, 0, 5}};
     const std::vector<std::array<std::uint32_t, 3>> triangles{{0, 2, 1}, {0, 3, 2}};
     for (const double speed : {4.0, 6.0, 8.0, 10.0}) {
@@ -233,7 +233,7 @@ TEST(Terrain, a_small_bounce_ends_on_the_ground) {
 }
 
 // A roof seen from both sides: a ridge holds what straddles it, and triangles have no back.
-TEST(Terrain, ridge_and_underside_hold) {
+TEST(Terrain, ridge_and_underside_collide) {
     const std::vector<Vec3> vertices{{-2, 0, -2}, {2, 0, -2}, {-2, 0, 2},
                                      {2, 0, 2},   {-2, 1, 0}, {2, 1, 0}};
     const std::vector<std::array<std::uint32_t, 3>> triangles{

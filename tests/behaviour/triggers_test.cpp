@@ -48,7 +48,7 @@ TEST(Triggers, ball_falls_through_a_gate_in_the_time_that_free_fall_takes) {
     EXPECT_NEAR(velocity_of(world, ball).y, -9.81 * 1.5, 1e-6) << "nothing was touched";
 }
 
-TEST(Triggers, see_what_their_mask_lets_them_see) {
+TEST(Triggers, respect_their_mask) {
     World world = make_world();
     add_trigger(world, Sphere{1}, {0, 0, 0}, BodyType::static_body, {.mask = 4});
     const BodyId seen = must(world.create_body(
@@ -67,7 +67,7 @@ TEST(Triggers, see_what_their_mask_lets_them_see) {
     EXPECT_EQ(entered, 1);
 }
 
-TEST(Triggers, that_move_find_walls_and_sleepers) {
+TEST(Triggers, moving_trigger_detects_static_and_sleeping_bodies) {
     World world = make_world();
     add_floor(world);
     const BodyId box = add(world, {.position = {3, 0.5, 0}});
@@ -87,7 +87,7 @@ TEST(Triggers, that_move_find_walls_and_sleepers) {
     EXPECT_FALSE(state_of(world, box).awake) << "a trigger wakes nobody";
 }
 
-TEST(Triggers, that_appear_over_a_sleeper_find_it) {
+TEST(Triggers, new_trigger_detects_a_sleeping_body) {
     World world = make_world();
     add_floor(world);
     const BodyId box = add(world, {.position = {0, 0.5, 0}});
@@ -100,7 +100,7 @@ TEST(Triggers, that_appear_over_a_sleeper_find_it) {
     EXPECT_EQ(visit.left, -1);
 }
 
-TEST(Triggers, tell_when_what_is_inside_is_destroyed) {
+TEST(Triggers, destroying_a_body_inside_reports_an_exit) {
     World world = make_world({.gravity = {}});
     add_trigger(world, Box{}, {});
     const BodyId ball = add(world, {.geometry = Sphere{0.1}});

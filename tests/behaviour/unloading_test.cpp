@@ -30,7 +30,7 @@ double rise_after_unloading(double load_density, double seconds_before, bool sle
     return rise;
 }
 
-TEST(Unloading, half_a_stack_leaves_quietly) {
+TEST(Unloading, removing_half_a_stack_does_not_disturb_the_rest) {
     for (const double seconds : {0.2, 1.0, 5.0, 20.0}) {
         const double rise = rise_after_unloading(1000, seconds, false);
         RecordProperty("rise_mm_after_" + std::to_string(static_cast<int>(seconds * 10)),
@@ -39,17 +39,17 @@ TEST(Unloading, half_a_stack_leaves_quietly) {
     }
 }
 
-TEST(Unloading, a_sleeping_stack_wakes_quietly) {
+TEST(Unloading, sleeping_stack_wakes_without_motion) {
     EXPECT_LT(rise_after_unloading(1000, 5, true), 0.003);
 }
 
-TEST(Unloading, a_tenfold_load_leaves_quietly) {
+TEST(Unloading, removing_a_tenfold_load_does_not_disturb_the_rest) {
     const double rise = rise_after_unloading(10000, 5, false);
     RecordProperty("rise_mm", std::to_string(rise * 1000));
     EXPECT_LT(rise, 0.001);
 }
 
-TEST(Unloading, a_hundredfold_load_leaves_without_throwing_up_what_bore_it) {
+TEST(Unloading, removing_a_hundredfold_load_does_not_throw_up_its_support) {
     const double rise = rise_after_unloading(100000, 5, false);
     RecordProperty("rise_mm", std::to_string(rise * 1000));
     EXPECT_LT(rise, 0.01);

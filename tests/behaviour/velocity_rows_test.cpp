@@ -18,7 +18,7 @@ JointId row(World& world, BodyId a, BodyId b, const VelocityRow& kind) {
 }
 
 // A wheel of twice the radius turns half as fast, the other way. Each stands on a hinge of its own.
-TEST(VelocityRows, a_gear_keeps_its_ratio) {
+TEST(VelocityRows, gear_holds_its_ratio) {
     World world = make_world({.gravity = {}});
     const BodyId small =
         add(world, {.geometry = Sphere{0.5}, .position = {0, 0, 0}, .sleep_allowed = false});
@@ -47,7 +47,7 @@ TEST(VelocityRows, a_gear_keeps_its_ratio) {
 }
 
 // A motor along a line, of 10 N at most: 2 kg gain 5 m/s^2 until they have its 3 m/s.
-TEST(VelocityRows, bounds_are_those_of_the_force) {
+TEST(VelocityRows, bounds_limit_the_force) {
     World world = make_world({.gravity = {}});
     const BodyId cart = add(world, {.geometry = Sphere{0.5}, .sleep_allowed = false});
     must(world.set_mass(cart, 2));
@@ -65,7 +65,7 @@ TEST(VelocityRows, bounds_are_those_of_the_force) {
 
 // A damper of c = 4 N s/m on 2 kg: v = v0 exp(-c t / m). The solver's steps are implicit, of 1/480
 // s: it keeps a share of 1 / (1 + c h / m) in each.
-TEST(VelocityRows, softness_is_one_over_a_dampers_constant) {
+TEST(VelocityRows, softness_is_the_inverse_damping_constant) {
     World world = make_world({.gravity = {}});
     const BodyId cart =
         add(world, {.geometry = Sphere{0.5}, .velocity = {5, 1, 0}, .sleep_allowed = false});
@@ -78,7 +78,7 @@ TEST(VelocityRows, softness_is_one_over_a_dampers_constant) {
 }
 
 // A bias moves what is out of place and is gone with the step.
-TEST(VelocityRows, bias_moves_and_leaves_no_speed) {
+TEST(VelocityRows, bias_corrects_position_without_adding_velocity) {
     World world = make_world({.gravity = {}});
     const BodyId ball = add(world, {.geometry = Sphere{0.5}, .sleep_allowed = false});
     row(world, anchor(world, {0, -3, 0}), ball,
@@ -90,7 +90,7 @@ TEST(VelocityRows, bias_moves_and_leaves_no_speed) {
 
 // A spinning rod is pushed along its own y axis, wherever that looks; its anchor's vectors are
 // zero.
-TEST(VelocityRows, vectors_in_frames_turn_with_their_bodies) {
+TEST(VelocityRows, frame_vectors_rotate_with_their_bodies) {
     World world = make_world({.gravity = {}});
     const BodyId rod =
         add(world, {.geometry = Box{{1, 0.1, 0.1}}, .spin = {0, 0, 2}, .sleep_allowed = false});
@@ -107,7 +107,7 @@ TEST(VelocityRows, vectors_in_frames_turn_with_their_bodies) {
 
 // Two weights on one rope over a pulley without mass: J = v1.y + v2.y. Atwood: a = g (m1 - m2) /
 // (m1 + m2).
-TEST(VelocityRows, a_pulley_falls_as_atwood_says) {
+TEST(VelocityRows, pulley_matches_the_atwood_machine) {
     World world = make_world();
     const BodyId heavy =
         add(world, {.geometry = Sphere{0.2}, .position = {-1, 0, 0}, .sleep_allowed = false});
@@ -126,7 +126,7 @@ TEST(VelocityRows, a_pulley_falls_as_atwood_says) {
     EXPECT_NEAR(must(world.joint(rope)).force.y, 2 * 3 * 1 / 4.0 * 9.81, 0.01);
 }
 
-TEST(VelocityRows, break_under_more_than_they_bear) {
+TEST(VelocityRows, break_above_their_force) {
     World world = make_world();
     const BodyId weight = add(world, {.geometry = Sphere{0.2}, .sleep_allowed = false});
     must(world.set_mass(weight, 2));
@@ -140,7 +140,7 @@ TEST(VelocityRows, break_under_more_than_they_bear) {
     EXPECT_FALSE(world.contains(held));
 }
 
-TEST(VelocityRows, are_saved_and_end_alike_for_any_number_of_threads) {
+TEST(VelocityRows, are_saved_and_bit_identical_for_any_thread_count) {
     const auto make = [](int threads) {
         World world = make_world({.threads = threads});
         add_floor(world);

@@ -51,7 +51,7 @@ double depth(const Primitive& a, const Transform& pose_a, const Primitive& b,
     return here;
 }
 
-TEST(AccuracyCheck, boxes_face_to_face) {
+TEST(AccuracyCheck, measures_face_to_face_boxes) {
     EXPECT_NEAR(depth(cube, at({}), cube, at({0, 0.999, 0})), 0.001, exact);
     EXPECT_LE(depth(cube, at({}), cube, at({0, 1.001, 0})), 0);
 }
@@ -68,7 +68,7 @@ Hull hull_of(const Box& box) {
 }
 
 // A hull with a box's corners is as deep as the box, in whatever is convex.
-TEST(AccuracyCheck, hulls_are_as_deep_as_the_boxes_that_they_are) {
+TEST(AccuracyCheck, box_shaped_hulls_match_boxes) {
     jostle::test::Random random(5);
     const Box brick{{0.3, 0.25, 0.35}};
     const Primitive others[] = {Sphere{0.3}, Capsule{0.2, 0.25}, brick};
@@ -89,7 +89,7 @@ TEST(AccuracyCheck, hulls_are_as_deep_as_the_boxes_that_they_are) {
 }
 
 // Level ground of two triangles: what is 3 cm below it is, and what hovers or lies beside is not.
-TEST(AccuracyCheck, what_is_below_a_mesh) {
+TEST(AccuracyCheck, measures_depth_below_a_mesh) {
     const Vec3 corners[] = {{-5, 0, -5}, {5, 0, -5}, {5, 0, 5}, {-5, 0, 5}};
     const std::array<std::uint32_t, 3> triangles[] = {{0, 2, 1}, {0, 3, 2}};
     const Mesh ground{*jostle::physics::build_mesh(corners, triangles)};
@@ -108,13 +108,13 @@ TEST(AccuracyCheck, what_is_below_a_mesh) {
     }
 }
 
-TEST(AccuracyCheck, box_on_its_edge) {
+TEST(AccuracyCheck, measures_a_box_on_its_edge) {
     // Its half diagonal is sqrt(2)/2 and reaches 1 mm into the other's top at 0.5.
     const double height = 0.5 + std::sqrt(0.5) - 0.001;
     EXPECT_NEAR(depth(cube, at({}), cube, at({0.1, height, 0}, eighth_about_z)), 0.001, exact);
 }
 
-TEST(AccuracyCheck, boxes_edge_across_edge) {
+TEST(AccuracyCheck, measures_crossed_box_edges) {
     // Two edges, one along z and one along x, cross over each other on the y axis.
     const Quat eighth_about_x = from_axis_angle({1, 0, 0}, pi / 4);
     const double height = 2 * std::sqrt(0.5) - 0.001;
@@ -122,7 +122,7 @@ TEST(AccuracyCheck, boxes_edge_across_edge) {
                 0.001, exact);
 }
 
-TEST(AccuracyCheck, sphere_against_face_edge_corner_and_inside) {
+TEST(AccuracyCheck, measures_sphere_against_face_edge_corner_and_inside) {
     const Sphere ball{0.3};
     EXPECT_NEAR(depth(ball, at({0.1, 0.79, 0}), cube, at({})), 0.01, exact);
     EXPECT_NEAR(depth(ball, at({0.6, 0.6, 0}), cube, at({})), 0.3 - 0.1 * std::sqrt(2), exact);
@@ -130,12 +130,12 @@ TEST(AccuracyCheck, sphere_against_face_edge_corner_and_inside) {
     EXPECT_NEAR(depth(ball, at({0.4, 0, 0}), cube, at({})), 0.3 + 0.1, exact);
 }
 
-TEST(AccuracyCheck, spheres) {
+TEST(AccuracyCheck, measures_spheres) {
     EXPECT_NEAR(depth(Sphere{0.3}, at({}), Sphere{0.2}, at({0.3, 0.39, 0})),
                 0.5 - std::sqrt(0.09 + 0.39 * 0.39), exact);
 }
 
-TEST(AccuracyCheck, capsules_side_by_side_crossed_and_end_to_end) {
+TEST(AccuracyCheck, measures_parallel_crossed_and_collinear_capsules) {
     const Capsule rod{0.2, 1};
     const Quat along_x = from_axis_angle({0, 0, 1}, pi / 2);
     EXPECT_NEAR(depth(rod, at({}), rod, at({0.399, 0.7, 0})), 0.001, exact);
@@ -144,7 +144,7 @@ TEST(AccuracyCheck, capsules_side_by_side_crossed_and_end_to_end) {
     EXPECT_NEAR(depth(rod, at({}), Sphere{0.1}, at({0.29, -0.4, 0})), 0.01, exact);
 }
 
-TEST(AccuracyCheck, capsule_lies_on_box_stands_on_it_and_leans_on_its_edge) {
+TEST(AccuracyCheck, measures_lying_standing_and_leaning_capsules_on_a_box) {
     const Capsule rod{0.2, 1};
     const Quat along_x = from_axis_angle({0, 0, 1}, pi / 2);
     EXPECT_NEAR(depth(rod, at({0.3, 0.698, 0}, along_x), cube, at({})), 0.002, exact);
@@ -154,7 +154,7 @@ TEST(AccuracyCheck, capsule_lies_on_box_stands_on_it_and_leans_on_its_edge) {
     EXPECT_NEAR(depth(rod, at({over, over, 0}, eighth_about_z), cube, at({})), 0.01, exact);
 }
 
-TEST(AccuracyCheck, capsule_whose_axis_is_inside_a_box) {
+TEST(AccuracyCheck, measures_capsule_with_its_axis_inside_a_box) {
     // Lying 0.1 below the top face: out by 0.1, and by its own radius.
     const Quat along_x = from_axis_angle({0, 0, 1}, pi / 2);
     EXPECT_NEAR(depth(Capsule{0.2, 0.3}, at({0, 0.4, 0}, along_x), cube, at({})), 0.3, exact);
@@ -188,7 +188,7 @@ double least_projection(const Primitive& a, const Transform& pose_a, const Primi
     return overlap_along(best);
 }
 
-TEST(AccuracyCheck, agrees_with_a_search_over_all_directions) {
+TEST(AccuracyCheck, matches_a_brute_force_direction_search) {
     jostle::test::Random random(3);
     const Primitive shapes[] = {Sphere{0.3}, Capsule{0.2, 0.25}, Box{{0.3, 0.25, 0.35}}};
     int overlapping = 0;
@@ -219,7 +219,7 @@ struct ThreeBodies {
     }
 };
 
-TEST(AccuracyCheck, adds_up_a_scene) {
+TEST(AccuracyCheck, sums_penetration_over_a_scene) {
     ThreeBodies three;
     const Penetration both = AccuracyCheck(three.scene).penetration(three.poses);
     EXPECT_EQ(both.pairs, 3);
@@ -228,7 +228,7 @@ TEST(AccuracyCheck, adds_up_a_scene) {
     EXPECT_NEAR(both.mean, (0.004 + 0.004 + 0.02) / 3, exact);
 }
 
-TEST(AccuracyCheck, passes_over_what_a_joint_connects_and_measures_its_drift) {
+TEST(AccuracyCheck, skips_jointed_pairs_and_measures_joint_drift) {
     ThreeBodies three;
     scenes::join(three.scene, "link", 2, 1, at({0.5, 0.496, 0}), jostle::physics::BallJoint{});
     const AccuracyCheck check(three.scene);
@@ -241,13 +241,13 @@ TEST(AccuracyCheck, passes_over_what_a_joint_connects_and_measures_its_drift) {
     EXPECT_NEAR(check.joint_drift(three.poses), 0.48 * std::sqrt(2), exact);
 }
 
-TEST(AccuracyCheck, passes_over_bodies_that_collide_with_nothing) {
+TEST(AccuracyCheck, skips_bodies_that_collide_with_nothing) {
     ThreeBodies three;
     three.scene.bodies[2].shapes[0].filter.mask = 0;
     EXPECT_EQ(AccuracyCheck(three.scene).penetration(three.poses).pairs, 1);
 }
 
-TEST(AccuracyCheck, counts_bodies_that_are_lost_and_goes_on) {
+TEST(AccuracyCheck, counts_lost_bodies_and_continues) {
     ThreeBodies three;
     three.poses[2].position.x = std::numeric_limits<double>::quiet_NaN();
     const Penetration found = AccuracyCheck(three.scene).penetration(three.poses);

@@ -60,7 +60,7 @@ TEST_F(AccuracyFlags, accuracy_writes_rows_work_table_and_plots) {
     EXPECT_THAT(read("plots/j1.svg"), HasSubstr("sub1"));
 }
 
-TEST_F(AccuracyFlags, accuracy_adds_the_rows_of_before) {
+TEST_F(AccuracyFlags, accuracy_merges_earlier_rows) {
     const std::string one = " --rates 60 --peers none --modes default ";
     ASSERT_EQ(run("accuracy --scene f1" + one + "--json " + file("a.json")), 0) << output();
     ASSERT_EQ(run("accuracy --scene f3" + one + "--merge " + file("a.json") + " --json " +
@@ -75,7 +75,7 @@ TEST_F(AccuracyFlags, accuracy_adds_the_rows_of_before) {
     EXPECT_THAT(output(), HasSubstr("none.json"));
 }
 
-TEST_F(AccuracyFlags, the_short_form_keeps_figures_and_finds_what_got_worse) {
+TEST_F(AccuracyFlags, regression_run_stores_results_and_detects_regressions) {
     const std::string against = " --compare-to " + file("short.json");
     EXPECT_EQ(run("accuracy --regression --scene f1,j1" + against), 1);
     EXPECT_THAT(output(), HasSubstr("no rows in"));
@@ -101,7 +101,7 @@ TEST_F(AccuracyFlags, the_short_form_keeps_figures_and_finds_what_got_worse) {
     EXPECT_EQ(nlohmann::json::parse(read("short.json"))["rows"], json["rows"]);
 }
 
-TEST_F(AccuracyFlags, the_short_form_goes_with_no_other_form) {
+TEST_F(AccuracyFlags, regression_run_excludes_other_output_flags) {
     EXPECT_EQ(run("accuracy --compare-to short.json"), 2);
     EXPECT_THAT(output(), HasSubstr("--regression"));
     EXPECT_EQ(run("accuracy --regression --update"), 2);
@@ -124,7 +124,7 @@ TEST_F(AccuracyFlags, stability_writes_verdicts) {
     EXPECT_LT(json["rows"][0]["figure"], 0.1);
 }
 
-TEST_F(AccuracyFlags, integrators_and_roads_write_rows) {
+TEST_F(AccuracyFlags, integrators_and_contact_models_write_rows) {
     ASSERT_EQ(run("integrators --field kepler --method verlet,rk4 --rates 240,480 --json " +
                   file("i.json") + " --csv " + file("i.csv")),
               0)
@@ -158,7 +158,7 @@ TEST_F(AccuracyFlags, integrators_and_roads_write_rows) {
     EXPECT_EQ(run("integrators --json /nowhere/i.json"), 1);
 }
 
-TEST_F(AccuracyFlags, what_does_not_exist_is_named_with_what_there_is) {
+TEST_F(AccuracyFlags, errors_list_the_accepted_names) {
     EXPECT_EQ(run("accuracy --scene q9"), 2);
     EXPECT_THAT(output(), HasSubstr("there is no scene q9"));
     EXPECT_THAT(output(), HasSubstr("c5-e0.8"));
@@ -179,7 +179,7 @@ TEST_F(AccuracyFlags, help_lists_scenes_and_tests) {
     EXPECT_THAT(output(), HasSubstr("s22"));
 }
 
-TEST_F(AccuracyFlags, a_file_that_cannot_be_written_is_named_before_anything_runs) {
+TEST_F(AccuracyFlags, unwritable_output_fails_before_the_run) {
     EXPECT_EQ(run("accuracy --scene f1 --json /nowhere/a.json"), 1);
     EXPECT_THAT(output(), HasSubstr("cannot write /nowhere/a.json"));
     EXPECT_EQ(run("stability --scene s1 --json /nowhere/s.json"), 1);

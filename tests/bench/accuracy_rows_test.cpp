@@ -24,7 +24,7 @@ struct Expected {
 
 class JostleRows : public testing::TestWithParam<Expected> {};
 
-TEST_P(JostleRows, stay_within_their_error) {
+TEST_P(JostleRows, stay_within_their_error_limits) {
     const auto [scene, rate_hz, most_error] = GetParam();
     const Row row = row_of(scene, "jostle", rate_hz);
     ASSERT_TRUE(row.usable()) << row.failed << row.unsupported;
@@ -89,7 +89,7 @@ INSTANTIATE_TEST_SUITE_P(All, Engines,
                          [](const auto& test) { return std::string(test.param); });
 
 // A motor turns a rod against a limit: signs of angles and speeds differ between engines.
-TEST_P(Engines, turn_the_right_way) {
+TEST_P(Engines, rotate_in_the_expected_direction) {
     const Row row = row_of("j6", GetParam(), 480);
     if (!row.unsupported.empty()) GTEST_SKIP() << row.unsupported;
     EXPECT_LT(row.error, 0.8) << "one sample late at the limit is 0.77";
@@ -98,7 +98,7 @@ TEST_P(Engines, turn_the_right_way) {
 
 // Joint coordinates have no gaps; RK4 in them is of fourth order. The
 // pendulum's error is below 1e-5 at 30 Hz.
-TEST(BulletTrees, keep_joints_closed_and_converge_as_runge_kutta_does) {
+TEST(BulletTrees, keep_joints_closed_and_converge_at_runge_kutta_order) {
     if (!find_engine_kind("bullet")->make) GTEST_SKIP() << "not built in";
     const Row slow = row_of("j1", "bullet", 30, "mb-rk4"),
               fast = row_of("j1", "bullet", 60, "mb-rk4");
@@ -116,14 +116,14 @@ TEST(BulletTrees, keep_joints_closed_and_converge_as_runge_kutta_does) {
               "bullet's trees hold jointed bodies alone");
 }
 
-TEST(Rows, say_what_an_engine_lacks) {
+TEST(Rows, report_unsupported_features) {
     if (!find_engine_kind("box2d")->make) GTEST_SKIP() << "not built in";
     const Row row = row_of("f1", "box2d", 60);
     EXPECT_EQ(row.unsupported, "box2d is planar");
     EXPECT_FALSE(row.usable());
 }
 
-TEST(Experiments, have_names_of_their_own_and_tolerances_that_fall) {
+TEST(Experiments, have_unique_names_and_decreasing_tolerances) {
     for (const Experiment& experiment : all_experiments()) {
         EXPECT_EQ(find_experiment(experiment.name), &experiment);
         for (std::size_t k = 1; k < experiment.tolerances.size(); k++)
@@ -141,14 +141,14 @@ Verdict verdict_of(const char* id) {
     return {};
 }
 
-TEST(Stress, a_stack_stands_and_bad_inputs_are_refused) {
+TEST(Stress, stack_stands_and_invalid_inputs_are_rejected) {
     EXPECT_TRUE(verdict_of("s1").pass);
     EXPECT_TRUE(verdict_of("s16").pass);
     const Verdict inputs = verdict_of("s22");
     EXPECT_TRUE(inputs.pass) << inputs.figure.value_or(-1) << " inputs are taken";
 }
 
-TEST(Stress, a_figure_above_the_limit_fails) {
+TEST(Stress, result_above_the_limit_fails) {
     const StressRun run{
         .start = [] { return find_experiment("f1")->start(0); }, .speed_bound = 1, .limit = 1};
     const EngineKind& jostle = *find_engine_kind("jostle");

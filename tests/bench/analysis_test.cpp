@@ -42,7 +42,7 @@ const std::vector<Row>& synthetic_rows() {
     return rows;
 }
 
-TEST(Orders, are_slopes_between_neighbouring_rates) {
+TEST(Orders, are_computed_from_adjacent_rates) {
     const auto orders = observed_orders(synthetic_rows(), "j1", "jostle", "m");
     ASSERT_EQ(orders.size(), 2u);
     EXPECT_NEAR(orders[0].order, 2, 1e-12);
@@ -51,7 +51,7 @@ TEST(Orders, are_slopes_between_neighbouring_rates) {
     EXPECT_TRUE(observed_orders(synthetic_rows(), "j1", "other", "m").empty());
 }
 
-TEST(LeastWork, is_the_cheapest_row_that_is_good_enough) {
+TEST(LeastWork, is_the_cheapest_row_within_tolerance) {
     EXPECT_EQ(least_work(synthetic_rows(), "j1", "jostle", 0.01)->cpu_us_per_second, 100);
     EXPECT_EQ(least_work(synthetic_rows(), "j1", "peer", 0.01)->cpu_us_per_second, 40);
     EXPECT_FALSE(least_work(synthetic_rows(), "j1", "peer", 0.001));
@@ -59,7 +59,7 @@ TEST(LeastWork, is_the_cheapest_row_that_is_good_enough) {
               400);  // not the lost one
 }
 
-TEST(ParetoSet, holds_what_nobody_beats_in_both) {
+TEST(ParetoSet, contains_rows_not_dominated_in_time_and_error) {
     const auto front = pareto_set(synthetic_rows(), "j1");
     ASSERT_EQ(front.size(), 4u);
     EXPECT_EQ(front[0].cpu_us_per_second, 40);
@@ -69,7 +69,7 @@ TEST(ParetoSet, holds_what_nobody_beats_in_both) {
 }
 
 // j1 asks for 0.01, 0.001 and 1e-5: 40/100, 400/200, and one that only a peer reaches.
-TEST(Score, is_the_geometric_mean_and_a_missing_figure_counts_a_hundredth) {
+TEST(Score, is_the_geometric_mean_and_a_missing_result_counts_0_01) {
     const Score score = score_of(synthetic_rows(), "jostle");
     ASSERT_EQ(score.comparisons.size(), 3u);
     EXPECT_DOUBLE_EQ(score.comparisons[0].ratio, 0.4);
@@ -80,12 +80,12 @@ TEST(Score, is_the_geometric_mean_and_a_missing_figure_counts_a_hundredth) {
     EXPECT_NE(text.find("Behind in 2, below 1/2 in 2"), std::string::npos);
 }
 
-TEST(Score, leaves_out_scenes_without_a_peer) {
+TEST(Score, skips_scenes_without_a_peer) {
     const std::vector<Row> alone = {row_of("j1", "jostle", 60, 0.005, 100)};
     EXPECT_TRUE(score_of(alone, "jostle").comparisons.empty());
 }
 
-TEST(Score, what_only_we_reach_counts_a_hundred) {
+TEST(Score, result_without_a_peer_match_counts_100) {
     const std::vector<Row> rows = {row_of("j1", "jostle", 60, 1e-6, 100),
                                    row_of("j1", "peer", 60, 1, 10)};
     const Score score = score_of(rows, "jostle");
@@ -93,7 +93,7 @@ TEST(Score, what_only_we_reach_counts_a_hundred) {
     EXPECT_DOUBLE_EQ(score.mean, 100);
 }
 
-TEST(Report, says_errors_orders_work_and_reasons) {
+TEST(Report, prints_errors_orders_work_and_failure_reasons) {
     std::vector<Row> rows = synthetic_rows();
     rows.push_back(
         {.scene = "j1", .engine = "flat", .mode = "m", .rate_hz = 60, .unsupported = "no z"});
@@ -103,7 +103,7 @@ TEST(Report, says_errors_orders_work_and_reasons) {
     EXPECT_NE(text.find("left out: no z"), std::string::npos);
 }
 
-TEST(Rows, go_through_json_unchanged) {
+TEST(Rows, round_trip_through_json) {
     for (const Row& row : synthetic_rows()) {
         EXPECT_EQ(to_json(row_from(to_json(row))), to_json(row));
         EXPECT_EQ(to_json(row).contains("error"), row.failed.empty());
@@ -119,7 +119,7 @@ std::size_t times_in(const std::string& text, const std::string& part) {
     return times;
 }
 
-TEST(Rows, go_through_csv_unchanged) {
+TEST(Rows, round_trip_through_csv) {
     std::string text = csv_heading() + "\n";
     for (const Row& row : synthetic_rows()) text += csv_line(row) + "\n";
     std::istringstream in(text);
@@ -132,7 +132,7 @@ TEST(Rows, go_through_csv_unchanged) {
     EXPECT_THROW(rows_from_csv(other), std::runtime_error);
 }
 
-TEST(Overview, draws_a_panel_a_scene_with_the_rows_that_nobody_beats_and_the_least_work) {
+TEST(Overview, draws_one_panel_per_scene_with_pareto_rows_and_least_work) {
     std::vector<Row> rows = synthetic_rows();
     rows.push_back(row_of("f1", "jostle", 60, 0, 10));
     const std::string svg = accuracy_overview(rows);
@@ -144,7 +144,7 @@ TEST(Overview, draws_a_panel_a_scene_with_the_rows_that_nobody_beats_and_the_lea
     EXPECT_NE(accuracy_overview({}).find("</svg>"), std::string::npos);
 }
 
-TEST(DocTables, stand_between_their_marks) {
+TEST(DocTables, replace_the_text_between_their_markers) {
     const std::string path = testing::TempDir() + "doc_tables_test.md";
     std::ofstream(path) << "a\n<!-- begin score -->\nold\n<!-- end score -->\nb\n";
     EXPECT_TRUE(replace_section(path, "score", "new\n"));
@@ -155,7 +155,7 @@ TEST(DocTables, stand_between_their_marks) {
     EXPECT_FALSE(replace_section("/nowhere/a.md", "score", "new\n"));
 }
 
-TEST(DocTables, hold_the_figures) {
+TEST(DocTables, contain_the_measured_values) {
     Row row = row_of("j1", "jostle", 60, 0.0015, 294.4);
     row.mode = "sub8";
     EXPECT_NE(jostle_table({row}).find("| j1 | RMS distance, m; widest joint gap, m | 0.0015 | 0 | "
@@ -195,7 +195,7 @@ TEST(DocTables, hold_the_figures) {
         << stability_table(verdicts);
 }
 
-TEST(Plot, draws_a_mark_a_row_and_a_curve_a_mode) {
+TEST(Plot, draws_one_mark_per_row_and_one_curve_per_mode) {
     const std::string svg = plot_accuracy(*find_experiment("j1"), synthetic_rows(), "a machine");
     EXPECT_EQ(times_in(svg, "<polyline"), 3u);
     EXPECT_EQ(times_in(svg, "r=\"8\""), 4u);  // the Pareto set

@@ -18,7 +18,7 @@ std::unique_ptr<BroadPhaseIndex> make() {
     return std::make_unique<Index>();
 }
 
-TEST(BenchBroadPhases, answer_as_a_loop_over_all_boxes_does) {
+TEST(BenchBroadPhases, match_a_brute_force_loop) {
     expect_matches_brute_force(make<bench::LooseOctree>);
     expect_matches_brute_force(make<bench::KdTree>);
 }
@@ -84,7 +84,7 @@ void expect_pairs_of_touching_boxes(std::unique_ptr<BroadPhaseIndex> (*make)()) 
     }
 }
 
-TEST(BenchBroadPhases, find_touching_boxes_once) {
+TEST(BenchBroadPhases, report_each_touching_pair_once) {
     expect_pairs_of_touching_boxes(make<bench::LooseOctree>);
     expect_pairs_of_touching_boxes(make<bench::KdTree>);
 }

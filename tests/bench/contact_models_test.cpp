@@ -13,7 +13,7 @@ SceneErrors errors_of(const char* model, double rate_hz) {
     return contact_model_row(*find_contact_model(model), rate_hz).errors;
 }
 
-TEST(Penalty, sinks_as_deep_as_its_spring_says_and_is_unstable_at_long_steps) {
+TEST(Penalty, penetration_matches_the_spring_and_long_steps_are_unstable) {
     EXPECT_TRUE(errors_of("penalty", 60).failed);
     const SceneErrors fine = errors_of("penalty", 3840);
     ASSERT_FALSE(fine.failed);
@@ -22,7 +22,7 @@ TEST(Penalty, sinks_as_deep_as_its_spring_says_and_is_unstable_at_long_steps) {
 }
 
 // 0.5 mm are allowed. At 30 Hz ten rounds are too few for ten balls.
-TEST(Impulses, leave_the_overlap_that_is_allowed) {
+TEST(Impulses, leave_the_allowed_penetration) {
     for (const double rate : {60.0, 120.0, 480.0}) {
         const SceneErrors errors = errors_of("impulses", rate);
         ASSERT_FALSE(errors.failed);
@@ -39,7 +39,7 @@ TEST(Xpbd, is_stable_at_any_step_and_converges_at_first_order) {
     EXPECT_LT(fine.overlap, 1e-4);
 }
 
-TEST(ContactModels, all_stop_what_slides_after_coulombs_way) {
+TEST(ContactModels, all_models_match_the_coulomb_stopping_distance) {
     for (const ContactModelKind& kind : contact_model_kinds())
         EXPECT_LT(contact_model_row(kind, 1920).errors.slide, 0.01) << kind.name;
 }

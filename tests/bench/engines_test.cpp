@@ -49,7 +49,7 @@ protected:
     std::unique_ptr<Engine> engine_ = GetParam()->make();
 };
 
-TEST_P(EveryEngine, free_fall_is_damped_at_a_twentieth_a_second) {
+TEST_P(EveryEngine, free_fall_is_damped_at_0_05_per_second) {
     add(Sphere{0.5});
     start();
     run(60);
@@ -57,7 +57,7 @@ TEST_P(EveryEngine, free_fall_is_damped_at_a_twentieth_a_second) {
     EXPECT_NEAR(engine_->velocity(0).y, -9.81 / 0.05 * (1 - std::exp(-0.05)), 0.01);
 }
 
-TEST_P(EveryEngine, box_slides_as_far_as_friction_of_one_half_says) {
+TEST_P(EveryEngine, box_stopping_distance_matches_friction_0_5) {
     add_floor();
     add(Box{{0.5, 0.1, 0.5}}, {0, 0.1, 0}).body.linear_velocity = {4, 0, 0};
     start();
@@ -69,7 +69,7 @@ TEST_P(EveryEngine, box_slides_as_far_as_friction_of_one_half_says) {
     EXPECT_NEAR(engine_->velocity(1).x, 0, 1e-3);
 }
 
-TEST_P(EveryEngine, capsules_lie_along_y) {
+TEST_P(EveryEngine, capsule_axis_is_y) {
     add_floor();
     add(Capsule{0.25, 1}, {0, 0.25, 0}, from_axis_angle({0, 0, 1}, pi / 2));
     add(Capsule{0.25, 1}, {5, 3, 0});
@@ -91,7 +91,7 @@ TEST_P(EveryEngine, hinge_stops_at_its_lower_limit) {
 }
 
 // A shoulder that points sideways lets its arm fall by the swing and no further.
-TEST_P(EveryEngine, shoulder_swings_as_far_as_its_cone) {
+TEST_P(EveryEngine, shoulder_swing_stops_at_its_cone) {
     add_post_and_arm();
     join(scene_, "shoulder", 1, 2, {{1.1, 3, 0}, from_axis_angle({1, 0, 0}, -pi / 2)},
          ConeTwistJoint{.swing = 0.5, .twist = {true, -0.2, 0.2}});
@@ -102,7 +102,7 @@ TEST_P(EveryEngine, shoulder_swings_as_far_as_its_cone) {
     EXPECT_NEAR(out.z, 0, 0.02);
 }
 
-TEST_P(EveryEngine, jointed_bodies_do_not_collide_and_a_static_one_holds) {
+TEST_P(EveryEngine, jointed_bodies_do_not_collide_and_static_anchor_holds) {
     SceneBody& hook = add(Sphere{0.5});
     hook.body.type = BodyType::static_body;
     hook.shapes[0].filter.mask = 0;
@@ -117,7 +117,7 @@ TEST_P(EveryEngine, jointed_bodies_do_not_collide_and_a_static_one_holds) {
     EXPECT_TRUE(near(engine_->pose(2).position, {0, -1.2, 0}, 0.02));
 }
 
-TEST_P(EveryEngine, bodies_that_collide_with_nothing_fall_through) {
+TEST_P(EveryEngine, non_colliding_bodies_fall_through) {
     add_floor();
     add(Sphere{0.5}, {0, 0.6, 0}).shapes[0].filter.mask = 0;
     start();
@@ -126,7 +126,7 @@ TEST_P(EveryEngine, bodies_that_collide_with_nothing_fall_through) {
 }
 
 // In ODE a static body is none at all, and asking one for its velocity ended the program.
-TEST_P(EveryEngine, static_bodies_stand_still) {
+TEST_P(EveryEngine, static_bodies_do_not_move) {
     add_floor();
     start(true);
     run(1);
@@ -134,7 +134,7 @@ TEST_P(EveryEngine, static_bodies_stand_still) {
     EXPECT_TRUE(near(engine_->pose(0).position, {0, -1, 0}, 0));
 }
 
-TEST_P(EveryEngine, sleeps_when_it_may_and_wakes_when_it_is_driven) {
+TEST_P(EveryEngine, sleeps_when_allowed_and_wakes_when_driven) {
     add_floor();
     add(Box{}, {0, 0.5, 0});
     start(true);
@@ -147,7 +147,7 @@ TEST_P(EveryEngine, sleeps_when_it_may_and_wakes_when_it_is_driven) {
     EXPECT_GT(engine_->velocity(1).x, 5.8);
 }
 
-TEST_P(EveryEngine, never_sleeps_when_it_may_not) {
+TEST_P(EveryEngine, does_not_sleep_when_disabled) {
     add_floor();
     add(Box{}, {0, 0.5, 0});
     start();
@@ -156,7 +156,7 @@ TEST_P(EveryEngine, never_sleeps_when_it_may_not) {
 }
 
 // What an engine could not be given is refused and named, not left out. Jostle takes every scene.
-TEST_P(EveryEngine, takes_no_scene_that_is_not_portable) {
+TEST_P(EveryEngine, rejects_scenes_that_are_not_portable) {
     add_floor();
     add(Cylinder{});
     EXPECT_EQ(engine_->init(scene_).ok(), std::string_view(GetParam()->name) == "jostle");

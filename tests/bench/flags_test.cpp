@@ -56,7 +56,7 @@ TEST_F(SpeedFlags, writes_table_json_and_plot) {
     EXPECT_THAT(read("r.svg"), HasSubstr("a lab_pyramid_465"));
 }
 
-TEST_F(SpeedFlags, threads_compares_worlds_that_end_alike) {
+TEST_F(SpeedFlags, threads_compares_worlds_with_identical_results) {
     const std::string what = "--scene a,h --threads 1,2 --steps 5 --rounds 1 --json ";
     ASSERT_EQ(run(what + file("t.json"), "threads"), 0) << output();
     const auto json = nlohmann::json::parse(read("t.json"));
@@ -69,7 +69,7 @@ TEST_F(SpeedFlags, threads_compares_worlds_that_end_alike) {
     EXPECT_THAT(output(), HasSubstr("there is no scene nosuch"));
 }
 
-TEST_F(SpeedFlags, growth_writes_its_own_rows) {
+TEST_F(SpeedFlags, growth_writes_growth_rows) {
     ASSERT_EQ(run("--growth 20,40 --peers none --json " + file("g.json")), 0) << output();
     const auto json = nlohmann::json::parse(read("g.json"));
     EXPECT_EQ(json["benchmark"], "speed growth");
@@ -77,7 +77,7 @@ TEST_F(SpeedFlags, growth_writes_its_own_rows) {
     EXPECT_EQ(json["rows"][1]["bodies"], 40);
 }
 
-TEST_F(SpeedFlags, server_row_has_the_ticks_of_a_second_with_two_clients) {
+TEST_F(SpeedFlags, server_row_counts_one_second_of_ticks_with_two_clients) {
     ASSERT_EQ(run("--server --scene c --clients 2 --seconds 1 --json " + file("s.json")), 0)
         << output();
     EXPECT_THAT(output(), HasSubstr("c lab_boxes_1000"));
@@ -97,7 +97,7 @@ TEST_F(SpeedFlags, server_row_has_the_ticks_of_a_second_with_two_clients) {
     EXPECT_GT(row["kbit_per_second_per_client"], 0);
 }
 
-TEST_F(SpeedFlags, server_takes_no_flags_of_the_solver_and_the_solver_none_of_the_server) {
+TEST_F(SpeedFlags, server_and_solver_flags_are_mutually_exclusive) {
     EXPECT_EQ(run("--server --steps 5"), 2);
     EXPECT_EQ(run("--server --peers ode"), 2);
     EXPECT_EQ(run("--clients 2"), 2);
@@ -105,7 +105,7 @@ TEST_F(SpeedFlags, server_takes_no_flags_of_the_solver_and_the_solver_none_of_th
     EXPECT_EQ(run("--server --seconds 31"), 2);
 }
 
-TEST_F(SpeedFlags, rollback_restores_what_it_kept_and_writes_a_row_each) {
+TEST_F(SpeedFlags, rollback_restores_the_saved_state_and_writes_a_row_per_scene) {
     ASSERT_EQ(run("--bodies 60 --repetitions 2 --steps 3 --json " + file("b.json"), "rollback"), 0)
         << output();
     EXPECT_THAT(output(), HasSubstr("restore ms"));
@@ -119,7 +119,7 @@ TEST_F(SpeedFlags, rollback_restores_what_it_kept_and_writes_a_row_each) {
     EXPECT_EQ(run("--bodies 0", "rollback"), 2);
 }
 
-TEST_F(SpeedFlags, features_measures_those_asked_for_and_holds_them_to_a_limit) {
+TEST_F(SpeedFlags, features_measures_selected_features_and_enforces_the_limit) {
     const std::string two = "--feature nothing,joints --rounds 2 --steps 2 ";
     ASSERT_EQ(run(two + "--max-ratio 1000 --json " + file("f.json"), "features"), 0) << output();
     EXPECT_THAT(output(), HasSubstr("joints"));
@@ -133,20 +133,20 @@ TEST_F(SpeedFlags, features_measures_those_asked_for_and_holds_them_to_a_limit) 
     EXPECT_EQ(run("--rounds 1", "features"), 2);
 }
 
-TEST_F(SpeedFlags, unknown_scene_is_named_with_those_there_are) {
+TEST_F(SpeedFlags, unknown_scene_error_lists_known_scenes) {
     EXPECT_EQ(run("--scene a,z"), 2);
     EXPECT_THAT(output(), HasSubstr("there is no scene z"));
     EXPECT_THAT(output(), HasSubstr("i or lab_bullets_1000"));
 }
 
-TEST_F(SpeedFlags, unknown_peer_is_named_with_those_there_are) {
+TEST_F(SpeedFlags, unknown_peer_error_lists_known_peers) {
     EXPECT_EQ(run("--peers havoc"), 2);
     EXPECT_THAT(output(), HasSubstr("there is no peer havoc"));
     EXPECT_THAT(output(), HasSubstr("bullet"));
     EXPECT_THAT(output(), HasSubstr("ode"));
 }
 
-TEST_F(SpeedFlags, bad_numbers_are_refused_with_their_range) {
+TEST_F(SpeedFlags, rejects_numbers_out_of_range_and_prints_the_range) {
     EXPECT_EQ(run("--threads 0"), 2);
     EXPECT_THAT(output(), HasSubstr("range"));
     EXPECT_EQ(run("--threads 65"), 2);
@@ -158,7 +158,7 @@ TEST_F(SpeedFlags, bad_numbers_are_refused_with_their_range) {
     EXPECT_EQ(run("--growth 10 --scene a"), 2);
 }
 
-TEST_F(SpeedFlags, file_that_cannot_be_written_is_named_before_anything_runs) {
+TEST_F(SpeedFlags, unwritable_output_fails_before_the_run) {
     EXPECT_EQ(run("--scene b --json /nowhere/r.json"), 1);
     EXPECT_THAT(output(), HasSubstr("cannot write /nowhere/r.json: No such file or directory"));
     EXPECT_EQ(output().find("ms_mean"), std::string::npos);

@@ -7,7 +7,7 @@ namespace {
 
 using namespace jostle::bench;
 
-TEST(Growth, small_pile_has_a_time_and_a_size_per_body) {
+TEST(Growth, small_pile_reports_time_and_bytes_per_body) {
     const GrowthRow row = measure_growth_in_child(*find_engine_kind("jostle"), 1, 40);
     ASSERT_FALSE(row.failed) << *row.failed;
     EXPECT_EQ(row.bodies, 40);

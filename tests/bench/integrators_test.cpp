@@ -38,7 +38,7 @@ IntegratorRow of_oscillator(const char* method) {
 }
 
 // Ten thousand turns would tell the same: symplectic methods keep it, explicit Euler gains.
-TEST(Energy, is_kept_by_symplectic_methods) {
+TEST(Energy, is_conserved_by_symplectic_methods) {
     EXPECT_GT(*of_oscillator("explicit").energy_drift, 0.3);
     EXPECT_GT(*of_oscillator("implicit").energy_drift, 0.2);
     EXPECT_LT(*of_oscillator("semi-implicit").energy_drift, 0.03);
@@ -49,7 +49,7 @@ TEST(Energy, is_kept_by_symplectic_methods) {
 }
 
 // Position Verlet in each sub-step, with all the machinery of a world around.
-TEST(Jostle, steps_a_free_body_as_verlet_does_at_eight_times_the_rate) {
+TEST(Jostle, free_body_matches_verlet_at_eight_times_the_rate) {
     for (const ParticleField& field : all_fields()) {
         const auto ours = integrator_rows(field, *find_integrator("jostle"), {120});
         const auto verlet = integrator_rows(field, *find_integrator("verlet"), {960});

@@ -29,7 +29,7 @@ protected:
     }
 };
 
-TEST_P(Rows, a_pyramid_stands_for_ten_steps) {
+TEST_P(Rows, pyramid_stays_standing_for_ten_steps) {
     const SpeedRow row = row_of(GetParam(), "a", 10);
     ASSERT_FALSE(row.failed) << *row.failed;
     EXPECT_EQ(row.scene + " " + row.name, "a lab_pyramid_465");
@@ -58,27 +58,27 @@ TEST_P(Rows, a_pyramid_stands_for_ten_steps) {
 INSTANTIATE_TEST_SUITE_P(All, Rows, testing::Values("jostle", "bullet", "ode"),
                          [](const auto& test) { return std::string(test.param); });
 
-TEST(Rows, jostle_lets_none_of_the_bullets_through) {
+TEST(Rows, jostle_stops_all_bullets) {
     const SpeedRow row = row_of("jostle", "i", 20);
     EXPECT_EQ(row.tunnelled, 0);
     EXPECT_LT(*row.max_penetration_m, 0.01);
 }
 
-TEST(Rows, ragdolls_have_joints_that_drift) {
+TEST(Rows, ragdoll_rows_report_joint_drift) {
     const SpeedRow row = row_of("jostle", "f", 10);
     ASSERT_TRUE(row.joint_drift_m && row.peak_joint_drift_m);
     EXPECT_LT(*row.peak_joint_drift_m, 0.01);
     EXPECT_EQ(row.error_m(), std::max(*row.joint_drift_m, *row.max_penetration_m));
 }
 
-TEST(Rows, asleep_says_by_which_step) {
+TEST(Rows, reports_the_step_at_which_all_bodies_sleep) {
     const SpeedRow row = row_of("jostle", "a", 200, true);
     ASSERT_TRUE(row.asleep_at_step);
     EXPECT_GT(*row.asleep_at_step, 20);
 }
 
 // 900 cubes lie about and a player pushes some: who is not pushed sleeps.
-TEST(Rows, awake_says_who_is_left) {
+TEST(Rows, reports_awake_bodies_at_the_end) {
     const SpeedRow row = row_of("jostle", "e", 120, true);
     ASSERT_TRUE(row.awake_at_end && row.moving_at_end);
     EXPECT_LE(*row.awake_at_end, 60);
@@ -86,7 +86,7 @@ TEST(Rows, awake_says_who_is_left) {
     EXPECT_LE(*row.moving_at_end, *row.awake_at_end);
 }
 
-TEST(Rows, more_threads_are_timed_by_the_wall_and_end_alike) {
+TEST(Rows, multithreaded_runs_use_wall_time_and_give_the_same_result) {
     const SpeedRow row = measure_row_in_child({.scene = find_speed_scene("a"),
                                                .engine = find_engine_kind("jostle"),
                                                .threads = 2,
@@ -95,7 +95,7 @@ TEST(Rows, more_threads_are_timed_by_the_wall_and_end_alike) {
     EXPECT_EQ(row.repeats, true);
 }
 
-TEST(Rows, without_the_accuracy_check_errors_are_unknown) {
+TEST(Rows, errors_are_null_without_the_accuracy_check) {
     const SpeedRow row = measure_row_in_child({.scene = find_speed_scene("a"),
                                                .engine = find_engine_kind("jostle"),
                                                .steps = 5,
@@ -104,7 +104,7 @@ TEST(Rows, without_the_accuracy_check_errors_are_unknown) {
     EXPECT_NEAR(row.top_m, 29.5, 0.05);
 }
 
-TEST(Rows, go_through_json_unchanged) {
+TEST(Rows, round_trip_through_json) {
     SpeedRow row = row_of("jostle", "f", 2);
     EXPECT_EQ(to_json(speed_row_from(to_json(row))), to_json(row));
     EXPECT_TRUE(to_json(row).at("tunnelled").is_null());
@@ -113,7 +113,7 @@ TEST(Rows, go_through_json_unchanged) {
     EXPECT_FALSE(to_json(row).contains("ms_mean"));
 }
 
-TEST(Rows, a_crash_is_a_row_that_says_so) {
+TEST(Rows, crashed_engine_gives_a_failed_row) {
     const EngineKind crashing{"crash", "", 1, []() -> std::unique_ptr<Engine> {
                                   std::raise(SIGKILL);
                                   return nullptr;
@@ -124,7 +124,7 @@ TEST(Rows, a_crash_is_a_row_that_says_so) {
     EXPECT_NE(speed_line(row).find("failed: ended by signal 9 (Killed)"), std::string::npos);
 }
 
-TEST(ChildProcess, returns_text_of_any_length_or_the_reason) {
+TEST(ChildProcess, returns_output_of_any_length_or_the_failure) {
     EXPECT_EQ(run_in_child([] { return std::string(1 << 20, 'x'); }).text.size(), 1u << 20);
     const ChildResult thrown =
         run_in_child([]() -> std::string { throw std::runtime_error("no memory"); });

@@ -46,7 +46,7 @@ Errors errors_of(const char* name, const Motion3& motion, double rate_hz = 60) {
 
 const Vec3 heading = azimuth(pi / 6);
 
-TEST(Meters, free_fall_by_symplectic_euler_is_wrong_by_g_t_dt_over_two) {
+TEST(Meters, symplectic_euler_free_fall_error_is_g_t_dt_over_2) {
     const auto exact = [](int, double t) {
         return BodyState{.position = {3 * t, 4 * t, 5 * t - 0.5 * g * t * t}};
     };
@@ -59,7 +59,7 @@ TEST(Meters, free_fall_by_symplectic_euler_is_wrong_by_g_t_dt_over_two) {
     EXPECT_NEAR(errors_of("f1", euler).primary, 0.1635, 1e-4);
 }
 
-TEST(Meters, springs_and_their_energy) {
+TEST(Meters, measures_spring_position_and_energy_error) {
     const auto exact = [](int, double t) {
         return BodyState{.position = {std::cos(2 * pi * t), 0, 0},
                          .velocity = {-2 * pi * std::sin(2 * pi * t), 0, 0}};
@@ -72,7 +72,7 @@ TEST(Meters, springs_and_their_energy) {
 }
 
 // Slides for 0.4854133 s, rolls at 25/7 m/s: 7.4895810 m in 2 s.
-TEST(Meters, a_ball_slides_and_rolls) {
+TEST(Meters, measures_sliding_and_rolling_ball) {
     const auto exact = [](int, double t) {
         const double slides = 2 * 5 / (7 * 0.3 * g), slow = std::min(t, slides);
         const double way = 5 * slow - 0.5 * 0.3 * g * slow * slow + 25.0 / 7 * (t - slow);
@@ -86,7 +86,7 @@ TEST(Meters, a_ball_slides_and_rolls) {
 }
 
 // 0.9396276 m/s^2 along the slope; 5 m/s end after 3.1855 m.
-TEST(Meters, boxes_slide_and_stop) {
+TEST(Meters, measures_stopping_distance_of_boxes) {
     const auto slides = [](int, double t) {
         return BodyState{.position = heading * (0.5 * 0.9396276 * t * t) + Vec3{0, 0, 0.25}};
     };
@@ -104,7 +104,7 @@ TEST(Meters, boxes_slide_and_stop) {
 }
 
 // Steps that miss an apex do not count: the parabola through three samples finds it.
-TEST(Meters, apexes_of_a_bounce) {
+TEST(Meters, measures_bounce_apexes) {
     const auto bounces = [](double keep) {
         return [keep](int, double t) {
             double speed = 0, height = 1, left = t;  // of this flight, from its start
@@ -127,7 +127,7 @@ TEST(Meters, apexes_of_a_bounce) {
     EXPECT_LT(energy_of_flight.primary, 1e-9);
 }
 
-TEST(Meters, velocities_after_impacts) {
+TEST(Meters, measures_velocities_after_impacts) {
     const double angle = 37 * pi / 180;
     const auto billiard = [&](int body, double) {
         const Vec3 normal = azimuth(angle + pi / 6), before = azimuth(angle) * 5;
@@ -144,7 +144,7 @@ TEST(Meters, velocities_after_impacts) {
     EXPECT_NEAR(errors_of("c7", stuck).primary, std::sqrt(4 * 0.04 + 0.64), 1e-12);
 }
 
-TEST(Meters, what_rests_and_what_falls) {
+TEST(Meters, measures_resting_and_falling_bodies) {
     const Scene stack = find_experiment("c8")->start(0).scene;
     const auto sunk = [&](int body, double) {
         BodyState state{.position = stack.bodies[static_cast<std::size_t>(body)].pose.position};
@@ -162,7 +162,7 @@ TEST(Meters, what_rests_and_what_falls) {
     EXPECT_EQ(errors_of("c10-mu0.17", stands).primary, 1);
 }
 
-TEST(Meters, gaps_are_between_the_ends_of_joints) {
+TEST(Meters, measures_gaps_between_joint_anchors) {
     Scene scene;
     scene.bodies = {without_shape(solid_box(1, {0.1, 0.1, 0.5}, {0, 0, -0.5}))};
     scene.joints = {ball_at(ground, 0, {})};

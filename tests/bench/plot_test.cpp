@@ -26,7 +26,7 @@ TEST(SeriesStyle, is_the_same_in_every_plot) {
     EXPECT_STRNE(series_style(many, 0).color, series_style(many, 2).color);
 }
 
-TEST(Plot, names_scenes_series_and_errors) {
+TEST(Plot, labels_scenes_series_and_errors) {
     SpeedRow failed = row("ode", 0, 0);
     failed.failed = "ended by signal 11";
     SpeedRow two = row("jostle", 0.9, 0.0007);
@@ -40,7 +40,7 @@ TEST(Plot, names_scenes_series_and_errors) {
     EXPECT_THAT(svg, Not(HasSubstr("nan")));
 }
 
-TEST(Plot, growth_has_a_curve_for_each_engine) {
+TEST(Plot, growth_draws_one_curve_per_engine) {
     const std::string svg =
         plot_growth({{.engine = "jostle", .bodies = 500, .ms_mean = 1, .bytes_per_body = 2000},
                      {.engine = "jostle", .bodies = 5000, .ms_mean = 12, .bytes_per_body = 1800},
@@ -50,7 +50,7 @@ TEST(Plot, growth_has_a_curve_for_each_engine) {
         EXPECT_THAT(svg, HasSubstr(words));
 }
 
-TEST(Plot, of_nothing_is_still_a_picture) {
+TEST(Plot, empty_plot_is_valid_svg) {
     EXPECT_THAT(plot_speed({}, ""), HasSubstr("</svg>"));
     EXPECT_THAT(plot_growth({}, ""), HasSubstr("</svg>"));
 }

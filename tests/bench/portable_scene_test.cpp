@@ -30,7 +30,7 @@ SceneDescription elbow(const JointKind& kind = BallJoint{}) {
     return scene;
 }
 
-TEST(PortableScene, balls_hinges_and_shoulders_within_limits_are_portable) {
+TEST(PortableScene, ball_hinge_and_cone_joints_within_limits_are_portable) {
     for (const JointKind& kind :
          {JointKind{BallJoint{}}, JointKind{HingeJoint{.limit = {true, -1, 1}}},
           JointKind{HingeJoint{}},
@@ -40,7 +40,7 @@ TEST(PortableScene, balls_hinges_and_shoulders_within_limits_are_portable) {
     }
 }
 
-TEST(PortableScene, what_other_engines_could_not_be_given_is_named) {
+TEST(PortableScene, errors_name_what_is_not_portable) {
     static constexpr Vec3 corners[] = {{0, 0, 0}, {1, 0, 0}, {0, 0, 1}};
     static constexpr std::array<std::uint32_t, 3> triangle[] = {{0, 2, 1}};
     const struct {
@@ -85,7 +85,7 @@ TEST(PortableScene, what_other_engines_could_not_be_given_is_named) {
     }
 }
 
-TEST(PortableScene, axes_of_a_joint_are_in_the_world) {
+TEST(PortableScene, joint_axes_are_in_world_space) {
     const SceneDescription scene = elbow();
     const JointAxes axes = axes_of(scene, scene.joints[0]);
     EXPECT_TRUE(near(axes.anchor, {0, 2.5, 0}, 1e-13));
@@ -94,7 +94,7 @@ TEST(PortableScene, axes_of_a_joint_are_in_the_world) {
     EXPECT_TRUE(near(axes.z, {1, 0, 0}, 1e-13));
 }
 
-TEST(PortableScene, masses_are_those_of_solid_bodies) {
+TEST(PortableScene, masses_match_solid_bodies) {
     SceneDescription scene{
         .bodies = {fixed_box("floor", {0, -1, 0}, {10, 1, 10}),
                    loose("ball", {1, 2, 3}, Sphere{0.3}),

@@ -23,7 +23,7 @@ double rod_rate() {
     return std::sqrt(g * 0.5 / rod_at_pivot);
 }
 
-TEST(Pendulum, rate_and_periods_to_the_last_digit) {
+TEST(Pendulum, rate_and_periods_match_reference_values) {
     EXPECT_NEAR(rod_rate(), 3.8312275, 5e-8);
     const double degrees[] = {5, 30, 90, 150, 170};
     const double periods[] = {1.640774, 1.668543, 1.935750, 2.890001, 4.000537};
@@ -44,7 +44,7 @@ TEST(Pendulum, closed_form_and_runge_kutta_agree) {
     }
 }
 
-TEST(Pendulum, comes_back_after_a_period) {
+TEST(Pendulum, returns_after_one_period) {
     const double start = 2.5, period = pendulum_period(2, start);
     EXPECT_NEAR(pendulum_angle(2, start, 0), start, 1e-12);
     EXPECT_NEAR(pendulum_angle(2, start, 0.25 * period), 0, 1e-12);
@@ -52,7 +52,7 @@ TEST(Pendulum, comes_back_after_a_period) {
     EXPECT_NEAR(pendulum_angle(2, start, 1000 * period), start, 1e-9);
 }
 
-TEST(Elliptic, agrees_with_the_standard_library) {
+TEST(Elliptic, matches_the_standard_library) {
     for (const double k : {0.0, 0.1, 0.5, 0.9, 0.999}) {
         EXPECT_NEAR(elliptic_k(k), std::comp_ellint_1(k), 1e-13);
         EXPECT_NEAR(jacobi_cd(elliptic_k(k), k), 0, 1e-12);
@@ -60,14 +60,14 @@ TEST(Elliptic, agrees_with_the_standard_library) {
     }
 }
 
-TEST(Parallelogram, rate_and_period) {
+TEST(Parallelogram, rate_and_period_match_reference_values) {
     const double rate = std::sqrt((2 * 0.5 + 2) * g / (2 * rod_at_pivot + 2));
     EXPECT_NEAR(rate, 3.3210475, 5e-8);
     EXPECT_NEAR(pendulum_period(rate, pi / 3), 2.030384, 5e-7);
 }
 
 // A light last link hardly pulls: the chain of two is then the chain of one.
-TEST(Chain, a_weightless_link_changes_nothing) {
+TEST(Chain, massless_link_changes_nothing) {
     const Trajectory one = planar_chain({{1, 0.1, 1, 0.5}}, 1, 1, 0);
     const Trajectory two = planar_chain({{1, 0.1, 1, 0.5}, {1e-9, 1e-10, 1, 0.5}}, 1, 1, 0);
     EXPECT_LT(length(one.back() - two.back()), 1e-7);
@@ -93,7 +93,7 @@ TEST(Chain, two_point_masses_swing_in_the_slow_mode) {
 
 // The spin about the middle axis changes its sign after 3.0838 s, and again after half a period of
 // Jacobi's functions, 2 K(k) / rate = 5.5634 s.
-TEST(Tumble, half_a_period_is_that_of_jacobis_functions) {
+TEST(Tumble, half_period_matches_jacobi_functions) {
     const Vec3 inertia{0.1, 0.2, 0.28}, spin{0.01, 5, 0.01};
     const Vec3 l = scaled(inertia, spin);
     const double energy2 = dot(spin, l), momentum2 = dot(l, l);
@@ -116,7 +116,7 @@ TEST(Tumble, half_a_period_is_that_of_jacobis_functions) {
     EXPECT_NEAR(zeros[1] - zeros[0], half_period, 1.1 / reference_hz);
 }
 
-TEST(Catenary, sags_as_known) {
+TEST(Catenary, sag_matches_reference_values) {
     EXPECT_NEAR(catenary_sag(40, 0.1, 3.0), 1.1777516, 5e-8);
     EXPECT_NEAR(catenary_sag(20, 0.5, 9.8), 0.8644919, 5e-8);
 }
@@ -145,7 +145,7 @@ Vec3 top_after(const Body& body, Vec3 inertia_at_pivot, Vec3 arm, double seconds
     return rotate(Quat{y[3], y[4], y[5], y[6]}, arm);
 }
 
-TEST(Top, precesses_as_the_closed_form_says) {
+TEST(Top, precession_matches_the_closed_form) {
     const Body top = find_experiment("f5")->start(0).scene.bodies[0];
     const double tilt = pi / 3, rate = length(top.velocity) / (0.5 * std::sin(tilt));
     EXPECT_NEAR(rate, 1.2885096, 5e-8);
@@ -154,7 +154,7 @@ TEST(Top, precesses_as_the_closed_form_says) {
     EXPECT_LT(length(found - truth), 1e-9);
 }
 
-TEST(ConicalPendulum, goes_round_as_the_closed_form_says) {
+TEST(ConicalPendulum, rotation_matches_the_closed_form) {
     const Body rod = find_experiment("f6")->start(0).scene.bodies[0];
     const double tilt = pi / 6, rate = rod.spin.z;
     EXPECT_NEAR(rate * rate * (rod_at_pivot - rod.inertia.z) * std::cos(tilt), g * 0.5, 1e-12);
@@ -164,7 +164,7 @@ TEST(ConicalPendulum, goes_round_as_the_closed_form_says) {
     EXPECT_LT(length(found - truth), 1e-9);
 }
 
-TEST(Bodies, box_of_an_inertia_has_it) {
+TEST(Bodies, box_of_inertia_has_the_given_inertia) {
     const Vec3 half{0.3, 0.2, 0.1};
     EXPECT_LT(length(box_of_inertia(2, box_inertia(2, half)) - half), 1e-12);
     // A plate without thickness becomes as thin as can be, and keeps its largest moment.
@@ -173,7 +173,7 @@ TEST(Bodies, box_of_an_inertia_has_it) {
     EXPECT_NEAR(box_inertia(1, plate).z, 0.1, 1e-12);
 }
 
-TEST(Bodies, wedge_of_the_arch_is_where_it_should_be) {
+TEST(Bodies, arch_wedge_has_the_expected_pose) {
     const Scene arch = find_experiment("c11")->start(0).scene;
     ASSERT_EQ(arch.bodies.size(), 16u);
     double mass = 0;

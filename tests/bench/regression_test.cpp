@@ -25,7 +25,7 @@ int faults_in(const std::vector<RegressionChange>& changes) {
     return faults;
 }
 
-TEST(Regression, a_figure_worse_by_more_than_a_third_is_a_fault_with_both_figures) {
+TEST(Regression, result_worse_by_more_than_a_third_fails_with_both_values) {
     const auto changes = changes_between({short_row("j1", 0.001)}, {short_row("j1", 0.002)}, true);
     ASSERT_EQ(changes.size(), 1u);
     EXPECT_TRUE(changes[0].fault);
@@ -34,24 +34,24 @@ TEST(Regression, a_figure_worse_by_more_than_a_third_is_a_fault_with_both_figure
     EXPECT_EQ(changes[0].words, "error 0.001 -> 0.002 (2.00 times)");
 }
 
-TEST(Regression, within_a_third_nothing_is_said) {
+TEST(Regression, changes_within_a_third_are_not_reported) {
     EXPECT_TRUE(
         changes_between({short_row("j1", 3, 3)}, {short_row("j1", 3.9, 2.4)}, true).empty());
 }
 
-TEST(Regression, what_is_better_is_told_and_no_fault) {
+TEST(Regression, improvements_are_reported_without_failing) {
     const auto changes = changes_between({short_row("j1", 0.01)}, {short_row("j1", 0.001)}, true);
     ASSERT_EQ(changes.size(), 1u);
     EXPECT_FALSE(changes[0].fault);
 }
 
-TEST(Regression, rounding_is_no_fault) {
+TEST(Regression, rounding_differences_do_not_fail) {
     EXPECT_TRUE(changes_between({short_row("f1", 2e-14)}, {short_row("f1", 9e-13)}, true).empty());
     EXPECT_EQ(faults_in(changes_between({short_row("f1", 2e-14)}, {short_row("f1", 1e-6)}, true)),
               1);
 }
 
-TEST(Regression, second_errors_count_but_not_of_what_must_fall) {
+TEST(Regression, secondary_errors_count_except_for_scenes_that_must_fall) {
     EXPECT_EQ(faults_in(changes_between({short_row("j1", 1, 1)}, {short_row("j1", 1, 2)}, true)),
               1);
     EXPECT_TRUE(
@@ -59,13 +59,13 @@ TEST(Regression, second_errors_count_but_not_of_what_must_fall) {
             .empty());
 }
 
-TEST(Regression, blown_where_it_was_not_is_a_fault) {
+TEST(Regression, new_failed_run_is_a_regression) {
     EXPECT_EQ(faults_in(changes_between({short_row("j1", 1)}, {blown_row("j1")}, true)), 1);
     EXPECT_EQ(faults_in(changes_between({blown_row("j1")}, {short_row("j1", 1)}, true)), 0);
     EXPECT_TRUE(changes_between({blown_row("j1")}, {blown_row("j1")}, true).empty());
 }
 
-TEST(Regression, rows_on_one_side_alone_are_faults) {
+TEST(Regression, unmatched_rows_are_regressions) {
     EXPECT_EQ(faults_in(changes_between({}, {short_row("j1", 1)}, true)), 1);
     EXPECT_EQ(faults_in(changes_between({short_row("j1", 1)}, {}, true)), 1);
     EXPECT_EQ(faults_in(changes_between({short_row("j1", 1)}, {}, false)), 0);
@@ -73,7 +73,7 @@ TEST(Regression, rows_on_one_side_alone_are_faults) {
     EXPECT_EQ(faults_in(changes_between(two, {short_row("j1", 1)}, false)), 1);
 }
 
-TEST(Regression, leaves_out_what_takes_minutes) {
+TEST(Regression, excludes_slow_scenes) {
     EXPECT_TRUE(in_regression_set(*find_experiment("j1")));
     EXPECT_FALSE(in_regression_set(*find_experiment("c17-cloth")));
 }

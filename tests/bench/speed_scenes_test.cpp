@@ -19,7 +19,7 @@ using jostle::physics::Vec3;
 using jostle::scenes::SceneDescription;
 using jostle::test::near;
 
-TEST(SpeedScenes, nine_letters_and_twelve_words_and_no_other) {
+TEST(SpeedScenes, names_are_nine_letters_and_twelve_words) {
     std::string letters;
     for (const SpeedScene& s : speed_scenes()) letters += std::string(" ") + s.letter;
     EXPECT_EQ(letters,
@@ -29,7 +29,7 @@ TEST(SpeedScenes, nine_letters_and_twelve_words_and_no_other) {
     EXPECT_EQ(find_speed_scene(""), nullptr);
 }
 
-TEST(SpeedScenes, each_is_in_the_catalogue_under_its_letter_and_every_engine_can_be_given_it) {
+TEST(SpeedScenes, every_scene_is_in_the_catalogue_and_portable) {
     for (const SpeedScene& speed_scene : speed_scenes()) {
         SCOPED_TRACE(speed_scene.name);
         EXPECT_EQ(find_speed_scene(speed_scene.letter), find_speed_scene(speed_scene.name));
@@ -45,7 +45,7 @@ TEST(SpeedScenes, each_is_in_the_catalogue_under_its_letter_and_every_engine_can
 
 // Who starts inside another is pushed out, and how is not what is measured. The bones of a figure,
 // which joints hold beside each other, may; and the draws of the pile have some that do.
-TEST(SpeedScenes, nobody_starts_inside_another) {
+TEST(SpeedScenes, no_bodies_overlap_at_the_start) {
     for (const SpeedScene& speed_scene : speed_scenes()) {
         const SceneDescription scene = build(speed_scene);
         if (scene.name == "lab_joint_grid_10000" || scene.name == "lab_pile_5000" ||
@@ -57,7 +57,7 @@ TEST(SpeedScenes, nobody_starts_inside_another) {
     }
 }
 
-TEST(SpeedScenes, player_goes_straight_and_then_in_a_circle) {
+TEST(SpeedScenes, player_moves_straight_and_then_in_a_circle) {
     const SpeedScene& e = *find_speed_scene("e");
     EXPECT_EQ(player_of(e, build(e)), 901u);
     EXPECT_EQ(player_of(*find_speed_scene("a"), build(e)), std::nullopt);

@@ -23,7 +23,7 @@ std::string trace_of(const std::string& spans) {
     return R"({"traceEvents":[)" + spans + R"({"ph":"M","name":"thread_name"}]})";
 }
 
-TEST(TickTimes, begin_with_the_first_step_and_go_on_through_sleep) {
+TEST(TickTimes, start_at_the_first_step_and_include_sleeping_ticks) {
     const std::string paused = tick(90, 70, 5) + stage("inputs") + stage("frame_and_answers");
     const std::string first = tick(4000, 100, 5) + stage("inputs") + stage("solve_constraints");
     const std::string late = tick(80000, 2500, 8) + stage("update_pairs");
@@ -35,24 +35,24 @@ TEST(TickTimes, begin_with_the_first_step_and_go_on_through_sleep) {
     EXPECT_EQ(times->begun_late_ms, 2.5);
 }
 
-TEST(TickTimes, a_world_that_never_stepped_has_none) {
+TEST(TickTimes, world_without_steps_has_no_tick_times) {
     const auto times = read_tick_times(trace_of(tick(90, 70, 0) + stage("inputs")));
     ASSERT_TRUE(times.ok());
     EXPECT_TRUE(times->ms.empty());
 }
 
-TEST(TickTimes, what_is_no_trace_is_an_error) {
+TEST(TickTimes, rejects_invalid_traces) {
     for (const char* text : {"", "[]", R"({"traceEvents":[{"ph":"X","name":"tick"}]})"})
         EXPECT_FALSE(read_tick_times(text).ok()) << text;
 }
 
-TEST(ServerRow, holds_its_rate_only_when_each_tick_fits_its_period) {
+TEST(ServerRow, verdict_is_holds_only_if_every_tick_fits_its_period) {
     EXPECT_STREQ(verdict_of({.ticks = 600}), "holds");
     EXPECT_STREQ(verdict_of({.ticks = 600, .ticks_over_period = 1}), "catches up");
     EXPECT_STREQ(verdict_of({.ticks = 599, .late_ticks = 1, .ticks_over_period = 1}), "late");
 }
 
-TEST(ServerRow, a_failed_one_has_no_figures) {
+TEST(ServerRow, failed_row_has_no_results) {
     const auto json = to_json(ServerRow{.scene = "c", .failed = "no server"});
     EXPECT_EQ(json["failed"], "no server");
     EXPECT_FALSE(json.contains("ms_mean"));

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // A changed hash is a changed result, down to the last bit. If it is meant: run
-// build/PRESET/bin/golden_hashes and say why in docs/design/format_changes.md. Other compilers and CPUs:
-// scripts/determinism-check.
+// build/PRESET/bin/golden_hashes and say why in docs/design/format_changes.md. Other compilers and
+// CPUs: scripts/determinism-check.
 #include "tests/determinism/golden_hashes.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ std::vector<std::string> golden() {
 
 // One to four threads, and every instruction set that this machine has, in turn.
 // scripts/determinism-check goes on to eight.
-TEST(GoldenHashes, are_what_they_were_for_any_threads_and_instructions) {
+TEST(GoldenHashes, match_for_any_thread_count_and_instruction_set) {
     const physics::InstructionSet usual = physics::instruction_set();
     for (const GoldenConfiguration& way : golden_configurations(4)) {
         must(physics::use_instruction_set(way.set));

@@ -18,7 +18,7 @@ constexpr int steps = 600;
 
 class Threads : public testing::TestWithParam<TestScene> {};
 
-TEST_P(Threads, do_not_change_a_bit) {
+TEST_P(Threads, do_not_change_results) {
     std::vector<World> worlds;
     for (const int threads : {1, 2, 4}) worlds.push_back(GetParam().make(threads));
     for (int step = 0; step < steps; step++) {
@@ -45,7 +45,7 @@ TEST_P(Threads, do_not_change_a_bit) {
 }
 
 // Nor does trying, by the clock, which steps are worth sharing.
-TEST_P(Threads, tried_by_the_clock_do_not_change_a_bit_either) {
+TEST_P(Threads, adaptive_threading_does_not_change_results) {
     World one = GetParam().make(1), tries = GetParam().make(2);
     use_thread_trials(true);
     for (int step = 0; step < steps / 3; step++)
@@ -58,7 +58,7 @@ TEST_P(Threads, tried_by_the_clock_do_not_change_a_bit_either) {
 }
 
 // Threads may be changed while a world runs: they are no part of its state.
-TEST_P(Threads, may_change_on_the_way) {
+TEST_P(Threads, can_change_between_steps) {
     World steady = GetParam().make(1), changing = GetParam().make(1);
     for (int step = 0; step < steps / 3; step++) {
         must(changing.set_threads(1 + step % 3));

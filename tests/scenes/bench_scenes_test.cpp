@@ -64,7 +64,7 @@ const Expected expected[] = {
     {"lab_asleep_10000", 10001, 0, 1, {-99, 0.5, -99}, {99, 0.5, 99}},
 };
 
-TEST(BenchScenes, counts_and_corners) {
+TEST(BenchScenes, body_and_joint_counts_and_extents) {
     for (const Expected& e : expected) {
         SCOPED_TRACE(e.name);
         const SceneDescription s = *find_scene(e.name);
@@ -78,7 +78,7 @@ TEST(BenchScenes, counts_and_corners) {
     }
 }
 
-TEST(BenchScenes, gravity_density_friction_and_damping_are_the_same_for_all) {
+TEST(BenchScenes, gravity_density_friction_and_damping_are_uniform) {
     int scenes = 0;
     for (const CatalogEntry& entry : catalog()) {
         if (!entry.name.starts_with("lab_")) continue;
@@ -112,7 +112,7 @@ TEST(BenchScenes, floors_are_two_metres_thick) {
     }
 }
 
-TEST(BenchScenes, dropped_boxes_stand_where_the_draws_say) {
+TEST(BenchScenes, dropped_boxes_are_placed_by_the_random_sequence) {
     const SceneDescription c = *find_scene("lab_boxes_1000");
     ASSERT_EQ(c.bodies.size(), 1001u);
     Draws draw;
@@ -126,7 +126,7 @@ TEST(BenchScenes, dropped_boxes_stand_where_the_draws_say) {
     EXPECT_TRUE(near(position(c.bodies[1000]), {5.4 + last_x, 12.3, 5.4 + last_z}, 1e-12));
 }
 
-TEST(BenchScenes, pile_is_mixed_and_walled) {
+TEST(BenchScenes, pile_has_mixed_shapes_and_walls) {
     const SceneDescription d = *find_scene("lab_pile_5000");
     ASSERT_EQ(d.bodies.size(), 5005u);
     EXPECT_EQ(shape<Box>(d.bodies[1]).half_extents, (Vec3{0.5, 10, 6}));
@@ -150,7 +150,7 @@ TEST(BenchScenes, pile_is_mixed_and_walled) {
     EXPECT_EQ(d.bodies.back().body.pose.rotation, from_axis_angle(axis, draw(0, 2 * pi)));
 }
 
-TEST(BenchScenes, piles_of_any_count_are_as_deep) {
+TEST(BenchScenes, pile_depth_does_not_depend_on_the_count) {
     EXPECT_EQ(bench_pile(5000).bodies.back().body.pose,
               find_scene("lab_pile_5000")->bodies.back().body.pose);
     for (const int count : {500, 20000}) {
@@ -169,7 +169,7 @@ TEST(BenchScenes, player_is_the_last_body) {
     EXPECT_EQ(shape<Box>(e.bodies.back()).half_extents, (Vec3{0.75, 0.75, 0.75}));
 }
 
-TEST(BenchScenes, ragdolls_are_joined_where_their_parts_meet) {
+TEST(BenchScenes, ragdoll_joints_lie_where_bones_meet) {
     const SceneDescription f = *find_scene("lab_ragdolls_40");
     ASSERT_EQ(f.bodies.size(), 441u);
     ASSERT_EQ(f.joints.size(), 400u);
@@ -197,7 +197,7 @@ TEST(BenchScenes, ragdolls_are_joined_where_their_parts_meet) {
     EXPECT_NEAR(neck.twist.lower, -45 * pi / 180, 1e-9);
 }
 
-TEST(BenchScenes, grid_hangs_from_its_middle_and_collides_with_nothing) {
+TEST(BenchScenes, joint_grid_hangs_from_its_centre_and_does_not_collide) {
     const SceneDescription g = *find_scene("lab_joint_grid_10000");
     for (std::size_t k = 0; k < g.bodies.size(); k++) {
         ASSERT_FALSE(may_collide(g.bodies[k].shapes[0].filter, Filter{}));
@@ -209,7 +209,7 @@ TEST(BenchScenes, grid_hangs_from_its_middle_and_collides_with_nothing) {
     EXPECT_EQ(g.joints[0].joint.frame_b.position, (Vec3{0, 0.5, 0}));
 }
 
-TEST(BenchScenes, bullets_fly_at_the_wall) {
+TEST(BenchScenes, bullets_are_aimed_at_the_wall) {
     const SceneDescription i = *find_scene("lab_bullets_1000");
     ASSERT_EQ(i.bodies.size(), 1001u);
     EXPECT_EQ(shape<Box>(i.bodies[0]).half_extents, (Vec3{0.025, 10, 10}));

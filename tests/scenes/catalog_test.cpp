@@ -13,7 +13,7 @@ int steps_of(const SceneDescription& scene) {
     return std::clamp(60000 / static_cast<int>(scene.bodies.size()), 6, 60);
 }
 
-TEST(Catalog, every_scene_builds_and_survives_its_first_steps) {
+TEST(Catalog, every_scene_builds_and_steps) {
     std::set<std::string_view> names;
     for (const CatalogEntry& entry : catalog()) {
         EXPECT_TRUE(names.insert(entry.name).second) << entry.name << " twice";
@@ -34,7 +34,7 @@ TEST(Catalog, every_scene_builds_and_survives_its_first_steps) {
         EXPECT_TRUE(names.contains(name)) << name;
 }
 
-TEST(Catalog, a_scene_that_is_not_there_is_nothing) {
+TEST(Catalog, unknown_scene_returns_nullopt) {
     EXPECT_FALSE(find_scene("nowhere"));
 }
 
@@ -55,7 +55,7 @@ TEST(Catalog, all_120_dominoes_fall) {
     EXPECT_EQ(fallen, 120);
 }
 
-TEST(Catalog, an_error_names_the_body) {
+TEST(Catalog, errors_name_the_body) {
     SceneDescription scene{.name = "bad"};
     scene.bodies.push_back({.name = "ramp", .body = {}, .shapes = {}, .color = {}});
     const auto built = build_scene(scene);

@@ -30,7 +30,7 @@ BuiltScene built_scene() {
     return std::move(*built);
 }
 
-TEST(Hovercraft, flies_over_the_waves_on_its_circle) {
+TEST(Hovercraft, follows_its_circle_over_the_waves) {
     BuiltScene built = built_scene();
     const BodyId craft = built.bodies[1];
     ride(built.world, 5);
@@ -51,7 +51,7 @@ TEST(Hovercraft, flies_over_the_waves_on_its_circle) {
     EXPECT_GT(slowest, 4);
 }
 
-TEST(Hovercraft, goes_on_with_the_same_bits_when_loaded_and_when_restored) {
+TEST(Hovercraft, continues_bit_identically_after_load_and_restore) {
     World world = std::move(built_scene().world);
     ride(world, 3);
     RestorePoint point;
@@ -68,7 +68,7 @@ TEST(Hovercraft, goes_on_with_the_same_bits_when_loaded_and_when_restored) {
 }
 
 // The numbers that WIRE.md names and the viewer draws.
-TEST(Hovercraft, tells_clients_in_20_numbers_where_its_thrusters_are) {
+TEST(Hovercraft, publishes_its_thrusters_in_20_values) {
     BuiltScene built = built_scene();
     ride(built.world, 2);
     ChannelWriter told([](BodyId) { return 7u; });
@@ -78,7 +78,7 @@ TEST(Hovercraft, tells_clients_in_20_numbers_where_its_thrusters_are) {
     EXPECT_EQ(told.channels()[0].values.size(), 20u);
 }
 
-TEST(Hovercraft, refuses_settings_and_bodies_that_it_does_not_have) {
+TEST(Hovercraft, rejects_unknown_settings_and_bodies) {
     const auto error_of = [](const auto& change) {
         SceneDescription scene = *find_scene("hovercraft");
         change(scene.modules[0]);

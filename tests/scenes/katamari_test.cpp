@@ -24,7 +24,7 @@ BuiltScene built_katamari(double seed) {
     return std::move(*built);
 }
 
-TEST(Katamari, draws_a_hundred_cubes_and_more_about_within_its_yard) {
+TEST(Katamari, attracts_over_100_cubes_inside_the_yard) {
     BuiltScene built = built_katamari(2026);
     ASSERT_EQ(built.bodies.size(), 902u);
     std::size_t moving = 0;
@@ -44,7 +44,7 @@ TEST(Katamari, draws_a_hundred_cubes_and_more_about_within_its_yard) {
     EXPECT_LT(furthest, 40);
 }
 
-TEST(Katamari, goes_the_same_way_from_the_same_seed_and_after_a_load) {
+TEST(Katamari, is_deterministic_for_a_seed_and_after_a_load) {
     World first = std::move(built_katamari(7).world), second = std::move(built_katamari(7).world),
           other = std::move(built_katamari(8).world);
     for (int step = 0; step < 60; step++)
@@ -57,7 +57,7 @@ TEST(Katamari, goes_the_same_way_from_the_same_seed_and_after_a_load) {
     EXPECT_EQ(state_hash(first), state_hash(loaded));
 }
 
-TEST(Katamari, wants_a_player_that_moves) {
+TEST(Katamari, requires_a_dynamic_player) {
     SceneDescription scene = *find_scene("katamari");
     scene.modules[0].bodies["player"] = 0;
     const auto built = build_scene(scene);

@@ -43,7 +43,7 @@ protected:
 
 }  // namespace
 
-TEST_F(ModuleMessage, a_module_gets_its_settings_in_order_of_their_names_and_its_bodies_by_name) {
+TEST_F(ModuleMessage, module_receives_settings_in_name_order_and_bodies_by_name) {
     const auto built = build_scene(
         read(turntable(R"("settings": {"speed": 2, "gain": 0}, "bodies": {"disc": "disc[1]"})")));
     ASSERT_TRUE(built.ok()) << built.error().message;
@@ -52,7 +52,7 @@ TEST_F(ModuleMessage, a_module_gets_its_settings_in_order_of_their_names_and_its
     EXPECT_FALSE(module_of(*built).restored_in_world) << "it began, and was not kept";
 }
 
-TEST_F(ModuleMessage, the_module_acts_on_the_world) {
+TEST_F(ModuleMessage, module_acts_on_the_world) {
     auto built = build_scene(
         read(turntable(R"("settings": {"speed": 2, "gain": 0.6}, "bodies": {"disc": "disc[1]"})")));
     ASSERT_TRUE(built.ok()) << built.error().message;
@@ -61,7 +61,7 @@ TEST_F(ModuleMessage, the_module_acts_on_the_world) {
     EXPECT_EQ(built->world.body(built->bodies[0])->angular_velocity.y, 0);
 }
 
-TEST_F(ModuleMessage, what_a_module_had_become_is_read_after_its_settings) {
+TEST_F(ModuleMessage, saved_module_state_is_read_after_its_settings) {
     SceneDescription scene =
         read(turntable(R"("settings": {"speed": 2, "gain": 0.6}, "bodies": {"disc": "disc[1]"})"));
     auto before = build_scene(scene);
@@ -76,7 +76,7 @@ TEST_F(ModuleMessage, what_a_module_had_become_is_read_after_its_settings) {
     EXPECT_TRUE(module_of(*after).restored_in_world);
 }
 
-TEST_F(ModuleMessage, a_module_written_and_read_is_the_same) {
+TEST_F(ModuleMessage, module_round_trips) {
     const SceneDescription scene =
         read(turntable(R"("settings": {"speed": 0.1, "gain": -3}, "bodies": {"disc": "disc[1]"})"));
     v1::Module message;
@@ -90,7 +90,7 @@ TEST_F(ModuleMessage, a_module_written_and_read_is_the_same) {
     EXPECT_EQ(physics::first_difference(a->world, b->world).value_or(""), "");
 }
 
-TEST_F(ModuleMessage, a_file_has_64_modules_at_most) {
+TEST_F(ModuleMessage, rejects_more_than_64_modules) {
     v1::Module message;
     message.set_tag("turntable");
     SceneDescription scene;

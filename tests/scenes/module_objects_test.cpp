@@ -47,7 +47,7 @@ std::string error_of(const std::string& modules) {
     return built.ok() ? "" : built.error().message;
 }
 
-TEST(ModuleObjects, two_cars_have_each_their_own_wheels) {
+TEST(ModuleObjects, two_cars_have_independent_wheels) {
     const auto scene = read_scene_json(with_modules(R"({"vehicle": {"cars": [
       {"body": "car", "radius": 0.3, "cast": "WHEEL_CAST_RAY"},
       {"body": "car[1]", "radius": 0.5}
@@ -67,7 +67,7 @@ TEST(ModuleObjects, two_cars_have_each_their_own_wheels) {
 
 // A shape that was cut ahead of time stands in the scene, and a fault in it is found by line and
 // chunk.
-TEST(ModuleObjects, what_was_fractured_ahead_of_time_stands_in_the_scene) {
+TEST(ModuleObjects, prefractured_shape_is_placed_in_the_scene) {
     modules::FracturedShape wall =
         modules::fracture_box({2, 1, 0.1}, modules::random_seeds({2, 1, 0.1}, 20, 1)).value();
     modules::anchor(wall, {0, -1, 0}, 0.999);
@@ -103,7 +103,7 @@ TEST(ModuleObjects, what_was_fractured_ahead_of_time_stands_in_the_scene) {
                 HasSubstr("fractured[0].shape"));
 }
 
-TEST(ModuleObjects, several_winds_and_waters_in_volumes_of_their_own) {
+TEST(ModuleObjects, supports_several_winds_and_waters_in_separate_volumes) {
     const auto scene = read_scene_json(with_modules(R"({"fields": {
       "turbulences": [{"wind": {"x": 5}}, {"speed": 2, "volume": {"center": {"y": 9}, "half_y": 4}}],
       "waters": [{"level": -3, "waves": [{"amplitude": 0.2, "length": 8}, {"amplitude": 0.1}]}],
@@ -141,7 +141,7 @@ TEST(ModuleObjects, errors_name_line_and_field) {
                 HasSubstr("modules[0].vehicle.cars[0].cast"));
 }
 
-TEST(ModuleObjects, what_was_read_is_written_as_it_was) {
+TEST(ModuleObjects, round_trips) {
     const auto scene = read_scene_json(with_modules(R"({"fields": {
       "turbulences": [{"wind": {"x": 5, "z": -1}, "octaves": 3}],
       "waters": [{"level": -3, "waves": [{"amplitude": 0.2, "length": 8}], "volume": {"half_x": 3}}],
@@ -168,7 +168,7 @@ TEST(ModuleObjects, what_was_read_is_written_as_it_was) {
 
 // Every number of every message: the module knows the setting, and takes both ends of its range
 // where it is given alone, or says what else it needs.
-TEST(ModuleObjects, every_field_is_a_setting_that_its_module_knows) {
+TEST(ModuleObjects, every_field_maps_to_a_known_module_setting) {
     register_catalog_modules();
     const auto& choice = *v1::Module::descriptor()->FindOneofByName("things");
     int settings = 0;

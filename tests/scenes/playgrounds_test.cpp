@@ -73,7 +73,7 @@ double lap_time(Played& track, const std::string& car) {
 }
 
 // Ring of 45 m at 16 m/s: 17.7 s, and what it takes to get there from standing.
-TEST(RaceTrack, a_pilot_drives_a_lap_on_the_road) {
+TEST(RaceTrack, pilot_completes_a_lap_on_the_road) {
     Played track("race_track");
     const double seconds = lap_time(track, "car");
     RecordProperty("lap_seconds", std::to_string(seconds));
@@ -86,7 +86,7 @@ TEST(RaceTrack, a_pilot_drives_a_lap_on_the_road) {
     }
 }
 
-TEST(RaceTrack, a_car_at_full_speed_skids_at_full_lock_and_stays_on_its_wheels) {
+TEST(RaceTrack, car_at_full_lock_and_full_speed_skids_without_rolling_over) {
     // Nothing in its way.
     SceneDescription open = *find_scene("race_track");
     for (SceneBody& body : open.bodies)
@@ -108,7 +108,7 @@ TEST(RaceTrack, a_car_at_full_speed_skids_at_full_lock_and_stays_on_its_wheels) 
 }
 
 // Up the stairs, over the gaps with a leap each, along the beam, to the flag.
-TEST(Parkour, can_be_walked_to_its_flag) {
+TEST(Parkour, course_can_be_completed) {
     Played parkour("parkour");
     const Vec3 way[] = {{0, 0, -5},     {0, 0, -12},   {16, 0, -12},
                         {17, 0, -11.2}, {17, 0, -2.5}, {17.75, 0, 0.8}};
@@ -132,7 +132,7 @@ TEST(Parkour, can_be_walked_to_its_flag) {
     EXPECT_LT(seconds, 30);
 }
 
-TEST(Harbour, a_boat_leaves_it_upright_and_comes_round) {
+TEST(Harbour, boat_leaves_the_harbour_upright_and_turns_back) {
     Played harbour("harbour");
     harbour.run(2);
     const Vec3 moored = harbour.state("boat").center;
@@ -163,7 +163,7 @@ TEST(Harbour, everything_still_floats_after_ten_seconds) {
     }
 }
 
-TEST(Demolition, a_digger_rams_a_wall_to_pieces) {
+TEST(Demolition, digger_breaks_a_wall) {
     Played yard("demolition");
     yard.run(1);
     const Vec3 began = yard.state("digger").center;
@@ -179,7 +179,7 @@ TEST(Demolition, a_digger_rams_a_wall_to_pieces) {
     EXPECT_LT(yard.state("digger").center.z, began.z - 11);
 }
 
-TEST(RagdollStairs, most_figures_come_down) {
+TEST(RagdollStairs, most_figures_reach_the_bottom) {
     Played stairs("ragdoll_stairs");
     stairs.run(10);
     std::vector<BodyState> all;

@@ -74,7 +74,7 @@ const std::string neighbours = R"("name": "pin", "body_a": "link", "body_b": "li
 
 }  // namespace
 
-TEST(SceneErrors, each_fault_is_named_with_its_line_and_field) {
+TEST(SceneErrors, errors_name_line_and_field) {
     const Case cases[] = {
         {"{\"name\": \"a\",", "this is not JSON: parse error at line 1"},
         {"[]", "line 1: the scene: must be an object {...}, not array"},
@@ -110,7 +110,7 @@ TEST(SceneErrors, each_fault_is_named_with_its_line_and_field) {
     for (const auto& [text, message] : cases) expect_starts(text, message);
 }
 
-TEST(SceneErrors, a_hull_needs_four_points_that_are_not_in_one_plane) {
+TEST(SceneErrors, rejects_hulls_with_coplanar_or_too_few_points) {
     expect_refused(body(R"({"hull": {"points": [{"x": 0}, {"x": 1}, {"y": 1}]}})"),
                    "line 3: bodies[0].shapes[0].hull: it has 3 points; give at least 4");
     expect_refused(
@@ -118,7 +118,7 @@ TEST(SceneErrors, a_hull_needs_four_points_that_are_not_in_one_plane) {
         "line 3: bodies[0].shapes[0].hull: its points lie in one plane; it has no volume");
 }
 
-TEST(SceneErrors, a_mesh_of_three_vertices_has_no_vertex_3) {
+TEST(SceneErrors, rejects_mesh_indices_out_of_range) {
     const std::string vertices = R"({"mesh": {"vertices": [{"x": 0}, {"x": 1}, {"z": 1}],)";
     expect_refused(body(vertices + "\n" + R"("indices": [0, 1, 3]}})", "FIXED"),
                    "line 3: bodies[0].shapes[0].mesh: triangles[0] names vertex 3; there are 3");
@@ -127,7 +127,7 @@ TEST(SceneErrors, a_mesh_of_three_vertices_has_no_vertex_3) {
                    "triangle");
 }
 
-TEST(SceneErrors, a_surface_has_no_mass_for_a_dynamic_body_and_no_inside_for_a_trigger) {
+TEST(SceneErrors, rejects_surfaces_on_dynamic_bodies_and_triggers) {
     const std::string mesh =
         R"({"mesh": {"vertices": [{"x": 0}, {"x": 1}, {"z": 1}], "indices": [0, 1, 2]})";
     expect_refused(body(mesh + "}"),
@@ -137,7 +137,7 @@ TEST(SceneErrors, a_surface_has_no_mass_for_a_dynamic_body_and_no_inside_for_a_t
                      "bodies[0] 'it': a mesh has no inside; a trigger needs a solid shape");
 }
 
-TEST(SceneErrors, a_height_field_of_2_by_2_has_four_heights_and_one_cell) {
+TEST(SceneErrors, rejects_height_fields_with_wrong_counts) {
     const std::string grid = R"({"height_field": {"columns": 2, "rows": 2, "spacing_x": 1,)";
     expect_refused(
         body(grid + R"("spacing_z": 1, "heights": [0, 0, 0]}})", "FIXED"),
@@ -152,7 +152,7 @@ TEST(SceneErrors, a_height_field_of_2_by_2_has_four_heights_and_one_cell) {
                    "0.0001 to 10000");
 }
 
-TEST(SceneErrors, a_compound_holds_convex_shapes_only) {
+TEST(SceneErrors, rejects_non_convex_compound_children) {
     expect_refused(body(R"({"compound": {"children": [
 {"sphere": {"radius": 1}},
 {"compound": {"children": [{"sphere": {"radius": 1}}]}}]}})"),
@@ -165,7 +165,7 @@ TEST(SceneErrors, a_compound_holds_convex_shapes_only) {
                    "line 3: bodies[0].shapes[0].compound: it has no children");
 }
 
-TEST(SceneErrors, a_joint_names_bodies_that_are_there) {
+TEST(SceneErrors, rejects_joints_with_unknown_bodies) {
     expect_refused(links("\"body_a\": \"link\",\n\"body_b\": \"lnik\", \"ball\": {}"),
                    "line 6: joints[0].body_b: is \"lnik\"; no body has the name \"lnik\"");
     expect_refused(
@@ -179,7 +179,7 @@ TEST(SceneErrors, a_joint_names_bodies_that_are_there) {
                    "the bodies i places further on");
 }
 
-TEST(SceneErrors, a_joint_has_one_kind_and_one_way_to_say_where) {
+TEST(SceneErrors, rejects_joints_with_several_kinds_or_frames) {
     expect_refused(links(neighbours + "\"collide_connected\": true"),
                    "line 5: joints[0]: has no kind; give one of ball, hinge, cone_twist, fixed, "
                    "distance, velocity_row, slider, six_dof, wheel, grab, gear, "
@@ -191,7 +191,7 @@ TEST(SceneErrors, a_joint_has_one_kind_and_one_way_to_say_where) {
                    "the others");
 }
 
-TEST(SceneErrors, a_joint_solver_is_one_that_there_is) {
+TEST(SceneErrors, rejects_unknown_joint_solvers) {
     expect_refused(links(neighbours + "\"ball\": {},\n\"solver\": 4"),
                    "line 6: joints[0].solver: must be one of JOINT_SOLVER_AUTOMATIC, "
                    "JOINT_SOLVER_ITERATIVE, JOINT_SOLVER_DIRECT");
@@ -200,7 +200,7 @@ TEST(SceneErrors, a_joint_solver_is_one_that_there_is) {
                    "JOINT_SOLVER_ITERATIVE, JOINT_SOLVER_DIRECT");
 }
 
-TEST(SceneErrors, a_limit_has_its_lower_end_below_its_upper) {
+TEST(SceneErrors, rejects_limits_with_lower_above_upper) {
     expect_refused(links(neighbours + R"("hinge": {"limit": {
 "lower": 1,
 "upper": -1}})"),
@@ -212,7 +212,7 @@ TEST(SceneErrors, a_limit_has_its_lower_end_below_its_upper) {
                    "line 6: joints[0].distance.max_length: is less than min_length");
 }
 
-TEST(SceneErrors, a_joint_moves_one_of_two_different_bodies) {
+TEST(SceneErrors, rejects_joints_without_a_dynamic_body_or_between_equal_bodies) {
     expect_not_built(links(neighbours + "\"ball\": {}", "FIXED"),
                      "joints[0] 'pin': neither body_a nor body_b is dynamic; a joint moves at "
                      "least one of them");
@@ -220,7 +220,7 @@ TEST(SceneErrors, a_joint_moves_one_of_two_different_bodies) {
                      "joints[0] 'pin': body_a and body_b are the same body; a joint joins two");
 }
 
-TEST(SceneErrors, groups_may_be_negative_and_masks_may_not) {
+TEST(SceneErrors, accepts_negative_groups_and_rejects_negative_masks) {
     const auto scene =
         read_scene_json(body(R"({"sphere": {"radius": 1}, "filter": {"group": -2147483648}})"));
     ASSERT_TRUE(scene.ok()) << scene.error().message;
@@ -233,7 +233,7 @@ TEST(SceneErrors, groups_may_be_negative_and_masks_may_not) {
                    "4294967295");
 }
 
-TEST(SceneErrors, a_planar_world_takes_what_lies_in_its_plane) {
+TEST(SceneErrors, rejects_out_of_plane_values_in_planar_worlds) {
     expect_not_built(planar(R"({"cylinder": {"radius": 1, "half_length": 1}})"),
                      "bodies[0] 'it': a cylinder has no place in a planar world; use spheres "
                      "(discs), capsules, boxes, hulls and planes");
@@ -246,7 +246,7 @@ TEST(SceneErrors, a_planar_world_takes_what_lies_in_its_plane) {
                      "world: gravity.z is 1; in a planar world it is 0");
 }
 
-TEST(SceneErrors, a_module_is_one_that_the_program_knows_and_comes_once) {
+TEST(SceneErrors, rejects_unknown_and_duplicate_modules) {
     test::register_turntable();
     expect_refused(
         with_module("\n\"tag\": \"submarine\""),
@@ -269,7 +269,7 @@ TEST(SceneErrors, a_module_is_one_that_the_program_knows_and_comes_once) {
               "register_module() before");
 }
 
-TEST(SceneErrors, settings_of_a_module_are_numbers_and_its_bodies_are_there) {
+TEST(SceneErrors, rejects_invalid_module_settings_and_unknown_bodies) {
     test::register_turntable();
     const std::string tag = "\"tag\": \"turntable\", ";
     expect_refused(with_module(tag + "\"settings\": {\n\"speed\": \"2\"}"),
@@ -287,7 +287,7 @@ TEST(SceneErrors, settings_of_a_module_are_numbers_and_its_bodies_are_there) {
                    "line 6: modules[0].bodies.disc: must be a text in quotes, not number");
 }
 
-TEST(SceneErrors, the_module_itself_refuses_settings_and_states) {
+TEST(SceneErrors, reports_settings_and_state_rejected_by_the_module) {
     test::register_turntable();
     const std::string tag = R"("tag": "turntable", "bodies": {"disc": "disc"}, )";
     expect_not_built(with_module(tag + R"("settings": {"speeed": 2})"),

@@ -68,7 +68,7 @@ void expect_runs(const physics::Result<SceneDescription>& scene) {
 
 }  // namespace
 
-TEST(SceneFile, a_catalogue_scene_written_and_read_is_the_same_world_to_the_last_bit) {
+TEST(SceneFile, catalogue_scenes_round_trip_bit_identically) {
     for (const CatalogEntry& entry : catalog()) {
         const SceneDescription scene = *find_scene(entry.name);
         const auto back = read_scene_json(write_scene_json(scene));
@@ -83,7 +83,7 @@ TEST(SceneFile, a_catalogue_scene_written_and_read_is_the_same_world_to_the_last
 
 // What a reader drops and a writer forgets would survive any round trip: so the fields themselves
 // are counted. Repeats, solids and frames in the world are written as what they make.
-TEST(SceneFile, no_field_is_lost_between_reading_and_writing) {
+TEST(SceneFile, round_trip_preserves_every_field) {
     test::register_turntable();
     std::set<std::string> all, given, written;
     add_fields(*v1::Scene::descriptor(), all);
@@ -105,7 +105,7 @@ TEST(SceneFile, no_field_is_lost_between_reading_and_writing) {
     EXPECT_EQ(written, all);
 }
 
-TEST(SceneFile, every_field_written_and_read_is_the_same_world_thirty_steps_on) {
+TEST(SceneFile, every_field_round_trips_to_the_same_world_after_30_steps) {
     test::register_turntable();
     for (const char* file : every_field_files) {
         const auto scene = load_scene(file);
@@ -128,7 +128,7 @@ TEST(SceneFile, every_field_written_and_read_is_the_same_world_thirty_steps_on) 
 
 // "-0.0" is a number with a sign of its own, "-0" is not: a file must not be able to tell them
 // apart.
-TEST(SceneFile, a_fixed_body_of_an_older_file_is_read_and_written_as_a_static_one) {
+TEST(SceneFile, legacy_fixed_body_type_is_read_as_static) {
     const auto scene = read_scene_json(R"({"name": "old", "bodies": [
         {"name": "floor", "type": "BODY_TYPE_FIXED", "shapes": [{"plane": {}}]}]})");
     ASSERT_TRUE(scene.ok()) << scene.error().message;
@@ -138,7 +138,7 @@ TEST(SceneFile, a_fixed_body_of_an_older_file_is_read_and_written_as_a_static_on
     EXPECT_EQ(written.find("BODY_TYPE_FIXED"), std::string::npos) << written;
 }
 
-TEST(SceneFile, minus_zero_is_zero) {
+TEST(SceneFile, negative_zero_is_read_as_zero) {
     const std::string text =
         R"({"name": "a", "world": {"gravity": {"x": 0.0, "y": -9.81}}, "bodies": [
         {"type": "BODY_TYPE_STATIC", "rotation": {"x": 0.0, "w": 1}, "shapes": [
@@ -158,7 +158,7 @@ TEST(SceneFile, minus_zero_is_zero) {
     EXPECT_EQ(physics::state_hash(world_a->world), physics::state_hash(world_b->world));
 }
 
-TEST(SceneFile, each_example_of_the_document_runs_for_a_second) {
+TEST(SceneFile, documentation_examples_run_for_one_second) {
     test::register_turntable();
     const std::string document = read(PROJECT_FOLDER "/docs/scene_format.md");
     int examples = 0;
@@ -170,7 +170,7 @@ TEST(SceneFile, each_example_of_the_document_runs_for_a_second) {
     EXPECT_GE(examples, 8);
 }
 
-TEST(SceneFile, each_file_in_data_runs_for_a_second) {
+TEST(SceneFile, files_in_data_run_for_one_second) {
     int files = 0;
     for (const auto& file : std::filesystem::directory_iterator(PROJECT_FOLDER "/scenes/data")) {
         expect_runs(load_scene(file.path().string()));
@@ -185,7 +185,7 @@ TEST(SceneFile, three_repeats_make_a_grid) {
     EXPECT_EQ(scene->bodies.size(), 1u + 6 * 3 * 3 + 1);
 }
 
-TEST(SceneFile, every_truncation_of_a_good_file_is_refused) {
+TEST(SceneFile, rejects_every_truncation_of_a_valid_file) {
     const std::string text = read(PROJECT_FOLDER "/scenes/data/carousel.json");
     for (std::size_t size = 0; size + 3 < text.size(); size += 7) {
         const auto scene = read_scene_json(std::string_view(text).substr(0, size));
@@ -194,7 +194,7 @@ TEST(SceneFile, every_truncation_of_a_good_file_is_refused) {
     }
 }
 
-TEST(SceneFile, a_name_that_is_not_there_lists_those_that_are) {
+TEST(SceneFile, unknown_name_error_lists_known_names) {
     const auto scene = load_scene("sandbocks");
     ASSERT_FALSE(scene.ok());
     EXPECT_NE(scene.error().message.find("sandbox, pyramid"), std::string::npos);

@@ -38,7 +38,7 @@ std::string scene(const std::string& more, bool open = false) {
            vertices + "], \"indices\": [" + indices + "]}" + more + "}}]}]}";
 }
 
-TEST(Solid, a_closed_mesh_is_a_body_that_moves) {
+TEST(Solid, closed_mesh_becomes_a_dynamic_body) {
     const auto description = read_scene_json(scene(""));
     ASSERT_TRUE(description.ok()) << description.error().message;
     const auto built = build_scene(*description);
@@ -50,14 +50,14 @@ TEST(Solid, a_closed_mesh_is_a_body_that_moves) {
     EXPECT_TRUE(again.ok()) << "written as a compound";
 }
 
-TEST(Solid, one_hull_alone_is_the_meshs_hull) {
+TEST(Solid, single_part_is_the_convex_hull_of_the_mesh) {
     const auto description = read_scene_json(scene(", \"parts_max\": 1"));
     ASSERT_TRUE(description.ok()) << description.error().message;
     const auto built = build_scene(*description);
     EXPECT_NEAR(built->world.body(built->bodies[0])->mass, 3500, 1e-6);
 }
 
-TEST(Solid, what_is_wrong_is_named) {
+TEST(Solid, errors_name_the_invalid_field) {
     const auto complaint = [](const std::string& json) {
         const auto description = read_scene_json(json);
         return description.ok() ? std::string() : description.error().message;

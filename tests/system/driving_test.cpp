@@ -44,7 +44,7 @@ double distance_of(const PlayState& s, std::uint32_t entity) {
     return -1;
 }
 
-TEST(Driving, a_client_steers_the_hovercraft_and_nobody_else_does) {
+TEST(Driving, only_the_controlling_client_steers_the_hovercraft) {
     ServerProcess server{
         {"--scene", "hovercraft", "--listen", "127.0.0.1:0", "--http", "127.0.0.1:0"}};
     ASSERT_TRUE(server.is_running()) << server.log();

@@ -26,7 +26,7 @@ struct Probe {
     std::optional<int> status;
 };
 
-TEST(HealthFlag, exits_with_0_while_the_server_serves_and_with_1_when_it_hangs_or_is_gone) {
+TEST(HealthFlag, exits_with_0_when_healthy_and_1_when_hung_or_stopped) {
     ServerProcess server({"--scene", "stack", "--listen", "127.0.0.1:0", "--http", "127.0.0.1:0"});
     ASSERT_TRUE(server.is_running()) << server.log();
     {
@@ -48,7 +48,7 @@ TEST(HealthFlag, exits_with_0_while_the_server_serves_and_with_1_when_it_hangs_o
 }
 
 // The server was started with --insecure; its probe need not know.
-TEST(HealthFlag, what_listens_everywhere_is_asked_without_a_word_about_strangers) {
+TEST(HealthFlag, probes_wildcard_listeners_without_an_exposure_check) {
     ServerProcess probe({"--health", "--listen", "0.0.0.0:1", "--http", "0.0.0.0:1"}, false);
     EXPECT_EQ(probe.wait(3s), 1);
     EXPECT_THAT(probe.log(), StartsWith("not healthy: gRPC on 127.0.0.1:1: "));

@@ -57,7 +57,7 @@ bool poke(int port, const std::string& bytes, const std::string& wanted = {}) {
     return answer.find(wanted) != std::string::npos;
 }
 
-TEST(Lifecycle, sigterm_tells_clients_and_exits_with_0) {
+TEST(Lifecycle, sigterm_notifies_clients_and_exits_with_0) {
     ServerProcess server(free_ports({"--scene", "stack"}));
     ASSERT_TRUE(server.is_running()) << server.log();
     const auto grpc = grpc_player(server.grpc_address());
@@ -82,7 +82,7 @@ TEST(Lifecycle, sigterm_tells_clients_and_exits_with_0) {
     EXPECT_EQ(*browser->end(), "1012");  // service restart
 }
 
-TEST(Lifecycle, operators_read_metrics_of_what_happens) {
+TEST(Lifecycle, exposes_metrics) {
     ServerProcess server(free_ports({"--scene", "stack"}));
     ASSERT_TRUE(server.is_running());
     const auto grpc = grpc_player(server.grpc_address());
@@ -122,7 +122,7 @@ TEST(Lifecycle, operators_read_metrics_of_what_happens) {
     EXPECT_FALSE(has("jostle_snapshots_sent_total 0\n"));
 }
 
-TEST(Lifecycle, health_is_asked_and_watched) {
+TEST(Lifecycle, serves_health_check_and_watch) {
     using grpc::health::v1::HealthCheckResponse;
     ServerProcess server(free_ports({"--scene", "stack"}));
     ASSERT_TRUE(server.is_running());
@@ -155,7 +155,7 @@ TEST(Lifecycle, health_is_asked_and_watched) {
     EXPECT_EQ(server.wait(5s), 0) << "one that watches does not hold the server up";
 }
 
-TEST(Lifecycle, exits_at_once_when_the_last_client_leaves_or_on_a_second_signal) {
+TEST(Lifecycle, exits_when_the_last_client_leaves_or_on_a_second_signal) {
     ServerProcess one(free_ports({"--scene", "stack"})), two(free_ports({"--scene", "stack"}));
     ASSERT_TRUE(one.is_running() && two.is_running());
     const auto leaves = grpc_player(one.grpc_address()), stays = grpc_player(two.grpc_address());
@@ -171,7 +171,7 @@ TEST(Lifecycle, exits_at_once_when_the_last_client_leaves_or_on_a_second_signal)
     EXPECT_EQ(two.wait(3s), 0) << two.log();
 }
 
-TEST(Lifecycle, a_taken_port_is_a_clear_error) {
+TEST(Lifecycle, reports_a_port_in_use) {
     ServerProcess first(free_ports({"--scene", "stack"}));
     ASSERT_TRUE(first.is_running());
     ServerProcess grpc(
@@ -194,7 +194,7 @@ TEST(Lifecycle, a_taken_port_is_a_clear_error) {
     EXPECT_TRUE(first.is_running());
 }
 
-TEST(Lifecycle, wrong_flags_say_what_is_wrong) {
+TEST(Lifecycle, reports_invalid_flags) {
     ServerProcess scene(free_ports({"--scene", "no_such_scene"}));
     EXPECT_EQ(scene.wait(10s), 1);
     EXPECT_NE(scene.log().find("no_such_scene"), std::string::npos) << scene.log();
@@ -203,7 +203,7 @@ TEST(Lifecycle, wrong_flags_say_what_is_wrong) {
     EXPECT_NE(address.log().find("nowhere"), std::string::npos) << address.log();
 }
 
-TEST(Lifecycle, garbage_on_both_ports_does_no_harm) {
+TEST(Lifecycle, survives_garbage_on_both_ports) {
     ServerProcess server(free_ports({"--scene", "stack"}));
     ASSERT_TRUE(server.is_running());
     std::minstd_rand random(1);
@@ -228,7 +228,7 @@ TEST(Lifecycle, garbage_on_both_ports_does_no_harm) {
     EXPECT_TRUE(server.is_running());
 }
 
-TEST(Lifecycle, those_who_break_the_protocol_are_told_and_ended) {
+TEST(Lifecycle, disconnects_protocol_violators_with_a_notice) {
     ServerProcess server(free_ports({"--scene", "stack"}));
     ASSERT_TRUE(server.is_running());
     struct Case {
@@ -276,7 +276,7 @@ TEST(Lifecycle, those_who_break_the_protocol_are_told_and_ended) {
     EXPECT_TRUE(server.is_running());
 }
 
-TEST(Lifecycle, a_stalled_client_costs_only_itself) {
+TEST(Lifecycle, stalled_client_does_not_affect_others) {
     ServerProcess server(free_ports({"--scene", "pile"}));  // a thousand bodies that move
     ASSERT_TRUE(server.is_running());
     const auto stalled_grpc = grpc_player(server.grpc_address());
@@ -305,7 +305,7 @@ TEST(Lifecycle, a_stalled_client_costs_only_itself) {
     EXPECT_EQ(world.world().clients(), 1u);
 }
 
-TEST(Lifecycle, worlds_are_made_joined_and_deleted) {
+TEST(Lifecycle, creates_joins_and_deletes_worlds) {
     ServerProcess server(free_ports({"--scene", "stack"}));
     ASSERT_TRUE(server.is_running());
     const auto worlds = world_service(server);

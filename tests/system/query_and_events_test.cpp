@@ -91,15 +91,15 @@ void drop_and_delete(Player& player, double x, double height) {
     });
 }
 
-TEST_F(QueryAndEvents, a_player_over_grpc_hears_what_happened_to_its_ball) {
+TEST_F(QueryAndEvents, grpc_client_receives_events) {
     drop_and_delete(*grpc_player(server.grpc_address()), x, height);
 }
 
-TEST_F(QueryAndEvents, a_browser_hears_what_happened_to_its_ball) {
+TEST_F(QueryAndEvents, websocket_client_receives_events) {
     drop_and_delete(*websocket_player(server.http_port()), x, height);
 }
 
-TEST_F(QueryAndEvents, the_client_library_asks_and_listens) {
+TEST_F(QueryAndEvents, client_library_queries_and_receives_events) {
     client::Loop loop;
     const auto me =
         client::Client::connect(loop, {.target = server.grpc_address(), .events = true});
@@ -153,7 +153,7 @@ TEST_F(QueryAndEvents, the_client_library_asks_and_listens) {
     EXPECT_TRUE(soon([&] { return !me->stats().connected; }));
 }
 
-TEST_F(QueryAndEvents, http_answers_in_json_and_health_knows_the_service) {
+TEST_F(QueryAndEvents, http_serves_json_queries_and_health_lists_the_service) {
     const std::string body = R"({"rays": [{"origin": {"y": 50}, "motion": {"y": -100}}]})";
     asio::io_context io;
     asio::ip::tcp::socket socket(io);

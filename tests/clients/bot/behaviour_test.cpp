@@ -92,7 +92,7 @@ private:
 };
 
 // The road is from 37 to 53 m; a lap of 45 m at 16 m/s takes 17.7 s, and the first a little more.
-TEST(Behaviour, a_bot_drives_two_laps_of_the_race_track_on_its_road) {
+TEST(Behaviour, drives_two_laps_on_the_race_track) {
     Drive race("race_track", "race", 3);
     race.run(45);
     const std::vector<Lap>& laps = race.bot().laps();
@@ -107,7 +107,7 @@ TEST(Behaviour, a_bot_drives_two_laps_of_the_race_track_on_its_road) {
     RecordProperty("second_lap_s", std::to_string(laps[1].seconds));
 }
 
-TEST(Behaviour, bots_get_about_in_whatever_can_be_driven) {
+TEST(Behaviour, drives_every_controllable_entity) {
     struct Case {
         const char *scene, *script;
     };
@@ -126,7 +126,7 @@ TEST(Behaviour, bots_get_about_in_whatever_can_be_driven) {
     }
 }
 
-TEST(LapCounter, counts_laps_either_way_round) {
+TEST(LapCounter, counts_laps_in_both_directions) {
     for (const double way : {-1.0, 1.0}) {
         LapCounter counter;
         for (int k = 0; k <= 25; k++) {

@@ -5,20 +5,20 @@
 
 namespace jostle::bots {
 
-TEST(Script, the_committed_script_has_all_five_active_behaviours) {
+TEST(Script, example_script_has_all_five_active_behaviours) {
     const auto script = load_script(SCRIPTS "/sandbox.bots");
     ASSERT_TRUE(script.ok()) << script.error().message;
     EXPECT_EQ(script->size(), 5u);
 }
 
-TEST(Script, weights_decide_how_many_bots_take_each_line) {
+TEST(Script, assigns_bots_to_lines_by_weight) {
     const Script script = *parse_script("push weight=3\nwatch # rests\n", "s");
     int pushing = 0;
     for (int i = 0; i < 1000; i++) pushing += line_for(script, i).behaviour == "push" ? 1 : 0;
     EXPECT_NEAR(pushing, 750, 5);
 }
 
-TEST(Script, faults_name_file_line_and_word) {
+TEST(Script, errors_name_file_line_and_word) {
     const struct {
         const char *text, *message;
     } cases[] = {

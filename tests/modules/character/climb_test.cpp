@@ -25,7 +25,7 @@ double height_after(double step, double speed, double limit, double angle) {
     return stage.of(hero).feet.y;
 }
 
-TEST(Climb, every_step_up_to_its_limit_at_any_speed) {
+TEST(Climb, climbs_steps_up_to_its_limit_at_any_speed) {
     int tried = 0;
     for (const double limit : {0.2, 0.3, 0.4, 0.6})
         for (double step = 0.05; step < limit + 1e-9; step += 0.05)
@@ -39,7 +39,7 @@ TEST(Climb, every_step_up_to_its_limit_at_any_speed) {
     record("steps_climbed", tried);
 }
 
-TEST(Climb, no_step_that_is_a_centimetre_higher) {
+TEST(Climb, does_not_climb_steps_one_centimetre_above_its_limit) {
     for (const double limit : {0.2, 0.3, 0.4, 0.6})
         for (const double speed : {0.5, 1.0, 2.0, 3.5, 5.0, 7.0, 10.0})
             for (const double angle : {0.0, 30.0})
@@ -48,7 +48,7 @@ TEST(Climb, no_step_that_is_a_centimetre_higher) {
 }
 
 // Also slender and stout ones, at other rates.
-TEST(Climb, whatever_its_size_and_the_rate) {
+TEST(Climb, climbs_at_any_size_and_step_rate) {
     for (const double radius : {0.15, 0.3, 0.5})
         for (const double rate : {30.0, 120.0, 240.0})
             for (const double speed : {0.5, 3.0, 10.0})
@@ -97,7 +97,7 @@ void add_stairs_of_triangles(World& world) {
 class Stairs : public testing::TestWithParam<void (*)(World&)> {};
 
 // Without a loss of speed.
-TEST_P(Stairs, up_and_down_at_full_speed) {
+TEST_P(Stairs, climbs_and_descends_at_full_speed) {
     for (const double speed : {1.0, 3.0, 6.0}) {
         Stage stage;
         GetParam()(stage.world);
@@ -122,7 +122,7 @@ TEST_P(Stairs, up_and_down_at_full_speed) {
 INSTANTIATE_TEST_SUITE_P(Made, Stairs,
                          testing::Values(add_stairs_of_boxes, add_stairs_of_triangles));
 
-TEST(Climb, nobody_stands_by_his_side_on_the_edge_of_a_cliff) {
+TEST(Climb, does_not_stand_by_its_side_on_a_cliff_edge) {
     Stage stage;
     test::add_static(stage.world, {.geometry = Box{{2, 5, 2}}, .position = {0, -5, 0}});
     const CharacterId hero = stage.add({.feet = {2.28, -0.1, 0}});

@@ -48,7 +48,7 @@ struct TwoWorlds {
     }
 };
 
-TEST(ControlledCharacter, walks_up_stairs_in_another_world_as_in_its_own) {
+TEST(ControlledCharacter, walks_up_stairs_identically_in_another_world) {
     for (const CharacterKind kind : {CharacterKind::sweeping, CharacterKind::rigid}) {
         TwoWorlds of(kind);
         of.there.walk(of.hero, {4, 0, 0.5});

@@ -10,7 +10,7 @@ using namespace physics;
 
 class Crouch : public testing::TestWithParam<CharacterKind> {};
 
-TEST_P(Crouch, goes_under_a_beam_and_does_not_stand_up_there) {
+TEST_P(Crouch, crouches_under_a_beam_and_does_not_stand_up_there) {
     Stage stage;
     test::add_floor(stage.world);
     test::add_static(stage.world, {.geometry = Box{{1, 0.5, 2}}, .position = {3, 1.8, 0}});
@@ -33,7 +33,7 @@ TEST_P(Crouch, goes_under_a_beam_and_does_not_stand_up_there) {
     EXPECT_NEAR(stage.of(hero).feet.y, 0, 0.003);
 }
 
-TEST_P(Crouch, its_body_is_as_tall_as_it_is) {
+TEST_P(Crouch, body_height_matches_crouch_state) {
     Stage stage;
     test::add_floor(stage.world);
     const CharacterId hero = stage.add({.kind = GetParam(), .feet = {0, 0, 0}});

@@ -19,7 +19,7 @@ void add_arena(World& world, double half) {
     }
 }
 
-TEST(Crowd, pushes_and_shoves_and_nobody_is_thrown) {
+TEST(Crowd, dense_crowd_stays_stable) {
     constexpr double half = 7;
     Stage stage;
     add_arena(stage.world, half);

@@ -58,7 +58,7 @@ int escapes_of(const Geometry& geometry, int walks, std::uint64_t seed) {
     return escapes;
 }
 
-TEST(Escape, nobody_gets_through_a_mesh) {
+TEST(Escape, cannot_pass_through_a_mesh) {
     const int walks = walks_wanted();
     const int escapes = escapes_of(rough_mesh(1), walks, 11);
     record("mesh_walks", walks);
@@ -66,7 +66,7 @@ TEST(Escape, nobody_gets_through_a_mesh) {
     EXPECT_EQ(escapes, 0);
 }
 
-TEST(Escape, nobody_gets_through_a_height_field) {
+TEST(Escape, cannot_pass_through_a_height_field) {
     const int walks = walks_wanted();
     const int escapes = escapes_of(rough_field(2), walks, 12);
     record("height_field_walks", walks);

@@ -12,7 +12,7 @@ namespace {
 
 using namespace physics;
 
-TEST(Ground, stands_where_it_is_put_and_stays_there) {
+TEST(Ground, stands_still_where_it_is_placed) {
     Stage stage;
     test::add_floor(stage.world);
     const CharacterId hero = stage.add({.feet = {1, 0, 2}});
@@ -24,7 +24,7 @@ TEST(Ground, stands_where_it_is_put_and_stays_there) {
     EXPECT_TRUE(test::near(state.ground_normal, {0, 1, 0}, 1e-9));
 }
 
-TEST(Ground, rays_and_others_see_its_capsule) {
+TEST(Ground, queries_and_contacts_hit_its_capsule) {
     Stage stage;
     test::add_floor(stage.world);
     const CharacterId hero = stage.add({.feet = {0, 0, 0}});
@@ -40,7 +40,7 @@ TEST(Ground, rays_and_others_see_its_capsule) {
 }
 
 // The body, that follows by its velocity, is where the character is.
-TEST(Ground, walks_as_fast_as_it_is_asked_to) {
+TEST(Ground, walks_at_the_requested_speed) {
     Stage stage;
     test::add_floor(stage.world);
     const CharacterId hero = stage.add({.feet = {0, 0, 0}});
@@ -74,7 +74,7 @@ double apex(CharacterKind kind, double speed, double rate) {
     return highest - floor;
 }
 
-TEST(Ground, jumps_as_high_as_its_speed_says) {
+TEST(Ground, jump_height_matches_jump_speed) {
     double worst = 0, worst_rigid = 0;
     for (const CharacterKind kind : {CharacterKind::sweeping, CharacterKind::rigid})
         for (const double speed : {2.0, 5.0, 8.0})
@@ -90,7 +90,7 @@ TEST(Ground, jumps_as_high_as_its_speed_says) {
     EXPECT_LE(worst, 1e-5);
 }
 
-TEST(Ground, jumps_again_only_when_the_button_was_up) {
+TEST(Ground, jumps_again_only_after_button_release) {
     Stage stage;
     test::add_floor(stage.world);
     const CharacterId hero = stage.add({.feet = {0, 0, 0}});
@@ -106,7 +106,7 @@ TEST(Ground, jumps_again_only_when_the_button_was_up) {
     }
 }
 
-TEST(Ground, walks_up_and_down_what_is_a_degree_less_steep_than_its_limit) {
+TEST(Ground, walks_slopes_one_degree_below_its_limit) {
     double worst = 0;
     for (const double limit : {20.0, 35.0, 50.0, 65.0}) {
         const double angle = radians(limit - 1);
@@ -135,7 +135,7 @@ TEST(Ground, walks_up_and_down_what_is_a_degree_less_steep_than_its_limit) {
 }
 
 // With g sin, whatever it is asked to do; never up.
-TEST(Ground, slides_down_what_is_a_degree_steeper_than_its_limit) {
+TEST(Ground, slides_down_slopes_one_degree_above_its_limit) {
     double worst = 0;
     for (const double limit : {20.0, 35.0, 50.0, 65.0})
         for (const double walk : {0.0, 3.0}) {
@@ -158,7 +158,7 @@ TEST(Ground, slides_down_what_is_a_degree_steeper_than_its_limit) {
     EXPECT_LE(worst, 0.02);
 }
 
-TEST(Ground, nobody_walks_from_level_ground_up_what_is_too_steep) {
+TEST(Ground, cannot_walk_from_level_ground_onto_a_too_steep_slope) {
     for (const double speed : {0.5, 3.0, 10.0}) {
         Stage stage;
         test::add_floor(stage.world);
@@ -191,7 +191,7 @@ TEST(Ground, slides_along_a_wall_and_stops_in_a_corner) {
 }
 
 // Edges between triangles of one plane are no obstacles.
-TEST(Ground, walks_over_level_triangles_as_over_a_plane) {
+TEST(Ground, flat_mesh_walks_like_a_plane) {
     std::vector<Vec3> corners;
     std::vector<std::array<std::uint32_t, 3>> triangles;
     constexpr std::uint32_t n = 60;
@@ -221,7 +221,7 @@ TEST(Ground, walks_over_level_triangles_as_over_a_plane) {
 }
 
 // Put where something solid is, it gets out and stands.
-TEST(Ground, gets_out_of_what_it_was_put_into) {
+TEST(Ground, recovers_from_initial_overlap) {
     Stage stage;
     test::add_floor(stage.world);
     test::add_static(stage.world, {.geometry = Box{{0.5, 1.5, 4}}, .position = {0, 1.5, 0}});
@@ -232,7 +232,7 @@ TEST(Ground, gets_out_of_what_it_was_put_into) {
     EXPECT_EQ(stage.of(hero).ground, GroundKind::on_ground);
 }
 
-TEST(Ground, who_walks_off_an_edge_falls_on_a_parabola) {
+TEST(Ground, falls_on_a_parabola_after_walking_off_an_edge) {
     Stage stage;
     test::add_static(stage.world, {.geometry = Box{{2, 5, 2}}, .position = {0, -5, 0}});
     const CharacterId hero =
@@ -246,7 +246,7 @@ TEST(Ground, who_walks_off_an_edge_falls_on_a_parabola) {
     EXPECT_TRUE(test::near(stage.of(hero).feet, fall, 1e-6));
 }
 
-TEST(Ground, keeps_to_a_floor_that_falls_away) {
+TEST(Ground, follows_a_descending_floor) {
     Stage stage;
     add_slope(stage.world, radians(-30));
     test::add_static(stage.world, {.geometry = Box{{5, 1, 5}}, .position = {-5, -1, 0}});

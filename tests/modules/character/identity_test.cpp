@@ -50,7 +50,7 @@ void play(World& world, int steps) {
     }
 }
 
-TEST(Identity, threads_change_no_bit) {
+TEST(Identity, result_is_bit_identical_for_any_thread_count) {
     std::uint64_t first = 0;
     for (const int threads : {1, 2, 3, 4, 8}) {
         World world = crowd(threads);
@@ -60,7 +60,7 @@ TEST(Identity, threads_change_no_bit) {
     }
 }
 
-TEST(Identity, a_loaded_and_a_restored_world_go_on_with_the_same_bits) {
+TEST(Identity, loaded_and_restored_worlds_continue_bit_identically) {
     ASSERT_TRUE(registered);
     World world = crowd(1);
     play(world, 100);
@@ -78,7 +78,7 @@ TEST(Identity, a_loaded_and_a_restored_world_go_on_with_the_same_bits) {
 }
 
 // Each byte of the state turned over, and some set to nothing: refused, or harmless.
-TEST(Identity, forged_bytes_are_refused_or_do_no_harm) {
+TEST(Identity, corrupted_bytes_are_rejected_or_harmless) {
     World world = crowd(1);
     play(world, 30);
     const std::vector<std::byte> whole = save_module(*world.module("character"));
@@ -110,7 +110,7 @@ TEST(Identity, forged_bytes_are_refused_or_do_no_harm) {
     EXPECT_GT(refused, 500);
 }
 
-TEST(Identity, a_field_that_is_out_of_its_range_is_named) {
+TEST(Identity, errors_name_fields_out_of_range) {
     Stage stage;
     stage.add({.feet = {1, 0, 2}});
     std::vector<std::byte> bytes = save_module(*stage.crowd);

@@ -30,7 +30,7 @@ Vec3 by_projections(Vec3 desired, const std::vector<VelocityPlane>& planes) {
     return v;
 }
 
-TEST(NearestVelocity, is_the_one_that_a_slow_search_finds) {
+TEST(NearestVelocity, matches_a_brute_force_search) {
     test::Random random(3);
     for (int trial = 0; trial < 200; trial++) {
         std::vector<VelocityPlane> planes;
@@ -55,7 +55,7 @@ TEST(NearestVelocity, stops_in_a_corner_and_slides_along_a_crease) {
     EXPECT_EQ(nearest_velocity({1, 2, 3}, room), (Vec3{1, 2, 3}));
 }
 
-TEST(NearestVelocity, between_walls_that_close_it_is_finite) {
+TEST(NearestVelocity, stays_finite_between_closing_walls) {
     const std::vector<VelocityPlane> press = {{{1, 0, 0}, 1}, {{-1, 0, 0}, 1}};
     const Vec3 v = nearest_velocity({0, 0, 2}, press);
     EXPECT_TRUE(is_finite(v));
@@ -63,7 +63,7 @@ TEST(NearestVelocity, between_walls_that_close_it_is_finite) {
 }
 
 // Two of one wall that rounding tells apart meet far away.
-TEST(NearestVelocity, planes_that_are_nearly_one_throw_nobody) {
+TEST(NearestVelocity, nearly_parallel_planes_do_not_amplify_velocity) {
     for (const double off : {1e-9, 1e-6, 1e-4, 1e-2}) {
         const Vec3 tilted = normalized(Vec3{1, 0, off});
         const std::vector<VelocityPlane> walls = {{{1, 0, 0}, 0},

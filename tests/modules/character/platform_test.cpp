@@ -48,7 +48,7 @@ Ride ride(CharacterKind kind, Vec3 spot, double seconds, PoseAt&& pose_at) {
     return worst;
 }
 
-TEST(Platform, a_lift_carries_it_without_a_gap) {
+TEST(Platform, lift_carries_it_without_a_gap) {
     const Ride worst = ride(CharacterKind::sweeping, {1, 0, 2}, 8, [](double t) {
         return Transform{{0, 3 - 3 * sin_cos(1.5 * t).cos, 0}, {}};
     });
@@ -58,7 +58,7 @@ TEST(Platform, a_lift_carries_it_without_a_gap) {
     EXPECT_LE(worst.drift, 0.001);
 }
 
-TEST(Platform, a_lift_that_starts_and_stops_at_once_does_so_too) {
+TEST(Platform, abruptly_starting_and_stopping_lift_carries_it) {
     const Ride worst = ride(CharacterKind::sweeping, {0, 0, 0}, 8, [](double t) {
         const double phase = t - 4 * std::floor(t / 4);
         return Transform{{0, phase < 2 ? 3 * phase : 3 * (4 - phase), 0}, {}};
@@ -68,7 +68,7 @@ TEST(Platform, a_lift_that_starts_and_stops_at_once_does_so_too) {
     EXPECT_LE(worst.drift, 0.001);
 }
 
-TEST(Platform, a_turntable_takes_it_round) {
+TEST(Platform, turntable_carries_it_around) {
     for (const double speed : {0.5, 2.0, 5.0}) {
         const Ride worst = ride(CharacterKind::sweeping, {2, 0, 1}, 20, [&](double t) {
             return Transform{{0, 0, 0}, from_axis_angle({0, 1, 0}, speed * t)};
@@ -80,7 +80,7 @@ TEST(Platform, a_turntable_takes_it_round) {
     }
 }
 
-TEST(Platform, a_train_on_a_bend_and_a_ship_that_rolls) {
+TEST(Platform, curving_train_and_rolling_ship_carry_it) {
     const Ride worst = ride(CharacterKind::sweeping, {1, 0, -1}, 10, [](double t) {
         const Quat yaw = from_axis_angle({0, 1, 0}, 0.3 * t);
         const Quat roll = from_axis_angle({1, 0, 0}, 0.2 * sin_cos(t).sin);
@@ -94,7 +94,7 @@ TEST(Platform, a_train_on_a_bend_and_a_ship_that_rolls) {
     EXPECT_LE(worst.drift, 0.3 * sin_cos(0.2).sin + 0.01);
 }
 
-TEST(Platform, a_rigid_one_is_carried_as_well) {
+TEST(Platform, rigid_character_is_carried_too) {
     const Ride lift = ride(CharacterKind::rigid, {1, 0, 2}, 8, [](double t) {
         return Transform{{0, 3 - 3 * sin_cos(1.5 * t).cos, 0}, {}};
     });
@@ -126,7 +126,7 @@ TEST(Platform, turns_with_the_turntable_and_keeps_its_speed_when_it_jumps_off) {
     EXPECT_TRUE(stage.world.contains(table));
 }
 
-TEST(Platform, a_belt_takes_it_along) {
+TEST(Platform, conveyor_belt_carries_it) {
     Stage stage;
     test::must(stage.world.create_body({.type = BodyType::static_body},
                                        {.geometry = Box{{50, 1, 5}},
@@ -140,7 +140,7 @@ TEST(Platform, a_belt_takes_it_along) {
 }
 
 // Faster than its skin is thick in a step.
-TEST(Platform, a_lift_or_a_wall_that_comes_fast_takes_it_along) {
+TEST(Platform, fast_lift_or_wall_pushes_it) {
     for (const double speed : {1.0, 3.0, 10.0}) {
         Stage stage;
         test::add_floor(stage.world);
@@ -167,7 +167,7 @@ TEST(Platform, a_lift_or_a_wall_that_comes_fast_takes_it_along) {
     }
 }
 
-TEST(Platform, a_wall_on_the_way_stops_it_while_the_platform_goes_on) {
+TEST(Platform, wall_stops_it_while_the_platform_moves_on) {
     Stage stage;
     test::add(stage.world, {.geometry = Box{{20, 0.5, 4}},
                             .position = {0, -0.5, 0},

@@ -14,7 +14,7 @@ Vec3 momentum(const Stage& stage, BodyId body, CharacterId hero, double mass) {
 }
 
 // Adrift without gravity, square on and off centre: what one loses the other gets.
-TEST(PushState, an_impact_keeps_momentum) {
+TEST(PushState, impact_conserves_momentum) {
     double worst = 0;
     for (const double speed : {1.0, 5.0, 20.0})
         for (const double height : {0.0, 0.7})
@@ -40,7 +40,7 @@ TEST(PushState, an_impact_keeps_momentum) {
 }
 
 // On level ground without friction: the crate has what was given to it, step by step.
-TEST(PushState, a_crate_has_what_it_was_given) {
+TEST(PushState, crate_momentum_equals_the_applied_impulse) {
     Stage stage;
     test::add_floor(stage.world, 0);
     const BodyId crate = test::add(stage.world, {.geometry = Box{{0.5, 0.5, 0.5}},
@@ -63,7 +63,7 @@ TEST(PushState, a_crate_has_what_it_was_given) {
 }
 
 // Against friction: it moves what its strength moves, and stands before what it does not.
-TEST(PushState, is_as_strong_as_it_is_said_to_be) {
+TEST(PushState, push_force_matches_strength) {
     const double weight = 200 * 9.81, friction = 0.5;
     for (const double strength : {0.8 * friction * weight, 1.3 * friction * weight}) {
         Stage stage;
@@ -86,7 +86,7 @@ TEST(PushState, is_as_strong_as_it_is_said_to_be) {
     }
 }
 
-TEST(PushState, the_raft_on_which_it_sets_off_gets_the_recoil) {
+TEST(PushState, raft_receives_the_walking_recoil) {
     Stage stage({.gravity = {0, -9.81, 0}});
     test::add_floor(stage.world, 0);
     const BodyId raft = test::add(
@@ -101,7 +101,7 @@ TEST(PushState, the_raft_on_which_it_sets_off_gets_the_recoil) {
     EXPECT_NEAR(test::velocity_of(stage.world, raft).x, -2 * 80 / (80 + mass), 0.01);
 }
 
-TEST(PushState, a_cart_that_is_hit_feels_who_stands_on_it) {
+TEST(PushState, hit_cart_is_slowed_by_the_standing_character) {
     Stage stage;
     test::add_floor(stage.world, 0);
     const BodyId cart = test::add(
@@ -117,7 +117,7 @@ TEST(PushState, a_cart_that_is_hit_feels_who_stands_on_it) {
     EXPECT_NEAR(stage.of(hero).feet.x, test::position_of(stage.world, cart).x, 0.03);
 }
 
-TEST(PushState, a_seesaw_feels_its_weight) {
+TEST(PushState, seesaw_tilts_under_its_weight) {
     Stage stage;
     test::add_floor(stage.world);
     const BodyId plank = test::add(

@@ -8,7 +8,7 @@ namespace {
 
 using namespace physics;
 
-TEST(Rigid, walks_as_fast_as_it_is_asked_to_and_stays_upright) {
+TEST(Rigid, walks_at_the_requested_speed_and_stays_upright) {
     Stage stage;
     test::add_floor(stage.world);
     const CharacterId hero = stage.add({.kind = CharacterKind::rigid, .feet = {0, 0, 0}});
@@ -23,7 +23,7 @@ TEST(Rigid, walks_as_fast_as_it_is_asked_to_and_stays_upright) {
     EXPECT_TRUE(test::near(stage.of(hero).velocity, {}, 1e-3)) << "and stops";
 }
 
-TEST(Rigid, stands_and_walks_on_slopes_below_its_limit_and_slides_above) {
+TEST(Rigid, walks_below_its_slope_limit_and_slides_above) {
     for (const double degrees : {20.0, 40.0, 49.0, 51.0, 60.0}) {
         const double angle = radians(degrees);
         Stage stage;
@@ -50,7 +50,7 @@ TEST(Rigid, stands_and_walks_on_slopes_below_its_limit_and_slides_above) {
 
 // It is as heavy as it is: a ball that hits it sends it off, which nothing does to one that sweeps
 // and stands.
-TEST(Rigid, others_push_it) {
+TEST(Rigid, is_pushed_by_other_bodies) {
     Stage stage({.gravity = {}});
     const CharacterId hero = stage.add({.kind = CharacterKind::rigid, .feet = {0, 0, 0}});
     const BodyId ball = test::add(
@@ -63,7 +63,7 @@ TEST(Rigid, others_push_it) {
     EXPECT_NEAR(sum / (mass * 8), 1, 0.01);
 }
 
-TEST(Rigid, sleeps_when_it_has_nothing_to_do_and_walks_on_when_asked) {
+TEST(Rigid, sleeps_when_idle_and_wakes_on_controls) {
     Stage stage;
     test::add_floor(stage.world);
     const CharacterId hero = stage.add({.kind = CharacterKind::rigid, .feet = {0, 0, 0}});

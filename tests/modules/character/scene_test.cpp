@@ -14,7 +14,7 @@ std::string error_of(const CharacterDef& def) {
     return test::error_of(stage.crowd->add(stage.world, def)).message;
 }
 
-TEST(Calls, what_is_out_of_range_is_named) {
+TEST(Calls, errors_name_values_out_of_range) {
     EXPECT_EQ(error_of({.radius = 0}), "radius is 0; it must be from 0.05 to 5");
     EXPECT_EQ(error_of({.skin = 0.2}), "skin is 0.2; it must be from 0.002 to 0.15");
     EXPECT_EQ(error_of({.abilities = {.mass = 0}}), "mass is 0; it must be from 1 to 10000");
@@ -26,7 +26,7 @@ TEST(Calls, what_is_out_of_range_is_named) {
     EXPECT_EQ(test::error_of(stage.crowd->set_controls({}, {})).code, ErrorCode::not_found);
 }
 
-TEST(Calls, an_id_ends_with_its_character_and_an_index_is_used_again) {
+TEST(Calls, ids_expire_with_the_character_and_indices_are_reused) {
     Stage stage;
     const CharacterId first = stage.add({});
     const CharacterId second = stage.add({.feet = {5, 0, 0}});
@@ -59,7 +59,7 @@ struct Cast {
     }
 };
 
-TEST(Scene, bodies_become_characters_as_they_are) {
+TEST(Scene, scene_bodies_become_characters_of_matching_kind) {
     Cast cast;
     test::must(cast.characters.configure(
         cast.world, {.numbers = {{"stroll", 2}, {"stroll_turn", 0.5}, {"jump_speed", 6}},
@@ -76,7 +76,7 @@ TEST(Scene, bodies_become_characters_as_they_are) {
 }
 
 // 2 m/s at 0.5 rad/s: circles of 4 m.
-TEST(Scene, who_strolls_walks_in_circles_until_he_is_driven) {
+TEST(Scene, strolls_in_circles_until_controlled) {
     Cast cast;
     auto module = std::make_unique<Characters>();
     Characters& characters = *module;
@@ -95,7 +95,7 @@ TEST(Scene, who_strolls_walks_in_circles_until_he_is_driven) {
     EXPECT_TRUE(test::near(test::velocity_of(cast.world, cast.walker), {5, 0, 0}, 1e-6));
 }
 
-TEST(Scene, what_is_wrong_is_named) {
+TEST(Scene, errors_name_the_invalid_setting) {
     Cast cast;
     const BodyId crate = test::add(cast.world, {.position = {9, 0.5, 0}});
     EXPECT_EQ(cast.error_of({.bodies = {{"crate", crate}}}),
@@ -107,7 +107,7 @@ TEST(Scene, what_is_wrong_is_named) {
     EXPECT_EQ(cast.error_of({.numbers = {{"sped", 1}}}).substr(0, 27), "unknown setting sped; m");
 }
 
-TEST(Scene, clients_are_told_of_each_character_in_eight_bytes) {
+TEST(Scene, publishes_each_character_in_eight_bytes) {
     Stage stage;
     test::add_floor(stage.world);
     stage.add({.feet = {0, 0, 0}});

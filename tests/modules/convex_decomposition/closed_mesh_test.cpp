@@ -14,7 +14,7 @@ namespace {
 using namespace physics;
 using namespace decomposition;
 
-TEST(ClosedMesh, a_solid_has_its_volume_whichever_way_round_it_was_given) {
+TEST(ClosedMesh, computes_the_volume_for_both_windings) {
     Solid solid = l_shape();
     EXPECT_NEAR(make_closed_mesh(solid.vertices, solid.indices)->volume, 3, 1e-12);
     for (std::size_t k = 0; k < solid.indices.size(); k += 3)
@@ -22,7 +22,7 @@ TEST(ClosedMesh, a_solid_has_its_volume_whichever_way_round_it_was_given) {
     EXPECT_NEAR(make_closed_mesh(solid.vertices, solid.indices)->volume, 3, 1e-12);
 }
 
-TEST(ClosedMesh, points_are_inside_or_some_way_off) {
+TEST(ClosedMesh, classifies_points_and_computes_their_distance) {
     const Solid solid = l_shape();
     const ClosedMesh mesh = *make_closed_mesh(solid.vertices, solid.indices);
     EXPECT_TRUE(is_inside(mesh.triangles, {0.5, 1.5, 0.5}));
@@ -31,7 +31,7 @@ TEST(ClosedMesh, points_are_inside_or_some_way_off) {
     EXPECT_NEAR(distance_to_surface(mesh.triangles, {3, 2, 0.5}), std::sqrt(2), 1e-12);
 }
 
-TEST(ClosedMesh, what_is_no_solid_is_refused_with_a_reason) {
+TEST(ClosedMesh, rejects_open_and_degenerate_meshes) {
     const auto error_of = [](const Solid& solid) {
         const auto mesh = make_closed_mesh(solid.vertices, solid.indices);
         return mesh.ok() ? std::string() : mesh.error().message;

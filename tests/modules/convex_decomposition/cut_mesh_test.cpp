@@ -14,7 +14,7 @@ namespace {
 using namespace physics;
 using namespace decomposition;
 
-TEST(CutMesh, a_quarter_of_a_cube_is_a_quarter) {
+TEST(CutMesh, cuts_a_quarter_of_a_cube) {
     const Solid solid = cube();
     const ClosedMesh mesh = *make_closed_mesh(solid.vertices, solid.indices);
     const Piece piece = cut_piece(mesh.triangles, {{0, 0.5, 0}, {0.5, 1, 1}});
@@ -23,7 +23,7 @@ TEST(CutMesh, a_quarter_of_a_cube_is_a_quarter) {
 }
 
 // However a ring is cut into boxes, the pieces add up to it.
-TEST(CutMesh, pieces_add_up) {
+TEST(CutMesh, piece_volumes_sum_to_the_mesh_volume) {
     const Solid solid = torus(1, 0.3, 48, 24);
     const ClosedMesh mesh = *make_closed_mesh(solid.vertices, solid.indices);
     double sum = 0;

@@ -20,14 +20,14 @@ Decomposition of(const Solid& solid, const Options& options = {}) {
     return decompose(solid.vertices, solid.indices, options).value();
 }
 
-TEST(Decompose, what_is_convex_stays_whole) {
+TEST(Decompose, keeps_a_convex_mesh_as_one_hull) {
     const Decomposition one = of(cube());
     ASSERT_EQ(one.parts.size(), 1u);
     EXPECT_NEAR(one.max_volume_error, 0, 1e-12);
     EXPECT_NEAR(one.max_distance, 0, 1e-9);
 }
 
-TEST(Decompose, an_l_is_two_boxes) {
+TEST(Decompose, splits_an_l_shape_into_two_boxes) {
     const Decomposition two = of(l_shape());
     EXPECT_EQ(two.parts.size(), 2u);
     EXPECT_NEAR(two.max_volume_error, 0, 1e-12);
@@ -37,7 +37,7 @@ TEST(Decompose, an_l_is_two_boxes) {
 }
 
 // A ring of 1152 triangles: finer the more parts it may have, and each corner of it is in a part.
-TEST(Decompose, a_ring_is_as_near_as_parts_allow) {
+TEST(Decompose, improves_a_ring_with_more_hulls) {
     const Solid ring = torus(1, 0.3, 48, 12);
     double before = 1e9;
     for (const int parts : {12, 24, 48}) {
@@ -60,7 +60,7 @@ TEST(Decompose, a_ring_is_as_near_as_parts_allow) {
 }
 
 // A peg falls through the ring's hole, which a hull of the ring would not let it.
-TEST(Decompose, a_ring_that_moves_has_its_hole) {
+TEST(Decompose, preserves_the_hole_of_a_dynamic_ring) {
     const Decomposition found = of(torus(1, 0.3, 32, 12), {.hulls_max = 24});
     std::vector<ShapeDef> shapes;
     for (const auto& part : found.parts) shapes.push_back({.geometry = Hull{part}});
@@ -75,7 +75,7 @@ TEST(Decompose, a_ring_that_moves_has_its_hole) {
     EXPECT_LT(world.body(peg)->pose.position.y, 0.6);
 }
 
-TEST(Decompose, options_are_within_their_range) {
+TEST(Decompose, rejects_out_of_range_options) {
     const Solid solid = cube();
     for (const Options& wrong :
          {Options{.hulls_max = 0}, {.max_volume_error = -1}, {.planes_per_axis = 0}})

@@ -27,7 +27,7 @@ struct GroupProbe : StepListener {
 };
 
 // Nine hundred crates on a floor make several groups; two of them stand far apart.
-TEST(IslandCoupling, puts_bodies_that_do_not_touch_into_one_group) {
+TEST(IslandCoupling, coupled_bodies_share_one_island) {
     for (const bool coupled : {false, true}) {
         World world = test::make_world({});
         test::add_floor(world);
@@ -50,7 +50,7 @@ TEST(IslandCoupling, puts_bodies_that_do_not_touch_into_one_group) {
     }
 }
 
-TEST(IslandCoupling, pushes_nothing) {
+TEST(IslandCoupling, coupling_applies_no_force) {
     World world = test::make_world({});
     const BodyId a = add(world, {.position = {0, 50, 0}, .velocity = {3, 0, 0}, .spin = {1, 2, 3}});
     const BodyId b = add(world, {.position = {0.5, 80, 0}, .velocity = {-1, 0, 2}});
@@ -61,7 +61,7 @@ TEST(IslandCoupling, pushes_nothing) {
     EXPECT_NEAR(test::position_of(world, a).y, 50 - 0.5 * 9.81, 0.05);
 }
 
-TEST(IslandCoupling, lets_bodies_sleep_and_wakes_them_together) {
+TEST(IslandCoupling, coupled_bodies_sleep_and_wake_together) {
     World world = test::make_world({});
     test::add_floor(world);
     const BodyId a = add(world, {.position = {0, 0.5, 0}}),

@@ -31,7 +31,7 @@ struct Craft {
     }
 };
 
-TEST(Settings, what_is_given_is_read_and_the_rest_stays) {
+TEST(Settings, reads_given_settings_and_keeps_defaults) {
     Craft craft;
     ASSERT_TRUE(craft
                     .configure({.numbers = {{"height", 2.5}, {"lights", 1}},
@@ -43,7 +43,7 @@ TEST(Settings, what_is_given_is_read_and_the_rest_stays) {
     EXPECT_EQ(craft.hull, (BodyId{7, 1}));
 }
 
-TEST(Settings, what_is_wrong_is_named_with_what_would_do) {
+TEST(Settings, errors_name_the_setting_and_its_accepted_range) {
     Craft craft;
     EXPECT_EQ(craft.error_of({.numbers = {{"height", 4}}}),
               "height is 4; it must be from 0.3 to 3");

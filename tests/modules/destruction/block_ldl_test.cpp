@@ -48,7 +48,7 @@ std::vector<Block6> times(const BlockMatrix& m, const std::vector<Block6>& x) {
     return f;
 }
 
-TEST(BlockLdl, solves_a_net) {
+TEST(BlockLdl, solves_a_grid_matrix) {
     const BlockMatrix matrix = net(20, 15, 0.5);
     std::vector<Block6> x(matrix.diagonal.size());
     for (std::size_t k = 0; k < x.size(); k++)
@@ -64,13 +64,13 @@ TEST(BlockLdl, solves_a_net) {
 }
 
 // Elimination by least degree fills far less than by rows: 30 n log n against n^1.5.
-TEST(BlockLdl, a_net_fills_little) {
+TEST(BlockLdl, grid_matrix_has_little_fill_in) {
     const BlockFactor factor(net(40, 40, 1));
     RecordProperty("work", static_cast<int>(factor.work()));
     EXPECT_LT(factor.work(), 1600u * 40 * 41 / 2 / 4);
 }
 
-TEST(BlockLdl, what_nothing_resists_stays) {
+TEST(BlockLdl, unconstrained_directions_stay_zero) {
     BlockMatrix matrix = net(3, 1, 0);  // adrift
     matrix.off_diagonal[0].block[1] = matrix.off_diagonal[1].block[1] = 0;
     std::vector<Block6> x(3, Block6{});

@@ -103,7 +103,7 @@ Outcome outcome_of(const Hit& hit) {
     return outcome;
 }
 
-TEST(DestructionEnergy, no_energy_comes_from_nowhere_and_nothing_falls_through_the_floor) {
+TEST(DestructionEnergy, violent_impacts_add_no_energy_and_nothing_falls_through_the_floor) {
     const BondMaterial concrete;
     const Hit hits[] = {
         // What strikes many small chunks at once was thrown out of the wall faster than it came.

@@ -39,7 +39,7 @@ struct Row {
     }
 };
 
-TEST(DestructionLosses, a_wall_whose_owner_deleted_its_bodies_is_gone_and_the_others_break) {
+TEST(DestructionLosses, wall_with_deleted_bodies_is_removed_and_other_walls_still_break) {
     ASSERT_TRUE(registered);
     for (const int moment : {0, 8}) {
         Row row;
@@ -56,7 +56,7 @@ TEST(DestructionLosses, a_wall_whose_owner_deleted_its_bodies_is_gone_and_the_ot
 }
 
 // Every third shape of the middle wall, its foot among them.
-TEST(DestructionLosses, a_wall_that_lost_shapes_still_falls_apart) {
+TEST(DestructionLosses, wall_with_deleted_shapes_still_breaks) {
     Row row;
     row.stage.step(3);
     World& world = row.stage.world;
@@ -72,7 +72,7 @@ TEST(DestructionLosses, a_wall_that_lost_shapes_still_falls_apart) {
 }
 
 // All of them: nothing is left, not even the body's piece.
-TEST(DestructionLosses, a_wall_that_lost_all_shapes_is_gone) {
+TEST(DestructionLosses, wall_without_shapes_is_removed) {
     Row row;
     row.stage.step(3);
     const BodyId body = row.stage.destruction->bodies(row.walls[1])->front();
@@ -85,7 +85,7 @@ TEST(DestructionLosses, a_wall_that_lost_all_shapes_is_gone) {
 }
 
 // The ball in front of the middle wall, and a piece of it later on.
-TEST(DestructionLosses, a_state_that_ran_away_stays_with_what_it_was) {
+TEST(DestructionLosses, quarantined_body_does_not_break_its_wall) {
     for (const int moment : {4, 5, 6, 9}) {
         Row row;
         row.stage.step(moment);

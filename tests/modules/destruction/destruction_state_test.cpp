@@ -29,7 +29,7 @@ struct TestScene {
     }
 };
 
-TEST(DestructionState, threads_change_no_bit) {
+TEST(DestructionState, result_is_bit_identical_for_any_thread_count) {
     std::uint64_t first = 0;
     for (const int threads : {1, 2, 4, 8}) {
         TestScene show(threads);
@@ -41,7 +41,7 @@ TEST(DestructionState, threads_change_no_bit) {
     }
 }
 
-TEST(DestructionState, a_loaded_and_a_restored_world_go_on_alike) {
+TEST(DestructionState, loaded_and_restored_worlds_continue_identically) {
     ASSERT_TRUE(registered);
     for (const int moment : {3, 6, 40}) {
         TestScene show;
@@ -62,7 +62,7 @@ TEST(DestructionState, a_loaded_and_a_restored_world_go_on_alike) {
 }
 
 // Any byte of the module's state may be anything: a load says no, or gives a world that steps.
-TEST(DestructionState, forged_bytes_are_refused_or_harmless) {
+TEST(DestructionState, corrupted_bytes_are_rejected_or_harmless) {
     TestScene show(1, 8);
     show.stage.step(10);
     const std::vector<std::byte> whole = save_module(*show.stage.destruction);
@@ -89,7 +89,7 @@ TEST(DestructionState, forged_bytes_are_refused_or_harmless) {
     EXPECT_GT(stepped, 10);
 }
 
-TEST(DestructionState, a_scene_says_what_stands_where) {
+TEST(DestructionState, scene_settings_place_walls) {
     Stage stage;
     stage.destruction
         ->configure(stage.world,

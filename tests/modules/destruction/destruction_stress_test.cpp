@@ -57,18 +57,18 @@ void expect_breaks_at_its_length(int rows) {
     }
 }
 
-TEST(DestructionStress, a_cantilever_of_one_row_breaks_at_its_length) {
+TEST(DestructionStress, one_row_cantilever_breaks_at_its_critical_length) {
     expect_breaks_at_its_length(1);
 }
-TEST(DestructionStress, a_cantilever_of_two_rows_breaks_at_its_length) {
+TEST(DestructionStress, two_row_cantilever_breaks_at_its_critical_length) {
     expect_breaks_at_its_length(2);
 }
-TEST(DestructionStress, a_cantilever_of_four_rows_breaks_at_its_length) {
+TEST(DestructionStress, four_row_cantilever_breaks_at_its_critical_length) {
     expect_breaks_at_its_length(4);
 }
 
 // A column hangs from its top: rho g L at the top, whatever the cut.
-TEST(DestructionStress, a_hanging_column_bears_its_weight) {
+TEST(DestructionStress, hanging_column_carries_its_own_weight) {
     const Vec3 half{0.2, 2, 0.2};
     FracturedShape column = split_box(half, 1, 20, 1).value();
     anchor(column, {0, 1, 0}, 2 - 1e-9);
@@ -79,7 +79,7 @@ TEST(DestructionStress, a_hanging_column_bears_its_weight) {
 }
 
 // A rod that turns about its middle: rho w^2 l^2 / 2 in the middle, half of its length being l.
-TEST(DestructionStress, a_rod_that_spins_too_fast_breaks_in_the_middle) {
+TEST(DestructionStress, overspeeding_rod_breaks_in_the_middle) {
     const double l = 2, tensile = 1e6;
     const double w = std::sqrt(2 * tensile / (density * l * l));
     for (const double share : {0.97, 1.03}) {
@@ -94,7 +94,7 @@ TEST(DestructionStress, a_rod_that_spins_too_fast_breaks_in_the_middle) {
 }
 
 // A beam on two held ends under a weight in the middle is asked about when the weight comes.
-TEST(DestructionStress, a_shelf_breaks_under_what_is_laid_on_it) {
+TEST(DestructionStress, overloaded_shelf_breaks) {
     for (const double mass : {50.0, 1500.0}) {
         FracturedShape shelf = split_box({1.5, 0.05, 0.3}, 15, 1, 1).value();
         anchor(shelf, {-1, 0, 0}, 1.5 - 1e-9);

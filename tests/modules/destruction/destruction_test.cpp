@@ -27,7 +27,7 @@ double mass_of(const World& world) {
 }
 
 // What flies and turns falls apart: not in one go, each step a little more.
-TEST(Destruction, a_split_keeps_mass_and_momenta) {
+TEST(Destruction, split_conserves_mass_and_momentum) {
     Stage stage({.gravity = {}});
     const Vec3 half{1, 0.7, 0.5};
     const DestructibleId id = stage.add(
@@ -62,7 +62,7 @@ TEST(Destruction, a_split_keeps_mass_and_momenta) {
 }
 
 // One piece at a time: the body that stays goes on as its points moved.
-TEST(Destruction, a_piece_takes_the_velocity_of_its_place) {
+TEST(Destruction, detached_piece_keeps_the_velocity_of_its_points) {
     Stage stage({.gravity = {}});
     const DestructibleId id = stage.add(split_box({1, 0.1, 0.1}, 10, 1, 1).value(),
                                         {.linear_velocity = {0, 1, 0},
@@ -76,7 +76,7 @@ TEST(Destruction, a_piece_takes_the_velocity_of_its_place) {
     EXPECT_NEAR(stage.world.body(bodies[1])->linear_velocity.y, 1 + 2 * 0.9, 1e-12);
 }
 
-TEST(Destruction, a_ball_goes_through_a_wall) {
+TEST(Destruction, heavy_ball_breaks_through_a_wall) {
     Stage stage;
     stage.floor();
     const FracturedShape shape = wall();
@@ -126,7 +126,7 @@ struct Momenta : StepListener {
 // In free space, where nothing holds the block: it breaks, in several places at once, and the ball
 // goes on. The module, between two listeners, changes no momentum; the solver's contacts compute in
 // single precision.
-TEST(Destruction, an_impact_that_breaks_keeps_momenta) {
+TEST(Destruction, breaking_impact_conserves_momentum) {
     World world = *World::create({.gravity = {}});
     Momenta before, after;
     world.add_listener(before).expect();
@@ -176,7 +176,7 @@ TEST(Destruction, an_impact_that_breaks_keeps_momenta) {
     EXPECT_LT(energy, 1e-6);
 }
 
-TEST(Destruction, a_soft_ball_bounces_off) {
+TEST(Destruction, light_ball_bounces_off) {
     Stage stage;
     stage.floor();
     const FracturedShape shape = wall();
@@ -188,7 +188,7 @@ TEST(Destruction, a_soft_ball_bounces_off) {
 }
 
 // Breaking is paid for: with bonds that cost more than the ball brings none breaks.
-TEST(Destruction, what_breaks_is_bounded_by_what_the_impact_brings) {
+TEST(Destruction, broken_bonds_are_limited_by_impact_energy) {
     Stage stage;
     const FracturedShape shape = wall();
     DestructibleDef def = standing();
@@ -200,7 +200,7 @@ TEST(Destruction, what_breaks_is_bounded_by_what_the_impact_brings) {
 }
 
 // A world with the wall against one with a static box of its size: a hundred balls roll about.
-TEST(Destruction, an_undamaged_wall_costs_what_one_body_costs) {
+TEST(Destruction, intact_wall_costs_as_much_as_one_body) {
     double best[2] = {1e9, 1e9};
     for (int trial = 0; trial < 5; trial++)
         for (const bool breaks : {false, true}) {
@@ -227,7 +227,7 @@ TEST(Destruction, an_undamaged_wall_costs_what_one_body_costs) {
 }
 
 // Two thousand chunks part at once.
-TEST(Destruction, two_thousand_pieces_in_one_tick) {
+TEST(Destruction, splits_into_2000_pieces_in_one_step) {
     Stage stage;
     stage.floor();
     const Vec3 half{5, 5, 0.1};
@@ -252,7 +252,7 @@ TEST(Destruction, two_thousand_pieces_in_one_tick) {
 
 // Hulls that pass each other: none falls through the floor, and no step but the first two takes
 // longer than a sixtieth of a second: in work that is counted, in units of .1 microseconds.
-TEST(Destruction, two_thousand_hulls_that_pass_each_other_are_in_time) {
+TEST(Destruction, steps_2000_non_colliding_hulls_within_the_time_limit) {
     Stage stage;
     stage.floor();
     DestructionLimits limits;
@@ -279,7 +279,7 @@ TEST(Destruction, two_thousand_hulls_that_pass_each_other_are_in_time) {
 }
 
 // What does not fit into one step waits for the next.
-TEST(Destruction, pieces_come_a_few_at_a_time_when_told_so) {
+TEST(Destruction, honours_pieces_per_step_limit) {
     Stage stage({.gravity = {}});
     DestructionLimits limits;
     limits.pieces_per_step = 30;
@@ -294,7 +294,7 @@ TEST(Destruction, pieces_come_a_few_at_a_time_when_told_so) {
     }
 }
 
-TEST(Destruction, debris_vanishes_when_told_so) {
+TEST(Destruction, removes_debris_after_its_lifetime) {
     Stage stage;
     stage.floor();
     DestructionLimits limits;
@@ -313,7 +313,7 @@ TEST(Destruction, debris_vanishes_when_told_so) {
     EXPECT_FALSE(stage.destruction->contains(id));
 }
 
-TEST(Destruction, bad_shapes_are_refused_by_name) {
+TEST(Destruction, rejects_invalid_shapes_and_names_the_field) {
     Stage stage;
     FracturedShape shape = split_box({1, 1, 1}, 2, 1, 1).value();
     shape.bonds[0].area = 0;

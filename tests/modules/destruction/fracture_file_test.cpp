@@ -29,7 +29,7 @@ std::string error_of(const std::vector<std::byte>& bytes) {
     return read.ok() ? std::string() : read.error().message;
 }
 
-TEST(FractureFile, what_was_written_is_read_bit_by_bit) {
+TEST(FractureFile, round_trip_is_bit_identical) {
     FracturedShape boxes = split_box({1, 0.5, 0.25}, 3, 2, 1).value();
     anchor(boxes, {0, -1, 0}, 0.499);
     for (const FracturedShape& shape : {wall(60), boxes}) {
@@ -51,7 +51,7 @@ TEST(FractureFile, what_was_written_is_read_bit_by_bit) {
     }
 }
 
-TEST(FractureFile, what_is_wrong_is_named) {
+TEST(FractureFile, errors_name_the_invalid_field) {
     const FracturedShape shape = split_box({1, 1, 1}, 2, 1, 1).value();
     const std::vector<std::byte> whole = bytes_of(shape);
     EXPECT_EQ(error_of({}), "it is no fracture file: jostle-fracture makes one");
@@ -87,7 +87,7 @@ TEST(FractureFile, what_is_wrong_is_named) {
 }
 
 // Any byte may be anything, with a checksum that says so: refused, or a shape that can be added.
-TEST(FractureFile, hostile_bytes_are_refused_or_can_be_added) {
+TEST(FractureFile, corrupted_bytes_are_rejected_or_yield_a_valid_shape) {
     const std::vector<std::byte> whole = bytes_of(wall(4));
     int refused = 0, added = 0;
     for (std::size_t at = fracture_header_bytes; at < whole.size(); at++) {

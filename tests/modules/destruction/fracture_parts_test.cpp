@@ -41,7 +41,7 @@ std::size_t reached(const FracturedShape& shape) {
 }
 
 // A table in an L: 2 x 1 x 1 and 1 x 1 x 1 on top, of parts that touch in 1 m^2.
-TEST(FractureParts, parts_that_touch_are_bonded_over_their_common_face) {
+TEST(FractureParts, touching_parts_are_bonded_over_their_common_face) {
     const std::vector<Part> parts = {box_hull({0, 0, 0}, {2, 1, 1}),
                                      box_hull({0, 1, 0}, {1, 2, 1})};
     const std::vector<Vec3> seeds =
@@ -67,7 +67,7 @@ TEST(FractureParts, parts_that_touch_are_bonded_over_their_common_face) {
 }
 
 // Two boxes that cross: 3 x 1 x 1 and 1 x 3 x 1 hold 5 m^3 together.
-TEST(FractureParts, what_overlaps_is_there_once) {
+TEST(FractureParts, overlapping_volume_is_counted_once) {
     const std::vector<Part> parts = {box_hull({-1.5, -0.5, 0}, {1.5, 0.5, 1}),
                                      box_hull({-0.5, -1.5, 0}, {0.5, 1.5, 1})};
     const FractureResult made = fracture_parts(parts, random_seeds({1.5, 1.5, 0.9}, 80, 5)).value();
@@ -81,7 +81,7 @@ TEST(FractureParts, what_overlaps_is_there_once) {
     }
 }
 
-TEST(FractureParts, progress_goes_from_none_to_all) {
+TEST(FractureParts, reports_progress_from_zero_to_all_seeds) {
     std::size_t last = 1, all = 0;
     const std::vector<Part> parts = {box_hull({-1, -1, -1}, {1, 1, 1})};
     const auto made = fracture_parts(parts, random_seeds({1, 1, 1}, 120, 1),
@@ -95,7 +95,7 @@ TEST(FractureParts, progress_goes_from_none_to_all) {
     EXPECT_FALSE(fracture_parts({}, random_seeds({1, 1, 1}, 2, 1)).ok());
 }
 
-TEST(SeedPatterns, each_makes_about_as_many_chunks_as_asked_for) {
+TEST(SeedPatterns, every_pattern_produces_about_the_requested_chunk_count) {
     const Vec3 half{2, 1, 0.1};
     for (const SeedPattern pattern :
          {SeedPattern::uniform, SeedPattern::radial, SeedPattern::grid, SeedPattern::clustered}) {
@@ -110,7 +110,7 @@ TEST(SeedPatterns, each_makes_about_as_many_chunks_as_asked_for) {
 }
 
 // A cluster's chunks are small near its centre.
-TEST(SeedPatterns, a_cluster_breaks_small_about_its_centre) {
+TEST(SeedPatterns, clustered_pattern_makes_smaller_chunks_near_its_centre) {
     const Vec3 half{2, 1, 0.1}, center{1, 0.5, 0};
     for (const SeedPattern pattern : {SeedPattern::radial, SeedPattern::clustered}) {
         const SeedPatternOptions plan{.pattern = pattern, .count = 200, .center = center};
@@ -126,7 +126,7 @@ TEST(SeedPatterns, a_cluster_breaks_small_about_its_centre) {
     }
 }
 
-TEST(SeedPatterns, bad_plans_are_refused_by_name) {
+TEST(SeedPatterns, rejects_invalid_options_and_names_the_field) {
     const Aabb bounds{{0, 0, 0}, {1, 1, 1}};
     EXPECT_EQ(generate_seeds(bounds, {.count = 0}).error().message, "count is 0; give 1 to 20000");
     EXPECT_EQ(generate_seeds({{0, 0, 0}, {1, 0, 1}}, {}).error().message,

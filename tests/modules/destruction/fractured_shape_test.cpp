@@ -21,7 +21,7 @@ Vec3 first_moment(const FracturedShape& shape) {
     return sum;
 }
 
-TEST(FracturedShape, cells_of_a_box_fill_it) {
+TEST(FracturedShape, box_cells_sum_to_box_volume) {
     const Vec3 half{3, 1.5, 0.15};
     const FracturedShape shape = fracture_box(half, random_seeds(half, 400, 7)).value();
     EXPECT_EQ(shape.chunks.size(), 400u);
@@ -32,7 +32,7 @@ TEST(FracturedShape, cells_of_a_box_fill_it) {
     EXPECT_LT(length(first_moment(shape)) / whole, 1e-12);
 }
 
-TEST(FracturedShape, cells_of_a_hull_fill_it) {
+TEST(FracturedShape, hull_cells_sum_to_hull_volume) {
     const std::vector<Vec3> points = random_seeds({1, 0.7, 0.5}, 40, 11);
     const auto hull = build_hull(points).value();
     const FracturedShape shape =
@@ -49,7 +49,7 @@ TEST(FracturedShape, cells_of_a_hull_fill_it) {
 }
 
 // Seeds in a grid: four cells meet in each edge, eight in each corner.
-TEST(FracturedShape, a_grid_of_seeds_gives_the_boxes_of_the_grid) {
+TEST(FracturedShape, grid_seeds_produce_grid_boxes) {
     const Vec3 half{2, 1, 0.5};
     const FracturedShape boxes = split_box(half, 8, 4, 2).value();
     std::vector<Vec3> seeds;
@@ -72,7 +72,7 @@ TEST(FracturedShape, a_grid_of_seeds_gives_the_boxes_of_the_grid) {
     EXPECT_NEAR(moments, 0, 1e-11);
 }
 
-TEST(FracturedShape, faces_lie_between_their_chunks) {
+TEST(FracturedShape, bond_faces_lie_between_their_chunks) {
     const Vec3 half{1, 1, 1};
     const FracturedShape shape = fracture_box(half, random_seeds(half, 50, 2)).value();
     EXPECT_GT(shape.bonds.size(), 150u);
@@ -94,7 +94,7 @@ TEST(FracturedShape, errors_name_the_seed) {
     EXPECT_FALSE(split_box({1, 1, 1}, 0, 1, 1).ok());
 }
 
-TEST(FracturedShape, what_reaches_the_ground_is_anchored) {
+TEST(FracturedShape, anchors_chunks_that_reach_the_offset_plane) {
     FracturedShape shape = split_box({2, 1, 0.5}, 8, 4, 2).value();
     EXPECT_EQ(anchor(shape, {0, -1, 0}, 1 - 1e-9), 16u);
 }

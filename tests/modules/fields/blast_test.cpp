@@ -25,7 +25,7 @@ Explosion even(double strength) {
     return {.radius = 100, .strength = strength, .falloff = 0, .fade = false};
 }
 
-TEST(Blast, gives_a_far_plate_pressure_times_area) {
+TEST(Blast, far_plate_receives_pressure_times_area) {
     World world = test::make_world({.gravity = {}});
     const BodyId plate = add_plate(world, 10.02);
     const BlastImpulse push = push_on(world, even(300), plate);
@@ -40,7 +40,7 @@ TEST(Blast, gives_a_far_plate_pressure_times_area) {
 
 // A disc of radius R at distance d: strength core^2 int cos^2 / r^2 dA
 //     = strength core^2 pi R^2 / (d^2 + R^2).
-TEST(Blast, gives_a_near_disc_its_closed_form) {
+TEST(Blast, near_disc_matches_the_closed_form) {
     World world = test::make_world({.gravity = {}});
     const BodyId disc = test::add(world, {.geometry = Cylinder{1, 0.02},
                                           .position = {1.02, 0, 0},
@@ -56,7 +56,7 @@ TEST(Blast, gives_a_near_disc_its_closed_form) {
     EXPECT_NEAR(coarse / expected, 1, 0.03);
 }
 
-TEST(Blast, gives_nothing_through_a_wall_and_half_past_its_edge) {
+TEST(Blast, wall_blocks_the_blast_and_its_edge_blocks_half) {
     World world = test::make_world({.gravity = {}});
     const BodyId hidden = add_plate(world, 6), half = add_plate(world, -6);
     test::add_static(world, {.geometry = Box{{0.1, 3, 3}}, .position = {3, 0, 0}});
@@ -79,7 +79,7 @@ TEST(Blast, gives_nothing_through_a_wall_and_half_past_its_edge) {
     EXPECT_EQ(push_on(other, even(300), sheltered).impulse, Vec3{});
 }
 
-TEST(Blast, gives_the_momentum_that_it_says) {
+TEST(Blast, applied_momentum_matches_the_reported_impulse) {
     World world = test::make_world({.gravity = {}});
     test::Random random(2);
     const Geometry kinds[] = {Box{{0.3, 0.5, 0.4}}, Sphere{0.4}, Capsule{0.2, 0.4},
@@ -108,7 +108,7 @@ TEST(Blast, gives_the_momentum_that_it_says) {
 }
 
 // Six walls about a blast off their middle, with falloff 2: each takes by its solid angle.
-TEST(Blast, pushes_what_surrounds_it_by_nothing_in_sum) {
+TEST(Blast, enclosing_shell_receives_zero_net_impulse) {
     World world = test::make_world({.gravity = {}});
     for (int k = 0; k < 6; k++) {
         Vec3 half{2, 2, 2}, at;
@@ -129,7 +129,7 @@ TEST(Blast, pushes_what_surrounds_it_by_nothing_in_sum) {
     EXPECT_GT(solid_angle, 0);
 }
 
-TEST(Blast, wakes_and_lifts_a_crate_from_the_floor_that_was_clicked) {
+TEST(Blast, standoff_blast_wakes_and_lifts_a_crate_on_the_floor) {
     World world = test::make_world();
     test::add_floor(world);
     const BodyId crate = test::add(world, {.position = {1.2, 0.5, 0}, .density = 100});
@@ -148,7 +148,7 @@ TEST(Blast, wakes_and_lifts_a_crate_from_the_floor_that_was_clicked) {
     EXPECT_LT(push_on(world, beside, struck).impulse.x, -100);
 }
 
-TEST(Blast, sees_children_of_a_compound_one_before_the_other) {
+TEST(Blast, compound_children_occlude_each_other) {
     World world = test::make_world({.gravity = {}});
     const auto two = test::must(build_compound({{Box{{0.02, 0.5, 0.5}}, {{0, 0, 0}, {}}},
                                                 {Box{{0.02, 0.5, 0.5}}, {{1, 0, 0}, {}}},
@@ -159,7 +159,7 @@ TEST(Blast, sees_children_of_a_compound_one_before_the_other) {
     EXPECT_NEAR(push.occluded_area, 1 + pi / 4, 0.06);
 }
 
-TEST(Blast, keeps_to_its_mask_its_reach_and_its_speed) {
+TEST(Blast, respects_mask_radius_and_speed_limit) {
     World world = test::make_world({.gravity = {}});
     const BodyId plate = add_plate(world, 5);
     Explosion explosion = even(1e6);
@@ -180,7 +180,7 @@ TEST(Blast, keeps_to_its_mask_its_reach_and_its_speed) {
               "explosion.points is 2; it must be from 6 to 1024");
 }
 
-TEST(Blast, goes_off_when_its_charge_is_due) {
+TEST(Blast, charge_explodes_at_its_time) {
     World world = test::make_world({.gravity = {}});
     const BodyId plate = add_plate(world, 3);
     Fields& fields = fields_of(world);

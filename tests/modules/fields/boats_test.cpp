@@ -40,7 +40,7 @@ struct Harbour {
     }
 };
 
-TEST(Boats, lies_still_until_somebody_drives_it) {
+TEST(Boats, stays_at_rest_until_driven) {
     Harbour harbour;
     test::run(harbour.world, 20);
     const Vec3 at = harbour.state().center;
@@ -50,7 +50,7 @@ TEST(Boats, lies_still_until_somebody_drives_it) {
 }
 
 // Where the screw's thrust is the drag of the wetted front: F (1 - v / v_top) = rho c A v^2 / 2.
-TEST(Boats, goes_as_fast_as_its_thrust_and_its_drag_say) {
+TEST(Boats, top_speed_balances_thrust_and_drag) {
     Harbour harbour;
     test::must(harbour.boats->steer(harbour.world, harbour.hull, 1, 0));
     test::run(harbour.world, 40);
@@ -67,7 +67,7 @@ TEST(Boats, goes_as_fast_as_its_thrust_and_its_drag_say) {
     RecordProperty("speed", std::to_string(harbour.speed()));
 }
 
-TEST(Boats, turns_to_the_side_of_its_rudder_and_back_the_other_way) {
+TEST(Boats, turns_towards_its_rudder_and_opposite_in_reverse) {
     for (const double rudder : {-1.0, 1.0}) {
         Harbour harbour;
         test::must(harbour.boats->steer(harbour.world, harbour.hull, 1, rudder));
@@ -86,7 +86,7 @@ TEST(Boats, turns_to_the_side_of_its_rudder_and_back_the_other_way) {
     EXPECT_GT(harbour.state().linear_velocity.z, 0.5);
 }
 
-TEST(Boats, does_not_swim_in_the_air) {
+TEST(Boats, screw_out_of_the_water_gives_no_thrust) {
     Harbour harbour({}, 30);
     test::must(harbour.boats->steer(harbour.world, harbour.hull, 1, 1));
     test::run(harbour.world, 1);
@@ -95,7 +95,7 @@ TEST(Boats, does_not_swim_in_the_air) {
     EXPECT_EQ(harbour.state().angular_velocity, Vec3{});
 }
 
-TEST(Boats, ends_with_its_hull) {
+TEST(Boats, boat_is_removed_with_its_hull) {
     Harbour harbour;
     test::must(harbour.world.destroy_body(harbour.hull));
     test::run(harbour.world, 0.1);
@@ -103,7 +103,7 @@ TEST(Boats, ends_with_its_hull) {
     EXPECT_FALSE(harbour.boats->steer(harbour.world, harbour.hull, 1, 0).ok());
 }
 
-TEST(Boats, of_wrong_numbers_are_refused_by_name) {
+TEST(Boats, rejects_numbers_out_of_range_and_names_the_field) {
     Harbour harbour;
     const auto message = [&](const BoatDef& def) {
         return harbour.boats->add(harbour.world, def).error().message;
@@ -117,7 +117,7 @@ TEST(Boats, of_wrong_numbers_are_refused_by_name) {
     EXPECT_FALSE(harbour.boats->steer(harbour.world, harbour.hull, 2, 0).ok());
 }
 
-TEST(Boats, are_made_by_scenes_and_driven_by_sticks) {
+TEST(Boats, scene_settings_create_boats_that_respond_to_controls) {
     Harbour harbour;
     const BodyId other =
         test::add(harbour.world,
@@ -136,7 +136,7 @@ TEST(Boats, are_made_by_scenes_and_driven_by_sticks) {
               "thrust is -1; it must be from 0 to 10000000");
 }
 
-TEST(Boats, go_on_with_the_same_bits_after_a_load_and_for_any_number_of_threads) {
+TEST(Boats, continues_bit_identically_after_load_and_for_any_thread_count) {
     static_cast<void>(register_module("boat", [] { return std::make_unique<Boats>(); }));
     Harbour one, many({}, 0.2, 4);
     for (Harbour* harbour : {&one, &many}) {
@@ -150,7 +150,7 @@ TEST(Boats, go_on_with_the_same_bits_after_a_load_and_for_any_number_of_threads)
 }
 
 // Any byte of it, turned to any value, loads to something in range or is refused.
-TEST(Boats, refuse_forged_bytes) {
+TEST(Boats, rejects_corrupted_bytes) {
     Harbour harbour;
     const std::vector<std::byte> good = save_module(*harbour.boats);
     test::Random random(6);

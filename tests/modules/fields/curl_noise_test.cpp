@@ -31,7 +31,7 @@ double divergence(const CurlNoise& noise, Vec3 p, double time, double step) {
     return sum / step;
 }
 
-TEST(CurlNoise, has_no_divergence) {
+TEST(CurlNoise, is_divergence_free) {
     double worst = 0;
     test::Random random(3);
     for (int k = 0; k < 2000; k++) {
@@ -47,7 +47,7 @@ TEST(CurlNoise, has_no_divergence) {
 }
 
 // Over a whole period, by quadrature that is exact for what it integrates (Gauss, 4 points).
-TEST(CurlNoise, has_no_mean_and_the_strength_one) {
+TEST(CurlNoise, has_zero_mean_and_unit_rms) {
     constexpr double nodes[] = {-0.8611363115940526, -0.3399810435848563, 0.3399810435848563,
                                 0.8611363115940526};
     constexpr double weights[] = {0.3478548451374538, 0.6521451548625461, 0.6521451548625461,
@@ -75,7 +75,7 @@ TEST(CurlNoise, has_no_mean_and_the_strength_one) {
     EXPECT_NEAR(square, 1, 0.15) << "one small period is one draw of many";
 }
 
-TEST(CurlNoise, is_of_the_strength_it_says_in_space_and_time) {
+TEST(CurlNoise, has_the_requested_rms_in_space_and_time) {
     test::Random random(8);
     const Turbulence air{.wind = {3, 0, -1}, .speed = 2, .scale = 7, .rate = 0.3, .octaves = 4};
     Vec3 mean;
@@ -91,7 +91,7 @@ TEST(CurlNoise, is_of_the_strength_it_says_in_space_and_time) {
     EXPECT_NEAR(square_root(square), 2, 0.01);
 }
 
-TEST(CurlNoise, does_not_jump_at_cells_or_moments) {
+TEST(CurlNoise, is_continuous_across_cells_and_in_time) {
     const CurlNoise noise{.octaves = 3};
     for (int k = -8; k < 8; k++) {
         const Vec3 p{0.25 * k, 0.25 * k + 0.1, -0.3};
@@ -102,7 +102,7 @@ TEST(CurlNoise, does_not_jump_at_cells_or_moments) {
 }
 
 // The same on every machine: it is made of + - * / and of integers.
-TEST(CurlNoise, is_the_same_for_ever) {
+TEST(CurlNoise, is_reproducible) {
     const Vec3 u = curl_noise({.seed = 7, .octaves = 3}, {12.3, -4.5, 678.9}, 1.7);
     EXPECT_TRUE(
         test::near(u, {-0.27608078238192635, -0.25645522800115755, 0.13118721934056746}, 1e-13));

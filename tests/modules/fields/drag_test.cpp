@@ -15,7 +15,7 @@ void add_still_air(World& world, double drag) {
     add_field(world, {.law = Turbulence{.speed = 0, .drag = drag}});
 }
 
-TEST(Drag, what_falls_in_still_air_gains_speed_as_tanh) {
+TEST(Drag, fall_in_still_air_follows_tanh) {
     const double ball = worst_fall_error(add_still_air, ball_of_fall());
     const double box = worst_fall_error(add_still_air, box_of_fall());
     // A feather: 0.5 m/s in the end.
@@ -29,7 +29,7 @@ TEST(Drag, what_falls_in_still_air_gains_speed_as_tanh) {
     EXPECT_LT(feather, 5e-3);
 }
 
-TEST(Drag, no_drag_is_too_strong) {
+TEST(Drag, very_strong_drag_stays_stable) {
     World world = test::make_world({.gravity = {}});
     const BodyId feather =
         test::must(world.create_body({.mass = 1e-4}, {.geometry = Box{{0.5, 0.01, 0.5}}}));

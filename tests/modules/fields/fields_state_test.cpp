@@ -46,7 +46,7 @@ World lively(int threads) {
     return world;
 }
 
-TEST(FieldsState, gives_the_same_bits_for_any_number_of_threads) {
+TEST(FieldsState, result_is_bit_identical_for_any_thread_count) {
     World one = lively(1);
     test::run(one, 0.8);
     for (const int threads : {2, 3, 4, 8}) {
@@ -56,7 +56,7 @@ TEST(FieldsState, gives_the_same_bits_for_any_number_of_threads) {
     }
 }
 
-TEST(FieldsState, goes_on_with_the_same_bits_after_a_load_and_a_restore) {
+TEST(FieldsState, continues_bit_identically_after_load_and_restore) {
     World world = lively(1);
     test::run(world, 0.3);
     World loaded = test::must(load(save(world)));
@@ -80,7 +80,7 @@ TEST(FieldsState, goes_on_with_the_same_bits_after_a_load_and_a_restore) {
     EXPECT_EQ(state_hash(other), hash);
 }
 
-TEST(FieldsState, is_changed_by_each_change_of_a_field) {
+TEST(FieldsState, every_field_change_changes_the_state) {
     World a = lively(1), b = lively(1);
     Fields& fields = fields_of(b);
     VolumeField water = test::must(fields.field(fields.fields().front()));
@@ -94,7 +94,7 @@ TEST(FieldsState, is_changed_by_each_change_of_a_field) {
 }
 
 // Any byte of it, turned to any value, loads to something in range or is refused; it never breaks.
-TEST(FieldsState, refuses_forged_bytes) {
+TEST(FieldsState, rejects_corrupted_bytes) {
     World world = lively(1);
     const std::vector<std::byte> good = save_module(fields_of(world));
     Fields copy;
@@ -129,7 +129,7 @@ TEST(FieldsState, refuses_forged_bytes) {
     EXPECT_GT(taken, 100);
 }
 
-TEST(FieldsState, names_what_is_wrong_with_foreign_bytes) {
+TEST(FieldsState, errors_name_the_invalid_field) {
     World world = test::make_world();
     Fields& fields = fields_of(world);
     add_field(world, {.law = Turbulence{.scale = 7.25}});
@@ -146,7 +146,7 @@ TEST(FieldsState, names_what_is_wrong_with_foreign_bytes) {
         << status.error().message;
 }
 
-TEST(FieldsState, of_a_law_that_is_unknown_here_is_refused) {
+TEST(FieldsState, rejects_unregistered_force_laws) {
     static_cast<void>(
         register_user_field("test_known", [](const UserFieldInput&) { return Vec3{}; }));
     World world = test::make_world();
@@ -193,7 +193,7 @@ TEST(FieldsState, is_read_from_the_settings_of_a_scene) {
               "wave2_length is 0; it must be from 0.1 to 10000");
 }
 
-TEST(FieldsState, tells_clients_of_waters_winds_and_blasts) {
+TEST(FieldsState, publishes_water_wind_and_blasts) {
     World world = test::make_world();
     Fields& fields = fields_of(world);
     const auto published = [&] {

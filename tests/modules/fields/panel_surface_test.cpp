@@ -33,7 +33,7 @@ void expect_closed(const PanelSurface& surface, double volume) {
     EXPECT_NEAR(volume_of(surface), volume, 1e-12 * volume);
 }
 
-TEST(PanelSurface, holds_the_volume_of_its_shape_however_fine) {
+TEST(PanelSurface, encloses_the_shape_volume_at_any_refinement) {
     const std::vector<Vec3> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}};
     const auto hull = test::must(build_hull(corners));
     const std::pair<Geometry, double> shapes[] = {
@@ -50,7 +50,7 @@ TEST(PanelSurface, holds_the_volume_of_its_shape_however_fine) {
     }
 }
 
-TEST(PanelSurface, is_refined_to_a_length_or_an_area) {
+TEST(PanelSurface, refines_to_a_length_or_an_area) {
     PanelSurface by_length = panel_surfaces(Box{{2, 0.5, 0.5}}, {}).front();
     PanelSurface by_area = by_length;
     refine(by_length, 0.5, 1e30, 4000);
@@ -67,7 +67,7 @@ TEST(PanelSurface, is_refined_to_a_length_or_an_area) {
     EXPECT_EQ(few.triangles.size(), 100u);
 }
 
-TEST(PanelSurface, of_a_compound_is_one_for_each_child) {
+TEST(PanelSurface, compound_gives_one_surface_per_child) {
     const auto compound = test::must(
         build_compound({{.geometry = Box{}}, {.geometry = Sphere{}, .pose = {{0, 1, 0}, {}}}}));
     const auto surfaces = panel_surfaces(Compound{compound}, {{5, 0, 0}, {}});

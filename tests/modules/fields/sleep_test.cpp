@@ -14,7 +14,7 @@ void add_crates(World& world, int count) {
         test::add(world, {.position = {1.5 * (k % 100), 0.5, 1.5 * (k / 100)}});
 }
 
-TEST(Sleep, five_thousand_crates_stay_asleep_in_steady_fields) {
+TEST(Sleep, crates_stay_asleep_in_steady_fields) {
     static_cast<void>(register_user_field("test_breeze", [](const UserFieldInput& at) {
         return Vec3{0.5 * at.mass, 0, 0};
     }));
@@ -58,7 +58,7 @@ TEST(Sleep, adding_changing_and_removing_a_field_wakes_its_volume) {
     EXPECT_TRUE(wakes_inside_alone());
 }
 
-TEST(Sleep, what_changing_loads_push_noticeably_does_not_fall_asleep) {
+TEST(Sleep, time_varying_loads_keep_bodies_awake) {
     World world = test::make_world();
     test::add_floor(world);
     const Geometry plate = Box{{0.5, 0.5, 0.02}};
@@ -77,7 +77,7 @@ TEST(Sleep, what_changing_loads_push_noticeably_does_not_fall_asleep) {
     EXPECT_FALSE(test::state_of(world, dry).awake);
 }
 
-TEST(Sleep, what_floats_in_waves_does_not_fall_asleep) {
+TEST(Sleep, bodies_floating_in_waves_stay_awake) {
     World world = test::make_world();
     const BodyId raft = test::add(world, {.geometry = Box{{1, 0.1, 1}}, .density = 400});
     add_field(world, {.law = Waves{.components = {{.amplitude = 0.002, .length = 60}}}});

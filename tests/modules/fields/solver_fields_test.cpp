@@ -17,7 +17,7 @@ void add_uniform_wind(World& world, double drag) {
     test::must(world.create_field({.force = UniformWind{.drag = drag}}));
 }
 
-TEST(SolverFields, what_falls_in_still_air_gains_speed_as_tanh) {
+TEST(SolverFields, fall_in_still_air_follows_tanh) {
     const double ball = worst_fall_error(add_uniform_wind, ball_of_fall());
     const double box = worst_fall_error(add_uniform_wind, box_of_fall());
     RecordProperty("ball_error", std::to_string(ball));
@@ -26,7 +26,7 @@ TEST(SolverFields, what_falls_in_still_air_gains_speed_as_tanh) {
     EXPECT_LT(box, 5e-3);
 }
 
-TEST(SolverFields, draft_is_that_of_archimedes) {
+TEST(SolverFields, draft_matches_archimedes) {
     for (const double density : {100.0, 400.0, 800.0}) {
         const double error = draft_error(add_buoyancy, density);
         RecordProperty("draft_error_" + std::to_string(static_cast<int>(density)),
@@ -35,7 +35,7 @@ TEST(SolverFields, draft_is_that_of_archimedes) {
     }
 }
 
-TEST(SolverFields, heave_has_the_period_of_its_draft) {
+TEST(SolverFields, heave_period_matches_the_draft) {
     // m / rho g A = draft / g.
     const double expected = 2 * pi * square_root(0.2 / 9.81);
     const double period = heave_period(add_buoyancy, 400, 0.05);
@@ -43,7 +43,7 @@ TEST(SolverFields, heave_has_the_period_of_its_draft) {
     EXPECT_NEAR(period / expected, 1, 0.01);
 }
 
-TEST(SolverFields, a_box_floats_upright_exactly_when_gm_is_positive) {
+TEST(SolverFields, box_floats_upright_exactly_when_gm_is_positive) {
     expect_upright_exactly_when_gm_is_positive(add_buoyancy);
 }
 

@@ -9,7 +9,7 @@
 namespace jostle::modules {
 namespace {
 
-TEST(Volumes, hold_what_is_in_them) {
+TEST(Volumes, contain_the_points_inside_them) {
     const Quat turned = from_axis_angle({0, 1, 0}, pi / 2);
     const BoxVolume box{.pose = {{10, 0, 0}, turned}, .half_extents = {1, 2, 3}};
     EXPECT_TRUE(contains(box, {12.9, 1.9, 0.9}));
@@ -24,7 +24,7 @@ TEST(Volumes, hold_what_is_in_them) {
 }
 
 // A circle of radius 5 about a body that itself moves on: v^2 r = strength.
-TEST(Central, a_moon_keeps_to_its_planet) {
+TEST(Central, moon_stays_in_orbit) {
     World world = test::make_world({.gravity = {}});
     const Vec3 drift{3, 0, 1};
     const BodyId planet =
@@ -45,7 +45,7 @@ TEST(Central, a_moon_keeps_to_its_planet) {
     EXPECT_NEAR(furthest, 5, 5e-3);
 }
 
-TEST(Central, wakes_sleepers_that_it_comes_near) {
+TEST(Central, wakes_sleeping_bodies_as_it_approaches) {
     World world = test::make_world();
     test::add_floor(world);
     const BodyId near = test::add(world, {.position = {0, 0.5, 0}});
@@ -64,7 +64,7 @@ TEST(Central, wakes_sleepers_that_it_comes_near) {
     EXPECT_FALSE(test::state_of(world, near).awake) << "what is gone attracts no more";
 }
 
-TEST(Fields, act_in_their_volume_on_their_categories) {
+TEST(Fields, act_inside_their_volume_on_masked_categories) {
     World world = test::make_world({.gravity = {}});
     const BodyId inside = test::add(world, {}),
                  outside = test::add(world, {.position = {20, 0, 0}});
@@ -80,7 +80,7 @@ TEST(Fields, act_in_their_volume_on_their_categories) {
 }
 
 // Turbulent air takes what is light along as it flows itself.
-TEST(Turbulence, carries_a_mote) {
+TEST(Turbulence, carries_a_light_particle_with_the_flow) {
     World world = test::make_world({.gravity = {}});
     const BodyId mote = test::must(world.create_body({.mass = 1e-4}, {.geometry = Sphere{0.1}}));
     const Turbulence air{.wind = {2, 0, 0}, .speed = 3, .scale = 8, .rate = 0.2};
@@ -97,7 +97,7 @@ TEST(Turbulence, carries_a_mote) {
 }
 
 // A spring of a program's own: omega^2 = k / m.
-TEST(UserFields, push_by_name_with_their_parameters) {
+TEST(UserFields, apply_the_registered_law_with_its_parameters) {
     static_cast<void>(register_user_field(
         "test_spring", [](const UserFieldInput& at) { return at.position * -at.parameters[0]; }));
     World world = test::make_world({.gravity = {}});
@@ -110,7 +110,7 @@ TEST(UserFields, push_by_name_with_their_parameters) {
     EXPECT_TRUE(test::near(test::position_of(world, ball), {-1, 0, 0}, 1e-3));
 }
 
-TEST(UserFields, that_say_nonsense_push_nothing) {
+TEST(UserFields, non_finite_force_is_ignored) {
     static_cast<void>(register_user_field("test_nonsense", [](const UserFieldInput& at) {
         return Vec3{at.mass / 0.0, 0, 0};
     }));
@@ -122,7 +122,7 @@ TEST(UserFields, that_say_nonsense_push_nothing) {
     EXPECT_TRUE(world.events().quarantined.empty());
 }
 
-TEST(Fields, say_what_is_wrong_with_a_field) {
+TEST(Fields, errors_name_the_invalid_field) {
     World world = test::make_world();
     Fields& fields = fields_of(world);
     const auto error_of = [&](const VolumeField& field) {
@@ -151,7 +151,7 @@ TEST(Fields, say_what_is_wrong_with_a_field) {
     EXPECT_EQ(error_of({}), "there are 64 fields already; remove one");
 }
 
-TEST(Fields, are_changed_and_removed_by_their_keys) {
+TEST(Fields, set_and_remove_by_key) {
     World world = test::make_world({.gravity = {}});
     const BodyId box = test::add(world, {});
     Fields& fields = fields_of(world);

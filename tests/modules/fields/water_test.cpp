@@ -14,7 +14,7 @@ void add_still_water(World& world, double drag, double damping) {
     add_field(world, {.law = Waves{.drag = drag, .damping = damping}});
 }
 
-TEST(Water, draft_is_that_of_archimedes) {
+TEST(Water, draft_matches_archimedes) {
     for (const double density : {100.0, 400.0, 800.0}) {
         const double error = draft_error(add_still_water, density);
         RecordProperty("draft_error_" + std::to_string(static_cast<int>(density)),
@@ -24,7 +24,7 @@ TEST(Water, draft_is_that_of_archimedes) {
 }
 
 // The depth of a ball's lowest point, by the volume of a cap: pi d^2 (3 r - d) / 3.
-TEST(Water, a_ball_floats_as_deep_as_its_cap_displaces) {
+TEST(Water, ball_draft_matches_its_spherical_cap) {
     for (const double density : {200.0, 500.0, 700.0}) {
         World world = test::make_world();
         const BodyId ball =
@@ -43,7 +43,7 @@ TEST(Water, a_ball_floats_as_deep_as_its_cap_displaces) {
 }
 
 // Half of the volume: up to the axis, whatever the ends are.
-TEST(Water, a_lying_log_floats_at_its_axis_when_half_as_dense) {
+TEST(Water, half_density_log_floats_at_its_axis) {
     for (const double density : {150.0, 300.0, 500.0, 800.0}) {
         World world = test::make_world();
         const BodyId log = test::add(world, {.geometry = Cylinder{0.3, 1.5},
@@ -65,19 +65,19 @@ TEST(Water, a_lying_log_floats_at_its_axis_when_half_as_dense) {
     }
 }
 
-TEST(Water, heave_has_the_period_of_its_draft) {
+TEST(Water, heave_period_matches_the_draft) {
     const double expected = 2 * pi * square_root(0.2 / 9.81);
     const double period = heave_period(add_still_water, 400, 0.05);
     RecordProperty("heave_error", std::to_string(period / expected - 1));
     EXPECT_NEAR(period / expected, 1, 0.01);
 }
 
-TEST(Water, a_box_floats_upright_exactly_when_gm_is_positive) {
+TEST(Water, box_floats_upright_exactly_when_gm_is_positive) {
     expect_upright_exactly_when_gm_is_positive(add_still_water);
 }
 
 // Of a raft that leans a little: T = 2 pi k / sqrt(g GM), k its radius of gyration.
-TEST(Water, roll_has_the_period_of_its_metacentre) {
+TEST(Water, roll_period_matches_the_metacentric_height) {
     const double width = 2, height = 0.5, s = 0.5;
     World world = test::make_world();
     const BodyId raft = test::add(world, {.geometry = Box{{width / 2, height / 2, 4}},
@@ -102,7 +102,7 @@ TEST(Water, roll_has_the_period_of_its_metacentre) {
     EXPECT_NEAR(period / expected, 1, 0.01);
 }
 
-TEST(Water, lifts_what_is_deep_by_the_weight_of_the_water) {
+TEST(Water, submerged_body_is_lifted_by_displaced_weight) {
     for (const Geometry& geometry :
          {Geometry{Box{{0.3, 0.2, 0.5}}}, Geometry{Sphere{0.4}}, Geometry{Cylinder{0.3, 0.5}},
           Geometry{Cone{0.3, 0.5}}, Geometry{Capsule{0.2, 0.5}}}) {
@@ -119,7 +119,7 @@ TEST(Water, lifts_what_is_deep_by_the_weight_of_the_water) {
 }
 
 // Terminal speed of a heavy ball: sqrt(2 (m - rho V) g / rho c A).
-TEST(Water, what_sinks_has_an_end_speed) {
+TEST(Water, sinking_body_reaches_terminal_speed) {
     World world = test::make_world();
     const BodyId ball = test::add(
         world, {.geometry = Box{{0.5, 0.5, 0.5}}, .position = {0, -5, 0}, .density = 3000});
@@ -129,7 +129,7 @@ TEST(Water, what_sinks_has_an_end_speed) {
     EXPECT_NEAR(-test::velocity_of(world, ball).y / end, 1, 5e-3);
 }
 
-TEST(Water, carries_what_floats_along_and_stops_spins) {
+TEST(Water, current_carries_floating_bodies_and_damps_spin) {
     World world = test::make_world();
     const BodyId raft =
         test::add(world, {.geometry = Box{{1, 0.2, 1}}, .spin = {0, 3, 0}, .density = 500});

@@ -54,7 +54,7 @@ Waves one_wave(double amplitude, double length) {
     return {.components = {{.amplitude = amplitude, .length = length}}};
 }
 
-TEST(Waves, crests_run_with_the_speed_of_deep_water) {
+TEST(Waves, crests_move_at_deep_water_speed) {
     const Waves waves = one_wave(0.5, 10);
     const double number = 2 * pi / 10, omega = square_root(g * number);
     EXPECT_NEAR(water_at(waves, g, {0, 0, 3}, 0).height, 0.5, 1e-12);
@@ -73,7 +73,7 @@ TEST(Waves, crests_run_with_the_speed_of_deep_water) {
     EXPECT_NEAR(deep.x, 0.5 * omega / std::exp(1.0), 1e-10);
 }
 
-TEST(Waves, press_on_many_points_as_on_one) {
+TEST(Waves, batched_pressure_matches_single_samples) {
     const Waves waves{.level = 0.2,
                       .components = {{.amplitude = 0.4, .length = 9, .heading = 0.4},
                                      {.amplitude = 0.1, .length = 2, .heading = -1, .phase = 2}}};
@@ -97,7 +97,7 @@ TEST(Waves, press_on_many_points_as_on_one) {
 
 // The pressure's part by a wave on a small body is - grad of the dynamic pressure times its volume
 // (Froude and Krylov).
-TEST(Waves, push_a_small_body_by_the_gradient_of_their_pressure) {
+TEST(Waves, small_body_force_equals_the_pressure_gradient) {
     const Waves waves = one_wave(0.3, 20);
     const double number = 2 * pi / 20;
     const Vec3 at{3, -4, 1};
@@ -118,7 +118,7 @@ TEST(Waves, push_a_small_body_by_the_gradient_of_their_pressure) {
 }
 
 // Against panels of a fortieth of the wave: what the usual ones (an eighth) are off.
-TEST(Waves, the_usual_panels_are_within_three_percent_of_fine_ones) {
+TEST(Waves, default_panels_are_within_3_percent_of_fine_panels) {
     const double wave_length = 8;
     const Waves waves = one_wave(0.4, wave_length);
     double worst = 0, worst_torque = 0;
@@ -146,7 +146,7 @@ TEST(Waves, the_usual_panels_are_within_three_percent_of_fine_ones) {
 }
 
 // The closed form of a small ball against the same ball as a hull of many flat faces.
-TEST(Waves, carry_small_balls_as_their_panels_would_be) {
+TEST(Waves, closed_form_of_small_balls_matches_panels) {
     const double radius = 0.4;
     std::vector<Vec3> corners;
     test::Random random(4);
@@ -172,7 +172,7 @@ TEST(Waves, carry_small_balls_as_their_panels_would_be) {
 }
 
 // A body much shorter than the wave rides on it; one as long as the wave hardly heaves.
-TEST(Waves, what_is_short_rides_and_what_is_long_stays) {
+TEST(Waves, short_bodies_follow_waves_and_long_bodies_do_not) {
     const auto heave_of = [](double half_length) {
         World world = test::make_world();
         const BodyId body = test::add(

@@ -21,7 +21,7 @@ std::vector<std::int32_t> numbers_of(std::string_view bytes) {
     return numbers;
 }
 
-TEST(GoldenModules, committed_files_are_what_modules_tell_today) {
+TEST(GoldenModules, committed_files_match_current_module_output) {
     // A portable build rounds otherwise, so what is told may be the step beside.
     const std::int64_t beside = arithmetic() == Arithmetic::fused ? 0 : 1;
     for (const GoldenModule& module : golden_modules()) {
@@ -41,7 +41,7 @@ TEST(GoldenModules, committed_files_are_what_modules_tell_today) {
 
 // Numbers by the layouts that the headers state: of a boat, three characters, two walls, two waves,
 // wind with an attraction and a blast, two figures, a car.
-TEST(GoldenModules, are_as_long_as_their_layouts_say) {
+TEST(GoldenModules, channel_lengths_match_documented_layouts) {
     const std::vector<std::vector<std::size_t>> sizes = {
         {6}, {4, 4, 4}, {2 * 3}, {3 + 2 * 5, 1 + (1 + 4) + (1 + 3) + 4}, {1, 1}, {2 + 4 * 9}};
     const std::vector<GoldenModule> modules = golden_modules();

@@ -16,7 +16,7 @@ using namespace physics;
 
 // An arm held level hangs down by m g l / k: the spring's stiffness is its frequency squared times
 // the inertia about the arm's own centre.
-TEST(RagdollMuscles, a_held_arm_sags_by_its_weight_over_the_stiffness) {
+TEST(RagdollMuscles, held_arm_sags_by_weight_over_stiffness) {
     for (const bool hinge : {false, true})
         for (const double hertz : {4.0, 8.0, 16.0}) {
             Stage stage;
@@ -33,7 +33,7 @@ TEST(RagdollMuscles, a_held_arm_sags_by_its_weight_over_the_stiffness) {
 }
 
 // No more than its greatest torque: an arm that is too heavy falls.
-TEST(RagdollMuscles, a_muscle_gives_way_to_more_than_its_greatest_torque) {
+TEST(RagdollMuscles, muscle_yields_above_its_max_torque) {
     for (const JointKind& joint : {JointKind(BallJoint{}), JointKind(HingeJoint{})})
         for (const double share : {0.9, 1.1}) {
             Stage stage;
@@ -50,7 +50,7 @@ TEST(RagdollMuscles, a_muscle_gives_way_to_more_than_its_greatest_torque) {
 
 // A pose that swings by 0.5 rad once a second is followed in amplitude and phase, by hinges and by
 // balls.
-TEST(RagdollMuscles, a_pose_of_one_hertz_is_followed) {
+TEST(RagdollMuscles, follows_a_1_hz_pose) {
     for (const bool hinge : {false, true}) {
         Stage stage({.gravity = {}});
         const JointKind joint = hinge ? JointKind(HingeJoint{}) : JointKind(BallJoint{});
@@ -76,7 +76,7 @@ TEST(RagdollMuscles, a_pose_of_one_hertz_is_followed) {
     }
 }
 
-TEST(RagdollMuscles, half_the_strength_is_half_as_stiff) {
+TEST(RagdollMuscles, half_strength_halves_the_stiffness) {
     double sag[2] = {};
     for (const int half : {0, 1}) {
         Stage stage;
@@ -91,7 +91,7 @@ TEST(RagdollMuscles, half_the_strength_is_half_as_stiff) {
 
 // Figures thrown at the floor at 10 m/s, 24 ways round: how far joints are bent further than they
 // go, and come apart, at the worst moment.
-TEST(RagdollMuscles, limits_hold_at_impacts) {
+TEST(RagdollMuscles, joint_limits_hold_under_impacts) {
     double worst = 0, gap = 0;
     for (int turn = 0; turn < 24; turn++) {
         Stage stage;

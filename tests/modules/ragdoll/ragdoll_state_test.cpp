@@ -42,7 +42,7 @@ void play(World& world, const TestScene& show, int from, int to) {
     }
 }
 
-TEST(RagdollState, threads_change_no_bit) {
+TEST(RagdollState, result_is_bit_identical_for_any_thread_count) {
     std::uint64_t first = 0;
     for (const int threads : {1, 2, 4, 8}) {
         TestScene show(threads);
@@ -53,7 +53,7 @@ TEST(RagdollState, threads_change_no_bit) {
     }
 }
 
-TEST(RagdollState, a_loaded_and_a_restored_world_go_on_alike) {
+TEST(RagdollState, loaded_and_restored_worlds_continue_identically) {
     ASSERT_TRUE(registered);
     TestScene show;
     World& world = show.stage.world;
@@ -72,7 +72,7 @@ TEST(RagdollState, a_loaded_and_a_restored_world_go_on_alike) {
 }
 
 // Any byte of the module's state may be anything: a load says no, or gives a world that steps.
-TEST(RagdollState, forged_bytes_are_refused_or_harmless) {
+TEST(RagdollState, corrupted_bytes_are_rejected_or_harmless) {
     TestScene show;
     play(show.stage.world, show, 0, 10);
     const std::vector<std::byte> whole = save_module(*show.stage.ragdolls);
@@ -95,7 +95,7 @@ TEST(RagdollState, forged_bytes_are_refused_or_harmless) {
     EXPECT_GT(refused, 100);
 }
 
-TEST(RagdollState, a_scene_says_how_many_stand_where) {
+TEST(RagdollState, scene_settings_place_figures) {
     Stage stage;
     stage.floor();
     stage.ragdolls

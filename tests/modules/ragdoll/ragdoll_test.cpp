@@ -22,7 +22,7 @@ double highest(const Stage& stage, RagdollId id) {
     return y;
 }
 
-TEST(Ragdoll, a_limp_figure_lies_down_and_sleeps) {
+TEST(Ragdoll, limp_figure_falls_and_sleeps) {
     Stage stage;
     stage.floor();
     const RagdollId id = stage.add(human_figure());
@@ -33,7 +33,7 @@ TEST(Ragdoll, a_limp_figure_lies_down_and_sleeps) {
 }
 
 // Who is led goes where the pose says, to a micrometre, and pushes what is in the way.
-TEST(Ragdoll, a_figure_that_is_led_follows_the_pose_and_pushes) {
+TEST(Ragdoll, kinematic_figure_follows_the_pose_and_pushes) {
     Stage stage({.gravity = {}});
     const BodyId ball = *stage.world.create_body({.pose = {.position = {0.7, 1.42, 0.4}}},
                                                  {.geometry = Sphere{0.1}});
@@ -51,7 +51,7 @@ TEST(Ragdoll, a_figure_that_is_led_follows_the_pose_and_pushes) {
 }
 
 // Let go of, it flies on as it was moved, and its joints hold it together.
-TEST(Ragdoll, a_figure_that_is_let_go_of_flies_on) {
+TEST(Ragdoll, figure_keeps_its_velocity_when_kinematic_mode_ends) {
     Stage stage({.gravity = {}});
     const RagdollId id = stage.add(human_figure());
     stage.ragdolls->set_mode(stage.world, id, RagdollMode::kinematic).expect();
@@ -70,7 +70,7 @@ TEST(Ragdoll, a_figure_that_is_let_go_of_flies_on) {
 }
 
 // From the floor back to its feet within a second: no bone is moved faster than the blend asks.
-TEST(Ragdoll, a_fallen_figure_is_led_back_by_and_by) {
+TEST(Ragdoll, blend_moves_a_fallen_figure_back_gradually) {
     Stage stage;
     stage.floor();
     const RagdollId id = stage.add(human_figure());
@@ -87,7 +87,7 @@ TEST(Ragdoll, a_fallen_figure_is_led_back_by_and_by) {
 }
 
 // Its neck is cut: what is left falls, and the others go on.
-TEST(Ragdoll, a_figure_that_lost_a_joint_is_let_go_of_and_the_others_stay) {
+TEST(Ragdoll, figure_with_a_lost_joint_is_released_and_others_are_unaffected) {
     Stage stage;
     stage.floor();
     const RagdollId one = stage.add(human_figure()),
@@ -106,7 +106,7 @@ TEST(Ragdoll, a_figure_that_lost_a_joint_is_let_go_of_and_the_others_stay) {
 
 // One figure's hand is pushed out of the world, another's head is taken away: both are let go of,
 // their muscles as well, and the third stands as if nothing had happened.
-TEST(Ragdoll, figures_are_lost_one_by_one) {
+TEST(Ragdoll, removes_figures_individually) {
     double height[2] = {};
     for (const bool lost : {false, true}) {
         Stage stage;
@@ -135,7 +135,7 @@ TEST(Ragdoll, figures_are_lost_one_by_one) {
     EXPECT_EQ(height[0], height[1]);
 }
 
-TEST(Ragdoll, what_is_wrong_is_named_and_nothing_is_left_behind) {
+TEST(Ragdoll, errors_name_the_bone_and_leave_no_bodies) {
     Stage stage;
     const auto error_of = [&](auto change) {
         RagdollDef def = human_figure();

@@ -33,7 +33,7 @@ struct Motorcycle : TestCar {
     }
 };
 
-TEST(Balance, it_rides_straight_and_rights_itself_after_a_push) {
+TEST(Balance, rides_straight_and_recovers_after_a_push) {
     Motorcycle of(12);
     of.set({.gear = 0});
     of.drive(3);
@@ -50,7 +50,7 @@ TEST(Balance, it_rides_straight_and_rights_itself_after_a_push) {
 }
 
 // Of the line from where it touches to its centre of mass: atan(v^2 / (g r)).
-TEST(Balance, it_leans_into_a_bend_by_the_bends_own_angle) {
+TEST(Balance, leans_into_a_turn_by_the_equilibrium_angle) {
     double worst = 0;
     for (const double speed : {6.0, 8.0, 15.0, 25.0, 40.0, 60.0})
         for (const double steering : {-0.9, -0.6, 0.3, 0.8}) {
@@ -73,7 +73,7 @@ TEST(Balance, it_leans_into_a_bend_by_the_bends_own_angle) {
     EXPECT_LT(worst, 0.02);
 }
 
-TEST(Balance, it_stays_up_after_a_push_at_any_speed) {
+TEST(Balance, stays_upright_after_a_push_at_any_speed) {
     double furthest = 0, left = 0;
     for (const double speed : {0.0, 0.5, 1.0, 2.0, 3.0, 5.0, 8.0, 12.0, 20.0, 40.0, 60.0, 70.0}) {
         Motorcycle of(speed);
@@ -92,7 +92,7 @@ TEST(Balance, it_stays_up_after_a_push_at_any_speed) {
     EXPECT_LT(left, 0.01);
 }
 
-TEST(Balance, from_standstill_to_top_speed_it_stays_up_and_on_both_wheels) {
+TEST(Balance, stays_upright_on_both_wheels_from_standstill_to_top_speed) {
     Motorcycle of(0, 0.4);
     of.set({.throttle = 1});
     double lean = 0, pitch = 0, before = 0;
@@ -109,7 +109,7 @@ TEST(Balance, from_standstill_to_top_speed_it_stays_up_and_on_both_wheels) {
     EXPECT_LT(pitch, 0.2) << "no more than its springs give";
 }
 
-TEST(Balance, full_brake_neither_throws_it_over_nor_lets_it_fall_in_a_bend) {
+TEST(Balance, full_braking_neither_pitches_over_nor_falls_in_a_turn) {
     for (const double speed : {5.0, 10.0, 20.0, 40.0})
         for (const double steering : {0.0, 0.4}) {
             Motorcycle of(speed);
@@ -132,7 +132,7 @@ TEST(Balance, full_brake_neither_throws_it_over_nor_lets_it_fall_in_a_bend) {
         }
 }
 
-TEST(Balance, parked_it_stands_for_a_minute_and_takes_a_push) {
+TEST(Balance, parked_motorcycle_stands_for_a_minute_and_survives_a_push) {
     Motorcycle of(0);
     of.set({.brake = 1, .gear = 0});
     of.drive(60);
@@ -144,7 +144,7 @@ TEST(Balance, parked_it_stands_for_a_minute_and_takes_a_push) {
 }
 
 // Feet lift nothing that lies on its side, and reach nothing in the air.
-TEST(Balance, one_that_was_knocked_over_lies_where_it_fell) {
+TEST(Balance, knocked_over_motorcycle_stays_down) {
     for (const double speed : {0.0, 2.0, 10.0}) {
         Motorcycle of(speed);
         of.set({.gear = 0});
@@ -161,7 +161,7 @@ TEST(Balance, one_that_was_knocked_over_lies_where_it_fell) {
     }
 }
 
-TEST(Balance, to_turn_right_it_first_steers_left) {
+TEST(Balance, countersteers_left_to_turn_right) {
     Motorcycle of(15);
     of.set({.gear = 0});
     of.drive(2);
@@ -172,7 +172,7 @@ TEST(Balance, to_turn_right_it_first_steers_left) {
     EXPECT_GT(of.state().wheels[0].steering, 0);
 }
 
-TEST(Balance, feet_hold_it_where_it_stands) {
+TEST(Balance, feet_keep_it_upright_at_standstill) {
     Motorcycle of(0);
     of.set({.brake = 1, .gear = 0});
     of.drive(10);

@@ -19,7 +19,7 @@ VehicleDef with_bodies(BodyId chassis) {
 
 constexpr double wheel_mass = 20, total_mass = car_mass + 4 * wheel_mass;
 
-TEST(BodyWheels, a_car_at_rest_sags_by_its_weight_over_its_stiffness) {
+TEST(BodyWheels, car_at_rest_sags_by_weight_over_stiffness) {
     double worst = 0;
     for (const double frequency : {1.0, 1.5, 3.0}) {
         TestCar of;
@@ -38,7 +38,7 @@ TEST(BodyWheels, a_car_at_rest_sags_by_its_weight_over_its_stiffness) {
     EXPECT_LT(worst, 0.001);
 }
 
-TEST(BodyWheels, a_preload_is_borne_before_the_spring_gives) {
+TEST(BodyWheels, preload_is_carried_before_the_spring_compresses) {
     TestCar of;
     VehicleDef def = with_bodies(of.chassis);
     for (auto& wheel : def.wheels) wheel.suspension.preload = 2000;
@@ -49,7 +49,7 @@ TEST(BodyWheels, a_preload_is_borne_before_the_spring_gives) {
     EXPECT_NEAR(wheel.travel, expected, 0.001 * expected);
 }
 
-TEST(BodyWheels, locked_wheels_stop_a_car_within_v_squared_over_two_mu_g) {
+TEST(BodyWheels, locked_wheels_stop_within_v_squared_over_2_mu_g) {
     double worst = 0;
     for (const double speed : {10.0, 20.0, 30.0}) {
         TestCar of({}, {0, 0, -speed});
@@ -74,7 +74,7 @@ TEST(BodyWheels, locked_wheels_stop_a_car_within_v_squared_over_two_mu_g) {
 
 // In first gear the engine would hold the rear wheels by more than the ground does, and a car whose
 // rear wheels slide ahead of its front turns round: so it is put into a gear that fits at once.
-TEST(BodyWheels, a_car_that_is_let_go_at_60_m_s_in_gear_goes_straight) {
+TEST(BodyWheels, car_released_at_60_m_s_in_gear_goes_straight) {
     for (const int substeps : {1, 8}) {
         WorldDef def;
         def.substeps = substeps;
@@ -92,7 +92,7 @@ TEST(BodyWheels, a_car_that_is_let_go_at_60_m_s_in_gear_goes_straight) {
     }
 }
 
-TEST(BodyWheels, top_speed_is_where_power_meets_drag) {
+TEST(BodyWheels, top_speed_balances_power_and_drag) {
     TestCar of({}, {0, 0, -30});
     VehicleDef def = with_bodies(of.chassis);
     def.engine.curve = {{0, 200}};
@@ -110,7 +110,7 @@ TEST(BodyWheels, top_speed_is_where_power_meets_drag) {
 }
 
 // a = T i / R over the car and what spins with it.
-TEST(BodyWheels, the_engine_moves_the_whole_car) {
+TEST(BodyWheels, engine_accelerates_the_total_mass) {
     TestCar of({}, {0, 0, -15});
     VehicleDef def = with_bodies(of.chassis);
     def.engine.curve = {{0, 200}};
@@ -129,7 +129,7 @@ TEST(BodyWheels, the_engine_moves_the_whole_car) {
     EXPECT_NEAR(a, expected, 0.01 * expected);
 }
 
-TEST(BodyWheels, a_parked_car_does_not_creep_on_a_hill) {
+TEST(BodyWheels, parked_car_does_not_creep_on_a_slope) {
     TestCar of({.gravity = {0, -gravity * std::cos(0.4), gravity * std::sin(0.4)}});
     of.add(with_bodies(of.chassis));
     of.set({.brake = 1, .gear = 0});
@@ -140,14 +140,14 @@ TEST(BodyWheels, a_parked_car_does_not_creep_on_a_hill) {
     EXPECT_LT(length(of.body().center - start), 1e-3);
 }
 
-TEST(BodyWheels, an_anti_roll_bar_lessens_roll_as_its_stiffness_says) {
+TEST(BodyWheels, anti_roll_bar_reduces_roll_by_its_stiffness) {
     const double share = roll_with_bars(with_bodies, 10);
     RecordProperty("roll_share_off_percent", std::to_string(100 * (share - 1)));
     EXPECT_NEAR(share, 1, 0.03);
 }
 
 // Engine and brakes are inside: they turn nothing about the whole.
-TEST(BodyWheels, in_the_air_the_whole_keeps_its_momentum) {
+TEST(BodyWheels, airborne_car_conserves_momentum) {
     TestCar of({.gravity = {}});
     of.world.set_pose(of.chassis, {.position = {0, 50, 0}}).expect();
     of.add(with_bodies(of.chassis));
@@ -178,7 +178,7 @@ TEST(BodyWheels, full_throttle_on_ice_spins_the_driven_wheels_only) {
     EXPECT_LT(of.speed(), 0.14 * gravity * 3);
 }
 
-TEST(BodyWheels, it_climbs_a_kerb_of_half_its_wheels_radius) {
+TEST(BodyWheels, climbs_a_kerb_of_half_its_wheel_radius) {
     TestCar of({}, {0, 0, -4});
     of.world
         .create_body({.type = BodyType::static_body, .pose = {.position = {0, 0, -55}}},
@@ -191,7 +191,7 @@ TEST(BodyWheels, it_climbs_a_kerb_of_half_its_wheels_radius) {
     EXPECT_LT(of.body().center.z, -6);
 }
 
-TEST(BodyWheels, a_wheel_that_is_lost_is_missed_and_the_others_drive_on) {
+TEST(BodyWheels, car_drives_on_without_a_destroyed_wheel) {
     TestCar of;
     of.add(with_bodies(of.chassis));
     of.drive(1);
@@ -206,7 +206,7 @@ TEST(BodyWheels, a_wheel_that_is_lost_is_missed_and_the_others_drive_on) {
     EXPECT_EQ(of.state().wheels[0].load, 0);
 }
 
-TEST(BodyWheels, they_go_with_the_car_and_with_its_chassis) {
+TEST(BodyWheels, wheels_are_removed_with_the_car_and_its_chassis) {
     TestCar of;
     of.add(with_bodies(of.chassis));
     of.drive(0.5);
@@ -219,7 +219,7 @@ TEST(BodyWheels, they_go_with_the_car_and_with_its_chassis) {
     EXPECT_EQ(of.world.bodies().size(), 1u);
 }
 
-TEST(BodyWheels, a_parked_car_sleeps_and_its_controls_wake_it) {
+TEST(BodyWheels, parked_car_sleeps_and_controls_wake_it) {
     TestCar of;
     of.world = World();
     of.world.create_body({.type = BodyType::static_body}, {.geometry = Plane{}}).value();
@@ -236,7 +236,7 @@ TEST(BodyWheels, a_parked_car_sleeps_and_its_controls_wake_it) {
     EXPECT_GT(of.speed(), 3);
 }
 
-TEST(BodyWheels, those_of_a_two_wheeler_are_refused) {
+TEST(BodyWheels, rejects_body_wheels_on_two_wheelers) {
     TestCar of;
     VehicleDef def = modules::motorcycle({.chassis = of.chassis});
     def.cast = modules::WheelCast::body;

@@ -56,7 +56,7 @@ struct TwoWorlds {
     }
 };
 
-TEST(ControlledCar, goes_on_in_another_world_as_in_its_own) {
+TEST(ControlledCar, continues_identically_in_another_world) {
     TwoWorlds of;
     of.there.set({.throttle = 1, .steering = 0.3});
     of.there.drive(2.5);
@@ -80,7 +80,7 @@ TEST(ControlledCar, goes_on_in_another_world_as_in_its_own) {
     EXPECT_EQ(of.vehicles->cars().size(), 1u);
 }
 
-TEST(ControlledCar, of_which_wheels_are_bodies_is_not_told) {
+TEST(ControlledCar, car_with_body_wheels_is_not_encoded) {
     TwoWorlds of(modules::WheelCast::body);
     EXPECT_FALSE(of.encode().has_value());
 }

@@ -45,14 +45,14 @@ Split on_split_ground(std::optional<DifferentialLock> coupling) {
     return split;
 }
 
-TEST(Differential, an_open_one_gives_both_wheels_what_the_worse_one_bears) {
+TEST(Differential, open_differential_is_limited_by_the_wheel_with_less_grip) {
     const Split split = on_split_ground({});
     RecordProperty("difference_off_N", std::to_string(split.right - split.left - split.spun_up));
     EXPECT_GT(split.spin_left, 2 * split.spin_right) << "the one on ice spins";
     EXPECT_NEAR(split.right - split.left, split.spun_up, 0.05 * split.right);
 }
 
-TEST(Differential, limited_slip_adds_what_its_friction_bears) {
+TEST(Differential, limited_slip_adds_its_friction_torque) {
     const DifferentialLock lock{.first = {2}, .second = {3}, .preload = 400, .ratio = 0};
     const Split split = on_split_ground(lock);
     EXPECT_GT(split.spin_left, 1.2 * split.spin_right);
@@ -63,14 +63,14 @@ TEST(Differential, limited_slip_adds_what_its_friction_bears) {
     EXPECT_NEAR(split.right - split.left, expected, 0.05 * expected);
 }
 
-TEST(Differential, a_locked_one_turns_both_wheels_alike) {
+TEST(Differential, locked_differential_equalises_wheel_speeds) {
     const Split split = on_split_ground(
         DifferentialLock{.first = {2}, .second = {3}, .kind = DifferentialLockKind::locked});
     EXPECT_NEAR(split.spin_left, split.spin_right, 0.01 * split.spin_right);
     EXPECT_GT(split.right, 4 * split.left) << "the gripping wheel pushes alone";
 }
 
-TEST(Differential, a_locked_axle_resists_a_bend_and_an_open_one_does_not) {
+TEST(Differential, locked_axle_resists_cornering_and_open_axle_does_not) {
     const auto difference = [](bool locked) {
         TestCar of({}, {0, 0, -5});
         VehicleDef def = plain_saloon(of.chassis);
@@ -92,7 +92,7 @@ TEST(Differential, a_locked_axle_resists_a_bend_and_an_open_one_does_not) {
     EXPECT_LT(less, turn);
 }
 
-TEST(Differential, a_centre_lock_holds_the_axles_together) {
+TEST(Differential, centre_lock_equalises_axle_speeds) {
     TestCar of;
     modules::SaloonDef saloon{.chassis = of.chassis};
     saloon.front_drive = 0.4;

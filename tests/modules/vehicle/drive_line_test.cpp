@@ -27,7 +27,7 @@ double top_speed(const VehicleDef& def, double ratio) {
     return low;
 }
 
-TEST(DriveLine, top_speed_is_where_power_meets_drag) {
+TEST(DriveLine, top_speed_balances_power_and_drag) {
     for (const double gear : {1.0, 0.7}) {
         TestCar of({}, {0, 0, -45});
         VehicleDef def = plain_saloon(of.chassis);
@@ -47,7 +47,7 @@ TEST(DriveLine, top_speed_is_where_power_meets_drag) {
 }
 
 // a = T i n / R over the car's mass and what spins with it.
-TEST(DriveLine, a_gear_multiplies_the_engines_torque) {
+TEST(DriveLine, gear_ratio_multiplies_engine_torque) {
     for (const double gear : {1.0, 2.0}) {
         TestCar of({}, {0, 0, -15});
         VehicleDef def = plain_saloon(of.chassis);
@@ -68,7 +68,7 @@ TEST(DriveLine, a_gear_multiplies_the_engines_torque) {
     }
 }
 
-TEST(DriveLine, an_automatic_sets_off_and_shifts_up_to_its_top_gear) {
+TEST(DriveLine, automatic_starts_and_shifts_up_to_top_gear) {
     TestCar of;
     of.add(plain_saloon(of.chassis));
     of.drive(1);
@@ -96,7 +96,7 @@ TEST(DriveLine, an_automatic_sets_off_and_shifts_up_to_its_top_gear) {
     EXPECT_NEAR(of.state().engine_speed, 90, 5) << "and the engine idles";
 }
 
-TEST(DriveLine, an_automatic_shifts_up_early_where_little_is_asked_and_does_not_hunt) {
+TEST(DriveLine, automatic_shifts_up_early_at_low_throttle_without_hunting) {
     TestCar of;
     VehicleDef def = plain_saloon(of.chassis);
     def.aerodynamics.drag_area = 3;  // so that it comes to a steady speed
@@ -117,7 +117,7 @@ TEST(DriveLine, an_automatic_shifts_up_early_where_little_is_asked_and_does_not_
     EXPECT_LE(shifts, 5);
 }
 
-TEST(DriveLine, reverse_is_taken_once_the_car_stands) {
+TEST(DriveLine, reverse_engages_only_at_standstill) {
     TestCar of({}, {0, 0, -5});
     of.add(plain_saloon(of.chassis));
     coast(of, 0.5);
@@ -132,7 +132,7 @@ TEST(DriveLine, reverse_is_taken_once_the_car_stands) {
     EXPECT_LT(of.state().speed, -1);
 }
 
-TEST(DriveLine, a_manual_gearbox_does_what_it_is_told) {
+TEST(DriveLine, manual_gearbox_follows_shift_commands) {
     TestCar of({}, {0, 0, -20});
     VehicleDef def = plain_saloon(of.chassis);
     def.gearbox.automatic = false;
@@ -163,7 +163,7 @@ TEST(DriveLine, full_throttle_on_ice_spins_the_driven_wheels_only) {
     EXPECT_NEAR(of.speed(), 0.5 * 0.1 * gravity * 3, 0.25);
 }
 
-TEST(DriveLine, engine_and_wheels_leave_their_turn_to_the_chassis_in_the_air) {
+TEST(DriveLine, airborne_wheel_spin_changes_transfer_angular_momentum_to_the_chassis) {
     TestCar of({.gravity = {}});
     VehicleDef def = plain_saloon(of.chassis);
     of.world.set_pose(of.chassis, {.position = {0, 50, 0}}).expect();

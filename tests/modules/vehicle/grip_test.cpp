@@ -12,7 +12,7 @@ namespace {
 
 using modules::Wheel;
 
-TEST(Grip, locked_wheels_stop_a_car_within_v_squared_over_two_mu_g) {
+TEST(Grip, locked_wheels_stop_within_v_squared_over_2_mu_g) {
     for (const double v : {10.0, 20.0, 30.0})
         for (const double mu : {0.4, 1.0}) {
             TestCar of({}, {0, 0, -v});
@@ -60,7 +60,7 @@ double lateral_acceleration(TestCar& of) {
 }
 
 // Towed at its centre of mass, so that tyres have nothing to do but turn it.
-TEST(Grip, on_the_skid_pad_a_car_turns_with_mu_g) {
+TEST(Grip, skid_pad_lateral_acceleration_reaches_mu_g) {
     for (const double mu : {0.5, 0.9}) {
         TestCar of({}, {0, 0, -20});
         VehicleDef def = plain_saloon(of.chassis);
@@ -85,7 +85,7 @@ TEST(Grip, on_the_skid_pad_a_car_turns_with_mu_g) {
 }
 
 // r / delta = V / (L + K V^2), K = (1 / c_front - 1 / c_rear) / g where stiffness goes with load.
-TEST(Grip, yaw_follows_the_steering_as_the_bicycle_model_says) {
+TEST(Grip, yaw_response_matches_the_bicycle_model) {
     struct Case {
         double front, rear;
     };
@@ -112,7 +112,7 @@ TEST(Grip, yaw_follows_the_steering_as_the_bicycle_model_says) {
         }
 }
 
-TEST(Grip, a_parked_car_does_not_creep) {
+TEST(Grip, parked_car_does_not_creep) {
     for (const double slope : {10.0, 25.0, 38.0})  // degrees; friction holds 45
         for (const bool aside : {false, true}) {
             const double along = gravity * std::sin(slope * pi / 180),
@@ -133,7 +133,7 @@ TEST(Grip, a_parked_car_does_not_creep) {
         }
 }
 
-TEST(Grip, past_its_friction_angle_a_parked_car_slides_as_coulomb_says) {
+TEST(Grip, parked_car_slides_above_the_friction_angle_per_coulomb) {
     const double along = 8, down = 6;
     TestCar of({.gravity = {0, -down, along}});
     VehicleDef def = plain_saloon(of.chassis);
@@ -147,7 +147,7 @@ TEST(Grip, past_its_friction_angle_a_parked_car_slides_as_coulomb_says) {
 }
 
 // Braking and turning share one circle.
-TEST(Grip, a_braked_tyre_turns_less) {
+TEST(Grip, braking_reduces_cornering_force) {
     TestCar of({}, {0, 0, -20});
     of.add(plain_saloon(of.chassis));
     coast(of, 1);
@@ -161,7 +161,7 @@ TEST(Grip, a_braked_tyre_turns_less) {
     EXPECT_LT(std::abs(of.body().angular_velocity.y), 0.15) << "locked wheels do not steer";
 }
 
-TEST(Grip, a_handbrake_lets_the_tail_step_out) {
+TEST(Grip, hand_brake_causes_oversteer) {
     TestCar of({}, {0, 0, -15});
     of.add(plain_saloon(of.chassis));
     coast(of, 1);

@@ -31,7 +31,7 @@ TestCar before_a_kerb(WheelCast cast) {
     return of;
 }
 
-TEST(Ground, a_wheel_rests_on_the_edge_of_a_kerb_and_a_ray_does_not_see_it) {
+TEST(Ground, wheel_cast_finds_a_kerb_edge_that_a_ray_misses) {
     const TestCar by_ray = before_a_kerb(WheelCast::ray);
     EXPECT_NEAR(by_ray.body().pose.rotation.x, 0, 1e-6);
     for (const WheelCast cast : {WheelCast::sphere, WheelCast::cylinder}) {
@@ -46,7 +46,7 @@ TEST(Ground, a_wheel_rests_on_the_edge_of_a_kerb_and_a_ray_does_not_see_it) {
     }
 }
 
-TEST(Ground, a_car_climbs_a_kerb_of_half_its_wheels_radius) {
+TEST(Ground, car_climbs_a_kerb_of_half_its_wheel_radius) {
     TestCar of({}, {0, 0, -4});
     of.world
         .create_body({.type = BodyType::static_body, .pose = {.position = {0, 0.08, -20}}},
@@ -59,7 +59,7 @@ TEST(Ground, a_car_climbs_a_kerb_of_half_its_wheels_radius) {
     EXPECT_NEAR(of.body().center.y, 0.67 + 0.16, 0.08) << "it is up";
 }
 
-TEST(Ground, a_lift_carries_a_parked_car) {
+TEST(Ground, lift_carries_a_parked_car) {
     for (const WheelCast cast : casts) {
         TestCar of;
         const BodyId lift =
@@ -83,7 +83,7 @@ TEST(Ground, a_lift_carries_a_parked_car) {
     }
 }
 
-TEST(Ground, a_turntable_turns_a_parked_car) {
+TEST(Ground, turntable_turns_a_parked_car) {
     TestCar of;
     const BodyId table =
         of.world
@@ -105,7 +105,7 @@ TEST(Ground, a_turntable_turns_a_parked_car) {
 }
 
 // A barge that rests on the ground is in another group than the car.
-TEST(Ground, what_a_car_stands_on_bears_its_weight) {
+TEST(Ground, ground_body_carries_the_weight_of_the_car) {
     TestCar of;
     const BodyId barge =
         of.world
@@ -122,7 +122,7 @@ TEST(Ground, what_a_car_stands_on_bears_its_weight) {
 }
 
 // Both float: one group, and momentum is kept to rounding.
-TEST(Ground, a_car_on_a_free_raft_pushes_it_back_as_hard) {
+TEST(Ground, car_on_a_free_raft_applies_equal_reaction) {
     TestCar of({.gravity = {}});
     const BodyId raft =
         of.world
@@ -146,7 +146,7 @@ TEST(Ground, a_car_on_a_free_raft_pushes_it_back_as_hard) {
     EXPECT_LT(off, 1e-6);
 }
 
-TEST(Ground, wheels_do_not_see_categories_that_are_not_ground) {
+TEST(Ground, wheels_ignore_categories_outside_the_ground_mask) {
     TestCar of;
     VehicleDef def = plain_saloon(of.chassis);
     def.ground = 2;  // the plane is of category 1
@@ -156,7 +156,7 @@ TEST(Ground, wheels_do_not_see_categories_that_are_not_ground) {
     EXPECT_LT(of.body().center.y, 0.3) << "the chassis lies on the ground";
 }
 
-TEST(Ground, a_car_drives_over_a_mesh_as_over_a_plane) {
+TEST(Ground, flat_mesh_drives_like_a_plane) {
     for (const WheelCast cast : casts) {
         TestCar of({}, {0, 0, -10});
         std::vector<Vec3> vertices;

@@ -24,7 +24,7 @@ struct ControlledCar : TestCar {
     }
 };
 
-TEST(PlayerDriver, drives_ahead_brakes_and_then_goes_back) {
+TEST(PlayerDriver, drives_forward_brakes_and_then_reverses) {
     ControlledCar of;
     ASSERT_TRUE(of.vehicles->is_controllable(of.chassis));
     EXPECT_FALSE(of.vehicles->is_controllable(of.world.bodies()[0]));
@@ -43,7 +43,7 @@ TEST(PlayerDriver, drives_ahead_brakes_and_then_goes_back) {
     EXPECT_GT(of.state().speed, 1) << "and ahead again";
 }
 
-TEST(PlayerDriver, steers_to_the_right_and_pulls_the_hand_brake) {
+TEST(PlayerDriver, steers_right_and_applies_the_hand_brake) {
     ControlledCar of;
     of.hold(0.5, 0.5);
     of.drive(2);
@@ -54,7 +54,7 @@ TEST(PlayerDriver, steers_to_the_right_and_pulls_the_hand_brake) {
     EXPECT_LT(of.speed(), 0.1);
 }
 
-TEST(PlayerDriver, shifts_once_for_each_press) {
+TEST(PlayerDriver, shifts_once_per_button_press) {
     ControlledCar of(false);
     of.hold(0, 0.5, 4);
     of.hold(0, 0.5, 4);

@@ -13,7 +13,7 @@ namespace {
 using modules::AntiRollBar;
 using modules::WheelCast;
 
-TEST(Ride, a_car_at_rest_sags_by_its_weight_over_its_stiffness) {
+TEST(Ride, car_at_rest_sags_by_weight_over_stiffness) {
     for (const WheelCast cast : {WheelCast::ray, WheelCast::sphere, WheelCast::cylinder}) {
         TestCar of;
         VehicleDef def = plain_saloon(of.chassis);
@@ -33,7 +33,7 @@ TEST(Ride, a_car_at_rest_sags_by_its_weight_over_its_stiffness) {
     }
 }
 
-TEST(Ride, sag_does_not_depend_on_what_else_presses) {
+TEST(Ride, sag_does_not_depend_on_external_loads) {
     TestCar of;
     of.add(plain_saloon(of.chassis));
     of.world
@@ -73,7 +73,7 @@ double bounce_frequency(double frequency, int substeps) {
     return (passes - 1) / (last - first);
 }
 
-TEST(Ride, an_undamped_car_bounces_at_the_frequency_it_was_given) {
+TEST(Ride, undamped_car_bounces_at_its_configured_frequency) {
     for (const double frequency : {1.0, 1.5, 2.5}) {
         const double found = bounce_frequency(frequency, 8);
         RecordProperty("off_percent_at_" + std::to_string(frequency),
@@ -83,7 +83,7 @@ TEST(Ride, an_undamped_car_bounces_at_the_frequency_it_was_given) {
     EXPECT_NEAR(bounce_frequency(1.5, 1), 1.5, 0.015) << "one sub-step a step";
 }
 
-TEST(Ride, braking_moves_the_load_that_its_moment_asks_for) {
+TEST(Ride, braking_load_transfer_matches_the_pitch_moment) {
     TestCar of({}, {0, 0, -30});
     VehicleDef def = plain_saloon(of.chassis);
     for (auto& wheel : def.wheels) {
@@ -110,13 +110,13 @@ TEST(Ride, braking_moves_the_load_that_its_moment_asks_for) {
 }
 
 // The bar takes its share of the moment.
-TEST(Ride, an_anti_roll_bar_lessens_roll_as_its_stiffness_says) {
+TEST(Ride, anti_roll_bar_reduces_roll_by_its_stiffness) {
     const double share = roll_with_bars(plain_saloon, 8);
     RecordProperty("roll_share_off_percent", std::to_string(100 * (share - 1)));
     EXPECT_NEAR(share, 1, 0.01);
 }
 
-TEST(Ride, no_spring_is_too_stiff) {
+TEST(Ride, very_stiff_springs_stay_stable) {
     for (const double frequency : {5.0, 30.0, 100.0})
         for (const double damping : {0.0, 1.0, 10.0})
             for (const int substeps : {1, 8}) {
@@ -142,7 +142,7 @@ TEST(Ride, no_spring_is_too_stiff) {
             }
 }
 
-TEST(Ride, a_crash_into_a_wall_leaves_the_car_on_its_wheels) {
+TEST(Ride, car_stays_on_its_wheels_after_a_wall_crash) {
     TestCar of({}, {0, 0, -20});
     of.world
         .create_body({.type = BodyType::static_body, .pose = {.position = {0, 2, -12}}},
@@ -159,7 +159,7 @@ TEST(Ride, a_crash_into_a_wall_leaves_the_car_on_its_wheels) {
     EXPECT_NEAR(of.load({0, 1, 2, 3}), car_mass * gravity, 0.02 * car_mass * gravity);
 }
 
-TEST(Ride, a_fall_of_three_metres_ends_on_the_wheels) {
+TEST(Ride, three_metre_fall_ends_on_the_wheels) {
     TestCar of;
     of.add(plain_saloon(of.chassis));
     of.world.set_pose(of.chassis, {.position = {0, 3.7, 0}}).expect();

@@ -20,7 +20,7 @@ TEST(SmallLinearSystem, solves_a_hilbert_matrix) {
     for (std::size_t i = 0; i < 5; i++) EXPECT_NEAR(system.b[i], static_cast<double>(i + 1), 1e-9);
 }
 
-TEST(SmallLinearSystem, of_nothing_solves_nothing) {
+TEST(SmallLinearSystem, empty_system_is_a_no_op) {
     SmallLinearSystem<8> system;
     system.clear(0);
     system.solve();

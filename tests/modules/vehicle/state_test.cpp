@@ -64,7 +64,7 @@ void drive(World& world, int steps) {
     for (int k = 0; k < steps; k++) world.step(step_time).expect();
 }
 
-TEST(VehicleState, any_number_of_threads_gives_the_same_bits) {
+TEST(VehicleState, result_is_bit_identical_for_any_thread_count) {
     World one = lively(1);
     drive(one, 400);
     for (const int threads : {2, 3, 4, 8}) {
@@ -91,7 +91,7 @@ World crowded(int threads) {
     return world;
 }
 
-TEST(VehicleState, a_hundred_cars_are_the_same_for_any_number_of_threads) {
+TEST(VehicleState, hundred_cars_are_bit_identical_for_any_thread_count) {
     World one = crowded(1);
     drive(one, 40);
     for (const int threads : {2, 8}) {
@@ -101,7 +101,7 @@ TEST(VehicleState, a_hundred_cars_are_the_same_for_any_number_of_threads) {
     }
 }
 
-TEST(VehicleState, a_loaded_world_drives_on_with_the_same_bits) {
+TEST(VehicleState, loaded_world_continues_bit_identically) {
     World world = lively(1);
     drive(world, 200);
     World again = load(save(world)).value();
@@ -112,7 +112,7 @@ TEST(VehicleState, a_loaded_world_drives_on_with_the_same_bits) {
     EXPECT_EQ(state_hash(world), state_hash(again));
 }
 
-TEST(VehicleState, a_restored_world_drives_on_with_the_same_bits) {
+TEST(VehicleState, restored_world_continues_bit_identically) {
     World world = lively(2);
     drive(world, 150);
     RestorePoint point;
@@ -131,7 +131,7 @@ std::string complaint_of(std::vector<std::byte> bytes) {
 }
 
 // Each number of a saved car becomes one that it cannot be.
-TEST(VehicleState, a_field_that_makes_no_sense_is_named) {
+TEST(VehicleState, errors_name_the_invalid_field) {
     World world = lively(1);
     drive(world, 10);
     const std::vector<std::byte> good = save_module(vehicles_of(world));
@@ -150,7 +150,7 @@ TEST(VehicleState, a_field_that_makes_no_sense_is_named) {
 }
 
 // Whatever a forger writes is refused, or makes a car that steps without harm.
-TEST(VehicleState, forged_bytes_are_refused_or_harmless) {
+TEST(VehicleState, corrupted_bytes_are_rejected_or_harmless) {
     World world = lively(1);
     drive(world, 30);
     const std::vector<std::byte> good = save_module(vehicles_of(world));

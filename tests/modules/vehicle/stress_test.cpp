@@ -56,7 +56,7 @@ constexpr double springs = 4 * 0.5 * 33'300 * 0.11 * 0.11 + 60;
 
 class Stress : public testing::TestWithParam<WheelCast> {};
 
-TEST_P(Stress, a_jump_off_a_ramp_at_40_metres_a_second) {
+TEST_P(Stress, survives_a_ramp_jump_at_40_m_s) {
     StressedCar of({0, 0, -40});
     const BodyId ramp = of.box({0, 0, -30}, {5, 0.2, 8}, 0, BodyType::static_body);
     of.world.set_pose(ramp, {{0, 0, -30}, normalized(Quat{0.15, 0, 0, 1})}).expect();
@@ -66,7 +66,7 @@ TEST_P(Stress, a_jump_off_a_ramp_at_40_metres_a_second) {
     EXPECT_LT(of.fastest, 40.5);
 }
 
-TEST_P(Stress, a_landing_on_one_wheel) {
+TEST_P(Stress, survives_a_landing_on_one_wheel) {
     StressedCar of;
     of.put({0, 4, 0}, {0.25, 0, 0.3, 1});
     of.roll(GetParam());
@@ -76,7 +76,7 @@ TEST_P(Stress, a_landing_on_one_wheel) {
     EXPECT_GT(rotate(of.body().pose.rotation, {0, 1, 0}).y, 0.99) << "on its wheels again";
 }
 
-TEST_P(Stress, on_its_roof) {
+TEST_P(Stress, stays_stable_on_its_roof) {
     StressedCar of;
     of.put({0, 1, 0}, {0, 0, 1, 0});
     of.add(of.plain(GetParam()));
@@ -86,7 +86,7 @@ TEST_P(Stress, on_its_roof) {
     EXPECT_LT(of.fastest, std::sqrt(2 * gravity));
 }
 
-TEST_P(Stress, on_a_loose_trailer_and_on_a_moving_platform) {
+TEST_P(Stress, stays_stable_on_a_trailer_and_a_moving_platform) {
     StressedCar loose;
     loose.box({0, 1, 0}, {1.5, 0.2, 4}, 3000);
     loose.put({0, 1.9, 0});
@@ -106,7 +106,7 @@ TEST_P(Stress, on_a_loose_trailer_and_on_a_moving_platform) {
     EXPECT_LT(carried.fastest, 6.5);
 }
 
-TEST_P(Stress, against_a_hundred_tonnes_and_under_them) {
+TEST_P(Stress, stays_stable_against_and_under_100_tonnes) {
     StressedCar against({0, 0, -20});
     against.box({0, 2, -30}, {2, 2, 2}, 1e5);
     against.roll(GetParam());
@@ -123,7 +123,7 @@ TEST_P(Stress, against_a_hundred_tonnes_and_under_them) {
     EXPECT_LT(under.fastest, 12);
 }
 
-TEST_P(Stress, at_30_and_at_240_steps_a_second) {
+TEST_P(Stress, stays_stable_at_30_and_240_hz) {
     for (const double dt : {1.0 / 30, 1.0 / 240}) {
         StressedCar of({0, 0, -20});
         of.roll(GetParam());
@@ -136,7 +136,7 @@ TEST_P(Stress, at_30_and_at_240_steps_a_second) {
     }
 }
 
-TEST_P(Stress, on_wheels_of_a_decimetre_and_of_a_metre) {
+TEST_P(Stress, stays_stable_with_wheels_of_0_1_and_1_m) {
     for (const double radius : {0.1, 1.0}) {
         StressedCar of({0, 0, -10});
         of.put({0, radius + 0.34, 0});
@@ -157,7 +157,7 @@ TEST_P(Stress, on_wheels_of_a_decimetre_and_of_a_metre) {
     }
 }
 
-TEST_P(Stress, of_a_hundred_kilograms_and_of_thirty_tonnes) {
+TEST_P(Stress, stays_stable_with_100_kg_and_30_tonnes) {
     for (const double mass : {100.0, 30'000.0}) {
         StressedCar of({0, 0, -10});
         of.world.set_mass(of.chassis, mass).expect();

@@ -22,7 +22,7 @@ struct Tank : TestCar {
     }
 };
 
-TEST(Tracks, all_wheels_of_a_side_turn_as_one) {
+TEST(Tracks, wheels_of_one_side_turn_together) {
     Tank of;
     of.set({.throttle = 0.5});
     of.drive(4);
@@ -34,7 +34,7 @@ TEST(Tracks, all_wheels_of_a_side_turn_as_one) {
     EXPECT_NEAR(of.body().center.x, 0, 0.01) << "and it drives straight";
 }
 
-TEST(Tracks, a_braked_side_turns_it_about_itself) {
+TEST(Tracks, braking_one_side_turns_the_vehicle_about_that_side) {
     Tank of({.steering_ratio = 0, .steering_brake = 4000});
     of.set({.throttle = 1, .steering = 1});
     of.drive(3);
@@ -86,7 +86,7 @@ Turning turn_on_the_spot(Tank& of, const CarControls& controls) {
     return mean;
 }
 
-TEST(Tracks, without_throttle_it_turns_on_the_spot_as_fast_as_sliding_tracks_do) {
+TEST(Tracks, neutral_turn_rate_matches_track_slip) {
     double worst = 0;
     for (const double length : {1.5, 2.5, 3.5})
         for (const double steering : {1.0, -1.0}) {
@@ -105,7 +105,7 @@ TEST(Tracks, without_throttle_it_turns_on_the_spot_as_fast_as_sliding_tracks_do)
 }
 
 // Tracks so short that they hardly slide: yaw is the difference of their speeds over the gauge.
-TEST(Tracks, short_tracks_turn_by_the_difference_of_their_speeds) {
+TEST(Tracks, short_tracks_turn_by_their_speed_difference) {
     Tank of({.length = 0.2, .wheels = 2});
     const Turning turning = turn_on_the_spot(of, {.steering = 0.5, .gear = 0});
     const double expected = 2 * 0.33 * (0.03 * 0.5 * turning.engine) / 2;
@@ -113,7 +113,7 @@ TEST(Tracks, short_tracks_turn_by_the_difference_of_their_speeds) {
     EXPECT_NEAR(turning.yaw, expected, 0.02 * expected);
 }
 
-TEST(Tracks, a_person_turns_it_on_the_spot_with_the_stick_aside) {
+TEST(Tracks, player_turns_on_the_spot_with_lateral_stick) {
     Tank of;
     of.vehicles->control(of.world, of.chassis, {.axes = {1, 0, 0, 0}});
     of.drive(4);
@@ -122,7 +122,7 @@ TEST(Tracks, a_person_turns_it_on_the_spot_with_the_stick_aside) {
 }
 
 // In a gear the engine's speed drives both ways: the circle is that of the gear.
-TEST(Tracks, in_gear_it_drives_a_circle_of_the_gears_radius) {
+TEST(Tracks, turning_radius_in_gear_matches_the_steering_ratio) {
     const modules::TrackedDef def{.length = 0.2, .wheels = 2};
     Tank of(def);
     of.set({.throttle = 0.3, .steering = 0.1});
@@ -136,7 +136,7 @@ TEST(Tracks, in_gear_it_drives_a_circle_of_the_gears_radius) {
     EXPECT_NEAR(radius, expected, 0.02 * expected);
 }
 
-TEST(Tracks, the_most_wheels_that_there_may_be) {
+TEST(Tracks, supports_the_maximum_wheel_count) {
     Tank of({.wheels = 8});
     of.set({.throttle = 0.5});
     of.drive(3);

@@ -11,7 +11,7 @@
 namespace jostle::test {
 namespace {
 
-TEST(Vehicles, a_def_that_makes_no_sense_is_refused_by_name) {
+TEST(Vehicles, rejects_invalid_definitions_and_names_the_field) {
     TestCar of;
     const auto error_of = [&](auto&& change) {
         VehicleDef def = plain_saloon(of.chassis);
@@ -47,7 +47,7 @@ TEST(Vehicles, a_def_that_makes_no_sense_is_refused_by_name) {
     EXPECT_TRUE(of.vehicles->cars().empty());
 }
 
-TEST(Vehicles, a_chassis_is_a_dynamic_body_of_one_car) {
+TEST(Vehicles, requires_a_dynamic_chassis_of_no_other_car) {
     TestCar of;
     of.add(plain_saloon(of.chassis));
     EXPECT_EQ(error_of(of.vehicles->add(of.world, plain_saloon(of.chassis))).code,
@@ -56,7 +56,7 @@ TEST(Vehicles, a_chassis_is_a_dynamic_body_of_one_car) {
               ErrorCode::failed_precondition);
 }
 
-TEST(Vehicles, ids_are_not_used_again_and_unknown_ones_are_refused) {
+TEST(Vehicles, ids_are_not_reused_and_unknown_ids_are_rejected) {
     TestCar of;
     of.add(plain_saloon(of.chassis));
     const CarId first = of.car;
@@ -68,7 +68,7 @@ TEST(Vehicles, ids_are_not_used_again_and_unknown_ones_are_refused) {
     EXPECT_NE(of.car, first);
 }
 
-TEST(Vehicles, controls_out_of_range_are_refused_and_the_old_ones_stay) {
+TEST(Vehicles, rejects_controls_out_of_range_and_keeps_the_previous_ones) {
     TestCar of;
     of.add(plain_saloon(of.chassis));
     of.set({.throttle = 0.5});
@@ -77,7 +77,7 @@ TEST(Vehicles, controls_out_of_range_are_refused_and_the_old_ones_stay) {
     EXPECT_EQ(of.state().controls.throttle, 0.5);
 }
 
-TEST(Vehicles, a_car_ends_with_its_chassis) {
+TEST(Vehicles, car_is_removed_with_its_chassis) {
     TestCar of;
     of.add(plain_saloon(of.chassis));
     of.drive(1);
@@ -86,7 +86,7 @@ TEST(Vehicles, a_car_ends_with_its_chassis) {
     EXPECT_TRUE(of.vehicles->cars().empty());
 }
 
-TEST(Vehicles, a_parked_car_sleeps_and_its_controls_wake_it) {
+TEST(Vehicles, parked_car_sleeps_and_controls_wake_it) {
     World world;
     world.create_body({.type = BodyType::static_body}, {.geometry = Plane{}}).value();
     const BodyId chassis = add_chassis(world, {0, 0.67, 0});
@@ -106,7 +106,7 @@ TEST(Vehicles, a_parked_car_sleeps_and_its_controls_wake_it) {
     EXPECT_GT(length(world.body(chassis)->center - at), 1);
 }
 
-TEST(Vehicles, a_sleeping_car_falls_when_its_ground_is_taken_away) {
+TEST(Vehicles, sleeping_car_falls_when_its_ground_is_removed) {
     World world;
     const BodyId floor =
         world.create_body({.type = BodyType::static_body}, {.geometry = Plane{}}).value();
@@ -122,7 +122,7 @@ TEST(Vehicles, a_sleeping_car_falls_when_its_ground_is_taken_away) {
     EXPECT_NEAR(world.body(chassis)->linear_velocity.y, -gravity, 0.5);
 }
 
-TEST(Vehicles, a_scene_makes_saloons_of_bodies) {
+TEST(Vehicles, scene_settings_create_saloons) {
     TestCar of;
     Vehicles made;
     ASSERT_TRUE(
@@ -148,7 +148,7 @@ TEST(Vehicles, a_scene_makes_saloons_of_bodies) {
               "suspension.shortest");
 }
 
-TEST(Vehicles, a_scene_makes_tanks_and_motorcycles_too) {
+TEST(Vehicles, scene_settings_create_tanks_and_motorcycles) {
     TestCar of;
     const auto made = [&](double make, double cast) {
         Vehicles vehicles;
@@ -167,7 +167,7 @@ TEST(Vehicles, a_scene_makes_tanks_and_motorcycles_too) {
     EXPECT_EQ(made(0, 3).cast, modules::WheelCast::body);
 }
 
-TEST(Vehicles, a_pilot_keeps_its_circle) {
+TEST(Vehicles, pilot_follows_its_circle) {
     TestCar of({}, {0, 0, 0});
     of.world.set_pose(of.chassis, {.position = {30, 0.7, 0}}).expect();
     of.add(plain_saloon(of.chassis));
@@ -187,7 +187,7 @@ TEST(Vehicles, a_pilot_keeps_its_circle) {
     EXPECT_EQ(of.state().controls, CarControls{}) << "who sets controls takes over";
 }
 
-TEST(Vehicles, clients_are_told_in_the_stated_layout) {
+TEST(Vehicles, channel_data_matches_the_documented_layout) {
     TestCar of;
     of.add(plain_saloon(of.chassis));
     of.drive(3);

@@ -30,7 +30,7 @@ std::uint32_t owner(ConstraintGraph& graph, int colour, std::int32_t slot) {
     return place.meta->contact[place.lane];
 }
 
-TEST(FreeColour, is_the_lowest_that_nobody_took) {
+TEST(FreeColour, is_the_lowest_unused_colour) {
     EXPECT_EQ(free_colour(0, PairKind::dynamic), 0);
     EXPECT_EQ(free_colour(0b1011, PairKind::dynamic), 2);
     EXPECT_EQ(free_colour(0, PairKind::kinematic), dynamic_colours);
@@ -38,7 +38,7 @@ TEST(FreeColour, is_the_lowest_that_nobody_took) {
 }
 
 // A body may have 48 contacts with others of its kind; the next is solved on its own.
-TEST(FreeColour, overflows_when_all_of_a_kind_are_taken) {
+TEST(FreeColour, overflows_if_all_colours_of_the_kind_are_used) {
     std::uint64_t taken = 0;
     for (int k = 0; k < dynamic_colours; k++) {
         const int colour = free_colour(taken, PairKind::dynamic);
@@ -54,7 +54,7 @@ TEST(FreeColour, overflows_when_all_of_a_kind_are_taken) {
     EXPECT_EQ(pair_kind_of(free_colour(~0ull, PairKind::static_)), PairKind::static_);
 }
 
-TEST(SolveOrder, holds_every_list_once_and_what_is_static_last) {
+TEST(SolveOrder, contains_every_list_once_and_static_lists_last) {
     std::vector<int> seen(solve_order.begin(), solve_order.end());
     EXPECT_TRUE(std::is_sorted(seen.begin(), seen.end(),
                                [](int a, int b) { return pair_kind_of(a) < pair_kind_of(b); }));
@@ -72,7 +72,7 @@ TEST(AsleepColour, spreads_contacts_over_all_colours_of_their_kind) {
     for (int c = 0; c < dynamic_colours; c++) EXPECT_EQ(contacts[static_cast<std::size_t>(c)], 10);
 }
 
-TEST(ConstraintGraph, eight_contacts_share_a_block_and_none_in_an_overflow_list) {
+TEST(ConstraintGraph, eight_contacts_share_a_block_except_in_overflow_lists) {
     const auto graph = graph_with(9, 3);
     EXPECT_EQ(colour_of(*graph, 3).contacts, 9);
     EXPECT_EQ(colour_of(*graph, 3).blocks.size(), 2u);
@@ -85,7 +85,7 @@ TEST(ConstraintGraph, eight_contacts_share_a_block_and_none_in_an_overflow_list)
 
 // An empty lane solves to nothing: no body, no impulse, gaps that are far, and nothing to divide by
 // that is zero.
-TEST(ConstraintGraph, a_new_lane_is_empty_but_for_its_owner) {
+TEST(ConstraintGraph, new_lane_holds_only_its_contact_index) {
     const auto graph = graph_with(1, 0);
     const ContactLaneRef place = lane_ref_at(*graph, low, 0, 0);
     EXPECT_EQ(place.meta->contact[0], 100u);
@@ -99,7 +99,7 @@ TEST(ConstraintGraph, a_new_lane_is_empty_but_for_its_owner) {
     for (const std::uint8_t flags : place.meta->flags) EXPECT_EQ(flags, 0);
 }
 
-TEST(ConstraintGraph, the_last_moves_into_the_hole_and_is_named) {
+TEST(ConstraintGraph, removal_moves_the_last_contact_and_returns_it) {
     const auto graph = graph_with(10, 5);
     EXPECT_EQ(remove_contact(*graph, low, 5, 2), 109u);
     EXPECT_EQ(owner(*graph, 5, 2), 109u);
@@ -113,7 +113,7 @@ TEST(ConstraintGraph, the_last_moves_into_the_hole_and_is_named) {
     EXPECT_EQ(graph->sets[index_of(low)].contacts, 0);
 }
 
-TEST(ConstraintGraph, all_that_is_in_a_lane_moves_with_it) {
+TEST(ConstraintGraph, moving_a_lane_moves_all_its_data) {
     const auto graph = graph_with(12, 1);
     const ContactLaneRef last = lane_ref_at(*graph, low, 1, 11);
     last.block->a[last.lane] = 7;
@@ -149,7 +149,7 @@ TEST(ConstraintGraph, all_that_is_in_a_lane_moves_with_it) {
     EXPECT_EQ(colour.blocks[1].mu[3], 0);
 }
 
-TEST(ConstraintGraph, a_saved_contact_is_restored_in_another_colour_with_its_own_flags) {
+TEST(ConstraintGraph, saved_contact_is_restored_in_another_colour_with_derived_flags_unchanged) {
     const auto graph = graph_with(3, 2);
     const ContactLaneRef place = lane_ref_at(*graph, low, 2, 1);
     for (int row = first_saved_row; row < wide_rows; row++)
@@ -179,7 +179,7 @@ TEST(ConstraintGraph, a_saved_contact_is_restored_in_another_colour_with_its_own
 }
 
 // 1600 contacts take 200 blocks; when all but eight are gone so is most of the memory.
-TEST(ConstraintGraph, gives_memory_back_when_most_contacts_went) {
+TEST(ConstraintGraph, frees_memory_after_most_contacts_are_removed) {
     const auto graph = graph_with(1600, 0);
     for (int left = 1600; left > 8; left--) remove_contact(*graph, low, 0, 0);
     EXPECT_EQ(colour_of(*graph, 0).blocks.size(), 1u);
@@ -187,7 +187,7 @@ TEST(ConstraintGraph, gives_memory_back_when_most_contacts_went) {
     EXPECT_LE(colour_of(*graph, 0).metas.capacity(), 8u);
 }
 
-TEST(ConstraintGraph, sorted_contacts_lie_in_the_order_of_their_bodies) {
+TEST(ConstraintGraph, sorts_contacts_by_body) {
     const auto graph = graph_with(40, 0);
     GraphColour& colour = colour_of(*graph, 0);
     for (std::int32_t slot = 0; slot < 40; slot++) {
@@ -205,7 +205,7 @@ TEST(ConstraintGraph, sorted_contacts_lie_in_the_order_of_their_bodies) {
     }
 }
 
-TEST(ConstraintGraph, threads_share_sets_of_two_thousand_contacts) {
+TEST(ConstraintGraph, sets_of_two_thousand_contacts_are_multithreaded) {
     ColourSet set;
     set.contacts = 1999;
     EXPECT_FALSE(is_shared(set));
@@ -213,7 +213,7 @@ TEST(ConstraintGraph, threads_share_sets_of_two_thousand_contacts) {
     EXPECT_TRUE(is_shared(set));
 }
 
-TEST(ConstraintGraph, a_walk_meets_every_colour_of_the_sets_in_use) {
+TEST(ConstraintGraph, iteration_visits_every_colour_of_non_empty_sets) {
     const auto graph = graph_with(1, 7);
     add_contact(*graph, asleep_set, 9, 200);
     int met = 0, contacts = 0;

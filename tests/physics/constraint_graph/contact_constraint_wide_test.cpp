@@ -9,7 +9,7 @@ namespace jostle::test {
 namespace {
 using namespace physics;
 
-TEST(LaneFlag, is_one_bit_of_one_lane) {
+TEST(LaneFlag, sets_one_bit_of_one_lane) {
     ContactConstraintWideMeta meta{};
     meta.set(LaneFlag::rolls, 3, true);
     meta.set(LaneFlag::rolls, 7, true);
@@ -21,7 +21,7 @@ TEST(LaneFlag, is_one_bit_of_one_lane) {
 }
 
 // What is saved of a lane are rows of floats: they must be the fields that they stand for.
-TEST(ContactConstraintWide, rows_are_its_fields_in_their_order) {
+TEST(ContactConstraintWide, rows_match_the_field_order) {
     ContactConstraintWide block{};
     put_lane(block.normal, 5, {0.25, -0.5, 0.75});
     block.anchor_blend[5] = 0.125f;
@@ -35,7 +35,7 @@ TEST(ContactConstraintWide, rows_are_its_fields_in_their_order) {
     EXPECT_EQ(float_at(rolling, rolling_rows - 1, 2), 3);
 }
 
-TEST(ContactConstraintWide, has_one_point_when_its_second_gap_is_that_of_none) {
+TEST(ContactConstraintWide, has_one_point_if_the_second_gap_is_unused) {
     EXPECT_TRUE(is_single_point(no_point));
     EXPECT_FALSE(is_single_point(0.02f));
     SavedContact saved;

@@ -26,7 +26,7 @@ InverseMass ball(double mass, double radius) {
 }
 
 // Balls of 2 kg and 3 kg with radii of 0.5 m and 0.25 m, one on the other.
-TEST(EffectiveMass, of_two_balls) {
+TEST(EffectiveMass, matches_the_closed_form_for_two_balls) {
     Lane lane;
     write_effective_mass(
         lane.place(),
@@ -56,7 +56,7 @@ TEST(EffectiveMass, of_two_balls) {
 }
 
 // A rod of 12 kg and 2 m along x is hit at its end from below: 1/m + r^2 / I with I = m l^2 / 12.
-TEST(EffectiveMass, at_the_end_of_a_rod_is_a_quarter_of_its_mass) {
+TEST(EffectiveMass, at_the_end_of_a_rod_is_a_quarter_of_the_mass) {
     Lane lane;
     const InverseMass rod{Vec3{1, 1, 1} / 12, diagonal({1 / 0.01, 1 / 4.0, 1 / 4.0})};
     write_effective_mass(
@@ -66,7 +66,7 @@ TEST(EffectiveMass, at_the_end_of_a_rod_is_a_quarter_of_its_mass) {
 }
 
 // What cannot be pushed answers with nothing: no infinite number comes of it.
-TEST(EffectiveMass, of_what_cannot_be_pushed_is_none) {
+TEST(EffectiveMass, is_zero_for_immovable_bodies) {
     Lane lane;
     write_effective_mass(lane.place(), {.normal = {0, 1, 0}, .tangent = {1, 0, 0}}, {}, {});
     for (int row = first_saved_row; row < wide_rows; row++)
@@ -76,7 +76,7 @@ TEST(EffectiveMass, of_what_cannot_be_pushed_is_none) {
 }
 
 // A body that moves along x alone: friction along z finds nobody who gives way.
-TEST(EffectiveMass, locked_axes_leave_friction_one_direction) {
+TEST(EffectiveMass, locked_axes_limit_friction_to_one_direction) {
     Lane lane;
     const InverseMass slider{{1 / 4.0, 0, 0}, diagonal({0, 0, 0})};
     write_effective_mass(lane.place(), {.normal = {0, 1, 0}, .tangent = {1, 0, 0}}, slider, {});
@@ -86,7 +86,7 @@ TEST(EffectiveMass, locked_axes_leave_friction_one_direction) {
 }
 
 // Of any pair: an impulse of friction_mass * slip at the centre stops the slip there.
-TEST(EffectiveMass, friction_stops_a_slip_at_once) {
+TEST(EffectiveMass, friction_impulse_stops_slip_in_one_solve) {
     Random random(71);
     for (int round = 0; round < 200; round++) {
         Lane lane;
@@ -118,7 +118,7 @@ TEST(EffectiveMass, friction_stops_a_slip_at_once) {
 
 // Its mass halves, so a contact that is as soft gives way twice as far for what exceeds its mean:
 // the mean comes half as near to the impulse that it has, and the load stays what it is.
-TEST(EffectiveMass, rewritten_keeps_the_load) {
+TEST(EffectiveMass, rewrite_keeps_the_impulses) {
     Lane lane;
     const ContactFrame frame{
         .normal = {0, 1, 0}, .tangent = {1, 0, 0}, .arm_a = {0, 0.5, 0}, .arm_b = {}};

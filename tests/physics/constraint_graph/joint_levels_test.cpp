@@ -37,7 +37,7 @@ std::vector<Link> chain(std::int32_t first, int links) {
     return chain;
 }
 
-TEST(JointLevels, a_chain_of_twenty_links_has_twenty) {
+TEST(JointLevels, chain_of_twenty_links_has_twenty_levels) {
     const JointLevels levels = levels_of(chain(1, 20), 22);
     ASSERT_EQ(levels.is_running.size(), 20u);
     for (std::uint32_t k = 0; k < 20; k++) {
@@ -49,7 +49,7 @@ TEST(JointLevels, a_chain_of_twenty_links_has_twenty) {
 }
 
 // Nothing pushes body 0, which is every wall: twenty pendulums are one level in three blocks.
-TEST(JointLevels, twenty_pendulums_on_a_wall_have_one) {
+TEST(JointLevels, twenty_pendulums_on_a_wall_have_one_level) {
     std::vector<Link> star;
     for (std::int32_t k = 1; k <= 20; k++) star.push_back({0, k});
     const JointLevels levels = levels_of(star, 21);
@@ -63,7 +63,8 @@ TEST(JointLevels, twenty_pendulums_on_a_wall_have_one) {
 }
 
 // Kinematic bodies, below 0, are moved by nobody either.
-TEST(JointLevels, twenty_pendulums_on_a_crane_have_one_and_on_a_ball_twenty) {
+TEST(JointLevels,
+     twenty_pendulums_have_one_level_on_a_kinematic_body_and_twenty_on_a_dynamic_ball) {
     std::vector<Link> crane, ball_in_the_middle;
     for (std::int32_t k = 2; k <= 21; k++) {
         crane.push_back({-1, k});
@@ -73,7 +74,7 @@ TEST(JointLevels, twenty_pendulums_on_a_crane_have_one_and_on_a_ball_twenty) {
     EXPECT_EQ(levels_of(ball_in_the_middle, 22).is_running.size(), 20u);
 }
 
-TEST(JointLevels, eight_chains_side_by_side_fill_the_blocks_of_one) {
+TEST(JointLevels, eight_parallel_chains_fill_the_blocks_of_one) {
     std::vector<Link> links;
     for (int k = 0; k < 8; k++)
         for (const Link& link : chain(1 + 11 * k, 10)) links.push_back(link);
@@ -89,7 +90,7 @@ TEST(JointLevels, eight_chains_side_by_side_fill_the_blocks_of_one) {
 
 // Each kind has a kernel of its own, so it has a run of its own in each level; ball joints have no
 // angular rows.
-TEST(JointLevels, kinds_of_a_level_are_solved_one_after_the_other) {
+TEST(JointLevels, kinds_within_a_level_are_solved_sequentially) {
     const JointLevels levels = levels_of(
         {{1, 2, hinge_kind}, {3, 4, ball_kind}, {5, 6, hinge_kind}, {2, 3, hinge_kind}}, 7);
     ASSERT_EQ(levels.is_running.size(), 3u);
@@ -106,7 +107,7 @@ TEST(JointLevels, kinds_of_a_level_are_solved_one_after_the_other) {
 }
 
 // Made anew each step: nothing of the last one's is left.
-TEST(JointLevels, of_no_joints_are_none_after_a_chain) {
+TEST(JointLevels, no_joints_yield_no_levels_after_a_chain) {
     JointLevels levels = levels_of(chain(1, 5), 7);
     levels.joints.clear();
     assign_levels(levels, 7);

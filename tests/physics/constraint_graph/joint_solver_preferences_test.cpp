@@ -10,7 +10,7 @@ namespace {
 using namespace physics;
 
 // Own wishes go before the world's; of them direct before iterative before automatic.
-TEST(JointSolverPreferences, are_heard_in_their_order) {
+TEST(JointSolverPreferences, are_resolved_by_priority) {
     constexpr JointSolver all[] = {JointSolver::automatic, JointSolver::iterative,
                                    JointSolver::direct};
     for (const JointSolver of_world : all) {
@@ -31,7 +31,7 @@ TEST(JointSolverPreferences, are_heard_in_their_order) {
 
 // However many groups there are, one factorisation of all stays within the ceiling or what is
 // affordable anyway: nobody who does not ask is granted more.
-TEST(JointSolverPreferences, share_one_ceiling) {
+TEST(JointSolverPreferences, share_one_work_budget) {
     for (const std::size_t joints : {1u, 100u, 3000u, 200000u}) {
         const std::int64_t budget = direct_budget(joints);
         const auto cubes = static_cast<std::int64_t>(27 * joints);

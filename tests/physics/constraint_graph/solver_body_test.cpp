@@ -11,7 +11,7 @@ namespace jostle::test {
 namespace {
 using namespace physics;
 
-TEST(SolverBodies, nobody_stands_still_and_cannot_be_pushed) {
+TEST(SolverBodies, body_zero_is_at_rest_and_immovable) {
     SolverBodies bodies;
     bodies.resize(3);
     bodies[2].v[0] = 5;
@@ -25,7 +25,7 @@ TEST(SolverBodies, nobody_stands_still_and_cannot_be_pushed) {
     EXPECT_EQ(bodies[2].v[0], 5) << "the others are made by who steps them";
 }
 
-TEST(SolverBodies, every_set_and_list_has_a_spare_body_of_its_own) {
+TEST(SolverBodies, every_set_and_list_has_its_own_spare_body) {
     std::set<std::int32_t> indices;
     for (std::size_t set = 0; set < solved_set_count; set++)
         for (const bool single : {false, true})

@@ -11,19 +11,19 @@ namespace jostle::test {
 namespace {
 using namespace physics;
 
-TEST(SolverTier, of_eight_substeps_takes_four_to_thirty_two) {
+TEST(SolverTier, eight_substeps_yield_four_to_thirty_two_by_tier) {
     const WorldDef world{.substeps = 8};
     const int expected[] = {4, 8, 12, 8, 16, 32};
     for (const SolverTier tier : all_tiers)
         EXPECT_EQ(substeps_of(tier, world), expected[index_of(tier)]) << index_of(tier);
 }
 
-TEST(SolverTier, heaps_take_more_only_where_bodies_may_sleep) {
+TEST(SolverTier, piles_take_more_substeps_only_if_sleeping_is_enabled) {
     EXPECT_EQ(substeps_of(SolverTier::pile, {.substeps = 8, .sleeping = false}), 8);
     EXPECT_EQ(substeps_of(SolverTier::pile, {.substeps = 5, .sleeping = true}), 8) << "rounded up";
 }
 
-TEST(SolverTier, with_a_tolerance_a_rung_says_how_many_and_never_more_than_64) {
+TEST(SolverTier, tolerance_level_sets_the_substeps_up_to_64) {
     const WorldDef world{.tolerance = 0.01};
     const int low[] = {2, 6, 16, 48}, slender[] = {6, 18, 48, 64}, tall[] = {16, 48, 64, 64},
               heavy[] = {8, 24, 64, 64};
@@ -36,7 +36,7 @@ TEST(SolverTier, with_a_tolerance_a_rung_says_how_many_and_never_more_than_64) {
     }
 }
 
-TEST(SolverTier, halved_leaves_two_and_spares_what_would_fall) {
+TEST(SolverTier, halving_keeps_two_substeps_and_skips_tall_tiers) {
     const int expected[] = {2, 4, 6, 8, 16, 32};
     for (const SolverTier tier : all_tiers)
         EXPECT_EQ(substeps_of({tier, 0}, {.substeps = 8}, true), expected[index_of(tier)]);
@@ -44,18 +44,18 @@ TEST(SolverTier, halved_leaves_two_and_spares_what_would_fall) {
     EXPECT_EQ(substeps_of({SolverTier::flat, 0}, {.substeps = 2}, true), 1) << "as before";
 }
 
-TEST(SolverTier, never_takes_none) {
+TEST(SolverTier, always_takes_at_least_one_substep) {
     EXPECT_EQ(substeps_of(SolverTier::flat, {.substeps = 1}), 1);
 }
 
-TEST(SolverTier, from_low_to_slender_neighbours_change_nothing) {
+TEST(SolverTier, low_to_slender_tiers_are_not_changed_by_neighbours) {
     std::set<SolverTier> usual;
     for (const SolverTier tier : all_tiers)
         if (is_usual(tier)) usual.insert(tier);
     EXPECT_EQ(usual, (std::set{SolverTier::low, SolverTier::pile, SolverTier::slender}));
 }
 
-TEST(ColourSetKey, every_tier_and_batch_has_a_set_and_what_sleeps_the_last) {
+TEST(ColourSetKey, every_tier_and_batch_has_a_set_and_sleeping_uses_the_last) {
     std::set<std::size_t> sets;
     for (const SolverTier tier : all_tiers)
         for (std::uint8_t batch = 0; batch < batch_count; batch++)

@@ -23,7 +23,7 @@ void add_contacts(ConstraintGraph& graph, ColourSetKey key, int colour, int cont
     }
 }
 
-TEST(ContactPasses, runs_stand_in_the_order_of_the_solve_with_their_singles) {
+TEST(ContactPasses, runs_follow_the_solve_order_with_single_point_lists) {
     const auto graph = std::make_unique<ConstraintGraph>();
     const int dynamic_overflow = overflow_colours, on_wall = dynamic_colours + kinematic_colours;
     add_contacts(*graph, low, on_wall, 17);
@@ -47,7 +47,7 @@ TEST(ContactPasses, runs_stand_in_the_order_of_the_solve_with_their_singles) {
 
 // Each task has bodies of its own for them, one for each kind of list, so that no two threads write
 // to one.
-TEST(ContactPasses, empty_lanes_name_the_spare_bodies_of_their_task) {
+TEST(ContactPasses, empty_lanes_refer_to_the_spare_bodies_of_their_task) {
     const auto graph = std::make_unique<ConstraintGraph>();
     add_contacts(*graph, low, 0, 3);
     add_contacts(*graph, low_next, single_colours, 7);
@@ -67,7 +67,7 @@ TEST(ContactPasses, empty_lanes_name_the_spare_bodies_of_their_task) {
     EXPECT_EQ(is_running[2].single->blocks[0].b[7], single);
 }
 
-TEST(ContactPasses, two_thousand_contacts_are_shared_but_for_their_overflow) {
+TEST(ContactPasses, two_thousand_contacts_are_multithreaded_except_overflow) {
     const auto graph = std::make_unique<ConstraintGraph>();
     add_contacts(*graph, low, 0, 1999);
     add_contacts(*graph, low, overflow_colours, 1);
@@ -79,7 +79,7 @@ TEST(ContactPasses, two_thousand_contacts_are_shared_but_for_their_overflow) {
 }
 
 // Nothing bounces unless a lane says so; then none of the passes need be called.
-TEST(ContactPasses, restitution_begins_where_a_lane_bounces) {
+TEST(ContactPasses, restitution_starts_only_if_a_lane_bounces) {
     const auto graph = std::make_unique<ConstraintGraph>();
     add_contacts(*graph, low, single_colours, 1);
     const ContactLaneRef place = lane_ref_at(*graph, low, single_colours, 0);

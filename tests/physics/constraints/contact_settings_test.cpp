@@ -12,7 +12,7 @@ namespace jostle::test {
 namespace {
 using namespace physics;
 
-TEST(ContactSettings, substeps_fill_the_step) {
+TEST(ContactSettings, substeps_add_up_to_the_step) {
     for (const SolverTier tier : all_tiers) {
         const ContactSettings set = contact_settings(dt, substeps_of(tier, {}), tier);
         EXPECT_EQ(set.substeps, substeps_of(tier, {}));
@@ -22,7 +22,7 @@ TEST(ContactSettings, substeps_fill_the_step) {
 }
 
 // A low contact swings at 0.36 of the sub-step rate, ten times overdamped: at 480 Hz, 172.8 Hz.
-TEST(ContactSettings, stiffness_goes_with_the_rate_of_substeps) {
+TEST(ContactSettings, stiffness_scales_with_the_substep_rate) {
     const ContactSettings set = contact_settings(dt, 8, SolverTier::low);
     const Softness expected = soft(0.36 * 480, 10, dt / 8);
     EXPECT_NEAR(double{set.bias_rate} * double{set.mass_scale}, expected.position_rate,
@@ -35,7 +35,7 @@ TEST(ContactSettings, stiffness_goes_with_the_rate_of_substeps) {
 }
 
 // Moments learned point by point would make a tower sway; short sub-steps need one sweep to relax.
-TEST(ContactSettings, low_tiers_learn_each_point_and_tall_ones_their_mean) {
+TEST(ContactSettings, low_tiers_average_per_point_and_tall_tiers_per_manifold) {
     for (const SolverTier tier : all_tiers) {
         const ContactSettings set = contact_settings(dt, substeps_of(tier, {}), tier);
         EXPECT_EQ(set.per_point, tier <= SolverTier::pile ? 1 : 0);
@@ -45,7 +45,7 @@ TEST(ContactSettings, low_tiers_learn_each_point_and_tall_ones_their_mean) {
 
 // The mean impulse follows over half a second: 1/30 of the difference a step, and all of it in
 // steps that are longer.
-TEST(ContactSettings, mean_impulse_follows_within_its_time) {
+TEST(ContactSettings, mean_impulse_converges_within_its_time_constant) {
     EXPECT_NEAR(double{contact_settings(dt, 8, SolverTier::low).mean_rate}, 1.0 / 30, 1e-7);
     EXPECT_NEAR(double{contact_settings(dt, 16, SolverTier::tall).mean_rate}, 1.0 / 120, 1e-7);
     EXPECT_LE(double{contact_settings(0.25, 8, SolverTier::low).mean_rate}, 1);

@@ -27,7 +27,7 @@ BodyWarm turned(Quat rotation) {
 }
 
 // Whatever the length of a step: x = v t + a t^2 / 2.
-TEST(FreeMotion, is_the_parabola) {
+TEST(FreeMotion, follows_the_parabola) {
     BodyWarm warm = turned({});
     warm.v = {3, 0, 0};
     warm.force = {0, 0, 10};
@@ -38,7 +38,7 @@ TEST(FreeMotion, is_the_parabola) {
     }
 }
 
-TEST(FreeMotion, locked_directions_and_gravity_scale_count) {
+TEST(FreeMotion, respects_locked_axes_and_gravity_scale) {
     BodyCold cold = plank();
     cold.locks = lock_x;
     cold.gravity_scale = -0.5;
@@ -48,7 +48,7 @@ TEST(FreeMotion, locked_directions_and_gravity_scale_count) {
 }
 
 // A kinematic body goes where its velocity takes it and feels nothing.
-TEST(FreeMotion, a_kinematic_body_keeps_its_velocity) {
+TEST(FreeMotion, kinematic_body_keeps_its_velocity) {
     BodyCold cold;
     cold.type = BodyType::kinematic;
     cold.linear_damping = 5;
@@ -62,7 +62,7 @@ TEST(FreeMotion, a_kinematic_body_keeps_its_velocity) {
 }
 
 // A tumbling plank, turned by steps of 1/60 s for ten seconds.
-TEST(FreeMotion, tumbling_keeps_energy_and_angular_momentum) {
+TEST(FreeMotion, tumbling_conserves_energy_and_angular_momentum) {
     Random random(161);
     for (int round = 0; round < 10; round++) {
         const BodyCold cold = plank();
@@ -84,7 +84,7 @@ TEST(FreeMotion, tumbling_keeps_energy_and_angular_momentum) {
     }
 }
 
-TEST(FreeMotion, looked_back_it_comes_from_where_it_was) {
+TEST(FreeMotion, negative_dt_returns_to_the_start) {
     BodyWarm warm = turned(from_axis_angle({1, 2, 3}, 0.5));
     warm.w = {5, -3, 2};
     const FreeSpin there = free_spin(warm, plank(), 0.1);
@@ -96,7 +96,7 @@ TEST(FreeMotion, looked_back_it_comes_from_where_it_was) {
 }
 
 // The short way for principal axes is the long way, where both exist.
-TEST(FreeMotion, principal_ratios_give_what_the_whole_inertia_gives) {
+TEST(FreeMotion, principal_ratios_match_the_full_inertia) {
     const auto ratios = principal_ratios(plank());
     ASSERT_TRUE(ratios);
     EXPECT_TRUE(near(ratios->factors, {0.5, -0.75, 0.4}, 1e-12));
@@ -114,7 +114,7 @@ TEST(FreeMotion, principal_ratios_give_what_the_whole_inertia_gives) {
 }
 
 // Its axes may be taken as they stood as long as it turns by less than 0.02 rad in a step.
-TEST(FreeMotion, gyroscopic_is_what_turns_far_and_unevenly) {
+TEST(FreeMotion, gyroscopic_requires_fast_rotation_and_anisotropic_inertia) {
     BodyWarm warm = turned({});
     warm.w = {0, 2.1, 0};
     EXPECT_TRUE(is_gyroscopic(warm, plank(), 0.01, 0.02));
@@ -130,7 +130,7 @@ TEST(FreeMotion, gyroscopic_is_what_turns_far_and_unevenly) {
 }
 
 // dv/dt = -c v leaves exp(-c t): to third order where it is small, and never below zero.
-TEST(FreeMotion, damping_leaves_the_exponential) {
+TEST(FreeMotion, damping_matches_the_exponential) {
     EXPECT_NEAR(damping_factor(0.5, 0.1), 0.951229, 2e-5);
     EXPECT_EQ(damping_factor(0, 0.1), 1);
     EXPECT_GT(damping_factor(1e4, 0.25), 0);

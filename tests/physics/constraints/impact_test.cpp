@@ -21,7 +21,7 @@ ImpactBody ball(double mass, double radius, Vec3 center, Vec3 velocity) {
 }
 const ImpactPoint at_origin{.position = {}, .normal = {1, 0, 0}};
 
-TEST(Impact, equal_elastic_balls_exchange_their_speeds) {
+TEST(Impact, equal_elastic_balls_exchange_velocities) {
     ImpactBody a = ball(2, 1, {-1, 0, 0}, {3, 0, 0}), b = ball(2, 1, {1, 0, 0}, {-1, 0, 0});
     const HardestPoint hardest = resolve_impact(a, b, std::vector{at_origin}, 1, 0.5);
     EXPECT_NEAR(hardest.approach, 4, 1e-12);
@@ -30,7 +30,7 @@ TEST(Impact, equal_elastic_balls_exchange_their_speeds) {
 }
 
 // Without restitution 1 kg at 6 m/s and 2 kg at rest go on together at 2 m/s.
-TEST(Impact, inelastic_ones_go_on_together) {
+TEST(Impact, inelastic_balls_move_together) {
     ImpactBody a = ball(1, 1, {-1, 0, 0}, {6, 0, 0}), b = ball(2, 1, {1, 0, 0}, {});
     resolve_impact(a, b, std::vector{at_origin}, 0, 0.5);
     EXPECT_TRUE(near(a.v, {2, 0, 0}, 1e-12));
@@ -38,7 +38,7 @@ TEST(Impact, inelastic_ones_go_on_together) {
 }
 
 // Slower than 0.3 m/s nothing bounces; what goes apart is left alone.
-TEST(Impact, slow_ones_do_not_bounce_and_partings_are_no_impacts) {
+TEST(Impact, slow_contacts_do_not_bounce_and_separating_contacts_are_ignored) {
     ImpactBody slow = ball(1, 1, {-1, 0, 0}, {0.29, 0, 0}), wall{};
     resolve_impact(slow, wall, std::vector{at_origin}, 1, 0);
     EXPECT_NEAR(slow.v.x, 0, 1e-12);
@@ -52,7 +52,7 @@ TEST(Impact, slow_ones_do_not_bounce_and_partings_are_no_impacts) {
 
 // A ball that slides along the wall it hits: friction of 0.1 takes a tenth of the normal impulse
 // from its speed, friction of 2 makes it roll, with 5/7 of its speed left.
-TEST(Impact, friction_is_coulombs_until_the_ball_rolls) {
+TEST(Impact, friction_follows_coulomb_until_the_ball_rolls) {
     for (const auto& [friction, left] : {std::pair{0.1, 7 - 0.1 * 4}, {2.0, 5.0}}) {
         ImpactBody a = ball(1, 0.5, {-0.5, 0, 0}, {4, 7, 0}), wall{};
         resolve_impact(a, wall, std::vector{at_origin}, 0, friction);
@@ -63,7 +63,7 @@ TEST(Impact, friction_is_coulombs_until_the_ball_rolls) {
 }
 
 // Random rods, points, normals: momentum stays to rounding, energy does not grow.
-TEST(Impact, never_gives_energy) {
+TEST(Impact, never_adds_energy) {
     Random random(171);
     for (int round = 0; round < 1000; round++) {
         const auto rod = [&](Vec3 center) {

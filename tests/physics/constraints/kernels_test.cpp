@@ -23,7 +23,7 @@ struct UsualSet {
     ~UsualSet() { EXPECT_TRUE(use_instruction_set(usual).ok()); }
 };
 
-TEST(Kernels, the_fastest_that_there_is_is_in_use) {
+TEST(Kernels, fastest_available_instruction_set_is_selected) {
     const auto sets = available_instruction_sets();
     ASSERT_FALSE(sets.empty());
     EXPECT_EQ(instruction_set(), sets.back());
@@ -32,7 +32,7 @@ TEST(Kernels, the_fastest_that_there_is_is_in_use) {
     EXPECT_EQ(names.size(), sets.size());
 }
 
-TEST(Kernels, a_set_that_is_not_there_is_refused_with_those_that_are) {
+TEST(Kernels, unavailable_instruction_set_error_lists_available_sets) {
     const UsualSet retained;
     const auto sets = available_instruction_sets();
     for (const InstructionSet set : {InstructionSet::scalar, InstructionSet::baseline,
@@ -52,7 +52,7 @@ TEST(Kernels, a_set_that_is_not_there_is_refused_with_those_that_are) {
 
 // Row 0 of a body: velocity, inverse mass and spin. free = v keep + push; what contacts did in the
 // sub-step before acts again; then it goes v h further.
-TEST(Kernels, accelerate_and_advance_a_body_in_every_set) {
+TEST(Kernels, accelerate_and_advance_match_on_every_instruction_set) {
     const UsualSet retained;
     Random random(181);
     SolverBody start{};
@@ -98,7 +98,7 @@ TEST(Kernels, accelerate_and_advance_a_body_in_every_set) {
 }
 
 // A ball of 2 kg that presses into the floor at 3 m/s, in every set: relaxed rigidly it stops.
-TEST(Kernels, a_contact_stops_a_ball_in_every_set) {
+TEST(Kernels, contact_stops_a_ball_on_every_instruction_set) {
     const UsualSet retained;
     for (const InstructionSet set : available_instruction_sets()) {
         SCOPED_TRACE(instruction_set_name(set));

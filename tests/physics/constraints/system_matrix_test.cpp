@@ -26,7 +26,7 @@ ConstraintSystem carts() {
     return s;
 }
 
-TEST(SystemMatrix, has_what_rows_do_to_each_other) {
+TEST(SystemMatrix, contains_the_coupling_of_rows) {
     ConstraintSystem s = carts();
     s.rows[0].softness = 0.5;
     s.rows[0].bias = 7;
@@ -42,7 +42,7 @@ TEST(SystemMatrix, has_what_rows_do_to_each_other) {
     EXPECT_DOUBLE_EQ(response_of(s.rows[0], s.bodies), 1.25);
 }
 
-TEST(SystemMatrix, softness_of_a_block_is_a_share_of_it) {
+TEST(SystemMatrix, softness_of_a_block_is_proportional_to_it) {
     ConstraintSystem s = carts();
     s.rows[0].block = s.rows[1].block = 4;
     s.rows[0].softness = 1.25 * 0.1;
@@ -54,7 +54,7 @@ TEST(SystemMatrix, softness_of_a_block_is_a_share_of_it) {
     EXPECT_EQ(s.at(0, 1), s.at(1, 0));
 }
 
-TEST(SystemMatrix, names_say_role_and_direction) {
+TEST(SystemMatrix, names_contain_role_and_direction) {
     EXPECT_EQ(name_of({.role = RowRole::turn, .axis = 1}), "turn y");
     EXPECT_EQ(name_of({.role = RowRole::motor, .axis = 2}), "motor z");
     EXPECT_EQ(name_of({.role = RowRole::gear}), "couple");

@@ -47,7 +47,7 @@ struct TwoBoxes {
     }
 };
 
-TEST(WriteManifold, hands_the_load_on_to_points_elsewhere) {
+TEST(WriteManifold, transfers_the_load_to_new_points) {
     TwoBoxes boxes;
     const Borne before = boxes.borne();
     const double weight = 1000 * 9.81 / (60 * 4);  // N s per sub-step: it is flat
@@ -69,7 +69,7 @@ TEST(WriteManifold, hands_the_load_on_to_points_elsewhere) {
 }
 
 // A point within reach goes on with its own.
-TEST(WriteManifold, keeps_the_load_of_a_point_that_moves_a_little) {
+TEST(WriteManifold, keeps_the_load_of_a_slightly_moved_point) {
     TwoBoxes boxes;
     const float before = boxes.place().block->lambda[0][boxes.place().lane];
     ASSERT_GT(before, 0);
@@ -114,7 +114,7 @@ Foot foot_of(const Geometry& geometry, double other_gaps) {
 
 // A disc that stands on its rim is held there, without a lever about the normal; one that lies, or
 // that comes down in a moment, by all points. A box is held in the middle of its face in any case.
-TEST(WriteManifold, holds_a_rim_where_it_touches) {
+TEST(WriteManifold, keeps_the_contact_point_of_a_rim) {
     const Foot rim = foot_of(Cylinder{1, 0.1}, 0.01), flat = foot_of(Cylinder{1, 0.1}, 0.003),
                box = foot_of(Box{{1, 0.1, 1}}, 0.01);
     EXPECT_NEAR(length(Vec3{rim.arm.x, 0, rim.arm.z} - Vec3{1, 0, 0}), 0, 1e-5);

@@ -14,7 +14,7 @@ using namespace physics;
 
 enum class Colour : std::uint8_t { red, green = 200 };
 
-TEST(ByteStream, puts_the_lowest_byte_first) {
+TEST(ByteStream, is_little_endian) {
     ByteWriter writer;
     writer.write(std::uint32_t{0x04030201});
     writer.write(std::int16_t{-2});
@@ -27,7 +27,7 @@ TEST(ByteStream, puts_the_lowest_byte_first) {
 }
 
 // Room is made as it is needed: 100,000 numbers come back in order.
-TEST(ByteStream, grows_and_starts_anew_when_all_was_taken) {
+TEST(ByteStream, grows_and_restarts_after_take) {
     ByteWriter writer;
     writer.write(std::uint32_t{0});
     for (std::uint32_t k = 1; k < 100'000; k++) writer.write(k);
@@ -56,7 +56,7 @@ TEST(ByteStream, keeps_every_bit_of_a_float) {
     EXPECT_FALSE(reader.failed());
 }
 
-TEST(ByteStream, past_the_end_gives_zeros_and_remembers) {
+TEST(ByteStream, read_past_the_end_returns_zeros_and_sets_failed) {
     ByteWriter writer;
     writer.write(std::uint8_t{7});
     writer.write(std::uint16_t{0xffff});

@@ -8,13 +8,13 @@
 namespace jostle::test {
 namespace {
 
-TEST(CheckDeathTest, names_file_line_and_expression) {
+TEST(CheckDeathTest, message_contains_file_line_and_expression) {
     EXPECT_DEATH(physics::assertion_failed("index < count", "store.cpp", 12),
                  "store\\.cpp:12: assertion failed: index < count");
 }
 
 // Where assertions are off their expression is compiled and not run.
-TEST(CheckDeathTest, ends_the_program_in_builds_with_assertions) {
+TEST(CheckDeathTest, aborts_in_builds_with_assertions) {
     int calls = 0;
     const auto one = [&] { return ++calls; };
     ASSERT(one() == 1);

@@ -25,7 +25,7 @@ FlatArray<Record> numbered(std::uint32_t count, std::uint32_t first) {
     return records;
 }
 
-TEST(FlatArray, is_copied_at_any_size) {
+TEST(FlatArray, copies_at_any_size) {
     FlatArray<Record> to = numbered(60000, 7);
     for (const std::uint32_t count : {0u, 1u, 3u, 6553u, 6554u, 20000u, 59999u, 60000u, 61000u}) {
         const FlatArray<Record> from = numbered(count, count);
@@ -34,7 +34,7 @@ TEST(FlatArray, is_copied_at_any_size) {
     }
 }
 
-TEST(FlatArray, keeps_its_memory_when_it_is_large_enough) {
+TEST(FlatArray, keeps_its_memory_if_large_enough) {
     FlatArray<Record> to = numbered(20000, 1);
     const Record* memory = to.data();
     const FlatArray<Record> few = numbered(10, 2);
@@ -45,7 +45,7 @@ TEST(FlatArray, keeps_its_memory_when_it_is_large_enough) {
     EXPECT_EQ(to, larger);
 }
 
-TEST(FlatArray, may_be_assigned_to_itself) {
+TEST(FlatArray, supports_self_assignment) {
     FlatArray<Record> records = numbered(30000, 5);
     const FlatArray<Record>& same = records;
     records = same;
@@ -53,7 +53,7 @@ TEST(FlatArray, may_be_assigned_to_itself) {
 }
 
 // Lengths around the 64 bytes that go at once; what lies behind stays as it was.
-TEST(CopyPastCaches, writes_as_many_bytes_as_it_says) {
+TEST(CopyPastCaches, writes_the_requested_number_of_bytes) {
     alignas(64) unsigned char from[400], to[400];
     std::iota(from, from + 400, static_cast<unsigned char>(1));
     for (const std::size_t bytes : {0u, 1u, 63u, 64u, 65u, 128u, 333u}) {

@@ -17,7 +17,7 @@ float quotient(float a, float b) {
     return x / y;
 }
 
-TEST(FpMode, rounds_to_nearest_and_gives_the_hosts_mode_back) {
+TEST(FpMode, rounds_to_nearest_and_restores_the_host_mode) {
     const float down = [] {
         std::fesetround(FE_DOWNWARD);
         return quotient(2, 3);
@@ -36,7 +36,7 @@ TEST(FpMode, rounds_to_nearest_and_gives_the_hosts_mode_back) {
     EXPECT_EQ(after, down);
 }
 
-TEST(FpMode, flushes_denormals_inside_if_the_build_does_and_not_outside) {
+TEST(FpMode, flushes_denormals_only_inside_the_scope) {
     const float smallest = 1.17549435e-38f;  // of the normal ones
     EXPECT_GT(quotient(smallest, 2), 0);
     {

@@ -9,7 +9,7 @@ namespace jostle::test {
 namespace {
 using physics::IdPool;
 
-TEST(IdPool, hands_out_the_lowest_free_index) {
+TEST(IdPool, allocates_the_lowest_free_index) {
     IdPool ids;
     for (std::uint32_t k = 0; k < 5; k++) EXPECT_EQ(ids.take(), k);
     ids.release(3);
@@ -22,7 +22,7 @@ TEST(IdPool, hands_out_the_lowest_free_index) {
     EXPECT_EQ(ids.size(), 6u);
 }
 
-TEST(IdPool, an_index_that_is_used_again_has_another_generation) {
+TEST(IdPool, reused_index_has_a_new_generation) {
     IdPool ids;
     const std::uint32_t index = ids.take(), first = ids.generation(index);
     EXPECT_EQ(first, 1u);
@@ -36,14 +36,14 @@ TEST(IdPool, an_index_that_is_used_again_has_another_generation) {
     EXPECT_TRUE(ids.matches(index, first + 1));
 }
 
-TEST(IdPool, knows_nothing_of_indices_that_it_never_gave) {
+TEST(IdPool, rejects_indices_that_were_never_allocated) {
     IdPool ids;
     EXPECT_FALSE(ids.alive(0));
     EXPECT_FALSE(ids.matches(7, 1));
 }
 
 // What a load does: generations and flags are saved, the list of free indices is not.
-TEST(IdPool, goes_on_alike_when_its_free_list_is_made_anew) {
+TEST(IdPool, allocates_the_same_indices_after_rebuilding_the_free_list) {
     IdPool ids;
     for (int k = 0; k < 8; k++) ids.take();
     for (const std::uint32_t index : {6u, 2u, 5u}) ids.release(index);

@@ -18,7 +18,7 @@ std::uint64_t pair_of(std::uint64_t low, std::uint64_t high) {
     return low << 32 | high;
 }
 
-TEST(KeySet, is_empty_at_first) {
+TEST(KeySet, is_initially_empty) {
     KeySet keys;
     EXPECT_EQ(keys.size(), 0u);
     EXPECT_FALSE(keys.contains(0));
@@ -26,7 +26,7 @@ TEST(KeySet, is_empty_at_first) {
     EXPECT_EQ(keys.size(), 0u);
 }
 
-TEST(KeySet, holds_a_key_once) {
+TEST(KeySet, contains_a_key_once) {
     KeySet keys;
     keys.insert(pair_of(3, 7));
     keys.insert(pair_of(3, 7));
@@ -38,7 +38,7 @@ TEST(KeySet, holds_a_key_once) {
 }
 
 // 40,000 neighbours of a grid go in, every third goes out again.
-TEST(KeySet, knows_forty_thousand_pairs_from_those_that_left) {
+TEST(KeySet, distinguishes_forty_thousand_present_and_removed_pairs) {
     KeySet keys;
     for (std::uint64_t i = 0; i < 10000; i++)
         for (std::uint64_t k = 1; k <= 4; k++) keys.insert(pair_of(i, i + k));
@@ -53,7 +53,7 @@ TEST(KeySet, knows_forty_thousand_pairs_from_those_that_left) {
 }
 
 // 200,000 calls over 600 keys: chains form, break and wrap around the end of the array.
-TEST(KeySet, agrees_with_a_set_that_is_known_to_be_right) {
+TEST(KeySet, matches_a_reference_set) {
     KeySet keys;
     std::set<std::uint64_t> known;
     Random random(8);

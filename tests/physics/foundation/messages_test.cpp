@@ -11,7 +11,7 @@ namespace jostle::test {
 namespace {
 using namespace physics;
 
-TEST(Messages, numbers_have_nine_digits_at_most) {
+TEST(Messages, numbers_have_at_most_nine_digits) {
     EXPECT_EQ(text(0.001), "0.001");
     EXPECT_EQ(text(10000), "10000");
     EXPECT_EQ(text(1.0 / 3), "0.333333333");

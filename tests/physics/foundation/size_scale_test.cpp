@@ -19,7 +19,7 @@ TEST(SizeScale, usual_sizes_have_scale_one) {
     }
 }
 
-TEST(SizeScale, others_are_in_proportion) {
+TEST(SizeScale, other_sizes_scale_proportionally) {
     EXPECT_NEAR(size_scale(0.001), 0.02, 1e-12);
     EXPECT_NEAR(size_scale(100), 20, 1e-12);
     EXPECT_TRUE(is_unusual(0.001, 1));
@@ -27,7 +27,7 @@ TEST(SizeScale, others_are_in_proportion) {
 }
 
 // By the root of size and gravity: a scene of half the size takes 0.7 of the time.
-TEST(SizeScale, speeds_follow_the_root_of_size_and_gravity) {
+TEST(SizeScale, speeds_scale_with_the_square_root_of_size_and_gravity) {
     const double g2 = gravity_ratio_squared(earth);
     EXPECT_NEAR(speed_scale(0.0005, g2), 0.1, 1e-12);
     EXPECT_NEAR(speed_scale(500, g2), 10, 1e-12);
@@ -38,7 +38,7 @@ TEST(SizeScale, speeds_follow_the_root_of_size_and_gravity) {
     EXPECT_NEAR(speed_scale(5, gravity_ratio_squared(earth * 100)), 10, 1e-12);
 }
 
-TEST(SizeScale, nothing_and_no_gravity_count_as_usual) {
+TEST(SizeScale, zero_size_and_zero_gravity_have_scale_one) {
     EXPECT_EQ(size_scale(0), 1);
     EXPECT_EQ(speed_scale(0, 1), 1);
     EXPECT_EQ(gravity_ratio_squared({}), 1);

@@ -12,7 +12,7 @@ namespace jostle::test {
 namespace {
 using physics::ThreadPool;
 
-TEST(ThreadPool, a_range_is_covered_once) {
+TEST(ThreadPool, range_is_covered_once) {
     for (const int threads : {1, 2, 5}) {
         ThreadPool thread_pool(threads);
         for (int round = 0; round < 200; round++) {
@@ -28,7 +28,7 @@ TEST(ThreadPool, a_range_is_covered_once) {
     }
 }
 
-TEST(ThreadPool, tasks_are_done_once_each) {
+TEST(ThreadPool, each_task_runs_once) {
     for (const int threads : {1, 2, 5}) {
         ThreadPool thread_pool(threads);
         for (int round = 0; round < 500; round++) {
@@ -41,7 +41,7 @@ TEST(ThreadPool, tasks_are_done_once_each) {
 }
 
 // Whoever takes it, the job is done once, and before finish() returns; ranges go on beside it.
-TEST(ThreadPool, a_job_is_done_once_beside_ranges) {
+TEST(ThreadPool, background_job_runs_once_during_ranges) {
     for (const int threads : {1, 2, 5}) {
         ThreadPool thread_pool(threads);
         for (int round = 0; round < 2000; round++) {
@@ -60,7 +60,7 @@ TEST(ThreadPool, a_job_is_done_once_beside_ranges) {
 
 // Who works on its own part and loses its processor is helped all the same: of 40 grains the worker
 // does the one in which it sleeps and not all twenty of its part.
-TEST(ThreadPool, a_part_whose_thread_has_stopped_is_done_by_others) {
+TEST(ThreadPool, other_threads_take_over_the_range_of_a_stalled_thread) {
     ThreadPool thread_pool(2);
     const auto caller = std::this_thread::get_id();
     std::atomic<int> done = 0, by_worker = 0;
@@ -88,7 +88,7 @@ TEST(ThreadPool, a_part_whose_thread_has_stopped_is_done_by_others) {
 
 // A worker that is woken for a range may come when the team is already being let go: it must see
 // that, and not go back to sleep for good.
-TEST(ThreadPool, ends_while_its_workers_wake) {
+TEST(ThreadPool, destructor_is_safe_while_workers_wake) {
     std::atomic<int> done = 0;
     for (int round = 0; round < 1500; round++) {
         ThreadPool thread_pool(4);

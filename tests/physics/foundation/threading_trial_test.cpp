@@ -20,24 +20,24 @@ int shared_steps(ThreadingTrial& trial, int steps, double alone_ms, double share
 
 // Ten seconds at 60 Hz, in which it is tried three times for four steps: the first, and three that
 // are no better.
-TEST(ThreadingTrial, what_is_slower_with_two_threads_goes_on_with_one) {
+TEST(ThreadingTrial, keeps_one_thread_if_two_are_slower) {
     ThreadingTrial trial;
     EXPECT_LE(shared_steps(trial, 600, 0.30, 0.40), 12);
 }
 
-TEST(ThreadingTrial, what_is_faster_with_two_threads_has_them) {
+TEST(ThreadingTrial, uses_two_threads_if_they_are_faster) {
     ThreadingTrial trial;
     EXPECT_GE(shared_steps(trial, 600, 0.40, 0.30), 600 - 8 - 12);
 }
 
 // A step of 5 ms alone would be a late one.
-TEST(ThreadingTrial, long_steps_are_always_shared) {
+TEST(ThreadingTrial, long_steps_are_always_multithreaded) {
     ThreadingTrial trial;
     shared_steps(trial, 3, 5.0, 3.0);
     EXPECT_EQ(shared_steps(trial, 600, 5.0, 3.0), 600);
 }
 
-TEST(ThreadingTrial, what_grows_long_is_shared_within_three_steps) {
+TEST(ThreadingTrial, growing_steps_are_multithreaded_within_three_steps) {
     ThreadingTrial trial;
     for (int k = 0; k < 4; k++) trial.shares(0.3);
     EXPECT_FALSE(trial.shares(2.4));
@@ -47,14 +47,14 @@ TEST(ThreadingTrial, what_grows_long_is_shared_within_three_steps) {
 }
 
 // A scene that changes is tried again: the longest pause is 512 steps.
-TEST(ThreadingTrial, what_becomes_worth_it_is_found_within_nine_seconds) {
+TEST(ThreadingTrial, switches_to_two_threads_within_nine_seconds_once_faster) {
     ThreadingTrial trial;
     shared_steps(trial, 600, 0.30, 0.40);
     EXPECT_GE(shared_steps(trial, 540 + 100, 0.90, 0.60), 100 - 18);
 }
 
 // One step in ten is disturbed, for longer than a long step takes.
-TEST(ThreadingTrial, a_step_that_something_else_disturbed_decides_nothing) {
+TEST(ThreadingTrial, ignores_a_single_disturbed_step) {
     ThreadingTrial trial;
     int shared = 0;
     bool last = false;

@@ -12,7 +12,7 @@ namespace {
 using namespace std::chrono;
 
 // A machine may be busy, so a lap is bounded by what a clock around it says.
-TEST(Timer, a_lap_is_the_time_since_the_last_in_milliseconds) {
+TEST(Timer, lap_is_the_time_since_the_previous_lap_in_milliseconds) {
     const auto begin = steady_clock::now();
     physics::Timer timer;
     std::this_thread::sleep_for(milliseconds(20));

@@ -16,7 +16,7 @@ struct alignas(16) Point {
     std::uint32_t index;
 };
 
-TEST(UninitializedArray, holds_what_was_written_and_is_copied_with_it) {
+TEST(UninitializedArray, keeps_and_copies_written_values) {
     UninitializedArray<Point, 128> points;
     EXPECT_EQ(sizeof points, 128 * sizeof(Point)) << "nothing but its elements";
     for (std::uint32_t k = 0; k < 4; k++) points[k] = {0.5 * k, -1.0 * k, k};
@@ -29,7 +29,7 @@ TEST(UninitializedArray, holds_what_was_written_and_is_copied_with_it) {
 }
 
 // The second half of what is asked for is kept in hand, so 100 to 200 takes no new memory.
-TEST(UninitializedVector, takes_memory_twice_as_large_as_asked_for_and_keeps_it) {
+TEST(UninitializedVector, allocates_twice_the_requested_memory_and_keeps_it) {
     UninitializedVector<Point> points;
     points.reserve_discarding(100);
     const Point* memory = &points[0];

@@ -17,7 +17,7 @@ constexpr ShapeKind convex_kinds[] = {ShapeKind::sphere,   ShapeKind::capsule, S
                                       ShapeKind::cylinder, ShapeKind::cone,    ShapeKind::hull};
 
 // A disc's reach is sqrt(1 - c^2), which knows a cosine near one to the root of a rounding.
-TEST(Bounds, of_convex_shapes_end_where_they_do) {
+TEST(Bounds, are_tight_for_convex_shapes) {
     constexpr double rounding = 2e-8;  // m
     Random random(11);
     for (const ShapeKind kind : convex_kinds)
@@ -38,7 +38,7 @@ TEST(Bounds, of_convex_shapes_end_where_they_do) {
 }
 
 // A cylinder of radius 1 and height 2 that leans by 45 degrees reaches sqrt 2 both ways.
-TEST(Bounds, of_a_leaning_cylinder) {
+TEST(Bounds, are_exact_for_a_tilted_cylinder) {
     const Geometry cylinder = Cylinder{1, 1};
     const Aabb box =
         bounds_of(transformed_shape(cylinder, {{5, 0, 0}, from_axis_angle({0, 0, 1}, pi / 4)}));
@@ -48,7 +48,7 @@ TEST(Bounds, of_a_leaning_cylinder) {
 }
 
 // What has many parts gets the box of its own box: all vertices are inside.
-TEST(Bounds, of_a_turned_mesh_hold_its_vertices) {
+TEST(Bounds, contain_all_vertices_of_a_rotated_mesh) {
     Random random(12);
     const Vec3 corners[] = {{0, 1, 0}, {3, 1, 0}, {0, 0, 2}, {0, 0, -1}};
     const std::array<std::uint32_t, 3> triangles[] = {{0, 2, 1}, {0, 1, 3}};
@@ -64,7 +64,7 @@ TEST(Bounds, of_a_turned_mesh_hold_its_vertices) {
     EXPECT_NEAR(radius_of(mesh), length(Vec3{3, 1, 2}), 1e-12) << "the corner of its box";
 }
 
-TEST(Bounds, radius_is_that_of_the_furthest_point) {
+TEST(Bounds, radius_reaches_the_furthest_point) {
     EXPECT_EQ(radius_of(Sphere{2}), 2);
     EXPECT_EQ(radius_of(Capsule{0.5, 1}), 1.5);
     EXPECT_EQ(radius_of(Box{{2, 3, 6}}), 7);

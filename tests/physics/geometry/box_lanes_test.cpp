@@ -27,7 +27,7 @@ TEST(BoxLanes, floats_are_rounded_outwards) {
     EXPECT_LT(float_below(1e300), float_above(1e300)) << "finite";
 }
 
-TEST(BoxLanes, find_what_overlaps_and_what_a_ray_enters) {
+TEST(BoxLanes, find_overlaps_and_ray_hits) {
     Random random(4);
     int met = 0, beside = 0, entered = 0, passed = 0;
     for (int round = 0; round < 3000; round++) {

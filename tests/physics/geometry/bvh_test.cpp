@@ -13,7 +13,7 @@ namespace jostle::test {
 namespace {
 using namespace physics;
 
-TEST(Bvh, finds_every_box_that_overlaps_and_no_other) {
+TEST(Bvh, finds_exactly_the_overlapping_boxes) {
     Random random(1);
     for (const int count : {0, 1, 3, 5, 200, 3000}) {
         std::vector<Aabb> boxes;
@@ -39,7 +39,7 @@ TEST(Bvh, finds_every_box_that_overlaps_and_no_other) {
 }
 
 // Ten thousand boxes in one place: no plane parts them, and the tree does not become a chain.
-TEST(Bvh, survives_boxes_that_are_all_the_same) {
+TEST(Bvh, handles_identical_boxes) {
     const Bvh tree(std::vector<Aabb>(10000, Aabb{{0, 0, 0}, {1, 1, 1}}));
     EXPECT_LE(tree.height(), 20);
     int met = 0;
@@ -48,7 +48,7 @@ TEST(Bvh, survives_boxes_that_are_all_the_same) {
 }
 
 // A ray that stops at the first box it enters finds the one that a loop over all finds.
-TEST(Bvh, ray_finds_the_first_box_on_its_way) {
+TEST(Bvh, ray_cast_finds_the_first_box) {
     Random random(3);
     std::vector<Aabb> boxes;
     for (int i = 0; i < 2000; i++) {
@@ -74,7 +74,7 @@ TEST(Bvh, ray_finds_the_first_box_on_its_way) {
     EXPECT_LT(asked, 500 * 2000 / 20) << "a loop would ask two thousand each";
 }
 
-TEST(Bvh, of_nothing_finds_nothing) {
+TEST(Bvh, empty_tree_finds_nothing) {
     const Bvh tree;
     EXPECT_TRUE(tree.empty());
     int met = 0;

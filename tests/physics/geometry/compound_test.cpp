@@ -15,7 +15,7 @@ namespace {
 using namespace physics;
 using testing::HasSubstr;
 
-TEST(Compound, says_which_child_is_wrong) {
+TEST(Compound, error_names_the_invalid_child) {
     const auto error_of = [](std::vector<CompoundChild> children) {
         return build_compound(std::move(children)).error().message;
     };
@@ -27,7 +27,7 @@ TEST(Compound, says_which_child_is_wrong) {
 }
 
 // A dumbbell: two balls of 0.5 m at both ends of a rod of 0.1 m, which lies along x.
-TEST(Compound, of_a_dumbbell_is_as_wide_as_its_balls_and_as_thin_as_its_rod) {
+TEST(Compound, dumbbell_has_the_bounds_of_its_balls_and_the_inner_radius_of_its_rod) {
     const Quat lying = from_axis_angle({0, 0, 1}, pi / 2);
     const auto dumbbell = must(build_compound({{Sphere{0.5}, {.position = {-1, 0, 0}}},
                                                {Capsule{0.1, 1}, {.rotation = lying}},
@@ -40,7 +40,7 @@ TEST(Compound, of_a_dumbbell_is_as_wide_as_its_balls_and_as_thin_as_its_rod) {
     EXPECT_EQ(met, 3);
 }
 
-TEST(Compound, is_known_by_its_content) {
+TEST(Compound, compares_by_content) {
     const auto hash_of = [](double radius, double x) {
         return must(build_compound({{Sphere{radius}, {.position = {x, 0, 0}}}}))->content_hash;
     };

@@ -27,13 +27,13 @@ std::vector<std::pair<const char*, Geometry>> solids() {
                                                        {Sphere{0.4}, {{-1, 0.2, 0}, {}}}}))}}};
 }
 
-TEST(Displacement, of_half_a_ball_is_the_textbooks) {
+TEST(Displacement, half_ball_matches_the_closed_form) {
     const Displacement half = displacement(Sphere{2}, {0, 1, 0}, 0);
     EXPECT_NEAR(half.volume, 2.0 / 3 * pi * 8, 1e-12);
     EXPECT_TRUE(near(half.center, {0, -3.0 / 8 * 2, 0}, 1e-12));
 }
 
-TEST(Displacement, of_a_corner_of_a_box_is_a_pyramid) {
+TEST(Displacement, corner_of_a_box_is_a_pyramid) {
     // The corner at (1, 1, 1): cut at a distance of 1 along each edge.
     const Vec3 out = normalized(Vec3{-1, -1, -1});
     const Displacement corner = displacement(Box{{1, 1, 1}}, out, dot(out, {0, 1, 1}));
@@ -41,7 +41,7 @@ TEST(Displacement, of_a_corner_of_a_box_is_a_pyramid) {
     EXPECT_TRUE(near(corner.center, {0.75, 0.75, 0.75}, 1e-12));
 }
 
-TEST(Displacement, of_a_leaning_cylinder_and_a_cone_are_the_textbooks) {
+TEST(Displacement, tilted_cylinder_and_cone_match_the_closed_form) {
     // A plane through the axis takes half, whose centre is 4 r / 3 pi from it.
     const Displacement half = displacement(Cylinder{3, 2}, {0, 0, 1}, 0);
     EXPECT_NEAR(half.volume, pi * 9 * 2, 1e-5);
@@ -51,7 +51,7 @@ TEST(Displacement, of_a_leaning_cylinder_and_a_cone_are_the_textbooks) {
     EXPECT_NEAR(tip.volume, pi * 4 * 6 / 3 / 8, 1e-9);
 }
 
-TEST(Displacement, both_sides_of_a_cut_are_the_whole) {
+TEST(Displacement, both_sides_of_a_cut_add_up_to_the_solid) {
     for (const auto& [name, solid] : solids()) {
         const MassProperties whole = mass_of(solid, 1);
         for (const Vec3 n : {Vec3{0, 1, 0}, Vec3{1, 0, 0}, Vec3{1, 2, -1}, Vec3{0.001, -1, 0}})
@@ -68,7 +68,7 @@ TEST(Displacement, both_sides_of_a_cut_are_the_whole) {
 }
 
 // 200 slices across the axis, each a segment of a disc or none: an oracle of another kind, cells.
-TEST(Displacement, is_what_a_sum_over_cells_says) {
+TEST(Displacement, matches_a_sum_over_cells) {
     const Vec3 normal = normalized(Vec3{0.4, 0.8, -0.3});
     const double offset = 0.17;
     const Capsule capsule{0.4, 0.9};

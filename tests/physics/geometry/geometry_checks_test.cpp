@@ -19,7 +19,7 @@ std::string error_of(const Geometry& geometry) {
     return status.ok() ? "" : status.error().message;
 }
 
-TEST(GeometryChecks, name_the_field_its_value_and_its_range) {
+TEST(GeometryChecks, errors_name_the_field_value_and_range) {
     EXPECT_EQ(error_of(Sphere{0}), "shape.radius is 0; it must be from 0.0001 to 10000");
     EXPECT_EQ(error_of(Capsule{0.5, -1}),
               "shape.half_length is -1; it must be from 0.0001 to 10000");
@@ -32,7 +32,7 @@ TEST(GeometryChecks, name_the_field_its_value_and_its_range) {
               "shape.normal is (0, 0, 0); it must be finite and not zero");
 }
 
-TEST(GeometryChecks, what_is_built_must_have_been_built) {
+TEST(GeometryChecks, shared_geometry_must_not_be_null) {
     EXPECT_EQ(error_of(Hull{}), "shape has no data; make it with build_hull");
     EXPECT_EQ(error_of(Hull{std::make_shared<const ConvexHull>()}),
               "shape has no data; make it with build_hull")
@@ -42,7 +42,7 @@ TEST(GeometryChecks, what_is_built_must_have_been_built) {
     EXPECT_EQ(error_of(Compound{}), "shape has no data; make it with build_compound");
 }
 
-TEST(GeometryChecks, both_ends_of_a_range_belong_to_it) {
+TEST(GeometryChecks, ranges_are_inclusive) {
     EXPECT_EQ(error_of(Sphere{min_shape_size}), "");
     EXPECT_EQ(error_of(Sphere{max_shape_size}), "");
     EXPECT_NE(error_of(Sphere{std::nextafter(min_shape_size, 0)}), "");

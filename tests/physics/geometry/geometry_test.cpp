@@ -22,7 +22,7 @@ TEST(Geometry, ten_kinds_have_ten_names) {
     EXPECT_STREQ(kind_name(kind_of(Cone{})), "cone");
 }
 
-TEST(Geometry, a_hull_equals_another_of_the_same_points) {
+TEST(Geometry, hulls_of_equal_points_are_equal) {
     const std::vector<Vec3> points{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     const Hull first{must(build_hull(points))}, second{must(build_hull(points))};
     EXPECT_NE(first.data, second.data);
@@ -34,7 +34,7 @@ TEST(Geometry, a_hull_equals_another_of_the_same_points) {
     EXPECT_EQ(Hull{}, Hull{});
 }
 
-TEST(Geometry, so_do_meshes_height_fields_and_compounds) {
+TEST(Geometry, meshes_height_fields_and_compounds_compare_by_content) {
     const Vec3 corners[] = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}};
     const std::array<std::uint32_t, 3> up[] = {{0, 1, 2}}, down[] = {{0, 2, 1}};
     const auto mesh = [&](auto& triangles) { return Mesh{must(build_mesh(corners, triangles))}; };

@@ -22,7 +22,7 @@ std::shared_ptr<const HeightGrid> rough(std::uint32_t columns, std::uint32_t row
     return build_height_field(std::move(grid)).value();
 }
 
-TEST(GridLanes, boxes_hold_the_triangles_of_their_cells) {
+TEST(GridLanes, boxes_contain_the_triangles_of_their_cells) {
     const auto grid = rough(11, 4);
     GridLanes lanes(*grid);
     for (std::uint32_t row = 0; row < 3; row++) {

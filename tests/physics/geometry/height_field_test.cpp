@@ -13,7 +13,7 @@ namespace jostle::test {
 namespace {
 using namespace physics;
 
-TEST(HeightField, says_what_is_wrong) {
+TEST(HeightField, errors_name_the_problem) {
     EXPECT_FALSE(build_height_field({.columns = 2, .rows = 2, .heights = {0, 0, 0}}).ok());
     EXPECT_FALSE(build_height_field({.columns = 1, .rows = 2, .heights = {0, 0}}).ok());
     EXPECT_FALSE(
@@ -26,7 +26,7 @@ TEST(HeightField, says_what_is_wrong) {
 }
 
 // 3 x 2 samples 2 m and 5 m apart stand about the origin.
-TEST(HeightField, lies_about_its_origin_between_its_lowest_and_highest_sample) {
+TEST(HeightField, bounds_span_the_lowest_to_the_highest_sample_around_the_origin) {
     const auto field = must(build_height_field(
         {.columns = 3, .rows = 2, .spacing_x = 2, .spacing_z = 5, .heights = {0, 1, 7, -3, 0, 2}}));
     EXPECT_EQ(field->bounds, (Aabb{{-2, -3, -2.5}, {2, 7, 2.5}}));
@@ -34,7 +34,7 @@ TEST(HeightField, lies_about_its_origin_between_its_lowest_and_highest_sample) {
 }
 
 // A sample that is no number in the middle of 3 x 3 takes all four cells away, one in a corner one.
-TEST(HeightField, no_height_makes_holes_of_the_cells_around) {
+TEST(HeightField, missing_height_makes_holes_of_adjacent_cells) {
     const double none = std::nan("");
     const auto holes = [](std::uint32_t rows, std::vector<double> heights) {
         return must(build_height_field({.columns = 3, .rows = rows, .heights = std::move(heights)}))

@@ -52,7 +52,7 @@ TEST(HullBuilder, cube_of_a_thousand_points_has_six_faces) {
 }
 
 // Turned, the same cube's corners are no longer exactly flat: the faces are merged all the same.
-TEST(HullBuilder, turned_cube_still_has_six_faces) {
+TEST(HullBuilder, rotated_cube_has_six_faces) {
     Random random(9);
     for (int round = 0; round < 50; round++) {
         const Quat turn = random.rotation();
@@ -68,7 +68,7 @@ TEST(HullBuilder, turned_cube_still_has_six_faces) {
     }
 }
 
-TEST(HullBuilder, tetrahedron_has_its_textbook_inertia) {
+TEST(HullBuilder, inertia_of_a_tetrahedron_matches_the_closed_form) {
     // Regular, edge a: volume a^3 / (6 sqrt 2), inertia m a^2 / 20.
     const double a = 2;
     std::vector<Vec3> points{{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
@@ -86,7 +86,7 @@ TEST(HullBuilder, tetrahedron_has_its_textbook_inertia) {
 
 // Clouds of many kinds: in balls, on spheres, on grids, in near-planes, with duplicates, tiny,
 // huge.
-TEST(HullBuilder, holds_every_point_of_ten_thousand_clouds) {
+TEST(HullBuilder, contains_every_point_of_ten_thousand_random_clouds) {
     Random random(4);
     int built = 0, refused = 0;
     for (int round = 0; round < 10000 && !HasFatalFailure(); round++) {
@@ -122,7 +122,7 @@ TEST(HullBuilder, holds_every_point_of_ten_thousand_clouds) {
     EXPECT_GT(refused, 100);
 }
 
-TEST(HullBuilder, says_what_is_wrong_and_what_to_do) {
+TEST(HullBuilder, errors_name_the_problem_and_the_remedy) {
     const auto refused = [](const std::vector<Vec3>& points, const char* word) {
         const auto hull = build_hull(points);
         ASSERT_FALSE(hull.ok()) << word;

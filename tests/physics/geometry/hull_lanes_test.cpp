@@ -15,7 +15,7 @@ std::shared_ptr<const ConvexHull> hull_of(Random& random) {
     return std::get<Hull>(random_geometry(ShapeKind::hull, random)).data;
 }
 
-TEST(HullLanes, of_equal_vertices_the_first_is_furthest) {
+TEST(HullLanes, returns_the_first_of_equally_far_vertices) {
     const Vec3 corners[] = {{1, 1, 1},  {1, 1, -1},  {1, -1, 1},  {1, -1, -1},
                             {-1, 1, 1}, {-1, 1, -1}, {-1, -1, 1}, {-1, -1, -1}};
     const auto hull = build_hull(corners).value();
@@ -36,7 +36,7 @@ TEST(HullLanes, of_equal_vertices_the_first_is_furthest) {
 
 // 300 hulls, two pairs of balls each, some far off: no bound is below what a thousand directions
 // of an arc show, and none is more than 1e-4 of the way between the balls above it.
-TEST(HullLanes, no_normal_shows_more_than_its_bound) {
+TEST(HullLanes, no_normal_exceeds_its_bound) {
     Random random(6);
     for (int round = 0; round < 300; round++) {
         const auto hull = hull_of(random);

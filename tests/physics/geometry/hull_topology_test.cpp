@@ -58,7 +58,7 @@ TEST(HullTopology, a_cube_with_a_point_in_it_has_twelve_triangles_on_eight_point
     expect_hull(points, *faces);
 }
 
-TEST(HullTopology, there_is_none_of_less_than_a_solid) {
+TEST(HullTopology, rejects_degenerate_point_sets) {
     EXPECT_FALSE(hull_triangles(std::vector<GridPoint>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}));
     std::vector<GridPoint> plane, line;
     for (std::int64_t x = 0; x < 5; x++) {
@@ -72,7 +72,7 @@ TEST(HullTopology, there_is_none_of_less_than_a_solid) {
 }
 
 // At the far ends of the range products need 95 bits: one wrong sign would leave a point outside.
-TEST(HullTopology, is_exact_at_a_thousand_million) {
+TEST(HullTopology, is_exact_at_coordinates_of_a_billion) {
     Random random(61);
     constexpr std::int64_t most = std::int64_t{1} << 30;
     for (int round = 0; round < 100; round++) {

@@ -12,7 +12,7 @@ namespace jostle::test {
 namespace {
 using namespace physics;
 
-TEST(InnerRadius, closed_forms) {
+TEST(InnerRadius, matches_closed_forms) {
     EXPECT_EQ(inner_radius_of(Sphere{0.3}), 0.3);
     EXPECT_EQ(inner_radius_of(Capsule{0.1, 5}), 0.1);
     EXPECT_EQ(inner_radius_of(Box{{3, 0.02, 1}}), 0.02);
@@ -22,7 +22,7 @@ TEST(InnerRadius, closed_forms) {
     EXPECT_EQ(inner_radius_of(Plane{}), 1e300);
 }
 
-TEST(InnerRadius, of_surfaces_is_nothing_and_of_a_compound_its_thinnest_child) {
+TEST(InnerRadius, is_zero_for_surfaces_and_that_of_the_thinnest_child_for_compounds) {
     const auto field = must(build_height_field({.columns = 2, .rows = 2, .heights = {0, 0, 0, 0}}));
     EXPECT_EQ(inner_radius_of(HeightField{field}), 0);
     EXPECT_EQ(inner_radius_of(Compound{must(build_compound({{Sphere{2}, {}}, {Sphere{0.4}, {}}}))}),
@@ -31,7 +31,7 @@ TEST(InnerRadius, of_surfaces_is_nothing_and_of_a_compound_its_thinnest_child) {
 
 // From the middle of that ball every tangent plane of the shape is at least so far away, and some
 // plane is no further.
-TEST(InnerRadius, ball_touches_the_surface_from_inside) {
+TEST(InnerRadius, inscribed_ball_touches_the_surface) {
     Random random(31);
     for (const ShapeKind kind : {ShapeKind::box, ShapeKind::cylinder, ShapeKind::cone}) {
         for (int round = 0; round < 20; round++) {

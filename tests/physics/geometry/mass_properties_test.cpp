@@ -21,7 +21,7 @@ void expect_same(const MassProperties& a, const MassProperties& b, double tolera
     EXPECT_TRUE(near(a.inertia.z, b.inertia.z, tolerance));
 }
 
-TEST(MassProperties, of_a_cylinder_and_a_cone_are_the_textbooks) {
+TEST(MassProperties, cylinder_and_cone_match_the_closed_form) {
     // Radius 2, height 6, density 5.
     const MassProperties cylinder = mass_of(Cylinder{2, 3}, 5);
     EXPECT_NEAR(cylinder.mass, 5 * pi * 4 * 6, 1e-9);
@@ -42,7 +42,7 @@ TEST(MassProperties, surfaces_have_none) {
 }
 
 // A bar of 1 x 1 x 4 m as two of 1 x 1 x 2 m, in any pose of the whole.
-TEST(MassProperties, two_halves_are_the_whole) {
+TEST(MassProperties, two_halves_add_up_to_the_solid) {
     const MassProperties half = mass_of(Box{{0.5, 0.5, 1}}, 700);
     const MassProperties bar =
         combined(moved(half, {{0, 0, -1}, {}}), moved(half, {{0, 0, 1}, {}}));
@@ -52,7 +52,7 @@ TEST(MassProperties, two_halves_are_the_whole) {
     expect_same(combined(moved(half, posed(-1)), moved(half, posed(1))), moved(bar, pose), 1e-9);
 }
 
-TEST(MassProperties, of_a_compound_are_those_of_its_children) {
+TEST(MassProperties, compound_is_the_sum_of_its_children) {
     const Quat turn = from_axis_angle({0, 1, 1}, 1.2);
     const auto compound = must(build_compound(
         {{Sphere{0.5}, {.position = {1, 0, 0}}}, {Box{{1, 2, 3}}, {{0, 4, 0}, turn}}}));
@@ -64,7 +64,7 @@ TEST(MassProperties, of_a_compound_are_those_of_its_children) {
 
 // A cube whose shape is moved but not turned stays a multiple of the identity, so that its body
 // needs no gyroscopic term.
-TEST(MassProperties, a_cube_that_is_not_turned_keeps_exact_zeros) {
+TEST(MassProperties, axis_aligned_cube_has_exact_zeros) {
     const Mat3 inertia = moved(mass_of(Box{}, 1000), {{0.3, -0.7, 0.1}, {}}).inertia;
     EXPECT_EQ(inertia, diagonal(Vec3{1, 1, 1} * inertia.x.x));
 }

@@ -46,7 +46,7 @@ void check_mesh(const std::shared_ptr<const TriangleMesh>& mesh, Random& random)
 
 // Vertices at the same places, in lines, far away or not numbers; triangles that are points, occur
 // twice, share an edge by three, or name what is not there.
-TEST(MeshBuilder, ten_thousand_soups_of_triangles_are_built_or_refused) {
+TEST(MeshBuilder, ten_thousand_random_triangle_soups_are_built_or_rejected) {
     Random random(99);
     int built = 0;
     for (int i = 0; i < 10000; i++) {
@@ -76,7 +76,7 @@ TEST(MeshBuilder, ten_thousand_soups_of_triangles_are_built_or_refused) {
     EXPECT_GT(built, 500);
 }
 
-TEST(MeshBuilder, says_what_is_wrong) {
+TEST(MeshBuilder, errors_name_the_problem) {
     const std::vector<Vec3> vertices{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     EXPECT_NE(build_mesh(vertices, Triangles{{0, 1, 3}}).error().message.find("vertex 3"),
               std::string::npos);
@@ -89,7 +89,7 @@ TEST(MeshBuilder, says_what_is_wrong) {
 
 // Two triangles of one square whose corners are given twice: they are neighbours by place. A third
 // on the same edge makes it nobody's.
-TEST(MeshBuilder, vertices_at_one_place_are_one_when_neighbours_are_sought) {
+TEST(MeshBuilder, coincident_vertices_are_merged_for_adjacency) {
     std::vector<Vec3> vertices{{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {1, 0, 0}, {0, 0, 1}, {1, 0, 1}};
     const auto square = must(build_mesh(vertices, Triangles{{0, 1, 2}, {3, 4, 5}}));
     EXPECT_EQ(square->neighbours[0], (std::array<std::uint32_t, 3>{no_triangle, 1, no_triangle}));

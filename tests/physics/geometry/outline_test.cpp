@@ -25,7 +25,7 @@ double area_of(const Outline& outline) {
     return twice / 2;
 }
 
-TEST(Outline, of_a_turned_box_has_four_corners_and_its_area) {
+TEST(Outline, rotated_box_has_four_corners_and_the_projected_area) {
     const Geometry box = Box{{2, 1, 0.5}};
     const Outline outline = outline_of(
         transformed_shape(box, {{10, 5, 7}, from_axis_angle({0, 0, 1}, 0.5)}), {10, 5, 0});
@@ -38,7 +38,7 @@ TEST(Outline, of_a_turned_box_has_four_corners_and_its_area) {
     }
 }
 
-TEST(Outline, of_round_shapes_is_a_point_or_a_segment_with_a_radius) {
+TEST(Outline, round_shapes_are_a_point_or_a_segment_with_a_radius) {
     const Geometry disc = Sphere{0.3}, stadium = Capsule{0.2, 0.7};
     const Outline point = outline_of(transformed_shape(disc, {{1, 2, 0}, {}}), {});
     EXPECT_EQ(point.count, 1);
@@ -53,7 +53,7 @@ TEST(Outline, of_round_shapes_is_a_point_or_a_segment_with_a_radius) {
 
 // The shadow of an octahedron along z is the square of its four corners in the plane; both tips
 // fall into its middle.
-TEST(Outline, of_a_hull_is_its_shadow) {
+TEST(Outline, hull_outline_is_its_projection) {
     const Geometry octahedron =
         hull_of({{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}});
     const Outline outline = outline_of(transformed_shape(octahedron, {}), {});
@@ -62,7 +62,7 @@ TEST(Outline, of_a_hull_is_its_shadow) {
 }
 
 // Every vertex of a random hull is on the left of every side of its outline.
-TEST(Outline, of_a_hull_holds_all_its_vertices_and_turns_left) {
+TEST(Outline, hull_outline_contains_all_vertices_and_is_counter_clockwise) {
     Random random(41);
     for (int round = 0; round < 200; round++) {
         std::vector<Vec3> points;
@@ -78,7 +78,7 @@ TEST(Outline, of_a_hull_holds_all_its_vertices_and_turns_left) {
     }
 }
 
-TEST(Outline, slices_weigh_what_their_areas_say) {
+TEST(Outline, slice_masses_match_their_areas) {
     const MassProperties disc = planar_mass_of(Sphere{2}, 10);
     EXPECT_NEAR(disc.mass, 10 * pi * 4, 1e-9);
     EXPECT_NEAR(disc.inertia.z.z, disc.mass * 4 / 2, 1e-9);
@@ -95,7 +95,7 @@ TEST(Outline, slices_weigh_what_their_areas_say) {
 }
 
 // Against a sum over cells of a millimetre.
-TEST(Outline, a_slice_of_a_capsule_is_the_sum_of_its_cells) {
+TEST(Outline, slice_of_a_capsule_matches_a_sum_over_cells) {
     const Capsule capsule{0.2, 0.3};
     double mass = 0, second = 0;
     constexpr double cell = 1e-3;

@@ -14,7 +14,7 @@ namespace {
 using namespace physics;
 
 // A brick of 2 x 4 x 6 m in any pose has m / 12 (b^2 + c^2) about each of its own axes.
-TEST(PolyhedronMass, of_a_brick_in_any_pose) {
+TEST(PolyhedronMass, matches_a_box_in_any_pose) {
     Random random(51);
     for (int round = 0; round < 20; round++) {
         const Transform pose{random.vector(100), random.rotation()};
@@ -33,7 +33,7 @@ TEST(PolyhedronMass, of_a_brick_in_any_pose) {
 }
 
 // A pyramid of height 3 on a square of 2 m: a third of the prism, its centre a quarter up.
-TEST(PolyhedronMass, of_a_pyramid) {
+TEST(PolyhedronMass, matches_the_closed_form_of_a_pyramid) {
     const PolyhedronMass pyramid = polyhedron_mass(*must(
         build_hull(std::vector<Vec3>{{1, 0, 1}, {1, 0, -1}, {-1, 0, -1}, {-1, 0, 1}, {0, 3, 0}})));
     EXPECT_NEAR(pyramid.volume, 4, 1e-12);

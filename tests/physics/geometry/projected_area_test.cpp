@@ -13,7 +13,7 @@ namespace jostle::test {
 namespace {
 using namespace physics;
 
-TEST(ProjectedArea, of_a_box_along_an_axis_is_a_face) {
+TEST(ProjectedArea, box_along_an_axis_shows_one_face) {
     const Box box{{1, 2, 3}};
     EXPECT_NEAR(projected_area(box, {1, 0, 0}), 24, 1e-12);
     EXPECT_NEAR(projected_area(box, {0, -1, 0}), 12, 1e-12);
@@ -21,7 +21,7 @@ TEST(ProjectedArea, of_a_box_along_an_axis_is_a_face) {
     EXPECT_NEAR(projected_area(Box{}, normalized(Vec3{1, 1, -1})), square_root(3), 1e-12);
 }
 
-TEST(ProjectedArea, of_round_shapes_is_the_textbooks) {
+TEST(ProjectedArea, round_shapes_match_the_closed_form) {
     EXPECT_NEAR(projected_area(Sphere{2}, normalized(Vec3{1, 2, 3})), 4 * pi, 1e-12);
     EXPECT_NEAR(projected_area(Capsule{1, 3}, {1, 0, 0}), pi + 12, 1e-12);
     EXPECT_NEAR(projected_area(Cylinder{1, 3}, {0, 1, 0}), pi, 1e-12);
@@ -33,7 +33,7 @@ TEST(ProjectedArea, of_round_shapes_is_the_textbooks) {
 
 // A hull of the tip and 64 points of the base circle, whose area is sin(x)/x of the circle's, x = 2
 // pi / 64.
-TEST(ProjectedArea, of_a_cone_is_that_of_a_hull_of_its_points) {
+TEST(ProjectedArea, cone_matches_a_hull_of_its_points) {
     std::vector<Vec3> points{{0, 1.5, 0}};
     for (int k = 0; k < 64; k++) {
         const SinCos turn = sin_cos(2 * pi * k / 64);
@@ -46,7 +46,7 @@ TEST(ProjectedArea, of_a_cone_is_that_of_a_hull_of_its_points) {
     }
 }
 
-TEST(ProjectedArea, of_a_compound_is_the_sum_of_its_children) {
+TEST(ProjectedArea, compound_is_the_sum_of_its_children) {
     const Quat turn = from_axis_angle({0, 0, 1}, pi / 2);
     const Compound compound{must(build_compound(
         {{Sphere{1}, {.position = {5, 0, 0}}}, {Cylinder{1, 3}, {{0, 0, 0}, turn}}}))};

@@ -23,7 +23,7 @@ void expect_hit(const std::optional<ShapeRayHit>& hit, double fraction, Vec3 nor
     EXPECT_TRUE(near(hit->normal, normal, 1e-12));
 }
 
-TEST(Ray, meets_round_shapes_where_pythagoras_says) {
+TEST(Ray, hits_round_shapes_at_the_analytic_point) {
     // At a height of 0.6 a unit ball is 0.8 wide.
     expect_hit(from_left(Sphere{1}, 0.6), 2.2 / 4, {-0.8, 0.6, 0});
     expect_hit(from_left(Capsule{1, 2}, 2.6), 2.2 / 4, {-0.8, 0.6, 0});
@@ -33,7 +33,7 @@ TEST(Ray, meets_round_shapes_where_pythagoras_says) {
     EXPECT_FALSE(from_left(Sphere{1}, 0, -5.001)) << "ends a millimetre before it";
 }
 
-TEST(Ray, meets_flat_and_slanted_sides) {
+TEST(Ray, hits_flat_and_slanted_sides) {
     expect_hit(from_left(Box{{1, 2, 3}}, 1.9), 2.0 / 4, {-1, 0, 0});
     expect_hit(from_left(Cylinder{1, 2}, 1.9), 2.0 / 4, {-1, 0, 0});
     // A cone of radius 2 and height 4: half way up its radius is 1, its side leans by atan(1/2).
@@ -45,7 +45,7 @@ TEST(Ray, meets_flat_and_slanted_sides) {
     expect_hit(hit, 0.5 / 2, normalized(Vec3{-1, 1, 1}));
 }
 
-TEST(Ray, meets_flat_ends_from_above) {
+TEST(Ray, hits_flat_ends_from_above) {
     for (const Geometry& shape : {Geometry{Cylinder{1, 2}}, Geometry{Box{{1, 2, 1}}}})
         expect_hit(cast_ray(transformed_shape(shape, {}), {0.5, 6, 0.5}, {0, -8, 0}), 0.5,
                    {0, 1, 0});
@@ -53,7 +53,7 @@ TEST(Ray, meets_flat_ends_from_above) {
     expect_hit(cast_ray(transformed_shape(cone, {}), {0.5, -6, 0.5}, {0, 8, 0}), 0.5, {0, -1, 0});
 }
 
-TEST(Ray, from_inside_answers_at_once_against_its_motion) {
+TEST(Ray, from_inside_returns_fraction_zero_and_the_opposite_normal) {
     for (const Geometry& shape :
          {Geometry{Sphere{1}}, Geometry{Capsule{1, 1}}, Geometry{Box{{1, 1, 1}}},
           Geometry{Cylinder{1, 1}}, Geometry{Cone{1, 1}}, Geometry{Plane{}}}) {
@@ -63,7 +63,7 @@ TEST(Ray, from_inside_answers_at_once_against_its_motion) {
     }
 }
 
-TEST(Ray, a_triangle_is_met_from_both_sides) {
+TEST(Ray, hits_a_triangle_from_both_sides) {
     const Vec3 corner[3] = {{0, 0, 0}, {0, 0, 1}, {1, 0, 0}};
     const auto down = cast_at_triangle({0.25, 1, 0.25}, {0, -4, 0}, corner);
     const auto up = cast_at_triangle({0.25, -1, 0.25}, {0, 4, 0}, corner);
@@ -75,7 +75,7 @@ TEST(Ray, a_triangle_is_met_from_both_sides) {
 
 // From 1000 km away a ball of 1 m is met to a tenth of a millimetre: the root's discriminant is a
 // difference of squares of kilometres.
-TEST(Ray, from_afar_is_right_to_a_tenth_of_a_millimetre) {
+TEST(Ray, long_ray_is_accurate_to_0_1_mm) {
     const Geometry ball = Sphere{1};
     const auto hit = cast_ray(transformed_shape(ball, {}), {-1e6, 0.6, 0}, {2e6, 0, 0});
     ASSERT_TRUE(hit);
@@ -83,7 +83,7 @@ TEST(Ray, from_afar_is_right_to_a_tenth_of_a_millimetre) {
 }
 
 // Of a compound's two balls the nearer one, in the compound's own pose.
-TEST(Ray, meets_the_nearest_child_of_a_compound) {
+TEST(Ray, hits_the_nearest_child_of_a_compound) {
     const Geometry pair = Compound{must(build_compound(
         {{Sphere{0.5}, {.position = {0, 0, 2}}}, {Sphere{0.5}, {.position = {0, 0, -2}}}}))};
     // Turned so that its z axis points along x.

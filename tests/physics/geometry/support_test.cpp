@@ -16,7 +16,7 @@ Vec3 support_of(const Geometry& geometry, Vec3 direction) {
     return support(convex_of(transformed_shape(geometry, {}), {}), direction);
 }
 
-TEST(Support, of_plain_cores_along_plain_directions) {
+TEST(Support, matches_known_cores_along_axes) {
     EXPECT_EQ(support_of(Sphere{2}, {1, 2, 3}), Vec3{}) << "the radius is put on afterwards";
     EXPECT_EQ(support_of(Capsule{0.5, 3}, {9, -0.1, 0}), (Vec3{0, -3, 0}));
     EXPECT_EQ(support_of(Box{{1, 2, 3}}, {0.1, -5, 1}), (Vec3{1, -2, 3}));
@@ -26,7 +26,7 @@ TEST(Support, of_plain_cores_along_plain_directions) {
 
 // The side of a cone of radius 3 and height 4 has the slope 3/4: what looks up more steeply than
 // its normal (4, 3) sees the tip, all else the rim.
-TEST(Support, of_a_cone_is_its_tip_or_its_rim) {
+TEST(Support, cone_support_is_its_tip_or_rim) {
     const Geometry cone = Cone{3, 2};
     EXPECT_EQ(support_of(cone, {3.99, 3, 0}), (Vec3{0, 2, 0}));
     EXPECT_TRUE(near(support_of(cone, {4.01, 3, 0}), {3, -2, 0}, 1e-12));
@@ -34,13 +34,13 @@ TEST(Support, of_a_cone_is_its_tip_or_its_rim) {
 }
 
 // 0 and -0 are one direction: the sign of a zero must not decide which corner it is.
-TEST(Support, does_not_see_the_sign_of_a_zero) {
+TEST(Support, ignores_the_sign_of_zero) {
     const Geometry box = Box{{1, 2, 3}}, rod = Capsule{0.1, 1};
     EXPECT_EQ(support_of(box, {-0.0, -0.0, -0.0}), support_of(box, {0, 0, 0}));
     EXPECT_EQ(support_of(rod, {1, -0.0, 0}), support_of(rod, {1, 0, 0}));
 }
 
-TEST(Support, of_hulls_and_triangles_is_the_vertex_that_a_loop_finds) {
+TEST(Support, hulls_and_triangles_match_brute_force) {
     Random random(21);
     for (int round = 0; round < 300; round++) {
         const Geometry geometry = random_geometry(ShapeKind::hull, random);
@@ -61,7 +61,7 @@ TEST(Support, of_hulls_and_triangles_is_the_vertex_that_a_loop_finds) {
 }
 
 // Ten thousand kilometres from the origin doubles are 2 nm apart: differences are taken first.
-TEST(Support, is_seen_from_where_one_asks) {
+TEST(Support, is_relative_to_the_given_origin) {
     const Vec3 far{1e7, -1e7, 1e7};
     const Geometry box = Box{{0.1, 0.2, 0.3}};
     const Convex convex = convex_of(transformed_shape(box, {far + Vec3{1, 0, 0}, {}}), far);
@@ -69,7 +69,7 @@ TEST(Support, is_seen_from_where_one_asks) {
 }
 
 // From the middle the whole core lies within twice its size, and some of it on every side.
-TEST(Support, middle_is_inside_and_size_fits) {
+TEST(Support, middle_is_inside_and_size_is_an_upper_bound) {
     Random random(22);
     for (const ShapeKind kind : {ShapeKind::sphere, ShapeKind::capsule, ShapeKind::box,
                                  ShapeKind::cylinder, ShapeKind::cone, ShapeKind::hull})

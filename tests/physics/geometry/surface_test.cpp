@@ -12,7 +12,7 @@ namespace jostle::test {
 namespace {
 using namespace physics;
 
-TEST(Surface, mesh_knows_folds_whatever_the_winding) {
+TEST(Surface, mesh_folds_are_independent_of_winding) {
     // A roof: two slopes that meet at a ridge along x; the second wound the other way round.
     const std::vector<Vec3> vertices{{0, 1, 0}, {1, 1, 0}, {0, 0, 1}, {0, 0, -1}};
     for (const bool flipped : {false, true}) {
@@ -30,7 +30,7 @@ TEST(Surface, mesh_knows_folds_whatever_the_winding) {
     }
 }
 
-TEST(Surface, height_field_triangles_lie_where_the_header_says) {
+TEST(Surface, height_field_triangles_match_the_documented_layout) {
     HeightGrid grid{.columns = 4, .rows = 3, .spacing_x = 2, .spacing_z = 3, .heights = {}};
     for (int i = 0; i < 12; i++) grid.heights.push_back(i);
     const Geometry field = HeightField{must(build_height_field(grid))};

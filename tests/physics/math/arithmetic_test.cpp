@@ -13,7 +13,7 @@ namespace {
 using namespace physics;
 
 // (1 + 2^-23)^2 - (1 + 2^-22) is 2^-46, which is lost where the square is rounded first.
-TEST(Arithmetic, is_fused_where_the_last_digit_of_a_square_is_left) {
+TEST(Arithmetic, is_fused_if_the_residual_of_a_square_is_exact) {
     volatile float a = 1 + 0x1p-23f, c = -(1 + 0x1p-22f);
     const float left = fused_multiply_add(a, a, c);
     if (arithmetic() == Arithmetic::fused)

@@ -23,7 +23,7 @@ bool same(float a, float b) {
     return std::isnan(a) ? std::isnan(b) : std::memcmp(&a, &b, sizeof a) == 0;
 }
 
-TEST(Fused, two_million_floats_of_any_bits_round_once) {
+TEST(Fused, two_million_random_floats_round_once) {
     Random random(5);
     for (int k = 0; k < 2000000; k++) {
         const auto any = [&] {
@@ -38,7 +38,7 @@ TEST(Fused, two_million_floats_of_any_bits_round_once) {
 
 // Products of 25 digits lie half-way between two floats, and the addend is too small for a double
 // to see it: the double nearest to the sum is half-way, the sum itself is not.
-TEST(Fused, a_million_near_ties_round_to_the_right_side) {
+TEST(Fused, a_million_near_ties_round_correctly) {
     Random random(6);
     int rounded_twice = 0;
     for (int k = 0; k < 1000000; k++) {

@@ -15,7 +15,7 @@ namespace {
 namespace wide = physics::scalar_for_tests;
 using namespace physics;
 
-TEST(WideTurn, rotation_vectors_up_to_three_turns_are_those_of_doubles) {
+TEST(WideTurn, rotation_vectors_up_to_three_turns_match_double_precision) {
     Random random(8);
     for (int k = 0; k < 100000; k++) {
         const Vec3 r = random.direction() * (random.in(0, 1) * random.in(0, 1) * 6 * pi);
@@ -33,7 +33,7 @@ TEST(WideTurn, rotation_vectors_up_to_three_turns_are_those_of_doubles) {
     }
 }
 
-TEST(WideTurn, angles_of_any_point_are_right_to_four_ten_millionths) {
+TEST(WideTurn, angles_are_accurate_to_4e_7) {
     Random random(9);
     for (int k = 0; k < 100000; k++) {
         const float y = static_cast<float>(random.in(-1, 1)),

@@ -50,7 +50,7 @@ float multiply_add(float a, float b, float c) {
     return physics::arithmetic() == physics::Arithmetic::fused ? std::fma(a, b, c) : a * b + c;
 }
 
-TEST(Wide, every_lane_is_a_float_of_its_own) {
+TEST(Wide, lanes_are_independent) {
     Random random(201);
     for (int round = 0; round < 1000; round++) {
         const Wide a = random_wide(random), b = random_wide(random), c = random_wide(random);
@@ -68,7 +68,7 @@ TEST(Wide, every_lane_is_a_float_of_its_own) {
 
 // Of two zeros and with what is no number the second one is taken, as x86 does: minps and its like
 // on other machines disagree.
-TEST(Wide, min_and_max_of_zeros_and_of_no_numbers_take_the_second) {
+TEST(Wide, min_and_max_of_signed_zeros_and_nan_return_the_second_operand) {
     const float none = std::numeric_limits<float>::quiet_NaN();
     for (const auto& [x, y] : {std::pair{0.0f, -0.0f}, {-0.0f, 0.0f}, {none, 1.0f}, {1.0f, none}}) {
         expect_lanes(min(splat(x), splat(y)), floats_of(splat(y)));
@@ -77,7 +77,7 @@ TEST(Wide, min_and_max_of_zeros_and_of_no_numbers_take_the_second) {
 }
 
 // Eight rows of eight floats come back as they were; in between float k of all is in register k.
-TEST(Wide, rows_are_turned_on_their_side_and_back) {
+TEST(Wide, transposes_rows_and_back) {
     Floats rows[8], back[8];
     const float* from[8];
     float* to[8];
@@ -95,7 +95,7 @@ TEST(Wide, rows_are_turned_on_their_side_and_back) {
         for (int k = 0; k < 8; k++) EXPECT_EQ(back[row].at[k], rows[row].at[k]);
 }
 
-TEST(Wide, products_of_vectors_are_square_to_both) {
+TEST(Wide, cross_products_are_perpendicular_to_both_vectors) {
     Random random(202);
     const auto vector = [&] {
         return Wide3{random_wide(random), random_wide(random), random_wide(random)};

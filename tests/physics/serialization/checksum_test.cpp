@@ -18,14 +18,14 @@ std::vector<std::byte> counting(std::size_t size) {
     return bytes;
 }
 
-TEST(Checksum, of_given_bytes_is_a_given_number) {
+TEST(Checksum, matches_reference_values) {
     EXPECT_EQ(checksum_of_version(16, counting(77)), 9387607372426538556u);
     EXPECT_EQ(checksum_of_version(17, counting(77)), 752059171743658286u);
     EXPECT_EQ(checksum_of_version(17, counting(64)), 701218710009930888u);
     EXPECT_EQ(checksum_of_version(17, {}), 393797542852586972u);
 }
 
-TEST(Checksum, sees_each_bit_each_end_and_words_that_changed_places) {
+TEST(Checksum, detects_each_bit_flip_truncation_and_swapped_words) {
     for (const std::size_t size : {1u, 8u, 31u, 32u, 64u, 77u}) {
         const std::vector<std::byte> bytes = counting(size);
         const std::uint64_t sum = checksum(bytes);

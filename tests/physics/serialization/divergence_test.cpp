@@ -31,7 +31,7 @@ BodyId some_ball(const World& world) {
     return {};
 }
 
-TEST(FirstDifference, there_is_none_after_the_same_calls) {
+TEST(FirstDifference, is_empty_after_identical_calls) {
     for (const TestScene& scene : test_scenes()) {
         World a = scene.make(1), b = scene.make(1);
         for (int step = 0; step < 150; step++) {
@@ -43,7 +43,7 @@ TEST(FirstDifference, there_is_none_after_the_same_calls) {
     }
 }
 
-TEST(FirstDifference, names_the_velocity_and_both_values) {
+TEST(FirstDifference, reports_the_velocity_field_and_both_values) {
     EXPECT_THAT(
         difference_after([](World& w) {
             const BodyState s = state_of(w, some_ball(w));
@@ -56,7 +56,7 @@ TEST(FirstDifference, names_the_velocity_and_both_values) {
                 AllOf(HasSubstr("torque.y"), HasSubstr("0 against 7")));
 }
 
-TEST(FirstDifference, names_user_data_counts_and_gravity) {
+TEST(FirstDifference, reports_user_data_counts_and_gravity) {
     World a = make_world(), b = make_world({.gravity = {0, -9, 0}});
     EXPECT_THAT(first_difference(a, b).value_or(""),
                 AllOf(HasSubstr("gravity.y"), HasSubstr("-9.81"), HasSubstr("against -9")));
@@ -70,7 +70,7 @@ TEST(FirstDifference, names_user_data_counts_and_gravity) {
     EXPECT_TRUE(first_difference(d, c).has_value());
 }
 
-TEST(FirstDifference, sees_the_last_bit) {
+TEST(FirstDifference, detects_the_last_bit) {
     World a = make_world(), b = make_world();
     add(a, {.position = {1, 0, 0}});
     add(b, {.position = {1 + 0x1p-52, 0, 0}});

@@ -49,14 +49,14 @@ void expect_refused(const Bytes& bytes, const char* word) {
     EXPECT_THAT(world.error().message, HasSubstr(word));
 }
 
-TEST(HostileBytes, restamped_bytes_of_a_good_world_load) {
+TEST(HostileBytes, valid_world_with_recomputed_checksum_loads) {
     Bytes bytes = sample();
     restamp(bytes);
     EXPECT_EQ(bytes, sample());  // or the forgeries below would test the checksum alone
     EXPECT_TRUE(load(bytes).ok());
 }
 
-TEST(HostileBytes, every_truncation_is_refused) {
+TEST(HostileBytes, every_truncation_is_rejected) {
     for (std::size_t size = 0; size < sample().size(); size += size < 64 ? 1 : 97) {
         const Bytes cut(sample().begin(), sample().begin() + static_cast<std::ptrdiff_t>(size));
         const auto world = load(cut);
@@ -66,7 +66,7 @@ TEST(HostileBytes, every_truncation_is_refused) {
     }
 }
 
-TEST(HostileBytes, forged_truncations_name_the_field_that_is_missing) {
+TEST(HostileBytes, forged_truncation_error_names_the_missing_field) {
     for (std::size_t size = header_bytes; size < sample().size(); size += 211) {
         Bytes cut(sample().begin(), sample().begin() + static_cast<std::ptrdiff_t>(size));
         restamp(cut);
@@ -78,7 +78,7 @@ TEST(HostileBytes, forged_truncations_name_the_field_that_is_missing) {
     expect_refused(longer, "left after the last field");
 }
 
-TEST(HostileBytes, header_says_what_is_wrong_with_it) {
+TEST(HostileBytes, header_errors_name_the_problem) {
     expect_refused({}, "header");
     Bytes bytes = sample();
     bytes[0] ^= std::byte{1};
@@ -95,7 +95,7 @@ TEST(HostileBytes, header_says_what_is_wrong_with_it) {
 }
 
 // A joint's numbers and vectors are within the ranges that create_joint() holds them to.
-TEST(HostileBytes, joints_out_of_their_range_are_refused_by_name) {
+TEST(HostileBytes, rejects_out_of_range_joints_by_field_name) {
     World world = make_world();
     const BodyId floor = add_floor(world), box = add(world, {.position = {0, 3, 0}});
     must(world.create_joint(
@@ -130,7 +130,7 @@ std::size_t after(const Bytes& bytes, std::uint64_t word) {
 }
 
 // A forged tolerance, as wide as it likes or negative, is refused by name.
-TEST(HostileBytes, tolerances_out_of_their_range_are_refused) {
+TEST(HostileBytes, rejects_out_of_range_tolerances) {
     constexpr double tolerance = 0.0123456789;
     const Bytes bytes = save(make_world({.tolerance = tolerance}));
     std::uint64_t bits = 0;
@@ -146,7 +146,7 @@ TEST(HostileBytes, tolerances_out_of_their_range_are_refused) {
 
 // How joints are solved stands behind hit_speed and behind a joint's user data: worlds of version
 // 13 lack it and are read, and a number that is no solver is refused by name.
-TEST(HostileBytes, joint_solvers_are_read_or_refused_and_older_worlds_have_none) {
+TEST(HostileBytes, joint_solvers_are_validated_and_absent_in_older_worlds) {
     constexpr double speed = 321.4375;
     constexpr std::uint64_t data = 0x123456789abcdef1;
     World world = make_world({.hit_speed = speed, .joint_solver = JointSolver::iterative});
@@ -187,7 +187,7 @@ TEST(HostileBytes, joint_solvers_are_read_or_refused_and_older_worlds_have_none)
     EXPECT_NE(state_hash(loaded), state_hash(silent));
 }
 
-TEST(HostileBytes, strain_is_read_or_refused) {
+TEST(HostileBytes, overload_level_is_validated) {
     constexpr std::int64_t budget = 0x76543210;
     World world = make_world({.step_budget = budget});
     add(world, {.position = {0, 3, 0}});
@@ -204,7 +204,7 @@ TEST(HostileBytes, strain_is_read_or_refused) {
     }
 }
 
-TEST(HostileBytes, every_flipped_bit_is_noticed) {
+TEST(HostileBytes, every_flipped_bit_is_detected) {
     Random random(1);
     for (int i = 0; i < 1000; i++) {
         Bytes bytes = sample();
@@ -215,7 +215,7 @@ TEST(HostileBytes, every_flipped_bit_is_noticed) {
 
 // With a right checksum, what is inside must stand on its own: either it is refused, or it is a
 // world that runs.
-TEST(HostileBytes, forged_fields_are_refused_or_harmless) {
+TEST(HostileBytes, forged_fields_are_rejected_or_harmless) {
     Random random(2);
     int accepted = 0, refused = 0;
     for (int i = 0; i < 3000; i++) {
@@ -260,7 +260,7 @@ TEST(HostileBytes, forged_fields_are_refused_or_harmless) {
     EXPECT_GT(refused, 500);
 }
 
-TEST(HostileBytes, noise_is_refused) {
+TEST(HostileBytes, random_bytes_are_rejected) {
     Random random(3);
     for (int i = 0; i < 500; i++) {
         Bytes bytes(random.below(400));

@@ -54,7 +54,7 @@ Pusher& pusher_of(World& world) {
 
 const bool registered = register_module("pusher", [] { return std::make_unique<Pusher>(); }).ok();
 
-TEST(ModuleState, a_loaded_world_goes_on_with_the_same_bits) {
+TEST(ModuleState, loaded_world_continues_bit_identically) {
     ASSERT_TRUE(registered);
     World world = pushed_world();
     run(world, 0.5);
@@ -68,7 +68,7 @@ TEST(ModuleState, a_loaded_world_goes_on_with_the_same_bits) {
     EXPECT_EQ(pusher_of(loaded).mood, Mood::angry);
 }
 
-TEST(ModuleState, is_in_the_hash_and_in_the_first_difference) {
+TEST(ModuleState, is_part_of_the_hash_and_of_first_difference) {
     World a = pushed_world(), b = pushed_world();
     ASSERT_EQ(state_hash(a), state_hash(b));
     pusher_of(b).push = 2;
@@ -79,7 +79,7 @@ TEST(ModuleState, is_in_the_hash_and_in_the_first_difference) {
     EXPECT_NE(state_hash(a), with);
 }
 
-TEST(ModuleState, goes_back_with_a_restore_point) {
+TEST(ModuleState, is_restored_by_a_restore_point) {
     World world = pushed_world();
     run(world, 0.2);
     RestorePoint point;
@@ -104,7 +104,7 @@ TEST(ModuleState, goes_back_with_a_restore_point) {
     EXPECT_TRUE(world.modules().empty());
 }
 
-TEST(ModuleState, is_in_the_bytes_of_a_restore_point_as_in_those_of_its_world) {
+TEST(ModuleState, restore_point_saves_the_same_bytes_as_its_world) {
     World world = pushed_world();
     run(world, 0.2);
     RestorePoint point;
@@ -123,7 +123,7 @@ struct Unknown : Module {
     void visit(StateVisitor&) override {}
 };
 
-TEST(ModuleState, an_unknown_module_in_a_saved_world_is_a_named_error) {
+TEST(ModuleState, unknown_module_error_names_the_tag) {
     World world;
     must(world.add_module(std::make_unique<Unknown>()));
     const auto loaded = load(save(world));
@@ -136,7 +136,7 @@ TEST(ModuleState, an_unknown_module_in_a_saved_world_is_a_named_error) {
     EXPECT_THAT(point.restore(other).error().message, HasSubstr("unheard_of"));
 }
 
-TEST(ModuleState, foreign_bytes_of_a_module_are_checked) {
+TEST(ModuleState, untrusted_module_bytes_are_validated) {
     Pusher pusher;
     const std::vector<std::byte> good = save_module(pusher);
     Pusher read;

@@ -9,7 +9,7 @@ namespace jostle::test {
 namespace {
 using physics::Path;
 
-TEST(Path, names_are_joined_by_points_and_indices_stand_in_brackets) {
+TEST(Path, joins_names_with_dots_and_puts_indices_in_brackets) {
     Path path;
     path.enter("bodies");
     path.enter("awake");
@@ -22,7 +22,7 @@ TEST(Path, names_are_joined_by_points_and_indices_stand_in_brackets) {
     EXPECT_EQ(path.text("size"), "bodies.awake.size");
 }
 
-TEST(Path, at_the_top_a_field_is_its_name) {
+TEST(Path, top_level_field_is_its_name) {
     EXPECT_EQ(Path().text("steps"), "steps");
 }
 

@@ -55,7 +55,7 @@ class Rollback : public testing::TestWithParam<TestScene> {};
 
 // From three moments, 90 steps there, back, there again and back again. Within them a body is
 // created (120), one is destroyed (200) and many are pushed (300).
-TEST_P(Rollback, takes_the_same_way_again) {
+TEST_P(Rollback, replays_the_same_trajectory) {
     World world = GetParam().make(1);
     RestorePoint point;
     for (int step = 0; step < 420; step++) {
@@ -78,7 +78,7 @@ TEST_P(Rollback, takes_the_same_way_again) {
 }
 
 // Each step is played wrongly first: a body too many, one too few, a push, another step length.
-TEST_P(Rollback, forgets_what_turned_out_wrong) {
+TEST_P(Rollback, discards_mispredicted_steps) {
     World straight = GetParam().make(1), world = GetParam().make(1);
     RestorePoint point;
     for (int step = 0; step < 150; step++) {
@@ -97,7 +97,7 @@ TEST_P(Rollback, forgets_what_turned_out_wrong) {
     }
 }
 
-TEST_P(Rollback, works_at_any_number_of_threads) {
+TEST_P(Rollback, is_independent_of_the_thread_count) {
     World world = GetParam().make(2), other = GetParam().make(4);
     run(world, 1);
     const RestorePoint point = kept(world);
@@ -108,7 +108,7 @@ TEST_P(Rollback, works_at_any_number_of_threads) {
 }
 
 // What a server does for a checkpoint: the world goes on while another thread makes bytes of it.
-TEST_P(Rollback, is_saved_by_another_thread_while_the_world_goes_on) {
+TEST_P(Rollback, can_be_saved_by_another_thread_while_the_world_steps) {
     World world = GetParam().make(1);
     run(world, 1);
     const std::vector<std::byte> expected = save(world);
@@ -142,7 +142,7 @@ World dropped_stack(BroadPhase kind) {
     return world;
 }
 
-TEST_P(RollbackBroadPhase, finds_the_same_pairs_and_rays_again) {
+TEST_P(RollbackBroadPhase, finds_the_same_pairs_and_ray_hits_after_restore) {
     World world = dropped_stack(GetParam());
     run(world, 0.5);
     const RestorePoint point = kept(world);
@@ -157,7 +157,7 @@ TEST_P(RollbackBroadPhase, finds_the_same_pairs_and_rays_again) {
 }
 
 // The moment brings its broad phase with it.
-TEST_P(RollbackBroadPhase, restores_into_a_world_with_another) {
+TEST_P(RollbackBroadPhase, restores_into_a_world_with_another_broad_phase) {
     World world = dropped_stack(GetParam()), other = make_world();
     run(world, 0.5);
     must(kept(world).restore(other));
@@ -170,7 +170,7 @@ INSTANTIATE_TEST_SUITE_P(kinds, RollbackBroadPhase,
                          testing::Values(BroadPhase::dynamic_tree, BroadPhase::sort_and_sweep,
                                          BroadPhase::uniform_grid));
 
-TEST(RestorePointDetails, an_empty_point_is_refused_and_changes_nothing) {
+TEST(RestorePointDetails, empty_point_is_rejected_and_changes_nothing) {
     World world = pyramid_scene();
     run(world, 0.5);
     const std::uint64_t before = state_hash(world);
@@ -185,7 +185,7 @@ TEST(RestorePointDetails, an_empty_point_is_refused_and_changes_nothing) {
     EXPECT_FALSE(taken.empty());
 }
 
-TEST(RestorePointDetails, ids_of_the_future_name_nothing_and_those_of_the_past_do_again) {
+TEST(RestorePointDetails, restore_invalidates_newer_ids_and_revives_older_ids) {
     World world = make_world();
     const BodyId old = add(world, {});
     const RestorePoint point = kept(world);
@@ -199,7 +199,7 @@ TEST(RestorePointDetails, ids_of_the_future_name_nothing_and_those_of_the_past_d
     EXPECT_EQ(add(world, {}), second);  // the lowest free id: `first` took the place of `old`
 }
 
-TEST(RestorePointDetails, sleepers_sleep_again) {
+TEST(RestorePointDetails, sleeping_bodies_sleep_after_restore) {
     World world = make_world();
     add_floor(world);
     for (int i = 0; i < 4; i++) add(world, {.position = {0, 0.5 + i, 0}});
@@ -218,7 +218,7 @@ TEST(RestorePointDetails, sleepers_sleep_again) {
     EXPECT_EQ(shoot(), first);
 }
 
-TEST(RestorePointDetails, no_events_of_the_future_and_those_of_the_past_again) {
+TEST(RestorePointDetails, events_are_replayed_after_restore) {
     World world = make_world();
     add_floor(world);
     const BodyId lower = add(world, {.position = {0, 0.5, 0}});
@@ -258,14 +258,14 @@ TEST(RestorePointDetails, geometry_is_shared_not_copied) {
     EXPECT_EQ(world.bodies().size(), 50u);
 }
 
-TEST(RestorePointDetails, the_number_of_threads_is_the_worlds_own) {
+TEST(RestorePointDetails, restore_keeps_the_thread_count) {
     World one = pyramid_scene(1), four = pyramid_scene(4);
     must(kept(one).restore(four));
     EXPECT_EQ(state_of(four).def.threads, 4);
     EXPECT_EQ(state_of(four).thread_pool->size(), 4);
 }
 
-TEST(RestorePointDetails, gravity_and_substeps_come_back_with_the_moment) {
+TEST(RestorePointDetails, restores_gravity_and_substeps) {
     const World source = make_world({.gravity = {1, 2, 3}, .substeps = 5});
     World world = make_world();
     must(kept(source).restore(world));

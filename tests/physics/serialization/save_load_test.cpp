@@ -16,7 +16,7 @@ World again(const World& world) {
 class SaveLoad : public testing::TestWithParam<TestScene> {};
 
 // Saved at many moments of a run, each copy is run to the end beside the original.
-TEST_P(SaveLoad, continues_with_the_same_bits) {
+TEST_P(SaveLoad, continues_bit_identically) {
     World original = GetParam().make(1);
     std::vector<World> copies;
     for (int step = 0; step < 600; step++) {
@@ -35,7 +35,7 @@ TEST_P(SaveLoad, continues_with_the_same_bits) {
     }
 }
 
-TEST_P(SaveLoad, saving_changes_nothing_and_repeats) {
+TEST_P(SaveLoad, saving_is_const_and_repeatable) {
     World world = GetParam().make(1);
     run(world, 1.3);
     const std::uint64_t before = state_hash(world);
@@ -45,7 +45,7 @@ TEST_P(SaveLoad, saving_changes_nothing_and_repeats) {
     EXPECT_EQ(state_hash(again(world)), before);
 }
 
-TEST_P(SaveLoad, a_copy_loaded_every_step_keeps_up) {
+TEST_P(SaveLoad, copy_loaded_every_step_stays_identical) {
     World original = GetParam().make(1), copy = GetParam().make(1);
     for (int step = 0; step < 150; step++) {
         copy = again(copy);
@@ -59,7 +59,7 @@ TEST_P(SaveLoad, a_copy_loaded_every_step_keeps_up) {
 INSTANTIATE_TEST_SUITE_P(scenes, SaveLoad, testing::ValuesIn(test_scenes()),
                          [](const auto& scene) { return scene.param.name; });
 
-TEST(SaveLoadStates, in_the_middle_of_an_impact) {
+TEST(SaveLoadStates, round_trips_during_an_impact) {
     World world = make_world();
     add_floor(world, 0.5, 0.6);
     add(world, {.position = {0, 2, 0}, .rotation = Random(1).rotation(), .restitution = 0.6});
@@ -70,7 +70,7 @@ TEST(SaveLoadStates, in_the_middle_of_an_impact) {
     EXPECT_EQ(state_hash(world), state_hash(copy)) << first_difference(world, copy).value_or("");
 }
 
-TEST(SaveLoadStates, while_frozen_bodies_thaw) {
+TEST(SaveLoadStates, round_trips_while_bodies_wake) {
     World original = guarded_scene(), copy = guarded_scene();
     int thawed = 0;
     for (int step = 0; step < 330; step++) {
@@ -86,7 +86,7 @@ TEST(SaveLoadStates, while_frozen_bodies_thaw) {
     EXPECT_GT(thawed, 200);
 }
 
-TEST(SaveLoadStates, asleep_and_then_woken) {
+TEST(SaveLoadStates, round_trips_asleep_and_wakes_identically) {
     World world = make_world();
     add_floor(world);
     for (int i = 0; i < 4; i++) add(world, {.position = {0, 0.5 + i, 0}});
@@ -112,7 +112,7 @@ TEST(SaveLoadStates, pending_forces_are_saved) {
     EXPECT_EQ(state_hash(world), state_hash(copy));
 }
 
-TEST(SaveLoadStates, ids_and_user_data_survive) {
+TEST(SaveLoadStates, ids_and_user_data_are_saved) {
     World world = make_world();
     const BodyId gone = add(world, {});
     const BodyId kept = must(world.create_body({.user_data = 0xfeedfacecafef00dull}, ShapeDef{}));
@@ -123,7 +123,7 @@ TEST(SaveLoadStates, ids_and_user_data_survive) {
     EXPECT_EQ(add(copy, {}), add(world, {}));  // the next id is the same, too
 }
 
-TEST(SaveLoadStates, queries_answer_the_same) {
+TEST(SaveLoadStates, queries_return_the_same_results) {
     World world = pile_scene();
     run(world, 3);
     const World copy = again(world);
@@ -138,7 +138,7 @@ TEST(SaveLoadStates, queries_answer_the_same) {
     }
 }
 
-TEST(SaveLoadStates, an_empty_world) {
+TEST(SaveLoadStates, round_trips_an_empty_world) {
     World world = make_world({.gravity = {1, 2, 3}, .substeps = 5});
     const World copy = again(world);
     EXPECT_EQ(copy.gravity(), (Vec3{1, 2, 3}));

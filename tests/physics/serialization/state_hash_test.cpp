@@ -21,7 +21,7 @@ World scene(int threads = 1, BroadPhase broad_phase = BroadPhase::dynamic_tree) 
     return world;
 }
 
-TEST(StateHash, is_the_same_for_the_same_calls_whatever_the_machine_does) {
+TEST(StateHash, is_identical_for_identical_calls) {
     const std::uint64_t hash = state_hash(scene());
     EXPECT_EQ(state_hash(scene()), hash);
     EXPECT_EQ(state_hash(scene(2)), hash) << "threads are no part of the state";
@@ -32,7 +32,7 @@ TEST(StateHash, is_the_same_for_the_same_calls_whatever_the_machine_does) {
 }
 
 // The last bit of one number in each kind of store.
-TEST(StateHash, sees_the_last_bit_of_every_store) {
+TEST(StateHash, detects_the_last_bit_of_every_store) {
     std::set<std::uint64_t> hashes{state_hash(scene())};
     const auto changed = [&](auto&& change) {
         World world = scene();

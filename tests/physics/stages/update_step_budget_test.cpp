@@ -40,7 +40,7 @@ std::int64_t work_of_a_second(World world) {
     return work;
 }
 
-TEST(StepBudget, a_world_without_one_is_never_strained) {
+TEST(StepBudget, world_without_a_budget_is_never_overloaded) {
     World world = make_tumbling_world(0);
     for (int k = 0; k < 60; k++) {
         step(world);
@@ -50,7 +50,7 @@ TEST(StepBudget, a_world_without_one_is_never_strained) {
     }
 }
 
-TEST(StepBudget, one_that_is_never_reached_changes_no_bit_of_the_motion) {
+TEST(StepBudget, unreached_budget_does_not_change_the_motion) {
     World world = make_tumbling_world(4294967295), free = make_tumbling_world(0);
     step(world, 120);
     step(free, 120);
@@ -59,7 +59,7 @@ TEST(StepBudget, one_that_is_never_reached_changes_no_bit_of_the_motion) {
     EXPECT_EQ(world.summary().angular_momentum, free.summary().angular_momentum);
 }
 
-TEST(StepBudget, an_overloaded_world_gives_up_one_level_a_step_and_works_less) {
+TEST(StepBudget, overload_level_rises_by_one_per_step_and_reduces_work) {
     World world = make_tumbling_world(1);
     int before = 0;
     for (const int level : {1, 2, 3, 3, 3}) {
@@ -73,7 +73,7 @@ TEST(StepBudget, an_overloaded_world_gives_up_one_level_a_step_and_works_less) {
     EXPECT_LT(static_cast<double>(strained), 0.8 * static_cast<double>(all));
 }
 
-TEST(StepBudget, has_the_same_bits_at_one_and_at_three_threads) {
+TEST(StepBudget, is_bit_identical_for_one_and_three_threads) {
     World one = make_tumbling_world(2000, 1), three = make_tumbling_world(2000, 3);
     for (int k = 0; k < 90; k++) {
         step(one);
@@ -84,7 +84,7 @@ TEST(StepBudget, has_the_same_bits_at_one_and_at_three_threads) {
     EXPECT_GT(one.overload_level(), 0);
 }
 
-TEST(StepBudget, a_world_saved_or_kept_under_strain_goes_on_as_if_it_had_not_been) {
+TEST(StepBudget, overloaded_world_continues_identically_after_save_or_restore) {
     World world = make_tumbling_world(1);
     step(world, 2);
     ASSERT_EQ(world.overload_level(), 2);
@@ -107,7 +107,7 @@ TEST(StepBudget, a_world_saved_or_kept_under_strain_goes_on_as_if_it_had_not_bee
     }
 }
 
-TEST(StepBudget, at_the_highest_strain_nothing_passes_a_plate_at_100_metres_a_second) {
+TEST(StepBudget, no_body_tunnels_through_a_plate_at_100_m_s_at_the_highest_overload_level) {
     World world = make_world({.step_budget = 1, .sleeping = false});
     add_static(world, {.geometry = Box{{20, 0.01, 20}}});
     // Each in its own time, from 1 m upwards, and some in a column that hits what lies there.
@@ -123,7 +123,7 @@ TEST(StepBudget, at_the_highest_strain_nothing_passes_a_plate_at_100_metres_a_se
     for (const BodyId ball : balls) EXPECT_GT(position_of(world, ball).y, 0.05);
 }
 
-TEST(StepBudget, what_was_given_up_comes_back_level_by_level_when_the_load_is_gone) {
+TEST(StepBudget, overload_level_falls_one_by_one_once_the_load_is_gone) {
     World world = make_world({.step_budget = 100, .sleeping = false});
     add_floor(world);
     const BodyId box = add(world, {.position = {50, 0.5, 0}});
@@ -143,7 +143,7 @@ TEST(StepBudget, what_was_given_up_comes_back_level_by_level_when_the_load_is_go
     EXPECT_NEAR(position_of(world, box).y, 0.5, 1e-4);
 }
 
-TEST(StepBudget, loads_and_heights_stay_when_substeps_change_their_length) {
+TEST(StepBudget, loads_and_heights_are_unchanged_by_substep_length) {
     World world = make_world({.step_budget = 1000, .sleeping = false});
     add_floor(world);
     must(world.create_body({.pose = {{0, 0.5, 0}, {}}}, {.geometry = Box{}, .report_stays = true}));
@@ -176,7 +176,7 @@ TEST(StepBudget, loads_and_heights_stay_when_substeps_change_their_length) {
     EXPECT_EQ(world.overload_level(), 2);
 }
 
-TEST(StepBudget, what_fell_asleep_under_strain_bears_its_load_when_it_wakes_without) {
+TEST(StepBudget, body_that_fell_asleep_overloaded_carries_its_load_after_waking) {
     World world = make_world({.step_budget = 10});
     add_floor(world);
     BodyId top;
@@ -195,7 +195,7 @@ TEST(StepBudget, what_fell_asleep_under_strain_bears_its_load_when_it_wakes_with
     }
 }
 
-TEST(StepBudget, a_pyramid_of_fifteen_rows_stands_at_the_highest_strain) {
+TEST(StepBudget, pyramid_of_fifteen_rows_stands_at_the_highest_overload_level) {
     World world = make_world({.step_budget = 1, .sleeping = false});
     add_floor(world);
     BodyId top;
@@ -208,7 +208,7 @@ TEST(StepBudget, a_pyramid_of_fifteen_rows_stands_at_the_highest_strain) {
     EXPECT_LT(length(velocity_of(world, top)), 0.01);
 }
 
-TEST(StepBudget, a_tower_and_a_load_on_light_boxes_keep_their_substeps_and_stand) {
+TEST(StepBudget, tower_and_heavy_load_keep_their_substeps_and_stand) {
     World world = make_world({.step_budget = 1, .sleeping = false});
     add_floor(world);
     BodyId top;

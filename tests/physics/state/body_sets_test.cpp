@@ -14,7 +14,7 @@ namespace jostle::test {
 namespace {
 using namespace physics;
 
-TEST(BodySets, the_last_body_moves_into_the_hole) {
+TEST(BodySets, last_body_fills_the_hole) {
     World world = make_world();
     std::vector<BodyId> bodies;
     for (int k = 0; k < 4; k++) bodies.push_back(add(world, {.position = {3.0 * k, 0, 0}}));
@@ -36,7 +36,7 @@ TEST(BodySets, the_last_body_moves_into_the_hole) {
 }
 
 // Lanes name bodies by their places in the awake set, plus one.
-TEST(BodySets, lanes_of_who_moves_are_told) {
+TEST(BodySets, moving_a_body_updates_its_lanes) {
     World world = make_world({.sleeping = false});
     add_floor(world);
     std::vector<BodyId> boxes;
@@ -55,7 +55,7 @@ TEST(BodySets, lanes_of_who_moves_are_told) {
     EXPECT_EQ(find_fault(state), std::nullopt);
 }
 
-TEST(BodySets, what_never_moves_has_a_set_of_its_own) {
+TEST(BodySets, static_bodies_have_their_own_set) {
     World world = make_world();
     const BodyId wall = add_static(world, {.position = {1, 0, 0}});
     const BodyId box = add(world, {.position = {5, 0, 0}});

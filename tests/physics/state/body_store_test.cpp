@@ -42,7 +42,7 @@ TEST(BodyStore, inverts_mass_and_inertia) {
 
 // Turned by 45 degrees about x, y and z of the world lie half way between its own: both diagonal
 // elements are the mean of 1/4 and 1/8, and they couple by half the difference.
-TEST(BodyStore, inertia_turns_with_the_body) {
+TEST(BodyStore, inertia_rotates_with_the_body) {
     const Mat3 inverse = world_inverse_inertia(turned(eighth_about_x), uneven_body());
     EXPECT_TRUE(near(inverse.x, {0.5, 0, 0}, 1e-12));
     EXPECT_TRUE(near(inverse.y, {0, 0.1875, 0.0625}, 1e-12));
@@ -51,7 +51,7 @@ TEST(BodyStore, inertia_turns_with_the_body) {
 
 // With turns about y alone it answers by the inertia about y, (4 + 8) / 2, not by a part of the
 // full inverse: a door does not turn about anything but its hinge.
-TEST(BodyStore, locked_turns_leave_the_inverse_of_what_is_left) {
+TEST(BodyStore, locked_rotations_invert_the_remaining_inertia) {
     BodyCold cold = uneven_body();
     cold.locks = lock_rotation_x | lock_rotation_z;
     const Mat3 inverse = world_inverse_inertia(turned(eighth_about_x), cold);
@@ -64,7 +64,7 @@ TEST(BodyStore, locked_turns_leave_the_inverse_of_what_is_left) {
     EXPECT_EQ(free_directions(cold), (Vec3{1, 1, 1}));
 }
 
-TEST(BodyStore, the_origin_is_not_the_centre_of_mass) {
+TEST(BodyStore, body_origin_differs_from_the_center_of_mass) {
     BodyCold cold;
     cold.local_center = {0, 1, 0};
     BodyWarm warm = turned(from_axis_angle({0, 0, 1}, pi / 2));  // its y axis points along -x

@@ -15,7 +15,7 @@ std::uint32_t known_below_ten(BodyId body) {
     return body.index < 10 ? body.index + 100 : 0;
 }
 
-TEST(ChannelWriter, numbers_are_clamped_to_their_steps) {
+TEST(ChannelWriter, numbers_are_quantized_and_clamped) {
     ChannelWriter told(known_below_ten);
     ASSERT_TRUE(told.begin(0, {2, 1}));
     told.value(-5);
@@ -33,7 +33,7 @@ TEST(ChannelWriter, numbers_are_clamped_to_their_steps) {
     EXPECT_EQ(told.channels()[0].values, expected);
 }
 
-TEST(ChannelWriter, what_is_not_due_and_what_clients_do_not_know_is_left_out) {
+TEST(ChannelWriter, skips_channels_that_are_not_due_and_unknown_bodies) {
     ChannelWriter told(known_below_ten, {true, false});
     EXPECT_FALSE(told.begin(1));
     told.value(1);
@@ -46,7 +46,7 @@ TEST(ChannelWriter, what_is_not_due_and_what_clients_do_not_know_is_left_out) {
     EXPECT_EQ(told.channels()[0].values, std::vector<std::int32_t>{3});
 }
 
-TEST(ChannelWriter, points_and_fields_carry_their_units) {
+TEST(ChannelWriter, points_and_fields_include_their_units) {
     ChannelWriter told(known_below_ten);
     told.begin(0);
     const Vec3 points[] = {{1, -0.5, 0.001}, {1e30, -1e30, 0}};

@@ -9,7 +9,7 @@ namespace jostle::test {
 namespace {
 using namespace physics;
 
-TEST(Combine, of_four_tenths_and_nine_tenths) {
+TEST(Combine, combines_0_4_and_0_9_by_each_rule) {
     const auto both = [](Combine rule) { return combine(0.4, rule, 0.9, rule); };
     EXPECT_NEAR(both(Combine::average), 0.65, 1e-15);
     EXPECT_NEAR(both(Combine::geometric_mean), 0.6, 1e-15);
@@ -18,7 +18,7 @@ TEST(Combine, of_four_tenths_and_nine_tenths) {
     EXPECT_EQ(both(Combine::maximum), 0.9);
 }
 
-TEST(Combine, the_rule_further_down_the_list_wins_from_either_side) {
+TEST(Combine, higher_priority_rule_wins_in_either_order) {
     constexpr Combine rules[] = {Combine::average, Combine::geometric_mean, Combine::minimum,
                                  Combine::multiply, Combine::maximum};
     for (const Combine weak : rules)
@@ -30,7 +30,7 @@ TEST(Combine, the_rule_further_down_the_list_wins_from_either_side) {
 }
 
 // Ice under a crate: the geometric mean; a ball that bounces on clay: the higher of the two.
-TEST(Combine, materials_that_say_nothing_take_mean_friction_and_the_higher_restitution) {
+TEST(Combine, default_is_geometric_mean_friction_and_maximum_restitution) {
     const Material ice{.friction = 0.01, .restitution = 0}, ball{.friction = 1, .restitution = 0.8};
     EXPECT_NEAR(pair_friction(ice, ball), 0.1, 1e-15);
     EXPECT_EQ(pair_restitution(ice, ball), 0.8);

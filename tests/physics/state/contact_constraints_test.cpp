@@ -8,7 +8,7 @@
 namespace jostle::physics {
 namespace {
 
-TEST(Lanes, are_sorted_by_their_bodies_with_all_that_is_in_them) {
+TEST(Lanes, are_sorted_by_body_with_all_their_data) {
     WorldState world;
     GraphColour colour;
     constexpr int lanes = 100;

@@ -39,7 +39,7 @@ struct Balls {
     std::string fault() const { return find_fault(state).value_or(""); }
 };
 
-TEST(ContactGraph, a_new_contact_stands_in_both_bodies_lists_and_is_due) {
+TEST(ContactGraph, new_contact_is_in_both_body_lists_and_due) {
     Balls balls;
     const std::uint32_t a = balls.ball(0), b = balls.ball(10), c = balls.ball(20);
     const std::uint32_t ab = balls.create(a, b), bc = balls.create(b, c);
@@ -52,7 +52,7 @@ TEST(ContactGraph, a_new_contact_stands_in_both_bodies_lists_and_is_due) {
     EXPECT_EQ(balls.fault(), "");
 }
 
-TEST(ContactGraph, side_a_is_dynamic_whatever_was_named_first) {
+TEST(ContactGraph, side_a_is_dynamic_in_either_order) {
     Balls balls;
     const std::uint32_t wall = add_static(balls.world, {.position = {5, 0, 0}}).index;
     const std::uint32_t ball = balls.ball(0);
@@ -62,7 +62,7 @@ TEST(ContactGraph, side_a_is_dynamic_whatever_was_named_first) {
     EXPECT_EQ(balls.fault(), "");
 }
 
-TEST(ContactGraph, a_destroyed_contact_leaves_nothing_behind) {
+TEST(ContactGraph, destroyed_contact_is_fully_removed) {
     Balls balls;
     const std::uint32_t a = balls.ball(0), b = balls.ball(10), c = balls.ball(20);
     const std::uint32_t ab = balls.create(a, b), bc = balls.create(b, c), ac = balls.create(a, c);
@@ -79,7 +79,7 @@ TEST(ContactGraph, a_destroyed_contact_leaves_nothing_behind) {
     EXPECT_EQ(balls.fault(), "");
 }
 
-TEST(ContactGraph, a_touch_joins_islands_and_its_end_marks_them) {
+TEST(ContactGraph, touch_merges_islands_and_its_end_marks_them_for_splitting) {
     Balls balls;
     const std::uint32_t a = balls.ball(0), b = balls.ball(10);
     const std::uint32_t contact = balls.create(a, b);
@@ -96,7 +96,7 @@ TEST(ContactGraph, a_touch_joins_islands_and_its_end_marks_them) {
     EXPECT_EQ(balls.fault(), "");
 }
 
-TEST(ContactGraph, the_end_of_a_touch_that_is_destroyed_is_reported_with_both_ids) {
+TEST(ContactGraph, destroying_a_touching_contact_reports_an_end_with_both_ids) {
     Balls balls;
     const std::uint32_t a = balls.ball(0), b = balls.ball(10);
     const std::uint32_t contact = balls.create(a, b);
@@ -109,7 +109,7 @@ TEST(ContactGraph, the_end_of_a_touch_that_is_destroyed_is_reported_with_both_id
 }
 
 // A hundred times its mass is where a body takes more sub-steps than others.
-TEST(ContactGraph, bodies_of_very_different_mass_make_an_island_uneven) {
+TEST(ContactGraph, large_mass_ratio_marks_the_island_uneven) {
     for (const double density : {99000.0, 101000.0}) {
         Balls balls;
         const std::uint32_t a = balls.ball(0), b = balls.ball(10, density);
@@ -118,7 +118,7 @@ TEST(ContactGraph, bodies_of_very_different_mass_make_an_island_uneven) {
     }
 }
 
-TEST(ContactGraph, what_sleeps_in_place_and_loses_a_touch_is_to_wake) {
+TEST(ContactGraph, partially_sleeping_body_that_loses_a_touch_is_woken) {
     Balls balls;
     const std::uint32_t a = balls.ball(0), b = balls.ball(10);
     const std::uint32_t contact = balls.create(a, b);
@@ -141,7 +141,7 @@ struct Parts : Balls {
     }
 };
 
-TEST(ContactGraph, parts_keep_the_order_in_which_they_came) {
+TEST(ContactGraph, children_keep_their_creation_order) {
     Parts scene;
     ASSERT_TRUE(scene.contact(scene.pair).composite);
     const std::uint32_t first = create_child_contact(scene.state, scene.pair, 5);
@@ -158,7 +158,7 @@ TEST(ContactGraph, parts_keep_the_order_in_which_they_came) {
     EXPECT_EQ(scene.state.contacts.ids.alive_count(), 0u);
 }
 
-TEST(ContactGraph, a_pair_ends_to_touch_once_when_its_last_part_does) {
+TEST(ContactGraph, composite_pair_ends_once_with_its_last_child) {
     Parts scene;
     const std::uint32_t first = create_child_contact(scene.state, scene.pair, 1);
     const std::uint32_t second = create_child_contact(scene.state, scene.pair, 2);
@@ -179,7 +179,7 @@ TEST(ContactGraph, a_pair_ends_to_touch_once_when_its_last_part_does) {
 
 // The floor bore 1 + 3 balls; when three quarters of the mass are gone the impulses that it starts
 // the next step with are to be a quarter.
-TEST(ContactGraph, an_island_notes_what_load_it_lost) {
+TEST(ContactGraph, island_records_its_lost_load) {
     World world = make_world({.sleeping = false});
     add_floor(world);
     const BodyId lower = add(world, {.position = {0, 0.5, 0}});

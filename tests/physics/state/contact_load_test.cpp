@@ -23,7 +23,7 @@ Vec3 load_on(const World& world, BodyId body) {
 }
 
 // A tonne presses the floor, side b, with 9810 N, whatever the length of a sub-step.
-TEST(ContactLoad, of_a_resting_box_is_its_weight) {
+TEST(ContactLoad, resting_box_load_is_its_weight) {
     for (const int substeps : {4, 8, 16}) {
         World world = make_world({.substeps = substeps, .sleeping = false});
         add_floor(world);
@@ -34,7 +34,7 @@ TEST(ContactLoad, of_a_resting_box_is_its_weight) {
 }
 
 // On a slope of 0.3 friction is a part of it: the sum is still the weight.
-TEST(ContactLoad, on_a_slope_holds_friction_too) {
+TEST(ContactLoad, includes_friction_on_a_slope) {
     const Vec3 gravity = leaning_gravity(0.3, 0.5);
     World world = make_world({.gravity = gravity, .sleeping = false});
     add_floor(world, 0.9);
@@ -44,7 +44,7 @@ TEST(ContactLoad, on_a_slope_holds_friction_too) {
     EXPECT_TRUE(near(load_on(world, box), gravity * 200, 10));
 }
 
-TEST(ContactLoad, saved_it_is_the_mass_that_was_borne) {
+TEST(ContactLoad, saved_load_is_the_supported_mass) {
     World world = make_world({.sleeping = false});
     add_floor(world);
     const BodyId box = add(world, {.position = {0, 0.5, 0}});

@@ -9,7 +9,7 @@ namespace jostle::test {
 namespace {
 using namespace physics;
 
-TEST(EventStore, a_step_begins_with_what_happened_since_the_last) {
+TEST(EventStore, step_starts_with_pending_events) {
     EventStore events;
     events.woke.push_back({1, 1});
     events.hits.emplace_back();
@@ -27,7 +27,7 @@ TEST(EventStore, a_step_begins_with_what_happened_since_the_last) {
     EXPECT_TRUE(events.empty());
 }
 
-TEST(EventStore, clearing_what_was_published_keeps_what_is_pending) {
+TEST(EventStore, clearing_published_events_keeps_pending_events) {
     EventStore events;
     events.quarantined.push_back({1, 1});
     events.pending.woke.push_back({2, 1});

@@ -47,7 +47,7 @@ struct Stack {
     std::string fault() const { return find_fault(state).value_or(""); }
 };
 
-TEST(IslandSleep, takes_bodies_and_manifolds_and_gives_back_the_same) {
+TEST(IslandSleep, round_trips_bodies_and_manifolds) {
     Stack stack(3);
     WorldState& state = stack.state;
     const auto before = manifolds_of(state);
@@ -83,7 +83,7 @@ TEST(IslandSleep, takes_bodies_and_manifolds_and_gives_back_the_same) {
 }
 
 // Sixteen or more wake asleep in place: who disturbs them wakes what that stirs.
-TEST(IslandSleep, of_sixteen_bodies_wakes_asleep_in_place) {
+TEST(IslandSleep, sixteen_bodies_wake_into_partial_sleep) {
     for (const int boxes : {15, 16}) {
         Stack stack(boxes);
         put_island_to_sleep(stack.state, stack.island, stack.ended);
@@ -99,7 +99,7 @@ TEST(IslandSleep, of_sixteen_bodies_wakes_asleep_in_place) {
 }
 
 // What a kinematic body leads by a joint must not stay behind.
-TEST(IslandSleep, what_is_tied_to_a_kinematic_body_wakes) {
+TEST(IslandSleep, body_jointed_to_a_kinematic_body_wakes) {
     Stack stack(20);
     const BodyId crane = add(stack.world, {.position = {0, 25, 0}, .type = BodyType::kinematic});
     must(stack.world.create_joint({.body_a = crane, .body_b = stack.boxes[19]}));
@@ -113,7 +113,7 @@ TEST(IslandSleep, what_is_tied_to_a_kinematic_body_wakes) {
 
 // Two stacks a centimetre apart have manifolds between them and do not touch. When one sleeps and
 // the other does not the pair waits; when both do it is dormant.
-TEST(IslandSleep, manifolds_with_what_is_awake_end_and_wait) {
+TEST(IslandSleep, manifolds_with_awake_bodies_end_and_become_dormant) {
     World world = make_world();
     add_floor(world);
     const BodyId left = add_stack(world, 1, 0)[0], right = add_stack(world, 1, 1.01)[0];

@@ -59,7 +59,7 @@ struct StackAndNeighbour {
     }
 };
 
-TEST(IslandTiers, manifolds_tie_islands_that_do_not_touch) {
+TEST(IslandTiers, manifolds_couple_islands_that_do_not_touch) {
     const StackAndNeighbour near(0.01), far(1);
     ASSERT_NE(near.island, near.other);
     EXPECT_EQ(coupled_islands(near.state, near.island),
@@ -69,7 +69,7 @@ TEST(IslandTiers, manifolds_tie_islands_that_do_not_touch) {
 
 // A row of stacks, some of which are near enough to the next for a manifold: looked for all at once
 // each island has the same company as when it is looked for alone.
-TEST(IslandTiers, ties_of_all_are_those_of_each) {
+TEST(IslandTiers, couplings_of_all_islands_match_those_of_each) {
     World world = make_world({.sleeping = false});
     add_floor(world);
     double x = 0;
@@ -93,7 +93,7 @@ TEST(IslandTiers, ties_of_all_are_those_of_each) {
 }
 
 // From 4 or 8 sub-steps to 16: each bears its part of the same 29430 N.
-TEST(IslandTiers, impulses_follow_the_length_of_a_substep) {
+TEST(IslandTiers, impulses_scale_with_the_substep_length) {
     StackAndNeighbour stack(1);
     const ColourSetKey before = stack.state.islands.islands[stack.island].colour_set;
     const int substeps = substeps_of(before.tier, stack.state.def);
@@ -110,7 +110,7 @@ TEST(IslandTiers, impulses_follow_the_length_of_a_substep) {
     EXPECT_EQ(find_fault(stack.state), std::nullopt);
 }
 
-TEST(IslandTiers, a_lost_load_is_not_pushed_up) {
+TEST(IslandTiers, removing_a_load_does_not_throw_bodies_up) {
     StackAndNeighbour stack(1);
     const double stack_bears = stack.impulse(stack.lowest), alone = stack.impulse(stack.beside);
     scale_warm_start(stack.state, stack.state.islands.islands[stack.island], 0.25f);
@@ -120,7 +120,7 @@ TEST(IslandTiers, a_lost_load_is_not_pushed_up) {
 
 // Of two that will be one the greater tier counts; of two that ask for much the same the larger
 // island's.
-TEST(IslandTiers, the_lesser_takes_the_set_of_the_greater) {
+TEST(IslandTiers, lower_tier_joins_the_set_of_the_higher_tier) {
     StackAndNeighbour stack(1);
     move_to_set(stack.state, std::array{stack.island}, low);
     move_to_set(stack.state, std::array{stack.other}, tall);
@@ -138,7 +138,7 @@ TEST(IslandTiers, the_lesser_takes_the_set_of_the_greater) {
 
 // A ball that left a tall heap was content with less at the last look: it does not make the next
 // heap tall.
-TEST(IslandTiers, what_is_calm_asks_for_no_more_than_slender) {
+TEST(IslandTiers, calm_island_requires_at_most_slender) {
     StackAndNeighbour stack(1);
     move_to_set(stack.state, std::array{stack.island}, low);
     move_to_set(stack.state, std::array{stack.other}, tall);

@@ -42,7 +42,7 @@ struct Row {
     std::string fault() const { return find_fault(state).value_or(""); }
 };
 
-TEST(Islands, the_smaller_joins_the_larger_and_of_equals_the_higher_the_lower) {
+TEST(Islands, smaller_island_merges_into_larger_and_ties_go_to_the_lower_index) {
     Row row(4);
     join_islands(row.state, 3, 1);
     EXPECT_EQ(row.bodies_of(1), (Bodies{1, 3}));
@@ -57,7 +57,7 @@ TEST(Islands, the_smaller_joins_the_larger_and_of_equals_the_higher_the_lower) {
     EXPECT_EQ(row.fault(), "");
 }
 
-TEST(Islands, what_is_joined_has_the_marks_of_both) {
+TEST(Islands, merged_island_has_the_flags_of_both) {
     Row row(2);
     row.island(0).split_at = 70;
     row.island(0).remaining_load = 0.5;
@@ -70,7 +70,7 @@ TEST(Islands, what_is_joined_has_the_marks_of_both) {
     EXPECT_EQ(row.island(0).remaining_load, 0.5);
 }
 
-TEST(Islands, a_body_leaves_from_anywhere_and_the_last_frees_the_island) {
+TEST(Islands, bodies_can_be_removed_in_any_order_and_the_last_frees_the_island) {
     Row row(3);
     join_islands(row.state, 0, 1);
     join_islands(row.state, 0, 2);
@@ -89,7 +89,7 @@ TEST(Islands, a_body_leaves_from_anywhere_and_the_last_frees_the_island) {
 }
 
 // Five boxes in touch one after the other; the touch in the middle ends.
-TEST(Islands, are_cut_where_nothing_touches_any_more) {
+TEST(Islands, are_split_where_contacts_ended) {
     Row row(5);
     std::vector<std::uint32_t> contacts;
     for (std::uint32_t k = 0; k + 1 < 5; k++) contacts.push_back(row.touch(k, k + 1));
@@ -109,7 +109,7 @@ TEST(Islands, are_cut_where_nothing_touches_any_more) {
     EXPECT_EQ(row.fault(), "");
 }
 
-TEST(Islands, joints_hold_together_what_does_not_touch) {
+TEST(Islands, joints_keep_islands_together_without_contacts) {
     Row row(3);
     const auto joint = must(
         row.world.create_joint({.body_a = body_id(row.state, 0), .body_b = body_id(row.state, 2)}));

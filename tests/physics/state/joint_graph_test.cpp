@@ -40,7 +40,7 @@ struct TiedRow {
 };
 using Bodies = std::vector<std::uint32_t>;
 
-TEST(JointGraph, a_chain_is_found_from_any_of_its_links_in_order) {
+TEST(JointGraph, chain_is_found_from_any_link_in_order) {
     TiedRow row(5);
     row.tie(row.boxes[3], row.boxes[2]);
     row.tie(row.boxes[1], row.boxes[2]);
@@ -52,7 +52,7 @@ TEST(JointGraph, a_chain_is_found_from_any_of_its_links_in_order) {
 }
 
 // Two pendulums on one wall do not hang together; two carts behind one engine are led by it.
-TEST(JointGraph, walls_part_and_kinematic_bodies_lead) {
+TEST(JointGraph, static_bodies_separate_groups_and_kinematic_bodies_are_reported) {
     TiedRow row(2);
     const BodyId wall = add_static(row.world, {.position = {0, 5, 0}});
     row.tie(wall, row.boxes[0]);
@@ -67,7 +67,7 @@ TEST(JointGraph, walls_part_and_kinematic_bodies_lead) {
     EXPECT_EQ(row.fault(), "");
 }
 
-TEST(JointGraph, groups_are_visited_once_each) {
+TEST(JointGraph, each_group_is_visited_once) {
     TiedRow row(6);
     row.tie(row.boxes[0], row.boxes[4]);
     row.tie(row.boxes[2], row.boxes[3]);
@@ -78,7 +78,7 @@ TEST(JointGraph, groups_are_visited_once_each) {
     EXPECT_EQ(groups, (std::vector<Bodies>{{0, 4}, {1}, {2, 3}, {5}}));
 }
 
-TEST(JointGraph, joined_bodies_meet_only_if_a_joint_says_so) {
+TEST(JointGraph, jointed_bodies_collide_only_if_enabled) {
     TiedRow row(3);
     row.tie(row.boxes[0], row.boxes[1]);
     row.tie(row.boxes[1], row.boxes[2], true);
@@ -88,7 +88,7 @@ TEST(JointGraph, joined_bodies_meet_only_if_a_joint_says_so) {
     EXPECT_FALSE(joined_without_contact(row.state, 0, 2)) << "not tied to each other";
 }
 
-TEST(JointGraph, a_destroyed_joint_leaves_the_lists_and_lets_the_shapes_meet) {
+TEST(JointGraph, destroyed_joint_is_unlisted_and_re_enables_collision) {
     TiedRow row(3);
     const JointId first = row.tie(row.boxes[0], row.boxes[1]);
     row.tie(row.boxes[1], row.boxes[2]);
@@ -106,7 +106,7 @@ TEST(JointGraph, a_destroyed_joint_leaves_the_lists_and_lets_the_shapes_meet) {
     EXPECT_EQ(row.fault(), "");
 }
 
-TEST(JointGraph, a_body_lists_its_joints_and_a_visit_may_destroy_one) {
+TEST(JointGraph, joints_can_be_destroyed_during_iteration) {
     TiedRow row(4);
     for (const std::size_t k : {1u, 2u, 3u}) row.tie(row.boxes[0], row.boxes[k]);
     Bodies met;

@@ -20,7 +20,7 @@ struct Kite : Module {
     void visit(StateVisitor&) override {}
 };
 
-TEST(ModuleRegistry, makes_what_was_registered) {
+TEST(ModuleRegistry, creates_registered_modules) {
     must(register_module("kite", [] { return std::make_unique<Kite>(); }));
     EXPECT_EQ(must(make_module("kite"))->tag(), "kite");
     EXPECT_THAT(module_tags(), Contains("kite"));
@@ -31,7 +31,7 @@ TEST(ModuleRegistry, makes_what_was_registered) {
     EXPECT_THAT(make_module("sail").error().message, HasSubstr("makes \"kite\""));
 }
 
-TEST(ModuleRegistry, a_module_takes_no_settings_unless_it_says_so) {
+TEST(ModuleRegistry, rejects_settings_by_default) {
     World world;
     Kite kite;
     EXPECT_TRUE(kite.configure(world, {}).ok());

@@ -9,7 +9,7 @@ namespace jostle::test {
 namespace {
 using namespace physics;
 
-TEST(PairSize, is_that_of_the_smaller_dynamic_body) {
+TEST(PairSize, is_the_size_of_the_smaller_dynamic_body) {
     const BodyCold large{.radius = 3}, small{.radius = 0.01},
         ground{.type = BodyType::static_body, .radius = 0.001},
         platform{.type = BodyType::kinematic, .radius = 0.002};
@@ -19,7 +19,7 @@ TEST(PairSize, is_that_of_the_smaller_dynamic_body) {
     EXPECT_EQ(size_of_pair(small, platform), 0.01);
 }
 
-TEST(PairSize, scale_of_a_contact_is_that_of_its_size) {
+TEST(PairSize, scale_of_a_contact_follows_its_size) {
     BodyStore bodies;
     bodies.cold.push_back({.radius = 0.5});
     bodies.cold.push_back({.radius = 0.005});

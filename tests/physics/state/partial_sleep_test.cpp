@@ -49,7 +49,7 @@ struct HeavyStack {
     std::string fault() const { return find_fault(state).value_or(""); }
 };
 
-TEST(PartialSleep, contacts_between_sleepers_leave_the_solver) {
+TEST(PartialSleep, contacts_between_sleeping_bodies_leave_the_solver) {
     HeavyStack stack;
     warm_of(stack.state, stack.boxes[0]).v = {0.01, 0, 0};
     sleep_in_place(stack.state, std::vector{stack.boxes[0], stack.boxes[1], stack.boxes[2]});
@@ -63,7 +63,7 @@ TEST(PartialSleep, contacts_between_sleepers_leave_the_solver) {
 }
 
 // For its neighbour that moves it is as good as static: half the mobility at their contact is gone.
-TEST(PartialSleep, a_sleeper_is_as_heavy_as_a_wall) {
+TEST(PartialSleep, sleeping_body_acts_as_static) {
     HeavyStack stack;
     const std::uint32_t between = stack.below(3);
     const float both = stack.inverse_mass(between);
@@ -75,14 +75,14 @@ TEST(PartialSleep, a_sleeper_is_as_heavy_as_a_wall) {
 }
 
 // What it bore is kept, to compare with: four boxes on the lowest.
-TEST(PartialSleep, keeps_the_forces_at_its_contacts) {
+TEST(PartialSleep, saves_the_forces_at_contacts) {
     HeavyStack stack;
     sleep_in_place(stack.state, std::vector{stack.boxes[0]});
     EXPECT_NEAR(supported_mass(stack.state, stack.contact(stack.below(1))), 4000, 40);
     EXPECT_NEAR(supported_mass(stack.state, stack.contact(stack.below(0))), 5000, 50);
 }
 
-TEST(PartialSleep, waking_alone_keeps_the_time_at_rest) {
+TEST(PartialSleep, waking_one_body_keeps_its_rest_time) {
     HeavyStack stack;
     sleep_in_place(stack.state, stack.boxes);
     warm_of(stack.state, stack.boxes[4]).sleep_time = 9;
@@ -96,7 +96,7 @@ TEST(PartialSleep, waking_alone_keeps_the_time_at_rest) {
     EXPECT_EQ(stack.fault(), "");
 }
 
-TEST(PartialSleep, what_joints_tie_together_wakes_as_one) {
+TEST(PartialSleep, jointed_bodies_wake_together) {
     HeavyStack stack;
     must(stack.world.create_joint({.body_a = body_id(stack.state, stack.boxes[1]),
                                    .body_b = body_id(stack.state, stack.boxes[3])}));
@@ -112,7 +112,7 @@ TEST(PartialSleep, what_joints_tie_together_wakes_as_one) {
 }
 
 // Half a second of rest is what it takes; 8 steps before that it goes on counting.
-TEST(PartialSleep, who_wakes_briefly_may_soon_sleep_again) {
+TEST(PartialSleep, briefly_woken_body_sleeps_again_soon) {
     HeavyStack stack;
     sleep_in_place(stack.state, stack.boxes);
     for (const std::uint32_t box : stack.boxes) warm_of(stack.state, box).sleep_time = 9;
@@ -123,7 +123,7 @@ TEST(PartialSleep, who_wakes_briefly_may_soon_sleep_again) {
 
 // An impact that stirs two and a half tonnes wakes the box that was hit and its neighbours on both
 // sides, no more.
-TEST(PartialSleep, as_much_wakes_around_as_is_stirred) {
+TEST(PartialSleep, wakes_the_requested_mass_around_the_body) {
     HeavyStack stack;
     sleep_in_place(stack.state, stack.boxes);
     for (const std::uint32_t box : stack.boxes) warm_of(stack.state, box).sleep_time = 9;

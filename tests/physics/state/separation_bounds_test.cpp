@@ -19,7 +19,7 @@ using namespace physics;
 // Centres 5 m apart along (3, 4, 0), bodies that have turned by 0.1 and 0.2 m so far.
 const MotionBound turned_a{.travel = 1, .turned = 0.1}, turned_b{.travel = 2, .turned = 0.2};
 
-TEST(SeparationBound, by_length_counts_from_where_the_centres_were) {
+TEST(SeparationBound, undirected_bound_measures_from_the_initial_centres) {
     SeparationBound bound;
     set_separation_bound(bound, {3, 4, 0}, {}, 0.5, turned_a, turned_b);
     EXPECT_FALSE(bound.directed);
@@ -28,7 +28,7 @@ TEST(SeparationBound, by_length_counts_from_where_the_centres_were) {
 }
 
 // Along a direction what is left is budget + direction . apart - turned: the slack, at first.
-TEST(SeparationBound, along_a_direction_counts_from_the_distance_along_it) {
+TEST(SeparationBound, directed_bound_measures_along_its_direction) {
     SeparationBound bound;
     set_separation_bound(bound, {3, 4, 0}, {0, 1, 0}, 0.5, turned_a, turned_b);
     EXPECT_TRUE(bound.directed);
@@ -53,7 +53,7 @@ struct TwoBalls {
     }
 };
 
-TEST(SeparationBound, of_a_pair_holds_until_both_have_moved_by_its_slack) {
+TEST(SeparationBound, holds_until_both_bodies_use_up_the_slack) {
     TwoBalls balls;
     add_separation_bound(balls.state, balls.contact, 0.75);
     ASSERT_EQ(balls.state.contacts.bounds.size(), 1u);
@@ -66,7 +66,7 @@ TEST(SeparationBound, of_a_pair_holds_until_both_have_moved_by_its_slack) {
 
 // Within a kilometre floats know a place to 0.06 mm; what is further apart, or due at once, is not
 // measured.
-TEST(SeparationBound, is_not_measured_beyond_a_kilometre_nor_when_it_is_due) {
+TEST(SeparationBound, is_not_measured_beyond_1_km_or_when_due) {
     for (const auto& [apart, slack, measured] :
          {std::tuple{999.0, 1.0, true}, {1001.0, 1.0, false}, {10.0, -1.0, false}}) {
         TwoBalls balls(apart);
@@ -78,7 +78,7 @@ TEST(SeparationBound, is_not_measured_beyond_a_kilometre_nor_when_it_is_due) {
 
 // 10 m apart with a slack of 0.75 m. Along the line from one to the other the distance counts, at
 // the beginning and the end of the step; a turn counts whichever way it goes.
-TEST(SeparationBound, shows_who_stayed_apart_in_a_step) {
+TEST(SeparationBound, reports_pairs_that_stayed_separated_during_a_step) {
     for (const bool directed : {true, false}) {
         TwoBalls balls;
         add_separation_bound(balls.state, balls.contact, 0.75, directed ? Vec3{1, 0, 0} : Vec3{});
@@ -98,7 +98,7 @@ TEST(SeparationBound, shows_who_stayed_apart_in_a_step) {
     }
 }
 
-TEST(SeparationBound, of_a_dormant_pair_goes_on_where_it_was) {
+TEST(SeparationBound, dormant_pair_resumes_its_bound) {
     TwoBalls balls;
     add_separation_bound(balls.state, balls.contact, 0.75);
     Contact& contact = balls.state.contacts.contacts[balls.contact];
@@ -154,14 +154,14 @@ struct InFlight {
 };
 
 // A metre apart, 6 m/s: 0.1 m a step. Along x it is asked for in the step that may use the rest.
-TEST(SeparationBound, of_a_pair_that_closes_is_due_when_the_slack_is_gone) {
+TEST(SeparationBound, closing_pair_is_due_once_the_slack_is_used) {
     InFlight balls(1, {6, 0, 0}, {});
     balls.wait(1, {1, 0, 0});
     EXPECT_EQ(balls.steps_until_due(), 9);
 }
 
 // Both fly at 50 m/s, and nothing changes between them.
-TEST(SeparationBound, of_a_pair_that_flies_along_is_never_due) {
+TEST(SeparationBound, pair_with_equal_velocities_is_never_due) {
     InFlight balls(1, {50, 20, 0}, {50, 20, 0});
     balls.wait(1, {1, 0, 0});
     EXPECT_EQ(balls.steps_until_due(), 1000);
@@ -171,7 +171,7 @@ TEST(SeparationBound, of_a_pair_that_flies_along_is_never_due) {
 
 // One passes the other at a distance: along the direction in which they are apart nothing closes,
 // by the length of the motion it does.
-TEST(SeparationBound, along_a_direction_sees_what_passes_by) {
+TEST(SeparationBound, directed_bound_accepts_passing_bodies) {
     InFlight balls(1, {0, 6, 0}, {});
     balls.wait(1, {1, 0, 0});
     EXPECT_EQ(balls.steps_until_due(), 1000);
@@ -181,7 +181,7 @@ TEST(SeparationBound, along_a_direction_sees_what_passes_by) {
 }
 
 // What was never looked at waits by the balls around both bodies, without a look.
-TEST(SeparationBound, of_a_new_pair_is_found_by_spheres) {
+TEST(SeparationBound, new_pair_starts_with_a_bounding_sphere_distance) {
     InFlight far(1, {6, 0, 0}, {}), near(0.05, {6, 0, 0}, {});
     EXPECT_FALSE(is_due(far.state, far.bound(), dt));
     EXPECT_TRUE(far.bound().directed);
@@ -190,7 +190,7 @@ TEST(SeparationBound, of_a_new_pair_is_found_by_spheres) {
 }
 
 // A turn moves the surface: both balls spin, and the slack is used up without any motion.
-TEST(SeparationBound, turning_counts) {
+TEST(SeparationBound, includes_rotation) {
     InFlight balls(1, {}, {});
     balls.wait(0.05, {1, 0, 0});
     EXPECT_FALSE(is_due(balls.state, balls.bound(), dt));

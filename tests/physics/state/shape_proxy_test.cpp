@@ -38,7 +38,7 @@ struct Ball {
 };
 
 // 4 cm on each side, and three steps of 0.1 m ahead.
-TEST(ShapeProxy, fat_box_looks_three_steps_ahead) {
+TEST(ShapeProxy, fat_box_extends_three_steps_ahead) {
     Ball ball(6);
     enlarge_aabb(ball.state, ball.shape, ball.warm(), dt);
     EXPECT_TRUE(near(ball.record().fat.low, {-0.54, -0.54, -0.54}, 1e-12));
@@ -46,7 +46,7 @@ TEST(ShapeProxy, fat_box_looks_three_steps_ahead) {
 }
 
 // No further than two radii, but a step whatever it is: 1 m at 30 m/s, 2 m at 120.
-TEST(ShapeProxy, fat_box_of_a_fast_ball_is_two_radii_longer_or_one_step) {
+TEST(ShapeProxy, fat_box_of_a_fast_ball_extends_two_radii_or_one_step) {
     for (const auto& [speed, ahead] : {std::pair{30.0, 1.0}, {120.0, 2.0}}) {
         Ball ball(speed);
         enlarge_aabb(ball.state, ball.shape, ball.warm(), dt);
@@ -56,7 +56,7 @@ TEST(ShapeProxy, fat_box_of_a_fast_ball_is_two_radii_longer_or_one_step) {
 
 // What remains of the 4 cm when a centimetre is kept for manifolds that begin before they meet:
 // 3 cm now, and less by what the next step takes.
-TEST(ShapeProxy, margin_is_what_is_left_now_and_after_a_step) {
+TEST(ShapeProxy, margin_is_reported_now_and_after_a_step) {
     Ball ball(0);
     enlarge_aabb(ball.state, ball.shape, ball.warm(), dt);
     ball.warm().v = {0, -1.5, 0};  // 2.5 cm a step
@@ -69,7 +69,7 @@ TEST(ShapeProxy, margin_is_what_is_left_now_and_after_a_step) {
 }
 
 // Of a ball of 1 mm a fiftieth: its neighbours are near.
-TEST(ShapeProxy, fat_box_of_what_is_small_is_in_proportion) {
+TEST(ShapeProxy, fat_box_of_a_small_shape_is_proportional) {
     World world = make_world();
     WorldState& state = state_of(world);
     const std::uint32_t body = add(world, {.geometry = Sphere{0.001}}).index;
@@ -77,7 +77,7 @@ TEST(ShapeProxy, fat_box_of_what_is_small_is_in_proportion) {
     EXPECT_TRUE(near(state.shapes.shapes[0].fat.high, {0.0018, 0.0018, 0.0018}, 1e-12));
 }
 
-TEST(ShapeProxy, an_enlarged_proxy_is_found_where_it_is_and_asks_for_pairs_once) {
+TEST(ShapeProxy, enlarged_proxy_is_found_and_queued_once) {
     Ball ball(0);
     must(ball.world.step(dt));
     ASSERT_TRUE(ball.state.shapes.moved.empty());
@@ -91,7 +91,7 @@ TEST(ShapeProxy, an_enlarged_proxy_is_found_where_it_is_and_asks_for_pairs_once)
 }
 
 // Planes are in no tree; triggers stand in a list of their own, and what was inside is told.
-TEST(ShapeProxy, a_destroyed_proxy_is_in_no_list) {
+TEST(ShapeProxy, destroyed_proxy_is_in_no_list) {
     World world = make_world();
     add_floor(world);
     const BodyId box = add(world, {.position = {0, 1, 0}});
@@ -124,7 +124,7 @@ TEST(ShapeProxy, a_destroyed_proxy_is_in_no_list) {
 }
 
 // A plane through (0, 1, 0) that leans by 45 degrees.
-TEST(ShapeProxy, a_box_reaches_a_plane_with_its_lowest_corner) {
+TEST(ShapeProxy, box_reaches_a_plane_with_its_lowest_corner) {
     World world = make_world();
     add_static(world, {.geometry = Plane{{1, 1, 0}}, .position = {0, 1, 0}});
     const WorldState& state = state_of(world);
@@ -138,7 +138,7 @@ TEST(ShapeProxy, a_box_reaches_a_plane_with_its_lowest_corner) {
 
 // Half as much again as its speed in a step and twice what gravity adds: at 6 m/s 0.15 m and 2.7
 // mm.
-TEST(ShapeProxy, a_body_may_go_as_far_as_half_as_much_again) {
+TEST(ShapeProxy, motion_bound_allows_one_and_a_half_times_the_motion) {
     Ball ball(6);
     ball.state.bodies.motion[0].travel = 10;
     update_motion_bound(ball.state, 0, dt);
@@ -150,7 +150,7 @@ TEST(ShapeProxy, a_body_may_go_as_far_as_half_as_much_again) {
 }
 
 // A shape a metre beside its body's centre, on a body that is turned by a right angle.
-TEST(ShapeProxy, derived_pose_puts_a_shape_where_its_body_takes_it) {
+TEST(ShapeProxy, derived_pose_places_the_shape_relative_to_its_body) {
     BodyCold cold;
     cold.local_center = {0, 0.25, 0};
     ShapeRecord shape{.geometry = Box{}, .pose = {.position = {1, 0.25, 0}}};

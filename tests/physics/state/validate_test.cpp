@@ -94,7 +94,7 @@ private:
 
 }  // namespace
 
-TEST(Validate, stores_agree_after_every_step_of_a_world_that_is_meddled_with) {
+TEST(Validate, stores_are_consistent_after_every_step_with_random_changes) {
     std::size_t slept = 0, woke = 0;
     for (std::uint32_t seed = 1; seed <= 4; seed++) {
         Meddler meddler(seed * 7919, 1 + static_cast<int>(seed) % 2);
@@ -131,7 +131,7 @@ World two_boxes() {
     return world;
 }
 
-TEST(Validate, names_what_only_forged_bytes_can_hold) {
+TEST(Validate, reports_states_that_only_forged_bytes_contain) {
     const struct {
         void (*forge)(WorldState&);
         const char* words;

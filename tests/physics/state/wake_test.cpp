@@ -34,7 +34,7 @@ struct Sleepers {
     std::string fault() const { return find_fault(state).value_or(""); }
 };
 
-TEST(Wake, requests_are_applied_in_order_of_bodies_once_each) {
+TEST(Wake, requests_are_applied_once_in_body_order) {
     Sleepers sleepers(5);
     for (const std::size_t box : {3u, 1u, 3u, 4u}) sleepers.request(box);
     apply_wake_requests(sleepers.state, sleepers.woke);
@@ -46,7 +46,7 @@ TEST(Wake, requests_are_applied_in_order_of_bodies_once_each) {
     EXPECT_EQ(sleepers.fault(), "");
 }
 
-TEST(Wake, requests_for_the_dead_and_for_those_awake_are_forgotten) {
+TEST(Wake, requests_for_destroyed_and_awake_bodies_are_dropped) {
     Sleepers sleepers(3);
     sleepers.request(0);
     sleepers.request(1);
@@ -64,7 +64,7 @@ TEST(Wake, requests_for_the_dead_and_for_those_awake_are_forgotten) {
 
 // A column of twenty sleeps as one island. A request with mass wakes the island, and of that so
 // much as it stirs: the rest sleeps on in place.
-TEST(Wake, of_a_large_island_wakes_what_a_request_stirs) {
+TEST(Wake, wakes_the_requested_mass_of_a_large_island) {
     for (const auto& [mass, expected] : {std::pair{0.0, 1u}, {2500.0, 3u}, {1e9, 20u}}) {
         World world = make_world();
         add_floor(world);
@@ -84,12 +84,12 @@ TEST(Wake, of_a_large_island_wakes_what_a_request_stirs) {
 }
 
 // 10 kg m/s are slow, a tenth of a metre per second, in 100 kg.
-TEST(Wake, an_impact_stirs_the_mass_in_which_it_would_be_slow) {
+TEST(Wake, impact_wakes_mass_in_proportion_to_momentum) {
     EXPECT_NEAR(mass_to_wake(10), 100, 1e-12);
     EXPECT_LT((WakeRequest{1, 5, true}), (WakeRequest{2, 0, false})) << "bodies count first";
 }
 
-TEST(Wake, a_body_that_is_woken_begins_its_rest_anew_and_the_event_waits_for_the_step) {
+TEST(Wake, waking_resets_the_rest_time_and_defers_the_event_to_the_step) {
     Sleepers sleepers(2);
     wake_body(sleepers.state, sleepers.boxes[1].index);
     EXPECT_EQ(sleepers.state.events.pending.woke, std::vector{sleepers.boxes[1]});
@@ -99,7 +99,7 @@ TEST(Wake, a_body_that_is_woken_begins_its_rest_anew_and_the_event_waits_for_the
     EXPECT_EQ(sleepers.state.events.pending.woke.size(), 1u) << "the floor does not wake";
 }
 
-TEST(Wake, neighbours_by_contact_and_joint_wake_and_others_do_not) {
+TEST(Wake, contact_and_joint_neighbours_wake_and_others_do_not) {
     Sleepers sleepers(4);
     must(sleepers.world.create_joint({.body_a = sleepers.boxes[0],
                                       .body_b = sleepers.boxes[1],

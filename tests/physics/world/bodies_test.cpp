@@ -12,7 +12,7 @@ namespace jostle::test {
 namespace {
 using namespace physics;
 
-TEST(CreateBody, stands_where_its_def_says_and_has_its_content) {
+TEST(CreateBody, uses_the_pose_and_content_of_the_def) {
     World world = make_world();
     const Quat turned = from_axis_angle({0, 1, 0}, 0.5);
     const BodyId body = must(world.create_body({.pose = {{1, 2, 3}, turned},
@@ -33,7 +33,7 @@ TEST(CreateBody, stands_where_its_def_says_and_has_its_content) {
     EXPECT_EQ(state.user_data, 77u);
 }
 
-TEST(CreateBody, all_are_read_in_order_of_their_indices) {
+TEST(CreateBody, bodies_are_listed_by_index) {
     World world = make_world();
     std::vector<BodyId> made;
     for (int k = 0; k < 4; k++) made.push_back(add(world, {.position = {3.0 * k, 0, 0}}));
@@ -49,7 +49,7 @@ TEST(CreateBody, all_are_read_in_order_of_their_indices) {
     EXPECT_EQ(states[1].pose.position.x, 99);
 }
 
-TEST(CopyAwakeBodies, are_those_that_a_step_can_move) {
+TEST(CopyAwakeBodies, returns_bodies_that_a_step_can_move) {
     World world = make_world();
     add_floor(world);
     const BodyId sleeper = add(world, {.position = {0, 0.5, 0}});
@@ -65,7 +65,7 @@ TEST(CopyAwakeBodies, are_those_that_a_step_can_move) {
     EXPECT_FALSE(must(world.body(sleeper)).awake);
 }
 
-TEST(StaticRevision, tell_when_a_call_moved_what_no_step_moves) {
+TEST(StaticRevision, changes_when_a_call_moves_a_static_or_sleeping_body) {
     World world = make_world();
     const BodyId floor = add_floor(world);
     const BodyId box = add(world, {.position = {0, 0.5, 0}});
@@ -83,7 +83,7 @@ TEST(StaticRevision, tell_when_a_call_moved_what_no_step_moves) {
 }
 
 // A body on the floor with a joint to another and a trigger: nothing of it is left.
-TEST(DestroyBody, takes_shapes_contacts_joints_and_island_along) {
+TEST(DestroyBody, removes_shapes_contacts_joints_and_island) {
     World world = make_world();
     const BodyId floor = add_floor(world);
     const BodyId body = add(world, {.position = {0, 0.5, 0}}),

@@ -19,7 +19,7 @@ struct Space {
     BodyState state() const { return state_of(world, box); }
 };
 
-TEST(BodyMotion, an_impulse_at_a_corner_pushes_and_turns_at_once) {
+TEST(BodyMotion, impulse_at_a_corner_changes_both_velocities) {
     Space space;
     must(space.world.apply_impulse(space.box, {0, 500, 0}, {0.5, 0, 0}));
     EXPECT_TRUE(near(space.state().linear_velocity, {0, 0.5, 0}, 1e-12));
@@ -28,7 +28,7 @@ TEST(BodyMotion, an_impulse_at_a_corner_pushes_and_turns_at_once) {
     EXPECT_TRUE(near(space.state().angular_velocity, {}, 1e-12));
 }
 
-TEST(BodyMotion, forces_add_up_over_one_step) {
+TEST(BodyMotion, forces_accumulate_over_one_step) {
     Space space;
     must(space.world.apply_force(space.box, {600, 0, 0}, {0, 0.5, 0}));
     must(space.world.apply_force(space.box, {600, 0, 0}, {0, -0.5, 0}));
@@ -41,7 +41,7 @@ TEST(BodyMotion, forces_add_up_over_one_step) {
     EXPECT_TRUE(near(space.state().linear_velocity, {1.2 * dt, 0, 0}, 1e-12)) << "and no longer";
 }
 
-TEST(BodyMotion, one_velocity_is_set_and_the_other_stays) {
+TEST(BodyMotion, setting_one_velocity_keeps_the_other) {
     Space space;
     must(space.world.set_velocity(space.box, {1, 2, 3}, {4, 5, 6}));
     must(space.world.set_linear_velocity(space.box, {7, 0, 0}));
@@ -52,7 +52,7 @@ TEST(BodyMotion, one_velocity_is_set_and_the_other_stays) {
 }
 
 // A step later it is there, however it was turned: the shorter way round.
-TEST(BodyMotion, a_platform_is_moved_to_a_pose_within_a_step) {
+TEST(BodyMotion, move_to_reaches_the_pose_within_a_step) {
     World world = make_world();
     const Quat start = from_axis_angle({0, 0, 1}, 3), end = from_axis_angle({0, 0, 1}, -3);
     const BodyId platform = must(world.create_body(
@@ -66,7 +66,7 @@ TEST(BodyMotion, a_platform_is_moved_to_a_pose_within_a_step) {
 }
 
 // A jump takes what touched it by surprise: no velocity comes of it, and the other wakes.
-TEST(BodyMotion, a_pose_is_a_jump) {
+TEST(BodyMotion, set_pose_teleports) {
     World world = make_world();
     add_floor(world);
     const BodyId lower = add(world, {.position = {0, 0.5, 0}}),
@@ -82,7 +82,7 @@ TEST(BodyMotion, a_pose_is_a_jump) {
     EXPECT_NEAR(position_of(world, lower).x, 10, 1e-3);
 }
 
-TEST(BodyMotion, every_push_wakes) {
+TEST(BodyMotion, every_impulse_and_force_wakes) {
     const auto woken_by = [](auto&& push) {
         World world = make_world();
         add_floor(world);

@@ -34,7 +34,7 @@ struct Floor {
     double height(BodyId body) const { return world.body(body)->center.y; }
 };
 
-TEST(SetType, a_shelf_that_becomes_dynamic_falls_with_what_lies_on_it) {
+TEST(SetType, shelf_made_dynamic_falls_with_its_load) {
     Floor f;
     const BodyId shelf =
         *f.world.create_body({.type = BodyType::static_body, .pose = {.position = {0, 3, 0}}},
@@ -50,7 +50,7 @@ TEST(SetType, a_shelf_that_becomes_dynamic_falls_with_what_lies_on_it) {
     EXPECT_NEAR(f.height(cube), 0.7, 0.01);
 }
 
-TEST(SetType, a_crate_that_becomes_static_stays_in_the_air) {
+TEST(SetType, crate_made_static_stays_in_the_air) {
     Floor f;
     const BodyId cube = f.cube({0, 2, 0});
     run(f.world, 10);
@@ -62,7 +62,7 @@ TEST(SetType, a_crate_that_becomes_static_stays_in_the_air) {
     EXPECT_EQ(f.height(cube), height);
 }
 
-TEST(SetType, a_kinematic_body_takes_along_what_is_jointed_to_it) {
+TEST(SetType, kinematic_body_moves_jointed_bodies) {
     Floor f;
     const BodyId a = f.cube({0, 5, 0}), b = f.cube({0, 3.5, 0});
     ASSERT_TRUE(f.world
@@ -82,7 +82,7 @@ TEST(SetType, a_kinematic_body_takes_along_what_is_jointed_to_it) {
         << status.error().message;
 }
 
-TEST(SetType, a_plane_cannot_move) {
+TEST(SetType, rejects_moving_planes) {
     Floor f;
     const Status status = f.world.set_type(f.ground, BodyType::dynamic);
     ASSERT_FALSE(status.ok());
@@ -90,7 +90,7 @@ TEST(SetType, a_plane_cannot_move) {
     EXPECT_EQ(f.world.body(f.ground)->type, BodyType::static_body);
 }
 
-TEST(SetMass, twice_the_mass_takes_half_the_acceleration) {
+TEST(SetMass, doubling_the_mass_halves_the_acceleration) {
     World world{{.gravity = {}}};
     const BodyId ball = *world.create_body({}, {.geometry = Sphere{0.5}, .mass = 2});
     const double spin = world.body(ball)->inertia.x.x;
@@ -103,7 +103,7 @@ TEST(SetMass, twice_the_mass_takes_half_the_acceleration) {
     EXPECT_EQ(world.body(ball)->mass, 2) << "back to what its shape gives";
 }
 
-TEST(SetAwake, puts_a_pair_that_touches_to_sleep_at_once_and_says_so) {
+TEST(SetAwake, puts_a_touching_pair_to_sleep_and_reports_it) {
     Floor f;
     const BodyId low = f.cube({0, 0.5, 0}), high = f.cube({0, 1.5, 0}), far = f.cube({9, 0.5, 0});
     run(f.world, 3);
@@ -119,7 +119,7 @@ TEST(SetAwake, puts_a_pair_that_touches_to_sleep_at_once_and_says_so) {
     EXPECT_TRUE(f.world.body(high)->awake);
 }
 
-TEST(SetAwake, is_refused_where_nothing_sleeps) {
+TEST(SetAwake, is_rejected_if_sleeping_is_disabled) {
     World world{{.sleeping = false}};
     const BodyId ball = *world.create_body({}, {.geometry = Sphere{0.5}});
     const Status status = world.set_awake(ball, false);
@@ -127,7 +127,7 @@ TEST(SetAwake, is_refused_where_nothing_sleeps) {
     EXPECT_EQ(status.error().code, ErrorCode::failed_precondition);
 }
 
-TEST(SetSleepAllowed, what_may_not_sleep_stays_awake_for_five_seconds) {
+TEST(SetSleepAllowed, body_that_may_not_sleep_stays_awake_for_five_seconds) {
     Floor f;
     const BodyId cube = f.cube({0, 0.5, 0});
     EXPECT_TRUE(f.world.body(cube)->sleep_allowed);
@@ -139,7 +139,7 @@ TEST(SetSleepAllowed, what_may_not_sleep_stays_awake_for_five_seconds) {
     EXPECT_FALSE(f.world.body(cube)->awake);
 }
 
-TEST(SetGravity, what_slept_falls_upwards) {
+TEST(SetGravity, sleeping_body_wakes_and_falls_upwards) {
     Floor f;
     const BodyId cube = f.cube({0, 0.5, 0});
     run(f.world, 120);

@@ -58,7 +58,7 @@ protected:
     std::vector<std::byte> bytes_;
 };
 
-TEST_F(BadInput, world_definitions) {
+TEST_F(BadInput, rejects_invalid_world_defs) {
     const auto refused = [](const WorldDef& def, const char* word) {
         const auto world = World::create(def);
         ASSERT_FALSE(world.ok()) << word;
@@ -81,7 +81,7 @@ TEST_F(BadInput, world_definitions) {
     refused({.threads = -1}, "threads");
 }
 
-TEST_F(BadInput, body_definitions) {
+TEST_F(BadInput, rejects_invalid_body_defs) {
     refuses_body({.pose = {{nan, 0, 0}, {}}}, "position");
     refuses_body({.pose = {{0, inf, 0}, {}}}, "position");
     refuses_body({.pose = {{0, 0, 1e8}, {}}}, "position");
@@ -98,7 +98,7 @@ TEST_F(BadInput, body_definitions) {
             "velocity");
 }
 
-TEST_F(BadInput, shape_definitions) {
+TEST_F(BadInput, rejects_invalid_shape_defs) {
     for (const double size : {0.0, -1.0, nan, inf, 1e-9, 1e9}) {
         refuses_shape({.geometry = Sphere{size}}, "radius");
         refuses_shape({.geometry = Capsule{size, 1}}, "radius");
@@ -119,13 +119,13 @@ TEST_F(BadInput, shape_definitions) {
         refuses_shape({.density = density}, "density");
 }
 
-TEST_F(BadInput, planes_move_with_nothing) {
+TEST_F(BadInput, rejects_planes_on_moving_bodies) {
     refuses(world_.create_body({}, {.geometry = Plane{}}), "plane");
     refuses(world_.create_body({.type = BodyType::kinematic}, {.geometry = Plane{}}), "plane");
     refuses(world_.create_shape(box_, {.geometry = Plane{}}), "plane");
 }
 
-TEST_F(BadInput, ids_that_name_nothing) {
+TEST_F(BadInput, rejects_invalid_ids) {
     for (const BodyId id : {BodyId{}, BodyId{1000, 0}, stale_, BodyId{box_.index, 77}}) {
         const auto not_found = ErrorCode::not_found;
         EXPECT_FALSE(world_.contains(id));
@@ -148,7 +148,7 @@ TEST_F(BadInput, ids_that_name_nothing) {
     }
 }
 
-TEST_F(BadInput, a_new_body_does_not_answer_to_the_old_id) {
+TEST_F(BadInput, new_body_does_not_match_the_old_id) {
     const BodyId fresh = add(world_, {.position = {20, 1, 0}});
     EXPECT_EQ(fresh.index, stale_.index);
     EXPECT_NE(fresh.generation, stale_.generation);
@@ -156,7 +156,7 @@ TEST_F(BadInput, a_new_body_does_not_answer_to_the_old_id) {
     EXPECT_TRUE(world_.contains(fresh));
 }
 
-TEST_F(BadInput, pushes) {
+TEST_F(BadInput, rejects_invalid_impulses_and_forces) {
     const auto precondition = ErrorCode::failed_precondition;
     refuses(world_.apply_impulse(box_, {nan, 0, 0}, {}), "impulse");
     refuses(world_.apply_impulse(box_, {1, 0, 0}, {0, inf, 0}), "point");
@@ -179,13 +179,13 @@ TEST_F(BadInput, pushes) {
     refuses(world_.destroy_shape(world_.shapes_of(box_)[0]), "last shape", precondition);
 }
 
-TEST_F(BadInput, steps_and_threads) {
+TEST_F(BadInput, rejects_invalid_steps_and_threads) {
     for (const double dt : {0.0, -1.0 / 60, 1e-9, 1.0, nan, inf}) refuses(world_.step(dt), "dt");
     for (const int threads : {0, -3, 65}) refuses(world_.set_threads(threads), "threads");
     EXPECT_EQ(world_.step_count(), 6u);
 }
 
-TEST_F(BadInput, queries) {
+TEST_F(BadInput, rejects_invalid_queries) {
     refuses(world_.queries().cast_ray({{nan, 0, 0}, {1, 0, 0}}), "origin");
     refuses(world_.queries().cast_ray({{0, 0, 0}, {inf, 0, 0}}), "motion");
     refuses(world_.queries().cast_ray({{0, 0, 0}, {0, 0, 0}}), "motion");
@@ -197,7 +197,7 @@ TEST_F(BadInput, queries) {
 }
 
 // A quaternion of any length but zero is a rotation: it is stored as a unit one.
-TEST_F(BadInput, long_quaternions_are_made_unit) {
+TEST_F(BadInput, normalizes_quaternions) {
     const BodyId turned = must(world_.create_body({.pose = {{0, 9, 0}, {0, 3, 0, 4}}}, ShapeDef{}));
     const Quat q = state_of(world_, turned).pose.rotation;
     EXPECT_NEAR(q.y, 0.6, 1e-15);

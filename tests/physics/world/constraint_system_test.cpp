@@ -22,7 +22,7 @@ struct Pendulum {
     JointId joint = must(world.create_joint({.body_b = bob, .frame_b = {.position = {0, 1, 0}}}));
 };
 
-TEST(ConstraintSystem, of_a_pendulum_is_as_on_paper) {
+TEST(ConstraintSystem, pendulum_matches_the_hand_computed_system) {
     const Pendulum p;
     const ConstraintSystem s = must(p.world.constraint_system(p.bob, {.h = 0.01}));
     ASSERT_EQ(s.rows.size(), 3u);
@@ -47,7 +47,7 @@ TEST(ConstraintSystem, of_a_pendulum_is_as_on_paper) {
     EXPECT_NEAR(masses[5 * 6 + 5], 1 / p.inertia, 1e-12);
 }
 
-TEST(ConstraintSystem, right_hand_sides_are_at_the_velocities_of_now) {
+TEST(ConstraintSystem, right_hand_side_uses_current_velocities) {
     Pendulum p;
     must(p.world.set_velocity(p.bob, {0.5, 2, 0}, {0, 0, 0.25}));
     const ConstraintSystem s = must(p.world.constraint_system(p.joint, {.forces = false}));
@@ -63,7 +63,7 @@ TEST(ConstraintSystem, right_hand_sides_are_at_the_velocities_of_now) {
     EXPECT_NEAR(apart.rows[0].bias, -0.2 * 0.1 / 0.01, 1e-9);
 }
 
-TEST(ConstraintSystem, matrix_is_that_of_its_parts) {
+TEST(ConstraintSystem, matrix_is_j_inverse_m_j_transposed) {
     World world = make_world();
     add_floor(world);
     const BodyId box = add(world, {.geometry = Box{{0.5, 0.2, 0.3}}, .position = {0, 0.2, 0}});
@@ -90,7 +90,7 @@ TEST(ConstraintSystem, matrix_is_that_of_its_parts) {
         }
 }
 
-TEST(ConstraintSystem, contacts_are_a_normal_and_two_directions_of_friction) {
+TEST(ConstraintSystem, contacts_have_a_normal_and_two_friction_rows) {
     World world = make_world();
     add_floor(world, 0.5);
     const BodyId box = add(world, {.position = {0, 0.5, 0}, .friction = 0.5});
@@ -122,7 +122,7 @@ TEST(ConstraintSystem, contacts_are_a_normal_and_two_directions_of_friction) {
     }
 }
 
-TEST(ConstraintSystem, rows_that_cannot_act_are_not_there) {
+TEST(ConstraintSystem, omits_rows_that_cannot_act) {
     World world = make_world();
     // A rope that hangs loose, and one that is just used up.
     for (const double length : {1.5, 1.0}) {
@@ -142,7 +142,7 @@ TEST(ConstraintSystem, rows_that_cannot_act_are_not_there) {
     }
 }
 
-TEST(ConstraintSystem, planar_worlds_have_no_rows_out_of_their_plane) {
+TEST(ConstraintSystem, planar_worlds_have_no_out_of_plane_rows) {
     World world = make_world({.planar = true});
     add(world, {.geometry = Plane{}, .type = BodyType::static_body});
     const BodyId box = add(world, {.position = {0, 0.5, 0}});
@@ -163,7 +163,7 @@ TEST(ConstraintSystem, softness_of_the_solver_is_on_the_diagonal) {
     }
 }
 
-TEST(ConstraintSystem, refuses_with_reasons) {
+TEST(ConstraintSystem, rejects_with_a_reason) {
     World world = make_world();
     const BodyId floor = add_floor(world);
     const BodyId alone = add(world, {.position = {0, 5, 0}});

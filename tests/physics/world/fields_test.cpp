@@ -17,7 +17,7 @@ std::string error_of(World& world, const FieldDef& def) {
     return made.ok() ? "" : made.error().message;
 }
 
-TEST(FieldCalls, a_field_is_read_as_it_was_given) {
+TEST(FieldCalls, round_trips_a_field) {
     World world;
     const FieldDef def{.force = RadialField{.center = {1, 2, 3}, .strength = -5},
                        .region = Aabb{{-1, -1, -1}, {1, 1, 1}},
@@ -36,7 +36,7 @@ TEST(FieldCalls, a_field_is_read_as_it_was_given) {
     EXPECT_TRUE(world.fields().empty());
 }
 
-TEST(FieldCalls, errors_name_the_number) {
+TEST(FieldCalls, errors_name_the_field) {
     World world;
     EXPECT_THAT(error_of(world, {.force = UniformWind{.drag = -1}}), HasSubstr("wind.drag is -1"));
     EXPECT_THAT(error_of(world, {.force = VortexField{.axis = {0, 2, 0}}}),

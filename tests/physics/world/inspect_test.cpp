@@ -12,7 +12,7 @@ using namespace physics;
 
 // A tonne on four points: impulses are those of one sub-step, of eight at first, of four when it
 // was seen to be flat and slow.
-TEST(Inspect, a_resting_box_shows_its_four_corners) {
+TEST(Inspect, resting_box_has_four_contact_points) {
     World world = make_world();
     const BodyId floor = add_floor(world);
     const BodyId box = add(world, {.position = {2, 0.5, 0}});
@@ -41,7 +41,7 @@ TEST(Inspect, a_resting_box_shows_its_four_corners) {
     EXPECT_TRUE(asleep[0].asleep);
 }
 
-TEST(Inspect, contacts_are_sorted_by_their_shapes) {
+TEST(Inspect, contacts_are_sorted_by_shape) {
     World world = make_world();
     add_floor(world);
     for (int k = 9; k >= 0; k--) add(world, {.position = {1.5 * k, 0.5, 0}});
@@ -52,7 +52,7 @@ TEST(Inspect, contacts_are_sorted_by_their_shapes) {
         EXPECT_LT(contacts[k - 1].shape_a, contacts[k].shape_a);
 }
 
-TEST(Inspect, islands_are_what_touches) {
+TEST(Inspect, islands_group_touching_bodies) {
     World world = make_world();
     add_floor(world);
     std::vector<BodyId> stack;
@@ -67,7 +67,7 @@ TEST(Inspect, islands_are_what_touches) {
 }
 
 // 1 m wide and 4 cm on each side.
-TEST(Inspect, bounds_are_those_of_the_shape_and_of_its_fat_box) {
+TEST(Inspect, bounds_match_the_shape_and_its_fat_box) {
     World world = make_world({.gravity = {}});
     const BodyId box = add(world, {.position = {3, 0, 0}});
     const ShapeId shape = world.shapes_of(box)[0];

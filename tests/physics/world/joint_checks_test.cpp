@@ -18,7 +18,7 @@ std::string error_of(const JointKind& kind) {
     return status.ok() ? "" : status.error().message;
 }
 
-TEST(JointChecks, every_kind_as_it_is_made_is_valid) {
+TEST(JointChecks, default_of_every_kind_is_valid) {
     int kinds = 0;
     for_each_joint_kind([&](const auto& kind) {
         EXPECT_EQ(error_of(kind), "");

@@ -32,7 +32,7 @@ struct Pair {
     }
 };
 
-TEST(JointCalls, a_joint_is_read_as_it_was_given) {
+TEST(JointCalls, round_trips_a_joint) {
     Pair pair;
     JointDef def = pair.def(DistanceJoint{.min_length = 0, .max_length = 2});
     def.frame_b.position = {-1, 0, 0};
@@ -49,7 +49,7 @@ TEST(JointCalls, a_joint_is_read_as_it_was_given) {
 }
 
 // What it asks of the solver is kept as it is said, and what is no solver is refused.
-TEST(JointCalls, a_joint_says_how_it_is_solved) {
+TEST(JointCalls, reports_the_joint_solver) {
     Pair pair;
     JointDef def = pair.def();
     const JointId silent = must(pair.world.create_joint(def));
@@ -74,7 +74,7 @@ TEST(JointCalls, a_joint_says_how_it_is_solved) {
     EXPECT_FALSE(pair.world.set_joint_solver(joint, JointSolver::direct).ok());
 }
 
-TEST(JointCalls, angles_are_those_of_the_frames) {
+TEST(JointCalls, angles_match_the_frames) {
     Pair pair;
     JointDef hinge = pair.def(HingeJoint{});
     hinge.frame_b.rotation = from_axis_angle({0, 0, 1}, 0.3);
@@ -86,7 +86,7 @@ TEST(JointCalls, angles_are_those_of_the_frames) {
     EXPECT_NEAR(state.angle, -0.4, 1e-12);
 }
 
-TEST(JointCalls, what_is_wrong_is_named) {
+TEST(JointCalls, errors_name_the_problem) {
     Pair pair;
     JointDef self = pair.def();
     self.body_b = pair.a;
@@ -126,7 +126,7 @@ TEST(JointCalls, are_listed_in_order_and_per_body) {
     EXPECT_FALSE(pair.world.destroy_joint(first).ok());
 }
 
-TEST(JointCalls, numbers_of_a_joint_may_change_and_its_kind_may_not) {
+TEST(JointCalls, allows_changing_values_but_not_the_kind) {
     Pair pair;
     const JointId joint = must(pair.world.create_joint(pair.def(HingeJoint{})));
     const JointKind faster = HingeJoint{.motor = {true, 2, 5}};

@@ -22,7 +22,7 @@ struct Named : Module {
     void visit(StateVisitor&) override {}
 };
 
-TEST(ListenerCalls, a_listener_is_added_once_and_removed_once) {
+TEST(ListenerCalls, listener_is_added_and_removed_once) {
     World world;
     StepListener listener;
     must(world.add_listener(listener));
@@ -32,7 +32,7 @@ TEST(ListenerCalls, a_listener_is_added_once_and_removed_once) {
 }
 
 // Each number once, however many threads take part.
-TEST(ListenerCalls, what_is_shared_out_is_done_once) {
+TEST(ListenerCalls, parallel_for_runs_each_index_once) {
     for (const int threads : {1, 2, 8}) {
         World world = make_world({.threads = threads});
         for (const int count : {0, 1, 63, 1000}) {
@@ -53,7 +53,7 @@ struct EverySecond : StepListener {
     void after_step(World&, double) override { steps++; }
 };
 
-TEST(ListenerCalls, what_a_listener_wants_is_asked_in_each_step) {
+TEST(ListenerCalls, hooks_are_queried_in_each_step) {
     World world = make_world({.substeps = 4});
     add(world, {.position = {0, 5, 0}});
     EverySecond listener;
@@ -68,7 +68,7 @@ TEST(ListenerCalls, what_a_listener_wants_is_asked_in_each_step) {
     EXPECT_EQ(listener.substeps, of_three_steps / 3 * 4) << "the eighth wants none";
 }
 
-TEST(ListenerCalls, a_module_is_found_by_its_tag) {
+TEST(ListenerCalls, module_is_found_by_tag) {
     World world;
     must(world.add_module(std::make_unique<Named>("wind_farm")));
     must(world.add_module(std::make_unique<Named>("crowd")));

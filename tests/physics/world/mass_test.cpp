@@ -56,7 +56,7 @@ void expect_inertia(const Mat3& value, const Mat3& expected, double tolerance) {
     }
 }
 
-TEST(Mass, of_random_compounds_is_the_sum_of_their_cells) {
+TEST(Mass, random_compounds_match_a_sum_over_cells) {
     Random random(5);
     for (int round = 0; round < 8; round++) {
         World world = make_world();
@@ -92,7 +92,7 @@ TEST(Mass, of_random_compounds_is_the_sum_of_their_cells) {
     }
 }
 
-TEST(Mass, closed_forms) {
+TEST(Mass, matches_closed_forms) {
     const auto state = [](const Geometry& geometry) {
         World world = make_world();
         return state_of(world, add(world, {.geometry = geometry, .density = 3}));
@@ -115,7 +115,7 @@ TEST(Mass, closed_forms) {
 }
 
 // What floats cannot hold the inverse of is refused, wherever a mass is given.
-TEST(Mass, is_none_or_one_that_can_be_counted_with) {
+TEST(Mass, is_zero_or_finite_and_positive) {
     World world = make_world();
     const BodyId body = add(world, {});
     for (const double mass : {1e-310, 1e-10, -1.0, 1e16}) {
@@ -127,7 +127,7 @@ TEST(Mass, is_none_or_one_that_can_be_counted_with) {
     EXPECT_EQ(state_of(world, body).mass, 1e-9);
 }
 
-TEST(Mass, of_its_own_needs_no_density) {
+TEST(Mass, explicit_mass_needs_no_density) {
     World world = make_world();
     const BodyId body =
         must(world.create_body({}, {.geometry = Sphere{0.5}, .density = 0, .mass = 3}));
@@ -135,7 +135,7 @@ TEST(Mass, of_its_own_needs_no_density) {
     EXPECT_NEAR(state_of(world, body).inertia.x.x, 0.4 * 3 * 0.25, 1e-12);
 }
 
-TEST(Mass, taking_a_shape_away_gives_the_mass_back) {
+TEST(Mass, removing_a_shape_restores_the_mass) {
     World world = make_world();
     const BodyId body = add(world, {.geometry = Box{{1, 2, 3}}});
     const BodyState before = state_of(world, body);

@@ -16,7 +16,7 @@ std::string why(const World& world, Stage stage) {
     return reason == nullptr ? "ran" : reason;
 }
 
-TEST(Profile, a_sleeping_world_skips_every_stage_and_says_why) {
+TEST(Profile, sleeping_world_skips_every_stage_with_a_reason) {
     World world = make_world();
     add_floor(world);
     add(world, {.position = {0, 0.5, 0}});
@@ -31,7 +31,7 @@ TEST(Profile, a_sleeping_world_skips_every_stage_and_says_why) {
     EXPECT_EQ(world.profile().pairs, 1);
 }
 
-TEST(Profile, a_body_in_free_flight_never_enters_the_solver) {
+TEST(Profile, body_in_free_flight_skips_the_solver) {
     World world = make_world();
     add(world, {.position = {0, 100, 0}});
     run(world, 0.1);
@@ -43,7 +43,7 @@ TEST(Profile, a_body_in_free_flight_never_enters_the_solver) {
     EXPECT_GT(world.profile().step_ms, 0);
 }
 
-TEST(Profile, names_the_stage_that_took_most) {
+TEST(Profile, names_the_slowest_stage) {
     World world = make_world();
     add_floor(world);
     for (int k = 0; k < 50; k++) add(world, {.position = {0, 0.5 + k, 0}});
@@ -56,7 +56,7 @@ TEST(Profile, names_the_stage_that_took_most) {
               *std::max_element(profile.stage_ms.begin(), profile.stage_ms.end()));
 }
 
-TEST(Profile, what_is_turned_off_says_so) {
+TEST(Profile, disabled_stages_report_a_reason) {
     World world = make_world({.sleeping = false, .continuous = false});
     add(world, {.velocity = {100, 0, 0}});
     run(world, 0.1);

@@ -45,7 +45,7 @@ struct ScatteredWorld {
     }
 };
 
-TEST(QuerySource, shapes_put_elsewhere_are_met_there) {
+TEST(QuerySource, shapes_at_other_poses_are_hit_there) {
     const ScatteredWorld now(2, 6), then(3, 6);
     const Queries live = must(now.world.queries().with_shapes_at(then.placements));
     const Queries copy = must(now.world.query_frame().with_shapes_at(then.placements));
@@ -79,7 +79,7 @@ TEST(QuerySource, shapes_put_elsewhere_are_met_there) {
     EXPECT_GT(hits, 200);
 }
 
-TEST(QuerySource, what_is_not_named_or_is_gone_is_not_met) {
+TEST(QuerySource, unlisted_and_destroyed_shapes_are_not_hit) {
     World world = make_world({.gravity = {}});
     const BodyId near_body = add(world, {.position = {2, 0, 0}});
     const BodyId far_body = add(world, {.position = {5, 0, 0}});
@@ -95,7 +95,7 @@ TEST(QuerySource, what_is_not_named_or_is_gone_is_not_met) {
     EXPECT_FALSE(must(both.cast_ray(ray, {.ignore = far_body})));
 }
 
-TEST(QuerySource, a_pose_that_is_no_place_is_refused_by_its_number) {
+TEST(QuerySource, rejects_an_invalid_pose_by_index) {
     World world = make_world();
     const ShapeId shape = world.shapes_of(add(world, {}))[0];
     const auto refused = world.queries().with_shapes_at(

@@ -102,7 +102,7 @@ double march(const std::vector<Placement>& shapes, const Ray& ray, const Placeme
     return 2;
 }
 
-TEST(Queries, rays_hit_what_marching_hits) {
+TEST(Queries, rays_match_ray_marching) {
     int hits = 0, misses = 0;
     for (std::uint64_t seed = 1; seed <= 4; seed++) {
         const RandomScene scene(seed);
@@ -159,7 +159,7 @@ TEST(Queries, ties_go_to_the_lower_id) {
     EXPECT_TRUE(near(hit->normal, {-1, 0, 0}, 1e-12));
 }
 
-TEST(Queries, ray_ends_where_its_motion_ends) {
+TEST(Queries, ray_ends_at_its_motion) {
     World world = make_world();
     add(world, {.geometry = Sphere{0.5}, .position = {10, 0, 0}});
     EXPECT_FALSE(must(world.queries().cast_ray({{0, 0, 0}, {9.49, 0, 0}})));
@@ -172,7 +172,7 @@ Aabb bounds_by_support(const Placement& s) {
             {reach({1, 0, 0}), reach({0, 1, 0}), reach({0, 0, 1})}};
 }
 
-TEST(Queries, overlap_box_finds_the_bounds_that_overlap) {
+TEST(Queries, overlap_box_finds_overlapping_bounds) {
     const RandomScene scene(9);
     Random random(10);
     std::size_t found = 0;
@@ -202,7 +202,7 @@ TEST(Queries, overlap_box_finds_the_bounds_that_overlap) {
     EXPECT_GT(found, 200u);
 }
 
-TEST(Queries, overlap_shape_finds_what_touches) {
+TEST(Queries, overlap_shape_finds_overlapping_shapes) {
     const RandomScene scene(11, 60);
     Random random(12);
     int found = 0;
@@ -273,7 +273,7 @@ TEST(Queries, all_any_batches_and_copies_agree) {
 }
 
 // A ball that moves: it touches when its centre's distance from the shape is its radius.
-TEST(Queries, cast_balls_stop_where_marching_stops) {
+TEST(Queries, ball_casts_match_ray_marching) {
     const RandomScene scene(3);
     Random random(31);
     const double r = 0.25;
@@ -311,7 +311,7 @@ TEST(Queries, cast_balls_stop_where_marching_stops) {
 }
 
 // Close to each other, they share a look into the broad phases; far apart they do not.
-TEST(Queries, casts_side_by_side_answer_what_each_alone_does) {
+TEST(Queries, concurrent_casts_match_single_casts) {
     const RandomScene scene(21);
     Random random(22);
     const Queries queries = scene.world.queries();
@@ -372,7 +372,7 @@ TEST(Queries, cast_shapes_stop_at_the_first_touch) {
 }
 
 // A wheel with its axle level falls on a slope: it touches when its middle is a radius above it.
-TEST(Queries, a_wheel_touches_a_plane_a_radius_below_its_middle) {
+TEST(Queries, wheel_cast_touches_a_plane_one_radius_below_its_center) {
     World world = make_world({.gravity = {}});
     const Vec3 n = normalized(Vec3{0.3, 1, 0.1});
     const BodyId ground = must(world.create_body({.type = BodyType::static_body}));

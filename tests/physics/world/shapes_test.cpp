@@ -17,7 +17,7 @@ namespace {
 
 constexpr double dt = 1.0 / 60;
 
-TEST(SetShapes, a_cube_that_becomes_two_balls_rests_on_them) {
+TEST(SetShapes, cube_replaced_by_two_balls_rests_on_them) {
     World world;
     ASSERT_TRUE(world.create_body({.type = BodyType::static_body}, {.geometry = Plane{}}).ok());
     const BodyId body =
@@ -54,14 +54,14 @@ double seconds_to_make(std::size_t count) {
 }
 
 // Four times as many shapes take four times as long, not sixteen.
-TEST(CreateBody, a_body_of_many_shapes_takes_time_in_proportion_to_them) {
+TEST(CreateBody, creation_time_is_linear_in_the_shapes) {
     const double ratio = seconds_to_make(8000) / seconds_to_make(2000);
     RecordProperty("ratio", std::to_string(ratio));
     EXPECT_LT(ratio, 8);
 }
 
 // One after the other or all at once: the same body.
-TEST(CreateBody, of_all_its_shapes_it_is_what_it_is_of_one_after_the_other) {
+TEST(CreateBody, creating_with_all_shapes_equals_adding_them_one_by_one) {
     World world;
     const BodyDef def{
         .pose = {.position = {3, 1, -2}, .rotation = from_rotation_vector({1, 2, 0})}};
@@ -77,7 +77,7 @@ TEST(CreateBody, of_all_its_shapes_it_is_what_it_is_of_one_after_the_other) {
     EXPECT_FALSE(fault) << *fault;
 }
 
-TEST(SetShapes, a_bad_one_among_them_changes_nothing_and_is_named) {
+TEST(SetShapes, invalid_shape_changes_nothing_and_is_named) {
     World world;
     const BodyId body = *world.create_body({}, {.geometry = Sphere{0.5}});
     const ShapeDef shapes[] = {{.geometry = Sphere{0.25}}, {.geometry = Sphere{-1}}};
@@ -88,7 +88,7 @@ TEST(SetShapes, a_bad_one_among_them_changes_nothing_and_is_named) {
     EXPECT_FALSE(world.set_shapes(body, {}).ok()) << "a dynamic body needs a mass";
 }
 
-TEST(CreateBodies, all_or_none) {
+TEST(CreateBodies, creates_all_or_none) {
     World world;
     const BodyAndShapes good{{.pose = {.position = {0, 1, 0}}}, {{.geometry = Sphere{0.5}}}};
     BodyAndShapes bad = good;
@@ -103,7 +103,7 @@ TEST(CreateBodies, all_or_none) {
     EXPECT_EQ(world.bodies(), *made);
 }
 
-TEST(DestroyBodies, twice_the_same_is_an_error_and_destroys_nobody) {
+TEST(DestroyBodies, rejects_duplicate_ids_and_destroys_none) {
     World world;
     std::vector<BodyId> balls;
     for (int k = 0; k < 3; k++)
@@ -116,7 +116,7 @@ TEST(DestroyBodies, twice_the_same_is_an_error_and_destroys_nobody) {
     EXPECT_TRUE(world.bodies().empty());
 }
 
-TEST(UserData, of_body_shape_and_joint_is_saved_and_returned) {
+TEST(UserData, is_saved_and_returned_for_bodies_shapes_and_joints) {
     World world;
     const BodyId a =
         *world.create_body({.user_data = 1}, {.geometry = Sphere{0.5}, .user_data = 2});
@@ -135,7 +135,7 @@ TEST(UserData, of_body_shape_and_joint_is_saved_and_returned) {
     EXPECT_NE(state_hash(loaded), state_hash(world));
 }
 
-TEST(ContactsOf, a_cube_between_two_touches_both_awake_and_asleep) {
+TEST(ContactsOf, cube_between_two_reports_both_contacts_awake_and_asleep) {
     World world;
     const BodyId floor = *world.create_body({.type = BodyType::static_body}, {.geometry = Plane{}});
     std::vector<BodyId> stack;

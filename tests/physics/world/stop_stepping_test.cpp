@@ -45,7 +45,7 @@ World crowded_world() {
     return world;
 }
 
-TEST(StopStepping, a_step_ends_after_the_sub_step_in_which_it_is_told_to) {
+TEST(StopStepping, step_ends_after_the_current_substep) {
     World world = crowded_world();
     Stopper stopper(world);
     must(world.add_listener(stopper));
@@ -60,7 +60,7 @@ TEST(StopStepping, a_step_ends_after_the_sub_step_in_which_it_is_told_to) {
     for (int i = 0; i < 200; i++) must(world.step(1.0 / 60));
 }
 
-TEST(StopStepping, what_is_left_is_a_whole_world) {
+TEST(StopStepping, aborted_world_is_consistent) {
     for (int steps = 0; steps < 6; steps++) {
         World world = crowded_world();
         for (int i = 0; i < steps; i++) must(world.step(1.0 / 60));

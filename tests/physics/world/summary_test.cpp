@@ -11,7 +11,7 @@ namespace {
 using namespace physics;
 
 // A ball of 2 kg at (0, 3, 0) with 4 m/s and 5 rad/s: 16 J, 0.4 m r^2 w^2 / 2 of spin, m g h.
-TEST(Summary, energies_and_momenta_are_the_textbooks) {
+TEST(Summary, energies_and_momenta_match_closed_forms) {
     World world = make_world({.gravity = {0, -10, 0}});
     const BodyId ball = must(world.create_body({.pose = {.position = {0, 3, 0}},
                                                 .linear_velocity = {4, 0, 0},
@@ -27,7 +27,7 @@ TEST(Summary, energies_and_momenta_are_the_textbooks) {
     EXPECT_NEAR(world.summary().potential_energy, -60, 1e-9);
 }
 
-TEST(Summary, counts_what_there_is) {
+TEST(Summary, counts_bodies_shapes_contacts_and_joints) {
     World world = make_world();
     add_floor(world);
     add(world, {.position = {0, 20, 0}, .type = BodyType::kinematic});
@@ -46,7 +46,7 @@ TEST(Summary, counts_what_there_is) {
 }
 
 // Two boxes a tenth of a metre in each other; awake and asleep contacts count.
-TEST(Summary, knows_the_deepest_overlap) {
+TEST(Summary, reports_the_deepest_penetration) {
     World world = make_world({.gravity = {}});
     add(world, {});
     EXPECT_EQ(world.summary().max_penetration, 0);
@@ -57,7 +57,7 @@ TEST(Summary, knows_the_deepest_overlap) {
 
 // A ball joint whose ends are 0.25 m apart; a rope of 1 m that is 1.5 m long, and one that is
 // slack.
-TEST(Summary, knows_the_worst_joint) {
+TEST(Summary, reports_the_largest_joint_error) {
     World world = make_world({.gravity = {}});
     const BodyId a = add(world, {}), b = add(world, {.position = {3, 0, 0}});
     const auto tie = [&](double x, const JointKind& kind) {

@@ -11,7 +11,7 @@ namespace jostle::test {
 namespace {
 using namespace physics;
 
-TEST(World, counts_its_steps_and_keeps_what_it_was_made_with) {
+TEST(World, counts_steps_and_keeps_its_def) {
     World world = make_world({.gravity = {1, 2, 3}, .substeps = 5});
     EXPECT_EQ(world.step_count(), 0u);
     run(world, 0.5);
@@ -21,7 +21,7 @@ TEST(World, counts_its_steps_and_keeps_what_it_was_made_with) {
 }
 
 // From 10 us to a quarter of a second.
-TEST(World, a_step_that_is_too_long_or_too_short_changes_nothing) {
+TEST(World, step_out_of_range_changes_nothing) {
     World world = make_world();
     const BodyId box = add(world, {.position = {0, 5, 0}});
     for (const double dt : {9e-6, 0.2501, -1.0, 0.0}) {
@@ -34,7 +34,7 @@ TEST(World, a_step_that_is_too_long_or_too_short_changes_nothing) {
     EXPECT_EQ(world.step_count(), 2u);
 }
 
-TEST(World, is_moved_with_all_that_is_in_it) {
+TEST(World, is_movable_with_all_its_content) {
     World first = make_world();
     const BodyId box = add(first, {.position = {0, 5, 0}});
     World second = std::move(first);
@@ -44,7 +44,7 @@ TEST(World, is_moved_with_all_that_is_in_it) {
     EXPECT_FALSE(first.contains(box));
 }
 
-TEST(World, gets_other_threads_between_steps) {
+TEST(World, thread_count_can_change_between_steps) {
     World one = make_world(), many = make_world();
     for (World* world : {&one, &many}) {
         add_floor(*world);

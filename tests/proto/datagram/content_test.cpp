@@ -14,7 +14,7 @@ std::vector<std::string> encode_one(std::string_view message, std::uint32_t numb
 
 }  // namespace
 
-TEST(Content, questions_and_answers_have_nine_bytes) {
+TEST(Content, path_challenges_and_responses_have_9_bytes) {
     const std::string question = encode(PathChallenge{0x1122334455667788}),
                       answer = encode(PathResponse{9});
     EXPECT_EQ(question.size(), 9u);
@@ -22,7 +22,7 @@ TEST(Content, questions_and_answers_have_nine_bytes) {
     EXPECT_EQ(std::get<PathResponse>(*decode_content(answer)).token, 9u);
 }
 
-TEST(Content, a_message_of_1167_bytes_is_one_packet_and_one_more_byte_makes_two) {
+TEST(Content, splits_messages_larger_than_1167_bytes) {
     const auto one = encode_one(std::string(message_bytes_max, 'x'));
     ASSERT_EQ(one.size(), 1u);
     EXPECT_EQ(one[0].size(), content_bytes_max);
@@ -36,19 +36,19 @@ TEST(Content, a_message_of_1167_bytes_is_one_packet_and_one_more_byte_makes_two)
     EXPECT_EQ(last.bytes.size(), message_bytes_max + 1 - fragment_bytes);
 }
 
-TEST(Content, pieces_are_put_one_after_the_other_and_cut_anew) {
+TEST(Content, concatenates_pieces_before_fragmenting) {
     const std::string_view pieces[] = {"head ", "", "shared by all"};
     const auto contents = encode_message(pieces, 1);
     ASSERT_EQ(contents.size(), 1u);
     EXPECT_EQ(std::get<Message>(*decode_content(contents[0])).bytes, "head shared by all");
 }
 
-TEST(Content, more_than_64_parts_are_the_streams) {
+TEST(Content, rejects_messages_over_64_fragments) {
     EXPECT_EQ(encode_one(std::string(fragments_max * fragment_bytes, 'x')).size(), 64u);
     EXPECT_TRUE(encode_one(std::string(fragments_max * fragment_bytes + 1, 'x')).empty());
 }
 
-TEST(Content, what_is_none_is_refused_and_the_error_says_why) {
+TEST(Content, rejects_malformed_content_with_a_reason) {
     const auto why = [](std::string content) {
         return test::error_of(decode_content(content)).message;
     };

@@ -31,7 +31,7 @@ std::string to_hex(std::string_view bytes) {
 
 }  // namespace
 
-TEST_F(PacketTest, what_one_side_seals_the_other_opens_once) {
+TEST_F(PacketTest, decrypts_each_packet_once) {
     const std::string packet = client->close("push 3 N s");
     EXPECT_EQ(packet.size(), 10 + header_bytes + tag_bytes);
     EXPECT_EQ(session_id_of(packet), credentials().id);
@@ -44,7 +44,7 @@ TEST_F(PacketTest, what_one_side_seals_the_other_opens_once) {
     EXPECT_FALSE(client->open(client->close("hello"))) << "directions have keys of their own";
 }
 
-TEST_F(PacketTest, one_that_was_overtaken_is_good_but_not_the_newest) {
+TEST_F(PacketTest, reordered_packet_is_valid_but_not_newest) {
     const std::string first = client->close("a"), second = client->close("b");
     EXPECT_TRUE(server->open(second)->newest);
     const auto late = server->open(first);
@@ -53,7 +53,7 @@ TEST_F(PacketTest, one_that_was_overtaken_is_good_but_not_the_newest) {
     EXPECT_FALSE(late->newest);
 }
 
-TEST_F(PacketTest, each_flipped_bit_is_noticed_and_costs_nothing_else) {
+TEST_F(PacketTest, rejects_any_flipped_bit_without_side_effects) {
     const std::string packet = client->close("thirty-two bytes of what matters");
     for (std::size_t bit = 0; bit < 8 * packet.size(); bit++) {
         std::string changed = packet;
@@ -63,7 +63,7 @@ TEST_F(PacketTest, each_flipped_bit_is_noticed_and_costs_nothing_else) {
     EXPECT_TRUE(server->open(packet)) << "forgeries with high numbers moved no window";
 }
 
-TEST_F(PacketTest, other_sizes_and_other_keys_are_refused) {
+TEST_F(PacketTest, rejects_wrong_sizes_and_keys) {
     const std::string packet = client->close("");
     EXPECT_EQ(packet.size(), header_bytes + tag_bytes);
     EXPECT_FALSE(server->open(packet.substr(1)));
@@ -78,7 +78,7 @@ TEST_F(PacketTest, other_sizes_and_other_keys_are_refused) {
 
 // Of proto/WIRE.md, "Datagrams", so that others can compare; made by another program of the same
 // algorithms (Python's cryptography).
-TEST_F(PacketTest, the_first_packet_of_a_client_has_the_bytes_that_the_document_says) {
+TEST_F(PacketTest, first_client_packet_matches_the_documented_bytes) {
     EXPECT_EQ(to_hex(client->close(std::string("\x03\x01\x02\x03\x04\x05\x06\x07\x08", 9))),
               "efcdab896745230100000000000000003406d9d81d6b6f91716119244c13b6d2"
               "59023ccd4b664837c8");

@@ -24,7 +24,7 @@ struct Cut {
 
 }  // namespace
 
-TEST(Reassembly, a_message_of_20_kB_comes_whole_in_any_order) {
+TEST(Reassembly, reassembles_a_20_kb_message_in_any_order) {
     std::mt19937_64 random(3);
     Reassembly reassembly;
     for (std::uint32_t number = 1; number <= 20; number++) {
@@ -44,7 +44,7 @@ TEST(Reassembly, a_message_of_20_kB_comes_whole_in_any_order) {
     EXPECT_EQ(reassembly.bytes_held(), 0u);
 }
 
-TEST(Reassembly, a_lost_part_costs_its_message_alone) {
+TEST(Reassembly, lost_fragment_drops_only_its_message) {
     Reassembly reassembly;
     const Cut first(3000, 1), second(3000, 2);
     EXPECT_FALSE(reassembly.add(first.part(0)));
@@ -56,7 +56,7 @@ TEST(Reassembly, a_lost_part_costs_its_message_alone) {
     EXPECT_EQ(reassembly.bytes_held(), 0u);
 }
 
-TEST(Reassembly, the_same_part_twice_is_one) {
+TEST(Reassembly, ignores_duplicate_fragments) {
     Reassembly reassembly;
     const Cut cut(2000, 1);
     EXPECT_FALSE(reassembly.add(cut.part(0)));
@@ -64,7 +64,7 @@ TEST(Reassembly, the_same_part_twice_is_one) {
     EXPECT_EQ(reassembly.add(cut.part(1)), cut.whole);
 }
 
-TEST(Reassembly, holds_300_kB_at_most_and_the_newest_four) {
+TEST(Reassembly, holds_at_most_300_kb_and_the_newest_four_messages) {
     Reassembly reassembly;
     for (std::uint32_t number = 1; number <= 100; number++) {
         const Cut cut(fragments_max * fragment_bytes, number);
@@ -76,7 +76,7 @@ TEST(Reassembly, holds_300_kB_at_most_and_the_newest_four) {
     EXPECT_TRUE(reassembly.add(Cut(fragments_max * fragment_bytes, 97).part(0)));
 }
 
-TEST(Reassembly, a_part_that_does_not_fit_its_siblings_is_dropped) {
+TEST(Reassembly, drops_inconsistent_fragments) {
     Reassembly reassembly;
     const Cut two(2000, 1), three(3000, 1);
     EXPECT_FALSE(reassembly.add(two.part(0)));

@@ -8,7 +8,7 @@
 
 namespace jostle::datagram {
 
-TEST(ReplayWindow, takes_each_number_once_whatever_the_order) {
+TEST(ReplayWindow, accepts_each_number_once_in_any_order) {
     ReplayWindow window;
     for (const std::uint64_t number : {5u, 3u, 9u, 4u}) {
         EXPECT_FALSE(window.seen(number)) << number;
@@ -21,7 +21,7 @@ TEST(ReplayWindow, takes_each_number_once_whatever_the_order) {
     EXPECT_FALSE(window.is_newest(8));
 }
 
-TEST(ReplayWindow, remembers_1024_numbers_and_takes_nothing_older) {
+TEST(ReplayWindow, tracks_1024_numbers_and_rejects_older_ones) {
     ReplayWindow window;
     window.add(2000);
     EXPECT_FALSE(window.seen(2000 - 1023));
@@ -37,7 +37,7 @@ TEST(ReplayWindow, remembers_1024_numbers_and_takes_nothing_older) {
 }
 
 // Against a set that forgets nothing.
-TEST(ReplayWindow, agrees_with_a_set_over_20000_numbers_that_jump_about) {
+TEST(ReplayWindow, matches_a_reference_set_over_20000_numbers) {
     std::mt19937_64 random(7);
     ReplayWindow window;
     std::set<std::uint64_t> came;

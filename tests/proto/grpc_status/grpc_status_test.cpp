@@ -5,7 +5,7 @@
 
 namespace jostle {
 
-TEST(GrpcStatus, every_error_keeps_its_code_and_message_there_and_back) {
+TEST(GrpcStatus, round_trips_every_error) {
     for (const GrpcCode& code : grpc_codes) {
         const Status back = from_grpc(to_grpc(Error{code.ours, "why"}));
         ASSERT_FALSE(back.ok());
@@ -18,12 +18,12 @@ TEST(GrpcStatus, every_error_keeps_its_code_and_message_there_and_back) {
         << "one row for each code";
 }
 
-TEST(GrpcStatus, success_is_success) {
+TEST(GrpcStatus, round_trips_success) {
     EXPECT_TRUE(to_grpc({}).ok());
     EXPECT_TRUE(from_grpc(grpc::Status::OK).ok());
 }
 
-TEST(GrpcStatus, a_code_of_others_is_internal_and_silence_is_named) {
+TEST(GrpcStatus, unknown_codes_become_internal_and_empty_messages_are_replaced) {
     const Status odd = from_grpc({grpc::StatusCode::DATA_LOSS, ""});
     EXPECT_EQ(odd.error().code, ErrorCode::internal);
     EXPECT_EQ(odd.error().message, "the server gave no reason");

@@ -6,14 +6,14 @@
 namespace jostle::wire {
 namespace {
 
-TEST(BaselineFrames, steps_of_one_length_are_one_small_number) {
+TEST(BaselineFrames, equal_spacing_encodes_as_one_small_number) {
     EXPECT_EQ(encode_baseline_frames(100, {}), 0u);
     EXPECT_EQ(encode_baseline_frames(100, {99, 98, 97}), 1u);
     EXPECT_EQ(encode_baseline_frames(100, {97, 94, 91}), 3u);
     EXPECT_EQ(encode_baseline_frames(100, {98, 97, 96}), 2u | 1u << 8 | 0u << 16);
 }
 
-TEST(BaselineFrames, every_set_of_bases_comes_back) {
+TEST(BaselineFrames, round_trips_every_baseline_set) {
     int sets = 0;
     for (const std::uint32_t a : {0u, 1u, 2u, 7u, 254u})
         for (const std::uint32_t b : {0u, 1u, 2u, 7u, 254u})
@@ -33,7 +33,7 @@ TEST(BaselineFrames, every_set_of_bases_comes_back) {
     EXPECT_EQ(sets, 125);
 }
 
-TEST(BaselineFrames, what_no_encoder_writes_is_refused) {
+TEST(BaselineFrames, rejects_invalid_codes) {
     const std::uint32_t none = 255;
     for (const std::uint32_t code :
          {none, 256u, 1u | none << 8 | 1u << 16, 1u | 1u << 24, 10u, 5u | 5u << 8, 0xffffffffu})

@@ -7,7 +7,7 @@
 
 namespace jostle::wire {
 
-TEST(BitStream, every_code_reads_back_what_it_wrote) {
+TEST(BitStream, round_trips_every_code) {
     BitWriter out;
     const std::uint64_t values[] = {0, 1, 2, 14, 15, 16, 100, 65535, 1u << 20, 0xffffffffull};
     for (const std::uint64_t v : values)
@@ -27,7 +27,7 @@ TEST(BitStream, every_code_reads_back_what_it_wrote) {
     EXPECT_TRUE(in.at_clean_end());
 }
 
-TEST(BitStream, reading_past_the_end_gives_zeros_and_says_so) {
+TEST(BitStream, reading_past_the_end_returns_zeros_and_sets_the_flag) {
     const std::byte one[] = {std::byte{0xff}};
     BitReader in(one);
     EXPECT_EQ(in.bits(8), 0xffu);
@@ -36,7 +36,7 @@ TEST(BitStream, reading_past_the_end_gives_zeros_and_says_so) {
     EXPECT_TRUE(in.past_end());
 }
 
-TEST(BitStream, zig_zag_puts_small_differences_first) {
+TEST(BitStream, zig_zag_maps_small_magnitudes_to_small_numbers) {
     EXPECT_EQ(zig_zag_encode(0), 0u);
     EXPECT_EQ(zig_zag_encode(-1), 1u);
     EXPECT_EQ(zig_zag_encode(1), 2u);
@@ -44,7 +44,7 @@ TEST(BitStream, zig_zag_puts_small_differences_first) {
         EXPECT_EQ(zig_zag_decode(zig_zag_encode(v)), v);
 }
 
-TEST(Crc32, agrees_with_the_check_value_of_the_standard) {
+TEST(Crc32, matches_the_standard_check_value) {
     const char text[] = "123456789";
     EXPECT_EQ(crc32(std::as_bytes(std::span(text, 9))), 0xCBF43926u);
 }

@@ -23,7 +23,7 @@ Channel channel(std::uint32_t kind, std::uint32_t entity, std::vector<std::int32
     return {kind, entity, std::make_shared<const std::vector<std::int32_t>>(std::move(values))};
 }
 
-TEST(ChannelCodec, a_thousand_frames_come_out_as_they_went_in_against_any_base) {
+TEST(ChannelCodec, round_trips_a_thousand_frames_against_any_baseline) {
     ChangingChannels world(3);
     std::deque<Channels> ring{{}};
     for (int frame = 0; frame < 1000; frame++) {
@@ -38,7 +38,7 @@ TEST(ChannelCodec, a_thousand_frames_come_out_as_they_went_in_against_any_base) 
     }
 }
 
-TEST(ChannelCodec, what_did_not_change_costs_nothing_and_keeps_its_values) {
+TEST(ChannelCodec, unchanged_channels_cost_nothing_and_share_values) {
     const Channels before{channel(0, 5, {1, 2, 3}), channel(1, 5, {4})};
     EXPECT_TRUE(encode_channels(before, before, all_kinds).bytes.empty());
     const Channels after{before[0], channel(1, 5, {5})};
@@ -49,7 +49,7 @@ TEST(ChannelCodec, what_did_not_change_costs_nothing_and_keeps_its_values) {
     EXPECT_EQ((*decoded)[0].values, before[0].values) << "the same list, not an equal one";
 }
 
-TEST(ChannelCodec, a_client_gets_the_kinds_that_it_named) {
+TEST(ChannelCodec, encodes_only_requested_kinds) {
     const Channels base{channel(0, 1, {1}), channel(2, 1, {1})};
     const Channels now{channel(0, 1, {2}), channel(1, 1, {3}), channel(2, 1, {2})};
     const std::uint64_t odd = 0b10, even = 0b101;
@@ -63,7 +63,7 @@ TEST(ChannelCodec, a_client_gets_the_kinds_that_it_named) {
     EXPECT_EQ(decode_channels(others.bytes, others.crc, base)->size(), 2u);
 }
 
-TEST(ChannelCodec, differences_wrap_around_so_that_every_number_can_follow_every_other) {
+TEST(ChannelCodec, differences_wrap_around) {
     constexpr std::int32_t low = std::numeric_limits<std::int32_t>::min(),
                            high = std::numeric_limits<std::int32_t>::max();
     const Channels base{channel(0, 0, {low, high, 0, low, -1})};
@@ -75,7 +75,7 @@ TEST(ChannelCodec, differences_wrap_around_so_that_every_number_can_follow_every
 }
 
 // Sixteen cars that roll: 38 numbers each, of which a few change a little.
-TEST(ChannelCodec, a_rolling_car_costs_two_bytes_for_each_number_that_changed) {
+TEST(ChannelCodec, rolling_car_costs_two_bytes_per_changed_value) {
     Channels before, now;
     for (std::uint32_t car = 1; car <= 16; car++) {
         std::vector<std::int32_t> values(38, 1000);
@@ -92,7 +92,7 @@ TEST(ChannelCodec, a_rolling_car_costs_two_bytes_for_each_number_that_changed) {
     EXPECT_LE(bytes, 16u * 24u) << "twelve numbers of each, four of them angles";
 }
 
-TEST(ChannelCodec, damage_is_refused_whichever_bit_it_is) {
+TEST(ChannelCodec, rejects_any_flipped_bit) {
     ChangingChannels world(5);
     for (int k = 0; k < 6; k++) world.step();
     const Channels base = world.step();
@@ -107,7 +107,7 @@ TEST(ChannelCodec, damage_is_refused_whichever_bit_it_is) {
         EXPECT_FALSE(decode_channels(std::span(packed.bytes).first(size), packed.crc, base).ok());
 }
 
-TEST(ChannelCodec, errors_say_what_is_wrong) {
+TEST(ChannelCodec, errors_describe_the_problem) {
     const auto error_of = [](const Channels& now, const Channels& told_base,
                              const Channels& own_base) {
         const PackedChannels packed = encode_channels(now, told_base, all_kinds);
@@ -129,7 +129,7 @@ TEST(ChannelCodec, errors_say_what_is_wrong) {
     EXPECT_THAT(error_of(large, {}, {}), HasSubstr("more than 262144 values"));
 }
 
-TEST(ChannelCodec, the_committed_file_is_what_the_encoder_makes_today) {
+TEST(ChannelCodec, encoder_output_matches_the_golden_file) {
     std::ifstream in(GOLDEN_FOLDER "/channels.jchn", std::ios::binary);
     ASSERT_TRUE(in);
     const std::string text((std::istreambuf_iterator<char>(in)), {});

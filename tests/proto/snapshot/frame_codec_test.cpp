@@ -38,7 +38,7 @@ void expect_round_trip(const QuantizedFrame& frame, const Baselines& baselines,
 
 }  // namespace
 
-TEST(FrameCodec, every_frame_of_a_restless_world_comes_back_at_any_spacing_of_bases) {
+TEST(FrameCodec, round_trips_an_active_world_at_any_baseline_spacing) {
     for (const QuantSpec spec : {QuantSpec{512, 511}, QuantSpec{4096, 16383}}) {
         const auto frames = run(3, 60, 120, {}, spec);
         const std::ptrdiff_t spacings[][3] = {
@@ -58,7 +58,7 @@ TEST(FrameCodec, every_frame_of_a_restless_world_comes_back_at_any_spacing_of_ba
 }
 
 // A world of which some parts lie still: whoever says so gets the same bytes, and the same CRC.
-TEST(FrameCodec, runs_that_are_known_to_be_quiet_change_no_byte) {
+TEST(FrameCodec, unchanged_runs_do_not_alter_the_encoding) {
     std::mt19937 random(4);
     for (int round = 0; round < 200; round++) {
         const std::size_t bodies = 1 + random() % 600;
@@ -87,7 +87,7 @@ TEST(FrameCodec, runs_that_are_known_to_be_quiet_change_no_byte) {
     }
 }
 
-TEST(FrameCodec, fast_spins_and_far_jumps_come_back) {
+TEST(FrameCodec, round_trips_fast_spins_and_large_jumps) {
     const auto frames = run(11, 40, 60, {.calm = 0, .spin = 150, .speed = 5000, .kick = 0.3});
     for (std::ptrdiff_t i = 3; i < std::ssize(frames); i++)
         expect_round_trip(frames[static_cast<std::size_t>(i)],
@@ -100,7 +100,7 @@ TEST(FrameCodec, fast_spins_and_far_jumps_come_back) {
     expect_round_trip(low_again, {&high, &low, nullptr}, {});
 }
 
-TEST(FrameCodec, a_world_at_rest_costs_four_bytes_or_less) {
+TEST(FrameCodec, resting_world_costs_at_most_4_bytes) {
     auto frames = run(5, 900, 1, {.appear = 0});
     for (EntityState& e : frames[0].entities) e.at_rest = true;
     QuantizedFrame next = frames[0];
@@ -109,7 +109,7 @@ TEST(FrameCodec, a_world_at_rest_costs_four_bytes_or_less) {
     EXPECT_LE(encode_frame(next, {&frames[0], nullptr, nullptr}, {}, Codec::range).size(), 1u);
 }
 
-TEST(FrameCodec, a_body_in_free_flight_costs_at_most_twelve_bits) {
+TEST(FrameCodec, free_flight_costs_at_most_12_bits) {
     // Constant velocity is what the prediction expects; what is left is the noise of rounding.
     const auto frames =
         run(9, 400, 60, {.calm = 0, .kick = 0, .rest = 0, .vanish = 0, .appear = 0});
@@ -125,7 +125,7 @@ TEST(FrameCodec, a_body_in_free_flight_costs_at_most_twelve_bits) {
     EXPECT_LE(bits, 12.0);
 }
 
-TEST(FrameCodec, truncated_and_flipped_bytes_are_refused_or_caught_by_the_crc) {
+TEST(FrameCodec, rejects_truncated_and_flipped_bytes_or_fails_the_crc) {
     const auto frames = run(21, 50, 8, {});
     const Baselines baselines{at(frames, 6), at(frames, 5), at(frames, 4)};
     const std::uint32_t crc = frame_crc(frames[7]);
@@ -158,7 +158,7 @@ TEST(FrameCodec, truncated_and_flipped_bytes_are_refused_or_caught_by_the_crc) {
     }
 }
 
-TEST(FrameCodec, random_bytes_never_make_more_entities_than_the_limit) {
+TEST(FrameCodec, random_bytes_never_exceed_the_entity_limit) {
     Random random(99);
     for (int i = 0; i < 20000; i++) {
         std::vector<std::byte> noise(random.below(64));
@@ -172,7 +172,7 @@ TEST(FrameCodec, random_bytes_never_make_more_entities_than_the_limit) {
     }
 }
 
-TEST(FrameCodec, bases_that_are_too_old_or_not_older_are_refused) {
+TEST(FrameCodec, rejects_baselines_too_old_or_not_older) {
     const QuantizedFrame empty{.frame = 300};
     const auto bytes = encode_frame(empty, {}, {});
     QuantizedFrame base{.frame = 10};
@@ -181,7 +181,7 @@ TEST(FrameCodec, bases_that_are_too_old_or_not_older_are_refused) {
     EXPECT_FALSE(decode_frame(300, bytes, {&base, nullptr, nullptr}, {}).ok());
 }
 
-TEST(FrameCodec, a_quantisation_that_would_break_the_arithmetic_is_refused) {
+TEST(FrameCodec, rejects_quantization_that_would_overflow) {
     const auto frames = run(4, 20, 4, {.calm = 0});
     const Baselines baselines{at(frames, 2), at(frames, 1), at(frames, 0)};
     const auto bytes = encode_frame(frames[3], baselines, {});

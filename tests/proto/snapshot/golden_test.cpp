@@ -13,7 +13,7 @@
 
 namespace jostle::wire {
 
-TEST(Golden, committed_files_are_what_the_encoder_makes_today) {
+TEST(Golden, encoder_output_matches_the_golden_files) {
     for (const GoldenSequence& sequence : golden_sequences())
         for (const Codec codec : {Codec::bits, Codec::range}) {
             const std::string name = golden_name(sequence, codec);
@@ -28,7 +28,7 @@ TEST(Golden, committed_files_are_what_the_encoder_makes_today) {
 }
 
 // A golden set that missed a path would prove little: count what the sequences exercise.
-TEST(Golden, sequences_take_the_rare_paths) {
+TEST(Golden, sequences_cover_rare_code_paths) {
     int spawned_later = 0, removed = 0, rests = 0, largest_changes = 0, absolute = 0;
     for (const GoldenSequence& sequence : golden_sequences()) {
         const GoldenFrame* before = nullptr;
@@ -63,7 +63,7 @@ TEST(Golden, sequences_take_the_rare_paths) {
 
 // The arithmetic that two languages could do differently: negative steps scaled over unequal
 // spacings, turns too fast to extrapolate, rotations written in full, bases at rest.
-TEST(Golden, sequences_reach_the_corners_of_the_arithmetic) {
+TEST(Golden, sequences_cover_arithmetic_limits) {
     int scaled_negative = 0, held_turns = 0, wrong_largest = 0, from_rest = 0, no_base2 = 0,
         no_base3 = 0;
     const auto find = [](const QuantizedFrame& frame, std::uint32_t id) -> const EntityState* {

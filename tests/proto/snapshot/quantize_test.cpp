@@ -11,7 +11,7 @@
 
 namespace jostle::wire {
 
-TEST(Quantize, position_is_off_by_at_most_half_a_unit_and_rotation_by_a_quarter_degree) {
+TEST(Quantize, position_error_is_at_most_half_a_unit_and_rotation_error_a_quarter_degree) {
     Random random(7);
     const QuantSpec spec;
     double worst_m = 0, worst_deg = 0;
@@ -36,7 +36,7 @@ TEST(Quantize, position_is_off_by_at_most_half_a_unit_and_rotation_by_a_quarter_
     EXPECT_GT(worst_deg, 0.1);  // the bound is not idle
 }
 
-TEST(Quantize, numbers_that_are_none_stay_in_range) {
+TEST(Quantize, non_finite_numbers_stay_in_range) {
     Pose pose;
     pose.position = {std::numeric_limits<double>::quiet_NaN(), 1e300, -1e300};
     const EntityState state = quantize(1, pose, false, {});
@@ -45,7 +45,7 @@ TEST(Quantize, numbers_that_are_none_stay_in_range) {
     EXPECT_EQ(state.position[2], -2147483647 - 1);
 }
 
-TEST(Quantize, what_is_no_rotation_becomes_one_that_decoders_take) {
+TEST(Quantize, invalid_rotations_become_valid) {
     constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     for (const std::array<double, 4> rotation :
          {std::array{nan, nan, nan, nan}, {2.0, 2.0, 2.0, 2.0}, {0.0, 0.0, 0.0, 0.0}}) {

@@ -30,7 +30,7 @@ Message message(std::uint32_t seed, std::uint32_t sparse, std::size_t size) {
 
 }  // namespace
 
-TEST(RangeCoder, gives_back_bits_and_numbers_of_every_width) {
+TEST(RangeCoder, round_trips_bits_and_numbers_of_every_width) {
     for (const std::uint32_t sparse : {1u, 2u, 3u, 50u, 4000u}) {
         const Message told = message(sparse, sparse, 3000);
         RangeEncoder out;
@@ -66,7 +66,7 @@ TEST(RangeCoder, comes_within_three_percent_of_the_entropy) {
 }
 
 // A run of bytes that are 255 until a carry makes them 0: the value creeps up to a boundary.
-TEST(RangeCoder, carries_through_bytes_that_wait) {
+TEST(RangeCoder, propagates_carry_through_pending_bytes) {
     RangeEncoder out;
     out.raw(0x12ff'ffff'ffull, 40);
     out.raw(0xffff'ffff'ffull, 40);
@@ -82,7 +82,7 @@ TEST(RangeCoder, carries_through_bytes_that_wait) {
     EXPECT_EQ(in.raw(0, 1), 1u);
 }
 
-TEST(RangeCoder, says_whether_bytes_are_missing_or_left_over) {
+TEST(RangeCoder, detects_missing_and_trailing_bytes) {
     RangeEncoder out;
     for (std::uint64_t i = 1; i < 100; i++) out.raw(i | 1, 16);
     auto bytes = out.finish();

@@ -40,7 +40,7 @@ std::string refusal(const std::vector<std::byte>& bytes, const Baselines& baseli
 
 }  // namespace
 
-TEST(RangeFrame, takes_less_than_three_quarters_of_codec_1_where_bodies_fly_and_tumble) {
+TEST(RangeFrame, uses_less_than_75_percent_of_codec_1_for_tumbling_bodies) {
     MovingWorld world(9, 400, {.calm = 0.3, .kick = 0.01});
     std::vector<QuantizedFrame> frames;
     std::size_t bits = 0, range = 0;
@@ -56,7 +56,7 @@ TEST(RangeFrame, takes_less_than_three_quarters_of_codec_1_where_bodies_fly_and_
 }
 
 // 900 cubes of a grid to somebody who joins late: neighbours differ by little.
-TEST(RangeFrame, a_grid_costs_a_newcomer_less_than_half_of_codec_1) {
+TEST(RangeFrame, keyframe_of_a_grid_uses_less_than_half_of_codec_1) {
     QuantizedFrame grid{.frame = 1, .entities = {}};
     for (std::uint32_t i = 0; i < 900; i++)
         grid.entities.push_back(
@@ -65,7 +65,7 @@ TEST(RangeFrame, a_grid_costs_a_newcomer_less_than_half_of_codec_1) {
     EXPECT_LT(encode_frame(grid, {}, {}, Codec::range).size(), bits / 2);
 }
 
-TEST(RangeFrame, models_begin_as_the_letters_say) {
+TEST(RangeFrame, initial_models_match_the_table) {
     for (const std::string_view letters : start_model_letters)
         EXPECT_EQ(letters.size(), frame_model_count);
     for (const std::int64_t age : {1, 2, 3, 200}) {
@@ -78,7 +78,7 @@ TEST(RangeFrame, models_begin_as_the_letters_say) {
     }
 }
 
-TEST(RangeFrame, refuses_by_name_what_no_encoder_writes) {
+TEST(RangeFrame, rejects_invalid_data_by_name) {
     const QuantizedFrame ten = resting(1, 10), three = resting(1, 3);
     QuantizedFrame ninth_wakes = resting(2, 10);
     ninth_wakes.entities[8].at_rest = false;

@@ -12,7 +12,7 @@ namespace {
 
 using Words = std::vector<std::uint32_t>;
 
-TEST(WordChanges, tell_as_little_as_changed) {
+TEST(WordChanges, contain_only_changed_words) {
     const Words before{1, 2, 3, 4, 5, 6, 7, 8, 9, 10}, now{1, 2, 0xfffefdfc, 4, 5, 6, 7, 8, 0, 10};
     const WordChanges changes = changes_between(before, now);
     EXPECT_EQ(changes.changed, std::string("\x04\x01", 2)) << "words 2 and 8";
@@ -21,7 +21,7 @@ TEST(WordChanges, tell_as_little_as_changed) {
     EXPECT_EQ(changes_between(now, now).changed, "");
 }
 
-TEST(WordChanges, of_any_lists_make_the_second_of_the_first) {
+TEST(WordChanges, round_trip_any_pair_of_lists) {
     std::mt19937 random(3);
     for (int k = 0; k < 2000; k++) {
         Words before(random() % 40), now(random() % 40);
@@ -34,7 +34,7 @@ TEST(WordChanges, of_any_lists_make_the_second_of_the_first) {
     }
 }
 
-TEST(WordChanges, that_do_not_belong_together_are_refused) {
+TEST(WordChanges, reject_inconsistent_data) {
     const Words before{1, 2, 3};
     for (const auto& [changed, values] : {std::pair<std::string, std::string>{"\x01", ""},
                                           {"\x01", "12345678"},

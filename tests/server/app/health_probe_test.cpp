@@ -123,7 +123,7 @@ std::string text(const HostPort& address) {
     return address.host + ":" + std::to_string(address.port);
 }
 
-TEST(HealthProbe, a_server_whose_doors_both_serve_is_healthy) {
+TEST(HealthProbe, is_healthy_when_grpc_and_http_serve) {
     const FakeServer doors;
     const HealthTarget target = doors.target();
     const Result<std::string> found = probe_health(target, 2s);
@@ -132,7 +132,7 @@ TEST(HealthProbe, a_server_whose_doors_both_serve_is_healthy) {
                           "/healthz serve");
 }
 
-TEST(HealthProbe, one_whose_ticks_hang_or_that_goes_down_is_not) {
+TEST(HealthProbe, is_unhealthy_when_ticks_hang_or_server_drains) {
     FakeServer doors;
     const std::string grpc = "gRPC on " + text(doors.target().grpc) + ": ";
     doors.become_unhealthy();
@@ -141,7 +141,7 @@ TEST(HealthProbe, one_whose_ticks_hang_or_that_goes_down_is_not) {
     EXPECT_THAT(error_of(doors.target()), StartsWith(grpc));
 }
 
-TEST(HealthProbe, a_shut_door_is_told_at_once) {
+TEST(HealthProbe, closed_port_fails_immediately) {
     HealthTarget target = FakeServer().target();  // it was there, and is gone
     const auto began = Clock::now();
     EXPECT_THAT(error_of(target), HasSubstr("gRPC on " + text(target.grpc)));
@@ -154,7 +154,7 @@ TEST(HealthProbe, a_shut_door_is_told_at_once) {
 }
 
 // As a process that is stopped or hangs: the kernel still takes the connection.
-TEST(HealthProbe, a_mute_door_is_waited_for_no_longer_than_told) {
+TEST(HealthProbe, unresponsive_port_fails_after_the_timeout) {
     const FakeServer doors;
     const Answer mute("");
     const HealthTarget mute_grpc{.grpc = mute.address(), .http = doors.target().http};
@@ -167,7 +167,7 @@ TEST(HealthProbe, a_mute_door_is_waited_for_no_longer_than_told) {
     }
 }
 
-TEST(HealthProbe, what_http_says_instead_is_told) {
+TEST(HealthProbe, reports_unexpected_http_responses) {
     const FakeServer doors;
     const auto error = [&](std::string answer) {
         const Answer door(std::move(answer));
@@ -180,7 +180,7 @@ TEST(HealthProbe, what_http_says_instead_is_told) {
     EXPECT_THAT(error("HTTP/1.1 200"), HasSubstr("partial message"));
 }
 
-TEST(HealthProbe, what_listens_everywhere_is_asked_on_loopback) {
+TEST(HealthProbe, probes_wildcard_listeners_on_loopback) {
     Config config;
     config.listen = "0.0.0.0:50051";
     config.http = "[::]:8080";
@@ -208,7 +208,7 @@ class Serving final : public grpc::health::v1::Health::Service {
 
 // The certificate is signed by nobody that is known, and has expired: to start the server anew, as
 // who probes it would, mends neither.
-TEST(HealthProbe, doors_that_speak_tls_are_understood) {
+TEST(HealthProbe, probes_tls_listeners) {
     const test::TestCertificate certificate =
         test::make_certificate({.name = "play.example.org", .ends_in_s = -10});
     Serving service;

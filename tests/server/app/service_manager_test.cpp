@@ -56,7 +56,7 @@ std::string of_this_process(const std::string& name) {
     return name + std::to_string(getpid());
 }
 
-TEST(ServiceManager, hears_one_datagram_per_call_on_a_path) {
+TEST(ServiceManager, sends_one_datagram_per_call_to_a_path_socket) {
     const Manager manager(
         (std::filesystem::temp_directory_path() / of_this_process("jostle-notify-")).string());
     EXPECT_TRUE(notify_ready("2 worlds"));
@@ -68,19 +68,19 @@ TEST(ServiceManager, hears_one_datagram_per_call_on_a_path) {
     EXPECT_EQ(manager.heard(), "");
 }
 
-TEST(ServiceManager, hears_it_on_an_abstract_socket) {
+TEST(ServiceManager, sends_to_an_abstract_socket) {
     const Manager manager(of_this_process("@jostle-notify-"));
     EXPECT_TRUE(notify_ready("ready"));
     EXPECT_EQ(manager.heard(), "READY=1\nSTATUS=ready");
 }
 
-TEST(ServiceManager, a_status_of_two_lines_sets_no_second_variable) {
+TEST(ServiceManager, multiline_status_sets_no_second_variable) {
     const Manager manager(of_this_process("@jostle-notify-"));
     EXPECT_TRUE(notify_ready("a\nMAINPID=1\rb"));
     EXPECT_EQ(manager.heard(), "READY=1\nSTATUS=a MAINPID=1 b");
 }
 
-TEST(ServiceManager, without_one_nothing_is_sent) {
+TEST(ServiceManager, sends_nothing_without_a_notify_socket) {
     unsetenv("NOTIFY_SOCKET");
     EXPECT_FALSE(notify_ready("ready"));
     EXPECT_FALSE(notify_watchdog());
@@ -88,7 +88,7 @@ TEST(ServiceManager, without_one_nothing_is_sent) {
 }
 
 // A name that fits into no address, one of another kind, and one that nobody listens on.
-TEST(ServiceManager, one_that_cannot_be_reached_harms_nothing) {
+TEST(ServiceManager, ignores_an_unreachable_manager) {
     const std::string too_long = "/" + std::string(200, 'x');
     for (const char* name : {too_long.c_str(), "@", "vsock:2:1234", "/nobody/here"}) {
         setenv("NOTIFY_SOCKET", name, 1);
@@ -99,7 +99,7 @@ TEST(ServiceManager, one_that_cannot_be_reached_harms_nothing) {
 
 // A manager whose queue is full (it hangs, and 10 datagrams or so wait) does not hold up the
 // caller.
-TEST(ServiceManager, one_that_does_not_read_is_not_waited_for) {
+TEST(ServiceManager, does_not_block_on_a_full_socket) {
     const Manager manager(of_this_process("@jostle-notify-"));
     bool told = true;
     for (int i = 0; i < 10'000 && told; i++) told = notify_watchdog();
@@ -112,7 +112,7 @@ struct Watchdog {
     std::optional<std::chrono::microseconds> period;
 };
 
-TEST(ServiceManager, wants_to_hear_twice_within_the_time_after_which_it_kills) {
+TEST(ServiceManager, watchdog_period_is_half_of_the_timeout) {
     const std::string own = std::to_string(getpid()), other = std::to_string(getpid() + 1);
     for (const Watchdog& w :
          {Watchdog{"10000000", nullptr, 5s}, Watchdog{"10000000", own.c_str(), 5s},

@@ -23,14 +23,14 @@ Config shipped(const std::string& file) {
 }
 
 // Whoever publishes a port of the image has to decide first who may come in.
-TEST(ShippedSettings, the_image_alone_refuses_strangers) {
+TEST(ShippedSettings, docker_image_config_rejects_unauthenticated_access) {
     const Status exposed = check_exposure(shipped("docker/jostle-server.toml"));
     ASSERT_FALSE(exposed.ok());
     EXPECT_THAT(exposed.error().message, HasSubstr("insecure"));
 }
 
 // Compose publishes on loopback, and the base of Kubernetes stands behind a gateway.
-TEST(ShippedSettings, what_something_else_protects_says_so) {
+TEST(ShippedSettings, configs_behind_other_protection_set_insecure) {
     for (const char* file :
          {"docker/compose-server.toml", "deploy/kubernetes/base/jostle-server.toml"}) {
         const Config config = shipped(file);
@@ -39,7 +39,7 @@ TEST(ShippedSettings, what_something_else_protects_says_so) {
     }
 }
 
-TEST(ShippedSettings, what_nothing_else_protects_has_tls_and_tokens) {
+TEST(ShippedSettings, public_configs_have_tls_and_tokens) {
     const Config config = shipped("deploy/kubernetes/tls/jostle-server.toml");
     EXPECT_FALSE(config.insecure);
     const Status exposed = check_exposure(config);

@@ -71,13 +71,13 @@ TEST(AccessTable, every_row_names_an_rpc) {
     }
 }
 
-TEST(AccessTable, no_row_stands_twice) {
+TEST(AccessTable, has_no_duplicate_rows) {
     std::set<std::string_view> calls;
     for (const AccessRow& row : access_table())
         EXPECT_TRUE(calls.insert(row.call).second) << row.call;
 }
 
-TEST(AccessTable, calls_are_found_as_grpc_writes_them) {
+TEST(AccessTable, finds_calls_by_grpc_path) {
     const AccessRow* row = find_call("/jostle.v1.WorldService/CreateWorld");
     ASSERT_NE(row, nullptr);
     EXPECT_EQ(row, find_call("jostle.v1.WorldService/CreateWorld"));
@@ -93,7 +93,7 @@ std::string_view route(std::string_view method, std::string_view path) {
     return row ? row->call : "";
 }
 
-TEST(AccessTable, routes_are_found_by_method_and_path) {
+TEST(AccessTable, finds_routes_by_method_and_path) {
     EXPECT_EQ(route("GET", "/api/worlds"), "GET /api/worlds");
     EXPECT_EQ(route("HEAD", "/api/worlds"), "GET /api/worlds");
     EXPECT_EQ(route("POST", "/api/worlds"), "POST /api/worlds");
@@ -107,7 +107,7 @@ TEST(AccessTable, routes_are_found_by_method_and_path) {
         EXPECT_EQ(route("GET", path), "GET /{file}") << path;
 }
 
-TEST(AccessTable, what_is_no_route_has_no_row) {
+TEST(AccessTable, returns_null_for_unknown_routes) {
     for (const auto& [method, path] :
          {std::pair("GET", "/api"), std::pair("GET", "/api/"), std::pair("GET", "/api/worlds/"),
           std::pair("GET", "/api/worlds/a/b"), std::pair("GET", "/api//worlds"),
@@ -119,7 +119,7 @@ TEST(AccessTable, what_is_no_route_has_no_row) {
 }
 
 // Who may call what, once more: the least role, and a star where it must be one's own world.
-TEST(AccessTable, rights_are_these) {
+TEST(AccessTable, matches_the_expected_permissions) {
     const std::pair<const char*, std::vector<const char*>> expected[] = {
         {"none",
          {"grpc.health.v1.Health/Check", "grpc.health.v1.Health/Watch", "GET /healthz",
@@ -164,7 +164,7 @@ std::string documented(const std::string& rights) {
     return {};
 }
 
-TEST(AccessTable, the_page_for_operators_has_every_row) {
+TEST(AccessTable, operations_guide_lists_every_row) {
     for (const AccessRow& row : access_table()) {
         std::string rights =
             row.min_role == Role::none ? "everybody" : std::string(name_of(row.min_role));

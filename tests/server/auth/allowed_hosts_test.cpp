@@ -6,7 +6,7 @@
 namespace jostle::server {
 namespace {
 
-TEST(AllowedHosts, addresses_and_localhost_name_this_server_and_names_must_be_listed) {
+TEST(AllowedHosts, accepts_ip_addresses_localhost_and_listed_names_only) {
     const std::vector<std::string> none, some = {"play.example.org"}, all = {"*"};
     for (const char* host : {"127.0.0.1:8080", "192.0.2.7", "[::1]:8080", "[2001:db8::1]",
                              "localhost", "LocalHost:8080", ""})

@@ -40,7 +40,7 @@ std::vector<json> lines_of(const std::string& text) {
     return lines;
 }
 
-TEST(AuditLine, is_one_object_with_the_time_to_the_millisecond) {
+TEST(AuditLine, is_one_json_object_with_millisecond_timestamp) {
     const std::string line = audit_line(entry());
     EXPECT_EQ(line, R"({"time":"2026-09-21T14:13:20.007Z","what":"create","outcome":"granted",)"
                     R"("subject":"anna","role":"director","token_id":"t-1","address":"192.0.2.7",)"
@@ -48,7 +48,7 @@ TEST(AuditLine, is_one_object_with_the_time_to_the_millisecond) {
                     "\n");
 }
 
-TEST(AuditLine, texts_of_strangers_cannot_make_lines_or_move_terminals) {
+TEST(AuditLine, escapes_newlines_and_terminal_control_sequences) {
     const std::string subject = "anna\"}\n{\"what\":\"admin\"\x1b[2J\u202e\xff\xfe";
     const std::string line = audit_line(entry(subject));
     EXPECT_EQ(std::ranges::count(line, '\n'), 1);
@@ -57,7 +57,7 @@ TEST(AuditLine, texts_of_strangers_cannot_make_lines_or_move_terminals) {
               "anna\"}\n{\"what\":\"admin\"\x1b[2J\u202e\ufffd\ufffd");
 }
 
-TEST(AuditLine, texts_are_cut_at_256_bytes_and_no_character_in_two) {
+TEST(AuditLine, truncates_text_to_256_bytes_at_character_boundary) {
     EXPECT_EQ(json::parse(audit_line(entry(std::string(300, 'a'))))["subject"],
               std::string(256, 'a'));
     std::string euros = "a";
@@ -68,7 +68,7 @@ TEST(AuditLine, texts_are_cut_at_256_bytes_and_no_character_in_two) {
     EXPECT_LT(audit_line(entry(rubble)).size(), 4096u);
 }
 
-TEST(AuditLog, writes_a_file_that_only_its_owner_reads_and_goes_on_where_it_was) {
+TEST(AuditLog, creates_owner_only_file_and_appends_after_reopen) {
     const test::TempFolder folder;
     for (const char* subject : {"anna", "berta"}) {
         const auto log = AuditLog::open(folder / "audit").value();
@@ -83,7 +83,7 @@ TEST(AuditLog, writes_a_file_that_only_its_owner_reads_and_goes_on_where_it_was)
     EXPECT_EQ(s.st_mode & 0777u, 0600u);
 }
 
-TEST(AuditLog, what_was_recorded_before_the_end_is_written) {
+TEST(AuditLog, flushes_recorded_lines_on_destruction) {
     const test::TempFolder folder;
     {
         const auto log = AuditLog::open(folder / "audit").value();
@@ -92,7 +92,7 @@ TEST(AuditLog, what_was_recorded_before_the_end_is_written) {
     EXPECT_EQ(lines_of(folder.read("audit")).size(), 1000u);
 }
 
-TEST(AuditLog, a_renamed_file_is_left_alone_after_reopen) {
+TEST(AuditLog, does_not_write_to_renamed_file_after_reopen) {
     const test::TempFolder folder;
     const auto log = AuditLog::open(folder / "audit").value();
     log->record(entry("first"));
@@ -108,7 +108,7 @@ TEST(AuditLog, a_renamed_file_is_left_alone_after_reopen) {
     EXPECT_EQ(lines_of(folder.read("audit"))[0]["subject"], "third");
 }
 
-TEST(AuditLog, a_file_that_cannot_be_opened_is_named) {
+TEST(AuditLog, error_names_file_that_cannot_be_opened) {
     const auto log = AuditLog::open("/no/such/folder/audit");
     ASSERT_FALSE(log.ok());
     EXPECT_NE(log.error().message.find("/no/such/folder/audit"), std::string::npos);
@@ -120,7 +120,7 @@ TEST(AuditLog, a_file_that_cannot_be_opened_is_named) {
 
 // A pipe that nobody empties holds 64 KiB: lines wait, then are dropped and counted, and no caller
 // waits. Once somebody reads, what waited comes whole, and the count after it.
-TEST(AuditLog, a_pipe_that_nobody_reads_blocks_no_caller_and_drops_are_counted) {
+TEST(AuditLog, blocked_pipe_does_not_block_callers_and_counts_dropped_lines) {
     const test::TempFolder folder;
     ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);
     const int reader = open((folder / "pipe").c_str(), O_RDONLY | O_NONBLOCK);
@@ -162,7 +162,7 @@ TEST(AuditLog, a_pipe_that_nobody_reads_blocks_no_caller_and_drops_are_counted) 
     EXPECT_EQ(written + dropped, static_cast<std::uint64_t>(count)) << "none is lost unseen";
 }
 
-TEST(AuditLog, a_blocked_pipe_does_not_hold_up_the_end) {
+TEST(AuditLog, blocked_pipe_does_not_delay_destruction) {
     const test::TempFolder folder;
     ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);
     const int reader = open((folder / "pipe").c_str(), O_RDONLY | O_NONBLOCK);
@@ -175,7 +175,7 @@ TEST(AuditLog, a_blocked_pipe_does_not_hold_up_the_end) {
 }
 
 // A limit on the size of files does what a full disk does.
-TEST(AuditLog, after_a_full_disk_lines_come_whole) {
+TEST(AuditLog, writes_complete_lines_after_disk_was_full) {
     const test::TempFolder folder;
     signal(SIGXFSZ, SIG_IGN);
     rlimit before{};
@@ -195,7 +195,7 @@ TEST(AuditLog, after_a_full_disk_lines_come_whole) {
     EXPECT_EQ(lines_of(folder.read("audit")).size(), 100u);
 }
 
-TEST(AuditLog, what_is_left_out_on_purpose_is_counted) {
+TEST(AuditLog, counts_muted_lines) {
     const test::TempFolder folder;
     {
         const auto log = AuditLog::open(folder / "audit").value();
@@ -209,7 +209,7 @@ TEST(AuditLog, what_is_left_out_on_purpose_is_counted) {
     EXPECT_EQ(muted, 500u);
 }
 
-TEST(AuditLog, many_threads_record_at_once) {
+TEST(AuditLog, supports_concurrent_recording) {
     const test::TempFolder folder;
     {
         const auto log = AuditLog::open(folder / "audit").value();

@@ -72,7 +72,7 @@ protected:
     std::unique_ptr<Authorizer> authorizer;
 };
 
-TEST_F(AuthorizerTest, knows_who_calls_by_token_by_certificate_or_not_at_all) {
+TEST_F(AuthorizerTest, identifies_callers_by_token_certificate_or_as_anonymous) {
     const Identity anna = known("anna", "player");
     EXPECT_EQ(anna.subject, "anna");
     EXPECT_EQ(anna.role, Role::player);
@@ -94,7 +94,7 @@ TEST_F(AuthorizerTest, knows_who_calls_by_token_by_certificate_or_not_at_all) {
     EXPECT_EQ(error.code, ErrorCode::unauthenticated);
 }
 
-TEST_F(AuthorizerTest, what_anonymous_may_do_is_a_setting) {
+TEST_F(AuthorizerTest, anonymous_permissions_follow_the_configured_role) {
     for (const auto& [setting, role] :
          {std::pair("none", Role::none), std::pair("viewer", Role::viewer),
           std::pair("player", Role::player), std::pair("director", Role::director),
@@ -117,7 +117,7 @@ TEST_F(AuthorizerTest, what_anonymous_may_do_is_a_setting) {
 
 // Every row of the table by every role: those below the least are refused, and anonymous ones told
 // to show a token.
-TEST_F(AuthorizerTest, every_row_goes_by_its_least_role) {
+TEST_F(AuthorizerTest, every_row_requires_its_minimum_role) {
     int refused = 0;
     for (const AccessRow& row : access_table()) {
         for (const Role role :
@@ -141,7 +141,7 @@ TEST_F(AuthorizerTest, every_row_goes_by_its_least_role) {
     }
 }
 
-TEST_F(AuthorizerTest, directors_delete_their_own_worlds_and_admins_any) {
+TEST_F(AuthorizerTest, directors_delete_only_their_own_worlds_and_admins_any_world) {
     const Identity anna = known("anna", "director"), boss = known("boss", "admin");
     EXPECT_TRUE(ask(anna, remove_world, {"w1", "arena", "anna"}).ok());
     EXPECT_EQ(error_of(ask(anna, remove_world, {"w1", "arena", "berta"})).code,
@@ -156,7 +156,7 @@ TEST_F(AuthorizerTest, directors_delete_their_own_worlds_and_admins_any) {
     EXPECT_TRUE(ask(anonymous(), remove_world, {"w1", "arena", "anonymous"}).ok());
 }
 
-TEST_F(AuthorizerTest, a_token_for_one_world_opens_no_other) {
+TEST_F(AuthorizerTest, token_for_one_world_is_rejected_for_other_worlds) {
     const Identity by_id = known("anna", "player", {{"world", "w1"}}),
                    by_name = known("berta", "player", {{"world", "arena"}}),
                    director = known("carla", "director", {{"world", "w1"}});
@@ -173,7 +173,7 @@ TEST_F(AuthorizerTest, a_token_for_one_world_opens_no_other) {
     EXPECT_FALSE(ask(director, create, {}).ok());
 }
 
-TEST_F(AuthorizerTest, an_identity_ends_with_its_token) {
+TEST_F(AuthorizerTest, identity_expires_with_its_token) {
     const Identity anna = known("anna", "player");
     now.wall += 1h + 29s;
     EXPECT_TRUE(ask(anna, debug).ok());
@@ -182,13 +182,13 @@ TEST_F(AuthorizerTest, an_identity_ends_with_its_token) {
     EXPECT_TRUE(ask(anna, "GET /healthz").ok()) << "what is open is open";
 }
 
-TEST_F(AuthorizerTest, a_call_without_a_row_is_refused_to_admins_too) {
+TEST_F(AuthorizerTest, rejects_calls_without_a_row_even_for_admins) {
     EXPECT_EQ(error_of(ask(known("boss", "admin"), "jostle.v1.WorldService/Explode")).code,
               ErrorCode::permission_denied);
     EXPECT_FALSE(ask(known("boss", "admin"), "").ok());
 }
 
-TEST_F(AuthorizerTest, who_asks_too_often_is_told_when_to_come_back) {
+TEST_F(AuthorizerTest, rate_limited_callers_receive_retry_delay) {
     config.quota.creates_per_minute = 3;
     open();
     const Identity anna = known("anna", "director");
@@ -202,7 +202,7 @@ TEST_F(AuthorizerTest, who_asks_too_often_is_told_when_to_come_back) {
     EXPECT_TRUE(ask(anna, create, {}).ok());
 }
 
-TEST_F(AuthorizerTest, an_address_whose_tokens_are_refused_is_made_to_wait) {
+TEST_F(AuthorizerTest, throttles_addresses_after_rejected_tokens) {
     config.quota.refused_logins_per_minute = 5;
     open();
     const auto login_with = [&](const std::string& bearer, const char* address) {
@@ -223,7 +223,7 @@ TEST_F(AuthorizerTest, an_address_whose_tokens_are_refused_is_made_to_wait) {
     EXPECT_TRUE(login_with(good, home).ok()) << "good ones cost nothing";
 }
 
-TEST_F(AuthorizerTest, a_ticket_lets_in_once_whom_it_was_given_to) {
+TEST_F(AuthorizerTest, ticket_admits_its_holder_once) {
     const Identity anna = known("anna", "player");
     const std::string ticket = authorizer->issue_ticket(anna, "w1", home, now).value();
     const Authorizer::Entry entry = authorizer->redeem_ticket(ticket, "", home, now).value();
@@ -234,7 +234,7 @@ TEST_F(AuthorizerTest, a_ticket_lets_in_once_whom_it_was_given_to) {
 }
 
 // Whoever guesses hears the same words whatever was wrong; the audit log has the difference.
-TEST_F(AuthorizerTest, what_was_wrong_with_a_ticket_is_told_to_the_audit_log_alone) {
+TEST_F(AuthorizerTest, ticket_failure_reason_appears_only_in_audit_log) {
     const Identity anna = known("anna", "player");
     const auto issue = [&] { return authorizer->issue_ticket(anna, "w1", home, now).value(); };
     const std::string used = issue(), elsewhere = issue(), outlived = issue();
@@ -266,7 +266,7 @@ TEST_F(AuthorizerTest, what_was_wrong_with_a_ticket_is_told_to_the_audit_log_alo
     }
 }
 
-TEST_F(AuthorizerTest, grants_refusals_and_changes_are_audited_and_reading_is_not) {
+TEST_F(AuthorizerTest, audits_grants_refusals_and_changes_but_not_reads) {
     const Identity anna = known("anna", "director", {{"jti", "t-9"}});
     const AccessRequest made{.call = create, .world = {"w7", "pit", "anna"}, .address = home};
     EXPECT_TRUE(ask(anna, create, {}).ok());
@@ -294,13 +294,13 @@ TEST_F(AuthorizerTest, grants_refusals_and_changes_are_audited_and_reading_is_no
                   "admin refused w1 this call requires the role admin; your role is director"}));
 }
 
-TEST_F(AuthorizerTest, a_token_is_told_of_once_not_with_each_call) {
+TEST_F(AuthorizerTest, audits_each_token_login_once) {
     for (int i = 0; i < 100; ++i) known("anna", "viewer");
     known("anna", "viewer", {{"jti", "another"}});
     EXPECT_EQ(audited().size(), 2u);
 }
 
-TEST_F(AuthorizerTest, whoever_is_refused_all_the_time_does_not_fill_the_disk) {
+TEST_F(AuthorizerTest, limits_audited_refusals_per_address) {
     config.quota.refusals_audited_per_minute = 10;
     open();
     for (int i = 0; i < 500; ++i) EXPECT_FALSE(ask(anonymous(), create, {}).ok());
@@ -322,7 +322,7 @@ TEST_F(AuthorizerTest, whoever_is_refused_all_the_time_does_not_fill_the_disk) {
 
 // Forged, expired, none, without an end, for others, replayed: refused, audited, and nothing of
 // them written down.
-TEST_F(AuthorizerTest, no_token_or_ticket_is_ever_written) {
+TEST_F(AuthorizerTest, never_logs_tokens_or_tickets) {
     std::vector<std::string> secrets;
     const auto show = [&](const std::string& bearer) {
         secrets.push_back(bearer);
@@ -358,7 +358,7 @@ TEST_F(AuthorizerTest, no_token_or_ticket_is_ever_written) {
     }
 }
 
-TEST_F(AuthorizerTest, a_new_key_set_is_taken_over_while_it_runs) {
+TEST_F(AuthorizerTest, reloads_key_set_at_run_time) {
     const LoginService renewed{.key_id = "second"};
     const std::string of_new = renewed.token(LoginService::claims("anna", "player", now.wall));
     const auto is_good = [&](const std::string& bearer) {
@@ -375,7 +375,7 @@ TEST_F(AuthorizerTest, a_new_key_set_is_taken_over_while_it_runs) {
     EXPECT_TRUE(is_good(token("anna", "player")));
 }
 
-TEST_F(AuthorizerTest, settings_that_cannot_work_are_named) {
+TEST_F(AuthorizerTest, error_names_invalid_settings) {
     config.auth.keys = folder / "missing.json";
     EXPECT_FALSE(Authorizer::open(config).ok());
     config.auth.keys.clear();
@@ -383,7 +383,7 @@ TEST_F(AuthorizerTest, settings_that_cannot_work_are_named) {
     EXPECT_FALSE(Authorizer::open(config).ok());
 }
 
-TEST_F(AuthorizerTest, many_threads_ask_while_keys_change) {
+TEST_F(AuthorizerTest, supports_concurrent_calls_during_key_reload) {
     const std::string bearer = token("anna", "player");
     std::atomic<int> let_in = 0;
     {
@@ -408,7 +408,7 @@ TEST_F(AuthorizerTest, many_threads_ask_while_keys_change) {
     EXPECT_EQ(let_in, 200);
 }
 
-TEST(BearerIn, takes_the_token_out_of_the_header) {
+TEST(BearerIn, parses_bearer_token_from_header) {
     EXPECT_EQ(parse_bearer("").value(), "");
     EXPECT_EQ(parse_bearer("Bearer a.b.c").value(), "a.b.c");
     EXPECT_EQ(parse_bearer("bearer a.b.c").value(), "a.b.c");

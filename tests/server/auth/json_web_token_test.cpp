@@ -46,7 +46,7 @@ protected:
     Json good = LoginService::claims("anna", "player", now);
 };
 
-TEST_F(JsonWebToken, says_who_it_is_for_and_until_when) {
+TEST_F(JsonWebToken, returns_subject_and_expiry) {
     good["jti"] = "t-17";
     good["world"] = "arena";
     const Result<Identity> who = verify(login.token(good));
@@ -59,7 +59,7 @@ TEST_F(JsonWebToken, says_who_it_is_for_and_until_when) {
     EXPECT_EQ(who->expires, now + 1h + 30s) << "an hour, and the leeway";
 }
 
-TEST_F(JsonWebToken, the_audience_may_be_one_of_several) {
+TEST_F(JsonWebToken, accepts_audience_list_containing_ours) {
     EXPECT_EQ(fault_with({{"aud", {"billing", "jostle"}}}), "");
     EXPECT_NE(fault_with({{"aud", {"billing", "mail"}}}), "");
     EXPECT_NE(fault_with({{"aud", {"jostle", 7}}}), "") << "not an array of strings";
@@ -67,7 +67,7 @@ TEST_F(JsonWebToken, the_audience_may_be_one_of_several) {
     EXPECT_NE(fault_with({{"aud", std::vector<std::string>(33, "jostle")}}), "");
 }
 
-TEST_F(JsonWebToken, each_required_claim_is_missed_by_name) {
+TEST_F(JsonWebToken, error_names_missing_claim) {
     EXPECT_EQ(fault_with({{"iss", nullptr}}), "the token has no issuer (iss)");
     EXPECT_EQ(fault_with({{"aud", nullptr}}), "the token has no audience (aud)");
     EXPECT_EQ(fault_with({{"sub", nullptr}}), "the token has no subject (sub)");
@@ -77,7 +77,7 @@ TEST_F(JsonWebToken, each_required_claim_is_missed_by_name) {
     EXPECT_EQ(fault_with({{"iat", nullptr}}), "") << "iat is not required";
 }
 
-TEST_F(JsonWebToken, the_end_is_kept_to_the_second_beside_thirty_of_leeway) {
+TEST_F(JsonWebToken, enforces_expiry_with_30_seconds_of_leeway) {
     EXPECT_EQ(fault_with(Json::object(), now + 3629s), "");
     EXPECT_EQ(fault_with(Json::object(), now + 3630s), "the token has expired");
     rules.leeway = 0s;
@@ -85,7 +85,7 @@ TEST_F(JsonWebToken, the_end_is_kept_to_the_second_beside_thirty_of_leeway) {
     EXPECT_EQ(fault_with(Json::object(), now + 3600s), "the token has expired");
 }
 
-TEST_F(JsonWebToken, nothing_is_good_for_more_than_a_day) {
+TEST_F(JsonWebToken, rejects_lifetimes_over_one_day) {
     constexpr std::int64_t day = 86400;
     EXPECT_EQ(fault_with({{"exp", seconds + day}}), "");
     EXPECT_EQ(fault_with({{"exp", seconds + 25 * 3600}}),
@@ -96,14 +96,14 @@ TEST_F(JsonWebToken, nothing_is_good_for_more_than_a_day) {
               "the token is valid for more than 24 hours (iat to exp)");
 }
 
-TEST_F(JsonWebToken, what_begins_later_is_not_good_yet) {
+TEST_F(JsonWebToken, rejects_tokens_before_nbf) {
     EXPECT_EQ(fault_with({{"nbf", seconds + 30}}), "");
     EXPECT_EQ(fault_with({{"nbf", seconds + 31}}), "the token is not valid yet (nbf)");
     EXPECT_EQ(fault_with({{"iat", seconds + 31}}), "the token was issued (iat) in the future");
     EXPECT_EQ(fault_with({{"nbf", seconds + 31}}, now + 1s), "");
 }
 
-TEST_F(JsonWebToken, times_that_are_none_are_refused) {
+TEST_F(JsonWebToken, rejects_invalid_timestamps) {
     for (const Json& time :
          {Json("soon"), Json(-1), Json(1e300), Json(true), Json::array({1}), Json(253402300799)})
         EXPECT_EQ(fault_with({{"exp", time}}),
@@ -111,13 +111,13 @@ TEST_F(JsonWebToken, times_that_are_none_are_refused) {
     EXPECT_EQ(fault_with({{"exp", static_cast<double>(seconds) + 60.5}}), "");
 }
 
-TEST_F(JsonWebToken, another_issuer_or_audience_is_refused) {
+TEST_F(JsonWebToken, rejects_wrong_issuer_and_audience) {
     EXPECT_EQ(fault_with({{"iss", "https://login.example.org/"}}),
               "the token is from another issuer (iss)");
     EXPECT_EQ(fault_with({{"aud", "Jostle"}}), "the token is for another audience (aud)");
 }
 
-TEST_F(JsonWebToken, subjects_and_roles_of_the_servers_own_are_not_given_away) {
+TEST_F(JsonWebToken, rejects_reserved_subjects_and_unknown_roles) {
     EXPECT_NE(fault_with({{"sub", "anonymous"}}), "");
     EXPECT_NE(fault_with({{"sub", "certificate:CN=boss"}}), "");
     EXPECT_NE(fault_with({{"sub", ""}}), "");
@@ -129,7 +129,7 @@ TEST_F(JsonWebToken, subjects_and_roles_of_the_servers_own_are_not_given_away) {
     EXPECT_NE(fault_with({{"world", ""}}), "") << "else it would be good for any";
 }
 
-TEST_F(JsonWebToken, only_es256_is_taken_whatever_the_token_says) {
+TEST_F(JsonWebToken, accepts_only_es256) {
     const std::string taken = "the token is not signed with ES256, the only accepted algorithm";
     const auto sign = [&](const std::string& text) { return login.key.sign(text); };
     for (const char* algorithm : {"none", "None", "RS256", "HS256", "ES384", "es256", ""}) {
@@ -147,7 +147,7 @@ TEST_F(JsonWebToken, only_es256_is_taken_whatever_the_token_says) {
               "the token's signature is not 64 bytes of base64url");
 }
 
-TEST_F(JsonWebToken, the_public_key_is_no_secret_to_sign_with) {
+TEST_F(JsonWebToken, rejects_hmac_signed_with_the_public_key) {
     const std::string secret = login.key.public_key("first").dump();
     const auto hmac = [&](const std::string& text) {
         std::string out(32, '\0');
@@ -161,7 +161,7 @@ TEST_F(JsonWebToken, the_public_key_is_no_secret_to_sign_with) {
     EXPECT_NE(fault_of(test::assemble(header.dump(), good.dump(), hmac)), "");
 }
 
-TEST_F(JsonWebToken, a_forged_signature_is_refused) {
+TEST_F(JsonWebToken, rejects_forged_signatures) {
     const std::string forged = "the token's signature does not match its key";
     const test::SigningKey stranger;
     const auto of_stranger = [&](const std::string& text) { return stranger.sign(text); };
@@ -177,7 +177,7 @@ TEST_F(JsonWebToken, a_forged_signature_is_refused) {
 }
 
 // A token with one character changed is refused wherever that is.
-TEST_F(JsonWebToken, no_character_of_it_can_be_changed) {
+TEST_F(JsonWebToken, rejects_any_modified_character) {
     const std::string token = login.token(good);
     ASSERT_EQ(fault_of(token), "");
     for (std::size_t at = 0; at < token.size(); ++at) {
@@ -187,7 +187,7 @@ TEST_F(JsonWebToken, no_character_of_it_can_be_changed) {
     }
 }
 
-TEST_F(JsonWebToken, only_keys_of_the_set_count) {
+TEST_F(JsonWebToken, rejects_keys_outside_the_key_set) {
     const std::string unknown = "the token is signed with an unknown key";
     Json header = login.header();
     header["kid"] = "second";
@@ -206,7 +206,7 @@ TEST_F(JsonWebToken, only_keys_of_the_set_count) {
     EXPECT_EQ(fault_of(login.token(good)), unknown);
 }
 
-TEST_F(JsonWebToken, extensions_and_other_types_are_refused) {
+TEST_F(JsonWebToken, rejects_crit_extensions_and_other_types) {
     Json header = login.header();
     header["crit"] = {"exp"};
     EXPECT_NE(fault_of(login.token(header, good)), "");
@@ -217,7 +217,7 @@ TEST_F(JsonWebToken, extensions_and_other_types_are_refused) {
     EXPECT_NE(fault_of(login.token(header, good)), "");
 }
 
-TEST_F(JsonWebToken, what_is_no_token_is_refused) {
+TEST_F(JsonWebToken, rejects_malformed_tokens) {
     const auto sign = [&](const std::string& text) { return login.key.sign(text); };
     const std::string head = login.header().dump();
     for (const std::string& token :
@@ -231,7 +231,7 @@ TEST_F(JsonWebToken, what_is_no_token_is_refused) {
     }
 }
 
-TEST_F(JsonWebToken, a_claim_that_stands_twice_is_refused_though_it_was_signed) {
+TEST_F(JsonWebToken, rejects_duplicate_claims) {
     std::string claims = good.dump();
     claims.insert(1, R"("role":"admin",)");
     const auto sign = [&](const std::string& text) { return login.key.sign(text); };
@@ -239,7 +239,7 @@ TEST_F(JsonWebToken, a_claim_that_stands_twice_is_refused_though_it_was_signed) 
               "the token's claims cannot be parsed: an object has a duplicate key");
 }
 
-TEST_F(JsonWebToken, eight_kibibytes_are_the_most_that_is_looked_at) {
+TEST_F(JsonWebToken, rejects_tokens_larger_than_8_kib) {
     good["note"] = std::string(5500, 'x');
     const std::string token = login.token(good);
     ASSERT_LT(token.size(), token_bytes_max);
@@ -250,7 +250,7 @@ TEST_F(JsonWebToken, eight_kibibytes_are_the_most_that_is_looked_at) {
 }
 
 // Every fault has words of its own, and none of them holds a piece of the token.
-TEST_F(JsonWebToken, refusals_differ_and_give_nothing_away) {
+TEST_F(JsonWebToken, errors_are_distinct_and_quote_no_token_content) {
     const Json deep = Json::parse(R"({"a": {"b": {"c": {"d": {}}}}})");
     std::set<std::string> messages;
     const Json changes[] = {{{"iss", nullptr}},

@@ -20,7 +20,7 @@ std::string fault_of(const std::string& text) {
     return read.ok() ? "" : read.error().message;
 }
 
-TEST(KeySet, keys_of_other_kinds_are_left_out_and_named) {
+TEST(KeySet, skips_unsupported_keys_with_a_warning) {
     Json for_encryption = SigningKey().public_key("e"), of_p384 = SigningKey().public_key("p"),
          without_id = SigningKey().public_key(""), secret = SigningKey().public_key("s"),
          off_curve = SigningKey().public_key("o"), other_algorithm = SigningKey().public_key("a");
@@ -42,7 +42,7 @@ TEST(KeySet, keys_of_other_kinds_are_left_out_and_named) {
               "key 6 is skipped: it is a private key; only the issuer may hold it");
 }
 
-TEST(KeySet, what_is_no_key_set_is_refused) {
+TEST(KeySet, rejects_malformed_key_sets) {
     EXPECT_EQ(fault_of("{"), "it cannot be parsed: it is not valid JSON");
     EXPECT_EQ(fault_of("[]"), "it is not a JSON object with an array \"keys\"");
     EXPECT_EQ(fault_of("{\"keys\": {}}"), "it is not a JSON object with an array \"keys\"");
@@ -54,7 +54,7 @@ TEST(KeySet, what_is_no_key_set_is_refused) {
               "key 2 has the kid of an earlier key");
 }
 
-TEST(KeySet, the_first_file_must_be_good) {
+TEST(KeySet, requires_a_valid_file_at_startup) {
     const test::TempFolder folder;
     EXPECT_NE(KeySet::open(folder / "missing.json").error().message.find("missing.json"),
               std::string::npos);
@@ -64,7 +64,7 @@ TEST(KeySet, the_first_file_must_be_good) {
     EXPECT_FALSE(KeySet::open(folder / "pipe").ok()) << "and is not waited for";
 }
 
-TEST(KeySet, a_new_file_takes_over_and_a_broken_one_does_not) {
+TEST(KeySet, applies_valid_files_and_ignores_broken_ones) {
     const test::TempFolder folder;
     const auto put = [&](const std::string& text) { folder.write("keys.json", text); };
     const auto set_of = [](const char* id) {
@@ -94,7 +94,7 @@ TEST(KeySet, a_new_file_takes_over_and_a_broken_one_does_not) {
 }
 
 // Fifty new files under a reader that never sees anything but a whole set.
-TEST(KeySet, of_fifty_files_ten_are_broken_and_the_last_good_one_is_always_in_force) {
+TEST(KeySet, retains_last_valid_key_set_over_fifty_rotations) {
     const test::TempFolder folder;
     folder.write("keys.json", test::key_set(Json::array({SigningKey().public_key("0")})));
     const auto keys = KeySet::open(folder / "keys.json").value();

@@ -6,7 +6,7 @@
 namespace jostle::server {
 namespace {
 
-TEST(LruMap, what_was_not_asked_for_longest_goes) {
+TEST(LruMap, evicts_the_least_recently_used_entry) {
     LruMap<int> map(3);
     int made = 0;
     const auto ask = [&](const char* key) { return map.find_or_make(key, [&] { return ++made; }); };

@@ -18,7 +18,7 @@ int grants(Quotas& quotas, QuotaKind work, const std::string& subject, const std
     return granted;
 }
 
-TEST(Quotas, a_minutes_worth_at_once_then_as_it_flows_in) {
+TEST(Quotas, allows_a_one_minute_burst_then_the_refill_rate) {
     Quotas quotas({.creates_per_minute = 20});
     EXPECT_EQ(grants(quotas, QuotaKind::creates, "anna", "192.0.2.1", 100), 20);
     const Quotas::QuotaDecision no = quotas.take(QuotaKind::creates, "anna", "192.0.2.1", start);
@@ -31,14 +31,14 @@ TEST(Quotas, a_minutes_worth_at_once_then_as_it_flows_in) {
     EXPECT_EQ(grants(quotas, QuotaKind::creates, "anna", "192.0.2.1", 100, start + 10min), 20);
 }
 
-TEST(Quotas, of_queries_a_seconds_worth_at_once) {
+TEST(Quotas, allows_a_one_second_burst_of_queries) {
     Quotas quotas({.queries_per_second = 50});
     EXPECT_EQ(grants(quotas, QuotaKind::queries, "anna", "192.0.2.1", 1000), 50);
     EXPECT_NEAR(to_ms(quotas.look(QuotaKind::queries, "anna", "192.0.2.1", start).retry_after), 20,
                 2);
 }
 
-TEST(Quotas, subjects_at_one_address_have_their_own_and_share_ten_times_as_much) {
+TEST(Quotas, limits_subjects_individually_and_their_address_by_factor_ten) {
     Quotas quotas({.joins_per_minute = 5, .address_factor = 10});
     int granted = 0;
     for (int i = 0; i < 30; ++i)
@@ -50,14 +50,14 @@ TEST(Quotas, subjects_at_one_address_have_their_own_and_share_ten_times_as_much)
         << "anonymous: by address";
 }
 
-TEST(Quotas, a_refusal_costs_nothing) {
+TEST(Quotas, rejected_requests_consume_no_tokens) {
     Quotas quotas({.joins_per_minute = 1, .address_factor = 2});
     EXPECT_EQ(grants(quotas, QuotaKind::joins, "anna", "192.0.2.1", 100), 1);
     EXPECT_EQ(grants(quotas, QuotaKind::joins, "berta", "192.0.2.1", 100), 1)
         << "what anna did not get was not taken from the address";
 }
 
-TEST(Quotas, kinds_of_work_do_not_share) {
+TEST(Quotas, quota_kinds_are_independent) {
     Quotas quotas({.creates_per_minute = 1, .refused_logins_per_minute = 3});
     EXPECT_EQ(grants(quotas, QuotaKind::creates, "anna", "192.0.2.1", 9), 1);
     EXPECT_EQ(grants(quotas, QuotaKind::joins, "anna", "192.0.2.1", 9), 9);
@@ -65,7 +65,7 @@ TEST(Quotas, kinds_of_work_do_not_share) {
         << "no factor for failures";
 }
 
-TEST(Quotas, memory_is_bounded_and_the_idlest_bucket_goes) {
+TEST(Quotas, evicts_the_least_recently_used_bucket) {
     Quotas quotas({.creates_per_minute = 1, .address_factor = 1, .buckets_max = 100});
     for (int i = 0; i < 100000; ++i) {
         quotas.take(QuotaKind::creates, "",

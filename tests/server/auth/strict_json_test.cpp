@@ -13,26 +13,26 @@ std::string fault_of(const std::string& text) {
     return read.ok() ? "" : read.error().message;
 }
 
-TEST(StrictJson, reads_one_value) {
+TEST(StrictJson, parses_one_value) {
     const auto read = parse_strict_json(R"({"a": [1, {"b": "c"}], "d": {"a": null}})", 4);
     ASSERT_TRUE(read.ok());
     EXPECT_EQ((*read)["a"][1]["b"], "c");
 }
 
-TEST(StrictJson, refuses_a_key_that_stands_twice_wherever_it_is) {
+TEST(StrictJson, rejects_duplicate_keys_at_any_depth) {
     EXPECT_EQ(fault_of(R"({"a": 1, "b": 2, "a": 3})"), "an object has a duplicate key");
     EXPECT_EQ(fault_of(R"([{"x": {"a": 1, "\u0061": 2}}])"), "an object has a duplicate key")
         << "escapes are other spellings of the same key";
     EXPECT_EQ(fault_of(R"({"a": {"a": {"a": 1}}, "b": {"a": 1}})"), "");
 }
 
-TEST(StrictJson, depth_is_bounded) {
+TEST(StrictJson, rejects_excessive_nesting) {
     EXPECT_EQ(fault_of("[[[[1]]]]"), "");
     EXPECT_EQ(fault_of("[[[[[1]]]]]"), "it is nested too deeply");
     EXPECT_EQ(fault_of(std::string(100000, '[')), "it is nested too deeply");
 }
 
-TEST(StrictJson, what_is_no_json_or_more_than_that_is_refused) {
+TEST(StrictJson, rejects_malformed_json_and_trailing_data) {
     for (const char* text : {"", "{", "{} {}", "{\"a\": 1,}", "'a'", "{\"a\": NaN}", "\"\xff\"",
                              "{\"a\": 1} x", "\xef\xbb\xbf{", "/* no */ {}"}) {
         EXPECT_EQ(fault_of(text), "it is not valid JSON") << text;

@@ -13,7 +13,7 @@ using namespace std::chrono_literals;
 const Identity anna{.subject = "anna", .role = Role::player, .anonymous = false};
 const Identity nobody{.role = Role::viewer};
 
-TEST(Tickets, a_ticket_stands_for_who_asked_for_it_once) {
+TEST(Tickets, ticket_is_redeemable_once_for_its_issuer_identity) {
     Tickets tickets;
     const Clock::time_point now{};
     const std::string ticket = tickets.issue(anna, "anna", "w1", now).value();
@@ -26,7 +26,7 @@ TEST(Tickets, a_ticket_stands_for_who_asked_for_it_once) {
     EXPECT_EQ(tickets.redeem(ticket, now + 29s).ticket_status, TicketStatus::used);
 }
 
-TEST(Tickets, used_expired_and_unknown_ones_are_told_apart_for_a_minute) {
+TEST(Tickets, distinguishes_used_expired_and_unknown_tickets_for_one_minute) {
     Tickets tickets;
     const Clock::time_point now{};
     const std::string used = tickets.issue(anna, "anna", "w1", now).value(),
@@ -39,7 +39,7 @@ TEST(Tickets, used_expired_and_unknown_ones_are_told_apart_for_a_minute) {
     EXPECT_EQ(tickets.redeem(old, now + 90s).ticket_status, TicketStatus::unknown);
 }
 
-TEST(Tickets, what_is_no_ticket_is_unknown) {
+TEST(Tickets, malformed_tickets_are_unknown) {
     Tickets tickets;
     const std::string real = tickets.issue(anna, "anna", "w1", {}).value();
     std::string upper = real;
@@ -53,14 +53,14 @@ TEST(Tickets, what_is_no_ticket_is_unknown) {
     EXPECT_EQ(tickets.redeem(real, {}).ticket_status, TicketStatus::good);
 }
 
-TEST(Tickets, no_two_are_alike) {
+TEST(Tickets, issues_unique_tickets) {
     Tickets tickets;
     std::set<std::string> seen;
     for (int i = 0; i < 10000; ++i)
         EXPECT_TRUE(seen.insert(tickets.issue(nobody, "a", "w1", {}).value()).second);
 }
 
-TEST(Tickets, of_too_many_of_one_holder_his_own_oldest_goes) {
+TEST(Tickets, evicts_the_oldest_ticket_of_the_same_holder) {
     Tickets tickets({.subject_max = 3, .address_max = 5});
     const std::string other = tickets.issue(anna, "berta", "w1", {}).value();
     std::vector<std::string> own;
@@ -75,7 +75,7 @@ TEST(Tickets, of_too_many_of_one_holder_his_own_oldest_goes) {
 }
 
 // A flood from one holder costs the others nothing; a flood of holders is refused.
-TEST(Tickets, nobody_pushes_out_who_has_fewer) {
+TEST(Tickets, does_not_evict_tickets_of_holders_with_fewer) {
     Tickets tickets({.total_max = 100, .subject_max = 1000});
     std::vector<std::string> of_others;
     for (int i = 0; i < 10; ++i)
@@ -100,7 +100,7 @@ TEST(Tickets, nobody_pushes_out_who_has_fewer) {
     EXPECT_EQ(tickets.waiting(), 1u);
 }
 
-TEST(Tickets, what_is_remembered_is_bounded_too) {
+TEST(Tickets, bounds_the_number_of_remembered_tickets) {
     Tickets tickets({.total_max = 10});
     std::vector<std::string> used;
     for (int i = 0; i < 25; ++i) {

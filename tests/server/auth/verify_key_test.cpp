@@ -14,7 +14,7 @@ std::string bytes_of(const char* base64url) {
 }
 
 // The key, text and signature of RFC 7515, appendix A.3.
-TEST(VerifyKey, knows_the_signature_of_the_standard) {
+TEST(VerifyKey, verifies_the_rfc_test_vector) {
     const auto key = VerifyKey::from_point(bytes_of("f83OJ3D2xF1Bg8vub9tLe1gHMzV76e8Tus9uPHvRVEU"),
                                            bytes_of("x_FEzRu9m36HLN_tue659LNpXW6pCyStikYjKIWI5a0"));
     ASSERT_TRUE(key);
@@ -31,7 +31,7 @@ TEST(VerifyKey, knows_the_signature_of_the_standard) {
     EXPECT_FALSE(key->verifies(text, ""));
 }
 
-TEST(VerifyKey, takes_points_of_the_curve_only) {
+TEST(VerifyKey, rejects_points_off_the_curve) {
     const test::Json point = test::SigningKey().public_key("k");
     const std::string x = bytes_of(point["x"].get<std::string>().c_str()),
                       y = bytes_of(point["y"].get<std::string>().c_str());

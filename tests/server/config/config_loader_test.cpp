@@ -15,7 +15,7 @@ std::string error_of(const std::string& text) {
     return loaded.ok() ? "" : loaded.error().message;
 }
 
-TEST(ConfigLoader, a_file_changes_what_it_names_and_nothing_else) {
+TEST(ConfigLoader, file_overrides_only_the_keys_it_contains) {
     Config config;
     ASSERT_TRUE(load_config_text(config,
                                  "drain_timeout_seconds = 2.5\n"
@@ -30,14 +30,14 @@ TEST(ConfigLoader, a_file_changes_what_it_names_and_nothing_else) {
     EXPECT_TRUE(check(config).ok());
 }
 
-TEST(ConfigLoader, the_operators_port_may_be_none_and_is_else_an_address) {
+TEST(ConfigLoader, admin_port_is_empty_or_an_address) {
     EXPECT_EQ(error_of("admin = \"\"\n"), "");
     EXPECT_EQ(error_of("admin = \"0.0.0.0:9000\"\n"), "");
     const std::string wrong = error_of("admin = \"here\"\n");
     EXPECT_NE(wrong.find("admin: \"here\" is not HOST:PORT"), std::string::npos) << wrong;
 }
 
-TEST(ConfigLoader, mistakes_name_file_and_key) {
+TEST(ConfigLoader, errors_name_file_and_key) {
     const std::string unknown = error_of("[client]\nbodies_max = 3\n");
     EXPECT_NE(unknown.find("test.toml"), std::string::npos) << unknown;
     EXPECT_NE(unknown.find("bodies_max"), std::string::npos) << unknown;
@@ -48,19 +48,19 @@ TEST(ConfigLoader, mistakes_name_file_and_key) {
     EXPECT_FALSE(load_config(config, "/no/such/file.toml").ok());
 }
 
-TEST(ConfigLoader, what_cannot_be_read_is_an_error_and_no_crash) {
+TEST(ConfigLoader, unreadable_files_return_an_error) {
     Config config;
     EXPECT_FALSE(load_config(config, "/no/such/file.toml").ok());
     EXPECT_FALSE(load_config(config, testing::TempDir()).ok()) << "a directory";
 }
 
-TEST(ConfigLoader, a_file_with_a_mistake_changes_nothing) {
+TEST(ConfigLoader, invalid_file_leaves_config_unchanged) {
     Config config;
     EXPECT_FALSE(load_config_text(config, "drain_timeout_seconds = 1\nnonsense = 2\n", "t").ok());
     EXPECT_EQ(config.drain_timeout_seconds, Config{}.drain_timeout_seconds);
 }
 
-TEST(Config, check_names_the_key_and_its_range) {
+TEST(Config, validation_errors_name_key_and_range) {
     Config config;
     config.client.inputs_per_batch_max = 0;
     const auto checked = check(config);
@@ -76,7 +76,7 @@ TEST(Config, check_names_the_key_and_its_range) {
 
 // The file is the list that operators read: each line must be the default, so the file with any one
 // line changed to itself loads, and the loaded settings are the defaults.
-TEST(Config, the_example_file_holds_the_defaults) {
+TEST(Config, example_file_contains_the_defaults) {
     Config config;
     config.drain_timeout_seconds = 99;  // the file must say it again
     config.client.bodies_owned_max = 99;

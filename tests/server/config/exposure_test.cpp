@@ -17,7 +17,7 @@ Config with_tls_and_tokens() {
     return config;
 }
 
-TEST(Exposure, knows_what_only_this_machine_can_reach) {
+TEST(Exposure, detects_loopback_addresses) {
     for (const char* host : {"localhost", "127.0.0.1", "127.8.9.10", "::1"})
         EXPECT_TRUE(is_loopback(host)) << host;
     for (const char* host : {"0.0.0.0", "::", "192.0.2.1", "127.0.0.1.example.org", "127.1", "",
@@ -25,7 +25,7 @@ TEST(Exposure, knows_what_only_this_machine_can_reach) {
         EXPECT_FALSE(is_loopback(host)) << host;
 }
 
-TEST(Exposure, beyond_loopback_takes_tls_and_tokens_or_a_word_that_it_is_meant) {
+TEST(Exposure, non_loopback_listeners_require_tls_and_tokens_or_insecure) {
     EXPECT_TRUE(check_exposure({}).ok()) << "loopback";
     for (std::string Config::*listener : {&Config::listen, &Config::http, &Config::admin}) {
         Config config;
@@ -45,7 +45,7 @@ TEST(Exposure, beyond_loopback_takes_tls_and_tokens_or_a_word_that_it_is_meant) 
     }
 }
 
-TEST(Exposure, datagrams_need_what_the_other_ports_need) {
+TEST(Exposure, datagram_port_has_the_same_requirements) {
     Config config;
     config.datagrams.listen = "0.0.0.0:50052";
     EXPECT_NE(error_of(check_exposure(config)).message.find("datagrams.listen is 0.0.0.0:50052"),
@@ -54,7 +54,7 @@ TEST(Exposure, datagrams_need_what_the_other_ports_need) {
     EXPECT_TRUE(check_exposure(config).ok());
 }
 
-TEST(Exposure, the_refusal_says_what_to_do) {
+TEST(Exposure, error_explains_how_to_fix_exposure) {
     Config config;
     config.http = "0.0.0.0:8080";
     const Error error = error_of(check_exposure(config));
@@ -66,7 +66,7 @@ TEST(Exposure, the_refusal_says_what_to_do) {
               "provides both");
 }
 
-TEST(Exposure, anonymous_people_may_less_the_more_can_come) {
+TEST(Exposure, anonymous_role_depends_on_exposure) {
     Config config;
     EXPECT_EQ(anonymous_role(config), "admin");
     config.listen = "0.0.0.0:50051";
@@ -76,7 +76,7 @@ TEST(Exposure, anonymous_people_may_less_the_more_can_come) {
     EXPECT_EQ(anonymous_role(config), "viewer");
 }
 
-TEST(Config, settings_of_access_that_contradict_each_other_are_refused) {
+TEST(Config, rejects_contradictory_access_settings) {
     const auto fault_of = [](auto change) {
         Config config = with_tls_and_tokens();
         change(config);

@@ -139,7 +139,7 @@ protected:
     std::shared_ptr<grpc::Channel> channel;
 };
 
-TEST_F(AccessTest, every_rpc_of_the_table_lets_in_whom_it_says_and_nobody_else) {
+TEST_F(AccessTest, every_rpc_enforces_its_access_row) {
     int asked = 0;
     for (const AccessRow& row : access_table()) {
         const bool is_rpc = row.call.find('.') != std::string_view::npos;
@@ -169,7 +169,7 @@ TEST_F(AccessTest, every_rpc_of_the_table_lets_in_whom_it_says_and_nobody_else) 
     EXPECT_GE(audited("done", "jostle.v1.WorldService/DeleteWorld"), 2);
 }
 
-TEST_F(AccessTest, every_route_of_the_table_lets_in_whom_it_says_and_nobody_else) {
+TEST_F(AccessTest, every_route_enforces_its_access_row) {
     const HttpRoutes routes(*control, *queries,
                             {.web_root = "/nonexistent",
                              .allowed_origins = {},
@@ -204,7 +204,7 @@ TEST_F(AccessTest, every_route_of_the_table_lets_in_whom_it_says_and_nobody_else
     }
 }
 
-TEST_F(AccessTest, forged_and_stale_tokens_are_refused_and_audited) {
+TEST_F(AccessTest, rejects_and_audits_forged_and_expired_tokens) {
     const auto now = std::chrono::system_clock::now();
     const auto claims = LoginService::claims("paul", "admin", now);
     const auto with = [&](const char* key, const test::Json& value) {

@@ -94,7 +94,7 @@ protected:
 
 }  // namespace
 
-TEST_F(DatagramsTest, snapshots_come_by_datagrams_and_each_input_is_applied_once) {
+TEST_F(DatagramsTest, sends_snapshots_by_datagram_and_applies_each_input_once) {
     const auto player = join();
     ASSERT_TRUE(uses_datagrams(*player));
     const auto results = spawn(*player, 20);
@@ -108,7 +108,7 @@ TEST_F(DatagramsTest, snapshots_come_by_datagrams_and_each_input_is_applied_once
 }
 
 // What it drives comes by the stream, before or after the frame of its tick.
-TEST_F(DatagramsTest, who_drives_foresees_that_beside_datagrams) {
+TEST_F(DatagramsTest, predicts_the_controlled_entity_over_datagrams) {
     ASSERT_TRUE(worlds.create("course", *scenes::find_scene("parkour")).ok());
     client::ClientOptions options{.target = "127.0.0.1:" + std::to_string(server.port())};
     options.world = "course";
@@ -150,7 +150,7 @@ TEST_F(DatagramsTest, who_drives_foresees_that_beside_datagrams) {
     EXPECT_LT(predictor.stats().control_corrections, 10u) << "of 30, on a machine that is busy";
 }
 
-TEST_F(DatagramsTest, of_a_fifth_lost_each_way_nothing_shows_but_fewer_snapshots) {
+TEST_F(DatagramsTest, twenty_percent_loss_only_reduces_the_snapshot_rate) {
     proxy.up_loss_percent = proxy.down_loss_percent = 20;
     const auto player = join(true);
     const auto results = spawn(*player, 40);
@@ -174,7 +174,7 @@ TEST_F(DatagramsTest, of_a_fifth_lost_each_way_nothing_shows_but_fewer_snapshots
     EXPECT_GT(proxy.up, 30);
 }
 
-TEST_F(DatagramsTest, a_view_never_has_an_entity_that_no_roster_told_of) {
+TEST_F(DatagramsTest, view_contains_only_entities_with_an_entity_update) {
     proxy.down_loss_percent = 10;
     const auto spawner = join(), watcher = join();
     ASSERT_TRUE(wait_until([&] { return watcher->stats().datagrams; }));
@@ -200,7 +200,7 @@ TEST_F(DatagramsTest, a_view_never_has_an_entity_that_no_roster_told_of) {
     })) << "and has them all in the end";
 }
 
-TEST_F(DatagramsTest, a_way_that_is_blocked_costs_nothing_and_is_told_of) {
+TEST_F(DatagramsTest, blocked_udp_falls_back_to_the_stream_and_is_reported) {
     proxy.up_loss_percent = 100;
     const auto player = join();
     EXPECT_EQ(spawn(*player, 10).size(), 10u);
@@ -214,7 +214,7 @@ TEST_F(DatagramsTest, a_way_that_is_blocked_costs_nothing_and_is_told_of) {
     EXPECT_EQ(proxy.down, 0) << "nobody is told anything who was not heard";
 }
 
-TEST_F(DatagramsTest, when_the_way_breaks_the_stream_takes_over_and_gives_back) {
+TEST_F(DatagramsTest, falls_back_to_the_stream_and_returns_to_datagrams) {
     const auto player = join();
     ASSERT_TRUE(uses_datagrams(*player));
     const auto without_datagrams_within = [&](Clock::duration timeout) {
@@ -237,7 +237,7 @@ TEST_F(DatagramsTest, when_the_way_breaks_the_stream_takes_over_and_gives_back) 
     EXPECT_EQ(player->stats().decode_errors, 0u) << player->stats().last_error;
 }
 
-TEST_F(DatagramsTest, who_does_not_ask_gets_no_ticket_and_nobody_who_sees_a_part) {
+TEST_F(DatagramsTest, no_datagram_credentials_without_request_or_with_interest) {
     const auto plain =
         Client::connect(loop, {.target = "127.0.0.1:" + std::to_string(server.port())});
     const auto partial =

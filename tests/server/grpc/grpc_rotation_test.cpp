@@ -76,7 +76,7 @@ protected:
     std::string target;
 };
 
-TEST_F(GrpcRotationTest, fifty_rotations_with_ten_broken_pairs_drop_nobody_and_fail_no_handshake) {
+TEST_F(GrpcRotationTest, fifty_certificate_rotations_drop_no_client_and_fail_no_handshake) {
     client::Loop loop;
     std::vector<std::shared_ptr<client::Client>> players;
     for (int i = 0; i < 50; i++)
@@ -124,7 +124,7 @@ TEST_F(GrpcRotationTest, fifty_rotations_with_ten_broken_pairs_drop_nobody_and_f
     }
 }
 
-TEST_F(GrpcRotationTest, who_does_not_know_the_authority_gets_no_answer) {
+TEST_F(GrpcRotationTest, rejects_clients_without_the_certificate_authority) {
     const TestCertificate stranger = test::make_authority();
     EXPECT_FALSE(client::WorldClient(target, believing(stranger)).list().ok());
     EXPECT_TRUE(client::WorldClient(target, believing(root)).list().ok());

@@ -103,7 +103,7 @@ protected:
     client::Loop loop;
 };
 
-TEST_F(GrpcServerTest, a_client_sees_a_channel_change_and_a_late_one_gets_the_present) {
+TEST_F(GrpcServerTest, sends_channel_changes_and_current_values_to_late_joiners) {
     make_world();
     const auto early = join();
     ASSERT_TRUE(wait_until([&] { return told(*early, "counter").has_value(); }));
@@ -121,7 +121,7 @@ TEST_F(GrpcServerTest, a_client_sees_a_channel_change_and_a_late_one_gets_the_pr
     EXPECT_EQ(early->stats().decode_errors + late->stats().decode_errors, 0u);
 }
 
-TEST_F(GrpcServerTest, a_client_keeps_no_channel_of_a_module_that_fell_silent) {
+TEST_F(GrpcServerTest, removes_channels_that_are_no_longer_published) {
     make_world(30);  // after two and a half seconds
     const auto client = join();
     ASSERT_TRUE(wait_until([&] { return told(*client, "counter").has_value(); }));
@@ -133,7 +133,7 @@ TEST_F(GrpcServerTest, a_client_keeps_no_channel_of_a_module_that_fell_silent) {
     EXPECT_EQ(client->stats().decode_errors, 0u);
 }
 
-TEST_F(GrpcServerTest, a_client_is_told_the_kinds_that_it_names_and_no_others) {
+TEST_F(GrpcServerTest, sends_only_requested_channel_kinds) {
     make_world();
     const auto all = join(), some = join({"still", "unheard of"}), none = join({});
     ASSERT_TRUE(wait_until([&] {

@@ -8,7 +8,7 @@
 namespace jostle::server {
 namespace {
 
-TEST(MessageBytes, two_pieces_arrive_as_one_message) {
+TEST(MessageBytes, pieces_form_one_message) {
     const auto shared = std::make_shared<const std::string>(5000, 's');
     const grpc::ByteBuffer buffer = to_byte_buffer({"head", shared});
     EXPECT_EQ(buffer.Length(), 5004u);
@@ -17,7 +17,7 @@ TEST(MessageBytes, two_pieces_arrive_as_one_message) {
     EXPECT_EQ(bytes, "head" + *shared);
 }
 
-TEST(MessageBytes, the_shared_piece_is_not_copied_and_is_let_go) {
+TEST(MessageBytes, shared_piece_is_not_copied_and_is_released) {
     const auto shared = std::make_shared<const std::string>(5000, 's');
     {
         const grpc::ByteBuffer buffer = to_byte_buffer({"head", shared});
@@ -30,7 +30,7 @@ TEST(MessageBytes, the_shared_piece_is_not_copied_and_is_let_go) {
     EXPECT_EQ(shared.use_count(), 1);
 }
 
-TEST(MessageBytes, a_missing_piece_is_left_out) {
+TEST(MessageBytes, skips_missing_pieces) {
     std::string bytes;
     copy_bytes(bytes, to_byte_buffer({"only", nullptr}));
     EXPECT_EQ(bytes, "only");

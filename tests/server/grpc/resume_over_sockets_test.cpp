@@ -74,7 +74,7 @@ protected:
     client::Loop loop;
 };
 
-TEST_F(ResumeOverSocketsTest, a_client_whose_line_breaks_three_times_loses_nothing) {
+TEST_F(ResumeOverSocketsTest, client_resumes_after_three_disconnects_without_loss) {
     auto line = std::make_unique<Line>(server.port(), 0);
     const int port = line->port();
     const auto player =
@@ -111,7 +111,7 @@ TEST_F(ResumeOverSocketsTest, a_client_whose_line_breaks_three_times_loses_nothi
     EXPECT_TRUE(wait_until([&] { return sessions.clients() == 0; }));
 }
 
-TEST_F(ResumeOverSocketsTest, a_client_that_is_destroyed_has_left) {
+TEST_F(ResumeOverSocketsTest, destroyed_client_leaves_the_world) {
     auto player = Client::connect(
         loop, {.target = "127.0.0.1:" + std::to_string(server.port()), .name = "player"});
     ASSERT_TRUE(wait_until([&] { return player->stats().connected; }));

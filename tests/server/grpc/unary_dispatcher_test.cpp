@@ -86,7 +86,7 @@ protected:
     std::unique_ptr<v1::WorldService::Stub> worlds_stub;
 };
 
-TEST_F(UnaryDispatcherTest, answers_and_says_which_field_was_wrong_and_when_to_come_again) {
+TEST_F(UnaryDispatcherTest, returns_responses_field_violations_and_retry_info) {
     grpc::ClientContext call;
     v1::ListWorldsResponse response;
     ASSERT_TRUE(worlds_stub->ListWorlds(&call, {}, &response).ok());
@@ -109,7 +109,7 @@ TEST_F(UnaryDispatcherTest, answers_and_says_which_field_was_wrong_and_when_to_c
     EXPECT_EQ(retry.retry_delay().seconds(), 1);
 }
 
-TEST_F(UnaryDispatcherTest, what_throws_or_is_too_big_or_unknown_fails_alone) {
+TEST_F(UnaryDispatcherTest, exceptions_oversized_and_unknown_calls_fail_independently) {
     EXPECT_EQ(get("throw").error_code(), grpc::StatusCode::RESOURCE_EXHAUSTED);
     const grpc::Status big = get(std::string(100, 'x'));
     EXPECT_EQ(big.error_message(), "the request has 102 bytes; at most 64 are allowed");
@@ -120,7 +120,7 @@ TEST_F(UnaryDispatcherTest, what_throws_or_is_too_big_or_unknown_fails_alone) {
     EXPECT_EQ(get("any").error_message(), "no room") << "and the front goes on";
 }
 
-TEST_F(UnaryDispatcherTest, what_takes_long_fills_its_own_queue_and_nobody_elses) {
+TEST_F(UnaryDispatcherTest, slow_calls_fill_only_their_own_queue) {
     std::vector<std::future<grpc::Status>> creates;
     // One is worked on, thirty one wait: that is all that one connection may have open.
     for (int i = 0; i < 40; i++)
@@ -155,7 +155,7 @@ TEST_F(UnaryDispatcherTest, what_takes_long_fills_its_own_queue_and_nobody_elses
     go_on = {};
 }
 
-TEST_F(UnaryDispatcherTest, health_is_checked_and_watched) {
+TEST_F(UnaryDispatcherTest, serves_health_check_and_watch) {
     const auto health = grpc::health::v1::Health::NewStub(channel);
     grpc::ClientContext watch_call;
     grpc::health::v1::HealthCheckResponse seen;
@@ -176,7 +176,7 @@ TEST_F(UnaryDispatcherTest, health_is_checked_and_watched) {
     watch_call.TryCancel();
 }
 
-TEST_F(UnaryDispatcherTest, reflection_tells_the_services_and_their_messages) {
+TEST_F(UnaryDispatcherTest, reflection_lists_services_and_messages) {
     const auto stub = grpc::reflection::v1::ServerReflection::NewStub(channel);
     grpc::ClientContext call;
     const auto stream = stub->ServerReflectionInfo(&call);

@@ -79,7 +79,7 @@ protected:
                         .refresh = [this] { refreshed++; }}};
 };
 
-TEST_F(AdminRoutesTest, metrics_are_prometheus_text_as_it_is_now) {
+TEST_F(AdminRoutesTest, returns_current_metrics_as_prometheus_text) {
     const HttpResponse response = get("/metrics");
     EXPECT_EQ(response.status, 200);
     EXPECT_EQ(response.content_type, "text/plain; version=0.0.4; charset=utf-8");
@@ -90,7 +90,7 @@ TEST_F(AdminRoutesTest, metrics_are_prometheus_text_as_it_is_now) {
         << "the series of a world go with it";
 }
 
-TEST_F(AdminRoutesTest, health_says_yes_or_no) {
+TEST_F(AdminRoutesTest, returns_health_status) {
     EXPECT_EQ(get("/healthz").status, 200);
     EXPECT_EQ(get("/readyz").status, 200);
     context.draining = true;
@@ -103,7 +103,7 @@ TEST_F(AdminRoutesTest, health_says_yes_or_no) {
     EXPECT_EQ(get("/readyz").status, 503);
 }
 
-TEST_F(AdminRoutesTest, a_profile_is_a_trace_to_download) {
+TEST_F(AdminRoutesTest, returns_profile_as_a_downloadable_trace) {
     const HttpResponse response = get("/debug/profile?world=my%20arena&seconds=1");
     ASSERT_EQ(response.status, 200) << response.body;
     const auto trace = nlohmann::json::parse(response.body);
@@ -112,7 +112,7 @@ TEST_F(AdminRoutesTest, a_profile_is_a_trace_to_download) {
     EXPECT_EQ(response.headers[1].second, "attachment; filename=\"my_arena.trace.json\"");
 }
 
-TEST_F(AdminRoutesTest, what_is_wrong_is_said) {
+TEST_F(AdminRoutesTest, returns_errors_for_invalid_requests) {
     for (const char* target :
          {"/debug/profile", "/debug/profile?world=my%20arena", "/debug/profile?seconds=1",
           "/debug/profile?world=my%20arena&seconds=x", "/debug/profile?world=my%20arena&seconds=1e",
@@ -132,7 +132,7 @@ TEST_F(AdminRoutesTest, what_is_wrong_is_said) {
 
 // Two threads, and one request that may wait for them: while they are busy, Prometheus is answered
 // as ever.
-TEST_F(AdminRoutesTest, profiles_hold_no_scrape_up_and_too_many_are_turned_away) {
+TEST_F(AdminRoutesTest, profiles_do_not_block_scrapes_and_are_limited) {
     ASSERT_TRUE(worlds.create("b", *scenes::find_scene("stack")).ok());
     HttpServer gateway(context, routes,
                        {.host = "127.0.0.1",

@@ -66,7 +66,7 @@ TEST_F(HttpRoutesTest, lists_worlds_and_scenes) {
     EXPECT_EQ(json.at("scenes").size(), scenes::catalog().size());
 }
 
-TEST_F(HttpRoutesTest, worlds_are_made_and_deleted) {
+TEST_F(HttpRoutesTest, creates_and_deletes_worlds) {
     const HttpResponse made =
         ask("POST", "/api/worlds", R"({"name": "two words", "sceneName": "dominoes"})");
     EXPECT_EQ(made.status, 201) << made.body;
@@ -82,7 +82,7 @@ TEST_F(HttpRoutesTest, worlds_are_made_and_deleted) {
     EXPECT_EQ(worlds.list().size(), 1u);
 }
 
-TEST_F(HttpRoutesTest, malformed_requests_are_refused_with_words) {
+TEST_F(HttpRoutesTest, rejects_malformed_requests_with_a_message) {
     for (const char* body :
          {"", "{", "[]", R"({"sceneNome": "stack"})", R"({"sceneName": 5})", "{}",
           R"({"scene": {"bodies": [{"shapes": [{"sphere": {"radius": -1}}]}]}})"}) {
@@ -107,7 +107,7 @@ TEST_F(HttpRoutesTest, malformed_requests_are_refused_with_words) {
     EXPECT_EQ(routes.answer(form).status, 415);
 }
 
-TEST_F(HttpRoutesTest, pages_from_elsewhere_change_nothing) {
+TEST_F(HttpRoutesTest, rejects_cross_origin_mutations) {
     const char* body = R"({"name": "x", "sceneName": "stack"})";
     EXPECT_EQ(ask("POST", "/api/worlds", body, "http://elsewhere.example").status, 403);
     EXPECT_EQ(ask("POST", "/api/worlds", body, "null").status, 403);
@@ -117,7 +117,7 @@ TEST_F(HttpRoutesTest, pages_from_elsewhere_change_nothing) {
     EXPECT_EQ(ask("DELETE", "/api/worlds/x", "", "https://play.example.org").status, 200);
 }
 
-TEST_F(HttpRoutesTest, queries_are_asked_and_answered_as_json) {
+TEST_F(HttpRoutesTest, serves_queries_as_json) {
     const HttpResponse hit = ask("POST", "/api/query/CastRays", R"({
         "rays": [{"origin": {"x": 0, "y": 50, "z": 0}, "motion": {"y": -100}},
                  {"origin": {"y": 50}, "motion": {"y": 1}}]})");
@@ -145,7 +145,7 @@ TEST_F(HttpRoutesTest, queries_are_asked_and_answered_as_json) {
         200);
 }
 
-TEST_F(HttpRoutesTest, questions_that_cannot_be_answered_say_why) {
+TEST_F(HttpRoutesTest, returns_error_details_for_failed_queries) {
     const auto message_of = [&](const char* method, const char* body, int status) {
         const HttpResponse response = ask("POST", std::string("/api/query/") + method, body);
         EXPECT_EQ(response.status, status) << response.body;
@@ -164,7 +164,7 @@ TEST_F(HttpRoutesTest, questions_that_cannot_be_answered_say_why) {
     EXPECT_EQ(ask("POST", "/api/query/Debug", "{}", "http://elsewhere.example").status, 403);
 }
 
-TEST_F(HttpRoutesTest, health_follows_the_server) {
+TEST_F(HttpRoutesTest, health_reflects_server_state) {
     failure_reason = "a tick hangs";
     EXPECT_EQ(ask("GET", "/healthz").status, 503);
     EXPECT_EQ(ask("GET", "/healthz").body, "a tick hangs\n");
@@ -178,7 +178,7 @@ TEST_F(HttpRoutesTest, health_follows_the_server) {
     EXPECT_EQ(ask("POST", "/api/worlds", R"({"name": "x", "sceneName": "stack"})").status, 503);
 }
 
-TEST_F(HttpRoutesTest, play_wants_a_websocket) {
+TEST_F(HttpRoutesTest, play_requires_a_websocket_upgrade) {
     EXPECT_EQ(ask("GET", "/play").status, 426);
 }
 

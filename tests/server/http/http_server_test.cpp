@@ -11,7 +11,7 @@ namespace jostle::server {
 
 // A timer that was due at the moment of stopping once began anew and kept the thread for ever. Its
 // period is 20 ms: these stops fall all around it.
-TEST(HttpServerTest, stops_at_any_moment_of_its_housekeeping) {
+TEST(HttpServerTest, stops_safely_during_housekeeping) {
     const Config config;
     SessionDirectory sessions(10);
     WorldDirectory worlds({}, 1);

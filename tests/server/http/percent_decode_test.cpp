@@ -5,13 +5,13 @@
 
 namespace jostle::server {
 
-TEST(PercentDecode, escapes_become_bytes_and_bad_ones_nothing) {
+TEST(PercentDecode, decodes_escapes_and_rejects_malformed_ones) {
     EXPECT_EQ(percent_decode("a%20b%2Fc"), "a b/c");
     EXPECT_EQ(percent_decode("a+b"), "a+b");
     for (const char* bad : {"%", "%2", "%zz", "a%2"}) EXPECT_FALSE(percent_decode(bad)) << bad;
 }
 
-TEST(PercentDecode, a_query_field_is_found_by_its_whole_name) {
+TEST(PercentDecode, finds_query_fields_by_exact_name) {
     const char* target = "/debug/profile?seconds=5&world=my%20arena&x&empty=";
     EXPECT_EQ(query_field(target, "world"), "my arena");
     EXPECT_EQ(query_field(target, "seconds"), "5");

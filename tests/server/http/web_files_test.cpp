@@ -58,7 +58,7 @@ TEST_F(WebFilesTest, serves_the_viewer_with_type_and_cache_headers) {
     EXPECT_EQ(header(script, "Cache-Control"), "public, max-age=31536000, immutable");
 }
 
-TEST_F(WebFilesTest, a_current_copy_is_not_sent_again) {
+TEST_F(WebFilesTest, returns_304_for_a_current_copy) {
     const std::string etag = header(get("/"), "ETag");
     ASSERT_FALSE(etag.empty());
     const HttpResponse again = get("/", etag);
@@ -68,7 +68,7 @@ TEST_F(WebFilesTest, a_current_copy_is_not_sent_again) {
     EXPECT_EQ(get("/", etag).status, 200);
 }
 
-TEST_F(WebFilesTest, nothing_outside_the_folder_can_be_reached) {
+TEST_F(WebFilesTest, rejects_paths_outside_the_root) {
     const char* targets[] = {"/../secret.txt",
                              "/%2e%2e/secret.txt",
                              "/%2e%2e%2fsecret.txt",
@@ -97,7 +97,7 @@ TEST_F(WebFilesTest, nothing_outside_the_folder_can_be_reached) {
     EXPECT_EQ(get("/" + std::string(2000, 'x')).status, 400);
 }
 
-TEST_F(WebFilesTest, only_reading_is_allowed) {
+TEST_F(WebFilesTest, allows_only_get_and_head) {
     HttpRequest request;
     request.method = "PUT";
     request.target = "/index.html";
@@ -106,7 +106,7 @@ TEST_F(WebFilesTest, only_reading_is_allowed) {
     EXPECT_EQ(header(response, "Allow"), "GET, HEAD");
 }
 
-TEST_F(WebFilesTest, a_missing_viewer_is_explained) {
+TEST_F(WebFilesTest, explains_a_missing_viewer_build) {
     HttpRequest request;
     request.method = "GET";
     request.target = "/";

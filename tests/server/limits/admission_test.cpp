@@ -23,7 +23,7 @@ SpawnCommand good_spawn() {
     return spawn;
 }
 
-TEST(Admission, good_numbers_pass) {
+TEST(Admission, accepts_valid_numbers) {
     EXPECT_TRUE(check_numbers(good_spawn()).ok());
     EXPECT_TRUE(check_numbers(ImpulseCommand{1, {1, 2, 3}, physics::Vec3{}}).ok());
     EXPECT_TRUE(check_numbers(ExplodeCommand{{}, 20, 20}).ok());
@@ -31,7 +31,7 @@ TEST(Admission, good_numbers_pass) {
     EXPECT_TRUE(check_numbers(ReleaseCommand{}).ok());
 }
 
-TEST(Admission, every_number_is_checked_and_named) {
+TEST(Admission, validates_every_number_by_name) {
     const double bad_numbers[] = {std::nan(""), std::numeric_limits<double>::infinity(), -1e9, 1e9};
     for (const double bad : bad_numbers) {
         const auto refuses = [&](const char* name, const Action& action) {
@@ -82,7 +82,7 @@ TEST(Admission, every_number_is_checked_and_named) {
     }
 }
 
-TEST(Admission, an_aim_stands_for_entity_and_point_and_needs_a_length) {
+TEST(Admission, aim_replaces_entity_and_point_and_requires_length) {
     EXPECT_TRUE(
         check_numbers(ImpulseCommand{.impulse = {1, 0, 0}, .aim = Aim{.motion = {0, 0, 2000}}})
             .ok());
@@ -92,7 +92,7 @@ TEST(Admission, an_aim_stands_for_entity_and_point_and_needs_a_length) {
               "aim.motion is 2001 long; at most 2000 is allowed");
 }
 
-TEST(Admission, bodies_of_six_kinds_may_be_spawned_and_a_refusal_lists_them) {
+TEST(Admission, allows_six_shape_kinds_and_lists_them_in_errors) {
     SpawnCommand spawn = good_spawn();
     const auto hull_of = [](double size, int points) {
         std::vector<physics::Vec3> corners;
@@ -128,7 +128,7 @@ TEST(Admission, bodies_of_six_kinds_may_be_spawned_and_a_refusal_lists_them) {
         << "as big as a ball of 4 cm";
 }
 
-TEST(Admission, a_mass_given_outright_is_held_to_what_sizes_and_densities_allow) {
+TEST(Admission, limits_explicit_mass) {
     SpawnCommand spawn = good_spawn();
     spawn.shape.mass = 50;
     EXPECT_TRUE(check_numbers(spawn).ok());
@@ -137,7 +137,7 @@ TEST(Admission, a_mass_given_outright_is_held_to_what_sizes_and_densities_allow)
               "mass is 1e+12; it must be from 0.001 to 1e+06");
 }
 
-TEST(Admission, rates_allow_a_burst_of_one_second_and_refill) {
+TEST(Admission, rate_limits_allow_a_one_second_burst_and_refill) {
     ClientLimits limits;
     limits.messages_per_second = 10;
     limits.inputs_per_second = 5;
@@ -152,7 +152,7 @@ TEST(Admission, rates_allow_a_burst_of_one_second_and_refill) {
     EXPECT_TRUE(admission.admit_input(ReleaseCommand{}, start + 300ms).ok());
 }
 
-TEST(Admission, bytes_count_as_well) {
+TEST(Admission, limits_bytes_per_second) {
     ClientLimits limits;
     limits.bytes_per_second = 2000;
     Admission admission(limits, false, start);
@@ -161,7 +161,7 @@ TEST(Admission, bytes_count_as_well) {
     EXPECT_TRUE(admission.admit_message(1500, start + 1s));
 }
 
-TEST(Admission, a_spectator_may_not_touch) {
+TEST(Admission, rejects_spectator_inputs) {
     Admission admission({}, true, start);
     EXPECT_TRUE(admission.admit_message(10, start)) << "acks are fine";
     EXPECT_EQ(error_of(admission.admit_input(ReleaseCommand{}, start)).code,

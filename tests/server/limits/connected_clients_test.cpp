@@ -25,7 +25,7 @@ ClientIdentity client(ClientId id) {
 }
 
 // 60 messages of 250 bytes a second are 120 kbit/s, whenever one looks.
-TEST(ConnectedClientsTest, the_rate_is_that_of_the_last_second) {
+TEST(ConnectedClientsTest, reports_the_rate_of_the_last_second) {
     ConnectedClients records;
     const auto record = connected_clients.add(client(7));
     Clock::time_point now = arrival;
@@ -40,7 +40,7 @@ TEST(ConnectedClientsTest, the_rate_is_that_of_the_last_second) {
     EXPECT_NEAR(records.status(now + 60s)[0].connected_seconds, 70, 0.1);
 }
 
-TEST(ConnectedClientsTest, those_who_are_there_are_listed_by_id) {
+TEST(ConnectedClientsTest, lists_clients_by_id) {
     ConnectedClients records;
     const auto nine = connected_clients.add(client(9)), two = connected_clients.add(client(2));
     nine->set_flow(14, 0.025);
@@ -54,7 +54,7 @@ TEST(ConnectedClientsTest, those_who_are_there_are_listed_by_id) {
     EXPECT_EQ(records.status(arrival).size(), 1u);
 }
 
-TEST(ConnectedClientsTest, one_who_is_kicked_learns_why) {
+TEST(ConnectedClientsTest, kick_stores_the_reason) {
     ConnectedClients records;
     const auto record = connected_clients.add(client(3));
     EXPECT_FALSE(record->kicked());

@@ -120,7 +120,7 @@ std::function<double(double)> at_once() {
     return [](double) { return 0.0; };
 }
 
-TEST(FlowControl, a_good_client_gets_every_tick_near_and_far) {
+TEST(FlowControl, sends_every_tick_at_any_latency) {
     for (const double way_s : {0.0, 0.005, 0.05, 0.15}) {
         Reader reader(way_s, at_once());
         reader.play_until(20);
@@ -129,7 +129,7 @@ TEST(FlowControl, a_good_client_gets_every_tick_near_and_far) {
     }
 }
 
-TEST(FlowControl, without_acks_no_more_than_the_window_is_on_the_way) {
+TEST(FlowControl, limits_unacknowledged_messages_to_the_window) {
     FlowControl flow({}, rate_hz, 1);
     int sent = 0;
     for (std::uint32_t tick = 1; tick <= 600; tick++) {
@@ -145,7 +145,7 @@ TEST(FlowControl, without_acks_no_more_than_the_window_is_on_the_way) {
 
 // The bound: in every ten seconds after the first five, 99 of 100 snapshots are read within 250 ms
 // and the time that one read takes.
-TEST(FlowControl, readers_of_every_pace_stay_fresh_for_two_minutes) {
+TEST(FlowControl, bounds_snapshot_age_for_all_read_rates) {
     for (const double pace : {60.0, 55.0, 45.0, 30.0, 20.0, 12.0, 8.0, 5.0})
         for (const double way_s : {0.0005, 0.04}) {
             Reader reader(way_s, messages_a_second(pace));
@@ -163,7 +163,7 @@ TEST(FlowControl, readers_of_every_pace_stay_fresh_for_two_minutes) {
 }
 
 // The welcome and the entities come before the first snapshot, and a slow reader reads them first.
-TEST(FlowControl, what_comes_before_the_first_snapshot_is_no_part_of_the_way) {
+TEST(FlowControl, earlier_messages_do_not_affect_the_round_trip_estimate) {
     for (const double pace : {20.0, 12.0, 8.0}) {
         Reader reader(0.0005, messages_a_second(pace));
         reader.send_others(4);
@@ -174,7 +174,7 @@ TEST(FlowControl, what_comes_before_the_first_snapshot_is_no_part_of_the_way) {
     }
 }
 
-TEST(FlowControl, a_reader_with_jitter_stays_fresh_and_loses_little) {
+TEST(FlowControl, bounds_snapshot_age_and_loss_with_jitter) {
     std::mt19937 random(7);
     std::exponential_distribution<double> jitter(1 / 0.002);
     Reader reader(0.02, [&](double) { return jitter(random); });
@@ -183,7 +183,7 @@ TEST(FlowControl, a_reader_with_jitter_stays_fresh_and_loses_little) {
     EXPECT_GE(reader.read_between(5, 60), 0.98 * 55 * rate_hz);
 }
 
-TEST(FlowControl, other_messages_count) {
+TEST(FlowControl, counts_other_messages_in_the_window) {
     // Twenty a second: each snapshot has another message beside it.
     Reader reader(0.0005, messages_a_second(100));
     reader.others_a_tick = 1;
@@ -193,7 +193,7 @@ TEST(FlowControl, other_messages_count) {
     EXPECT_GE(reader.read_between(5, 60), 28 * 55);
 }
 
-TEST(FlowControl, a_reader_that_becomes_slow_is_fresh_again_within_three_seconds) {
+TEST(FlowControl, recovers_within_three_seconds_when_a_reader_slows_down) {
     Reader reader(0.001, [](double t) { return t > 20 && t < 40 ? 1 / 10.0 : 0.001; });
     reader.play_until(60);
     EXPECT_EQ(reader.read_between(10, 20), 600);
@@ -201,7 +201,7 @@ TEST(FlowControl, a_reader_that_becomes_slow_is_fresh_again_within_three_seconds
     EXPECT_GE(reader.read_between(44, 54), 590) << "and gets every tick when it can take them";
 }
 
-TEST(FlowControl, a_stall_of_a_second_is_forgiven_at_once) {
+TEST(FlowControl, one_second_stall_does_not_lower_the_rate) {
     // At 10 s it reads nothing for a second.
     Reader reader(0.005, [](double t) { return t > 10 && t < 11 ? 11 - t : 0.0001; });
     reader.play_until(20);
@@ -209,14 +209,14 @@ TEST(FlowControl, a_stall_of_a_second_is_forgiven_at_once) {
     EXPECT_EQ(reader.read_between(11.5, 19), 450);
 }
 
-TEST(FlowControl, a_crowd_that_joins_slows_it_for_less_than_three_seconds) {
+TEST(FlowControl, recovers_within_three_seconds_after_other_clients_join) {
     // For a second everything takes 60 ms.
     Reader reader(0.001, [](double t) { return t > 5 && t < 6 ? 0.06 : 0.0005; });
     reader.play_until(20);
     EXPECT_GE(reader.read_between(9, 19), 597) << "all of them, three seconds later";
 }
 
-TEST(FlowControl, a_way_that_becomes_longer_is_believed) {
+TEST(FlowControl, adapts_to_an_increased_round_trip_time) {
     Reader reader(0.01, at_once());
     reader.play_until(10);
     reader.way_s = 0.13;
@@ -224,7 +224,7 @@ TEST(FlowControl, a_way_that_becomes_longer_is_believed) {
     EXPECT_EQ(reader.read_between(25, 39), 14 * 60) << "every tick again";
 }
 
-TEST(FlowControl, a_wanted_divider_is_kept) {
+TEST(FlowControl, respects_the_requested_divider) {
     Reader reader(0.01, at_once(), 3);
     reader.play_until(10);
     EXPECT_EQ(reader.read_between(2, 8), 120);
@@ -232,7 +232,7 @@ TEST(FlowControl, a_wanted_divider_is_kept) {
         << "it is what it asked for";
 }
 
-TEST(FlowControl, an_ack_covers_what_went_before_and_nonsense_covers_nothing) {
+TEST(FlowControl, ack_is_cumulative_and_invalid_acks_are_ignored) {
     FlowControl flow({}, rate_hz, 1);
     const Clock::time_point sent = Clock::time_point{} + 1h;
     for (std::uint32_t tick = 1; tick <= 3; ++tick) flow.on_sent(tick, sent);
@@ -246,7 +246,7 @@ TEST(FlowControl, an_ack_covers_what_went_before_and_nonsense_covers_nothing) {
     EXPECT_NEAR(flow.round_trip_s(), 0.010, 1e-6);
 }
 
-TEST(FlowControl, what_was_lost_does_not_fill_the_window_for_ever) {
+TEST(FlowControl, lost_snapshots_leave_the_window) {
     FlowControl flow({}, rate_hz, 1);
     const Clock::time_point begin = Clock::time_point{} + 1h;
     std::uint32_t tick = 1;

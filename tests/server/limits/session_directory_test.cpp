@@ -6,7 +6,7 @@
 namespace jostle::server {
 namespace {
 
-TEST(SessionDirectory, counts_clients_and_says_when_it_is_full) {
+TEST(SessionDirectory, counts_clients_and_rejects_when_full) {
     SessionDirectory sessions(2);
     const auto one = sessions.enter("w1", "192.0.2.1"), two = sessions.enter("w2", "192.0.2.2");
     ASSERT_TRUE(one.ok() && two.ok());
@@ -22,7 +22,7 @@ TEST(SessionDirectory, counts_clients_and_says_when_it_is_full) {
     EXPECT_NE(*sessions.enter("w1", "192.0.2.1"), *one) << "ids are not used again";
 }
 
-TEST(SessionDirectory, one_address_does_not_fill_the_server) {
+TEST(SessionDirectory, limits_clients_per_address) {
     SessionDirectory sessions(100, 3);
     const auto first = sessions.enter("w1", "192.0.2.1");
     EXPECT_TRUE(sessions.enter("w1", "192.0.2.1").ok() && sessions.enter("w2", "192.0.2.1").ok());

@@ -23,7 +23,7 @@ std::string refusal_of(const v1::ClientMessage& message) {
     return decoded.ok() ? "" : decoded.error().message;
 }
 
-TEST(ClientMessage, reads_each_kind_of_input) {
+TEST(ClientMessage, decodes_each_kind_of_input) {
     v1::ClientMessage message;
     v1::InputBatch& batch = *message.mutable_input();
     batch.set_first_sequence(7);
@@ -87,7 +87,7 @@ TEST(ClientMessage, reads_each_kind_of_input) {
     EXPECT_FALSE(decoded.inputs[10].ok()) << "one bad input refuses itself alone";
 }
 
-TEST(ClientMessage, refuses_what_is_no_message) {
+TEST(ClientMessage, rejects_malformed_messages) {
     EXPECT_FALSE(decode_client_message("\xff\xff\xff").ok());
     EXPECT_FALSE(decode_client_message("").ok());
     v1::ClientMessage long_name;
@@ -102,7 +102,7 @@ TEST(ClientMessage, refuses_what_is_no_message) {
     EXPECT_NE(refusal_of(beyond).find("no numbers"), std::string::npos);
 }
 
-TEST(ClientMessage, a_rotation_that_is_no_number_refuses_its_input) {
+TEST(ClientMessage, rejects_inputs_with_non_finite_rotation) {
     for (const double bad :
          {std::nan(""), std::numeric_limits<double>::infinity(), 1e200, 1e-200}) {
         v1::ClientMessage message;

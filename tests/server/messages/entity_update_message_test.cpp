@@ -42,7 +42,7 @@ physics::Geometry mesh_of(int side, double height = 0) {
     return physics::Mesh{physics::build_mesh(vertices, triangles).value()};
 }
 
-TEST(EntityUpdateMessage, carries_what_a_viewer_draws) {
+TEST(EntityUpdateMessage, contains_render_data) {
     EntityDescription box{.id = 9,
                           .type = physics::BodyType::kinematic,
                           .shapes = {},
@@ -76,7 +76,7 @@ TEST(EntityUpdateMessage, carries_what_a_viewer_draws) {
 }
 
 // For those who simulate: numbers that are as usual are not told.
-TEST(EntityUpdateMessage, carries_how_bodies_move_where_it_is_not_as_usual) {
+TEST(EntityUpdateMessage, contains_non_default_motion_properties) {
     EntityDescription plain = *entity_with(1, physics::Box{}),
                       odd = *entity_with(2, physics::Box{});
     odd.jointed = true;
@@ -106,7 +106,7 @@ TEST(EntityUpdateMessage, carries_how_bodies_move_where_it_is_not_as_usual) {
     EXPECT_EQ(told.shapes(1).mass(), 7);
 }
 
-TEST(EntityUpdateMessage, a_mesh_of_two_thousand_bodies_is_told_once) {
+TEST(EntityUpdateMessage, sends_a_shared_mesh_once) {
     const physics::Geometry mesh = mesh_of(100);  // 0.6 MB as bytes
     EntityList entities;
     for (EntityId id = 1; id <= 2000; id++) entities.push_back(entity_with(id, mesh));
@@ -130,7 +130,7 @@ TEST(EntityUpdateMessage, a_mesh_of_two_thousand_bodies_is_told_once) {
               messages.geometry[0]->id);
 }
 
-TEST(EntityUpdateMessage, equal_meshes_of_two_bodies_have_one_id_and_others_have_others) {
+TEST(EntityUpdateMessage, geometry_id_depends_on_content) {
     GeometryTable table;
     const EntityList entities{entity_with(1, mesh_of(10)), entity_with(2, mesh_of(10)),
                               entity_with(3, mesh_of(10, 1))};
@@ -143,7 +143,7 @@ TEST(EntityUpdateMessage, equal_meshes_of_two_bodies_have_one_id_and_others_have
               entity_update.added(2).shapes(0).geometry());
 }
 
-TEST(EntityUpdateMessage, what_a_client_may_spawn_is_told_with_its_body) {
+TEST(EntityUpdateMessage, inlines_small_shapes) {
     std::vector<physics::Vec3> points;
     for (int i = 0; i < 32; i++)
         points.push_back({std::cos(i * 0.7), i / 16.0 - 1, std::sin(i * 0.7)});
@@ -156,7 +156,7 @@ TEST(EntityUpdateMessage, what_a_client_may_spawn_is_told_with_its_body) {
         20);
 }
 
-TEST(EntityUpdateMessage, a_long_list_comes_in_messages_of_bounded_size) {
+TEST(EntityUpdateMessage, splits_long_lists_into_bounded_messages) {
     EntityList entities;
     for (EntityId id = 1; id <= 20'000; id++) entities.push_back(entity_with(id, physics::Box{}));
     GeometryTable table;

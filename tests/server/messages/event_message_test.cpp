@@ -33,7 +33,7 @@ void expect_contact(const v1::ContactEvent& event) {
     EXPECT_EQ(event.impulse(), 6);
 }
 
-TEST(EventMessage, every_kind_is_in_its_field) {
+TEST(EventMessage, encodes_each_event_kind_in_its_field) {
     const std::string shared = encode_shared_events(one_of_each_kind());
     v1::Snapshot snapshot;
     ASSERT_TRUE(snapshot.ParseFromString(encode_events_header(7, shared.size()) + shared));
@@ -67,7 +67,7 @@ TEST(EventMessage, every_kind_is_in_its_field) {
     EXPECT_EQ(events.woke(0), 23u);
 }
 
-TEST(EventMessage, no_field_of_the_message_is_left_out) {
+TEST(EventMessage, covers_every_message_field) {
     v1::Events events;
     ASSERT_TRUE(events.ParseFromString(encode_shared_events(one_of_each_kind())));
     const auto* fields = v1::Events::descriptor();

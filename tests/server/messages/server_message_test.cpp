@@ -14,7 +14,7 @@ v1::ServerMessage parse(const std::string& bytes) {
     return message;
 }
 
-TEST(ServerMessage, a_snapshot_is_its_two_pieces_one_after_the_other) {
+TEST(ServerMessage, snapshot_is_the_concatenation_of_its_pieces) {
     const EncodedSnapshot encoded{.frame = 300,
                                   .baselines = {299, 298, 297},
                                   .packed = {std::byte{1}, std::byte{0}, std::byte{255}},
@@ -40,7 +40,7 @@ TEST(ServerMessage, a_snapshot_is_its_two_pieces_one_after_the_other) {
     }
 }
 
-TEST(ServerMessage, a_snapshot_of_which_little_is_to_be_told_has_a_head_of_seventeen_bytes) {
+TEST(ServerMessage, minimal_snapshot_header_has_17_bytes) {
     const EncodedSnapshot encoded{.frame = 1'000'000,
                                   .baselines = {999'999, 999'998, 999'997},
                                   .packed = {},
@@ -55,7 +55,7 @@ TEST(ServerMessage, a_snapshot_of_which_little_is_to_be_told_has_a_head_of_seven
     EXPECT_EQ(size(encoded), 13u) << "nothing moved";
 }
 
-TEST(ServerMessage, statistics_stand_beside_what_is_shared) {
+TEST(ServerMessage, statistics_are_outside_the_shared_piece) {
     Frame frame;
     frame.tick = 77;
     const std::string shared = encode_shared_snapshot({.frame = 77});
@@ -67,7 +67,7 @@ TEST(ServerMessage, statistics_stand_beside_what_is_shared) {
     EXPECT_FALSE(message.snapshot().has_client_update()) << "nothing to tell";
 }
 
-TEST(ServerMessage, what_changed_of_channels_is_shared_with_its_crc) {
+TEST(ServerMessage, channel_delta_and_crc_are_in_the_shared_piece) {
     EncodedSnapshot encoded{.frame = 300};
     const std::string without = encode_shared_snapshot(encoded);
     encoded.channels = {.bytes = {std::byte{0}, std::byte{255}}, .crc = 0xdeadbeef};
@@ -78,7 +78,7 @@ TEST(ServerMessage, what_changed_of_channels_is_shared_with_its_crc) {
     EXPECT_EQ(message.snapshot().channels_crc(), 0xdeadbeef);
 }
 
-TEST(ServerMessage, welcome_lists_the_kinds_of_channels) {
+TEST(ServerMessage, welcome_lists_channel_kinds) {
     const auto message = parse(encode_welcome(
         {.channels = {{"craft"}, {"fields.waves", physics::ChannelForm::seed, 60}}}));
     ASSERT_EQ(message.welcome().channels_size(), 2);
@@ -88,7 +88,7 @@ TEST(ServerMessage, welcome_lists_the_kinds_of_channels) {
     EXPECT_EQ(message.welcome().channels(1).divisor(), 60u);
 }
 
-TEST(ServerMessage, welcome_tells_those_who_simulate_how_the_world_steps) {
+TEST(ServerMessage, welcome_contains_step_parameters) {
     const auto message =
         parse(encode_welcome({.tick_hz = 50, .gravity = {0, -1.6, 0}, .substeps = 12}));
     EXPECT_EQ(message.welcome().tick_hz(), 50);
@@ -96,7 +96,7 @@ TEST(ServerMessage, welcome_tells_those_who_simulate_how_the_world_steps) {
     EXPECT_EQ(message.welcome().substeps(), 12u);
 }
 
-TEST(ServerMessage, results_and_notices_keep_code_and_text) {
+TEST(ServerMessage, results_and_notices_preserve_code_and_text) {
     const InputResult refused{.sequence = 5,
                               .status = Error{ErrorCode::permission_denied, "not yours"},
                               .tick = 77,

@@ -5,7 +5,7 @@
 
 namespace jostle::server {
 
-TEST(ChromeTrace, spans_are_events_with_microseconds_and_titles) {
+TEST(ChromeTrace, writes_spans_as_events_in_microseconds_with_titles) {
     const std::vector<TraceSpan> spans = {
         {.name = "tick",
          .start_us = 0,
@@ -25,7 +25,7 @@ TEST(ChromeTrace, spans_are_events_with_microseconds_and_titles) {
 }
 
 // A world's name comes from a stranger.
-TEST(ChromeTrace, text_cannot_break_out_of_its_quotes) {
+TEST(ChromeTrace, escapes_text) {
     const std::string trace = write_chrome_trace({.process = "a\"},\n\\{\x01", .rows = {}}, {});
     EXPECT_NE(trace.find(R"("name":"a\"},\u000a\\{\u0001"}})"), std::string::npos) << trace;
     EXPECT_NE(write_chrome_trace({}, {{.name = "x", .start_us = 1e300}}).find("\"ts\":0"),

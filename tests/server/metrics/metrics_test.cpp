@@ -34,7 +34,7 @@ protected:
     Metrics metrics{"1.2.3", {"update_pairs", "solve"}};
 };
 
-TEST_F(MetricsTest, what_has_fixed_labels_is_there_from_the_start) {
+TEST_F(MetricsTest, series_with_fixed_labels_exist_from_the_start) {
     EXPECT_EQ(value("jostle_build_info{version=\"1.2.3\"}"), 1);
     for (const char* series :
          {"jostle_inputs_total{code=\"applied\"}", "jostle_inputs_total{code=\"limit\"}",
@@ -49,7 +49,7 @@ TEST_F(MetricsTest, what_has_fixed_labels_is_there_from_the_start) {
         EXPECT_EQ(value(series), 0) << series;
 }
 
-TEST_F(MetricsTest, each_label_counts_by_itself) {
+TEST_F(MetricsTest, counts_each_label_separately) {
     metrics.inputs[InputOutcome::limit].Increment(3);
     metrics.refusals[ErrorCode::unauthenticated].Increment();
     metrics.listener(Listener::http).open.Set(7);
@@ -62,13 +62,13 @@ TEST_F(MetricsTest, each_label_counts_by_itself) {
               1);
 }
 
-TEST_F(MetricsTest, a_counter_is_raised_to_a_total_and_never_lowered) {
+TEST_F(MetricsTest, raise_to_never_lowers_a_counter) {
     raise_to(metrics.log_dropped, 5);
     raise_to(metrics.log_dropped, 3);
     EXPECT_EQ(value("jostle_log_dropped_total"), 5);
 }
 
-TEST_F(MetricsTest, a_world_has_its_series_for_as_long_as_somebody_holds_them) {
+TEST_F(MetricsTest, world_series_exist_while_held) {
     {
         WorldMetrics world(metrics, "arena \"one\"\n");
         const std::vector<double> stage_ms{0.5, 1.5};
@@ -97,7 +97,7 @@ TEST_F(MetricsTest, a_world_has_its_series_for_as_long_as_somebody_holds_them) {
 }
 
 // A world is deleted and made anew under its name while clients of the old one still hold it.
-TEST_F(MetricsTest, a_name_that_is_used_again_keeps_its_series_until_the_last_holder_goes) {
+TEST_F(MetricsTest, reused_world_name_shares_series_until_last_release) {
     auto old_one = std::make_unique<WorldMetrics>(metrics, "arena");
     auto new_one = std::make_unique<WorldMetrics>(metrics, "arena");
     old_one.reset();
@@ -107,7 +107,7 @@ TEST_F(MetricsTest, a_name_that_is_used_again_keeps_its_series_until_the_last_ho
     EXPECT_FALSE(mentions("arena"));
 }
 
-TEST_F(MetricsTest, calls_are_counted_by_method_and_code_and_strangers_make_no_series) {
+TEST_F(MetricsTest, counts_calls_by_method_and_code_without_series_for_unknown_methods) {
     RpcMetrics rpcs(metrics);
     rpcs.add("/jostle.v1.WorldService/ListWorlds", RpcMetrics::Kind::unary);
     rpcs.add("/jostle.v1.PlayService/Play", RpcMetrics::Kind::streaming);
@@ -134,7 +134,7 @@ TEST_F(MetricsTest, calls_are_counted_by_method_and_code_and_strangers_make_no_s
         << "a stream lasts as long as a client stays";
 }
 
-TEST_F(MetricsTest, the_process_is_described_as_it_is_now) {
+TEST_F(MetricsTest, reports_current_process_metrics) {
     const double before = value("process_open_fds");
     const int fds[] = {dup(0), dup(0), dup(0)};
     EXPECT_EQ(value("process_open_fds"), before + 3);
@@ -147,7 +147,7 @@ TEST_F(MetricsTest, the_process_is_described_as_it_is_now) {
 }
 
 // promtool's rules, which it checks in scripts/observe-check: base units, counters end in _total.
-TEST_F(MetricsTest, names_and_help_are_what_promtool_wants) {
+TEST_F(MetricsTest, names_and_help_follow_promtool_rules) {
     const WorldMetrics world(metrics, "arena");
     RpcMetrics rpcs(metrics);
     rpcs.add("/jostle.v1.WorldService/ListWorlds", RpcMetrics::Kind::unary);

@@ -30,7 +30,7 @@ void end_by(const std::string& path, int signal) {
     EXPECT_EQ(WTERMSIG(status), signal) << "the process ends as it would have";
 }
 
-TEST(CrashMarkers, a_crash_is_counted_in_the_tick_that_ran_and_a_kill_is_not) {
+TEST(CrashMarkers, counts_crashes_in_the_running_tick_but_not_kills) {
     const test::TempFolder folder;
     const std::string path = folder / "worlds.db.marks";
     end_by(path, SIGKILL);
@@ -44,7 +44,7 @@ TEST(CrashMarkers, a_crash_is_counted_in_the_tick_that_ran_and_a_kill_is_not) {
     EXPECT_EQ(marks->of("field").crashes(), 0u);
 }
 
-TEST(CrashMarkers, a_crash_in_another_tick_is_the_first_one_in_a_row) {
+TEST(CrashMarkers, crash_in_another_tick_resets_the_count) {
     const test::TempFolder folder;
     const auto marks = CrashMarkers::open(folder / "marks").value();
     const CrashMarker mark = marks->of("yard");
@@ -58,7 +58,7 @@ TEST(CrashMarkers, a_crash_in_another_tick_is_the_first_one_in_a_row) {
     EXPECT_EQ(marks->of("yard").crashes(), 0u);
 }
 
-TEST(CrashMarkers, a_file_that_is_something_else_becomes_an_empty_one) {
+TEST(CrashMarkers, replaces_an_invalid_file) {
     const test::TempFolder folder;
     const std::string path = folder.write("marks", "not of ours");
     EXPECT_EQ(CrashMarkers::open(path).value()->of("yard").crashes(), 0u);

@@ -53,7 +53,7 @@ protected:
     std::set<std::uint32_t> told_, refused_;
 };
 
-TEST_P(FailingStorage, the_world_runs_on_and_is_kept_again_by_itself) {
+TEST_P(FailingStorage, world_continues_running_and_persistence_recovers) {
     const test::TempFolder folder;
     const std::string path = folder / "worlds.db";
     const HostLimits limits{.scene = {.bodies_max = 400}};

@@ -74,7 +74,7 @@ JournalSegment play(HostedWorld& world, std::uint32_t ticks) {
     return journal;
 }
 
-TEST(JournalCodec, what_is_kept_makes_the_same_world_again) {
+TEST(JournalCodec, replay_reproduces_the_world) {
     HostedWorld world = sandbox();
     const JournalSegment journal = play(world, 150);
     const std::string bytes = encode_journal(journal);
@@ -98,7 +98,7 @@ TEST(JournalCodec, what_is_kept_makes_the_same_world_again) {
     EXPECT_LT(bytes.size(), 600u * 200) << "two hundred bytes a command at most";
 }
 
-TEST(JournalCodec, a_world_that_went_back_is_an_entry_of_its_own_and_version_2_knew_of_none) {
+TEST(JournalCodec, rewind_is_a_separate_entry_absent_from_version_2) {
     const std::string bytes =
         encode_journal({.ticks = {}, .paused_ticks = {}, .rewind = Rewind{.tick = 90, .to = 30}});
     EXPECT_EQ(decode_journal(bytes).value().rewind, (Rewind{.tick = 90, .to = 30}));
@@ -117,7 +117,7 @@ TEST(JournalCodec, a_world_that_went_back_is_an_entry_of_its_own_and_version_2_k
     EXPECT_FALSE(old.rewind);
 }
 
-TEST(JournalCodec, bytes_that_are_cut_or_changed_are_refused_or_read_within_bounds) {
+TEST(JournalCodec, truncated_or_changed_bytes_are_rejected_or_read_within_bounds) {
     HostedWorld world = sandbox();
     const std::string whole = encode_journal(play(world, 12));
     for (std::size_t size = 0; size < whole.size(); size++)

@@ -112,7 +112,7 @@ Ended persisted_worlds_in(const std::string& path, std::uint32_t tick) {
     return {found.tick, state_hash(found.world.world())};
 }
 
-TEST(WorldArchive, a_world_goes_on_to_the_bit_after_its_process_was_killed_three_times) {
+TEST(WorldArchive, world_is_bit_identical_after_three_killed_processes) {
     const test::TempFolder folder;
     const auto reply = std::make_shared<ResultQueue>();
     // What it would have been without interruption.
@@ -138,7 +138,7 @@ TEST(WorldArchive, a_world_goes_on_to_the_bit_after_its_process_was_killed_three
     EXPECT_EQ(persisted_worlds_in(folder / "worlds.db", tick).hash, hash_of(*alone));
 }
 
-TEST(WorldArchive, an_orderly_end_leaves_a_checkpoint_and_nothing_to_do_again) {
+TEST(WorldArchive, clean_shutdown_writes_a_final_checkpoint) {
     const test::TempFolder folder;
     std::uint32_t tick = 0;
     {
@@ -154,7 +154,7 @@ TEST(WorldArchive, an_orderly_end_leaves_a_checkpoint_and_nothing_to_do_again) {
     EXPECT_EQ(store->checkpoint_ticks(id).value().front(), tick);
 }
 
-TEST(WorldArchive, a_deleted_world_does_not_come_back_and_its_clients_ids_are_not_given_again) {
+TEST(WorldArchive, deleted_world_is_not_restored_and_client_ids_are_not_reused) {
     const test::TempFolder folder;
     ClientId first = 0;
     {
@@ -172,7 +172,7 @@ TEST(WorldArchive, a_deleted_world_does_not_come_back_and_its_clients_ids_are_no
     EXPECT_EQ(process.create("yard")->id(), "w3-test") << "numbers go on";
 }
 
-TEST(WorldArchive, a_world_that_moves_is_written_whole_now_and_then_and_only_two_are_kept) {
+TEST(WorldArchive, writes_periodic_checkpoints_and_retains_two) {
     const test::TempFolder folder;
     Process process(folder / "worlds.db", {.replay_seconds_max = 0.01});
     const auto world = process.create("yard");
@@ -191,7 +191,7 @@ TEST(WorldArchive, a_world_that_moves_is_written_whole_now_and_then_and_only_two
     EXPECT_GT(store->entries(id, 0, 1).error().message.size(), 0u) << "the first ones are gone";
 }
 
-TEST(WorldArchive, a_moment_of_a_world_that_runs_can_be_had_as_a_scene) {
+TEST(WorldArchive, exports_a_past_tick_of_a_running_world) {
     const test::TempFolder folder;
     Process process(folder / "worlds.db");
     const auto world = process.create("yard");
@@ -207,7 +207,7 @@ TEST(WorldArchive, a_moment_of_a_world_that_runs_can_be_had_as_a_scene) {
 }
 
 // Two players, 80 ticks, taken back to tick 41 and played on: ticks, ids and inputs count on.
-TEST(WorldArchive, a_world_is_taken_back_and_what_was_done_in_between_stays_kept) {
+TEST(WorldArchive, rewind_preserves_the_history_in_between) {
     const test::TempFolder folder;
     const auto reply = std::make_shared<ResultQueue>();
     std::uint64_t at_the_end = 0;
@@ -277,7 +277,7 @@ TEST(WorldArchive, a_world_is_taken_back_and_what_was_done_in_between_stays_kept
     }
 }
 
-TEST(WorldArchive, a_kept_moment_begins_a_world_of_its_own_with_nobody_in_it) {
+TEST(WorldArchive, creates_a_world_from_a_past_tick_without_clients) {
     const test::TempFolder folder;
     std::string id;
     std::uint64_t hash = 0;
@@ -306,7 +306,7 @@ TEST(WorldArchive, a_kept_moment_begins_a_world_of_its_own_with_nobody_in_it) {
     EXPECT_NE(process.worlds->find(id), nullptr);
 }
 
-TEST(WorldArchive, a_tick_that_crashed_twice_is_done_again_without_its_commands) {
+TEST(WorldArchive, skips_commands_of_a_tick_that_crashed_twice) {
     const test::TempFolder folder;
     const std::string path = folder / "worlds.db";
     std::string id;
@@ -337,7 +337,7 @@ TEST(WorldArchive, a_tick_that_crashed_twice_is_done_again_without_its_commands)
     EXPECT_EQ(store->note("aside " + id + " 14").value(), std::nullopt);
 }
 
-TEST(WorldArchive, a_damaged_checkpoint_is_told_of_and_the_one_before_serves) {
+TEST(WorldArchive, falls_back_to_the_previous_checkpoint_when_one_is_corrupt) {
     const test::TempFolder folder;
     std::string id;
     std::uint32_t tick = 0;

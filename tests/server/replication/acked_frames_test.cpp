@@ -12,7 +12,7 @@ void send(AckedFrames& frames, std::uint32_t first, std::uint32_t last) {
 
 }  // namespace
 
-TEST(AckedFrames, what_nobody_acknowledged_is_no_base) {
+TEST(AckedFrames, unacknowledged_frames_are_not_baselines) {
     AckedFrames frames;
     send(frames, 1, 10);
     EXPECT_EQ(frames.newest(), 0u);
@@ -20,7 +20,7 @@ TEST(AckedFrames, what_nobody_acknowledged_is_no_base) {
     EXPECT_EQ(frames.last_sent(), 10u);
 }
 
-TEST(AckedFrames, bases_are_the_newest_that_the_client_has_though_others_were_lost) {
+TEST(AckedFrames, baselines_are_the_newest_acknowledged_frames) {
     AckedFrames frames;
     send(frames, 1, 10);
     frames.on_ack(8, 0b1101);  // 7, 5 and 4, but not 6
@@ -31,7 +31,7 @@ TEST(AckedFrames, bases_are_the_newest_that_the_client_has_though_others_were_lo
     EXPECT_EQ(baselines.baseline3, 0u);
 }
 
-TEST(AckedFrames, an_ack_of_what_was_never_sent_counts_for_nothing) {
+TEST(AckedFrames, ignores_acks_of_unsent_frames) {
     AckedFrames frames;
     frames.on_sent(3);
     frames.on_sent(6);
@@ -42,7 +42,7 @@ TEST(AckedFrames, an_ack_of_what_was_never_sent_counts_for_nothing) {
     EXPECT_EQ(frames.newest(), 3u) << "32 frames before";
 }
 
-TEST(AckedFrames, an_ack_of_what_the_stream_brought_says_nothing_of_datagrams) {
+TEST(AckedFrames, stream_acks_do_not_confirm_datagrams) {
     AckedFrames frames;
     frames.on_sent(1, true);
     frames.on_sent(2, false);
@@ -52,7 +52,7 @@ TEST(AckedFrames, an_ack_of_what_the_stream_brought_says_nothing_of_datagrams) {
     EXPECT_FALSE(frames.on_ack(2, 1)) << "no news";
 }
 
-TEST(AckedFrames, of_what_was_sent_33_frames_ago_nobody_says_that_the_client_still_has_it) {
+TEST(AckedFrames, frames_older_than_32_are_not_baselines) {
     AckedFrames frames;
     frames.on_sent(1);
     frames.on_ack(1, 0);
@@ -62,7 +62,7 @@ TEST(AckedFrames, of_what_was_sent_33_frames_ago_nobody_says_that_the_client_sti
     EXPECT_EQ(frames.newest(), 0u);
 }
 
-TEST(AckedFrames, a_client_that_lost_track_has_nothing_until_it_says_more) {
+TEST(AckedFrames, reset_clears_all_baselines) {
     AckedFrames frames;
     send(frames, 1, 5);
     frames.on_ack(5, 0);

@@ -35,7 +35,7 @@ CellId cell_of(CellGrid& grid, double x, double z) {
     return cells.begin()->first;
 }
 
-TEST(CellGrid, places_and_numbers_of_cells_say_the_same) {
+TEST(CellGrid, cell_ids_and_coordinates_round_trip) {
     for (const int x : {-30000, -1, 0, 1, 29999})
         for (const int z : {-29999, -1, 0, 7}) {
             const CellId cell = CellGrid::id_of({x, z});
@@ -45,7 +45,7 @@ TEST(CellGrid, places_and_numbers_of_cells_say_the_same) {
         }
 }
 
-TEST(CellGrid, an_entity_is_where_it_is_and_what_is_larger_than_a_cell_everywhere) {
+TEST(CellGrid, assigns_entities_to_cells_and_large_ones_everywhere) {
     CellGrid grid(interest_cell_m, {});
     const wire::QuantizedFrame frame{
         .frame = 1, .entities = {at(1, 5, 5), at(2, -5, 5), at(3, 40, -70), at(4, 6, 6)}};
@@ -62,7 +62,7 @@ TEST(CellGrid, an_entity_is_where_it_is_and_what_is_larger_than_a_cell_everywher
     EXPECT_EQ(cells.at(everywhere).entities[0].id, 4u);
 }
 
-TEST(CellGrid, what_lies_on_a_border_does_not_come_and_go) {
+TEST(CellGrid, hysteresis_prevents_flicker_at_borders) {
     CellGrid grid(interest_cell_m, {});
     const CellId first = cell_of(grid, 31, 3), second = CellGrid::id_of({1, 0});
     int changes = 0;
@@ -78,7 +78,7 @@ TEST(CellGrid, what_lies_on_a_border_does_not_come_and_go) {
     EXPECT_EQ(cell_of(grid, 27, 3), first);
 }
 
-TEST(CellGrid, the_distance_to_a_cell_is_that_to_its_nearest_point) {
+TEST(CellGrid, distance_is_to_the_nearest_point_of_the_cell) {
     const CellGrid grid(interest_cell_m, {});
     const CellId cell = CellGrid::id_of({1, 0});  // x from 32 to 64, z from 0 to 32
     EXPECT_EQ(grid.distance(cell, 40, 10), 0);

@@ -135,7 +135,7 @@ struct TestView {
     std::vector<std::size_t> bytes_of_tick;
 };
 
-TEST(InterestView, sees_the_cells_within_its_radius_and_no_others) {
+TEST(InterestView, selects_only_cells_within_the_radius) {
     Field field(false);
     TestView eyes(0);
     eyes.view.set_interest({.x_m = 16, .z_m = 16, .radius_m = 50});
@@ -149,7 +149,7 @@ TEST(InterestView, sees_the_cells_within_its_radius_and_no_others) {
     for (const auto& [cell, times] : eyes.sent_at) EXPECT_EQ(times.size(), 1u) << "it stands";
 }
 
-TEST(InterestView, who_walks_enters_cells_and_leaves_others) {
+TEST(InterestView, moving_focus_enters_and_leaves_cells) {
     Field field(true);
     TestView eyes(0);
     for (std::uint32_t tick = 1; tick < 600; tick++) {
@@ -161,7 +161,7 @@ TEST(InterestView, who_walks_enters_cells_and_leaves_others) {
     EXPECT_GT(eyes.sent_at.size(), eyes.known.size() + 5) << "it saw others before";
 }
 
-TEST(InterestView, what_is_far_comes_less_often) {
+TEST(InterestView, sends_distant_cells_less_often) {
     Field field(true);
     TestView eyes(0);
     eyes.view.set_interest({.x_m = 16, .z_m = 16, .radius_m = 200});
@@ -175,7 +175,7 @@ TEST(InterestView, what_is_far_comes_less_often) {
     EXPECT_EQ(count(7), 0);
 }
 
-TEST(InterestView, a_budget_is_kept_in_every_second_and_what_is_near_comes_first) {
+TEST(InterestView, respects_the_byte_budget_and_prefers_near_cells) {
     Field field(true);
     TestView all(0);
     for (std::uint32_t tick = 1; tick <= 300; tick++) all.tick(field, tick);
@@ -198,7 +198,7 @@ TEST(InterestView, a_budget_is_kept_in_every_second_and_what_is_near_comes_first
     EXPECT_GE(since(9, 9), 5) << "but nothing is forgotten";
 }
 
-TEST(InterestView, entering_a_crowd_does_not_stop_what_moves) {
+TEST(InterestView, entering_a_dense_area_does_not_starve_known_cells) {
     Field field(true);
     TestView eyes(20'000);
     eyes.view.set_interest({.x_m = 16, .z_m = 16, .radius_m = 20});
@@ -213,7 +213,7 @@ TEST(InterestView, entering_a_crowd_does_not_stop_what_moves) {
 }
 
 // Somebody who flies leaves cells behind: they are forgotten, and clients are told.
-TEST(CellSnapshotCache, a_cell_that_stays_empty_is_gone_after_a_while) {
+TEST(CellSnapshotCache, removes_cells_that_stay_empty) {
     TestView eyes(0);
     const auto fly = [&](std::uint32_t tick) {
         auto list = std::make_shared<EntityList>();
@@ -241,7 +241,7 @@ TEST(CellSnapshotCache, a_cell_that_stays_empty_is_gone_after_a_while) {
     EXPECT_GE(left, 140u) << "of 156 that it flew through";
 }
 
-TEST(CellSnapshotCache, clients_share_the_bytes_of_a_cell) {
+TEST(CellSnapshotCache, clients_share_encoded_cells) {
     Field field(true);
     TestView one(0);
     const FramePtr frame = field.frame(1);

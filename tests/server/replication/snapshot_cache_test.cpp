@@ -67,7 +67,7 @@ struct Receiver {
     wire::BaselineFrames baselines;
 };
 
-TEST(SnapshotCache, clients_of_one_cadence_share_one_encoding) {
+TEST(SnapshotCache, clients_with_equal_rate_share_one_encoding) {
     SnapshotCache cache({}, serialize);
     BaselineTracker one, two;
     for (std::uint32_t tick = 1; tick <= 50; ++tick) {
@@ -81,7 +81,7 @@ TEST(SnapshotCache, clients_of_one_cadence_share_one_encoding) {
     EXPECT_EQ(cache.encodings_made(), 50u);
 }
 
-TEST(SnapshotCache, each_codec_is_encoded_once_and_shared_by_those_who_asked_for_it) {
+TEST(SnapshotCache, encodes_each_codec_once) {
     SnapshotCache cache({}, serialize);
     using wire::Codec;
     const SharedBytes bits = cache.encoding(frame_at(1), {}, 0, Codec::bits),
@@ -97,7 +97,7 @@ TEST(SnapshotCache, each_codec_is_encoded_once_and_shared_by_those_who_asked_for
     EXPECT_EQ(*decoded(bits, Codec::bits), *decoded(range, Codec::range));
 }
 
-TEST(SnapshotCache, every_cadence_decodes_to_the_servers_state) {
+TEST(SnapshotCache, every_rate_decodes_to_the_server_state) {
     SnapshotCache cache({}, serialize);
     BaselineTracker trackers[3];
     Receiver receivers[3];
@@ -119,7 +119,7 @@ TEST(SnapshotCache, every_cadence_decodes_to_the_servers_state) {
 
 // Of 700 bodies a few move, rise and fall asleep, and blocks are shared from frame to frame: what a
 // client has is what the poses are, at every cadence, and past the end of the ring.
-TEST(SnapshotCache, of_a_world_that_mostly_rests_every_frame_decodes_to_its_poses) {
+TEST(SnapshotCache, mostly_resting_world_decodes_exactly) {
     SnapshotCache cache({}, serialize);
     const auto list = std::make_shared<const EntityList>();
     std::vector<EntityPose> poses;
@@ -157,7 +157,7 @@ TEST(SnapshotCache, of_a_world_that_mostly_rests_every_frame_decodes_to_its_pose
     }
 }
 
-TEST(SnapshotCache, a_base_that_fell_off_the_ring_makes_it_absolute) {
+TEST(SnapshotCache, evicted_baseline_forces_a_keyframe) {
     SnapshotCache cache({}, serialize);
     BaselineTracker slow;
     Receiver receiver;
@@ -170,7 +170,7 @@ TEST(SnapshotCache, a_base_that_fell_off_the_ring_makes_it_absolute) {
     EXPECT_EQ(receiver.baselines, wire::BaselineFrames{});
 }
 
-TEST(SnapshotCache, a_tracker_that_forgot_asks_for_an_absolute_frame) {
+TEST(SnapshotCache, reset_tracker_forces_a_keyframe) {
     BaselineTracker baselines;
     EXPECT_EQ(baselines.baselines_for(5), wire::BaselineFrames{});
     baselines.on_sent(5);
@@ -183,7 +183,7 @@ TEST(SnapshotCache, a_tracker_that_forgot_asks_for_an_absolute_frame) {
     EXPECT_EQ(baselines.baselines_for(8), wire::BaselineFrames{});
 }
 
-TEST(SnapshotCache, bodies_at_rest_are_silent) {
+TEST(SnapshotCache, resting_bodies_add_no_bytes) {
     std::size_t packed = 0;
     SnapshotCache cache({}, [&](const EncodedSnapshot& s) {
         packed = s.packed.size();
@@ -233,7 +233,7 @@ struct ChannelPublisher {
     }
 };
 
-TEST(SnapshotCache, an_absolute_snapshot_has_all_channels_and_a_delta_those_that_changed) {
+TEST(SnapshotCache, keyframe_has_all_channels_and_delta_only_changed_ones) {
     ChannelPublisher teller;
     const auto channel = ChannelPublisher::channel;
     const Channel unchanged_ticks = channel(0, 7);
@@ -256,7 +256,7 @@ TEST(SnapshotCache, an_absolute_snapshot_has_all_channels_and_a_delta_those_that
     EXPECT_EQ(teller.decoded({}).size(), 1u);
 }
 
-TEST(SnapshotCache, clients_that_name_the_same_kinds_share_their_bytes) {
+TEST(SnapshotCache, clients_with_equal_channel_kinds_share_bytes) {
     ChannelPublisher teller;
     const auto channel = ChannelPublisher::channel;
     teller.frame(1, {channel(0, 1), channel(1, 1)});
@@ -270,7 +270,7 @@ TEST(SnapshotCache, clients_that_name_the_same_kinds_share_their_bytes) {
     EXPECT_EQ(teller.cache.encodings_made(), 2u) << "poses are packed once for all of them";
 }
 
-TEST(SnapshotCache, channels_against_a_base_that_fell_off_the_ring_are_all_there) {
+TEST(SnapshotCache, evicted_baseline_sends_all_channels) {
     ChannelPublisher teller;
     for (std::uint32_t tick = 1; tick < 2 + SnapshotCache::ring; ++tick) {
         teller.frame(tick, {ChannelPublisher::channel(0, 7)});
@@ -281,7 +281,7 @@ TEST(SnapshotCache, channels_against_a_base_that_fell_off_the_ring_are_all_there
     EXPECT_EQ(teller.decoded({}).size(), 1u);
 }
 
-TEST(SnapshotCache, windows_skips_and_lost_tracks_all_decode_to_the_servers_state) {
+TEST(SnapshotCache, skips_and_resets_decode_to_the_server_state) {
     using namespace std::chrono_literals;
     constexpr std::uint32_t clients = 12, ticks = 600;
     struct Client {
@@ -319,7 +319,7 @@ TEST(SnapshotCache, windows_skips_and_lost_tracks_all_decode_to_the_servers_stat
     for (const Client& client : all) EXPECT_GT(client.received, 50);
 }
 
-TEST(SnapshotCache, network_threads_may_ask_at_once) {
+TEST(SnapshotCache, supports_concurrent_requests) {
     SnapshotCache cache({}, serialize);
     std::vector<FramePtr> frames;
     for (std::uint32_t tick = 1; tick <= 200; ++tick) frames.push_back(frame_at(tick));

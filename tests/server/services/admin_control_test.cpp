@@ -65,7 +65,7 @@ protected:
     AdminControl control{context};
 };
 
-TEST_F(AdminControlTest, lists_who_is_connected_and_where) {
+TEST_F(AdminControlTest, lists_connected_clients) {
     Player player(context);
     std::this_thread::sleep_for(50ms);
     player.listen();
@@ -85,7 +85,7 @@ TEST_F(AdminControlTest, lists_who_is_connected_and_where) {
     EXPECT_EQ(error_of(control.list_clients(request, response)).code, ErrorCode::not_found);
 }
 
-TEST_F(AdminControlTest, a_client_that_is_kicked_is_told_why_and_ends) {
+TEST_F(AdminControlTest, kicked_client_receives_the_reason_and_disconnects) {
     Player player(context);
     v1::KickRequest request;
     v1::KickResponse response;
@@ -101,7 +101,7 @@ TEST_F(AdminControlTest, a_client_that_is_kicked_is_told_why_and_ends) {
     EXPECT_EQ(error_of(control.kick(request, response)).code, ErrorCode::not_found);
 }
 
-TEST_F(AdminControlTest, a_world_is_paused_stepped_and_resumed) {
+TEST_F(AdminControlTest, pauses_steps_and_resumes_a_world) {
     v1::StepWorldRequest step;
     v1::StepWorldResponse stepped;
     step.set_world("arena");
@@ -129,7 +129,7 @@ TEST_F(AdminControlTest, a_world_is_paused_stepped_and_resumed) {
 }
 
 // What is exported is a scene as anybody's: it is read as strictly.
-TEST_F(AdminControlTest, a_world_is_exported_as_a_scene_that_is_good) {
+TEST_F(AdminControlTest, exports_a_valid_scene) {
     v1::ExportWorldRequest request;
     v1::ExportWorldResponse response;
     request.set_world("other");
@@ -142,7 +142,7 @@ TEST_F(AdminControlTest, a_world_is_exported_as_a_scene_that_is_good) {
     EXPECT_EQ(error_of(control.export_world(request, response)).code, ErrorCode::not_found);
 }
 
-TEST_F(AdminControlTest, a_profile_is_a_trace_of_so_many_seconds) {
+TEST_F(AdminControlTest, profiles_for_the_requested_duration) {
     v1::ProfileRequest request;
     v1::ProfileResponse response;
     request.set_world("arena");
@@ -156,7 +156,7 @@ TEST_F(AdminControlTest, a_profile_is_a_trace_of_so_many_seconds) {
     EXPECT_NE(response.trace().find("\"name\":\"update_pairs\""), std::string::npos);
 }
 
-TEST_F(AdminControlTest, few_may_wait_for_worlds_at_a_time) {
+TEST_F(AdminControlTest, limits_concurrent_blocking_calls) {
     std::vector<std::thread> waiting;
     std::atomic<int> refused{0};
     for (int i = 0; i < 12; i++)
@@ -172,7 +172,7 @@ TEST_F(AdminControlTest, few_may_wait_for_worlds_at_a_time) {
     EXPECT_GE(refused, 8) << "two worlds record at a time, and no more than four calls wait";
 }
 
-TEST_F(AdminControlTest, drain_says_who_is_told_and_asks_once) {
+TEST_F(AdminControlTest, drain_returns_client_count_and_is_idempotent) {
     const Player player(context);
     v1::DrainResponse response;
     ASSERT_TRUE(control.drain({}, response).ok());

@@ -83,7 +83,7 @@ protected:
 
 using Ids = std::vector<EntityId>;
 
-TEST_F(QueryControlTest, a_ray_meets_the_top_of_a_known_box_at_the_known_fraction) {
+TEST_F(QueryControlTest, ray_hits_box_top_at_the_expected_fraction) {
     v1::CastRaysRequest request;
     add_ray(request, {0.5, 10, 0.25}, {0, -20, 0});  // beside the ball's top, over the box
     request.mutable_filter()->set_ignore(ball);
@@ -99,7 +99,7 @@ TEST_F(QueryControlTest, a_ray_meets_the_top_of_a_known_box_at_the_known_fractio
     EXPECT_LE(response.tick(), worlds.find("")->frame()->tick);
 }
 
-TEST_F(QueryControlTest, all_hits_come_in_the_order_of_the_way) {
+TEST_F(QueryControlTest, returns_all_hits_sorted_by_distance) {
     const v1::CastRaysResponse response = cast(down(v1::HIT_MODE_ALL));
     EXPECT_EQ(entities(response.rays(0)), (Ids{ball, box, floor}));
     EXPECT_NEAR(response.rays(0).hits(0).fraction(), 3.5 / 20, 1e-9);
@@ -107,7 +107,7 @@ TEST_F(QueryControlTest, all_hits_come_in_the_order_of_the_way) {
     EXPECT_NEAR(response.rays(0).hits(2).fraction(), 10.0 / 20, 1e-9);
 }
 
-TEST_F(QueryControlTest, a_filter_ignores_an_entity_shows_triggers_and_chooses_categories) {
+TEST_F(QueryControlTest, filter_ignores_entity_includes_triggers_and_selects_categories) {
     v1::CastRaysRequest request = down(v1::HIT_MODE_ALL);
     request.mutable_filter()->set_ignore(box);
     EXPECT_EQ(entities(cast(request).rays(0)), (Ids{ball, floor}));
@@ -123,7 +123,7 @@ TEST_F(QueryControlTest, a_filter_ignores_an_entity_shows_triggers_and_chooses_c
     EXPECT_EQ(entities(cast(sideways).rays(0)), Ids{}) << "said, and none: not the same as absent";
 }
 
-TEST_F(QueryControlTest, each_ray_has_its_answer_and_any_names_only_an_entity) {
+TEST_F(QueryControlTest, returns_one_result_per_ray_and_entity_only_for_any_hit) {
     v1::CastRaysRequest request = down(v1::HIT_MODE_ANY);
     add_ray(request, {0, 10, 0}, {0, 20, 0});
     add_ray(request, {20, 10, 0}, {0, -20, 0});
@@ -139,7 +139,7 @@ TEST_F(QueryControlTest, each_ray_has_its_answer_and_any_names_only_an_entity) {
     EXPECT_EQ(response.rays(2).hits(0).shape(), 1u) << "the second of the floor's shapes";
 }
 
-TEST_F(QueryControlTest, a_falling_ball_is_cast_onto_the_box) {
+TEST_F(QueryControlTest, casts_a_sphere_onto_a_box) {
     v1::CastShapesRequest request;
     v1::MovingShape& moving = *request.add_shapes();
     moving.mutable_shape()->mutable_sphere()->set_radius(0.25);
@@ -159,7 +159,7 @@ TEST_F(QueryControlTest, a_falling_ball_is_cast_onto_the_box) {
     EXPECT_NE(any.message.find("mode is 2"), std::string::npos) << any.message;
 }
 
-TEST_F(QueryControlTest, overlap_names_what_touches_a_shape_or_holds_a_point) {
+TEST_F(QueryControlTest, overlap_returns_entities_touching_a_shape_or_containing_a_point) {
     v1::OverlapRequest request;
     request.mutable_shape()->mutable_box()->mutable_half_extents()->set_x(0.1);
     request.mutable_shape()->mutable_box()->mutable_half_extents()->set_y(2);
@@ -181,7 +181,7 @@ TEST_F(QueryControlTest, overlap_names_what_touches_a_shape_or_holds_a_point) {
     EXPECT_EQ(error_of(queries.overlap(request, response)).message, "give shape or point");
 }
 
-TEST_F(QueryControlTest, the_closest_point_has_its_distance_and_none_has_no_entity) {
+TEST_F(QueryControlTest, returns_closest_point_with_distance_or_no_entity) {
     v1::ClosestPointsRequest request;
     request.add_points()->set_y(9);
     request.add_points()->set_y(2);
@@ -198,7 +198,7 @@ TEST_F(QueryControlTest, the_closest_point_has_its_distance_and_none_has_no_enti
     EXPECT_EQ(response.points(2).entity(), 0u);
 }
 
-TEST_F(QueryControlTest, debug_shows_the_layers_that_were_asked_for_and_no_others) {
+TEST_F(QueryControlTest, debug_returns_only_requested_layers) {
     v1::DebugRequest request;
     v1::DebugResponse response;
     EXPECT_EQ(error_of(queries.debug(request, response)).code, ErrorCode::invalid_argument);
@@ -227,7 +227,7 @@ TEST_F(QueryControlTest, debug_shows_the_layers_that_were_asked_for_and_no_other
     EXPECT_EQ(response.bounds_size(), 0);
 }
 
-TEST_F(QueryControlTest, more_than_20000_of_a_kind_are_cut_and_the_answer_says_so) {
+TEST_F(QueryControlTest, truncates_debug_layers_to_20000_items_and_reports_it) {
     scenes::SceneDescription scene;
     scene.name = "dust";
     scene.world.gravity = {};
@@ -252,7 +252,7 @@ TEST_F(QueryControlTest, more_than_20000_of_a_kind_are_cut_and_the_answer_says_s
     EXPECT_TRUE(response.truncated());
 }
 
-TEST_F(QueryControlTest, too_much_at_once_is_refused_with_the_limit) {
+TEST_F(QueryControlTest, rejects_oversized_requests_and_names_the_limit) {
     v1::CastRaysRequest rays;
     for (int i = 0; i < 1001; i++) add_ray(rays, {}, {0, 1, 0});
     v1::CastRaysResponse ray_hits;
@@ -271,7 +271,7 @@ TEST_F(QueryControlTest, too_much_at_once_is_refused_with_the_limit) {
     EXPECT_EQ(error.message, "points has 1001 entries; at most 1000 are allowed");
 }
 
-TEST_F(QueryControlTest, an_answer_that_would_be_too_big_is_refused) {
+TEST_F(QueryControlTest, rejects_oversized_responses) {
     scenes::SceneDescription scene;
     scene.name = "row";
     physics::ShapeDef grain;
@@ -292,7 +292,7 @@ TEST_F(QueryControlTest, an_answer_that_would_be_too_big_is_refused) {
     EXPECT_NE(error.message.find("50000 hits"), std::string::npos) << error.message;
 }
 
-TEST_F(QueryControlTest, foreign_numbers_are_refused_by_name) {
+TEST_F(QueryControlTest, rejects_invalid_numbers_by_field) {
     const auto refusal = [&](auto method, const auto& request, auto response) {
         const Error error = error_of((queries.*method)(request, response, QueryControl::always));
         EXPECT_EQ(error.code, ErrorCode::invalid_argument) << error.message;
@@ -335,7 +335,7 @@ TEST_F(QueryControlTest, foreign_numbers_are_refused_by_name) {
               "max_distance is -1; it must be from 0 to 1e+07");
 }
 
-TEST_F(QueryControlTest, a_world_that_stops_is_unavailable_and_one_that_is_not_there_not_found) {
+TEST_F(QueryControlTest, returns_unavailable_for_stopped_and_not_found_for_missing_worlds) {
     EXPECT_EQ(cast(down()).rays_size(), 1);
     worlds.find("")->stop();
     v1::CastRaysResponse response;

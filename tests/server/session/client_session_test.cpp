@@ -120,7 +120,7 @@ v1::Input removal(std::uint32_t entity) {
     return input;
 }
 
-TEST_F(ClientSessionTest, hello_is_answered_with_welcome_roster_and_an_absolute_snapshot) {
+TEST_F(ClientSessionTest, hello_returns_welcome_entity_update_and_keyframe) {
     TestClient client(context);
     client.listen();
     EXPECT_TRUE(client.kinds.empty()) << "the client speaks first";
@@ -140,7 +140,7 @@ TEST_F(ClientSessionTest, hello_is_answered_with_welcome_roster_and_an_absolute_
     EXPECT_EQ(sessions.clients(), 1);
 }
 
-TEST_F(ClientSessionTest, the_codec_is_the_best_that_both_know) {
+TEST_F(ClientSessionTest, negotiates_the_highest_common_codec) {
     const auto welcomed = [&](std::uint32_t theirs, int ours) {
         config.stream.codec = ours;
         TestClient client(context);
@@ -156,7 +156,7 @@ TEST_F(ClientSessionTest, the_codec_is_the_best_that_both_know) {
     EXPECT_EQ(welcomed(2, 1), 1u) << "the operator may keep to the first";
 }
 
-TEST_F(ClientSessionTest, clients_on_one_cadence_share_the_same_bytes) {
+TEST_F(ClientSessionTest, clients_with_equal_rate_share_encoded_bytes) {
     TestClient one(context), two(context);
     one.hello();
     two.hello();
@@ -171,7 +171,7 @@ TEST_F(ClientSessionTest, clients_on_one_cadence_share_the_same_bytes) {
     EXPECT_EQ(one.state.broken + two.state.broken, 0);
 }
 
-TEST_F(ClientSessionTest, each_input_is_applied_once_and_answered_once) {
+TEST_F(ClientSessionTest, applies_and_acknowledges_each_input_once) {
     TestClient client(context);
     client.hello();
     client.inputs(1, {ball(0.3), ball(0.2)});
@@ -200,7 +200,7 @@ TEST_F(ClientSessionTest, each_input_is_applied_once_and_answered_once) {
     EXPECT_EQ(client.state.broken, 0) << client.state.first_broken;
 }
 
-TEST_F(ClientSessionTest, an_input_waits_for_the_tick_it_names_and_its_margin_is_told) {
+TEST_F(ClientSessionTest, applies_scheduled_input_at_its_tick_and_reports_margin) {
     TestClient client(context);
     client.hello();
     ASSERT_TRUE(client.listen_until([&] { return client.state.snapshots > 5; }));
@@ -218,7 +218,7 @@ TEST_F(ClientSessionTest, an_input_waits_for_the_tick_it_names_and_its_margin_is
     EXPECT_LT(client.state.input_margin_us, (8 + lost) * 16'667);
 }
 
-TEST_F(ClientSessionTest, what_a_client_spawned_goes_with_it) {
+TEST_F(ClientSessionTest, removes_spawned_bodies_when_the_client_leaves) {
     TestClient leaver(context), stayer(context);
     leaver.hello();
     stayer.hello();
@@ -235,7 +235,7 @@ TEST_F(ClientSessionTest, what_a_client_spawned_goes_with_it) {
     EXPECT_EQ(stayer.state.broken, 0) << stayer.state.first_broken;
 }
 
-TEST_F(ClientSessionTest, a_spectator_sees_and_changes_nothing) {
+TEST_F(ClientSessionTest, spectator_receives_snapshots_and_cannot_send_inputs) {
     TestClient client(context);
     client.hello([](v1::Hello& hello) { hello.set_spectator(true); });
     client.inputs(1, {ball(0.3)});
@@ -244,7 +244,7 @@ TEST_F(ClientSessionTest, a_spectator_sees_and_changes_nothing) {
     EXPECT_GT(client.state.snapshots, 0);
 }
 
-TEST_F(ClientSessionTest, without_acks_no_more_than_a_window_is_sent) {
+TEST_F(ClientSessionTest, sends_at_most_one_window_without_acks) {
     TestClient client(context);
     client.hello();
     // Four messages until the first is acknowledged, of which the welcome and the roster are two.
@@ -256,7 +256,7 @@ TEST_F(ClientSessionTest, without_acks_no_more_than_a_window_is_sent) {
     EXPECT_EQ(client.state.broken, 0) << client.state.first_broken;
 }
 
-TEST_F(ClientSessionTest, a_client_that_lost_track_gets_an_absolute_snapshot) {
+TEST_F(ClientSessionTest, sends_a_keyframe_on_request) {
     TestClient client(context);
     client.hello();
     ASSERT_TRUE(client.listen_until([&] { return client.state.snapshots > 3; }));
@@ -269,7 +269,7 @@ TEST_F(ClientSessionTest, a_client_that_lost_track_gets_an_absolute_snapshot) {
     EXPECT_EQ(client.state.broken, 0) << client.state.first_broken;
 }
 
-TEST_F(ClientSessionTest, a_wanted_rate_is_rounded_down_to_a_divider) {
+TEST_F(ClientSessionTest, rounds_requested_rate_down_to_a_divisor) {
     TestClient client(context);
     client.hello([](v1::Hello& hello) { hello.set_snapshot_hz(25); });
     client.listen();
@@ -282,7 +282,7 @@ TEST_F(ClientSessionTest, a_wanted_rate_is_rounded_down_to_a_divider) {
     EXPECT_EQ(phases, std::set<std::uint32_t>{0});
 }
 
-TEST_F(ClientSessionTest, pings_are_answered) {
+TEST_F(ClientSessionTest, answers_pings) {
     TestClient client(context);
     client.hello();
     v1::ClientMessage ping;
@@ -292,7 +292,7 @@ TEST_F(ClientSessionTest, pings_are_answered) {
     EXPECT_EQ(client.state.pongs, 1);
 }
 
-TEST_F(ClientSessionTest, refuses_politely) {
+TEST_F(ClientSessionTest, rejects_invalid_clients_with_a_notice) {
     struct Case {
         const char* what;
         std::function<void(TestClient&)> misbehave;
@@ -339,7 +339,7 @@ TEST_F(ClientSessionTest, refuses_politely) {
     EXPECT_EQ(sessions.clients(), 0);
 }
 
-TEST_F(ClientSessionTest, a_full_server_says_so) {
+TEST_F(ClientSessionTest, rejects_clients_when_full) {
     TestClient one(context), two(context), three(context);
     one.hello();
     two.hello();
@@ -352,7 +352,7 @@ TEST_F(ClientSessionTest, a_full_server_says_so) {
     EXPECT_FALSE(four.session.end());
 }
 
-TEST_F(ClientSessionTest, silence_ends_a_conversation) {
+TEST_F(ClientSessionTest, disconnects_silent_clients) {
     TestClient mute(context), quiet(context);
     quiet.hello();
     mute.stay_silent(0s, 4s);
@@ -368,7 +368,7 @@ TEST_F(ClientSessionTest, silence_ends_a_conversation) {
     EXPECT_EQ(quiet.session.end()->error().code, ErrorCode::deadline_exceeded);
 }
 
-TEST_F(ClientSessionTest, a_pause_of_ours_is_not_the_clients_silence) {
+TEST_F(ClientSessionTest, process_stall_does_not_time_out_clients) {
     TestClient mute(context), quiet(context);
     quiet.hello();
     for (TestClient* client : {&mute, &quiet}) {
@@ -382,7 +382,7 @@ TEST_F(ClientSessionTest, a_pause_of_ours_is_not_the_clients_silence) {
     EXPECT_EQ(quiet.session.end()->error().code, ErrorCode::deadline_exceeded);
 }
 
-TEST_F(ClientSessionTest, a_flood_is_dropped_then_ended) {
+TEST_F(ClientSessionTest, drops_excess_messages_then_disconnects) {
     TestClient client(context);
     client.hello();
     const Clock::time_point now = Clock::now();
@@ -397,7 +397,7 @@ TEST_F(ClientSessionTest, a_flood_is_dropped_then_ended) {
     EXPECT_EQ(client.session.end()->error().code, ErrorCode::resource_exhausted);
 }
 
-TEST_F(ClientSessionTest, an_ack_for_each_snapshot_is_no_flood) {
+TEST_F(ClientSessionTest, one_ack_per_snapshot_is_not_rate_limited) {
     scenes::SceneDescription fast = *scenes::find_scene("stack");
     fast.name = "fast";
     fast.hz = 240;
@@ -410,7 +410,7 @@ TEST_F(ClientSessionTest, an_ack_for_each_snapshot_is_no_flood) {
     EXPECT_TRUE(client.state.notices.empty()) << client.state.notices[0].message();
 }
 
-TEST_F(ClientSessionTest, one_that_asks_without_reading_is_ended) {
+TEST_F(ClientSessionTest, disconnects_clients_that_do_not_read_replies) {
     TestClient client(context);
     client.hello();
     v1::ClientMessage ping;
@@ -423,7 +423,7 @@ TEST_F(ClientSessionTest, one_that_asks_without_reading_is_ended) {
     EXPECT_EQ(client.session.end()->error().code, ErrorCode::resource_exhausted);
 }
 
-TEST_F(ClientSessionTest, draining_and_closing_are_told) {
+TEST_F(ClientSessionTest, notifies_clients_of_drain_and_shutdown) {
     TestClient client(context), late(context);
     client.hello();
     context.draining = true;
@@ -440,7 +440,7 @@ TEST_F(ClientSessionTest, draining_and_closing_are_told) {
     EXPECT_EQ(client.session.end()->error().code, ErrorCode::unavailable);
 }
 
-TEST_F(ClientSessionTest, a_deleted_world_ends_its_conversations) {
+TEST_F(ClientSessionTest, deleting_a_world_ends_its_sessions) {
     TestClient client(context);
     client.hello();
     client.listen();
@@ -474,7 +474,7 @@ protected:
     }
 };
 
-TEST_F(EventsTest, a_ball_enters_a_gate_stays_leaves_and_lands_and_each_is_told_once_in_order) {
+TEST_F(EventsTest, reports_trigger_and_contact_events_once_and_in_order) {
     add_gate();
     TestClient client(context), deaf(context);
     client.hello(ask_for_events);
@@ -517,7 +517,7 @@ TEST_F(EventsTest, a_ball_enters_a_gate_stays_leaves_and_lands_and_each_is_told_
         << client.state.first_broken << deaf.state.first_broken;
 }
 
-TEST_F(EventsTest, a_slow_client_misses_whole_ticks_and_is_told_how_many) {
+TEST_F(EventsTest, slow_client_receives_the_count_of_missed_event_ticks) {
     add_gate(240);  // the ball lies on the floor after a quarter of a thousand ticks and presses
     TestClient slow(context), quick(context);
     slow.hello(ask_for_events);
@@ -547,7 +547,7 @@ TEST_F(EventsTest, a_slow_client_misses_whole_ticks_and_is_told_how_many) {
         << slow.state.first_broken << quick.state.first_broken;
 }
 
-TEST_F(EventsTest, a_client_at_a_tenth_of_the_rate_still_hears_of_every_tick) {
+TEST_F(EventsTest, reduced_rate_client_receives_events_of_every_tick) {
     add_gate();
     TestClient client(context);
     client.hello([](v1::Hello& hello) {
@@ -561,7 +561,7 @@ TEST_F(EventsTest, a_client_at_a_tenth_of_the_rate_still_hears_of_every_tick) {
     EXPECT_EQ(client.state.broken, 0) << client.state.first_broken;
 }
 
-TEST_F(EventsTest, the_world_stops_copying_when_the_last_listener_leaves) {
+TEST_F(EventsTest, stops_copying_events_after_the_last_listener_leaves) {
     add_gate();
     const auto world = worlds.find("gate");
     {
@@ -605,7 +605,7 @@ protected:
     }
 };
 
-TEST_F(InterestTest, a_client_is_told_of_what_is_near_and_of_the_ground) {
+TEST_F(InterestTest, sends_entities_within_interest_and_the_ground) {
     TestClient client(context);
     client.hello([](v1::Hello& hello) { see(*hello.mutable_interest(), 16, 40); });
     // Cells of 32 m: those that begin within 40 m of x = 16 end at x = 64.
@@ -623,7 +623,7 @@ TEST_F(InterestTest, a_client_is_told_of_what_is_near_and_of_the_ground) {
     EXPECT_EQ(client.state.broken, 0) << client.state.first_broken;
 }
 
-TEST_F(InterestTest, a_budget_bounds_all_that_is_sent) {
+TEST_F(InterestTest, byte_budget_limits_all_traffic) {
     TestClient client(context);
     client.hello([](v1::Hello& hello) { hello.set_max_kbps(40); });
     ASSERT_TRUE(client.listen_until([&] { return balls(client).size() == 40; }))
@@ -638,7 +638,7 @@ TEST_F(InterestTest, a_budget_bounds_all_that_is_sent) {
     EXPECT_EQ(client.state.broken, 0) << client.state.first_broken;
 }
 
-TEST_F(InterestTest, who_is_removed_is_gone_and_the_stream_goes_on) {
+TEST_F(InterestTest, removes_entities_within_interest) {
     TestClient client(context);
     client.hello([](v1::Hello& hello) { see(*hello.mutable_interest(), 16, 40); });
     ASSERT_TRUE(client.listen_until([&] { return balls(client).size() >= 7; }));
@@ -656,7 +656,7 @@ TEST_F(InterestTest, who_is_removed_is_gone_and_the_stream_goes_on) {
     EXPECT_EQ(client.state.broken, 0) << client.state.first_broken;
 }
 
-TEST_F(InterestTest, who_lost_track_gets_every_cell_whole_again) {
+TEST_F(InterestTest, resends_every_cell_as_keyframe_on_request) {
     TestClient client(context);
     client.hello([](v1::Hello& hello) { see(*hello.mutable_interest(), 16, 40); });
     ASSERT_TRUE(client.listen_until([&] { return balls(client).size() >= 7; }));
@@ -668,7 +668,7 @@ TEST_F(InterestTest, who_lost_track_gets_every_cell_whole_again) {
     EXPECT_EQ(client.state.broken, 0) << client.state.first_broken;
 }
 
-TEST_F(InterestTest, who_named_no_interest_has_none_and_nonsense_is_refused) {
+TEST_F(InterestTest, ignores_absent_interest_and_rejects_invalid_interest) {
     TestClient client(context);
     client.hello();
     v1::ClientMessage look;
@@ -686,7 +686,7 @@ TEST_F(InterestTest, who_named_no_interest_has_none_and_nonsense_is_refused) {
               "hello.interest.radius is not 0, for all of the world, or 1 m or more");
 }
 
-TEST_F(ClientSessionTest, a_spawn_of_what_may_not_be_is_refused_with_a_list_of_what_may) {
+TEST_F(ClientSessionTest, rejects_disallowed_shapes_and_lists_allowed_ones) {
     TestClient client(context);
     client.hello();
     v1::Input mesh, points;
@@ -706,7 +706,7 @@ TEST_F(ClientSessionTest, a_spawn_of_what_may_not_be_is_refused_with_a_list_of_w
         << client.state.results[3].message();
 }
 
-TEST_F(ClientSessionTest, a_ticket_leads_to_its_world_once) {
+TEST_F(ClientSessionTest, ticket_joins_its_world_once) {
     ASSERT_TRUE(worlds.create("second", *scenes::find_scene("dominoes")).ok());
     const std::string ticket =
         authorizer

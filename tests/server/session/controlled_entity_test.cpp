@@ -149,7 +149,7 @@ Driver::Off recorded(const Driver::Off& off) {
     return off;
 }
 
-TEST(ToldDriven, a_car_is_in_the_picture_where_the_server_comes_to_have_it) {
+TEST(ToldDriven, predicted_car_matches_the_server_position) {
     Driver driver(*scenes::find_scene("race_track"), "car");
     const std::size_t first = driver.pictures.size();
     for (int k = 0; k < 6; k++) {
@@ -200,7 +200,7 @@ scenes::SceneDescription yard(physics::BodyType type) {
     return scene;
 }
 
-TEST(ToldDriven, a_character_walks_jumps_and_pushes_in_the_picture_of_the_key) {
+TEST(ToldDriven, predicts_character_movement_in_the_frame_of_the_input) {
     for (const auto type : {physics::BodyType::kinematic, physics::BodyType::dynamic}) {
         SCOPED_TRACE(static_cast<int>(type));
         Driver driver(yard(type), "hero");
@@ -227,7 +227,7 @@ TEST(ToldDriven, a_character_walks_jumps_and_pushes_in_the_picture_of_the_key) {
     }
 }
 
-TEST(ToldDriven, who_rides_on_what_moves_is_shown_ahead_with_it) {
+TEST(ToldDriven, predicts_a_character_on_a_moving_platform) {
     Driver driver(yard(physics::BodyType::kinematic), "hero");
     driver.hold(1, 0, 1);  // onto the raft
     driver.run(75);
@@ -241,7 +241,7 @@ TEST(ToldDriven, who_rides_on_what_moves_is_shown_ahead_with_it) {
     EXPECT_LT(off.worst, 8);
 }
 
-TEST(ToldDriven, among_others_who_walk_about_it_is_right_again_soon) {
+TEST(ToldDriven, prediction_converges_among_other_characters) {
     Driver driver(*scenes::find_scene("parkour"), "walker2");
     const std::size_t first = driver.pictures.size();
     for (int k = 0; k < 6; k++) {
@@ -254,7 +254,7 @@ TEST(ToldDriven, among_others_who_walk_about_it_is_right_again_soon) {
     EXPECT_LE(driver.predictor.stats().control_corrections, 2u);
 }
 
-TEST(ToldDriven, is_for_who_simulates_alone) {
+TEST(ToldDriven, is_sent_only_to_predicting_clients) {
     Driver driver(*scenes::find_scene("race_track"), "car", false);
     driver.hold(0, 1);
     driver.run(60);

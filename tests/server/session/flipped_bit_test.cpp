@@ -61,7 +61,7 @@ Flipped flip_a_bit(client::ClientOptions options, std::size_t bit) {
 
 // The last bits of the range coder's bytes say nothing: where such a bit is flipped, the frame is
 // right all the same.
-TEST(FlippedBit, is_counted_once_and_healed_by_a_keyframe) {
+TEST(FlippedBit, is_counted_once_and_repaired_by_a_keyframe) {
     for (const std::uint32_t codec : {1u, 2u}) {
         std::uint64_t errors = 0;
         for (std::size_t bit = 0; bit < 24; bit++) {
@@ -77,7 +77,7 @@ TEST(FlippedBit, is_counted_once_and_healed_by_a_keyframe) {
     }
 }
 
-TEST(FlippedBit, of_a_part_of_the_world_is_healed_as_well) {
+TEST(FlippedBit, is_repaired_with_area_of_interest) {
     const Flipped seen =
         flip_a_bit({.codec = 1, .interest = client::AreaOfInterest{.radius = 100}}, 3);
     EXPECT_EQ(seen.flips, 1);
@@ -85,7 +85,7 @@ TEST(FlippedBit, of_a_part_of_the_world_is_healed_as_well) {
     EXPECT_LT(seen.off_mm, 2);
 }
 
-TEST(FlippedBit, nothing_is_counted_where_nothing_was_flipped) {
+TEST(FlippedBit, counts_nothing_without_corruption) {
     TestServer server;
     const auto world = server.host(test::small_scene());
     SessionHarness player(server, {.name = "player"});

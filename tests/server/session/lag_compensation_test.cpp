@@ -93,7 +93,7 @@ Round shoot(bool attach_view_time, client::NetworkConditions each_way, double re
     return round;
 }
 
-TEST(LagCompensation, a_shooter_150_ms_away_hits_what_he_sees_with_it_and_misses_without) {
+TEST(LagCompensation, hits_rendered_target_at_150_ms_latency_only_with_view_time) {
     const client::NetworkConditions link{.delay_ms = 75};
     const Round with = shoot(true, session), without = shoot(false, session);
     EXPECT_EQ(with.shots, 16);
@@ -104,20 +104,20 @@ TEST(LagCompensation, a_shooter_150_ms_away_hits_what_he_sees_with_it_and_misses
     EXPECT_EQ(without.misses, without.shots);
 }
 
-TEST(LagCompensation, jitter_on_the_way_changes_nothing_where_the_picture_shows_what_was) {
+TEST(LagCompensation, jitter_does_not_change_the_result) {
     const Round round = shoot(true, {.delay_ms = 60, .jitter_ms = 40, .seed = 3});
     EXPECT_GE(round.of_what_was, 12);
     EXPECT_EQ(round.hits, round.of_what_was);
     EXPECT_EQ(round.clamped, 0);
 }
 
-TEST(LagCompensation, who_is_further_away_than_frames_are_kept_is_told_so) {
+TEST(LagCompensation, clamps_view_time_older_than_history_and_reports_it) {
     const Round round = shoot(true, {.delay_ms = 75}, 100);
     EXPECT_EQ(round.hits, 0) << "100 ms of the past are not enough";
     EXPECT_EQ(round.clamped, round.shots) << "and every answer says so";
 }
 
-TEST(LagCompensation, what_came_after_the_picture_is_not_hit) {
+TEST(LagCompensation, does_not_hit_entities_created_after_view_time) {
     TestServer server;
     const auto world = server.host(range_scene(0));
     SessionHarness shooter(server, {.name = "shooter"});
@@ -141,7 +141,7 @@ TEST(LagCompensation, what_came_after_the_picture_is_not_hit) {
     EXPECT_EQ(shoot_as_of(world->frame()->tick), world->frame()->entity_list->back()->id);
 }
 
-TEST(LagCompensation, a_hand_takes_hold_of_the_point_that_it_saw_where_it_is_now) {
+TEST(LagCompensation, grabs_the_rendered_point_at_its_current_position) {
     TestServer server;
     const auto world = server.host(range_scene());
     SessionHarness shooter(server, {.name = "shooter"}, {.delay_ms = 75});
@@ -162,7 +162,7 @@ TEST(LagCompensation, a_hand_takes_hold_of_the_point_that_it_saw_where_it_is_now
     EXPECT_GT(taken_at - grab.grab().aim().origin().x(), 2);
 }
 
-TEST(LagCompensation, a_question_over_rpc_is_answered_for_the_moment_that_was_seen) {
+TEST(LagCompensation, query_rpc_uses_the_view_time) {
     TestServer server;
     const auto world = server.host(range_scene());
     for (int i = 0; i < 60; i++) {

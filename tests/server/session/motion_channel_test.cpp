@@ -22,7 +22,7 @@ physics::Vec3 sent_velocity(const SessionHarness& player, EntityId id) {
 }
 
 // Every body that is awake, in each of thirty frames: how far it went is how fast it was.
-TEST(MotionChannel, is_how_bodies_came_to_where_they_are) {
+TEST(MotionChannel, matches_body_displacements) {
     TestServer server;
     const auto world = server.host(test::small_scene());
     SessionHarness player(server, {.channels = {motion_kind}});
@@ -49,7 +49,7 @@ TEST(MotionChannel, is_how_bodies_came_to_where_they_are) {
 }
 
 // 901 cubes that a big one draws along, for five seconds.
-TEST(MotionChannel, costs_less_than_eight_bytes_of_a_body_that_moves) {
+TEST(MotionChannel, uses_less_than_8_bytes_per_moving_body) {
     TestServer server({.world = {.bodies_max = 2000}});
     const auto world = server.host(*scenes::find_scene("katamari"));
     SessionHarness player(server, {.channels = {motion_kind}}), silent(server, {});
@@ -71,7 +71,7 @@ TEST(MotionChannel, costs_less_than_eight_bytes_of_a_body_that_moves) {
     EXPECT_LT(each, 8);
 }
 
-TEST(MotionChannel, ends_with_the_last_who_asked) {
+TEST(MotionChannel, stops_after_the_last_subscriber_leaves) {
     TestServer server;
     const auto world = server.host(test::small_scene());
     std::optional<SessionHarness> player(std::in_place, server,
@@ -83,7 +83,7 @@ TEST(MotionChannel, ends_with_the_last_who_asked) {
     EXPECT_TRUE(world->frame()->channels->empty());
 }
 
-TEST(MotionChannel, is_not_for_who_sees_a_part_of_the_world) {
+TEST(MotionChannel, is_not_sent_with_area_of_interest) {
     TestServer server;
     const auto world = server.host(test::small_scene());
     SessionHarness player(server, {.channels = {motion_kind}, .max_kbps = 500});

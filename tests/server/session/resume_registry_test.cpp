@@ -20,7 +20,7 @@ DisconnectedClient lost(ClientId client, std::string network = "192.0.2.7") {
     return out;
 }
 
-TEST(ResumeRegistry, tokens_are_sixteen_bytes_and_no_two_are_alike) {
+TEST(ResumeRegistry, tokens_are_16_bytes_and_unique) {
     ResumeRegistry desk;
     std::set<std::string> tokens;
     for (ClientId client = 1; client <= 1000; client++) tokens.insert(desk.open(client)->token);
@@ -28,7 +28,7 @@ TEST(ResumeRegistry, tokens_are_sixteen_bytes_and_no_two_are_alike) {
     for (const std::string& token : tokens) EXPECT_EQ(token.size(), 16u);
 }
 
-TEST(ResumeRegistry, who_shows_his_token_gets_back_what_he_left_once) {
+TEST(ResumeRegistry, token_restores_suspended_state_once) {
     ResumeRegistry desk;
     const auto resume_session = desk.open(7);
     desk.suspend(*resume_session, lost(7), start + 30s);
@@ -46,7 +46,7 @@ TEST(ResumeRegistry, who_shows_his_token_gets_back_what_he_left_once) {
     EXPECT_EQ(desk.claim(resume_session->token).status, ClaimStatus::unknown);
 }
 
-TEST(ResumeRegistry, an_old_link_is_told_to_give_way) {
+TEST(ResumeRegistry, claim_supersedes_the_old_session) {
     ResumeRegistry desk;
     const auto resume_session = desk.open(7);
     EXPECT_FALSE(resume_session->is_superseded);
@@ -57,7 +57,7 @@ TEST(ResumeRegistry, an_old_link_is_told_to_give_way) {
     EXPECT_FALSE(resume_session->is_superseded) << "the new one keeps it";
 }
 
-TEST(ResumeRegistry, places_end_with_their_time_and_the_oldest_of_a_network_gives_way) {
+TEST(ResumeRegistry, sessions_expire_and_the_oldest_of_a_network_is_evicted_first) {
     ResumeRegistry desk;
     const auto a = desk.open(1), b = desk.open(2), c = desk.open(3);
     desk.suspend(*a, lost(1, "192.0.2.1"), start + 10s);

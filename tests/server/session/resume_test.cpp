@@ -58,7 +58,7 @@ protected:
     std::shared_ptr<WorldHost> world;
 };
 
-TEST_F(ResumeTest, who_comes_back_within_the_time_is_who_he_was_and_keeps_his_bodies) {
+TEST_F(ResumeTest, resume_within_timeout_preserves_identity_and_bodies) {
     SessionHarness player(server, {.name = "player"});
     for (int i = 0; i < 3; i++) player.conversation.send(falling_ball(i));
     run(player, 30);
@@ -83,7 +83,7 @@ TEST_F(ResumeTest, who_comes_back_within_the_time_is_who_he_was_and_keeps_his_bo
 }
 
 // Another host goes on with a world in which two played; one of them is there no more.
-TEST_F(ResumeTest, who_went_while_a_world_began_again_leaves_it_and_who_is_there_stays) {
+TEST_F(ResumeTest, world_restart_removes_disconnected_clients_and_retains_connected_ones) {
     SessionHarness player(server, {.name = "player"});
     player.conversation.send(falling_ball(0));
     run(player, 20);
@@ -101,7 +101,7 @@ TEST_F(ResumeTest, who_went_while_a_world_began_again_leaves_it_and_who_is_there
     EXPECT_EQ(bodies_of(*world, gone), 0);
 }
 
-TEST_F(ResumeTest, who_stays_away_too_long_has_left) {
+TEST_F(ResumeTest, client_leaves_after_the_resume_timeout) {
     SessionHarness player(server, {.name = "player"});
     player.conversation.send(falling_ball(0));
     run(player, 30);
@@ -122,7 +122,7 @@ TEST_F(ResumeTest, who_stays_away_too_long_has_left) {
     EXPECT_EQ(entities_known(player), entities_there());
 }
 
-TEST_F(ResumeTest, who_says_goodbye_or_never_meant_to_come_back_has_left_at_once) {
+TEST_F(ResumeTest, leave_and_non_resumable_disconnect_are_immediate) {
     SessionHarness polite(server, {.name = "polite"}),
         old(server, {.name = "old", .resume = false});
     test::play(server, *world, {&polite, &old}, 30);
@@ -134,7 +134,7 @@ TEST_F(ResumeTest, who_says_goodbye_or_never_meant_to_come_back_has_left_at_once
     EXPECT_EQ(server.context.resume_registry.disconnected(), 0u);
 }
 
-TEST_F(ResumeTest, who_is_cut_off_while_the_server_drains_has_left) {
+TEST_F(ResumeTest, disconnect_during_drain_is_final) {
     SessionHarness player(server, {.name = "player"});
     run(player, 30);
     server.context.draining = true;
@@ -144,7 +144,7 @@ TEST_F(ResumeTest, who_is_cut_off_while_the_server_drains_has_left) {
 }
 
 // The link is cut at every phase of a batch: before it came, before its answer came, after both.
-TEST_F(ResumeTest, every_input_is_applied_exactly_once_wherever_the_line_breaks) {
+TEST_F(ResumeTest, applies_every_input_exactly_once_across_disconnects) {
     for (const double delay_ms : {0.0, 40.0, 120.0}) {
         SessionHarness player(server, {.name = "player"}, {.delay_ms = delay_ms});
         run(player, 40);
@@ -180,7 +180,7 @@ TEST_F(ResumeTest, every_input_is_applied_exactly_once_wherever_the_line_breaks)
     }
 }
 
-TEST_F(ResumeTest, snapshots_go_on_from_the_last_one_that_came) {
+TEST_F(ResumeTest, snapshots_continue_from_the_last_received_frame) {
     SessionHarness player(server, {.name = "player"});
     int absolute = 0, snapshots = 0, roster_entities = 0;
     player.tamper = [&](std::string& bytes) {
@@ -205,7 +205,7 @@ TEST_F(ResumeTest, snapshots_go_on_from_the_last_one_that_came) {
     EXPECT_EQ(player.conversation.stats().decode_errors, 0u);
 }
 
-TEST_F(ResumeTest, a_body_that_went_while_the_line_was_cut_is_gone_for_him_too) {
+TEST_F(ResumeTest, resume_removes_entities_deleted_while_disconnected) {
     SessionHarness watcher(server, {.name = "watcher"}), maker(server, {.name = "maker"});
     test::play(server, *world, {&watcher, &maker}, 20);
     maker.conversation.send(falling_ball(0));
@@ -224,7 +224,7 @@ TEST_F(ResumeTest, a_body_that_went_while_the_line_was_cut_is_gone_for_him_too) 
     EXPECT_EQ(watcher.conversation.stats().decode_errors, 0u);
 }
 
-TEST_F(ResumeTest, who_comes_back_before_the_server_saw_the_break_takes_his_place_over) {
+TEST_F(ResumeTest, resume_supersedes_a_session_not_yet_closed) {
     SessionHarness player(server, {.name = "player"});
     player.conversation.send(falling_ball(0));
     run(player, 30);
@@ -253,7 +253,7 @@ TEST_F(ResumeTest, who_comes_back_before_the_server_saw_the_break_takes_his_plac
     EXPECT_EQ(bodies_of(*world, id), 1);
 }
 
-TEST_F(ResumeTest, a_token_that_is_not_his_gets_nobody_in) {
+TEST_F(ResumeTest, rejects_foreign_resume_tokens) {
     SessionHarness player(server, {.name = "player"});
     run(player, 30);
     const ClientId id = player.conversation.stats().client_id;
@@ -280,7 +280,7 @@ TEST_F(ResumeTest, a_token_that_is_not_his_gets_nobody_in) {
 }
 
 // By a ticket he comes in once, and again as no more than he was.
-TEST_F(ResumeTest, who_came_by_a_ticket_to_watch_comes_back_to_watch) {
+TEST_F(ResumeTest, ticketed_spectator_resumes_as_spectator) {
     const std::string ticket =
         server.gate
             ->issue_ticket({.subject = "ann", .role = Role::player, .anonymous = false},
@@ -311,7 +311,7 @@ TEST_F(ResumeTest, who_came_by_a_ticket_to_watch_comes_back_to_watch) {
     EXPECT_EQ(server.context.resume_registry.disconnected(), 1u) << "his place is still kept";
 }
 
-TEST_F(ResumeTest, a_hand_lets_go_while_its_owner_is_lost) {
+TEST_F(ResumeTest, releases_grabs_while_disconnected) {
     SessionHarness player(server, {.name = "player"});
     run(player, 20);
     v1::Input grab, drag;
@@ -328,7 +328,7 @@ TEST_F(ResumeTest, a_hand_lets_go_while_its_owner_is_lost) {
     EXPECT_LT(height(), 2) << "it fell";
 }
 
-TEST_F(ResumeTest, places_that_are_kept_give_way_to_those_who_are_there) {
+TEST_F(ResumeTest, suspended_sessions_yield_to_new_clients_when_full) {
     std::vector<std::unique_ptr<SessionHarness>> lost;
     for (int i = 0; i < 20; i++) {  // as many as the server takes
         lost.push_back(

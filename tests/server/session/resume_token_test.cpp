@@ -22,7 +22,7 @@ ResumeToken somebody() {
             .expires = noon + 24h};
 }
 
-TEST(ResumeToken, says_after_a_restart_who_it_was_made_for) {
+TEST(ResumeToken, identifies_the_client_after_a_restart) {
     const auto sealed = seal_token(somebody(), secret);
     ASSERT_TRUE(sealed.has_value());
     EXPECT_LE(sealed->size(), 80u);
@@ -31,7 +31,7 @@ TEST(ResumeToken, says_after_a_restart_who_it_was_made_for) {
     EXPECT_EQ(open_token(*sealed, std::string(32, 't'), noon), std::nullopt);
 }
 
-TEST(ResumeToken, no_changed_byte_is_taken_for_the_same_or_for_somebody_else) {
+TEST(ResumeToken, rejects_any_changed_byte) {
     const std::string sealed = *seal_token(somebody(), secret);
     for (std::size_t at = 0; at < sealed.size(); at++)
         for (int bit = 0; bit < 8; bit++) {
@@ -43,7 +43,7 @@ TEST(ResumeToken, no_changed_byte_is_taken_for_the_same_or_for_somebody_else) {
         EXPECT_EQ(open_token(sealed.substr(0, size), secret, noon), std::nullopt);
 }
 
-TEST(ResumeToken, is_never_longer_than_what_a_client_may_send_back) {
+TEST(ResumeToken, fits_the_client_token_limit) {
     ResumeToken token = somebody();
     token.subject.assign(resume_token_bytes_max, 'x');
     EXPECT_EQ(seal_token(token, secret), std::nullopt);

@@ -30,7 +30,7 @@ std::vector<std::uint32_t> sequences(const SentLog::Known& known) {
 
 using Numbers = std::vector<std::uint32_t>;
 
-TEST(SentLog, tells_again_what_came_after_the_snapshot_that_the_client_has) {
+TEST(SentLog, resends_data_after_the_last_received_snapshot) {
     SentLog log;
     log.on_list(list_of({1, 2}), 0);
     const std::vector<InputResult> none, first{result(1)}, second{result(2), result(3)};
@@ -46,7 +46,7 @@ TEST(SentLog, tells_again_what_came_after_the_snapshot_that_the_client_has) {
     EXPECT_EQ(sequences(log.known_at(0, *list_of({1, 2}))), (Numbers{1, 2, 3}));
 }
 
-TEST(SentLog, who_was_told_of_after_that_and_is_no_more_is_gone) {
+TEST(SentLog, lists_entities_removed_since_the_last_received_snapshot) {
     SentLog log;
     log.on_list(list_of({1, 2}), 0);
     log.on_snapshot(10, {}, 0);
@@ -62,7 +62,7 @@ TEST(SentLog, who_was_told_of_after_that_and_is_no_more_is_gone) {
     EXPECT_TRUE(late.gone.empty()) << "what its list has is told by the next roster";
 }
 
-TEST(SentLog, shapes_that_may_not_have_come_are_told_again) {
+TEST(SentLog, resends_unacknowledged_shapes) {
     SentLog log;
     log.on_geometry(77, 0);
     log.on_list(list_of({1}), 0);
@@ -73,7 +73,7 @@ TEST(SentLog, shapes_that_may_not_have_come_are_told_again) {
     EXPECT_TRUE(log.known_at(11, *list_of({1})).geometry.empty());
 }
 
-TEST(SentLog, what_was_acknowledged_is_forgotten_and_nobody_goes_back_behind_it) {
+TEST(SentLog, discards_acknowledged_data) {
     SentLog log;
     log.on_list(list_of({1}), 0);
     const std::vector<InputResult> first{result(1)}, second{result(2)};
@@ -92,7 +92,7 @@ TEST(SentLog, what_was_acknowledged_is_forgotten_and_nobody_goes_back_behind_it)
     EXPECT_FALSE(log.known_at(13, *list_of({1})).list) << "nor ahead of what was sent";
 }
 
-TEST(SentLog, a_stream_that_broke_twice_still_tells_of_both_breaks) {
+TEST(SentLog, preserves_unacknowledged_data_across_two_disconnects) {
     SentLog log;
     log.on_list(list_of({1}), 0);
     log.on_snapshot(10, {}, 0);

@@ -70,7 +70,7 @@ protected:
     int snapshots = 0;
 };
 
-TEST_F(SessionMetricsTest, snapshots_clients_and_inputs_are_counted) {
+TEST_F(SessionMetricsTest, counts_snapshots_clients_and_inputs) {
     {
         ClientSession session(context, peer(), Clock::now());
         EXPECT_EQ(clients(), 0);
@@ -100,7 +100,7 @@ TEST_F(SessionMetricsTest, snapshots_clients_and_inputs_are_counted) {
     EXPECT_TRUE(context.connected_clients.look(Clock::now()).empty());
 }
 
-TEST_F(SessionMetricsTest, who_does_not_acknowledge_is_skipped_and_that_is_counted_as_it_happens) {
+TEST_F(SessionMetricsTest, counts_skipped_snapshots_of_unacknowledging_clients) {
     ClientSession session(context, peer(), Clock::now());
     hello(link);
     listen(link, 400ms, false);
@@ -116,7 +116,7 @@ TEST_F(SessionMetricsTest, who_does_not_acknowledge_is_skipped_and_that_is_count
     EXPECT_GT(metrics.snapshots_skipped[SkipReason::pending].Value(), 3);
 }
 
-TEST_F(SessionMetricsTest, refusals_are_counted_by_their_reason) {
+TEST_F(SessionMetricsTest, counts_refusals_by_reason) {
     ClientSession session(context, peer(), Clock::now());
     session.receive("garbage", Clock::now());
     EXPECT_TRUE(link.end());

@@ -47,26 +47,26 @@ Ages ages_of(const Config& config) {
             .snapshots = player.conversation.stats().snapshots};
 }
 
-TEST(SessionNetworkSimulator, a_client_of_a_server_with_100_ms_sees_ages_of_100_ms_more) {
+TEST(SessionNetworkSimulator, delay_of_100_ms_adds_100_ms_to_snapshot_age) {
     const Ages plain = ages_of(Config()), delayed = ages_of(with_link("delay=100"));
     EXPECT_NEAR(delayed.median_ms - plain.median_ms, 100, 6);
     EXPECT_NEAR(delayed.round_trip_ms - plain.round_trip_ms, 200, 10) << "both ways";
     EXPECT_GT(delayed.snapshots, plain.snapshots * 9 / 10) << "the rate is the same";
 }
 
-TEST(SessionNetworkSimulator, a_stall_holds_back_all_and_loses_nothing) {
+TEST(SessionNetworkSimulator, stall_delays_messages_without_loss) {
     const Ages stalled = ages_of(with_link("stalls=400,stall_every=2000,seed=2"));
     EXPECT_GT(stalled.greatest_ms, 300);
     EXPECT_LT(stalled.median_ms, 20);
 }
 
-TEST(SessionNetworkSimulator, jitter_makes_snapshots_later_and_never_overtake) {
+TEST(SessionNetworkSimulator, jitter_preserves_message_order) {
     const Ages jittery = ages_of(with_link("jitter=40,tail=10"));
     EXPECT_GT(jittery.median_ms, 15);
     EXPECT_LT(jittery.median_ms, 60);
 }
 
-TEST(SessionNetworkSimulator, is_for_the_worlds_that_are_named) {
+TEST(SessionNetworkSimulator, applies_only_to_configured_worlds) {
     const std::string session = "delay=5";
     EXPECT_TRUE(make_network_simulator({link, {}}, "yard", 1));
     EXPECT_TRUE(make_network_simulator({link, {"lab", "yard"}}, "yard", 1));
@@ -74,17 +74,18 @@ TEST(SessionNetworkSimulator, is_for_the_worlds_that_are_named) {
     EXPECT_FALSE(make_network_simulator({"", {}}, "yard", 1)) << "off by itself";
 }
 
-TEST(SessionNetworkSimulator, settings_that_cannot_be_read_are_refused_at_the_start) {
+TEST(SessionNetworkSimulator, rejects_invalid_settings_at_startup) {
     Config config;
     config.development.network_conditions = "delay=soon";
     const Status refused = check(config);
     ASSERT_FALSE(refused.ok());
-    EXPECT_EQ(refused.error().message,
-              "development.network_conditions: link setting 'delay=soon': the value must be a number "
-              "of at least 0");
+    EXPECT_EQ(
+        refused.error().message,
+        "development.network_conditions: link setting 'delay=soon': the value must be a number "
+        "of at least 0");
 }
 
-TEST(SessionNetworkSimulator, a_farewell_is_heard_though_the_line_is_cut_behind_it) {
+TEST(SessionNetworkSimulator, delivers_leave_message_before_disconnect) {
     TestServer server(with_link("delay=500"));
     const auto world = server.host(test::small_scene());
     SessionHarness player(server, {.name = "player"});

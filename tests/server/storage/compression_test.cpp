@@ -11,7 +11,7 @@ namespace {
 
 using test::error_of;
 
-TEST(Compression, what_was_packed_is_unpacked_and_repetition_costs_little) {
+TEST(Compression, round_trips_and_compresses_repetition) {
     test::Random random(3);
     std::string noise;
     for (int k = 0; k < 5000; k++) noise += static_cast<char>(random.below(256));
@@ -23,14 +23,14 @@ TEST(Compression, what_was_packed_is_unpacked_and_repetition_costs_little) {
     EXPECT_LT(compress(std::string(1 << 20, 'x')).size(), 1000u);
 }
 
-TEST(Compression, a_bomb_is_refused_before_memory_is_taken_for_it) {
+TEST(Compression, rejects_decompression_bombs_before_allocating) {
     const std::string bomb = compress(std::string(64 << 20, 'x'));
     EXPECT_LT(bomb.size(), 10000u);
     EXPECT_EQ(error_of(decompress(bomb, 1 << 20)).message,
               "packed bytes are 67108864 unpacked; 1048576 are allowed");
 }
 
-TEST(Compression, no_changed_byte_goes_unseen) {
+TEST(Compression, detects_any_changed_byte) {
     test::Random random(4);
     std::string bytes;
     for (int k = 0; k < 400; k++) bytes += static_cast<char>('a' + random.below(9));

@@ -6,7 +6,7 @@
 namespace jostle::server {
 namespace {
 
-TEST(JournalChain, an_entry_names_all_that_came_before_it) {
+TEST(JournalChain, chain_depends_on_all_previous_entries) {
     const Chain one = next_chain({}, "spawn"), two = next_chain(one, "push");
     EXPECT_NE(one, next_chain({}, "spawm"));
     EXPECT_NE(two, next_chain(next_chain({}, "push"), "spawn")) << "in another order";
@@ -14,7 +14,7 @@ TEST(JournalChain, an_entry_names_all_that_came_before_it) {
     EXPECT_EQ(two, next_chain(next_chain({}, "spawn"), "push"));
 }
 
-TEST(JournalChain, pieces_do_not_run_into_each_other) {
+TEST(JournalChain, digest_separates_pieces) {
     const std::string_view ab[] = {"a", "b"}, joined[] = {"ab"}, late[] = {"", "ab"};
     EXPECT_NE(digest_of(ab), digest_of(joined));
     EXPECT_NE(digest_of(joined), digest_of(late));

@@ -46,7 +46,7 @@ std::vector<StorageChange> small_history(JournalMaker& journal, const std::strin
     return all;
 }
 
-TEST(SqliteStorage, what_was_written_is_there_after_a_restart) {
+TEST(SqliteStorage, persists_across_restart) {
     const test::TempFolder folder;
     JournalMaker journal("sea");
     const std::vector<StorageChange> all = small_history(journal, "sea");
@@ -64,7 +64,7 @@ TEST(SqliteStorage, what_was_written_is_there_after_a_restart) {
               std::filesystem::perms::owner_read | std::filesystem::perms::owner_write);
 }
 
-TEST(SqliteStorage, a_long_journal_comes_in_pages) {
+TEST(SqliteStorage, pages_long_journals) {
     const test::TempFolder folder;
     const auto store = opened(folder / "worlds.db");
     JournalMaker journal("sea");
@@ -84,7 +84,7 @@ TEST(SqliteStorage, a_long_journal_comes_in_pages) {
     EXPECT_EQ(pages, 10);
 }
 
-TEST(SqliteStorage, changes_are_written_all_or_none) {
+TEST(SqliteStorage, writes_are_atomic) {
     const test::TempFolder folder;
     const auto store = opened(folder / "worlds.db");
     JournalMaker journal("sea"), nowhere("nowhere");
@@ -94,7 +94,7 @@ TEST(SqliteStorage, changes_are_written_all_or_none) {
     EXPECT_TRUE(store->worlds()->empty());
 }
 
-TEST(SqliteStorage, the_same_change_again_is_no_error_and_another_one_is) {
+TEST(SqliteStorage, repeated_writes_are_idempotent_and_conflicts_fail) {
     const test::TempFolder folder;
     const auto store = opened(folder / "worlds.db");
     JournalMaker journal("sea");
@@ -109,7 +109,7 @@ TEST(SqliteStorage, the_same_change_again_is_no_error_and_another_one_is) {
               "entry 14 of the journal of world \"sea\" comes after 12");
 }
 
-TEST(SqliteStorage, what_is_trimmed_is_gone_and_the_rest_still_hangs_together) {
+TEST(SqliteStorage, trimming_removes_old_entries_and_preserves_the_chain) {
     const test::TempFolder folder;
     const auto store = opened(folder / "worlds.db");
     JournalMaker journal("sea");
@@ -125,7 +125,7 @@ TEST(SqliteStorage, what_is_trimmed_is_gone_and_the_rest_still_hangs_together) {
     EXPECT_TRUE(store->checkpoint_ticks("sea")->empty());
 }
 
-TEST(SqliteStorage, two_servers_cannot_have_one_store) {
+TEST(SqliteStorage, rejects_a_second_process) {
     const test::TempFolder folder;
     const auto store = opened(folder / "worlds.db");
     ASSERT_TRUE(write(*store, {PutWorld{stored_world("sea")}}).ok());
@@ -140,7 +140,7 @@ TEST(SqliteStorage, two_servers_cannot_have_one_store) {
     EXPECT_EQ(status, 0);
 }
 
-TEST(SqliteStorage, files_of_others_are_refused_with_their_names) {
+TEST(SqliteStorage, rejects_foreign_files_by_name) {
     const test::TempFolder folder;
     const std::string path = folder.write("notes.txt", std::string(2000, 'n'));
     EXPECT_EQ(error_of(SqliteStorage::open(path, {})).code, ErrorCode::corrupt_data);
@@ -169,7 +169,7 @@ TEST(SqliteStorage, files_of_others_are_refused_with_their_names) {
                   "knows 2)");
 }
 
-TEST(SqliteStorage, a_store_of_the_version_before_is_taken_up_and_has_room_for_notes) {
+TEST(SqliteStorage, migrates_the_previous_schema_version) {
     const test::TempFolder folder;
     const std::string path = folder / "old.db";
     const StorageChange world[] = {PutWorld{{.id = "w1", .name = "yard", .epoch = 3}}};
@@ -189,7 +189,7 @@ TEST(SqliteStorage, a_store_of_the_version_before_is_taken_up_and_has_room_for_n
     EXPECT_EQ(opened(path)->note("secret").value(), std::string("a\0b", 3));
 }
 
-TEST(SqliteStorage, what_is_cut_from_a_journal_can_be_written_otherwise) {
+TEST(SqliteStorage, truncated_journal_accepts_new_entries) {
     const test::TempFolder folder;
     const auto store = opened(folder / "worlds.db");
     Chain chain{};
@@ -225,7 +225,7 @@ bool says_all(WorldStorage& store, const std::string& id, bool& reported) {
            *ticks == std::vector<std::uint32_t>{100, 60} && entries->size() == 12;
 }
 
-TEST(SqliteStorage, a_flipped_byte_is_reported_or_changes_nothing) {
+TEST(SqliteStorage, flipped_bytes_are_detected_or_harmless) {
     const test::TempFolder folder;
     JournalMaker journal("sea");
     ASSERT_TRUE(write(*opened(folder / "worlds.db"), small_history(journal, "sea")).ok());
@@ -260,7 +260,7 @@ void write_without_end(const std::string& path, int to) {
     }
 }
 
-TEST(SqliteStorage, thirty_killed_processes_lose_nothing_that_was_durable) {
+TEST(SqliteStorage, durable_writes_survive_thirty_killed_processes) {
     test::Random random(9);
     for (int kill_number = 0; kill_number < 30; kill_number++) {
         const test::TempFolder folder;
@@ -284,7 +284,7 @@ TEST(SqliteStorage, thirty_killed_processes_lose_nothing_that_was_durable) {
     }
 }
 
-TEST(SqliteStorage, a_disk_that_fails_is_told_and_works_again) {
+TEST(SqliteStorage, recovers_after_disk_failures) {
     const test::TempFolder folder;
     const auto store = opened(folder / "worlds.db", {.file_system = test::failing_disk()});
     JournalMaker journal("sea");

@@ -48,7 +48,7 @@ struct Desk {
     }
 };
 
-TEST(StorageWriter, what_twenty_worlds_say_while_the_disk_is_busy_is_one_transaction) {
+TEST(StorageWriter, writes_queued_changes_of_twenty_worlds_in_one_transaction) {
     Desk desk;
     desk.disk->delay_ms = 30;
     desk.push(desk.journal.next("first"));
@@ -61,7 +61,7 @@ TEST(StorageWriter, what_twenty_worlds_say_while_the_disk_is_busy_is_one_transac
     EXPECT_EQ(desk.writer->pending_bytes(), 0u);
 }
 
-TEST(StorageWriter, a_disk_that_fails_for_a_while_loses_nothing_and_nobody_waits) {
+TEST(StorageWriter, temporary_disk_failure_loses_nothing_and_blocks_no_caller) {
     for (const ErrorCode code : {ErrorCode::unavailable, ErrorCode::resource_exhausted}) {
         Desk desk;
         desk.disk->fail(Error{code, "the disk is gone"});
@@ -81,7 +81,7 @@ TEST(StorageWriter, a_disk_that_fails_for_a_while_loses_nothing_and_nobody_waits
     }
 }
 
-TEST(StorageWriter, a_disk_that_takes_long_is_told_and_delays_nobody) {
+TEST(StorageWriter, slow_disk_is_reported_and_blocks_no_caller) {
     Desk desk({.timeout = 100ms});
     desk.disk->delay_ms = 500;
     EXPECT_TRUE(desk.push(desk.journal.next("slow")));
@@ -95,7 +95,7 @@ TEST(StorageWriter, a_disk_that_takes_long_is_told_and_delays_nobody) {
     EXPECT_EQ(desk.text(), "slower");
 }
 
-TEST(StorageWriter, beyond_its_buffer_changes_are_refused_until_the_disk_is_back) {
+TEST(StorageWriter, rejects_changes_while_the_buffer_is_full) {
     Desk desk({.bytes_max = 10'000});
     desk.disk->fail(Error{ErrorCode::resource_exhausted, "the disk is full"});
     int taken = 0;
@@ -107,7 +107,7 @@ TEST(StorageWriter, beyond_its_buffer_changes_are_refused_until_the_disk_is_back
     EXPECT_TRUE(desk.push(desk.journal.next("again")));
 }
 
-TEST(StorageWriter, what_contradicts_the_store_is_left_out_alone) {
+TEST(StorageWriter, conflicting_change_fails_without_affecting_others) {
     Desk desk;
     desk.disk->delay_ms = 30;
     for (const char* text : {"a", "b"}) desk.push(desk.journal.next(text));
@@ -119,7 +119,7 @@ TEST(StorageWriter, what_contradicts_the_store_is_left_out_alone) {
     EXPECT_EQ(desk.refused, 1);
 }
 
-TEST(StorageWriter, at_the_end_it_writes_what_waits_or_says_that_it_could_not) {
+TEST(StorageWriter, destructor_writes_pending_changes_or_reports_failure) {
     Desk desk;
     desk.disk->delay_ms = 20;
     for (const char* text : {"a", "b", "c"}) desk.push(desk.journal.next(text));

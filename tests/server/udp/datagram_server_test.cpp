@@ -87,7 +87,7 @@ struct DatagramServerTest : testing::Test {
 
 }  // namespace
 
-TEST_F(DatagramServerTest, nothing_is_sent_before_the_client_answered_from_where_it_is) {
+TEST_F(DatagramServerTest, sends_nothing_before_path_validation) {
     say("lost");
     EXPECT_FALSE(path->is_open(Clock::now()));
     end->send(client->close(message("hello")));
@@ -105,7 +105,7 @@ TEST_F(DatagramServerTest, nothing_is_sent_before_the_client_answered_from_where
     EXPECT_EQ(client->open(*packet)->content, message("now"));
 }
 
-TEST_F(DatagramServerTest, what_a_client_sends_is_mail_once_with_its_time) {
+TEST_F(DatagramServerTest, delivers_each_client_message_once_with_its_receive_time) {
     const std::string packet = client->close(message("push"));
     end->send(packet);
     end->send(packet);
@@ -121,7 +121,7 @@ TEST_F(DatagramServerTest, what_a_client_sends_is_mail_once_with_its_time) {
     EXPECT_FALSE(path->has_messages());
 }
 
-TEST_F(DatagramServerTest, packets_without_the_key_get_no_answer) {
+TEST_F(DatagramServerTest, ignores_packets_without_the_key) {
     datagram::Credentials guessed = path->credentials();
     guessed.key[0] ^= 1;
     end->send((*PacketCipher::make(guessed, Side::client))->close(message("let me in")));
@@ -134,8 +134,7 @@ TEST_F(DatagramServerTest, packets_without_the_key_get_no_answer) {
     EXPECT_EQ(path->take_messages().size(), 1u) << "of be_known() alone";
 }
 
-TEST_F(DatagramServerTest,
-       a_client_that_moves_is_asked_there_and_gets_all_where_it_was_until_then) {
+TEST_F(DatagramServerTest, validates_a_new_address_before_migrating) {
     be_known(*end);
     ASSERT_TRUE(wait_until([&] { return path->is_open(Clock::now()); }));
     const End elsewhere(port.port());
@@ -151,7 +150,7 @@ TEST_F(DatagramServerTest,
     }));
 }
 
-TEST_F(DatagramServerTest, one_that_was_recorded_and_sent_from_elsewhere_moves_nobody) {
+TEST_F(DatagramServerTest, replayed_packet_from_another_address_does_not_migrate) {
     be_known(*end);
     ASSERT_TRUE(wait_until([&] { return path->is_open(Clock::now()); }));
     const std::string held_back = client->close(message("old"));
@@ -163,14 +162,14 @@ TEST_F(DatagramServerTest, one_that_was_recorded_and_sent_from_elsewhere_moves_n
     EXPECT_FALSE(elsewhere.receive(100ms)) << "not even a question: a newer packet came before";
 }
 
-TEST_F(DatagramServerTest, who_says_nothing_for_two_seconds_is_no_longer_sent_to) {
+TEST_F(DatagramServerTest, stops_sending_after_two_seconds_of_silence) {
     be_known(*end);
     ASSERT_TRUE(wait_until([&] { return path->is_open(Clock::now()); }));
     EXPECT_TRUE(path->is_open(Clock::now() + 1900ms));
     EXPECT_FALSE(path->is_open(Clock::now() + 2100ms));
 }
 
-TEST_F(DatagramServerTest, a_client_that_hears_nothing_else_is_asked_now_and_then) {
+TEST_F(DatagramServerTest, rechallenges_idle_clients) {
     be_known(*end);
     ASSERT_TRUE(wait_until([&] { return path->is_open(Clock::now()); }));
     std::this_thread::sleep_for(300ms);
@@ -178,7 +177,7 @@ TEST_F(DatagramServerTest, a_client_that_hears_nothing_else_is_asked_now_and_the
     EXPECT_TRUE(end->receive()) << "the way back is open";
 }
 
-TEST_F(DatagramServerTest, mail_that_nobody_takes_is_bounded) {
+TEST_F(DatagramServerTest, bounds_unread_messages) {
     for (std::size_t i = 0; i < DatagramConnection::received_max + 50; i++) {
         end->send(client->close(message("x")));
         if (i % 16 == 0) std::this_thread::sleep_for(1ms);
@@ -189,7 +188,7 @@ TEST_F(DatagramServerTest, mail_that_nobody_takes_is_bounded) {
     EXPECT_EQ(path->take_messages().size(), DatagramConnection::received_max);
 }
 
-TEST_F(DatagramServerTest, a_closed_path_is_forgotten) {
+TEST_F(DatagramServerTest, removes_closed_connections) {
     EXPECT_EQ(port.connections(), 1u);
     port.close(*path);
     EXPECT_EQ(port.connections(), 0u);
@@ -198,7 +197,7 @@ TEST_F(DatagramServerTest, a_closed_path_is_forgotten) {
     EXPECT_EQ(messages, 0);
 }
 
-TEST(DatagramServer, says_which_address_it_cannot_have) {
+TEST(DatagramServer, error_names_the_address) {
     DatagramServer first{{.host = "127.0.0.1", .port = 0}};
     ASSERT_TRUE(first.start().ok());
     DatagramServer second{{.host = "127.0.0.1", .port = first.port()}};

@@ -17,7 +17,7 @@ sockaddr_storage six(const char* text, std::uint16_t port) {
     return out;
 }
 
-TEST(Address, an_ipv4_address_is_one_and_an_ipv6_one_stands_for_its_64) {
+TEST(Address, ipv4_counts_individually_and_ipv6_by_64_bit_prefix) {
     EXPECT_EQ(network_of("192.0.2.7"), "192.0.2.7");
     EXPECT_EQ(network_of("2001:db8:1:2:3:4:5:6"), "2001:db8:1:2::/64");
     EXPECT_EQ(network_of(six("2001:db8:1:2:ffff::1", 80)), "2001:db8:1:2::/64");
@@ -26,12 +26,12 @@ TEST(Address, an_ipv4_address_is_one_and_an_ipv6_one_stands_for_its_64) {
     EXPECT_EQ(network_of("fe80::1%eth0"), "fe80::/64");
 }
 
-TEST(Address, everything_else_is_one_network) {
+TEST(Address, other_addresses_form_one_network) {
     for (const char* text : {"", "unix:/tmp/socket", "1.2.3", "1.2.3.4:80", "[::1]", "example.org"})
         EXPECT_EQ(network_of(text), "elsewhere") << text;
 }
 
-TEST(Address, peers_are_named_with_their_ports) {
+TEST(Address, peer_names_include_the_port) {
     EXPECT_EQ(peer_name(six("::ffff:192.0.2.7", 4711)), "192.0.2.7:4711");
     EXPECT_EQ(peer_name(six("::1", 4711)), "[::1]:4711");
     EXPECT_EQ(address_name(six("::ffff:192.0.2.7", 4711)), "192.0.2.7");

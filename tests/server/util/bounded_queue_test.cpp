@@ -8,7 +8,7 @@
 namespace jostle::server {
 namespace {
 
-TEST(BoundedQueue, says_when_it_is_full) {
+TEST(BoundedQueue, rejects_items_when_full) {
     BoundedQueue<int> queue(2);
     EXPECT_TRUE(queue.push(1));
     EXPECT_TRUE(queue.push(2));
@@ -19,7 +19,7 @@ TEST(BoundedQueue, says_when_it_is_full) {
     EXPECT_TRUE(queue.push(4));
 }
 
-TEST(BoundedQueue, many_writers_lose_nothing_and_keep_their_order) {
+TEST(BoundedQueue, preserves_per_writer_order_without_loss) {
     constexpr int writers = 4, each = 1000;
     BoundedQueue<int> queue(64);
     std::vector<std::thread> threads;

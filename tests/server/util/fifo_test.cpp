@@ -12,7 +12,7 @@ namespace jostle::server {
 namespace {
 
 // 20,000 calls in any order, beside a deque.
-TEST(Fifo, does_what_a_deque_does) {
+TEST(Fifo, behaves_like_a_deque) {
     test::Random random(3);
     Fifo<int> fifo;
     std::deque<int> deque;
@@ -46,7 +46,7 @@ TEST(Fifo, does_what_a_deque_does) {
     }
 }
 
-TEST(Fifo, lets_go_of_what_was_taken_out) {
+TEST(Fifo, releases_popped_items) {
     Fifo<std::shared_ptr<int>> fifo;
     const auto first = std::make_shared<int>(1), second = std::make_shared<int>(2);
     for (const auto& item : {first, second, second, second}) fifo.push_back(item);

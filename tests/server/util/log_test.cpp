@@ -32,7 +32,7 @@ protected:
     int ends_[2] = {-1, -1};
 };
 
-TEST_F(LogTest, a_line_is_one_event_whatever_a_client_calls_itself) {
+TEST_F(LogTest, escapes_client_text_to_one_line_per_event) {
     start_log({.descriptor = ends_[1]});
     log_info("client 3 {} joined", "eve\n2026-01-01T00:00:00.000 error all is lost");
     stop_log();
@@ -41,7 +41,7 @@ TEST_F(LogTest, a_line_is_one_event_whatever_a_client_calls_itself) {
     EXPECT_NE(all.find("info client 3 eve\\n2026"), std::string::npos) << all;
 }
 
-TEST_F(LogTest, json_says_time_level_and_message) {
+TEST_F(LogTest, json_lines_contain_time_level_and_message) {
     start_log({.json = true, .descriptor = ends_[1]});
     log_warn("a \"quoted\" word\t");
     stop_log();
@@ -52,7 +52,7 @@ TEST_F(LogTest, json_says_time_level_and_message) {
     EXPECT_NE(all.find("Z\","), std::string::npos) << "UTC";
 }
 
-TEST_F(LogTest, who_logs_never_waits_for_who_reads_and_what_is_lost_is_counted) {
+TEST_F(LogTest, logging_never_blocks_and_counts_dropped_lines) {
     start_log({.descriptor = ends_[1]});
     const auto began = std::chrono::steady_clock::now();
     for (int i = 0; i < 20'000; i++) log_info("line {} of a pipe that nobody reads", i);
@@ -66,7 +66,7 @@ TEST_F(LogTest, who_logs_never_waits_for_who_reads_and_what_is_lost_is_counted) 
         << "what had room was written";
 }
 
-TEST_F(LogTest, a_reader_that_goes_away_ends_nothing) {
+TEST_F(LogTest, closed_reader_does_not_terminate_the_process) {
     start_log({.descriptor = ends_[1]});
     close(ends_[0]);
     for (int i = 0; i < 10; i++) log_info("line {}", i);

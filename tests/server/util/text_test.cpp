@@ -6,13 +6,13 @@
 namespace jostle::server {
 namespace {
 
-TEST(Text, a_name_with_a_line_of_its_own_stays_on_one_line) {
+TEST(Text, escapes_newlines) {
     EXPECT_EQ(printable("eve\n2026-01-01 error the moon fell\x1b[2J", 200),
               "eve\\n2026-01-01 error the moon fell\\x1b[2J");
     EXPECT_EQ(quoted("a\" joined \"b"), "\"a\\\" joined \\\"b\"");
 }
 
-TEST(Text, what_is_no_utf8_is_shown_as_bytes_and_the_rest_as_it_is) {
+TEST(Text, escapes_invalid_utf8_only) {
     EXPECT_EQ(printable("Jürgen \xff \xc0\xaf \xed\xa0\x80 ok", 200),
               "Jürgen \\xff \\xc0\\xaf \\xed\\xa0\\x80 ok");
     EXPECT_EQ(printable("\xc2\x9b"
@@ -25,7 +25,7 @@ TEST(Text, what_is_no_utf8_is_shown_as_bytes_and_the_rest_as_it_is) {
     EXPECT_EQ(printable("C:\\temp", 200), "C:\\\\temp");
 }
 
-TEST(Text, is_cut_between_characters) {
+TEST(Text, truncates_at_character_boundaries) {
     EXPECT_EQ(clip_utf8("grün", 3), "gr") << "three bytes would end in the midst of a letter";
     EXPECT_EQ(clip_utf8("grün", 4), "grü");
     EXPECT_EQ(clip_utf8("\xf0\x9f\x98\x80!", 3), "");

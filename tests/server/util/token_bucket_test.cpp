@@ -8,7 +8,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-TEST(TokenBucket, gives_its_store_at_once_and_then_as_it_flows_in) {
+TEST(TokenBucket, allows_a_burst_then_the_refill_rate) {
     const Clock::time_point now{};
     TokenBucket bucket(2, 10, now);
     EXPECT_TRUE(bucket.take(10, now));
@@ -19,7 +19,7 @@ TEST(TokenBucket, gives_its_store_at_once_and_then_as_it_flows_in) {
     EXPECT_FALSE(bucket.take(1, now + 1h)) << "an hour fills it no further than its store";
 }
 
-TEST(TokenBucket, who_waits_as_long_as_it_says_gets_what_he_wants) {
+TEST(TokenBucket, take_succeeds_after_the_reported_wait) {
     for (const double rate : {0.01, 1.0 / 3, 0.7, 3.0, 1e6}) {
         const Clock::time_point now{};
         TokenBucket bucket(rate, 5, now);
@@ -31,7 +31,7 @@ TEST(TokenBucket, who_waits_as_long_as_it_says_gets_what_he_wants) {
     }
 }
 
-TEST(TokenBucket, times_out_of_order_give_nothing_twice) {
+TEST(TokenBucket, out_of_order_times_do_not_refill_twice) {
     const Clock::time_point now = Clock::time_point{} + 1h;
     TokenBucket bucket(1, 1, now);
     ASSERT_TRUE(bucket.take(1, now));

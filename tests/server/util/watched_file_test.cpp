@@ -8,7 +8,7 @@
 namespace jostle::server {
 namespace {
 
-TEST(WatchedFile, a_stamp_tells_a_replaced_file_of_the_same_size) {
+TEST(WatchedFile, stamp_detects_a_replaced_file_of_equal_size) {
     const test::TempFolder folder;
     EXPECT_FALSE(stamp_of(folder / "a").exists);
     folder.write("a", "one");
@@ -18,7 +18,7 @@ TEST(WatchedFile, a_stamp_tells_a_replaced_file_of_the_same_size) {
     EXPECT_NE(stamp_of(folder / "a"), first);
 }
 
-TEST(WatchedFile, reading_is_bounded_and_waits_for_nothing) {
+TEST(WatchedFile, bounded_read_never_blocks) {
     const test::TempFolder folder;
     const std::string path = folder.write("a", std::string(1000, 'x'));
     EXPECT_EQ(read_bounded(path, 1000)->size(), 1000u);

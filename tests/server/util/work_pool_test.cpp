@@ -10,7 +10,7 @@
 namespace jostle::server {
 namespace {
 
-TEST(WorkPool, who_finds_the_queue_full_is_told_at_once) {
+TEST(WorkPool, rejects_work_when_the_queue_is_full) {
     WorkPool pool(1, 3, 0);
     std::promise<void> began, go_on;
     std::atomic<int> done{0};
@@ -27,7 +27,7 @@ TEST(WorkPool, who_finds_the_queue_full_is_told_at_once) {
     EXPECT_FALSE(pool.add([] {}));
 }
 
-TEST(WorkPool, a_piece_that_throws_costs_no_other) {
+TEST(WorkPool, exception_does_not_affect_other_tasks) {
     WorkPool pool(1, 10, 0);
     std::atomic<int> done{0};
     ASSERT_TRUE(pool.add([] { throw std::runtime_error("no memory"); }));

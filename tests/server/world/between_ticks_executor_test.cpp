@@ -37,7 +37,7 @@ protected:
     BetweenTicksExecutor visits;
 };
 
-TEST_F(BetweenTicksExecutorTest, a_look_runs_on_the_worlds_thread_and_the_asker_waits) {
+TEST_F(BetweenTicksExecutorTest, runs_task_on_the_world_thread_and_blocks_the_caller) {
     std::thread::id ran_on;
     int bodies = 0;
     EXPECT_TRUE(visit([&](HostedWorld& seen) {
@@ -48,7 +48,7 @@ TEST_F(BetweenTicksExecutorTest, a_look_runs_on_the_worlds_thread_and_the_asker_
     EXPECT_GT(bodies, 5);
 }
 
-TEST_F(BetweenTicksExecutorTest, who_cannot_be_let_in_is_told_why) {
+TEST_F(BetweenTicksExecutorTest, returns_an_error_when_the_task_cannot_run) {
     EXPECT_EQ(error_of(visit([](HostedWorld&) { throw std::bad_alloc(); })).code,
               ErrorCode::resource_exhausted);
     EXPECT_TRUE(visit([](HostedWorld&) {}).ok()) << "the next one is let in";

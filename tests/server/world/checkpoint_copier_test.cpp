@@ -12,7 +12,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-TEST(CheckpointCopier, is_copied_by_who_wants_it_while_the_world_waits) {
+TEST(CheckpointCopier, writer_thread_copies_while_the_world_waits) {
     std::atomic<bool> begun = false;
     std::atomic<int> world = 7;
     CheckpointCopier taker([&] {
@@ -30,7 +30,7 @@ TEST(CheckpointCopier, is_copied_by_who_wants_it_while_the_world_waits) {
     EXPECT_EQ(taken, 7u);
 }
 
-TEST(CheckpointCopier, is_copied_by_the_world_if_nobody_came_in_time) {
+TEST(CheckpointCopier, world_thread_copies_before_continuing) {
     int world = 7, copies = 0;
     CheckpointCopier taker([&] {
         copies++;
@@ -45,7 +45,7 @@ TEST(CheckpointCopier, is_copied_by_the_world_if_nobody_came_in_time) {
     EXPECT_EQ(copies, 1);
 }
 
-TEST(CheckpointCopier, without_memory_there_is_none) {
+TEST(CheckpointCopier, returns_nothing_when_out_of_memory) {
     CheckpointCopier taker([]() -> CheckpointCopy { throw std::bad_alloc(); });
     taker.finish();
     EXPECT_FALSE(taker.take());

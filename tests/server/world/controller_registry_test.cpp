@@ -65,7 +65,7 @@ protected:
 
 constexpr Controls right{.axes = {1}}, half{.axes = {0.5}};
 
-TEST_F(ControllerRegistryTest, what_a_driver_holds_reaches_the_module) {
+TEST_F(ControllerRegistryTest, forwards_controls_to_the_module) {
     EXPECT_FALSE(drivers.control(world, 1, right)) << "drives nothing yet";
     EXPECT_EQ(complaint(1, one), "");
     EXPECT_EQ(drivers.control(world, 1, right), one);
@@ -88,14 +88,14 @@ TEST_F(ControllerRegistryTest, one_client_drives_one_body_and_one_body_has_one_d
     EXPECT_EQ(held(one), 0.5);
 }
 
-TEST_F(ControllerRegistryTest, what_no_module_drives_is_refused) {
+TEST_F(ControllerRegistryTest, rejects_uncontrollable_bodies) {
     const BodyId other = add();
     EXPECT_FALSE(is_controllable(world, other));
     EXPECT_TRUE(is_controllable(world, one));
     EXPECT_EQ(complaint(1, other), "nobody can drive that");
 }
 
-TEST_F(ControllerRegistryTest, who_leaves_lets_go) {
+TEST_F(ControllerRegistryTest, leaving_releases_control) {
     ASSERT_EQ(complaint(1, one), "");
     controllers.control(world, 1, right);
     controllers.release(world, 1);
@@ -103,7 +103,7 @@ TEST_F(ControllerRegistryTest, who_leaves_lets_go) {
     EXPECT_FALSE(drivers.control(world, 1, right));
 }
 
-TEST_F(ControllerRegistryTest, a_body_that_goes_has_no_driver) {
+TEST_F(ControllerRegistryTest, removed_body_has_no_controller) {
     ASSERT_EQ(complaint(1, one), "");
     ASSERT_EQ(complaint(2, two), "");
     controllers.release_body(world, one);

@@ -25,7 +25,7 @@ protected:
     BodyId body;  // of the newest
 };
 
-TEST_F(EntityRegistryTest, an_entity_is_described_once_and_found_by_id_and_by_body) {
+TEST_F(EntityRegistryTest, finds_entities_by_id_and_body) {
     const EntityId ball = add(7);
     EXPECT_EQ(ball, 1u);
     const EntityDescription& told = *entities.find(ball)->description;
@@ -38,7 +38,7 @@ TEST_F(EntityRegistryTest, an_entity_is_described_once_and_found_by_id_and_by_bo
     EXPECT_EQ(entities.by_body()[body.index], ball);
 }
 
-TEST_F(EntityRegistryTest, an_id_is_never_used_again_though_the_bodys_index_is) {
+TEST_F(EntityRegistryTest, never_reuses_ids_when_body_indices_are_reused) {
     const EntityId first = add();
     const BodyId old = body;
     remove(first);
@@ -49,7 +49,7 @@ TEST_F(EntityRegistryTest, an_id_is_never_used_again_though_the_bodys_index_is) 
     EXPECT_EQ(entities.entity_of(body), second);
 }
 
-TEST_F(EntityRegistryTest, a_removed_body_is_known_to_the_events_of_one_step) {
+TEST_F(EntityRegistryTest, removed_bodies_remain_resolvable_for_one_step) {
     const EntityId ball = add();
     const BodyId gone = body;
     remove(ball);
@@ -60,7 +60,7 @@ TEST_F(EntityRegistryTest, a_removed_body_is_known_to_the_events_of_one_step) {
     EXPECT_EQ(entities.entity_of(gone), 0u);
 }
 
-TEST_F(EntityRegistryTest, only_a_body_that_lives_is_a_living_entity) {
+TEST_F(EntityRegistryTest, find_living_ignores_removed_bodies) {
     const EntityId ball = add();
     const BodyId old = body;
     EXPECT_EQ(entities.find_living(old), ball);
@@ -75,7 +75,7 @@ TEST_F(EntityRegistryTest, only_a_body_that_lives_is_a_living_entity) {
     EXPECT_EQ(entities.find_living({1000, 1}), 0u);
 }
 
-TEST_F(EntityRegistryTest, the_list_is_the_same_until_an_entity_comes_or_goes) {
+TEST_F(EntityRegistryTest, list_changes_only_when_entities_are_added_or_removed) {
     const EntityId one = add(), two = add();
     const auto list = entities.list();
     const auto places = entities.shape_owners();

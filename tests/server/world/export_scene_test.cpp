@@ -42,7 +42,7 @@ struct Hosted {
     std::uint32_t sequence = 0;
 };
 
-TEST(ExportScene, of_every_small_scene_is_the_same_world_when_it_is_built_again) {
+TEST(ExportScene, round_trips_every_small_scene) {
     int scenes_seen = 0;
     for (const auto& entry : scenes::catalog()) {
         const std::string name(entry.name);
@@ -75,7 +75,7 @@ TEST(ExportScene, of_every_small_scene_is_the_same_world_when_it_is_built_again)
     EXPECT_GT(scenes_seen, 15);
 }
 
-TEST(ExportScene, what_was_spawned_is_there_and_what_was_deleted_is_not) {
+TEST(ExportScene, includes_spawned_and_excludes_deleted_bodies) {
     Hosted hosted("stack");
     const std::size_t before = hosted.scene.bodies.size();
     SpawnCommand spawn;
@@ -97,7 +97,7 @@ TEST(ExportScene, what_was_spawned_is_there_and_what_was_deleted_is_not) {
 }
 
 // A hand is a joint of the world that no scene has.
-TEST(ExportScene, what_clients_hold_is_let_go_and_it_says_so) {
+TEST(ExportScene, omits_grabs_and_reports_it) {
     Hosted hosted("stack");
     SpawnCommand spawn;
     spawn.shape.geometry = physics::Sphere{0.3};

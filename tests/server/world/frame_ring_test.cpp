@@ -14,7 +14,7 @@ FramePtr frame_of(std::uint32_t tick) {
     return frame;
 }
 
-TEST(FrameRing, keeps_as_many_frames_as_the_time_has_and_names_the_two_around_a_moment) {
+TEST(FrameRing, retains_the_configured_history_and_returns_surrounding_frames) {
     FrameRing ring(400, 60);
     EXPECT_EQ(ring.frames_max(), 25u);
     EXPECT_FALSE(ring.at({5, 0.5})) << "before the first frame";
@@ -31,7 +31,7 @@ TEST(FrameRing, keeps_as_many_frames_as_the_time_has_and_names_the_two_around_a_
     EXPECT_FALSE(whole->clamped);
 }
 
-TEST(FrameRing, what_is_too_long_ago_is_the_oldest_frame_and_says_so) {
+TEST(FrameRing, clamps_to_the_oldest_frame_and_reports_it) {
     FrameRing ring(400, 60);
     for (std::uint32_t tick = 1; tick <= 100; tick++) ring.put(frame_of(tick));
     for (const std::uint32_t tick : {75u, 1u, 0u}) {
@@ -42,7 +42,7 @@ TEST(FrameRing, what_is_too_long_ago_is_the_oldest_frame_and_says_so) {
     }
 }
 
-TEST(FrameRing, what_is_to_come_is_the_newest_frame) {
+TEST(FrameRing, clamps_future_times_to_the_newest_frame) {
     FrameRing ring(400, 60);
     for (std::uint32_t tick = 1; tick <= 100; tick++) ring.put(frame_of(tick));
     for (const ViewTime view_time : {ViewTime{100, 0.5}, ViewTime{4'000'000'000, 0}}) {
@@ -52,7 +52,7 @@ TEST(FrameRing, what_is_to_come_is_the_newest_frame) {
     }
 }
 
-TEST(FrameRing, a_server_that_keeps_nothing_knows_the_newest_frame_alone) {
+TEST(FrameRing, zero_history_retains_only_the_newest_frame) {
     FrameRing ring(0, 60);
     ring.put(frame_of(7));
     ring.put(frame_of(8));

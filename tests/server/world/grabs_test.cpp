@@ -32,7 +32,7 @@ protected:
     Grabs grabs;
 };
 
-TEST_F(GrabsTest, what_is_held_stays_until_it_is_dragged) {
+TEST_F(GrabsTest, grabbed_body_stays_until_dragged) {
     const BodyId ball = add(0);
     grab(1, ball);
     EXPECT_NEAR(x_after(ball, 60), 0, 1e-9);
@@ -40,7 +40,7 @@ TEST_F(GrabsTest, what_is_held_stays_until_it_is_dragged) {
     EXPECT_NEAR(x_after(ball, 120), 3, 0.01);
 }
 
-TEST_F(GrabsTest, a_client_holds_one_body_and_several_may_hold_the_same) {
+TEST_F(GrabsTest, one_grab_per_client_and_many_per_body) {
     const BodyId one = add(0), two = add(5);
     grab(1, one);
     grab(1, two);
@@ -52,7 +52,7 @@ TEST_F(GrabsTest, a_client_holds_one_body_and_several_may_hold_the_same) {
     EXPECT_TRUE(grabs.drag(world, 2, {5, 0, 0}));
 }
 
-TEST_F(GrabsTest, a_body_that_is_gone_is_held_by_nobody) {
+TEST_F(GrabsTest, removing_a_body_releases_its_grabs) {
     const BodyId one = add(0), two = add(5);
     grab(1, one);
     grab(2, one);
@@ -65,7 +65,7 @@ TEST_F(GrabsTest, a_body_that_is_gone_is_held_by_nobody) {
     EXPECT_FALSE(grabs.drag(world, 3, {}));
 }
 
-TEST_F(GrabsTest, what_is_held_is_part_of_the_state) {
+TEST_F(GrabsTest, grabs_are_part_of_the_state) {
     const BodyId ball = add(0);
     grab(1, ball);
     ASSERT_EQ(world.joints().size(), 1u);
@@ -74,7 +74,7 @@ TEST_F(GrabsTest, what_is_held_is_part_of_the_state) {
 }
 
 // A hand of 200 m/s^2 at most.
-TEST_F(GrabsTest, a_hand_pulls_no_harder_than_its_strength) {
+TEST_F(GrabsTest, limits_grab_force) {
     const BodyId ball = add(0);
     grab(1, ball);
     EXPECT_TRUE(grabs.drag(world, 1, {9000, 0, 0}));

@@ -49,7 +49,7 @@ protected:
     std::uint32_t sequence = 0, tick = 7;
 };
 
-TEST_F(HostedWorldTest, a_frame_lists_entities_and_roster_alike) {
+TEST_F(HostedWorldTest, frame_poses_match_the_entity_list) {
     const EntityId ball = spawn(1);
     const Frame frame = step();
     ASSERT_EQ(frame.entities.size(), frame.entity_list->size());
@@ -64,13 +64,13 @@ TEST_F(HostedWorldTest, a_frame_lists_entities_and_roster_alike) {
     EXPECT_NE(step().entity_list, frame.entity_list);
 }
 
-TEST_F(HostedWorldTest, an_input_is_applied_at_most_once) {
+TEST_F(HostedWorldTest, applies_each_input_at_most_once) {
     const Command command{.client = 1, .sequence = 5, .action = ReleaseCommand{}, .reply = {}};
     EXPECT_TRUE(world.apply(command, tick).status.ok());
     EXPECT_EQ(error_of(world.apply(command, tick).status).code, ErrorCode::invalid_argument);
 }
 
-TEST_F(HostedWorldTest, ids_are_never_used_again) {
+TEST_F(HostedWorldTest, never_reuses_entity_ids) {
     const EntityId first = spawn(1);
     EXPECT_TRUE(apply(1, DeleteCommand{first}).status.ok());
     const EntityId second = spawn(1);
@@ -79,7 +79,7 @@ TEST_F(HostedWorldTest, ids_are_never_used_again) {
     EXPECT_NE(find(step(), second), nullptr);
 }
 
-TEST_F(HostedWorldTest, limits_hold_for_one_client_and_for_the_world) {
+TEST_F(HostedWorldTest, enforces_limits_per_client_and_per_world) {
     for (int i = 0; i < 3; ++i) spawn(1, 20 + i);
     EXPECT_EQ(error_of(apply(1, SpawnCommand{}).status).code, ErrorCode::resource_exhausted);
     const std::size_t scene = step().entities.size() - 3;
@@ -91,7 +91,7 @@ TEST_F(HostedWorldTest, limits_hold_for_one_client_and_for_the_world) {
     EXPECT_TRUE(apply(99, SpawnCommand{}).status.ok());
 }
 
-TEST_F(HostedWorldTest, rights_are_the_worlds_to_decide) {
+TEST_F(HostedWorldTest, world_enforces_ownership) {
     const EntityId theirs = spawn(2);
     EXPECT_EQ(error_of(apply(1, DeleteCommand{theirs}).status).code, ErrorCode::permission_denied);
     EXPECT_EQ(error_of(apply(1, DeleteCommand{1}).status).code, ErrorCode::permission_denied)
@@ -105,7 +105,7 @@ TEST_F(HostedWorldTest, rights_are_the_worlds_to_decide) {
         << "nothing is held";
 }
 
-TEST_F(HostedWorldTest, an_impulse_is_cut_to_20_metres_a_second) {
+TEST_F(HostedWorldTest, clamps_impulses_to_20_m_per_s) {
     const EntityId ball = spawn(1, 100);
     const double before = find(step(), ball)->pose.position.x;
     EXPECT_TRUE(
@@ -113,7 +113,7 @@ TEST_F(HostedWorldTest, an_impulse_is_cut_to_20_metres_a_second) {
     EXPECT_NEAR(find(step(60), ball)->pose.position.x - before, 20, 1e-6);
 }
 
-TEST_F(HostedWorldTest, a_held_body_follows_the_hand_and_falls_when_let_go) {
+TEST_F(HostedWorldTest, grabbed_body_follows_the_target_and_falls_on_release) {
     const EntityId ball = spawn(1, 10);
     const physics::Vec3 target{4, 12, 3};
     EXPECT_TRUE(apply(1, GrabCommand{ball, find(step(), ball)->pose.position}).status.ok());
@@ -124,7 +124,7 @@ TEST_F(HostedWorldTest, a_held_body_follows_the_hand_and_falls_when_let_go) {
     EXPECT_LT(find(step(30), ball)->pose.position.y, target.y - 1);
 }
 
-TEST_F(HostedWorldTest, deleting_a_held_body_lets_go_of_it) {
+TEST_F(HostedWorldTest, deleting_a_grabbed_body_releases_it) {
     const EntityId ball = spawn(2);
     EXPECT_TRUE(apply(1, GrabCommand{ball, {5, 20, 0}}).status.ok());
     EXPECT_TRUE(apply(2, DeleteCommand{ball}).status.ok());
@@ -132,7 +132,7 @@ TEST_F(HostedWorldTest, deleting_a_held_body_lets_go_of_it) {
     step(2);
 }
 
-TEST_F(HostedWorldTest, an_explosion_pushes_away_what_is_in_reach) {
+TEST_F(HostedWorldTest, explosion_pushes_bodies_within_radius) {
     const EntityId near = spawn(1, 50);
     const double before = find(step(), near)->pose.position.x;
     const auto explode = [&](double x) {
@@ -146,7 +146,7 @@ TEST_F(HostedWorldTest, an_explosion_pushes_away_what_is_in_reach) {
     EXPECT_NEAR(find(step(60), near)->pose.position.x - before, 9.4, 0.6);
 }
 
-TEST_F(HostedWorldTest, an_explosion_breaks_what_can_break_near_by) {
+TEST_F(HostedWorldTest, explosion_breaks_nearby_destructible_bodies) {
     world = HostedWorld::create(*scenes::find_scene("demolition"), {}, 1).value();
     const std::size_t whole = step(2).entities.size();
     const auto explode = [&](physics::Vec3 center) {
@@ -159,7 +159,7 @@ TEST_F(HostedWorldTest, an_explosion_breaks_what_can_break_near_by) {
     EXPECT_GT(step(2).entities.size(), whole + 10);
 }
 
-TEST(HostedWorld, a_world_with_more_modules_than_clients_take_is_not_hosted) {
+TEST(HostedWorld, rejects_worlds_with_too_many_channel_kinds) {
     scenes::SceneDescription scene = *scenes::find_scene("stack");
     scene.modules.resize(65);
     const auto world = HostedWorld::create(scene, {}, 1);
@@ -167,7 +167,7 @@ TEST(HostedWorld, a_world_with_more_modules_than_clients_take_is_not_hosted) {
     EXPECT_EQ(world.error().message, "the scene has 65 modules; a server hosts 64 in a world");
 }
 
-TEST(HostedWorld, a_frame_carries_what_modules_tell_with_bodies_as_entities) {
+TEST(HostedWorld, frame_contains_module_channels_by_entity) {
     test::register_counter();
     scenes::SceneDescription scene = *scenes::find_scene("stack");
     scene.modules = {{.tag = "counter", .settings = {{"every", 2}}, .bodies = {{"watched", 3}}}};
@@ -190,7 +190,7 @@ TEST(HostedWorld, a_frame_carries_what_modules_tell_with_bodies_as_entities) {
 }
 
 // Frames copy only what can have moved: against all bodies, while they fall, sleep and are pushed.
-TEST_F(HostedWorldTest, every_frame_shows_every_body_where_it_is) {
+TEST_F(HostedWorldTest, every_frame_contains_the_current_pose_of_every_body) {
     std::vector<EntityId> balls;
     std::vector<physics::BodyState> bodies;
     int still = 0, asleep = 0;
@@ -217,7 +217,7 @@ TEST_F(HostedWorldTest, every_frame_shows_every_body_where_it_is) {
     EXPECT_GT(still, 100) << "and there were ticks in which nothing moved";
 }
 
-TEST_F(HostedWorldTest, however_many_impulses_come_a_body_gets_no_faster_than_50) {
+TEST_F(HostedWorldTest, repeated_impulses_are_limited_to_50_m_per_s) {
     const EntityId ball = spawn(1, 40);
     step();
     for (int i = 0; i < 100; i++) {
@@ -237,7 +237,7 @@ TEST_F(HostedWorldTest, however_many_impulses_come_a_body_gets_no_faster_than_50
     EXPECT_LE(spin, 60 + 1e-9);
 }
 
-TEST(HostedWorld, bodies_in_one_place_end_where_it_is_crowded) {
+TEST(HostedWorld, rejects_spawns_in_crowded_locations) {
     HostedWorld world = std::move(*HostedWorld::create(*scenes::find_scene("stack"), {}, 1));
     int spawned = 0;
     InputResult last;

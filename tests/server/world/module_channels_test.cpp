@@ -35,11 +35,11 @@ protected:
     std::uint32_t tick = 0;
 };
 
-TEST_F(ModuleChannelsTest, a_world_without_modules_tells_nothing) {
+TEST_F(ModuleChannelsTest, publishes_nothing_without_modules) {
     EXPECT_TRUE(step().empty());
 }
 
-TEST_F(ModuleChannelsTest, kinds_are_those_of_the_modules_by_full_names) {
+TEST_F(ModuleChannelsTest, lists_module_kinds_by_full_name) {
     add("second", {{"near", ChannelForm::points, 4}, {}}).watched = {7, 1};
     add("first");
     const Channels now = step();
@@ -56,7 +56,7 @@ TEST_F(ModuleChannelsTest, kinds_are_those_of_the_modules_by_full_names) {
     EXPECT_EQ(now[2].entity, 0u) << "it watches nobody";
 }
 
-TEST_F(ModuleChannelsTest, what_a_module_says_again_is_the_same_list) {
+TEST_F(ModuleChannelsTest, reuses_unchanged_values) {
     add("slow").every = 2;
     add("quick");
     const auto first = step(), second = step(), third = step();
@@ -65,7 +65,7 @@ TEST_F(ModuleChannelsTest, what_a_module_says_again_is_the_same_list) {
     EXPECT_NE(second[1].values, third[1].values);
 }
 
-TEST_F(ModuleChannelsTest, a_kind_with_a_divisor_is_told_so_rarely_and_stays_between) {
+TEST_F(ModuleChannelsTest, divisor_limits_the_publish_rate) {
     add("counter", {{"rare", ChannelForm::params, 4}, {}});
     std::vector<std::int32_t> rare, each;
     for (int k = 0; k < 9; k++) {
@@ -78,13 +78,13 @@ TEST_F(ModuleChannelsTest, a_kind_with_a_divisor_is_told_so_rarely_and_stays_bet
     EXPECT_EQ(each, (std::vector<std::int32_t>{1, 2, 3, 4, 5, 6, 7, 8, 9}));
 }
 
-TEST_F(ModuleChannelsTest, a_module_that_has_nothing_to_say_has_no_channel) {
+TEST_F(ModuleChannelsTest, silent_module_has_no_channel) {
     add("counter").until = 2;
     EXPECT_EQ(step().size(), 1u);
     EXPECT_TRUE(step().empty());
 }
 
-TEST_F(ModuleChannelsTest, what_is_too_large_is_left_out_and_told_of_once) {
+TEST_F(ModuleChannelsTest, skips_oversized_channels_and_reports_them_once) {
     Counter& large = add("large");
     add("small");
     large.padding = channel_values_max - 1;
@@ -106,7 +106,7 @@ TEST_F(ModuleChannelsTest, what_is_too_large_is_left_out_and_told_of_once) {
     EXPECT_EQ(step().size(), 2u) << "it is left out in those ticks only";
 }
 
-TEST_F(ModuleChannelsTest, kinds_that_clients_could_not_tell_apart_are_refused) {
+TEST_F(ModuleChannelsTest, rejects_duplicate_kind_names) {
     const auto refused = [](std::vector<ChannelKind> kinds) {
         World owned = World::create().value();
         auto module = std::make_unique<Counter>("m");

@@ -5,7 +5,7 @@
 
 namespace jostle::server {
 
-TEST(Ownership, counts_what_each_client_owns) {
+TEST(Ownership, counts_owned_entities_per_client) {
     Ownership ownership;
     ownership.add(1, 10);
     ownership.add(1, 12);
@@ -21,7 +21,7 @@ TEST(Ownership, counts_what_each_client_owns) {
     EXPECT_FALSE(ownership.owns(1, 12));
 }
 
-TEST(Ownership, what_a_client_owns_comes_in_rising_order_and_is_nobodys_after_it_left) {
+TEST(Ownership, lists_owned_entities_in_order_and_clears_them_on_leave) {
     Ownership ownership;
     for (const EntityId entity : {9u, 3u, 5u}) ownership.add(1, entity);
     EXPECT_EQ(ownership.owned_by(1), (std::vector<EntityId>{3, 5, 9}));

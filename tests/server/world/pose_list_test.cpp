@@ -15,7 +15,7 @@ std::vector<EntityPose> standing(std::size_t count) {
     return poses;
 }
 
-TEST(PoseList, holds_each_entity_in_its_place_also_in_the_last_block) {
+TEST(PoseList, indexes_entities_across_blocks) {
     for (const std::size_t count : {0, 1, 127, 128, 129, 1000}) {
         const PoseList list(standing(count));
         ASSERT_EQ(list.size(), count);
@@ -29,7 +29,7 @@ TEST(PoseList, holds_each_entity_in_its_place_also_in_the_last_block) {
     }
 }
 
-TEST(PoseList, one_that_moves_makes_one_new_block_of_eight) {
+TEST(PoseList, one_moving_entity_copies_one_block) {
     PoseEditor editor;
     editor.assign(standing(1000));
     bool changed = false;
@@ -45,7 +45,7 @@ TEST(PoseList, one_that_moves_makes_one_new_block_of_eight) {
     EXPECT_EQ(shared, 7);
 }
 
-TEST(PoseList, what_is_set_to_what_it_was_changes_nothing) {
+TEST(PoseList, setting_equal_pose_changes_nothing) {
     PoseEditor editor;
     editor.assign(standing(300));
     bool changed = false;

@@ -24,7 +24,7 @@ QueryFramePtr copy_with(CopyLayers layers, std::uint32_t tick) {
     return std::make_shared<const QueryFrame>(frame);
 }
 
-TEST(QueryBroker, nothing_is_copied_before_a_question_and_a_second_after_the_last_one) {
+TEST(QueryBroker, copies_only_while_requested) {
     QueryBroker desk;
     const auto now = Clock::now();
     EXPECT_EQ(desk.begin_tick(1, now), 0u);
@@ -38,7 +38,7 @@ TEST(QueryBroker, nothing_is_copied_before_a_question_and_a_second_after_the_las
     EXPECT_EQ(desk.begin_tick(5, asked + 1100ms), 0u);
 }
 
-TEST(QueryBroker, a_copy_of_three_ticks_ago_is_good_and_an_older_one_is_not) {
+TEST(QueryBroker, accepts_copies_up_to_three_ticks_old) {
     QueryBroker desk;
     desk.put(copy_with(copy_shapes, 10));
     ASSERT_NE(desk.acquire(copy_shapes), nullptr);
@@ -51,14 +51,14 @@ TEST(QueryBroker, a_copy_of_three_ticks_ago_is_good_and_an_older_one_is_not) {
     EXPECT_NEAR(to_ms(Clock::now() - begin), 250, 100) << "the longest that anyone waits";
 }
 
-TEST(QueryBroker, a_copy_without_the_part_is_not_good) {
+TEST(QueryBroker, rejects_copies_without_the_requested_layer) {
     QueryBroker desk;
     desk.put(copy_with(copy_contacts, 10));
     EXPECT_EQ(desk.acquire(copy_shapes), nullptr);
     EXPECT_NE(desk.acquire(copy_contacts), nullptr);
 }
 
-TEST(QueryBroker, closing_answers_those_who_wait_at_once) {
+TEST(QueryBroker, closing_unblocks_waiters) {
     QueryBroker desk;
     std::atomic<bool> answered{false};
     const auto begin = Clock::now();
@@ -73,7 +73,7 @@ TEST(QueryBroker, closing_answers_those_who_wait_at_once) {
     EXPECT_LT(Clock::now() - begin, 200ms);
 }
 
-TEST(WorldHostQueries, four_threads_ask_a_world_that_ticks_on) {
+TEST(WorldHostQueries, supports_four_concurrent_readers) {
     const auto host = *WorldHost::start("w1", "stack", *scenes::find_scene("stack"), {});
     std::atomic<int> hits{0}, fresh{0};
     std::vector<std::thread> askers;

@@ -85,7 +85,7 @@ Ray random_ray(test::Random& random, double size) {
     return {random.vector(size), random.vector(1.5 * size)};
 }
 
-TEST(RewindView, a_ray_into_the_past_answers_what_it_answered_then) {
+TEST(RewindView, rewound_ray_returns_the_past_result) {
     SteppedWorld stepped(300);
     const double size = 14;
     std::map<std::uint32_t, std::vector<std::pair<Ray, std::optional<RayHit>>>> told;
@@ -118,7 +118,7 @@ TEST(RewindView, a_ray_into_the_past_answers_what_it_answered_then) {
     EXPECT_GT(hits, 150);
 }
 
-TEST(RewindView, between_two_ticks_a_body_is_as_far_on_its_way_as_the_picture_says) {
+TEST(RewindView, interpolates_poses_between_ticks) {
     SteppedWorld stepped(10);
     for (int i = 0; i < 5; i++) stepped.step();
     const Transform a = *stepped.view(3).pose_of(1), b = *stepped.view(4).pose_of(1),
@@ -129,7 +129,7 @@ TEST(RewindView, between_two_ticks_a_body_is_as_far_on_its_way_as_the_picture_sa
     EXPECT_FALSE(stepped.view(3).pose_of(999));
 }
 
-TEST(RewindView, what_came_later_and_what_is_gone_is_not_met) {
+TEST(RewindView, ignores_entities_created_later_or_removed) {
     SteppedWorld stepped(10);
     stepped.step();  // tick 2
     SpawnCommand ball;
@@ -158,7 +158,7 @@ TEST(RewindView, what_came_later_and_what_is_gone_is_not_met) {
     EXPECT_EQ(near_ball(3), floor_alone) << "gone by now";
 }
 
-TEST(RewindView, a_leap_is_seen_when_it_is_over) {
+TEST(RewindView, does_not_interpolate_teleports) {
     const Transform here{{0, 0, 0}, {}}, there{{5, 0, 0}, {}}, near_by{{1, 0, 0}, {}};
     EXPECT_EQ(interpolate(here, there, 0.9, 1.0 / 60), here) << "5 m in a tick are 300 m/s";
     EXPECT_NEAR(interpolate(here, near_by, 0.9, 1.0 / 60).position.x, 0.9, 1e-12);
@@ -171,7 +171,7 @@ double cpu_ms() {
 }
 
 // The figures of docs/client_library.md; the bounds are far above them, for slow builds.
-TEST(RewindView, a_ray_among_thousands_of_bodies_costs_a_part_of_a_tick) {
+TEST(RewindView, ray_among_thousands_of_bodies_takes_a_fraction_of_a_tick) {
     for (const int bodies : {1000, 5000}) {
         SteppedWorld stepped(bodies);
         for (int i = 0; i < 3; i++) stepped.step();

@@ -71,7 +71,7 @@ struct Play {
     static HostLimits limits() { return {.scene = {.bodies_max = 400}, .bodies_owned_max = 12}; }
 };
 
-TEST(SavedHostState, a_copy_goes_on_as_the_world_would_have) {
+TEST(SavedHostState, restored_copy_evolves_identically) {
     for (const char* scene : {"stack", "race_track"}) {
         Play run{std::move(*HostedWorld::create(*scenes::find_scene(scene), Play::limits(), 1))};
         run.go_on(90);
@@ -92,7 +92,7 @@ TEST(SavedHostState, a_copy_goes_on_as_the_world_would_have) {
     }
 }
 
-TEST(SavedHostState, an_input_that_was_counted_is_not_applied_again) {
+TEST(SavedHostState, does_not_reapply_processed_inputs) {
     Play run{std::move(*HostedWorld::create(*scenes::find_scene("stack"), Play::limits(), 1))};
     run.go_on(5);
     Play copy = run.copied();
@@ -100,7 +100,7 @@ TEST(SavedHostState, an_input_that_was_counted_is_not_applied_again) {
     EXPECT_EQ(error_of(again.status).message, "input 5 does not come after input 5");
 }
 
-TEST(SavedHostState, of_another_world_it_is_refused) {
+TEST(SavedHostState, rejects_state_of_another_world) {
     Play run{std::move(*HostedWorld::create(*scenes::find_scene("stack"), Play::limits(), 1))};
     const Error error = error_of(HostedWorld::restore(
         std::move(*physics::World::create({})), run.world.host_state(0), Play::limits(), 60, 0));

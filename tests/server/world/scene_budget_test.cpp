@@ -31,7 +31,7 @@ std::string refusal_of(const scenes::SceneDescription& scene, const SceneBudget&
     return hosted.error().message;
 }
 
-TEST(SceneBudget, nine_hundred_boxes_in_one_place_with_64_substeps_are_too_much) {
+TEST(SceneBudget, rejects_900_overlapping_boxes_with_64_substeps) {
     scenes::SceneDescription scene = boxes(900, {});
     scene.world.substeps = 64;
     const std::string why = refusal_of(scene);
@@ -45,13 +45,13 @@ TEST(SceneBudget, nine_hundred_boxes_in_one_place_with_64_substeps_are_too_much)
               "");
 }
 
-TEST(SceneBudget, twenty_thousand_in_one_place_are_refused_soon) {
+TEST(SceneBudget, rejects_20000_overlapping_bodies_quickly) {
     const auto began = std::chrono::steady_clock::now();
     EXPECT_NE(refusal_of(boxes(20'000, {})), "");
     EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(5));
 }
 
-TEST(SceneBudget, every_scene_of_the_catalogue_may_be_hosted) {
+TEST(SceneBudget, accepts_every_catalogue_scene) {
     for (const scenes::CatalogEntry& entry : scenes::catalog()) {
         const scenes::SceneDescription scene = *scenes::find_scene(entry.name);
         if (scene.bodies.size() > 3000) continue;  // benchmarks: built slowly, and alike
@@ -59,7 +59,7 @@ TEST(SceneBudget, every_scene_of_the_catalogue_may_be_hosted) {
     }
 }
 
-TEST(SceneBudget, sixty_thousand_joints_on_one_pair_are_refused) {
+TEST(SceneBudget, rejects_60000_joints_on_one_body_pair) {
     scenes::SceneDescription scene = boxes(2, {1, 0, 0});
     for (int i = 0; i < 100; i++) scene.joints.push_back({.name = "pin", .body_b = 1});
     EXPECT_EQ(refusal_of(scene),
@@ -69,7 +69,7 @@ TEST(SceneBudget, sixty_thousand_joints_on_one_pair_are_refused) {
     EXPECT_EQ(refusal_of(scene), "the scene has 60000 joints; scene.joints_max allows 20000");
 }
 
-TEST(SceneBudget, a_shape_that_bodies_share_counts_once_and_small_ones_with_their_body) {
+TEST(SceneBudget, counts_shared_geometry_once_and_small_shapes_per_body) {
     std::vector<physics::Vec3> points;
     for (int i = 0; i < 200; i++)
         points.push_back({std::cos(i * 0.7), i / 100.0 - 1, std::sin(i * 0.7)});
@@ -84,7 +84,7 @@ TEST(SceneBudget, a_shape_that_bodies_share_counts_once_and_small_ones_with_thei
 }
 
 // One pair as the broad phase sees it, a million as the narrow phase does.
-TEST(SceneBudget, what_the_estimate_does_not_see_shows_in_the_first_step) {
+TEST(SceneBudget, first_step_time_catches_underestimated_scenes) {
     std::vector<physics::CompoundChild> children;
     for (int i = 0; i < 1000; i++) children.push_back({physics::Box{}, {{i * 1e-3, 0, 0}, {}}});
     const physics::Geometry cluster = physics::Compound{physics::build_compound(children).value()};

@@ -24,7 +24,7 @@ using Numbers = std::vector<std::uint32_t>;
 
 }  // namespace
 
-TEST(ScheduledInputs, wait_for_their_tick_and_those_without_one_do_not) {
+TEST(ScheduledInputs, wait_for_their_tick) {
     ScheduledInputs early(100);
     EXPECT_EQ(taken_at(early, 10, {scheduled_input(1, 1, 12), scheduled_input(2, 1, 0)}),
               Numbers{201});
@@ -33,7 +33,7 @@ TEST(ScheduledInputs, wait_for_their_tick_and_those_without_one_do_not) {
     EXPECT_EQ(taken_at(early, 13, {}), Numbers{});
 }
 
-TEST(ScheduledInputs, of_one_client_keep_their_order_whatever_ticks_they_name) {
+TEST(ScheduledInputs, preserve_order_per_client) {
     ScheduledInputs early(100);
     EXPECT_EQ(taken_at(early, 10, {scheduled_input(1, 1, 12), scheduled_input(1, 2, 0)}),
               Numbers{});
@@ -41,14 +41,14 @@ TEST(ScheduledInputs, of_one_client_keep_their_order_whatever_ticks_they_name) {
     EXPECT_EQ(taken_at(early, 12, {}), (Numbers{101, 102, 103}));
 }
 
-TEST(ScheduledInputs, wait_sixteen_ticks_and_no_longer) {
+TEST(ScheduledInputs, wait_at_most_16_ticks) {
     ScheduledInputs early(100);
     EXPECT_EQ(taken_at(early, 10, {scheduled_input(1, 1, 0xffffffff)}), Numbers{});
     for (std::uint32_t tick = 11; tick < 26; tick++) EXPECT_TRUE(taken_at(early, tick, {}).empty());
     EXPECT_EQ(taken_at(early, 26, {}), Numbers{101});
 }
 
-TEST(ScheduledInputs, of_who_leaves_do_not_outlive_the_visit) {
+TEST(ScheduledInputs, are_applied_before_the_client_leaves) {
     ScheduledInputs early(100);
     taken_at(early, 10, {scheduled_input(1, 1, 14), scheduled_input(2, 1, 14)});
     EXPECT_EQ(taken_at(early, 11, {scheduled_input(1, 2, 15)}, {scheduled_input(1, 0, 0)}),
@@ -56,7 +56,7 @@ TEST(ScheduledInputs, of_who_leaves_do_not_outlive_the_visit) {
     EXPECT_EQ(taken_at(early, 14, {}), Numbers{201});
 }
 
-TEST(ScheduledInputs, are_all_taken_at_once_when_there_are_too_many) {
+TEST(ScheduledInputs, are_all_released_on_overflow) {
     ScheduledInputs early(2);
     EXPECT_TRUE(
         taken_at(early, 10, {scheduled_input(1, 1, 14), scheduled_input(2, 1, 14)}).empty());

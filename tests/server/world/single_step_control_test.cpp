@@ -18,7 +18,7 @@ using test::error_of;
 namespace {
 
 // How far the ball has fallen says how many steps were taken.
-TEST(SingleStepControlTest, a_paused_world_takes_the_steps_that_are_allowed_and_no_more) {
+TEST(SingleStepControlTest, paused_world_takes_only_requested_steps) {
     scenes::SceneDescription scene;
     scene.name = "falling";
     scene.bodies.push_back(
@@ -44,7 +44,7 @@ TEST(SingleStepControlTest, a_paused_world_takes_the_steps_that_are_allowed_and_
     EXPECT_LT(height(), after);
 }
 
-TEST(SingleStepControlTest, inputs_of_a_paused_world_are_answered_and_not_applied) {
+TEST(SingleStepControlTest, paused_world_rejects_inputs) {
     const auto host = *WorldHost::start("w1", "test", *scenes::find_scene("stack"), {});
     host->pause("maintenance");
     const auto replies = std::make_shared<ResultQueue>();
@@ -63,7 +63,7 @@ TEST(SingleStepControlTest, inputs_of_a_paused_world_are_answered_and_not_applie
     EXPECT_EQ(host->paused(), "maintenance");
 }
 
-TEST(SingleStepControlTest, says_why_it_does_not_step) {
+TEST(SingleStepControlTest, returns_the_reason_when_it_cannot_step) {
     SingleStepControl steps;
     // Nobody ticks: patience ends, and what was allowed is so no more.
     EXPECT_EQ(*steps.take(3, 10ms), 0);

@@ -79,7 +79,7 @@ protected:
     std::uint32_t sequence = 0;
 };
 
-TEST_F(SyncModuleEntitiesTest, what_a_module_makes_is_an_entity_of_the_scene) {
+TEST_F(SyncModuleEntitiesTest, bodies_created_by_modules_become_scene_entities) {
     EXPECT_EQ(step().entities.size(), of_scene + 1) << "made when it was configured";
     maker.before = [&](World& w) { maker.made.push_back(Maker::make(w)); };
     const Frame frame = step();
@@ -89,7 +89,7 @@ TEST_F(SyncModuleEntitiesTest, what_a_module_makes_is_an_entity_of_the_scene) {
     EXPECT_EQ(step().entity_list, frame.entity_list) << "nobody came or went: the same list";
 }
 
-TEST_F(SyncModuleEntitiesTest, what_a_module_removes_is_no_entity_and_nobody_holds_it) {
+TEST_F(SyncModuleEntitiesTest, bodies_removed_by_modules_lose_entity_and_grabs) {
     const EntityId ball = step().entities.back().id;
     EXPECT_TRUE(apply(GrabCommand{ball, {50, 50, 50}}).status.ok());
     maker.after = [&](World& w) { w.destroy_body(maker.made[0]).expect(); };
@@ -103,7 +103,7 @@ TEST_F(SyncModuleEntitiesTest, what_a_module_removes_is_no_entity_and_nobody_hol
     step();
 }
 
-TEST_F(SyncModuleEntitiesTest, a_body_in_the_place_of_another_is_another_entity) {
+TEST_F(SyncModuleEntitiesTest, replaced_body_becomes_a_new_entity) {
     const EntityId old = step().entities.back().id;
     maker.before = [&](World& w) {
         w.destroy_body(maker.made[0]).expect();
@@ -116,7 +116,7 @@ TEST_F(SyncModuleEntitiesTest, a_body_in_the_place_of_another_is_another_entity)
     EXPECT_GT(frame.entities.back().id, old);
 }
 
-TEST_F(SyncModuleEntitiesTest, a_body_that_came_and_went_within_a_step_may_be_named_by_its_events) {
+TEST_F(SyncModuleEntitiesTest, events_resolve_bodies_created_and_removed_within_one_step) {
     maker.before = [&](World& w) { maker.made.push_back(Maker::make(w)); };
     maker.after = [&](World& w) { w.destroy_body(maker.made.back()).expect(); };
     EXPECT_EQ(step().entities.size(), of_scene + 1);

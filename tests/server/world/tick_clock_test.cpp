@@ -29,7 +29,7 @@ TEST(TickClock, nothing_is_due_before_its_time) {
     EXPECT_EQ(clock.due(first_tick + 20ms), 1);
 }
 
-TEST(TickClock, catches_up_a_little_and_gives_up_the_rest) {
+TEST(TickClock, catches_up_to_the_limit_and_skips_the_rest) {
     TickClock clock(first_tick, 100, 4);
     EXPECT_EQ(clock.due(first_tick + 35ms), 3);
     EXPECT_EQ(clock.late_ticks(), 0u);

@@ -66,7 +66,7 @@ auto all(const std::vector<TickEvents>& ticks, Member member) {
     return out;
 }
 
-TEST_F(TickEventsTest, a_ball_dropped_from_5_metres_begins_at_the_speed_of_its_fall_and_hits_once) {
+TEST_F(TickEventsTest, dropped_ball_reports_one_hit_at_its_fall_speed) {
     const EntityId ball = drop_ball(5);
     const auto ticks = run(120);
     const double speed = std::sqrt(2 * 9.81 * 5);
@@ -83,7 +83,7 @@ TEST_F(TickEventsTest, a_ball_dropped_from_5_metres_begins_at_the_speed_of_its_f
     EXPECT_EQ(all(ticks, &TickEvents::fell_asleep), std::vector{ball});
 }
 
-TEST_F(TickEventsTest, the_end_of_a_deleted_ball_names_it_even_when_another_takes_its_place) {
+TEST_F(TickEventsTest, contact_end_names_a_deleted_body_after_index_reuse) {
     const EntityId ball = drop_ball(0.1);
     run(30);
     EXPECT_TRUE(apply(DeleteCommand{ball}).status.ok());
@@ -97,7 +97,7 @@ TEST_F(TickEventsTest, the_end_of_a_deleted_ball_names_it_even_when_another_take
     EXPECT_EQ(std::minmax(began[0].a, began[0].b), std::minmax(floor, heir));
 }
 
-TEST_F(TickEventsTest, many_balls_that_land_together_are_sorted_by_entity) {
+TEST_F(TickEventsTest, sorts_events_by_entity) {
     for (int i = 0; i < 10; i++) drop_ball(1, 40 - 3.0 * i);
     const auto began = all(run(60), &TickEvents::contacts_began);
     ASSERT_EQ(began.size(), 10u);
@@ -105,12 +105,12 @@ TEST_F(TickEventsTest, many_balls_that_land_together_are_sorted_by_entity) {
                                        [](const ContactEvent& c) { return std::pair(c.a, c.b); }));
 }
 
-TEST_F(TickEventsTest, nothing_is_told_while_nothing_happens) {
+TEST_F(TickEventsTest, reports_nothing_when_nothing_happens) {
     drop_ball(5);
     EXPECT_TRUE(run(10).empty());
 }
 
-TEST(Quarantine, a_body_that_runs_away_is_told_once) {
+TEST(Quarantine, reports_a_quarantined_body_once) {
     scenes::SceneDescription scene = floor_alone();
     scene.world.gravity = {0, -1e4, 0};
     const physics::ShapeDef ball{.geometry = physics::Sphere{0.5}};
@@ -130,7 +130,7 @@ TEST(Quarantine, a_body_that_runs_away_is_told_once) {
     EXPECT_EQ(told, 1);
 }
 
-TEST(WorldHostEvents, frames_carry_the_newest_64_ticks_only_while_somebody_listens) {
+TEST(WorldHostEvents, frames_contain_the_newest_64_event_ticks_while_listened) {
     scenes::SceneDescription scene = floor_alone();
     scene.hz = 240;
     // Something happens in every tick.

@@ -32,7 +32,7 @@ std::vector<std::string> stage_names() {
     return names;
 }
 
-TEST(TickMetricsTest, records_the_ticks_of_a_world_that_runs) {
+TEST(TickMetricsTest, profiles_ticks_of_a_running_world) {
     const auto host = *WorldHost::start("w1", "yard", *scenes::find_scene("sandbox"), {});
     const auto ticks = *host->tick_metrics().record(500ms);
     // 30 at 60 Hz; a busy machine may give some up.
@@ -50,7 +50,7 @@ TEST(TickMetricsTest, records_the_ticks_of_a_world_that_runs) {
     }
 }
 
-TEST(TickMetricsTest, one_recording_at_a_time_and_none_of_a_world_that_ended) {
+TEST(TickMetricsTest, allows_one_profile_at_a_time_and_none_after_stop) {
     const auto host = *WorldHost::start("w1", "stack", *scenes::find_scene("stack"), {});
     std::thread other([&] { EXPECT_TRUE(host->tick_metrics().record(400ms).ok()); });
     std::this_thread::sleep_for(100ms);
@@ -67,7 +67,7 @@ TEST(TickMetricsTest, one_recording_at_a_time_and_none_of_a_world_that_ended) {
     EXPECT_EQ(error_of(host->tick_metrics().record(1s)).code, ErrorCode::aborted);
 }
 
-TEST(TickMetricsTest, ticks_of_a_host_are_counted) {
+TEST(TickMetricsTest, counts_ticks) {
     Metrics metrics("test", stage_names());
     WorldHostSettings settings;
     settings.metrics = &metrics;
@@ -137,7 +137,7 @@ Cost cost_of_watching(const char* name, Metrics& metrics) {
 }
 
 // Two runs differ by more than what is to be measured, so the calls alone are held to it.
-TEST(TickMetricsTest, costs_less_than_a_hundredth_of_a_tick) {
+TEST(TickMetricsTest, costs_less_than_one_percent_of_a_tick) {
 #ifdef __SANITIZE_THREAD__
     GTEST_SKIP() << "times say nothing under the thread sanitizer";
 #endif

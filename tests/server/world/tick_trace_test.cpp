@@ -7,7 +7,7 @@ namespace jostle::server {
 
 using namespace std::chrono_literals;
 
-TEST(TickTrace, stages_lie_side_by_side_within_their_tick) {
+TEST(TickTrace, stages_are_adjacent_within_their_tick) {
     const Clock::time_point zero{1000s};
     TickProfile tick{.tick = 42,
                      .due = zero - 50us,
@@ -32,7 +32,7 @@ TEST(TickTrace, stages_lie_side_by_side_within_their_tick) {
         << "a stage that did not run is not there";
 }
 
-TEST(TickTrace, a_world_that_ended_at_once_has_an_empty_trace) {
+TEST(TickTrace, stopped_world_has_an_empty_trace) {
     EXPECT_NE(tick_trace("arena", {}).find("\"traceEvents\":["), std::string::npos);
 }
 

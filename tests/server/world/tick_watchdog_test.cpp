@@ -39,7 +39,7 @@ scenes::SceneDescription heavy() {
     return scene;
 }
 
-TEST(TickWatchdog, a_step_that_takes_too_long_is_interrupted_and_its_world_paused) {
+TEST(TickWatchdog, interrupts_a_slow_step_and_pauses_the_world) {
     WorldDirectory worlds(
         {.limits = {.scene = {.work_per_second_max = 1e12, .first_step_seconds_max = 600}}}, 2);
     const auto slow = *worlds.create("", heavy());
@@ -57,7 +57,7 @@ TEST(TickWatchdog, a_step_that_takes_too_long_is_interrupted_and_its_world_pause
     EXPECT_LT(Clock::now() - began, 2s);
 }
 
-TEST(TickWatchdog, a_world_in_a_long_step_can_be_stopped) {
+TEST(TickWatchdog, stops_a_world_during_a_long_step) {
     const auto slow = *WorldHost::start(
         "w1", "slow", heavy(),
         {.limits = {.scene = {.work_per_second_max = 1e12, .first_step_seconds_max = 600}}});
@@ -68,7 +68,7 @@ TEST(TickWatchdog, a_world_in_a_long_step_can_be_stopped) {
     EXPECT_LT(Clock::now() - began, 3s) << "whatever the step alone would take";
 }
 
-TEST(TickWatchdog, health_knows_of_a_tick_that_hangs) {
+TEST(TickWatchdog, health_detects_a_hung_tick) {
     WorldDirectory worlds({.on_frame =
                                [](bool) {
                                    static std::atomic<int> frames{0};
@@ -81,7 +81,7 @@ TEST(TickWatchdog, health_knows_of_a_tick_that_hangs) {
     EXPECT_TRUE(wait_until([&] { return watch.all_worlds_tick(Clock::now()); }));
 }
 
-TEST(TickWatchdog, a_world_that_fails_is_started_anew_under_its_name_and_given_up_when_it_goes_on) {
+TEST(TickWatchdog, restarts_a_failed_world_and_gives_up_after_repeated_failures) {
     std::atomic<int> failures{0};
     WorldHostSettings settings;
     settings.on_frame = [&](bool) {
@@ -106,7 +106,7 @@ TEST(TickWatchdog, a_world_that_fails_is_started_anew_under_its_name_and_given_u
     EXPECT_EQ(failures, 4);
 }
 
-TEST(WorldHost, a_paused_world_is_seen_and_left_but_takes_no_inputs) {
+TEST(WorldHost, paused_world_sends_snapshots_and_rejects_inputs) {
     const auto host = *WorldHost::start("w1", "test", *scenes::find_scene("stack"), {});
     host->pause("for a look");
     ASSERT_TRUE(wait_until([&] { return host->frame()->paused.has_value(); }));

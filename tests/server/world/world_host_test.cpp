@@ -21,7 +21,7 @@ namespace {
 using namespace std::chrono_literals;
 using test::wait_until;
 
-TEST(WorldHost, ticks_at_its_rate) {
+TEST(WorldHost, ticks_at_the_configured_rate) {
     std::atomic<int> frames{0};
     WorldHostSettings settings;
     settings.on_frame = [&](bool) { frames++; };
@@ -39,7 +39,7 @@ TEST(WorldHost, ticks_at_its_rate) {
     EXPECT_EQ(host->frame()->tick, host->frame()->tick) << "the last frame stays readable";
 }
 
-TEST(WorldHost, inputs_wait_for_the_tick_they_name_and_are_told_how_early_they_were) {
+TEST(WorldHost, scheduled_inputs_wait_for_their_tick_and_report_margin) {
     WorldHostSettings settings;
     settings.own_thread = false;
     const auto host = *WorldHost::start("w1", "test", *scenes::find_scene("stack"), settings);
@@ -71,7 +71,7 @@ TEST(WorldHost, inputs_wait_for_the_tick_they_name_and_are_told_how_early_they_w
     }
 }
 
-TEST(WorldHost, one_without_a_thread_ticks_when_it_is_told_to) {
+TEST(WorldHost, ticks_manually_without_a_thread) {
     int frames = 0;
     WorldHostSettings settings;
     settings.own_thread = false;
@@ -97,7 +97,7 @@ TEST(WorldHost, one_without_a_thread_ticks_when_it_is_told_to) {
     EXPECT_EQ(host->query_frame(copy_shapes), nullptr);
 }
 
-TEST(WorldHost, every_command_of_many_threads_is_applied_exactly_once) {
+TEST(WorldHost, applies_concurrent_commands_exactly_once) {
     constexpr int clients = 4, each = 50;
     WorldHostSettings settings;
     settings.command_queue_max = 16;  // so that pushes are refused at times
@@ -148,7 +148,7 @@ TEST(WorldHost, every_command_of_many_threads_is_applied_exactly_once) {
         clients * each);
 }
 
-TEST(WorldHost, one_that_cannot_go_on_ends_alone) {
+TEST(WorldHost, failed_world_does_not_affect_others) {
     WorldHostSettings broken;
     broken.on_frame = [](bool) { throw std::bad_alloc(); };
     const auto scene = *scenes::find_scene("stack");
@@ -162,7 +162,7 @@ TEST(WorldHost, one_that_cannot_go_on_ends_alone) {
     bad->stop();
 }
 
-TEST(WorldDirectory, a_name_cannot_pass_for_an_id) {
+TEST(WorldDirectory, rejects_names_that_look_like_ids) {
     WorldDirectory worlds({}, 4);
     const auto scene = *scenes::find_scene("stack");
     EXPECT_FALSE(worlds.create("w2", scene).ok()) << "would take the place of the second world";
@@ -171,7 +171,7 @@ TEST(WorldDirectory, a_name_cannot_pass_for_an_id) {
     EXPECT_TRUE(worlds.create("w2b", scene).ok());
 }
 
-TEST(WorldDirectory, many_threads_may_create_find_and_remove_at_once) {
+TEST(WorldDirectory, supports_concurrent_create_find_and_remove) {
     constexpr int threads_count = 4, rounds = 8, worlds_max = 6;
     WorldDirectory worlds({}, worlds_max);
     const auto scene = *scenes::find_scene("stack");
@@ -199,7 +199,7 @@ TEST(WorldDirectory, many_threads_may_create_find_and_remove_at_once) {
     EXPECT_TRUE(worlds.list().empty());
 }
 
-TEST(WorldDirectory, worlds_have_ids_names_and_an_end) {
+TEST(WorldDirectory, creates_finds_and_removes_worlds) {
     WorldDirectory worlds({}, 2);
     EXPECT_EQ(worlds.find(""), nullptr);
     const auto scene = *scenes::find_scene("stack");
@@ -218,7 +218,7 @@ TEST(WorldDirectory, worlds_have_ids_names_and_an_end) {
     EXPECT_EQ((*worlds.create("again", scene))->id(), "w3") << "ids are not used again";
 }
 
-TEST(WorldDirectory, all_worlds_together_have_a_budget) {
+TEST(WorldDirectory, enforces_the_total_budget) {
     WorldDirectory worlds({.totals = {.bodies_max = 25}}, 10);
     const auto stack = *scenes::find_scene("stack");
     ASSERT_EQ(stack.bodies.size(), 11u);

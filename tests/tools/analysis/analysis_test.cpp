@@ -73,7 +73,7 @@ TEST(Analysis, a_four_bar_linkage_has_three_redundant_rows) {
 }
 
 // A rod from the world to a kilogram, another from there to a tonne: [1 -1; -1 1.001].
-TEST(Analysis, condition_of_a_chain_with_a_thousand_times_the_mass) {
+TEST(Analysis, computes_the_condition_number_of_a_chain_with_a_mass_ratio_of_1000) {
     World world = make_world();
     std::vector<BodyId> bodies = {BodyId{}};
     for (const double mass : {1.0, 1000.0}) {
@@ -116,7 +116,7 @@ TEST(Analysis, the_fourth_corner_of_a_box_is_redundant) {
     EXPECT_NEAR(sum, 1, 1e-6);
 }
 
-TEST(Analysis, words_name_rows_and_factors) {
+TEST(Analysis, text_names_rows_and_factors) {
     Problem problem = problem_of(3, {1, 0, 0.5, 0, 1, -1, 0.5, -1, 1.25}, {1, 0, 1});
     problem.names = {"a", "b", "c"};
     const Analysis analysis = analyse(problem);

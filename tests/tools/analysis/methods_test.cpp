@@ -27,7 +27,7 @@ Problem solid(std::size_t n, std::vector<double>& x) {
     return problem_of(n, a, right);
 }
 
-TEST(Methods, all_find_the_one_solution) {
+TEST(Methods, all_methods_find_the_unique_solution) {
     std::vector<double> x;
     const Problem problem = solid(8, x);
     const std::vector<Solution> all = solve_all(problem, {.iterations_max = 5000});
@@ -44,7 +44,7 @@ TEST(Methods, all_find_the_one_solution) {
 }
 
 // Two rows that say the same: any split of the two is a solution.
-TEST(Methods, redundant_rows_have_a_shortest_solution) {
+TEST(Methods, redundant_rows_have_a_minimum_norm_solution) {
     const Problem problem = problem_of(2, {1, 1, 1, 1}, {2, 2});
     const Solution least = solve(problem, Method::minimum_norm);
     EXPECT_NEAR(least.x[0], 1, 1e-14);
@@ -64,7 +64,7 @@ TEST(Methods, redundant_rows_have_a_shortest_solution) {
 }
 
 // They want different things: a half of it is what least squares leaves.
-TEST(Methods, contradictions_are_split) {
+TEST(Methods, inconsistent_rows_give_the_least_squares_solution) {
     const Problem problem = problem_of(2, {1, 1, 1, 1}, {2, 0});
     for (const Method method : {Method::minimum_norm, Method::qr}) {
         const Solution solution = solve(problem, method);
@@ -75,7 +75,7 @@ TEST(Methods, contradictions_are_split) {
 }
 
 // Of [1 r; r 1] the error falls by r^2 a sweep.
-TEST(Methods, sweeps_converge_as_on_paper) {
+TEST(Methods, gauss_seidel_converges_at_the_theoretical_rate) {
     const double r = 0.6;
     const Solution swept = solve(problem_of(2, {1, r, r, 1}, {1, 0}), Method::gauss_seidel);
     ASSERT_GT(swept.iterations(), 10);
@@ -84,7 +84,7 @@ TEST(Methods, sweeps_converge_as_on_paper) {
 }
 
 // As many steps as there are different eigenvalues.
-TEST(Methods, gradients_end_after_as_many_steps_as_eigenvalues) {
+TEST(Methods, conjugate_gradients_end_after_as_many_steps_as_distinct_eigenvalues) {
     std::vector<double> a(25);
     const double values[] = {1, 1, 4, 4, 9};
     for (std::size_t k = 0; k < 5; k++) a[6 * k] = values[k];
@@ -96,7 +96,7 @@ TEST(Methods, gradients_end_after_as_many_steps_as_eigenvalues) {
 
 // A kilogram on a floor that is pushed sideways: a floor that pulls would be wrong, friction that
 // gives more than mu N, too.
-TEST(Methods, projected_sweeps_keep_to_the_bounds) {
+TEST(Methods, projected_gauss_seidel_respects_the_bounds) {
     Problem problem = problem_of(2, {1, 0, 0, 1}, {3, 4});
     problem.lower = {0, 0};
     problem.normal_row = {-1, 0};
@@ -114,7 +114,7 @@ TEST(Methods, projected_sweeps_keep_to_the_bounds) {
     EXPECT_FALSE(problem_of(1, {1}, {1}).has_bounds());
 }
 
-TEST(Methods, nothing_to_push_needs_nothing) {
+TEST(Methods, zero_right_hand_side_gives_a_zero_solution) {
     for (const Solution& solution : solve_all(problem_of(2, {2, 0, 0, 3}, {0, 0}))) {
         SCOPED_TRACE(name_of(solution.method));
         EXPECT_TRUE(solution.converged);

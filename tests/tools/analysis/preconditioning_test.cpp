@@ -13,7 +13,7 @@ std::vector<PreconditioningResult> treat(const Problem& problem) {
 }
 
 // [1 1; 1 1] + epsilon has the eigenvalues epsilon and 2 + epsilon.
-TEST(Preconditioning, softness_bounds_the_condition) {
+TEST(Preconditioning, softness_bounds_the_condition_number) {
     const Problem problem = problem_of(2, {1, 1, 1, 1}, {2, 2});
     const std::vector<PreconditioningResult> all = treat(problem);
     ASSERT_EQ(all.size(), 2 * std::size(default_epsilons));
@@ -28,7 +28,7 @@ TEST(Preconditioning, softness_bounds_the_condition) {
     }
 }
 
-TEST(Preconditioning, scaling_takes_away_what_units_and_masses_put_in) {
+TEST(Preconditioning, scaling_removes_the_effect_of_units_and_mass_ratios) {
     const std::vector<PreconditioningResult> all =
         treat(problem_of(3, {1, 0, 0, 0, 10, 0, 0, 0, 100}, {1, 10, 100}));
     const std::size_t scaled = std::size(default_epsilons);

@@ -14,7 +14,7 @@ namespace {
 using namespace test;
 using namespace physics;
 
-TEST(Problem, stacked_boxes_weigh_on_what_is_below) {
+TEST(Problem, stacked_boxes_load_the_boxes_below) {
     World world = make_world();
     add_floor(world);
     const BodyId low = add(world, {.position = {0, 0.5, 0}});
@@ -46,7 +46,7 @@ TEST(Problem, stacked_boxes_weigh_on_what_is_below) {
               system.matrix);
 }
 
-TEST(Problem, names_say_which_joint_or_contact) {
+TEST(Problem, row_names_identify_joint_or_contact) {
     World world = make_world();
     add_floor(world);
     const BodyId box = add(world, {.position = {0, 0.5, 0}});

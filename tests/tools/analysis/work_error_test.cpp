@@ -9,13 +9,13 @@ namespace {
 
 using namespace jostle::convergence;
 
-TEST(ObservedOrder, is_how_often_the_refinement_is_contained_in_the_gain) {
+TEST(ObservedOrder, is_the_logarithm_of_the_error_ratio_to_base_refinement) {
     EXPECT_NEAR(*observed_order(0.04, 0.01, 2), 2, 1e-12);
     EXPECT_NEAR(*observed_order(0.02, 0.01, 4), 0.5, 1e-12);
     EXPECT_NEAR(*observed_order(0.01, 0.02, 2), -1, 1e-12);
 }
 
-TEST(ObservedOrder, is_nothing_where_nothing_can_be_said) {
+TEST(ObservedOrder, is_empty_for_invalid_errors_or_refinement) {
     EXPECT_FALSE(observed_order(0, 0.01, 2));
     EXPECT_FALSE(observed_order(0.01, 0, 2));
     EXPECT_FALSE(observed_order(0.01, 0.005, 1));
@@ -24,18 +24,18 @@ TEST(ObservedOrder, is_nothing_where_nothing_can_be_said) {
 
 const std::vector<WorkError> is_running = {{10, 0.1}, {5, 0.1}, {20, 0.2}, {40, 0.001}, {5, 0.3}};
 
-TEST(ParetoSet, leaves_out_what_another_beats) {
+TEST(ParetoSet, excludes_dominated_runs) {
     EXPECT_EQ(pareto_set(is_running), (std::vector<std::size_t>{1, 3}));
     EXPECT_TRUE(pareto_set({}).empty());
 }
 
-TEST(LeastWork, is_the_cheapest_that_is_good_enough) {
+TEST(LeastWork, returns_the_cheapest_run_within_the_tolerance) {
     EXPECT_EQ(least_work(is_running, 0.3), 1u);  // not the last, which costs as much
     EXPECT_EQ(least_work(is_running, 0.01), 3u);
     EXPECT_FALSE(least_work(is_running, 1e-6));
 }
 
-TEST(Rms, is_nothing_of_nothing) {
+TEST(Rms, is_zero_without_samples) {
     Rms rms;
     EXPECT_EQ(rms.value(), 0);
     rms.add(9);
@@ -43,7 +43,7 @@ TEST(Rms, is_nothing_of_nothing) {
     EXPECT_DOUBLE_EQ(rms.value(), std::sqrt(12.5));
 }
 
-TEST(ThreadSeconds, pass_while_this_thread_works) {
+TEST(ThreadSeconds, increase_while_the_thread_is_busy) {
     const double before = thread_seconds();
     volatile double sum = 0;
     while (thread_seconds() - before < 0.001) sum = sum + 1;

@@ -5,7 +5,7 @@
 
 namespace jostle::ctl {
 
-TEST(CtlTable, columns_line_up_whatever_the_letters) {
+TEST(CtlTable, aligns_columns_with_multibyte_characters) {
     Table table({{"ID", Align::right}, {"NAME"}, {"MS", Align::right}, {"STATE"}});
     table.add({"7", "Zoë", "1.25", "runs"});
     table.add({"12", "al", "103.00", "paused"});
@@ -16,7 +16,7 @@ TEST(CtlTable, columns_line_up_whatever_the_letters) {
 }
 
 // A client chooses its name.
-TEST(CtlTable, what_strangers_wrote_cannot_move_the_cursor) {
+TEST(CtlTable, removes_control_characters_from_foreign_text) {
     EXPECT_EQ(sanitized("a\x1b[2Jb\nc\x7f"), "a?[2Jb?c?");
     EXPECT_EQ(sanitized("x\xc2\x9b"
                         "2Jy"),
@@ -27,7 +27,7 @@ TEST(CtlTable, what_strangers_wrote_cannot_move_the_cursor) {
     EXPECT_EQ(sanitized("nnnnnnnn", 8), "nnnnnnnn");
 }
 
-TEST(CtlTable, times_have_two_units_at_most) {
+TEST(CtlTable, formats_durations_with_at_most_two_units) {
     EXPECT_EQ(duration_text(0.4), "0 s");
     EXPECT_EQ(duration_text(59.9), "59 s");
     EXPECT_EQ(duration_text(200), "3 min 20 s");

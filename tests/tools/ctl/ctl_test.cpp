@@ -57,7 +57,7 @@ private:
     std::filesystem::path folder_;
 };
 
-TEST_F(CtlTest, worlds_are_listed_made_and_deleted) {
+TEST_F(CtlTest, lists_creates_and_deletes_worlds) {
     ASSERT_EQ(run("worlds"), 0) << err;
     EXPECT_TRUE(says("ID  NAME") || says("ID           NAME")) << out;
     EXPECT_TRUE(says("stack")) << out;
@@ -74,7 +74,7 @@ TEST_F(CtlTest, worlds_are_listed_made_and_deleted) {
     EXPECT_TRUE(complains("arena")) << err;
 }
 
-TEST_F(CtlTest, clients_are_listed_and_sent_away) {
+TEST_F(CtlTest, lists_and_kicks_clients) {
     ASSERT_EQ(run("clients"), 0);
     EXPECT_EQ(out, "Nobody is connected.\n");
     const auto player = grpc_player(server.grpc_address());
@@ -100,7 +100,7 @@ TEST_F(CtlTest, clients_are_listed_and_sent_away) {
     EXPECT_TRUE(complains("there is no client 999")) << err;
 }
 
-TEST_F(CtlTest, a_world_is_paused_looked_at_and_resumed) {
+TEST_F(CtlTest, pauses_lists_and_resumes_a_world) {
     EXPECT_EQ(run("step stack"), 1);
     EXPECT_TRUE(complains("pause it first")) << err;
     ASSERT_EQ(run("pause stack --reason 'a look'"), 0) << err;
@@ -113,7 +113,7 @@ TEST_F(CtlTest, a_world_is_paused_looked_at_and_resumed) {
     EXPECT_TRUE(says("runs")) << out;
 }
 
-TEST_F(CtlTest, an_exported_world_is_hosted_again) {
+TEST_F(CtlTest, creates_a_world_from_an_exported_scene) {
     ASSERT_EQ(run("export stack " + file("stack.json")), 0) << err;
     EXPECT_TRUE(says("holds tick")) << out;
     ASSERT_EQ(run("world create again --file " + file("stack.json")), 0) << err;
@@ -128,7 +128,7 @@ TEST_F(CtlTest, an_exported_world_is_hosted_again) {
     EXPECT_TRUE(complains("is no scene file")) << err;
 }
 
-TEST_F(CtlTest, a_kept_world_is_opened_as_it_was_and_taken_back) {
+TEST_F(CtlTest, restores_and_rewinds_a_persisted_world) {
     EXPECT_EQ(run("rewind stack --to 1"), 1);
     EXPECT_TRUE(complains("persistence.database says where worlds are kept")) << err;
     const ServerProcess kept{{"--scene", "stack", "--listen", "127.0.0.1:0", "--http",
@@ -152,14 +152,14 @@ TEST_F(CtlTest, a_kept_world_is_opened_as_it_was_and_taken_back) {
     EXPECT_TRUE(complains("there is no world \"nowhere\"")) << err;
 }
 
-TEST_F(CtlTest, a_profile_is_written_for_a_trace_viewer) {
+TEST_F(CtlTest, writes_a_profile_for_a_trace_viewer) {
     ASSERT_EQ(run("profile stack " + file("t.json") + " --seconds 1"), 0) << err;
     EXPECT_TRUE(says("ui.perfetto.dev")) << out;
     const auto trace = nlohmann::json::parse(read(file("t.json")));
     EXPECT_GT(trace["traceEvents"].size(), 60u);
 }
 
-TEST_F(CtlTest, drain_ends_the_server) {
+TEST_F(CtlTest, drain_stops_the_server) {
     ASSERT_EQ(run("drain"), 0) << err;
     EXPECT_TRUE(says("0 clients told, at most 5 s")) << out;
     EXPECT_EQ(server.wait(5s), 0) << server.log();
@@ -167,7 +167,7 @@ TEST_F(CtlTest, drain_ends_the_server) {
     EXPECT_TRUE(complains("Is jostle-server running there")) << err;
 }
 
-TEST_F(CtlTest, wrong_flags_exit_with_2_and_say_what_is_wrong) {
+TEST_F(CtlTest, exits_with_2_and_an_error_message_on_invalid_flags) {
     EXPECT_EQ(run(""), 2);
     EXPECT_EQ(run("dance"), 2);
     EXPECT_EQ(run("kick"), 2);

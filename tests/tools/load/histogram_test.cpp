@@ -5,7 +5,7 @@
 
 namespace jostle::load {
 
-TEST(Histogram, a_hundred_thousand_durations_come_back_within_three_percent) {
+TEST(Histogram, returns_percentiles_within_three_percent) {
     Histogram histogram;
     for (std::int64_t us = 1; us <= 100'000; us++) histogram.add(us);
     const Percentiles p = percentiles_of(histogram);
@@ -17,7 +17,7 @@ TEST(Histogram, a_hundred_thousand_durations_come_back_within_three_percent) {
     EXPECT_EQ(p.max, 100);
 }
 
-TEST(Histogram, small_durations_are_exact_and_extreme_ones_are_kept_in_range) {
+TEST(Histogram, stores_small_durations_exactly_and_clamps_extreme_ones) {
     Histogram histogram;
     for (const std::int64_t us : {-5, 0, 7, 7, 7, 63}) histogram.add(us);
     EXPECT_EQ(histogram.percentile(0), 0);
@@ -28,7 +28,7 @@ TEST(Histogram, small_durations_are_exact_and_extreme_ones_are_kept_in_range) {
     EXPECT_EQ(Histogram().percentile(99), 0);
 }
 
-TEST(Histogram, what_two_threads_counted_is_one) {
+TEST(Histogram, merges_histograms_of_two_threads) {
     Histogram a, b;
     for (int k = 0; k < 900; k++) a.add(10);
     for (int k = 0; k < 100; k++) b.add(40);

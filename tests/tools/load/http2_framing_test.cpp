@@ -42,7 +42,7 @@ std::string why_not(const std::string& bytes) {
 
 }  // namespace
 
-TEST(Http2Framing, a_call_begins_with_the_preface_settings_and_one_header_block) {
+TEST(Http2Framing, starts_a_call_with_the_preface_settings_and_one_header_block) {
     Http2Framing framing({.authority = "localhost:50051", .token = "abc"});
     const std::string& out = framing.outgoing();
     EXPECT_TRUE(out.starts_with("PRI * HTTP/2.0\r\n\r\nSM\r\n\r\n"));
@@ -55,7 +55,7 @@ TEST(Http2Framing, a_call_begins_with_the_preface_settings_and_one_header_block)
               std::string::npos);
 }
 
-TEST(Http2Framing, messages_arrive_whole_wherever_the_bytes_are_cut) {
+TEST(Http2Framing, reassembles_messages_split_at_any_byte) {
     const std::string two = message("first") + message("");
     const std::string bytes =
         frame(settings, none, 0, "") + frame(headers, end_headers, 1, "\x88") +
@@ -68,7 +68,7 @@ TEST(Http2Framing, messages_arrive_whole_wherever_the_bytes_are_cut) {
             << "cut at " << place;
 }
 
-TEST(Http2Framing, pings_and_settings_are_answered) {
+TEST(Http2Framing, acknowledges_pings_and_settings) {
     Http2Framing framing = make();
     framing.outgoing().clear();
     MessageList list;
@@ -81,7 +81,7 @@ TEST(Http2Framing, pings_and_settings_are_answered) {
     EXPECT_EQ(framing.outgoing(), frame(settings, ack, 0, ""));
 }
 
-TEST(Http2Framing, half_a_usual_window_that_was_used_is_given_back_and_more_than_it_is_refused) {
+TEST(Http2Framing, replenishes_the_window_at_half_and_rejects_an_overrun) {
     Http2Framing framing = make(Http2Request::default_window);
     framing.outgoing().clear();
     MessageList list;
@@ -100,7 +100,7 @@ TEST(Http2Framing, half_a_usual_window_that_was_used_is_given_back_and_more_than
     EXPECT_FALSE(framing.take(as_bytes(one), list));
 }
 
-TEST(Http2Framing, a_message_larger_than_the_window_arrives) {
+TEST(Http2Framing, receives_a_message_larger_than_the_window) {
     Http2Framing framing = make(Http2Request::default_window);
     MessageList list;
     const std::string large = message(std::string(200'000, 'x'));
@@ -110,7 +110,7 @@ TEST(Http2Framing, a_message_larger_than_the_window_arrives) {
     EXPECT_EQ(list.texts[0].size(), 200'000u);
 }
 
-TEST(Http2Framing, what_is_sent_waits_for_the_servers_window) {
+TEST(Http2Framing, queues_data_until_the_server_window_opens) {
     Http2Framing framing = make();
     MessageList list;
     // A window of 8 bytes for the stream: a message of 3 has as many with its head.
@@ -125,7 +125,7 @@ TEST(Http2Framing, what_is_sent_waits_for_the_servers_window) {
     EXPECT_EQ(framing.outgoing(), frame(data, none, 1, message("def")));
 }
 
-TEST(Http2Framing, streams_that_end_say_why) {
+TEST(Http2Framing, reports_why_a_stream_ended) {
     EXPECT_EQ(why_not(frame(headers, end_stream_and_headers, 1, "\x88")),
               "the server ended the stream");
     EXPECT_EQ(why_not(frame(reset, none, 1, big_endian(8, 4))),
@@ -135,7 +135,7 @@ TEST(Http2Framing, streams_that_end_say_why) {
         "the server went away, code 11");
 }
 
-TEST(Http2Framing, hostile_bytes_are_refused) {
+TEST(Http2Framing, rejects_hostile_bytes) {
     EXPECT_NE(why_not(std::string(64, '\xff')), "");
     EXPECT_NE(why_not(frame(data, none, 1, std::string(1, '\1') + big_endian(0, 4))), "");
     EXPECT_NE(why_not(frame(data, none, 1, std::string(1, '\0') + big_endian(0x7fff'ffff, 4))), "");

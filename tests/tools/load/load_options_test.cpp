@@ -8,7 +8,7 @@
 namespace jostle::load {
 namespace {
 
-TEST(LoadOptions, a_hundred_clients_look_at_a_hundred_places_of_a_disc) {
+TEST(LoadOptions, distributes_the_areas_of_interest_of_clients_over_a_disc) {
     const LoadOptions plan{.clients = 100, .interest_radius = 50};
     int inner = 0;
     for (int k = 0; k < plan.clients; k++) {

@@ -33,7 +33,7 @@ protected:
 
 }  // namespace
 
-TEST_F(PassiveClientPoolTest, ten_sinks_see_every_snapshot_over_either_transport) {
+TEST_F(PassiveClientPoolTest, ten_passive_clients_receive_every_snapshot_over_both_transports) {
     for (const Transport transport : {Transport::grpc, Transport::websocket}) {
         const Report report =
             run({.clients = 10, .seconds = 0.4, .transport = transport, .decode_ratio = 0.5});
@@ -45,7 +45,7 @@ TEST_F(PassiveClientPoolTest, ten_sinks_see_every_snapshot_over_either_transport
     }
 }
 
-TEST_F(PassiveClientPoolTest, sinks_that_play_by_a_script_see_what_became_of_their_inputs) {
+TEST_F(PassiveClientPoolTest, scripted_passive_clients_receive_input_results) {
     const Report report = run({.clients = 6,
                                .seconds = 0.6,
                                .script = bots::parse_script("push period=0.2\n", "test").value()});
@@ -55,7 +55,7 @@ TEST_F(PassiveClientPoolTest, sinks_that_play_by_a_script_see_what_became_of_the
     EXPECT_GT(report.effect_delay_ms.count, 5u);
 }
 
-TEST_F(PassiveClientPoolTest, sinks_that_see_a_part_of_the_world_decode_what_they_are_sent) {
+TEST_F(PassiveClientPoolTest, passive_clients_with_an_area_of_interest_decode_their_snapshots) {
     const Report report = run(
         {.clients = 5, .seconds = 0.5, .interest_radius = 6, .max_kbps = 200, .decode_ratio = 1});
     EXPECT_EQ(report.errors, 0u) << report.last_error;
@@ -64,7 +64,7 @@ TEST_F(PassiveClientPoolTest, sinks_that_see_a_part_of_the_world_decode_what_the
     EXPECT_LT(report.kbit_per_second_per_client, 210);
 }
 
-TEST_F(PassiveClientPoolTest, a_reader_of_forty_messages_a_second_reads_forty) {
+TEST_F(PassiveClientPoolTest, limits_reading_to_the_configured_rate) {
     for (const Transport transport : {Transport::grpc, Transport::websocket}) {
         const Report report =
             run({.clients = 2, .seconds = 0.6, .transport = transport, .read_rate = 40});

@@ -57,7 +57,7 @@ int count_acks(const std::vector<v1::ClientMessage>& messages) {
 
 }  // namespace
 
-TEST(PassiveClientProtocol, says_hello_first_and_waits_for_the_welcome) {
+TEST(PassiveClientProtocol, sends_hello_first_and_waits_for_the_welcome) {
     LoadMetrics metrics;
     PassiveClientProtocol sink({.world = "sandbox", .name = "load 1"}, metrics);
     v1::ClientMessage hello;
@@ -68,7 +68,7 @@ TEST(PassiveClientProtocol, says_hello_first_and_waits_for_the_welcome) {
     EXPECT_FALSE(sink.joined());
 }
 
-TEST(PassiveClientProtocol, acknowledges_when_as_much_time_passed_as_the_server_says) {
+TEST(PassiveClientProtocol, acknowledges_after_the_interval_requested_by_the_server) {
     Talk talk;
     talk.welcome(100);
     int acks = 0;
@@ -81,8 +81,7 @@ TEST(PassiveClientProtocol, acknowledges_when_as_much_time_passed_as_the_server_
     EXPECT_EQ(count_acks(talk.said(noon + 10s)), 0) << "nothing new came";
 }
 
-TEST(PassiveClientProtocol,
-     acknowledges_every_third_snapshot_when_told_so_whatever_the_server_says) {
+TEST(PassiveClientProtocol, acknowledges_every_third_snapshot_when_configured) {
     Talk talk({.ack_every = 3});
     talk.welcome(1000);
     talk.snapshot(1);
@@ -99,7 +98,7 @@ TEST(PassiveClientProtocol,
     EXPECT_EQ(acks, 4);
 }
 
-TEST(PassiveClientProtocol, a_snapshot_waits_150_ms_for_its_ack_when_nobody_asks_for_another_time) {
+TEST(PassiveClientProtocol, acknowledges_after_150_ms_by_default) {
     Talk talk;
     talk.welcome();
     talk.snapshot(1);
@@ -109,7 +108,7 @@ TEST(PassiveClientProtocol, a_snapshot_waits_150_ms_for_its_ack_when_nobody_asks
     EXPECT_EQ(count_acks(talk.said(noon + 150ms)), 1);
 }
 
-TEST(PassiveClientProtocol, age_and_gap_of_snapshots_that_come_every_20_ms_and_are_5_ms_old) {
+TEST(PassiveClientProtocol, measures_snapshot_age_and_gap) {
     Talk talk;
     talk.welcome();
     v1::ServerMessage pong;
@@ -123,7 +122,7 @@ TEST(PassiveClientProtocol, age_and_gap_of_snapshots_that_come_every_20_ms_and_a
     EXPECT_EQ(talk.metrics.gap.count(), 9u);
 }
 
-TEST(PassiveClientProtocol, an_input_of_tick_40_took_30_ms_to_its_snapshot_and_50_to_its_result) {
+TEST(PassiveClientProtocol, measures_effect_delay_and_result_delay) {
     Talk talk({.spectator = false});
     talk.welcome();
     v1::Input push;
@@ -146,7 +145,7 @@ TEST(PassiveClientProtocol, an_input_of_tick_40_took_30_ms_to_its_snapshot_and_5
     EXPECT_EQ(talk.metrics.inputs_applied, 1u);
 }
 
-TEST(PassiveClientProtocol, bytes_that_are_no_message_are_an_error_each_and_no_more) {
+TEST(PassiveClientProtocol, counts_each_malformed_message_as_one_error) {
     Talk talk({.decodes = true});
     std::mt19937 random(3);
     for (int k = 0; k < 2000; k++) {

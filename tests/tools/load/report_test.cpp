@@ -7,7 +7,7 @@
 
 namespace jostle::load {
 
-TEST(Report, a_missed_plan_says_what_was_missed) {
+TEST(Report, lists_violated_thresholds) {
     const Report report{.clients = 10,
                         .connected = 9,
                         .snapshots = 5,
@@ -29,7 +29,7 @@ TEST(Report, a_missed_plan_says_what_was_missed) {
         1u);
 }
 
-TEST(Report, json_has_every_promised_key_and_null_for_what_is_not_known) {
+TEST(Report, writes_every_documented_json_key_and_null_for_unknown_values) {
     const auto json =
         nlohmann::json::parse(to_json({.clients = 3, .server_cpu_percent = {}, .last_error = {}}));
     for (const char* key :
@@ -42,7 +42,7 @@ TEST(Report, json_has_every_promised_key_and_null_for_what_is_not_known) {
     EXPECT_TRUE(json["result_delay_ms"].is_null());
 }
 
-TEST(Report, two_clients_that_got_sixty_snapshots_in_half_a_second) {
+TEST(Report, computes_rates_per_client) {
     LoadMetrics metrics;
     metrics.seconds = 0.5;
     metrics.messages = metrics.snapshots = 60;

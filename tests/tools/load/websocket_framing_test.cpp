@@ -38,7 +38,7 @@ std::string why_not(const std::string& bytes) {
 
 }  // namespace
 
-TEST(WebSocketFraming, messages_arrive_whole_wherever_the_bytes_are_cut) {
+TEST(WebSocketFraming, reassembles_messages_split_at_any_byte) {
     const std::string bytes = answer + frame(final_bit | binary, "first") + frame(binary, "in ") +
                               frame(final_bit | ping, "there?") + frame(go_on, "three ") +
                               frame(final_bit | go_on, "frames") +
@@ -49,7 +49,7 @@ TEST(WebSocketFraming, messages_arrive_whole_wherever_the_bytes_are_cut) {
             << "cut at " << place;
 }
 
-TEST(WebSocketFraming, what_is_said_before_the_server_answers_goes_out_after_it) {
+TEST(WebSocketFraming, sends_messages_queued_before_the_handshake_after_it) {
     WebSocketFraming framing = make();
     EXPECT_TRUE(framing.outgoing().starts_with("GET /play HTTP/1.1\r\nHost: localhost:8080\r\n"));
     framing.outgoing().clear();
@@ -67,14 +67,14 @@ TEST(WebSocketFraming, what_is_said_before_the_server_answers_goes_out_after_it)
                                       std::string(200, 'y'));
 }
 
-TEST(WebSocketFraming, a_close_says_why) {
+TEST(WebSocketFraming, reports_the_reason_of_a_close_frame) {
     EXPECT_EQ(why_not(answer + frame(final_bit | close, big_endian(1008, 2) + "no ticket")),
               "the server closed the WebSocket, code 1008: no ticket");
     EXPECT_EQ(why_not("HTTP/1.1 429 Too Many Requests\r\n\r\n"),
               "the server did not open the WebSocket: HTTP/1.1 429 Too Many Requests");
 }
 
-TEST(WebSocketFraming, hostile_bytes_are_refused) {
+TEST(WebSocketFraming, rejects_hostile_bytes) {
     EXPECT_NE(why_not(std::string(20'000, 'x')), "");
     EXPECT_NE(why_not("HTTP/1.1 101 Switching Protocols\r\n\r\n"), "");
     EXPECT_NE(why_not(answer + frame(final_bit | text, "words")), "");

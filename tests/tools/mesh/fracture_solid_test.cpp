@@ -48,7 +48,7 @@ std::size_t largest_group(const modules::FracturedShape& shape) {
     return *std::max_element(count.begin(), count.end());
 }
 
-TEST(FractureSolid, a_box_and_a_hull_keep_their_volume) {
+TEST(FractureSolid, preserves_the_volume_of_a_box_and_a_hull) {
     const FracturedSolid box =
         fracture_solid({.box = Vec3{4, 3, 0.3}}, {.count = 150}, Vec3{0, -1, 0}).value();
     EXPECT_EQ(box.shape.chunks.size(), 150u);
@@ -64,7 +64,7 @@ TEST(FractureSolid, a_box_and_a_hull_keep_their_volume) {
 }
 
 // An L of 3 m^3 is no convex solid; of its parts there is one body.
-TEST(FractureSolid, a_mesh_that_is_not_convex_is_cut_part_by_part_and_holds_together) {
+TEST(FractureSolid, fractures_a_concave_mesh_into_bonded_convex_parts) {
     const std::string obj = obj_of(test::l_shape());
     const FracturedSolid made = fracture_solid({.obj = obj}, {.count = 80}).value();
     const double error = std::abs((volume_of(made.shape) + made.lost) / 3 - 1);
@@ -76,7 +76,7 @@ TEST(FractureSolid, a_mesh_that_is_not_convex_is_cut_part_by_part_and_holds_toge
 }
 
 // Next to none of a ring is lost in splinters, and what is made can be written, read and added.
-TEST(FractureSolid, a_ring_becomes_one_body_that_falls_apart) {
+TEST(FractureSolid, fractures_a_ring_into_one_breakable_body) {
     const std::string obj = obj_of(test::torus(1, 0.3, 24, 12));
     for (const auto pattern : {modules::SeedPattern::uniform, modules::SeedPattern::radial,
                                modules::SeedPattern::clustered, modules::SeedPattern::grid}) {
@@ -101,7 +101,7 @@ TEST(FractureSolid, a_ring_becomes_one_body_that_falls_apart) {
     }
 }
 
-TEST(FractureSolid, what_is_wrong_with_a_solid_is_said) {
+TEST(FractureSolid, reports_invalid_solids) {
     EXPECT_EQ(fracture_solid({.obj = "f 1 2 3\n"}, {}).error().message,
               "line 1: corner 1 is not among the 0 vertices so far");
     EXPECT_FALSE(fracture_solid({.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, {}).ok());

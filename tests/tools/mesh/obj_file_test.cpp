@@ -6,7 +6,7 @@
 namespace jostle::convert {
 namespace {
 
-TEST(ObjFile, faces_are_fans_and_corners_are_counted_from_one_or_from_the_end) {
+TEST(ObjFile, triangulates_faces_and_supports_negative_indices) {
     const auto mesh = read_obj(
         "# a square\no it\nv 0 0 0\nv 1 0 0\r\nv 1 1 0\n\tv 0 1e0 0\nvn 0 0 1\n"
         "f 1/4 2//1 3/2/1 -1\nusemtl x\n");
@@ -16,7 +16,7 @@ TEST(ObjFile, faces_are_fans_and_corners_are_counted_from_one_or_from_the_end) {
     EXPECT_EQ(mesh->indices, (std::vector<std::uint32_t>{0, 1, 2, 0, 2, 3}));
 }
 
-TEST(ObjFile, what_is_wrong_is_named_with_its_line) {
+TEST(ObjFile, errors_name_the_line) {
     const auto complaint = [](const char* text) {
         const auto mesh = read_obj(text);
         return mesh.ok() ? std::string() : mesh.error().message;

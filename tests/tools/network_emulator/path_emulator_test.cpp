@@ -31,7 +31,7 @@ std::vector<double> delays_of(const NetworkConditions& settings, int count,
 
 }  // namespace
 
-TEST(PathEmulator, delay_and_jitter_stay_in_their_range_and_nothing_overtakes) {
+TEST(PathEmulator, keeps_delay_and_jitter_in_range_without_reordering) {
     PathEmulator path({.delay_ms = 30, .jitter_ms = 20}, 0, start);
     Clock::time_point last = start;
     double sum = 0;
@@ -48,14 +48,14 @@ TEST(PathEmulator, delay_and_jitter_stay_in_their_range_and_nothing_overtakes) {
     EXPECT_NEAR(sum / 1000, 40, 1) << "uniform: the mean of 30 and 50";
 }
 
-TEST(PathEmulator, a_thousand_kilobit_a_second_take_8_ms_for_a_kilobyte) {
+TEST(PathEmulator, limits_throughput_to_the_configured_rate) {
     // One comes every millisecond and takes eight: the queue grows by seven.
     const auto delays = delays_of({.kbit_per_second = 1000}, 100);
     for (int k = 0; k < 100; k++)
         EXPECT_NEAR(delays[static_cast<std::size_t>(k)], 8 + 7 * k, 1e-3) << k;
 }
 
-TEST(PathEmulator, stalls_of_200_ms_every_second_hold_a_sixth_of_the_time) {
+TEST(PathEmulator, stalls_for_the_configured_share_of_time) {
     // A second goes well in the mean, then 200 ms do not.
     const auto delays = delays_of({.stall_every_s = 1, .stall_ms = 200}, 200'000);
     const auto held = std::count_if(delays.begin(), delays.end(), [](double d) { return d > 0; });
@@ -64,7 +64,7 @@ TEST(PathEmulator, stalls_of_200_ms_every_second_hold_a_sixth_of_the_time) {
     EXPECT_GT(*std::max_element(delays.begin(), delays.end()), 195);
 }
 
-TEST(PathEmulator, a_seed_is_a_link_and_each_connection_has_its_own) {
+TEST(PathEmulator, is_deterministic_per_seed_and_connection) {
     const NetworkConditions settings{.jitter_ms = 20, .stall_every_s = 0.1};
     EXPECT_EQ(delays_of(settings, 1000, 4), delays_of(settings, 1000, 4));
     EXPECT_NE(delays_of(settings, 1000, 4), delays_of(settings, 1000, 5));
@@ -73,7 +73,7 @@ TEST(PathEmulator, a_seed_is_a_link_and_each_connection_has_its_own) {
     EXPECT_NE(delays_of(settings, 1000, 4), delays_of(other, 1000, 4));
 }
 
-TEST(PathEmulator, loses_the_share_of_packets_that_it_is_told_and_none_unless_told) {
+TEST(PathEmulator, drops_the_configured_share_of_packets) {
     const Clock::time_point now{};
     PathEmulator lossy({.loss = 0.02}, 3, now), whole({}, 3, now);
     int lost = 0, lost_in_a_row = 0, longest = 0;

@@ -56,7 +56,7 @@ private:
 
 }  // namespace
 
-TEST(TcpProxy, bytes_come_back_whole_and_two_delays_late) {
+TEST(TcpProxy, forwards_bytes_unchanged_with_the_configured_delay_each_way) {
     const Echo echo;
     TcpProxy relay({.target = "127.0.0.1:" + std::to_string(echo.port),
                     .down = {.delay_ms = 30, .jitter_ms = 5}});
@@ -86,7 +86,7 @@ TEST(TcpProxy, bytes_come_back_whole_and_two_delays_late) {
     thread.join();
 }
 
-TEST(TcpProxy, an_address_that_is_none_is_refused) {
+TEST(TcpProxy, rejects_an_invalid_address) {
     TcpProxy nowhere({.target = "here", .down = {}});
     EXPECT_EQ(nowhere.listen("127.0.0.1:0").error().message, "here is not HOST:PORT");
 }

@@ -19,7 +19,7 @@ const RecordedWorld& one_second() {
 
 }  // namespace
 
-TEST(RecordingReport, the_summary_counts_what_is_in_the_file) {
+TEST(RecordingReport, summarizes_the_file) {
     RecordingReader recording = opened(one_second().file).value();
     const RecordingSummary summary = summarize(recording);
     const RecordingWriter::Counts& written = one_second().counts;
@@ -39,7 +39,7 @@ TEST(RecordingReport, the_summary_counts_what_is_in_the_file) {
     EXPECT_EQ(text.find("not whole"), std::string::npos) << text;
 }
 
-TEST(RecordingReport, a_tick_lists_its_bodies_with_poses) {
+TEST(RecordingReport, lists_bodies_and_poses_of_a_tick) {
     Playback playback(opened(one_second().file).value());
     const std::uint32_t tick = one_second().counts.last_tick;
     ASSERT_TRUE(playback.seek(tick));

@@ -54,7 +54,7 @@ void play(const std::string& path, bool late) {
     ASSERT_TRUE(archive->flush(5s));
 }
 
-TEST(PersistedWorld, what_was_kept_is_done_again_to_the_bit) {
+TEST(PersistedWorld, replays_a_persisted_world_bit_identically) {
     const test::TempFolder folder;
     play(folder / "worlds.db", false);
     auto world = PersistedWorld::open(folder / "worlds.db", "yard").value();
@@ -69,7 +69,7 @@ TEST(PersistedWorld, what_was_kept_is_done_again_to_the_bit) {
     EXPECT_EQ(verified.last_tick, 201u);
 }
 
-TEST(PersistedWorld, any_tick_can_be_seen_and_hosted_as_a_scene) {
+TEST(PersistedWorld, exports_any_tick_as_a_scene) {
     const test::TempFolder folder;
     play(folder / "worlds.db", false);
     auto world = PersistedWorld::open(folder / "worlds.db", "yard").value();
@@ -87,7 +87,7 @@ TEST(PersistedWorld, any_tick_can_be_seen_and_hosted_as_a_scene) {
     EXPECT_EQ(error_of(world.at(202)).message, "tick 202 is not kept; the last one is 201");
 }
 
-TEST(PersistedWorld, two_stores_part_in_the_tick_of_the_extra_ball) {
+TEST(PersistedWorld, finds_the_first_tick_in_which_two_databases_differ) {
     const test::TempFolder folder;
     play(folder / "a.db", false);
     play(folder / "b.db", true);
@@ -102,7 +102,7 @@ TEST(PersistedWorld, two_stores_part_in_the_tick_of_the_extra_ball) {
     EXPECT_NE(difference->field, "");
 }
 
-TEST(PersistedWorld, a_world_that_was_stopped_in_the_midst_of_a_step_is_done_again_as_a_whole) {
+TEST(PersistedWorld, replays_a_world_that_stopped_during_a_step) {
     const test::TempFolder folder;
     const std::string path = folder / "worlds.db";
     const server::HostLimits limits{.scene = {.bodies_max = 5000, .work_per_second_max = 1e12}};
@@ -130,7 +130,7 @@ TEST(PersistedWorld, a_world_that_was_stopped_in_the_midst_of_a_step_is_done_aga
     EXPECT_GT(verified.checkpoints, 1);
 }
 
-TEST(PersistedWorld, a_checkpoint_that_says_another_world_is_named) {
+TEST(PersistedWorld, reports_a_checkpoint_of_another_state) {
     const test::TempFolder folder;
     play(folder / "worlds.db", false);
     {
@@ -148,7 +148,7 @@ TEST(PersistedWorld, a_checkpoint_that_says_another_world_is_named) {
     EXPECT_NE(verified.errors[0].find("is not what the world had become"), std::string::npos);
 }
 
-TEST(PersistedWorld, what_is_not_there_is_named_with_what_is) {
+TEST(PersistedWorld, errors_name_the_missing_item_and_the_available_ones) {
     const test::TempFolder folder;
     play(folder / "worlds.db", false);
     EXPECT_EQ(error_of(PersistedWorld::open(folder / "worlds.db", "field")).message,

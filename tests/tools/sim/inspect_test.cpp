@@ -89,7 +89,7 @@ TEST_F(Sim, lists_all_groups_of_a_scene) {
     EXPECT_THAT(output(), HasSubstr("there is nothing to solve"));
 }
 
-TEST_F(Sim, goes_on_from_a_saved_world_to_inspect) {
+TEST_F(Sim, inspects_a_loaded_world) {
     ASSERT_EQ(run("stack --seconds 0.5 --save " + file("w.bin")), 0) << output();
     ASSERT_EQ(run("stack --inspect 3 --at 40 --load " + file("w.bin")), 0) << output();
     EXPECT_THAT(output(), HasSubstr("stack after step 40"));
@@ -97,7 +97,7 @@ TEST_F(Sim, goes_on_from_a_saved_world_to_inspect) {
     EXPECT_THAT(output(), HasSubstr("the world is at step 30 already"));
 }
 
-TEST_F(Sim, refuses_to_inspect_what_is_not_there) {
+TEST_F(Sim, rejects_an_unknown_body) {
     const auto refused = [&](const std::string& arguments, int status, const char* why) {
         EXPECT_EQ(run(arguments), status) << arguments;
         EXPECT_THAT(output(), HasSubstr(why)) << arguments;

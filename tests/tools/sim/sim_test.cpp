@@ -15,7 +15,7 @@ namespace {
 using jostle::test::Sim;
 namespace physics = jostle::physics;
 
-TEST_F(Sim, reports_every_figure_that_it_promises) {
+TEST_F(Sim, reports_every_documented_value) {
     ASSERT_EQ(run("stack --seconds 3 --json " + file("r.json")), 0) << output();
     const auto json = report();
     for (const char* key :
@@ -38,7 +38,7 @@ TEST_F(Sim, reports_every_figure_that_it_promises) {
     EXPECT_NEAR(json["energy_joules"].get<double>(), 490500, 500);
 }
 
-TEST_F(Sim, gives_the_same_hash_at_one_two_and_four_threads) {
+TEST_F(Sim, hash_is_identical_with_one_two_and_four_threads) {
     std::string hashes[3];
     const int threads[3] = {1, 2, 4};
     for (int i = 0; i < 3; i++) {
@@ -51,7 +51,7 @@ TEST_F(Sim, gives_the_same_hash_at_one_two_and_four_threads) {
     EXPECT_EQ(hashes[0], hashes[2]);
 }
 
-TEST_F(Sim, gives_the_same_hash_with_every_instruction_set_and_names_them_for_another) {
+TEST_F(Sim, hash_is_identical_with_every_instruction_set) {
     std::string first;
     for (const physics::InstructionSet set : physics::available_instruction_sets()) {
         const std::string name = physics::instruction_set_name(set);
@@ -66,7 +66,7 @@ TEST_F(Sim, gives_the_same_hash_with_every_instruction_set_and_names_them_for_an
     EXPECT_NE(output().find("abacus is not one of scalar"), std::string::npos) << output();
 }
 
-TEST_F(Sim, says_which_island_took_how_many_substeps_to_keep_to_a_tolerance) {
+TEST_F(Sim, reports_substeps_per_island) {
     ASSERT_EQ(run("machines --seconds 1 --error-tolerance 1e-3 --substep-report " + file("e.json")),
               0)
         << output();
@@ -100,7 +100,7 @@ TEST_F(Sim, traces_one_row_per_body_and_tick) {
     EXPECT_EQ(rows, 7 * 10);  // start and six ticks, ten boxes
 }
 
-TEST_F(Sim, goes_on_from_a_saved_world_as_if_it_had_never_stopped) {
+TEST_F(Sim, continues_from_a_saved_world_bit_identically) {
     ASSERT_EQ(run("wall --seconds 2 --json " + file("r.json")), 0);
     const std::string straight = report()["state_hash"];
     ASSERT_EQ(run("wall --seconds 1 --save " + file("w.world")), 0);
@@ -109,7 +109,7 @@ TEST_F(Sim, goes_on_from_a_saved_world_as_if_it_had_never_stopped) {
 }
 
 // The midpoint rule turns what is free: second order, whatever the sub-steps.
-TEST_F(Sim, converges_a_tumbling_plank_with_the_second_order_of_the_midpoint_rule) {
+TEST_F(Sim, tumbling_plank_converges_with_second_order) {
     std::ofstream(file("plank.json")) << R"({ "name": "plank", "world": { "gravity": { "y": 0 } },
       "bodies": [ { "name": "plank", "angular_velocity": { "x": 3, "y": 0.1, "z": 0.1 },
           "may_sleep": false,
@@ -137,7 +137,7 @@ TEST_F(Sim, converges_a_tumbling_plank_with_the_second_order_of_the_midpoint_rul
 }
 
 // A rod of 1 m on a hinge, released horizontal.
-TEST_F(Sim, converges_a_pendulum) {
+TEST_F(Sim, pendulum_converges) {
     std::ofstream(file("pendulum.json")) << R"({ "name": "pendulum", "bodies": [
         { "name": "pivot", "type": "BODY_TYPE_STATIC",
           "shapes": [ { "sphere": { "radius": 0.05 }, "filter": { "mask": 0 } } ] },
@@ -165,7 +165,7 @@ TEST_F(Sim, converges_a_pendulum) {
     EXPECT_GT(json["rows"][1]["order"].get<double>(), 0.7) << output();
 }
 
-TEST_F(Sim, says_that_a_break_of_billiards_is_chaotic_and_for_how_long_runs_agree) {
+TEST_F(Sim, reports_a_billiards_break_as_chaotic_with_agreement_time) {
     ASSERT_EQ(run("billiards --converge --seconds 4 --finest-hz 240 --substep-counts 4,8 --json " +
                   file("r.json")),
               0)
@@ -181,13 +181,13 @@ TEST_F(Sim, says_that_a_break_of_billiards_is_chaotic_and_for_how_long_runs_agre
     EXPECT_NE(output().find("The scene is chaotic"), std::string::npos);
 }
 
-TEST_F(Sim, leaves_out_what_the_budget_does_not_pay_and_says_so) {
+TEST_F(Sim, skips_and_reports_runs_over_budget) {
     ASSERT_EQ(run("billiards --converge --seconds 4 --budget 0.1"), 0) << output();
     EXPECT_NE(output().find("Left out, for they would cost more than --budget"), std::string::npos)
         << output();
 }
 
-TEST_F(Sim, refuses_questions_about_convergence_that_have_no_answer) {
+TEST_F(Sim, rejects_invalid_convergence_options) {
     const auto refused = [&](const std::string& flags, const char* why) {
         EXPECT_EQ(run("stack " + flags), 2) << flags;
         EXPECT_NE(output().find(why), std::string::npos) << flags << ": " << output();
@@ -215,7 +215,7 @@ TEST_F(Sim, refuses_questions_about_convergence_that_have_no_answer) {
     EXPECT_NE(output().find("cannot write /nowhere/r.json"), std::string::npos);
 }
 
-TEST_F(Sim, says_what_is_wrong_and_exits_with_2) {
+TEST_F(Sim, exits_with_2_and_an_error_message_on_invalid_flags) {
     EXPECT_EQ(run("nowhere"), 2);
     EXPECT_NE(output().find("there is no scene \"nowhere\""), std::string::npos);
     EXPECT_EQ(run(""), 2);

@@ -5,7 +5,7 @@
 
 namespace jostle::client {
 
-TEST(ClockSync, believes_the_shortest_round_trip) {
+TEST(ClockSync, uses_the_sample_with_the_shortest_round_trip) {
     ClockSync clock;
     EXPECT_FALSE(clock.ready());
     clock.add(0, 1'050'000, 100'000);        // 100 ms round trip; the true offset is 1 s
@@ -15,14 +15,14 @@ TEST(ClockSync, believes_the_shortest_round_trip) {
     EXPECT_DOUBLE_EQ(clock.rtt_ms(), 2);
 }
 
-TEST(ClockSync, forgets_after_half_a_minute_because_clocks_drift) {
+TEST(ClockSync, discards_samples_older_than_thirty_seconds) {
     ClockSync clock;
     clock.add(0, 1'000'500, 1'000);
     clock.add(40'000'000, 40'900'000 + 5'000, 40'010'000);
     EXPECT_EQ(clock.offset_us(), 900'000);
 }
 
-TEST(ClockSync, does_not_believe_what_no_clock_says) {
+TEST(ClockSync, rejects_out_of_range_times) {
     ClockSync clock;
     clock.add(0, 0x7fffffffffffffff, 1'000);
     clock.add(0, 0xffffffffffffffff, 1'000);
@@ -32,7 +32,7 @@ TEST(ClockSync, does_not_believe_what_no_clock_says) {
               static_cast<std::int64_t>(latest_time_us));
 }
 
-TEST(ClockSync, takes_no_pong_from_the_future) {
+TEST(ClockSync, rejects_pongs_from_the_future) {
     ClockSync clock;
     clock.add(500, 1, 400);
     EXPECT_FALSE(clock.ready());

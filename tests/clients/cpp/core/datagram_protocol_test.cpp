@@ -56,7 +56,7 @@ struct DatagramProtocolTest : testing::Test {
 
 }  // namespace
 
-TEST_F(DatagramProtocolTest, each_snapshot_is_acknowledged_at_once_with_those_before_it) {
+TEST_F(DatagramProtocolTest, acknowledges_each_snapshot_immediately_together_with_earlier_ones) {
     protocol.set_datagrams(true, false);
     by_datagram();
     for (const std::uint32_t frame : {5u, 6u, 8u}) protocol.receive_datagram(snapshot(frame), now);
@@ -68,7 +68,7 @@ TEST_F(DatagramProtocolTest, each_snapshot_is_acknowledged_at_once_with_those_be
     EXPECT_EQ(protocol.stats().datagram_snapshots, 3u);
 }
 
-TEST_F(DatagramProtocolTest, a_snapshot_that_was_overtaken_is_left_out_and_is_no_error) {
+TEST_F(DatagramProtocolTest, skips_an_overtaken_snapshot_without_an_error) {
     protocol.receive_datagram(snapshot(8), now);
     protocol.receive(snapshot(7), now);
     protocol.receive_datagram(snapshot(8), now);
@@ -77,7 +77,7 @@ TEST_F(DatagramProtocolTest, a_snapshot_that_was_overtaken_is_left_out_and_is_no
     EXPECT_EQ(protocol.stats().decode_errors, 0u);
 }
 
-TEST_F(DatagramProtocolTest, inputs_go_by_datagrams_until_the_server_has_them) {
+TEST_F(DatagramProtocolTest, resends_inputs_by_datagram_until_confirmed) {
     protocol.set_datagrams(true, false);
     protocol.send({});
     now += 40ms;
@@ -91,7 +91,7 @@ TEST_F(DatagramProtocolTest, inputs_go_by_datagrams_until_the_server_has_them) {
     EXPECT_EQ(protocol.stats().inputs_sent, 1u);
 }
 
-TEST_F(DatagramProtocolTest, inputs_that_nobody_confirms_for_a_second_go_by_the_stream_too) {
+TEST_F(DatagramProtocolTest, sends_inputs_on_the_stream_after_one_second_without_confirmation) {
     protocol.set_datagrams(true, false);
     protocol.send({});
     now += 40ms;
@@ -103,7 +103,7 @@ TEST_F(DatagramProtocolTest, inputs_that_nobody_confirms_for_a_second_go_by_the_
 }
 
 // The server waited for the acks that were lost, and sent nothing more.
-TEST_F(DatagramProtocolTest, when_the_way_breaks_the_stream_says_the_ack_that_may_be_lost) {
+TEST_F(DatagramProtocolTest, repeats_the_last_ack_on_the_stream_when_datagrams_fail) {
     protocol.set_datagrams(true, false);
     protocol.receive(snapshot(5), now);
     ASSERT_EQ(by_datagram()->ack().frame(), 5u);
@@ -116,7 +116,7 @@ TEST_F(DatagramProtocolTest, when_the_way_breaks_the_stream_says_the_ack_that_ma
     EXPECT_NE(protocol.stats().last_error.find("datagrams do not get through"), std::string::npos);
 }
 
-TEST_F(DatagramProtocolTest, results_come_without_a_world_and_count) {
+TEST_F(DatagramProtocolTest, accepts_input_results_without_a_frame) {
     v1::ServerMessage message;
     v1::InputResult& result = *message.mutable_snapshot()->mutable_client_update()->add_results();
     result.set_sequence(1);

@@ -77,7 +77,7 @@ struct SteeredStream {
 
 }  // namespace
 
-TEST(InputClock, settles_within_a_tick_of_its_target_and_few_inputs_are_late) {
+TEST(InputClock, converges_within_one_tick_of_its_target_with_few_late_inputs) {
     SteeredStream stream({.delay_ms = 50, .jitter_ms = 10});
     stream.run(5, 50'000);
     stream.late = stream.told = 0;
@@ -91,7 +91,7 @@ TEST(InputClock, settles_within_a_tick_of_its_target_and_few_inputs_are_late) {
     EXPECT_EQ(stream.clock.jumps(), 0);
 }
 
-TEST(InputClock, walks_to_a_longer_way_at_1_05_and_back_at_0_95) {
+TEST(InputClock, adapts_to_a_longer_latency_at_1_05_and_back_at_0_95_speed) {
     SteeredStream stream({.delay_ms = 50});
     stream.run(5, 50'000);
     stream.added_way_us = 100'000;  // six ticks, of which no ping tells
@@ -105,7 +105,7 @@ TEST(InputClock, walks_to_a_longer_way_at_1_05_and_back_at_0_95) {
     EXPECT_EQ(stream.greatest, 1.05);
 }
 
-TEST(InputClock, jumps_once_when_it_is_more_than_ten_ticks_off) {
+TEST(InputClock, jumps_once_when_more_than_ten_ticks_off) {
     SteeredStream stream({.delay_ms = 50});
     stream.run(5, 50'000);
     stream.added_way_us = 400'000;
@@ -114,7 +114,7 @@ TEST(InputClock, jumps_once_when_it_is_more_than_ten_ticks_off) {
     EXPECT_NEAR(stream.clock.margin_ms(), stream.clock.target_ms(), tick_us / 1000);
 }
 
-TEST(InputClock, follows_the_frames_when_nothing_is_sent_and_the_server_lost_ticks) {
+TEST(InputClock, follows_frames_without_inputs_after_the_server_skips_ticks) {
     InputClock clock;
     EXPECT_EQ(clock.position(5), 0);
     clock.begin(60);

@@ -44,7 +44,7 @@ struct InputOutboxTest : testing::Test {
 
 }  // namespace
 
-TEST_F(InputOutboxTest, a_stream_alone_says_each_input_once_32_at_a_time) {
+TEST_F(InputOutboxTest, sends_each_input_once_on_the_stream_in_batches_of_32) {
     outbox.start_new_session();
     push(40);
     EXPECT_EQ(by_stream(), (Said{1, 32}));
@@ -54,7 +54,7 @@ TEST_F(InputOutboxTest, a_stream_alone_says_each_input_once_32_at_a_time) {
     EXPECT_EQ(fresh, 40u);
 }
 
-TEST_F(InputOutboxTest, datagrams_say_again_what_is_not_confirmed) {
+TEST_F(InputOutboxTest, repeats_unconfirmed_inputs_in_datagrams) {
     outbox.retain_until_confirmed(true);
     push(3);
     EXPECT_EQ(by_datagram(), (Said{1, 3}));
@@ -69,7 +69,7 @@ TEST_F(InputOutboxTest, datagrams_say_again_what_is_not_confirmed) {
     EXPECT_EQ(by_datagram(), (Said{6, 1}));
 }
 
-TEST_F(InputOutboxTest, a_stream_that_takes_over_begins_with_what_is_not_confirmed) {
+TEST_F(InputOutboxTest, starts_the_stream_with_unconfirmed_inputs_when_it_takes_over) {
     outbox.retain_until_confirmed(true);
     push(3);
     by_datagram();
@@ -84,7 +84,7 @@ TEST_F(InputOutboxTest, a_stream_that_takes_over_begins_with_what_is_not_confirm
     EXPECT_EQ(by_stream(), (Said{2, 5})) << "the sixth went by a datagram alone";
 }
 
-TEST_F(InputOutboxTest, knows_when_what_is_open_is_too_much_for_a_datagram_and_when_it_is_stuck) {
+TEST_F(InputOutboxTest, reports_oversized_and_stalled_unconfirmed_inputs) {
     outbox.retain_until_confirmed(true);
     push(3);
     EXPECT_TRUE(outbox.fits(100));
@@ -99,7 +99,7 @@ TEST_F(InputOutboxTest, knows_when_what_is_open_is_too_much_for_a_datagram_and_w
     EXPECT_FALSE(outbox.is_stalled(1s, now + 2s));
 }
 
-TEST_F(InputOutboxTest, a_new_stream_has_what_was_not_said_under_new_numbers) {
+TEST_F(InputOutboxTest, renumbers_unsent_inputs_on_a_new_stream) {
     outbox.retain_until_confirmed(true);
     push(2);
     by_datagram();
@@ -109,7 +109,7 @@ TEST_F(InputOutboxTest, a_new_stream_has_what_was_not_said_under_new_numbers) {
     EXPECT_EQ(outbox.push(drag()), 4u);
 }
 
-TEST_F(InputOutboxTest, a_client_that_comes_back_says_again_what_did_not_come_and_nothing_twice) {
+TEST_F(InputOutboxTest, resends_only_lost_inputs_after_a_resume) {
     outbox.retain_until_confirmed(true);
     push(10);
     EXPECT_EQ(by_stream(), (Said{1, 10}));
@@ -127,7 +127,7 @@ TEST_F(InputOutboxTest, a_client_that_comes_back_says_again_what_did_not_come_an
 }
 
 // A server that keeps its world answers an input when it is kept, and at once one that it refuses.
-TEST_F(InputOutboxTest, what_was_not_answered_is_said_again_though_a_later_one_was) {
+TEST_F(InputOutboxTest, resends_an_input_without_result_even_if_a_later_one_has_one) {
     outbox.retain_until_confirmed(true);
     push(3);
     EXPECT_EQ(by_stream(), (Said{1, 3}));
@@ -136,7 +136,7 @@ TEST_F(InputOutboxTest, what_was_not_answered_is_said_again_though_a_later_one_w
     EXPECT_EQ(by_stream(), (Said{1, 3}));
 }
 
-TEST_F(InputOutboxTest, believes_no_server_that_has_more_than_was_said) {
+TEST_F(InputOutboxTest, ignores_confirmations_beyond_the_last_sent_input) {
     outbox.retain_until_confirmed(true);
     push(33);
     EXPECT_EQ(by_stream(), (Said{1, 32}));
@@ -144,7 +144,7 @@ TEST_F(InputOutboxTest, believes_no_server_that_has_more_than_was_said) {
     EXPECT_EQ(by_stream(), (Said{33, 1}));
 }
 
-TEST_F(InputOutboxTest, of_a_server_that_confirms_nothing_the_oldest_are_given_up) {
+TEST_F(InputOutboxTest, drops_the_oldest_inputs_when_nothing_is_confirmed) {
     outbox.retain_until_confirmed(true);
     for (int k = 0; k < 300; k++) {
         push(32);
@@ -154,7 +154,7 @@ TEST_F(InputOutboxTest, of_a_server_that_confirms_nothing_the_oldest_are_given_u
     EXPECT_EQ(by_stream().first, 300u * 32 - 8192 + 1);
 }
 
-TEST_F(InputOutboxTest, takes_4096_that_wait_and_no_more) {
+TEST_F(InputOutboxTest, queues_at_most_4096_unsent_inputs) {
     push(4096);
     EXPECT_EQ(outbox.push(drag()), 0u);
     by_stream();

@@ -53,7 +53,7 @@ protected:
     InterestCells cells;
 };
 
-TEST_F(InterestCellsTest, cells_come_change_and_are_left) {
+TEST_F(InterestCellsTest, adds_updates_and_removes_cells) {
     const auto a = state(10, {{1, 5}, {4, 6}}), b = state(10, {{2, 40}});
     v1::Snapshot first;
     add_cell(first, 7, a);
@@ -69,7 +69,7 @@ TEST_F(InterestCellsTest, cells_come_change_and_are_left) {
     EXPECT_NEAR(x_of(1), 5.5, 0.001);
 }
 
-TEST_F(InterestCellsTest, who_is_in_two_cells_is_where_it_was_told_last) {
+TEST_F(InterestCellsTest, uses_the_newer_state_of_an_entity_in_two_cells) {
     v1::Snapshot snapshot;
     add_cell(snapshot, 1, state(20, {{3, 31.9}}));
     add_cell(snapshot, 2, state(24, {{3, 36.1}}));
@@ -78,7 +78,7 @@ TEST_F(InterestCellsTest, who_is_in_two_cells_is_where_it_was_told_last) {
     EXPECT_NEAR(x_of(3), 36.1, 0.001);
 }
 
-TEST_F(InterestCellsTest, a_spoilt_cell_changes_nothing_and_is_named) {
+TEST_F(InterestCellsTest, rejects_a_corrupt_cell_without_changing_state) {
     const auto a = state(10, {{1, 5}});
     v1::Snapshot first;
     add_cell(first, 7, a);
@@ -98,7 +98,7 @@ TEST_F(InterestCellsTest, a_spoilt_cell_changes_nothing_and_is_named) {
     EXPECT_EQ(apply(old).error().message, "cell 7 of tick 10 is not newer than the last one");
 }
 
-TEST_F(InterestCellsTest, a_cell_that_is_told_whole_begins_anew_whatever_its_number) {
+TEST_F(InterestCellsTest, restarts_a_cell_from_an_absolute_update) {
     for (const double x : {5.0, 7.0}) {
         v1::Snapshot whole;
         add_cell(whole, 7, state(10, {{1, x}}));
@@ -109,7 +109,7 @@ TEST_F(InterestCellsTest, a_cell_that_is_told_whole_begins_anew_whatever_its_num
 
 // Both run at 12 m/s, 0.2 m a tick. Near cells are told with every snapshot, far ones with every
 // fourth: in pictures the far one took steps of 0.8 m and stood between them.
-TEST_F(InterestCellsTest, what_is_told_less_often_moves_evenly_in_pictures) {
+TEST_F(InterestCellsTest, interpolates_entities_with_a_lower_update_rate) {
     wire::QuantizedFrame near_before, far_before;
     double near_worst = 0, far_worst = 0, far_least = 1;
     double last_near = 0, last_far = 0;
@@ -140,7 +140,7 @@ TEST_F(InterestCellsTest, what_is_told_less_often_moves_evenly_in_pictures) {
     EXPECT_GT(far_least, 0.196);
 }
 
-TEST_F(InterestCellsTest, what_begins_to_move_after_a_rest_is_shown_at_once) {
+TEST_F(InterestCellsTest, shows_a_woken_entity_immediately) {
     wire::QuantizedFrame before;
     std::uint32_t tick = 1;
     const auto tell = [&](double x) {

@@ -12,7 +12,7 @@ wire::QuantizedFrame body_at(std::uint32_t frame, double x) {
 
 }  // namespace
 
-TEST(Interpolation, shows_even_motion_evenly_although_frames_arrive_in_bursts) {
+TEST(Interpolation, renders_uniform_motion_smoothly_when_frames_arrive_in_bursts) {
     InterpolationBuffer buffer;
     // One metre a second at 60 Hz; every fourth frame is 30 ms late.
     double last = -1, worst = 0;
@@ -32,7 +32,7 @@ TEST(Interpolation, shows_even_motion_evenly_although_frames_arrive_in_bursts) {
     EXPECT_LT(buffer.clock().delay_ms(), 50);
 }
 
-TEST(Interpolation, goes_on_for_fifty_milliseconds_when_frames_stop_then_holds) {
+TEST(Interpolation, extrapolates_for_50_ms_when_frames_stop_and_then_holds) {
     InterpolationBuffer buffer;
     for (int i = 0; i < 60; i++) {
         buffer.add(body_at(static_cast<std::uint32_t>(i + 1), i / 60.0), i * 16'667, i * 16'667);
@@ -46,7 +46,7 @@ TEST(Interpolation, goes_on_for_fifty_milliseconds_when_frames_stop_then_holds) 
     EXPECT_EQ(soon, later);
 }
 
-TEST(Interpolation, a_body_that_leaps_is_at_the_old_place_and_then_at_the_new_one) {
+TEST(Interpolation, teleports_a_body_without_interpolating) {
     InterpolationBuffer buffer;
     for (int i = 0; i < 120; i++) {
         buffer.add(body_at(static_cast<std::uint32_t>(i + 1), i < 90 ? 1 : 4), i * 16'667,
@@ -59,7 +59,7 @@ TEST(Interpolation, a_body_that_leaps_is_at_the_old_place_and_then_at_the_new_on
     EXPECT_EQ(buffer.sample(120 * 16'667, {})[0].pose.position[0], 4);
 }
 
-TEST(Interpolation, a_body_that_leapt_while_frames_stopped_does_not_slide_there) {
+TEST(Interpolation, does_not_smooth_a_teleport_during_a_frame_gap) {
     InterpolationBuffer buffer;
     for (int i = 0; i < 60; i++) {
         buffer.add(body_at(static_cast<std::uint32_t>(i + 1), 1), i * 16'667, i * 16'667);
@@ -74,7 +74,7 @@ TEST(Interpolation, a_body_that_leapt_while_frames_stopped_does_not_slide_there)
     EXPECT_EQ(x, 3);
 }
 
-TEST(Interpolation, who_did_not_look_for_a_while_sees_the_world_as_it_is) {
+TEST(Interpolation, discards_errors_after_a_pause_in_rendering) {
     InterpolationBuffer buffer;
     for (int i = 0; i < 60; i++) {
         buffer.add(body_at(static_cast<std::uint32_t>(i + 1), i / 60.0), i * 16'667, i * 16'667);
@@ -87,7 +87,7 @@ TEST(Interpolation, who_did_not_look_for_a_while_sees_the_world_as_it_is) {
     EXPECT_NEAR(x, static_cast<double>(buffer.clock().render_time_us()) / 1e6, 0.003);
 }
 
-TEST(Interpolation, has_nothing_to_show_before_the_first_frame) {
+TEST(Interpolation, returns_no_poses_before_the_first_frame) {
     EXPECT_TRUE(InterpolationBuffer().sample(0, {}).empty());
 }
 

@@ -82,7 +82,7 @@ bool soon(const std::function<bool()>& condition) {
 
 }  // namespace
 
-TEST_F(LoopTest, joins_acknowledges_sends_and_leaves_in_order) {
+TEST_F(LoopTest, joins_acknowledges_sends_and_leaves) {
     Loop loop;
     const auto client = Client::connect(loop, options());
     for (int i = 0; i < 40; i++) client->send({});
@@ -94,7 +94,7 @@ TEST_F(LoopTest, joins_acknowledges_sends_and_leaves_in_order) {
     EXPECT_EQ(client->stats().stream_failures, 0u) << client->stats().last_error;
 }
 
-TEST_F(LoopTest, comes_back_after_streams_that_end_and_says_why_they_did) {
+TEST_F(LoopTest, reconnects_after_a_stream_ends_and_reports_the_reason) {
     service.streams_to_end = 2;
     Loop loop;
     const auto client = Client::connect(loop, options());
@@ -105,7 +105,7 @@ TEST_F(LoopTest, comes_back_after_streams_that_end_and_says_why_they_did) {
     EXPECT_NE(client->stats().last_error.find("going down"), std::string::npos);
 }
 
-TEST_F(LoopTest, stays_away_when_it_was_told_not_to_reconnect) {
+TEST_F(LoopTest, does_not_reconnect_when_disabled) {
     service.streams_to_end = 5;
     Loop loop;
     auto once = options();
@@ -116,7 +116,7 @@ TEST_F(LoopTest, stays_away_when_it_was_told_not_to_reconnect) {
     EXPECT_EQ(service.streams, 1);
 }
 
-TEST_F(LoopTest, many_clients_and_owners_that_leave_without_a_word) {
+TEST_F(LoopTest, handles_many_clients_destroyed_without_leave) {
     Loop loop;
     std::vector<std::shared_ptr<Client>> clients;
     for (int i = 0; i < 8; i++) clients.push_back(Client::connect(loop, options()));
@@ -130,7 +130,7 @@ TEST_F(LoopTest, many_clients_and_owners_that_leave_without_a_word) {
     EXPECT_TRUE(soon([&] { return another->stats().snapshots == 1; }));
 }
 
-TEST_F(LoopTest, over_a_bad_link_everything_takes_its_time_in_both_directions) {
+TEST_F(LoopTest, simulated_network_delays_both_directions) {
     Loop loop;
     auto far = options();
     far.network_conditions.delay_ms = 60;
@@ -145,7 +145,7 @@ TEST_F(LoopTest, over_a_bad_link_everything_takes_its_time_in_both_directions) {
     EXPECT_EQ(client->stats().stream_failures, 0u) << client->stats().last_error;
 }
 
-TEST_F(LoopTest, a_loop_may_go_before_its_clients) {
+TEST_F(LoopTest, can_be_destroyed_before_its_clients) {
     std::shared_ptr<Client> client;
     {
         Loop loop;
@@ -157,7 +157,7 @@ TEST_F(LoopTest, a_loop_may_go_before_its_clients) {
     EXPECT_EQ(client->stats().snapshots, 1u);
 }
 
-TEST(Loop, a_server_that_is_not_there_is_a_failure_with_words_and_no_hang) {
+TEST(Loop, reports_an_unreachable_server_without_hanging) {
     Loop loop;
     // Port 1 needs privileges that no test server has, and nothing listens on it.
     const auto client = Client::connect(loop, {.target = "127.0.0.1:1"});

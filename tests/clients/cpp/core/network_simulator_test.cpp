@@ -31,13 +31,13 @@ double mean_ms(const std::vector<double>& values) {
 
 }  // namespace
 
-TEST(NetworkSimulator, delays_by_what_it_was_told_and_no_more) {
+TEST(NetworkSimulator, applies_exactly_the_configured_delay) {
     const auto ways = ways_of({.delay_ms = 80});
     EXPECT_EQ(*std::min_element(ways.begin(), ways.end()), 80);
     EXPECT_EQ(*std::max_element(ways.begin(), ways.end()), 80);
 }
 
-TEST(NetworkSimulator, jitter_is_even_and_its_tail_exponential) {
+TEST(NetworkSimulator, draws_uniform_jitter_with_an_exponential_tail) {
     const auto even = ways_of({.delay_ms = 10, .jitter_ms = 16});
     EXPECT_NEAR(mean_ms(even), 18, 0.1);
     EXPECT_LE(*std::max_element(even.begin(), even.end()), 26);
@@ -48,7 +48,7 @@ TEST(NetworkSimulator, jitter_is_even_and_its_tail_exponential) {
     EXPECT_NEAR(static_cast<double>(late) / 36'000, 0.0067, 0.002);
 }
 
-TEST(NetworkSimulator, stalls_come_every_so_often_and_hold_up_what_is_behind) {
+TEST(NetworkSimulator, stalls_at_the_configured_interval_and_delays_later_messages) {
     const auto ways = ways_of({.stalls_ms = 250, .stall_every_ms = 5000});
     int stalls = 0;
     for (std::size_t k = 1; k < ways.size(); k++)
@@ -57,7 +57,7 @@ TEST(NetworkSimulator, stalls_come_every_so_often_and_hold_up_what_is_behind) {
     EXPECT_LT(*std::max_element(ways.begin(), ways.end()), 250.1);
 }
 
-TEST(NetworkSimulator, what_is_lost_comes_a_retransmission_later) {
+TEST(NetworkSimulator, delivers_lost_messages_one_retransmission_later) {
     const auto ways = ways_of({.delay_ms = 10, .loss = 0.01, .retransmit_ms = 200});
     // Of the frames of 200 ms behind a lost one each waits; one in a hundred begins it.
     const auto late = std::count_if(ways.begin(), ways.end(), [](double ms) { return ms > 10; });
@@ -65,7 +65,7 @@ TEST(NetworkSimulator, what_is_lost_comes_a_retransmission_later) {
     EXPECT_NEAR(*std::max_element(ways.begin(), ways.end()), 210, 1);
 }
 
-TEST(NetworkSimulator, the_same_seed_is_the_same_link_in_every_language) {
+TEST(NetworkSimulator, is_deterministic_per_seed_in_every_language) {
     NetworkSimulator network({.delay_ms = 40,
                               .jitter_ms = 20,
                               .tail_ms = 5,
@@ -78,7 +78,7 @@ TEST(NetworkSimulator, the_same_seed_is_the_same_link_in_every_language) {
     EXPECT_EQ(sum, 109'097'580);  // clients/web/src/network_simulator.test.ts has the same number
 }
 
-TEST(NetworkSimulator, is_told_in_a_line_and_says_what_it_cannot_read) {
+TEST(NetworkSimulator, parses_a_settings_string_and_reports_errors) {
     const auto network =
         parse_network_conditions("delay=80,jitter=20.5,stalls=250,loss=0.02,seed=9");
     ASSERT_TRUE(network.ok());

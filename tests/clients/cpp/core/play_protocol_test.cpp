@@ -54,7 +54,7 @@ struct Stream {
 
 }  // namespace
 
-TEST(PlayProtocol, says_nothing_but_hello_before_it_is_welcome) {
+TEST(PlayProtocol, sends_only_hello_before_the_welcome) {
     Stream stream;
     stream.protocol.begin(stream.now);
     stream.protocol.send({});
@@ -62,7 +62,7 @@ TEST(PlayProtocol, says_nothing_but_hello_before_it_is_welcome) {
     EXPECT_FALSE(stream.next());
 }
 
-TEST(PlayProtocol, numbers_inputs_from_one_and_sends_thirty_batches_a_second) {
+TEST(PlayProtocol, numbers_inputs_from_one_and_sends_thirty_batches_per_second) {
     Stream stream;
     stream.welcome();
     for (std::uint32_t i = 1; i <= 40; i++) EXPECT_EQ(stream.protocol.send({}), i);
@@ -76,7 +76,7 @@ TEST(PlayProtocol, numbers_inputs_from_one_and_sends_thirty_batches_a_second) {
     EXPECT_EQ(second->input().inputs_size(), 8);
 }
 
-TEST(PlayProtocol, a_client_that_sends_without_end_is_told_so_and_loses_nothing_it_was_promised) {
+TEST(PlayProtocol, rejects_inputs_beyond_the_queue_limit_and_keeps_accepted_ones) {
     Stream stream;
     stream.welcome();
     std::uint32_t last = 0;
@@ -86,7 +86,7 @@ TEST(PlayProtocol, a_client_that_sends_without_end_is_told_so_and_loses_nothing_
     EXPECT_EQ(stream.protocol.send({}), 4097u);
 }
 
-TEST(PlayProtocol, results_that_nobody_takes_do_not_pile_up) {
+TEST(PlayProtocol, limits_unread_results) {
     Stream stream;
     stream.welcome();
     for (std::uint32_t i = 1; i <= 5000; i++) {
@@ -104,7 +104,7 @@ TEST(PlayProtocol, results_that_nobody_takes_do_not_pile_up) {
     EXPECT_TRUE(stream.protocol.take_results().empty());
 }
 
-TEST(PlayProtocol, a_quantisation_out_of_range_is_an_error_and_no_crash) {
+TEST(PlayProtocol, rejects_an_out_of_range_quantization) {
     Stream stream;
     stream.welcome();
     v1::ServerMessage welcome;
@@ -117,7 +117,7 @@ TEST(PlayProtocol, a_quantisation_out_of_range_is_an_error_and_no_crash) {
     EXPECT_FALSE(stream.protocol.view().pose_of(1));
 }
 
-TEST(PlayProtocol, what_was_not_sent_before_a_reconnect_is_sent_after_it_under_new_numbers) {
+TEST(PlayProtocol, renumbers_unsent_inputs_after_a_reconnect) {
     Stream stream;
     stream.welcome();
     for (int i = 0; i < 40; i++) stream.protocol.send({});
@@ -137,7 +137,7 @@ TEST(PlayProtocol, what_was_not_sent_before_a_reconnect_is_sent_after_it_under_n
     EXPECT_EQ(stream.protocol.stats().stream_failures, 1u);
 }
 
-TEST(PlayProtocol, decodes_a_chain_of_snapshots_and_acknowledges_each) {
+TEST(PlayProtocol, decodes_a_chain_of_snapshots_and_acknowledges_each_one) {
     Stream stream;
     stream.welcome();
     wire::QuantizedFrame base;
@@ -154,7 +154,7 @@ TEST(PlayProtocol, decodes_a_chain_of_snapshots_and_acknowledges_each) {
     EXPECT_FALSE(stream.protocol.view().pose_of(2));
 }
 
-TEST(PlayProtocol, a_snapshot_from_no_time_is_decoded_and_breaks_no_sum) {
+TEST(PlayProtocol, decodes_a_snapshot_with_an_extreme_time) {
     Stream stream;
     stream.welcome();
     v1::ServerMessage pong;
@@ -169,7 +169,7 @@ TEST(PlayProtocol, a_snapshot_from_no_time_is_decoded_and_breaks_no_sum) {
     EXPECT_GE(times.due_us, -static_cast<std::int64_t>(latest_time_us)) << "as early as can be";
 }
 
-TEST(PlayProtocol, a_wrong_crc_or_an_unknown_base_asks_for_a_keyframe_once) {
+TEST(PlayProtocol, requests_one_keyframe_after_a_crc_mismatch_or_unknown_baseline) {
     Stream stream;
     stream.welcome();
     stream.hear(stream.snapshot(10, 1, nullptr));
@@ -187,7 +187,7 @@ TEST(PlayProtocol, a_wrong_crc_or_an_unknown_base_asks_for_a_keyframe_once) {
     EXPECT_EQ(stream.protocol.view().frame().frame, 13u);
 }
 
-TEST(PlayProtocol, asks_for_a_keyframe_when_told_to_though_nothing_is_wrong) {
+TEST(PlayProtocol, requests_a_keyframe_on_demand) {
     Stream stream;
     stream.welcome();
     stream.protocol.request_keyframe();
@@ -202,7 +202,7 @@ TEST(PlayProtocol, asks_for_a_keyframe_when_told_to_though_nothing_is_wrong) {
     EXPECT_EQ(stream.protocol.stats().decode_errors, 0u);
 }
 
-TEST(PlayProtocol, hands_on_each_message_as_it_came) {
+TEST(PlayProtocol, passes_each_message_to_on_message_unchanged) {
     std::vector<std::string> seen;
     PlayProtocol listener{ClientOptions{
         .on_message = [&](const std::string& bytes, Clock::time_point) { seen.push_back(bytes); }}};
@@ -212,7 +212,7 @@ TEST(PlayProtocol, hands_on_each_message_as_it_came) {
     EXPECT_EQ(seen, (std::vector<std::string>{"\xff no message", ""}));
 }
 
-TEST(PlayProtocol, asks_for_events_when_told_to_and_hands_them_on_in_order) {
+TEST(PlayProtocol, subscribes_to_events_and_returns_them_in_order) {
     Stream stream;
     stream.protocol.begin(stream.now);
     EXPECT_FALSE(stream.next()->hello().events()) << "only when told to";
@@ -237,7 +237,7 @@ TEST(PlayProtocol, asks_for_events_when_told_to_and_hands_them_on_in_order) {
     EXPECT_TRUE(listener.take_events().empty());
 }
 
-TEST(PlayProtocol, events_that_nobody_takes_do_not_pile_up_and_count_as_missed) {
+TEST(PlayProtocol, limits_unread_events_and_counts_dropped_ones_as_missed) {
     Stream stream;
     stream.welcome();
     for (std::uint32_t tick = 1; tick <= 1030; tick++) {
@@ -254,7 +254,7 @@ TEST(PlayProtocol, events_that_nobody_takes_do_not_pile_up_and_count_as_missed) 
     EXPECT_EQ(events[1].missed(), 0u);
 }
 
-TEST(PlayProtocol, bytes_that_are_no_message_are_counted_and_change_nothing) {
+TEST(PlayProtocol, counts_malformed_messages_without_changing_state) {
     Stream stream;
     stream.welcome();
     stream.protocol.receive(std::string("\xff\xff\xff\xff", 4), stream.now);
@@ -262,7 +262,7 @@ TEST(PlayProtocol, bytes_that_are_no_message_are_counted_and_change_nothing) {
     EXPECT_TRUE(stream.protocol.stats().connected);
 }
 
-TEST(PlayProtocol, goodbye_comes_after_the_last_input) {
+TEST(PlayProtocol, sends_leave_after_the_last_input) {
     Stream stream;
     stream.welcome();
     stream.protocol.send({});

@@ -16,7 +16,7 @@ PoseError metres(double x) {
 
 }  // namespace
 
-TEST(PoseError, put_back_onto_what_is_right_gives_what_was_shown) {
+TEST(PoseError, applied_to_the_target_pose_returns_the_rendered_pose) {
     const wire::Pose shown{{1.5, 2, 2}, {std::sin(0.3), 0, 0, std::cos(0.3)}};
     const wire::Pose again = apply_error(right_pose, pose_error(shown, right_pose));
     for (std::size_t k = 0; k < 3; k++) EXPECT_NEAR(again.position[k], shown.position[k], 1e-12);
@@ -24,12 +24,12 @@ TEST(PoseError, put_back_onto_what_is_right_gives_what_was_shown) {
     EXPECT_TRUE(pose_error(right_pose, right_pose).none());
 }
 
-TEST(PoseError, a_small_one_halves_in_a_tenth_of_a_second_and_is_gone_in_one) {
+TEST(PoseError, small_error_halves_in_100_ms_and_vanishes_in_one_second) {
     EXPECT_NEAR(decayed(metres(0.01), {}, 0.1).position[0], 0.005, 1e-9);
     EXPECT_TRUE(decayed(metres(0.01), {}, 1.0).none());
 }
 
-TEST(PoseError, a_great_one_is_walked_at_1_1_metres_a_second_or_0_35_of_the_speed) {
+TEST(PoseError, large_error_is_corrected_at_1_1_m_per_s_or_0_35_of_the_body_speed) {
     EXPECT_NEAR(decayed(metres(2), {}, 0.1).position[0], 2 - 0.11, 1e-9);
     EXPECT_NEAR(decayed(metres(8), {.speed = 20, .spin = 0}, 0.1).position[0], 8 - 0.7, 1e-9);
     const PoseError turned{{}, {0, std::sin(1.0), 0, std::cos(1.0)}};  // 2 rad
@@ -37,7 +37,7 @@ TEST(PoseError, a_great_one_is_walked_at_1_1_metres_a_second_or_0_35_of_the_spee
     EXPECT_NEAR(2 * std::asin(later.rotation[1]), 2 - 0.15, 1e-9);
 }
 
-TEST(PoseError, what_would_take_more_than_three_seconds_is_a_jump) {
+TEST(PoseError, error_that_needs_more_than_three_seconds_is_not_smoothed) {
     EXPECT_FALSE(smoothable_error(metres(3.2), {}).none());
     EXPECT_TRUE(smoothable_error(metres(3.4), {}).none());
     EXPECT_FALSE(smoothable_error(metres(3.4), {.speed = 10, .spin = 0}).none());

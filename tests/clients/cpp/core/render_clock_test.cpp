@@ -32,14 +32,14 @@ struct Feed {
 
 }  // namespace
 
-TEST(RenderClock, shows_the_way_and_1_7_intervals_ago_when_frames_come_evenly) {
+TEST(RenderClock, renders_latency_plus_1_7_intervals_behind_for_regular_frames) {
     Feed feed;
     feed.frames(1200, 5'000);
     EXPECT_NEAR(feed.clock.delay_ms(), 1.7 * 16.667, 0.5);
     EXPECT_NEAR(feed.behind_ms(5'000), 5 + 1.7 * 16.667, 1);
 }
 
-TEST(RenderClock, walks_to_a_longer_way_and_back_without_leaving_8_percent) {
+TEST(RenderClock, adapts_to_changed_latency_within_8_percent_speed_change) {
     Feed feed;
     feed.frames(600, 5'000);
     feed.frames(1200, 80'000);
@@ -50,7 +50,7 @@ TEST(RenderClock, walks_to_a_longer_way_and_back_without_leaving_8_percent) {
     EXPECT_LE(feed.greatest, 1.08 + 1e-9);
 }
 
-TEST(RenderClock, a_way_that_is_a_second_shorter_is_the_only_jump) {
+TEST(RenderClock, jumps_only_when_more_than_one_second_behind) {
     Feed feed;
     feed.frames(120, 1'500'000);
     feed.frames(1, 10'000);  // a new route: its arrival is before that of the last
@@ -59,7 +59,7 @@ TEST(RenderClock, a_way_that_is_a_second_shorter_is_the_only_jump) {
     EXPECT_GT(feed.clock.render_time_us() - before, 1'000'000);
 }
 
-TEST(RenderClock, a_world_that_rested_did_not_make_it_late) {
+TEST(RenderClock, does_not_increase_the_delay_after_the_world_slept) {
     Feed feed;
     feed.frames(600, 5'000);
     // Four heartbeats a second, for a minute.
@@ -72,7 +72,7 @@ TEST(RenderClock, a_world_that_rested_did_not_make_it_late) {
     EXPECT_NEAR(feed.clock.delay_ms(), 1.7 * 16.667, 1);
 }
 
-TEST(RenderClock, no_time_passes_while_ours_stands_or_goes_back) {
+TEST(RenderClock, does_not_advance_while_the_local_clock_stands_or_goes_back) {
     Feed feed;
     feed.frames(10, 5'000);
     const std::int64_t shown = feed.clock.render_time_us();
@@ -80,7 +80,7 @@ TEST(RenderClock, no_time_passes_while_ours_stands_or_goes_back) {
     EXPECT_EQ(feed.clock.advance(feed.ours_us - 900'000), shown);
 }
 
-TEST(RenderClock, shows_nothing_before_the_first_frame) {
+TEST(RenderClock, returns_zero_before_the_first_frame) {
     RenderClock clock;
     EXPECT_EQ(clock.advance(1'000'000), 0);
 }

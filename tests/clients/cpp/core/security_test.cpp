@@ -25,14 +25,14 @@ protected:
     const std::string pem = "-----BEGIN CERTIFICATE-----\n";
 };
 
-TEST_F(SecurityTest, nothing_given_is_in_the_clear_and_nobody_in_particular) {
+TEST_F(SecurityTest, defaults_to_plaintext_without_credentials) {
     const auto read = read_security({}, "example.org:50051");
     ASSERT_TRUE(read.ok());
     EXPECT_FALSE(read->tls);
     EXPECT_EQ(read->token, "");
 }
 
-TEST_F(SecurityTest, an_authority_or_a_certificate_means_tls) {
+TEST_F(SecurityTest, enables_tls_when_a_ca_or_certificate_is_given) {
     const std::string file = folder.write("a.pem", pem);
     EXPECT_TRUE(read_security({.root_certificates = file}, "h:1")->tls);
     const auto own = read_security({.certificate = file, .key = file}, "h:1");
@@ -41,7 +41,7 @@ TEST_F(SecurityTest, an_authority_or_a_certificate_means_tls) {
     EXPECT_EQ(own->certificate_pem, pem);
 }
 
-TEST_F(SecurityTest, a_token_is_read_without_its_line_end_and_goes_out_encrypted_or_stays_here) {
+TEST_F(SecurityTest, trims_the_token_and_sends_it_only_over_tls_or_loopback) {
     const SecurityFiles files{.token = folder.write("token", "abc.def.ghi\n")};
     EXPECT_EQ(read_security(files, "localhost:50051")->token, "abc.def.ghi");
     EXPECT_EQ(read_security(files, "127.0.0.1:50051")->token, "abc.def.ghi");
@@ -55,7 +55,7 @@ TEST_F(SecurityTest, a_token_is_read_without_its_line_end_and_goes_out_encrypted
     EXPECT_NE(fault_of(files, "127.example.org:50051"), "");
 }
 
-TEST_F(SecurityTest, faults_name_the_file) {
+TEST_F(SecurityTest, errors_name_the_file) {
     EXPECT_EQ(fault_of({.root_certificates = folder / "none"}),
               "cannot read none: it is not there, or not yours to read");
     EXPECT_EQ(fault_of({.root_certificates = folder.write("text", "hello")}),

@@ -47,7 +47,7 @@ class Smoothness : public testing::TestWithParam<PathEmulator> {};
 
 }  // namespace
 
-TEST_P(Smoothness, the_clock_never_goes_back_and_no_body_steps) {
+TEST_P(Smoothness, render_clock_is_monotonic_and_bodies_move_smoothly) {
     for (const double pictures_hz : {144.0, 60.0}) {
         const Observation seen = observe(GetParam().link, pictures_hz);
         SCOPED_TRACE(std::to_string(pictures_hz) + " pictures a second");

@@ -59,7 +59,7 @@ protected:
 };
 
 // What it drives is told as what changed of it, and nothing is made up where that is not known.
-TEST_F(WorldViewTest, what_is_driven_is_known_once_it_was_told_whole) {
+TEST_F(WorldViewTest, requires_a_complete_controlled_entity_state_first) {
     v1::Driven part;
     part.set_entity(5);
     part.set_tick(7);
@@ -85,7 +85,7 @@ TEST_F(WorldViewTest, what_is_driven_is_known_once_it_was_told_whole) {
 
 }  // namespace
 
-TEST_F(WorldViewTest, a_channel_stays_until_it_changes_or_ends) {
+TEST_F(WorldViewTest, keeps_a_channel_until_it_changes_or_ends) {
     EXPECT_FALSE(told("craft")) << "nothing was told yet";
     EXPECT_EQ(view.channel_kinds().size(), 2u);
     ASSERT_TRUE(take(snapshot(10, 0, {{0, 1}, {1, 2}})));
@@ -100,7 +100,7 @@ TEST_F(WorldViewTest, a_channel_stays_until_it_changes_or_ends) {
     EXPECT_TRUE(view.channel("boat", 5).empty()) << "no such kind";
 }
 
-TEST_F(WorldViewTest, channels_follow_from_those_of_the_base_whichever_it_is) {
+TEST_F(WorldViewTest, decodes_channels_against_any_baseline) {
     ASSERT_TRUE(take(snapshot(10, 0, {{0, 1}})));
     ASSERT_TRUE(take(snapshot(11, 10, {{0, 2}, {1, 3}}, {{0, 1}})));
     ASSERT_TRUE(take(snapshot(12, 10, {{0, 1}}, {{0, 1}})));
@@ -108,7 +108,7 @@ TEST_F(WorldViewTest, channels_follow_from_those_of_the_base_whichever_it_is) {
     EXPECT_EQ(view.channels().size(), 1u);
 }
 
-TEST_F(WorldViewTest, a_snapshot_that_cannot_be_read_changes_no_channel) {
+TEST_F(WorldViewTest, rejects_an_undecodable_snapshot_without_changing_channels) {
     ASSERT_TRUE(take(snapshot(10, 0, {{0, 1}})));
     v1::Snapshot damaged = snapshot(11, 10, {{0, 2}}, {{0, 1}});
     damaged.set_channels_crc(damaged.channels_crc() + 1);
@@ -119,7 +119,7 @@ TEST_F(WorldViewTest, a_snapshot_that_cannot_be_read_changes_no_channel) {
     EXPECT_EQ(told("craft"), 1);
 }
 
-TEST_F(WorldViewTest, an_absolute_snapshot_and_a_new_stream_leave_nothing_stale) {
+TEST_F(WorldViewTest, discards_stale_state_on_a_keyframe_and_on_a_new_stream) {
     ASSERT_TRUE(take(snapshot(10, 0, {{0, 1}, {1, 2}})));
     ASSERT_TRUE(take(snapshot(14, 0, {{1, 3}}))) << "the repair of a loss";
     EXPECT_FALSE(told("craft"));
@@ -128,7 +128,7 @@ TEST_F(WorldViewTest, an_absolute_snapshot_and_a_new_stream_leave_nothing_stale)
     EXPECT_TRUE(view.channels().empty());
 }
 
-TEST_F(WorldViewTest, a_large_shape_comes_in_parts_and_its_bodies_name_it) {
+TEST_F(WorldViewTest, assembles_a_large_shape_from_parts) {
     v1::Shape mesh;
     for (int i = 0; i < 300; i++) mesh.mutable_mesh()->add_vertices()->set_x(i);
     const std::string bytes = mesh.SerializeAsString();
@@ -150,7 +150,7 @@ TEST_F(WorldViewTest, a_large_shape_comes_in_parts_and_its_bodies_name_it) {
     EXPECT_EQ(view.resolve_shape(ball), &ball);
 }
 
-TEST_F(WorldViewTest, a_part_out_of_order_is_refused_and_leaves_nothing_behind) {
+TEST_F(WorldViewTest, rejects_an_out_of_order_part_and_discards_the_shape) {
     v1::GeometryChunk part;
     part.set_id(77);
     part.set_chunk(1);
@@ -164,7 +164,7 @@ TEST_F(WorldViewTest, a_part_out_of_order_is_refused_and_leaves_nothing_behind) 
     EXPECT_EQ(view.apply(part).error().message, "geometry 77: its bytes are no Shape");
 }
 
-TEST_F(WorldViewTest, an_entity_of_a_datagram_that_overtook_its_roster_is_a_base_but_not_seen) {
+TEST_F(WorldViewTest, hides_entities_until_their_entity_update_arrives) {
     v1::Welcome welcome;
     welcome.mutable_quant()->set_units_per_meter(512);
     welcome.mutable_quant()->set_rotation_component(511);

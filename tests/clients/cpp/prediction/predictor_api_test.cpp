@@ -59,7 +59,7 @@ void jostle_predictor_request_shapes(JostlePredictor* predictor, uint32_t entity
               1u);
 }
 
-TEST(PredictorApi, a_push_is_in_the_next_picture_and_shapes_are_asked_for_once) {
+TEST(PredictorApi, predicts_an_impulse_in_the_next_frame_and_requests_shapes_once) {
     Caller caller;
     caller.begin();
     ASSERT_EQ(caller.frame(10), 1u);
@@ -73,7 +73,7 @@ TEST(PredictorApi, a_push_is_in_the_next_picture_and_shapes_are_asked_for_once) 
     EXPECT_EQ(asked.size(), 2u) << "they are known";
 }
 
-TEST(PredictorApi, what_means_nothing_does_nothing) {
+TEST(PredictorApi, ignores_invalid_arguments) {
     Caller caller;
     caller.begin();
     EXPECT_EQ(jostle_predictor_frame(caller.predictor, 1, 2), 0u) << "there are no numbers";

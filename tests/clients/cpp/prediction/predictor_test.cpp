@@ -285,7 +285,7 @@ struct Yard {
 
 }  // namespace
 
-TEST(Predictor, a_push_is_seen_in_its_picture_instead_of_a_round_trip_later) {
+TEST(Predictor, shows_an_impulse_in_the_next_frame_instead_of_after_a_round_trip) {
     Yard yard;
     yard.run(3);
     const Vec3 rest = yard.drawn[own_id];
@@ -303,7 +303,7 @@ TEST(Predictor, a_push_is_seen_in_its_picture_instead_of_a_round_trip_later) {
     EXPECT_GE(interpolated_ms, 150) << "there and back, a tick of margin and the delay of pictures";
 }
 
-TEST(Predictor, corrects_nothing_where_the_server_agrees) {
+TEST(Predictor, makes_no_corrections_when_the_server_agrees) {
     Yard yard;
     yard.run(3);
     double worst_told_mm = 0;
@@ -325,7 +325,7 @@ TEST(Predictor, corrects_nothing_where_the_server_agrees) {
     EXPECT_LT(yard.step_mm, 20) << "from rest to its speed in one picture";
 }
 
-TEST(Predictor, a_world_that_rested_and_told_nothing_is_foreseen_as_well) {
+TEST(Predictor, predicts_in_a_world_that_was_asleep) {
     Yard yard;
     yard.quiet = true;
     yard.run(4.5);
@@ -343,7 +343,7 @@ TEST(Predictor, a_world_that_rested_and_told_nothing_is_foreseen_as_well) {
     EXPECT_LT(yard.off_mm(yard.us - 600'000), 5);
 }
 
-TEST(Predictor, what_others_do_is_walked_to_without_a_step) {
+TEST(Predictor, smooths_corrections_caused_by_other_clients) {
     Yard yard;
     yard.run(3);
     yard.speed = 3;
@@ -380,7 +380,7 @@ ThrownByOthers thrown_by_others(bool tells_motion) {
     return {yard.predictor.stats().corrections, off_mm};
 }
 
-TEST(Predictor, who_is_told_how_bodies_move_puts_right_once) {
+TEST(Predictor, needs_fewer_corrections_when_velocities_are_sent) {
     const ThrownByOthers told = thrown_by_others(true), untold = thrown_by_others(false);
     RecordProperty("told_corrections", static_cast<int>(told.corrections));
     RecordProperty("untold_corrections", static_cast<int>(untold.corrections));
@@ -392,7 +392,7 @@ TEST(Predictor, who_is_told_how_bodies_move_puts_right_once) {
     EXPECT_LT(told.off_mm, untold.off_mm);
 }
 
-TEST(Predictor, pushed_by_both_at_once_ends_where_the_server_has_it) {
+TEST(Predictor, converges_to_the_server_when_both_clients_push) {
     Yard yard;
     yard.run(3);
     yard.speed = 5;
@@ -405,7 +405,7 @@ TEST(Predictor, pushed_by_both_at_once_ends_where_the_server_has_it) {
     EXPECT_LT(yard.off_mm(yard.us - 600'000), 5);
 }
 
-TEST(Predictor, what_our_body_runs_into_moves_with_it) {
+TEST(Predictor, predicts_bodies_hit_by_the_predicted_body) {
     Yard yard;
     yard.run(3);
     EXPECT_EQ(yard.predictor.bodies(), 2u) << "ours and the one that is near";
@@ -420,7 +420,7 @@ TEST(Predictor, what_our_body_runs_into_moves_with_it) {
     EXPECT_LT(yard.off_mm(yard.us - 600'000), 5);
 }
 
-TEST(Predictor, a_refused_push_is_taken_back_and_a_late_one_moved) {
+TEST(Predictor, rolls_back_a_rejected_impulse_and_moves_a_late_one) {
     Yard refused;
     refused.run(3);
     refused.refuses = true;
@@ -440,7 +440,7 @@ TEST(Predictor, a_refused_push_is_taken_back_and_a_late_one_moved) {
     EXPECT_LT(late.step_mm, 20);
 }
 
-TEST(Predictor, a_body_that_comes_near_or_goes_is_handed_over_without_a_step) {
+TEST(Predictor, adds_and_removes_neighbors_without_a_visible_step) {
     Yard yard({.delay_ms = 50});
     yard.run(3);
     yard.push({0, 0, 5});
@@ -455,7 +455,7 @@ TEST(Predictor, a_body_that_comes_near_or_goes_is_handed_over_without_a_step) {
     EXPECT_LT(yard.far_moved, 1.4 * 18 / pictures_hz);
 }
 
-TEST(Predictor, the_top_of_a_tower_stands_on_what_is_too_far_away_to_be_foreseen) {
+TEST(Predictor, keeps_a_tower_top_supported_by_static_boundary_bodies) {
     Yard yard;
     constexpr std::uint32_t first = 10, top = 19;
     for (std::uint32_t k = 0; k < 10; k++)
@@ -476,7 +476,7 @@ TEST(Predictor, the_top_of_a_tower_stands_on_what_is_too_far_away_to_be_foreseen
     EXPECT_LT(yard.predictor.stats().corrections, 30u);
 }
 
-TEST(Predictor, drags_the_top_off_a_tower) {
+TEST(Predictor, predicts_dragging_the_top_of_a_tower) {
     Yard yard;
     constexpr std::uint32_t first = 10, top = 19;
     for (std::uint32_t k = 0; k < 10; k++)
@@ -499,7 +499,7 @@ TEST(Predictor, drags_the_top_off_a_tower) {
     EXPECT_GT(yard.interpolated[top].y, 6.8) << "from 6.65";
 }
 
-TEST(Predictor, goes_on_where_it_was_after_half_a_second_in_which_nothing_was_drawn) {
+TEST(Predictor, continues_at_the_current_pose_after_half_a_second_without_rendering) {
     Yard yard;
     yard.run(3);
     yard.push({0, 0, 4});
@@ -512,7 +512,7 @@ TEST(Predictor, goes_on_where_it_was_after_half_a_second_in_which_nothing_was_dr
 }
 
 // Damped, without weight and held to an axis: a client that is told so corrects nothing.
-TEST(Predictor, who_is_told_how_a_body_moves_corrects_nothing) {
+TEST(Predictor, applies_damping_gravity_scale_and_locks_of_a_body) {
     for (const bool told : {true, false}) {
         Yard yard;
         constexpr std::uint32_t odd = 9;
@@ -545,7 +545,7 @@ TEST(Predictor, who_is_told_how_a_body_moves_corrects_nothing) {
 
 // A lamp swings beside us on a joint that nobody tells us of. As a free body it is seen up to 2 m
 // from where it comes to be.
-TEST(Predictor, what_hangs_on_a_joint_swings_on) {
+TEST(Predictor, jointed_bodies_keep_their_last_velocity) {
     Yard yard;
     constexpr std::uint32_t lamp = 9;
     yard.tells_motion = true;
@@ -577,7 +577,7 @@ TEST(Predictor, what_hangs_on_a_joint_swings_on) {
     EXPECT_EQ(yard.drawn[lamp].x, yard.interpolated[lamp].x);
 }
 
-TEST(Predictor, foresees_nothing_for_who_is_not_there) {
+TEST(Predictor, predicts_nothing_for_an_unknown_entity) {
     Yard yard;
     yard.predictor.follow(99);
     yard.run(2);

@@ -36,7 +36,7 @@ Numbers compound(double children) {
 
 }  // namespace
 
-TEST(ShapeEncoding, a_box_has_its_place_its_size_and_all_that_decides_how_it_touches) {
+TEST(ShapeEncoding, decodes_pose_size_and_surface_properties_of_a_box) {
     const auto shapes = decode_shapes(one({3}, {0.5, 0.25, 0.125}));
     ASSERT_TRUE(shapes);
     ASSERT_EQ(shapes->size(), 1u);
@@ -53,7 +53,7 @@ TEST(ShapeEncoding, a_box_has_its_place_its_size_and_all_that_decides_how_it_tou
     EXPECT_EQ(s.mass, 0);
 }
 
-TEST(ShapeEncoding, hulls_meshes_fields_and_compounds_are_built) {
+TEST(ShapeEncoding, decodes_hulls_meshes_height_fields_and_compounds) {
     const auto hull =
         decode_shapes(one({7}, {5, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0.1, 0.1, 0.1}));
     ASSERT_TRUE(hull);
@@ -70,7 +70,7 @@ TEST(ShapeEncoding, hulls_meshes_fields_and_compounds_are_built) {
     EXPECT_EQ(std::get<Compound>(several->front().geometry).data->children.size(), 1u);
 }
 
-TEST(ShapeEncoding, what_ends_early_goes_on_or_counts_too_far_is_no_shape) {
+TEST(ShapeEncoding, rejects_truncated_oversized_and_inconsistent_encodings) {
     const Numbers good = one({8}, {3, 0, 0, 0, 1, 0, 0, 0, 0, 1, 1, 0, 2, 1});
     for (std::size_t end = 0; end < good.size(); end++)
         EXPECT_FALSE(decode_shapes(std::span(good).first(end))) << end;
@@ -85,7 +85,7 @@ TEST(ShapeEncoding, what_ends_early_goes_on_or_counts_too_far_is_no_shape) {
 }
 
 // Whatever comes: no crash, and nothing but shapes or nothing.
-TEST(ShapeEncoding, forged_numbers_are_shapes_or_none) {
+TEST(ShapeEncoding, does_not_crash_on_random_encodings) {
     std::mt19937 random(7);
     const Numbers odd{-1,
                       0.5,

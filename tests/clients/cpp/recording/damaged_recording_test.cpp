@@ -42,7 +42,7 @@ std::string error_of_opening(const std::string& file) {
 
 }  // namespace
 
-TEST(DamagedRecording, one_that_was_cut_at_any_byte_is_read_up_to_there) {
+TEST(DamagedRecording, reads_a_truncated_recording_up_to_the_cut) {
     const RecordedWorld& world = short_recording();
     const std::vector<std::uint64_t> places = record_places(world.file);
     const auto whole = opened(world.file).value().index();
@@ -67,7 +67,7 @@ TEST(DamagedRecording, one_that_was_cut_at_any_byte_is_read_up_to_there) {
     }
 }
 
-TEST(DamagedRecording, one_without_its_index_says_where_it_ends) {
+TEST(DamagedRecording, reports_where_a_recording_without_index_ends) {
     const std::string& file = three_seconds().file;
     const std::uint64_t index = record_places(file).back();
     EXPECT_EQ(opened(file.substr(0, index))->truncation_reason(),
@@ -81,7 +81,7 @@ TEST(DamagedRecording, one_without_its_index_says_where_it_ends) {
     EXPECT_EQ(opened(file.substr(0, index) + std::string(5000, '\0'))->end(), index);
 }
 
-TEST(DamagedRecording, a_damaged_record_is_named_and_what_comes_after_the_next_keyframe_is_played) {
+TEST(DamagedRecording, reports_a_damaged_record_and_continues_at_the_next_keyframe) {
     const RecordedWorld& world = three_seconds();
     const auto index = opened(world.file).value().index();
     std::vector<RecordingEntry> keyframes;
@@ -111,7 +111,7 @@ TEST(DamagedRecording, a_damaged_record_is_named_and_what_comes_after_the_next_k
                                                         std::distance(damaged_from, whole_from)));
 }
 
-TEST(DamagedRecording, any_damaged_byte_of_a_record_is_found) {
+TEST(DamagedRecording, detects_any_damaged_byte_of_a_record) {
     const std::string& file = three_seconds().file;
     const std::vector<std::uint64_t> places = record_places(file);
     const std::uint64_t from = places[places.size() / 2], to = places[places.size() / 2 + 3];
@@ -123,7 +123,7 @@ TEST(DamagedRecording, any_damaged_byte_of_a_record_is_found) {
     }
 }
 
-TEST(DamagedRecording, what_is_no_recording_is_refused_with_what_to_do) {
+TEST(DamagedRecording, rejects_other_files_with_a_helpful_message) {
     EXPECT_EQ(error_of_opening(""),
               "byte 0: it is no recording, which begins with the letters JREC; jostle-record makes "
               "one");
@@ -141,7 +141,7 @@ TEST(DamagedRecording, what_is_no_recording_is_refused_with_what_to_do) {
     EXPECT_EQ(gone.error().message, "cannot read /nowhere/yard.rec: No such file or directory");
 }
 
-TEST(DamagedRecording, a_length_that_no_file_has_is_not_believed) {
+TEST(DamagedRecording, rejects_an_implausible_length) {
     std::string file = three_seconds().file;
     const std::uint64_t at = record_places(file)[5];
     for (const int top : {0x02, 0x7f, 0xff}) {

@@ -25,7 +25,7 @@ Playback played(const RecordedWorld& world) {
 
 }  // namespace
 
-TEST(Playback, shows_tick_by_tick_what_the_live_client_saw) {
+TEST(Playback, reproduces_the_live_view_tick_by_tick) {
     const RecordedWorld& world = ten_seconds();
     Playback playback = played(world);
     EXPECT_EQ(playback.recording().truncation_reason(), "");
@@ -41,7 +41,7 @@ TEST(Playback, shows_tick_by_tick_what_the_live_client_saw) {
     EXPECT_FALSE(playback.next().value()) << "it stays at its end";
 }
 
-TEST(Playback, a_tick_is_the_same_from_its_keyframe_as_from_the_beginning) {
+TEST(Playback, seeking_gives_the_same_state_as_playing_from_the_start) {
     const RecordedWorld& world = ten_seconds();
     Playback sequential = played(world), seeking = played(world);
     EXPECT_GE(world.counts.keyframes, 10u);
@@ -66,7 +66,7 @@ TEST(Playback, a_tick_is_the_same_from_its_keyframe_as_from_the_beginning) {
     EXPECT_EQ(most, 4u + 3u) << "the scene's and the balls that were thrown";
 }
 
-TEST(Playback, goes_on_from_where_it_is_when_that_is_nearer) {
+TEST(Playback, seeks_forward_from_the_current_position_when_closer) {
     Playback playback = played(ten_seconds());
     const std::uint32_t first = ten_seconds().counts.first_tick;
     for (std::uint32_t tick = first; tick < first + 200; tick += 3) {
@@ -77,7 +77,7 @@ TEST(Playback, goes_on_from_where_it_is_when_that_is_nearer) {
     EXPECT_EQ(playback.view().frame().frame, first + 199);
 }
 
-TEST(Playback, a_tick_that_is_not_there_is_refused_with_those_that_are) {
+TEST(Playback, rejects_a_missing_tick_and_names_the_available_range) {
     Playback playback = played(ten_seconds());
     const auto& counts = ten_seconds().counts;
     const Status early = playback.seek(counts.first_tick - 1), late = playback.seek(1'000'000);
@@ -91,14 +91,14 @@ TEST(Playback, a_tick_that_is_not_there_is_refused_with_those_that_are) {
     EXPECT_TRUE(playback.seek(counts.last_tick));
 }
 
-TEST(Playback, all_of_a_good_recording_is_found_good) {
+TEST(Playback, verifies_an_intact_recording) {
     Playback playback = played(ten_seconds());
     const RecordingVerification found = check(playback);
     EXPECT_EQ(found.snapshots, ten_seconds().truth.size());
     EXPECT_TRUE(found.errors.empty()) << found.errors.front();
 }
 
-TEST(RecordingWriter, takes_one_stream_of_a_whole_world) {
+TEST(RecordingWriter, accepts_only_one_stream_of_a_whole_world) {
     std::ostringstream out;
     RecordingWriter writer(out, 0);
     v1::ServerMessage message;
@@ -118,7 +118,7 @@ TEST(RecordingWriter, takes_one_stream_of_a_whole_world) {
     EXPECT_EQ(opened(out.str())->welcome().client_id(), 1u);
 }
 
-TEST(RecordingWriter, a_full_disk_is_told_and_what_was_written_stays) {
+TEST(RecordingWriter, reports_a_full_disk_and_keeps_written_records) {
     std::ostringstream out;
     RecordingWriter writer(out, 0);
     v1::ServerMessage message;

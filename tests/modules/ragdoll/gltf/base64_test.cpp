@@ -8,7 +8,7 @@
 namespace jostle::modules {
 namespace {
 
-TEST(Base64, what_was_written_is_read) {
+TEST(Base64, round_trips) {
     std::string text;
     for (int k = 0; k < 40; k++) {
         const auto bytes = gltf::from_base64(base64(text));
@@ -18,7 +18,7 @@ TEST(Base64, what_was_written_is_read) {
     }
 }
 
-TEST(Base64, what_is_not_base64_is_refused) {
+TEST(Base64, rejects_invalid_base64) {
     for (const char* text : {"A", "AAAA*", "AA-A", "A=A="})
         EXPECT_FALSE(gltf::from_base64(text).has_value()) << text;
 }

@@ -21,7 +21,7 @@ std::string error_of(const std::function<void(GltfSkeleton&)>& change,
     return figure.ok() ? "" : figure.error().message;
 }
 
-TEST(GltfErrors, indices_and_loops_are_named) {
+TEST(GltfErrors, errors_name_invalid_indices_and_cycles) {
     EXPECT_EQ(error_of([](GltfSkeleton& s) { s.json["nodes"][1]["children"][1] = 99; }),
               "nodes[1].children[1] is 99; there are 9 nodes");
     EXPECT_EQ(error_of([](GltfSkeleton& s) { s.json["nodes"][3]["children"] = {4}; }),
@@ -42,7 +42,7 @@ TEST(GltfErrors, indices_and_loops_are_named) {
               "accessors[0].bufferView is 7; there are 4 buffer views");
 }
 
-TEST(GltfErrors, sizes_are_named) {
+TEST(GltfErrors, errors_name_invalid_sizes) {
     EXPECT_EQ(error_of([](GltfSkeleton& s) { s.json["accessors"][0]["count"] = 757; }),
               "accessors[0] ends behind the end of its buffer view");
     EXPECT_EQ(error_of([](GltfSkeleton& s) { s.json["accessors"][0]["count"] = 60'000'000; }),
@@ -57,7 +57,7 @@ TEST(GltfErrors, sizes_are_named) {
               "skins[0].joints must be 1 to 1024 nodes");
 }
 
-TEST(GltfErrors, numbers_are_named) {
+TEST(GltfErrors, errors_name_invalid_numbers) {
     EXPECT_EQ(error_of([](GltfSkeleton& s) {
                   const float bad = std::numeric_limits<float>::quiet_NaN();
                   s.buffer.replace(120, 4, reinterpret_cast<const char*>(&bad), 4);

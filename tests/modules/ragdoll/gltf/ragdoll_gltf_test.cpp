@@ -31,7 +31,7 @@ GltfFigureOptions with_knees() {
     return options;
 }
 
-TEST(RagdollGltf, bones_go_from_joint_to_joint) {
+TEST(RagdollGltf, bones_span_joint_to_joint) {
     const GltfFigure figure = figure_from_gltf(GltfSkeleton().gltf()).value();
     const std::vector<RagdollBone>& bones = figure.def.bones;
     ASSERT_EQ(bones.size(), 7u);
@@ -54,7 +54,7 @@ TEST(RagdollGltf, bones_go_from_joint_to_joint) {
 }
 
 // Tubes of 6 to 15 cm, from end to end.
-TEST(RagdollGltf, bones_are_as_thick_as_their_mesh_and_as_heavy_as_their_volume) {
+TEST(RagdollGltf, bone_radius_matches_mesh_and_mass_matches_volume) {
     const GltfFigure figure = figure_from_gltf(GltfSkeleton().gltf()).value();
     const std::vector<RagdollBone>& bones = figure.def.bones;
     EXPECT_NEAR(capsule_of(bones[1]).radius, 0.15, 1e-6);
@@ -69,7 +69,7 @@ TEST(RagdollGltf, bones_are_as_thick_as_their_mesh_and_as_heavy_as_their_volume)
     EXPECT_NEAR(world.body((*ragdolls.bodies(id))[5])->mass, 1000 * volume, 1e-3);
 }
 
-TEST(RagdollGltf, a_text_a_glb_and_buffers_beside_it_say_the_same) {
+TEST(RagdollGltf, gltf_glb_and_external_buffers_give_the_same_figure) {
     const GltfSkeleton skeleton;
     const GltfFigure text = figure_from_gltf(skeleton.gltf()).value();
     const GltfFigure binary = figure_from_gltf(skeleton.glb()).value();
@@ -91,7 +91,7 @@ TEST(RagdollGltf, a_text_a_glb_and_buffers_beside_it_say_the_same) {
 }
 
 // Knees are hinges about x; what is welded gives its mesh away.
-TEST(RagdollGltf, options_say_what_a_joint_becomes) {
+TEST(RagdollGltf, options_select_the_joint_kind) {
     GltfFigureOptions options = with_knees();
     options.bones.push_back({.name = "head", .kind = GltfBoneKind::welded});
     options.bones.push_back({.name = "spine", .kind = GltfBoneKind::ball});
@@ -112,7 +112,7 @@ TEST(RagdollGltf, options_say_what_a_joint_becomes) {
 }
 
 // It falls, lies down, and its joints hold.
-TEST(RagdollGltf, the_figure_falls_and_sleeps) {
+TEST(RagdollGltf, imported_figure_falls_and_sleeps) {
     const GltfFigure figure = figure_from_gltf(GltfSkeleton().glb(), with_knees()).value();
     World world = std::move(*World::create({}));
     world.create_body({.type = BodyType::static_body}, {.geometry = Plane{}}).value();

@@ -17,14 +17,14 @@ std::unique_ptr<BroadPhaseIndex> make() {
     return make_broad_phase(kind);
 }
 
-TEST(BroadPhase, of_every_kind_answers_as_a_loop_over_all_boxes_does) {
+TEST(BroadPhase, every_kind_matches_brute_force) {
     expect_matches_brute_force(make<BroadPhase::dynamic_tree>);
     expect_matches_brute_force(make<BroadPhase::sort_and_sweep>);
     expect_matches_brute_force(make<BroadPhase::uniform_grid>);
 }
 
 // The world that comes of it is the same to the last bit.
-TEST_P(EveryBroadPhase, makes_the_same_world) {
+TEST_P(EveryBroadPhase, produces_the_same_world) {
     const auto hash_with = [](BroadPhase kind) {
         World world = make_world({.broad_phase = kind});
         add_floor(world);
@@ -46,7 +46,7 @@ INSTANTIATE_TEST_SUITE_P(kinds, EveryBroadPhase,
 
 // No fixed number of pairs anywhere: a plate that rests on 400 pillars touches all of them, each
 // with its share of the weight.
-TEST(BroadPhase, plate_on_400_pillars_has_400_contacts) {
+TEST(BroadPhase, finds_400_contacts_of_a_plate_on_400_pillars) {
     World world = make_world();
     for (int i = 0; i < 400; i++)
         add(world, {.geometry = Box{{0.1, 0.5, 0.1}},

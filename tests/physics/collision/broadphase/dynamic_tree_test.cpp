@@ -25,7 +25,7 @@ std::vector<std::uint32_t> asked(const DynamicTree& tree, const Aabb& box) {
     return found;
 }
 
-TEST(DynamicTree, agrees_with_a_list_under_random_changes) {
+TEST(DynamicTree, matches_a_list_under_random_changes) {
     Random random(1);
     DynamicTree tree;
     std::map<std::uint32_t, std::pair<std::int32_t, Aabb>> list;  // item to leaf and box
@@ -70,7 +70,7 @@ TEST(DynamicTree, agrees_with_a_list_under_random_changes) {
     EXPECT_GT(found, 300u);
 }
 
-TEST(DynamicTree, ray_meets_every_box_on_its_way) {
+TEST(DynamicTree, ray_cast_visits_every_box_on_its_path) {
     Random random(2);
     DynamicTree tree;
     std::vector<Aabb> boxes;
@@ -100,7 +100,7 @@ TEST(DynamicTree, ray_meets_every_box_on_its_way) {
     }
 }
 
-TEST(DynamicTree, keeps_the_handle_when_a_leaf_moves) {
+TEST(DynamicTree, moving_a_leaf_keeps_its_handle) {
     DynamicTree tree;
     const Aabb unit{{0, 0, 0}, {1, 1, 1}}, far{{9, 9, 9}, {10, 10, 10}};
     const std::int32_t leaf = tree.insert(unit, 7);
@@ -113,7 +113,7 @@ TEST(DynamicTree, keeps_the_handle_when_a_leaf_moves) {
 
 // A line of boxes inserted in order is the worst case of a tree without rotations: it would be a
 // list.
-TEST(DynamicTree, stays_low) {
+TEST(DynamicTree, stays_balanced) {
     DynamicTree tree;
     for (std::uint32_t i = 0; i < 4096; i++)
         tree.insert({{1.0 * i, 0, 0}, {1.0 * i + 0.5, 1, 1}}, i);
@@ -124,7 +124,7 @@ TEST(DynamicTree, stays_low) {
 }
 
 // Boxes that cannot be told apart, and such that lie ever farther away.
-TEST(DynamicTree, is_made_anew_of_anything) {
+TEST(DynamicTree, rebuilds_from_any_boxes) {
     DynamicTree same, far;
     for (std::uint32_t i = 0; i < 1000; i++) {
         same.add({{1, 2, 3}, {2, 3, 4}}, i);
@@ -148,7 +148,7 @@ TEST(DynamicTree, is_made_anew_of_anything) {
 }
 
 // What a forged state holds: boxes that no float reaches, to one side and to both.
-TEST(DynamicTree, is_made_anew_of_boxes_beyond_floats) {
+TEST(DynamicTree, rebuilds_from_boxes_beyond_float_range) {
     DynamicTree tree;
     for (std::uint32_t i = 0; i < 100; i++) {
         const double x = std::pow(10, 3.0 * i);
@@ -159,7 +159,7 @@ TEST(DynamicTree, is_made_anew_of_boxes_beyond_floats) {
 }
 
 // At a thousand kilometres a float is off by 6 cm; what is answered is exact.
-TEST(DynamicTree, answers_by_the_exact_boxes) {
+TEST(DynamicTree, queries_use_exact_boxes) {
     DynamicTree tree;
     tree.insert({{1e6, 0, 0}, {1e6 + 1e-3, 1, 1}}, 1);
     tree.insert({{1e6 + 2e-3, 0, 0}, {1e6 + 3e-3, 1, 1}}, 2);

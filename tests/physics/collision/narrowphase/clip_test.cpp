@@ -18,7 +18,7 @@ Feature feature_of(const Geometry& geometry, Vec3 direction) {
     return feature_along(at(geometry, {}), direction);
 }
 
-TEST(Clip, a_box_shows_a_face_a_rod_an_edge_a_ball_a_point) {
+TEST(Clip, feature_of_box_is_face_of_rod_is_edge_of_ball_is_point) {
     const Feature top = feature_of(Box{{1, 2, 3}}, {0.3, 0.9, 0.2});
     ASSERT_EQ(top.count, 4);
     EXPECT_EQ(top.normal, (Vec3{0, 1, 0}));
@@ -29,7 +29,7 @@ TEST(Clip, a_box_shows_a_face_a_rod_an_edge_a_ball_a_point) {
 
 // A cylinder shows its end when one looks at it more from above than from the side: eight corners
 // stand for the rim. A cone's side leans by its own slope.
-TEST(Clip, round_solids_show_an_end_or_a_line_of_their_side) {
+TEST(Clip, feature_of_round_solid_is_end_cap_or_side_line) {
     const Feature end = feature_of(Cylinder{2, 1}, {0.6, -0.8, 0});
     EXPECT_EQ(end.count, 8);
     EXPECT_EQ(end.normal, (Vec3{0, -1, 0}));
@@ -46,7 +46,7 @@ TEST(Clip, round_solids_show_an_end_or_a_line_of_their_side) {
 }
 
 // A box of 1 m stands a millimetre deep on the edge of a table, a quarter of it over the border.
-TEST(Clip, points_are_where_both_faces_are) {
+TEST(Clip, points_lie_on_both_faces) {
     const Geometry table = Box{{1, 0.5, 1}}, box = Box{};
     const Convex a = at(table, {}), b = at(box, {0.75, 0.999, 0});
     const ContactPoints points =
@@ -66,7 +66,7 @@ TEST(Clip, points_are_where_both_faces_are) {
 
 // Turned by 45 degrees on a large face all four corners count, on a face as large as its own the
 // eight where their sides cross.
-TEST(Clip, a_turned_box_on_its_like_has_eight_points_and_its_manifold_four) {
+TEST(Clip, rotated_box_on_equal_box_has_eight_points_and_a_manifold_of_four) {
     const Geometry box = Box{};
     const Convex a = at(box, {}), b = at(box, {0, 1, 0}, from_axis_angle({0, 1, 0}, pi / 4));
     const ContactPoints points =
@@ -77,7 +77,7 @@ TEST(Clip, a_turned_box_on_its_like_has_eight_points_and_its_manifold_four) {
     EXPECT_NEAR(manifold.distance, 0, 1e-12);
 }
 
-TEST(Clip, what_is_further_than_the_margin_is_no_point) {
+TEST(Clip, points_beyond_the_margin_are_dropped) {
     const Geometry floor = Box{{5, 0.5, 5}}, box = Box{};
     const Convex a = at(floor, {}), b = at(box, {0, 1.02, 0}, from_axis_angle({0, 0, 1}, 0.02));
     // The corner below is 1 cm higher, the one opposite 3 cm.
@@ -87,7 +87,7 @@ TEST(Clip, what_is_further_than_the_margin_is_no_point) {
     EXPECT_EQ(contact_points(a, b, witness, 0.04).count, 4);
 }
 
-TEST(Clip, points_over_a_face_are_none_beside_it) {
+TEST(Clip, points_outside_the_face_are_dropped) {
     const Geometry floor = Box{{1, 0.5, 1}}, box = Box{};
     EXPECT_EQ(points_over_face(at(floor, {}), at(box, {0, 1, 0}), {0, 1, 0}, 0.01).count, 4);
     EXPECT_EQ(points_over_face(at(floor, {}), at(box, {1.6, 1, 0}), {0, 1, 0}, 0.01).count, 0);

@@ -117,7 +117,7 @@ std::uint64_t pairs_of_each() {
 
 class CompositeOracle : public testing::TestWithParam<std::pair<ShapeKind, ShapeKind>> {};
 
-TEST_P(CompositeOracle, agrees_with_a_search_over_all_directions) {
+TEST_P(CompositeOracle, matches_a_search_over_all_directions) {
     const auto [ka, kb] = GetParam();
     // Triangles have no inside: out of one is either way, and the seams choose which.
     const bool solid = ka == ShapeKind::compound && (is_convex(kb) || kb == ShapeKind::compound);
@@ -170,7 +170,7 @@ TEST_P(CompositeOracle, agrees_with_a_search_over_all_directions) {
 
 // An edge of a box that lies in the plane of a triangle, or nearly so, across one of its edges: out
 // of the triangle is either way, and only the box tells which of them is meant.
-TEST(CompositeOracle, boxes_that_lie_along_a_flat_field_are_not_missed) {
+TEST(CompositeOracle, finds_contacts_of_boxes_lying_on_a_flat_height_field) {
     const HeightGrid grid{
         .columns = 2, .rows = 2, .spacing_x = 1.5, .spacing_z = 1.2, .heights = {0, 0, 0, 0}};
     const Geometry field = HeightField{must(build_height_field(grid))};

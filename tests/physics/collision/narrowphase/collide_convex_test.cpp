@@ -15,7 +15,7 @@ using namespace physics;
 
 // Boxes and hulls anywhere about each other: what separate() says is enough to find the same
 // manifold or distance.
-TEST(CollideConvex, apart_gives_what_the_whole_search_gives) {
+TEST(CollideConvex, separated_shapes_match_the_full_search) {
     Random random(81);
     int apart = 0;
     for (int round = 0; round < 2000; round++) {
@@ -44,7 +44,7 @@ TEST(CollideConvex, apart_gives_what_the_whole_search_gives) {
     EXPECT_GT(apart, 500);
 }
 
-TEST(CollideConvex, says_nothing_of_two_that_touch_after_all) {
+TEST(CollideConvex, returns_nothing_if_the_shapes_touch) {
     const Geometry box = Box{};
     const Convex a = convex_of(transformed_shape(box, {}), {}),
                  b = convex_of(transformed_shape(box, {{0.9, 0, 0}, {}}), {});
@@ -52,7 +52,7 @@ TEST(CollideConvex, says_nothing_of_two_that_touch_after_all) {
 }
 
 // A ball over the edge of a box is as far away as the edge is, less its radius.
-TEST(CollideConvex, a_lower_bound_is_enough_beyond_the_margin) {
+TEST(CollideConvex, returns_a_lower_bound_beyond_the_margin) {
     const Geometry box = Box{}, ball = Sphere{0.5};
     const Convex a = convex_of(transformed_shape(box, {}), {});
     const Convex b = convex_of(transformed_shape(ball, {{3.5, 4.5, 0}, {}}), {});
@@ -69,7 +69,7 @@ TEST(CollideConvex, a_lower_bound_is_enough_beyond_the_margin) {
 }
 
 // The other way round a pair keeps its direction from a to b.
-TEST(CollideConvex, remembers_the_direction_from_a_to_b) {
+TEST(CollideConvex, caches_the_direction_from_a_to_b) {
     const Geometry box = Box{}, ball = Sphere{0.5};
     const Convex a = convex_of(transformed_shape(box, {}), {});
     const Convex b = convex_of(transformed_shape(ball, {{0, 0, 3}, {}}), {});

@@ -27,7 +27,7 @@ Manifold between(const Standing& a, const Standing& b, double margin = 0.02) {
 }
 
 // A millimetre deep, half of it over the border: from the corner to the end of what lies below.
-TEST(CollidePlanar, a_box_on_a_box_has_both_ends_of_what_they_share) {
+TEST(CollidePlanar, box_on_box_has_both_ends_of_the_shared_edge) {
     const Manifold m = between({Box{}, {}}, {Box{}, {0.5, 0.999, 0}});
     ASSERT_EQ(m.count, 2);
     EXPECT_TRUE(near(m.normal, {0, 1, 0}, 1e-12));
@@ -39,7 +39,7 @@ TEST(CollidePlanar, a_box_on_a_box_has_both_ends_of_what_they_share) {
     }
 }
 
-TEST(CollidePlanar, round_ones_touch_in_one_point) {
+TEST(CollidePlanar, round_shapes_touch_at_one_point) {
     const Manifold discs = between({Sphere{0.5}, {}}, {Sphere{1}, {0.9, 1.2, 0}});
     ASSERT_EQ(discs.count, 1);
     EXPECT_NEAR(discs.gap[0], 0, 1e-12);
@@ -52,7 +52,7 @@ TEST(CollidePlanar, round_ones_touch_in_one_point) {
     EXPECT_NEAR(corner.gap[0], 0, 1e-9);
 }
 
-TEST(CollidePlanar, a_stadium_lies_on_a_plane_on_both_ends_and_stands_on_one) {
+TEST(CollidePlanar, capsule_lying_on_a_plane_has_two_points_and_standing_has_one) {
     const Manifold lying = between({Plane{}, {}}, {Capsule{0.2, 1}, {5, 0.19, 0}, pi / 2});
     EXPECT_EQ(lying.count, 2);
     EXPECT_NEAR(lying.gap[0], -0.01, 1e-12);
@@ -61,7 +61,7 @@ TEST(CollidePlanar, a_stadium_lies_on_a_plane_on_both_ends_and_stands_on_one) {
     EXPECT_TRUE(near(standing.normal, {0, -1, 0}, 1e-12)) << "from a, which is above";
 }
 
-TEST(CollidePlanar, what_is_apart_says_by_how_much_at_least) {
+TEST(CollidePlanar, separated_shapes_report_a_lower_bound_of_the_distance) {
     const Manifold m = between({Box{}, {}}, {Box{}, {3, 0, 0}});
     EXPECT_EQ(m.count, 0);
     EXPECT_NEAR(m.distance, 2, 1e-12);
@@ -70,7 +70,7 @@ TEST(CollidePlanar, what_is_apart_says_by_how_much_at_least) {
 
 // Random pairs against a walk around both borders. A corner that lies beside a side by a hair
 // counts as over it, which is seen from half a metre: a millimetre.
-TEST(CollidePlanar, boxes_that_are_apart_have_the_gap_of_their_nearest_points) {
+TEST(CollidePlanar, separated_boxes_report_the_gap_of_their_nearest_points) {
     Random random(91);
     int met = 0;
     for (int round = 0; round < 500; round++) {

@@ -37,7 +37,7 @@ Manifold beside_edge(const Geometry& box, double lean, double turn) {
     return collide(a, b, 0.02, cache);
 }
 
-TEST(CollideCapsule, lies_along_an_edge_on_both_ends) {
+TEST(CollideCapsule, parallel_to_an_edge_has_two_points) {
     for (const Geometry& box : {Geometry{Box{half}}, same_as_hull()})
         for (const double lean : {0.05, 0.1, 0.3, 0.8})
             for (const double turn : {0.0, 0.01, 0.05}) {
@@ -58,7 +58,7 @@ TEST(CollideCapsule, lies_along_an_edge_on_both_ends) {
 }
 
 // An edge crossed at 45 degrees is met in one point.
-TEST(CollideCapsule, crosses_an_edge_in_one_point) {
+TEST(CollideCapsule, crossing_an_edge_has_one_point) {
     for (const Geometry& box : {Geometry{Box{half}}, same_as_hull()})
         EXPECT_EQ(beside_edge(box, 0.6, 0.8).count, 1);
 }
@@ -77,7 +77,7 @@ Manifold crossed(double turn, double depth) {
 // a five-thousandth of the radius further apart than there. On the crossing alone, which runs along
 // them with every turn, a capsule in a heap rocked at 1.7 rad/s for seconds; with it and the ends
 // one under fifty times its weight shook at 0.1 m/s for as long as one looked.
-TEST(CollideCapsule, crosses_another_at_a_small_angle_in_four_points) {
+TEST(CollideCapsule, crossing_another_at_a_small_angle_has_four_points) {
     for (const double turn : {0.05, 0.12, 0.25})
         for (const double depth : {0.0, 0.001, 0.05}) {
             const Manifold m = crossed(turn, depth);

@@ -143,7 +143,7 @@ std::uint64_t from_environment(const char* name, std::uint64_t otherwise) {
 
 class CollideOracle : public testing::TestWithParam<std::pair<ShapeKind, ShapeKind>> {};
 
-TEST_P(CollideOracle, agrees_with_a_search_over_all_directions) {
+TEST_P(CollideOracle, matches_a_search_over_all_directions) {
     const auto [ka, kb] = GetParam();
     Report report;
     const std::uint64_t first = from_environment("JOSTLE_ORACLE_FIRST", 0),
@@ -178,7 +178,7 @@ INSTANTIATE_TEST_SUITE_P(every_pair, CollideOracle, testing::ValuesIn(convex_pai
                          });
 
 // Where the normal is unique it is known exactly.
-TEST(Collide, normals_of_plain_cases) {
+TEST(Collide, normals_of_simple_cases_are_exact) {
     const auto normal = [](const Geometry& a, Vec3 pa, const Geometry& b, Vec3 pb) {
         PairCache cache;
         const Manifold m =
@@ -219,7 +219,7 @@ TEST(Collide, lying_capsule_has_two_points) {
 
 // Within a step a body may be nowhere: it is put back when the step ends. Until then nothing is
 // read that is not there (what the address sanitizer sees).
-TEST(Collide, pairs_of_which_one_is_nowhere_stay_within_their_arrays) {
+TEST(Collide, non_finite_shapes_do_not_overrun_arrays) {
     const double nowhere = std::numeric_limits<double>::quiet_NaN();
     for (const Geometry& a : {Geometry(Box{}), Geometry(Sphere{}), Geometry(Capsule{})})
         for (const Geometry& b : {Geometry(Box{}), Geometry(Cylinder{}), Geometry(Capsule{})})

@@ -13,7 +13,7 @@ namespace jostle::test {
 namespace {
 using namespace physics;
 
-TEST(Gjk, boxes_corner_to_corner_are_a_diagonal_apart) {
+TEST(Gjk, distance_of_boxes_corner_to_corner_is_the_diagonal) {
     const Geometry box = Box{{1, 1, 1}};
     const GjkResult g = gjk(at(box, {}), at(box, {4, 4, 3}), {});
     EXPECT_NEAR(g.distance, 3, 1e-9);  // (2, 2, 1)
@@ -23,7 +23,7 @@ TEST(Gjk, boxes_corner_to_corner_are_a_diagonal_apart) {
 }
 
 // Of a ball and a capsule only the point and the segment count here.
-TEST(Gjk, knows_cores_alone) {
+TEST(Gjk, ignores_radii) {
     const Geometry ball = Sphere{0.5}, rod = Capsule{0.1, 2};
     EXPECT_NEAR(gjk(at(ball, {3, 1, 0}), at(rod, {}), {}).distance, 3, 1e-9);
     EXPECT_NEAR(gjk(at(ball, {3, 6, 0}), at(rod, {}), {}).distance, 5, 1e-9);
@@ -54,7 +54,7 @@ TEST(Gjk, normal_separates_and_points_attain_the_distance) {
 }
 
 // Overlapping cores: the origin is on the inner side of every face of the simplex.
-TEST(Gjk, of_overlapping_cores_holds_the_origin) {
+TEST(Gjk, simplex_of_overlapping_cores_contains_the_origin) {
     Random random(102);
     int tetrahedra = 0;
     for (int round = 0; round < 200; round++) {
@@ -80,7 +80,7 @@ TEST(Gjk, of_overlapping_cores_holds_the_origin) {
 
 // The normal of the step before, when they hardly moved, takes two rounds; the one that points away
 // takes more.
-TEST(Gjk, a_good_hint_takes_two_rounds) {
+TEST(Gjk, converges_in_two_iterations_from_a_good_hint) {
     Random random(103);
     int good = 0, bad = 0;
     for (int round = 0; round < 200; round++) {
@@ -99,7 +99,7 @@ TEST(Gjk, a_good_hint_takes_two_rounds) {
     EXPECT_GT(bad, 600);
 }
 
-TEST(Gjk, stops_as_soon_as_they_are_further_apart_than_asked) {
+TEST(Gjk, stops_once_the_distance_exceeds_the_limit) {
     const Geometry ball = Cylinder{1, 1};
     const Convex a = at(ball, {}), b = at(ball, {6, 5, 4}, from_axis_angle({1, 0, 1}, 0.7));
     const GjkResult exact = gjk(a, b, {}), early = gjk(a, b, {}, {.beyond = 0.1});

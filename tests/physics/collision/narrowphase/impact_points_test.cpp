@@ -21,7 +21,7 @@ SweptShape falling(const Geometry& geometry, Vec3 center, double way, Quat rotat
 
 // A box of 1 m, 2.5 m above the floor, falls by 4 m: it meets the floor half way, with four
 // corners.
-TEST(ImpactPoints, a_box_meets_the_floor_with_its_corners) {
+TEST(ImpactPoints, box_hits_the_floor_with_its_corners) {
     const Geometry box = Box{}, floor = Plane{}, table = Box{{5, 1, 5}};
     const SweptShape a = falling(box, {0, 2.5, 0}, 4), b = falling(floor, {}, 0);
     const auto on_plane = points_touching(a, b, 0.5, 5e-4);
@@ -38,7 +38,7 @@ TEST(ImpactPoints, a_box_meets_the_floor_with_its_corners) {
 }
 
 // Two balls of a dumbbell that lies flat touch at once, each in its own point.
-TEST(ImpactPoints, each_part_of_a_compound_has_its_own) {
+TEST(ImpactPoints, each_child_of_a_compound_has_its_own_points) {
     const Geometry pair = Compound{must(build_compound(
         {{Sphere{0.5}, {.position = {1, 0, 0}}}, {Sphere{0.5}, {.position = {-1, 0, 0}}}}))};
     const Geometry table = Box{{5, 1, 5}};
@@ -49,7 +49,7 @@ TEST(ImpactPoints, each_part_of_a_compound_has_its_own) {
 }
 
 // What met with one point of a part meets as a whole along the same normal.
-TEST(ImpactPoints, along_a_normal_the_whole_shapes_meet) {
+TEST(ImpactPoints, uses_the_full_shapes_along_a_given_normal) {
     const Geometry box = Box{}, floor = Plane{}, table = Box{{5, 1, 5}};
     const SweptShape a = falling(box, {0, 2.5, 0}, 4);
     const Impact impact{.fraction = 0.5, .normal = {0, -1, 0}, .point = {0, 0, 0}};

@@ -24,7 +24,7 @@ std::vector<int> kept(std::vector<FacePoint> points) {
 
 // A box that bears 180 times its weight on the edge between the first two points. By area alone the
 // first, which bore all of it, went: the box was thrown at 1 m/s, again and again.
-TEST(ManifoldReduction, keeps_both_ends_of_the_edge_that_bears) {
+TEST(ManifoldReduction, keeps_both_ends_of_the_loaded_edge) {
     const auto chosen = kept({{-0.2633, -0.2117, -0.0015},
                               {-0.3107, -0.0713, -0.00173},
                               {-0.1419, 0.3594, -0.00006},
@@ -34,7 +34,7 @@ TEST(ManifoldReduction, keeps_both_ends_of_the_edge_that_bears) {
 }
 
 // A box that stands on the first corner and is about to tip over the second.
-TEST(ManifoldReduction, keeps_the_corner_that_will_touch_next) {
+TEST(ManifoldReduction, keeps_the_corner_that_touches_next) {
     const auto chosen = kept({{0.2, 0.1, -0.00005},
                               {0.15, -0.1, 0.0004},
                               {-0.3, -0.2, 0.0163},
@@ -45,7 +45,7 @@ TEST(ManifoldReduction, keeps_the_corner_that_will_touch_next) {
 }
 
 // Flat on eight corners: the deepest, the one across, and one on either side.
-TEST(ManifoldReduction, spans_the_face_when_all_touch) {
+TEST(ManifoldReduction, spans_the_face_if_all_points_touch) {
     std::vector<FacePoint> octagon;
     for (int k = 0; k < 8; k++) {
         constexpr double u[] = {2, 1, -1, -2, -2, -1, 1, 2}, v[] = {1, 2, 2, 1, -1, -2, -2, -1};

@@ -10,7 +10,7 @@ namespace {
 using namespace physics;
 
 // By a grid of 60 x 60 points of the triangle: none is nearer, and one is within its spacing.
-TEST(NearestOnTriangle, no_point_of_it_is_nearer) {
+TEST(NearestOnTriangle, no_other_point_is_nearer) {
     Random random(31);
     for (int round = 0; round < 3000; round++) {
         Vec3 corner[3] = {random.vector(1), random.vector(1), random.vector(1)};
@@ -28,7 +28,7 @@ TEST(NearestOnTriangle, no_point_of_it_is_nearer) {
     }
 }
 
-TEST(NearestOnTriangle, is_the_point_itself_where_it_lies_on_it) {
+TEST(NearestOnTriangle, is_the_point_itself_if_it_lies_on_the_triangle) {
     const Vec3 corner[3] = {{0, 0, 0}, {3, 0, 0}, {0, 0, 4}};
     const Vec3 inside{1, 0, 1}, corner_itself{3, 0, 0};
     EXPECT_NEAR(length(nearest_on_triangle(corner, inside) - inside), 0, 1e-15);

@@ -12,7 +12,7 @@ namespace jostle::test {
 namespace {
 using namespace physics;
 
-TEST(PassesCylinder, says_so_of_those_alone_that_were_apart_all_the_way) {
+TEST(PassesCylinder, reports_only_shapes_that_stay_separated) {
     Random random(7);
     int passed = 0, touched = 0, missed = 0;
     for (int round = 0; round < 3000; round++) {

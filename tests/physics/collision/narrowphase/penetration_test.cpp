@@ -19,7 +19,7 @@ Penetration between(const Convex& a, const Convex& b) {
     return penetration(a, b, g.simplex);
 }
 
-TEST(Penetration, of_cubes_a_tenth_deep) {
+TEST(Penetration, depth_of_overlapping_cubes_is_exact) {
     const Geometry cube = Box{{1, 1, 1}};
     const Penetration p = between(at(cube, {}), at(cube, {0.3, 1.9, -0.2}));
     EXPECT_NEAR(p.depth, 0.1, 1e-9);
@@ -29,7 +29,7 @@ TEST(Penetration, of_cubes_a_tenth_deep) {
 }
 
 // Two cylinders that cross at a right angle, axes 1.5 m apart: half a metre deep.
-TEST(Penetration, of_crossing_cylinders) {
+TEST(Penetration, depth_of_crossing_cylinders_is_exact) {
     const Geometry log = Cylinder{1, 5};
     const Penetration p =
         between(at(log, {}), at(log, {1.5, 0, 0}, from_axis_angle({1, 0, 0}, pi / 2)));
@@ -38,7 +38,7 @@ TEST(Penetration, of_crossing_cylinders) {
 }
 
 // Random pairs: moved by the depth along the normal they touch, and no direction parts them sooner.
-TEST(Penetration, parts_them_by_the_shortest_way) {
+TEST(Penetration, is_the_shortest_separating_translation) {
     Random random(111);
     constexpr ShapeKind kinds[] = {ShapeKind::box, ShapeKind::cylinder, ShapeKind::cone,
                                    ShapeKind::hull};

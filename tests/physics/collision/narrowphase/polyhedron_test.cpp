@@ -50,7 +50,7 @@ TEST(Polyhedron, a_box_has_six_faces_and_twelve_edges) {
 
 // Both of its sides, and a face of two corners per edge: so every edge has two faces whose normals
 // are less than half a turn apart.
-TEST(Polyhedron, a_triangle_is_a_prism_without_height) {
+TEST(Polyhedron, triangle_is_a_prism_of_zero_height) {
     const Vec3 corner[3] = {{0, 0, 0}, {0, 0, 2}, {3, 0, 0}};
     PolyhedronParts parts;
     const Polyhedron p = polyhedron_of(triangle_convex(corner, {}, {}), parts);
@@ -64,7 +64,7 @@ TEST(Polyhedron, a_triangle_is_a_prism_without_height) {
         EXPECT_GT(dot(p.faces[edge.left].normal, p.faces[edge.right].normal), -0.5);
 }
 
-TEST(Polyhedron, a_hull_is_what_it_was_built_as) {
+TEST(Polyhedron, hull_keeps_its_built_topology) {
     Random random(121);
     for (int round = 0; round < 50; round++) {
         const Geometry hull = random_geometry(ShapeKind::hull, random);

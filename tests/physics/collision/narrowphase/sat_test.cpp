@@ -17,7 +17,7 @@ using namespace physics;
 
 const Geometry cube = Box{};
 
-TEST(Sat, cubes_half_a_metre_apart_and_a_tenth_deep) {
+TEST(Sat, separation_of_cubes_is_exact) {
     const Separation apart = separate(at(cube, {}), at(cube, {1.5, 0.2, 0}), 0, 1e300);
     EXPECT_NEAR(apart.distance, 0.5, 1e-12);
     EXPECT_TRUE(near(apart.normal, {1, 0, 0}, 1e-12));
@@ -28,7 +28,7 @@ TEST(Sat, cubes_half_a_metre_apart_and_a_tenth_deep) {
 }
 
 // Two cubes on their edges, which cross at a right angle: each reaches sqrt(1/2) towards the other.
-TEST(Sat, crossing_edges_are_apart_along_what_is_square_to_both) {
+TEST(Sat, crossing_edges_separate_along_their_cross_product) {
     const Convex a = at(cube, {}, from_axis_angle({0, 0, 1}, pi / 4));
     const Convex b = at(cube, {2, 0, 0}, from_axis_angle({0, 1, 0}, pi / 4));
     const Separation s = separate(a, b, 0, 1e300);
@@ -40,7 +40,7 @@ TEST(Sat, crossing_edges_are_apart_along_what_is_square_to_both) {
 
 // A cube that sits in another's corner by a diagonal is as deep along x as along y: whichever axis
 // it had it keeps, so that the normal of a resting contact does not flicker.
-TEST(Sat, of_equal_axes_the_last_one_stays) {
+TEST(Sat, keeps_the_last_axis_on_ties) {
     const auto along = [](Vec3 position, AxisCode cached) {
         return separate(at(cube, {}), at(cube, position), cached, 1e300);
     };
@@ -52,7 +52,7 @@ TEST(Sat, of_equal_axes_the_last_one_stays) {
     EXPECT_EQ(along({0.9, 0.8, 0}, y.code).normal, x.normal) << "not against a better one";
 }
 
-TEST(Sat, stops_at_an_axis_that_shows_enough) {
+TEST(Sat, stops_at_the_first_sufficient_axis) {
     const Convex a = at(cube, {}), b = at(cube, {2, 5, 0});
     const Separation x = separate(a, b, 0, 0.5), whole = separate(a, b, 0, 1e300);
     EXPECT_GT(x.distance, 0.5);
@@ -62,7 +62,7 @@ TEST(Sat, stops_at_an_axis_that_shows_enough) {
 }
 
 // Codes are saved with a world: one that fits other shapes must do no harm.
-TEST(Sat, a_cached_axis_that_does_not_exist_is_ignored) {
+TEST(Sat, ignores_an_invalid_cached_axis) {
     const Convex a = at(cube, {}), b = at(cube, {1.5, 0, 0});
     Random random(131);
     for (int k = 0; k < 2000; k++) {
@@ -72,7 +72,7 @@ TEST(Sat, a_cached_axis_that_does_not_exist_is_ignored) {
 }
 
 // Random polyhedra that overlap: no direction of many parts them by less.
-TEST(Sat, overlap_is_the_least_of_all_directions) {
+TEST(Sat, overlap_is_the_minimum_over_all_directions) {
     Random random(132);
     int overlapping = 0;
     for (int round = 0; round < 300; round++) {
@@ -95,7 +95,7 @@ TEST(Sat, overlap_is_the_least_of_all_directions) {
 
 // Of stones that just overlap most axes are never looked at, whatever axis they had: the answer is
 // that of all faces and all products of edges.
-TEST(Sat, axes_that_are_passed_over_are_not_the_best) {
+TEST(Sat, skipped_axes_are_never_the_best) {
     Random random(133);
     const auto overlap_of_all = [](const Convex& a, const Convex& b) {
         double best = -1e300;
@@ -145,7 +145,7 @@ TEST(Sat, axes_that_are_passed_over_are_not_the_best) {
 }
 
 // A rod over the edge of a cube, square to it: apart along the edge's own normal.
-TEST(Sat, a_segment_and_a_polyhedron) {
+TEST(Sat, separates_a_segment_from_a_polyhedron) {
     const Geometry rod = Capsule{0.1, 1};
     const Convex box = at(cube, {}, from_axis_angle({0, 0, 1}, pi / 4));
     // Along z the rod lies upon the upper edge, along x across it.

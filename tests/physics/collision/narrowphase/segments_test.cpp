@@ -13,20 +13,20 @@ using namespace physics;
 
 constexpr Vec3 x{1, 0, 0}, y{0, 1, 0};
 
-TEST(Segments, crossing_ones_are_closest_where_they_cross) {
+TEST(Segments, crossing_segments_are_closest_at_the_crossing) {
     const SegmentPair p = closest_on_segments({}, x, 2, {0.5, 0.25, 3}, y, 1);
     EXPECT_NEAR(p.s, 0.5, 1e-12);
     EXPECT_NEAR(p.t, -0.25, 1e-12);
 }
 
-TEST(Segments, beyond_an_end_the_end_is_closest) {
+TEST(Segments, closest_point_beyond_an_end_is_the_end) {
     const SegmentPair p = closest_on_segments({}, x, 2, {5, 3, 0}, y, 1);
     EXPECT_EQ(p.s, 2);
     EXPECT_EQ(p.t, -1);
 }
 
 // From -2 to 2 and from 1 to 5: they share 1 to 2. Apart, their ends.
-TEST(Segments, parallel_ones_take_the_middle_of_what_they_share) {
+TEST(Segments, parallel_segments_use_the_middle_of_their_overlap) {
     for (const Vec3 v : {x, -x}) {
         const SegmentPair p = closest_on_segments({}, x, 2, {3, 1, 0}, v, 2);
         EXPECT_NEAR(p.s, 1.5, 1e-12);
@@ -37,7 +37,7 @@ TEST(Segments, parallel_ones_take_the_middle_of_what_they_share) {
     EXPECT_EQ(apart.t, -2);
 }
 
-TEST(Segments, no_point_of_a_grid_is_closer) {
+TEST(Segments, no_grid_point_is_closer) {
     Random random(141);
     for (int round = 0; round < 500; round++) {
         const Vec3 a = random.vector(2), u = random.direction(), b = random.vector(2),
@@ -55,7 +55,7 @@ TEST(Segments, no_point_of_a_grid_is_closer) {
 
 // Rods of 0.2 m whose axes are 0.4 m apart and cross at 0.1 rad: that far on both sides of the
 // crossing the axes are two ten-thousandths of the radius further from each other.
-TEST(Segments, half_of_a_crossing_is_where_it_opens_by_a_fraction_of_the_radius) {
+TEST(Segments, crossing_half_length_matches_the_opening_fraction_of_the_radius) {
     const double angle = 0.1, radius = 0.2, distance = 0.4;
     const SinCos turn = sin_cos(angle);
     const double half = half_of_crossing(distance, radius, turn.cos);

@@ -18,7 +18,7 @@ SignedDistance between(const Geometry& a, Vec3 at_a, const Geometry& b, Vec3 at_
                            cache);
 }
 
-TEST(ShapeDistance, is_that_of_surfaces_not_of_cores) {
+TEST(ShapeDistance, is_between_surfaces_not_cores) {
     const SignedDistance d = between(Sphere{1}, {}, Capsule{0.5, 2}, {4, 1, 0});
     EXPECT_NEAR(d.distance, 2.5, 1e-9);
     EXPECT_TRUE(near(d.normal, {1, 0, 0}, 1e-9));
@@ -28,7 +28,7 @@ TEST(ShapeDistance, is_that_of_surfaces_not_of_cores) {
 }
 
 // A box whose lower side is half a metre below a plane, asked from both sides.
-TEST(ShapeDistance, of_a_plane_is_that_of_the_lowest_point) {
+TEST(ShapeDistance, distance_to_a_plane_is_that_of_the_lowest_point) {
     const SignedDistance d = between(Plane{}, {0, 1, 0}, Box{{1, 2, 3}}, {9, 2.5, 9});
     EXPECT_NEAR(d.distance, -0.5, 1e-12);
     EXPECT_TRUE(near(d.normal, {0, 1, 0}, 1e-12));
@@ -40,7 +40,7 @@ TEST(ShapeDistance, of_a_plane_is_that_of_the_lowest_point) {
     EXPECT_EQ(turned.on_a, d.on_b);
 }
 
-TEST(ShapeDistance, is_the_same_from_both_sides_and_between_its_points) {
+TEST(ShapeDistance, is_symmetric_and_equals_the_distance_of_its_points) {
     Random random(151);
     constexpr ShapeKind kinds[] = {ShapeKind::sphere,   ShapeKind::capsule, ShapeKind::box,
                                    ShapeKind::cylinder, ShapeKind::cone,    ShapeKind::hull};

@@ -18,7 +18,7 @@ Geometry round_shape(Random& random, int kind) {
     return Cylinder{random.in(0.2, 0.5), random.in(0.05, 0.3)};
 }
 
-TEST(SweepCup, hides_only_what_the_way_did_not_touch) {
+TEST(SweepCup, excludes_only_triangles_that_the_sweep_does_not_touch) {
     Random random(9);
     int hidden[3] = {}, shown[3] = {};
     for (int round = 0; round < 6000; round++) {

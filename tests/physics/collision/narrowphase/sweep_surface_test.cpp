@@ -107,7 +107,7 @@ void compare(const Geometry& surface, const Transform& at, const Sweeper& s, Sco
     score.worst = std::max(score.worst, apart / s.gap());
 }
 
-TEST(SweepSurface, finds_the_touch_that_a_search_of_every_triangle_finds) {
+TEST(SweepSurface, matches_a_search_over_every_triangle) {
     Random random(5);
     const ShapeKind kinds[] = {ShapeKind::sphere,   ShapeKind::capsule, ShapeKind::box,
                                ShapeKind::cylinder, ShapeKind::cone,    ShapeKind::hull};
@@ -136,7 +136,7 @@ TEST(SweepSurface, finds_the_touch_that_a_search_of_every_triangle_finds) {
 }
 
 // 60 m over a hillside: taken in parts, it is what it would be in one.
-TEST(SweepSurface, a_long_way_is_the_same_in_parts) {
+TEST(SweepSurface, long_sweep_equals_its_parts) {
     Random random(6);
     const Geometry surface = hills_of_mesh(60, 1, 1.5);
     Score score;
@@ -151,7 +151,7 @@ TEST(SweepSurface, a_long_way_is_the_same_in_parts) {
 }
 
 // Nothing that slides over flat triangles feels the edges between them.
-TEST(SweepSurface, seams_of_a_flat_ground_have_its_normal) {
+TEST(SweepSurface, seams_of_flat_ground_have_the_ground_normal) {
     Random random(7);
     const Geometry surface = hills_of_mesh(16, 0.25, 0);
     const Geometry shapes[] = {Sphere{0.3}, Capsule{0.2, 0.4}, Box{{0.3, 0.2, 0.4}},
@@ -175,7 +175,7 @@ TEST(SweepSurface, seams_of_a_flat_ground_have_its_normal) {
 }
 
 // What begins in the plane of a wall and goes along it does not meet it.
-TEST(SweepSurface, who_goes_along_a_wall_does_not_meet_it) {
+TEST(SweepSurface, sweep_parallel_to_a_wall_does_not_hit_it) {
     const Geometry wall = hills_of_mesh(8, 1, 0);
     const Sphere ball{0.5};
     const Geometry shape = ball;

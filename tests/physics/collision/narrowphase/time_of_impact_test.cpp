@@ -42,7 +42,7 @@ Mover random_mover(const Geometry& geometry, Vec3 center, Vec3 motion, double tu
     return m;
 }
 
-TEST(TimeOfImpact, is_the_first_moment_of_nearness) {
+TEST(TimeOfImpact, is_the_first_time_within_the_target_distance) {
     Random random(11);
     const ShapeKind kinds[] = {ShapeKind::sphere,   ShapeKind::capsule, ShapeKind::box,
                                ShapeKind::cylinder, ShapeKind::cone,    ShapeKind::hull};
@@ -91,7 +91,7 @@ TEST(TimeOfImpact, is_the_first_moment_of_nearness) {
 
 // Thin things that tumble past each other near by, most of which the rods around them part: what is
 // said to pass by keeps its distance wherever the oracle looks.
-TEST(TimeOfImpact, what_tumbles_past_never_meets) {
+TEST(TimeOfImpact, tumbling_past_reports_no_hit) {
     Random random(12);
     const auto thin = [&](int kind) -> Geometry {
         const double length = random.in(0.3, 0.6), width = random.in(0.03, 0.06);

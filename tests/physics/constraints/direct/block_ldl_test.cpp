@@ -104,7 +104,7 @@ std::vector<BlockLdl::Edge> random_edges(int nodes, int more, std::mt19937& rand
 }
 
 // A hundred trees and nets of nodes with one to eight rows.
-TEST(BlockLdl, solves_as_elimination_of_the_dense_matrix_does) {
+TEST(BlockLdl, matches_dense_elimination) {
     std::mt19937 random(7);
     for (int round = 0; round < 100; round++) {
         const int nodes = 1 + static_cast<int>(random() % 12);
@@ -137,7 +137,7 @@ TEST(BlockLdl, solves_as_elimination_of_the_dense_matrix_does) {
 }
 
 // A node that says the same as another: one of its rows each is left out, and the rest is solved.
-TEST(BlockLdl, leaves_out_rows_that_others_imply) {
+TEST(BlockLdl, skips_linearly_dependent_rows) {
     std::mt19937 random(3);
     Problem problem({3, 3, 2}, {{0, 1}, {0, 2}, {1, 2}}, random);
     problem.jacobian[1] = problem.jacobian[0];
@@ -160,7 +160,7 @@ TEST(BlockLdl, leaves_out_rows_that_others_imply) {
 }
 
 // Nothing is filled in on a chain: ten times the links, ten times the work.
-TEST(BlockLdl, of_a_chain_costs_in_proportion_to_its_links) {
+TEST(BlockLdl, cost_of_a_chain_is_linear_in_its_links) {
     const auto work = [](int links) {
         std::vector<BlockLdl::Edge> edges;
         for (int k = 1; k < links; k++) edges.push_back({k - 1, k});
@@ -172,7 +172,7 @@ TEST(BlockLdl, of_a_chain_costs_in_proportion_to_its_links) {
 }
 
 // Eight nodes that all meet: what that costs is known, and one multiplication less is too few.
-TEST(BlockLdl, of_a_dense_pattern_is_refused_by_its_work) {
+TEST(BlockLdl, rejects_a_dense_pattern_above_the_work_limit) {
     std::vector<BlockLdl::Edge> edges;
     for (int i = 0; i < 8; i++)
         for (int k = 0; k < i; k++) edges.push_back({i, k});

@@ -26,7 +26,7 @@ DirectGroup chain(int links, double ratio) {
 }
 
 // A rod that is let go from the horizontal comes back after 4 K(sin 45) / w0 = 1.935750 s.
-TEST(DirectGroup, swings_with_the_period_of_a_pendulum) {
+TEST(DirectGroup, pendulum_has_the_analytic_period) {
     DirectGroup group;
     group.bodies = {ground(), body_at({0.5, 0, 0}, 1, {0.0016667, 0.0841667, 0.0841667})};
     join(group, 0, 1, HingeJoint{}, {}, {-0.5, 0, 0}, about_y);
@@ -40,7 +40,7 @@ TEST(DirectGroup, swings_with_the_period_of_a_pendulum) {
 
 // A chain with a thousand times the mass at its end cracks like a whip: it stays together, gains no
 // energy, and never needs the last resort.
-TEST(DirectGroup, holds_a_whip_together) {
+TEST(DirectGroup, keeps_the_joints_of_a_whip_closed) {
     for (const double ratio : {1.0, 100.0, 1000.0}) {
         DirectGroup group = chain(10, ratio);
         const double before = energy(group), scale = 0.1 * (9 + ratio) * g * 2;
@@ -57,7 +57,7 @@ TEST(DirectGroup, holds_a_whip_together) {
 }
 
 // Nothing pulls from outside: both momenta stay what they are, to rounding.
-TEST(DirectGroup, keeps_momenta_of_what_tumbles) {
+TEST(DirectGroup, conserves_momenta_of_a_tumbling_group) {
     DirectGroup group;
     for (int k = 0; k < 5; k++) {
         group.bodies.push_back(body_at({0.2 * k, 0, 0}, 1 + k, {0.01, 0.02, 0.025}));
@@ -82,7 +82,7 @@ TEST(DirectGroup, keeps_momenta_of_what_tumbles) {
 }
 
 // Four hinges of a parallelogram: three of their twenty rows follow from the others.
-TEST(DirectGroup, leaves_out_what_a_loop_says_twice) {
+TEST(DirectGroup, skips_redundant_rows_of_a_loop) {
     DirectGroup group;
     const Vec3 rod{0.0841667, 0.0841667, 0.0016667};
     group.bodies = {ground(), body_at({0, 0, -0.5}, 1, rod), body_at({1.5, 0, -0.5}, 1, rod),
@@ -104,7 +104,7 @@ TEST(DirectGroup, leaves_out_what_a_loop_says_twice) {
 }
 
 // A motor gives its most until it reaches its speed, then what it takes; a limit stops it.
-TEST(DirectGroup, motors_and_limits_keep_their_bounds) {
+TEST(DirectGroup, motors_and_limits_respect_their_bounds) {
     DirectGroup group;
     group.bodies = {ground(), body_at({0.5, 0, 0}, 1, {0.01, 0.0841667, 0.0841667})};
     group.bodies[1].force = {};
@@ -135,7 +135,7 @@ TEST(DirectGroup, motors_and_limits_keep_their_bounds) {
 }
 
 // Ends that start a metre apart come together at ten metres a second, and keep none of it.
-TEST(DirectGroup, brings_ends_together_without_giving_energy) {
+TEST(DirectGroup, closes_joint_errors_without_adding_energy) {
     DirectGroup group;
     group.bodies = {ground(), body_at({1, 0, 0}, 1, {0.004, 0.004, 0.004})};
     group.bodies[1].force = {};

@@ -32,7 +32,7 @@ JointKind with_axes(bool turn_x, bool turn_z, bool slides) {
 }
 
 // What rows carry comes back as it was kept, for every mix of rows.
-TEST(DirectWarmStart, keeps_what_rows_carry) {
+TEST(DirectWarmStart, round_trips_row_impulses) {
     const JointKind kinds[] = {BallJoint{},
                                HingeJoint{},
                                FixedJoint{},
@@ -55,7 +55,7 @@ TEST(DirectWarmStart, keeps_what_rows_carry) {
     }
 }
 
-TEST(DirectWarmStart, keeps_what_bounds_a_way) {
+TEST(DirectWarmStart, round_trips_limit_and_motor_impulses) {
     DirectGroup group =
         askew(SliderJoint{.limit = {true, 0, 2}, .motor = {true, 1, 10}, .friction_force = 4});
     DirectJoint& joint = group.joints[0];

@@ -35,7 +35,7 @@ void advance_for(DirectGroup& group, double seconds) {
 
 const Quat z_along_x = from_axis_angle({0, 1, 0}, 0.5 * pi);
 
-TEST(FreeAxis, a_slider_runs_down_its_line) {
+TEST(FreeAxis, slider_accelerates_along_its_axis) {
     const double slope = 0.4;
     const Quat frame = from_axis_angle({0, 1, 0}, 0.5 * pi + slope);  // z along x and down
     DirectGroup group = tied(SliderJoint{}, frame, {0.3, 0.2, -0.1});
@@ -47,7 +47,7 @@ TEST(FreeAxis, a_slider_runs_down_its_line) {
 }
 
 // Two bodies of which one slides along the other as both tumble.
-TEST(FreeAxis, a_slider_keeps_momenta_and_energy) {
+TEST(FreeAxis, slider_conserves_momenta_and_energy) {
     DirectGroup group;
     group.bodies = {body_at({}, 2, {0.02, 0.03, 0.04}), body_at({0.3, 0, 0}, 1, small)};
     for (DirectBody& body : group.bodies) body.force = {};
@@ -87,7 +87,7 @@ TEST(FreeAxis, a_slider_keeps_momenta_and_energy) {
     EXPECT_LT(most - least, 0.1 * start);
 }
 
-TEST(FreeAxis, a_slider_stops_at_its_limit_and_bears_the_weight) {
+TEST(FreeAxis, slider_stops_at_its_limit_and_carries_the_weight) {
     DirectGroup group = tied(SliderJoint{.limit = {true, -0.5, 1}});
     advance_for(group, 0.3);
     EXPECT_NEAR(group.bodies[1].x.z, -0.5 * g * 0.09, 1e-9);
@@ -99,7 +99,7 @@ TEST(FreeAxis, a_slider_stops_at_its_limit_and_bears_the_weight) {
     EXPECT_NEAR(group.joints[0].force_sum.z / dt, g, 1e-6);
 }
 
-TEST(FreeAxis, a_slider_s_motor_gives_its_most_until_it_has_its_speed) {
+TEST(FreeAxis, slider_motor_applies_its_maximum_force_until_it_reaches_its_speed) {
     DirectGroup group = floating(SliderJoint{.motor = {true, 2, 4}}, z_along_x);
     advance_for(group, 0.25);
     EXPECT_NEAR(velocity(group.bodies[1]).x, 1, 1e-9);
@@ -107,7 +107,7 @@ TEST(FreeAxis, a_slider_s_motor_gives_its_most_until_it_has_its_speed) {
     EXPECT_NEAR(velocity(group.bodies[1]).x, 2, 1e-9);
 }
 
-TEST(FreeAxis, friction_stops_and_holds) {
+TEST(FreeAxis, friction_stops_the_motion_and_holds) {
     DirectGroup group = floating(SliderJoint{.friction_force = 2}, z_along_x);
     group.bodies[1].p = {1, 0, 0};
     advance_for(group, 0.4);
@@ -125,7 +125,7 @@ TEST(FreeAxis, friction_stops_and_holds) {
 }
 
 // A motor of 3 N against friction of 1 N: 2 N until it has its speed, 1 N to keep it.
-TEST(FreeAxis, a_motor_works_against_friction) {
+TEST(FreeAxis, motor_overcomes_friction) {
     DirectGroup group =
         floating(SliderJoint{.motor = {true, 1, 3}, .friction_force = 1}, z_along_x);
     advance_for(group, 0.25);
@@ -141,7 +141,7 @@ TEST(FreeAxis, a_motor_works_against_friction) {
     EXPECT_NEAR(velocity(group.bodies[1]).x - before, -0.5, 1e-9);
 }
 
-TEST(FreeAxis, a_spring_swings_for_a_minute) {
+TEST(FreeAxis, undamped_spring_oscillates_for_a_minute) {
     DirectGroup group = floating(SliderJoint{.spring = {1, 0}}, z_along_x);
     group.bodies[1].x = {1, 0, 0};
     double worst = 0;
@@ -156,7 +156,7 @@ TEST(FreeAxis, a_spring_swings_for_a_minute) {
     EXPECT_LT(worst, 1e-5);
 }
 
-TEST(FreeAxis, a_damped_spring_dies_away_as_it_should) {
+TEST(FreeAxis, damped_spring_decays_at_the_analytic_rate) {
     const double ratio = 0.2, w = 2 * pi * 2, slower = w * std::sqrt(1 - ratio * ratio);
     DirectGroup group = floating(SliderJoint{.spring = {2, ratio}}, z_along_x);
     group.bodies[1].x = {1, 0, 0};
@@ -187,7 +187,7 @@ double error_of_damped_rod(int substeps) {
     const Vec3 x = group.bodies[1].axes * Vec3{1, 0, 0};
     return std::abs(std::atan2(-x.z, x.x) - truth);
 }
-TEST(FreeAxis, a_damped_spring_is_of_second_order_where_joints_hold_too) {
+TEST(FreeAxis, damped_spring_is_second_order_with_rigid_joints) {
     const double coarse = error_of_damped_rod(2), fine = error_of_damped_rod(4);
     EXPECT_LT(coarse, 2e-3);
     EXPECT_GT(coarse / fine, 3.5);
@@ -196,7 +196,7 @@ TEST(FreeAxis, a_damped_spring_is_of_second_order_where_joints_hold_too) {
 
 // Of a thousand turns a second no step sees anything. Without damping energy is kept, with damping
 // the spring goes to rest.
-TEST(FreeAxis, springs_too_stiff_for_the_step_stay_bounded) {
+TEST(FreeAxis, springs_too_stiff_for_the_step_remain_bounded) {
     for (const double ratio : {0.0, 0.3, 1.0, 10.0}) {
         DirectGroup group = floating(SliderJoint{.spring = {1000, ratio}}, z_along_x);
         group.bodies[1].p = {1, 0, 0};
@@ -217,7 +217,7 @@ TEST(FreeAxis, springs_too_stiff_for_the_step_stay_bounded) {
 
 // A cardan joint: two shafts at an angle b; tan(out) = tan(in) cos(b) from where the input's pin
 // lies across the bend.
-TEST(FreeAxis, a_universal_joint_turns_as_a_cardan_does) {
+TEST(FreeAxis, universal_joint_matches_the_cardan_equation) {
     const double bend = 0.5;
     const Vec3 out{std::cos(bend), 0, std::sin(bend)};
     DirectGroup group;
@@ -263,7 +263,7 @@ TEST(FreeAxis, a_universal_joint_turns_as_a_cardan_does) {
 }
 
 // Falls freely until the rope is taut; then it hangs and swings, and gains nothing.
-TEST(FreeAxis, a_rope_lets_fall_and_catches) {
+TEST(FreeAxis, rope_is_slack_and_then_catches) {
     DirectGroup group;
     group.bodies = {ground(), body_at({0.6, 0, 0}, 1, small)};
     join(group, 0, 1, DistanceJoint{.min_length = 0, .max_length = 1}, {}, {});
@@ -285,7 +285,7 @@ TEST(FreeAxis, a_rope_lets_fall_and_catches) {
 }
 
 // A rod on a shoulder falls over until its cone holds it, and turns about itself as far as it may.
-TEST(FreeAxis, a_shoulder_stays_in_its_cone) {
+TEST(FreeAxis, cone_twist_stays_within_its_cone) {
     DirectGroup group;
     group.bodies = {ground(), body_at({0, 0, 0.5}, 1, {0.0841667, 0.0841667, 0.002})};
     group.bodies[1].p = {0.05, 0.02, 0};
@@ -310,7 +310,7 @@ TEST(FreeAxis, a_shoulder_stays_in_its_cone) {
 }
 
 // Far beyond its limit a joint comes back at a bounded speed, and keeps none of it.
-TEST(FreeAxis, limits_that_are_overrun_come_back_at_a_bounded_speed) {
+TEST(FreeAxis, violated_limits_recover_at_a_bounded_speed) {
     DirectGroup hinge = floating(HingeJoint{.limit = {true, 1, 2}}, about_y);
     hinge.advance(0.05, 8);
     write_vectors(hinge.joints[0], hinge.bodies[0], hinge.bodies[1]);
@@ -325,7 +325,7 @@ TEST(FreeAxis, limits_that_are_overrun_come_back_at_a_bounded_speed) {
 }
 
 // A motor at its most on a chain that is too stiff for other steps than energy-momentum ones.
-TEST(FreeAxis, what_grips_is_reported_whatever_the_step) {
+TEST(FreeAxis, motor_and_friction_forces_are_reported_at_any_step_size) {
     DirectGroup group;
     group.bodies.push_back(ground());
     for (int k = 0; k < 6; k++) {

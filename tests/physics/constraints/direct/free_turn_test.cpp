@@ -14,7 +14,7 @@ double turning_energy(Quat q, Vec3 momentum, Vec3 inverse) {
 
 // Dzhanibekov's body for ten minutes: it flips again and again, and its turning_energy does not
 // drift.
-TEST(FreeTurn, keeps_the_energy_of_a_body_that_flips) {
+TEST(FreeTurn, conserves_the_energy_of_a_flipping_body) {
     const Vec3 inverse{1 / 0.1, 1 / 0.2, 1 / 0.28}, momentum{0.001, 1, 0.0028};
     Quat q;
     const double before = turning_energy(q, momentum, inverse);
@@ -28,7 +28,7 @@ TEST(FreeTurn, keeps_the_energy_of_a_body_that_flips) {
 }
 
 // Half the step, a quarter of the error.
-TEST(FreeTurn, is_of_second_order) {
+TEST(FreeTurn, is_second_order_accurate) {
     const Vec3 inverse{10, 5, 3}, momentum{0.3, 0.5, -0.2};
     const auto end = [&](int steps) {
         Quat q;
@@ -44,7 +44,7 @@ TEST(FreeTurn, is_of_second_order) {
 }
 
 // A top: its axis goes round the momentum at |L| / I, exactly, in one step of a second.
-TEST(FreeTurn, of_a_symmetric_body_is_exact) {
+TEST(FreeTurn, is_exact_for_a_symmetric_body) {
     const Vec3 inverse{1 / 0.3, 1 / 0.3, 1 / 0.1}, momentum{0.2, 0, 0.5};
     const Quat q = free_turn({}, momentum, inverse, 1);
     const double angle = length(momentum) / 0.3;
@@ -53,7 +53,7 @@ TEST(FreeTurn, of_a_symmetric_body_is_exact) {
     EXPECT_NEAR(turn_rate(momentum, inverse), angle, 1e-12);
 }
 
-TEST(FreeTurn, leads_back_when_time_does) {
+TEST(FreeTurn, is_time_reversible) {
     const Vec3 inverse{10, 5, 3}, momentum{3, -2, 1};
     const Quat start = normalized(Quat{0.1, 0.2, 0.3, 0.9});
     const Quat back = free_turn(free_turn(start, momentum, inverse, 0.1), momentum, inverse, -0.1);
@@ -61,7 +61,7 @@ TEST(FreeTurn, leads_back_when_time_does) {
 }
 
 // By series and by the library's sine: the same turn.
-TEST(FreeTurn, turns_by_any_rotation_vector) {
+TEST(FreeTurn, handles_any_rotation_vector) {
     for (const double angle : {0.0, 1e-9, 0.5, 0.9999, 1.0001, 3.0, 20.0}) {
         const Vec3 r = normalized(Vec3{1, 2, -3}) * angle;
         const Quat a = turn_by(r), b = from_rotation_vector(r);

@@ -10,7 +10,7 @@ using physics::JointEnds;
 using physics::JointSystemBlock;
 
 // Beads on a line, 1 kg each, of which joints hold the distance: J has -1 at a and 1 at b.
-TEST(JointSystemBlocks, beads_on_a_line_have_the_matrix_of_a_chain) {
+TEST(JointSystemBlocks, beads_on_a_line_yield_a_chain_matrix) {
     // A ring of five beads of which the first is held, and a joint beside it to the world.
     const std::vector<JointEnds> joints{{0, 1}, {1, 2}, {2, 3}, {3, 4}, {4, 0}, {5, 2}};
     const std::vector<std::uint8_t> pushed{0, 1, 1, 1, 1, 0};
@@ -40,7 +40,7 @@ TEST(JointSystemBlocks, beads_on_a_line_have_the_matrix_of_a_chain) {
     EXPECT_EQ(blocks, 12);  // six of joints with themselves, four of the ring, two of the branch
 }
 
-TEST(JointSystemBlocks, what_would_cost_too_much_is_said_before_it_is_done) {
+TEST(JointSystemBlocks, rejects_excessive_work_before_factoring) {
     // Forty bodies of which each is tied to each.
     std::vector<JointEnds> joints;
     for (int b = 1; b < 40; b++)

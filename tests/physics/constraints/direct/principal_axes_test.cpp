@@ -17,7 +17,7 @@ double largest(const Mat3& m) {
 }
 
 // Put together again they are the tensor, thin bodies and near spheres alike.
-TEST(PrincipalAxes, of_any_tensor_make_it_up) {
+TEST(PrincipalAxes, recompose_any_tensor) {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> any(-1, 1);
     for (int k = 0; k < 1000; k++) {
@@ -31,7 +31,7 @@ TEST(PrincipalAxes, of_any_tensor_make_it_up) {
     }
 }
 
-TEST(PrincipalAxes, of_a_diagonal_tensor_are_the_body_s_own) {
+TEST(PrincipalAxes, keep_the_axes_of_a_diagonal_tensor) {
     EXPECT_EQ(principal_axes(diagonal({3, 1, 2})), (PrincipalAxes{{}, {3, 1, 2}}));
 }
 

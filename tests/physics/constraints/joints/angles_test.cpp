@@ -12,7 +12,7 @@ namespace {
 using namespace physics;
 
 // Wherever both stand, b turned against a about their common z axis.
-TEST(JointAngles, hinge_angle_is_the_turn_about_z) {
+TEST(JointAngles, hinge_angle_is_the_rotation_about_z) {
     Random random(191);
     for (const double angle : {-3.1, -1.0, 0.0, 0.3, 2.0, 3.1}) {
         const Quat a = random.rotation();
@@ -22,7 +22,7 @@ TEST(JointAngles, hinge_angle_is_the_turn_about_z) {
 }
 
 // A swing by 0.7 rad about some axis square to x, after a twist about x: both are found again.
-TEST(JointAngles, swing_and_twist_are_told_apart) {
+TEST(JointAngles, swing_and_twist_are_separated) {
     Random random(192);
     for (const double twist : {-3.0, -0.5, 0.0, 1.2, 3.0}) {
         const Quat a = random.rotation();
@@ -36,7 +36,7 @@ TEST(JointAngles, swing_and_twist_are_told_apart) {
 }
 
 // A quaternion and its negative are one rotation.
-TEST(JointAngles, do_not_see_the_sign_of_a_quaternion) {
+TEST(JointAngles, are_invariant_under_quaternion_sign) {
     const Quat a = from_axis_angle({1, 2, 3}, 0.4), b = a * from_axis_angle({1, 0, 0}, 2.5);
     const Quat negative{-b.x, -b.y, -b.z, -b.w};
     EXPECT_NEAR(twist_angle(a, negative), 2.5, 1e-12);

@@ -16,7 +16,7 @@ Quat about(int axis, double angle) {
     return from_axis_angle(axes[axis], angle);
 }
 
-TEST(GimbalAngles, are_those_of_turns_one_after_the_other) {
+TEST(GimbalAngles, match_sequential_rotations) {
     const Quat frame = unit(Quat{0.1, 0.5, -0.3, 0.7});
     const GimbalAngles turns =
         gimbal_angles(frame, frame * about(0, 2.5) * about(1, -0.7) * about(2, -3));
@@ -26,7 +26,7 @@ TEST(GimbalAngles, are_those_of_turns_one_after_the_other) {
 }
 
 // A small spin of b changes each angle by its row.
-TEST(GimbalRows, are_how_fast_each_angle_changes) {
+TEST(GimbalRows, match_the_angle_rates) {
     const Quat a = unit(Quat{0.1, 0.5, -0.3, 0.7});
     const Quat b = a * about(0, 0.5) * about(1, 0.9) * about(2, -1);
     const GimbalRows rows = gimbal_rows(a, b);
@@ -41,7 +41,7 @@ TEST(GimbalRows, are_how_fast_each_angle_changes) {
 }
 
 // Each of the six axes is found where the layout says, whichever turn is the middle one.
-TEST(AxesLayout, of_a_six_dof_puts_a_locked_turn_in_the_middle) {
+TEST(AxesLayout, six_dof_puts_a_locked_rotation_in_the_middle) {
     const JointAxis free{.free = true};
     const struct {
         SixDofAxes axes;
@@ -70,7 +70,7 @@ TEST(AxesLayout, of_a_six_dof_puts_a_locked_turn_in_the_middle) {
     }
 }
 
-TEST(AxesLayout, of_a_wheel_is_at_rest_where_it_is_steered_to) {
+TEST(AxesLayout, wheel_rests_at_its_steering_angle) {
     const AxesLayout layout = layout_of(WheelJoint{.steering = 0.3});
     const AxesPose pose = pose_of(layout, {}, {{0.1, 0.2, 0}, about(1, 0.3) * about(2, 1.5)});
     EXPECT_NEAR(pose.turns.first, 0, 1e-12);
@@ -80,7 +80,7 @@ TEST(AxesLayout, of_a_wheel_is_at_rest_where_it_is_steered_to) {
     EXPECT_NEAR(locked_error(layout, pose), 0.1, 1e-12);
 }
 
-TEST(AxesLayout, of_a_slider_leaves_its_z_axis_free) {
+TEST(AxesLayout, slider_leaves_its_z_axis_free) {
     const AxesLayout layout = layout_of(SliderJoint{});
     EXPECT_NEAR(locked_error(layout, pose_of(layout, {}, {{0.3, 0.4, 7}, {}})), 0.5, 1e-12);
 }

@@ -39,7 +39,7 @@ JointBatches batches_of(JointLevels& levels, std::size_t bodies,
 
 // Nine chains of three links and two pairs: the chains fill one batch and begin another, and a pair
 // has nothing that one row of its own could not do.
-TEST(JointBatches, put_groups_of_one_pattern_side_by_side) {
+TEST(JointBatches, put_groups_with_equal_patterns_in_one_batch) {
     std::vector<std::pair<int, int>> ends;
     int body = 1;
     for (int chain = 0; chain < 9; chain++, body += 3) {
@@ -60,7 +60,7 @@ TEST(JointBatches, put_groups_of_one_pattern_side_by_side) {
 }
 
 // What stands still ties nobody: two pendulums of two links on one pivot are two groups.
-TEST(JointBatches, end_where_bodies_cannot_be_pushed) {
+TEST(JointBatches, stop_at_immovable_bodies) {
     JointLevels levels = levels_of({{-5, 1}, {1, 2}, {-5, 3}, {3, 4}}, 6);
     JointBatches batches = batches_of(levels, 6);
     ASSERT_EQ(batches.used, 1);
@@ -68,7 +68,7 @@ TEST(JointBatches, end_where_bodies_cannot_be_pushed) {
 }
 
 // A cloth's matrix is dense: it is left to sweeps.
-TEST(JointBatches, leave_nets_alone) {
+TEST(JointBatches, skip_nets) {
     std::vector<std::pair<int, int>> ends;
     constexpr int n = 30;
     for (int row = 0; row < n; row++)
@@ -88,7 +88,7 @@ TEST(JointBatches, leave_nets_alone) {
 }
 
 // Of a pair, a chain of three and another chain whose middle joint wishes for what it says.
-TEST(JointBatches, are_what_the_joints_ask_for) {
+TEST(JointBatches, follow_the_solver_preferences_of_the_joints) {
     const std::vector<std::pair<int, int>> ends{{1, 2}, {3, 4}, {4, 5}, {5, 6},
                                                 {7, 8}, {8, 9}, {9, 10}};
     const auto found = [&](std::optional<JointSolver> middle, JointSolver of_world) {
@@ -108,7 +108,7 @@ TEST(JointBatches, are_what_the_joints_ask_for) {
 // Forty links of 1 kg under a pivot, a load of 1000 kg at their end, all with random velocities:
 // after two solves no two ends part faster than 1e-5 of how fast they did, and the momentum that
 // the links lost is what the pivot took.
-TEST(JointBatches, hold_a_long_chain_with_a_heavy_end_in_two_solves) {
+TEST(JointBatches, solve_a_long_chain_with_a_heavy_end_in_two_solves) {
     constexpr int links = 40;
     std::vector<std::pair<int, int>> ends;
     for (int k = 0; k < links; k++) ends.push_back({k, k + 1});

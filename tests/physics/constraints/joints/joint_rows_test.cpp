@@ -116,7 +116,7 @@ bool needs_ends_apart(const JointKind& kind) {
 }
 
 // The rate of a row is what its error changes by, to second order in the time.
-TEST(JointRows, rates_are_what_errors_change_by) {
+TEST(JointRows, rates_match_finite_differences_of_errors) {
     constexpr double dt = 1e-5;
     for (const Case& kind : cases()) {
         SCOPED_TRACE(kind.name);
@@ -172,7 +172,7 @@ std::vector<double> swept(const ConstraintSystem& s) {
 }
 
 // In a short step: there what a spring does in many sub-steps is what it does in one.
-TEST(JointRows, impulses_are_those_of_a_step) {
+TEST(JointRows, impulses_match_a_step) {
     for (const Case& kind : cases()) {
         SCOPED_TRACE(kind.name);
         constexpr double dt = 1e-3;
@@ -204,7 +204,7 @@ TEST(JointRows, impulses_are_those_of_a_step) {
     }
 }
 
-TEST(JointRows, a_gear_turns_against_its_carriers) {
+TEST(JointRows, gear_rotates_relative_to_its_carriers) {
     World world = make_world({.gravity = {}});
     const BodyId arm = add(world, {.geometry = Box{{1, 0.1, 0.1}}});
     BodyId wheels[2];
@@ -229,7 +229,7 @@ TEST(JointRows, a_gear_turns_against_its_carriers) {
     EXPECT_NEAR(row.rate, (2 - 0.5) + 3 * (-1 - 0.5), 1e-12);
 }
 
-TEST(JointRows, limits_that_are_one_value_hold_both_ways) {
+TEST(JointRows, limits_of_equal_bounds_hold_in_both_directions) {
     const Pair pair(HingeJoint{.limit = {true, 0.2, 0.2}}, true);
     const ConstraintSystem s = pair.system();
     ASSERT_EQ(s.rows.size(), 6u);

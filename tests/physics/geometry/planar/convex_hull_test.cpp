@@ -52,7 +52,7 @@ void compare(const std::vector<GridPoint2>& points) {
     }
 }
 
-TEST(PlanarHull, on_small_grids_has_the_corners_that_nothing_holds) {
+TEST(PlanarHull, matches_brute_force_on_small_grids) {
     Random random(21);
     for (int round = 0; round < 3000; round++) {
         std::vector<GridPoint2> points;
@@ -63,7 +63,7 @@ TEST(PlanarHull, on_small_grids_has_the_corners_that_nothing_holds) {
     }
 }
 
-TEST(PlanarHull, of_degenerate_sets) {
+TEST(PlanarHull, handles_degenerate_sets) {
     for (const auto method : {convex_hull, hull_by_gift_wrapping}) {
         EXPECT_EQ(must(method(std::vector<Vec2>{{2, 1}})), (std::vector<Vec2>{{2, 1}}));
         EXPECT_EQ(must(method(std::vector<Vec2>(5, Vec2{2, 1}))), (std::vector<Vec2>{{2, 1}}));
@@ -78,7 +78,7 @@ TEST(PlanarHull, of_degenerate_sets) {
 
 // Points that are on one line but for rounding: every other method than an exact one may lose a
 // corner or end in a loop.
-TEST(PlanarHull, of_nearly_collinear_points_is_the_same_by_both_methods) {
+TEST(PlanarHull, both_methods_agree_on_nearly_collinear_points) {
     Random random(22);
     for (int round = 0; round < 300; round++) {
         std::vector<Vec2> points;
@@ -93,7 +93,7 @@ TEST(PlanarHull, of_nearly_collinear_points_is_the_same_by_both_methods) {
     }
 }
 
-TEST(PlanarHull, of_many_points_is_the_same_by_both_methods) {
+TEST(PlanarHull, both_methods_agree_on_many_points) {
     Random random(23);
     std::vector<Vec2> points;
     for (int k = 0; k < 20000; k++) points.push_back({random.in(-1, 1), random.in(-1, 1)});

@@ -68,7 +68,7 @@ TEST(ConvexParts, fill_random_polygons_and_are_few) {
     }
 }
 
-TEST(ConvexParts, have_at_most_so_many_corners) {
+TEST(ConvexParts, respect_the_corner_limit) {
     Random random(82);
     for (int round = 0; round < 1000; round++) {
         const auto polygon = random_polygon(random, 30, 16);
@@ -84,7 +84,7 @@ TEST(ConvexParts, have_at_most_so_many_corners) {
 }
 
 // A point of the polygon that is on no side of a part is in exactly one of them.
-TEST(ConvexParts, hold_each_point_once) {
+TEST(ConvexParts, cover_each_point_once) {
     Random random(83);
     for (int round = 0; round < 200; round++) {
         const auto polygon = real(random_polygon(random, 20, 10));
@@ -102,7 +102,7 @@ TEST(ConvexParts, hold_each_point_once) {
     }
 }
 
-TEST(ConvexParts, of_known_polygons) {
+TEST(ConvexParts, match_known_polygons) {
     const auto count = [](const std::vector<Vec2>& polygon) {
         return must(convex_parts(polygon)).size();
     };

@@ -19,7 +19,7 @@ double whole(Random& random, std::uint64_t bits) {
     return random.below(2) == 0 ? size : -size;
 }
 
-TEST(Expansion, a_rounded_sum_and_its_error_are_the_sum) {
+TEST(Expansion, rounded_sum_plus_error_is_exact) {
     Random random(1);
     for (int k = 0; k < 20000; k++) {
         const double a = whole(random, 53), b = whole(random, 30) * 0x1p40;
@@ -30,7 +30,7 @@ TEST(Expansion, a_rounded_sum_and_its_error_are_the_sum) {
     }
 }
 
-TEST(Expansion, a_rounded_product_and_its_error_are_the_product) {
+TEST(Expansion, rounded_product_plus_error_is_exact) {
     Random random(2);
     for (int k = 0; k < 20000; k++) {
         const double a = whole(random, 53), b = whole(random, 53);
@@ -42,7 +42,7 @@ TEST(Expansion, a_rounded_product_and_its_error_are_the_product) {
 
 // Sixteen numbers of very different size that nearly cancel: the sign and the value are those of
 // the exact sum.
-TEST(Expansion, of_sixteen_numbers_has_the_sign_and_the_value_of_their_sum) {
+TEST(Expansion, sum_of_sixteen_numbers_has_exact_sign_and_value) {
     Random random(3);
     for (int k = 0; k < 20000; k++) {
         Expansion<16> expansion;
@@ -63,7 +63,7 @@ TEST(Expansion, of_sixteen_numbers_has_the_sign_and_the_value_of_their_sum) {
     }
 }
 
-TEST(Expansion, of_numbers_that_cancel_is_zero) {
+TEST(Expansion, cancelling_numbers_sum_to_zero) {
     Expansion<4> expansion;
     EXPECT_EQ(expansion.value(), 0);
     for (const double x : {1e16, 1.0, -1e16}) expansion.add(x);

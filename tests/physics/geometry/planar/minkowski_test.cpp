@@ -27,7 +27,7 @@ std::int64_t support(std::span<const GridPoint2> points, GridPoint2 way) {
 }
 
 // Sets with the same support in every direction in which either has a side are the same.
-TEST(Minkowski, support_of_the_sum_is_the_sum_of_supports) {
+TEST(Minkowski, support_of_sum_equals_sum_of_supports) {
     Random random(51);
     for (int round = 0; round < 3000; round++) {
         const auto a = random_set(random, 7), b = random_set(random, 7);
@@ -49,7 +49,7 @@ TEST(Minkowski, support_of_the_sum_is_the_sum_of_supports) {
     }
 }
 
-TEST(Minkowski, of_a_square_and_a_triangle) {
+TEST(Minkowski, sum_of_square_and_triangle_is_exact) {
     const std::vector<Vec2> square{{0, 0}, {1, 0}, {1, 1}, {0, 1}},
         triangle{{0, 0}, {2, 0}, {0, 2}};
     EXPECT_EQ(must(minkowski_sum(square, triangle)),
@@ -67,7 +67,7 @@ double gap(const std::vector<Vec2>& a, const std::vector<Vec2>& b, Vec2 way) {
 }
 
 // It is the largest gap: its own direction leaves it, and none of 720 leaves more.
-TEST(Separation, is_the_largest_gap_of_all_directions) {
+TEST(Separation, is_the_largest_gap_over_all_directions) {
     Random random(52);
     int apart = 0, deep = 0;
     for (int round = 0; round < 3000; round++) {
@@ -94,7 +94,7 @@ TEST(Separation, is_the_largest_gap_of_all_directions) {
     EXPECT_GT(deep, 500);
 }
 
-TEST(Separation, of_known_pairs) {
+TEST(Separation, matches_known_pairs) {
     const std::vector<Vec2> square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
     const auto moved = [&](Vec2 by) {
         std::vector<Vec2> out = square;

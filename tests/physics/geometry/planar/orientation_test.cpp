@@ -58,7 +58,7 @@ void compare_near_lines(double size, double scale, int rounds) {
     }
 }
 
-TEST(Orientation, of_points_near_a_line_is_that_of_integers) {
+TEST(Orientation, matches_integer_arithmetic_near_a_line) {
     for (const double size : {10.0, 0x1p20, 0x1p52}) compare_near_lines(size, 1, 20000);
 }
 
@@ -70,7 +70,7 @@ TEST(Orientation, is_exact_for_tiny_and_huge_coordinates) {
 // The grid of 256 x 256 neighbouring doubles about (0.5, 0.5) against a line that passes through
 // it (Kettner et al., "Classroom examples of robustness problems in geometric computations", 2008).
 // With rounded determinants the picture is full of spots.
-TEST(Orientation, of_neighbouring_doubles_beside_a_diagonal_is_without_spots) {
+TEST(Orientation, is_consistent_for_adjacent_doubles_near_a_diagonal) {
     constexpr double unit = 0x1p-53;
     int wrong = 0;
     for (int i = 0; i < 256; i++)
@@ -84,7 +84,7 @@ TEST(Orientation, of_neighbouring_doubles_beside_a_diagonal_is_without_spots) {
     EXPECT_GT(wrong, 100) << "the cases are not hard";
 }
 
-TEST(Orientation, of_equal_points_is_zero) {
+TEST(Orientation, is_zero_for_equal_points) {
     const Vec2 a{0.1, 0.2}, b{0.3, 1e-20};
     for (const auto& [p, q, r] : {std::array{a, a, a}, std::array{a, a, b}, std::array{a, b, a}}) {
         EXPECT_EQ(orientation(p, q, r), 0);

@@ -47,7 +47,7 @@ void expect_holds(const OrientedBox& box, const std::vector<Vec2>& points) {
 
 // Over the directions of all pairs of points, among which are the hull's sides, and over 3600
 // directions all round.
-TEST(SmallestBox, is_the_best_of_all_pairs_and_no_direction_beats_it) {
+TEST(SmallestBox, is_minimal_over_all_directions) {
     Random random(41);
     for (int round = 0; round < 2000; round++) {
         const auto points = random_points(random);
@@ -68,7 +68,7 @@ TEST(SmallestBox, is_the_best_of_all_pairs_and_no_direction_beats_it) {
     }
 }
 
-TEST(SmallestBox, of_known_sets) {
+TEST(SmallestBox, matches_known_sets) {
     const OrientedBox point = must(smallest_box(std::vector<Vec2>(2, Vec2{4, 5})));
     EXPECT_EQ(point.center, (Vec2{4, 5}));
     EXPECT_EQ(point.half_length, 0);
@@ -89,7 +89,7 @@ TEST(SmallestBox, of_known_sets) {
 }
 
 // The points are spread most along one of its axes: no direction beats it.
-TEST(PcaBox, stands_along_the_largest_spread) {
+TEST(PcaBox, is_aligned_with_the_largest_variance) {
     Random random(42);
     for (int round = 0; round < 500; round++) {
         const auto points = random_points(random);
@@ -111,7 +111,7 @@ TEST(PcaBox, stands_along_the_largest_spread) {
     }
 }
 
-TEST(PcaBox, without_a_principal_axis_stands_along_x) {
+TEST(PcaBox, falls_back_to_x_without_a_principal_axis) {
     EXPECT_EQ(must(pca_box(std::vector<Vec2>(4, Vec2{1, 2}))).axis, (Vec2{1, 0}));
     const OrientedBox square = must(pca_box(std::vector<Vec2>{{0, 0}, {2, 0}, {2, 2}, {0, 2}}));
     EXPECT_EQ(square.axis, (Vec2{1, 0}));

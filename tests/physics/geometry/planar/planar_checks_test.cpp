@@ -15,11 +15,11 @@ using namespace physics;
 using physics::planar::check_points;
 using testing::HasSubstr;
 
-TEST(PlanarChecks, take_what_is_finite_and_within_the_limits) {
+TEST(PlanarChecks, accept_finite_points_within_limits) {
     EXPECT_TRUE(check_points("points", std::vector<Vec2>{{1e7, -1e7}}, 1, 1).ok());
 }
 
-TEST(PlanarChecks, name_the_list_and_the_point) {
+TEST(PlanarChecks, errors_name_the_list_and_the_point) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const double infinity = std::numeric_limits<double>::infinity();
     EXPECT_THAT(error_of(check_points("a", std::vector<Vec2>{{0, 0}}, 2, 5)).message,

@@ -44,7 +44,7 @@ void compare(std::span<const GridPoint2> polygon, GridPoint2 p) {
 }
 
 // Every place of a small grid: rays through corners and along sides are the rule there.
-TEST(PointInPolygon, agrees_with_angles_on_any_closed_line) {
+TEST(PointInPolygon, matches_the_angle_sum_on_any_closed_polyline) {
     Random random(11);
     for (int round = 0; round < 3000; round++) {
         std::vector<GridPoint2> polygon;
@@ -55,7 +55,7 @@ TEST(PointInPolygon, agrees_with_angles_on_any_closed_line) {
     }
 }
 
-TEST(PointInPolygon, agrees_with_angles_and_with_itself_on_simple_polygons) {
+TEST(PointInPolygon, both_methods_match_the_angle_sum_on_simple_polygons) {
     Random random(12);
     for (int round = 0; round < 500; round++) {
         const auto polygon = random_polygon(random, 24, 12);
@@ -70,7 +70,7 @@ TEST(PointInPolygon, agrees_with_angles_and_with_itself_on_simple_polygons) {
     }
 }
 
-TEST(PointInPolygon, a_star_in_one_stroke_tells_the_two_apart) {
+TEST(PointInPolygon, crossing_and_winding_rules_differ_inside_a_pentagram) {
     const std::vector<Vec2> star{{0, 10}, {6, -8}, {-9, 3}, {9, 3}, {-6, -8}};
     EXPECT_EQ(winding_number(star, {0, 0}), -2);
     EXPECT_EQ(locate_by_crossings(star, {0, 0}), Location::outside);
@@ -78,7 +78,7 @@ TEST(PointInPolygon, a_star_in_one_stroke_tells_the_two_apart) {
     EXPECT_EQ(locate_by_crossings(star, {0, 8}), Location::inside) << "in a point of the star";
 }
 
-TEST(PointInPolygon, next_to_a_side_by_one_unit_in_the_last_place) {
+TEST(PointInPolygon, is_exact_one_ulp_from_a_side) {
     const std::vector<Vec2> triangle{{0, 0}, {1, 1}, {0, 1}};
     const double x = 0.1, up = std::nextafter(x, 1), down = std::nextafter(x, 0);
     for (const auto locate : {locate_by_crossings, locate_by_winding}) {

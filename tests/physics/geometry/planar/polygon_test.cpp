@@ -15,7 +15,7 @@ using namespace physics;
 using namespace physics::planar;
 using testing::HasSubstr;
 
-TEST(Polygon, simple_ones_pass_and_no_others) {
+TEST(Polygon, accepts_exactly_the_simple_polygons) {
     Random random(61);
     int simple = 0;
     for (int round = 0; round < 100000; round++) {
@@ -29,7 +29,7 @@ TEST(Polygon, simple_ones_pass_and_no_others) {
     EXPECT_GT(simple, 5000);
 }
 
-TEST(Polygon, area_and_way_round_are_those_of_integers) {
+TEST(Polygon, area_and_orientation_match_integer_arithmetic) {
     Random random(62);
     for (int round = 0; round < 2000; round++) {
         const auto polygon = random_polygon(random, 20, 10);
@@ -40,7 +40,7 @@ TEST(Polygon, area_and_way_round_are_those_of_integers) {
     EXPECT_EQ(signed_area({}), 0);
 }
 
-TEST(Polygon, errors_name_what_is_to_blame) {
+TEST(Polygon, errors_name_the_offending_corners) {
     const auto fault = [](const std::vector<Vec2>& polygon) {
         return error_of(check_polygon(polygon)).message;
     };

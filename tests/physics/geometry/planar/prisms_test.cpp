@@ -34,7 +34,7 @@ TEST(Prisms, have_the_volume_of_the_polygon) {
 }
 
 // Three squares of 1 m^2: the centre is the mean of theirs.
-TEST(Prisms, as_a_compound_weigh_what_three_boxes_do) {
+TEST(Prisms, compound_has_the_mass_of_three_boxes) {
     const Geometry compound = Compound{must(build_prism_compound(corner, 0.5))};
     const MassProperties mass = mass_of(compound, 10);
     EXPECT_NEAR(mass.mass, 30, 1e-9);
@@ -44,7 +44,7 @@ TEST(Prisms, as_a_compound_weigh_what_three_boxes_do) {
 }
 
 // In a planar world: one body of several shapes. It stands on its foot, which is as wide as it is.
-TEST(Prisms, stand_in_a_planar_world) {
+TEST(Prisms, come_to_rest_in_a_planar_world) {
     World world = make_world({.gravity = {0, -9.81, 0}, .planar = true});
     add_floor(world);
     const BodyId body = must(world.create_body({.pose = {{0, 0, 0}, {}}}));
@@ -54,7 +54,7 @@ TEST(Prisms, stand_in_a_planar_world) {
     EXPECT_TRUE(near(position_of(world, body), {0, 0, 0}, 2e-3));
 }
 
-TEST(Prisms, of_a_hundred_corners_are_cut_to_what_hulls_take) {
+TEST(Prisms, polygon_of_a_hundred_corners_is_split_to_the_hull_limit) {
     std::vector<Vec2> round;
     for (int k = 0; k < 300; k++) {
         const SinCos a = sin_cos(k * (2 * pi / 300));
@@ -67,7 +67,7 @@ TEST(Prisms, of_a_hundred_corners_are_cut_to_what_hulls_take) {
     EXPECT_NEAR(volume, signed_area(round), 1e-5 * static_cast<double>(prisms.size()));
 }
 
-TEST(Prisms, leave_out_slivers) {
+TEST(Prisms, drop_slivers) {
     // A square with a corner that sticks out by a micrometre: two parts at most, one of them none.
     const std::vector<Vec2> square{{0, 0}, {1, 0}, {1, 1}, {0.5, 1 - 1e-6}, {0, 1}};
     double volume = 0;
@@ -77,7 +77,7 @@ TEST(Prisms, leave_out_slivers) {
                 HasSubstr("too thin"));
 }
 
-TEST(Prisms, errors_name_what_is_to_blame) {
+TEST(Prisms, errors_name_the_offending_corners) {
     EXPECT_THAT(message_of(build_prisms(corner, 0)), HasSubstr("half_depth is 0"));
     EXPECT_THAT(message_of(build_prisms(std::vector<Vec2>{{0, 0}, {2e4, 0}, {0, 1}}, 1)),
                 HasSubstr("polygon[1] is (20000, 0)"));

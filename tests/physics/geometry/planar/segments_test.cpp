@@ -39,7 +39,7 @@ void compare(GridPoint2 a, GridPoint2 b, GridPoint2 c, GridPoint2 d) {
 }
 
 // 65,536 pairs: every way in which two segments can lie.
-TEST(Segments, all_pairs_on_a_grid_of_four_by_four_meet_as_integers_say) {
+TEST(Segments, match_integer_arithmetic_for_all_pairs_on_a_4x4_grid) {
     const auto point = [](int k) { return GridPoint2{k % 4, k / 4}; };
     for (int a = 0; a < 16; a++)
         for (int b = 0; b < 16; b++)
@@ -47,7 +47,7 @@ TEST(Segments, all_pairs_on_a_grid_of_four_by_four_meet_as_integers_say) {
                 for (int d = 0; d < 16; d++) compare(point(a), point(b), point(c), point(d));
 }
 
-TEST(Segments, on_a_wide_grid_meet_as_integers_say) {
+TEST(Segments, match_integer_arithmetic_on_a_wide_grid) {
     Random random(5);
     for (int k = 0; k < 50000; k++) {
         const std::uint64_t side = k % 2 == 0 ? 9 : 1000;
@@ -57,7 +57,7 @@ TEST(Segments, on_a_wide_grid_meet_as_integers_say) {
     }
 }
 
-TEST(Segments, cases_by_name) {
+TEST(Segments, handle_named_cases) {
     const auto of = [](Segment a, Segment b) { return intersect(a, b).relation; };
     using enum SegmentRelation;
     EXPECT_EQ(of({{0, 0}, {2, 2}}, {{0, 2}, {2, 0}}), crossing);
@@ -80,7 +80,7 @@ TEST(Segments, cases_by_name) {
 }
 
 // Nearly parallel: the point is far from well known along the lines, but it is on both.
-TEST(Segments, of_almost_one_direction_cross_on_both) {
+TEST(Segments, crossing_point_of_nearly_parallel_segments_lies_on_both) {
     Random random(6);
     int crossings = 0;
     for (int k = 0; k < 20000; k++) {

@@ -38,7 +38,7 @@ double radius_by_search(const std::vector<Vec2>& points) {
     return least;
 }
 
-TEST(SmallestCircle, is_the_best_of_all_pairs_and_triples) {
+TEST(SmallestCircle, is_minimal_over_all_pairs_and_triples) {
     Random random(31);
     for (int round = 0; round < 2000; round++) {
         std::vector<Vec2> points;
@@ -53,7 +53,7 @@ TEST(SmallestCircle, is_the_best_of_all_pairs_and_triples) {
     }
 }
 
-TEST(SmallestCircle, of_known_sets) {
+TEST(SmallestCircle, matches_known_sets) {
     EXPECT_EQ(must(smallest_circle(std::vector<Vec2>(3, Vec2{4, 5}))).radius, 0);
     const Circle line = must(smallest_circle(std::vector<Vec2>{{0, 0}, {1, 0}, {4, 0}, {2, 0}}));
     EXPECT_EQ(line.center, (Vec2{2, 0}));
@@ -66,7 +66,7 @@ TEST(SmallestCircle, of_known_sets) {
 }
 
 // All of them are on it, but for rounding: the hardest case for a test of which are inside.
-TEST(SmallestCircle, of_a_hundred_thousand_points_on_a_circle_is_that_circle) {
+TEST(SmallestCircle, recovers_a_circle_of_a_hundred_thousand_points) {
     for (const Vec2 center : {Vec2{}, Vec2{1e6, -1e6}}) {
         std::vector<Vec2> points;
         for (int k = 0; k < 100000; k++) {
@@ -81,7 +81,7 @@ TEST(SmallestCircle, of_a_hundred_thousand_points_on_a_circle_is_that_circle) {
 }
 
 // The order of the points changes nothing but the last bits.
-TEST(SmallestCircle, does_not_depend_on_the_order) {
+TEST(SmallestCircle, is_independent_of_the_point_order) {
     Random random(32);
     std::vector<Vec2> points;
     for (int k = 0; k < 1000; k++) points.push_back({random.in(-1, 1), random.in(-1, 1)});

@@ -51,7 +51,7 @@ TEST(Triangulate, fills_random_polygons) {
     }
 }
 
-TEST(Triangulate, fills_what_is_mostly_straight) {
+TEST(Triangulate, fills_mostly_collinear_polygons) {
     // A square with three corners of 180 degrees on each side, and a triangle with one on one.
     const std::vector<GridPoint2> square{{0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 0}, {4, 1},
                                          {4, 2}, {4, 3}, {4, 4}, {3, 4}, {2, 4}, {1, 4},
@@ -85,13 +85,13 @@ TEST(Triangulate, fills_combs_and_spirals) {
     EXPECT_TRUE(is_simple(outer)) << "the test's own polygon";
 }
 
-TEST(Triangulate, refuses_what_is_not_simple) {
+TEST(Triangulate, rejects_non_simple_polygons) {
     EXPECT_FALSE(triangulate(std::vector<Vec2>{{0, 0}, {2, 2}, {2, 0}, {0, 2}}).ok());
     EXPECT_FALSE(triangulate(std::vector<Vec2>{{0, 0}, {1, 0}}).ok());
 }
 
 // Numbers so small that their products are none: an error or triangles, and an end in any case.
-TEST(Triangulate, ends_on_denormal_coordinates) {
+TEST(Triangulate, terminates_on_denormal_coordinates) {
     Random random(72);
     for (int round = 0; round < 500; round++) {
         std::vector<Vec2> polygon;

@@ -57,13 +57,13 @@ bool is_crowd(const Row& row) {
 
 // Of 4 m/s five balls that keep half and a floor leave 4 / 2^10 m/s: no order. Of 0.9 they leave
 // 1.4 m/s, shared by five, which bounces: 0.62.
-TEST(FindClusters, a_row_is_one_when_nothing_of_the_push_comes_back) {
+TEST(FindClusters, row_is_a_cluster_if_the_impulse_dies_out) {
     EXPECT_TRUE(is_crowd({}));
     EXPECT_FALSE(is_crowd({.restitution = 0.9}));
     EXPECT_TRUE(is_crowd({.balls = 20, .restitution = 0.9}));
 }
 
-TEST(FindClusters, a_pair_and_what_loses_nothing_are_none) {
+TEST(FindClusters, pairs_and_elastic_bodies_are_not_clusters) {
     EXPECT_FALSE(is_crowd({.balls = 2, .restitution = 0.1}));
     EXPECT_TRUE(is_crowd({.balls = 3, .restitution = 0.1}));
     EXPECT_FALSE(is_crowd({.balls = 40, .restitution = 1}));
@@ -71,13 +71,13 @@ TEST(FindClusters, a_pair_and_what_loses_nothing_are_none) {
 
 // A seventh of the energy of each impact goes: of 16 m^2/s^2 eight balls leave 16 (6/7)^16 / 8 =
 // 0.17 to each, twenty 0.002, where 0.33^2 = 0.11 is noise.
-TEST(FindClusters, rough_balls_without_loss_are_one_when_they_are_many) {
+TEST(FindClusters, many_elastic_balls_with_friction_are_a_cluster) {
     EXPECT_FALSE(is_crowd({.balls = 8, .restitution = 1, .friction = 0.5}));
     EXPECT_TRUE(is_crowd({.balls = 20, .restitution = 1, .friction = 0.5}));
 }
 
 // In free flight a crowd parts by itself, and so it does where nothing presses it together.
-TEST(FindClusters, something_holds_them) {
+TEST(FindClusters, requires_support) {
     EXPECT_FALSE(is_crowd({.floor = false}));
     EXPECT_TRUE(is_crowd({.floor = false, .leans = true}));
     EXPECT_FALSE(is_crowd({.floor = false, .leans = true, .gravity = {}}));
@@ -86,13 +86,13 @@ TEST(FindClusters, something_holds_them) {
 
 // 2 g dt is 0.08 m/s at 240 Hz, where 0.3 m/s is what bounces, and 2.6 m/s at 7.5 Hz: of 4 m/s
 // three balls of 0.8 leave 1.05, shared by three 0.61.
-TEST(FindClusters, what_shows_no_order_goes_by_gravity_and_the_step) {
+TEST(FindClusters, threshold_depends_on_gravity_and_step_size) {
     EXPECT_FALSE(is_crowd({.balls = 3, .restitution = 0.8, .hz = 240}));
     EXPECT_TRUE(is_crowd({.balls = 3, .restitution = 0.8, .hz = 7.5}));
 }
 
 // Nothing is about to bounce, so nobody is in one.
-TEST(FindClusters, without_bounces_there_is_none) {
+TEST(FindClusters, no_clusters_without_restitution) {
     EXPECT_FALSE(is_crowd({.nears = false}));
 }
 

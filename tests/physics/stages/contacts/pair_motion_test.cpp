@@ -15,7 +15,7 @@ namespace {
 using namespace physics;
 
 // Two balls of 0.5 m that fly along with each other, 6 m/s apart, and one of them spins.
-TEST(PairMotion, closing_way_is_velocity_and_both_turns) {
+TEST(PairMotion, max_closing_distance_includes_velocity_and_both_rotations) {
     World world = make_world();
     add(world, {.geometry = Sphere{0.5}, .velocity = {100, 6, 0}});
     add(world, {.geometry = Sphere{0.5},
@@ -29,7 +29,7 @@ TEST(PairMotion, closing_way_is_velocity_and_both_turns) {
 }
 
 // A wall a hundred metres wide does not turn, however far its corners are.
-TEST(PairMotion, what_never_moves_adds_nothing) {
+TEST(PairMotion, static_bodies_add_no_motion) {
     World world = make_world();
     add(world, {.geometry = Sphere{0.5}, .velocity = {0, -3, 0}});
     add_static(world, {.geometry = Box{{100, 1, 100}}, .position = {0, -5, 0}});

@@ -33,7 +33,7 @@ struct OverFloor {
 
 // 10 cm above the floor at 12 m/s: there after 1/120 s, less the tenth of a millimetre that is
 // kept.
-TEST(PredictedPair, a_ball_meets_the_floor_when_its_gap_is_gone) {
+TEST(PredictedPair, ball_reaches_the_floor_once_its_gap_closes) {
     OverFloor ball(Sphere{0.5}, 0.6, {0, -12, 0});
     const auto time = time_to_contact(ball.state, ball.contact(), dt);
     ASSERT_TRUE(time);
@@ -45,7 +45,7 @@ TEST(PredictedPair, a_ball_meets_the_floor_when_its_gap_is_gone) {
 }
 
 // n sub-steps push at their beginnings: in the mean (n - 1) / 2n of a step after its start.
-TEST(PredictedPair, the_middle_of_the_forces_is_before_that_of_the_step) {
+TEST(PredictedPair, force_midpoint_is_before_the_step_midpoint) {
     OverFloor box(Box{}, 0.5, {1, 0, 0});
     EXPECT_EQ(midpoint_time(box.state, box.contact(), 0.01, dt), 0) << "it does not touch yet";
     box.contact().touching = true;
@@ -55,7 +55,7 @@ TEST(PredictedPair, the_middle_of_the_forces_is_before_that_of_the_step) {
     EXPECT_NEAR(midpoint_time(box.state, box.contact(), 2, dt), dt / 8, 1e-12);
 }
 
-TEST(PredictedPair, shapes_are_where_their_velocities_take_them) {
+TEST(PredictedPair, shapes_are_extrapolated_by_their_velocities) {
     OverFloor box(Box{}, 2, {6, -12, 0});
     warm_of(box.state, box.body).w = {0, 0, pi};
     const PredictedPair pair(box.state, box.contact(), 0.5);
@@ -66,7 +66,7 @@ TEST(PredictedPair, shapes_are_where_their_velocities_take_them) {
 
 // A gap of 0 in 1/120 s at 12 m/s is one of 10 cm now. The point goes along with the box, whose
 // centre is followed: what is not pushed need not be thought of.
-TEST(PredictedPair, counted_back_a_gap_is_what_it_is_now) {
+TEST(PredictedPair, rewound_gap_equals_the_current_gap) {
     OverFloor box(Box{}, 0.6, {3, -12, 0});
     const double time = 1.0 / 120;
     const PredictedPair pair(box.state, box.contact(), time);
@@ -84,7 +84,7 @@ TEST(PredictedPair, counted_back_a_gap_is_what_it_is_now) {
     EXPECT_NEAR(apart.distance, 0.3, 1e-12) << "now is now";
 }
 
-TEST(PredictedPair, smallest_gap_is_that_of_the_deepest_point_or_the_distance) {
+TEST(PredictedPair, smallest_gap_is_the_deepest_point_or_the_distance) {
     Manifold m{.count = 3, .distance = 9};
     m.gap[0] = 0.1;
     m.gap[1] = -0.2;

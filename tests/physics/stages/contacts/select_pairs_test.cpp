@@ -37,7 +37,7 @@ struct Choice {
 };
 using Contacts = std::vector<std::uint32_t>;
 
-TEST(SelectPairs, new_pairs_are_looked_at_and_what_rests_is_not) {
+TEST(SelectPairs, selects_new_pairs_and_skips_resting_pairs) {
     World world = make_world({.sleeping = false});
     add_floor(world);
     add(world, {.position = {0, 0.5, 0}});
@@ -56,7 +56,7 @@ TEST(SelectPairs, new_pairs_are_looked_at_and_what_rests_is_not) {
     EXPECT_EQ(at_rest.scratch.contacts.had_contacts, std::vector<std::uint8_t>{1});
 }
 
-TEST(SelectPairs, a_manifold_that_moved_too_far_is_looked_at_once) {
+TEST(SelectPairs, selects_a_moved_manifold_once) {
     World world = make_world({.sleeping = false});
     add_floor(world);
     for (int k = 0; k < 3; k++) add(world, {.position = {3.0 * k, 0.5, 0}});
@@ -69,7 +69,7 @@ TEST(SelectPairs, a_manifold_that_moved_too_far_is_looked_at_once) {
 }
 
 // A dumbbell on the floor has two manifolds; both moved too far, and the pair is looked at as one.
-TEST(SelectPairs, a_pair_of_many_parts_is_looked_at_as_a_whole) {
+TEST(SelectPairs, selects_a_composite_pair_once) {
     World world = make_world({.sleeping = false});
     add_floor(world);
     const Geometry dumbbell = Compound{must(build_compound(
@@ -94,7 +94,7 @@ TEST(SelectPairs, a_pair_of_many_parts_is_looked_at_as_a_whole) {
 }
 
 // What sleeps on both sides needs no bound; its limit is kept for when it wakes.
-TEST(SelectPairs, dormant_pairs_leave_the_list) {
+TEST(SelectPairs, removes_dormant_pairs) {
     World world = make_world();
     add(world, {.position = {0, 0, 0}});
     add(world, {.position = {9, 0, 0}});

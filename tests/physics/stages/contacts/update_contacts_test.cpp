@@ -21,14 +21,14 @@ int checks_of(World& world) {
 }
 
 // It comes no nearer to the wall, however fast it falls. Turning would matter: it does not turn.
-TEST(UpdateContacts, what_falls_along_a_wall_is_looked_at_once) {
+TEST(UpdateContacts, body_falling_along_a_wall_is_tested_once) {
     World world = make_world();
     add(world, {.geometry = Box{{0.5, 50, 5}}, .type = BodyType::static_body});
     add(world, {.position = {1.03, 40, 0}, .velocity = {0, -10, 0}});
     EXPECT_LE(checks_of(world), 1);
 }
 
-TEST(UpdateContacts, what_falls_side_by_side_is_not_looked_at) {
+TEST(UpdateContacts, bodies_falling_side_by_side_are_not_tested) {
     World world = make_world();
     for (int i = 0; i < 100; i++)
         add(world,
@@ -37,7 +37,7 @@ TEST(UpdateContacts, what_falls_side_by_side_is_not_looked_at) {
 }
 
 // Faster than the lower one by 6 m/s: 30 boxes pass 30 others at 5 cm, and none of them nears.
-TEST(UpdateContacts, columns_that_pass_each_other_are_looked_at_a_few_times) {
+TEST(UpdateContacts, passing_columns_are_tested_a_few_times) {
     World world = make_world({.gravity = {}});
     for (int i = 0; i < 30; i++) {
         add(world, {.position = {0, 1.2 * i, 0}});
@@ -47,7 +47,7 @@ TEST(UpdateContacts, columns_that_pass_each_other_are_looked_at_a_few_times) {
 }
 
 // Half a millimetre beside a sleeper lies what never sleeps. It woke it in every step.
-TEST(UpdateContacts, what_rests_beside_a_sleeper_lets_it_sleep) {
+TEST(UpdateContacts, resting_body_does_not_wake_its_sleeping_neighbour) {
     World world = make_world();
     add_floor(world);
     const BodyId sleeper = add(world, {.position = {0, 0.5, 0}});

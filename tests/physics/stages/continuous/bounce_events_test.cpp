@@ -12,7 +12,7 @@ namespace jostle::test {
 namespace {
 using namespace physics;
 
-TEST(BounceEvents, each_bounce_of_a_slow_ball_begins_and_ends_a_contact) {
+TEST(BounceEvents, each_bounce_of_a_slow_ball_reports_begin_and_end) {
     World world = make_world();
     const BodyId floor = add_floor(world, 0, 1);
     const BodyId ball = add(
@@ -39,7 +39,7 @@ TEST(BounceEvents, each_bounce_of_a_slow_ball_begins_and_ends_a_contact) {
 }
 
 // Of several bounces of one pair the first; in the order of their shapes.
-TEST(BounceEvents, are_reported_once_and_in_order) {
+TEST(BounceEvents, reports_each_bounce_once_in_order) {
     EventStore events;
     const ShapeId one{1, 1}, two{2, 1}, three{3, 1};
     std::vector<ContactBegin> bounces(3);

@@ -35,7 +35,7 @@ struct Scene {
 };
 
 // Half its thickness in free flight, half of both where one of the two already leans on others.
-TEST(CcdPolicy, a_body_may_move_by_half_its_thickness_unswept) {
+TEST(CcdPolicy, body_moves_up_to_half_its_thickness_without_a_sweep) {
     Scene scene;
     const std::uint32_t a = scene.ball(), b = scene.ball();
     EXPECT_NEAR(scene.without_sweep(a, b), 0.2, 1e-12);
@@ -46,7 +46,7 @@ TEST(CcdPolicy, a_body_may_move_by_half_its_thickness_unswept) {
     EXPECT_NEAR(scene.without_sweep(a, wall), 0.2, 1e-12) << "a wall leans on nobody";
 }
 
-TEST(CcdPolicy, what_leans_and_does_not_bounce_is_the_contact_solvers) {
+TEST(CcdPolicy, supported_inelastic_impacts_use_the_contact_solver) {
     Scene scene;
     const std::uint32_t a = scene.ball(), b = scene.ball(), bouncy = scene.ball(0.5);
     EXPECT_FALSE(uses_speculative_contact(scene.step, a, b)) << "both fly: the sweep's";
@@ -57,7 +57,7 @@ TEST(CcdPolicy, what_leans_and_does_not_bounce_is_the_contact_solvers) {
 }
 
 // What a bounce gives back depends on its moment, which only a sweep finds.
-TEST(CcdPolicy, what_has_restitution_bounces_unless_joints_hold_it) {
+TEST(CcdPolicy, restitution_bounces_unless_jointed) {
     Scene scene;
     const std::uint32_t dull = scene.ball(), a = scene.ball(0.5), b = scene.ball(0.5),
                         c = scene.ball(0.5);
@@ -76,7 +76,7 @@ TEST(CcdPolicy, what_has_restitution_bounces_unless_joints_hold_it) {
 }
 
 // From a sweep it would leave its joints.
-TEST(CcdPolicy, what_hangs_on_joints_is_the_contact_solvers) {
+TEST(CcdPolicy, jointed_bodies_use_the_contact_solver) {
     Scene scene;
     const std::uint32_t a = scene.ball(), b = scene.ball(0.5), c = scene.ball();
     must(scene.world.create_joint(

@@ -35,13 +35,13 @@ struct TwoRods {
 };
 
 // The pair's bound shows that they stay 14 cm apart, so nobody sweeps.
-TEST(FindSweepCandidates, what_a_bound_keeps_apart_is_not_looked_at) {
+TEST(FindSweepCandidates, skips_pairs_within_their_separation_bound) {
     TwoRods rods(0);
     EXPECT_EQ(rods.sweeps_in(30), 0);
 }
 
 // At 10 m/s against each other they meet in the first step.
-TEST(FindSweepCandidates, what_uses_its_bound_up_is_looked_at) {
+TEST(FindSweepCandidates, includes_pairs_that_exceed_their_separation_bound) {
     TwoRods rods(10);
     EXPECT_GT(rods.sweeps_in(1), 0);
     EXPECT_EQ(rods.world.profile().impacts, 1);
@@ -52,7 +52,7 @@ TEST(FindSweepCandidates, what_uses_its_bound_up_is_looked_at) {
 
 // A ball at rest is hit by another and thrown at a third, which nothing came near to: who goes
 // another way looks at all again.
-TEST(FindSweepCandidates, what_an_impact_turns_looks_at_all_again) {
+TEST(FindSweepCandidates, deflected_body_searches_all_shapes_again) {
     World world = make_world({.gravity = {}});
     const Sphere ball{0.05};
     const BodyId hit = add(world, {.geometry = ball});

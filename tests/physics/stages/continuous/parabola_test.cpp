@@ -15,7 +15,7 @@ constexpr double flight = 1.0 / 30, g = 9.81;
 
 // In the middle of the step a falling body is g flight^2 / 8 above its chord; at both ends it is on
 // it. A little later it has fallen on.
-TEST(Parabola, is_off_its_chord) {
+TEST(Parabola, differs_from_its_chord) {
     const Vec3 gain{0, -g * flight, 0};
     EXPECT_NEAR(off_the_chord({gain}, 0.5, {}, 0, flight).y, g * flight * flight / 8, 1e-15);
     EXPECT_EQ(length(off_the_chord({gain}, 0, {}, 0, flight)), 0);
@@ -28,7 +28,7 @@ TEST(Parabola, is_off_its_chord) {
 
 // A ball falls at 1 m/s when the step begins. At its fraction 0.5 its chord meets a floor; then it
 // is where its parabola meets that floor, with the speed of that height.
-TEST(Parabola, a_ball_has_the_speed_of_the_height_at_which_it_meets_the_floor) {
+TEST(Parabola, ball_has_the_analytic_impact_speed) {
     const Vec3 gain{0, -g * flight, 0};
     const double chord = -(1 + 0.5 * g * flight) * flight * 0.5;  // from where the step began
     ImpactBody floor,
@@ -43,7 +43,7 @@ TEST(Parabola, a_ball_has_the_speed_of_the_height_at_which_it_meets_the_floor) {
 }
 
 // What falls side by side meets as if nothing fell, a little higher.
-TEST(Parabola, two_that_fall_alike_keep_their_speeds) {
+TEST(Parabola, bodies_in_equal_free_fall_keep_their_relative_velocity) {
     const Vec3 gain{0, -g * flight, 0};
     ImpactBody a{.center = {-0.1, 0, 0}, .inverse_mass = {1, 1, 1}, .v = {2, 0, 0}},
         b{.center = {0.1, 0, 0}, .inverse_mass = {1, 1, 1}, .v = {-2, 0, 0}};

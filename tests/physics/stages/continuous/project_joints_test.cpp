@@ -16,7 +16,7 @@ using namespace physics;
 
 // Four links thrown end on at a thin plate, at 60 m/s a metre a step: the first stops at the plate
 // within a step, and at no step's end are two ends apart by a hundredth of that. No link passes.
-TEST(ProjectJoints, a_thrown_chain_is_whole_at_the_end_of_each_step) {
+TEST(ProjectJoints, thrown_chain_has_closed_joints_after_each_step) {
     World world = make_world({.gravity = {}});
     add(world, {.geometry = Box{{0.01, 5, 5}}, .type = BodyType::static_body});
     std::vector<BodyId> links;

@@ -23,7 +23,7 @@ std::vector<std::uint64_t> found(const SweptAabbTree& tree, double x) {
 }
 using Bodies = std::vector<std::uint64_t>;
 
-TEST(SweptAabbTree, finds_ways_that_were_put_in_together_or_one_by_one) {
+TEST(SweptAabbTree, finds_boxes_added_in_bulk_or_one_by_one) {
     SweptAabbTree tree;
     EXPECT_TRUE(tree.empty());
     tree.set_all({2, 7, 30}, [](std::uint32_t body) { return at(10.0 * body); });
@@ -37,7 +37,7 @@ TEST(SweptAabbTree, finds_ways_that_were_put_in_together_or_one_by_one) {
     EXPECT_EQ(found(tree, 5), Bodies{});
 }
 
-TEST(SweptAabbTree, a_body_that_goes_another_way_has_one_box) {
+TEST(SweptAabbTree, deflected_body_keeps_one_box) {
     SweptAabbTree tree;
     tree.set(4, at(0));
     tree.set(4, at(100));

@@ -33,7 +33,7 @@ struct Flight {
 };
 
 // Contacts that do nothing do not hold it: its velocity is that of the moment.
-TEST(ToiBody, what_falls_past_something_flies) {
+TEST(ToiBody, body_passing_an_obstacle_is_in_free_flight) {
     Flight flight(Sphere{0.1}, {0, -3, 0}, {});
     EXPECT_FALSE(flight.toi.held);
     EXPECT_NEAR(flight.toi.velocity.y, -3, 1e-12);
@@ -42,7 +42,7 @@ TEST(ToiBody, what_falls_past_something_flies) {
 }
 
 // However often it went round: of all even turns that end there the one most like its spin.
-TEST(ToiBody, an_even_sweep_ends_where_the_body_does) {
+TEST(ToiBody, even_sweep_ends_at_the_body_pose) {
     for (const double turns : {0.1, 0.9, 1.4, 5.3}) {
         BodyWarm from, to;
         from.center = {1, 2, 3};
@@ -57,7 +57,7 @@ TEST(ToiBody, an_even_sweep_ends_where_the_body_does) {
     }
 }
 
-TEST(ToiBody, in_flight_it_gains_speed_evenly) {
+TEST(ToiBody, velocity_grows_linearly_in_flight) {
     Flight flight(Sphere{0.1}, {60, 0, 0}, {});
     EXPECT_TRUE(near(speed_at(flight.state, flight.toi, 0, dt).v, {60, 0, 0}, 1e-12));
     EXPECT_TRUE(
@@ -68,7 +68,7 @@ TEST(ToiBody, in_flight_it_gains_speed_evenly) {
 
 // A thin rod that tumbles does not turn evenly: its way is cut into legs whose ends are where it
 // really is.
-TEST(ToiBody, a_gyroscopic_body_goes_in_legs) {
+TEST(ToiBody, gyroscopic_body_is_swept_in_legs) {
     Flight flight(Box{{0.5, 0.02, 0.05}}, {}, {60, 40, 90});
     ASSERT_LT(flight.toi.sweep.until, 1);
     int legs = 1;
@@ -84,7 +84,7 @@ TEST(ToiBody, a_gyroscopic_body_goes_in_legs) {
 }
 
 // However wild the spin: at an inertia that no mass has, legs without length never came to an end.
-TEST(ToiBody, its_legs_come_to_an_end) {
+TEST(ToiBody, leg_count_is_bounded) {
     for (const double wild : {1e6, 1e200}) {
         Flight flight(Box{{0.5, 0.02, 0.05}}, {}, {60, 40, 90});
         flight.state.bodies.cold[0].inverse_inertia.y *= wild;
@@ -99,7 +99,7 @@ TEST(ToiBody, its_legs_come_to_an_end) {
 }
 
 // Half way it bounces back: the other half is lived with the new velocity.
-TEST(ToiBody, after_an_impact_the_rest_of_the_step_is_lived) {
+TEST(ToiBody, simulates_the_rest_of_the_step_after_an_impact) {
     Flight flight(Sphere{0.1}, {60, 0, 0}, {});
     const Vec3 there = center_at(flight.toi.sweep, 0.5);
     const Vec3 back{-30, -9.81 * dt / 2, 0};
@@ -114,7 +114,7 @@ TEST(ToiBody, after_an_impact_the_rest_of_the_step_is_lived) {
 }
 
 // After sixteen impacts it stays where it is until the next step.
-TEST(ToiBody, an_exhausted_body_stays) {
+TEST(ToiBody, exhausted_body_stops) {
     Flight flight(Sphere{0.1}, {60, 0, 0}, {});
     flight.toi.impacts = 15;
     EXPECT_FALSE(is_exhausted(flight.toi));

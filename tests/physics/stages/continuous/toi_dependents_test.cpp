@@ -18,7 +18,7 @@ Who take(ToiDependents& dependents, std::uint32_t body) {
     return who;
 }
 
-TEST(ToiDependents, are_told_the_latest_first_and_forgotten) {
+TEST(ToiDependents, are_visited_latest_first_and_cleared) {
     ToiDependents dependents;
     dependents.add(5, 1);
     dependents.add(9, 2);
@@ -30,7 +30,7 @@ TEST(ToiDependents, are_told_the_latest_first_and_forgotten) {
 }
 
 // Who looks anew may well expect to meet the same body again, while the others are being told.
-TEST(ToiDependents, may_be_added_while_they_are_told) {
+TEST(ToiDependents, can_be_added_during_visit) {
     ToiDependents dependents;
     for (std::size_t who = 0; who < 3; who++) dependents.add(0, who);
     Who told;

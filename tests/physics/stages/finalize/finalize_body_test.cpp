@@ -38,7 +38,7 @@ struct Step {
     }
 };
 
-TEST(FinalizeBody, takes_pose_and_velocity_over_and_forgets_forces) {
+TEST(FinalizeBody, writes_pose_and_velocity_and_clears_forces) {
     Step step;
     step.warm().force = {5, 0, 0};
     step.warm().torque = {0, 5, 0};
@@ -56,7 +56,7 @@ TEST(FinalizeBody, takes_pose_and_velocity_over_and_forgets_forces) {
 }
 
 // A box of 0.5 m inner radius: 0.25 m in a step is where looks between steps are not enough.
-TEST(FinalizeBody, fast_is_what_moves_by_half_its_thickness) {
+TEST(FinalizeBody, body_moving_half_its_thickness_is_fast) {
     Step slow, fast;
     slow.move({14.9, 0, 0});
     EXPECT_EQ(slow.found().fast[0], 0);
@@ -67,7 +67,7 @@ TEST(FinalizeBody, fast_is_what_moves_by_half_its_thickness) {
 }
 
 // It went 5 cm forth and is said to move back at 6 m/s: contacts turned it round on the way.
-TEST(FinalizeBody, thrown_is_what_did_not_come_from_where_its_velocity_leads_back_to) {
+TEST(FinalizeBody, deflected_body_did_not_follow_its_velocity) {
     Step step;
     step.finalize(FreeMotion{{0.05, 0, 0}, {}, {-6, 0, 0}, {}});
     EXPECT_EQ(step.found().deflected[0], 1);
@@ -76,7 +76,7 @@ TEST(FinalizeBody, thrown_is_what_did_not_come_from_where_its_velocity_leads_bac
 }
 
 // What is not a number is not taken over.
-TEST(FinalizeBody, an_unsound_state_is_refused) {
+TEST(FinalizeBody, rejects_a_non_finite_state) {
     const double none = std::nan("");
     for (const FreeMotion& motion :
          {FreeMotion{{none, 0, 0}, {}, {}, {}}, FreeMotion{{}, {none, 0, 0, 1}, {}, {}},
@@ -92,7 +92,7 @@ TEST(FinalizeBody, an_unsound_state_is_refused) {
 }
 
 // Slower than 5 cm/s it rests; faster, but not by so much, it rests too within 4 mm.
-TEST(FinalizeBody, rest_is_counted_while_it_is_slow_or_sways_in_place) {
+TEST(FinalizeBody, slow_or_swaying_body_accumulates_rest_time) {
     Step step;
     for (int k = 0; k < 30; k++) step.move({0.049, 0, 0});
     EXPECT_NEAR(step.warm().sleep_time, 0.5, 1e-9);
@@ -105,7 +105,7 @@ TEST(FinalizeBody, rest_is_counted_while_it_is_slow_or_sways_in_place) {
     EXPECT_EQ(steps, 2) << "on and on it is 4 mm away after two";
 }
 
-TEST(FinalizeBody, what_may_not_sleep_does_not_rest) {
+TEST(FinalizeBody, body_that_may_not_sleep_accumulates_no_rest_time) {
     Step step(false);
     for (int k = 0; k < 10; k++) step.move({});
     EXPECT_EQ(step.warm().sleep_time, 0);
@@ -113,7 +113,7 @@ TEST(FinalizeBody, what_may_not_sleep_does_not_rest) {
 
 // 4 cm of margin, of which a quarter is kept: at 1.2 m/s, 2 cm a step, it leaves its fat box in the
 // second step, and gets a new one.
-TEST(FinalizeBody, leaving_its_fat_box_is_noted_a_step_early) {
+TEST(FinalizeBody, leaving_the_fat_box_is_detected_one_step_early) {
     Step step;
     step.state.shapes.shapes[0].fat = {{-0.54, -0.54, -0.54}, {0.54, 0.54, 0.54}};
     step.state.bodies.motion[0].fits_until = 0;

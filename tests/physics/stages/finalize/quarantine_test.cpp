@@ -15,7 +15,7 @@ namespace jostle::test {
 namespace {
 using namespace physics;
 
-TEST(Quarantine, a_flier_stops_where_it_last_was_and_is_reported_once) {
+TEST(Quarantine, diverging_body_stops_at_its_last_pose_and_is_reported_once) {
     World world = make_world();
     const BodyId lost = add(world, {.position = {0, 5, 0}, .velocity = {1, 0, 0}});
     const BodyId other = add(world, {.position = {9, 5, 0}});
@@ -37,7 +37,7 @@ TEST(Quarantine, a_flier_stops_where_it_last_was_and_is_reported_once) {
 
 // The middle one of three boxes upon each other: its impulses are as unsound as it is. They are
 // forgotten, and a second later the stack stands.
-TEST(Quarantine, a_stack_recovers) {
+TEST(Quarantine, stack_recovers_after_quarantine) {
     World world = make_world({.sleeping = false});
     add_floor(world);
     std::vector<BodyId> boxes;
@@ -64,7 +64,7 @@ TEST(Quarantine, a_stack_recovers) {
 
 // What a joint carried is as unsound as its bodies: it would put them into quarantine again, in
 // every step, and no saved world may hold it.
-TEST(Quarantine, a_joint_forgets_what_it_carried_and_holds_again) {
+TEST(Quarantine, joint_clears_its_impulses_and_holds_again) {
     for (const JointSolver solver : {JointSolver::direct, JointSolver::iterative}) {
         World world = make_world({.joint_solver = solver});
         const BodyId ball = add(world, {.geometry = Sphere{0.2}, .position = {1, 0, 0}});
@@ -88,7 +88,7 @@ TEST(Quarantine, a_joint_forgets_what_it_carried_and_holds_again) {
 
 // What a body that ran away was about to meet, touched or rolled on is sound again: a world that is
 // saved in the same step can be loaded, and in each that follows.
-TEST(Quarantine, a_world_that_is_saved_afterwards_can_be_loaded) {
+TEST(Quarantine, world_saved_afterwards_loads) {
     const double nan = std::nan(""), endless = INFINITY;
     for (const Vec3 v :
          {Vec3{nan, 0, 0}, Vec3{0, -endless, 0}, Vec3{0, 0, 1e200}, Vec3{1e30, 0, 0}})

@@ -25,25 +25,25 @@ int tasks_after(World& world, double seconds) {
     return world.profile().solver_tasks;
 }
 
-TEST(Batches, of_900_boxes_that_lie_about_two_threads_solve_two) {
+TEST(Batches, two_threads_solve_two_batches_of_900_scattered_boxes) {
     World world = boxes_that_lie_about(900, 2);
     EXPECT_EQ(tasks_after(world, 0.5), 2);
     EXPECT_EQ(world.profile().bodies_in_solver, 900);
 }
 
-TEST(Batches, of_2000_boxes_four_threads_solve_four) {
+TEST(Batches, four_threads_solve_four_batches_of_2000_boxes) {
     World world = boxes_that_lie_about(2000, 4);
     EXPECT_EQ(tasks_after(world, 0.5), 4);
 }
 
-TEST(Batches, one_thread_or_few_islands_make_none) {
+TEST(Batches, one_thread_or_few_islands_have_no_batches) {
     World alone = boxes_that_lie_about(900, 1), few = boxes_that_lie_about(500, 2);
     EXPECT_EQ(tasks_after(alone, 0.5), 0);
     EXPECT_EQ(tasks_after(few, 0.5), 0);
 }
 
 // 1000 boxes in rows that touch: one island, solved as a whole.
-TEST(Batches, one_large_island_is_no_task) {
+TEST(Batches, one_large_island_is_not_batched) {
     World world = make_world({.threads = 2, .sleeping = false});
     add_floor(world);
     for (int k = 0; k < 1000; k++)
@@ -54,7 +54,7 @@ TEST(Batches, one_large_island_is_no_task) {
 }
 
 // All stand on a floor that is lifted: whoever solves them moves it on, sub-step by sub-step.
-TEST(Batches, what_stands_on_a_kinematic_floor_is_solved_with_it) {
+TEST(Batches, body_on_a_kinematic_floor_is_solved_with_it) {
     const auto lifted = [](int threads) {
         World world = make_world({.threads = threads, .sleeping = false});
         add(world, {.geometry = Box{{50, 1, 50}},
@@ -77,7 +77,7 @@ TEST(Batches, what_stands_on_a_kinematic_floor_is_solved_with_it) {
 // Two rows of 30 towers of ten lean on each other when one row is pushed over: islands of different
 // batches become one, and the world is what it is with one thread, and what it is when it was saved
 // and loaded on the way.
-TEST(Batches, towers_of_different_batches_that_fall_on_each_other_stay_sound) {
+TEST(Batches, colliding_towers_of_different_batches_remain_valid) {
     const auto make = [](int threads) {
         World world = make_world({.threads = threads, .sleeping = false});
         add_floor(world);
@@ -100,7 +100,7 @@ TEST(Batches, towers_of_different_batches_that_fall_on_each_other_stay_sound) {
 }
 
 // The scene whose golden hashes say that all machines agree on this has batches indeed.
-TEST(Batches, the_village_has_two_or_more_until_it_sleeps) {
+TEST(Batches, village_scene_has_at_least_two_batches_until_it_sleeps) {
     World world = village_scene(2);
     int most = 0;
     for (int step = 0; step < 40; step++) {

@@ -42,8 +42,7 @@ World make_mixed_world(double tolerance, std::int64_t budget = 0, int threads = 
         {.tolerance = tolerance, .substep_budget = budget, .threads = threads, .sleeping = false});
 }
 
-TEST(SubstepLevels,
-     boxes_at_rest_take_two_substeps_and_a_chain_that_swings_beside_them_as_many_as_it_needs) {
+TEST(SubstepLevels, resting_boxes_take_two_substeps_and_a_swinging_chain_takes_more) {
     World world = make_mixed_world(1e-3);
     add_floor(world);
     std::vector<BodyId> boxes;
@@ -61,7 +60,7 @@ TEST(SubstepLevels,
     EXPECT_EQ(of(island_substeps, link).joints, 10);
 }
 
-TEST(SubstepLevels, a_box_slides_as_far_as_friction_lets_it_within_the_tolerance) {
+TEST(SubstepLevels, sliding_distance_is_within_the_tolerance) {
     // v^2 / (2 mu g) = 4.247 m, after 1.7 s. Floats leave 2 mm of it, with 64 sub-steps all along.
     double substeps_before = 0;
     for (const double tolerance : {5e-2, 1e-2, 2e-3}) {
@@ -83,7 +82,7 @@ TEST(SubstepLevels, a_box_slides_as_far_as_friction_lets_it_within_the_tolerance
     }
 }
 
-TEST(SubstepLevels, a_stack_of_ten_does_not_sway_at_any_tolerance) {
+TEST(SubstepLevels, stack_of_ten_does_not_sway_at_any_tolerance) {
     // With two sub-steps it did, from nothing, within two seconds: nobody saw it coming.
     for (const double tolerance : {1.0, 1e-2, 1e-3}) {
         World world = make_mixed_world(tolerance);
@@ -98,7 +97,7 @@ TEST(SubstepLevels, a_stack_of_ten_does_not_sway_at_any_tolerance) {
     }
 }
 
-TEST(SubstepLevels, within_a_budget_those_give_in_whom_it_harms_least) {
+TEST(SubstepLevels, budget_lowers_the_least_affected_islands_first) {
     World world = make_mixed_world(1e-4, 400);
     add_floor(world);
     const BodyId heavy = add_chain(world, 10, 10, 100).front();
@@ -117,7 +116,7 @@ TEST(SubstepLevels, within_a_budget_those_give_in_whom_it_harms_least) {
         EXPECT_LE(e.error, of(island_substeps, heavy).error);
 }
 
-TEST(SubstepLevels, without_a_tolerance_nothing_is_tried_and_nothing_known) {
+TEST(SubstepLevels, no_error_is_measured_without_a_tolerance) {
     World world = make_world({.substep_budget = 5, .sleeping = false});
     add_floor(world);
     add(world, {.position = {0, 0.5, 0}});
@@ -142,7 +141,7 @@ World make_busy_world(int threads) {
     return world;
 }
 
-TEST(SubstepLevels, have_the_same_bits_at_one_two_and_four_threads) {
+TEST(SubstepLevels, are_bit_identical_for_one_two_and_four_threads) {
     std::uint64_t hashes[3] = {};
     const int threads[3] = {1, 2, 4};
     for (int k = 0; k < 3; k++) {
@@ -154,7 +153,7 @@ TEST(SubstepLevels, have_the_same_bits_at_one_two_and_four_threads) {
     EXPECT_EQ(hashes[0], hashes[2]);
 }
 
-TEST(SubstepLevels, a_world_saved_between_two_looks_goes_on_as_if_it_had_not_been) {
+TEST(SubstepLevels, world_saved_between_two_measurements_continues_identically) {
     World world = make_busy_world(1);
     run(world, 0.5);
     World copy = must(load(save(world)));

@@ -29,7 +29,7 @@ int steps_until_heavy(World& world, BodyId load, BodyId light) {
     return -1;
 }
 
-TEST(HeavyLoad, is_seen_in_the_step_after_the_touch) {
+TEST(HeavyLoad, is_detected_one_step_after_contact) {
     for (int delay = 0; delay < 8; delay++) {
         World world = make_world({.sleeping = false});
         add_floor(world);
@@ -40,7 +40,7 @@ TEST(HeavyLoad, is_seen_in_the_step_after_the_touch) {
     }
 }
 
-TEST(HeavyLoad, is_none_of_what_is_fifty_times_heavier) {
+TEST(HeavyLoad, ignores_a_mass_ratio_of_fifty) {
     World world = make_world({.sleeping = false});
     add_floor(world);
     const BodyId light = add(world, {.position = {0, 0.5, 0}});
@@ -48,7 +48,7 @@ TEST(HeavyLoad, is_none_of_what_is_fifty_times_heavier) {
     EXPECT_EQ(steps_until_heavy(world, load, light), -1);
 }
 
-TEST(HeavyLoad, is_none_of_what_stands_on_the_floor_beside_light_ones) {
+TEST(HeavyLoad, ignores_heavy_bodies_supported_by_the_floor) {
     World world = make_world({.sleeping = false});
     add_floor(world);
     const BodyId light = add(world, {.position = {1.01, 0.5, 0}, .velocity = {-0.5, 0, 0}});

@@ -27,7 +27,7 @@ double load_on_floor(const World& world, BodyId lowest, int substeps) {
     return impulse * substeps * 60;
 }
 
-TEST(Tiers, a_tower_of_60_boxes_takes_twice_the_substeps_and_a_stack_of_10_beside_it_does_not) {
+TEST(Tiers, tower_of_60_boxes_takes_twice_the_substeps_and_a_stack_of_10_does_not) {
     World world = make_world({.sleeping = false});
     add_floor(world);
     add_tower(world, 60, 0);
@@ -37,7 +37,7 @@ TEST(Tiers, a_tower_of_60_boxes_takes_twice_the_substeps_and_a_stack_of_10_besid
     EXPECT_EQ(world.profile().bodies_tall, 60);
 }
 
-TEST(Tiers, boxes_that_lie_about_take_half_the_substeps_until_something_fast_comes) {
+TEST(Tiers, scattered_boxes_take_half_the_substeps_until_a_fast_body_arrives) {
     World world = make_world({.sleeping = false});
     add_floor(world);
     for (int k = 0; k < 6; k++) add(world, {.position = {2.0 * k, 0.5, 0}});
@@ -52,7 +52,7 @@ TEST(Tiers, boxes_that_lie_about_take_half_the_substeps_until_something_fast_com
     EXPECT_EQ(least, 5);
 }
 
-TEST(Tiers, an_overhanging_box_sinks_on_no_point) {
+TEST(Tiers, overhanging_box_sinks_at_no_point) {
     // Four fifths of its weight is on the edge of the lower one: learned point by point, no gap is
     // left below the slop.
     World world = make_world({.sleeping = false});
@@ -66,7 +66,7 @@ TEST(Tiers, an_overhanging_box_sinks_on_no_point) {
     EXPECT_GT(lowest, -0.0002);
 }
 
-TEST(Tiers, the_floor_bears_the_same_weight_in_the_step_in_which_the_tier_changes) {
+TEST(Tiers, floor_load_is_unchanged_when_the_tier_changes) {
     World world = make_world({.sleeping = false});
     add_floor(world);
     std::vector<BodyId> tower = add_tower(world, 38, 0);
@@ -85,7 +85,7 @@ TEST(Tiers, the_floor_bears_the_same_weight_in_the_step_in_which_the_tier_change
     EXPECT_NEAR(load_on_floor(world, tower[0], 16) / before, 1, 0.05);
 }
 
-TEST(Tiers, when_the_upper_half_is_gone_the_rest_goes_back_within_a_second_and_stays_in_place) {
+TEST(Tiers, tier_falls_back_within_a_second_after_removing_the_upper_half) {
     World world = make_world({.sleeping = false});
     add_floor(world);
     const std::vector<BodyId> tower = add_tower(world, 60, 0);
@@ -108,7 +108,7 @@ TEST(Tiers, when_the_upper_half_is_gone_the_rest_goes_back_within_a_second_and_s
 }
 
 // Each of them joins the tower as an island that has not been looked at for long.
-TEST(Tiers, what_falls_upon_it_does_not_keep_it_tall) {
+TEST(Tiers, falling_bodies_do_not_keep_the_tall_tier) {
     World world = make_world({.sleeping = false});
     add_floor(world);
     const std::vector<BodyId> tower = add_tower(world, 60, 0);
@@ -125,7 +125,7 @@ TEST(Tiers, what_falls_upon_it_does_not_keep_it_tall) {
     EXPECT_LT(steps, 60);
 }
 
-TEST(Tiers, five_boxes_under_five_of_a_hundred_times_their_mass_stand_for_20_seconds) {
+TEST(Tiers, five_light_boxes_carry_five_boxes_of_100_times_their_mass_for_20_s) {
     World world = make_world({.sleeping = false});
     add_floor(world);
     std::vector<BodyId> boxes;
@@ -137,7 +137,7 @@ TEST(Tiers, five_boxes_under_five_of_a_hundred_times_their_mass_stand_for_20_sec
     EXPECT_NEAR(position_of(world, boxes.back()).y, 9.5, 0.001);
 }
 
-TEST(Tiers, a_light_box_on_a_heavy_one_is_no_load) {
+TEST(Tiers, light_box_on_a_heavy_box_is_not_a_heavy_load) {
     World world = make_world({.sleeping = false});
     add_floor(world);
     add(world, {.position = {0, 0.5, 0}, .density = 200000});
@@ -147,7 +147,7 @@ TEST(Tiers, a_light_box_on_a_heavy_one_is_no_load) {
     EXPECT_EQ(world.profile().bodies_heavy, 0);
 }
 
-TEST(Tiers, what_a_manifold_ties_to_a_tower_shares_its_tier_until_it_is_gone) {
+TEST(Tiers, island_coupled_to_a_tower_shares_its_tier_until_separated) {
     World world = make_world({.sleeping = false});
     add_floor(world);
     add_tower(world, 60, 0);
@@ -162,7 +162,7 @@ TEST(Tiers, what_a_manifold_ties_to_a_tower_shares_its_tier_until_it_is_gone) {
     EXPECT_EQ(world.profile().bodies_tall, 60);
 }
 
-TEST(Tiers, a_saved_tower_goes_on_with_the_same_bits) {
+TEST(Tiers, saved_tower_continues_bit_identically) {
     World world = make_world({.sleeping = false});
     add_floor(world);
     add_tower(world, 45, 0);

@@ -22,7 +22,7 @@ World large_heap(int threads) {
     return world;
 }
 
-TEST(LaneOrder, a_heap_whose_colours_are_shared_has_the_same_bits_with_1_to_4_threads) {
+TEST(LaneOrder, pile_with_shared_colours_is_bit_identical_for_1_to_4_threads) {
     World one = large_heap(1);
     run(one, 0.8);
     EXPECT_GT(one.profile().manifolds, 4000);

@@ -18,7 +18,7 @@ int pairs_of(World& world) {
     return world.profile().pairs;
 }
 
-TEST(UpdatePairs, fat_boxes_that_overlap_are_pairs) {
+TEST(UpdatePairs, overlapping_fat_boxes_become_pairs) {
     World near = make_world({.gravity = {}}), far = make_world({.gravity = {}});
     for (World* world : {&near, &far}) add(*world, {});
     add(near, {.position = {1.07, 0, 0}});
@@ -27,7 +27,7 @@ TEST(UpdatePairs, fat_boxes_that_overlap_are_pairs) {
     EXPECT_EQ(pairs_of(far), 0);
 }
 
-TEST(UpdatePairs, a_plane_pairs_with_what_it_reaches) {
+TEST(UpdatePairs, plane_pairs_with_shapes_it_reaches) {
     World world = make_world({.gravity = {}});
     add_floor(world);
     add(world, {.position = {100, 0.52, 0}});
@@ -35,7 +35,7 @@ TEST(UpdatePairs, a_plane_pairs_with_what_it_reaches) {
     EXPECT_EQ(pairs_of(world), 1);
 }
 
-TEST(UpdatePairs, some_never_meet) {
+TEST(UpdatePairs, filtered_shapes_never_pair) {
     World world = make_world({.gravity = {}});
     for (int k = 0; k < 2; k++) {
         add_static(world, {.position = {0, 0.1 * k, 0}});
@@ -57,7 +57,7 @@ TEST(UpdatePairs, some_never_meet) {
     EXPECT_EQ(pairs_of(world), 0) << "a joint holds them";
 }
 
-TEST(UpdatePairs, a_pair_is_made_once_in_the_order_of_its_shapes) {
+TEST(UpdatePairs, creates_each_pair_once_in_shape_order) {
     World world = make_world({.gravity = {}});
     for (int k = 0; k < 4; k++) add(world, {.position = {0.3 * k, 0.3 * k, 0}});
     EXPECT_EQ(pairs_of(world), 6);
@@ -70,7 +70,7 @@ TEST(UpdatePairs, a_pair_is_made_once_in_the_order_of_its_shapes) {
     EXPECT_EQ(pairs_of(world), 6);
 }
 
-TEST(UpdatePairs, something_new_beside_a_sleeper_wakes_it) {
+TEST(UpdatePairs, new_neighbour_wakes_a_sleeping_body) {
     World world = make_world();
     add_floor(world);
     add(world, {.position = {50, 0.5, 0}, .sleep_allowed = false});

@@ -17,7 +17,7 @@ public:
     StepHooks hooks() const override { return {.substeps = true}; }
 };
 
-TEST(ErrorTrial, changes_no_bit_of_the_motion) {
+TEST(ErrorTrial, does_not_change_the_motion) {
     // Stacks, a rolling ball, and doors on hinges that lie on the floor. With a tolerance of 1 km
     // all is on the first rung after a second, and stays there.
     World world = make_world({.tolerance = 1000, .sleeping = false});
@@ -55,7 +55,7 @@ TEST(ErrorTrial, changes_no_bit_of_the_motion) {
     }
 }
 
-TEST(ErrorTrial, counts_a_refused_joint_once) {
+TEST(ErrorTrial, counts_a_fallback_joint_once) {
     // A slider beside a contact cannot be solved at once, whoever asks.
     World world =
         make_world({.tolerance = 1e-3, .sleeping = false, .joint_solver = JointSolver::direct});
@@ -72,7 +72,7 @@ TEST(ErrorTrial, counts_a_refused_joint_once) {
     EXPECT_GT(tried, 0);
 }
 
-TEST(ErrorTrial, a_second_of_steps_is_off_by_what_each_is_and_by_what_its_velocity_leads_to) {
+TEST(ErrorTrial, error_per_second_sums_position_and_velocity_errors) {
     // A place that is 1 mm further at each of 60 steps; a velocity of 1 mm/s more each, which after
     // a second is 60 mm/s, and has led 30 mm away.
     EXPECT_NEAR(second_error(0.001, 0, 1.0 / 60, ErrorLife::lasting), 0.060, 1e-12);
@@ -80,7 +80,7 @@ TEST(ErrorTrial, a_second_of_steps_is_off_by_what_each_is_and_by_what_its_veloci
     EXPECT_LT(second_error(0, 0.001, 1.0 / 60, ErrorLife::damped), 0.010);
 }
 
-TEST(ErrorTrial, what_is_no_number_is_the_worst_there_is) {
+TEST(ErrorTrial, nan_is_the_largest_error) {
     Island island;
     note_error(island, 0.5);
     note_error(island, 0.2);

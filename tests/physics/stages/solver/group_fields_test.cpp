@@ -46,7 +46,7 @@ double drift_of_dumbbell(int substeps) {
     return worst;
 }
 
-TEST(GroupFields, of_second_order_and_keep_the_energy) {
+TEST(GroupFields, are_second_order_and_conserve_energy) {
     const double coarse = drift_of_dumbbell(4), fine = drift_of_dumbbell(8);
     EXPECT_LT(coarse, 2e-3);
     EXPECT_GT(coarse / fine, 3.5);
@@ -54,7 +54,7 @@ TEST(GroupFields, of_second_order_and_keep_the_energy) {
 }
 
 // A pendulum that a field does not reach moves to the bit as without.
-TEST(GroupFields, leave_alone_what_they_do_not_reach) {
+TEST(GroupFields, ignore_bodies_out_of_reach) {
     World world = make_world(), other = make_world();
     must(other.create_field(
         {.force = RadialField{.strength = 10}, .region = Aabb{{10, 0, 0}, {20, 10, 10}}}));

@@ -27,7 +27,7 @@ int direct(World& world) {
 
 // A pendulum is a group, and so is what hangs on a spring; what a muscle turns or what lies on the
 // floor is not.
-TEST(JointGroups, are_what_hangs_together_and_touches_nothing) {
+TEST(JointGroups, contain_jointed_bodies_without_contacts) {
     World world = make_world();
     const BodyId bob = add(world, {.geometry = Sphere{0.2}, .position = {1, 3, 0}});
     hang(world, bob, {0, 3, 0});
@@ -47,7 +47,7 @@ TEST(JointGroups, are_what_hangs_together_and_touches_nothing) {
 
 // 20 x 20 balls, each tied to its neighbours to the left and above, cost too much to be solved
 // directly. Cut into columns they are chains, which do not.
-TEST(JointGroups, are_not_made_of_cloth_until_it_is_cut) {
+TEST(JointGroups, exclude_cloth_until_it_is_cut) {
     World world = make_world();
     constexpr int n = 20;
     const BallNet net = add_ball_net(world, n, {}, {0, -1, 0}, {1, 0, 0});
@@ -60,7 +60,7 @@ TEST(JointGroups, are_not_made_of_cloth_until_it_is_cut) {
 
 // Saved in full swing and loaded, it swings on to the same bits: a hinge with a motor and a limit,
 // a chain, a body whose axes are not those of its inertia.
-TEST(JointGroups, go_on_to_the_same_bits_after_a_load) {
+TEST(JointGroups, continue_bit_identically_after_load) {
     World world = make_world();
     const BodyId arm = add(world, {.geometry = Box{{0.5, 0.1, 0.2}},
                                    .position = {0.5, 5, 0},
@@ -92,7 +92,7 @@ TEST(JointGroups, go_on_to_the_same_bits_after_a_load) {
 }
 
 // A pivot that is moved takes its pendulum along; the joint reports the weight.
-TEST(JointGroups, follow_a_kinematic_pivot_and_report_what_they_bear) {
+TEST(JointGroups, follow_a_kinematic_pivot_and_report_forces) {
     World world = make_world();
     const BodyId pivot = add(world, {.geometry = Sphere{0.1}, .type = BodyType::kinematic});
     const BodyId bob =
@@ -110,7 +110,7 @@ TEST(JointGroups, follow_a_kinematic_pivot_and_report_what_they_bear) {
 }
 
 // What bears less than the weight breaks in the first step, with the force it bore.
-TEST(JointGroups, break) {
+TEST(JointGroups, break_above_their_force) {
     World world = make_world();
     const BodyId bob = add(world, {.geometry = Sphere{0.2}, .position = {0, -1, 0}});
     const double weight = must(world.body(bob)).mass * 9.81;
@@ -123,7 +123,7 @@ TEST(JointGroups, break) {
 }
 
 // A cart on rails, by locks, with a pendulum: no force along the rails but between the two.
-TEST(JointGroups, know_bodies_with_locked_axes) {
+TEST(JointGroups, support_bodies_with_locked_axes) {
     World world = make_world();
     const BodyId cart = must(world.create_body(
         {.pose = {.position = {0, 10, 0}},
@@ -155,7 +155,7 @@ TEST(JointGroups, know_bodies_with_locked_axes) {
 }
 
 // In the plane, too, a whip with a heavy end holds together and gains nothing.
-TEST(JointGroups, know_planar_worlds) {
+TEST(JointGroups, support_planar_worlds) {
     World world = make_world({.planar = true});
     BodyId last{};
     std::vector<JointId> joints;
@@ -193,7 +193,7 @@ TEST(JointGroups, know_planar_worlds) {
 
 // Rows of joints along locked axes are left out, whatever their rounding: a six-dof whose frames
 // are turned from axis to axis, ends that are apart out of the plane, a motor about a locked axis.
-TEST(JointGroups, leave_out_what_locked_axes_hold) {
+TEST(JointGroups, skip_rows_that_locked_axes_satisfy) {
     World world = make_world({.gravity = {0, -9.81, 0}, .planar = true});
     BodyId last{};
     SixDofJoint turns;

@@ -10,7 +10,7 @@ namespace {
 using namespace physics;
 
 // Each kind's own fields come back, whichever way they are kept.
-TEST(WarmStartCache, come_back_as_they_were) {
+TEST(WarmStartCache, round_trip) {
     const Quat carried = normalized(Quat{0.3, -0.2, 0.5, 0.7});
     for_each_joint_kind([&](const auto& kind) {
         Joint joint;

@@ -148,8 +148,7 @@ Status check_character_data(const std::string& name, const CharacterData& r) {
 void Characters::visit(StateVisitor& v) {
     std::vector<CharacterData>& records = store_->characters;
     v.all("characters", records, [&](CharacterData& record) { visit_character_data(v, record); });
-    if (v.loading() && records.size() > most)
-        v.fail("characters", "has too many elements; it must have at most 4096");
+    if (v.loading() && records.size() > most) v.fail("characters", "has more than 4096 elements");
 }
 
 bool Characters::visit_controlled_entity(World& world, BodyId body, StateVisitor& v) {

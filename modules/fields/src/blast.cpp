@@ -17,10 +17,10 @@ using fields_detail::BlastPoint;
 
 namespace {
 
-constexpr double ray_start_offset = 0.01;  // m from the centre at which rays begin
-constexpr double hit_tolerance = 1e-3;     // m: nearer to a point than that is at it
+constexpr double ray_start_offset = 0.01;  // m from the centre at which rays start
+constexpr double hit_tolerance = 1e-3;     // m: a hit nearer to a point than this is at the point
 
-// N s/m^2 of area that faces the centre.
+// Impulse per area that faces the centre, N s/m^2.
 double strength_at(const Explosion& e, double distance) {
     if (distance >= e.radius) return 0;
     double strength = e.strength;
@@ -29,7 +29,7 @@ double strength_at(const Explosion& e, double distance) {
     return e.fade ? strength * (1 - distance / e.radius) : strength;
 }
 
-// Out of the surfaces that are too near; in a corner one after the other.
+// Moves the centre out of surfaces that are too near; in a corner, out of one after the other.
 Vec3 offset_center(const Queries& queries, const Explosion& e) {
     Vec3 center = e.center;
     for (int k = 0; k < 3 && e.standoff > 0; k++) {
@@ -40,7 +40,7 @@ Vec3 offset_center(const Queries& queries, const Explosion& e) {
     return center;
 }
 
-// Rays from a blast's centre.
+// Line-of-sight tests from the centre of an explosion.
 class BlastVisibility {
 public:
     BlastVisibility(const Queries& queries, Vec3 center) : queries_(queries), center_(center) {
@@ -48,8 +48,8 @@ public:
             enclosing_shapes_ = std::move(*shapes);
     }
 
-    // A convex shape does not hide what of it faces the centre; children of a compound may hide
-    // one another.
+    // A convex shape does not hide its own surface that faces the centre. Children of a compound
+    // may hide each other.
     bool is_visible(const BlastPoint& point, ShapeId shape, bool is_compound) const {
         const std::optional<RayHit> hit = first_hit(point.position);
         if (!hit) return true;
@@ -79,10 +79,11 @@ private:
 
     const Queries& queries_;
     Vec3 center_;
-    std::vector<ShapeId> enclosing_shapes_;  // that hold the centre
+    std::vector<ShapeId> enclosing_shapes_;  // shapes that contain the centre
 };
 
-// Of what it would get; 1: all. No more than a caller may apply to a world, either.
+// Fraction of the impulse that is applied, 1 for all. It also respects the limits of
+// World::apply_impulse().
 double allowed_impulse_share(const Explosion& e, const BlastImpulse& push, double mass) {
     constexpr double most_impulse = 1e11;  // N s, N m s
     const double most_speed = e.most_speed > 0 ? e.most_speed : limits::max_speed;
@@ -103,7 +104,7 @@ struct Target {
     double distance;  // m, of its centre of mass
 };
 
-// Dynamic bodies in reach, the nearest first.
+// Dynamic bodies in range, nearest first.
 std::vector<Target> targets_of(const World& world, const Queries& queries, const Explosion& e,
                                Vec3 center) {
     const Vec3 reach{e.radius, e.radius, e.radius};
@@ -129,7 +130,7 @@ struct Blast {
     const Explosion& explosion;
     Vec3 center;
     BlastVisibility visibility;
-    std::uint32_t points;  // of each shape
+    std::uint32_t points;  // per shape
     std::size_t rays = 0;
 
     void add(const BlastPoint& point, ShapeId shape, bool is_compound, BlastImpulse& push) {

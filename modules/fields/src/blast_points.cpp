@@ -14,7 +14,7 @@ std::vector<BlastPoint> blast_points(const Geometry& geometry, const Transform& 
     for (const PanelSurface& surface : surfaces) whole += surface.area;
     std::vector<BlastPoint> points;
     for (PanelSurface& surface : surfaces) {
-        // Halving leaves panels of between half their share and all of it.
+        // Bisection leaves panels with between half and all of the target area.
         refine(surface, 1e30, 1.5 * whole / count, 4 * std::size_t{count});
         for (const auto& t : surface.triangles) {
             const Vec3 corners =

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Where a blast meets a shape: points on its surface, each for about the same area.
+// Points on the surface of a shape that an explosion acts on, each representing about the same
+// area.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +16,8 @@ struct BlastPoint {
     physics::Vec3 area;      // m^2, outward
 };
 
-// About so many. The middles of panels that are refined until none has more than its share: the
-// areas of each flat face sum to that of the face.
+// Returns about `count` points: the centroids of panels that are refined until none exceeds the
+// target area. The areas of the points on a flat face sum to the area of the face.
 std::vector<BlastPoint> blast_points(const physics::Geometry& geometry,
                                      const physics::Transform& pose, std::uint32_t count);
 

@@ -15,11 +15,11 @@ using namespace physics;
 
 namespace {
 
-constexpr double rudder_rate = 2.5;           // 1/s of full rudder
-constexpr double reverse_thrust_share = 0.5;  // of the thrust
+constexpr double rudder_rate = 2.5;           // 1/s, in units of full deflection
+constexpr double reverse_thrust_share = 0.5;  // of the forward thrust
 constexpr double screw_offset_max = 8;        // m
-constexpr double keel_half_length_ratio =
-    0.7;  // of how far astern the screw is: where its two ends push
+// The keel force acts at both ends: at this fraction of the screw's distance, fore and aft.
+constexpr double keel_half_length_ratio = 0.7;
 
 struct Range {
     const char* name;
@@ -37,37 +37,37 @@ Error invalid(std::string message) {
 
 Status check(const World& world, const BoatDef& def) {
     const Result<BodyState> hull = world.body(def.hull);
-    if (!hull.ok()) return invalid("hull is no body");
-    if (hull->type != BodyType::dynamic) return invalid("hull is not dynamic");
+    if (!hull.ok()) return invalid("hull is not a body");
+    if (hull->type != BodyType::dynamic) return invalid("hull is not a dynamic body");
     if (!is_finite(def.screw) || length(def.screw) > screw_offset_max)
-        return invalid("screw is further than 8 m from the hull's origin");
+        return invalid("screw is out of range; it must be within 8 m of the hull's origin");
     for (const Range& range : ranges)
         if (!(def.*range.value >= range.low && def.*range.value <= range.high))
-            return invalid(std::string(range.name) + " is out of its range");
+            return invalid(std::string(range.name) + " is out of range");
     return {};
 }
 
-// N s upon the hull at the screw.
+// Thrust impulse on the hull at the propeller, N s.
 Vec3 thrust_of(const BoatDef& def, const MovingBody& hull, double throttle, double rudder,
                double h) {
     const Vec3 ahead = rotate(hull.pose.rotation, {0, 0, -1});
     const double along = dot(hull.linear_velocity, ahead);
-    // The screw's blades meet the water at less of an angle the faster it comes.
+    // The angle of attack of the blades decreases with the speed of the inflow.
     const double slip = clamp(1 - (throttle < 0 ? -along : along) / def.top_speed, 0, 1);
     const double force = def.thrust * throttle * slip * (throttle < 0 ? reverse_thrust_share : 1);
-    // A stern that is pushed to the left turns the bow to the right.
+    // Pushing the stern to the left turns the bow to the right.
     const SinCos turn = sin_cos(rudder * def.rudder_most);
     return rotate(hull.pose.rotation, {-turn.sin, 0, -turn.cos}) * (force * h);
 }
 
-// N s at a point of the keel, which turns what runs along the hull as a wing does: at most until
-// nothing goes aside.
+// Impulse at one point of the keel, N s. Like a wing, the keel redirects the flow along the hull.
+// The impulse is limited so that it does not reverse the sideways motion.
 Vec3 keel_of(const BoatDef& def, const MovingBody& hull, Vec3 velocity, double h) {
     const Vec3 right = rotate(hull.pose.rotation, {1, 0, 0});
     const double aside = dot(velocity, right);
-    const double wanted = 0.5 * def.keel * length(velocity) * absolute(aside) * h;
+    const double uncapped = 0.5 * def.keel * length(velocity) * absolute(aside) * h;
     const double most = 0.1 * hull.mass * absolute(aside);
-    return right * (minimum(wanted, most) * (aside < 0 ? 1 : -1));
+    return right * (minimum(uncapped, most) * (aside < 0 ? 1 : -1));
 }
 
 }  // namespace
@@ -84,16 +84,17 @@ Boats::Boat* Boats::find(BodyId hull) {
 
 Status Boats::add(const World& world, const BoatDef& def) {
     if (Status good = check(world, def); !good.ok()) return good;
-    if (find(def.hull) != nullptr) return invalid("hull is a boat already");
+    if (find(def.hull) != nullptr) return invalid("hull is already a boat");
     if (boats_.size() == most)
-        return Error{ErrorCode::resource_exhausted, "there are 256 boats, the most allowed"};
+        return Error{ErrorCode::resource_exhausted,
+                     "the world already has the maximum of 256 boats; remove one first"};
     boats_.push_back({.def = def});
     return {};
 }
 
 Status Boats::steer(World& world, BodyId hull, double throttle, double rudder) {
     Boat* boat = find(hull);
-    if (boat == nullptr) return Error{ErrorCode::not_found, "that body is no boat"};
+    if (boat == nullptr) return Error{ErrorCode::not_found, "the body is not a boat"};
     if (!(absolute(throttle) <= 1 && absolute(rudder) <= 1))
         return invalid("throttle and rudder must be from -1 to 1");
     boat->throttle = throttle;
@@ -119,7 +120,7 @@ void Boats::visit(StateVisitor& v) {
         bounded(v, "rudder", boat.rudder, -1, 1);
         v.field("wet", boat.wet);
     });
-    if (v.loading() && boats_.size() > most) v.fail("boats", "are more than 256");
+    if (v.loading() && boats_.size() > most) v.fail("boats", "has more than 256 elements");
 }
 
 Status Boats::configure(World& world, const ModuleSettings& given) {
@@ -140,7 +141,7 @@ Status Boats::configure(World& world, const ModuleSettings& given) {
 }
 
 void Boats::control(World& world, BodyId body, const Controls& controls) {
-    // Axes are within their range, and the body may be gone: then the boat ends in the next step.
+    // Axes are in range. A missing body is ignored: its boat is removed in the next step.
     static_cast<void>(steer(world, body, controls.axes[1], controls.axes[0]));
 }
 

@@ -14,21 +14,20 @@ using namespace physics;
 namespace {
 
 ProjectedShape faces_of(const Geometry& geometry, const Transform& pose) {
-    ProjectedShape projected_shapes{.kind = ProjectedShape::Kind::faces};
+    ProjectedShape shape{.kind = ProjectedShape::Kind::faces};
     for (const PanelSurface& surface : panel_surfaces(geometry, pose))
         for (const auto& triangle : surface.triangles) {
             const Vec3 area = area_of(surface, triangle);
-            // Triangles of one flat face follow one another.
+            // The triangles of a flat face are consecutive.
             const bool same =
-                !projected_shapes.areas.empty() &&
-                dot(projected_shapes.areas.back(), area) >=
-                    (1 - 1e-12) * length(projected_shapes.areas.back()) * length(area);
+                !shape.areas.empty() && dot(shape.areas.back(), area) >=
+                                            (1 - 1e-12) * length(shape.areas.back()) * length(area);
             if (same)
-                projected_shapes.areas.back() += area;
+                shape.areas.back() += area;
             else
-                projected_shapes.areas.push_back(area);
+                shape.areas.push_back(area);
         }
-    return projected_shapes;
+    return shape;
 }
 
 ProjectedShape projected_shape_of(const Geometry& geometry, const Transform& pose) {
@@ -66,8 +65,9 @@ void add_projected_shape(std::vector<ProjectedShape>& projected_shapes, const Ge
     }
 }
 
-// The base's shadow is an ellipse, the tip's a point on its minor axis. Stretched to a circle: what
-// two tangents from the tip and the arc beyond where they touch enclose.
+// The base projects to an ellipse and the tip to a point on its minor axis. Stretched to a circle,
+// the projection is the area enclosed by the two tangents from the tip and the arc beyond the
+// tangent points.
 double area_of_cone(const ProjectedShape& cone, double along, double across) {
     const double r = cone.radius, tip = cone.height * across;
     if (along * r >= tip) return cone.round * along;
@@ -90,7 +90,7 @@ double area_of(const ProjectedShape& shape, Vec3 direction) {
     return shape.round * ends + shape.side * across;
 }
 
-// The body's share of the panels that all its shapes may have.
+// Limits the panels of all shapes of a body in total.
 void add_panels(BodyFieldData& record, const ShapeState& shape, double longest) {
     for (PanelSurface& surface : panel_surfaces(shape.geometry, shape.pose))
         record.panels.push_back(std::move(surface));
@@ -119,7 +119,7 @@ void BodyFieldCache::refresh(const World& world, std::span<const BodyId> bodies)
         record.shapes = std::move(shapes);
         if (!same || (longest_panel_ > 0 && !record.has_panels)) rebuild(world, record);
         record.categories = categories_of(world, record.shapes);
-        // Mass may be set at any time, and inertia with it.
+        // The mass, and with it the inertia, may change at any time.
         if (const Result<BodyState> state = world.body(id); state.ok()) {
             const Mat3 axes = to_matrix(state->pose.rotation);
             record.inertia = transpose(axes) * state->inertia * axes;

@@ -9,11 +9,11 @@ using namespace physics;
 
 namespace {
 
-// Of one octave of one lattice: sqrt of the mean over the cell of sum |grad W x A + W b|^2, with b
-// even in a cube of half width 1.
+// Root mean square of one octave of one lattice: sqrt of the mean over the cell of sum |grad W x A
+// + W b|^2, with b uniform in a cube of half width 1.
 constexpr double rms_of_lattice = 0.604819899;
 
-// The last mix of MurmurHash3 (A. Appleby, public domain).
+// The finalizer of MurmurHash3 (A. Appleby, public domain).
 std::uint64_t mixed(std::uint64_t h) {
     h ^= h >> 33;
     h *= 0xff51afd7ed558ccdULL;
@@ -22,14 +22,14 @@ std::uint64_t mixed(std::uint64_t h) {
     return h ^ (h >> 33);
 }
 
-// 21 bits as a number in (-1, 1), even about 0.
+// Maps 21 bits to a number in (-1, 1), symmetric about 0.
 double centered(std::uint64_t bits) {
     return (static_cast<double>(bits & 0x1fffff) - 1048575.5) * (1 / 1048576.0);
 }
 
 struct Lattice {
-    std::uint64_t key;   // of seed, octave and moment
-    std::uint64_t mask;  // of corners: the period less one
+    std::uint64_t key;   // of seed, octave and time interval
+    std::uint64_t mask;  // of corners: the period minus 1
 
     Vec3 flow_of(std::uint64_t x, std::uint64_t y, std::uint64_t z) const {
         const std::uint64_t h =
@@ -39,7 +39,7 @@ struct Lattice {
     }
 };
 
-// Along one axis: the weights of both corners, and their slopes.
+// One axis: the weights of both corners and their derivatives.
 struct Blend {
     double weight[2], slope[2], from[2];
 
@@ -82,13 +82,13 @@ struct Cell {
 };
 
 Vec3 octave(const CurlNoise& noise, std::uint64_t number, std::uint64_t mask, Vec3 p, double time) {
-    const double moment = std::floor(time);
-    const double t = Blend(time - moment).weight[1];
+    const double interval = std::floor(time);
+    const double t = Blend(time - interval).weight[1];
     const SinCos weight = sin_cos(0.5 * pi * t);
     const std::uint64_t key = mixed((std::uint64_t{noise.seed} << 8) + number);
     const Cell cell(p);
-    Vec3 flow = cell.flow({key + mixed(corner(moment) + 1), mask}) * weight.cos;
-    if (weight.sin != 0) flow += cell.flow({key + mixed(corner(moment) + 2), mask}) * weight.sin;
+    Vec3 flow = cell.flow({key + mixed(corner(interval) + 1), mask}) * weight.cos;
+    if (weight.sin != 0) flow += cell.flow({key + mixed(corner(interval) + 2), mask}) * weight.sin;
     return flow;
 }
 

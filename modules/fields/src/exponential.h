@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// exp of what is not positive, without the C library: the same bits everywhere.
+// exp of a non-positive number without the C library, so that results are bit-identical on all
+// machines.
 #pragma once
 
 #include <bit>
@@ -9,13 +10,13 @@
 
 namespace jostle::modules::fields_detail {
 
-// Error below 1e-11 of the value for x from -700 to 0; 0 below that. Reduction by ln 2, then the
-// Taylor polynomial on [-ln2/2, ln2/2] (Muller, "Elementary Functions", chapter 11).
+// Relative error below 1e-11 for x from -700 to 0; returns 0 below. Range reduction by ln 2, then
+// the Taylor polynomial on [-ln2/2, ln2/2] (J.-M. Muller, "Elementary Functions", chapter 11).
 inline double exp_of_negative(double x) {
     if (!(x > -700)) return 0;
     const double whole = std::floor(x * 1.44269504088896340736 + 0.5);
     const double r = x - whole * 0.693147180559945309417, r2 = r * r;
-    // Even and odd powers apart: two short chains instead of a long one.
+    // Even and odd powers are summed separately: two short dependency chains instead of a long one.
     const double even =
         1 + r2 * (1.0 / 2 + r2 * (1.0 / 24 + r2 * (1.0 / 720 + r2 * (1.0 / 40320))));
     const double odd =

@@ -18,7 +18,7 @@ std::string text(double number) {
     return digits;
 }
 
-// Collects the first fault.
+// Stores the first error.
 class Checker {
 public:
     void range(const std::string& name, double value, double low, double high) {
@@ -42,7 +42,7 @@ public:
     void operator()(const BoxVolume& box) {
         vector("volume.position", box.pose.position, limits::max_coordinate);
         const double norm = norm_squared(box.pose.rotation);
-        if (!(absolute(norm - 1) < 1e-6)) fail("volume.rotation is no unit quaternion");
+        if (!(absolute(norm - 1) < 1e-6)) fail("volume.rotation is not a unit quaternion");
         for (int k = 0; k < 3; k++)
             range("volume.half_extents", box.half_extents[k], 1e-3, limits::max_coordinate);
     }
@@ -73,15 +73,15 @@ public:
     }
     void operator()(const UserField& user) {
         if (user.parameters.size() > user_parameters_max)
-            fail("user.parameters are " + std::to_string(user.parameters.size()) +
-                 "; at most 16 are possible");
+            fail("user.parameters has " + std::to_string(user.parameters.size()) +
+                 " elements; it must have at most 16");
         for (const double parameter : user.parameters)
             range("user.parameters", parameter, -1e12, 1e12);
         if (find_user_field(user.law)) return;
         std::string known;
         for (const std::string& name : user_fields()) known += (known.empty() ? "" : ", ") + name;
         fail("user.law is \"" + user.law +
-             "\", which is not registered; there are: " + (known.empty() ? "none" : known));
+             "\", which is not registered; must be one of: " + (known.empty() ? "none" : known));
     }
     void operator()(const Waves& waves) {
         range("waves.level", waves.level, -limits::max_coordinate, limits::max_coordinate);
@@ -90,8 +90,8 @@ public:
         range("waves.drag", waves.drag, 0, 1e6);
         range("waves.damping", waves.damping, 0, 1e4);
         if (waves.components.size() > wave_components_max)
-            fail("waves.components are " + std::to_string(waves.components.size()) +
-                 "; at most 8 are possible");
+            fail("waves.components has " + std::to_string(waves.components.size()) +
+                 " elements; it must have at most 8");
         for (const WaveComponent& wave : waves.components) {
             range("waves.amplitude", wave.amplitude, 0, 100);
             range("waves.length", wave.length, 0.1, 1e4);

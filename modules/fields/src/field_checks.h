@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What a caller or a file says of a field, in its range; the error names the number.
+// Range checks for fields from callers and saved state. An error names the number.
 #pragma once
 
 #include <string>

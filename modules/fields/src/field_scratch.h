@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What the steps of a Fields module use again: nothing in it is state.
+// Memory that a Fields module reuses between steps. None of it is state.
 #pragma once
 
 #include <cstdint>
@@ -12,8 +12,8 @@
 
 namespace jostle::modules::fields_detail {
 
-// What all bodies of a group's sub-step have in common, for each field: where Central pulls to, if
-// anywhere; the moment of Waves.
+// Values shared by all bodies in a sub-step of a group, per field: the target of Central, if any,
+// and the wave train of Waves.
 struct SubstepFieldState {
     std::vector<std::optional<physics::Vec3>> targets;
     std::vector<WaveTrain> trains;
@@ -22,7 +22,7 @@ struct SubstepFieldState {
 
 struct FieldScratch {
     BodyFieldCache body_cache;
-    std::uint64_t step = 0;  // World::step_count() when they were last used
+    std::uint64_t step = 0;  // World::step_count() of the last use
 };
 
 }  // namespace jostle::modules::fields_detail

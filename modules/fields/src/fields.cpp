@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Adding, changing and removing fields, and what they wake. How they act: fields_step.cpp.
+// Adds, changes and removes fields, and wakes the affected bodies. fields_step.cpp applies the
+// forces.
 #include "jostle/modules/fields.h"
 
 #include <mutex>
@@ -14,7 +15,7 @@ using namespace physics;
 
 namespace {
 
-// What begins or ceases to feel the field.
+// Wakes the bodies that enter or leave the influence of the field.
 void wake_volume(World& world, const VolumeField& field) {
     std::vector<BodyState> bodies;
     world.copy_bodies(bodies);
@@ -38,7 +39,7 @@ std::shared_ptr<const UserForce> force_of(const VolumeField& field) {
 }
 
 Error no_such_field(FieldKey key) {
-    return {ErrorCode::not_found, "there is no field " + std::to_string(key.number)};
+    return {ErrorCode::not_found, "field " + std::to_string(key.number) + " does not exist"};
 }
 
 }  // namespace
@@ -48,7 +49,8 @@ Fields::~Fields() = default;
 
 Result<FieldKey> Fields::add(World& world, const VolumeField& field) {
     if (entries_.size() >= fields_max)
-        return Error{ErrorCode::resource_exhausted, "there are 64 fields already; remove one"};
+        return Error{ErrorCode::resource_exhausted,
+                     "the module already has the maximum of 64 fields; remove one first"};
     if (Status s = check_field(world, {}, field); !s.ok()) return s.error();
     entries_.push_back({FieldKey{++last_key_}, field, {}, force_of(field)});
     scratch_->body_cache.clear();
@@ -90,13 +92,15 @@ std::vector<FieldKey> Fields::fields() const {
 
 Status Fields::add_charge(const Charge& charge) {
     if (charges_.size() >= charges_max)
-        return Error{ErrorCode::resource_exhausted, "there are 128 charges already; wait"};
+        return Error{
+            ErrorCode::resource_exhausted,
+            "the module already has the maximum of 128 pending charges; retry after one explodes"};
     if (Status s = fields_detail::check(charge); !s.ok()) return s;
     charges_.push_back(charge);
     return {};
 }
 
-// Waters beside the field of that key.
+// Number of waters except the field with this key.
 std::size_t Fields::count_waters_except(FieldKey key) const {
     std::size_t count = 0;
     for (const Entry& entry : entries_)
@@ -107,7 +111,8 @@ std::size_t Fields::count_waters_except(FieldKey key) const {
 Status Fields::check_field(const World& world, FieldKey key, const VolumeField& field) const {
     if (Status s = fields_detail::check(field); !s.ok()) return s;
     if (std::holds_alternative<Waves>(field.law) && count_waters_except(key) >= waters_max)
-        return Error{ErrorCode::resource_exhausted, "there are 4 waters already; remove one"};
+        return Error{ErrorCode::resource_exhausted,
+                     "the module already has the maximum of 4 waters; remove one first"};
     return check_target(world, field);
 }
 
@@ -119,7 +124,7 @@ Fields::Entry* Fields::find(FieldKey key) {
 
 void register_fields() {
     static std::once_flag once;
-    // A program that made a module of that name known before keeps it.
+    // A module of this name that the program registered earlier stays registered.
     std::call_once(once, [] {
         static_cast<void>(register_module("fields", [] { return std::make_unique<Fields>(); }));
     });

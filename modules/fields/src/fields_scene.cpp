@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Fields for scenes and for clients: settings in, chunks out.
+// Fields in scenes and for clients: reads settings and publishes channels.
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -35,7 +35,7 @@ void read_count(SettingsReader& reader, const std::string& name, std::uint32_t& 
     to = static_cast<std::uint32_t>(value);
 }
 
-// An upright box, when its half extents are given.
+// Reads an upright box if its half extents are given.
 void read_volume(SettingsReader& reader, const std::string& name, Volume& to) {
     BoxVolume box{.pose = {}, .half_extents = {0, 0, 0}};
     read_vector(reader, name + "_center", box.pose.position, limits::max_coordinate);

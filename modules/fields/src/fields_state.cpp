@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Fields as saved state. All that is read is foreign.
+// Serialization of fields. Loaded values are untrusted.
 #include <algorithm>
 
 #include "jostle/modules/fields.h"
@@ -15,7 +15,7 @@ using namespace physics;
 
 namespace {
 
-// A variant: which kind, then its fields. `visit_kind(v, kind)` for each kind.
+// Visits a variant: its index, then the fields of the alternative by `visit_kind(v, kind)`.
 template <class Variant, std::size_t kind = 0, class VisitKind>
 void visit_variant(StateVisitor& v, std::uint8_t index, Variant& variant, VisitKind&& visit_kind) {
     if constexpr (kind < std::variant_size_v<Variant>) {
@@ -23,7 +23,7 @@ void visit_variant(StateVisitor& v, std::uint8_t index, Variant& variant, VisitK
         if (v.loading()) variant.template emplace<kind>();
         visit_kind(std::get<kind>(variant));
     } else {
-        v.fail("kind", "is not one of its kinds");
+        v.fail("kind", "is not a valid kind");
     }
 }
 
@@ -121,7 +121,7 @@ void Fields::visit_entry(StateVisitor& v, Entry& entry) {
     if (!v.loading()) return;
     if (Status s = fields_detail::check(entry.field); !s.ok()) v.fail("law", s.error().message);
     if (entry.key.number == 0 || entry.key.number > last_key_)
-        v.fail("key", "was not given out yet");
+        v.fail("key", "was not assigned yet");
     entry.force = nullptr;
     const auto* user = std::get_if<UserField>(&entry.field.law);
     if (user != nullptr) entry.force = find_user_field(user->law);
@@ -137,13 +137,13 @@ void Fields::visit(StateVisitor& v) {
         if (Status s = fields_detail::check(charge); !s.ok()) v.fail("time", s.error().message);
     });
     if (!v.loading()) return;
-    if (entries_.size() > fields_max) v.fail("fields", "are more than 64");
-    if (count_waters_except({}) > waters_max) v.fail("fields", "have more than 4 waters");
-    if (charges_.size() > charges_max) v.fail("charges", "are more than 128");
-    // In the order in which they were added: no key twice.
-    const auto no_rise = [](const Entry& a, const Entry& b) { return !(a.key < b.key); };
-    if (std::ranges::adjacent_find(entries_, no_rise) != entries_.end())
-        v.fail("fields", "have keys that do not rise");
+    if (entries_.size() > fields_max) v.fail("fields", "has more than 64 elements");
+    if (count_waters_except({}) > waters_max) v.fail("fields", "has more than 4 waters");
+    if (charges_.size() > charges_max) v.fail("charges", "has more than 128 elements");
+    // Fields are in the order of add(), so keys are unique and increasing.
+    const auto not_increasing = [](const Entry& a, const Entry& b) { return !(a.key < b.key); };
+    if (std::ranges::adjacent_find(entries_, not_increasing) != entries_.end())
+        v.fail("fields", "has keys that are not strictly increasing");
 }
 
 void Fields::restored(const World&) {

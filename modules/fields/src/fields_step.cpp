@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What fields do in a step.
+// Evaluates fields in a step.
 #include <algorithm>
 #include <cstddef>
 #include <optional>
@@ -16,7 +16,7 @@ using fields_detail::Load;
 
 namespace {
 
-constexpr double wake_distance = 0.25;            // m that a target moves between two wakings
+constexpr double wake_distance = 0.25;  // m that a target moves before it wakes bodies again
 constexpr double noticeable_acceleration = 0.05;  // m/s^2
 
 double to_power(double x, std::uint32_t n) {
@@ -25,15 +25,15 @@ double to_power(double x, std::uint32_t n) {
     return power;
 }
 
-// m/s^2 of a body of that mass at a distance.
+// Acceleration of a body of the given mass at a distance, m/s^2.
 double pull_of(const Central& central, double distance, double mass) {
     const double force =
         central.strength / to_power(maximum(distance, central.nearest), central.falloff);
     return central.per_mass ? force : force / mass;
 }
 
-// Where a target is now, of a group's sub-step: by the group if it is in it, else from where it
-// was when the step began. None: it was destroyed.
+// Current position of a target in a sub-step of a group: from the group if it contains the target,
+// otherwise the position at the start of the step. nullopt if the target was destroyed.
 std::optional<Vec3> target_of(const Central& central, const SubstepContext& substep,
                               double middle) {
     if (is_null(central.body)) return central.point;
@@ -74,14 +74,14 @@ void push(const UserField& user, const UserForce& force, Load& load) {
     if (is_finite(impulse)) load.push(impulse);
 }
 
-// Whether what pushes the body is other in another moment, by as much as is noticeable. (Attracting
-// bodies wake whom they come near: follow_targets.)
+// True if the force on the body changes noticeably with time. Central is handled by
+// follow_targets().
 struct IsTimeVarying {
     const BodyState& body;
     const fields_detail::BodyFieldData& record;
 
     bool operator()(const Central&) const { return false; }
-    // The area along any direction is at most the sum of those along three axes.
+    // The area along any direction is at most the sum of the areas along three axes.
     bool operator()(const Turbulence& t) const {
         if (t.speed == 0 || t.rate == 0) return false;
         const double area = fields_detail::projected_area(record, {1, 0, 0}) +
@@ -104,7 +104,7 @@ bool is_time_varying(const FieldLaw& law, const BodyState& body,
     return std::visit(IsTimeVarying{body, record}, law);
 }
 
-// Panels that suit the shortest wave of all waters; 0: there is no water.
+// Maximum panel length for the shortest wave of all waters; 0 if there is no water.
 template <class Entries>
 double longest_panel(const Entries& entries) {
     double longest = 0;
@@ -121,7 +121,7 @@ double longest_panel(const Entries& entries) {
 }  // namespace
 
 void Fields::before_step(World& world, double) {
-    // Whoever steps another world, or this one from another moment, finds new records.
+    // The cache is invalid if another world, or this world at another step, was stepped since.
     if (world.step_count() != scratch_->step + 1) scratch_->body_cache.clear();
     scratch_->step = world.step_count();
     scratch_->body_cache.set_longest_panel(longest_panel(entries_));
@@ -180,7 +180,7 @@ void Fields::apply_field(std::size_t at, fields_detail::SubstepFieldState& field
     }
 }
 
-// Sleepers hear of an attracting body that moves.
+// Wakes sleeping bodies when an attracting body moves.
 void Fields::follow_targets(World& world) {
     for (Entry& entry : entries_) {
         const auto* central = std::get_if<Central>(&entry.field.law);
@@ -213,12 +213,12 @@ void Fields::explode_due(World& world) {
         }
         blasts_.push_back(charges_[k].explosion);
         charges_.erase(charges_.begin() + static_cast<std::ptrdiff_t>(k));
-        static_cast<void>(explode(world, blasts_.back()));  // was checked when it was added
+        static_cast<void>(explode(world, blasts_.back()));  // was checked by add_charge()
     }
 }
 
-// What is loaded by something that changes with time does not stay asleep. Those that fell asleep
-// were awake in this step, so they have records.
+// Wakes bodies that just fell asleep under the influence of a time-varying field. They were awake
+// in this step, so they have records.
 void Fields::after_step(World& world, double) {
     if (entries_.empty()) return;
     const std::vector<BodyId> asleep(world.events().fell_asleep.begin(),

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// One body in one sub-step, and all that fields do to it there. Each field sees the velocities that
-// those before it left.
+// One body in one sub-step and the impulses of all fields on it. Each field sees the velocities
+// changed by the previous fields.
 #pragma once
 
 #include "jostle/physics/step_listener.h"
@@ -15,13 +15,13 @@ struct Load {
     physics::Vec3 gravity;                             // m/s^2
     double time;                                       // s, in the middle of the sub-step
     double h;                                          // s
-    physics::Vec3 impulse = {}, angular_impulse = {};  // N s at the centre, N m s
+    physics::Vec3 impulse = {}, angular_impulse = {};  // N s at the centre of mass, N m s
 
     void push(physics::Vec3 change) {  // N s
         impulse += change;
         body.linear_velocity += change * (1 / body.mass);
     }
-    // Changes the velocity by as much as would change it if it could turn freely.
+    // Changes the angular velocity by the given amount, assuming free rotation.
     void turn(physics::Vec3 spin_change) {  // rad/s
         using namespace physics;
         const Mat3 axes = to_matrix(body.pose.rotation);
@@ -32,10 +32,10 @@ struct Load {
         const physics::Mat3 axes = to_matrix(body.pose.rotation);
         return axes * record.inertia * transpose(axes);
     }
-    // Quadratic drag by a medium: du/dt = -k |u| u has the solution u / (1 + k |u| h), with u the
-    // body's velocity against it. What else accelerates the body in the sub-step is to act half
-    // before and half after the drag (G. Strang, "On the construction and comparison of difference
-    // schemes", 1968): of second order, and at rest nothing is dragged.
+    // Quadratic drag in a medium: du/dt = -k |u| u has the solution u / (1 + k |u| h), with u the
+    // velocity of the body relative to the medium. Other accelerations of the sub-step are applied
+    // half before and half after the drag (G. Strang, "On the construction and comparison of
+    // difference schemes", 1968). This is second-order accurate and does not drag a body at rest.
     template <class AreaAlong>
     void drag(physics::Vec3 flow, double density, double coefficient, AreaAlong&& area_along,
               physics::Vec3 acceleration) {

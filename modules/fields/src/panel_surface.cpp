@@ -30,7 +30,7 @@ PanelSurface of_box(const Box& box) {
         {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}};
     const Vec3 h = box.half_extents;
     PanelSurface surface;
-    for (int k = 0; k < 8; k++)  // by its bits: x, y, z
+    for (int k = 0; k < 8; k++)  // the bits of k select x, y, z
         surface.vertices.push_back(
             {(k & 1) != 0 ? h.x : -h.x, (k & 2) != 0 ? h.y : -h.y, (k & 4) != 0 ? h.z : -h.z});
     for (const auto& f : faces) {
@@ -51,14 +51,14 @@ PanelSurface of_hull(const ConvexHull& hull) {
     return surface;
 }
 
-// ---- round about the y axis ----
+// ---- surfaces of revolution about the y axis ----
 
 struct Ring {
     double y, radius;
 };
 constexpr std::uint32_t around = 12;
 
-// Of rings from below upwards; the first and the last have radius 0.
+// Surface of revolution of rings from bottom to top. The first and the last ring have radius 0.
 PanelSurface turned(const std::vector<Ring>& rings, double volume) {
     PanelSurface surface;
     surface.round = true;
@@ -90,7 +90,7 @@ PanelSurface turned(const std::vector<Ring>& rings, double volume) {
     return surface;
 }
 
-// A quarter circle in three arcs, from the pole to the equator.
+// A quarter circle of three arcs, from the pole to the equator.
 constexpr std::array<Ring, 3> quarter{
     {{1, 0}, {0.86602540378443865, 0.5}, {0.5, 0.86602540378443865}}};
 
@@ -136,10 +136,10 @@ PanelSurface of_convex(const Geometry& geometry) {
     return of_hull(*std::get<Hull>(geometry).data);
 }
 
-// ---- refining ----
+// ---- refinement ----
 
 struct LongestEdge {
-    std::size_t from = 0;  // corner; the edge runs to the next
+    std::size_t from = 0;  // corner; the edge leads to the next corner
     double squared = 0;
 };
 
@@ -182,7 +182,8 @@ std::vector<PanelSurface> panel_surfaces(const Geometry& geometry, const Transfo
 
 void refine(PanelSurface& surface, double longest, double largest, std::size_t most) {
     Middles middles;
-    // In rounds, each over all that is too large: so that `most` spares the small ones.
+    // Proceeds in rounds over all triangles that are too large, so that the limit `most` affects
+    // the smallest ones.
     for (bool halved = true; halved;) {
         halved = false;
         const std::size_t count = surface.triangles.size();

@@ -32,14 +32,14 @@ bool is_name(std::string_view name) {
 
 Status register_user_field(std::string law, UserForce force) {
     if (!is_name(law))
-        return invalid_argument("law is \"" + law + "\"; give 1 to 32 of a-z, 0-9 and _");
-    if (!force) return invalid_argument("force of \"" + law + "\" is empty; give a function");
+        return invalid_argument("law is \"" + law + "\"; it must be 1 to 32 of a-z, 0-9 and _");
+    if (!force) return invalid_argument("force of \"" + law + "\" is empty; it must be a function");
     Registry& all = registry();
     const std::lock_guard guard(all.lock);
     auto shared = std::make_shared<const UserForce>(std::move(force));
     if (all.laws.emplace(law, std::move(shared)).second) return {};
     return Error{ErrorCode::already_exists,
-                 "a user field \"" + law + "\" is known already; choose another name"};
+                 "user field \"" + law + "\" is already registered; use another name"};
 }
 
 std::shared_ptr<const UserForce> find_user_field(std::string_view law) {

@@ -12,20 +12,20 @@ using namespace physics;
 
 namespace {
 
-// A corner of a wet panel.
+// A corner of a submerged panel.
 struct Corner {
     Vec3 arm;     // m, from the centre of mass
     double head;  // m of water
 };
 
-// In m^3 and m^4 of water: times density and gravity they are N and N m.
+// Sums in m^3 and m^4 of water. Times density and gravity, they are N and N m.
 struct WaterSums {
     Vec3 force, torque;
     Vec3 flow;  // m/s times m^2
     double area = 0;
 };
 
-// Pressure over a flat triangle, with a head that is linear between its corners:
+// Pressure over a flat triangle with a head that is linear between its corners:
 //     F = -n int p dA,   T = -int p r x n dA, and int p r dA = A/12 (sum p sum r + sum p r).
 void add_triangle(const Corner& a, const Corner& b, const Corner& c, WaterSums& sums,
                   std::vector<WaterScratch::Wet>& wet) {
@@ -38,7 +38,7 @@ void add_triangle(const Corner& a, const Corner& b, const Corner& c, WaterSums& 
     wet.push_back({area, arms * (1.0 / 3)});
 }
 
-// The part of a triangle that is under water: 3 or 4 corners, cut where the depth is zero.
+// The submerged part of a triangle: 3 or 4 corners, clipped at depth zero.
 void add_clipped_panel(const std::array<Corner, 3>& corners, const std::array<double, 3>& depth,
                        WaterSums& sums, std::vector<WaterScratch::Wet>& wet) {
     std::array<Corner, 4> left;
@@ -54,7 +54,7 @@ void add_clipped_panel(const std::array<Corner, 3>& corners, const std::array<do
         add_triangle(left[0], left[k], left[k + 1], sums, wet);
 }
 
-// What panels stand for has no torque where the true surface has none.
+// Removes torque that the true surface cannot have, but its panels can.
 Vec3 without_symmetric_torque(const PanelSurface& surface, const Load& load, Vec3 force,
                               Vec3 torque) {
     const Vec3 arm = apply(load.body.pose, surface.center) - load.body.center;
@@ -64,8 +64,8 @@ Vec3 without_symmetric_torque(const PanelSurface& surface, const Load& load, Vec
     return torque - axis * dot(torque - cross(arm, force), axis);
 }
 
-// The mean of the water's velocity where the body is wet. Of one that is short against the waves
-// that in the middle; else that of some vertices.
+// Mean velocity of the water over the submerged part. For a body that is short compared with the
+// waves, the velocity at its middle; otherwise the mean over some vertices.
 Vec3 mean_flow(const WaveTrain& train, const Load& load, const WaterScratch& scratch) {
     const std::vector<double>& depth = scratch.pressure.depth;
     Vec3 middle;
@@ -122,15 +122,15 @@ void add_surface(const WaveTrain& train, const PanelSurface& surface, const Load
     sums.area += area;
 }
 
-// A ball that is small against the waves, in closed form: the part of it that is below the tangent
-// plane of the surface, a cap (Weisstein, "Spherical Cap", MathWorld), in the pressure's slope at
-// the middle of that part.
+// A ball that is small compared with the waves, in closed form: the cap of it below the tangent
+// plane of the surface (E. W. Weisstein, "Spherical Cap", MathWorld), in the pressure gradient at
+// the middle of the cap.
 void add_ball(const WaveTrain& train, const PanelSurface& surface, const Load& load,
               WaterScratch& scratch, WaterSums& sums) {
     const Vec3 arm = apply(load.body.pose, surface.center) - load.body.center;
     const Vec3 center = load.body.center + arm;
     const double r = surface.ball;
-    // Where the surface leans it is nearer along its normal than straight up.
+    // The distance to an inclined surface is shorter along its normal than vertically.
     const WaveTrain::Sample over = train.at(center);
     const double below = over.depth / square_root(1 + length_squared(over.slope));
     const double depth = clamp(r + below, 0, 2 * r);
@@ -148,25 +148,25 @@ void add_ball(const WaveTrain& train, const PanelSurface& surface, const Load& l
     scratch.wet_balls += pi * r * r * share;
 }
 
-// Of what is wet, seen along the direction from one side and from the other: the larger.
+// Projected submerged area along the direction: the larger of the areas of both sides.
 double wet_area(const WaterScratch& scratch, Vec3 direction) {
     double front = 0, back = 0;
     for (const WaterScratch::Wet& panel : scratch.wet) {
-        const double projected_shapes = dot(panel.area, direction);
-        (projected_shapes > 0 ? front : back) += absolute(projected_shapes);
+        const double projected = dot(panel.area, direction);
+        (projected > 0 ? front : back) += absolute(projected);
     }
     return maximum(front, back) + scratch.wet_balls;
 }
 
-// What the water does to the motion through the middle of the sub-step, with the pressure (and
-// gravity) half before it and half after: what floats at rest is not damped.
+// Motion of the body at the middle of the sub-step. Pressure and gravity act half before and half
+// after it, so a body that floats at rest is not damped.
 struct Middle {
     Vec3 acceleration;  // m/s^2
-    Vec3 turn;          // rad/s in half a sub-step
+    Vec3 turn;          // rad/s, change within half a sub-step
 };
 
-// Quadratic drag on the spin about its axis a: each panel moves along its normal by
-// |w| a . (r x n), and either side of a body bears half of the drag. So the torque is K |w|^2 with
+// Quadratic drag on the rotation about the axis a. Each panel moves along its normal at |w| a . (r
+// x n), and each side of a body carries half of the drag. The torque is K |w|^2 with
 //     K = density / 2 * drag * sum A |a . (r x n)|^3 / 2.
 void drag_spin(const Waves& waves, Load& load, Vec3 turn,
                const std::vector<WaterScratch::Wet>& wet) {
@@ -180,7 +180,7 @@ void drag_spin(const Waves& waves, Load& load, Vec3 turn,
         const double sweep = absolute(dot(axis, cross(panel.arm, panel.area)));
         if (squared > 0) sum += sweep * sweep * sweep / squared;
     }
-    const double torque = 0.25 * waves.density * waves.drag * sum;  // over spin^2
+    const double torque = 0.25 * waves.density * waves.drag * sum;  // divided by spin^2
     const double inertia = dot(axis, load.inertia() * axis);
     if (inertia > 0) load.turn(w * (1 / (1 + torque / inertia * spin * load.h) - 1));
 }

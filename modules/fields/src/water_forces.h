@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What water does to one body in one sub-step: pressure on its wet panels, drag, and the loss to
-// waves of its own.
+// Water forces on one body in one sub-step: pressure on submerged panels, drag, and wave-making
+// loss.
 #pragma once
 
 #include <vector>
@@ -12,19 +12,20 @@
 
 namespace jostle::modules::fields_detail {
 
-// Memory used again from body to body.
+// Memory that is reused from body to body.
 struct WaterScratch {
     struct Wet {
         physics::Vec3 area;  // m^2, outward
-        physics::Vec3 arm;   // m: its middle from the centre of mass
+        physics::Vec3 arm;   // m, its centroid relative to the centre of mass
     };
-    std::vector<physics::Vec3> arms;  // of a surface's vertices from the centre of mass, m
-    WaveTrain::Pressure pressure;     // there
+    std::vector<physics::Vec3> arms;  // m, vertices of a surface relative to the centre of mass
+    WaveTrain::Pressure pressure;     // at these vertices
     std::vector<Wet> wet;
-    double wet_balls = 0;  // m^2, their discs
+    double wet_balls = 0;  // m^2, disc area of the submerged balls
 };
 
-// `train`: of these waves, in the middle of the sub-step. Nothing where gravity does not pull down.
+// `train` holds these waves at the middle of the sub-step. Does nothing if gravity is not
+// downwards.
 void apply_water_forces(const Waves& waves, const WaveTrain& train, Load& load,
                         WaterScratch& scratch);
 

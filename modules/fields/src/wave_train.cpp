@@ -25,14 +25,14 @@ WaveTrain::WaveTrain(const Waves& waves, double gravity, double time)
 }
 
 WaveTrain::Sample WaveTrain::at(Vec3 p) const {
-    std::array<SinCos, wave_components_max> add_crest_heights;
+    std::array<SinCos, wave_components_max> phases;
     double height = level_;
     Vec3 slope;
     for (std::size_t k = 0; k < count_; k++) {
         const Component& c = components_[k];
-        add_crest_heights[k] = sin_cos(c.number * (c.x * p.x + c.z * p.z) + c.turn);
-        height += c.amplitude * add_crest_heights[k].cos;
-        slope -= Vec3{c.x, 0, c.z} * (c.amplitude * c.number * add_crest_heights[k].sin);
+        phases[k] = sin_cos(c.number * (c.x * p.x + c.z * p.z) + c.turn);
+        height += c.amplitude * phases[k].cos;
+        slope -= Vec3{c.x, 0, c.z} * (c.amplitude * c.number * phases[k].sin);
     }
     const double depth = height - p.y;
     if (!(depth > 0)) return {.depth = depth, .slope = slope};
@@ -40,8 +40,7 @@ WaveTrain::Sample WaveTrain::at(Vec3 p) const {
     for (std::size_t k = 0; k < count_; k++) {
         const Component& c = components_[k];
         const double size = c.amplitude * exp_of_negative(-c.number * depth);
-        const double crest = size * add_crest_heights[k].cos,
-                     rise = size * add_crest_heights[k].sin;
+        const double crest = size * phases[k].cos, rise = size * phases[k].sin;
         sample.head += crest;
         sample.velocity += Vec3{c.x * crest, rise, c.z * crest} * c.omega;
         sample.lift += (Vec3{c.x * rise, -crest, c.z * rise} + slope * crest) * c.number;
@@ -51,9 +50,8 @@ WaveTrain::Sample WaveTrain::at(Vec3 p) const {
 
 // ---- many points ----
 //
-// About a body that is short against a wave its phase and its depth differ little from point to
-// point: what is left of sine, cosine and exponential are short polynomials, which compilers take
-// side by side.
+// Around a body that is short compared with a wave, phase and depth vary little between points. The
+// remaining sine, cosine and exponential are short polynomials, which compilers vectorize.
 
 void WaveTrain::sample_pressure(Vec3 center, std::span<const Vec3> arms, double reach,
                                 Pressure& pressure) const {
@@ -73,7 +71,7 @@ void WaveTrain::sample_pressure(Vec3 center, std::span<const Vec3> arms, double 
              pressure.head.data());
 }
 
-// Its height over each point.
+// Computes the height of the wave above each point.
 void WaveTrain::add_crest_heights(const Component& wave, Vec3 center, std::span<const Vec3> arms,
                                   double reach, double* crest) {
     const double phase = wave.number * (wave.x * center.x + wave.z * center.z) + wave.turn;
@@ -95,7 +93,7 @@ void WaveTrain::add_crest_heights(const Component& wave, Vec3 center, std::span<
     }
 }
 
-// Adds its pressure, which fades with the depth.
+// Adds the pressure of the wave, which decays with depth.
 void WaveTrain::fade(const Component& wave, std::span<const double> depth, const double* crest,
                      double* head) {
     const auto [low, high] = std::ranges::minmax(depth);

@@ -108,12 +108,12 @@ TEST(Boats, rejects_numbers_out_of_range_and_names_the_field) {
     const auto message = [&](const BoatDef& def) {
         return harbour.boats->add(harbour.world, def).error().message;
     };
-    EXPECT_EQ(message({.hull = harbour.hull}), "hull is a boat already");
-    EXPECT_EQ(message({}), "hull is no body");
+    EXPECT_EQ(message({.hull = harbour.hull}), "hull is already a boat");
+    EXPECT_EQ(message({}), "hull is not a body");
     const BodyId other = test::add(harbour.world, {.position = {9, 0, 0}});
     EXPECT_EQ(message({.hull = other, .screw = {0, 0, 9}}),
-              "screw is further than 8 m from the hull's origin");
-    EXPECT_EQ(message({.hull = other, .thrust = -1}), "thrust is out of its range");
+              "screw is out of range; it must be within 8 m of the hull's origin");
+    EXPECT_EQ(message({.hull = other, .thrust = -1}), "thrust is out of range");
     EXPECT_FALSE(harbour.boats->steer(harbour.world, harbour.hull, 2, 0).ok());
 }
 

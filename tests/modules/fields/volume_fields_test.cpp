@@ -132,23 +132,25 @@ TEST(Fields, errors_name_the_invalid_field) {
     EXPECT_EQ(error_of({.law = Turbulence{.scale = 0}}),
               "turbulence.scale is 0; it must be from 0.01 to 1000000");
     EXPECT_EQ(error_of({.law = Waves{.components = std::vector<WaveComponent>(9)}}),
-              "waves.components are 9; at most 8 are possible");
+              "waves.components has 9 elements; it must have at most 8");
     EXPECT_EQ(error_of({.law = Central{.body = {77, 1}}}), "central.body is not in the world");
     EXPECT_EQ(error_of({.law = Central{}, .volume = SphereVolume{.radius = -1}}),
               "volume.radius is -1; it must be from 0.001 to 10000000");
-    EXPECT_TRUE(error_of({.law = UserField{.law = "no_such"}})
-                    .starts_with("user.law is \"no_such\", which is not registered; there are: "));
+    EXPECT_TRUE(
+        error_of({.law = UserField{.law = "no_such"}})
+            .starts_with("user.law is \"no_such\", which is not registered; must be one of: "));
     EXPECT_EQ(register_user_field("Bad Name", [](const UserFieldInput&) { return Vec3{}; })
                   .error()
                   .message,
-              "law is \"Bad Name\"; give 1 to 32 of a-z, 0-9 and _");
-    EXPECT_EQ(fields.remove(world, {5}).error().message, "there is no field 5");
+              "law is \"Bad Name\"; it must be 1 to 32 of a-z, 0-9 and _");
+    EXPECT_EQ(fields.remove(world, {5}).error().message, "field 5 does not exist");
     EXPECT_TRUE(fields.fields().empty());
     for (std::size_t k = 0; k < Fields::waters_max; k++) add_field(world, {.law = Waves{}});
-    EXPECT_EQ(error_of({.law = Waves{}}), "there are 4 waters already; remove one");
+    EXPECT_EQ(error_of({.law = Waves{}}),
+              "the module already has the maximum of 4 waters; remove one first");
     EXPECT_TRUE(fields.set(world, fields.fields()[1], {.law = Waves{.level = 1}}).ok());
     while (fields.fields().size() < Fields::fields_max) add_field(world, {});
-    EXPECT_EQ(error_of({}), "there are 64 fields already; remove one");
+    EXPECT_EQ(error_of({}), "the module already has the maximum of 64 fields; remove one first");
 }
 
 TEST(Fields, set_and_remove_by_key) {

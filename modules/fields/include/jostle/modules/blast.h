@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What an explosion does to a world. By the thread that steps it, between steps.
+// Computes and applies the impulses of an explosion. Call on the thread that steps the world,
+// between steps.
 //
 //     explode(world, {.center = {0, 1, 0}, .strength = 2000}).value();
 #pragma once
@@ -13,23 +14,31 @@
 
 namespace jostle::modules {
 
+/// Effect of an explosion on one body.
 struct BlastImpulse {
     physics::BodyId body = {};
-    physics::Vec3 center = {};           // of mass, m
-    physics::Vec3 impulse = {};          // N s
-    physics::Vec3 angular_impulse = {};  // N m s about the centre of mass
-    double area = 0;                     // m^2 of projected area that sees the centre
-    double occluded_area = 0;            // m^2 that would, were nothing in the way
+    physics::Vec3 center = {};           ///< m, centre of mass
+    physics::Vec3 impulse = {};          ///< N s
+    physics::Vec3 angular_impulse = {};  ///< N m s about the centre of mass
+    double area = 0;           ///< m^2, projected area with a free line of sight to the centre
+    double occluded_area = 0;  ///< m^2, projected area that other shapes hide from the centre
 };
 
-// Who would get what; by id, hidden ones with zero. Changes nothing. Of the dynamic bodies
-// within the radius, awake or asleep. Costs a ray for each point that faces the centre. With many
-// shapes each has fewer points; after blast_rays_max rays those that are furthest get nothing.
+/// Computes the impulses of an explosion on all dynamic bodies within its radius, awake or asleep,
+/// without changing the world. The result is sorted by id. Bodies that are completely hidden are
+/// included with a zero impulse.
+///
+/// Costs one ray per surface point that faces the centre. With many bodies in range, each shape has
+/// fewer points. After blast_rays_max rays the most distant bodies are skipped.
+///
+/// Returns invalid_argument if a field of the explosion is out of range; the error names it.
 physics::Result<std::vector<BlastImpulse>> compute_blast(const physics::World& world,
                                                          const Explosion& explosion);
+/// Maximum number of rays of one explosion.
 inline constexpr std::size_t blast_rays_max = 20000;
 
-// Applies it, and says what it did. Wakes whom it pushes.
+/// Computes the impulses, applies them, and returns them. Wakes the bodies that it pushes. Errors
+/// are those of compute_blast().
 physics::Result<std::vector<BlastImpulse>> explode(physics::World& world,
                                                    const Explosion& explosion);
 

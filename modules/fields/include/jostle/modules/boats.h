@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// Boats: bodies with a screw and a rudder at the stern, for somebody to drive, or as told. The
-// water is that of the world's module "fields" (Waves); what floats, floats by that. A screw in the
-// air pushes nothing, and a keel keeps a boat from sliding aside.
+// Boats: bodies with a propeller (screw) and a rudder at the stern, controlled by a driver or by
+// steer(). The water comes from the world's "fields" module (Waves), which also provides buoyancy.
+// A propeller outside the water produces no thrust. The keel resists sideways motion.
 //
 //     auto boats = std::make_unique<Boats>();
 //     boats->add(world, {.hull = body}).expect();
 //     world.add_module(std::move(boats)).expect();
 //
-// In the frame of the hull y is up and -z ahead. Thread rule: as of the world that owns it.
+// In the frame of the hull, y points up and -z forward. Thread rule: that of the owning world.
 #pragma once
 
 #include <vector>
@@ -19,46 +19,61 @@
 
 namespace jostle::modules {
 
+/// Description of a boat.
 struct BoatDef {
-    physics::BodyId hull = {};             // a dynamic body of no other boat
-    physics::Vec3 screw = {0, -0.4, 2.4};  // m, in the hull; within 8
-    double thrust = 7000;                  // N at standstill, 0 to 1e7; astern half of it
-    double top_speed = 12;     // m/s through still water that the screw gives up at, 0.1 to 100
-    double rudder_most = 0.4;  // rad that the thrust turns by, 0 to 1.2
-    // N per (m/s)^2: of the speed times that aside, 0 to 1e6.
+    physics::BodyId hull = {};  ///< a dynamic body that is not already a boat
+    /// m, propeller position in the hull frame, at most 8 m from its origin
+    physics::Vec3 screw = {0, -0.4, 2.4};
+    double thrust = 7000;  ///< N at standstill, 0 to 1e7; half of it astern
+    /// m/s through still water at which the thrust reaches zero, 0.1 to 100
+    double top_speed = 12;
+    double rudder_most = 0.4;  ///< rad, largest deflection of the thrust, 0 to 1.2
+    /// Lateral keel force coefficient, N per (m/s)^2, 0 to 1e6: the force is keel * speed *
+    /// sideways speed.
     double keel = 1500;
 };
 
+/// Module that owns the boats of a world. Tag: "boat".
 class Boats final : public physics::Module {
 public:
+    /// Maximum number of boats in a world.
     static constexpr std::size_t most = 256;
 
+    /// State of one boat.
     struct State {
+        /// The body.
         physics::BodyId hull = {};
-        double throttle = 0;  // -1 to 1
-        double rudder = 0;    // -1 to 1, to the right: as it is, on its way to what is held
-        bool wet = false;     // the screw, in the last step
+        double throttle = 0;  ///< -1 to 1, requested thrust
+        /// -1 to 1, positive to the right: current deflection, which approaches the requested one
+        double rudder = 0;
+        bool wet = false;  ///< true if the propeller was in water in the last step
     };
 
-    // Errors name the field.
+    /// Adds a boat. Returns invalid_argument, naming the field, if the definition is invalid, and
+    /// resource_exhausted if there are `most` boats already.
     physics::Status add(const physics::World& world, const BoatDef& def);
-    // -1 to 1 each, held from now on.
+    /// Sets throttle and rudder, each -1 to 1, until the next call. Wakes the hull. Returns
+    /// not_found if the body is not a boat.
     physics::Status steer(physics::World& world, physics::BodyId hull, double throttle,
                           double rudder);
-    std::vector<State> states() const;  // in the order of add()
+    /// All boats, in the order of add().
+    std::vector<State> states() const;
 
     std::string_view tag() const override { return "boat"; }
     void visit(physics::StateVisitor& v) override;
-    // Makes a boat of each body that is given, by any name; all share screw_y, screw_z, thrust,
-    // top_speed, rudder_most and keel.
+    /// Configures the module from a scene: each named body, under any name, becomes a boat. Numbers
+    /// apply to all boats: screw_y and screw_z (m, -5 to 5), thrust, top_speed, rudder_most and
+    /// keel.
     physics::Status configure(physics::World& world,
                               const physics::ModuleSettings& settings) override;
-    // Axis 0 is the rudder, axis 1 the throttle.
+    /// True for the hulls of boats.
     bool is_controllable(physics::BodyId body) const override { return find(body) != nullptr; }
+    /// Applies driver input between steps: axis 0 is the rudder, axis 1 the throttle.
     void control(physics::World& world, physics::BodyId body,
                  const physics::Controls& controls) override;
-    // "boat", of each hull: where the screw is in it (3 x 16 bits of -8 to 8 m), throttle and
-    // rudder (8 bits each of -1 to 1, to the right), 1 if the screw is in the water.
+    /// Publishes the channel "boat" for each hull: propeller position in the hull frame (3 x 16
+    /// bits, -8 to 8 m), throttle and rudder (8 bits each, -1 to 1, positive to the right), and 1
+    /// if the propeller is in water, otherwise 0.
     std::vector<physics::ChannelKind> channels() const override { return {{}}; }
     void publish(const physics::World& world, physics::ChannelWriter& channels) const override;
 
@@ -77,7 +92,7 @@ private:
     bool in_water(const physics::SubstepContext& substep, physics::Vec3 point) const;
 
     std::vector<Boat> boats_;
-    std::vector<VolumeField> waters_;  // of one step
+    std::vector<VolumeField> waters_;  ///< of the current step
 };
 
 }  // namespace jostle::modules

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// Fields beyond those of the solver (jostle/physics/force_fields.h): attraction to a body that
-// moves, turbulent air, water with waves, and laws of a program's own, each in a volume; and
-// charges that go off at a set time. Evaluated in every sub-step where the body then is.
+// Force fields in addition to those of the solver (jostle/physics/force_fields.h): attraction to a
+// moving body, turbulent air, water with waves, and user-defined laws, each in a volume; and
+// charges that explode at a set time. Fields are evaluated in every sub-step at the current
+// position of each body.
 //
-// Like the solver's fields they wake nobody by themselves. To add, change or remove one wakes what
-// is in its volume. What a load that changes with time pushes noticeably (by more than 0.05 m/s^2)
-// does not fall asleep.
+// Like the solver's fields, they do not wake bodies by themselves. Adding, changing or removing a
+// field wakes the bodies in its volume. A body does not fall asleep while a time-varying field
+// accelerates it noticeably (by more than 0.05 m/s^2).
+//
 //
 //     auto fields = std::make_unique<Fields>();
 //     fields->add(world, {.law = Turbulence{.wind = {6, 0, 0}}}).value();
@@ -31,41 +33,58 @@ struct Load;
 struct FieldScratch;
 }  // namespace fields_detail
 
+/// Module that owns the fields and charges of a world. Tag: "fields".
 class Fields : public physics::Module {
 public:
+    /// Maximum numbers of fields and of pending charges.
     static constexpr std::size_t fields_max = 64, charges_max = 128;
-    static constexpr std::size_t waters_max = 4;  // fields that are Waves: they cost most
-    static constexpr std::size_t blasts_max = 8;  // in one step; the others in those that follow
+    /// Maximum number of Waves fields, which are the most expensive
+    static constexpr std::size_t waters_max = 4;
+    /// Maximum number of explosions per step; the rest follow in later steps
+    static constexpr std::size_t blasts_max = 8;
 
     Fields();
     ~Fields() override;
 
-    // Of the world that has the module, or will have it.
+    /// Adds a field to the world that owns, or will own, this module, and wakes the bodies in its
+    /// volume. The error names the invalid field. Returns resource_exhausted if there are
+    /// fields_max fields or waters_max waters already, and not_found if a Central body does not
+    /// exist.
     physics::Result<FieldKey> add(physics::World& world, const VolumeField& field);
+    /// Replaces a field. Errors are those of add(), and not_found for an unknown key.
     physics::Status set(physics::World& world, FieldKey key, const VolumeField& field);
+    /// Removes a field. Returns not_found for an unknown key.
     physics::Status remove(physics::World& world, FieldKey key);
     physics::Result<VolumeField> field(FieldKey key) const;
+    /// Keys of all fields, in the order of add().
     std::vector<FieldKey> fields() const;
 
+    /// Adds a charge. Returns invalid_argument, naming the field, or resource_exhausted if
+    /// charges_max charges are pending.
     physics::Status add_charge(const Charge& charge);
-    const std::vector<Charge>& charges() const { return charges_; }  // that did not go off yet
-    // By charges, before the last step.
+    /// Charges that have not exploded yet.
+    const std::vector<Charge>& charges() const { return charges_; }
+    /// Explosions of charges before the last step.
     const std::vector<Explosion>& blasts() const { return blasts_; }
 
     std::string_view tag() const override { return "fields"; }
     void visit(physics::StateVisitor& v) override;
     void restored(const physics::World& world) override;
-    // One field of each kind, where a number of it is given (all of docs/modules.md, "Fields"):
-    // turbulence_*, waves_* and wave1_* to wave4_*, central_* with the body `center`, and
-    // blast_*, a charge that goes off at blast_time.
+    /// Configures the module from a scene. For each prefix with at least one setting, adds one
+    /// field: turbulence_*, waves_* with wave1_* to wave4_*, and central_* with the body `center`.
+    /// blast_* adds a charge that explodes at blast_time. docs/modules.md, section "Fields", lists
+    /// all settings.
     physics::Status configure(physics::World& world,
                               const physics::ModuleSettings& settings) override;
-    // "fields.waves", told every waves_divisor steps: for each water level and density (f32) and
-    // how many components; of each amplitude and length (f32), heading and phase at that step (16
-    // bits of 0..2 pi), omega (f32). Clients move the waves on by themselves.
-    // "fields": how many other fields, of each its kind (0 central, 1 turbulence, 2 user), then of
-    // a central one its place (3 x f32), of turbulence the wind (3 x f32) and speed (f32). Then for
-    // each blast of the last step its place (3 x f32) and radius (f32).
+    /// Publishes two channels.
+    ///
+    /// "fields.waves", every waves_divisor steps. For each water: level and density (f32) and the
+    /// number of components; for each component amplitude and length (f32), heading and phase at
+    /// that step (16 bits each, 0 to 2 pi) and omega (f32). Clients advance the waves themselves.
+    ///
+    /// "fields": the number of other fields. For each its kind (0 central, 1 turbulence, 2 user),
+    /// then for central the position (3 x f32), for turbulence the mean wind (3 x f32) and speed
+    /// (f32). Then for each explosion of the last step the position (3 x f32) and radius (f32).
     static constexpr int waves_divisor = 60;
     std::vector<physics::ChannelKind> channels() const override;
     void publish(const physics::World& world, physics::ChannelWriter& channels) const override;
@@ -81,9 +100,9 @@ private:
     struct Entry {
         FieldKey key;
         VolumeField field;
-        physics::Vec3 last_wake_position =
-            {};  // Central: where its body was when it last woke others
-        std::shared_ptr<const UserForce> force;  // follows from the law's name
+        /// Position of the target of a Central field when it last woke bodies.
+        physics::Vec3 last_wake_position = {};
+        std::shared_ptr<const UserForce> force;  ///< derived from the name of the law
     };
 
     fields_detail::SubstepFieldState substep_field_state(const physics::SubstepContext& substep,
@@ -103,12 +122,12 @@ private:
     std::uint32_t last_key_ = 0;
     std::vector<Charge> charges_;
 
-    // Not state: what follows from the world, and memory used again.
+    /// Not state: values derived from the world, and reused memory.
     std::unique_ptr<fields_detail::FieldScratch> scratch_;
     std::vector<Explosion> blasts_;
 };
 
-// So that scenes and loads know it. May be called again.
+/// Registers the module for scenes and loading. May be called repeatedly.
 void register_fields();
 
 }  // namespace jostle::modules

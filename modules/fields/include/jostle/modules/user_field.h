@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Force laws of a program's own, by name. The name and the parameters are state; the law is code,
-// and a program that loads a world must have registered it.
+// User-defined force laws, identified by name. The name and the parameters are saved state; the law
+// is code, so a program must register it before it loads a world that uses it.
 //
 //     register_user_field("spring_to_origin", [](const UserFieldInput& at) {
 //         return at.position * -at.parameters[0];   // N
@@ -20,33 +20,39 @@
 
 namespace jostle::modules {
 
+/// Input of a force law: one body in one sub-step.
 struct UserFieldInput {
-    physics::Vec3 position = {};  // m, of the centre of mass
-    physics::Vec3 velocity = {};  // m/s
-    double mass = 0;              // kg
-    double time = 0;              // s, in the middle of the sub-step
-    double h = 0;                 // s, of the sub-step: for laws that are stiff
+    physics::Vec3 position = {};  ///< m, centre of mass
+    physics::Vec3 velocity = {};  ///< m/s
+    double mass = 0;              ///< kg
+    double time = 0;              ///< s, world time at the middle of the sub-step
+    double h = 0;                 ///< s, length of the sub-step, for stiff laws
+    /// Parameters of the UserField.
     std::span<const double> parameters = {};
 };
-// N, at the centre of mass; what is not finite pushes nothing. Depends on nothing but its input,
-// so that all machines agree: no mathematics but jostle/physics/scalar.h. Called from several
-// threads at once.
+/// A force law: returns the force at the centre of mass, N. A result that is not finite has no
+/// effect. For deterministic results on all machines, it must depend on its input only and use only
+/// the mathematics of jostle/physics/scalar.h. It is called from several threads concurrently.
 using UserForce = std::function<physics::Vec3(const UserFieldInput&)>;
 
+/// A user-defined field law.
 struct UserField {
-    std::string law;                      // as registered: 1 to 32 of a-z, 0-9 and _
-    std::vector<double> parameters = {};  // at most 16, each within 1e12
-    bool per_mass = false;                // the law gives m/s^2
-    bool steady = false;                  // does not depend on time: leaves sleepers asleep
+    std::string law;                      ///< registered name: 1 to 32 of a-z, 0-9 and _
+    std::vector<double> parameters = {};  ///< at most 16, each within 1e12
+    bool per_mass = false;                ///< if true, the law returns an acceleration, m/s^2
+    /// if true, the law does not depend on time, so it does not keep bodies awake
+    bool steady = false;
 
     bool operator==(const UserField&) const = default;
 };
+/// Maximum number of parameters.
 inline constexpr std::size_t user_parameters_max = 16;
 
-// Any thread. A name that is known already is refused (already_exists).
+/// Registers a law. Thread-safe. Returns already_exists if the name is registered already.
 physics::Status register_user_field(std::string law, UserForce force);
-// Null: none of that name.
+/// Returns a registered law; null if there is none with this name. Thread-safe.
 std::shared_ptr<const UserForce> find_user_field(std::string_view law);
-std::vector<std::string> user_fields();  // sorted
+/// Names of all registered laws, sorted. Thread-safe.
+std::vector<std::string> user_fields();
 
 }  // namespace jostle::modules

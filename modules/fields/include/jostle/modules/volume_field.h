@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A field of the module: which law, where, on whom. And charges.
+// A field of the Fields module: law, volume and mask. Also charges.
 #pragma once
 
 #include <compare>
@@ -16,39 +16,44 @@
 
 namespace jostle::modules {
 
-// Towards a body, or a point that stays: F = strength / max(r, nearest)^falloff, N; times the mass
-// if `per_mass`, m/s^2. The body that attracts is not pulled itself, and where it goes wakes those
-// that it pulls noticeably (by more than 0.05 m/s^2) each 0.25 m.
+/// Attraction to a body or to a fixed point. The force is F = strength / max(r, nearest)^falloff,
+/// in N, or an acceleration in m/s^2 if per_mass is set. There is no reaction on the attracting
+/// body. When it has moved 0.25 m, it wakes the bodies that it accelerates noticeably (by more than
+/// 0.05 m/s^2).
 struct Central {
-    physics::BodyId body = {};  // null: the point. One that is destroyed attracts no more.
-    physics::Vec3 point = {};   // m; of a body: from its centre of mass, world axes
-    double strength = 100;      // within 1e12; < 0 pushes away
-    std::uint32_t falloff = 2;  // 0 to 4
-    double nearest = 0.5;       // m, 1e-6 to 1e6
-    bool per_mass = false;
+    physics::BodyId body = {};  ///< null attracts to `point`; a destroyed body has no effect
+    physics::Vec3 point = {};   ///< m; with a body, an offset from its centre of mass in world axes
+    double strength = 100;      ///< within 1e12; negative repels
+    std::uint32_t falloff = 2;  ///< exponent of the decay with distance, 0 to 4
+    double nearest = 0.5;       ///< m, 1e-6 to 1e6: the force is constant within this distance
+    bool per_mass = false;      ///< if true, the law gives an acceleration, m/s^2
 
     bool operator==(const Central&) const = default;
 };
 
+/// A force law.
 using FieldLaw = std::variant<Central, Turbulence, UserField, Waves>;
 
+/// A force law in a volume.
 struct VolumeField {
     FieldLaw law = Turbulence{};
     Volume volume = Everywhere{};
-    // Bodies one of whose shapes has a category with a bit in the mask.
+    /// Acts on bodies with a shape that has a category in the mask.
     std::uint32_t mask = 0xffffffff;
 
     bool operator==(const VolumeField&) const = default;
 };
 
+/// An explosion at a set time.
 struct Charge {
-    double time = 0;  // s, of the world: goes off before the first step that begins then or later
+    /// s, world time, 0 to 1e12: explodes before the first step that begins at or after it
+    double time = 0;
     Explosion explosion = {};
 
     bool operator==(const Charge&) const = default;
 };
 
-// Names a field of a module; never used twice.
+/// Identifies a field of a module. Keys are never reused.
 struct FieldKey {
     std::uint32_t number = 0;
 

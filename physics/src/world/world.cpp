@@ -70,10 +70,10 @@ Status World::step(double dt) {
     return {};
 }
 void World::parallel_for(int count, int grain,
-                         const std::function<void(int first, int last)>& part) const {
+                         const std::function<void(int first, int last)>& function) const {
     ThreadPool& thread_pool = *state_->thread_pool;
     if (thread_pool.size() > 1 && count >= 4 * grain) thread_pool.wake();
-    thread_pool.run(count, grain, part);
+    thread_pool.run(count, grain, function);
 }
 void World::stop_stepping() {
     scratch_->stopped = true;

@@ -1,23 +1,26 @@
 // SPDX-License-Identifier: MIT
 //
-// The table of joint kinds: each states its name and its fields once. Checks, saved worlds, hashes
-// and scene files walk it, so none of them can forget a field that another has.
+// Table of joint kinds: the name and the fields of each kind, with their ranges, in one place.
+// Argument checks, saved worlds, state hashes and scene files iterate over it, so all of them cover
+// the same fields.
 //
-// A new kind takes its struct, listed in JointKind (joint_defs.h), and an entry here; a message,
-// and a field of the kind's name in Joint (proto/jostle/v1/scene.proto); its writer
-// (constraints/joints/write_joint.cpp), its kernel (constraints/joints/joint_kinds.h), and its rows
-// for those who look (constraints/joints/joint_rows.cpp). One that
-// has an angle to report, or ends that are meant to be apart, says so in World::joint() and in
-// world/summary.cpp.
+// To add a joint kind, add
+// - its struct, listed in JointKind (joint_defs.h), and an entry in this file;
+// - a message, and a field named after the kind in Joint (proto/jostle/v1/scene.proto);
+// - its row writer (constraints/joints/write_joint.cpp), its kernel
+//   (constraints/joints/joint_kinds.h) and its rows for inspection
+//   (constraints/joints/joint_rows.cpp);
+// - if it reports an angle, or its ends are not coincident, a case in World::joint() and in
+//   world/summary.cpp.
 //
-// A visitor v takes names as messages spell them, and ranges in the units of joint_defs.h:
+// A visitor v receives field names as spelled in messages, and ranges in the units of joint_defs.h:
 //     v.number(name, x, low, high)
 //     v.ordered(name, x, name, y, low, high)    two numbers, x <= y
 //     v.later(name, x, low, high, version)      a number, 0 in saved worlds before that version
 //     v.drive(name, x)                          a RotationDrive, none before version 12
-//     v.vector(name, x, limit)                  each component at most that in size
+//     v.vector(name, x, limit)                  the magnitude of each component is at most limit
 //     v.flag(name, x)
-//     v.points(name, x, least, most, limit)     so many vectors, each unlike the one before
+//     v.points(name, x, least, most, limit)     least to most vectors, adjacent ones distinct
 //     v.limit(name, x, low, high)
 //     v.spring(name, x)
 //     v.motor(name, x)                          a JointMotor, LinearMotor or AxisMotor
@@ -33,12 +36,13 @@
 
 namespace jostle::physics {
 
-// What `enabled` means a visitor decides: a byte in a saved world, a message that is there in a
-// scene.
+/// Visits the fields of a limit, except `enabled`. Each visitor represents `enabled` itself: as a
+/// byte in a saved world, as the presence of a message in a scene.
 void visit_limit(auto& v, auto& limit, double low, double high) {
     v.number("lower", limit.lower, low, high);
     v.number("upper", limit.upper, low, high);
 }
+/// Visits the fields of a motor, except `enabled`.
 void visit_motor(auto& v, auto& motor) {
     v.number("speed", motor.speed, -limits::max_speed, limits::max_speed);
     if constexpr (requires { motor.max_torque; })
@@ -48,11 +52,13 @@ void visit_motor(auto& v, auto& motor) {
     else
         v.number("most", motor.most, 0, 1e12);
 }
+/// Visits the fields of a spring.
 void visit_spring(auto& v, auto& spring) {
     v.number("hertz", spring.hertz, 0, 1e4);
     v.number("damping_ratio", spring.damping_ratio, 0, 1e4);
 }
 
+/// Visits the fields of a six-dof axis.
 void visit_axis(auto& v, auto& axis, double low, double high) {
     v.flag("free", axis.free);
     v.limit("limit", axis.limit, low, high);
@@ -63,7 +69,8 @@ void visit_axis(auto& v, auto& axis, double low, double high) {
     v.later("spring_most", axis.spring_most, 0, 1e12, 16);
 }
 
-// The order of fields is that of saved worlds: docs/design/format_changes.md has a line for each change.
+/// Fields of one joint kind: `name` and visit(v, joint). The order of the fields is that of saved
+/// worlds; each change has a line in docs/format_changes.md.
 template <class Kind>
 struct JointFields;
 
@@ -224,7 +231,7 @@ struct JointFields<PathJoint> {
     }
 };
 
-// Calls each(joint) with every kind as its struct makes it, in the order of JointKind.
+/// Calls each(joint) with a default-constructed struct of every kind, in the order of JointKind.
 void for_each_joint_kind(auto&& each) {
     [&]<class... Kinds>(std::type_identity<std::variant<Kinds...>>) {
         (each(Kinds{}), ...);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Triangle meshes: built once, immutable, shared by any number of shapes and worlds, from any
-// thread.
+// Triangle meshes with adjacency, immutable once built.
 #pragma once
 
 #include <array>
@@ -18,23 +17,30 @@ namespace jostle::physics {
 
 class Bvh;
 
+/// Maximum number of triangles of a mesh.
 inline constexpr std::size_t max_mesh_triangles = 4u << 20;
 
+/// A triangle mesh in its local frame. Immutable and shared by any number of shapes, worlds and
+/// threads. Create it with build_mesh().
 struct TriangleMesh {
-    std::vector<Vec3> vertices;                           // m
-    std::vector<std::array<std::uint32_t, 3>> triangles;  // corners, as indices of vertices
+    std::vector<Vec3> vertices;                           ///< m
+    std::vector<std::array<std::uint32_t, 3>> triangles;  ///< vertex indices of the corners
 
-    // Derived by build_mesh.
-    // The triangle across edge k (from corner k to corner k + 1); 0xffffffff: none, or several.
+    // The following fields are derived by build_mesh.
+
+    /// neighbours[t][k] is the triangle across edge k of triangle t, from corner k to corner k + 1;
+    /// 0xffffffff if there is none or more than one.
     std::vector<std::array<std::uint32_t, 3>> neighbours;
-    std::shared_ptr<const Bvh> tree;  // of the triangles
-    Aabb bounds;
-    std::uint64_t content_hash = 0;
+    std::shared_ptr<const Bvh> tree;  ///< bounding volume hierarchy of the triangles
+    Aabb bounds;                      ///< in the local frame
+    std::uint64_t content_hash = 0;   ///< equal for equal contents
 };
 
-// Of 1 to max_mesh_triangles; coordinates within max_shape_size. Vertices at the same place count
-// as one when neighbours are sought. Triangles without area (narrower than 1e-9 of the mesh's size)
-// are dropped. An error names the vertex or the triangle.
+/// Builds a mesh of 1 to max_mesh_triangles triangles. Coordinates are within max_shape_size.
+/// Vertices at the same position count as one for adjacency. Degenerate triangles (narrower than
+/// 1e-9 of the mesh's size) are dropped.
+///
+/// Errors: invalid_argument, naming the vertex or the triangle.
 Result<std::shared_ptr<const TriangleMesh>> build_mesh(
     std::span<const Vec3> vertices, std::span<const std::array<std::uint32_t, 3>> triangles);
 

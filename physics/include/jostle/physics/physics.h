@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The whole public face of the solver library.
+// Includes all public headers of the solver library.
 #pragma once
 
 #include "jostle/physics/aabb.h"

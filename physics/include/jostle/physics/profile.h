@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What the last step cost and did. Times are of the wall clock and differ from run to run; counters
-// are exact.
+// Cost and counters of the last step. Times are wall-clock times and vary between runs. Counters
+// are exact and reproducible.
 #pragma once
 
 #include <array>
@@ -9,6 +9,7 @@
 
 namespace jostle::physics {
 
+/// The stages of a step, in order.
 enum class Stage {
     update_pairs,
     update_contacts,
@@ -25,54 +26,62 @@ enum class Stage {
     update_triggers,
     publish_events,
 };
+/// Number of stages.
 inline constexpr int stage_count = 14;
 
-// The stage's name as in the enumeration.
+/// Returns the name of the enumerator. The string has static storage duration.
 const char* stage_name(Stage stage);
 
+/// Profile of one step (World::profile).
 struct StepProfile {
-    std::array<double, stage_count> stage_ms{};  // 0 when the stage was skipped
-    // Why a stage was skipped, as a sentence; null when it ran. Lives as long as the program.
+    /// Wall-clock time per stage, ms; 0 if the stage was skipped.
+    std::array<double, stage_count> stage_ms{};
+    /// Reason for which a stage was skipped, as a sentence; null if it ran. Static storage
+    /// duration.
     std::array<const char*, stage_count> stage_skipped{};
-    double step_ms = 0;  // the sum of stage_ms
-    // The stage that took most of it, and how long that took.
+    double step_ms = 0;  ///< sum of stage_ms, ms
+    /// The slowest stage and its time in ms.
     Stage worst_stage = Stage::update_pairs;
     double worst_stage_ms = 0;
-    int bodies_awake = 0;  // dynamic bodies that are awake, and all kinematic ones
-    // Bodies that sleep in an island that moves elsewhere. Not among bodies_awake.
+    int bodies_awake = 0;  ///< awake dynamic bodies and all kinematic bodies
+    /// Bodies that sleep in place: in an island of which other bodies are awake. Not included in
+    /// bodies_awake.
     int bodies_asleep_in_place = 0;
-    // Of bodies_awake: dynamic bodies with a manifold or a joint. All others are moved without the
-    // solver.
+    /// Part of bodies_awake: dynamic bodies with a manifold or a joint. All others are integrated
+    /// without the solver.
     int bodies_in_solver = 0;
-    int bodies_flat = 0;   // of bodies_in_solver: in flat and slow islands, half the sub-steps
-    int bodies_tall = 0;   // ... in tall islands, twice the sub-steps
-    int bodies_heavy = 0;  // ... in islands with a heavy load, four times the sub-steps
-    // Pairs of shapes that are followed, awake or asleep; a pair with a mesh, a height field or a
-    // compound counts once more for each of its manifolds.
+    /// Part of bodies_in_solver: in flat and slow islands, with half the sub-steps.
+    int bodies_flat = 0;
+    int bodies_tall = 0;  ///< part of bodies_in_solver: in tall islands, with twice the sub-steps
+    /// Part of bodies_in_solver: in heavily loaded islands, with four times the sub-steps.
+    int bodies_heavy = 0;
+    /// Tracked pairs of shapes, awake or asleep. A pair with a mesh, a height field or a compound
+    /// counts once more for each of its manifolds.
     int pairs = 0;
-    int pairs_checked = 0;       // narrow phase calls
-    int composites_checked = 0;  // of those: with a mesh, a height field or a compound
-    int manifolds = 0;           // that exist, but for those of sleeping islands
-    int touching = 0;            // of manifolds: the ones that press
+    int pairs_checked = 0;  ///< narrow-phase tests
+    /// Part of pairs_checked: with a mesh, a height field or a compound.
+    int composites_checked = 0;
+    int manifolds = 0;  ///< manifolds, except those of sleeping islands
+    int touching = 0;   ///< part of manifolds: those that touch
     int islands_awake = 0;
-    int joints = 0;          // that were solved: of bodies_in_solver
-    int joints_direct = 0;   // of joints: solved at once, in groups that nothing touches
-    int joints_batched = 0;  // of joints: their points are solved at once, beside contacts
-    // Of joints: JointSolver::direct was asked for, and they are neither of the two.
+    int joints = 0;          ///< solved joints of bodies_in_solver
+    int joints_direct = 0;   ///< part of joints: solved directly, in groups without contacts
+    int joints_batched = 0;  ///< part of joints: points solved directly, with contacts
+    /// Part of joints: those that requested JointSolver::direct but were solved iteratively.
     int joints_direct_fallback = 0;
-    std::int64_t body_substeps = 0;  // sub-steps of bodies_in_solver, summed
-    // ... that were taken beside, to measure errors, in a world with a tolerance.
+    std::int64_t body_substeps = 0;  ///< sub-steps, summed over bodies_in_solver
+    /// Additional body sub-steps that measured the error, in a world with a tolerance.
     std::int64_t trial_substeps = 0;
-    // Contacts and joints that were solved, each times its sub-steps.
+    /// Solved contacts and joints, each multiplied by its sub-steps.
     std::int64_t contact_substeps = 0, joint_substeps = 0;
-    int sweeps = 0;   // looks of a fast body at what it may meet on its way, between steps
-    int impacts = 0;  // that were followed between steps
-    // What the step did, in units of about 0.1 microseconds of one current core: only about that
-    // (.6 to 2 times in the scenes of the laboratory), but counted, so the same for any machine and
-    // any number of threads. WorldDef::step_budget.
+    int sweeps = 0;   ///< continuous collision tests of one fast body
+    int impacts = 0;  ///< impacts handled by the continuous stage
+    /// Work of the step in units of about 0.1 us of one current core. Estimated from counters
+    /// (within a factor of 0.6 to 2 of the time in the benchmark scenes), so it is the same for any
+    /// machine and any number of threads. See WorldDef::step_budget.
     std::int64_t work = 0;
-    int overload_level = 0;  // at which the step was taken: World::strain()
-    int solver_tasks = 0;  // batches of islands that threads solved side by side; 0 with one thread
+    int overload_level = 0;  ///< level at which the step was computed (World::overload_level)
+    int solver_tasks = 0;    ///< Solver batches that threads solved in parallel; 0 with one thread.
 };
 
 }  // namespace jostle::physics

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Questions to a world between steps, or to a copy of one. Answers do not depend on the broad
-// phase: ties go to the lower id. Positions, motions and distances are in metres, each component
-// within 1e7 (limits.h).
+// Spatial queries: ray casts, shape casts, overlaps and closest points, on a world between steps or
+// on a copy. Results do not depend on the broad phase: of equal results the one with the lower id
+// is returned. Positions, motions and distances are in metres, each component within 1e7
+// (limits.h).
 #pragma once
 
 #include <cstdint>
@@ -19,132 +20,154 @@
 
 namespace jostle::physics {
 
-// Which shapes a query sees.
+/// Selects the shapes that a query tests.
 struct QueryFilter {
-    std::uint32_t categories = 0xffffffff;  // shapes whose Filter::category has a bit in here
-    bool triggers = false;                  // whether triggers are seen
-    BodyId ignore = {};                     // a body that is not seen; null: all are
+    /// Bits; tests shapes whose Filter::category has one of them.
+    std::uint32_t categories = 0xffffffff;
+    bool triggers = false;  ///< whether triggers are tested
+    BodyId ignore = {};     ///< shapes of this body are skipped; null: none
 };
 
+/// A ray: the segment from origin to origin + motion.
 struct Ray {
-    Vec3 origin = {};  // m
-    Vec3 motion = {};  // m, not zero: the ray ends at origin + motion
+    Vec3 origin = {};  ///< m
+    Vec3 motion = {};  ///< m, not zero
 };
 
+/// The intersection of a ray with a shape.
 struct RayHit {
     ShapeId shape = {};
     BodyId body = {};
-    double fraction = 0;  // 0..1 of the motion; 0 when the origin is inside the shape
-    Vec3 point = {};      // m, world
-    Vec3 normal = {};  // unit, out of the shape; opposite to the motion when the origin is inside
+    double fraction = 0;  ///< of the motion, 0..1; 0 if the origin is inside the shape
+    Vec3 point = {};      ///< m, world
+    /// Unit vector out of the shape; opposite to the motion if the origin is inside the shape.
+    Vec3 normal = {};
 };
 
-// A convex shape that moves without turning.
+/// A convex shape that translates without rotation.
 struct ShapeCast {
-    Geometry geometry = {};  // convex
-    Transform pose = {};     // where it starts
-    Vec3 motion = {};        // m; may be zero
+    Geometry geometry = {};  ///< must be convex (is_convex)
+    Transform pose = {};     ///< start pose, world
+    Vec3 motion = {};        ///< m; may be zero
 };
 
+/// The first contact of a cast shape with a shape of the world.
 struct ShapeCastHit {
     ShapeId shape = {};
     BodyId body = {};
-    double fraction = 0;  // 0..1 of the motion when they touch; 0 when they overlap at the start
-    Vec3 point = {};      // m, world: where they touch
-    Vec3 normal = {};     // unit, out of the shape that was hit
+    double fraction = 0;  ///< of the motion, 0..1; 0 if the shapes overlap at the start
+    Vec3 point = {};      ///< m, world, point of contact
+    Vec3 normal = {};     ///< unit vector out of the shape that was hit
 };
 
+/// The closest point on a shape.
 struct ClosestPoint {
     ShapeId shape = {};
     BodyId body = {};
-    double distance = 0;  // m; negative inside a solid shape: the shortest way out
-    Vec3 point = {};      // m, world, on the shape's surface
-    Vec3 normal = {};     // unit, out of the shape
+    double distance = 0;  ///< m; negative inside a solid shape: minus the distance to its surface
+    Vec3 point = {};      ///< m, world, on the surface of the shape
+    Vec3 normal = {};     ///< unit vector out of the shape
 };
 
-// Where a shape of the world stands, or stood.
+/// The pose of a shape, as an override of its current pose (Queries::with_shapes_at).
 struct ShapePlacement {
     ShapeId shape = {};
-    Transform pose = {};  // of the shape, in the world
+    Transform pose = {};  ///< of the shape, world
 };
 
-// How two shapes stand to each other.
+/// The signed distance of two shapes.
 struct ShapeDistance {
-    double distance = 0;  // m; negative: the depth of the overlap, the shortest way to part them
-    Vec3 normal = {};     // unit, from a to b
-    Vec3 point_a = {}, point_b = {};  // m, world, on the surfaces; the closest or the deepest pair
+    double distance = 0;  ///< m; negative: minus the penetration depth
+    Vec3 normal = {};     ///< unit vector from a to b
+    /// Closest points, or deepest points if the shapes overlap, on the surfaces. m, world.
+    Vec3 point_a = {}, point_b = {};
 };
 
-// The points where two shapes touch, as the solver gets them: 1 to 4.
+/// A contact manifold as the solver receives it: 1 to 4 points with a common normal.
 struct ContactManifold {
-    Vec3 normal = {};  // unit, from a to b
+    Vec3 normal = {};  ///< unit vector from a to b
+    /// A contact point.
     struct Point {
-        Vec3 position;   // m, world, halfway between the surfaces
-        double gap = 0;  // m along the normal; negative: overlap
+        Vec3 position;   ///< m, world, midway between the surfaces
+        double gap = 0;  ///< m along the normal; negative: overlap
     };
     std::vector<Point> points;
 };
 
-// The signed distance of two solids: convex kinds and planes, but not two planes.
+/// Computes the signed distance of two solid shapes: convex kinds and planes, but not two planes.
+/// Thread-safe.
+///
+/// Errors: invalid_argument for other kinds, invalid geometry or invalid poses.
 Result<ShapeDistance> distance(const Geometry& a, const Transform& pose_a, const Geometry& b,
                                const Transform& pose_b);
 
-// What the narrow phase finds for any two kinds: a manifold for each flat piece of a mesh or height
-// field and each child of a compound, else one or none. Points further apart than `margin` (m, 0 to
-// 1e6) are left out.
+/// Runs the narrow phase for two shapes of any kind. Returns a manifold per flat piece of a mesh or
+/// height field and per child of a compound, otherwise at most one. Points with a gap greater than
+/// `margin` (m, 0 to 1e6) are dropped. Thread-safe.
+///
+/// Errors: invalid_argument for invalid geometry, poses or margin.
 Result<std::vector<ContactManifold>> collide_shapes(const Geometry& a, const Transform& pose_a,
                                                     const Geometry& b, const Transform& pose_b,
                                                     double margin);
 
 class QuerySource;
 
-// Queries on one moment of a world: on the world itself (World::queries, good until the world
-// changes or ends) or on a copy of it (World::query_frame, good for ever). Many threads may ask at
-// once. Each call checks its arguments; an Error names the one that was wrong, of several questions
-// with its number.
+/// Spatial queries on one state of a world: on the world itself (World::queries, valid until the
+/// world changes or is destroyed) or on a copy (World::query_frame, valid indefinitely).
+///
+/// Thread rule: any number of threads may call concurrently.
+///
+/// Error rule: every call checks its arguments and returns invalid_argument with the name of the
+/// offending one; batch calls include its index.
 class Queries {
 public:
+    /// Used by World.
     explicit Queries(std::shared_ptr<const QuerySource> source);
 
-    // World::step_count() of this moment.
+    /// Returns World::step_count() of this state.
     std::uint64_t step() const;
 
-    // The same questions to these shapes alone, where the list puts them: as a world was a moment
-    // ago, say. Those that are gone are left out, one that is named twice is there twice. Good for
-    // as long as this is. Costs about as much as naming them: half a millisecond for a thousand.
+    /// Returns queries on the listed shapes only, at the listed poses, for example at earlier poses
+    /// for lag compensation. Destroyed shapes are skipped; a shape that is listed twice is present
+    /// twice. Valid as long as this object's state. Costs about 0.5 ms per 1000 shapes.
     Result<Queries> with_shapes_at(std::vector<ShapePlacement> shapes) const;
 
-    // The first shape along the ray; nothing when it meets none.
+    /// Returns the first hit along the ray; nullopt if there is none.
     Result<std::optional<RayHit>> cast_ray(const Ray& ray, const QueryFilter& filter = {}) const;
-    // Whether the ray meets any shape. Cheaper: it ends at the first that is found.
+    /// Returns whether the ray hits any shape. Cheaper than cast_ray(): it stops at the first hit
+    /// found.
     Result<bool> ray_hits_any(const Ray& ray, const QueryFilter& filter = {}) const;
-    // Every shape along the ray, each once where it is entered, by fraction, then by id.
+    /// Returns the entry point into every shape along the ray, sorted by fraction, then by id.
     Result<std::vector<RayHit>> cast_ray_all(const Ray& ray, const QueryFilter& filter = {}) const;
-    // One answer per ray, in their order.
+    /// Casts several rays. Returns one result per ray, in order.
     Result<std::vector<std::optional<RayHit>>> cast_rays(std::span<const Ray> rays,
                                                          const QueryFilter& filter = {}) const;
 
-    // The first shape that the moving one touches.
+    /// Returns the first contact of the moving shape; nullopt if there is none.
     Result<std::optional<ShapeCastHit>> cast_shape(const ShapeCast& cast,
                                                    const QueryFilter& filter = {}) const;
-    // Every shape that it touches, each once, by fraction, then by id.
+    /// Returns the first contact with every shape along the motion, sorted by fraction, then by id.
     Result<std::vector<ShapeCastHit>> cast_shape_all(const ShapeCast& cast,
                                                      const QueryFilter& filter = {}) const;
-    // One answer per cast, in their order.
+    /// Casts several shapes. Returns one result per cast, in order. Casts close to each other share
+    /// one broad-phase query.
     Result<std::vector<std::optional<ShapeCastHit>>> cast_shapes(
         std::span<const ShapeCast> casts, const QueryFilter& filter = {}) const;
 
-    // Shapes whose bounding boxes overlap the box, by id. The shapes themselves may miss it.
+    /// Returns the shapes whose bounding boxes overlap the box, sorted by id. The shapes themselves
+    /// may not overlap it.
     Result<std::vector<ShapeId>> overlap_box(const Aabb& box, const QueryFilter& filter = {}) const;
-    // Shapes that a convex shape in that pose overlaps, by id.
+    /// Returns the shapes that overlap a convex shape, sorted by id.
     Result<std::vector<ShapeId>> overlap_shape(const Geometry& geometry, const Transform& pose,
                                                const QueryFilter& filter = {}) const;
-    // Shapes that hold the point, by id. Meshes and height fields are surfaces and hold none.
+    /// Returns the shapes that contain the point, sorted by id. Meshes and height fields are
+    /// surfaces and contain no points.
     Result<std::vector<ShapeId>> shapes_at(Vec3 point, const QueryFilter& filter = {}) const;
-    // The nearest shape within max_distance of the point, if any.
+    /// Returns the closest shape within max_distance (m, 0 to 1e7) of the point; nullopt if there
+    /// is none.
     Result<std::optional<ClosestPoint>> closest_point(Vec3 point, double max_distance,
                                                       const QueryFilter& filter = {}) const;
-    // One answer per point, in their order.
+    /// Finds the closest shape of several points. Returns one result per point, in order.
     Result<std::vector<std::optional<ClosestPoint>>> closest_points(
         std::span<const Vec3> points, double max_distance, const QueryFilter& filter = {}) const;
 

@@ -1,18 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// A moment of a world in memory, to go back to. For rollback: every tick keeps one, and when a
-// command comes late the world goes back a few ticks. Faster than bytes (serialization.h), but good
-// only within the process. Geometry is shared with the world, never copied.
-//
-//     RestorePoint before;
-//     before.keep(world);
-//     world.step(1.0 / 60).expect();
-//     before.restore(world).expect();   // the same bits as at keep()
-//
-// Thread rule: keep() counts as a const call of the world, restore() as a non-const one (world.h).
-// One thread at a time uses a point. It shares nothing with its world but geometry, which nobody
-// changes: another thread may save() it, or restore() it into a world of its own, while the kept
-// world goes on.
+// In-memory copy of a world's state, for rollback: the server captures one per tick and restores
+// one when a late command arrives. Faster than serialization (serialization.h), but valid only
+// within the process. Geometry is shared with the world, never copied.
 #pragma once
 
 #include <cstddef>
@@ -27,33 +17,48 @@ namespace jostle::physics {
 class Module;
 class World;
 
+/// A copy of a world's state.
+///
+///     RestorePoint point;
+///     point.capture(world);
+///     world.step(1.0 / 60).expect();
+///     point.restore(world).expect();   // the same bits as at capture()
+///
+/// Thread rule: capture() counts as a const call of the world, restore() as a non-const one
+/// (world.h). A restore point is not thread-safe. It shares only immutable geometry with its world,
+/// so another thread may save() it or restore() it into a world of its own while the captured world
+/// continues.
 class RestorePoint {
 public:
     RestorePoint();
-    RestorePoint(RestorePoint&&) noexcept;  // leaves the other empty
+    RestorePoint(RestorePoint&&) noexcept;  ///< leaves the source empty
     RestorePoint& operator=(RestorePoint&&) noexcept;
     ~RestorePoint();
 
-    bool empty() const { return !state_; }
+    bool empty() const { return !state_; }  ///< true until the first capture()
 
-    // Copies all that the next step depends on. Forgets what was kept before and uses its memory
-    // again.
+    /// Copies everything that the next step depends on. Replaces the previous content and reuses
+    /// its memory.
     void capture(const World& world);
 
-    // Makes any world what the kept one was: it goes on with the same bits, in ids, state_hash(),
-    // later steps and their events. The world keeps its number of threads and its profile();
-    // events() is empty until the next step. Modules that the world lacks are made by the registry
-    // (module.h), those that were not kept are removed; listeners that are no modules stay. May be
-    // repeated. An empty point is refused (failed_precondition), and a module that this program
-    // does not know (not_found).
+    /// Sets any world to the captured state. Ids, state_hash(), later steps and their events are
+    /// then bit-identical to those of the captured world. May be called repeatedly.
+    ///
+    /// The world retains its number of threads and its profile(). events() is empty until the next
+    /// step. Missing modules are created by the registry (module.h), modules that are not part of
+    /// the state are removed, and listeners that are not modules remain.
+    ///
+    /// Errors: failed_precondition if the restore point is empty or the world is stepping;
+    /// not_found if a module is not registered in this program.
     Status restore(World& world) const;
 
-    // What save(world) and state_hash(world) (serialization.h) were at keep(), without a world to
-    // restore it into. Refused like restore().
+    /// The result of save(world) and state_hash(world) (serialization.h).
     struct Saved {
         std::vector<std::byte> bytes;
         std::uint64_t hash = 0;
     };
+    /// Returns the saved world and its hash as of capture(), without a world to restore it into.
+    /// Errors: as restore().
     Result<Saved> save() const;
 
 private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The solver's calls report errors as all of Jostle does.
+// Error reporting of the solver: the types of jostle/base/result.h.
 #pragma once
 
 #include "jostle/base/result.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// The only mathematics beyond + - * / that the engine uses. The C library's sin, cos and atan2
-// differ from machine to machine in the last bit, which would end "same state + same inputs = same
-// bits"; these are polynomials of our own and give the same bits everywhere. sqrt is exact by IEEE
-// 754, so the C library's may be used.
+// Scalar mathematics. The engine uses no functions besides + - * / and the ones in this file. sin,
+// cos and atan2 of the C library differ between machines in the last bit, which would break
+// determinism; the functions below use fixed polynomials and give the same bits everywhere. IEEE
+// 754 defines sqrt exactly, so the C library's version is used.
 #pragma once
 
 #include <cmath>
@@ -12,33 +12,41 @@ namespace jostle::physics {
 
 inline constexpr double pi = 3.14159265358979323846;
 
+/// Returns the square root of x. Exactly rounded.
 inline double square_root(double x) {
     return std::sqrt(x);
 }
+/// Returns the absolute value of x.
 inline double absolute(double x) {
     return x < 0 ? -x : x;
 }
+/// Returns the smaller value; a if they are equal or one is NaN.
 inline double minimum(double a, double b) {
     return b < a ? b : a;
 }
+/// Returns the larger value; a if they are equal or one is NaN.
 inline double maximum(double a, double b) {
     return a < b ? b : a;
 }
+/// Returns x limited to low..high. NaN is returned unchanged.
 inline double clamp(double x, double low, double high) {
     return x < low ? low : (high < x ? high : x);
 }
-// False for NaN and both infinities.
+/// Returns false for NaN and both infinities.
 inline bool is_finite(double x) {
     return x - x == 0;
 }
 
+/// Sine and cosine of one angle.
 struct SinCos {
     double sin, cos;
 };
 
-// Sine and cosine of any finite angle in radians, error below 1e-14 for |angle| < 1e6. Range
-// reduction by pi/2 in two parts, then Taylor polynomials on [-pi/4, pi/4] (Muller, "Elementary
-// Functions", chapter 11).
+/// Returns sine and cosine of any finite angle in radians. The error is below 1e-14 for |angle| <
+/// 1e6.
+///
+/// Range reduction by pi/2 in two parts, then Taylor polynomials on [-pi/4, pi/4] (Muller,
+/// "Elementary Functions", chapter 11).
 inline SinCos sin_cos(double angle) {
     const double turns = angle * (2 / pi);
     const double whole = std::floor(turns + 0.5);
@@ -65,8 +73,10 @@ inline SinCos sin_cos(double angle) {
     return {-c, s};
 }
 
-// The angle of the point (x, y) against the x axis, -pi..pi; 0 for the origin. Error below 1e-14.
-// Reduction to |t| <= tan(pi/8), then the series of the arc tangent.
+/// Returns the angle of the point (x, y) from the x axis in radians, in -pi..pi; 0 for the origin.
+/// The error is below 1e-14.
+///
+/// Reduction to |t| <= tan(pi/8), then the series of the arc tangent.
 inline double arc_tangent(double y, double x) {
     const double ax = absolute(x), ay = absolute(y);
     if (ax == 0 && ay == 0) return 0;

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// A world as bytes. One field list (src/persist/field_list.h) says what is saved, hashed and
-// compared, so none of the three can forget a field that another has. A loaded world goes on with
-// the same bits as the one that was saved, in every build of the same arithmetic (arithmetic.h).
-// All calls are const calls of the world (world.h).
+// Serialization of worlds. One field list (src/serialization/field_list.h) defines the fields that
+// are saved, hashed and compared, so all three cover the same fields. A loaded world continues with
+// the same bits as the saved one in every build with the same arithmetic (arithmetic.h).
 #pragma once
 
 #include <cstddef>
@@ -19,18 +18,22 @@ namespace jostle::physics {
 
 class World;
 
-std::vector<std::byte> save(const World& world);  // of a kept moment: RestorePoint::save()
+/// Saves a world as bytes. A const call of the world (world.h). To save an earlier state, use
+/// RestorePoint::save().
+std::vector<std::byte> save(const World& world);
 
-// Foreign bytes are checked in full: mark, version, length, checksum, each field, and whether the
-// fields agree. An error (corrupt_data) says what was wrong and in which field. The world has one
-// thread until World::set_threads().
+/// Loads a world from untrusted bytes. The call checks magic, version, length, checksum, every
+/// field, and the consistency of the fields. The world uses one thread until World::set_threads()
+/// is called.
+///
+/// Errors: corrupt_data, naming the defect and the field.
 Result<World> load(std::span<const std::byte> bytes);
 
-// 64 bits over everything that the next step depends on.
+/// Returns a 64-bit hash over everything that the next step depends on. A const call of the world.
 std::uint64_t state_hash(const World& world);
 
-// The first field in which two worlds differ, with both values: "bodies.awake[3].center.y: 0.5
-// against 0.49". Nothing when they are equal.
+/// Returns the first field in which two worlds differ, with both values: "bodies.awake[3].center.y:
+/// 0.5 against 0.49". Returns nullopt if the worlds are equal. A const call of both worlds.
 std::optional<std::string> first_difference(const World& a, const World& b);
 
 }  // namespace jostle::physics

@@ -1,16 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// One walk over all that a module's next step depends on. Saving, loading, hashing, comparing and
-// restore points are five visitors of the same walk, so none of them can forget a field that
-// another has.
-//
-//     void visit(StateVisitor& v) override {
-//         v.field("body", body_);
-//         v.field("phase", phase_);
-//         v.all("wheels", wheels_, [&](Wheel& wheel) { v.field("travel", wheel.travel); });
-//     }
-//
-// The walk is the same each time: which fields follow may depend on fields before, on nothing else.
+// Visitor over the state of a module. One visit function serves saving, loading, hashing, comparing
+// and restore points, so all of them cover the same fields.
 #pragma once
 
 #include <cstddef>
@@ -25,20 +16,30 @@
 
 namespace jostle::physics {
 
+/// Visits every field that the next step of a module depends on.
+///
+///     void visit(StateVisitor& v) override {
+///         v.field("body", body_);
+///         v.field("phase", phase_);
+///         v.all("wheels", wheels_, [&](Wheel& wheel) { v.field("travel", wheel.travel); });
+///     }
+///
+/// The sequence of fields may depend on earlier fields only. Field names appear in messages, such
+/// as "modules.hovercraft.wheels[2].travel"; they are not saved.
 class StateVisitor {
 public:
     virtual ~StateVisitor() = default;
 
-    // Whether fields are written to. What was read may be any value of its type; numbers are
-    // finite.
+    /// Returns true if the visitor writes to the fields. A loaded value can be any value of its
+    /// type; floating-point values are finite.
     virtual bool loading() const = 0;
-    // While loading: what was read makes no sense. The load ends with an error that names the
-    // field: fail("wheels", "are more than 8").
+    /// Reports that a loaded value is invalid. The load ends with an error that names the field:
+    /// fail("wheels", "are more than 8"). Ignored unless loading.
     virtual void fail(std::string_view name, std::string_view what) = 0;
-    // Whether it did, or a field could not be read. What was read since is of no use.
+    /// Returns true after fail() or a read error. Values loaded since then are undefined.
     virtual bool failed() const = 0;
 
-    // Names are for messages: "modules.hovercraft.wheels[2].travel". They are not saved.
+    /// Visit a scalar field.
     virtual void field(std::string_view name, bool& value) = 0;
     virtual void field(std::string_view name, std::uint8_t& value) = 0;
     virtual void field(std::string_view name, std::uint16_t& value) = 0;
@@ -49,15 +50,17 @@ public:
     virtual void field(std::string_view name, float& value) = 0;
     virtual void field(std::string_view name, double& value) = 0;
 
+    /// Visit a composite field, component by component.
     void field(std::string_view name, Vec3& value);
     void field(std::string_view name, Quat& value);
     void field(std::string_view name, Transform& value);
-    // Ids of the world. A visitor between two worlds names what they stand for.
+    /// Visit an id. A visitor between two worlds translates ids into what they refer to.
     virtual void field(std::string_view name, BodyId& value);
     virtual void field(std::string_view name, ShapeId& value);
     virtual void field(std::string_view name, JointId& value);
-    void field(std::string_view name, std::string& value);  // at most 65536 bytes
-    // An enumeration that counts from 0 to `last`.
+    /// Visits a string of at most 65536 bytes.
+    void field(std::string_view name, std::string& value);
+    /// Visits an enumeration with the values 0 to `last`. Loading fails for other values.
     template <class E>
     requires std::is_enum_v<E>
     void field(std::string_view name, E& value, E last) {
@@ -69,10 +72,11 @@ public:
             value = static_cast<E>(number);
     }
 
-    // The length of an array: returns what it is, which a loader reads. Bounded by the bytes that
-    // follow, so a file cannot make us allocate more than itself.
+    /// Visits the length of an array and returns it; a loading visitor returns the loaded length.
+    /// Bounded by the number of remaining bytes, so untrusted data cannot cause an allocation
+    /// larger than itself.
     virtual std::size_t count(std::string_view name, std::size_t size) = 0;
-    // An array: its length, then each(item) under its index.
+    /// Visits an array: its length, then each(item) with the item's index as the path.
     template <class T, class Each>
     void all(std::string_view name, std::vector<T>& items, Each&& each) {
         enter(name);
@@ -86,7 +90,7 @@ public:
         leave();
     }
 
-    // The path of the fields that follow, until leave().
+    /// Enter a level of the field path, until the matching leave().
     virtual void enter(std::string_view name) = 0;
     virtual void enter(std::size_t index) = 0;
     virtual void leave() = 0;

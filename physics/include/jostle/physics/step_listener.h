@@ -1,20 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What takes part in a step: called at stated points of it, in the order in which listeners were
-// added, on the thread that called World::step() but for sub-steps of those who say that they may
-// be called at once (StepHooks::concurrent).
-//
-// A step calls:
-//     before_step            of every listener
-//     pre_solve              for each manifold that begins, and each impact between sub-steps
-//     before_substep, after_substep     for each group of bodies and each of its sub-steps
-//     after_step             of every listener
-//
-// Determinism: a listener whose calls depend on nothing but what it is given, its own state and the
-// world keeps the promise of the same bits for any number of threads. State that the next step
-// depends on belongs into a Module (module.h), which is saved and hashed with the world.
-//
-// Listeners do not throw.
+// Step listeners: user code that runs at defined points of a step.
 #pragma once
 
 #include <cstdint>
@@ -27,94 +13,119 @@ namespace jostle::physics {
 
 class World;
 
-// Which of the calls a listener wants besides before_step() and after_step(). What nobody wants
-// costs nothing.
+/// Selects the optional calls of a listener. before_step() and after_step() are always called.
+/// Calls that no listener selects cost nothing.
 struct StepHooks {
-    bool substeps = false;
-    bool pre_solve = false;
-    // Calls of before_substep() and after_substep() for different groups may come at once, from
-    // several threads: they share nothing but what they only read. Where all who want sub-steps say
-    // so, groups are smaller, and solved by all threads.
+    bool substeps = false;   ///< before_substep() and after_substep()
+    bool pre_solve = false;  ///< pre_solve()
+    /// Allows concurrent calls of before_substep() and after_substep() for different groups, from
+    /// several threads. They may share read-only data only. If all listeners that select `substeps`
+    /// set this, groups are smaller and are solved by all threads.
     bool concurrent = false;
 };
 
-// A body within a step.
+/// The state of a body during a step.
 struct MovingBody {
     BodyId id = {};
-    Transform pose = {};         // of the body's origin
-    Vec3 center = {};            // of mass, m, world
-    Vec3 linear_velocity = {};   // m/s, of the centre of mass
-    Vec3 angular_velocity = {};  // rad/s, world axes
-    double mass = 0;             // kg
+    Transform pose = {};         ///< of the body's origin, world
+    Vec3 center = {};            ///< centre of mass, m, world
+    Vec3 linear_velocity = {};   ///< m/s, of the centre of mass
+    Vec3 angular_velocity = {};  ///< rad/s, world axes
+    double mass = 0;             ///< kg
 };
 
-// One sub-step of one group of bodies. How many sub-steps there are depends on the group: the
-// solver works harder on what is tall or unevenly loaded. Each awake dynamic body is in one group;
-// what sleeps is in none. Bodies that touch or are jointed are in the same group, others may be:
-// the groups follow from the world and the hooks, not from the number of threads.
+/// One sub-step of one group of bodies. The number of sub-steps depends on the group: tall or
+/// heavily loaded islands take more. Each awake dynamic body is in exactly one group; sleeping
+/// bodies are in none. Bodies that touch or are connected by joints are in the same group; others
+/// may be. Groups depend on the world and on the hooks, not on the number of threads.
 class SubstepContext {
 public:
     virtual ~SubstepContext() = default;
 
-    virtual double h() const = 0;   // s, of the sub-step
-    virtual int index() const = 0;  // from 0
-    virtual int count() const = 0;  // sub-steps of the group in this step
-    // s since the start of the world, at the start of the sub-step.
+    virtual double h() const = 0;   ///< duration of the sub-step, s
+    virtual int index() const = 0;  ///< index of the sub-step, from 0
+    virtual int count() const = 0;  ///< number of sub-steps of the group in this step
+    /// Simulation time at the start of the sub-step, s.
     virtual double time() const = 0;
-    // To ask it: as it was when the step began. Changes through casts are undefined.
+    /// The world as it was at the start of the step, for queries. Modifying it through a cast is
+    /// undefined behaviour.
     virtual const World& world() const = 0;
 
-    virtual std::span<const BodyId> bodies() const = 0;  // of the group, in a stated order
-    virtual bool contains(BodyId body) const = 0;
-    // As it is at this moment of the step. The body is in the group. Before a sub-step, what
-    // touches nothing is shown where it is in the middle of the sub-step if nothing pushes: forces
-    // that follow from positions are then of second order and keep their energy.
+    /// Bodies of the group, in a deterministic order.
+    virtual std::span<const BodyId> bodies() const = 0;
+    virtual bool contains(BodyId body) const = 0;  ///< whether the body is in the group
+    /// Returns the current state of a body of the group. In before_substep(), a body without
+    /// contacts or joints is shown at its extrapolated position in the middle of the sub-step.
+    /// Position-dependent forces are then of second order and conserve energy.
     virtual MovingBody body(BodyId body) const = 0;
-    virtual Vec3 velocity_at(BodyId body, Vec3 point) const = 0;  // m/s, world
+    /// Returns the velocity of a body of the group at a world point, m/s, world.
+    virtual Vec3 velocity_at(BodyId body, Vec3 point) const = 0;
 
-    // N s at a world point, N m s. A force F over the sub-step is F * h(). Of a body in the group;
-    // false, and nothing done, for any other.
+    /// Apply an impulse in N s at a world point, or an angular impulse in N m s, to a body of the
+    /// group. A force F over the sub-step is the impulse F * h(). Returns false, without effect, if
+    /// the body is not in the group.
     virtual bool add_impulse(BodyId body, Vec3 impulse, Vec3 point) = 0;
     virtual bool add_angular_impulse(BodyId body, Vec3 impulse) = 0;
 };
 
-// Two shapes that are about to touch, and how they shall. Asked once when their manifold begins (of
-// a mesh: for each manifold), before anything pushes; the answer holds until the manifold ends.
-// Two bodies that meet between sub-steps are asked about at each impact, where the surface velocity
-// does not count.
+/// Two shapes that are about to touch, and the properties of their contact. Called once when their
+/// manifold begins (for a mesh, once per manifold), before the manifold is solved; the properties
+/// apply until the manifold ends. For bodies that collide between sub-steps it is called for each
+/// impact, and surface_velocity is then ignored.
 struct PreSolve {
     const World& world;
     ShapeId shape_a = {}, shape_b = {};
     BodyId body_a = {}, body_b = {};
-    Vec3 normal = {};    // unit, from a to b
-    Vec3 point = {};     // m, world: the middle of where they touch
-    Vec3 velocity = {};  // m/s of b against a there; along the normal: > 0 parts
+    Vec3 normal = {};  ///< unit vector from a to b
+    Vec3 point = {};   ///< m, world, mean of the contact points
+    /// Velocity of b relative to a at `point`, m/s; separating if > 0 along the normal.
+    Vec3 velocity = {};
 
-    // The answer. It begins as what the materials give.
-    double friction = 0;         // >= 0
-    double restitution = 0;      // 0 to 1
-    Vec3 surface_velocity = {};  // m/s, world: of b's surface against a's, a conveyor belt
-    bool enabled = true;         // false: they pass through each other
+    // Properties of the contact. Their initial values come from the materials.
+    double friction = 0;     ///< Coulomb coefficient, >= 0
+    double restitution = 0;  ///< 0 to 1
+    /// Of b's surface relative to a's surface, m/s, world (conveyor belt).
+    Vec3 surface_velocity = {};
+    bool enabled = true;  ///< if false, the shapes pass through each other
 };
 
+/// Base class of code that takes part in a step. Listeners are called in the order in which they
+/// were added:
+///
+///     before_step                       every listener
+///     pre_solve                         per new manifold, and per impact between sub-steps
+///     before_substep, after_substep     per group of bodies and sub-step
+///     after_step                        every listener
+///
+/// Thread rule: all calls are on the thread that called World::step(), except sub-step calls of
+/// listeners that allow concurrent calls (StepHooks::concurrent).
+///
+/// Determinism: results are bit-identical for any number of threads if a listener depends only on
+/// its arguments, its own state and the world. State that the next step depends on belongs into a
+/// Module (module.h), which is saved and hashed with the world.
+///
+/// Listeners must not throw.
 class StepListener {
 public:
     virtual ~StepListener() = default;
 
-    // Read when the listener is added and in each step, after all before_step(): who has nothing to
-    // do asks for nothing, and costs nothing. What it says may depend only on what it saves.
+    /// Returns the optional calls that this listener needs. Called when the listener is added and
+    /// in every step after all before_step() calls, so a listener without work can select nothing.
+    /// The result may depend only on saved state.
     virtual StepHooks hooks() const { return {}; }
 
-    // The world may be changed in any way but step(). dt in s.
+    /// Called at the start of a step of dt seconds. May change the world in any way, but must not
+    /// call step().
     virtual void before_step(World& world, double dt) {
         static_cast<void>(world), static_cast<void>(dt);
     }
+    /// Called before the solver for a contact that begins, if StepHooks::pre_solve is set.
     virtual void pre_solve(PreSolve& pair) { static_cast<void>(pair); }
-    // Before forces act, and after the sub-step's last pass. Pushes of the first take part in its
-    // solve.
+    /// Called before forces act, and after the last pass of the sub-step, if StepHooks::substeps is
+    /// set. Impulses applied in before_substep() take part in the solve of that sub-step.
     virtual void before_substep(SubstepContext& substep) { static_cast<void>(substep); }
     virtual void after_substep(SubstepContext& substep) { static_cast<void>(substep); }
-    // events() are those of this step.
+    /// Called at the end of a step. World::events() returns the events of this step.
     virtual void after_step(World& world, double dt) {
         static_cast<void>(world), static_cast<void>(dt);
     }

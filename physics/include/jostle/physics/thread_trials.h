@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// A world of several threads shares a step of less than two milliseconds among them only where a
-// trial shows that it gains (WorldDef::threads). Trials go by the clock. They change no bit of a
-// step; a program that proves so turns them off. Process-wide, on by default, any thread.
+// Control of threading trials. A world with several threads uses them for a step shorter than 2 ms
+// only if a timed trial shows a speed-up (WorldDef::threads).
 #pragma once
 
 namespace jostle::physics {
 
-// false: every step is shared, however short it is.
+/// Enables or disables threading trials. If disabled, all threads take part in every step, however
+/// short. Trials depend on the clock but never change the results of a step; tests of that property
+/// disable them. Process-wide, enabled by default, thread-safe.
 void use_thread_trials(bool on);
 
 }  // namespace jostle::physics

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// Vec2: two doubles in metres, for the tools of the plane (planar.h, polygon.h).
+// Two-dimensional vectors (planar.h, polygon.h).
 #pragma once
 
 #include "jostle/physics/scalar.h"
 
 namespace jostle::physics {
 
+/// A two-dimensional vector. Units depend on use; metres for positions.
 struct Vec2 {
     double x = 0, y = 0;
 
@@ -28,7 +29,7 @@ inline Vec2 operator*(Vec2 a, double s) {
 inline double dot(Vec2 a, Vec2 b) {
     return a.x * b.x + a.y * b.y;
 }
-// Positive when b is to the left of a.
+/// Returns the z component of the cross product: positive if b is to the left of a.
 inline double cross(Vec2 a, Vec2 b) {
     return a.x * b.y - a.y * b.x;
 }

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// Vec3: three doubles in metres, metres per second or whatever the name beside it says.
+// Three-dimensional vectors.
 #pragma once
 
 #include "jostle/physics/scalar.h"
 
 namespace jostle::physics {
 
+/// A three-dimensional vector. The unit depends on use and is stated with each declaration.
 struct Vec3 {
     double x = 0, y = 0, z = 0;
 
@@ -55,24 +56,27 @@ inline double length_squared(Vec3 a) {
 inline double length(Vec3 a) {
     return square_root(dot(a, a));
 }
+/// Returns the absolute values of the components.
 inline Vec3 abs(Vec3 a) {
     return {absolute(a.x), absolute(a.y), absolute(a.z)};
 }
+/// Returns the component-wise minimum.
 inline Vec3 min(Vec3 a, Vec3 b) {
     return {minimum(a.x, b.x), minimum(a.y, b.y), minimum(a.z, b.z)};
 }
+/// Returns the component-wise maximum.
 inline Vec3 max(Vec3 a, Vec3 b) {
     return {maximum(a.x, b.x), maximum(a.y, b.y), maximum(a.z, b.z)};
 }
 inline bool is_finite(Vec3 a) {
     return is_finite(a.x) && is_finite(a.y) && is_finite(a.z);
 }
-// Component by component.
+/// Returns the component-wise product.
 inline Vec3 scaled(Vec3 a, Vec3 b) {
     return {a.x * b.x, a.y * b.y, a.z * b.z};
 }
 
-// The unit vector along a, or `fallback` when a is too short to have a direction.
+/// Returns the unit vector along a, or `fallback` if a is shorter than 1e-12.
 inline Vec3 normalized(Vec3 a, Vec3 fallback = {0, 1, 0}) {
     const double l = length(a);
     return l > 1e-12 ? a * (1 / l) : fallback;

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
-// A ball falls on a floor: the smallest program that uses the library.
+// Hello world: a ball falls onto a floor. The smallest program that uses the solver.
+//
+// Shows: World, create_body, step, body.
+// Run:   build/dev/bin/jostle-hello-world
 #include <cstdio>
 
 #include "jostle/physics/physics.h"
 
 int main() {
     using namespace jostle::physics;
-    World world;
+    World world;  // gravity (0, -9.81, 0) m/s^2, y points up
     world.create_body({.type = BodyType::static_body}, {.geometry = Plane{}}).value();
     const BodyId ball =
         world.create_body({.pose = {.position = {0, 3, 0}}}, {.geometry = Sphere{0.5}}).value();

@@ -9,7 +9,7 @@ namespace jostle::datagram {
 
 namespace {
 
-enum class Kind : std::uint8_t { message = 1, part = 2, question = 3, answer = 4 };
+enum class Kind : std::uint8_t { message = 1, fragment = 2, path_challenge = 3, path_response = 4 };
 
 std::string begin(Kind kind) {
     return {static_cast<char>(kind)};
@@ -22,51 +22,53 @@ std::string token_of(Kind kind, std::uint64_t token) {
 }
 
 Error bad(const std::string& why) {
-    return {ErrorCode::corrupt_data, "a datagram's content: " + why};
+    return {ErrorCode::corrupt_data, "invalid datagram content: " + why};
 }
 
 Result<Content> decode_fragment(std::string_view bytes) {
-    if (bytes.size() < 6) return bad("a part of " + std::to_string(bytes.size()) + " bytes");
-    const Fragment part{.message = number_at<std::uint32_t>(bytes, 0),
-                        .index = number_at<std::uint8_t>(bytes, 4),
-                        .count = number_at<std::uint8_t>(bytes, 5),
-                        .bytes = bytes.substr(6)};
-    if (part.count < 2 || part.count > fragments_max || part.index >= part.count)
-        return bad("part " + std::to_string(part.index) + " of " + std::to_string(part.count));
-    const bool last = part.index + 1 == part.count;
-    if (part.bytes.empty() || part.bytes.size() > fragment_bytes ||
-        (!last && part.bytes.size() != fragment_bytes))
-        return bad("a part with " + std::to_string(part.bytes.size()) + " bytes");
-    return Content{part};
+    if (bytes.size() < 6)
+        return bad("fragment header of " + std::to_string(bytes.size()) + " bytes");
+    const Fragment fragment{.message = number_at<std::uint32_t>(bytes, 0),
+                            .index = number_at<std::uint8_t>(bytes, 4),
+                            .count = number_at<std::uint8_t>(bytes, 5),
+                            .bytes = bytes.substr(6)};
+    if (fragment.count < 2 || fragment.count > fragments_max || fragment.index >= fragment.count)
+        return bad("fragment " + std::to_string(fragment.index) + " of " +
+                   std::to_string(fragment.count));
+    const bool last = fragment.index + 1 == fragment.count;
+    if (fragment.bytes.empty() || fragment.bytes.size() > fragment_bytes ||
+        (!last && fragment.bytes.size() != fragment_bytes))
+        return bad("fragment of " + std::to_string(fragment.bytes.size()) + " bytes");
+    return Content{fragment};
 }
 
 }  // namespace
 
 Result<Content> decode_content(std::string_view content) {
-    if (content.empty()) return bad("it is empty");
+    if (content.empty()) return bad("empty");
     const std::string_view rest = content.substr(1);
     const auto kind = static_cast<Kind>(content[0]);
     switch (kind) {
         case Kind::message:
             return Content{Message{rest}};
-        case Kind::part:
+        case Kind::fragment:
             return decode_fragment(rest);
-        case Kind::question:
-        case Kind::answer:
+        case Kind::path_challenge:
+        case Kind::path_response:
             if (rest.size() != sizeof(std::uint64_t))
-                return bad("a word of " + std::to_string(rest.size()) + " bytes");
-            if (kind == Kind::question)
+                return bad("path token of " + std::to_string(rest.size()) + " bytes");
+            if (kind == Kind::path_challenge)
                 return Content{PathChallenge{number_at<std::uint64_t>(rest, 0)}};
             return Content{PathResponse{number_at<std::uint64_t>(rest, 0)}};
     }
-    return bad("kind " + std::to_string(number_at<std::uint8_t>(content, 0)) + " is not known");
+    return bad("unknown kind " + std::to_string(number_at<std::uint8_t>(content, 0)));
 }
 
-std::string encode(const PathChallenge& question) {
-    return token_of(Kind::question, question.token);
+std::string encode(const PathChallenge& path_challenge) {
+    return token_of(Kind::path_challenge, path_challenge.token);
 }
-std::string encode(const PathResponse& answer) {
-    return token_of(Kind::answer, answer.token);
+std::string encode(const PathResponse& path_response) {
+    return token_of(Kind::path_response, path_response.token);
 }
 
 std::vector<std::string> encode_message(std::span<const std::string_view> pieces,
@@ -81,7 +83,7 @@ std::vector<std::string> encode_message(std::span<const std::string_view> pieces
     contents.reserve(count);
     std::size_t room = 0;
     const auto next = [&] {
-        std::string& content = contents.emplace_back(begin(whole ? Kind::message : Kind::part));
+        std::string& content = contents.emplace_back(begin(whole ? Kind::message : Kind::fragment));
         if (!whole) {
             put_number(content, number);
             put_number(content, static_cast<std::uint8_t>(contents.size() - 1));

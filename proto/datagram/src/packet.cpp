@@ -43,7 +43,7 @@ std::optional<DirectionKey> key_for(const Credentials& credentials, std::string_
     return key;
 }
 
-// With its key set, so that a packet only brings its nonce.
+// The context has its key set, so a packet only has to set the nonce.
 EVP_CIPHER_CTX* cipher_with(const DirectionKey& key, int encrypts) {
     EVP_CIPHER_CTX* const context = EVP_CIPHER_CTX_new();
     if (context && EVP_CipherInit_ex(context, EVP_chacha20_poly1305(), nullptr, key.data(), nullptr,
@@ -54,7 +54,7 @@ EVP_CIPHER_CTX* cipher_with(const DirectionKey& key, int encrypts) {
     return context;
 }
 
-// Four bytes of zero, then the packet's number.
+// Four zero bytes, then the packet number.
 Nonce nonce_of(std::uint64_t number) {
     Nonce nonce{};
     for (std::size_t k = 0; k < sizeof number; k++)
@@ -86,7 +86,7 @@ Result<std::unique_ptr<PacketCipher>> PacketCipher::make(const Credentials& cred
     if (out) seal->out_ = cipher_with(*out, 1);
     if (in) seal->in_ = cipher_with(*in, 0);
     if (!seal->out_ || !seal->in_)
-        return Error{ErrorCode::internal, "OpenSSL makes no keys for datagrams"};
+        return Error{ErrorCode::internal, "OpenSSL failed to derive the datagram keys"};
     return seal;
 }
 

@@ -6,7 +6,7 @@
 
 namespace jostle::datagram {
 
-// What is older than a finished message is of no use: a snapshot would be skipped.
+// Fragments older than a completed message are useless: the client would skip the snapshot.
 Reassembly::PartialMessage* Reassembly::find_or_add(const Fragment& part) {
     if (done_ && part.message <= *done_) return nullptr;
     const auto at = std::ranges::lower_bound(partial_, part.message, {}, &PartialMessage::number);

@@ -26,26 +26,26 @@ std::uint32_t encode_baseline_frames(std::uint32_t frame, const BaselineFrames& 
 
 Result<BaselineFrames> decode_baseline_frames(std::uint32_t frame, std::uint32_t code) {
     const auto refuse = [&](const char* why) {
-        return Error{ErrorCode::corrupt_data,
-                     "frame " + std::to_string(frame) + ": bases " + std::to_string(code) + why};
+        return Error{ErrorCode::corrupt_data, "frame " + std::to_string(frame) + ": baselines " +
+                                                  std::to_string(code) + why};
     };
     BaselineFrames baselines;
     if (code == 0) return baselines;
     std::uint32_t distance = code & 255, second = code >> 8 & 255, third = code >> 16;
     if (distance == same_distance || distance == no_baseline || third > no_baseline)
-        return refuse(" are no distances of 1 to 254");
-    if (distance >= frame) return refuse(" lie before the first frame");
+        return refuse(" have a distance out of range; must be 1 to 254");
+    if (distance >= frame) return refuse(" are before the first frame");
     baselines.baseline = frame - distance;
     if (second == no_baseline) {
-        if (third != 0) return refuse(" have a third without a second");
+        if (third != 0) return refuse(" have baseline3 without baseline2");
         return baselines;
     }
     distance = second == same_distance ? distance : second;
-    if (distance >= baselines.baseline) return refuse(" lie before the first frame");
+    if (distance >= baselines.baseline) return refuse(" are before the first frame");
     baselines.baseline2 = baselines.baseline - distance;
     if (third == no_baseline) return baselines;
     distance = third == same_distance ? distance : third;
-    if (distance >= baselines.baseline2) return refuse(" lie before the first frame");
+    if (distance >= baselines.baseline2) return refuse(" are before the first frame");
     baselines.baseline3 = baselines.baseline2 - distance;
     return baselines;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Writer and reader walk the same list of survivors (entities of the base that are still there)
-// with the same helpers; what differs is only who knows the new state.
+// Writer and reader traverse the same list of survivors (entities of the baseline that are still
+// present) with the same helpers; only the writer knows the new state.
 #include "jostle/snapshot/bit_frame.h"
 
 #include <algorithm>
@@ -13,27 +13,27 @@ namespace jostle::wire {
 namespace {
 
 constexpr unsigned gap_order = 4;        // between ids, positions in a list
-constexpr unsigned unchanged_order = 5;  // runs of still entities
+constexpr unsigned unchanged_order = 5;  // runs of unchanged entities
 constexpr unsigned position_order = 12;  // absolute positions
 
-// Expected to stay as it is; all others are live.
+// Returns whether the pose is predicted to stay the same.
 bool is_unchanged(const Survivor& s) {
     return s.baseline->at_rest || !s.baseline2 ||
            (same_pose(*s.baseline, *s.baseline2) &&
             (!s.baseline3 || same_pose(*s.baseline, *s.baseline3)));
 }
 
-// Rice parameters from how restless the entity was.
+// Rice parameters, from the recent change of the motion.
 struct Widths {
     unsigned position, rotation;
-    bool rotation_may_be_exact;  // one bit says that it is
+    bool rotation_may_be_exact;  // a bit says whether it is
 };
 
 Widths widths_of(const Survivor& s, const Prediction& p, const Spacing& t) {
     static constexpr std::uint8_t for_position[12] = {0, 0, 0, 1, 2, 2, 3, 3, 4, 5, 6, 7};
     static constexpr std::uint8_t for_rotation[12] = {0, 0, 0, 1, 2, 3, 4, 4, 5, 6, 7, 8};
     std::int64_t position = p.position_change, rotation = p.rotation_change;
-    // No or little history: the change says nothing; expect some units per tick.
+    // With little or no history the change is meaningless; assume a few units per tick.
     if (is_unchanged(s) || !s.baseline3 || same_pose(*s.baseline, *s.baseline2)) {
         position = std::max(position, 4 * t.dt1);
         rotation = std::max(rotation, 4 * t.dt1);
@@ -103,8 +103,8 @@ void write_survivors(BitWriter& out, const EntityDiff& to, const Spacing& t,
                      const QuantSpec& spec) {
     const std::vector<Survivor>& survivors = to.survivors;
     const std::vector<const EntityState*>& now = to.surviving;
-    // Still entities from `from` on before the first one that changes its pose.
-    const auto run_of_still = [&](std::size_t from) {
+    // Number of unchanged entities from `from` on, before the first one whose pose changes.
+    const auto run_of_unchanged = [&](std::size_t from) {
         std::uint64_t run = 0;
         for (std::size_t i = from; i < survivors.size(); i++) {
             run += survivors[i].unchanged_before;
@@ -115,16 +115,16 @@ void write_survivors(BitWriter& out, const EntityDiff& to, const Spacing& t,
         return run + to.unchanged_after;
     };
     std::vector<std::size_t> toggles;
-    std::uint64_t run = run_of_still(0);
+    std::uint64_t run = run_of_unchanged(0);
     out.exp_golomb(run, unchanged_order);
     std::size_t position = 0;
     for (std::size_t i = 0; i < survivors.size(); i++, position++) {
         const Survivor& s = survivors[i];
         position += s.unchanged_before;
         run -= s.unchanged_before;
-        const bool still = is_unchanged(s);
+        const bool unchanged = is_unchanged(s);
         bool changed;
-        if (still) {
+        if (unchanged) {
             changed = run == 0;
             if (!changed) run--;
         } else {
@@ -134,12 +134,12 @@ void write_survivors(BitWriter& out, const EntityDiff& to, const Spacing& t,
         if (now[i]->at_rest != (changed ? false : s.baseline->at_rest)) toggles.push_back(position);
         if (!changed) continue;
         write_pose(out, *now[i], s, t, spec);
-        if (still) {
-            run = run_of_still(i + 1);
+        if (unchanged) {
+            run = run_of_unchanged(i + 1);
             out.exp_golomb(run, unchanged_order);
         }
     }
-    write_removed(out, toggles);  // the same code: positions in a list
+    write_removed(out, toggles);  // also a list of positions
 }
 
 // ---- reading ----
@@ -152,16 +152,17 @@ public:
     Result<std::vector<EntityState>> decode(const Baselines& baselines, const Spacing& t,
                                             std::size_t max_entities) {
         std::vector<std::size_t> removed;
-        const std::size_t in_base = baselines.baseline ? baselines.baseline->entities.size() : 0;
-        if (!read_positions(removed, in_base, "removed")) return corrupt(error_);
+        const std::size_t in_baseline =
+            baselines.baseline ? baselines.baseline->entities.size() : 0;
+        if (!read_positions(removed, in_baseline, "removed")) return corrupt(error_);
         const std::vector<Survivor> survivors = find_survivors(baselines, removed);
         std::vector<EntityState> spawned;
         if (survivors.size() > max_entities ||
             !read_spawned(spawned, baselines, max_entities - survivors.size()))
-            return corrupt(error_.empty() ? "more entities than the limit" : error_);
+            return corrupt(error_.empty() ? "the number of entities exceeds the limit" : error_);
         std::vector<EntityState> surviving;
         if (!read_survivors(surviving, survivors, t)) return corrupt(error_);
-        if (!in_.at_clean_end()) return corrupt(at("bits are left over or missing"));
+        if (!in_.at_clean_end()) return corrupt(at("unexpected or missing bits at the end"));
         return merge_entities(surviving, spawned);
     }
 
@@ -173,18 +174,18 @@ private:
         if (error_.empty()) error_ = at(what);
         return false;
     }
-    bool ended() { return in_.past_end() && !fail("the data ends early"); }
+    bool ended() { return in_.past_end() && !fail("truncated data"); }
 
-    // Rising positions in a list of `size`.
+    // Reads ascending positions in a list of `size`.
     bool read_positions(std::vector<std::size_t>& positions, std::size_t size, const char* what) {
         const std::uint64_t count = in_.exp_golomb(0);
         if (ended()) return false;
-        if (count > size) return fail(std::string(what) + ": more than there are");
+        if (count > size) return fail(std::string(what) + ": count exceeds the list");
         std::uint64_t next = 0;
         for (std::uint64_t i = 0; i < count; i++) {
             const std::uint64_t position = next + in_.exp_golomb(gap_order);
             if (ended()) return false;
-            if (position >= size) return fail(std::string(what) + ": a position past the end");
+            if (position >= size) return fail(std::string(what) + ": position past the end");
             positions.push_back(static_cast<std::size_t>(position));
             next = position + 1;
         }
@@ -200,29 +201,29 @@ private:
             component = static_cast<std::int16_t>((static_cast<std::int64_t>(raw) ^ sign) - sign);
         }
         return is_rotation({state.rotation[0], state.rotation[1], state.rotation[2]}, spec_) ||
-               fail("a rotation that is none");
+               fail("invalid rotation");
     }
 
     bool read_spawned(std::vector<EntityState>& spawned, const Baselines& baselines,
                       std::size_t limit) {
         const std::uint64_t count = in_.exp_golomb(0);
         if (ended()) return false;
-        if (count > limit) return fail("spawned: more entities than the limit");
+        if (count > limit) return fail("spawned: the number of entities exceeds the limit");
         std::uint64_t next_id = 1;
-        EntityFinder in_base(baselines.baseline);
+        EntityFinder in_baseline(baselines.baseline);
         for (std::uint64_t i = 0; i < count; i++) {
             const std::uint64_t id = next_id + in_.exp_golomb(gap_order);
-            if (id > 0xffffffffull) return fail("spawned: an id beyond 32 bits");
+            if (id > 0xffffffffull) return fail("spawned: id exceeds 32 bits");
             EntityState state{.id = static_cast<std::uint32_t>(id)};
             for (std::int32_t& p : state.position) {
                 const std::int64_t v = zig_zag_decode(in_.exp_golomb(position_order));
-                if (!is_position(v)) return fail("spawned: a position out of range");
+                if (!is_position(v)) return fail("spawned: position out of range");
                 p = static_cast<std::int32_t>(v);
             }
             if (!read_components(state)) return false;
             state.at_rest = in_.bits(1) != 0;
             if (ended()) return false;
-            if (in_base.find(state.id)) return fail("spawned: an id that the base has");
+            if (in_baseline.find(state.id)) return fail("spawned: id exists in the baseline");
             spawned.push_back(state);
             next_id = id + 1;
         }
@@ -234,7 +235,7 @@ private:
         const Widths widths = widths_of(s, p, t);
         for (std::size_t k = 0; k < 3; k++) {
             const std::int64_t v = p.position[k] + zig_zag_decode(in_.rice(widths.position));
-            if (!is_position(v)) return fail("a position out of range");
+            if (!is_position(v)) return fail("position out of range");
             state.position[k] = static_cast<std::int32_t>(v);
         }
         std::array<std::int64_t, 3> r = p.components;
@@ -243,7 +244,7 @@ private:
             for (std::int64_t& c : r) c += zig_zag_decode(in_.rice(widths.rotation));
         }
         if (ended()) return false;
-        if (!is_rotation(r, spec_)) return fail("a rotation that is none");
+        if (!is_rotation(r, spec_)) return fail("invalid rotation");
         state.largest = p.largest;
         for (std::size_t k = 0; k < 3; k++) state.rotation[k] = static_cast<std::int16_t>(r[k]);
         return true;
@@ -255,9 +256,9 @@ private:
         std::uint64_t run = in_.exp_golomb(unchanged_order);
         for (const Survivor& s : survivors) {
             EntityState state = *s.baseline;
-            const bool still = is_unchanged(s);
+            const bool unchanged = is_unchanged(s);
             bool changed;
-            if (still) {
+            if (unchanged) {
                 changed = run == 0;
                 if (!changed) run--;
             } else {
@@ -266,12 +267,12 @@ private:
             if (changed) {
                 if (!read_pose(state, s, t)) return false;
                 state.at_rest = false;
-                if (still) run = in_.exp_golomb(unchanged_order);
+                if (unchanged) run = in_.exp_golomb(unchanged_order);
             }
             if (ended()) return false;
             surviving.push_back(state);
         }
-        if (run != 0) return fail("a run of still entities past the end");
+        if (run != 0) return fail("run of unchanged entities exceeds the frame");
         std::vector<std::size_t> toggles;
         if (!read_positions(toggles, surviving.size(), "rest toggles")) return false;
         for (const std::size_t i : toggles) surviving[i].at_rest = !surviving[i].at_rest;

@@ -19,7 +19,7 @@ void BitWriter::bits(std::uint64_t value, unsigned count) {
     if (pending_bits_ < 64) return;
     pending_bits_ -= 64;
     put_word();
-    // What did not fit. None of it, if it fitted just so: count is below 64.
+    // The bits that did not fit; zero if all fitted, because count is below 64.
     pending_ = value >> (count - pending_bits_);
 }
 
@@ -67,7 +67,7 @@ std::uint64_t BitReader::peek(unsigned count) const {
     const std::size_t first = at_ / 8;
     if (std::endian::native == std::endian::little && first + 8 <= bytes_.size()) {
         std::memcpy(&value, bytes_.data() + first, 8);
-    } else {  // the last bytes one by one
+    } else {  // the last bytes, one by one
         for (std::size_t k = 0; k < 8 && first + k < bytes_.size(); k++)
             value |= std::to_integer<std::uint64_t>(bytes_[first + k]) << (8 * k);
     }
@@ -92,7 +92,7 @@ std::uint64_t BitReader::rice(unsigned k) {
 
 std::uint64_t BitReader::exp_golomb(unsigned k) {
     const std::uint64_t width = rice(0);
-    // No count or gap of ours needs more; a wider one is not ours and must not be shifted by.
+    // A valid count or gap needs no more than 40 bits; a larger shift would be undefined.
     if (width + k > 40) {
         at_ = bytes_.size() * 8 + 1;
         return 0;

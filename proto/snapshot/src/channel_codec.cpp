@@ -21,18 +21,19 @@ Key key_of(const Channel& channel) {
     return {channel.kind, channel.entity};
 }
 
-// The order of the code of the next difference, from the widths of those before it. Large and small
-// ones alternate in many channels (an angle, a gear), so no code fits that knows their mean alone.
+// Order of the code of the next difference, from the widths of the previous ones. Large and small
+// differences alternate in many channels (an angle, a gear), so a code based on the mean alone
+// would not fit.
 class Spread {
 public:
     unsigned order() const { return four_widths_ < 8 ? 0 : (four_widths_ >> 2) - 2; }
-    void saw(std::uint64_t size) { four_widths_ += bit_width(size) - (four_widths_ >> 2); }
+    void add(std::uint64_t size) { four_widths_ += bit_width(size) - (four_widths_ >> 2); }
 
 private:
-    unsigned four_widths_ = 16;  // four times their mean
+    unsigned four_widths_ = 16;  // four times the mean width
 };
 
-// Differences are of 32 bits and wrap around, so that every one of them can be told.
+// Differences have 32 bits and wrap around, so every value can be reached from every other.
 std::int32_t difference(std::int32_t value, std::int32_t baseline) {
     return static_cast<std::int32_t>(static_cast<std::uint32_t>(value) -
                                      static_cast<std::uint32_t>(baseline));
@@ -45,7 +46,7 @@ std::int32_t value_at(const std::vector<std::int32_t>* baseline, std::size_t k) 
     return baseline && k < baseline->size() ? (*baseline)[k] : 0;
 }
 
-// What a changed channel says, as the CRC sees it.
+// The CRC of the changes of channels.
 class Digest {
 public:
     void add(const Channel& channel, bool ended) {
@@ -66,13 +67,13 @@ private:
 };
 
 struct Changed {
-    const Channel* now = nullptr;       // null: it ended
-    const Channel* baseline = nullptr;  // null: it is new
+    const Channel* now = nullptr;       // null: the channel ended
+    const Channel* baseline = nullptr;  // null: the channel is new
 
     const Channel& either() const { return now ? *now : *baseline; }
 };
 
-// Both lists are sorted, so one walk along both finds what differs.
+// Both lists are sorted, so one traversal of both finds the differences.
 std::vector<Changed> changed_channels(const Channels& now, const Channels& baseline,
                                       std::uint64_t kinds) {
     std::vector<Changed> changed;
@@ -106,20 +107,20 @@ void write_values(BitWriter& bits, const std::vector<std::int32_t>& values,
         if (k == values.size()) return;
         const std::uint64_t size = zig_zag_encode(difference(values[k], value_at(baseline, k))) - 1;
         bits.exp_golomb(size, spread.order());
-        spread.saw(size);
+        spread.add(size);
         k++;
     }
 }
 
-// Kinds and entities rise, so a channel is told by how far it is from the one before.
-class Place {
+// Kinds and entities are sorted, so a channel is coded as the distance from the previous one.
+class ChannelPosition {
 public:
     void write(BitWriter& bits, const Channel& channel) {
         bits.exp_golomb(channel.kind - kind_, 0);
         bits.exp_golomb(channel.entity - (channel.kind == kind_ ? next_entity_ : 0), entity_order);
         follow(channel.kind, channel.entity);
     }
-    // False: it is out of range.
+    // Returns false if the kind or the entity is out of range.
     bool read(BitReader& bits, Channel& channel) {
         const std::uint64_t kind = kind_ + bits.exp_golomb(0);
         const std::uint64_t entity =
@@ -155,28 +156,30 @@ Result<ChannelValues> read_values(BitReader& bits, std::size_t count,
     std::uint64_t k = 0;
     while (k < count) {
         k += bits.exp_golomb(run_order);
-        if (k > count) return bad_channels("a run of equal values goes past the end");
+        if (k > count) return bad_channels("run of equal values exceeds the channel");
         if (k == count) break;
         const std::uint64_t size = bits.exp_golomb(spread.order());
-        if (size >= 0xffffffffu) return bad_channels("a difference beyond 32 bits");
-        spread.saw(size);
+        if (size >= 0xffffffffu) return bad_channels("difference exceeds 32 bits");
+        spread.add(size);
         std::int32_t& value = (*values)[k++];
         value = sum(value, static_cast<std::int32_t>(zig_zag_decode(size + 1)));
-        if (bits.past_end()) return bad_channels("the bytes end early");
+        if (bits.past_end()) return bad_channels("truncated data");
     }
     return ChannelValues(std::move(values));
 }
 
-// One change, into `channel`: its values are null where it ended.
+// Reads one change into `channel`; `values` is null if the channel ended.
 Status read_change(BitReader& bits, Channel& channel, const Channel* baseline) {
     const std::uint64_t change = bits.bits(change_bits);
     channel.values = nullptr;
     if (change == static_cast<std::uint64_t>(Change::ended))
-        return baseline ? Status() : bad_channels(name_of(channel) + " ended, but was not there");
+        return baseline ? Status()
+                        : bad_channels(name_of(channel) + " ended but is not in the baseline");
     if (change > static_cast<std::uint64_t>(Change::ended))
-        return bad_channels(name_of(channel) + " changes in a way that is not known");
+        return bad_channels(name_of(channel) + " has an unknown kind of change");
     const bool coded = change == static_cast<std::uint64_t>(Change::length);
-    if (!coded && !baseline) return bad_channels(name_of(channel) + " changed, but was not there");
+    if (!coded && !baseline)
+        return bad_channels(name_of(channel) + " changed but is not in the baseline");
     const std::uint64_t count = coded ? bits.exp_golomb(length_order) : baseline->values->size();
     if (count > channel_values_max)
         return bad_channels(name_of(channel) + " has more than " +
@@ -192,7 +195,7 @@ Status check_sizes(const Channels& channels) {
     std::size_t values = 0;
     for (const Channel& channel : channels) values += channel.values->size();
     if (channels.size() > channels_max)
-        return bad_channels("more than " + std::to_string(channels_max) + " of them");
+        return bad_channels("more than " + std::to_string(channels_max) + " channels");
     if (values > frame_values_max)
         return bad_channels("more than " + std::to_string(frame_values_max) + " values");
     return {};
@@ -205,10 +208,10 @@ PackedChannels encode_channels(const Channels& now, const Channels& baseline, st
     if (changed.empty()) return {};
     BitWriter bits;
     Digest digest;
-    Place place;
+    ChannelPosition position;
     bits.exp_golomb(changed.size() - 1, count_order);
     for (const Changed& c : changed) {
-        place.write(bits, c.either());
+        position.write(bits, c.either());
         digest.add(c.either(), !c.now);
         if (!c.now) {
             bits.bits(static_cast<std::uint64_t>(Change::ended), change_bits);
@@ -230,22 +233,22 @@ Result<DecodedChannels> read_channels(std::span<const std::byte> bytes, const Ch
     const std::uint64_t count = bits.exp_golomb(count_order) + 1;
     Channels channels;
     Digest digest;
-    Place place;
+    ChannelPosition position;
     auto b = baseline.begin();
     for (std::uint64_t i = 0; i < count; i++) {
         Channel channel;
-        if (!place.read(bits, channel)) return bad_channels("a kind or an entity out of range");
+        if (!position.read(bits, channel)) return bad_channels("kind or entity out of range");
         for (; b != baseline.end() && key_of(*b) < key_of(channel); ++b) channels.push_back(*b);
         const bool known = b != baseline.end() && key_of(*b) == key_of(channel);
         if (Status s = read_change(bits, channel, known ? &*b : nullptr); !s.ok()) return s.error();
         if (known) ++b;
         digest.add(channel, !channel.values);
         if (channel.values) channels.push_back(std::move(channel));
-        if (bits.past_end()) return bad_channels("the bytes end early");
+        if (bits.past_end()) return bad_channels("truncated data");
         if (Status s = check_sizes(channels); i % 256 == 255 && !s.ok()) return s.error();
     }
     channels.insert(channels.end(), b, baseline.end());
-    if (!bits.at_clean_end()) return bad_channels("there are bytes after the end");
+    if (!bits.at_clean_end()) return bad_channels("unexpected bytes after the end");
     if (Status s = check_sizes(channels); !s.ok()) return s.error();
     return DecodedChannels{std::move(channels), digest.crc()};
 }
@@ -254,7 +257,7 @@ Result<Channels> decode_channels(std::span<const std::byte> bytes, std::uint32_t
                                  const Channels& baseline) {
     Result<DecodedChannels> read = read_channels(bytes, baseline);
     if (!read.ok()) return read.error();
-    if (read->crc != crc) return bad_channels("the CRC does not match");
+    if (read->crc != crc) return bad_channels("CRC mismatch");
     return std::move(read->channels);
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Eight bytes a round with eight tables (Kounavis and Berry, "Novel Table Lookup-Based Algorithms
-// for High-Performance CRC Generation", 2008): the CRC runs over every entity of every frame on
-// both sides.
+// Eight bytes per iteration with eight tables (Kounavis and Berry, "Novel Table Lookup-Based
+// Algorithms for High-Performance CRC Generation", 2008): both sides compute the CRC of every
+// entity of every frame.
 #include "jostle/snapshot/crc32.h"
 
 #include <array>
@@ -48,7 +48,7 @@ std::uint32_t crc32(std::span<const std::byte> bytes) {
     return ~crc;
 }
 
-// What zeros make of a state is linear in its bits.
+// The effect of zero bytes on a state is linear in its bits.
 Crc32Zeros::Crc32Zeros(std::size_t bytes) {
     std::array<std::uint32_t, 32> of_bit{};
     for (std::size_t bit = 0; bit < of_bit.size(); bit++) {

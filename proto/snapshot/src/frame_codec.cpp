@@ -9,14 +9,15 @@
 namespace jostle::wire {
 namespace {
 
-constexpr std::int64_t max_spacing = 255;  // ticks between a frame and its base
+constexpr std::int64_t max_spacing = 255;  // ticks between a frame and its baseline
 
 bool in_range(const Spacing& t) {
     const auto good = [](std::int64_t dt) { return dt >= 1 && dt <= max_spacing; };
     return good(t.dt1) && good(t.dt2) && good(t.dt3);
 }
 
-// A server names the quantisation, so a client checks it: shifts, divisions and int16 rely on it.
+// The server chooses the quantization, so a client checks it: shifts, divisions and int16 rely on
+// it.
 bool usable(const QuantSpec& spec) {
     return spec.units_per_meter >= 1 && spec.units_per_meter <= max_units_per_meter &&
            spec.rotation_component >= 1 && spec.rotation_component <= max_rotation_component;
@@ -38,17 +39,17 @@ Result<QuantizedFrame> decode_frame(std::uint32_t frame_number, std::span<const 
                                     const Baselines& baselines, const QuantSpec& spec,
                                     std::size_t max_entities, Codec codec) {
     if (!usable(spec))
-        return corrupt("the quantisation is out of range: " + std::to_string(spec.units_per_meter) +
-                       " units per metre (1 to " + std::to_string(max_units_per_meter) +
-                       "), largest rotation component " + std::to_string(spec.rotation_component) +
-                       " (1 to " + std::to_string(max_rotation_component) + ")");
+        return corrupt("quantization out of range: " + std::to_string(spec.units_per_meter) +
+                       " units per metre (must be 1 to " + std::to_string(max_units_per_meter) +
+                       "), rotation component " + std::to_string(spec.rotation_component) +
+                       " (must be 1 to " + std::to_string(max_rotation_component) + ")");
     if (codec != Codec::bits && codec != Codec::range)
-        return corrupt("codec " + std::to_string(static_cast<std::uint32_t>(codec)) +
-                       " is not known; 1 and 2 are");
+        return corrupt("unknown codec " + std::to_string(static_cast<std::uint32_t>(codec)) +
+                       "; must be 1 or 2");
     const Spacing t = spacing_of(frame_number, baselines);
     if (!in_range(t))
         return corrupt("frame " + std::to_string(frame_number) +
-                       " is not 1 to 255 ticks after its bases");
+                       " must be 1 to 255 ticks after its baselines");
     Result<std::vector<EntityState>> entities =
         codec == Codec::range ? decode_range_frame(packed, baselines, t, spec, max_entities)
                               : decode_bit_frame(packed, baselines, t, spec, max_entities);

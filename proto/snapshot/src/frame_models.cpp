@@ -11,9 +11,9 @@ namespace {
 
 constexpr std::string_view alphabet =
     "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz!#$%&()*+,-./:;<=>";
-constexpr std::uint16_t trained = 8;  // bits that a model has seen which the scenes took often
+constexpr std::uint16_t trained = 8;  // `seen` of models that the training scenes used often
 
-// 65536 / (1 + exp(0.4 (19.5 - level))); what is above half mirrors what is below.
+// 65536 / (1 + exp(0.4 (19.5 - level))); levels above half mirror those below.
 constexpr std::array<std::uint16_t, 20> levels = {64,   64,   64,    89,    133,   198,  295,
                                                   439,  652,  968,   1434,  2117,  3108, 4531,
                                                   6537, 9296, 12964, 17625, 23222, 29502};

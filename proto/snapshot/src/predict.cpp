@@ -17,8 +17,8 @@ std::int64_t magnitude(std::int64_t v) {
     return v < 0 ? -v : v;
 }
 
-// floor(sqrt(x)), 0 for negative x. The argument is below 2^53, so the double's square root is off
-// by less than one.
+// floor(sqrt(x)); 0 for negative x. The argument is below 2^53, so the error of the double's square
+// root is less than one.
 std::int64_t root(std::int64_t x) {
     if (x <= 0) return 0;
     auto r = static_cast<std::int64_t>(std::sqrt(static_cast<double>(x)));
@@ -59,7 +59,7 @@ void predict_position(Prediction& p, const EntityState& baseline, const EntitySt
                       : d;
         p.position_step[k] = d;
         p.position_acceleration[k] = d - before;
-        // Kept within int32, so that a residual never needs more than 33 bits.
+        // Clamped to int32, so that a residual needs at most 33 bits.
         p.position[k] =
             std::clamp<std::int64_t>(b1 + scaled(d, t.dt1, t.dt2), -2147483648ll, 2147483647ll);
         p.position_change += magnitude(d - before);
@@ -89,9 +89,10 @@ void predict_rotation(Prediction& p, const EntityState& baseline, const EntitySt
             for (std::size_t k = 0; k < 4; k++)
                 change[k] = step[k] - scaled(q2[k] - q3[k], t.dt2, t.dt3);
         }
-        // More than 41 degrees a step: the difference of two quaternions says little; hold.
+        // Above 41 degrees per step the difference of two quaternions is meaningless; predict no
+        // rotation.
         if (step2 <= n / 2) {
-            // The curvature term keeps the point on the unit sphere.
+            // The curvature term keeps the prediction on the unit sphere.
             const std::int64_t acceleration =
                 t.dt1 == t.dt2 ? step2
                                : divide_rounded(step2 * t.dt1 * (t.dt1 + t.dt2), 2 * t.dt2 * t.dt2);

@@ -7,14 +7,14 @@
 namespace jostle::wire {
 namespace {
 
-// Nearest integer within the range; 0 for what is no number.
+// Nearest integer in the range; 0 for NaN.
 std::int32_t round_to(double x, double low, double high) {
     if (std::isnan(x)) return 0;
     return static_cast<std::int32_t>(std::nearbyint(std::clamp(x, low, high)));
 }
 
-// Three components of a unit quaternion never have a larger sum of squares than all four; a decoder
-// refuses a frame where they do, so what was no rotation must not leave here.
+// The sum of the squares of three components of a unit quaternion never exceeds that of all four. A
+// decoder rejects a frame with a larger sum, so an invalid rotation must not be encoded.
 bool is_rotation(const EntityState& state, const QuantSpec& spec) {
     std::int64_t sum = 0;
     for (const std::int64_t r : state.rotation) sum += r * r;
@@ -31,7 +31,7 @@ EntityState quantize(std::uint32_t id, const Pose& pose, bool at_rest, const Qua
     std::size_t largest = 0;
     for (std::size_t k = 1; k < 4; k++)
         if (std::fabs(pose.rotation[k]) > std::fabs(pose.rotation[largest])) largest = k;
-    // q and -q are the same rotation: the one whose largest component is positive is sent.
+    // q and -q are the same rotation; the one whose largest component is positive is sent.
     const double m = spec.rotation_component;
     const double scale = (pose.rotation[largest] < 0 ? -1 : 1) * m * 1.4142135623730951;
     state.largest = static_cast<std::uint8_t>(largest);

@@ -7,11 +7,12 @@
 namespace jostle::wire {
 namespace {
 
-constexpr unsigned piece = 16;  // raw bits that one division of the range takes
+constexpr unsigned piece = 16;  // raw bits per division of the range
 
 }  // namespace
 
-// The top byte of `low_` is known but for a carry, which goes through bytes of 255: those wait.
+// The top byte of `low_` is final except for a carry, which propagates through bytes of 255: those
+// are pending.
 void RangeEncoder::shift() {
     const auto carry = static_cast<std::uint8_t>(low_ >> 32);
     if (low_ < 0xff000000u || carry != 0) {
@@ -39,7 +40,7 @@ std::uint64_t RangeEncoder::raw(std::uint64_t value, unsigned count) {
 }
 
 std::vector<std::byte> RangeEncoder::finish() {
-    // Of all numbers in the range the one with most zeros at its end.
+    // Of all numbers in the range, the one with the most trailing zeros.
     for (unsigned zeros = 32;; zeros -= 8) {
         const std::uint64_t mask = (std::uint64_t{1} << zeros) - 1, rounded = (low_ + mask) & ~mask;
         if (rounded >= low_ + range_) continue;
@@ -58,7 +59,7 @@ std::uint64_t RangeDecoder::raw(std::uint64_t, unsigned count) {
         const unsigned bits = std::min(left, piece);
         left -= bits;
         range_ >>= bits;
-        // No encoder makes more, but foreign bytes may.
+        // No valid encoder produces more, but untrusted bytes may.
         const std::uint32_t digit = std::min(code_ / range_, (1u << bits) - 1);
         code_ -= digit * range_;
         value = value << bits | digit;

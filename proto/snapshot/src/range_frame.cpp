@@ -30,12 +30,12 @@ Result<std::vector<EntityState>> decode_range_frame(std::span<const std::byte> p
     EntityChanges lists;
     if (!walk.entities(lists, baselines, max_entities)) return at(walk.fault());
     const std::vector<Survivor> survivors = find_survivors(baselines, lists.removed);
-    if (survivors.size() > max_entities) return at("more entities than the limit");
+    if (survivors.size() > max_entities) return at("the number of entities exceeds the limit");
     std::vector<EntityState> surviving;
     surviving.reserve(survivors.size());
     if (!walk.survivors({}, surviving, survivors, t)) return at(walk.fault());
-    if (in.past_end()) return at("the data ends early");
-    if (!in.at_clean_end()) return at("bytes are left over");
+    if (in.past_end()) return at("truncated data");
+    if (!in.at_clean_end()) return at("unexpected bytes at the end");
     return merge_entities(std::move(surviving), lists.spawned);
 }
 

@@ -43,20 +43,20 @@ Result<std::vector<std::uint32_t>> apply_changes(std::span<const std::uint32_t> 
                                                  std::size_t size, std::string_view changed,
                                                  std::string_view values) {
     const auto wrong = [](const std::string& why) {
-        return Error{ErrorCode::corrupt_data, "a list of words: " + why};
+        return Error{ErrorCode::corrupt_data, "controlled entity state: " + why};
     };
     if (size > words_max)
-        return wrong("it has " + std::to_string(size) + ", and may have " +
-                     std::to_string(words_max));
+        return wrong(std::to_string(size) + " words; at most " + std::to_string(words_max) +
+                     " are allowed");
     if (values.size() != word_bytes * bits_of(changed))
-        return wrong(std::to_string(bits_of(changed)) + " are said to have changed, and " +
-                     std::to_string(values.size()) + " bytes are told");
+        return wrong(std::to_string(bits_of(changed)) + " words changed, but there are " +
+                     std::to_string(values.size()) + " bytes of values");
     std::vector<std::uint32_t> words(before.begin(), before.end());
     words.resize(size);
     for (std::size_t k = 0; k < byte_bits * changed.size(); k++) {
         if ((static_cast<unsigned char>(changed[k / byte_bits]) >> (k % byte_bits) & 1) == 0)
             continue;
-        if (k >= size) return wrong("word " + std::to_string(k) + " is beyond its end");
+        if (k >= size) return wrong("word " + std::to_string(k) + " is past the end of the list");
         words[k] = word_at(values);
         values.remove_prefix(word_bytes);
     }

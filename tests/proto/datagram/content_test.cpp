@@ -57,11 +57,11 @@ TEST(Content, rejects_malformed_content_with_a_reason) {
     EXPECT_NE(why("\x03short").find("5 bytes"), std::string::npos);
     auto parts = encode_one(std::string(2000, 'x'));
     EXPECT_NE(why(parts[0].substr(0, 100)).find("93 bytes"), std::string::npos)
-        << "a part that is not the last is full";
+        << "every fragment but the last is full";
     EXPECT_NE(why(parts[1].substr(0, 7)).find("0 bytes"), std::string::npos);
     std::string past = parts[1];
     past[5] = 2;
-    EXPECT_NE(why(past).find("part 2 of 2"), std::string::npos);
+    EXPECT_NE(why(past).find("fragment 2 of 2"), std::string::npos);
     past[6] = 65;
     EXPECT_NE(why(past).find("of 65"), std::string::npos);
 }

@@ -9,7 +9,7 @@
 namespace jostle::datagram {
 namespace {
 
-// A message of so many bytes that differ, cut into its contents.
+// A message of `size` differing bytes and its packet contents.
 struct Cut {
     Cut(std::size_t bytes, std::uint32_t number) : whole(bytes, ' ') {
         for (std::size_t i = 0; i < bytes; i++) whole[i] = static_cast<char>(i * 31 + number);
@@ -52,7 +52,7 @@ TEST(Reassembly, lost_fragment_drops_only_its_message) {
     EXPECT_FALSE(reassembly.add(first.part(2)));
     EXPECT_FALSE(reassembly.add(second.part(0)));
     EXPECT_EQ(reassembly.add(second.part(1)), second.whole);
-    EXPECT_FALSE(reassembly.add(first.part(1))) << "older than what was finished: of no use";
+    EXPECT_FALSE(reassembly.add(first.part(1))) << "older than a completed message";
     EXPECT_EQ(reassembly.bytes_held(), 0u);
 }
 
@@ -72,7 +72,7 @@ TEST(Reassembly, holds_at_most_300_kb_and_the_newest_four_messages) {
         EXPECT_LE(reassembly.bytes_held(), 4 * 63 * fragment_bytes);
     }
     EXPECT_FALSE(reassembly.add(Cut(fragments_max * fragment_bytes, 96).part(0)))
-        << "it was given up";
+        << "the incomplete message was dropped";
     EXPECT_TRUE(reassembly.add(Cut(fragments_max * fragment_bytes, 97).part(0)));
 }
 

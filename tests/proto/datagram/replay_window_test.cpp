@@ -29,14 +29,14 @@ TEST(ReplayWindow, tracks_1024_numbers_and_rejects_older_ones) {
     window.add(2000 - 1023);
     EXPECT_TRUE(window.seen(2000 - 1023));
     window.add(1'000'000);
-    EXPECT_TRUE(window.seen(2000)) << "it has left the window";
+    EXPECT_TRUE(window.seen(2000)) << "number below the window";
     EXPECT_FALSE(window.seen(999'999));
     window.add(~std::uint64_t{0});
     EXPECT_TRUE(window.seen(1'000'000));
     EXPECT_FALSE(window.seen(~std::uint64_t{0} - 1));
 }
 
-// Against a set that forgets nothing.
+// Reference: a set of all numbers.
 TEST(ReplayWindow, matches_a_reference_set_over_20000_numbers) {
     std::mt19937_64 random(7);
     ReplayWindow window;

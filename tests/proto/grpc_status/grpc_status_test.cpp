@@ -10,12 +10,12 @@ TEST(GrpcStatus, round_trips_every_error) {
         const Status back = from_grpc(to_grpc(Error{code.ours, "why"}));
         ASSERT_FALSE(back.ok());
         EXPECT_EQ(back.error().message, "why");
-        // Corrupt bytes are a wrong argument of those who sent them.
+        // Corrupt bytes are an invalid argument of their sender.
         EXPECT_EQ(back.error().code,
                   code.ours == ErrorCode::corrupt_data ? ErrorCode::invalid_argument : code.ours);
     }
     EXPECT_EQ(std::size(grpc_codes), static_cast<std::size_t>(ErrorCode::internal) + 1)
-        << "one row for each code";
+        << "one row per code";
 }
 
 TEST(GrpcStatus, round_trips_success) {

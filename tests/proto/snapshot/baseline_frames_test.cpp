@@ -39,9 +39,9 @@ TEST(BaselineFrames, rejects_invalid_codes) {
          {none, 256u, 1u | none << 8 | 1u << 16, 1u | 1u << 24, 10u, 5u | 5u << 8, 0xffffffffu})
         EXPECT_FALSE(decode_baseline_frames(10, code).ok()) << code;
     EXPECT_EQ(decode_baseline_frames(10, 10).error().message,
-              "frame 10: bases 10 lie before the first frame");
-    EXPECT_TRUE(decode_baseline_frames(10, 3).ok()) << "7, 4 and 1";
-    EXPECT_FALSE(decode_baseline_frames(9, 3).ok()) << "6, 3 and 0";
+              "frame 10: baselines 10 are before the first frame");
+    EXPECT_TRUE(decode_baseline_frames(10, 3).ok()) << "baselines 7, 4 and 1";
+    EXPECT_FALSE(decode_baseline_frames(9, 3).ok()) << "baselines 6, 3 and 0";
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What modules tell, as snapshots carry it: all of it comes out again, and damage is seen.
+// Channels of modules in snapshots: decoding restores every value and detects damage.
 #include "jostle/snapshot/channel_codec.h"
 
 #include <gmock/gmock.h>
@@ -46,7 +46,7 @@ TEST(ChannelCodec, unchanged_channels_cost_nothing_and_share_values) {
     EXPECT_LE(packed.bytes.size(), 3u);
     const auto decoded = decode_channels(packed.bytes, packed.crc, before);
     ASSERT_TRUE(decoded.ok());
-    EXPECT_EQ((*decoded)[0].values, before[0].values) << "the same list, not an equal one";
+    EXPECT_EQ((*decoded)[0].values, before[0].values) << "unchanged lists are shared, not copied";
 }
 
 TEST(ChannelCodec, encodes_only_requested_kinds) {
@@ -74,7 +74,7 @@ TEST(ChannelCodec, differences_wrap_around) {
     EXPECT_TRUE(same_channels(*decoded, now));
 }
 
-// Sixteen cars that roll: 38 numbers each, of which a few change a little.
+// Sixteen rolling cars with 38 numbers each, of which a few change slightly.
 TEST(ChannelCodec, rolling_car_costs_two_bytes_per_changed_value) {
     Channels before, now;
     for (std::uint32_t car = 1; car <= 16; car++) {
@@ -89,7 +89,7 @@ TEST(ChannelCodec, rolling_car_costs_two_bytes_per_changed_value) {
     }
     const std::size_t bytes = encode_channels(now, before, all_kinds).bytes.size();
     RecordProperty("bytes_a_car", static_cast<int>(bytes / 16));
-    EXPECT_LE(bytes, 16u * 24u) << "twelve numbers of each, four of them angles";
+    EXPECT_LE(bytes, 16u * 24u) << "twelve changed numbers per car, four of them angles";
 }
 
 TEST(ChannelCodec, rejects_any_flipped_bit) {
@@ -115,14 +115,16 @@ TEST(ChannelCodec, errors_describe_the_problem) {
         return decoded.ok() ? "" : decoded.error().message;
     };
     const Channels one{channel(3, 7, {1})}, other{channel(3, 7, {2})};
-    EXPECT_THAT(error_of(other, one, {}), HasSubstr("kind 3 of entity 7 changed, but was not"));
-    EXPECT_THAT(error_of({}, one, {}), HasSubstr("kind 3 of entity 7 ended, but was not there"));
+    EXPECT_THAT(error_of(other, one, {}),
+                HasSubstr("kind 3 of entity 7 changed but is not in the baseline"));
+    EXPECT_THAT(error_of({}, one, {}),
+                HasSubstr("kind 3 of entity 7 ended but is not in the baseline"));
     EXPECT_THAT(
         error_of({channel(0, 0, std::vector<std::int32_t>(channel_values_max + 1))}, {}, {}),
         HasSubstr("kind 0 of entity 0 has more than 16384 values"));
     Channels many;
     for (std::uint32_t k = 0; k <= channels_max; k++) many.push_back(channel(0, k, {}));
-    EXPECT_THAT(error_of(many, {}, {}), HasSubstr("more than 4096 of them"));
+    EXPECT_THAT(error_of(many, {}, {}), HasSubstr("more than 4096 channels"));
     Channels large;
     for (std::uint32_t k = 0; k <= frame_values_max / channel_values_max; k++)
         large.push_back(channel(0, k, std::vector<std::int32_t>(channel_values_max)));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Channels that change as those of modules do: small numbers, points, heights, things that come and
-// go. The same from the same seed everywhere.
+// Channels that change like those of modules: small numbers, points, heights, entities that appear
+// and disappear. The same seed generates the same channels on every machine.
 #pragma once
 
 #include <cstdint>
@@ -30,7 +30,7 @@ private:
     std::int32_t any() {
         switch (random_() % 4) {
             case 0:
-                return static_cast<std::int32_t>(random_());  // 31 bits, and all of them below
+                return static_cast<std::int32_t>(random_());  // all 31-bit numbers
             case 1:
                 return static_cast<std::int32_t>(random_() * 2654435761u);
             default:
@@ -69,7 +69,7 @@ private:
     Channels channels_;
 };
 
-// Of two frames.
+// Compares the channels of two frames.
 inline bool same_channels(const Channels& a, const Channels& b) {
     if (a.size() != b.size()) return false;
     for (std::size_t k = 0; k < a.size(); k++)
@@ -78,9 +78,9 @@ inline bool same_channels(const Channels& a, const Channels& b) {
     return true;
 }
 
-// proto/golden/channels.jchn: "JCHN", u32 version 1, u32 frames; per frame u32 base (a place in the
-// file, from 1; 0: none), crc, channels, packed bytes, then per channel u32 kind, entity, values,
-// and its values as i32; then the packed bytes. All little endian.
+// proto/golden/channels.jchn: "JCHN", u32 version 1, u32 frames; per frame u32 baseline (index in
+// the file, from 1; 0: none), crc, channels, packed bytes, then per channel u32 kind, entity,
+// values, and its values as i32; then the packed bytes. All little-endian.
 inline std::vector<std::byte> golden_channels() {
     std::vector<std::byte> out;
     const auto put = [&](std::uint32_t value) {

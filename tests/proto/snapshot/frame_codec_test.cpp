@@ -57,7 +57,7 @@ TEST(FrameCodec, round_trips_an_active_world_at_any_baseline_spacing) {
     }
 }
 
-// A world of which some parts lie still: whoever says so gets the same bytes, and the same CRC.
+// Marking unchanged runs changes neither the bytes nor the CRC.
 TEST(FrameCodec, unchanged_runs_do_not_alter_the_encoding) {
     std::mt19937 random(4);
     for (int round = 0; round < 200; round++) {
@@ -110,7 +110,7 @@ TEST(FrameCodec, resting_world_costs_at_most_4_bytes) {
 }
 
 TEST(FrameCodec, free_flight_costs_at_most_12_bits) {
-    // Constant velocity is what the prediction expects; what is left is the noise of rounding.
+    // At constant velocity the prediction is exact up to rounding noise.
     const auto frames =
         run(9, 400, 60, {.calm = 0, .kick = 0, .rest = 0, .vanish = 0, .appear = 0});
     std::size_t bytes = 0, moving = 0;
@@ -153,7 +153,7 @@ TEST(FrameCodec, rejects_truncated_and_flipped_bytes_or_fails_the_crc) {
             }
         }
         EXPECT_GT(refused, 500);
-        // The last byte of a range coder has bits to spare.
+        // The last byte of a range coder has spare bits.
         EXPECT_LT(the_same, codec == Codec::bits ? 1 : 100);
     }
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The golden frames: sequences of frames chosen so that together they take every path of the codec.
-// Each is a file proto/golden/NAME.bin for codec 1 and range_NAME.bin for codec 2 (WIRE.md, "Golden
-// frames", has their layout) that C++ and TypeScript decode alike.
+// The golden frames: sequences of frames that together exercise every path of the codec. Each is a
+// file proto/golden/NAME.bin for codec 1 and range_NAME.bin for codec 2 (WIRE.md, "Golden frames",
+// specifies the layout). C++ and TypeScript decode the same files.
 #pragma once
 
 #include <string>
@@ -15,13 +15,13 @@ namespace jostle::wire {
 
 struct GoldenFrame {
     QuantizedFrame frame;
-    std::uint32_t base = 0, baseline2 = 0, baseline3 = 0;  // frame numbers, 0: none
+    std::uint32_t base = 0, baseline2 = 0, baseline3 = 0;  // frame numbers; 0: none
 };
 
 struct GoldenSequence {
     std::string name;
     QuantSpec spec;
-    std::vector<GoldenFrame> frames;  // each may refer to those before it
+    std::vector<GoldenFrame> frames;  // each may refer to earlier frames
 };
 
 inline std::vector<GoldenSequence> golden_sequences() {
@@ -31,7 +31,7 @@ inline std::vector<GoldenSequence> golden_sequences() {
         std::uint32_t seed;
         std::size_t bodies;
         MotionStyle style;
-        std::uint32_t steps[4];  // ticks between frames, cycled
+        std::uint32_t steps[4];  // ticks between frames, repeated
     };
     const Plan plans[] = {
         {"steady", {}, 1, 12, {}, {1, 1, 1, 1}},
@@ -59,7 +59,7 @@ inline std::vector<GoldenSequence> golden_sequences() {
             const auto number = [&](std::size_t back) {
                 return i >= back ? sequence.frames[i - back].frame.frame : 0;
             };
-            // Every seventh is absolute; in between the number of bases varies.
+            // Every seventh frame is absolute; in between the number of baselines varies.
             if (i % 7 != 0) golden.base = number(1);
             if (golden.base != 0 && i % 5 != 0) golden.baseline2 = number(2);
             if (golden.baseline2 != 0 && i % 6 != 0) golden.baseline3 = number(3);
@@ -74,9 +74,9 @@ inline std::string golden_name(const GoldenSequence& sequence, Codec codec) {
     return (codec == Codec::range ? "range_" : "") + sequence.name + ".bin";
 }
 
-// The whole file: "JGLD", u32 codec, u32 units_per_meter, u32 M, u32 frames; per frame u32
-// frame, base, baseline2, baseline3, crc, entities, packed bytes, then per entity u32 id, i32 x y
-// z, u8 largest, i16 r r r, u8 at_rest, then the packed bytes.
+// The file: "JGLD", u32 codec, u32 units_per_meter, u32 M, u32 frames; per frame u32 frame,
+// baseline, baseline2, baseline3, crc, entities, packed bytes, then per entity u32 id, i32 x y z,
+// u8 largest, i16 r r r, u8 at_rest, then the packed bytes.
 inline std::vector<std::byte> golden_file(const GoldenSequence& sequence, Codec codec) {
     std::vector<std::byte> out;
     const auto put = [&](std::uint32_t value, int size = 4) {

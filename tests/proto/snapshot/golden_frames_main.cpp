@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// golden_frames FOLDER: writes every golden sequence to FOLDER/NAME.bin and
-// FOLDER/range_NAME.bin, and channels.jchn.
+// golden_frames FOLDER: writes every golden sequence to FOLDER/NAME.bin and FOLDER/range_NAME.bin,
+// and the channels to FOLDER/channels.jchn.
 #include <cstdio>
 #include <fstream>
 

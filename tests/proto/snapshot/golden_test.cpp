@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The committed golden files are what the encoder makes today, and the decoder reads them.
-// clients/web decodes the same.
+// The committed golden files equal the current output of the encoder, and the decoder reads them.
+// clients/web decodes the same files.
 #include "tests/proto/snapshot/golden.h"
 
 #include <gtest/gtest.h>
@@ -27,7 +27,7 @@ TEST(Golden, encoder_output_matches_the_golden_files) {
         }
 }
 
-// A golden set that missed a path would prove little: count what the sequences exercise.
+// Counts what the sequences exercise, so that the golden set does not miss a path.
 TEST(Golden, sequences_cover_rare_code_paths) {
     int spawned_later = 0, removed = 0, rests = 0, largest_changes = 0, absolute = 0;
     for (const GoldenSequence& sequence : golden_sequences()) {
@@ -61,8 +61,8 @@ TEST(Golden, sequences_cover_rare_code_paths) {
     EXPECT_GT(largest_changes, 50);
 }
 
-// The arithmetic that two languages could do differently: negative steps scaled over unequal
-// spacings, turns too fast to extrapolate, rotations written in full, bases at rest.
+// Arithmetic that could differ between languages: negative steps scaled over unequal spacings,
+// rotations too fast to extrapolate, rotations written in full, baselines at rest.
 TEST(Golden, sequences_cover_arithmetic_limits) {
     int scaled_negative = 0, held_turns = 0, wrong_largest = 0, from_rest = 0, no_base2 = 0,
         no_base3 = 0;
@@ -96,7 +96,7 @@ TEST(Golden, sequences_cover_arithmetic_limits) {
                 wrong_largest += p.largest != now.largest ? 1 : 0;
                 if (!b2 || b1->at_rest) continue;
                 if (t.dt1 != t.dt2 && b1->position[0] < b2->position[0]) scaled_negative++;
-                // Held: predicted where it was although it turned.
+                // Hold: the prediction keeps the rotation although the body rotated.
                 const Prediction still = predict(*b1, nullptr, nullptr, t, sequence.spec);
                 const bool turned = b1->largest != b2->largest || b1->rotation != b2->rotation;
                 if (turned && p.rotation == still.rotation && p.rotation_change > m) held_turns++;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Seeded worlds that move, rest, appear and vanish: frames to code. Own generator, so that every
-// machine makes the same.
+// Seeded worlds whose bodies move, rest, appear and vanish, as input of the codecs. The generator
+// is our own, so that every machine generates the same frames.
 #pragma once
 
 #include <cmath>
@@ -25,15 +25,15 @@ private:
     std::uint32_t state_;
 };
 
-// How restless a world is, as chances per body and tick.
+// Chances of changes per body and tick.
 struct MotionStyle {
     double calm = 0.3;   // share of bodies that do not move
-    double spin = 3;     // rad/s, up to
-    double speed = 4;    // m/s, up to
-    double kick = 0.02;  // velocity changes at once
-    double rest = 0.02;  // falls asleep or wakes
+    double spin = 3;     // rad/s, maximum
+    double speed = 4;    // m/s, maximum
+    double kick = 0.02;  // chance of a sudden velocity change
+    double rest = 0.02;  // chance to fall asleep or wake
     double vanish = 0.005;
-    double appear = 0.3;  // one new body a tick
+    double appear = 0.3;  // new bodies per tick
 };
 
 class MovingWorld {

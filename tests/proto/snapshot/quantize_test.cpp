@@ -33,7 +33,7 @@ TEST(Quantize, position_error_is_at_most_half_a_unit_and_rotation_error_a_quarte
     }
     EXPECT_LE(worst_m, 0.5 / 512 + 1e-12);
     EXPECT_LE(worst_deg, 0.25);
-    EXPECT_GT(worst_deg, 0.1);  // the bound is not idle
+    EXPECT_GT(worst_deg, 0.1);  // the bound is not trivial
 }
 
 TEST(Quantize, non_finite_numbers_stay_in_range) {

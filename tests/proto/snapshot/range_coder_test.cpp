@@ -10,7 +10,7 @@
 namespace jostle::wire {
 namespace {
 
-// Bits of which one in `sparse` is a one, among raw numbers of every width.
+// Bits, one in `sparse` of them a one, mixed with raw numbers of every width.
 struct Message {
     std::vector<bool> bits;
     std::vector<std::uint64_t> numbers;
@@ -50,7 +50,7 @@ TEST(RangeCoder, round_trips_bits_and_numbers_of_every_width) {
     }
 }
 
-// One in fifty: 0.141 bits each, if one knew.
+// Entropy of one in fifty: 0.141 bits each.
 TEST(RangeCoder, comes_within_three_percent_of_the_entropy) {
     const Message told = message(7, 50, 100'000);
     RangeEncoder out;
@@ -65,7 +65,7 @@ TEST(RangeCoder, comes_within_three_percent_of_the_entropy) {
     EXPECT_LT(static_cast<double>(out.finish().size()), 1.03 * entropy);
 }
 
-// A run of bytes that are 255 until a carry makes them 0: the value creeps up to a boundary.
+// A run of 255 bytes that a carry turns into 0: the value approaches a boundary slowly.
 TEST(RangeCoder, propagates_carry_through_pending_bytes) {
     RangeEncoder out;
     out.raw(0x12ff'ffff'ffull, 40);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Codec 2 alone: what it saves, and what it refuses. What holds for both codecs is in
-// frame_codec_test.cpp.
+// Codec 2 alone: its size and its checks. frame_codec_test.cpp tests the properties of both codecs.
 #include "jostle/snapshot/range_frame.h"
 
 #include <gtest/gtest.h>
@@ -23,12 +22,12 @@ QuantizedFrame resting(std::uint32_t frame, std::uint32_t count) {
     return made;
 }
 
-// The bytes of lists that an honest encoder never has: its walk goes on to the fault.
-std::vector<std::byte> told(EntityChanges lists, const QuantizedFrame* base) {
+// Encodes lists that a valid encoder never produces, up to the invalid item.
+std::vector<std::byte> encoded(EntityChanges lists, const QuantizedFrame* baseline) {
     FrameModels models = start_models(1);
     RangeEncoder out;
     RangeFrameSerializer walk(out, models, QuantSpec{});
-    walk.entities(lists, {base, nullptr, nullptr}, most);
+    walk.entities(lists, {baseline, nullptr, nullptr}, most);
     return out.finish();
 }
 
@@ -55,7 +54,7 @@ TEST(RangeFrame, uses_less_than_75_percent_of_codec_1_for_tumbling_bodies) {
     EXPECT_LT(range, bits * 3 / 4);
 }
 
-// 900 cubes of a grid to somebody who joins late: neighbours differ by little.
+// A keyframe of a grid of 900 cubes: neighbours differ little.
 TEST(RangeFrame, keyframe_of_a_grid_uses_less_than_half_of_codec_1) {
     QuantizedFrame grid{.frame = 1, .entities = {}};
     for (std::uint32_t i = 0; i < 900; i++)
@@ -86,38 +85,39 @@ TEST(RangeFrame, rejects_invalid_data_by_name) {
     EXPECT_EQ(refusal(wakes, {&ten, nullptr, nullptr}), "");
     EXPECT_EQ(
         refusal(wakes, {&three, nullptr, nullptr}),
-        "a run of resting entities past the end (at byte " + std::to_string(wakes.size()) + ")");
+        "run of resting entities exceeds the frame (at byte " + std::to_string(wakes.size()) + ")");
 
     const Baselines baselines{&three, nullptr, nullptr};
     const auto has = [](const std::string& message, const char* what) {
         EXPECT_EQ(message.rfind(what, 0), 0u) << what << ": " << message;
         EXPECT_NE(message.find(" (at byte "), std::string::npos) << message;
     };
-    has(refusal(told({.removed = {0, 1, 2, 2}, .spawned = {}}, &ten), baselines),
-        "removed: more than there are");
-    has(refusal(told({.removed = {7}, .spawned = {}}, &ten), baselines),
-        "removed: a position past the end");
-    has(refusal(told({.removed = {}, .spawned = {{.id = 2}}}, &three), baselines),
-        "spawned: an id that the base has");
-    has(refusal(told({.removed = {}, .spawned = {{.id = 5}, {.id = 5}}}, nullptr), {}),
-        "spawned: an id beyond 32 bits");
-    has(refusal(told({.removed = {}, .spawned = resting(1, 200).entities}, nullptr), {}, 100),
-        "spawned: more entities than the limit");
-    has(refusal(told({.removed = {}, .spawned = {{.id = 1, .rotation = {511, 511, 511}}}}, nullptr),
-                {}),
-        "a rotation that is none");
+    has(refusal(encoded({.removed = {0, 1, 2, 2}, .spawned = {}}, &ten), baselines),
+        "removed: count exceeds the baseline");
+    has(refusal(encoded({.removed = {7}, .spawned = {}}, &ten), baselines),
+        "removed: position past the end");
+    has(refusal(encoded({.removed = {}, .spawned = {{.id = 2}}}, &three), baselines),
+        "spawned: id exists in the baseline");
+    has(refusal(encoded({.removed = {}, .spawned = {{.id = 5}, {.id = 5}}}, nullptr), {}),
+        "spawned: id exceeds 32 bits");
+    has(refusal(encoded({.removed = {}, .spawned = resting(1, 200).entities}, nullptr), {}, 100),
+        "spawned: the number of entities exceeds the limit");
+    has(refusal(
+            encoded({.removed = {}, .spawned = {{.id = 1, .rotation = {511, 511, 511}}}}, nullptr),
+            {}),
+        "invalid rotation");
     has(refusal(encode_frame(resting(2, 3), {}, {}, Codec::range), {}, 2),
-        "spawned: more entities than the limit");
+        "spawned: the number of entities exceeds the limit");
     has(refusal(encode_frame(resting(2, 3), baselines, {}, Codec::range), baselines, 2),
-        "more entities than the limit");
+        "the number of entities exceeds the limit");
 
     MovingWorld world(3, 50, {});
     auto bytes = encode_frame(world.step(2, {}), {}, {}, Codec::range);
     EXPECT_EQ(refusal(bytes, {}), "");
     bytes.insert(bytes.end(), 8, std::byte{7});
-    has(refusal(bytes, {}), "bytes are left over");
+    has(refusal(bytes, {}), "unexpected bytes at the end");
     bytes.resize(bytes.size() / 2);
-    has(refusal(bytes, {}), "the data ends early");
+    has(refusal(bytes, {}), "truncated data");
 }
 
 }  // namespace jostle::wire

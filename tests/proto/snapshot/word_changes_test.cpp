@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Lists of words as what changed in them: there and back, and bytes that do not belong together.
+// Delta encoding of word lists: round trips and inconsistent bytes.
 #include "jostle/snapshot/word_changes.h"
 
 #include <gtest/gtest.h>
@@ -44,9 +44,10 @@ TEST(WordChanges, reject_inconsistent_data) {
         const auto words = apply_changes(before, 3, changed, values);
         ASSERT_FALSE(words.ok());
         EXPECT_EQ(words.error().code, ErrorCode::corrupt_data);
-        EXPECT_NE(words.error().message.find("list of words"), std::string::npos);
+        EXPECT_NE(words.error().message.find("controlled entity state"), std::string::npos);
     }
-    EXPECT_FALSE(apply_changes(before, words_max + 1, "", "").ok()) << "memory for nothing";
+    EXPECT_FALSE(apply_changes(before, words_max + 1, "", "").ok())
+        << "must not allocate an oversized list";
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What is in a packet (WIRE.md, "Datagrams"): a message, a part of one that is too large for a
-// packet, a question whether somebody is there, or its answer. Pure functions; any thread.
+// The contents of a packet (WIRE.md, "Datagrams"): a message, a fragment of a message that is too
+// large for one packet, a path challenge or a path response. Pure functions; any thread.
 #pragma once
 
 #include <cstddef>
@@ -17,21 +17,22 @@
 
 namespace jostle::datagram {
 
-// Of a message; a larger one goes by the stream.
+/// Maximum number of fragments of a message; a larger message must use the stream.
 inline constexpr std::size_t fragments_max = 64;
-// Each part has so many bytes but the last, which has at least one.
+/// Size of every fragment except the last one, which has at least one byte.
 inline constexpr std::size_t fragment_bytes = content_bytes_max - 7;
-inline constexpr std::size_t message_bytes_max = content_bytes_max - 1;  // in one packet
+/// of an unfragmented message
+inline constexpr std::size_t message_bytes_max = content_bytes_max - 1;
 
 struct Message {
     std::string_view bytes;
 };
 struct Fragment {
-    std::uint32_t message = 0;  // its number; rises
+    std::uint32_t message = 0;  ///< message number; increases
     std::uint8_t index = 0, count = 0;
     std::string_view bytes;
 };
-// Who answers has that address and the key.
+/// Proves that the sender of the response has the address and the key.
 struct PathChallenge {
     std::uint64_t token = 0;
 };
@@ -40,13 +41,14 @@ struct PathResponse {
 };
 using Content = std::variant<Message, Fragment, PathChallenge, PathResponse>;
 
-// Views into `content`. corrupt_data: it is none of these; the error says why.
+/// Decodes the content of a packet. The result contains views into `content`. Returns corrupt_data
+/// if the content is malformed; the message says why.
 Result<Content> decode_content(std::string_view content);
 
 std::string encode(const PathChallenge& question);
 std::string encode(const PathResponse& answer);
-// A message, given in pieces, as the contents of one packet or several. Empty: it needs more than
-// fragments_max.
+/// Encodes a message, given in pieces, as the contents of one or more packets. Returns an empty
+/// list if the message needs more than fragments_max fragments.
 std::vector<std::string> encode_message(std::span<const std::string_view> pieces,
                                         std::uint32_t number);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Whole numbers as the datagrams have them: little-endian. Pure functions; any thread.
+// Little-endian integers in datagrams. Pure functions; any thread.
 #pragma once
 
 #include <concepts>
@@ -17,7 +17,7 @@ void put_number(std::string& to, Number number) {
         to += static_cast<char>(static_cast<std::uint8_t>(number >> (8 * k)));
 }
 
-// The bytes are there.
+/// Reads an integer at `at`. The caller guarantees that the bytes exist.
 template <std::unsigned_integral Number>
 Number number_at(std::string_view bytes, std::size_t offset) {
     Number number = 0;

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// A packet of the datagram way (WIRE.md, "Datagrams"): ticket, number, and a content that only who
-// has the ticket's key can read or make. One Seal at each end of a way: it seals what goes out,
-// numbering it from 0, and opens what comes in, each number once.
+// Packets of the datagram transport (WIRE.md, "Datagrams"): session id, number, and a content that
+// only the owner of the session key can read or create. Each end of a connection has one
+// PacketCipher. It encrypts outgoing packets, numbered from 0, and decrypts incoming packets, each
+// number once.
 //
-// ChaCha20-Poly1305 (RFC 8439) by OpenSSL: quick also where a processor has no AES. Each direction
-// has a key of its own (HKDF-SHA-256), so the number alone is a nonce that never comes twice.
+// ChaCha20-Poly1305 (RFC 8439) by OpenSSL: fast also on processors without AES instructions. Each
+// direction has its own key (HKDF-SHA-256), so the packet number alone is a nonce that never
+// repeats.
 //
 // Thread rule: one thread at a time.
 #pragma once
@@ -25,37 +27,41 @@ struct evp_cipher_ctx_st;
 
 namespace jostle::datagram {
 
-// Below what every path of today's Internet carries whole, as QUIC takes it.
+/// Maximum packet size. Internet paths carry packets of this size without fragmentation; QUIC uses
+/// the same size.
 inline constexpr std::size_t packet_bytes_max = 1200;
 inline constexpr std::size_t header_bytes = 16, tag_bytes = 16;
 inline constexpr std::size_t content_bytes_max = packet_bytes_max - header_bytes - tag_bytes;
 
 struct Credentials {
-    std::uint64_t id = 0;  // random; says whose packet it is
+    std::uint64_t id = 0;  ///< random; identifies the session of a packet
     std::array<std::uint8_t, 32> key{};
 };
 
 enum class Side { server, client };
 
-// The ticket's id of a packet, authentic or not; nothing: it is too short or too long to be one.
+/// Returns the session id of a packet, which may be forged. Returns nothing if the size of the
+/// packet is invalid.
 std::optional<std::uint64_t> session_id_of(std::string_view packet);
 
 class PacketCipher {
 public:
-    // internal: OpenSSL refuses, as when memory runs out.
+    /// Returns internal if OpenSSL fails, for example for lack of memory.
     static Result<std::unique_ptr<PacketCipher>> make(const Credentials& credentials, Side side);
     ~PacketCipher();
     PacketCipher(const PacketCipher&) = delete;
     PacketCipher& operator=(const PacketCipher&) = delete;
 
-    // At most content_bytes_max bytes; as a packet. Empty: OpenSSL refused.
+    /// Encrypts at most content_bytes_max bytes and returns the packet. Returns an empty string if
+    /// OpenSSL fails.
     std::string encrypt(std::string_view content);
 
     struct DecryptedPacket {
         std::string content;
-        bool newest = false;  // no packet with a higher number has come
+        bool newest = false;  ///< no packet with a higher number was received
     };
-    // Nothing: it is none of this ticket's, was changed on its way, or came before.
+    /// Returns nothing if the packet belongs to another session, was modified in transit or was
+    /// already received.
     std::optional<DecryptedPacket> decrypt(std::string_view packet);
 
     const Credentials& credentials() const { return ticket_; }

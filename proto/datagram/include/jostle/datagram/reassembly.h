@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Puts messages together from their parts, in whatever order they come. It holds the newest few
-// unfinished messages, so a lost part costs its message and a bounded piece of memory: 300 kB at
-// most. One thread at a time.
+// Reassembles messages from fragments that arrive in any order. It buffers only the newest few
+// incomplete messages, so a lost fragment costs its message and a bounded amount of memory (at most
+// 300 kB). One thread at a time.
 #pragma once
 
 #include <cstdint>
@@ -18,8 +18,9 @@ class Reassembly {
 public:
     static constexpr std::size_t partial_messages_max = 4;
 
-    // The whole message when this was its last missing part. Parts of messages that are older than
-    // all that it holds, or that do not fit to their siblings, are dropped.
+    /// Adds a fragment. Returns the message if this was its last missing fragment. Drops fragments
+    /// of messages older than all buffered ones, and fragments that are inconsistent with the
+    /// others of their message.
     std::optional<std::string> add(const Fragment& part);
     std::size_t bytes_held() const;
 
@@ -32,8 +33,8 @@ private:
     };
     PartialMessage* find_or_add(const Fragment& part);
 
-    std::vector<PartialMessage> partial_;  // the newest number last
-    std::optional<std::uint32_t> done_;    // the newest that was finished
+    std::vector<PartialMessage> partial_;  // ascending numbers
+    std::optional<std::uint32_t> done_;    // newest completed message
 };
 
 }  // namespace jostle::datagram

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Which of the newest 1024 packet numbers have come, so that each is taken once: what an attacker
-// recorded and sends again changes nothing. Older ones count as seen. One thread at a time.
+// Replay protection: tracks which of the newest 1024 packet numbers were received, so that each
+// packet is accepted once. Older numbers count as received. One thread at a time.
 #pragma once
 
 #include <bitset>
@@ -18,7 +18,8 @@ public:
         if (!any_ || number > newest_) return false;
         return newest_ - number >= size || received_[slot(number)];
     }
-    // Only of a packet that is authentic: else anybody could move the window.
+    /// Marks a number as received. Only for authenticated packets: otherwise anyone could move the
+    /// window.
     void add(std::uint64_t number) {
         if (!any_ || number > newest_) {
             const std::uint64_t steps = any_ ? number - newest_ : size;
@@ -31,7 +32,7 @@ public:
         }
         if (newest_ - number < size) received_.set(slot(number));
     }
-    // Whether nothing newer has come.
+    /// Returns whether no higher number was received.
     bool is_newest(std::uint64_t number) const { return !any_ || number >= newest_; }
 
 private:

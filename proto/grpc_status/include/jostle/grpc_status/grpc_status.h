@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Our Status as gRPC's and back: one table, for the server and for clients.
+// Conversion between Status and grpc::Status. One table serves the server and the clients.
 #pragma once
 
 #include <grpcpp/support/status.h>
@@ -16,7 +16,7 @@ struct GrpcCode {
     grpc::StatusCode grpc;
 };
 
-// Read from the top both ways: bytes that a client sent and that are corrupt are a wrong argument.
+/// Both directions use the first match: corrupt bytes from a client are an invalid argument.
 inline constexpr GrpcCode grpc_codes[] = {
     {ErrorCode::invalid_argument, grpc::StatusCode::INVALID_ARGUMENT},
     {ErrorCode::corrupt_data, grpc::StatusCode::INVALID_ARGUMENT},
@@ -39,7 +39,7 @@ inline grpc::Status to_grpc(const Status& status) {
     return {grpc::StatusCode::INTERNAL, status.error().message};
 }
 
-// Codes that we never send are the other side's internal errors.
+/// Converts a gRPC status. Codes that Jostle never sends become `internal`.
 inline Status from_grpc(const grpc::Status& status) {
     if (status.ok()) return {};
     Error error{ErrorCode::internal, status.error_message()};

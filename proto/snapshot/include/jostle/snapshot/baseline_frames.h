@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Which earlier frames a snapshot is told against, as the one number that Snapshot.bases holds
-// (WIRE.md, "A frame"). Pure functions; any thread.
+// Encodes the baseline frames of a snapshot as the single number Snapshot.baselines (WIRE.md,
+// "Frame encoding"). Pure functions; any thread.
 #pragma once
 
 #include <compare>
@@ -11,8 +11,8 @@
 
 namespace jostle::wire {
 
-// Frame numbers, 0: none. baseline2 only with base, baseline3 only with baseline2; they fall, each
-// by 1 to baseline_distance_max.
+/// Frame numbers; 0: none. baseline2 requires baseline, baseline3 requires baseline2. They descend,
+/// by 1 to baseline_distance_max each.
 struct BaselineFrames {
     std::uint32_t baseline = 0, baseline2 = 0, baseline3 = 0;
 
@@ -21,9 +21,9 @@ struct BaselineFrames {
 
 inline constexpr std::uint32_t baseline_distance_max = 254;
 
-// 0: no base. The bases are within reach of the frame and of each other.
+/// Returns 0 without a baseline. The distances must be at most baseline_distance_max.
 std::uint32_t encode_baseline_frames(std::uint32_t frame, const BaselineFrames& baselines);
-// corrupt_data: a base would be before frame 1, or the number has other bits.
+/// Returns corrupt_data if a baseline would be before frame 1 or if the number is malformed.
 Result<BaselineFrames> decode_baseline_frames(std::uint32_t frame, std::uint32_t code);
 
 }  // namespace jostle::wire

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What a snapshot is told against.
+// The baseline frames against which a snapshot is encoded.
 #pragma once
 
 #include <cstddef>
@@ -9,17 +9,18 @@
 
 namespace jostle::wire {
 
-// The frames that a snapshot refers to. Without base it is absolute: it has all entities in full.
-// baseline2 and baseline3 sharpen the prediction; baseline2 needs base, baseline3 needs baseline2.
-// Their frame numbers fall, each by 1 to 255: frame > base > baseline2 > baseline3.
+/// The baselines of a snapshot. Without `baseline` the snapshot is absolute and contains all
+/// entities. baseline2 and baseline3 improve the prediction; baseline2 requires baseline, baseline3
+/// requires baseline2. Frame numbers descend, by 1 to 255 each: frame > baseline > baseline2 >
+/// baseline3.
 struct Baselines {
     const QuantizedFrame* baseline = nullptr;
     const QuantizedFrame* baseline2 = nullptr;
     const QuantizedFrame* baseline3 = nullptr;
 };
 
-// Positions from `begin` to before `end`, in a frame and its base alike: the same entities, which
-// lie at rest in the base and are in the frame what they are there.
+/// The positions [begin, end) in a frame and in its baseline: the same entities, at rest in the
+/// baseline and unchanged in the frame.
 struct UnchangedRun {
     std::size_t begin = 0, end = 0;
 };

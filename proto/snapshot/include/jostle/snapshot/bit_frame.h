@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Codec 1: Rice and exponential Golomb codes of bits, nothing learned. Cheap on both sides. Called
-// by frame_codec.h alone, which has checked the quantisation and the spacing.
+// Codec 1: fixed Rice and exponential Golomb codes. Fast to encode and to decode. Only
+// frame_codec.h calls it, after checking the quantization and the spacing.
 #pragma once
 
 #include "jostle/snapshot/entity_diff.h"

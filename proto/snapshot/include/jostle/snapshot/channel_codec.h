@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Channels: what modules tell clients with a frame (WIRE.md, "Channels"). Lists of whole numbers,
-// of which a snapshot carries how they differ from those of its base. Frames share the lists that
-// did not change. Any thread.
+// Encodes channels: the state that modules publish with a frame (WIRE.md, "Channels"). Channels are
+// lists of integers; a snapshot contains the differences from the channels of its baseline. Frames
+// share unchanged lists. Any thread.
 #pragma once
 
 #include <cstddef>
@@ -16,37 +16,37 @@
 namespace jostle::wire {
 
 inline constexpr std::uint32_t channel_kinds_max = 64;
-inline constexpr std::size_t channels_max = 4096;             // of a frame
-inline constexpr std::size_t channel_values_max = 16 * 1024;  // of a channel
-inline constexpr std::size_t frame_values_max = 256 * 1024;   // of all channels of a frame
+inline constexpr std::size_t channels_max = 4096;             ///< per frame
+inline constexpr std::size_t channel_values_max = 16 * 1024;  ///< per channel
+inline constexpr std::size_t frame_values_max = 256 * 1024;   ///< in all channels of a frame
 
 using ChannelValues = std::shared_ptr<const std::vector<std::int32_t>>;
 
 struct Channel {
-    std::uint32_t kind = 0;    // below channel_kinds_max
-    std::uint32_t entity = 0;  // 0: none
-    ChannelValues values;      // never null
+    std::uint32_t kind = 0;    ///< below channel_kinds_max
+    std::uint32_t entity = 0;  ///< 0: none
+    ChannelValues values;      ///< never null
 };
 
-// In rising order of kind and entity, each once.
+/// Sorted by kind, then entity; each pair occurs once.
 using Channels = std::vector<Channel>;
 
 struct PackedChannels {
-    std::vector<std::byte> bytes;  // empty: they are those of the base
-    std::uint32_t crc = 0;         // of what the bytes tell
+    std::vector<std::byte> bytes;  ///< empty: same as the baseline
+    std::uint32_t crc = 0;         ///< of the encoded changes
 };
 
-// `kinds`: bit k of it lets channels of kind k through, in `base` as in `now`.
+/// Encodes `now` against `baseline`. Bit k of `kinds` selects the channels of kind k in both lists.
 PackedChannels encode_channels(const Channels& now, const Channels& baseline, std::uint64_t kinds);
 
-// The channels of a frame, from those of its base, and the CRC of what the bytes told. The bytes
-// are foreign: an error (corrupt_data) says what is wrong with them.
+/// The channels of a frame and the CRC of the decoded changes. The bytes are untrusted;
+/// read_channels returns corrupt_data with the reason if they are malformed.
 struct DecodedChannels {
     Channels channels;
     std::uint32_t crc = 0;
 };
 Result<DecodedChannels> read_channels(std::span<const std::byte> bytes, const Channels& baseline);
-// The same, where the CRC must be that.
+/// Like read_channels, and checks that the CRC of the changes is `crc`.
 Result<Channels> decode_channels(std::span<const std::byte> bytes, std::uint32_t crc,
                                  const Channels& baseline);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// CRC-32 (IEEE 802.3, reflected polynomial 0xEDB88320), as zlib and PNG compute it.
+// CRC-32 (IEEE 802.3, reflected polynomial 0xEDB88320), as in zlib and PNG.
 #pragma once
 
 #include <array>
@@ -12,12 +12,12 @@ namespace jostle::wire {
 
 std::uint32_t crc32(std::span<const std::byte> bytes);
 
-// The same in pieces: begin with all ones, go on with each piece, and invert the end. A piece that
-// begins with 0 adds to what came before it: state(a then b) = state(a then zeros) ^ state_of_0(b).
+/// Incremental computation: start with all ones, update with each piece, and invert the result. A
+/// piece processed from state 0 is additive: state(a then b) = state(a then zeros) ^ state_of_0(b).
 inline constexpr std::uint32_t crc32_initial = 0xffffffffu;
-// By eight bytes, the lowest first.
+/// Updates the state with eight bytes, lowest byte first.
 std::uint32_t crc32_update(std::uint32_t state, std::uint64_t eight_bytes);
-// By so many bytes that are 0, in a few steps. Any thread.
+/// Advances a state over a fixed number of zero bytes in a few operations. Any thread.
 class Crc32Zeros {
 public:
     explicit Crc32Zeros(std::size_t bytes);

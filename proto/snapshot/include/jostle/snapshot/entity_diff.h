@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What both codecs of frames begin with: which entities of the base are still there, what older
-// bases say of them, and how far apart the frames are. Any thread.
+// Common start of both frame codecs: the surviving entities of the baseline, their states in older
+// baselines, and the spacing of the frames. Any thread.
 #pragma once
 
 #include <array>
@@ -21,17 +21,18 @@ inline Error corrupt(std::string message) {
     return {ErrorCode::corrupt_data, std::move(message)};
 }
 
-// An entity of the base that is still there. Of one at rest the older bases say nothing that a
-// codec asks for: they are left out.
+/// An entity of the baseline that is still present. For an entity at rest the older baselines are
+/// not set, because no codec uses them.
 struct Survivor {
     const EntityState* baseline = nullptr;
     const EntityState* baseline2 = nullptr;
     const EntityState* baseline3 = nullptr;
-    // So many left out just before it, for an encoder: they rest in the base, and stay as they are.
+    /// For an encoder: the number of skipped entities directly before this one. They are at rest in
+    /// the baseline and unchanged.
     std::size_t unchanged_before = 0;
 };
 
-// Walks a frame's entities along rising ids.
+/// Finds entities of a frame by id. The ids of successive calls must be ascending.
 class EntityFinder {
 public:
     explicit EntityFinder(const QuantizedFrame* frame) : frame_(frame) {}
@@ -39,7 +40,7 @@ public:
     const EntityState* find(std::uint32_t id) {
         if (!frame_) return nullptr;
         const std::vector<EntityState>& all = frame_->entities;
-        // Mostly there are no gaps between ids, and it is as far on as the id is.
+        // Ids are mostly consecutive, so the position usually advances as far as the id.
         if (at_ < all.size() && id > all[at_].id) {
             const std::size_t guess = at_ + (id - all[at_].id);
             if (guess < all.size() && all[guess].id == id) at_ = guess;
@@ -53,32 +54,32 @@ private:
     std::size_t at_ = 0;
 };
 
-// `removed`: rising positions in the base.
+/// Returns the survivors. `removed` contains ascending positions in the baseline.
 std::vector<Survivor> find_survivors(const Baselines& baselines,
                                      const std::vector<std::size_t>& removed);
 
-// What becomes of the base's entities in a frame.
+/// The difference between a frame and its baseline.
 struct EntityDiff {
-    std::vector<std::size_t> removed;                    // positions in the base
-    std::vector<const EntityState*> spawned, surviving;  // kept: as many as survivors
+    std::vector<std::size_t> removed;                    ///< positions in the baseline
+    std::vector<const EntityState*> spawned, surviving;  ///< surviving: parallel to survivors
     std::vector<Survivor> survivors;
-    std::size_t unchanged_after = 0;  // left out after the last one
+    std::size_t unchanged_after = 0;  ///< number of skipped entities after the last survivor
 };
 EntityDiff entity_diff(const QuantizedFrame& frame, const Baselines& baselines);
-// Where frame and base are of the same entities, and those in `quiet` need not be looked at.
+/// For a frame and a baseline with the same entities. Entities in `unchanged` are skipped.
 EntityDiff entity_diff(const QuantizedFrame& frame, const Baselines& baselines,
                        std::span<const UnchangedRun> unchanged);
 
-// Survivors and newcomers as one list. Both rise.
+/// Merges survivors and spawned entities. Both lists are sorted by id.
 std::vector<EntityState> merge_entities(std::vector<EntityState> surviving,
                                         const std::vector<EntityState>& spawned);
 
-// 1 where a frame is missing.
+/// Returns the spacing of a frame and its baselines; 1 where a frame is missing.
 Spacing spacing_of(std::uint32_t frame, const Baselines& baselines);
 
-// Bits of a component of a rotation in two's complement.
+/// Number of bits of a rotation component in two's complement.
 unsigned component_bits(const QuantSpec& spec);
-// What a decoder must check of what it read.
+/// Returns whether decoded components form a valid rotation; a decoder must check this.
 bool is_rotation(const std::array<std::int64_t, 3>& components, const QuantSpec& spec);
 inline bool is_position(std::int64_t v) {
     return v >= -2147483648ll && v <= 2147483647ll;

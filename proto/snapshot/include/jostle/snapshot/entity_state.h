@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What travels about one body, as integers. A pose is quantised once per tick. Deltas and CRCs work
-// on the integers only, so decoding gives back exactly what was encoded, and sender and receiver
-// cannot drift apart. WIRE.md is the format in prose.
+// The state of a body on the wire, as integers. A pose is quantized once per tick. Differences and
+// CRCs use only the integers, so decoding is exact and sender and receiver cannot drift apart.
+// WIRE.md specifies the format.
 #pragma once
 
 #include <array>
@@ -12,18 +12,18 @@
 namespace jostle::wire {
 
 struct EntityState {
-    std::uint32_t id = 0;                    // never reused in a world, never 0
-    std::array<std::int32_t, 3> position{};  // units of 1/units_per_meter m
-    std::uint8_t largest = 3;  // which quaternion component was left out: 0 x, 1 y, 2 z, 3 w
-    // The other three in order x y z w, in units of 1 / (M sqrt 2): -M..M. The sign of the
-    // quaternion is such that the one left out is not negative.
+    std::uint32_t id = 0;                    ///< never reused in a world, never 0
+    std::array<std::int32_t, 3> position{};  ///< units of 1/units_per_meter m
+    std::uint8_t largest = 3;  ///< index of the omitted quaternion component: 0 x, 1 y, 2 z, 3 w
+    /// The other three components in the order x y z w, in units of 1 / (M sqrt 2), each -M..M. The
+    /// sign of the quaternion makes the omitted component non-negative.
     std::array<std::int16_t, 3> rotation{};
-    bool at_rest = false;  // it sleeps
+    bool at_rest = false;  ///< the body sleeps
 
     bool operator==(const EntityState&) const = default;
 };
 
-// Number by number: comparing arrays calls memcmp, which takes longer than what it compares.
+/// Compares the numbers one by one: comparing arrays calls memcmp, which is slower.
 inline bool same_rotation(const EntityState& a, const EntityState& b) {
     return a.rotation[0] == b.rotation[0] && a.rotation[1] == b.rotation[1] &&
            a.rotation[2] == b.rotation[2] && a.largest == b.largest;
@@ -33,8 +33,8 @@ inline bool same_pose(const EntityState& a, const EntityState& b) {
            a.position[2] == b.position[2] && same_rotation(a, b);
 }
 
-// A world at one tick: entities in rising order of id. Frame 0 is never sent; as a base it means
-// "none".
+/// A world at one tick: entities sorted by id. Frame 0 is never sent; as a baseline it means
+/// "none".
 struct QuantizedFrame {
     std::uint32_t frame = 0;
     std::vector<EntityState> entities;
@@ -43,13 +43,13 @@ struct QuantizedFrame {
 };
 
 inline constexpr std::int32_t max_units_per_meter = 65536;
-inline constexpr std::int32_t max_rotation_component = 16383;  // 15 bits with the sign
+inline constexpr std::int32_t max_rotation_component = 16383;  ///< 15 bits including the sign
 
-// How poses are made integers: the same on both sides, as the server's Welcome says. Each is from 1
-// to its maximum above.
+/// Quantization of poses, identical on both sides (Welcome.quant). Each value is 1 to its maximum
+/// above.
 struct QuantSpec {
     std::int32_t units_per_meter = 512;
-    std::int32_t rotation_component = 511;  // M
+    std::int32_t rotation_component = 511;  ///< M
 
     bool operator==(const QuantSpec&) const = default;
 };

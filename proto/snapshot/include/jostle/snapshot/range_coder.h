@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
 // An adaptive binary range coder (G. N. N. Martin, "Range encoding", 1979; carries as in LZMA):
-// each bit is coded against a model of how often it was one, and the model learns from it. WIRE.md,
-// "Codec 2", is the specification. Encoder and decoder have the same functions, so that one walk
-// over a frame serves both: the encoder takes what it is given, the decoder ignores it, and each
-// returns what is in the stream. The decoder never trusts the bytes: past the end it reads zeros
-// and remembers how many.
+// each bit is coded against a model of the probability of a one, and the model adapts to it.
+// WIRE.md, "Codec 2", is the specification. Encoder and decoder have the same functions, so one
+// traversal of a frame serves both: the encoder writes its argument, the decoder ignores it, and
+// each returns the coded value. The decoder does not trust its input: reads past the end return
+// zeros and are counted.
 #pragma once
 
 #include <array>
@@ -16,10 +16,11 @@
 
 namespace jostle::wire {
 
-// How likely the next bit is a one, and how sure that is.
+/// The probability of a one, and the confidence in it.
 struct BitModel {
-    std::uint16_t one = 32768;  // of 65536
-    std::uint16_t seen = 0;     // bits, at most seen_max: the more, the slower it learns
+    std::uint16_t one = 32768;  ///< in units of 1/65536
+    /// bits, at most seen_max; the model adapts more slowly the more it has seen
+    std::uint16_t seen = 0;
 
     static constexpr std::uint16_t seen_max = 100;
 
@@ -32,7 +33,7 @@ struct BitModel {
     }
 
 private:
-    // 65536 / (seen + 1.6).
+    /// 65536 / (seen + 1.6).
     static constexpr std::array<std::uint16_t, seen_max + 1> rates = [] {
         std::array<std::uint16_t, seen_max + 1> table{};
         for (std::uint32_t n = 0; n <= seen_max; n++)
@@ -41,8 +42,8 @@ private:
     }();
 };
 
-inline constexpr std::uint32_t range_bottom = 1u << 24;  // a smaller range takes in a byte
-// Zeros at the end are left out, and so many at most.
+inline constexpr std::uint32_t range_bottom = 1u << 24;  ///< a smaller range shifts in a byte
+/// The encoder omits at most this number of trailing zero bytes.
 inline constexpr std::size_t range_tail = 4;
 
 class RangeEncoder {
@@ -61,18 +62,18 @@ public:
         while (range_ < range_bottom) shift();
         return value;
     }
-    // `count` bits, at most 40, each as likely a one as a zero.
+    /// Codes `count` bits, at most 40, with equal probability of ones and zeros.
     std::uint64_t raw(std::uint64_t value, unsigned count);
-    // All bytes. Then the encoder is spent.
+    /// Returns all bytes. The encoder must not be used afterwards.
     std::vector<std::byte> finish();
 
 private:
     void shift();
 
     std::vector<std::byte> bytes_;
-    std::uint64_t low_ = 0;  // 33 bits: the last one is a carry
+    std::uint64_t low_ = 0;  // 33 bits; the highest is a carry
     std::uint32_t range_ = 0xffffffffu;
-    std::uint32_t pending_ = 0;  // bytes of 255 that a carry would still change
+    std::uint32_t pending_ = 0;  // number of 255 bytes that a carry would still change
     std::uint8_t held_ = 0;      // the byte before them
     bool holds_ = false;
 };
@@ -100,9 +101,9 @@ public:
     }
     std::uint64_t raw(std::uint64_t, unsigned count);
 
-    // More zeros were read past the end than an encoder leaves out.
+    /// More zeros were read past the end than an encoder omits.
     bool past_end() const { return at_ > bytes_.size() + range_tail; }
-    // Whether every byte was needed.
+    /// Every byte was consumed.
     bool at_clean_end() const { return !past_end() && at_ >= bytes_.size(); }
     std::size_t byte_position() const { return at_ < bytes_.size() ? at_ : bytes_.size(); }
 

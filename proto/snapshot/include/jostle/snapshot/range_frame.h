@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Codec 2: the prediction of codec 1, and what is left of it in an adaptive range coder. Called by
-// frame_codec.h alone, which has checked the quantisation and the spacing.
+// Codec 2: the prediction of codec 1, with the residuals in an adaptive range coder. Only
+// frame_codec.h calls it, after checking the quantization and the spacing.
 #pragma once
 
 #include "jostle/snapshot/entity_diff.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Codec 2's one walk over a frame, for encoder and decoder alike: a Coder takes each bit with the
-// model that it is coded against, and gives back what is in the stream. Only the codec itself and
-// the program that trains its start include this.
+// The traversal of a frame by codec 2, shared by encoder and decoder. The Coder codes each bit with
+// its model and returns the coded bit. Only the codec itself and the program that trains the
+// initial models include this header.
 #pragma once
 
 #include <algorithm>
@@ -16,9 +16,9 @@
 
 namespace jostle::wire {
 
-// Who goes and comes: what an encoder tells, and a decoder fills.
+/// Removed and spawned entities: input of an encoder, output of a decoder.
 struct EntityChanges {
-    std::vector<std::size_t> removed;  // positions in the base
+    std::vector<std::size_t> removed;  ///< ascending positions in the baseline
     std::vector<EntityState> spawned;
 };
 
@@ -35,19 +35,22 @@ public:
     RangeFrameSerializer(Coder& coder, FrameModels& models, const QuantSpec& spec)
         : coder_(coder), models_(models), spec_(spec) {}
 
-    // Who goes and comes. False: a decoder found a fault().
+    /// Codes the removed and the spawned entities. Returns false if a decoder found an error; see
+    /// fault().
     bool entities(EntityChanges& lists, const Baselines& baselines, std::size_t max_entities) {
         const bool any =
             coder_.bit(models_.changes_entities, !lists.removed.empty() || !lists.spawned.empty());
         if (!any) return true;
-        const std::size_t in_base = baselines.baseline ? baselines.baseline->entities.size() : 0;
-        if (!removed(lists.removed, in_base)) return false;
-        const std::size_t survive = in_base - lists.removed.size();
-        if (survive > max_entities) return fail("more entities than the limit");
+        const std::size_t in_baseline =
+            baselines.baseline ? baselines.baseline->entities.size() : 0;
+        if (!removed(lists.removed, in_baseline)) return false;
+        const std::size_t survive = in_baseline - lists.removed.size();
+        if (survive > max_entities) return fail("the number of entities exceeds the limit");
         return spawned(lists.spawned, baselines, max_entities - survive);
     }
 
-    // Of each survivor its state: an encoder tells `kept`, a decoder fills `states`.
+    /// Codes the state of each survivor. An encoder reads `surviving`, a decoder appends to
+    /// `states`.
     bool survivors(const std::vector<const EntityState*>& surviving,
                    std::vector<EntityState>& states, const std::vector<Survivor>& survivors,
                    const Spacing& t, std::size_t unchanged_after = 0) {
@@ -79,7 +82,7 @@ public:
     const std::string& fault() const { return fault_; }
 
 private:
-    // How an entity that is awake in base moved before.
+    // How an entity that is awake in the baseline moved in the previous steps.
     enum PriorMotion : std::size_t { motionless, moving, stopped };
 
     static PriorMotion prior_motion_of(const Survivor& s) {
@@ -96,13 +99,13 @@ private:
         if constexpr (Coder::encoding)
             return false;
         else
-            return coder_.past_end() && !fail("the data ends early");
+            return coder_.past_end() && !fail("truncated data");
     }
 
     // ---- numbers ----
 
-    // 0 and above: the width of value + 1 in unary, then its bits below the leading one. A decoder
-    // may be given one as wide as 2^40.
+    // Codes a number >= 0: the width of value + 1 in unary, then its bits below the leading one. A
+    // decoder may read a width of up to 40.
     std::uint64_t count(CountModels& m, std::uint64_t value) {
         const unsigned target_width = bit_width(value + 1) - 1;
         unsigned width = 0;
@@ -139,16 +142,16 @@ private:
                coder_.raw(size & low, width - 1);
     }
 
-    // ---- entities that go and come ----
+    // ---- removed and spawned entities ----
 
     bool removed(std::vector<std::size_t>& positions, std::size_t size) {
         const std::uint64_t total = count(models_.removed, positions.size());
-        if (total > size) return fail("removed: more than there are");
+        if (total > size) return fail("removed: count exceeds the baseline");
         positions.resize(static_cast<std::size_t>(total));
         std::uint64_t next = 0;
         for (std::size_t& position : positions) {
             const std::uint64_t coded = next + count(models_.removed_gap, position - next);
-            if (coded >= size) return fail("removed: a position past the end");
+            if (coded >= size) return fail("removed: position past the end");
             position = static_cast<std::size_t>(coded);
             next = coded + 1;
         }
@@ -157,24 +160,25 @@ private:
 
     bool spawned(std::vector<EntityState>& states, const Baselines& baselines, std::size_t limit) {
         const std::uint64_t total = count(models_.spawned, states.size());
-        if (total > limit) return fail("spawned: more entities than the limit");
-        EntityFinder in_base(baselines.baseline);
+        if (total > limit) return fail("spawned: the number of entities exceeds the limit");
+        EntityFinder in_baseline(baselines.baseline);
         EntityState before;
         for (std::uint64_t i = 0; i < total; i++) {
             if (!Coder::encoding) states.emplace_back();
             EntityState& state = states[static_cast<std::size_t>(i)];
             if (!spawned_entity(state, before) || ended()) return false;
-            if (in_base.find(state.id)) return fail("spawned: an id that the base has");
+            if (in_baseline.find(state.id)) return fail("spawned: id exists in the baseline");
             before = state;
         }
         return true;
     }
 
-    // Told as the difference from the one spawned before it: neighbours were often made together.
+    // Coded as the difference from the previously spawned entity: neighbours in the list are often
+    // created together.
     bool spawned_entity(EntityState& state, const EntityState& before) {
         const std::uint64_t id =
             std::uint64_t{before.id} + 1 + count(models_.id_gap, state.id - before.id - 1);
-        if (id > 0xffffffffull) return fail("spawned: an id beyond 32 bits");
+        if (id > 0xffffffffull) return fail("spawned: id exceeds 32 bits");
         state.id = static_cast<std::uint32_t>(id);
         for (std::size_t k = 0; k < 3; k++) {
             const std::int64_t step = std::int64_t{state.position[k]} - before.position[k];
@@ -182,7 +186,7 @@ private:
                 models_.position_step[k], static_cast<std::uint64_t>(step < 0 ? -step : step)));
             if (size != 0 && coder_.bit(models_.position_negative, step < 0)) size = -size;
             if (!is_position(before.position[k] + size))
-                return fail("spawned: a position out of range");
+                return fail("spawned: position out of range");
             state.position[k] = static_cast<std::int32_t>(before.position[k] + size);
         }
         const bool same = state.largest == before.largest && state.rotation == before.rotation;
@@ -210,15 +214,15 @@ private:
 
     bool rotation(EntityState& state, const std::array<std::int64_t, 3>& r) {
         if constexpr (Coder::encoding) return true;
-        if (!is_rotation(r, spec_)) return fail("a rotation that is none");
+        if (!is_rotation(r, spec_)) return fail("invalid rotation");
         for (std::size_t k = 0; k < 3; k++) state.rotation[k] = static_cast<std::int16_t>(r[k]);
         return true;
     }
 
-    // ---- entities that stay ----
+    // ---- survivors ----
 
-    // How many of those at rest, from survivor `from` on, stay as they are before the next that
-    // does not; `left` are there.
+    // Codes the number of entities at rest, from survivor `from` on, that do not change before the
+    // next one that does; `left` are left.
     bool resting_run(std::uint64_t& run, const std::vector<const EntityState*>& surviving,
                      const std::vector<Survivor>& survivors, std::size_t from, std::size_t left) {
         run = left;
@@ -239,11 +243,11 @@ private:
         }
         const bool none = coder_.bit(models_.none_wake, run == left);
         run = none ? left : count(models_.resting_run, run);
-        if (!none && run >= left) return fail("a run of resting entities past the end");
+        if (!none && run >= left) return fail("run of resting entities exceeds the frame");
         return !ended();
     }
 
-    // At rest in base, and now it is not, or lies elsewhere.
+    // For an entity at rest in the baseline that woke or moved.
     bool pose_of_woken(EntityState& state, const Survivor& s, const Spacing& t) {
         state.at_rest = coder_.bit(models_.stays_at_rest, state.at_rest);
         return pose(state, s, t);
@@ -261,21 +265,21 @@ private:
     static std::size_t width_of(std::int64_t v, unsigned most) {
         return std::min(bit_width(static_cast<std::uint64_t>(v < 0 ? -v : v)), most);
     }
-    // -4 and below, -3 and -2, -1, 0, 1, 2 and 3, 4 and above.
+    // Classes: -4 and below, -3 and -2, -1, 0, 1, 2 and 3, 4 and above.
     static std::size_t signed_class(std::int64_t v) {
         if (v < 0) return v <= -4 ? 0 : v <= -2 ? 1 : 2;
         return v >= 4 ? 6 : v >= 2 ? 5 : v == 1 ? 4 : 3;
     }
     static std::size_t size_class(std::int64_t v) { return v == 0 ? 0 : v <= 3 ? 1 : 2; }
     static std::int64_t size_of(std::int64_t v) { return v < 0 ? -v : v; }
-    // Numbers are told along the way that an entity moves, or else bends.
+    // Residuals are coded along the direction of motion, or else of the acceleration.
     static bool backwards(std::int64_t step, std::int64_t acceleration) {
         return step != 0 ? step < 0 : acceleration < 0;
     }
 
     bool pose(EntityState& state, const Survivor& s, const Spacing& t) {
         const Prediction p = predict(*s.baseline, s.baseline2, s.baseline3, t, spec_);
-        std::int64_t off = 0;  // sum of the magnitudes so far
+        std::int64_t off = 0;  // sum of the coded magnitudes
         for (std::size_t k = 0; k < 3; k++) {
             const std::int64_t acceleration = p.position_acceleration[k];
             const bool back = backwards(p.position_step[k], acceleration);
@@ -289,7 +293,7 @@ private:
             const std::int64_t coded =
                 number(m, models_.position_tail[step], back ? -error : error);
             const std::int64_t v = p.position[k] + (back ? -coded : coded);
-            if (!is_position(v)) return fail("a position out of range");
+            if (!is_position(v)) return fail("position out of range");
             state.position[k] = static_cast<std::int32_t>(v);
             off += size_of(coded);
         }
@@ -298,7 +302,7 @@ private:
 
     bool turn(EntityState& state, const Prediction& p, bool moved_off) {
         largest(state, p);
-        // As a rotation whose largest component is that one would have them.
+        // Components in the order for the coded largest component.
         std::array<std::int64_t, 3> r{}, step{}, acceleration{};
         const std::int64_t sign = p.rotation[state.largest] < 0 ? -1 : 1;
         std::int64_t change = 0;
@@ -326,7 +330,8 @@ private:
         return rotation(state, r);
     }
 
-    // Which component is left out: the predicted one mostly, the less so the less it leads.
+    // Codes the index of the omitted component. It usually is the predicted one; the likelihood
+    // decreases with its lead over the others.
     void largest(EntityState& state, const Prediction& p) {
         std::int64_t second = 0;
         for (std::size_t k = 0; k < 4; k++)
@@ -336,10 +341,10 @@ private:
             state.largest = p.largest;
             return;
         }
-        const unsigned on = (state.largest - p.largest - 1u) & 3;  // 0, 1 or 2
+        const unsigned offset = (state.largest - p.largest - 1u) & 3;  // 0, 1 or 2
         unsigned coded = 2;
-        if (!coder_.bit(models_.other_largest[0], on == 2))
-            coded = coder_.bit(models_.other_largest[1], on == 1) ? 1 : 0;
+        if (!coder_.bit(models_.other_largest[0], offset == 2))
+            coded = coder_.bit(models_.other_largest[1], offset == 1) ? 1 : 0;
         state.largest = static_cast<std::uint8_t>((p.largest + 1 + coded) & 3);
     }
 
@@ -347,7 +352,7 @@ private:
     FrameModels& models_;
     const QuantSpec spec_;
     std::string fault_;
-    std::size_t unchanged_after_ = 0;  // Succession::unchanged_after
+    std::size_t unchanged_after_ = 0;  // EntityDiff::unchanged_after
 };
 
 }  // namespace jostle::wire

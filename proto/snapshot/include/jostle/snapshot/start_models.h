@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// How codec 2's models begin, a letter for each in the order of FrameModels (WIRE.md, "How models
-// begin"): trained over scenes, written by bench/train_start_models.cpp. [0]: for bases one or two
-// ticks back, [1]: for older ones.
+// Initial models of codec 2, one letter per model in the order of FrameModels (WIRE.md, "Initial
+// models"). Trained on scenes and written by bench/train_start_models.cpp. [0]: for baselines that
+// are one or two ticks old; [1]: for older ones.
 #pragma once
 
 #include <string_view>

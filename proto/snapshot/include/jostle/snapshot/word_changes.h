@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A list of words as what changed in it since the list before (WIRE.md, "Driven things").
+// Delta encoding of a list of words against the previous list (WIRE.md, "Controlled entity").
 #pragma once
 
 #include <cstdint>
@@ -13,17 +13,17 @@
 namespace jostle::wire {
 
 struct WordChanges {
-    std::string changed;  // a bit for each word, the lowest first; zeros at the end are left out
-    std::string values;   // of these words, 4 bytes each, little-endian
+    std::string changed;  ///< one bit per word, lowest bit first; trailing zero bytes are omitted
+    std::string values;   ///< the changed words, 4 bytes each, little-endian
 };
 
-inline constexpr std::size_t words_max = 16 * 1024;  // of a list
+inline constexpr std::size_t words_max = 16 * 1024;  ///< maximum length of a list
 
-// Words that `before` does not have count as 0 there.
+/// Encodes the differences. Words that `before` does not have count as 0.
 WordChanges changes_between(std::span<const std::uint32_t> before,
                             std::span<const std::uint32_t> now);
-// The list of `size` words. corrupt_data: it is too long, or the bytes, which are foreign, do not
-// belong together.
+/// Returns the list of `size` words. Returns corrupt_data if the list is too long or the untrusted
+/// bytes are inconsistent.
 Result<std::vector<std::uint32_t>> apply_changes(std::span<const std::uint32_t> before,
                                                  std::size_t size, std::string_view changed,
                                                  std::string_view values);

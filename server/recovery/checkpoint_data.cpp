@@ -13,11 +13,11 @@ namespace jostle::server {
 namespace {
 
 constexpr std::uint64_t checkpoint_version = 1;
-// Of one world, unpacked: fifty thousand bodies take a fifth of it.
+// Decompressed size of one world; 50,000 bodies take a fifth of it.
 constexpr std::size_t checkpoint_bytes_max = std::size_t{1} << 30;
 
 Error not_a_checkpoint(const std::string& why) {
-    return {ErrorCode::corrupt_data, "what is kept of a world " + why};
+    return {ErrorCode::corrupt_data, "corrupt checkpoint: " + why};
 }
 
 }  // namespace
@@ -36,20 +36,21 @@ Result<CheckpointData> encode_checkpoint(const CheckpointCopy& checkpoint_copy) 
 }
 
 Result<DecodedCheckpoint> decode_checkpoint(std::string_view bytes, std::uint64_t hash) {
-    const Result<std::string> whole = decompress(bytes, checkpoint_bytes_max);
-    if (!whole.ok()) return whole.error();
-    ByteReader from(*whole);
+    const Result<std::string> decompressed = decompress(bytes, checkpoint_bytes_max);
+    if (!decompressed.ok()) return decompressed.error();
+    ByteReader from(*decompressed);
     if (const std::uint64_t version = from.number(); version != checkpoint_version)
-        return not_a_checkpoint("is of version " + std::to_string(version) +
-                                "; this server reads " + std::to_string(checkpoint_version));
-    const std::string_view image_bytes = from.text(), saved = from.text();
-    if (!from.ok()) return not_a_checkpoint("ends too early");
-    if (!from.at_end()) return not_a_checkpoint("goes on after its end");
-    Result<SavedHostState> host_state = decode_host_state(image_bytes);
+        return not_a_checkpoint("version " + std::to_string(version) +
+                                "; this server reads version " +
+                                std::to_string(checkpoint_version));
+    const std::string_view host_state_bytes = from.text(), saved = from.text();
+    if (!from.ok()) return not_a_checkpoint("unexpected end of data");
+    if (!from.at_end()) return not_a_checkpoint("data after the end");
+    Result<SavedHostState> host_state = decode_host_state(host_state_bytes);
     if (!host_state.ok()) return host_state.error();
     Result<physics::World> world = physics::load(std::as_bytes(std::span(saved)));
     if (!world.ok()) return world.error();
-    if (physics::state_hash(*world) != hash) return not_a_checkpoint("has another hash");
+    if (physics::state_hash(*world) != hash) return not_a_checkpoint("state hash mismatch");
     return DecodedCheckpoint{*std::move(world), *std::move(host_state)};
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A hosted world as bytes: its bodies, and what it is beside them.
+// Encodes a hosted world: its bodies and its host state.
 #pragma once
 
 #include <cstdint>
@@ -17,14 +17,14 @@ struct CheckpointData {
     std::uint64_t hash = 0;  // of the state of the bodies
     std::string bytes;
 };
-// Takes tens of milliseconds for thousands of bodies: not for a tick's thread.
+// Takes tens of milliseconds for thousands of bodies: do not call on a tick thread.
 Result<CheckpointData> encode_checkpoint(const CheckpointCopy& checkpoint_copy);
 
 struct DecodedCheckpoint {
     physics::World bodies;
     SavedHostState host_state;
 };
-// corrupt_data: the bytes are no such image, or their hash is another one.
+// corrupt_data: the bytes are not a checkpoint, or the state hash differs from `hash`.
 Result<DecodedCheckpoint> decode_checkpoint(std::string_view bytes, std::uint64_t hash);
 
 }  // namespace jostle::server

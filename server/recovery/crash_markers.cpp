@@ -23,10 +23,10 @@ namespace {
 static_assert(std::atomic<std::uint32_t>::is_always_lock_free);
 static_assert(sizeof(CrashMarker::Slot) == 52);
 
-std::atomic<CrashMarkers*> counted{nullptr};
+std::atomic<CrashMarkers*> active_markers{nullptr};
 
 void on_fatal_signal(int number) {
-    if (CrashMarkers* const marks = counted.load()) marks->on_crash();
+    if (CrashMarkers* const marks = active_markers.load()) marks->on_crash();
     std::signal(number, SIG_DFL);
     raise(number);
 }
@@ -43,8 +43,9 @@ Result<std::unique_ptr<CrashMarkers>> CrashMarkers::open(const std::string& path
     };
     const int file = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
     if (file < 0) return failed();
-    struct stat is {};
-    const bool fits = fstat(file, &is) == 0 && static_cast<std::size_t>(is.st_size) == sizeof(File);
+    struct stat info {};
+    const bool fits =
+        fstat(file, &info) == 0 && static_cast<std::size_t>(info.st_size) == sizeof(File);
     void* at = MAP_FAILED;
     if (fits || (ftruncate(file, 0) == 0 && ftruncate(file, sizeof(File)) == 0))
         at = mmap(nullptr, sizeof(File), PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
@@ -56,7 +57,7 @@ Result<std::unique_ptr<CrashMarkers>> CrashMarkers::open(const std::string& path
         std::memset(at, 0, sizeof(File));
         std::memcpy(mapped->mark, File::written_mark, sizeof mapped->mark);
     }
-    // What ran when the process was killed did not crash.
+    // Ticks that ran when the process was killed did not crash.
     for (CrashMarker::Slot& slot : mapped->slots) {
         slot.running_tick.store(0);
         slot.world[sizeof slot.world - 1] = '\0';
@@ -66,7 +67,7 @@ Result<std::unique_ptr<CrashMarkers>> CrashMarkers::open(const std::string& path
 
 CrashMarkers::~CrashMarkers() {
     CrashMarkers* self = this;
-    counted.compare_exchange_strong(self, nullptr);
+    active_markers.compare_exchange_strong(self, nullptr);
     munmap(file_, sizeof(File));
 }
 
@@ -99,7 +100,7 @@ void CrashMarkers::on_crash() {
 }
 
 void CrashMarkers::count_fatal_signals(CrashMarkers* marks) {
-    counted.store(marks);
+    active_markers.store(marks);
     struct sigaction action {};
     action.sa_handler = marks ? on_fatal_signal : SIG_DFL;
     for (const int number : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT})

@@ -14,12 +14,12 @@ namespace {
 
 using physics::Vec3;
 
-// docs/design/format_changes.md. Version 2 has no rewinds.
+// See docs/design/format_changes.md. Version 2 has no rewinds.
 constexpr std::uint64_t journal_version = 3, oldest_version = 2;
-constexpr std::uint64_t only_counted = 255;  // in place of a kind
+constexpr std::uint64_t no_action = 255;  // in place of an action kind
 
-// One function for each kind of action says what it consists of; it is written with one of these
-// and read with the other.
+// visit_action() lists the fields of each kind of action once; a JournalWriter writes them, a
+// JournalReader reads them.
 struct JournalWriter {
     ByteWriter to;
 
@@ -52,9 +52,9 @@ struct JournalReader {
     void operator()(std::string& value) { value = from.text(); }
     template <class Value>
     void operator()(std::optional<Value>& value) {
-        bool there = false;
-        (*this)(there);
-        if (there) (*this)(value.emplace());
+        bool present = false;
+        (*this)(present);
+        if (present) (*this)(value.emplace());
     }
     void operator()(Vec3& v) { v.x = from.real(), v.y = from.real(), v.z = from.real(); }
     void operator()(physics::Quat& q) {
@@ -101,11 +101,11 @@ void visit_action(Visitor& v, Command& c) {
     }
 }
 
-// Numbers of kinds are places in Action: a new kind goes to its end.
+// The number of a kind is its index in Action: append new kinds at the end.
 template <std::size_t kind = 0>
-bool make_action(std::uint64_t wanted, Action& action) {
+bool make_action(std::uint64_t index, Action& action) {
     if constexpr (kind < std::variant_size_v<Action>) {
-        if (wanted != kind) return make_action<kind + 1>(wanted, action);
+        if (index != kind) return make_action<kind + 1>(index, action);
         action.emplace<kind>();
         return true;
     } else {
@@ -114,20 +114,20 @@ bool make_action(std::uint64_t wanted, Action& action) {
 }
 
 Error not_a_journal(const std::string& why) {
-    return {ErrorCode::corrupt_data, "what is kept of the commands of a world " + why};
+    return {ErrorCode::corrupt_data, "corrupt journal record: " + why};
 }
 
 Status read_command(JournalReader& reader, JournaledCommand& command) {
     command.client = reader.from.small();
     command.sequence = reader.from.small();
     const std::uint64_t kind = reader.from.number();
-    if (reader.from.ok() && kind != only_counted) {
+    if (reader.from.ok() && kind != no_action) {
         if (!make_action(kind, command.action.emplace()))
-            return not_a_journal("has a command of kind " + std::to_string(kind));
+            return not_a_journal("unknown command kind " + std::to_string(kind));
         std::visit([&](auto& action) { visit_action(reader, action); }, *command.action);
     }
-    if (!reader.status.ok()) return not_a_journal("has a " + reader.status.error().message);
-    if (!reader.from.ok()) return not_a_journal("ends too early");
+    if (!reader.status.ok()) return not_a_journal(reader.status.error().message);
+    if (!reader.from.ok()) return not_a_journal("unexpected end of data");
     return {};
 }
 
@@ -139,7 +139,7 @@ void write_ticks(JournalWriter& writer, const std::vector<JournaledTick>& ticks)
         for (const JournaledCommand& command : tick.commands) {
             writer.to.number(command.client);
             writer.to.number(command.sequence);
-            writer.to.number(command.action ? command.action->index() : only_counted);
+            writer.to.number(command.action ? command.action->index() : no_action);
             if (command.action)
                 std::visit([&](const auto& action) { visit_action(writer, action); },
                            *command.action);
@@ -153,7 +153,7 @@ Status read_ticks(JournalReader& reader, std::vector<JournaledTick>& ticks) {
         tick.tick = reader.from.small();
         const std::uint32_t last = ticks.size() > 1 ? ticks[ticks.size() - 2].tick : 0;
         if (reader.from.ok() && tick.tick <= last)
-            return not_a_journal("has tick " + std::to_string(tick.tick) + " out of order");
+            return not_a_journal("tick " + std::to_string(tick.tick) + " is out of order");
         for (std::size_t more = reader.from.count(); more > 0; more--)
             if (Status s = read_command(reader, tick.commands.emplace_back()); !s.ok()) return s;
     }
@@ -161,44 +161,44 @@ Status read_ticks(JournalReader& reader, std::vector<JournaledTick>& ticks) {
 }
 
 Status read_paused_ticks(JournalReader& reader, std::vector<TickRange>& paused_ticks) {
-    std::uint32_t before = 0;
+    std::uint32_t previous = 0;
     for (std::size_t left = reader.from.count(); left > 0; left--) {
         const std::uint32_t first = reader.from.small(), last = reader.from.small();
-        if (!reader.from.ok()) return not_a_journal("ends too early");
-        if (first <= before || last < first)
-            return not_a_journal("has ticks " + std::to_string(first) + " to " +
-                                 std::to_string(last) + " out of order");
-        paused_ticks.push_back({first, before = last});
+        if (!reader.from.ok()) return not_a_journal("unexpected end of data");
+        if (first <= previous || last < first)
+            return not_a_journal("ticks " + std::to_string(first) + " to " + std::to_string(last) +
+                                 " are out of order");
+        paused_ticks.push_back({first, previous = last});
     }
     return {};
 }
 
-Status read_rewind(JournalReader& reader, JournalSegment& batch) {
-    bool there = false;
-    reader(there);
-    if (!there) return {};
-    Rewind& rewind = batch.rewind.emplace();
+Status read_rewind(JournalReader& reader, JournalSegment& segment) {
+    bool present = false;
+    reader(present);
+    if (!present) return {};
+    Rewind& rewind = segment.rewind.emplace();
     reader(rewind.tick), reader(rewind.to);
-    if (!reader.from.ok()) return not_a_journal("ends too early");
+    if (!reader.from.ok()) return not_a_journal("unexpected end of data");
     if (rewind.to >= rewind.tick)
-        return not_a_journal("goes back from tick " + std::to_string(rewind.tick) + " to " +
-                             std::to_string(rewind.to));
-    if (!batch.ticks.empty() || !batch.paused_ticks.empty())
-        return not_a_journal("goes back in the midst of other ticks");
+        return not_a_journal("invalid rewind from tick " + std::to_string(rewind.tick) +
+                             " to tick " + std::to_string(rewind.to));
+    if (!segment.ticks.empty() || !segment.paused_ticks.empty())
+        return not_a_journal("rewind mixed with other ticks");
     return {};
 }
 
 }  // namespace
 
-std::string encode_journal(const JournalSegment& batch) {
+std::string encode_journal(const JournalSegment& segment) {
     JournalWriter writer;
     writer.to.number(journal_version);
-    write_ticks(writer, batch.ticks);
-    writer.to.number(batch.paused_ticks.size());
-    for (const TickRange& range : batch.paused_ticks)
+    write_ticks(writer, segment.ticks);
+    writer.to.number(segment.paused_ticks.size());
+    for (const TickRange& range : segment.paused_ticks)
         writer.to.number(range.first), writer.to.number(range.last);
-    writer(batch.rewind.has_value());
-    if (batch.rewind) writer(batch.rewind->tick), writer(batch.rewind->to);
+    writer(segment.rewind.has_value());
+    if (segment.rewind) writer(segment.rewind->tick), writer(segment.rewind->to);
     return writer.to.take();
 }
 
@@ -206,17 +206,17 @@ Result<JournalSegment> decode_journal(std::string_view bytes) {
     JournalReader reader{ByteReader(bytes), {}};
     const std::uint64_t version = reader.from.number();
     if (version < oldest_version || version > journal_version)
-        return not_a_journal("is of version " + std::to_string(version) + "; this server reads " +
-                             std::to_string(oldest_version) + " to " +
-                             std::to_string(journal_version));
-    JournalSegment batch;
-    if (Status s = read_ticks(reader, batch.ticks); !s.ok()) return s.error();
-    if (Status s = read_paused_ticks(reader, batch.paused_ticks); !s.ok()) return s.error();
+        return not_a_journal("version " + std::to_string(version) +
+                             "; this server reads versions " + std::to_string(oldest_version) +
+                             " to " + std::to_string(journal_version));
+    JournalSegment segment;
+    if (Status s = read_ticks(reader, segment.ticks); !s.ok()) return s.error();
+    if (Status s = read_paused_ticks(reader, segment.paused_ticks); !s.ok()) return s.error();
     if (version >= 3)
-        if (Status s = read_rewind(reader, batch); !s.ok()) return s.error();
-    if (!reader.from.ok()) return not_a_journal("ends too early");
-    if (!reader.from.at_end()) return not_a_journal("goes on after its end");
-    return batch;
+        if (Status s = read_rewind(reader, segment); !s.ok()) return s.error();
+    if (!reader.from.ok()) return not_a_journal("unexpected end of data");
+    if (!reader.from.at_end()) return not_a_journal("data after the end");
+    return segment;
 }
 
 }  // namespace jostle::server

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What was done to a world in some ticks, as bytes: with the world as it was before, enough to have
-// the world as it was after.
+// Encodes the commands of a range of ticks. With the world before these ticks, they reproduce the
+// world after them.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ struct TickRange {
     bool operator==(const TickRange&) const = default;
 };
 
-// In that tick the world became what it was after an earlier one.
+// In tick `tick` the world was rewound to its state after the earlier tick `to`.
 struct Rewind {
     std::uint32_t tick = 0, to = 0;
 
@@ -29,16 +29,16 @@ struct Rewind {
 };
 
 struct JournalSegment {
-    // In rising order; those in which nothing was done are left out.
+    // In ascending order; ticks without commands are omitted.
     std::vector<JournaledTick> ticks;
-    // In rising order: the world was not stepped in them, as when it is paused.
+    // In ascending order: ticks in which the world was not stepped, for example while paused.
     std::vector<TickRange> paused_ticks;
-    // Then it is all that the batch has.
+    // If set, the segment contains nothing else.
     std::optional<Rewind> rewind = {};
 };
 
-std::string encode_journal(const JournalSegment& batch);
-// corrupt_data: the bytes are no such batch.
+std::string encode_journal(const JournalSegment& segment);
+// corrupt_data: the bytes are not a journal segment.
 Result<JournalSegment> decode_journal(std::string_view bytes);
 
 }  // namespace jostle::server

@@ -10,123 +10,124 @@
 namespace jostle::server {
 namespace {
 
-constexpr std::size_t entries_bytes_max = 8 << 20;  // in memory at once
-constexpr std::size_t entry_bytes_max = 64 << 20;   // unpacked
+constexpr std::size_t entries_bytes_max = 8 << 20;  // memory limit of one read
+constexpr std::size_t entry_bytes_max = 64 << 20;   // decompressed
 
-std::string said(const std::string& what, const Error& error) {
+std::string describe(const std::string& what, const Error& error) {
     return what + ": " + error.message;
 }
 
 class Recovery {
 public:
-    Recovery(WorldStorage& store, const StoredWorld& stored, const WorldDefinition& record,
+    Recovery(WorldStorage& storage, const StoredWorld& stored, const WorldDefinition& definition,
              const RecoveryOptions& options)
-        : store_(store), stored_(stored), record_(record), options_(options) {}
+        : storage_(storage), stored_(stored), definition_(definition), options_(options) {}
 
     Result<RecoveredWorld> run() {
-        Result<std::vector<std::uint32_t>> ticks = store_.checkpoint_ticks(stored_.id);
+        Result<std::vector<std::uint32_t>> ticks = storage_.checkpoint_ticks(stored_.id);
         if (!ticks.ok()) return ticks.error();
         if (options_.checkpoint)
             std::erase_if(*ticks, [&](std::uint32_t t) { return t != *options_.checkpoint; });
         if (options_.last_tick)
             std::erase_if(*ticks, [&](std::uint32_t t) { return t > *options_.last_tick; });
         if (ticks->empty())
-            return Error{ErrorCode::not_found, "no checkpoint of world " + stored_.id +
-                                                   " is kept from which it could be had"};
+            return Error{ErrorCode::not_found,
+                         "world " + stored_.id + " has no checkpoint to recover from"};
         Error last;
         for (const std::uint32_t tick : *ticks) {
             Result<RecoveredWorld> world = from_checkpoint(tick);
-            if (world.ok()) return go_on(*std::move(world));
+            if (world.ok()) return replay_journal(*std::move(world));
             last = world.error();
-            remarks_.push_back(said("the checkpoint of tick " + std::to_string(tick), last));
+            warnings_.push_back(describe("the checkpoint of tick " + std::to_string(tick), last));
         }
         return last;
     }
 
 private:
     Result<RecoveredWorld> from_checkpoint(std::uint32_t tick) {
-        const Result<Checkpoint> kept = store_.checkpoint(stored_.id, tick);
-        if (!kept.ok()) return kept.error();
-        Result<DecodedCheckpoint> saved = decode_checkpoint(kept->exact, kept->hash);
+        const Result<Checkpoint> stored_checkpoint = storage_.checkpoint(stored_.id, tick);
+        if (!stored_checkpoint.ok()) return stored_checkpoint.error();
+        Result<DecodedCheckpoint> saved =
+            decode_checkpoint(stored_checkpoint->exact, stored_checkpoint->hash);
         if (!saved.ok()) return saved.error();
         if (Status s = saved->bodies.set_threads(options_.threads); !s.ok()) return s.error();
         Result<HostedWorld> world =
-            HostedWorld::restore(std::move(saved->bodies), saved->host_state, record_.limits,
-                                 record_.scene->hz, record_.work_per_second);
+            HostedWorld::restore(std::move(saved->bodies), saved->host_state, definition_.limits,
+                                 definition_.scene->hz, definition_.work_per_second);
         if (!world.ok()) return world.error();
         return RecoveredWorld{.world = *std::move(world),
-                              .tick = kept->tick,
-                              .checkpoint = kept->tick,
-                              .sequence = kept->sequence};
+                              .tick = stored_checkpoint->tick,
+                              .checkpoint = stored_checkpoint->tick,
+                              .sequence = stored_checkpoint->sequence};
     }
 
-    Result<RecoveredWorld> go_on(RecoveredWorld world) {
+    Result<RecoveredWorld> replay_journal(RecoveredWorld world) {
         if (stored_.engine != build_engine_id())
-            remarks_.push_back("it was kept by \"" + stored_.engine + "\" and goes on with \"" +
-                               build_engine_id() +
-                               "\": what is done again may come out a little otherwise");
+            warnings_.push_back("saved by \"" + stored_.engine + "\", resumed by \"" +
+                                build_engine_id() + "\": replayed ticks may differ slightly");
         if (Status s = find_chain(world); !s.ok()) return s.error();
         for (bool more = true; more;) {
             const Result<std::vector<JournalEntry>> entries =
-                store_.entries(stored_.id, world.sequence, entries_bytes_max);
+                storage_.entries(stored_.id, world.sequence, entries_bytes_max);
             if (!entries.ok()) {
-                remarks_.push_back(
-                    said("what was done after tick " + std::to_string(world.tick) + " is lost",
-                         entries.error()));
+                warnings_.push_back(
+                    describe("everything after tick " + std::to_string(world.tick) + " is lost",
+                             entries.error()));
                 break;
             }
             more = !entries->empty();
             for (const JournalEntry& entry : *entries)
                 if (!more || !(more = apply(entry, world))) break;
         }
-        world.warnings = std::move(remarks_);
+        world.warnings = std::move(warnings_);
         return world;
     }
 
-    // The chain of the entry that the checkpoint ends with.
+    // Reads the chain value of the last entry contained in the checkpoint.
     Status find_chain(RecoveredWorld& world) {
         if (world.sequence == 0) return {};
         const Result<std::vector<JournalEntry>> last =
-            store_.entries(stored_.id, world.sequence - 1, 0);
+            storage_.entries(stored_.id, world.sequence - 1, 0);
         if (!last.ok()) return last.error();
         if (!last->empty() && last->front().sequence == world.sequence)
             world.chain = last->front().chain;
         return {};
     }
 
-    // False: the world goes no further.
+    // Returns false if the world cannot be replayed further.
     bool apply(const JournalEntry& entry, RecoveredWorld& world) {
         const auto lost = [&](const Error& error) {
-            remarks_.push_back(
-                said("what was done after tick " + std::to_string(world.tick) + " is lost", error));
+            warnings_.push_back(describe(
+                "everything after tick " + std::to_string(world.tick) + " is lost", error));
             return false;
         };
         const Result<std::string> data = decompress(entry.data, entry_bytes_max);
         if (!data.ok()) return lost(data.error());
-        const Result<JournalSegment> batch = decode_journal(*data);
-        if (!batch.ok()) return lost(batch.error());
+        const Result<JournalSegment> segment = decode_journal(*data);
+        if (!segment.ok()) return lost(segment.error());
         if (entry.first_tick != world.tick + 1 || entry.last_tick < entry.first_tick)
             return lost({ErrorCode::corrupt_data, "entry " + std::to_string(entry.sequence) +
-                                                      " is of ticks " +
+                                                      " has unexpected ticks " +
                                                       std::to_string(entry.first_tick) + " to " +
                                                       std::to_string(entry.last_tick)});
-        if (batch->rewind) {
+        if (segment->rewind) {
             if (options_.last_tick && world.tick >= *options_.last_tick) return false;
-            if (Status s = rewind_to(*batch->rewind, entry, world); !s.ok()) return lost(s.error());
+            if (Status s = rewind_to(*segment->rewind, entry, world); !s.ok())
+                return lost(s.error());
         }
-        auto tick = batch->ticks.begin();
-        auto paused_ticks = batch->paused_ticks.begin();
+        auto tick = segment->ticks.begin();
+        auto paused_ticks = segment->paused_ticks.begin();
         while (world.tick < entry.last_tick) {
             if (options_.last_tick && world.tick >= *options_.last_tick) return false;
             const std::uint32_t now = ++world.tick;
-            while (paused_ticks != batch->paused_ticks.end() && paused_ticks->last < now)
+            while (paused_ticks != segment->paused_ticks.end() && paused_ticks->last < now)
                 ++paused_ticks;
-            const bool stands =
-                paused_ticks != batch->paused_ticks.end() && paused_ticks->first <= now;
-            const bool busy = tick != batch->ticks.end() && tick->tick == now;
-            static const JournaledTick quiet;
-            const JournaledTick& done = busy ? *tick++ : quiet;
-            replay(world.world, {now, done.commands}, stands);
+            const bool paused =
+                paused_ticks != segment->paused_ticks.end() && paused_ticks->first <= now;
+            const bool busy = tick != segment->ticks.end() && tick->tick == now;
+            static const JournaledTick empty_tick;
+            const JournaledTick& done = busy ? *tick++ : empty_tick;
+            replay(world.world, {now, done.commands}, paused);
         }
         world.sequence = entry.sequence;
         world.chain = entry.chain;
@@ -134,55 +135,55 @@ private:
     }
 
     Status rewind_to(const Rewind& rewind, const JournalEntry& entry, RecoveredWorld& world) {
-        const std::string from_to = "tick " + std::to_string(rewind.tick) + " went back to tick " +
-                                    std::to_string(rewind.to);
+        const std::string context = "rewind from tick " + std::to_string(rewind.tick) +
+                                    " to tick " + std::to_string(rewind.to);
         if (rewind.tick != entry.first_tick || rewind.tick != entry.last_tick)
-            return Error{ErrorCode::corrupt_data, from_to + " in an entry of others"};
+            return Error{ErrorCode::corrupt_data, context + " in an entry with other ticks"};
         if (options_.rewinds_max == 0)
             return Error{ErrorCode::resource_exhausted,
-                         from_to + ": too many such lie within one another"};
-        Result<RecoveredWorld> then = recover_world(store_, stored_, record_,
+                         context + ": rewinds are nested too deeply"};
+        Result<RecoveredWorld> past = recover_world(storage_, stored_, definition_,
                                                     {.last_tick = rewind.to,
                                                      .threads = options_.threads,
                                                      .rewinds_max = options_.rewinds_max - 1,
                                                      .may_apply = options_.may_apply});
-        if (!then.ok()) return Error{then.error().code, from_to + ": " + then.error().message};
-        if (then->tick != rewind.to)
-            return Error{ErrorCode::not_found, from_to + ", which is not kept any longer"};
-        then->world.continue_from(world.world);
-        world.world = std::move(then->world);
+        if (!past.ok()) return Error{past.error().code, context + ": " + past.error().message};
+        if (past->tick != rewind.to)
+            return Error{ErrorCode::not_found, context + ": that tick is no longer retained"};
+        past->world.continue_from(world.world);
+        world.world = std::move(past->world);
         world.tick = rewind.tick;
         if (options_.after_tick) options_.after_tick(world.world, world.tick);
         return {};
     }
 
-    void replay(HostedWorld& world, const JournaledTick& tick, bool stands) {
+    void replay(HostedWorld& world, const JournaledTick& tick, bool paused) {
         const bool admitted = !options_.may_apply || options_.may_apply(tick);
         for (const JournaledCommand& command : tick.commands) {
             if (admitted)
                 world.replay(command);
-            else if (command.sequence != 0)  // nobody says it again
+            else if (command.sequence != 0)  // a command without a sequence is never resent
                 world.replay({command.client, command.sequence, std::nullopt});
         }
-        // One that is refused was refused then, too.
-        if (!stands) static_cast<void>(world.step(1 / record_.scene->hz, tick.tick + 1).ok());
+        // A step that is rejected now was rejected in the original run, too.
+        if (!paused) static_cast<void>(world.step(1 / definition_.scene->hz, tick.tick + 1).ok());
         static_cast<void>(world.newly_quarantined());
         if (options_.after_tick) options_.after_tick(world, tick.tick);
     }
 
-    WorldStorage& store_;
+    WorldStorage& storage_;
     const StoredWorld& stored_;
-    const WorldDefinition& record_;
+    const WorldDefinition& definition_;
     const RecoveryOptions& options_;
-    std::vector<std::string> remarks_;
+    std::vector<std::string> warnings_;
 };
 
 }  // namespace
 
-Result<RecoveredWorld> recover_world(WorldStorage& store, const StoredWorld& stored,
-                                     const WorldDefinition& record,
+Result<RecoveredWorld> recover_world(WorldStorage& storage, const StoredWorld& stored,
+                                     const WorldDefinition& definition,
                                      const RecoveryOptions& options) {
-    return Recovery(store, stored, record, options).run();
+    return Recovery(storage, stored, definition, options).run();
 }
 
 }  // namespace jostle::server

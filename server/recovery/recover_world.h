@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A world from the store: its newest checkpoint that is whole, and then again what was done to it.
+// Recovers a world from storage: loads its newest intact checkpoint and replays the journal.
 #pragma once
 
 #include <cstdint>
@@ -18,26 +18,27 @@ namespace jostle::server {
 
 struct RecoveredWorld {
     HostedWorld world;
-    std::uint32_t tick = 0;        // the last one that is in it
-    std::uint32_t checkpoint = 0;  // the tick of the one that it came from
+    std::uint32_t tick = 0;        // last applied tick
+    std::uint32_t checkpoint = 0;  // tick of the checkpoint it was recovered from
     std::uint64_t sequence = 0;
     Chain chain{};
-    // What was found to be damaged or done otherwise, each as a sentence.
+    // Damage found and deviations from the original run, one sentence each.
     std::vector<std::string> warnings;
 };
 
 struct RecoveryOptions {
-    std::optional<std::uint32_t> checkpoint = {};  // by its tick; nothing: the newest whole one
-    std::optional<std::uint32_t> last_tick = {};   // nothing: as far as the journal goes
+    std::optional<std::uint32_t> checkpoint = {};  // by its tick; empty: the newest intact one
+    std::optional<std::uint32_t> last_tick = {};   // empty: up to the end of the journal
     int threads = 1;
-    int rewinds_max = 16;  // that lie within one another
-    // Before each tick that is done again. False: its commands are counted and not done.
+    int rewinds_max = 16;  // maximum nesting depth
+    // Called before each replayed tick. False: its commands are counted but not executed.
     std::function<bool(const JournaledTick& tick)> may_apply = nullptr;
     std::function<void(const HostedWorld& world, std::uint32_t tick)> after_tick = nullptr;
 };
 
-// corrupt_data: no checkpoint is whole. not_found: there is none.
-Result<RecoveredWorld> recover_world(WorldStorage& store, const StoredWorld& stored,
-                                     const WorldDefinition& record, const RecoveryOptions& options);
+// corrupt_data: no checkpoint is intact. not_found: there is none.
+Result<RecoveredWorld> recover_world(WorldStorage& storage, const StoredWorld& stored,
+                                     const WorldDefinition& definition,
+                                     const RecoveryOptions& options);
 
 }  // namespace jostle::server

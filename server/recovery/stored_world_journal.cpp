@@ -12,9 +12,9 @@
 namespace jostle::server {
 namespace {
 
-// How far a world that nobody touches may be ahead of its journal.
-constexpr double client_timeout_seconds = 1;
-// What is as cheap to do again as to load is not written anew.
+// An idle world is flushed to its journal at least this often.
+constexpr double idle_flush_seconds = 1;
+// A checkpoint is not worth writing for less replay time than this, about the time to load it.
 constexpr double checkpoint_worth_ms = 50;
 constexpr std::size_t retained_checkpoints = 2;
 
@@ -76,7 +76,8 @@ StoredWorldJournal::StoredWorldJournal(std::string world, double hz,
       mark_(mark),
       settings_(std::move(settings)),
       position_(position) {
-    // When those of another process were taken is not known: they stay as if it were now.
+    // The times of checkpoints of an earlier process are unknown: they are retained as if taken
+    // now.
     for (const std::uint32_t tick : position.checkpoints)
         checkpoints_taken_.push_back({tick, Clock::now()});
 }
@@ -112,7 +113,7 @@ void StoredWorldJournal::append(ExecutedTick tick) {
         segment_.ticks.push_back({tick.tick, std::move(tick.commands)});
         changed_ = true;
     }
-    if (urgent || last_ - first_ + 1 >= client_timeout_seconds * hz_) flush();
+    if (urgent || last_ - first_ + 1 >= idle_flush_seconds * hz_) flush();
 }
 
 void StoredWorldJournal::on_published(double step_ms, std::vector<WaitingResult> results) {
@@ -126,7 +127,7 @@ void StoredWorldJournal::on_published(double step_ms, std::vector<WaitingResult>
         if (!safe) std::ranges::move(results, std::back_inserter(pending_results_->results));
     }
     if (safe) send_results(results);
-    // Of inputs that did nothing: they need not wait for what nobody did.
+    // Results of inputs without effect need not wait for the idle flush.
     flush();
 }
 
@@ -136,8 +137,8 @@ void StoredWorldJournal::send_results(std::vector<WaitingResult>& results) const
     if (settings_.on_results_sent) settings_.on_results_sent();
 }
 
-// What cannot be handed over now goes with the next tick: while the store is in trouble no inputs
-// are applied, so that it is little.
+// Entries that cannot be queued now are retried with the next tick. While storage fails, no inputs
+// are applied, so the pending segment stays small.
 void StoredWorldJournal::flush() {
     if (first_ == 0) return;
     JournalEntry entry{.sequence = position_.sequence + 1,
@@ -148,13 +149,13 @@ void StoredWorldJournal::flush() {
     const Chain chain = entry.chain = next_chain(position_.chain, entry.data);
     const bool pushed = writer_.push(
         AppendEntry{world_, std::move(entry)},
-        [telling = pending_results_, self = shared_from_this()](const Status& written) {
+        [pending = pending_results_, self = shared_from_this()](const Status& written) {
             if (!written.ok()) return self->on_write_failed(written.error());
             std::vector<WaitingResult> results;
             {
-                const std::lock_guard lock(telling->mutex);
-                telling->is_durable = true;
-                results.swap(telling->results);
+                const std::lock_guard lock(pending->mutex);
+                pending->is_durable = true;
+                results.swap(pending->results);
             }
             self->send_results(results);
         });
@@ -168,7 +169,7 @@ void StoredWorldJournal::flush() {
 void StoredWorldJournal::on_write_failed(const Error& error) {
     if (error.code == ErrorCode::aborted) return;
     const std::string why =
-        "the journal of world " + world_ + " is at odds with the store: " + error.message;
+        "the journal of world " + world_ + " conflicts with the database: " + error.message;
     log_error("{}", why);
     const std::lock_guard lock(mutex_);
     divergence_ = why;
@@ -183,35 +184,35 @@ bool StoredWorldJournal::wants_checkpoint() const {
 }
 
 void StoredWorldJournal::write_checkpoint(std::uint32_t tick,
-                                          std::shared_ptr<CheckpointCopier> taker) {
+                                          std::shared_ptr<CheckpointCopier> copier) {
     flush();
-    if (first_ != 0) return;  // the journal does not go as far as the moment
+    if (first_ != 0) return;  // the journal does not reach the checkpoint
     const TakenCheckpoint taken{tick, Clock::now()};
     const std::uint64_t sequence = position_.sequence;
     replay_ms_ = 0;
     changed_ = interrupted_ = false;
     last_checkpoint_at_ = taken.at;
     checkpoint_pending_ = true;
-    checkpoints_.push([self = shared_from_this(), taker = std::move(taker), taken, sequence] {
-        std::optional<CheckpointCopy> checkpoint_copy = taker->take();
-        Result<CheckpointData> host_state =
-            checkpoint_copy ? encode_checkpoint(*checkpoint_copy)
-                            : Error{ErrorCode::resource_exhausted, "there is no memory for it"};
+    checkpoints_.push([self = shared_from_this(), copier = std::move(copier), taken, sequence] {
+        std::optional<CheckpointCopy> checkpoint_copy = copier->take();
+        Result<CheckpointData> data = checkpoint_copy
+                                          ? encode_checkpoint(*checkpoint_copy)
+                                          : Error{ErrorCode::resource_exhausted, "out of memory"};
         if (checkpoint_copy) {
             const std::lock_guard lock(self->mutex_);
             self->spare_restore_point_ = std::move(checkpoint_copy->bodies);
         }
-        if (!host_state.ok()) {
-            log_error("world {}: no checkpoint of tick {}: {}", self->world_, taken.tick,
-                      host_state.error().message);
+        if (!data.ok()) {
+            log_error("world {}: cannot write the checkpoint of tick {}: {}", self->world_,
+                      taken.tick, data.error().message);
             self->checkpoint_pending_ = false;
             return;
         }
         const bool pushed = self->writer_.push(PutCheckpoint{self->world_,
                                                              {.tick = taken.tick,
-                                                              .hash = host_state->hash,
+                                                              .hash = data->hash,
                                                               .sequence = sequence,
-                                                              .exact = std::move(host_state->bytes),
+                                                              .exact = std::move(data->bytes),
                                                               .portable = {}}},
                                                [self, taken](const Status& written) {
                                                    self->checkpoint_pending_ = false;
@@ -229,12 +230,12 @@ physics::RestorePoint StoredWorldJournal::take_spare_restore_point() {
 void StoredWorldJournal::end(std::optional<CheckpointCopy> checkpoint_copy) {
     flush();
     if (!checkpoint_copy || failure_reason()) return;
-    auto kept = std::make_shared<CheckpointCopy>(*std::move(checkpoint_copy));
-    write_checkpoint(kept->tick,
-                     std::make_shared<CheckpointCopier>([kept] { return std::move(*kept); }));
+    auto copy = std::make_shared<CheckpointCopy>(*std::move(checkpoint_copy));
+    write_checkpoint(copy->tick,
+                     std::make_shared<CheckpointCopier>([copy] { return std::move(*copy); }));
 }
 
-// On the writer's thread.
+// Runs on the writer's thread.
 void StoredWorldJournal::trim_old(TakenCheckpoint newest) {
     std::uint32_t oldest = 0;
     {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Keeps one world in a store: what is done to it tick by tick, and now and then all of it, so that
-// to do it again from the last checkpoint never takes long.
+// Persists one world: journals its ticks, and writes checkpoints often enough that replaying the
+// journal from the last checkpoint is fast.
 #pragma once
 
 #include <atomic>
@@ -21,31 +21,33 @@
 namespace jostle::server {
 
 struct JournalSettings {
-    double checkpoint_interval_seconds = 60;  // between two, at most, of a world that moves
-    double replay_seconds_max = 2;            // that the steps since the last one took, at most
-    double history_retention_hours = 0;  // 0: the last two checkpoints, and what came after them
-    // After results were told, on the writer's thread: must only wake somebody.
+    // maximum interval of checkpoints of a world that moves
+    double checkpoint_interval_seconds = 60;
+    double replay_seconds_max = 2;  // maximum step time to replay since the last checkpoint
+    // 0: retain the last two checkpoints and the journal after them
+    double history_retention_hours = 0;
+    // Called on the writer's thread after results were sent; may only wake another thread.
     std::function<void()> on_results_sent;
 };
 
-// Where a world's journal stands.
+// The end of a world's journal.
 struct JournalPosition {
     std::uint64_t epoch = 0;     // of this process
     std::uint64_t sequence = 0;  // of the last entry
     Chain chain{};
-    std::vector<std::uint32_t> checkpoints = {};  // ticks of those in the store, rising
+    std::vector<std::uint32_t> checkpoints = {};  // ticks of the stored checkpoints, ascending
 };
 
-// Turns moments into checkpoints, one after the other, on a thread of its own.
+// Encodes checkpoint copies one after the other on its own thread.
 class CheckpointWriter {
 public:
     using Job = std::function<void()>;
 
     CheckpointWriter();
-    // Does what is still to be done.
+    // Runs the queued jobs first.
     ~CheckpointWriter();
     void push(Job job);
-    // Waits until all that was pushed has been done. False: not within that time.
+    // Waits until all queued jobs are done. Returns false on timeout.
     bool wait(Clock::duration timeout);
 
 private:
@@ -77,12 +79,12 @@ public:
     physics::RestorePoint take_spare_restore_point() override;
 
 private:
-    struct TakenCheckpoint {  // a checkpoint that is in the store
+    struct TakenCheckpoint {  // a checkpoint in storage
         std::uint32_t tick;
         Clock::time_point at;
     };
 
-    // Results are told when what they are results of is both shown and safe.
+    // Results are sent when their tick is both published and durable.
     struct PendingResults {
         std::mutex mutex;
         bool is_durable = false;
@@ -101,20 +103,20 @@ private:
     const CrashMarker mark_;
     const JournalSettings settings_;
 
-    // The world's thread's.
+    // Used by the world's thread only.
     JournalPosition position_;
     JournalSegment segment_;
-    std::uint32_t first_ = 0, last_ = 0;  // ticks of the batch; 0: none yet
-    // Of the newest entry; of the batch that is not handed over, if there is one.
+    std::uint32_t first_ = 0, last_ = 0;  // ticks of the segment; 0: none yet
+    // Of the pending segment, or of the newest entry if no segment is pending.
     std::shared_ptr<PendingResults> pending_results_ = std::make_shared<PendingResults>();
-    double replay_ms_ = 0;  // since the last checkpoint
-    bool changed_ = false;  // likewise: something was done
+    double replay_ms_ = 0;  // step time since the last checkpoint
+    bool changed_ = false;  // since the last checkpoint: commands were applied
     Clock::time_point last_checkpoint_at_ = Clock::now();
     bool interrupted_ = false;
 
     std::atomic<bool> checkpoint_pending_{false};
     mutable std::mutex mutex_;
-    std::optional<std::string> divergence_;  // what is stored contradicts us
+    std::optional<std::string> divergence_;  // the database contradicts this journal
     std::deque<TakenCheckpoint> checkpoints_taken_;
     physics::RestorePoint spare_restore_point_;
 };

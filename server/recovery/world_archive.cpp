@@ -40,7 +40,7 @@ std::vector<PreviousClient> previous_clients_of(const SavedHostState& host_state
 }
 
 Error slow() {
-    return {ErrorCode::unavailable, "the store does not answer; try again in a moment"};
+    return {ErrorCode::unavailable, "the database does not respond; retry later"};
 }
 
 CheckpointCopy checkpoint_copy_of(const HostedWorld& world, std::uint32_t tick) {
@@ -52,16 +52,16 @@ CheckpointCopy checkpoint_copy_of(const HostedWorld& world, std::uint32_t tick) 
 
 Result<Checkpoint> checkpoint_of(const HostedWorld& world, std::uint32_t tick,
                                  std::uint64_t sequence) {
-    Result<CheckpointData> host_state = encode_checkpoint(checkpoint_copy_of(world, tick));
-    if (!host_state.ok()) return host_state.error();
+    Result<CheckpointData> data = encode_checkpoint(checkpoint_copy_of(world, tick));
+    if (!data.ok()) return data.error();
     return Checkpoint{.tick = tick,
-                      .hash = host_state->hash,
+                      .hash = data->hash,
                       .sequence = sequence,
-                      .exact = std::move(host_state->bytes),
+                      .exact = std::move(data->bytes),
                       .portable = {}};
 }
 
-// "w12-ab34": 12.
+// "w12-ab34" returns 12.
 std::uint32_t number_of(const std::string& id) {
     std::uint32_t number = 0;
     if (!id.empty()) std::from_chars(id.data() + 1, id.data() + id.size(), number);
@@ -90,11 +90,11 @@ Result<std::unique_ptr<WorldArchive>> WorldArchive::open(const PersistenceSettin
                                                          const HostLimits& limits, int threads,
                                                          std::function<void()> on_results_sent,
                                                          const char* file_system) {
-    Result<std::unique_ptr<SqliteStorage>> store = SqliteStorage::open(
+    Result<std::unique_ptr<SqliteStorage>> storage = SqliteStorage::open(
         settings.database,
         {.durability = settings.durability == "process" ? Durability::process : Durability::machine,
          .file_system = file_system});
-    if (!store.ok()) return store.error();
+    if (!storage.ok()) return storage.error();
     std::unique_ptr<WorldArchive> archive(
         new WorldArchive(settings, limits, threads, std::move(on_results_sent)));
     const auto failed = [&](const Error& error) {
@@ -103,40 +103,42 @@ Result<std::unique_ptr<WorldArchive>> WorldArchive::open(const PersistenceSettin
     Result<std::unique_ptr<CrashMarkers>> marks = CrashMarkers::open(settings.database + ".marks");
     if (!marks.ok()) return marks.error();
     archive->marks_ = *std::move(marks);
-    if (Status s = archive->read_notes(**store); !s.ok()) return failed(s.error());
-    const Result<std::vector<StoredWorld>> worlds = (*store)->worlds();
+    if (Status s = archive->read_notes(**storage); !s.ok()) return failed(s.error());
+    const Result<std::vector<StoredWorld>> worlds = (*storage)->worlds();
     if (!worlds.ok()) return failed(worlds.error());
-    // Keepers of worlds that are taken up know the writer: it comes first, and has nothing to do.
-    WorldStorage& there = **store;
-    archive->writer_ = std::make_unique<StorageWriter>(*std::move(store), StorageWriterSettings{});
+    // The journals of loaded worlds refer to the writer, so it must exist first; its queue is
+    // empty.
+    WorldStorage& opened = **storage;
+    archive->writer_ =
+        std::make_unique<StorageWriter>(*std::move(storage), StorageWriterSettings{});
     CrashMarkers::count_fatal_signals(archive->marks_.get());
-    if (Status s = archive->load_worlds(there, *worlds); !s.ok()) return failed(s.error());
+    if (Status s = archive->load_worlds(opened, *worlds); !s.ok()) return failed(s.error());
     return archive;
 }
 
-Status WorldArchive::read_notes(WorldStorage& store) {
-    const auto secret = store.note(secret_note);
+Status WorldArchive::read_notes(WorldStorage& storage) {
+    const auto secret = storage.note(secret_note);
     if (!secret.ok()) return secret.error();
-    const auto clients = store.note(clients_note);
+    const auto clients = storage.note(clients_note);
     if (!clients.ok()) return clients.error();
     if (*secret) {
         secret_ = **secret;
     } else {
         secret_.resize(secret_bytes);
         if (::getentropy(secret_.data(), secret_.size()) != 0)
-            return Error{ErrorCode::unavailable, "the system gives no random bytes"};
+            return Error{ErrorCode::unavailable, "the operating system returned no random bytes"};
     }
     if (*clients) {
         ByteReader from(**clients);
         first_client_ = std::max<ClientId>(1, from.small());
         if (!from.ok() || !from.at_end())
-            return Error{ErrorCode::corrupt_data, "the note of client ids is none"};
+            return Error{ErrorCode::corrupt_data, "the note of client ids is corrupt"};
     }
     if (secret_.size() != secret_bytes || first_client_ > 0xffffffff - 2 * ids_per_reservation)
-        return Error{ErrorCode::corrupt_data, "a note is not what it was"};
+        return Error{ErrorCode::corrupt_data, "a note is out of range"};
     reserved_ = first_client_ + ids_per_reservation;
     const StorageChange changes[] = {PutNote{secret_note, secret_}, clients_note_of(reserved_)};
-    return store.write(changes);
+    return storage.write(changes);
 }
 
 void WorldArchive::on_client(ClientId next) {
@@ -154,86 +156,85 @@ bool WorldArchive::flush(Clock::duration within) {
     return checkpoints_->wait(within) && writer_->flush(until - Clock::now());
 }
 
-// --- worlds that come back ---
+// --- persisted worlds ---
 
-// One that is damaged holds up no other; a disk that is full or gone may be well again soon, and
-// then all of them are to come back.
-Status WorldArchive::load_worlds(WorldStorage& store, const std::vector<StoredWorld>& worlds) {
+// A corrupt world does not prevent the others from loading. A disk that is full or missing is a
+// temporary fault: loading fails as a whole, so that all worlds can be loaded later.
+Status WorldArchive::load_worlds(WorldStorage& storage, const std::vector<StoredWorld>& worlds) {
     for (const StoredWorld& stored : worlds) {
         const Clock::time_point began = Clock::now();
-        Result<PersistedWorld> kept = Error{};
-        writer_->run_on_writer([&](WorldStorage&) { kept = load_world(store, stored); },
+        Result<PersistedWorld> persisted = Error{};
+        writer_->run_on_writer([&](WorldStorage&) { persisted = load_world(storage, stored); },
                                std::chrono::hours(1));
-        if (!kept.ok() && (kept.error().code == ErrorCode::unavailable ||
-                           kept.error().code == ErrorCode::resource_exhausted))
-            return kept.error();
-        if (!kept.ok()) {
-            log_error(
-                "world {} \"{}\" cannot be had back; what there is of it stays in the store: "
-                "{}",
-                stored.id, stored.name, kept.error().message);
+        if (!persisted.ok() && (persisted.error().code == ErrorCode::unavailable ||
+                                persisted.error().code == ErrorCode::resource_exhausted))
+            return persisted.error();
+        if (!persisted.ok()) {
+            log_error("world {} \"{}\" cannot be recovered; its data stays in the database: {}",
+                      stored.id, stored.name, persisted.error().message);
             continue;
         }
-        log_info("world {} \"{}\" goes on after tick {}, with {} clients to come back; {:.0f} ms",
-                 stored.id, stored.name, kept->start.tick, kept->previous_clients.size(),
+        log_info("world {} \"{}\" resumed after tick {}, expecting {} clients; {:.0f} ms",
+                 stored.id, stored.name, persisted->start.tick, persisted->previous_clients.size(),
                  to_ms(Clock::now() - began));
-        loaded_.push_back(*std::move(kept));
+        loaded_.push_back(*std::move(persisted));
     }
-    std::ranges::stable_sort(
-        loaded_, {}, [](const PersistedWorld& kept) { return number_of(kept.start.label.id); });
+    std::ranges::stable_sort(loaded_, {}, [](const PersistedWorld& persisted) {
+        return number_of(persisted.start.label.id);
+    });
     return {};
 }
 
-Result<PersistedWorld> WorldArchive::load_world(WorldStorage& store, const StoredWorld& stored) {
-    Result<WorldDefinition> record = decode_world_definition(stored.settings);
-    if (!record.ok()) return record.error();
-    Result<RecoveredWorld> found = recover(store, stored, *record);
+Result<PersistedWorld> WorldArchive::load_world(WorldStorage& storage, const StoredWorld& stored) {
+    Result<WorldDefinition> definition = decode_world_definition(stored.settings);
+    if (!definition.ok()) return definition.error();
+    Result<RecoveredWorld> found = recover(storage, stored, *definition);
     if (!found.ok()) return found.error();
-    record->limits = limits_;
+    definition->limits = limits_;
     found->world.set_limits(limits_);
     StoredWorld now{.id = stored.id,
                     .name = stored.name,
                     .epoch = stored.epoch + 1,
                     .engine = build_engine_id(),
-                    .settings = encode_world_definition(*record)};
+                    .settings = encode_world_definition(*definition)};
     std::vector<StorageChange> changes{TruncateJournal{stored.id, found->tick, found->sequence}};
-    // From here on it is as a world that was never stopped: what came before is in a checkpoint,
-    // unless nothing came.
-    const bool as_it_was = found->tick == found->checkpoint && now.engine == stored.engine &&
+    // From here on the world is like one that was never stopped: a new checkpoint contains
+    // everything so far, unless nothing changed.
+    const bool unchanged = found->tick == found->checkpoint && now.engine == stored.engine &&
                            now.settings == stored.settings;
-    if (!as_it_was) {
+    if (!unchanged) {
         Result<Checkpoint> checkpoint = checkpoint_of(found->world, found->tick, found->sequence);
         if (!checkpoint.ok()) return checkpoint.error();
         changes.emplace_back(PutCheckpoint{stored.id, *std::move(checkpoint)});
     }
-    Result<std::vector<std::uint32_t>> ticks = store.checkpoint_ticks(stored.id);
+    Result<std::vector<std::uint32_t>> ticks = storage.checkpoint_ticks(stored.id);
     if (!ticks.ok()) return ticks.error();
     std::erase_if(*ticks, [&](std::uint32_t tick) { return tick >= found->tick; });
     ticks->insert(ticks->begin(), found->tick);
     std::ranges::reverse(*ticks);
-    const JournalPosition place{.epoch = now.epoch,
-                                .sequence = found->sequence,
-                                .chain = found->chain,
-                                .checkpoints = *std::move(ticks)};
+    const JournalPosition position{.epoch = now.epoch,
+                                   .sequence = found->sequence,
+                                   .chain = found->chain,
+                                   .checkpoints = *std::move(ticks)};
     changes.emplace_back(PutWorld{std::move(now)});
-    if (Status s = store.write(changes); !s.ok()) return s.error();
+    if (Status s = storage.write(changes); !s.ok()) return s.error();
     marks_->of(stored.id).forget();
 
     std::vector<PreviousClient> previous_clients =
         previous_clients_of(found->world.host_state(found->tick));
-    PersistedWorld kept{.start = {.label = {stored.id, stored.name, record->owner},
-                                  .scene = record->scene,
-                                  .world = std::move(found->world),
-                                  .tick = found->tick},
-                        .previous_clients = std::move(previous_clients)};
-    kept.start.world_journal = make_journal(kept.start, place);
-    return kept;
+    PersistedWorld persisted{.start = {.label = {stored.id, stored.name, definition->owner},
+                                       .scene = definition->scene,
+                                       .world = std::move(found->world),
+                                       .tick = found->tick},
+                             .previous_clients = std::move(previous_clients)};
+    persisted.start.world_journal = make_journal(persisted.start, position);
+    return persisted;
 }
 
-// A tick that crashed twice in a row is done again without its commands; should the fault lie
-// further back, each crash more takes twice as many ticks.
-Result<RecoveredWorld> WorldArchive::recover(WorldStorage& store, const StoredWorld& stored,
-                                             const WorldDefinition& record) {
+// A tick that crashed twice in a row is replayed without its commands. If the fault lies further
+// back, each further crash doubles the number of quarantined ticks.
+Result<RecoveredWorld> WorldArchive::recover(WorldStorage& storage, const StoredWorld& stored,
+                                             const WorldDefinition& definition) {
     const CrashMarker mark = marks_->of(stored.id);
     const std::uint32_t crashes = mark.crashes(), last = mark.crashed_tick();
     const std::uint32_t ticks = crashes < 2 ? 0 : 1U << std::min(crashes - 2, 30U);
@@ -244,20 +245,20 @@ Result<RecoveredWorld> WorldArchive::recover(WorldStorage& store, const StoredWo
         if (is_suspect && !tick.commands.empty()) quarantine_tick(stored, tick);
         return !is_suspect;
     };
-    Result<RecoveredWorld> found = recover_world(store, stored, record, options);
+    Result<RecoveredWorld> found = recover_world(storage, stored, definition, options);
     mark.end();
     if (!found.ok()) return found;
     if (ticks > 0)
         found->warnings.push_back("it crashed " + std::to_string(crashes) + " times in tick " +
-                                  std::to_string(last) + ": what was done in the last " +
-                                  std::to_string(ticks) + " ticks up to it is set aside");
-    for (const std::string& remark : found->warnings)
-        log_error("world {} \"{}\": {}", stored.id, stored.name, remark);
+                                  std::to_string(last) + ": the commands of the last " +
+                                  std::to_string(ticks) + " ticks up to it are quarantined");
+    for (const std::string& warning : found->warnings)
+        log_error("world {} \"{}\": {}", stored.id, stored.name, warning);
     return found;
 }
 
 void WorldArchive::quarantine_tick(const StoredWorld& stored, const JournaledTick& tick) {
-    log_error("world {} \"{}\": {} commands of tick {} are set aside", stored.id, stored.name,
+    log_error("world {} \"{}\": {} commands of tick {} are quarantined", stored.id, stored.name,
               tick.commands.size(), tick.tick);
     writer_->push(PutNote{"aside " + stored.id + " " + std::to_string(tick.tick),
                           encode_journal({{tick}, {}})},
@@ -271,28 +272,28 @@ std::shared_ptr<WorldJournal> WorldArchive::make_journal(const WorldStart& start
                                                 journal_settings_);
 }
 
-// --- worlds that begin, end, and fail ---
+// --- created, deleted and failed worlds ---
 
 Status WorldArchive::open(WorldStart& start) {
     const std::string& id = start.label.id;
     Result<Checkpoint> checkpoint = checkpoint_of(start.world, start.tick, 0);
     if (!checkpoint.ok()) return checkpoint.error();
-    const WorldDefinition record{.owner = start.label.owner,
-                                 .scene = start.scene,
-                                 .limits = limits_,
-                                 .work_per_second = start.world.work_per_second()};
+    const WorldDefinition definition{.owner = start.label.owner,
+                                     .scene = start.scene,
+                                     .limits = limits_,
+                                     .work_per_second = start.world.work_per_second()};
     const bool pushed = writer_->push(PutWorld{{.id = id,
                                                 .name = start.label.name,
                                                 .epoch = 1,
                                                 .engine = build_engine_id(),
-                                                .settings = encode_world_definition(record)}},
+                                                .settings = encode_world_definition(definition)}},
                                       nullptr) &&
                         writer_->push(PutCheckpoint{id, *std::move(checkpoint)}, nullptr);
     if (!pushed || !writer_->flush(timeout)) {
         writer_->push(DropWorld{id}, nullptr);
         return Error{ErrorCode::unavailable,
-                     "the world cannot be kept: " +
-                         failure_reason().value_or("the store is slow; try again in a moment")};
+                     "the world cannot be persisted: " +
+                         failure_reason().value_or("the database is slow; retry later")};
     }
     start.world_journal = make_journal(start, {.epoch = 1, .checkpoints = {start.tick}});
     return {};
@@ -302,14 +303,14 @@ void WorldArchive::drop(const std::string& id) {
     checkpoints_->wait(timeout);
     marks_->drop(id);
     if (!writer_->push(DropWorld{id}, nullptr) || !writer_->flush(timeout))
-        log_error("world {} may come back: that it was deleted could not be kept", id);
+        log_error("world {}: cannot persist its deletion; it may reappear after a restart", id);
 }
 
 Result<std::unique_ptr<WorldStorage>> WorldArchive::copy_of(const std::string& id,
                                                             std::uint32_t last_tick) {
     Result<std::unique_ptr<WorldStorageCopy>> copy = slow();
     writer_->run_on_writer(
-        [&](WorldStorage& store) { copy = WorldStorageCopy::of(store, id, 2, last_tick); },
+        [&](WorldStorage& storage) { copy = WorldStorageCopy::of(storage, id, 2, last_tick); },
         timeout);
     if (!copy.ok()) return copy.error();
     return std::unique_ptr<WorldStorage>(*std::move(copy));
@@ -320,14 +321,14 @@ Result<HostedWorld> WorldArchive::world_at(const std::string& id, std::uint32_t 
     if (!copy.ok()) return copy.error();
     const Result<std::vector<StoredWorld>> stored = (*copy)->worlds();
     if (!stored.ok()) return stored.error();
-    const Result<WorldDefinition> record = decode_world_definition(stored->front().settings);
-    if (!record.ok()) return record.error();
-    Result<RecoveredWorld> found =
-        recover_world(**copy, stored->front(), *record, {.last_tick = tick, .threads = threads_});
+    const Result<WorldDefinition> definition = decode_world_definition(stored->front().settings);
+    if (!definition.ok()) return definition.error();
+    Result<RecoveredWorld> found = recover_world(**copy, stored->front(), *definition,
+                                                 {.last_tick = tick, .threads = threads_});
     if (!found.ok()) return found.error();
     if (found->tick != tick)
         return Error{ErrorCode::not_found, "tick " + std::to_string(tick) +
-                                               " is not kept; the last one is " +
+                                               " is not retained; the last retained tick is " +
                                                std::to_string(found->tick)};
     found->world.set_limits(limits_);
     return std::move(found->world);
@@ -338,25 +339,25 @@ Result<WorldArchive::StoppedWorld> WorldArchive::load_stopped_world(const std::s
     Result<std::unique_ptr<WorldStorageCopy>> copy = slow();
     Result<std::vector<std::uint32_t>> ticks = slow();
     writer_->run_on_writer(
-        [&](WorldStorage& store) {
-            copy = WorldStorageCopy::of(store, id, 2);
-            ticks = store.checkpoint_ticks(id);
+        [&](WorldStorage& storage) {
+            copy = WorldStorageCopy::of(storage, id, 2);
+            ticks = storage.checkpoint_ticks(id);
         },
         timeout);
     if (!copy.ok()) return copy.error();
     if (!ticks.ok()) return ticks.error();
     const StoredWorld stored = (*copy)->worlds().value().front();
-    Result<WorldDefinition> record = decode_world_definition(stored.settings);
-    if (!record.ok()) return record.error();
-    Result<RecoveredWorld> found = recover(**copy, stored, *record);
+    Result<WorldDefinition> definition = decode_world_definition(stored.settings);
+    if (!definition.ok()) return definition.error();
+    Result<RecoveredWorld> found = recover(**copy, stored, *definition);
     if (!found.ok()) return found.error();
     std::ranges::reverse(*ticks);
-    return StoppedWorld{stored, *std::move(record), *std::move(found), *std::move(ticks)};
+    return StoppedWorld{stored, *std::move(definition), *std::move(found), *std::move(ticks)};
 }
 
 WorldStart WorldArchive::start_of(StoppedWorld last) {
-    WorldStart start{.label = {last.stored.id, last.stored.name, last.record.owner},
-                     .scene = last.record.scene,
+    WorldStart start{.label = {last.stored.id, last.stored.name, last.definition.owner},
+                     .scene = last.definition.scene,
                      .world = std::move(last.found.world),
                      .tick = last.found.tick};
     start.world_journal = make_journal(start, {.epoch = last.stored.epoch,
@@ -372,15 +373,16 @@ Result<WorldStart> WorldArchive::reload(const std::string& id) {
     return start_of(*std::move(last));
 }
 
-// The journal only grows: it says that the world went back, and a checkpoint says to what. Both are
-// handed over like any tick; should they be lost with the process, the world did not go back.
+// The journal only grows: an entry records the rewind, and a checkpoint contains the state it leads
+// to. Both are queued like any tick; if the process crashes before they are written, the rewind did
+// not happen.
 Result<WorldStart> WorldArchive::rewind(const std::string& id, std::uint32_t tick,
-                                        HostedWorld then) {
+                                        HostedWorld past) {
     Result<StoppedWorld> last = load_stopped_world(id);
     if (!last.ok()) return last.error();
     RecoveredWorld& found = last->found;
-    then.continue_from(found.world);
-    found.world = std::move(then);
+    past.continue_from(found.world);
+    found.world = std::move(past);
     found.tick++;
     JournalEntry entry{
         .sequence = ++found.sequence,
@@ -393,11 +395,11 @@ Result<WorldStart> WorldArchive::rewind(const std::string& id, std::uint32_t tic
     Result<Checkpoint> checkpoint = checkpoint_of(found.world, found.tick, found.sequence);
     if (!checkpoint.ok()) return checkpoint.error();
     if (!writer_->push(AppendEntry{id, std::move(entry)}, nullptr))
-        return Error{ErrorCode::unavailable, "the store does not keep up; try again in a moment"};
+        return Error{ErrorCode::unavailable, "the database does not keep up; retry later"};
     const bool pushed = writer_->push(PutCheckpoint{id, *std::move(checkpoint)}, nullptr);
     if (pushed) last->checkpoints.push_back(found.tick);
     WorldStart start = start_of(*std::move(last));
-    if (!pushed) start.world_journal->on_interrupted();  // it asks for one in its first tick
+    if (!pushed) start.world_journal->on_interrupted();  // requests a checkpoint in its first tick
     return start;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// All that outlives a server's process: it opens the store, brings its worlds back, and keeps those
-// that run. Outlives the worlds.
+// The persistence of all worlds of a server: opens the database, recovers its worlds, and persists
+// the running ones. Outlives the worlds.
 #pragma once
 
 #include <atomic>
@@ -20,10 +20,10 @@
 
 namespace jostle::server {
 
-// One that played when the process ended.
+// A client that was connected when the previous process ended.
 struct PreviousClient {
     ClientId client = 0;
-    std::uint32_t last_sequence = 0;  // of its inputs that were applied
+    std::uint32_t last_sequence = 0;  // of its applied inputs
 };
 
 struct PersistedWorld {
@@ -33,54 +33,54 @@ struct PersistedWorld {
 
 class WorldArchive : public WorldPersistence {
 public:
-    // `file_system`: SqliteStorageOptions. What is there is read and taken up. From now on a fatal
-    // signal is counted for the worlds whose ticks run then, one archive a process. Errors: the
-    // store cannot be opened (SqliteStorage::open), or not be written to now.
+    // Opens the database and recovers its worlds. `file_system`: see SqliteStorageOptions. From now
+    // on a fatal signal is counted as a crash of the worlds whose ticks are running; one archive
+    // per process. Errors: the database cannot be opened (SqliteStorage::open) or not written to.
     static Result<std::unique_ptr<WorldArchive>> open(const PersistenceSettings& settings,
                                                       const HostLimits& limits, int threads,
                                                       std::function<void()> on_results_sent,
                                                       const char* file_system = nullptr);
     ~WorldArchive() override;
 
-    // Once: the worlds that go on, in the order of their creation. One that cannot be had back is
-    // told of in the log, and what is there of it stays in the store.
+    // Call once: the recovered worlds in order of creation. A world that cannot be recovered is
+    // logged, and its data stays in the database.
     std::vector<PersistedWorld> take_worlds() { return std::exchange(loaded_, {}); }
-    // 32 bytes that only this store's servers know.
+    // 32 random bytes known only to servers with this database.
     const std::string& secret() const { return secret_; }
-    // Ids of clients from here on were never given before.
+    // Client ids from here on were never assigned before.
     ClientId first_client() const { return first_client_; }
-    // Any thread; never waits: an id was given, and the next will be that.
+    // Any thread; never waits. Reports that client ids below `next` were assigned.
     void on_client(ClientId next);
 
-    // Any thread: why nothing can be kept now; nothing: all is well.
+    // Any thread. Why nothing can be persisted now; empty: no fault.
     std::optional<std::string> failure_reason() const { return writer_->failure_reason(); }
     std::size_t pending_bytes() const { return writer_->pending_bytes(); }
-    // Waits until all is kept that was handed over. False: not within that time.
+    // Waits until all queued changes are written. Returns false on timeout.
     bool flush(Clock::duration timeout);
 
     Status open(WorldStart& start) override;
     void drop(const std::string& id) override;
     Result<HostedWorld> world_at(const std::string& id, std::uint32_t tick) override;
     Result<WorldStart> reload(const std::string& id) override;
-    Result<WorldStart> rewind(const std::string& id, std::uint32_t tick, HostedWorld then) override;
-    // Any thread: what is kept of a world, up to that tick.
+    Result<WorldStart> rewind(const std::string& id, std::uint32_t tick, HostedWorld past) override;
+    // Any thread: a copy of the persisted world up to `last_tick`.
     Result<std::unique_ptr<WorldStorage>> copy_of(const std::string& id, std::uint32_t last_tick);
 
 private:
     WorldArchive(const PersistenceSettings& settings, const HostLimits& limits, int threads,
                  std::function<void()> on_results_sent);
-    Status read_notes(WorldStorage& store);
-    Status load_worlds(WorldStorage& store, const std::vector<StoredWorld>& worlds);
-    Result<PersistedWorld> load_world(WorldStorage& store, const StoredWorld& stored);
-    // As it was, but for what crashes it.
-    Result<RecoveredWorld> recover(WorldStorage& store, const StoredWorld& stored,
-                                   const WorldDefinition& record);
-    // One of this process that runs no more.
+    Status read_notes(WorldStorage& storage);
+    Status load_worlds(WorldStorage& storage, const std::vector<StoredWorld>& worlds);
+    Result<PersistedWorld> load_world(WorldStorage& storage, const StoredWorld& stored);
+    // Recovers the world except for commands that crash it.
+    Result<RecoveredWorld> recover(WorldStorage& storage, const StoredWorld& stored,
+                                   const WorldDefinition& definition);
+    // A world of this process that has stopped.
     struct StoppedWorld {
         StoredWorld stored;
-        WorldDefinition record;
+        WorldDefinition definition;
         RecoveredWorld found;
-        std::vector<std::uint32_t> checkpoints;  // rising
+        std::vector<std::uint32_t> checkpoints;  // ascending
     };
     Result<StoppedWorld> load_stopped_world(const std::string& id);
     WorldStart start_of(StoppedWorld last);
@@ -93,7 +93,7 @@ private:
     const JournalSettings journal_settings_;
     std::unique_ptr<CrashMarkers> marks_;
     std::unique_ptr<StorageWriter> writer_;
-    std::unique_ptr<CheckpointWriter> checkpoints_;  // before the writer ends
+    std::unique_ptr<CheckpointWriter> checkpoints_;  // destroyed before the writer
     std::vector<PersistedWorld> loaded_;
     std::string secret_;
     ClientId first_client_ = 1;

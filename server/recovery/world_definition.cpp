@@ -13,17 +13,17 @@ namespace {
 constexpr std::uint64_t definition_version = 1;
 
 Error not_a_definition(const std::string& why) {
-    return {ErrorCode::corrupt_data, "what is kept of what a world is made of " + why};
+    return {ErrorCode::corrupt_data, "corrupt world definition: " + why};
 }
 
 }  // namespace
 
-std::string encode_world_definition(const WorldDefinition& record) {
+std::string encode_world_definition(const WorldDefinition& definition) {
     ByteWriter to;
     to.number(definition_version);
-    to.text(record.owner);
-    to.text(scenes::write_scene_json(*record.scene));
-    const SceneBudget& scene = record.limits.scene;
+    to.text(definition.owner);
+    to.text(scenes::write_scene_json(*definition.scene));
+    const SceneBudget& scene = definition.limits.scene;
     to.real(scene.bodies_max);
     to.real(scene.joints_max);
     to.real(scene.joints_per_pair_max);
@@ -31,19 +31,20 @@ std::string encode_world_definition(const WorldDefinition& record) {
     to.real(scene.body_geometry_bytes_max);
     to.real(scene.work_per_second_max);
     to.real(scene.first_step_seconds_max);
-    to.real(record.limits.bodies_owned_max);
-    to.real(record.limits.lag_compensation_ms_max);
-    to.real(record.work_per_second);
+    to.real(definition.limits.bodies_owned_max);
+    to.real(definition.limits.lag_compensation_ms_max);
+    to.real(definition.work_per_second);
     return to.take();
 }
 
 Result<WorldDefinition> decode_world_definition(std::string_view bytes) {
     ByteReader from(bytes);
     if (const std::uint64_t version = from.number(); version != definition_version)
-        return not_a_definition("is of version " + std::to_string(version) +
-                                "; this server reads " + std::to_string(definition_version));
-    WorldDefinition record;
-    record.owner = from.text();
+        return not_a_definition("version " + std::to_string(version) +
+                                "; this server reads version " +
+                                std::to_string(definition_version));
+    WorldDefinition definition;
+    definition.owner = from.text();
     Result<scenes::SceneDescription> scene = scenes::read_scene_json(from.text());
     bool fits = true;
     const auto count = [&] {
@@ -51,7 +52,7 @@ Result<WorldDefinition> decode_world_definition(std::string_view bytes) {
         fits = fits && value >= 0 && value <= 2e9;
         return fits ? static_cast<int>(value) : 0;
     };
-    SceneBudget& budget = record.limits.scene;
+    SceneBudget& budget = definition.limits.scene;
     budget.bodies_max = count();
     budget.joints_max = count();
     budget.joints_per_pair_max = count();
@@ -59,16 +60,16 @@ Result<WorldDefinition> decode_world_definition(std::string_view bytes) {
     budget.body_geometry_bytes_max = count();
     budget.work_per_second_max = from.real();
     budget.first_step_seconds_max = from.real();
-    record.limits.bodies_owned_max = count();
-    record.limits.lag_compensation_ms_max = from.real();
-    record.work_per_second = from.real();
-    if (!from.ok()) return not_a_definition("ends too early");
-    if (!from.at_end()) return not_a_definition("goes on after its end");
-    if (!fits || !(record.limits.lag_compensation_ms_max >= 0))
-        return not_a_definition("has a limit that is out of range");
-    if (!scene.ok()) return not_a_definition("has no scene: " + scene.error().message);
-    record.scene = std::make_shared<const scenes::SceneDescription>(*std::move(scene));
-    return record;
+    definition.limits.bodies_owned_max = count();
+    definition.limits.lag_compensation_ms_max = from.real();
+    definition.work_per_second = from.real();
+    if (!from.ok()) return not_a_definition("unexpected end of data");
+    if (!from.at_end()) return not_a_definition("data after the end");
+    if (!fits || !(definition.limits.lag_compensation_ms_max >= 0))
+        return not_a_definition("a limit is out of range");
+    if (!scene.ok()) return not_a_definition("invalid scene: " + scene.error().message);
+    definition.scene = std::make_shared<const scenes::SceneDescription>(*std::move(scene));
+    return definition;
 }
 
 std::string build_engine_id() {

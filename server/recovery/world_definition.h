@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What a world is made of, as it stands in the store: its scene, its owner, and the limits that its
-// commands are judged by.
+// The persisted definition of a world: its scene, its owner, and the limits that its commands are
+// checked against.
 #pragma once
 
 #include <memory>
@@ -21,11 +21,11 @@ struct WorldDefinition {
     double work_per_second = 0;
 };
 
-std::string encode_world_definition(const WorldDefinition& record);
-// corrupt_data: the bytes are no such record.
+std::string encode_world_definition(const WorldDefinition& definition);
+// corrupt_data: the bytes are not a world definition.
 Result<WorldDefinition> decode_world_definition(std::string_view bytes);
 
-// By whose arithmetic and format checkpoints are exact to the bit.
+// Identifies the arithmetic and the version within which checkpoints are exact to the bit.
 std::string build_engine_id();
 
 }  // namespace jostle::server

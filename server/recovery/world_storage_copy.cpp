@@ -6,30 +6,30 @@
 
 namespace jostle::server {
 
-Result<std::unique_ptr<WorldStorageCopy>> WorldStorageCopy::of(WorldStorage& store,
+Result<std::unique_ptr<WorldStorageCopy>> WorldStorageCopy::of(WorldStorage& storage,
                                                                const std::string& id,
                                                                std::size_t checkpoints_max,
                                                                std::uint32_t last_tick) {
     constexpr std::size_t bytes_at_once = 8 << 20;
     auto copy = std::make_unique<WorldStorageCopy>();
-    const Result<std::vector<StoredWorld>> all = store.worlds();
+    const Result<std::vector<StoredWorld>> all = storage.worlds();
     if (!all.ok()) return all.error();
     const auto at = std::ranges::find(*all, id, &StoredWorld::id);
-    if (at == all->end()) return Error{ErrorCode::not_found, "no world " + id + " is kept"};
+    if (at == all->end()) return Error{ErrorCode::not_found, "world " + id + " is not persisted"};
     copy->world_ = *at;
-    const Result<std::vector<std::uint32_t>> ticks = store.checkpoint_ticks(id);
+    const Result<std::vector<std::uint32_t>> ticks = storage.checkpoint_ticks(id);
     if (!ticks.ok()) return ticks.error();
     for (const std::uint32_t tick : *ticks) {
         if (tick > last_tick || copy->checkpoints_.size() >= checkpoints_max) continue;
-        Result<Checkpoint> kept = store.checkpoint(id, tick);
-        if (kept.ok()) copy->checkpoints_.push_back(*std::move(kept));
+        Result<Checkpoint> found = storage.checkpoint(id, tick);
+        if (found.ok()) copy->checkpoints_.push_back(*std::move(found));
     }
     if (copy->checkpoints_.empty())
-        return Error{ErrorCode::not_found, "no whole checkpoint of world " + id + " is kept"};
+        return Error{ErrorCode::not_found, "world " + id + " has no intact checkpoint"};
     const std::uint64_t first = copy->checkpoints_.back().sequence;
     std::uint64_t after = first == 0 ? 0 : first - 1;
     for (;;) {
-        Result<std::vector<JournalEntry>> some = store.entries(id, after, bytes_at_once);
+        Result<std::vector<JournalEntry>> some = storage.entries(id, after, bytes_at_once);
         if (!some.ok()) {
             copy->damage_ = some.error();
             break;
@@ -44,7 +44,7 @@ Result<std::unique_ptr<WorldStorageCopy>> WorldStorageCopy::of(WorldStorage& sto
 }
 
 Status WorldStorageCopy::write(std::span<const StorageChange>) {
-    return Error{ErrorCode::unavailable, "this is a copy of what was kept"};
+    return Error{ErrorCode::unavailable, "this storage is a read-only copy"};
 }
 
 Result<std::vector<std::uint32_t>> WorldStorageCopy::checkpoint_ticks(const std::string&) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What a store has of one world, in memory: for who wants to look at it for longer than the store
-// can be held up.
+// An in-memory copy of one stored world, for readers that would block the storage for too long.
 #pragma once
 
 #include <memory>
@@ -14,13 +13,14 @@ namespace jostle::server {
 
 class WorldStorageCopy : public WorldStorage {
 public:
-    // The world, its checkpoints up to that tick, newest first and at most so many, and what came
-    // after the oldest of them.
-    static Result<std::unique_ptr<WorldStorageCopy>> of(WorldStorage& store, const std::string& id,
+    // Copies the world, its checkpoints up to `last_tick` (newest first, at most
+    // `checkpoints_max`), and the journal after the oldest of them.
+    static Result<std::unique_ptr<WorldStorageCopy>> of(WorldStorage& storage,
+                                                        const std::string& id,
                                                         std::size_t checkpoints_max,
                                                         std::uint32_t last_tick = 0xffffffff);
 
-    Status write(std::span<const StorageChange> changes) override;  // unavailable
+    Status write(std::span<const StorageChange> changes) override;  // always returns unavailable
     Result<std::vector<StoredWorld>> worlds() override { return std::vector{world_}; }
     Result<std::vector<std::uint32_t>> checkpoint_ticks(const std::string& world) override;
     Result<Checkpoint> checkpoint(const std::string& world, std::uint32_t tick) override;
@@ -31,8 +31,8 @@ public:
 private:
     StoredWorld world_;
     std::vector<Checkpoint> checkpoints_;  // newest first
-    std::vector<JournalEntry> entries_;    // in order
-    Status damage_;                        // what came after them could not be read
+    std::vector<JournalEntry> entries_;    // in order of sequence
+    Status damage_;                        // why the entries after them could not be read
 };
 
 }  // namespace jostle::server

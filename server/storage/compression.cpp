@@ -12,17 +12,17 @@
 namespace jostle::server {
 namespace {
 
-// Level 3 takes half as long again for what a world is saved as, and is no smaller.
+// Level 3 takes 50 % longer for a saved world and is no smaller.
 constexpr int level = 1;
 
 Error not_compressed(const std::string& why) {
-    return {ErrorCode::corrupt_data, "packed bytes " + why};
+    return {ErrorCode::corrupt_data, "compressed data: " + why};
 }
 
 }  // namespace
 
 std::string compress(std::span<const std::string_view> pieces) {
-    // A tick packs a few hundred bytes: to make one takes longer than that.
+    // A tick compresses a few hundred bytes; creating a context takes longer than that.
     thread_local const std::unique_ptr<ZSTD_CCtx, FreeWith<ZSTD_freeCCtx>> context(
         ZSTD_createCCtx());
     if (!context) throw std::bad_alloc();
@@ -39,7 +39,7 @@ std::string compress(std::span<const std::string_view> pieces) {
         for (;;) {
             ZSTD_outBuffer out{chunk.data(), chunk.size(), 0};
             const std::size_t left = ZSTD_compressStream2(context.get(), &out, &in, end);
-            // The sizes are right: only memory can be short.
+            // The buffers are large enough: the only possible error is lack of memory.
             if (ZSTD_isError(left)) throw std::bad_alloc();
             packed.append(chunk.data(), out.pos);
             if (end == ZSTD_e_end ? left == 0 : in.pos == in.size) return;
@@ -53,18 +53,17 @@ std::string compress(std::span<const std::string_view> pieces) {
 Result<std::string> decompress(std::string_view packed, std::size_t bytes_max) {
     const unsigned long long size = ZSTD_getFrameContentSize(packed.data(), packed.size());
     if (size == ZSTD_CONTENTSIZE_ERROR || size == ZSTD_CONTENTSIZE_UNKNOWN)
-        return not_compressed("do not say how many they are");
+        return not_compressed("the size is missing");
     if (size > bytes_max)
-        return not_compressed("are " + std::to_string(size) + " unpacked; " +
+        return not_compressed(std::to_string(size) + " bytes when decompressed; at most " +
                               std::to_string(bytes_max) + " are allowed");
     if (ZSTD_findFrameCompressedSize(packed.data(), packed.size()) != packed.size())
-        return not_compressed("have an end that is not theirs");
+        return not_compressed("the frame has the wrong length");
     std::string bytes(size, '\0');
     const std::size_t got =
         ZSTD_decompress(bytes.data(), bytes.size(), packed.data(), packed.size());
-    if (ZSTD_isError(got))
-        return not_compressed(std::string("are damaged: ") + ZSTD_getErrorName(got));
-    if (got != size) return not_compressed("are fewer than they say");
+    if (ZSTD_isError(got)) return not_compressed(std::string("corrupt: ") + ZSTD_getErrorName(got));
+    if (got != size) return not_compressed("shorter than the stated size");
     return bytes;
 }
 

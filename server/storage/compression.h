@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Bytes packed by zstd (RFC 8878), which is fast enough for a journal and takes a third of a
-// checkpoint. A checksum goes with them. Pure functions; any thread.
+// Compression with zstd (RFC 8878), which is fast enough for a journal and reduces a checkpoint to
+// a third. The data includes a checksum. Pure functions; any thread.
 #pragma once
 
 #include <cstddef>
@@ -13,13 +13,13 @@
 
 namespace jostle::server {
 
-// All pieces, one after the other, as one.
+// Compresses all pieces as one sequence.
 std::string compress(std::span<const std::string_view> pieces);
 inline std::string compress(std::string_view bytes) {
     return compress(std::span(&bytes, 1));
 }
-// corrupt_data: they were not packed so, were changed, or are more than `bytes_max` unpacked. No
-// more memory is taken than that.
+// corrupt_data: not compressed by compress(), altered, or larger than `bytes_max` when
+// decompressed. Allocates at most `bytes_max`.
 Result<std::string> decompress(std::string_view packed, std::size_t bytes_max);
 
 }  // namespace jostle::server

@@ -23,13 +23,13 @@ Digest digest_of(std::span<const std::string_view> pieces) {
              EVP_DigestUpdate(context.get(), piece.data(), piece.size()) == 1;
     }
     ok = ok && EVP_DigestFinal_ex(context.get(), digest.data(), nullptr) == 1;
-    if (!ok) end_without_value({ErrorCode::internal, "SHA-256 cannot be had of OpenSSL"});
+    if (!ok) end_without_value({ErrorCode::internal, "OpenSSL provides no SHA-256"});
     return digest;
 }
 
-Chain next_chain(const Chain& before, std::string_view data) {
+Chain next_chain(const Chain& previous, std::string_view data) {
     const std::string_view pieces[] = {
-        {reinterpret_cast<const char*>(before.data()), before.size()}, data};
+        {reinterpret_cast<const char*>(previous.data()), previous.size()}, data};
     return digest_of(pieces);
 }
 

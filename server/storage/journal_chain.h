@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Each entry of a journal names all that came before it: what is missing, changed or in another
-// order is seen.
+// A hash chain over the journal: each entry includes the hash of all earlier ones, so that missing,
+// altered and reordered entries are detected.
 #pragma once
 
 #include <span>
@@ -13,9 +13,10 @@ namespace jostle::server {
 
 using Digest = Chain;
 
-// SHA-256 of the pieces, each with its length before it, so that they cannot run into each other.
+// SHA-256 of the pieces, each prefixed with its length, so that different splits have different
+// digests.
 Digest digest_of(std::span<const std::string_view> pieces);
-// Of an entry with that data after `before`; that of an empty journal is all zeros.
-Chain next_chain(const Chain& before, std::string_view data);
+// The chain value of an entry with `data` after `previous`; an empty journal has all zeros.
+Chain next_chain(const Chain& previous, std::string_view data);
 
 }  // namespace jostle::server

@@ -32,7 +32,7 @@ ErrorCode code_of(int extended) {
         case SQLITE_INTERRUPT:
             return ErrorCode::unavailable;
         default:
-            // Also a damaged schema, by which a statement of ours makes no sense.
+            // Includes a damaged schema on which our statements fail.
             return ErrorCode::corrupt_data;
     }
 }
@@ -41,8 +41,8 @@ Error error_of(sqlite3* handle) {
     return {code_of(sqlite3_extended_errcode(handle)), sqlite3_errmsg(handle)};
 }
 
-// SQLite would create it readable for all whom the umask lets. And it takes what is shorter than
-// the smallest page for an empty file, and writes over it.
+// SQLite would create the file with the permissions of the umask. It also treats a file shorter
+// than the smallest page as empty and overwrites it.
 Status create_file(const std::string& path, bool create) {
     constexpr off_t smallest_page = 512;
     const int file = ::open(path.c_str(), O_RDWR | O_CLOEXEC | (create ? O_CREAT : 0), 0600);
@@ -53,7 +53,7 @@ Status create_file(const std::string& path, bool create) {
     const bool is_known = ::fstat(file, &about) == 0;
     ::close(file);
     const bool is_short = is_known && about.st_size > 0 && about.st_size < smallest_page;
-    // ... unless it was writing it when it was killed: then the journal is beside it.
+    // A short file with a rollback journal is valid: SQLite was killed while creating it.
     if (is_short && ::access((path + "-journal").c_str(), F_OK) != 0)
         return Error{ErrorCode::corrupt_data, "file is not a database"};
     return {};
@@ -62,7 +62,7 @@ Status create_file(const std::string& path, bool create) {
 }  // namespace
 
 SqliteStatement& SqliteStatement::bind(int index, std::string_view bytes) {
-    // An empty piece is an empty blob, not nothing.
+    // Bind an empty blob rather than NULL.
     sqlite3_bind_blob64(statement_.get(), index, bytes.empty() ? "" : bytes.data(), bytes.size(),
                         SQLITE_STATIC);
     return *this;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The little of SQLite's interface that a store needs: statements, values in and out, errors as
-// ours.
+// A minimal wrapper of the SQLite interface: statements, parameters and columns, with
+// jostle::Error.
 #pragma once
 
 #include <sqlite3.h>
@@ -20,10 +20,10 @@ class SqliteStatement {
 public:
     explicit SqliteStatement(sqlite3_stmt* statement) : statement_(statement) {}
 
-    // ?1, ?2 and so on; what is bound lives until the statement is done.
+    // Binds ?1, ?2 and so on. Bound bytes must outlive the execution of the statement.
     SqliteStatement& bind(int index, std::string_view bytes);
     SqliteStatement& bind(int index, std::uint64_t number);
-    // True: there is a row. False: none is left, and the statement may be run again.
+    // True: a row is available. False: no more rows; the statement can be executed again.
     Result<bool> step();
     Status run();
 
@@ -37,14 +37,14 @@ private:
 
 class SqliteDatabase {
 public:
-    // `make`: the file, if there is none.
+    // `create`: create the file if it does not exist.
     static Result<SqliteDatabase> open(const std::string& path, const char* file_system,
                                        bool create);
 
     Status execute(const char* statements);
     Result<SqliteStatement> prepare(std::string_view statement);
     Result<std::uint64_t> number(const char* statement);
-    // Whether a transaction was begun and not ended, by us or by an error.
+    // Whether a transaction is open. Some errors end a transaction.
     bool in_transaction() const { return sqlite3_get_autocommit(handle_.get()) == 0; }
 
 private:

@@ -33,7 +33,7 @@ constexpr const char* schema = R"(
         portable BLOB NOT NULL, digest BLOB NOT NULL,
         PRIMARY KEY(world, tick));
 )";
-// Since version 2.
+// Since schema version 2.
 constexpr const char* notes_schema = R"(
     CREATE TABLE note(name BLOB PRIMARY KEY, value BLOB NOT NULL, digest BLOB NOT NULL)
         WITHOUT ROWID;
@@ -68,7 +68,7 @@ Digest digest_of_row(const PutNote& note) {
 
 Error damaged(const std::string& where) {
     return {ErrorCode::corrupt_data,
-            where + " was changed since it was written; the disk or the file is damaged"};
+            where + " changed after it was written; the disk or the file is corrupt"};
 }
 std::string name_of(const std::string& world, const JournalEntry& e) {
     return "entry " + std::to_string(e.sequence) + " of the journal of world \"" + world + "\"";
@@ -76,7 +76,7 @@ std::string name_of(const std::string& world, const JournalEntry& e) {
 
 }  // namespace
 
-// The statements that are run time and again.
+// Prepared statements for repeated use.
 class SqliteStorage::Database {
 public:
     enum Kind {
@@ -160,10 +160,10 @@ public:
         if (!row.ok()) return row.error();
         const std::uint64_t newest = last.number(0);
         last.reset();
-        if (e.sequence <= newest) return is_there(world, e, digest);
+        if (e.sequence <= newest) return check_duplicate(world, e, digest);
         if (newest != 0 && e.sequence != newest + 1)
             return Error{ErrorCode::not_found,
-                         name_of(world, e) + " comes after " + std::to_string(newest)};
+                         name_of(world, e) + " does not follow entry " + std::to_string(newest)};
         return of(append)
             .bind(1, world)
             .bind(2, e.sequence)
@@ -195,11 +195,14 @@ public:
                 return s;
         return {};
     }
-    Status operator()(const TruncateJournal& cut) {
-        Status done =
-            of(truncate_checkpoints).bind(1, cut.world).bind(2, std::uint64_t{cut.tick}).run();
-        return done.ok() ? of(truncate_journal).bind(1, cut.world).bind(2, cut.sequence).run()
-                         : done;
+    Status operator()(const TruncateJournal& truncate) {
+        Status done = of(truncate_checkpoints)
+                          .bind(1, truncate.world)
+                          .bind(2, std::uint64_t{truncate.tick})
+                          .run();
+        return done.ok()
+                   ? of(truncate_journal).bind(1, truncate.world).bind(2, truncate.sequence).run()
+                   : done;
     }
     Status operator()(const PutNote& note) {
         const Digest digest = digest_of_row(note);
@@ -207,15 +210,16 @@ public:
     }
 
 private:
-    // What was written before may be written again.
-    Status is_there(const std::string& world, const JournalEntry& e, const Digest& digest) {
+    // Writing an identical entry again is not an error.
+    Status check_duplicate(const std::string& world, const JournalEntry& e, const Digest& digest) {
         SqliteStatement& known = of(digest_of_entry).bind(1, world).bind(2, e.sequence);
         const Result<bool> row = known.step();
         if (!row.ok()) return row.error();
         const bool same = *row && known.bytes(0) == view_of(digest);
         known.reset();
         if (same) return {};
-        return Error{ErrorCode::already_exists, name_of(world, e) + " is there and says another"};
+        return Error{ErrorCode::already_exists,
+                     name_of(world, e) + " already exists with different content"};
     }
 
     SqliteDatabase database_;
@@ -232,19 +236,19 @@ Error named(const std::string& path, Error error) {
     return error;
 }
 
-// A row that a damaged page does not tell of has no digest that could be wrong.
+// The digests cannot detect rows that are missing because of a damaged page.
 Status check_structure(SqliteDatabase& database) {
     Result<SqliteStatement> check = database.prepare("PRAGMA integrity_check(1)");
     if (!check.ok()) return check.error();
     const Result<bool> row = check->step();
     if (!row.ok()) return row.error();
-    const std::string_view says = *row ? check->bytes(0) : "";
-    if (says == "ok") return {};
-    return Error{ErrorCode::corrupt_data, "it is damaged: " + std::string(says)};
+    const std::string_view report = *row ? check->bytes(0) : "";
+    if (report == "ok") return {};
+    return Error{ErrorCode::corrupt_data, "the database is corrupt: " + std::string(report)};
 }
 
-// Ours, of this version, and nobody else's now.
-Status take_file(SqliteDatabase& database, Durability durability) {
+// Acquires the file exclusively and checks that it has this application's schema version.
+Status acquire_file(SqliteDatabase& database, Durability durability) {
     if (Status s = database.execute("PRAGMA locking_mode = EXCLUSIVE;"
                                     "PRAGMA trusted_schema = OFF;"
                                     "PRAGMA cell_size_check = ON;"
@@ -259,14 +263,15 @@ Status take_file(SqliteDatabase& database, Durability durability) {
             if (read->error().code != ErrorCode::unavailable) return read->error();
             return Error{ErrorCode::failed_precondition,
                          "another process has it open, or it cannot be read (" +
-                             read->error().message + "); a store belongs to one server"};
+                             read->error().message + "); a database belongs to one server"};
         }
     if (*tables != 0 && *application != application_id)
-        return Error{ErrorCode::corrupt_data, "it is a database, but not one of Jostle's worlds"};
+        return Error{ErrorCode::corrupt_data,
+                     "it is an SQLite database, but not a Jostle database"};
     if (*version > schema_version)
         return Error{ErrorCode::corrupt_data,
                      "it was written by a later version of Jostle (schema " +
-                         std::to_string(*version) + "; this one knows " +
+                         std::to_string(*version) + "; this version supports " +
                          std::to_string(schema_version) + ")"};
     if (Status s =
             database.execute(durability == Durability::machine
@@ -276,12 +281,12 @@ Status take_file(SqliteDatabase& database, Durability durability) {
         return s;
     if (*tables != 0)
         if (Status s = check_structure(database); !s.ok() || *version == schema_version) return s;
-    // A store of version 1 has all but the notes.
-    const std::string make =
+    // Schema version 1 lacks only the notes.
+    const std::string create_schema =
         "BEGIN IMMEDIATE;" + std::string(*tables == 0 ? schema : "") + notes_schema +
         "PRAGMA application_id = " + std::to_string(application_id) +
         ";PRAGMA user_version = " + std::to_string(schema_version) + ";COMMIT;";
-    return database.execute(make.c_str());
+    return database.execute(create_schema.c_str());
 }
 
 }  // namespace
@@ -290,7 +295,8 @@ Result<std::unique_ptr<SqliteStorage>> SqliteStorage::open(const std::string& pa
                                                            const SqliteStorageOptions& options) {
     Result<SqliteDatabase> opened = SqliteDatabase::open(path, options.file_system, options.create);
     if (!opened.ok()) return named(path, opened.error());
-    if (Status s = take_file(*opened, options.durability); !s.ok()) return named(path, s.error());
+    if (Status s = acquire_file(*opened, options.durability); !s.ok())
+        return named(path, s.error());
     auto database = std::make_unique<Database>(*std::move(opened));
     if (Status s = database->prepare(); !s.ok()) return named(path, s.error());
     return std::unique_ptr<SqliteStorage>(new SqliteStorage(std::move(database)));
@@ -302,7 +308,7 @@ Status SqliteStorage::write(std::span<const StorageChange> changes) {
     for (const StorageChange& change : changes)
         if (done.ok()) done = std::visit(database, change);
     if (done.ok()) done = database->execute("COMMIT");
-    // Some errors have ended it already.
+    // Some errors have already ended the transaction.
     if (!done.ok() && database->in_transaction()) {
         const Status undone = database->execute("ROLLBACK");
         if (!undone.ok()) return undone;
@@ -348,29 +354,29 @@ Result<Checkpoint> SqliteStorage::checkpoint(const std::string& world, std::uint
         database_->of(Database::read_checkpoint).bind(1, world).bind(2, std::uint64_t{tick});
     const Result<bool> row = read.step();
     if (!row.ok()) return row.error();
-    if (!*row) return Error{ErrorCode::not_found, where + " is not there"};
+    if (!*row) return Error{ErrorCode::not_found, where + " does not exist"};
     Checkpoint found{.tick = static_cast<std::uint32_t>(read.number(0)),
                      .hash = read.number(1),
                      .sequence = read.number(2),
                      .exact = std::string(read.bytes(3)),
                      .portable = std::string(read.bytes(4))};
-    const bool whole = read.bytes(5) == view_of(digest_of_row(world, found));
+    const bool intact = read.bytes(5) == view_of(digest_of_row(world, found));
     read.reset();
-    if (!whole) return damaged(where);
+    if (!intact) return damaged(where);
     return found;
 }
 
 Result<std::vector<JournalEntry>> SqliteStorage::entries(const std::string& world,
                                                          std::uint64_t after,
                                                          std::size_t bytes_max) {
-    std::optional<Chain> before;
-    if (after == 0) before = Chain{};
+    std::optional<Chain> previous_chain;
+    if (after == 0) previous_chain = Chain{};
     SqliteStatement& chain = database_->of(Database::chain_of_entry).bind(1, world).bind(2, after);
     const Result<bool> known = chain.step();
     if (!known.ok()) return known.error();
     if (*known && chain.bytes(0).size() == sizeof(Chain)) {
-        before.emplace();
-        std::copy_n(chain.bytes(0).begin(), sizeof(Chain), before->begin());
+        previous_chain.emplace();
+        std::copy_n(chain.bytes(0).begin(), sizeof(Chain), previous_chain->begin());
     }
     chain.reset();
 
@@ -400,12 +406,12 @@ Result<std::vector<JournalEntry>> SqliteStorage::entries(const std::string& worl
         if (list.bytes(6) != view_of(digest_of_row(world, e)))
             return fail(damaged(name_of(world, e)));
         if (e.sequence != after + 1)
-            return fail({ErrorCode::corrupt_data, "before " + name_of(world, e) + " entry " +
+            return fail({ErrorCode::corrupt_data, name_of(world, e) + ": the preceding entry " +
                                                       std::to_string(after + 1) + " is missing"});
-        if (before && e.chain != next_chain(*before, e.data))
+        if (previous_chain && e.chain != next_chain(*previous_chain, e.data))
             return fail({ErrorCode::corrupt_data,
-                         name_of(world, e) + " does not follow from the one before it"});
-        before = e.chain;
+                         name_of(world, e) + " does not match the chain of the previous entry"});
+        previous_chain = e.chain;
         after = e.sequence;
         found.push_back(std::move(e));
     }
@@ -417,9 +423,9 @@ Result<std::optional<std::string>> SqliteStorage::note(const std::string& name) 
     if (!row.ok()) return row.error();
     if (!*row) return std::optional<std::string>();
     PutNote found{name, std::string(read.bytes(0))};
-    const bool whole = read.bytes(1) == view_of(digest_of_row(found));
+    const bool intact = read.bytes(1) == view_of(digest_of_row(found));
     read.reset();
-    if (!whole) return damaged("the note \"" + name + "\"");
+    if (!intact) return damaged("the note \"" + name + "\"");
     return std::optional(std::move(found.value));
 }
 

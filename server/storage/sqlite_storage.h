@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Worlds in one SQLite file, with a write-ahead log beside it. Each row carries a digest of all
-// that it says: a byte that changed on the disk is reported, with the world and the row that it is
-// in.
+// Stores worlds in one SQLite file with a write-ahead log next to it. Each row has a digest of its
+// content: data that changed on disk is reported with the world and the row.
 #pragma once
 
 #include <memory>
@@ -13,21 +12,21 @@
 namespace jostle::server {
 
 enum class Durability {
-    process,  // what was written survives the process's end, however it ends
-    machine,  // ... and that of the machine
+    process,  // written data survives a crash of the process
+    machine,  // written data also survives a power failure
 };
 
 struct SqliteStorageOptions {
     Durability durability = Durability::machine;
-    bool create = true;  // the file, mode 0600, if there is none
-    // Of SQLite's own file systems; null: the usual one. For tests of disks that fail.
+    bool create = true;  // create the file, mode 0600, if it does not exist
+    // SQLite VFS name; null: the default. For tests of failing disks.
     const char* file_system = nullptr;
 };
 
 class SqliteStorage : public WorldStorage {
 public:
-    // not_found: there is none, and none is to be made. failed_precondition: another process has it
-    // open. corrupt_data: it is not a store of Jostle's, of a later version, or damaged.
+    // not_found: the file does not exist and `create` is false. failed_precondition: another
+    // process has it open. corrupt_data: not a Jostle database, from a later version, or corrupt.
     static Result<std::unique_ptr<SqliteStorage>> open(const std::string& path,
                                                        const SqliteStorageOptions& options);
     ~SqliteStorage() override;

@@ -4,7 +4,7 @@
 namespace jostle::server {
 namespace {
 
-constexpr std::size_t row_bytes = 256;  // beside the texts and bytes
+constexpr std::size_t row_bytes = 256;  // in addition to the strings
 
 struct Size {
     std::size_t operator()(const PutWorld& c) const {

@@ -8,8 +8,8 @@
 namespace jostle::server {
 namespace {
 
-// Another try may succeed.
-bool may_pass(const Status& failure) {
+// Whether a retry may succeed.
+bool is_transient(const Status& failure) {
     switch (failure.error().code) {
         case ErrorCode::already_exists:
         case ErrorCode::not_found:
@@ -22,9 +22,9 @@ bool may_pass(const Status& failure) {
 
 }  // namespace
 
-StorageWriter::StorageWriter(std::unique_ptr<WorldStorage> store,
+StorageWriter::StorageWriter(std::unique_ptr<WorldStorage> storage,
                              const StorageWriterSettings& settings)
-    : store_(std::move(store)), settings_(settings), thread_([this] { run(); }) {}
+    : storage_(std::move(storage)), settings_(settings), thread_([this] { run(); }) {}
 
 StorageWriter::~StorageWriter() {
     {
@@ -54,16 +54,16 @@ bool StorageWriter::flush(Clock::duration timeout) {
     return changed_.wait_for(lock, timeout, [&] { return finished_ >= all; });
 }
 
-bool StorageWriter::run_on_writer(const std::function<void(WorldStorage& store)>& look,
+bool StorageWriter::run_on_writer(const std::function<void(WorldStorage& storage)>& function,
                                   Clock::duration timeout) {
     const Clock::time_point until = Clock::now() + timeout;
     std::unique_lock lock(mutex_);
     if (!changed_.wait_until(lock, until, [&] { return !task_; })) return false;
-    task_ = &look;
+    task_ = &function;
     changed_.notify_all();
-    const auto is_over = [&] { return task_ != &look; };
+    const auto is_over = [&] { return task_ != &function; };
     if (changed_.wait_until(lock, until, is_over)) return true;
-    // One that was begun is waited for.
+    // A task that has started is waited for.
     if (task_running_) {
         changed_.wait(lock, is_over);
         return true;
@@ -77,7 +77,7 @@ std::optional<std::string> StorageWriter::failure_reason() const {
     const std::lock_guard lock(mutex_);
     if (failure_) return failure_;
     if (writing_since_ && Clock::now() - *writing_since_ > settings_.timeout)
-        return "the store takes longer than " +
+        return "the database takes longer than " +
                std::to_string(static_cast<int>(to_ms(settings_.timeout))) + " ms to write";
     return std::nullopt;
 }
@@ -96,7 +96,7 @@ void StorageWriter::run() {
             if (queue_.empty() && task_) {
                 task_running_ = true;
                 lock.unlock();
-                (*task_)(*store_);
+                (*task_)(*storage_);
                 lock.lock();
                 task_running_ = false;
                 task_ = nullptr;
@@ -110,7 +110,7 @@ void StorageWriter::run() {
     }
 }
 
-// Until all of the group is finished.
+// Returns when the entire group is finished.
 void StorageWriter::write(std::deque<Waiting>& group) {
     for (;;) {
         try_write(group);
@@ -121,7 +121,8 @@ void StorageWriter::write(std::deque<Waiting>& group) {
     for (const Waiting& waiting : group) {
         bytes += waiting.bytes;
         if (waiting.done)
-            waiting.done(Error{ErrorCode::aborted, "the server ended before it could be written"});
+            waiting.done(
+                Error{ErrorCode::aborted, "the server stopped before the change was written"});
     }
     const std::lock_guard lock(mutex_);
     bytes_ -= bytes;
@@ -129,8 +130,8 @@ void StorageWriter::write(std::deque<Waiting>& group) {
     changed_.notify_all();
 }
 
-// What is finished leaves the group. All at once, or, when something in it can never be written,
-// one after the other.
+// Removes finished changes from the group. Writes all in one transaction, or one at a time if one
+// of them can never be written.
 void StorageWriter::try_write(std::deque<Waiting>& group) {
     {
         const std::lock_guard lock(mutex_);
@@ -138,13 +139,13 @@ void StorageWriter::try_write(std::deque<Waiting>& group) {
     }
     std::vector<StorageChange> changes;
     for (Waiting& waiting : group) changes.push_back(std::move(waiting.change));
-    Status result = store_->write(changes);
+    Status result = storage_->write(changes);
     std::vector<Status> results(group.size(), result);
     std::size_t finished = result.ok() ? group.size() : 0;
-    if (!result.ok() && !may_pass(result)) {
+    if (!result.ok() && !is_transient(result)) {
         for (; finished < group.size(); finished++) {
-            result = store_->write(std::span(changes).subspan(finished, 1));
-            if (!result.ok() && may_pass(result)) break;
+            result = storage_->write(std::span(changes).subspan(finished, 1));
+            if (!result.ok() && is_transient(result)) break;
             results[finished] = result;
         }
     }
@@ -170,7 +171,7 @@ void StorageWriter::try_write(std::deque<Waiting>& group) {
 bool StorageWriter::wait_for_retry() {
     std::unique_lock lock(mutex_);
     if (last_try_ && Clock::now() >= *last_try_) return false;
-    // What is pushed meanwhile wakes it for nothing; the end does not.
+    // New changes cause spurious wake-ups; the end of the writer must not be delayed.
     const Clock::time_point until = Clock::now() + settings_.retry;
     while (Clock::now() < (last_try_ ? std::min(until, *last_try_) : until))
         changed_.wait_until(lock, last_try_ ? std::min(until, *last_try_) : until);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Between worlds that must not wait and a disk that may be slow, full or gone. Changes are queued,
-// and a thread of its own writes all that wait in one transaction, for all worlds of the process
-// together. While the store fails nothing is lost: the same changes are tried again until they are
-// written or the process ends.
+// Decouples worlds, which must not wait, from a disk that may be slow, full or gone. Changes are
+// queued, and a thread writes all queued changes of all worlds in one transaction. No change is
+// lost while storage fails: the same changes are retried until they are written or the process
+// ends.
 #pragma once
 
 #include <condition_variable>
@@ -21,33 +21,34 @@
 namespace jostle::server {
 
 struct StorageWriterSettings {
-    std::size_t bytes_max = 64 << 20;  // that wait; beyond it changes are refused
-    Clock::duration retry = std::chrono::milliseconds(250);  // after a failure
-    // A store that has taken so long over what it was given counts as failing.
+    std::size_t bytes_max = 64 << 20;  // of queued changes; further changes are rejected
+    Clock::duration retry = std::chrono::milliseconds(250);  // delay after a failure
+    // A write that takes longer counts as a failure.
     Clock::duration timeout = std::chrono::seconds(1);
 };
 
 class StorageWriter {
 public:
-    // On the writer's thread, once for each change that was taken: ok when it is durable. Anything
-    // else: it contradicts what is stored (already_exists, not_found) and is left out, or the
-    // writer ended before it could be written (aborted). Must not wait.
+    // Called on the writer's thread once per accepted change: ok once it is durable. Otherwise the
+    // change contradicts the stored data (already_exists, not_found) and is skipped, or the writer
+    // ended before it was written (aborted). Must not block.
     using Done = std::function<void(const Status&)>;
 
-    StorageWriter(std::unique_ptr<WorldStorage> store, const StorageWriterSettings& settings);
-    // Tries for `patience` to write what waits.
+    StorageWriter(std::unique_ptr<WorldStorage> storage, const StorageWriterSettings& settings);
+    // Retries queued changes for up to `timeout`.
     ~StorageWriter();
 
-    // Any thread; never waits for the store. False: too much waits, and the change was not taken.
+    // Any thread; never waits for storage. Returns false if the queue is full; the change is then
+    // not queued.
     bool push(StorageChange change, Done done);
-    // Any thread: looks at the store on the writer's thread, after what was pushed before, and
-    // returns when that is over. False: the writer did not come to it within that time.
-    bool run_on_writer(const std::function<void(WorldStorage& store)>& look,
+    // Any thread: calls `function` on the writer's thread after all earlier changes, and returns
+    // when the call is complete. Returns false if it did not start within `timeout`.
+    bool run_on_writer(const std::function<void(WorldStorage& storage)>& function,
                        Clock::duration timeout);
-    // Any thread: waits until all that was pushed before has been written or refused. False: not
-    // within that time.
+    // Any thread: waits until all earlier changes are written or rejected. Returns false on
+    // timeout.
     bool flush(Clock::duration timeout);
-    // Any thread: why the store does not take what it is given; nothing: it does.
+    // Any thread: why storage rejects changes; empty: no fault.
     std::optional<std::string> failure_reason() const;
     // Any thread.
     std::size_t pending_bytes() const;
@@ -62,21 +63,21 @@ private:
     void run();
     void write(std::deque<Waiting>& group);
     void try_write(std::deque<Waiting>& group);
-    // False: the writer ends, and what is left is not to be tried again.
+    // Returns false if the writer ends and the remaining changes are not retried.
     bool wait_for_retry();
 
-    const std::unique_ptr<WorldStorage> store_;  // the writer thread's own
+    const std::unique_ptr<WorldStorage> storage_;  // used by the writer's thread only
     const StorageWriterSettings settings_;
     mutable std::mutex mutex_;
     std::condition_variable changed_;
     std::deque<Waiting> queue_;
-    std::size_t bytes_ = 0;  // in the queue and in what is being written
+    std::size_t bytes_ = 0;  // queued or being written
     std::uint64_t pushed_ = 0, finished_ = 0;
-    const std::function<void(WorldStorage& store)>* task_ = nullptr;  // one at a time
+    const std::function<void(WorldStorage& storage)>* task_ = nullptr;  // one at a time
     bool task_running_ = false;
     std::optional<std::string> failure_;
     std::optional<Clock::time_point> writing_since_;
-    std::optional<Clock::time_point> last_try_;  // set: the writer ends then
+    std::optional<Clock::time_point> last_try_;  // if set, the writer ends at this time
     std::thread thread_;
 };
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Where worlds are kept. One process writes; one thread at a time calls.
+// Interface of the persistent storage of worlds. One process writes; one thread at a time calls.
 //
-// Errors: unavailable or resource_exhausted (the disk is gone, slow or full: the same call may
-// succeed later), corrupt_data (what is stored is not what was written; the message says where),
-// already_exists and not_found (the change contradicts what is stored, and always will).
+// Errors: unavailable or resource_exhausted (the disk is missing, slow or full; the same call may
+// succeed later), corrupt_data (the stored data was altered; the message names the row),
+// already_exists and not_found (the change contradicts the stored data and can never succeed).
 #pragma once
 
 #include <cstdint>
@@ -22,19 +22,19 @@ class WorldStorage {
 public:
     virtual ~WorldStorage() = default;
 
-    // All of them or none, durable when it returns. Writing again what is there is no error, so
-    // that who does not know whether a call took effect may repeat it.
+    // Applies all changes or none; they are durable on return. Writing existing data again is not
+    // an error, so that a caller that does not know the outcome can repeat the call.
     virtual Status write(std::span<const StorageChange> changes) = 0;
 
     virtual Result<std::vector<StoredWorld>> worlds() = 0;
-    // The ticks of those that are there, newest first.
+    // Ticks of the stored checkpoints, newest first.
     virtual Result<std::vector<std::uint32_t>> checkpoint_ticks(const std::string& world) = 0;
     virtual Result<Checkpoint> checkpoint(const std::string& world, std::uint32_t tick) = 0;
-    // Those after a sequence, in their order, at least one if there is one, and no more than that
-    // many bytes of data otherwise. corrupt_data: also when one is missing between them.
+    // The entries after a sequence number, in order: at least one if there is one, otherwise at
+    // most `bytes_max` bytes of data. corrupt_data: also if an entry is missing in between.
     virtual Result<std::vector<JournalEntry>> entries(const std::string& world, std::uint64_t after,
                                                       std::size_t bytes_max) = 0;
-    // Nothing: no such note was put.
+    // Empty if there is no such note.
     virtual Result<std::optional<std::string>> note(const std::string& name) = 0;
 };
 

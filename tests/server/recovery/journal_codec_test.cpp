@@ -106,7 +106,7 @@ TEST(JournalCodec, rewind_is_a_separate_entry_absent_from_version_2) {
         error_of(decode_journal(encode_journal(
                      {.ticks = {}, .paused_ticks = {}, .rewind = Rewind{.tick = 9, .to = 9}})))
             .message,
-        "what is kept of the commands of a world goes back from tick 9 to 9");
+        "corrupt journal record: invalid rewind from tick 9 to tick 9");
     EXPECT_EQ(error_of(decode_journal(encode_journal(
                            {.ticks = {}, .paused_ticks = {{8, 9}}, .rewind = Rewind{9, 3}})))
                   .code,
@@ -123,9 +123,9 @@ TEST(JournalCodec, truncated_or_changed_bytes_are_rejected_or_read_within_bounds
     for (std::size_t size = 0; size < whole.size(); size++)
         EXPECT_EQ(error_of(decode_journal(whole.substr(0, size))).code, ErrorCode::corrupt_data);
     EXPECT_EQ(error_of(decode_journal(whole + "x")).message,
-              "what is kept of the commands of a world goes on after its end");
+              "corrupt journal record: data after the end");
     EXPECT_EQ(error_of(decode_journal("\x07")).message,
-              "what is kept of the commands of a world is of version 7; this server reads 2 to 3");
+              "corrupt journal record: version 7; this server reads versions 2 to 3");
     test::Random random(5);
     int read = 0;
     for (int k = 0; k < 2000; k++) {

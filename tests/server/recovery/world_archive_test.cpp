@@ -203,7 +203,7 @@ TEST(WorldArchive, exports_a_past_tick_of_a_running_world) {
     EXPECT_EQ(process.worlds->scene_at(*world, 41).value().scene.bodies.size(), now);
     EXPECT_TRUE(process.worlds->create("what-if", then.scene).ok());
     EXPECT_EQ(error_of(process.worlds->scene_at(*world, 900)).message,
-              "tick 900 is not kept; the last one is 41");
+              "tick 900 is not retained; the last retained tick is 41");
 }
 
 // Two players, 80 ticks, taken back to tick 41 and played on: ticks, ids and inputs count on.

@@ -27,7 +27,7 @@ TEST(Compression, rejects_decompression_bombs_before_allocating) {
     const std::string bomb = compress(std::string(64 << 20, 'x'));
     EXPECT_LT(bomb.size(), 10000u);
     EXPECT_EQ(error_of(decompress(bomb, 1 << 20)).message,
-              "packed bytes are 67108864 unpacked; 1048576 are allowed");
+              "compressed data: 67108864 bytes when decompressed; at most 1048576 are allowed");
 }
 
 TEST(Compression, detects_any_changed_byte) {

@@ -106,7 +106,7 @@ TEST(SqliteStorage, repeated_writes_are_idempotent_and_conflicts_fail) {
     EXPECT_EQ(error_of(write(*store, {other})).code, ErrorCode::already_exists);
     journal.next("lost");
     EXPECT_EQ(error_of(write(*store, {journal.next("too early")})).message,
-              "entry 14 of the journal of world \"sea\" comes after 12");
+              "entry 14 of the journal of world \"sea\" does not follow entry 12");
 }
 
 TEST(SqliteStorage, trimming_removes_old_entries_and_preserves_the_chain) {
@@ -118,7 +118,7 @@ TEST(SqliteStorage, trimming_removes_old_entries_and_preserves_the_chain) {
     EXPECT_EQ(*store->checkpoint_ticks("sea"), std::vector<std::uint32_t>{100});
     EXPECT_EQ(store->entries("sea", 10, 1 << 20)->size(), 2u);
     EXPECT_EQ(error_of(store->entries("sea", 5, 1 << 20)).message,
-              "before entry 10 of the journal of world \"sea\" entry 6 is missing");
+              "entry 10 of the journal of world \"sea\": the preceding entry 6 is missing");
     ASSERT_TRUE(write(*store, {journal.next("after")}).ok());
     ASSERT_TRUE(write(*store, {DropWorld{"sea"}}).ok());
     EXPECT_TRUE(store->worlds()->empty());
@@ -157,7 +157,7 @@ TEST(SqliteStorage, rejects_foreign_files_by_name) {
     sqlite3_exec(other, "CREATE TABLE poems(text)", nullptr, nullptr, nullptr);
     sqlite3_close(other);
     EXPECT_EQ(error_of(SqliteStorage::open(folder / "other.db", {})).message,
-              folder / "other.db: it is a database, but not one of Jostle's worlds");
+              folder / "other.db: it is an SQLite database, but not a Jostle database");
 
     opened(folder / "later.db");
     sqlite3_open((folder / "later.db").c_str(), &other);
@@ -165,8 +165,8 @@ TEST(SqliteStorage, rejects_foreign_files_by_name) {
     sqlite3_close(other);
     EXPECT_EQ(error_of(SqliteStorage::open(folder / "later.db", {})).message,
               folder /
-                  "later.db: it was written by a later version of Jostle (schema 9; this one "
-                  "knows 2)");
+                  "later.db: it was written by a later version of Jostle (schema 9; this version "
+                  "supports 2)");
 }
 
 TEST(SqliteStorage, migrates_the_previous_schema_version) {

@@ -86,7 +86,7 @@ TEST(StorageWriter, slow_disk_is_reported_and_blocks_no_caller) {
     desk.disk->delay_ms = 500;
     EXPECT_TRUE(desk.push(desk.journal.next("slow")));
     ASSERT_TRUE(wait_until([&] { return desk.writer->failure_reason().has_value(); }));
-    EXPECT_EQ(*desk.writer->failure_reason(), "the store takes longer than 100 ms to write");
+    EXPECT_EQ(*desk.writer->failure_reason(), "the database takes longer than 100 ms to write");
     EXPECT_TRUE(desk.push(desk.journal.next("er")));
     EXPECT_LT(to_ms(desk.slowest), 50);
     desk.disk->delay_ms = 0;

@@ -144,7 +144,7 @@ TEST_F(CtlTest, restores_and_rewinds_a_persisted_world) {
     ASSERT_EQ(run("--json worlds", at), 0);
     EXPECT_GT(json()["worlds"][0]["tick"], before) << "ticks never go back";
     EXPECT_EQ(run("rewind stack --to 4000000000", at), 1);
-    EXPECT_TRUE(complains("tick 4000000000 is not kept; the last one is")) << err;
+    EXPECT_TRUE(complains("tick 4000000000 is not retained; the last retained tick is")) << err;
     EXPECT_EQ(run("world create what-if --from stack --at 1", at), 1);
     EXPECT_TRUE(complains("there is a world \"what-if\" already")) << err;
     EXPECT_EQ(run("world create --from stack --at 1", at), 2);

@@ -134,7 +134,7 @@ TEST(SceneErrors, rejects_surfaces_on_dynamic_bodies_and_triggers) {
                    "line 3: bodies[0].shapes[0]: is a surface without mass; give a dynamic body "
                    "hulls or a compound");
     expect_not_built(body(mesh + R"(, "trigger": true})", "FIXED"),
-                     "bodies[0] 'it': a mesh has no inside; a trigger needs a solid shape");
+                     "bodies[0] 'it': a mesh has no volume; a trigger needs a solid shape");
 }
 
 TEST(SceneErrors, rejects_height_fields_with_wrong_counts) {
@@ -214,10 +214,11 @@ TEST(SceneErrors, rejects_limits_with_lower_above_upper) {
 
 TEST(SceneErrors, rejects_joints_without_a_dynamic_body_or_between_equal_bodies) {
     expect_not_built(links(neighbours + "\"ball\": {}", "FIXED"),
-                     "joints[0] 'pin': neither body_a nor body_b is dynamic; a joint moves at "
-                     "least one of them");
+                     "joints[0] 'pin': neither body_a nor body_b is dynamic; a joint needs at "
+                     "least one dynamic body");
     expect_not_built(links(R"("name": "pin", "body_a": "link", "body_b": "link[0]", "ball": {})"),
-                     "joints[0] 'pin': body_a and body_b are the same body; a joint joins two");
+                     "joints[0] 'pin': body_a and body_b are the same body; a joint needs two "
+                     "different bodies");
 }
 
 TEST(SceneErrors, accepts_negative_groups_and_rejects_negative_masks) {
@@ -235,15 +236,16 @@ TEST(SceneErrors, accepts_negative_groups_and_rejects_negative_masks) {
 
 TEST(SceneErrors, rejects_out_of_plane_values_in_planar_worlds) {
     expect_not_built(planar(R"({"cylinder": {"radius": 1, "half_length": 1}})"),
-                     "bodies[0] 'it': a cylinder has no place in a planar world; use spheres "
-                     "(discs), capsules, boxes, hulls and planes");
-    expect_not_built(planar(R"({"sphere": {"radius": 1}, "position": {"z": 0.5}})"),
-                     "bodies[0] 'it': shape pose.position.z is 0.5; in a planar world it is 0");
+                     "bodies[0] 'it': a cylinder is not supported in a planar world; use "
+                     "spheres (discs), capsules, boxes, hulls and planes");
+    expect_not_built(
+        planar(R"({"sphere": {"radius": 1}, "position": {"z": 0.5}})"),
+        "bodies[0] 'it': shape pose.position.z is 0.5; it must be 0 in a planar world");
     expect_not_built(R"({"name": "a", "world": {"planar": true},
  "bodies": [{"name": "it", "position": {"z": 1}, "shapes": [{"sphere": {"radius": 1}}]}]})",
-                     "bodies[0] 'it': pose.position.z is 1; in a planar world it is 0");
+                     "bodies[0] 'it': pose.position.z is 1; it must be 0 in a planar world");
     expect_not_built(R"({"name": "a", "world": {"planar": true, "gravity": {"y": -9.81, "z": 1}}})",
-                     "world: gravity.z is 1; in a planar world it is 0");
+                     "world: gravity.z is 1; it must be 0 in a planar world");
 }
 
 TEST(SceneErrors, rejects_unknown_and_duplicate_modules) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Create, destroy and read bodies.
+// Creation, destruction and reading of bodies.
 #include <algorithm>
 #include <string>
 
@@ -36,7 +36,7 @@ BodyState state_of_body(const WorldState& world, std::uint32_t index) {
 
 void remove_body(WorldState& world, std::uint32_t body) {
     BodyCold& cold = world.bodies.cold[body];
-    // What rested on it, or beside it, falls; what it was part of may fall apart.
+    // Bodies that rested on it or leaned against it fall, and its island may split.
     wake_neighbours(world, body);
     wake_body(world, body);
     destroy_contacts_of(world, body, world.events.pending.ended);
@@ -98,33 +98,34 @@ Result<BodyId> World::create_body(const BodyDef& def, const ShapeDef& shape) {
 }
 
 Result<BodyId> World::create_body(const BodyDef& def, std::span<const ShapeDef> shapes) {
-    // All checked before anything is made: half a body is worse than none.
+    // Check everything before creating anything, so that no partial body is left behind.
     if (Status s = check_body_in(*state_, def); !s.ok()) return s.error();
     if (Status s = check_shapes_in(*state_, shapes, def.type); !s.ok()) return s.error();
     const Result<BodyId> body = create_body(def);
     if (shapes.empty()) return body;
-    // All at once: mass and bounds are of all shapes, and are made anew by each that comes later.
-    if (const auto made = set_shapes(*body, shapes); !made.ok()) return made.error();
+    // Set all shapes at once: mass and bounds depend on all of them and would be recomputed for
+    // each added shape.
+    if (const auto created = set_shapes(*body, shapes); !created.ok()) return created.error();
     return body;
 }
 
 Result<std::vector<BodyId>> World::create_bodies(std::span<const BodyAndShapes> defs) {
-    const auto which = [](std::size_t k, const Error& error) {
+    const auto error_at = [](std::size_t k, const Error& error) {
         return Error{error.code, "bodies[" + std::to_string(k) + "]: " + error.message};
     };
     for (std::size_t k = 0; k < defs.size(); k++) {
-        if (Status s = check_body_in(*state_, defs[k].body); !s.ok()) return which(k, s.error());
+        if (Status s = check_body_in(*state_, defs[k].body); !s.ok()) return error_at(k, s.error());
         if (Status s = check_shapes_in(*state_, defs[k].shapes, defs[k].body.type); !s.ok())
-            return which(k, s.error());
+            return error_at(k, s.error());
     }
-    std::vector<BodyId> made;
-    made.reserve(defs.size());
+    std::vector<BodyId> created;
+    created.reserve(defs.size());
     for (std::size_t k = 0; k < defs.size(); k++) {
         const Result<BodyId> body = create_body(defs[k].body, defs[k].shapes);
-        if (!body.ok()) return which(k, body.error());
-        made.push_back(*body);
+        if (!body.ok()) return error_at(k, body.error());
+        created.push_back(*body);
     }
-    return made;
+    return created;
 }
 
 Status World::destroy_body(BodyId body) {
@@ -142,7 +143,7 @@ Status World::destroy_bodies(std::span<const BodyId> bodies) {
             return Error{ErrorCode::invalid_argument, "body {" + std::to_string(sorted[k].index) +
                                                           ", " +
                                                           std::to_string(sorted[k].generation) +
-                                                          "} is named twice; name each body once"};
+                                                          "} is listed twice; list each body once"};
     }
     for (const BodyId& body : bodies) remove_body(*state_, body.index);
     return {};

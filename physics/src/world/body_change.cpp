@@ -41,7 +41,7 @@ Status check_dynamic(const WorldState& world, BodyId id) {
     if (world.bodies.cold[id.index].type == BodyType::dynamic) return {};
     return Error{ErrorCode::failed_precondition,
                  "body {" + std::to_string(id.index) + ", " + std::to_string(id.generation) +
-                     "} is not dynamic; forces and impulses move dynamic bodies only"};
+                     "} is not dynamic; forces and impulses require a dynamic body"};
 }
 
 }  // namespace jostle::physics

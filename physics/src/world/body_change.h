@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What every change of a body from outside has in common.
+// Common steps of all calls that change a body.
 #pragma once
 
 #include "jostle/physics/result.h"
@@ -8,23 +8,24 @@
 
 namespace jostle::physics {
 
-// What the next step will probably take, s.
+// The expected duration of the next step, s.
 inline double expected_dt(const WorldState& world) {
     return world.last_dt > 0 ? world.last_dt : 1.0 / 60;
 }
 
-// The body is awake; its velocity or what acts on it is about to change.
+// Wakes a body whose velocity, forces or properties are about to change.
 BodyWarm& wake_to_change(WorldState& world, std::uint32_t body);
 
-// After its pose or shapes changed: new fat boxes.
+// Call after a change of pose or shapes: updates the fat bounding boxes.
 void after_move(WorldState& world, std::uint32_t body);
-// After its velocity changed: what it will meet in the next step must be among its pairs.
+// Call after a change of velocity: the pairs must include everything that the body can reach in the
+// next step.
 void after_push(WorldState& world, std::uint32_t body);
 
-// Velocities along and about locked axes are none. Kinematic bodies know no locks.
+// Clears velocities along and about locked axes. Locks do not apply to kinematic bodies.
 void obey_locks(const BodyCold& cold, BodyWarm& warm);
 
-// That it exists and is dynamic.
+// Checks that the body exists and is dynamic.
 Status check_dynamic(const WorldState& world, BodyId id);
 
 }  // namespace jostle::physics

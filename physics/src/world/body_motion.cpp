@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Move and push bodies.
+// Motion of bodies: poses, velocities, forces and impulses.
 #include "jostle/physics/limits.h"
 #include "jostle/physics/world.h"
 #include "physics/src/state/contact_graph.h"
@@ -19,7 +19,7 @@ Status World::set_pose(BodyId body, const Transform& pose) {
         if (Status s = check_flat("pose", pose); !s.ok()) return s;
     wake_neighbours(world, body.index);
     BodyWarm& warm = wake_to_change(world, body.index);
-    // A jump, not a motion: whatever touched it here does not touch it there.
+    // A teleport, not a motion: the contacts at the old pose do not apply at the new one.
     destroy_contacts_of(world, body.index, world.events.pending.ended);
     warm.rotation = unit(pose.rotation);
     warm.axes = to_matrix(warm.rotation);
@@ -36,8 +36,8 @@ Status World::set_velocity(BodyId body, Vec3 linear, Vec3 angular) {
     if (Status s = check_vector("angular", angular, limits::max_speed); !s.ok()) return s;
     if (world.bodies.cold[body.index].type == BodyType::static_body)
         return Error{ErrorCode::failed_precondition,
-                     "a static body has no velocity; make it kinematic instead"};
-    // A platform that begins to move takes along what rests on it.
+                     "a static body cannot have a velocity; use a kinematic body"};
+    // A platform that starts to move carries the bodies that rest on it.
     if (world.bodies.cold[body.index].type == BodyType::kinematic)
         wake_neighbours(world, body.index);
     BodyWarm& warm = wake_to_change(world, body.index);
@@ -65,17 +65,18 @@ Status World::move_to(BodyId body, const Transform& pose, double dt) {
     if (Status s = check_range("dt", dt, 1e-5, 0.25); !s.ok()) return s;
     const BodyCold& cold = world.bodies.cold[body.index];
     if (cold.type != BodyType::kinematic)
-        return Error{
-            ErrorCode::failed_precondition,
-            "body {" + std::to_string(body.index) + ", " + std::to_string(body.generation) +
-                "} is not kinematic; move dynamic bodies by forces, static ones not at all"};
+        return Error{ErrorCode::failed_precondition,
+                     "body {" + std::to_string(body.index) + ", " +
+                         std::to_string(body.generation) +
+                         "} is not kinematic; move_to() requires a kinematic body"};
     const BodyWarm& warm = warm_of(world, body.index);
     const Quat q = unit(pose.rotation) * conjugate(warm.rotation);
     const Vec3 axis{q.x, q.y, q.z};
-    const double l = length(axis), sign = q.w < 0 ? -1 : 1;  // the shorter way round
+    const double l = length(axis), sign = q.w < 0 ? -1 : 1;  // the shorter rotation
     const Vec3 turn = l > 1e-15 ? axis * (2 * sign * arc_tangent(l, q.w * sign) / l) : Vec3{};
-    const Vec3 way = pose.position - warm.center;  // kinematic bodies turn about their origin
-    return set_velocity(body, way * (1 / dt), turn * (1 / dt));
+    const Vec3 displacement =
+        pose.position - warm.center;  // kinematic bodies rotate about their origin
+    return set_velocity(body, displacement * (1 / dt), turn * (1 / dt));
 }
 
 Status World::apply_impulse(BodyId body, Vec3 impulse, Vec3 point) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Change what a body is: its type, mass, locks, damping, sleep.
+// Changes of body properties: type, mass, locks, damping, sleep.
 #include <string>
 
 #include "jostle/physics/world.h"
@@ -19,7 +19,7 @@
 namespace jostle::physics {
 namespace {
 
-// Whether its shapes and joints let a body be of another type.
+// Checks whether the shapes and joints of a body allow the type.
 Status check_type(const WorldState& world, std::uint32_t body, BodyType type) {
     const BodyCold& cold = world.bodies.cold[body];
     for (std::uint32_t s = cold.first_shape; s != none; s = world.shapes.shapes[s].next)
@@ -27,7 +27,7 @@ Status check_type(const WorldState& world, std::uint32_t body, BodyType type) {
             return status;
     if (type == BodyType::dynamic && cold.first_shape == none)
         return Error{ErrorCode::failed_precondition,
-                     "the body has no shape to give it a mass; create one first"};
+                     "a dynamic body needs a shape for its mass; create a shape first"};
     Status joints;
     for_each_joint(world.joints, cold, [&](std::uint32_t index) {
         const Joint& joint = world.joints.joints[index];
@@ -36,12 +36,12 @@ Status check_type(const WorldState& world, std::uint32_t body, BodyType type) {
             joints = Error{ErrorCode::failed_precondition,
                            "joint {" + std::to_string(index) + ", " +
                                std::to_string(world.joints.ids.generation(index)) +
-                               "} would hold two bodies that are not dynamic; destroy it first"};
+                               "} would connect two bodies that are not dynamic; destroy it first"};
     });
     return joints;
 }
 
-// Takes the body out of its tree, island and set, and puts it into those of the type.
+// Moves the body from the tree, island and set of its old type to those of the new type.
 void change_type(WorldState& world, std::uint32_t body, BodyType type) {
     BodyCold& cold = world.bodies.cold[body];
     for (std::uint32_t s = cold.first_shape; s != none; s = world.shapes.shapes[s].next)
@@ -97,7 +97,7 @@ Status World::set_mass(BodyId body, double mass) {
     if (Status s = check_mass(mass); !s.ok()) return s;
     wake_neighbours(world, body.index);
     wake_body(world, body.index);
-    // Manifolds hold what both masses make of an impulse: they are built anew.
+    // Manifolds store effective masses and must be rebuilt.
     destroy_contacts_of(world, body.index, world.events.pending.ended);
     world.bodies.cold[body.index].mass_override = mass;
     update_mass(world, body.index);
@@ -119,7 +119,7 @@ Status World::set_awake(BodyId body, bool awake) {
     if (Status s = check_dynamic(world, body); !s.ok()) return s;
     if (!world.def.sleeping)
         return Error{ErrorCode::failed_precondition,
-                     "nothing sleeps in this world: WorldDef::sleeping is off"};
+                     "sleeping is disabled in this world (WorldDef::sleeping is false)"};
     const std::uint32_t first = world.bodies.cold[body.index].island;
     if (world.islands.islands[first].asleep) return {};
     if (world.islands.islands[first].may_be_split) split_island(world, first);
@@ -131,7 +131,7 @@ Status World::set_awake(BodyId body, bool awake) {
         wake_in_place(world, b);
     }
     put_island_to_sleep(world, island, world.events.pending.ended);
-    world.static_revision++;  // it may have woken to be moved
+    world.static_revision++;  // the body may have been woken and moved before
     return {};
 }
 
@@ -166,7 +166,8 @@ Status World::set_locks(BodyId body, AxisLocks locks) {
     WorldState& world = *state_;
     if (Status s = check_id(world, body); !s.ok()) return s;
     if (locks >= 64)
-        return Error{ErrorCode::invalid_argument, "locks has bits beyond the six axes"};
+        return Error{ErrorCode::invalid_argument,
+                     "locks is " + std::to_string(locks) + "; it must be from 0 to 63"};
     wake_neighbours(world, body.index);
     BodyWarm& warm = wake_to_change(world, body.index);
     destroy_contacts_of(world, body.index, world.events.pending.ended);

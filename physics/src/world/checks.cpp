@@ -11,10 +11,12 @@ Status check_world(const WorldDef& def) {
     if (Status s = check_vector("gravity", def.gravity, 1e4); !s.ok()) return s;
     if (def.planar && def.gravity.z != 0)
         return invalid_argument("gravity.z is " + text(def.gravity.z) +
-                                "; in a planar world it is 0");
+                                "; it must be 0 in a planar world");
     if (Status s = check_range("hit_speed", def.hit_speed, 0, 1e6); !s.ok()) return s;
     if (def.broad_phase > BroadPhase::uniform_grid)
-        return invalid_argument("broad_phase is of no known kind");
+        return invalid_argument("broad_phase is " +
+                                std::to_string(static_cast<int>(def.broad_phase)) +
+                                "; it must be from 0 to 2");
     if (def.tolerance != 0)
         if (Status s = check_range("tolerance", def.tolerance, 1e-9, 1e3); !s.ok()) return s;
     if (Status s =
@@ -28,7 +30,7 @@ Status check_world(const WorldDef& def) {
     if (def.step_budget > 0 && def.tolerance > 0)
         return invalid_argument(
             "step_budget and tolerance are both set; sub-steps follow either the work of a step or "
-            "its error: leave one of them 0 (substep_budget bounds what a tolerance costs)");
+            "its error: set one of them to 0 (substep_budget limits the cost of a tolerance)");
     if (Status s = check_joint_solver("joint_solver", def.joint_solver); !s.ok()) return s;
     if (Status s = check_range("substeps", def.substeps, 1, limits::max_substeps); !s.ok())
         return s;
@@ -53,22 +55,24 @@ Status check_body(const BodyDef& def) {
     if (Status s = check_range("gravity_scale", def.gravity_scale, -1e3, 1e3); !s.ok()) return s;
     if (Status s = check_mass(def.mass); !s.ok()) return s;
     if (Status s = check_body_type(def.type); !s.ok()) return s;
-    if (def.locks >= 64) return invalid_argument("locks has bits beyond the six axes");
+    if (def.locks >= 64)
+        return invalid_argument("locks is " + std::to_string(def.locks) +
+                                "; it must be from 0 to 63");
     const bool moves = !(def.linear_velocity == Vec3{}) || !(def.angular_velocity == Vec3{});
     if (def.type == BodyType::static_body && moves)
         return invalid_argument(
-            "a static body has no velocity; make it kinematic, or leave the velocity out");
+            "a static body cannot have a velocity; make it kinematic or remove the velocity");
     return {};
 }
 
 Status check_flat(const char* name, const Transform& pose) {
     if (pose.position.z != 0)
         return invalid_argument(std::string(name) + ".position.z is " + text(pose.position.z) +
-                                "; in a planar world it is 0");
+                                "; it must be 0 in a planar world");
     if (pose.rotation.x != 0 || pose.rotation.y != 0)
         return invalid_argument(
             std::string(name) +
-            ".rotation is not about z; in a planar world bodies turn about z alone");
+            ".rotation is not about z; bodies in a planar world rotate about z only");
     return {};
 }
 
@@ -76,7 +80,8 @@ Status check_flat_body(const BodyDef& def) {
     if (Status s = check_flat("pose", def.pose); !s.ok()) return s;
     if (def.linear_velocity.z != 0 || def.angular_velocity.x != 0 || def.angular_velocity.y != 0)
         return invalid_argument(
-            "linear_velocity.z, angular_velocity.x and angular_velocity.y are 0 in a planar world");
+            "linear_velocity.z, angular_velocity.x and angular_velocity.y must be 0 in a planar "
+            "world");
     return {};
 }
 
@@ -85,10 +90,10 @@ Status check_flat_shape(const ShapeDef& def) {
     if (kind != ShapeKind::plane && !has_outline(kind))
         return invalid_argument(
             std::string("a ") + kind_name(kind) +
-            " has no place in a planar world; use spheres (discs), capsules, boxes, "
+            " is not supported in a planar world; use spheres (discs), capsules, boxes, "
             "hulls and planes");
     if (kind == ShapeKind::plane && std::get<Plane>(def.geometry).normal.z != 0)
-        return invalid_argument("the plane's normal.z is not 0; in a planar world it is");
+        return invalid_argument("the plane's normal.z must be 0 in a planar world");
     return check_flat("shape pose", def.pose);
 }
 
@@ -98,28 +103,29 @@ Status check_shape(const ShapeDef& def, BodyType type) {
     if (Status s = check_material(def.material); !s.ok()) return s;
     const ShapeKind kind = kind_of(def.geometry);
     if (kind == ShapeKind::plane && type != BodyType::static_body)
-        return invalid_argument("a plane is infinite; only a static body may carry one");
+        return invalid_argument("a plane is infinite; only a static body can have one");
     const bool surface = kind == ShapeKind::mesh || kind == ShapeKind::height_field;
     if (surface && type == BodyType::dynamic)
         return invalid_argument(
             std::string("a ") + kind_name(kind) +
-            " has no inside and no mass; give a dynamic body hulls or a compound");
+            " has no volume and no mass; use hulls or a compound for a dynamic body");
     if (surface && def.trigger)
         return invalid_argument(std::string("a ") + kind_name(kind) +
-                                " has no inside; a trigger needs a solid shape");
+                                " has no volume; a trigger needs a solid shape");
     if (Status s = check_mass(def.mass); !s.ok()) return s;
     if (type != BodyType::dynamic || def.trigger || def.mass > 0)
         return check_range("density", def.density, 0, limits::max_density);
     if (!(def.density > 0))
         return invalid_argument("density is " + text(def.density) +
-                                "; a dynamic body needs a shape of density above 0 to have mass");
+                                "; it must be above 0 for a dynamic body");
     return check_range("density", def.density, 1e-6, limits::max_density);
 }
 
 Status check_body_type(BodyType type) {
     if (type == BodyType::static_body || type == BodyType::kinematic || type == BodyType::dynamic)
         return {};
-    return invalid_argument("type is of no known kind");
+    return invalid_argument("type is " + std::to_string(static_cast<int>(type)) +
+                            "; it must be static (0), kinematic (1) or dynamic (2)");
 }
 
 Status check_body_in(const WorldState& world, const BodyDef& def) {
@@ -184,7 +190,7 @@ Status check_id(const WorldState& world, FieldId id) {
 Status check_not_stepping(const WorldState& world, const char* action) {
     if (world.listeners.stepping == nullptr) return {};
     return Error{ErrorCode::failed_precondition,
-                 std::string("the world is stepping; a listener cannot ") + action};
+                 std::string("cannot ") + action + " during a step"};
 }
 
 Geometry stored(const Geometry& geometry) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The rows of what hangs together with a body, and their linear system.
+// Builds the constraint rows of a connected group of bodies and their linear system.
 #include "jostle/physics/constraint_system.h"
 
 #include <algorithm>
@@ -27,10 +27,11 @@ namespace {
 Status check_options(const ConstraintSystemOptions& options) {
     if (options.h != 0)
         if (Status s = check_range("h", options.h, 1e-6, 0.25); !s.ok()) return s;
-    return check_range("mend", options.position_correction, 0, 1);
+    return check_range("position_correction", options.position_correction, 0, 1);
 }
 
-// By joints and touching contacts, through what can be pushed. Rising by index.
+// Bodies connected to `body` by joints and touching contacts through dynamic bodies, sorted by
+// index.
 std::vector<std::uint32_t> constrained_group(const WorldState& world, std::uint32_t body) {
     std::vector<std::uint32_t> found = {body};
     std::vector<bool> seen(world.bodies.cold.size());
@@ -99,7 +100,8 @@ SystemBody system_body(const WorldState& world, std::uint32_t index,
     const Vec3 acceleration =
         acceleration_of(warm, cold, world.def.gravity) + scaled(push.force, body.inverse_mass);
     const Vec3 momentum =
-        warm.axes * (cold.inertia * transposed_times(warm.axes, warm.w));  // of spin, world
+        // Angular momentum, world.
+        warm.axes * (cold.inertia * transposed_times(warm.axes, warm.w));
     const Vec3 torque = warm.torque + push.torque - cross(warm.w, momentum);
     body.free_velocity = warm.v * damping_factor(cold.linear_damping, h) + acceleration * h;
     body.free_spin =
@@ -107,14 +109,14 @@ SystemBody system_body(const WorldState& world, std::uint32_t index,
     return body;
 }
 
-// Rows and the bodies that they name, in the order in which they come.
+// Collects rows and the bodies they refer to, in order of first reference.
 struct ConstraintSystemBuilder {
     const WorldState& world;
     const ConstraintSystemOptions& options;
     double h;
     ConstraintSystem system = {};
     std::vector<std::uint32_t> bodies = {};    // by number
-    std::vector<std::int32_t> number_of = {};  // by index; -1: not named yet
+    std::vector<std::int32_t> number_of = {};  // by index; -1: no number yet
 
     int first_block = 0;  // of the next joint
 
@@ -129,7 +131,7 @@ struct ConstraintSystemBuilder {
     }
     bool full() const { return system.rows.size() > std::size_t{constraint_rows_max}; }
 
-    // What is left of a one-sided row's way is used up within h, or it does not act.
+    // A one-sided row must use its remaining distance within h, otherwise it does not act.
     double bias_of(double error, bool one_sided, double share) const {
         return one_sided && error > 0 ? -error / h : -share * error / h;
     }
@@ -243,7 +245,7 @@ struct ConstraintSystemBuilder {
         }
     }
 
-    // Bodies by their ids: rows named them in their own order.
+    // Sorts bodies by id. Rows refer to them in order of first reference until then.
     void sort_bodies() {
         std::vector<std::uint32_t> order = bodies;
         std::sort(order.begin(), order.end());
@@ -272,7 +274,7 @@ std::vector<std::uint32_t> joints_on(const WorldState& world,
     return joints;
 }
 
-// Each once: body a of a contact is dynamic.
+// Lists each contact once: body a of a contact is dynamic.
 std::vector<ContactView> contacts_between(const WorldState& world,
                                           const std::vector<std::uint32_t>& bodies) {
     std::vector<ContactView> contacts;
@@ -304,10 +306,10 @@ Result<ConstraintSystem> system_of(const WorldState& world, std::uint32_t body,
     const std::vector<std::uint32_t> bodies = constrained_group(world, body);
     const auto too_many = [&] {
         return Error{ErrorCode::resource_exhausted,
-                     "what hangs together with body {" + std::to_string(body) + ", " +
-                         std::to_string(body_id(world, body).generation) + "} are " +
+                     "the group of body {" + std::to_string(body) + ", " +
+                         std::to_string(body_id(world, body).generation) + "} has " +
                          std::to_string(bodies.size()) + " bodies with more than " +
-                         std::to_string(constraint_rows_max) + " rows; ask about a smaller group"};
+                         std::to_string(constraint_rows_max) + " rows; use a smaller group"};
     };
     for (const std::uint32_t joint : joints_on(world, bodies)) {
         all.add_joint(joint);
@@ -320,10 +322,11 @@ Result<ConstraintSystem> system_of(const WorldState& world, std::uint32_t body,
         if (all.full()) return too_many();
     }
     if (all.system.rows.empty())
-        return Error{ErrorCode::failed_precondition,
-                     "body {" + std::to_string(body) + ", " +
-                         std::to_string(body_id(world, body).generation) +
-                         "} touches nothing, and no joint of it can act now: there are no rows"};
+        return Error{
+            ErrorCode::failed_precondition,
+            "body {" + std::to_string(body) + ", " +
+                std::to_string(body_id(world, body).generation) +
+                "} has no constraint rows: it touches nothing and none of its joints acts"};
     all.sort_bodies();
     all.system.h = h;
     assemble(all.system);
@@ -341,7 +344,7 @@ Result<ConstraintSystem> World::constraint_system(BodyId body,
         return Error{ErrorCode::failed_precondition,
                      "body {" + std::to_string(body.index) + ", " +
                          std::to_string(body.generation) +
-                         "} is not dynamic: nothing is solved for it; name a dynamic body"};
+                         "} is not dynamic; constraints are solved for dynamic bodies only"};
     return system_of(world, body.index, options);
 }
 

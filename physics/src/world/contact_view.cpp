@@ -8,7 +8,7 @@
 namespace jostle::physics {
 namespace {
 
-// The rows of a manifold, whether it is in the constraint graph or kept by a sleeping island.
+// Reads the rows of a manifold, from the constraint graph or from a sleeping island.
 template <class Row>
 void fill_points(ContactInfo& info, Vec3 center, Row&& row) {
     constexpr int normal = 2, tangent = 5, arm = 8, x = 14, y = 18, gap = 22, lambda = 26;
@@ -66,7 +66,7 @@ std::vector<ContactView> contacts_on(const WorldState& world, std::uint32_t body
         else if (world.contacts.contacts[contact].dormant)
             asleep.push_back(contact);
     });
-    // A sleeping contact is kept by the island of its body a, or of b if only that one sleeps.
+    // A sleeping contact is stored by the island of its body a, or of b if only b sleeps.
     std::sort(asleep.begin(), asleep.end());
     std::vector<std::uint32_t> islands;
     for (const std::uint32_t contact : asleep)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A contact's manifold as the public face shows it, wherever it is kept.
+// Contact manifolds in the form of the public API, for manifolds of awake and sleeping contacts.
 #pragma once
 
 #include <cstdint>
@@ -11,11 +11,11 @@
 
 namespace jostle::physics {
 
-// Of a contact in the constraint graph, and of one that a sleeping island keeps.
+// Return the manifold of a contact in the constraint graph, and of one stored by a sleeping island.
 ContactInfo solved_contact(const WorldState& world, std::uint32_t contact);
 ContactInfo sleeping_contact(const WorldState& world, const SavedContact& saved);
 
-// A body's contacts that have manifolds.
+// The contacts of a body that have manifolds.
 struct ContactView {
     std::uint32_t contact = 0;  // index
     ContactInfo info;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Create, change and destroy force fields.
+// Creation, change and destruction of force fields.
 #include "jostle/physics/world.h"
 #include "physics/src/state/force_fields.h"
 #include "physics/src/state/shape_proxy.h"
@@ -19,7 +19,7 @@ FieldDef stored(FieldDef def) {
     return def;
 }
 
-// Bodies that the field begins or ceases to act on.
+// Wakes the bodies on which the field starts or stops to act.
 void wake_region(WorldState& world, const FieldDef& field) {
     for (std::uint32_t body = 0; body < world.bodies.ids.size(); body++)
         if (world.bodies.ids.alive(body) &&
@@ -27,7 +27,7 @@ void wake_region(WorldState& world, const FieldDef& field) {
             wake_body(world, body);
 }
 
-// After the fields changed: how far bodies may move in the next step.
+// Call after a change of fields: updates the bounds on the motion of bodies in the next step.
 void update_bounds(WorldState& world) {
     world.fields.derive_active();
     for (const BodyWarm& warm : world.bodies.awake)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What debug views show: contacts, islands, bounds, the cells of the broad phase.
+// Data for debug views: contacts, islands, bounds, broad-phase cells.
 #include <algorithm>
 
 #include "jostle/physics/world.h"

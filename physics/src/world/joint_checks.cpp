@@ -29,14 +29,15 @@ void JointCheck::points(const char* name, const std::vector<Vec3>& points, std::
                         std::size_t most, double limit) {
     const std::string path = path_of(name);
     if (status_.ok() && (points.size() < least || points.size() > most))
-        status_ = invalid_argument(path + " are " + std::to_string(points.size()) + "; give " +
-                                   std::to_string(least) + " to " + std::to_string(most));
+        status_ = invalid_argument(path + " has " + std::to_string(points.size()) +
+                                   " points; it must have " + std::to_string(least) + " to " +
+                                   std::to_string(most));
     for (std::size_t k = 0; k < points.size() && status_.ok(); k++) {
         const std::string which = "[" + std::to_string(k) + "]";
         vector((name + which).c_str(), points[k], limit);
         if (status_.ok() && k > 0 && length(points[k] - points[k - 1]) < 1e-6)
-            status_ =
-                invalid_argument(path + which + " is where the one before it is; leave one out");
+            status_ = invalid_argument(path + which +
+                                       " coincides with the previous point; remove one of them");
     }
 }
 
@@ -53,8 +54,9 @@ void JointCheck::limit(const char* name, const JointLimit& limit, double low, do
     JointCheck inside(*this, name);
     visit_limit(inside, limit, low, high);
     if (inside.status_.ok() && limit.lower > limit.upper)
-        inside.status_ = invalid_argument(inside.path_of("lower") + " is above " +
-                                          inside.path_of("upper") + "; give the lower one first");
+        inside.status_ =
+            invalid_argument(inside.path_of("lower") + " is above " + inside.path_of("upper") +
+                             "; lower must not exceed upper");
     merge_status(inside);
 }
 
@@ -72,7 +74,7 @@ void JointCheck::axis(const char* name, const JointAxis& axis, double low, doubl
         inside.status_ =
             invalid_argument(path_of(name) +
                              " is locked and has a limit, spring, motor or friction; make it "
-                             "free, or take those away");
+                             "free or remove them");
     merge_status(inside);
 }
 

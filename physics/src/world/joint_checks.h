@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Checks of a joint's kind against the ranges of its table (jostle/physics/joint_fields.h).
+// Checks the parameters of a joint against the ranges of the field table
+// (jostle/physics/joint_fields.h).
 #pragma once
 
 #include <string>
@@ -10,14 +11,14 @@
 
 namespace jostle::physics {
 
-// The error names the field by its path: "hinge.motor.speed".
+// Returns an error that names the field by its path: "hinge.motor.speed".
 Status check_kind(const JointKind& kind);
 
-// A visitor of the table; keeps the first fault.
+// Visitor of the field table that records the first error.
 class JointCheck {
 public:
     explicit JointCheck(const char* kind) : name_(kind) {}
-    // Of a part of what the other looks at, which lives on.
+    // Checks a nested struct of `parent`, which must outlive this object.
     JointCheck(const JointCheck& parent, const char* name) : parent_(&parent), name_(name) {}
     JointCheck(const JointCheck&) = delete;
     JointCheck& operator=(const JointCheck&) = delete;
@@ -45,7 +46,7 @@ public:
     void axis(const char* name, const JointAxis& axis, double low, double high);
 
 private:
-    // Made when there is a fault: joints are set by the thousand in a step.
+    // Builds the path only for an error, because thousands of joints may be set per step.
     std::string path_of(const char* field) const;
     void merge_status(const JointCheck& part) {
         if (status_.ok()) status_ = part.status_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Create, destroy, read and drive joints.
+// Creation, destruction, reading and control of joints.
 #include <algorithm>
 #include <array>
 #include <string_view>
@@ -25,10 +25,12 @@ Status check_joint(const WorldState& world, const JointDef& def) {
         if (Status s = check_id(world, def.body_a); !s.ok()) return s;
     if (Status s = check_id(world, def.body_b); !s.ok()) return s;
     if (def.body_a == def.body_b)
-        return invalid_argument("body_a and body_b are the same body; a joint joins two");
+        return invalid_argument(
+            "body_a and body_b are the same body; a joint needs two different bodies");
     if (!is_dynamic(world, def.body_a.index) && !is_dynamic(world, def.body_b.index))
-        return Error{ErrorCode::failed_precondition,
-                     "neither body_a nor body_b is dynamic; a joint moves at least one of them"};
+        return Error{
+            ErrorCode::failed_precondition,
+            "neither body_a nor body_b is dynamic; a joint needs at least one dynamic body"};
     if (Status s = check_pose("frame_a", def.frame_a); !s.ok()) return s;
     if (Status s = check_pose("frame_b", def.frame_b); !s.ok()) return s;
     if (Status s = check_range("break_force", def.break_force, 0, 1e15); !s.ok()) return s;
@@ -51,7 +53,7 @@ JointDef def_of(const WorldState& world, const Joint& j) {
             .solver = j.solver};
 }
 
-// "cone-twist": as people write it.
+// The display name of a kind, such as "cone-twist".
 template <class Kind>
 constexpr auto display_name = [] {
     constexpr std::string_view name = JointFields<Kind>::name;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Who takes part in the step: listeners and modules.
+// Listeners and modules of a world.
 #include "jostle/physics/module.h"
 #include "jostle/physics/world.h"
 #include "physics/src/state/module_registry.h"
@@ -13,7 +13,8 @@ Status World::add_listener(StepListener& listener) {
     ListenerStore& store = state_->listeners;
     if (Status s = check_not_stepping(*state_, "add a listener"); !s.ok()) return s;
     if (store.contains(listener))
-        return Error{ErrorCode::failed_precondition, "the listener was added already"};
+        return Error{ErrorCode::failed_precondition,
+                     "the listener has already been added; add it once"};
     store.add(listener);
     return {};
 }
@@ -24,9 +25,9 @@ Status World::remove_listener(StepListener& listener) {
     const auto is_it = [&](const auto& module) { return module.get() == &listener; };
     if (std::any_of(store.modules.begin(), store.modules.end(), is_it))
         return Error{ErrorCode::failed_precondition,
-                     "the listener is a module, which the world owns: call remove_module()"};
+                     "the listener is a module owned by the world; call remove_module()"};
     if (!store.contains(listener))
-        return Error{ErrorCode::not_found, "the listener was not added, or removed before"};
+        return Error{ErrorCode::not_found, "the listener is not registered with this world"};
     store.remove(listener);
     return {};
 }
@@ -38,7 +39,7 @@ Status World::add_module(std::unique_ptr<Module> module) {
     if (Status s = check_module_tag(module->tag()); !s.ok()) return s;
     if (store.module(module->tag()) != nullptr)
         return Error{ErrorCode::failed_precondition,
-                     "the world has a module \"" + std::string(module->tag()) + "\" already"};
+                     "the world already has a module \"" + std::string(module->tag()) + "\""};
     store.add(std::move(module));
     return {};
 }

@@ -19,14 +19,14 @@ MassProperties scaled_to(const MassProperties& p, double mass) {
     return {mass, p.center, p.inertia * (mass / p.mass)};
 }
 
-// In the plane only the turn about z counts: the moment about it stands for all three.
+// In a planar world bodies rotate about z only, so the moment about z replaces all three.
 void flatten(BodyCold& cold) {
     const double about_z = cold.inertia.z.z;
     cold.inertia = diagonal({about_z, about_z, about_z});
 }
 
 MassProperties mass_of_shape(const ShapeRecord& shape, bool planar) {
-    // A mass of its own needs no density.
+    // An explicit mass needs no density.
     const double density = shape.mass > 0 && shape.density == 0 ? 1 : shape.density;
     const MassProperties p =
         planar ? planar_mass_of(shape.geometry, density) : mass_of(shape.geometry, density);

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// Mass, centre and inertia of a body from its shapes.
+// Mass, centre of mass and inertia of a body from its shapes.
 #pragma once
 
 #include "physics/src/state/world_state.h"
 
 namespace jostle::physics {
 
-// Recomputes what the body's shapes make of it and moves its centre of mass accordingly: the body's
-// origin and the velocity of its material points stay. Its shapes' derived data follow.
+// Recomputes the mass properties of a body and moves its centre of mass accordingly. The body's
+// origin and the velocity of its material points do not change. Also updates the derived data of
+// its shapes.
 void update_mass(WorldState& world, std::uint32_t body);
 
 }  // namespace jostle::physics

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Queries: the broad phases first, then the shapes.
+// Spatial queries: a broad-phase query, then tests of the shapes.
 #include <algorithm>
 
 #include "jostle/physics/limits.h"
@@ -32,7 +32,7 @@ bool reaches(const TransformedShape& plane, const Aabb& box) {
     return dot(lowest - plane.position, n) <= 0;
 }
 
-// Every shape that the filter sees near the box, by index.
+// Returns every shape near the box that passes the filter, sorted by index.
 std::vector<QueryShape> shapes_near(const QuerySource& source, const Aabb& box,
                                     const QueryFilter& filter) {
     std::vector<std::uint32_t> found;
@@ -56,7 +56,7 @@ Status check_ray(const Ray& ray) {
     if (Status s = check_vector("ray.motion", ray.motion, limits::max_coordinate); !s.ok())
         return s;
     if (ray.motion == Vec3{})
-        return Error{ErrorCode::invalid_argument, "ray.motion is zero; it must have a length"};
+        return Error{ErrorCode::invalid_argument, "ray.motion is zero; it must not be zero"};
     return {};
 }
 
@@ -65,7 +65,7 @@ Status check_probe(const char* name, const Geometry& geometry) {
     if (is_convex(kind_of(geometry))) return {};
     return Error{ErrorCode::invalid_argument,
                  std::string(name) + " is a " + kind_name(kind_of(geometry)) +
-                     "; ask with a sphere, capsule, box, cylinder, cone or hull"};
+                     "; it must be a sphere, capsule, box, cylinder, cone or hull"};
 }
 
 RayHit hit_of(const QueryShape& shape, const Ray& ray, const ShapeRayHit& hit) {
@@ -76,18 +76,18 @@ RayHit hit_of(const QueryShape& shape, const Ray& ray, const ShapeRayHit& hit) {
             .normal = hit.normal};
 }
 
-// Calls visit(shape, hit) -> new limit for every shape that the ray meets.
+// Calls visit(shape, hit, limit), which returns the new limit, for every shape that the ray hits.
 template <class Visit>
 void along_ray(const QuerySource& source, const Ray& ray, const QueryFilter& filter,
                Visit&& visit) {
-    const auto look = [&](std::uint32_t index, double limit) {
+    const auto test = [&](std::uint32_t index, double limit) {
         const QueryShape shape = source.shape(index);
         if (!sees(filter, shape)) return limit;
         const auto hit = physics::cast_ray(shape.transformed_shape, ray.origin, ray.motion);
         return hit ? visit(shape, *hit, limit) : limit;
     };
-    source.cast_ray(ray.origin, ray.motion, filter.categories, look);
-    for (const std::uint32_t plane : source.planes()) look(plane, 1);
+    source.cast_ray(ray.origin, ray.motion, filter.categories, test);
+    for (const std::uint32_t plane : source.planes()) test(plane, 1);
 }
 
 std::optional<RayHit> first_hit(const QuerySource& source, const Ray& ray,
@@ -110,26 +110,26 @@ Status check_cast(const ShapeCast& cast) {
     return check_vector("cast.motion", cast.motion, limits::max_coordinate);
 }
 
-// Where the surfaces meet when a moving shape has come to `there`.
-void find_contact(const TransformedShape& there, const TransformedShape& still, Vec3 motion,
+// Computes the contact point and normal after the moving shape has reached `moved`.
+void find_contact(const TransformedShape& moved, const TransformedShape& still, Vec3 motion,
                   double gap, ShapeCastHit& hit) {
     if (!is_composite(kind_of(*still.geometry))) {
         PairCache cache;
-        const SignedDistance d = signed_distance(there, still, cache);
+        const SignedDistance d = signed_distance(moved, still, cache);
         hit.point = d.on_b;
         hit.normal = -d.normal;
         return;
     }
     std::vector<ChildManifold> parts;
-    collide_composite(there, still, 10 * gap, parts);
+    collide_composite(moved, still, 10 * gap, parts);
     const Manifold* best = nullptr;
     for (const ChildManifold& part : parts)
         if (best == nullptr || part.manifold.distance < best->distance) best = &part.manifold;
     hit.normal = best != nullptr ? -best->normal : normalized(-motion);
-    hit.point = best != nullptr ? best->point[0] : there.position;
+    hit.point = best != nullptr ? best->point[0] : moved.position;
 }
 
-// When the moving shape touches a plane: its deepest point does.
+// Casts a shape against a plane: the deepest point of the shape touches first.
 std::optional<ShapeCastHit> touch_of_plane(const TransformedShape& probe, Vec3 motion, double gap,
                                            const TransformedShape& plane) {
     const Vec3 n = plane.axes * std::get<Plane>(*plane.geometry).normal;
@@ -141,12 +141,13 @@ std::optional<ShapeCastHit> touch_of_plane(const TransformedShape& probe, Vec3 m
         if (apart - gap > speed) return std::nullopt;
         fraction = (apart - gap) / speed;
     }
-    const Vec3 there = deepest + motion * fraction;
+    const Vec3 moved = deepest + motion * fraction;
     return ShapeCastHit{
-        .fraction = fraction, .point = plane.position + there - n * dot(there, n), .normal = n};
+        .fraction = fraction, .point = plane.position + moved - n * dot(moved, n), .normal = n};
 }
 
-// When the moving shape first touches something else; 0 if it does at the start.
+// Returns the fraction at which the moving shape first touches another shape; 0 if they touch at
+// the start.
 std::optional<double> touches_at(const ShapeCast& cast, const TransformedShape& probe,
                                  const TransformedShape& still, double size, double gap) {
     if (shapes_overlap(probe, still)) return 0;
@@ -167,7 +168,7 @@ std::optional<double> touches_at(const ShapeCast& cast, const TransformedShape& 
     return impact.fraction;
 }
 
-// When the moving shape first touches this one.
+// Casts a shape against one shape of the world.
 std::optional<ShapeCastHit> touch_of(const ShapeCast& cast, const TransformedShape& probe,
                                      const QueryShape& shape) {
     const double size = radius_of(cast.geometry), gap = 1e-6 * size;
@@ -192,9 +193,9 @@ std::optional<ShapeCastHit> touch_of(const ShapeCast& cast, const TransformedSha
         if (!fraction) return std::nullopt;
         hit.fraction = *fraction;
     }
-    TransformedShape there = probe;
-    there.position += cast.motion * hit.fraction;
-    find_contact(there, shape.transformed_shape, cast.motion, gap, hit);
+    TransformedShape moved = probe;
+    moved.position += cast.motion * hit.fraction;
+    find_contact(moved, shape.transformed_shape, cast.motion, gap, hit);
     return hit;
 }
 
@@ -218,7 +219,7 @@ std::vector<ShapeCastHit> all_touches(const QuerySource& source, const ShapeCast
     return hits;
 }
 
-// Of those of the shapes of which may_touch() says so.
+// Returns the first contact with the shapes for which may_touch() is true.
 template <class MayTouch>
 std::optional<ShapeCastHit> first_touch(std::span<const QueryShape> shapes, const ShapeCast& cast,
                                         const TransformedShape& probe, MayTouch&& may_touch) {
@@ -226,28 +227,30 @@ std::optional<ShapeCastHit> first_touch(std::span<const QueryShape> shapes, cons
     for (const QueryShape& shape : shapes) {
         if (!may_touch(shape)) continue;
         const auto hit = touch_of(cast, probe, shape);
-        if (hit && (!best || hit->fraction < best->fraction)) best = hit;  // ties: the lower id
+        // Ties: the lower id wins.
+        if (hit && (!best || hit->fraction < best->fraction)) best = hit;
     }
     return best;
 }
 
-// ---- questions that are asked side by side, like those of the wheels of a car ----
+// ---- batches of casts, like those of the wheels of a car ----
 
-// One look into the broad phases for all of them, if they are close enough to each other.
-constexpr std::size_t together_max = 16;
-constexpr double together_area = 8;  // of the box of all, in those of each
+// A batch shares one broad-phase query if its casts are close to each other.
+constexpr std::size_t batch_max = 16;
+// Area of the common box, relative to the sum of the individual boxes.
+constexpr double batch_area = 8;
 
 bool are_close(std::span<const Aabb> boxes, const Aabb& all) {
     double areas = 0;
     for (const Aabb& box : boxes) areas += half_area(box);
-    return half_area(all) <= together_area * areas;
+    return half_area(all) <= batch_area * areas;
 }
 
-// Shapes near all, but not near this one, are not asked.
+// Skips shapes that are near the batch but not near this cast.
 bool is_near(const QueryShape& shape, const Aabb& box) {
     const ShapeKind kind = kind_of(*shape.transformed_shape.geometry);
     if (kind == ShapeKind::plane) return reaches(shape.transformed_shape, box);
-    // They have a tree.
+    // These have their own tree.
     if (kind == ShapeKind::mesh || kind == ShapeKind::height_field) return true;
     return overlap(grow(bounds_of(shape.transformed_shape),
                         1e-5 * radius_of(*shape.transformed_shape.geometry)),
@@ -261,11 +264,11 @@ std::optional<ShapeCastHit> first_touch_alone(const QuerySource& source, const S
                        [](const QueryShape&) { return true; });
 }
 
-// At most together_max.
+// Casts at most batch_max shapes.
 void first_touches(const QuerySource& source, std::span<const ShapeCast> casts,
                    const QueryFilter& filter, std::vector<std::optional<ShapeCastHit>>& hits) {
-    UninitializedArray<TransformedShape, together_max> probes;
-    UninitializedArray<Aabb, together_max> boxes;
+    UninitializedArray<TransformedShape, batch_max> probes;
+    UninitializedArray<Aabb, batch_max> boxes;
     Aabb all;
     for (std::size_t k = 0; k < casts.size(); k++) {
         probes[k] = probe_of(casts[k]);
@@ -295,7 +298,8 @@ std::optional<ClosestPoint> nearest(const QuerySource& source, Vec3 point, doubl
     return best;
 }
 
-// One answer per question, or the first error with the number of its question.
+// Evaluates every query of a batch. Returns the results, or the first error with the index of its
+// query.
 template <class Hit, class Query, class Evaluate>
 Result<std::vector<Hit>> each(std::span<const Query> queries, const char* name,
                               Evaluate&& evaluate) {
@@ -327,7 +331,7 @@ Result<std::optional<RayHit>> Queries::cast_ray(const Ray& ray, const QueryFilte
 Result<bool> Queries::ray_hits_any(const Ray& ray, const QueryFilter& filter) const {
     if (Status s = check_ray(ray); !s.ok()) return s.error();
     bool any = false;
-    // A negative limit ends the walk.
+    // A negative limit ends the traversal.
     along_ray(*source_, ray, filter, [&](const QueryShape&, const ShapeRayHit&, double) {
         any = true;
         return -1.0;
@@ -374,8 +378,8 @@ Result<std::vector<std::optional<ShapeCastHit>>> Queries::cast_shapes(
             return Error{s.error().code, "casts[" + std::to_string(k) + "]: " + s.error().message};
     std::vector<std::optional<ShapeCastHit>> hits;
     hits.reserve(casts.size());
-    for (std::size_t k = 0; k < casts.size(); k += together_max)
-        first_touches(*source_, casts.subspan(k, std::min(together_max, casts.size() - k)), filter,
+    for (std::size_t k = 0; k < casts.size(); k += batch_max)
+        first_touches(*source_, casts.subspan(k, std::min(batch_max, casts.size() - k)), filter,
                       hits);
     return hits;
 }
@@ -388,7 +392,7 @@ Result<std::vector<ShapeId>> Queries::overlap_box(const Aabb& box,
         return s.error();
     if (box.high.x < box.low.x || box.high.y < box.low.y || box.high.z < box.low.z)
         return Error{ErrorCode::invalid_argument,
-                     "box.high is below box.low; give the lower corner first"};
+                     "box.high is below box.low; box.low must be the lower corner"};
     std::vector<ShapeId> ids;
     for (const QueryShape& shape : shapes_near(*source_, box, filter))
         if (kind_of(*shape.transformed_shape.geometry) == ShapeKind::plane ||
@@ -441,10 +445,11 @@ Result<ShapeDistance> distance(const Geometry& a, const Transform& pose_a, const
         if (!is_convex(kind_of(*geometry)) && kind_of(*geometry) != ShapeKind::plane)
             return Error{ErrorCode::invalid_argument,
                          std::string(name) + " is a " + kind_name(kind_of(*geometry)) +
-                             "; the distance is that of convex shapes and planes"};
+                             "; distance() supports convex shapes and planes"};
     }
     if (kind_of(a) == ShapeKind::plane && kind_of(b) == ShapeKind::plane)
-        return Error{ErrorCode::invalid_argument, "a and b are both planes"};
+        return Error{ErrorCode::invalid_argument,
+                     "a and b are both planes; at most one may be a plane"};
     if (Status s = check_pose("pose_a", pose_a); !s.ok()) return s.error();
     if (Status s = check_pose("pose_b", pose_b); !s.ok()) return s.error();
     const Geometry ga = stored(a), gb = stored(b);

@@ -20,7 +20,7 @@ QueryShape shape_at(const WorldState& world, std::uint32_t index) {
             body_id(world, s.body), s.filter, s.trigger};
 }
 
-// What has the two broad phases of a world.
+// Base of sources with the two broad phases of a world.
 class IndexedSource : public QuerySource {
 public:
     void query(const Aabb& box, std::uint32_t categories,
@@ -58,7 +58,7 @@ private:
     const WorldState& world_;
 };
 
-// Owns all that it shows; geometry that is shared stays shared.
+// Owns its data; shared geometry remains shared.
 class CopiedSource final : public IndexedSource {
 public:
     explicit CopiedSource(const WorldState& world)
@@ -97,7 +97,7 @@ private:
     std::unique_ptr<BroadPhaseIndex> fixed_, moving_;
 };
 
-// Some shapes of another source, elsewhere.
+// A subset of the shapes of another source at other poses.
 class OverridePoseSource final : public QuerySource {
 public:
     OverridePoseSource(std::shared_ptr<const QuerySource> of,
@@ -105,12 +105,12 @@ public:
         : of_(std::move(of)) {
         std::ranges::sort(placements, {}, &ShapePlacement::shape);
         shapes_.reserve(placements.size());
-        for (const ShapePlacement& there : placements) {
-            std::optional<QueryShape> shape = of_->find(there.shape);
+        for (const ShapePlacement& placement : placements) {
+            std::optional<QueryShape> shape = of_->find(placement.shape);
             if (!shape) continue;
             const auto number = static_cast<std::uint32_t>(shapes_.size());
             shape->transformed_shape =
-                transformed_shape(*shape->transformed_shape.geometry, there.pose);
+                transformed_shape(*shape->transformed_shape.geometry, placement.pose);
             shapes_.push_back(*shape);
             if (kind_of(*shape->transformed_shape.geometry) == ShapeKind::plane)
                 planes_.push_back(number);
@@ -137,8 +137,8 @@ public:
     const std::vector<std::uint32_t>& planes() const override { return planes_; }
 
 private:
-    std::shared_ptr<const QuerySource> of_;  // has the geometry
-    std::vector<QueryShape> shapes_;         // by id
+    std::shared_ptr<const QuerySource> of_;  // owns the geometry
+    std::vector<QueryShape> shapes_;         // sorted by id
     std::vector<std::uint32_t> planes_;
     DynamicTree tree_;
 };

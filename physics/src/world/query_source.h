@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What queries are asked of: shapes where they stand, and what finds them. The world itself, a
-// copy, or some shapes of either that stand elsewhere.
+// Data source of queries: shapes with their poses, and an index to find them. Implementations: the
+// world, a copy of it, and a subset of the shapes of either at other poses.
 #pragma once
 
 #include <memory>
@@ -22,20 +22,20 @@ struct QueryShape {
     bool trigger = false;
 };
 
-// Its numbers of shapes rise with their ids.
+// Shape numbers are in the order of the shape ids.
 class QuerySource {
 public:
     virtual ~QuerySource() = default;
     virtual std::uint64_t step() const = 0;
     virtual QueryShape shape(std::uint32_t number) const = 0;
-    // Nothing when it is not there.
+    // Returns nullopt if the shape does not exist.
     virtual std::optional<QueryShape> find(ShapeId id) const = 0;
-    // Of all but planes, as BroadPhaseIndex has them.
+    // All shapes except planes, with the semantics of BroadPhaseIndex.
     virtual void query(const Aabb& box, std::uint32_t categories,
                        std::vector<std::uint32_t>& found) const = 0;
     virtual void cast_ray(Vec3 origin, Vec3 motion, std::uint32_t categories,
                           const BroadPhaseIndex::RayVisit& visit) const = 0;
-    virtual const std::vector<std::uint32_t>& planes() const = 0;  // rising
+    virtual const std::vector<std::uint32_t>& planes() const = 0;  // ascending
 };
 
 }  // namespace jostle::physics

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Create, destroy, replace, change and read shapes.
+// Creation, destruction, replacement, change and reading of shapes.
 #include <string>
 
 #include "jostle/physics/world.h"
@@ -14,7 +14,8 @@
 namespace jostle::physics {
 namespace {
 
-// Its record, on the body's list. Not in a tree yet: its place follows from the body's mass.
+// Adds the shape record to the body's list. The proxy is created later, because the pose relative
+// to the centre of mass depends on the mass of the body.
 std::uint32_t add_record(WorldState& world, std::uint32_t body, const ShapeDef& def) {
     BodyCold& cold = world.bodies.cold[body];
     const std::uint32_t index = world.shapes.ids.take();
@@ -53,7 +54,7 @@ Result<ShapeId> World::create_shape(BodyId body, const ShapeDef& def) {
     if (Status s = check_shape_in(world, def, cold.type); !s.ok()) return s.error();
     wake_body(world, body.index);
     const std::uint32_t index = add_record(world, body.index, def);
-    // The centre of mass moves, so manifolds of the body's other shapes must be built anew.
+    // The centre of mass moves, so manifolds of the body's other shapes must be rebuilt.
     if (cold.type == BodyType::dynamic)
         destroy_contacts_of(world, body.index, world.events.pending.ended);
     update_mass(world, body.index);
@@ -68,9 +69,9 @@ Status World::destroy_shape(ShapeId id) {
     const std::uint32_t body = world.shapes.shapes[id.index].body;
     BodyCold& cold = world.bodies.cold[body];
     if (cold.type == BodyType::dynamic && cold.first_shape == cold.last_shape)
-        return Error{
-            ErrorCode::failed_precondition,
-            "the last shape of a dynamic body gives it its mass; destroy the body instead"};
+        return Error{ErrorCode::failed_precondition,
+                     "a dynamic body needs a shape for its mass; destroy the body instead of its "
+                     "last shape"};
     wake_neighbours(world, body);
     wake_body(world, body);
     destroy_contacts_of(world, body, world.events.pending.ended);
@@ -93,7 +94,7 @@ Result<std::vector<ShapeId>> World::set_shapes(BodyId body, std::span<const Shap
     if (Status s = check_shapes_in(world, defs, cold.type); !s.ok()) return s.error();
     if (cold.type == BodyType::dynamic && defs.empty())
         return Error{ErrorCode::failed_precondition,
-                     "shapes is empty; a dynamic body needs one to give it its mass"};
+                     "shapes is empty; a dynamic body needs at least one shape for its mass"};
     wake_neighbours(world, body.index);
     wake_body(world, body.index);
     destroy_contacts_of(world, body.index, world.events.pending.ended);
@@ -103,13 +104,13 @@ Result<std::vector<ShapeId>> World::set_shapes(BodyId body, std::span<const Shap
         s = next;
     }
     cold.first_shape = cold.last_shape = none;
-    std::vector<ShapeId> made;
+    std::vector<ShapeId> created;
     for (const ShapeDef& def : defs)
-        made.push_back(shape_id(world, add_record(world, body.index, def)));
+        created.push_back(shape_id(world, add_record(world, body.index, def)));
     update_mass(world, body.index);
     after_move(world, body.index);
-    for (const ShapeId& shape : made) create_proxy(world, shape.index);
-    return made;
+    for (const ShapeId& shape : created) create_proxy(world, shape.index);
+    return created;
 }
 
 Result<ShapeState> World::shape(ShapeId id) const {
@@ -144,7 +145,7 @@ Status World::set_material(ShapeId shape, const Material& material) {
     ShapeRecord& record = world.shapes.shapes[shape.index];
     wake_neighbours(world, record.body);
     wake_body(world, record.body);
-    // Manifolds hold what the two materials make together: they are built anew.
+    // Manifolds store the combined material and must be rebuilt.
     destroy_contacts_of_shape(world, shape.index, world.events.pending.ended);
     record.material = material;
     buffer_move(world, shape.index);

@@ -30,7 +30,7 @@ void add_body(WorldSummary& sum, Vec3 gravity, const BodyCold& cold, const BodyW
     sum.angular_momentum += spin_momentum + cross(warm.center, warm.v * cold.mass);
 }
 
-// How far a joint's ends are from where they may be, m.
+// Position error of a joint: distance of its ends from the allowed range, m.
 double error_of(const JointState& j) {
     if (const auto* d = std::get_if<DistanceJoint>(&j.def.kind))
         return maximum(d->min_length - j.separation, j.separation - d->max_length);

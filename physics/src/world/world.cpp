@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// World: checks arguments, changes state, calls the step.
+// World: checks arguments, changes state, runs the step.
 #include "jostle/physics/world.h"
 
 #include "jostle/physics/limits.h"
@@ -36,7 +36,7 @@ Result<World> World::create(const WorldDef& def) {
 
 namespace {
 
-// While a step is under way.
+// Marks a step as in progress for its lifetime.
 class SteppingScope {
 public:
     SteppingScope(ListenerStore& listeners, World& world) : listeners_(listeners) {
@@ -54,13 +54,14 @@ private:
 
 Status World::step(double dt) {
     if (Status s = check_range("dt", dt, 1e-5, 0.25); !s.ok()) return s;
-    if (Status s = check_not_stepping(*state_, "step it"); !s.ok()) return s;
+    if (Status s = check_not_stepping(*state_, "step the world"); !s.ok()) return s;
     const auto stopped = [&] {
-        return Error{ErrorCode::aborted, "stepping was stopped; resume_stepping() allows it again"};
+        return Error{ErrorCode::aborted,
+                     "stop_stepping() was called; call resume_stepping() to continue"};
     };
     if (scratch_->stopped) return stopped();
     const ListenerStore& listeners = state_->listeners;
-    const FpModeScope fp_mode;  // of listeners too
+    const FpModeScope fp_mode;  // applies to listeners too
     const SteppingScope stepping(state_->listeners, *this);
     for (const auto& entry : listeners.order) entry.listener->before_step(*this, dt);
     state_->listeners.refresh_hooks();
@@ -128,7 +129,7 @@ Status World::set_gravity(Vec3 gravity) {
     def.gravity = gravity;
     if (Status s = check_world(def); !s.ok()) return s;
     if (gravity == world.def.gravity) return {};
-    // What lay still may fall.
+    // Resting bodies may fall.
     for (std::uint32_t body = 0; body < world.bodies.ids.size(); body++)
         if (world.bodies.ids.alive(body)) wake_body(world, body);
     world.def.gravity = gravity;

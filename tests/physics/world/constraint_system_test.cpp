@@ -37,8 +37,8 @@ TEST(ConstraintSystem, pendulum_matches_the_hand_computed_system) {
         for (std::size_t j = 0; j < 3; j++) EXPECT_NEAR(s.at(i, j), matrix[i][j], 1e-12);
     // Gravity for h; so the impulse is m g h, up.
     const double right[3] = {0, 9.81 * 0.01, 0};
-    for (std::size_t i = 0; i < 3; i++) EXPECT_NEAR(s.right[i], right[i], 1e-12);
-    EXPECT_NEAR(s.right[1] / s.at(1, 1), p.mass * 9.81 * 0.01, 1e-12);
+    for (std::size_t i = 0; i < 3; i++) EXPECT_NEAR(s.rhs[i], right[i], 1e-12);
+    EXPECT_NEAR(s.rhs[1] / s.at(1, 1), p.mass * 9.81 * 0.01, 1e-12);
     const std::vector<double> jacobian = s.jacobian();
     const double row_x[6] = {1, 0, 0, 0, 0, -1};  // v_x - w_z
     for (std::size_t k = 0; k < 6; k++) EXPECT_NEAR(jacobian[k], row_x[k], 1e-15);
@@ -53,8 +53,8 @@ TEST(ConstraintSystem, right_hand_side_uses_current_velocities) {
     const ConstraintSystem s = must(p.world.constraint_system(p.joint, {.forces = false}));
     EXPECT_DOUBLE_EQ(s.h, 1.0 / 60 / p.world.substeps());
     EXPECT_NEAR(s.rows[0].rate, 0.25, 1e-12);  // v + w x r, r = (0, 1, 0)
-    EXPECT_NEAR(s.right[0], -0.25, 1e-12);
-    EXPECT_NEAR(s.right[1], -2, 1e-12);
+    EXPECT_NEAR(s.rhs[0], -0.25, 1e-12);
+    EXPECT_NEAR(s.rhs[1], -2, 1e-12);
     // Apart by 0.1 m: a fifth of it in h.
     must(p.world.set_pose(p.bob, {.position = {0.1, -1, 0}}));
     const ConstraintSystem apart = must(p.world.constraint_system(
@@ -109,7 +109,7 @@ TEST(ConstraintSystem, contacts_have_a_normal_and_two_friction_rows) {
             // A tonne on one corner: 1/m (1 + 2 (0.5/d)^2...) of a cube: 1/m + 6 (x^2 + z^2) / m.
             EXPECT_NEAR(s.at(static_cast<std::size_t>(k), static_cast<std::size_t>(k)),
                         (1 + 6 * 0.5) / 1000, 1e-5);
-            EXPECT_NEAR(s.right[static_cast<std::size_t>(k)], 9.81 * 0.01, 1e-3);
+            EXPECT_NEAR(s.rhs[static_cast<std::size_t>(k)], 9.81 * 0.01, 1e-3);
             for (int t = 1; t < 3; t++) {
                 const ConstraintRow& tangent = s.rows[static_cast<std::size_t>(k + t)];
                 EXPECT_EQ(tangent.role, RowRole::tangent);
@@ -183,7 +183,7 @@ TEST(ConstraintSystem, rejects_with_a_reason) {
     EXPECT_THAT(empty.message, HasSubstr("touches nothing"));
     EXPECT_THAT(error(world.constraint_system(alone, {.h = 1})).message, HasSubstr("h is 1"));
     EXPECT_THAT(error(world.constraint_system(alone, {.position_correction = -1})).message,
-                HasSubstr("mend"));
+                HasSubstr("position_correction"));
 
     std::vector<BodyId> chain;
     for (int k = 0; k < 502; k++) {

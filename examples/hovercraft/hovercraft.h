@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// A hovercraft: a module written on the library's public headers alone. Four thrusters at the
-// corners of a body each cast a ray down and push by what they find; a drive carries the craft
-// round a circle, or where somebody steers it. Works over any ground.
+// Hovercraft: a module that uses only public headers of the solver. Four thrusters at the corners
+// of a body cast a ray down and push the body up, so that it hovers at a constant height over any
+// ground. A drive moves the craft along a circle, or as a client steers it.
 #pragma once
 
 #include <array>
@@ -15,9 +15,9 @@ namespace jostle::examples {
 class Hovercraft : public physics::Module {
 public:
     struct Settings {
-        double height = 1.2;  // m that thrusters keep above the ground, 0.3 to 3
-        double speed = 8;     // m/s that the drive keeps, 0 to 20
-        double radius = 16;   // m of the circle about the world's y axis, 4 to 1000
+        double height = 1.2;  // m above the ground, 0.3 to 3
+        double speed = 8;     // m/s of the drive, 0 to 20
+        double radius = 16;   // m, of the circle about the world's y axis, 4 to 1000
     };
 
     Hovercraft() = default;
@@ -27,14 +27,14 @@ public:
 
     std::string_view tag() const override { return "hovercraft"; }
     void visit(physics::StateVisitor& v) override;
-    // The numbers height, speed and radius; the body craft, which must be given.
+    // Settings of a scene: the numbers height, speed and radius, and the body craft (required).
     physics::Status configure(physics::World& world,
                               const physics::ModuleSettings& settings) override;
-    // "hovercraft", of its body: for each thruster where it is in the body (3 x 16 bits of -2 to 2
-    // m), how long its ray is (16 bits of 0 to 4 m), how hard it pushes (8 bits of 0 to its most).
+    // Channel "hovercraft" of the craft's body. For each thruster: position in the body (3 x 16
+    // bits, -2 to 2 m), length of its ray (16 bits, 0 to 4 m), force (8 bits, 0 to its maximum).
     std::vector<physics::ChannelKind> channels() const override { return {{}}; }
     void publish(const physics::World& world, physics::ChannelWriter& channels) const override;
-    // Goes round its circle while nobody holds anything.
+    // Without control inputs the craft follows its circle.
     bool is_controllable(physics::BodyId body) const override { return body == craft_; }
     void control(physics::World& world, physics::BodyId body,
                  const physics::Controls& controls) override;
@@ -44,19 +44,19 @@ public:
 
 private:
     struct Thruster {
-        double force = 0;  // N; follows what is wanted with a lag
-        double ray = 0;    // m to the ground, or as far as it looks
+        double force = 0;  // N; follows its target with a lag
+        double ray = 0;    // m to the ground, or the maximum length of the ray
     };
 
     void lift(physics::SubstepContext& substep, const physics::MovingBody& craft);
     void drive(physics::SubstepContext& substep, const physics::MovingBody& craft);
-    // 1/s, about its own upward axis: towards its circle.
+    // Turn rate towards the circle about the craft's up axis, 1/s.
     double turn_to_circle(const physics::MovingBody& craft) const;
 
     physics::BodyId craft_;
     Settings settings_;
     std::array<Thruster, 4> thrusters_;
-    double aside_ = 0, ahead_ = 0;  // what the driver holds, -1 to 1
+    double steering_ = 0, throttle_ = 0;  // control inputs, -1 to 1
 };
 
 }  // namespace jostle::examples

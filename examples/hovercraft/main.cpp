@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// A hovercraft over waves: rides for 20 s, is saved on the way, and comes to the same end in a
-// world that is loaded from what was saved. Exits with 1 if it does not.
+// Module: a hovercraft flies over waves for 20 s. The world is saved after 10 s and loaded again;
+// both worlds end with the same state hash.
+//
+// Shows: register_module, add_module, save and load of a module's state (hovercraft.h).
+// Run:   build/dev/bin/jostle-hovercraft
 #include <cmath>
 #include <cstdio>
 
@@ -22,7 +25,7 @@ Geometry waves() {
     return HeightField{build_height_field(std::move(grid)).value()};
 }
 
-void ride(World& world, int seconds) {
+void run(World& world, int seconds) {
     for (int step = 0; step < 60 * seconds; step++) world.step(1.0 / 60).expect();
 }
 
@@ -41,15 +44,15 @@ int main() {
     world.add_module(std::make_unique<Hovercraft>(craft)).expect();
 
     for (int second = 0; second < 10; second += 2) {
-        ride(world, 2);
+        run(world, 2);
         const BodyState state = world.body(craft).value();
         std::printf("%2d s: at (%.1f, %.1f, %.1f) m, %.1f m/s\n", second + 2, state.center.x,
                     state.center.y, state.center.z, length(state.linear_velocity));
     }
-    World again = load(save(world)).value();
-    ride(world, 10);
-    ride(again, 10);
-    const bool same = state_hash(world) == state_hash(again);
-    std::printf("saved, loaded and ridden on: %s state hash\n", same ? "the same" : "ANOTHER");
+    World loaded = load(save(world)).value();
+    run(world, 10);
+    run(loaded, 10);
+    const bool same = state_hash(world) == state_hash(loaded);
+    std::printf("the saved and loaded world has %s state hash\n", same ? "the same" : "ANOTHER");
     return same ? 0 : 1;
 }

@@ -88,17 +88,18 @@ TEST(Hovercraft, rejects_unknown_settings_and_bodies) {
     EXPECT_EQ(error_of([](SceneModule& m) {
                   m.settings = {{"colour", 1}};
               }),
-              "modules[0] 'hovercraft': there is no setting colour; give height, speed or radius");
+              "modules[0] 'hovercraft': has no setting colour; it has height, speed and radius");
     EXPECT_EQ(error_of([](SceneModule& m) {
                   m.settings = {{"speed", 99}};
               }),
-              "modules[0] 'hovercraft': speed is 99.000000; it must be from 0.000000 to 20.000000");
+              "modules[0] 'hovercraft': speed: 99.000000 is out of range; must be from 0.000000 to "
+              "20.000000");
     EXPECT_EQ(error_of([](SceneModule& m) { m.bodies = {}; }),
-              "modules[0] 'hovercraft': has no craft; give a body by that name");
+              "modules[0] 'hovercraft': body craft is missing");
     EXPECT_EQ(error_of([](SceneModule& m) {
                   m.bodies = {{"craft", 0}};
               }),
-              "modules[0] 'hovercraft': craft is not dynamic; what hovers must move");
+              "modules[0] 'hovercraft': craft is not dynamic; use BODY_TYPE_DYNAMIC");
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 
 namespace jostle::modules::vehicle_detail {
 
-// N s of drag and downforce on what goes at v for a time; implicit in the drag.
+// Impulse of drag and downforce at velocity v over the time h, N s; implicit in the drag.
 inline physics::Vec3 aerodynamic_impulse(const Aerodynamics& air, physics::Vec3 v, physics::Vec3 up,
                                          double mass, double h) {
     const double speed = length(v), flow = 0.5 * air.density * speed * h;

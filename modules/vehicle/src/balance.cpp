@@ -1,22 +1,24 @@
 // SPDX-License-Identifier: MIT
 //
-// Seen along its way a two-wheeler is a pendulum upside down whose foot the steering moves (Getz,
-// Marsden, "Control for an autonomous bicycle", 1995, without the trail): with the angle phi of the
-// line from where it touches to its centre of mass, the speed v, the wheel base L, the front
-// wheel's angle delta, all to the right, and the height l of a pendulum of the same fall,
+// Seen along its direction of travel, a two-wheeler is an inverted pendulum whose foot is moved by
+// steering (N. H. Getz, J. E. Marsden, "Control for an autonomous bicycle", 1995, without trail).
+// Let phi be the lean angle of the line from the contact to the centre of mass, v the speed, L the
+// wheel base, delta the angle of the front wheel (angles positive to the right), and l the length
+// of the equivalent pendulum:
 //
 //     l phi'' = g sin phi - a cos phi
 //
-// The lean shall follow as phi'' = w^2 (wanted - phi) - 2 w phi'; that gives a. With the centre of
-// mass b before the rear wheel, and tyres that bear c m g per rad of slip, a follows the steering
-// as (Pacejka, "Tire and vehicle dynamics", 3rd edition, 1.3.2)
+// The lean shall follow phi'' = w^2 (target - phi) - 2 w phi', which determines the lateral
+// acceleration a. With the centre of mass at the distance b in front of the rear wheel, and tyres
+// with a cornering stiffness of c m g per rad of slip, a depends on the steering as (Pacejka, "Tire
+// and Vehicle Dynamics", 3rd edition, 1.3.2)
 //
 //     a + t a' = v^2 / L tan(delta) + b v / L delta',   t = v / (c g) + relaxation length / v
 //
-// which is solved for delta, with a' from how the wanted a changes as it falls now: slowly it moves
-// its foot by b v delta' / L. Fast, t is longer than a fall takes: then the front wheel is turned
-// to the slip at which its tyre bears its share of a at once, and the rear follows. To lean to the
-// right it is first turned to the left.
+// This is solved for delta, with a' from the change of the desired a in the current fall. At low
+// speed, the term b v delta' / L moves the foot. At high speed, t is longer than a fall; then the
+// front wheel is steered to the slip angle at which its tyre provides its share of a immediately,
+// and the rear wheel follows. To lean to the right, it first steers to the left.
 #include "modules/vehicle/src/balance.h"
 
 namespace jostle::modules::vehicle_detail {
@@ -25,17 +27,17 @@ using namespace physics;
 
 namespace {
 
-constexpr double speed_min = 0.5;  // m/s that the steering counts with
-constexpr double blend_speed_low = 15,
-                 blend_speed_high = 30;  // m/s between which the two ways to steer are mixed
+constexpr double speed_min = 0.5;  // m/s, minimum speed in the steering law
+// m/s, range in which the two steering laws are blended
+constexpr double blend_speed_low = 15, blend_speed_high = 30;
 constexpr double swing_damping_seconds = 0.025;  // s
-constexpr double rider_friction_share = 0.85;    // of friction that a rider uses
+constexpr double rider_friction_share = 0.85;    // fraction of the friction that a rider uses
 
 double axle_distance(const VehicleDef& def) {
     return maximum(absolute(def.wheels.back().attachment.z - def.wheels.front().attachment.z), 0.1);
 }
 
-// How much the feet do; all when it stands or rolls back.
+// Fraction of the support by the feet: 1 at standstill or when rolling backward.
 double feet_support_share(const Car& car) {
     const double below = car.def.balance.feet_speed_max;
     return below > 0 ? clamp(2 - 2 * car.speed / below, 0, 1) : 0;
@@ -48,7 +50,7 @@ double least_friction(const Car& car) {
     return least;
 }
 
-// rad: no further than friction and full lock bear at this speed.
+// rad, limited by friction and full lock at this speed.
 double target_lean_angle(const Car& car) {
     const double v = maximum(car.speed, speed_min);
     const double locked = v * v * full_lock(car.def) / axle_distance(car.def) / car.lean.weight;
@@ -56,16 +58,16 @@ double target_lean_angle(const Car& car) {
     return clamp(car.controls.steering * car.def.balance.max_lean_angle, -most, most);
 }
 
-// The a that is wanted, and how it changes.
+// Desired lateral acceleration a and its derivative.
 struct LateralAcceleration {
-    double wanted, change;  // m/s^2, m/s^3
+    double desired, change;  // m/s^2, m/s^3
 };
 LateralAcceleration target_lateral_acceleration(const Car& car) {
     const Lean& lean = car.lean;
     const double w = 2 * pi * car.def.balance.frequency, g = lean.weight, l = lean.height;
     const SinCos angle = sin_cos(lean.angle);
     const double cos = maximum(angle.cos, 0.2);
-    // No faster than a part of its weight moves it.
+    // Limits the angular acceleration to a fraction of that of gravity.
     const double most = 0.3 * g / l;
     const double turn =
         clamp(w * w * (target_lean_angle(car) - lean.angle), -most, most) - 2 * w * lean.rate;
@@ -75,8 +77,8 @@ LateralAcceleration target_lateral_acceleration(const Car& car) {
     return {(g * angle.sin - l * turn) / cos, (g + l * w * w) * lean.rate + 2 * l * w * falls};
 }
 
-// rad that the front wheel slips while the tyre, as a brush (tyre.h), bears a share of friction:
-// share = 1 - (1 - c / (3 mu) slip)^3.
+// Slip angle, rad, at which the tyre, modelled as a brush (tyre.h), uses a fraction of the
+// friction: share = 1 - (1 - c / (3 mu) slip)^3.
 double slip_for(double share, double friction, double stiffness) {
     const double left = 1 - minimum(absolute(share), rider_friction_share);
     double root = 1 - (1 - left) / 3;
@@ -85,23 +87,24 @@ double slip_for(double share, double friction, double stiffness) {
     return share < 0 ? -slip : slip;
 }
 
-// rad of steering while the way that it rolls decides.
+// Steering angle, rad, determined by the path of the rolling wheel.
 double steering_from_path(const Car& car, const LateralAcceleration& lateral, double dt) {
     const double v = maximum(car.speed, speed_min), base = axle_distance(car.def);
     const Tyre& tyre = car.def.wheels.front().tyre;
     const double lags =
         v / (tyre.cornering_stiffness * car.lean.weight) + tyre.relaxation_length / maximum(v, 2);
-    const double target = (lateral.wanted + lags * lateral.change) * base / (v * v);
+    const double target = (lateral.desired + lags * lateral.change) * base / (v * v);
     const double foot = 0.5 * base / (v * dt);
     return (target + foot * car.steering * full_lock(car.def)) / (1 + foot);
 }
 
-// ... and while what its tyre bears decides: from where the wheel goes by the slip for its share.
+// Steering angle, rad, determined by the tyre force: the direction of motion of the wheel plus the
+// slip angle for its share.
 double steering_from_slip(const Car& car, const LateralAcceleration& lateral) {
     const double friction = maximum(least_friction(car), 0.01);
-    const double share = lateral.wanted / (friction * car.lean.weight);
-    // Its swing about the upright axis is damped: only what turns it along the way shall be left.
-    const double swings = car.lean.yaw_rate - lateral.wanted / maximum(car.speed, blend_speed_low);
+    const double share = lateral.desired / (friction * car.lean.weight);
+    // Damps rotation about the vertical axis, except for the yaw rate of the bend.
+    const double swings = car.lean.yaw_rate - lateral.desired / maximum(car.speed, blend_speed_low);
     return car.lean.front_heading - swing_damping_seconds * swings +
            slip_for(share, friction, car.def.wheels.front().tyre.cornering_stiffness);
 }
@@ -122,7 +125,8 @@ void measure_lean(const BodyState& chassis, Car& car) {
     normal = normalized(normal, {0, 1, 0});
     const Vec3 forward = rotate(chassis.pose.rotation, {0, 0, -1});
     const Vec3 right = normalized(cross(forward, normal), {1, 0, 0});
-    // Across the way that it goes: where it touches is known from a moment ago.
+    // Perpendicular to the direction of travel, because the contact points are from the previous
+    // step.
     const Vec3 v = chassis.linear_velocity, along = v - normal * dot(v, normal);
     const Vec3 course = length_squared(along) > 9 ? normalized(along) : forward;
     const Vec3 across = normalized(cross(course, normal), {1, 0, 0});
@@ -155,26 +159,26 @@ double balance_steering(const Car& car, double dt) {
     return clamp((1 - share) * angle / lock + share * car.controls.steering, -1, 1);
 }
 
-// As a pendulum without a foot that moves; fades to nothing with the speed. Feet push with the
-// weight half a metre aside, reach the ground, and lift nothing that lies on its side.
+// Controls a pendulum with a fixed foot; fades to zero with speed. The force of the feet is limited
+// to the weight at a lever of 0.5 m. They do not lift a vehicle that lies on its side.
 Vec3 feet_angular_impulse(const ChassisFrame& frame, const Car& car) {
     const Balance& balance = car.def.balance;
     const Lean& lean = car.lean;
     const double share = feet_support_share(car);
     if (!balance.enabled || share <= 0 || !lean.touching) return {};
-    const double lies = clamp((1.1 - absolute(lean.angle)) / 0.4, 0, 1);
+    const double upright_share = clamp((1.1 - absolute(lean.angle)) / 0.4, 0, 1);
     const double w = 2 * pi * balance.frequency;
     const double rate = -dot(frame.w, frame.axes.z), damps = 2 * w * lean.inertia;
     const double stands = (w * w + lean.weight / lean.height) * lean.inertia;
-    // Implicit in what the chassis alone answers: its tyres give way aside.
+    // Implicit for the chassis alone, because its tyres yield sideways.
     const double upright =
         -stands * lean.angle - damps * rate / (1 + frame.h * damps / lean.own_inertia);
     const double most = 0.5 * car.mass * lean.weight;
-    return frame.axes.z * (-clamp(upright, -most, most) * share * lies * frame.h);
+    return frame.axes.z * (-clamp(upright, -most, most) * share * upright_share * frame.h);
 }
 
-// N m that a rider brakes by: what the tyre bears besides what it bears aside, and less when the
-// rear wheel is about to lift.
+// Brake torque that a rider applies, N m: limited to the friction left by the lateral force, and
+// reduced when the rear wheel is about to lift.
 double rider_brake(const Car& car, std::size_t wheel, double requested) {
     if (!car.def.balance.enabled || absolute(car.speed) < speed_min) return requested;
     const WheelRuntime& run = car.wheels[wheel];
@@ -185,7 +189,8 @@ double rider_brake(const Car& car, std::size_t wheel, double requested) {
     return minimum(requested, forward * stays * car.def.wheels[wheel].radius);
 }
 
-// Share of the throttle: less when the front wheel is about to lift, or the rear one to spin.
+// Fraction of the throttle: reduced when the front wheel is about to lift or the rear wheel to
+// spin.
 double rider_throttle(const Car& car) {
     if (!car.def.balance.enabled) return 1;
     const double weight = car.mass * car.lean.weight;

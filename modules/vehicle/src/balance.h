@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// How a two-wheeler stays up.
+// Balance control of two-wheelers.
 #pragma once
 
 #include "jostle/physics/world.h"
@@ -10,14 +10,15 @@ namespace jostle::modules::vehicle_detail {
 
 void measure_lean(const physics::BodyState& chassis, Car& car);
 
-// -1 to 1, right: what makes the lean follow the controls.
+// Returns the steering, -1 to 1, positive to the right, that makes the lean follow the controls.
 double balance_steering(const Car& car, double dt);
 
-// N m s of a solve, where it is slow.
+// Angular impulse of the feet for one solve, N m s, at low speed.
 Vec3 feet_angular_impulse(const ChassisFrame& frame, const Car& car);
 
-// What the rider makes of brakes, N m, and of the throttle: a share. Nothing of a car's.
-double rider_brake(const Car& car, std::size_t wheel, double asked);
+// Limits by the rider: brake torque in N m, and the fraction of the throttle. They do not affect
+// cars.
+double rider_brake(const Car& car, std::size_t wheel, double requested);
 double rider_throttle(const Car& car);
 
 }  // namespace jostle::modules::vehicle_detail

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// The drive line knows no ground: it turns wheels of their own inertia against what resists them.
-// That is learned, as what turned each wheel besides the drive line in the last sub-steps. So the
-// clutch meets the whole car once it has felt it, in some 60 ms, and nothing but the wheel in the
-// air or on ice, and what it does in a sub-step is never more than the wheel bears.
+// The drive line has no information about the ground. It drives wheels with their own inertia
+// against a resisting torque. This torque is estimated from the rotation in the last sub-steps that
+// the drive line did not cause. The clutch therefore responds to the inertia of the whole car after
+// about 60 ms of contact, and only to that of the wheel in the air or on ice. Its effect in a
+// sub-step never exceeds what the wheel can take.
 #include "modules/vehicle/src/body_wheels.h"
 
 #include "modules/vehicle/src/aerodynamic_impulse.h"
@@ -18,7 +19,7 @@ namespace {
 
 constexpr double resistance_time_constant = 0.02;  // s
 
-// x ahead, y up along the suspension, z along the axle, to the right.
+// x forward, y up along the suspension, z along the axle to the right.
 Quat frame_of(const Wheel& wheel) {
     const Quat level = rotation_between({0, 0, 1}, wheel.axle, {0, 1, 0});
     return rotation_between(rotate(level, {0, 1, 0}), -wheel.down, wheel.axle) * level;
@@ -28,7 +29,8 @@ double inertia_of(const Wheel& wheel) {
     return 0.5 * wheel.mass * wheel.radius * wheel.radius;
 }
 
-// 1/kg that the spring of a wheel meets: its own mass, and the chassis along the suspension.
+// Inverse effective mass at the spring of a wheel, 1/kg: its own mass, and the chassis along the
+// suspension.
 double inverse_mass_of(const Wheel& wheel, const BodyState& chassis) {
     const Vec3 arm = apply(chassis.pose, wheel.attachment) - chassis.center;
     const Vec3 turn = cross(arm, rotate(chassis.pose.rotation, wheel.down));
@@ -47,7 +49,7 @@ WheelJoint joint_of(const Wheel& wheel, const WheelRuntime& run, const BodyState
     return joint;
 }
 
-// How far its spring is pressed in where it bears what it is made for.
+// Compression of the spring under its design load.
 double sag_of(const Wheel& wheel, double gravity) {
     const double w = 2 * pi * wheel.suspension.frequency;
     return clamp(gravity / (w * w), 0, wheel.suspension.longest - wheel.suspension.shortest);
@@ -61,7 +63,7 @@ Status make_wheel_body(World& world, const BodyState& chassis, const Filter& fil
     BodyDef body{.pose = {apply(chassis.pose, hub), chassis.pose.rotation}};
     body.linear_velocity = chassis.linear_velocity +
                            cross(chassis.angular_velocity, body.pose.position - chassis.center);
-    // It rolls: four wheels that are still to be spun up slide, and slide where they like.
+    // Starts rolling: wheels that must first spin up would slide in arbitrary directions.
     const Vec3 axle = rotate(chassis.pose.rotation, wheel.axle);
     const Vec3 forward = rotate(chassis.pose.rotation, cross(wheel.axle, wheel.down));
     WheelBody& run = car.bodies[index];
@@ -88,7 +90,8 @@ Status make_wheel_body(World& world, const BodyState& chassis, const Filter& fil
     return {};
 }
 
-// Wheels meet what the chassis' first shape meets and the car may stand on, and are met as it is.
+// Wheels collide with the ground categories of the car, and have the categories of the first shape
+// of the chassis.
 Filter filter_of(const World& world, const Car& car) {
     Filter filter;
     const std::vector<ShapeId> shapes = world.shapes_of(car.def.chassis);
@@ -103,7 +106,8 @@ double spin_of(const MovingBody& wheel, const MovingBody& chassis, Vec3 axle) {
     return -dot(wheel.angular_velocity - chassis.angular_velocity, axle);
 }
 
-// What turned it since the last sub-step besides the drive line.
+// Updates the estimate of the torque that acted since the last sub-step in addition to the drive
+// line.
 void estimate_resistance(double spin, double inertia, double h, WheelBody& wheel) {
     const double resistance = (inertia * (spin - wheel.spin) - wheel.drive_impulse) / h;
     wheel.resistance += (resistance - wheel.resistance) * (h / (h + resistance_time_constant));
@@ -111,19 +115,19 @@ void estimate_resistance(double spin, double inertia, double h, WheelBody& wheel
     wheel.drive_impulse = 0;
 }
 
-// As the drive line sees it.
-DriveLineWheel drive_line_wheel_of(const Wheel& made, const WheelBody& wheel) {
-    return {.radius = made.radius,
-            .inertia = inertia_of(made),
-            .share = made.drive_share,
+// The wheel as the drive line models it.
+DriveLineWheel drive_line_wheel_of(const Wheel& def, const WheelBody& wheel) {
+    return {.radius = def.radius,
+            .inertia = inertia_of(def),
+            .share = def.drive_share,
             .brake = 0,
-            .force = -wheel.resistance / made.radius,
+            .force = -wheel.resistance / def.radius,
             .slope = 0,
             .spin = wheel.spin,
             .effective_inertia = 0};
 }
 
-// N that a bar presses a wheel down by; less where it is too stiff for the sub-step.
+// Force by which a bar pushes a wheel down, N; reduced if the bar is too stiff for the sub-step.
 double anti_roll_force(const Car& car, std::uint32_t wheel,
                        const std::array<double, wheels_max>& pressed, double h) {
     double push = 0;
@@ -131,8 +135,8 @@ double anti_roll_force(const Car& car, std::uint32_t wheel,
         if (bar.left != wheel && bar.right != wheel) continue;
         const std::uint32_t other = bar.left == wheel ? bar.right : bar.left;
         const double inverse_mass = 1 / car.def.wheels[wheel].mass + 1 / car.def.wheels[other].mass;
-        const double gives = 1 / (1 + h * h * bar.stiffness * inverse_mass);
-        push += bar.stiffness * gives * (pressed[wheel] - pressed[other]);
+        const double compliance = 1 / (1 + h * h * bar.stiffness * inverse_mass);
+        push += bar.stiffness * compliance * (pressed[wheel] - pressed[other]);
     }
     return push;
 }
@@ -176,7 +180,7 @@ Status make_body_wheels(World& world, Car& car) {
 }
 
 void destroy_body_wheels(World& world, Car& car) {
-    // One that is gone already is no error.
+    // Bodies that were destroyed already are skipped.
     for (const WheelBody& wheel : car.bodies)
         if (world.contains(wheel.body)) static_cast<void>(world.destroy_body(wheel.body));
     car.bodies.clear();
@@ -251,7 +255,7 @@ void update_wheel_state(const World& world, double dt, Car& car) {
         run.angle += run.spin * dt;
         run.angle -= 2 * pi * std::floor(run.angle / (2 * pi));
         const Vec3 down = rotate(turn, wheel.down);
-        // Of the ground on the wheel, if it keeps its speed.
+        // Force of the ground on the wheel, assuming that the wheel does not accelerate.
         const Vec3 ground = -joint->force - weight * wheel.mass;
         run.load = maximum(-dot(ground, down), 0);
         run.forward = dot(ground, rotate(turn, car.wheel_axes[k].forward));

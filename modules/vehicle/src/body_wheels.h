@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Wheels that are bodies: made with their joints when the car is added, gone with it. The solver
-// springs, steers and brakes them and finds what they touch; the drive line turns them. A wheel
-// whose body or joint is gone is lost; the others drive on.
+// Wheels that are bodies: created with their joints when the car is added, and destroyed with it.
+// The solver provides suspension, steering, brakes and contacts; the drive line drives them. If a
+// body or a joint of a wheel is destroyed, the wheel is lost and the others continue.
 #pragma once
 
 #include "jostle/physics/step_listener.h"
@@ -13,10 +13,10 @@ namespace jostle::modules::vehicle_detail {
 
 physics::Status make_body_wheels(physics::World& world, Car& car);
 void destroy_body_wheels(physics::World& world, Car& car);
-// Once a step, when rigs and controls are known.
+// Once per step, after the wheel axes and controls are known.
 void steer_and_brake(physics::World& world, Car& car);
 void drive_body_wheels(physics::SubstepContext& substep, Car& car);
-// What clients and state() are told.
+// Updates the wheel state for clients and state().
 void update_wheel_state(const physics::World& world, double dt, Car& car);
 
 }  // namespace jostle::modules::vehicle_detail

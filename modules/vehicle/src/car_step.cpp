@@ -13,19 +13,19 @@ using namespace physics;
 
 namespace {
 
-// s in which what else pushes the chassis (gravity, contacts) is learned. It must not be much
-// quicker than a sub-step: impacts would be taken for weight.
+// Time constant, s, of the estimate of other accelerations of the chassis (gravity, contacts). It
+// must not be much shorter than a sub-step, otherwise impacts are mistaken for weight.
 constexpr double external_time_constant = 0.02;
 
 Vec3 clamp_components(Vec3 a, double most) {
     return min(max(a, Vec3{-most, -most, -most}), Vec3{most, most, most});
 }
 
-// What the chassis did since the last solve that the car did not ask for.
+// Estimates the acceleration of the chassis since the last solve that the car did not cause.
 void estimate_external_acceleration(const MovingBody& chassis, double h, Car& car) {
     if (car.has_expected_motion) {
         const double share = h / (h + external_time_constant);
-        // A crash is not learned as if it lasted.
+        // The limit prevents a crash from being treated as a lasting acceleration.
         const Vec3 a = (chassis.linear_velocity - car.expected_v) / h,
                    alpha = (chassis.angular_velocity - car.expected_w) / h;
         car.external_acceleration +=
@@ -41,7 +41,7 @@ void estimate_external_acceleration(const MovingBody& chassis, double h, Car& ca
     car.expected_w = chassis.angular_velocity;
 }
 
-// Sub-steps for which a solve holds.
+// Number of sub-steps covered by one solve.
 int substeps_per_solve(const SubstepContext& substep, const Car& car) {
     const double most = 1 / car.def.rate + 1e-9;
     return most < 2 * substep.h() ? 1 : static_cast<int>(most / substep.h());
@@ -54,8 +54,8 @@ ChassisFrame frame_of(const SubstepContext& substep, double h, Car& car) {
     frame.pose = chassis.pose;
     frame.axes = to_matrix(chassis.pose.rotation);
     frame.center = chassis.center;
-    // The mean velocity since the last solve: in between, what else pushes has made a ripple, which
-    // tyres and dampers would take for a drift.
+    // The mean velocity since the last solve. Between solves, other accelerations cause a ripple
+    // that tyres and dampers would mistake for drift.
     const double ripple = 0.5 * (h - substep.h());
     frame.v = chassis.linear_velocity;
     if (!car.supported) frame.v += car.external_acceleration * -ripple;
@@ -67,9 +67,10 @@ ChassisFrame frame_of(const SubstepContext& substep, double h, Car& car) {
     return frame;
 }
 
-// ---- where wheels touch ----
+// ---- contacts ----
 
-// Of what tyres push, sideways or ahead, if all of them push alike.
+// Inverse effective mass of a tyre force, lateral or longitudinal, if all tyres apply the same
+// force.
 double inverse_mass_at(const Car& car, const Contact& contact) {
     const auto along = [&](Vec3 direction) {
         const Vec3 turn = cross(contact.arm, direction);
@@ -90,7 +91,7 @@ bool touch(const SubstepContext& substep, const ChassisFrame& frame, std::uint32
     if (facing < 0.1) return false;
     const Vec3 hub = frame.pose.position + frame.axes * wheel.attachment;
     const Vec3 plane = ground.point + ground.velocity * frame.time;
-    // The suspension's length at which the wheel touches the plane.
+    // Length of the suspension at which the wheel touches the plane.
     const double length = (dot(hub - plane, normal) - ground.reach) / facing;
     contact.pressed = wheel.suspension.longest - length;
     if (contact.pressed <= 0) return false;
@@ -103,7 +104,7 @@ bool touch(const SubstepContext& substep, const ChassisFrame& frame, std::uint32
     contact.lateral = cross(contact.forward, normal);
     contact.arm = hub + down * length - frame.center;
     if (wheel.crown > 0) {
-        // Round across: it touches at the side to which it leans.
+        // Round cross-section: the contact point moves to the side to which the wheel leans.
         const Vec3 rim = normalized(normal - axle * dot(axle, normal), -down);
         contact.arm += rim * (wheel.crown - wheel.radius) - normal * wheel.crown;
     } else {
@@ -137,7 +138,7 @@ void find_contacts(const SubstepContext& substep, const ChassisFrame& frame, Car
     }
 }
 
-// ---- how they turn and hold ----
+// ---- spin and grip ----
 
 void prepare_spin(const Car& car, DriveLineWheels& wheels) {
     for (std::size_t k = 0; k < car.wheels.size(); k++) {
@@ -152,7 +153,7 @@ void prepare_spin(const Car& car, DriveLineWheels& wheels) {
     }
 }
 
-// How the tyre answers if the wheel spins on, and how that changes with its spin.
+// Computes the tyre force at the current spin and its derivative with respect to the spin.
 void deflect_tread(const ChassisFrame& frame, Car& car, DriveLineWheel& spun, Contact& contact) {
     WheelRuntime& run = car.wheels[contact.wheel];
     const Tyre& tyre = car.def.wheels[contact.wheel].tyre;
@@ -173,13 +174,14 @@ void deflect_tread(const ChassisFrame& frame, Car& car, DriveLineWheel& spun, Co
     spun.brake += tyre.rolling_resistance * contact.load * spun.radius;
 }
 
-// Once the wheel's new spin is known: bends the tread by it, and pushes at most as friction holds.
-// The spin then takes what the drive line counted on and the tyre did not give.
+// Applies the new spin of the wheel: deflects the tread and limits the force to friction. Then
+// corrects the spin by the difference between the force assumed by the drive line and the actual
+// force.
 void grip(const ChassisFrame& frame, Car& car, DriveLineWheel& spun, Contact& contact) {
     WheelRuntime& run = car.wheels[contact.wheel];
     const TreadState& tread = contact.tread;
     const double gained = spun.spin - run.spin;
-    const double counted = spun.force + spun.slope * gained;
+    const double assumed = spun.force + spun.slope * gained;
     const double slip = contact.longitudinal_velocity - spun.radius * spun.spin;
     run.longitudinal_deflection += frame.h * spun.radius * gained * tread.roll;
     clamp_to_friction(tread, run.longitudinal_deflection, run.lateral_deflection);
@@ -194,7 +196,7 @@ void grip(const ChassisFrame& frame, Car& car, DriveLineWheel& spun, Contact& co
         lateral *= less;
     }
     if (spun.spin != 0)
-        spun.spin += frame.h * spun.radius * (counted - forward) / spun.effective_inertia;
+        spun.spin += frame.h * spun.radius * (assumed - forward) / spun.effective_inertia;
     contact.longitudinal_force = run.forward = forward;
     contact.lateral_force = run.lateral = lateral;
     run.load = contact.load;
@@ -207,7 +209,7 @@ void drive(const ChassisFrame& frame, Car& car, DriveLineWheels& wheels, Contact
     for (Contact& contact : contacts) grip(frame, car, wheels[contact.wheel], contact);
 }
 
-// ---- what comes of it ----
+// ---- resulting impulses ----
 
 struct Push {
     Vec3 impulse = {}, angular_impulse = {};  // N s, N m s about the centre of mass
@@ -235,7 +237,7 @@ void apply_wheel_forces(SubstepContext& substep, const ChassisFrame& frame, Cont
     }
 }
 
-// Wheels take their spin from the chassis and leave it there.
+// Changes of wheel spin conserve the angular momentum of the car.
 void update_wheel_spin(const ChassisFrame& frame, const DriveLineWheels& wheels, Car& car,
                        Push& push) {
     constexpr double turn = 2 * pi;
@@ -257,9 +259,9 @@ void apply_aerodynamics(const ChassisFrame& frame, const Car& car, Push& push) {
 
 }  // namespace
 
-// A solve for several sub-steps pushes at their start by all that they need: that is the symplectic
-// Euler method with the longer step. Only what carries the car against what else pushes it, the
-// same all the time, is pushed sub-step by sub-step: who stands still has no velocity then.
+// A solve that covers several sub-steps applies its whole impulse in the first one: symplectic
+// Euler with the longer step. Only the support against other accelerations, which is constant, is
+// applied in each sub-step, so that a standing car has no velocity.
 void step_car(SubstepContext& substep, Car& car) {
     const int solve_interval = substeps_per_solve(substep, car);
     const BodyId chassis = car.def.chassis;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// One sub-step of one car: where its wheels touch, what they bear, how the drive line turns them,
-// how tyres answer, and the push that comes of it.
+// One sub-step of a car: finds contacts, solves suspension loads, drive line and tyre forces, and
+// applies the resulting impulse.
 #pragma once
 
 #include "jostle/physics/step_listener.h"

@@ -9,7 +9,7 @@ using namespace physics;
 
 namespace {
 
-// Keeps the first fault.
+// Stores the first error.
 class Check {
 public:
     void number(const char* name, double value, double low, double high) {
@@ -56,7 +56,7 @@ void check_suspension(const Suspension& suspension, Check& check) {
     check.number("suspension.shortest", suspension.shortest, -10, 10);
     check.number("suspension.longest", suspension.longest, -10, 10);
     check.that(suspension.longest - suspension.shortest >= 1e-3,
-               "suspension.longest is less than a millimetre above suspension.shortest");
+               "suspension.longest must be at least 0.001 m more than suspension.shortest");
     check.number("suspension.frequency", suspension.frequency, 0.1, 100);
     check.number("suspension.damping", suspension.damping, 0, 10);
     check.number("suspension.preload", suspension.preload, 0, 1e7);
@@ -66,11 +66,11 @@ void check_wheel(const Wheel& wheel, Check& check) {
     check.vector("attachment", wheel.attachment, 100);
     check.vector("down", wheel.down, 1e3);
     check.vector("axle", wheel.axle, 1e3);
-    check.that(length(wheel.down) > 1e-6, "down has no length");
-    check.that(length(wheel.axle) > 1e-6, "axle has no length");
+    check.that(length(wheel.down) > 1e-6, "down is zero; it must have a length");
+    check.that(length(wheel.axle) > 1e-6, "axle is zero; it must have a length");
     check.that(
         absolute(dot(wheel.down, wheel.axle)) < 1e-3 * length(wheel.down) * length(wheel.axle),
-        "axle is not square to down");
+        "axle is not perpendicular to down");
     check.number("radius", wheel.radius, 0.02, 10);
     check.number("width", wheel.width, 0.01, 10);
     check.number("inertia", wheel.inertia, 0.001, 1e5);
@@ -95,7 +95,7 @@ void check_wheels(const VehicleDef& def, Check& check) {
     }
     check.leave();
     check.that(absolute(share) < 1e-6 || absolute(share - 1) < 1e-6,
-               "drive shares of all wheels are neither 0 nor 1 in sum");
+               "wheels: drive_share of all wheels must sum to 0 or 1");
 }
 
 void check_anti_roll_bars(const VehicleDef& def, Check& check) {
@@ -107,13 +107,13 @@ void check_anti_roll_bars(const VehicleDef& def, Check& check) {
         check.enter("anti_roll_bars", k);
         check.number("left", bar.left, 0, last);
         check.number("right", bar.right, 0, last);
-        check.that(bar.left != bar.right, "left and right are the same wheel");
+        check.that(bar.left != bar.right, "left and right must be different wheels");
         check.number("stiffness", bar.stiffness, 0, 1e7);
     }
     check.leave();
 }
 
-// Two groups of wheels without a common one.
+// Two disjoint groups of wheels.
 bool check_groups(const VehicleDef& def, const std::vector<std::uint32_t>& first,
                   const std::vector<std::uint32_t>& second, Check& check) {
     std::array<bool, wheels_max> taken{};
@@ -121,9 +121,9 @@ bool check_groups(const VehicleDef& def, const std::vector<std::uint32_t>& first
         check.number("wheels", static_cast<double>(group->size()), 1, wheels_max - 1);
         for (const std::uint32_t wheel : *group) {
             const bool known = wheel < def.wheels.size() && wheel < wheels_max;
-            check.that(known, "names a wheel that there is not");
+            check.that(known, "wheels contains an index that is not a wheel");
             if (!known) return false;
-            check.that(!taken[wheel], "names a wheel twice");
+            check.that(!taken[wheel], "wheels contains a wheel twice");
             taken[wheel] = true;
         }
     }
@@ -131,11 +131,11 @@ bool check_groups(const VehicleDef& def, const std::vector<std::uint32_t>& first
 }
 
 void check_differential_locks(const VehicleDef& def, Check& check) {
-    check.number("couplings", static_cast<double>(def.differential_locks.size()), 0,
+    check.number("differential_locks", static_cast<double>(def.differential_locks.size()), 0,
                  differential_locks_max);
     for (std::size_t k = 0; k < def.differential_locks.size(); k++) {
         const DifferentialLock& coupling = def.differential_locks[k];
-        check.enter("couplings", k);
+        check.enter("differential_locks", k);
         if (!check_groups(def, coupling.first, coupling.second, check)) return;
         check.number("kind", static_cast<double>(coupling.kind), 0, 1);
         check.number("preload", coupling.preload, 0, 1e7);
@@ -157,25 +157,25 @@ void check_steering_drive(const VehicleDef& def, Check& check) {
 void check_engine(const Engine& engine, Check& check) {
     check.enter("engine");
     check.number("curve", static_cast<double>(engine.curve.size()), 1, curve_points_max);
-    double before = -1;
+    double previous = -1;
     for (const TorquePoint& point : engine.curve) {
         check.number("curve.speed", point.speed, 0, 1e4);
         check.number("curve.torque", point.torque, -1e6, 1e6);
-        check.that(point.speed > before, "curve.speed does not rise");
-        before = point.speed;
+        check.that(point.speed > previous, "curve.speed must be strictly increasing");
+        previous = point.speed;
     }
     check.number("inertia", engine.inertia, 0.001, 1e5);
-    check.number("idle", engine.idle_speed, 1, 5000);
-    check.number("most", engine.max_speed, 1, 1e4);
-    check.that(engine.max_speed > engine.idle_speed, "most is not above idle");
+    check.number("idle_speed", engine.idle_speed, 1, 5000);
+    check.number("max_speed", engine.max_speed, 1, 1e4);
+    check.that(engine.max_speed > engine.idle_speed, "max_speed must be greater than idle_speed");
     check.number("friction", engine.friction, 0, 1e4);
     check.leave();
 }
 
 void check_gearbox(const Gearbox& gearbox, Check& check) {
     check.enter("gearbox");
-    check.number("ahead", static_cast<double>(gearbox.forward.size()), 1, gears_max);
-    for (const double ratio : gearbox.forward) check.number("ahead", ratio, 0.01, 1000);
+    check.number("forward", static_cast<double>(gearbox.forward.size()), 1, gears_max);
+    for (const double ratio : gearbox.forward) check.number("forward", ratio, 0.01, 1000);
     check.number("reverse", gearbox.reverse, 0.01, 1000);
     check.number("final_ratio", gearbox.final_ratio, 0.01, 1000);
     check.number("efficiency", gearbox.efficiency, 0.1, 1);
@@ -184,7 +184,7 @@ void check_gearbox(const Gearbox& gearbox, Check& check) {
     check.number("shift_up_speed", gearbox.shift_up_speed, 0, 1e4);
     check.number("shift_down_speed", gearbox.shift_down_speed, 0, 1e4);
     check.that(gearbox.shift_down_speed < gearbox.shift_up_speed,
-               "shift_down_speed is not below shift_up_speed");
+               "shift_down_speed must be less than shift_up_speed");
     check.number("clutch_torque", gearbox.clutch_torque, 1, 1e7);
     check.leave();
 }
@@ -202,7 +202,7 @@ void check_aerodynamics(const VehicleDef& def, Check& check) {
     check.leave();
     check.number("cast", static_cast<double>(def.cast), 0, static_cast<double>(WheelCast::body));
     check.that(def.cast != WheelCast::body || !def.balance.enabled,
-               "balance.on: the wheels of a two-wheeler are not bodies");
+               "balance.enabled is not supported with cast body; use ray, sphere or cylinder");
     check.number("steering_rate", def.steering_rate, 0.01, 1000);
     check.number("rate", def.rate, 10, 1e5);
 }
@@ -220,8 +220,8 @@ void check_wheel_runtime(const WheelRuntime& run, Check& check) {
     check.number("lateral_deflection", run.lateral_deflection, -1e3, 1e3);
     check.number("travel", run.travel, 0, 1e4);
     check.number("load", run.load, 0, 1e30);
-    check.number("ahead", run.forward, -1e30, 1e30);
-    check.number("aside", run.lateral, -1e30, 1e30);
+    check.number("forward", run.forward, -1e30, 1e30);
+    check.number("lateral", run.lateral, -1e30, 1e30);
     check.number("friction", run.friction, 0, 100);
     check.vector("point", run.point, 1e8);
     check.vector("normal", run.normal, 1.001);
@@ -266,20 +266,21 @@ std::string validate(const Car& car) {
          {validate(car.def), validate(car.controls), validate(car.pilot)})
         if (!fault.empty()) return fault;
     Check check;
-    check.that(car.wheels.size() == car.def.wheels.size(), "wheels have another number of states");
+    check.that(car.wheels.size() == car.def.wheels.size(),
+               "wheels has a different number of states than the definition");
     for (const Wheel& wheel : car.def.wheels)
         check.that(is_unit(wheel.down) && is_unit(wheel.axle),
-                   "wheels have axes that are not unit");
+                   "wheels has axes that are not unit vectors");
     for (std::size_t k = 0; k < car.wheels.size(); k++) {
         check.enter("wheels", k);
         check_wheel_runtime(car.wheels[k], check);
     }
     check.that(car.bodies.size() == (car.def.cast == WheelCast::body ? car.wheels.size() : 0),
-               "wheels have another number of bodies");
+               "wheels has the wrong number of bodies");
     for (const WheelBody& wheel : car.bodies) {
         check.number("spin", wheel.spin, -1e6, 1e6);
-        check.number("pushed", wheel.drive_impulse, -1e12, 1e12);
-        check.number("resists", wheel.resistance, -1e12, 1e12);
+        check.number("drive_impulse", wheel.drive_impulse, -1e12, 1e12);
+        check.number("resistance", wheel.resistance, -1e12, 1e12);
     }
     check.leave();
     check.number("driver_steering", car.driver_steering, -1, 1);

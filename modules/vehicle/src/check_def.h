@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Whether a car can be made of a definition, or goes on from saved fields: both are foreign.
+// Validates definitions from callers and saved state. Both are untrusted.
 #pragma once
 
 #include <string>
@@ -10,7 +10,8 @@
 
 namespace jostle::modules::vehicle_detail {
 
-// Empty: it can; else "wheels[2].radius is 0; it must be from 0.02 to 10".
+// Return an empty string if valid, otherwise an error such as "wheels[2].radius is 0; it must be
+// from 0.02 to 10".
 std::string validate(const VehicleDef& def);
 std::string validate(const CarControls& controls);
 std::string validate(const Pilot& pilot);

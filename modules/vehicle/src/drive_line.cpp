@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// Unknown are the speeds y of all wheels and of the engine at the end of the sub-step:
+// The unknowns are the speeds y of all wheels and the engine at the end of the sub-step:
 //
 //     I (y' - y) = h T - h R F(y')
 //
-// F is linear in the spin around what the tyre pushes now. What holds by friction (brake, clutch,
-// coupling) is a link r, a row over y. While it holds it is a stiff damper of r.y', which adds
-// h c r r^T to the matrix; when that asks for more than it can bear it slips, and pushes by just
-// that. Which links hold is guessed from the speeds before and corrected until it agrees, so one
-// solve is the rule. The matrix is symmetric and positive definite whatever holds.
+// F is linearized in the spin around the current tyre force. A friction element (brake, clutch,
+// coupling) is a constraint r, a row over y. While it sticks, it is a stiff damper of r.y', which
+// adds h c r r^T to the matrix. If that requires more torque than it can transmit, it slips and
+// applies its maximum torque. The states are initially guessed from the previous speeds and
+// corrected until they are consistent, so usually one solve suffices. The matrix is symmetric
+// positive definite for all states.
 #include "modules/vehicle/src/drive_line.h"
 
 #include "modules/vehicle/src/balance.h"
@@ -24,8 +25,9 @@ constexpr std::size_t unknowns_max = wheels_max + 1;
 constexpr std::size_t constraints_max = wheels_max + 1 + differential_locks_max + 1;
 constexpr int rounds_max = 4;
 
-// How stiff links are while they hold, against the inertia that they hold: what a link that holds
-// slips in a sub-step is its torque over this. A brake at 300 N m lets a wheel creep by 1e-7 rad/s.
+// Stiffness of sticking constraints relative to the inertia that they act on: a sticking constraint
+// slips by its torque divided by this in a sub-step. A brake at 300 N m lets a wheel creep at 1e-7
+// rad/s.
 constexpr double brake_stiffness = 1e7, clutch_stiffness = 300, differential_lock_stiffness = 3000;
 
 struct FrictionConstraint {
@@ -35,7 +37,7 @@ struct FrictionConstraint {
     double torque_max;  // N m
     double stiff;       // N m s/rad
     FrictionState grip;
-    double initial_speed;  // rad/s: its speed at the start
+    double initial_speed;  // rad/s, speed at the start of the sub-step
 };
 struct FrictionConstraints {
     std::array<FrictionConstraint, constraints_max> of;
@@ -51,7 +53,7 @@ double speed_of(const FrictionConstraint& constraint, const Speeds& y) {
     return sum;
 }
 
-// Slips if a sub-step of all that it bears does not stop it.
+// It slips if its maximum torque cannot stop it within a sub-step.
 FrictionState initial_friction_state(const FrictionConstraint& constraint, double inertia,
                                      double h) {
     if (absolute(constraint.initial_speed) * inertia <= h * constraint.torque_max)
@@ -76,12 +78,12 @@ void add_brakes(const Car& car, double h, const DriveLineWheels& wheels,
     }
 }
 
-// Between the engine and the mean of what is driven.
+// Couples the engine and the mean speed of the driven wheels.
 void add_clutch(const Car& car, double h, const Speeds& y, FrictionConstraints& constraints) {
     const double ratio = current_gear_ratio(car), idle = car.def.engine.idle_speed;
     if (ratio == 0) return;
-    // By the faster side: who sets off lets the clutch in by the engine's speed, who rolls in gear
-    // is braked by the engine.
+    // Engagement depends on the faster side. When starting, the engine speed engages the clutch;
+    // when coasting in gear, the engine brakes the car.
     const double fastest = maximum(car.engine_speed, ratio * mean_driven_spin(car));
     const double pressed = clamp((fastest - 1.05 * idle) / (0.6 * idle), 0, 1);
     const double most = car.def.gearbox.clutch_torque * pressed * (1 - car.controls.clutch);
@@ -128,7 +130,7 @@ void add_differential_locks(const Car& car, double h, const Speeds& y,
     }
 }
 
-// The engine drives left and right against each other.
+// The engine drives the left and right sides against each other.
 void add_steering(const Car& car, double h, const Speeds& y, FrictionConstraints& constraints) {
     const SteeringDrive& drive = car.def.steering_drive;
     if (drive.left.empty()) return;
@@ -144,7 +146,7 @@ void add_steering(const Car& car, double h, const Speeds& y, FrictionConstraints
     constraint.grip = initial_friction_state(constraint, inertia / 4, h);
 }
 
-// Without links.
+// Equations without constraints.
 void assemble(const Car& car, double h, const DriveLineWheels& wheels, double throttle,
               System& system) {
     const std::size_t engine = car.wheels.size();
@@ -180,7 +182,7 @@ void add(const FrictionConstraint& constraint, double h, System& system) {
                     hold * constraint.weight[k] * constraint.weight[l];
 }
 
-// Whether a link was not as guessed.
+// Returns true if the state of a constraint was guessed wrong.
 bool update_friction_state(FrictionConstraint& constraint, const Speeds& y) {
     const double speed = speed_of(constraint, y);
     if (constraint.grip == FrictionState::sticking) {
@@ -202,7 +204,8 @@ double torque_of(const FrictionConstraint& constraint, const Speeds& y) {
                                                               : -constraint.torque_max;
 }
 
-// The driver's foot, the governor that keeps the engine idling, and the cut beyond its most.
+// Throttle of the driver, the governor that keeps the engine idling, and the fuel cut above maximum
+// speed.
 double effective_throttle(const Car& car) {
     const Engine& engine = car.def.engine;
     const double speed = car.engine_speed;
@@ -280,7 +283,7 @@ void solve_drive_line(Car& car, double h, DriveLineWheels& wheels) {
                         (1 - throttle) * car.def.engine.friction * y[engine];
     car.engine_speed = clamp(y[engine], 0, 1e5);
     for (std::size_t i = 0; i < engine; i++) wheels[i].spin = clamp(y[i], -1e5, 1e5);
-    // What a brake holds stands still.
+    // A wheel with a sticking brake has exactly zero spin.
     for (std::size_t k = 0; k < clutch; k++)
         if (constraints.of[k].grip == FrictionState::sticking)
             wheels[constraints.of[k].at[0]].spin = 0;

@@ -1,31 +1,32 @@
 // SPDX-License-Identifier: MIT
 //
-// Engine, clutch, gearbox, differentials, brakes and the spin of all wheels, with how tyres answer
-// to it, as one implicit linear system per sub-step.
+// Drive line: engine, clutch, gearbox, differentials, brakes, the spin of all wheels and the tyre
+// response, solved as one implicit linear system per sub-step.
 #pragma once
 
 #include "modules/vehicle/src/car.h"
 
 namespace jostle::modules::vehicle_detail {
 
-// A wheel as the drive line sees it.
+// A wheel as the drive line models it.
 struct DriveLineWheel {
     double radius, inertia, share;
-    double brake;              // N m that hold it, at most
-    double force;              // N of its tyre ahead if it spins on as it does
-    double slope;              // N s/rad by which that grows with its spin
-    double spin;               // rad/s; becomes that at the end of the sub-step
-    double effective_inertia;  // kg m^2 that a change of its tyre's force meets
+    double brake;              // N m, maximum brake torque
+    double force;              // N, forward tyre force at the current spin
+    double slope;              // N s/rad, derivative of the force with respect to spin
+    double spin;               // rad/s; receives the value at the end of the sub-step
+    double effective_inertia;  // kg m^2, including the change of the tyre force
 };
 using DriveLineWheels = std::array<DriveLineWheel, wheels_max>;
 
-// Also moves the engine on.
+// Solves one sub-step. Also updates the engine.
 void solve_drive_line(Car& car, double h, DriveLineWheels& wheels);
 
-// Engine speed per wheel speed; 0: neutral or between two gears.
+// Engine speed per wheel speed; 0 in neutral and while shifting.
 double current_gear_ratio(const Car& car);
 double mean_driven_spin(const Car& car);
-double brake_torque(const Car& car, std::size_t wheel);  // N m of its brakes, as they are pressed
+// N m, brake torque at the current brake input.
+double brake_torque(const Car& car, std::size_t wheel);
 double torque_at(const Engine& engine, double speed);
 
 }  // namespace jostle::modules::vehicle_detail

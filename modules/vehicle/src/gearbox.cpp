@@ -9,7 +9,8 @@ using namespace physics;
 
 namespace {
 
-constexpr double reverse_speed_max = 1.5;  // m/s below which an automatic changes its direction
+// m/s, maximum speed at which an automatic reverses direction
+constexpr double reverse_speed_max = 1.5;
 
 void shift(Car& car, std::int32_t gear) {
     if (gear == car.gear) return;
@@ -18,26 +19,27 @@ void shift(Car& car, std::int32_t gear) {
     car.pause_left = car.shift_left + car.def.gearbox.shift_pause;
 }
 
-// Whether the clutch holds: else the engine's speed says nothing about the gear.
+// Returns true if the clutch transmits. Otherwise the engine speed does not indicate the gear.
 bool is_in_gear(const Car& car) {
     const double driven = current_gear_ratio(car) * mean_driven_spin(car);
     return absolute(car.engine_speed - driven) < 0.05 * car.engine_speed;
 }
 
-// rad/s of the engine at which it shifts up: later the harder the driver asks, and never where the
-// next gear would have to shift down again.
+// Engine speed of an upshift, rad/s: higher with more throttle, and never so low that the next gear
+// would shift down again.
 double shift_up_speed(const Car& car) {
     const Gearbox& gearbox = car.def.gearbox;
     const auto gear = static_cast<std::size_t>(car.gear);
     const double step = gearbox.forward[gear - 1] / gearbox.forward[gear];
-    const double asked = gearbox.shift_up_speed * (0.5 + 0.5 * car.controls.throttle);
-    return minimum(maximum(asked, 1.25 * step * gearbox.shift_down_speed), gearbox.shift_up_speed);
+    const double for_throttle = gearbox.shift_up_speed * (0.5 + 0.5 * car.controls.throttle);
+    return minimum(maximum(for_throttle, 1.25 * step * gearbox.shift_down_speed),
+                   gearbox.shift_up_speed);
 }
 
-// The lowest gear in which the road does not turn the engine faster than it may. Any lower one
-// would brake the driven wheels by all that the clutch holds, mostly more than their tyres do: at
-// 60 m/s a saloon's in first gear by 6,700 N m, where 2,500 lock them, and a car whose rear wheels
-// slide ahead no longer goes straight.
+// Lowest gear in which the road does not overspeed the engine. A lower gear would brake the driven
+// wheels with all that the clutch transmits, usually more than the tyres can take: at 60 m/s, first
+// gear of a saloon would brake with 6,700 N m, while 2,500 N m lock the wheels. A car with sliding
+// rear wheels loses directional stability.
 std::int32_t lowest_forward(const Car& car) {
     const Gearbox& gearbox = car.def.gearbox;
     double radius = 0;
@@ -59,7 +61,7 @@ std::int32_t next_forward(const Car& car) {
     if (car.pause_left > 0) return car.gear;
     const auto top = static_cast<std::int32_t>(gearbox.forward.size());
     if (car.engine_speed < gearbox.shift_down_speed && car.gear > lowest) {
-        // Slow wheels have let the clutch go: straight to where it takes again.
+        // The clutch has opened because of slow wheels: shifts down until it engages again.
         return car.gear - 1;
     }
     if (!is_in_gear(car)) return car.gear;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Which gear: once a step.
+// Gear selection, once per step.
 #pragma once
 
 #include "modules/vehicle/src/car.h"

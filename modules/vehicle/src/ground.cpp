@@ -9,12 +9,13 @@ using namespace physics;
 
 namespace {
 
-// Steeper against the suspension than this it is a wall, which is the chassis' business.
-constexpr double support_cosine_min = 0.2;  // cosine
-// A cast begins so far above where the wheel is when pressed in, in radii: that it does not start
-// inside of what it stands on.
+// Cosine of the steepest supporting surface relative to the suspension. Steeper surfaces are walls,
+// which only the chassis collides with.
+constexpr double support_cosine_min = 0.2;
+// Start of a cast above the fully compressed wheel, in radii. The margin prevents a cast from
+// starting inside the ground.
 constexpr double cast_start_offset = 0.5;
-// What a wheel stands on for long is asked for its friction every so many steps.
+// Interval, in steps, at which the friction of unchanged ground is read again.
 constexpr std::uint64_t friction_steps = 32;
 
 struct GroundHit {
@@ -24,7 +25,7 @@ struct GroundHit {
     Vec3 point, normal;
 };
 
-// A wheel's way, for a step.
+// Path of a wheel in a cast, valid for one step.
 struct WheelSweep {
     Vec3 from, motion;  // of its centre
     Vec3 down, axle;
@@ -35,8 +36,8 @@ std::optional<GroundHit> cast_ray_of(const Queries& queries, const QueryFilter& 
     const Vec3 motion = sweep.motion + sweep.down * radius;
     const auto hit = queries.cast_ray({sweep.from, motion}, filter);
     if (!hit.ok() || !*hit) return {};
-    // As if the wheel's centre had come to a radius above: the share of its own way may pass both
-    // ends.
+    // Converts to the position of the wheel's centre at one radius above the hit. The fraction of
+    // its path may be outside 0 to 1.
     const double came = (**hit).fraction * length(motion) - radius;
     return GroundHit{(**hit).body, (**hit).shape, came / length(sweep.motion), (**hit).point,
                      (**hit).normal};
@@ -57,7 +58,7 @@ QueryFilter filter_of(const Car& car) {
     return {.categories = car.def.ground, .ignore = car.def.chassis};
 }
 
-// All of its wheels at once.
+// Casts all wheels at once.
 void cast_wheel_shapes(const Queries& queries, const Car& car, std::span<const WheelSweep> sweeps,
                        std::span<std::optional<GroundHit>> found) {
     std::vector<ShapeCast> casts;
@@ -73,7 +74,7 @@ void cast_wheel_shapes(const Queries& queries, const Car& car, std::span<const W
     }
 }
 
-// Where the chassis is in the middle of the step, and how it moves.
+// Pose of the chassis in the middle of the step, and its motion.
 struct Chassis {
     Transform pose;
     Vec3 center, v, w;
@@ -84,7 +85,7 @@ WheelSweep sweep_of(const Chassis& chassis, const Wheel& wheel, Vec3 axle) {
     const Quat turn = chassis.pose.rotation;
     const Vec3 hub = apply(chassis.pose, wheel.attachment), down = rotate(turn, wheel.down);
     const double first = wheel.suspension.shortest - cast_start_offset * wheel.radius;
-    // Further down by what the chassis may fall in the step.
+    // Extends the cast by the distance that the chassis may fall in the step.
     const Vec3 v = chassis.v + cross(chassis.w, hub - chassis.center);
     const double fall = maximum(0, dot(v, down)) * chassis.dt + 0.01 * wheel.radius;
     return {hub + down * first, down * (wheel.suspension.longest - first + fall), down,
@@ -148,7 +149,7 @@ void find_wheel_ground(const World& world, const Queries& queries, const BodySta
     if (car.def.cast != WheelCast::ray)
         cast_wheel_shapes(queries, car, std::span(sweeps).first(count), found);
     for (std::size_t k = 0; k < count; k++) {
-        // It starts inside of something, leans on a wall, or is in the air.
+        // The cast starts inside a shape, hits a wall, or finds nothing.
         if (!is_supporting(sweeps[k], found[k]))
             found[k] = cast_ray_of(queries, filter_of(car), sweeps[k], car.def.wheels[k].radius);
         stand(world, sweeps[k], found[k], k, car);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Where each wheel meets the ground: once a step, where the chassis will be in its middle.
+// Finds the ground under each wheel once per step, at the predicted pose of the chassis in the
+// middle of the step.
 #pragma once
 
 #include "jostle/physics/world.h"

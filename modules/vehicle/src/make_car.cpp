@@ -9,14 +9,15 @@ using namespace physics;
 
 namespace {
 
-// kg that rest on each wheel: of all loads that carry the chassis in balance the ones of the least
-// squares, load = p . (1, x, z), with wheels and centre of mass seen from above. Lagrange's
-// multipliers p solve A p = (m, m x, m z), A the sum of (1, x, z)(1, x, z)^T.
+// Mass that rests on each wheel, kg: of all load distributions that balance the chassis, the one
+// with the least sum of squares, load = p . (1, x, z), with wheels and centre of mass seen from
+// above. The Lagrange multipliers p solve A p = (m, m x, m z), where A is the sum of (1, x, z)(1,
+// x, z)^T.
 std::vector<double> sprung_masses(const VehicleDef& def, Vec3 center, double mass) {
     SmallLinearSystem<3> system;
     system.clear(3);
     const auto row = [](Vec3 p) { return std::array<double, 3>{1, p.x, p.z}; };
-    // Wheels in one line carry nothing across it: a little stiffness there keeps the system whole.
+    // Wheels in one line support nothing across it. A small stiffness keeps the system regular.
     for (std::size_t i = 0; i < 3; i++) system.a[i][i] = 1e-9;
     for (const Wheel& wheel : def.wheels) {
         const std::array<double, 3> at = row(wheel.attachment - center);

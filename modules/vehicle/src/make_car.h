@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A car as it is added: its axes are unit, its springs fit what rests on them.
+// Creates a car from a definition: normalizes axes and derives springs from the load on the wheels.
 #pragma once
 
 #include "jostle/physics/world.h"

@@ -18,7 +18,7 @@ double wheel_base(const VehicleDef& def) {
 
 }  // namespace
 
-// Towards the circle's tangent, and to it where the car is off it.
+// Steers along the tangent of the circle, and back to the circle if the car is off it.
 CarControls pilot_controls(const Car& car, const BodyState& chassis) {
     const Pilot& pilot = car.pilot;
     const Vec3 out{chassis.center.x - pilot.center.x, 0, chassis.center.z - pilot.center.z};
@@ -52,7 +52,7 @@ CarControls driver_controls(const Car& car) {
     const bool back = controls.gear < 0;
     if (forward < 0 && !back && speed < stands && car.def.gearbox.automatic) controls.gear = -1;
     if (forward > 0 && controls.gear < 1 && speed > -stands) controls.gear = 1;
-    // Along the gear it drives, against it it brakes.
+    // Input along the gear is throttle, against it brake.
     const double along = controls.gear < 0 ? -forward : forward;
     controls.throttle = maximum(along, 0);
     controls.brake = maximum(-along, 0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Who drives: a pilot that keeps to a circle, or a person with sticks and buttons.
+// Sources of controls: a pilot that follows a circle, and driver input.
 #pragma once
 
 #include "jostle/physics/module.h"
@@ -11,10 +11,11 @@ namespace jostle::modules::vehicle_detail {
 
 CarControls pilot_controls(const Car& car, const physics::BodyState& chassis);
 
-// Of what is held: ahead is throttle, back is the brake, and reverse once the car stands.
+// Controls from driver input: forward is throttle, backward is brake, and reverse once the car
+// stands.
 CarControls driver_controls(const Car& car);
 
-// Takes hold, once: a press of a gear button shifts a manual gearbox.
+// Stores driver input. A press of a gear button shifts a manual gearbox once.
 void apply_driver_input(Car& car, const physics::Controls& controls);
 
 }  // namespace jostle::modules::vehicle_detail

@@ -5,8 +5,8 @@
 
 namespace jostle::modules::vehicle_detail {
 
-// The shortest turn from one unit vector to another; half a turn about `otherwise`, square to
-// both, where they are opposite.
+// The shortest rotation from one unit vector to another. For opposite vectors, half a turn about
+// `otherwise`, which must be perpendicular to both.
 inline physics::Quat rotation_between(physics::Vec3 from, physics::Vec3 to,
                                       physics::Vec3 otherwise) {
     const physics::Vec3 axis = cross(from, to);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Small symmetric positive definite systems, as L D L^T (Golub, Van Loan, "Matrix computations",
-// 4.1.2).
+// Solves small symmetric positive definite systems by an L D L^T factorization (Golub, Van Loan,
+// "Matrix Computations", 4.1.2).
 #pragma once
 
 #include <array>
@@ -11,8 +11,8 @@ namespace jostle::modules::vehicle_detail {
 
 template <std::size_t most>
 struct SmallLinearSystem {
-    std::array<std::array<double, most>, most> a;  // the lower half is read, and overwritten
-    std::array<double, most> b;                    // becomes the solution
+    std::array<std::array<double, most>, most> a;  // the lower triangle is input and is overwritten
+    std::array<double, most> b;                    // right-hand side; receives the solution
     std::size_t size = 0;
 
     void clear(std::size_t unknowns) {

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
-// Soft rows (Catto, "Soft constraints", 2011) of which the solver may choose how implicit they are.
-// With W = J M^-1 J^T, v the velocity at the end of the sub-step without the loads, and x how far
-// springs are pressed in now,
+// Soft constraint rows (E. Catto, "Soft Constraints", 2011) with a selectable degree of
+// implicitness. With W = J M^-1 J^T, v the velocity at the end of the sub-step without the loads,
+// and x the current compression of the springs,
 //
 //     N = k x - (c + theta h k) (v + h W N)
 //
-// theta = z^2 / (4 + z^2), z^2 = h^2 k W: next to nothing for a soft spring, which then keeps its
-// frequency and its energy to second order, and 1 for a stiff one, which is then damped out. It is
-// stable from theta = 1/2 on, or below z = 2, and that is where 1/2 is reached. One row of it:
-// x' = x + h v', v' = (v - h k x W) / (1 + theta z^2) has determinant 1 / D and trace 1 + 1 / D -
-// z^2 / D with D = 1 + theta z^2.
+// theta = z^2 / (4 + z^2), z^2 = h^2 k W. For a soft spring, theta is close to 0, and the spring
+// preserves its frequency and energy to second order. For a stiff spring, theta is close to 1, and
+// the spring is damped out. The scheme is stable for theta >= 1/2 or z < 2, and theta reaches 1/2
+// at z = 2. For one row, x' = x + h v' and v' = (v - h k x W) / (1 + theta z^2) have the
+// determinant 1 / D and the trace 1 + 1 / D - z^2 / D with D = 1 + theta z^2.
 #include "modules/vehicle/src/suspension.h"
 
 #include "modules/vehicle/src/small_linear_system.h"
@@ -21,18 +21,18 @@ using namespace physics;
 
 namespace {
 
-constexpr double stop_stiffness_ratio =
-    30;  // of the spring's: what a wheel that is pressed in meets
+// Stiffness of the bump stop relative to that of the spring.
+constexpr double stop_stiffness_ratio = 30;
 
 struct Row {
-    double push;        // N of the spring now
+    double push;        // N, current spring force
     double resistance;  // N s/m: c + theta h k
-    double velocity;    // m/s at the end of the sub-step if it bears nothing
+    double velocity;    // m/s, at the end of the sub-step without load
     bool active;
 };
 struct Rows {
     std::array<Row, wheels_max> of;
-    std::array<std::array<double, wheels_max>, wheels_max> w;  // the lower half
+    std::array<std::array<double, wheels_max>, wheels_max> w;  // lower triangle
 };
 
 double anti_roll_stiffness(const Car& car, std::uint32_t wheel) {
@@ -42,7 +42,7 @@ double anti_roll_stiffness(const Car& car, std::uint32_t wheel) {
     return stiffness;
 }
 
-// N along the suspension.
+// N, along the suspension.
 double anti_roll_force(const Car& car, std::uint32_t wheel) {
     double push = 0;
     for (const AntiRollBar& bar : car.def.anti_roll_bars) {
@@ -94,7 +94,7 @@ Row make_row(const Car& car, const ChassisFrame& frame, const Contact& contact, 
     return row;
 }
 
-// (1 / B + h W) N = push / B - v, of those that bear.
+// Solves (1 / B + h W) N = push / B - v for the active rows.
 void solve(const ChassisFrame& frame, const Rows& rows, Contacts& contacts) {
     SmallLinearSystem<wheels_max> system;
     std::array<std::size_t, wheels_max> bearing;
@@ -122,7 +122,7 @@ void solve_loads(const Car& car, const ChassisFrame& frame, Contacts& contacts) 
     fill_effective_mass(car, contacts, rows);
     for (std::size_t i = 0; i < contacts.count; i++)
         rows.of[i] = make_row(car, frame, contacts.all[i], rows.w[i][i]);
-    // Who would pull bears nothing; at most all of them, one after the other.
+    // A wheel cannot pull: rows with negative load are deactivated one after the other.
     for (std::size_t round = 0; round < contacts.count; round++) {
         solve(frame, rows, contacts);
         bool pulls = false;

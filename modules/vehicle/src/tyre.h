@@ -1,31 +1,31 @@
 // SPDX-License-Identifier: MIT
 //
-// The brush tyre: how hard a bent tread pushes, and how slip bends it.
+// The brush tyre: force of a deflected tread, and its deflection by slip.
 //
-// The bend u of the tread, m, against the slip velocity v_s and rolling at v (Pacejka 7.2.1, the
-// single contact point):
+// The deflection u of the tread, m, with the slip velocity v_s and the rolling speed v (Pacejka
+// 7.2.1, single contact point) follows
 //
-//     du/dt = -v_s - |v| u / length            at rest: u = -v_s length / |v|, the slip
+//     du/dt = -v_s - |v| u / length            in steady state: u = -v_s length / |v|, the slip
 //
-// is solved implicitly. At standstill it is a spring that stays where it is: the car does not
-// creep. The force is that of brushes with a parabolic pressure (Pacejka 3.2.1),
+// and is solved implicitly. At standstill it is a spring with a fixed anchor, so the car does not
+// creep. The force is that of brushes with a parabolic pressure distribution (Pacejka 3.2.1),
 //
 //     F = mu N (3 s - 3 s^2 + s^3),   s = C |u| / (3 mu length),   C force per load and slip
 //
-// and mu N from s = 1 on. Beyond s = 1 the tread is not bent further. It pushes along
-// (C_x u_x, C_y u_y) while it sticks and against the slip once it slides. A tread that does not
-// roll sticks all along: F = mu N min(3 s, 1), and is bent a third as far. In between the two are
-// mixed by speed.
+// and mu N for s >= 1. The deflection is limited to s = 1. The force acts along (C_x u_x, C_y u_y)
+// while the tread sticks, and against the slip once it slides. A tread that does not roll sticks
+// over its whole length: F = mu N min(3 s, 1), with the deflection limited to a third. In between,
+// both are blended by speed.
 #pragma once
 
 #include "modules/vehicle/src/car.h"
 
 namespace jostle::modules::vehicle_detail {
 
-inline constexpr double rolling_speed_min =
-    1;  // m/s from which a tread rolls: its contact patch renews
+// m/s from which a tread is rolling, so that its contact patch is renewed
+inline constexpr double rolling_speed_min = 1;
 
-// N s/m of a tread that stands, as much as a sub-step bears.
+// Damping of a tread at standstill, N s/m, limited for stability in the sub-step.
 inline double tread_damping(double ratio, double stiffness, double inverse_mass, double rolls,
                             double h) {
     if (rolls >= 1 || stiffness <= 0) return 0;
@@ -33,7 +33,7 @@ inline double tread_damping(double ratio, double stiffness, double inverse_mass,
     return c / (1 + h * c * inverse_mass);
 }
 
-// For a sub-step in which it rolls at `speed`, m/s.
+// Tread state for a sub-step in which the tyre rolls at `speed`, m/s.
 inline TreadState tread_of(const Tyre& tyre, const Contact& contact, double friction, double speed,
                            double h) {
     TreadState tread;
@@ -47,16 +47,16 @@ inline TreadState tread_of(const Tyre& tyre, const Contact& contact, double fric
         tread_damping(tyre.damping, k_ahead, contact.inverse_mass, tread.rolling_share, h);
     tread.lateral_damping =
         tread_damping(tyre.damping, k_aside, contact.inverse_mass, tread.rolling_share, h);
-    // Where a tread is too stiff for the sub-step it gives way; suspension.cpp says how.
+    // A tread that is too stiff for the sub-step is softened as explained in suspension.cpp.
     const double z2 = h * h * physics::maximum(k_ahead, k_aside) * contact.inverse_mass;
-    const double gives = (4 + z2) / (4 + z2 + z2 * z2);
-    const double scale = gives * per_length / (3 * physics::maximum(friction, 1e-9));
+    const double compliance = (4 + z2) / (4 + z2 + z2 * z2);
+    const double scale = compliance * per_length / (3 * physics::maximum(friction, 1e-9));
     tread.longitudinal_deflection = tyre.longitudinal_stiffness * scale;
     tread.lateral_deflection = tyre.cornering_stiffness * scale;
     return tread;
 }
 
-// Back to where friction holds it: s is at most 1, or a third of it at standstill. Returns s^2.
+// Limits the deflection to friction: s is at most 1, or 1/3 at standstill. Returns s^2.
 inline double clamp_to_friction(const TreadState& tread, double& forward, double& lateral) {
     const double x = tread.longitudinal_deflection * forward,
                  y = tread.lateral_deflection * lateral;
@@ -68,7 +68,8 @@ inline double clamp_to_friction(const TreadState& tread, double& forward, double
     return most * most;
 }
 
-// Fills in how hard it pushes per bend. Below `sticks` of its most, squared, it sticks.
+// Computes the force per deflection. If the squared fraction of the limit is below `sticks`, the
+// tread sticks.
 inline void compute_secant_stiffness(TreadState& tread, double forward, double lateral, double s2) {
     constexpr double sticks = 0.05;
     const double s = physics::square_root(s2);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Vehicles as a module: saved, made by scenes, seen by clients.
+// Vehicles as a module: serialization, scene settings and client channels.
 #include <algorithm>
 
 #include "jostle/modules/settings.h"
@@ -23,7 +23,7 @@ std::string name_of(std::size_t car) {
     return car == 0 ? "car" : "car" + std::to_string(car + 1);
 }
 
-// What a scene says of all its cars.
+// Settings that a scene gives for all of its cars.
 struct SceneCars {
     SaloonDef saloon;
     double make = 0, power = 1, cast = 2;
@@ -60,7 +60,7 @@ Status read(const ModuleSettings& given, SceneCars& cars) {
     return settings.finish();
 }
 
-// A saloon, or what takes of its numbers what it has.
+// Creates a saloon, or another type of car from the numbers that apply to it.
 VehicleDef make_of(const SceneCars& cars, BodyId chassis) {
     SaloonDef of = cars.saloon;
     of.chassis = chassis;
@@ -190,7 +190,7 @@ void Vehicles::control(World& world, BodyId body, const Controls& controls) {
     for (Car& car : cars_) {
         if (car.def.chassis != body) continue;
         apply_driver_input(car, controls);
-        // The body may be gone: then the car ends in the next step.
+        // A missing body is ignored: the car is removed in the next step.
         static_cast<void>(world.wake(body));
     }
 }
@@ -223,8 +223,9 @@ void Vehicles::visit(StateVisitor& v) {
     v.all("cars", cars_, [&](Car& car) { visit_car(v, car); });
     if (!v.loading()) return;
     for (std::size_t k = 0; k < cars_.size(); k++) {
-        if (cars_[k].id >= next_ || cars_[k].id == 0) v.fail("cars", "have an id yet to come");
-        if (k > 0 && cars_[k].id <= cars_[k - 1].id) v.fail("cars", "are not in their order");
+        if (cars_[k].id >= next_ || cars_[k].id == 0)
+            v.fail("cars", "has an id that was not assigned yet");
+        if (k > 0 && cars_[k].id <= cars_[k - 1].id) v.fail("cars", "is not sorted by id");
     }
 }
 

@@ -20,26 +20,26 @@ using namespace vehicle_detail;
 
 namespace {
 
-constexpr int cars_at_once = 16;  // that a thread takes: some 20 us of looking for ground
+constexpr int cars_at_once = 16;  // per task of a thread: about 20 us of ground queries
 
 Error unknown_car(CarId car) {
-    return {ErrorCode::not_found, "there is no car " + std::to_string(car)};
+    return {ErrorCode::not_found, "car " + std::to_string(car) + " does not exist"};
 }
 
 bool by_id(const Car& car, CarId id) {
     return car.id < id;
 }
 
-// rad, right.
+// rad, positive to the right.
 double angle_of(const Car& car, std::size_t wheel) {
     return car.steering * car.def.wheels[wheel].steering_most;
 }
 
 void steer(Car& car, double dt) {
     const double most = car.def.steering_rate * dt;
-    const double wanted =
+    const double target =
         car.def.balance.enabled ? balance_steering(car, dt) : car.controls.steering;
-    car.steering += clamp(wanted - car.steering, -most, most);
+    car.steering += clamp(target - car.steering, -most, most);
     car.wheel_axes.resize(car.wheels.size());
     for (std::size_t k = 0; k < car.wheels.size(); k++) {
         const Wheel& wheel = car.def.wheels[k];
@@ -50,7 +50,7 @@ void steer(Car& car, double dt) {
     }
 }
 
-// A sleeping car stands on something that sleeps, or it must look again.
+// The ground under a sleeping car must exist and be asleep, otherwise the car wakes.
 bool has_lost_ground(const World& world, const Car& car) {
     return std::any_of(car.wheels.begin(), car.wheels.end(), [&](const WheelRuntime& run) {
         if (!run.touches) return false;
@@ -60,7 +60,7 @@ bool has_lost_ground(const World& world, const Car& car) {
     });
 }
 
-// Reads the world alone.
+// Only reads the world.
 void begin_step(const World& world, const Queries& queries, const BodyState& chassis, double dt,
                 Car& car) {
     if (car.driver == Driver::pilot) car.controls = pilot_controls(car, chassis);
@@ -110,13 +110,13 @@ Result<CarId> Vehicles::add(World& world, const VehicleDef& def) {
     const Result<BodyState> chassis = world.body(def.chassis);
     if (!chassis.ok()) return chassis.error();
     if (chassis->type != BodyType::dynamic)
-        return Error{ErrorCode::failed_precondition, "the chassis is not a dynamic body"};
+        return Error{ErrorCode::failed_precondition, "chassis is not a dynamic body"};
     for (const Car& car : cars_)
         if (car.def.chassis == def.chassis)
             return Error{ErrorCode::already_exists,
-                         "the chassis is that of car " + std::to_string(car.id)};
+                         "chassis already belongs to car " + std::to_string(car.id)};
     if (next_ == 0xffffffff)
-        return Error{ErrorCode::resource_exhausted, "there have been too many cars"};
+        return Error{ErrorCode::resource_exhausted, "no car ids are left in this world"};
     Car car = make_car(def, *chassis, world.gravity());
     if (def.cast == WheelCast::body)
         if (Status made = make_body_wheels(world, car); !made.ok()) return made.error();
@@ -183,27 +183,27 @@ Result<VehicleDef> Vehicles::def(CarId car) const {
     return found->def;
 }
 
-// Cars look for their ground side by side, on all threads: what each finds is its own.
+// Ground queries of the cars run in parallel on all threads; each writes only its own car.
 void Vehicles::before_step(World& world, double dt) {
-    std::size_t kept = 0;
+    std::size_t remaining = 0;
     std::vector<BodyState> bodies;
     bodies.reserve(cars_.size());
     for (std::size_t k = 0; k < cars_.size(); k++) {
         const Result<BodyState> chassis = world.body(cars_[k].def.chassis);
-        // A car whose chassis is gone, or no longer moves by forces, ends.
+        // Removes cars whose chassis was destroyed or is no longer dynamic.
         if (!chassis.ok() || chassis->type != BodyType::dynamic) {
             destroy_body_wheels(world, cars_[k]);
             continue;
         }
-        if (kept != k) cars_[kept] = std::move(cars_[k]);
-        Car& car = cars_[kept++];
+        if (remaining != k) cars_[remaining] = std::move(cars_[k]);
+        Car& car = cars_[remaining++];
         bodies.push_back(*chassis);
         car.active = chassis->awake;
         if (!chassis->awake && car.bodies.empty() && has_lost_ground(world, car))
             car.active = world.wake(car.def.chassis).ok();
         if (!car.active) car.has_expected_motion = false;
     }
-    cars_.erase(cars_.begin() + static_cast<std::ptrdiff_t>(kept), cars_.end());
+    cars_.erase(cars_.begin() + static_cast<std::ptrdiff_t>(remaining), cars_.end());
     const Queries queries = world.queries();
     world.parallel_for(static_cast<int>(cars_.size()), cars_at_once, [&](int first, int last) {
         for (auto k = static_cast<std::size_t>(first); k < static_cast<std::size_t>(last); k++)
@@ -223,8 +223,8 @@ void Vehicles::before_substep(SubstepContext& substep) {
     }
 }
 
-// Pays what the ground in another group is owed, over the next step: an impulse now would move it
-// before anything could bear it.
+// Applies the pending reaction to ground in other groups as a force over the next step. An impulse
+// now would move it before its supports can react.
 void Vehicles::after_step(World& world, double dt) {
     for (Car& car : cars_) {
         if (!car.active) continue;
@@ -235,7 +235,7 @@ void Vehicles::after_step(World& world, double dt) {
         for (std::size_t k = 0; k < car.grounds.size(); k++) {
             const Ground& ground = car.grounds[k];
             if (!ground.dynamic || ground.reaction_impulse == Vec3{}) continue;
-            // The body may be gone: then nobody is owed.
+            // A missing body is ignored.
             static_cast<void>(world.apply_force(car.wheels[k].ground, ground.reaction_impulse / dt,
                                                 ground.point));
         }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The walk over all of a car that is saved.
+// Visits all saved state of a car.
 #pragma once
 
 #include "jostle/physics/state_visitor.h"

@@ -97,7 +97,7 @@ TEST(BodyWheels, top_speed_balances_power_and_drag) {
     VehicleDef def = with_bodies(of.chassis);
     def.engine.curve = {{0, 200}};
     def.engine.max_speed = 1000;
-    def.gearbox = {.automatic = false, .ahead = {1}};
+    def.gearbox = {.automatic = false, .forward = {1}};
     def.aerodynamics = {.drag_area = 2.5};
     of.add(def);
     of.set({.throttle = 1, .gear = 1});
@@ -115,7 +115,7 @@ TEST(BodyWheels, engine_accelerates_the_total_mass) {
     VehicleDef def = with_bodies(of.chassis);
     def.engine.curve = {{0, 200}};
     def.engine.max_speed = 5000;
-    def.gearbox = {.automatic = false, .ahead = {2}, .efficiency = 1};
+    def.gearbox = {.automatic = false, .forward = {2}, .efficiency = 1};
     of.add(def);
     of.set({.throttle = 1, .gear = 1});
     of.drive(3);

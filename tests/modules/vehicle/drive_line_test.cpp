@@ -33,7 +33,7 @@ TEST(DriveLine, top_speed_balances_power_and_drag) {
         VehicleDef def = plain_saloon(of.chassis);
         def.engine.curve = {{0, 320}, {1000, 40}};
         def.engine.max_speed = 1000;
-        def.gearbox = {.automatic = false, .ahead = {gear}};
+        def.gearbox = {.automatic = false, .forward = {gear}};
         def.aerodynamics = {.drag_area = 0.7};
         for (auto& wheel : def.wheels) wheel.tyre.rolling_resistance = 0.012;
         of.add(def);
@@ -53,7 +53,7 @@ TEST(DriveLine, gear_ratio_multiplies_engine_torque) {
         VehicleDef def = plain_saloon(of.chassis);
         def.engine.curve = {{0, 200}};
         def.engine.max_speed = 5000;
-        def.gearbox = {.automatic = false, .ahead = {gear}, .efficiency = 1};
+        def.gearbox = {.automatic = false, .forward = {gear}, .efficiency = 1};
         of.add(def);
         of.set({.throttle = 1, .gear = 1});
         of.drive(1.5);

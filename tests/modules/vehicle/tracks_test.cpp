@@ -16,7 +16,7 @@ struct Tank : TestCar {
         of.chassis = chassis;
         of.wheel.suspension.frequency = 2;
         VehicleDef def = modules::tracked(of);
-        def.gearbox.ahead = {16, 8, 4};
+        def.gearbox.forward = {16, 8, 4};
         add(def);
         drive(1);
     }

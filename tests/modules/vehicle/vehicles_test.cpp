@@ -13,37 +13,38 @@ namespace {
 
 TEST(Vehicles, rejects_invalid_definitions_and_names_the_field) {
     TestCar of;
-    const auto error_of = [&](auto&& change) {
+    const auto add_error = [&](auto&& change) {
         VehicleDef def = plain_saloon(of.chassis);
         change(def);
         return error_of(of.vehicles->add(of.world, def)).message;
     };
-    EXPECT_EQ(error_of([](VehicleDef& def) { def.wheels[2].radius = 0; }),
+    EXPECT_EQ(add_error([](VehicleDef& def) { def.wheels[2].radius = 0; }),
               "wheels[2].radius is 0; it must be from 0.02 to 10");
-    EXPECT_EQ(error_of([](VehicleDef& def) { def.wheels[1].suspension.longest = 0; }),
-              "wheels[1].suspension.longest is less than a millimetre above suspension.shortest");
-    EXPECT_EQ(error_of([](VehicleDef& def) { def.wheels.clear(); }),
-              "wheels is 0; it must be from 1 to 16");
-    EXPECT_EQ(error_of([](VehicleDef& def) { def.wheels[2].drive_share = 0.1; }),
-              "drive shares of all wheels are neither 0 nor 1 in sum");
     EXPECT_EQ(
-        error_of([](VehicleDef& def) { def.differential_locks = {{.first = {2}, .second = {7}}}; }),
-        "couplings[0].names a wheel that there is not");
-    EXPECT_EQ(error_of([](VehicleDef& def) {
+        add_error([](VehicleDef& def) { def.wheels[1].suspension.longest = 0; }),
+        "wheels[1].suspension.longest must be at least 0.001 m more than suspension.shortest");
+    EXPECT_EQ(add_error([](VehicleDef& def) { def.wheels.clear(); }),
+              "wheels is 0; it must be from 1 to 16");
+    EXPECT_EQ(add_error([](VehicleDef& def) { def.wheels[2].drive_share = 0.1; }),
+              "wheels: drive_share of all wheels must sum to 0 or 1");
+    EXPECT_EQ(
+        add_error([](VehicleDef& def) { def.differential_locks = {{.first = {2}, .second = {7}}}; }),
+        "differential_locks[0].wheels contains an index that is not a wheel");
+    EXPECT_EQ(add_error([](VehicleDef& def) {
                   def.steering_drive = {.left = {0, 1}, .right = {1}};
               }),
-              "steering_drive.names a wheel twice");
-    EXPECT_EQ(error_of([](VehicleDef& def) { def.steering_drive.left = {0}; }),
+              "steering_drive.wheels contains a wheel twice");
+    EXPECT_EQ(add_error([](VehicleDef& def) { def.steering_drive.left = {0}; }),
               "steering_drive.wheels is 0; it must be from 1 to 15");
-    EXPECT_EQ(error_of([](VehicleDef& def) {
+    EXPECT_EQ(add_error([](VehicleDef& def) {
                   def.wheels[0].axle = {0, 1, 0};
               }),
-              "wheels[0].axle is not square to down");
-    EXPECT_EQ(error_of([](VehicleDef& def) { def.engine.curve[1].speed = 0; }),
-              "engine.curve.speed does not rise");
-    EXPECT_EQ(error_of([](VehicleDef& def) { def.gearbox.shift_down_speed = 900; }),
-              "gearbox.shift_down_speed is not below shift_up_speed");
-    EXPECT_EQ(error_of([](VehicleDef& def) { def.chassis = {}; }).empty(), false);
+              "wheels[0].axle is not perpendicular to down");
+    EXPECT_EQ(add_error([](VehicleDef& def) { def.engine.curve[1].speed = 0; }),
+              "engine.curve.speed must be strictly increasing");
+    EXPECT_EQ(add_error([](VehicleDef& def) { def.gearbox.shift_down_speed = 900; }),
+              "gearbox.shift_down_speed must be less than shift_up_speed");
+    EXPECT_EQ(add_error([](VehicleDef& def) { def.chassis = {}; }).empty(), false);
     EXPECT_TRUE(of.vehicles->cars().empty());
 }
 
@@ -144,7 +145,7 @@ TEST(Vehicles, scene_settings_create_saloons) {
     EXPECT_EQ(error_of(wrong.configure(of.world, {.numbers = {{"longest", 0.05}},
                                                   .bodies = {{"car", of.chassis}}}))
                   .message,
-              "car: wheels[0].suspension.longest is less than a millimetre above "
+              "car: wheels[0].suspension.longest must be at least 0.001 m more than "
               "suspension.shortest");
 }
 

@@ -1,21 +1,23 @@
 // SPDX-License-Identifier: MIT
 //
-// Cars: any number of them. A car is a chassis body and wheels. These are not bodies, unless asked
-// for (WheelCast::body): each looks for the ground along its suspension once a step, and pushes the
-// chassis in each sub-step by its suspension and its tyre. Springs and dampers, and engine, clutch,
-// gearbox, differentials and brakes are solved implicitly: no stiffness is too stiff.
+// Cars: wheeled and tracked vehicles. A car is a chassis body with wheels. Wheels are not bodies,
+// except with WheelCast::body: each wheel searches for the ground along its suspension once per
+// step and applies the forces of suspension and tyre to the chassis in each sub-step. Springs,
+// dampers, engine, clutch, gearbox, differentials and brakes are solved implicitly, so they are
+// stable at any stiffness.
 //
 //     auto vehicles = std::make_unique<Vehicles>();
 //     const CarId car = vehicles->add(world, saloon({.chassis = body})).value();
 //     vehicles->set_controls(world, car, {.throttle = 1}).expect();
 //     world.add_module(std::move(vehicles)).expect();
 //
-// What wheels stand on is pushed back: in the same sub-step where it is in the group of the
-// chassis, else by the sum of the step, as a force during the next one. A chassis that touches
-// nothing is in the group of all that touches nothing; so it is a car on a barge that lies on the
-// ground that pushes a step late. Cars on dynamic bodies do not sleep.
+// The ground receives the reaction. A ground body in the sub-step group of the chassis receives it
+// in the same sub-step. Any other ground body receives the sum of a step as a force during the next
+// step. A chassis without contacts belongs to the group of all bodies without contacts. The
+// reaction is therefore one step late if, for example, a car stands on a barge that lies on the
+// ground. Cars on dynamic bodies do not sleep.
 //
-// Thread rule: as of the world that owns it.
+// Thread rule: that of the owning world.
 #pragma once
 
 #include <array>
@@ -32,91 +34,118 @@ namespace vehicle_detail {
 struct Car;
 }
 
-using CarId = std::uint32_t;  // from 1; never used again
+/// Identifies a car. Ids start at 1 and are never reused.
+using CarId = std::uint32_t;
 
+/// Input of a car. It stays in effect until it is replaced.
 struct CarControls {
-    double throttle = 0;    // 0 to 1
-    double brake = 0;       // 0 to 1
-    double hand_brake = 0;  // 0 to 1
-    double steering = 0;    // -1 to 1, right
-    double clutch = 0;      // 0 to 1: the pedal, 1 is open
-    // -1 reverse, 0 neutral, above: an automatic drives ahead, a manual gearbox takes that gear.
+    double throttle = 0;    ///< 0 to 1
+    double brake = 0;       ///< 0 to 1
+    double hand_brake = 0;  ///< 0 to 1; the larger of both brake torques applies at each wheel
+    double steering = 0;    ///< -1 to 1, positive to the right
+    double clutch = 0;      ///< 0 to 1: clutch pedal; 1 is fully disengaged
+    /// -1 reverse, 0 neutral. Above 0, an automatic gearbox drives forward and a manual one selects
+    /// this gear.
     std::int32_t gear = 1;
 
     bool operator==(const CarControls&) const = default;
 };
 
-// Drives a car round a circle about the y axis through `center`; for scenes. Whoever sets controls
-// takes over.
+/// Driver that follows a circle around the vertical axis through `center`, for scenes.
+/// set_controls() or driver input takes over.
 struct Pilot {
+    /// m
     Vec3 center = {};
-    double radius = 30;  // m, 4 to 1e4; driven to the left, seen from above
-    double speed = 10;   // m/s, 0 to 200
+    double radius = 30;  ///< m, 4 to 1e4; counter-clockwise seen from above
+    double speed = 10;   ///< m/s, 0 to 200
 };
 
+/// State of a wheel after the last step.
 struct WheelState {
-    bool touches = false;
+    bool touches = false;  ///< true if the wheel is in contact with the ground
+    /// Body that it touches. Meaningful only if it touches.
     BodyId ground = {};
-    Vec3 point = {}, normal = {0, 1, 0};  // of the ground in the last step, world
-    double travel = 0;                    // m pressed in from hanging
-    double load = 0;                      // N along the normal
-    Vec3 force = {};      // N of the tyre on the chassis, along the ground: ahead, right, 0
-    double spin = 0;      // rad/s, ahead
-    double angle = 0;     // rad that it has turned, 0 to 2 pi
-    double steering = 0;  // rad, right
-    double stiffness = 0, damping = 0;  // N/m, N s/m of its suspension
+    /// Contact point (m) and ground normal (unit), world. Meaningful only if the wheel touches.
+    Vec3 point = {}, normal = {0, 1, 0};
+    double travel = 0;    ///< m, compression from full extension
+    double load = 0;      ///< N, along the normal
+    Vec3 force = {};      ///< N, tyre force on the chassis along the ground: forward, right, 0
+    double spin = 0;      ///< rad/s, positive forward
+    double angle = 0;     ///< rad, rotation, 0 to 2 pi
+    double steering = 0;  ///< rad, positive to the right
+    double stiffness = 0, damping = 0;  ///< N/m and N s/m, of its suspension
 };
+/// State of a car after the last step.
 struct CarState {
     BodyId chassis = {};
     CarControls controls = {};
-    std::int32_t gear = 0;
-    bool shifting = false;
-    double engine_speed = 0;                      // rad/s
-    double engine_torque = 0, clutch_torque = 0;  // N m
-    double speed = 0;                             // m/s ahead
+    std::int32_t gear = 0;                        ///< -1 reverse, 0 neutral
+    bool shifting = false;                        ///< true while a shift keeps the clutch open
+    double engine_speed = 0;                      ///< rad/s
+    double engine_torque = 0, clutch_torque = 0;  ///< N m
+    double speed = 0;                             ///< m/s, forward
+    /// In the order of VehicleDef::wheels.
     std::vector<WheelState> wheels = {};
 };
 
+/// Module that owns the cars of a world. Tag: "vehicle".
 class Vehicles final : public physics::Module {
 public:
+    /// The module's tag.
     static constexpr std::string_view kind = "vehicle";
 
     Vehicles();
     ~Vehicles() override;
 
-    // The chassis is dynamic and belongs to no other car. Springs get their stiffness from the mass
-    // that rests on each wheel now. Wheels that are bodies are made where they bear it.
+    /// Adds a car. Spring stiffness is derived from the mass that rests on each wheel at this time.
+    /// With WheelCast::body, the wheels are created in their positions under load.
+    ///
+    /// Errors: invalid_argument names the field that is out of range; failed_precondition if the
+    /// chassis is not a dynamic body; already_exists if it belongs to another car. Errors of World
+    /// apply too.
     physics::Result<CarId> add(physics::World& world, const VehicleDef& def);
+    /// Removes a car. The chassis stays. Returns not_found for an unknown id, as all calls with a
+    /// CarId do.
     physics::Status remove(physics::World& world, CarId car);
-    std::vector<CarId> cars() const;  // rising
-    // Wakes the chassis when they change.
+    /// All cars, in increasing order.
+    std::vector<CarId> cars() const;
+    /// Replaces the controls and removes a pilot. Wakes the chassis if they change.
+    /// invalid_argument names the control that is out of range.
     physics::Status set_controls(physics::World& world, CarId car, const CarControls& controls);
+    /// Lets a pilot drive the car. invalid_argument names the value that is out of range.
     physics::Status set_pilot(physics::World& world, CarId car, const Pilot& pilot);
+    /// Returns the state after the last step.
     physics::Result<CarState> state(CarId car) const;
+    /// Returns the definition, with normalized axes.
     physics::Result<VehicleDef> def(CarId car) const;
 
     std::string_view tag() const override { return kind; }
     void visit(physics::StateVisitor& v) override;
-    // Makes a saloon of each body car, car2 ... car16 that is given, or what `make` says (0 saloon,
-    // 1 tracked, 2 motorcycle, which is always cast by rays); all share the numbers: track,
-    // wheel_base, height, radius, width, shortest, longest, frequency, damping, friction,
-    // front_drive, steering_most, anti_roll, power_scale, cast (0 ray, 1 sphere, 2 cylinder, 3
-    // body); throttle, brake, steering; pilot_radius and pilot_speed (with pilot_radius a pilot
-    // drives).
+    /// Configures the module from a scene. Each of the bodies car, car2 ... car16 that is present
+    /// becomes a car of the type `make`: 0 saloon, 1 tracked, 2 motorcycle. The other numbers apply
+    /// to all cars:
+    /// - track, wheel_base, height, radius, width, shortest, longest, frequency, damping, friction,
+    ///   front_drive, steering_most, anti_roll and power_scale;
+    /// - cast: 0 ray, 1 sphere, 2 cylinder, 3 body; motorcycles always use rays;
+    /// - throttle, brake and steering;
+    /// - pilot_radius and pilot_speed; pilot_radius adds a pilot.
     physics::Status configure(physics::World& world,
                               const physics::ModuleSettings& settings) override;
-    // Whoever drives a chassis: axis 0 steers, axis 1 is throttle ahead, and back the brake, and
-    // reverse once the car stands; button 0 the hand brake, buttons 2 and 3 shift a manual gearbox
-    // up and down. He keeps the car until set_controls() or set_pilot().
+    /// Applies driver input between steps. Axis 0 steers. Axis 1 is the throttle forward; backward
+    /// it brakes, and drives in reverse once the car stands. Button 0 is the hand brake. Buttons 2
+    /// and 3 shift a manual gearbox up and down. Driver input controls the car until set_controls()
+    /// or set_pilot().
+    /// True for the chassis of cars.
     bool is_controllable(BodyId body) const override;
     void control(physics::World& world, BodyId body, const physics::Controls& controls) override;
-    // Not of a car with wheels that are bodies.
+    /// Returns false for cars whose wheels are bodies.
     bool visit_controlled_entity(physics::World& world, BodyId body,
                                  physics::StateVisitor& v) override;
-    // "vehicle", of each chassis: gear, engine (8 bits of 0 to its most); then for each wheel its
-    // radius (8 bits of 0 to 2 m) and width (8 bits of 0 to 1 m), where its centre is in the
-    // chassis (3 x 16 bits of -8 to 8 m), 1 if it touches + 2 if it slides, angle (16 bits of 0 to
-    // 2 pi), spin (16 bits of -400 to 400 rad/s), steering (16 bits of -pi/2 to pi/2).
+    /// Publishes the channel "vehicle" for each chassis: gear, engine speed (8 bits, 0 to its
+    /// maximum). Then for each wheel: radius (8 bits, 0 to 2 m), width (8 bits, 0 to 1 m), centre
+    /// in the chassis frame (3 x 16 bits, -8 to 8 m), 1 if it touches the ground + 2 if it slides,
+    /// angle (16 bits, 0 to 2 pi), spin (16 bits, -400 to 400 rad/s), steering (16 bits, -pi/2 to
+    /// pi/2).
     std::vector<physics::ChannelKind> channels() const override { return {{}}; }
     void publish(const physics::World& world, physics::ChannelWriter& channels) const override;
 
@@ -131,7 +160,7 @@ private:
     vehicle_detail::Car* find(CarId car);
     const vehicle_detail::Car* find(CarId car) const;
 
-    std::vector<vehicle_detail::Car> cars_;  // by id
+    std::vector<vehicle_detail::Car> cars_;  ///< sorted by id
     CarId next_ = 1;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The passes over bodies: one 8-wide operation moves a whole body.
+// The passes over bodies. One 8-wide operation updates a whole body.
 #pragma once
 
 #include "physics/src/constraints/kernels.h"
@@ -8,8 +8,8 @@
 
 namespace jostle::physics::JOSTLE_ISA {
 
-// Forces and damping of one sub-step, and the warm start of contacts: what they did in the sub-step
-// before, again.
+// Applies forces and damping of one sub-step and warm-starts contacts: the velocity change from
+// contacts in the previous sub-step is applied again.
 template <bool kFirst>
 void accelerate_range(const BodyRange& range) {
     for (int k = range.begin; k < range.end; k++) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// The passes over one block of eight manifolds, or, where lanes are sixteen, over two that follow
-// one another. Templates, so that each combination of second body, inertia and pass is straight
-// code. Lane k of every value is manifold k; nothing crosses lanes. Bodies of a block are distinct
-// (within a colour, too), so they are loaded, changed and stored without regard to other blocks.
+// The passes over one block of eight manifolds or, with sixteen lanes, over two consecutive blocks.
+// Templates make each combination of second body, inertia and pass branch-free code. Lane k of
+// every value is manifold k; no operation crosses lanes. The bodies of a block are distinct (and
+// within a colour, too), so they are loaded, changed and stored independently of other blocks.
 #pragma once
 
 #include "physics/src/constraint_graph/constraint_graph.h"
@@ -14,15 +14,15 @@
 
 namespace jostle::physics::JOSTLE_ISA {
 
-// What the bodies of a block need of the masses: decides what is loaded.
+// The mass data that the bodies of a block need. Determines which data is loaded.
 enum class Inertia : unsigned char {
-    isotropic,  // one number each for mass and spin
-    full,       // a matrix
-    locked,     // a matrix, and a mass per axis
+    isotropic,  // one scalar each for mass and inertia
+    full,       // an inertia matrix
+    locked,     // an inertia matrix, and a mass per axis
 };
 
-// A row of a record of each block, Record being what the row is a field of. Rows of a
-// ContactConstraintWide are the usual case.
+// A row of a per-block record. Record is the type that contains the row, usually
+// ContactConstraintWide.
 #if defined(JOSTLE_TWO_BLOCKS)
 template <class Record = ContactConstraintWide>
 JOSTLE_INLINE Wide load(const float* row) {
@@ -48,7 +48,7 @@ struct WideSide {
     Wide state[8];    // row 0
     Wide inertia[8];  // row 2
     Wide3 v, w;
-    Wide free_z;  // locked: whether it may move along z; along x and y is in row 2
+    Wide free_z;  // locked only: 1 if the body may move along z; x and y are in row 2
 };
 
 JOSTLE_INLINE Wide3 load3(const float (*rows)[8]) {
@@ -87,7 +87,7 @@ JOSTLE_INLINE void store_side(WideSide& s) {
     store_rows(const_cast<float* const*>(s.rows), s.state);
 }
 
-// Change of spin by the angular impulse l.
+// Change of spin from the angular impulse l.
 template <Inertia kInertia>
 JOSTLE_INLINE Wide3 spin(const WideSide& s, Wide3 l) {
     if constexpr (kInertia == Inertia::isotropic) return l * s.state[7];
@@ -103,14 +103,14 @@ JOSTLE_INLINE Wide3 pushed(const WideSide& s, Wide3 p) {
     return fma(p, s.state[6], s.v);
 }
 
-// What the bodies of a block have done since the start of the step: b against a, at the centre of
-// the manifold.
+// Relative motion of the bodies of a block since the start of the step: of b relative to a, at the
+// centre of the manifold.
 struct PairMotion {
     Wide3 moved, rotated;
     Wide3 rotated_a;  // of a alone
 };
 
-// The two bodies of a block and where their manifolds are.
+// The two bodies of a block and the geometry of their manifolds.
 template <PairKind kPair, Inertia kInertia>
 struct PairBodies {
     WideSide a, b;
@@ -128,7 +128,7 @@ struct PairBodies {
         arm_b = load3(m.arm_b);
     }
 
-    // Velocity (or motion) of b against a at the centre of the manifold.
+    // Velocity (or motion) of b relative to a at the centre of the manifold.
     JOSTLE_INLINE Wide3 relative(Wide3 va, Wide3 wa, Wide3 vb, Wide3 wb) const {
         if constexpr (kPair == PairKind::static_) return -(va + cross(wa, arm_a));
         return (vb + cross(wb, arm_b)) - (va + cross(wa, arm_a));
@@ -139,8 +139,8 @@ struct PairBodies {
         return b.w - a.w;
     }
 
-    // Moves the arms to where the bodies are in this sub-step, to one point of the world: then what
-    // acts on both has the same line, and angular momentum stays.
+    // Moves the arms to the poses of the current sub-step and to a common world point. Impulses on
+    // both bodies then act along the same line, and angular momentum is conserved.
     JOSTLE_INLINE PairMotion follow(const ContactConstraintWide& m) {
         Wide3 dp_a, dr_a, dp_b{}, dr_b{};
         load_motion(a, dp_a, dr_a);
@@ -148,7 +148,7 @@ struct PairBodies {
         const Wide3 moved = relative(dp_a, dr_a, dp_b, dr_b);
         if constexpr (kPair == PairKind::static_) return {moved, -dr_a, dr_a};
         if constexpr (kPair == PairKind::dynamic) {
-            // What has moved further than the arms are long no longer meets there.
+            // Skipped for bodies whose relative motion exceeds the length of the arms.
             const Wide3 displacement = dp_b - dp_a;
             const WideMask small =
                 dot(displacement, displacement) < splat(tuning::arm_follows) * dot(arm_a, arm_a);
@@ -160,7 +160,7 @@ struct PairBodies {
         return {moved, dr_b - dr_a, dr_a};
     }
 
-    // Impulse p at the centre, against a and for b.
+    // Applies impulse p at the centre: -p to a and p to b.
     JOSTLE_INLINE void apply(Wide3 p) {
         a.v = pushed<kInertia>(a, -p);
         a.w = a.w - spin<kInertia>(a, cross(arm_a, p));
@@ -169,7 +169,7 @@ struct PairBodies {
             b.w = b.w + spin<kInertia>(b, cross(arm_b, p));
         }
     }
-    // ... and angular impulse l.
+    // Applies impulse p and angular impulse l.
     JOSTLE_INLINE void apply(Wide3 p, Wide3 l) {
         a.v = pushed<kInertia>(a, -p);
         a.w = a.w - spin<kInertia>(a, cross(arm_a, p) + l);
@@ -195,12 +195,13 @@ struct WideImpulse {
     }
 };
 
-// u0 + y u1 - x u2: the normal part at a point of what the centre does, and its two tilts.
+// u0 + y u1 - x u2: the normal component at a point, from the motion of the centre and its two
+// tilts.
 JOSTLE_INLINE Wide at_point(Wide x, Wide y, Wide u0, Wide u1, Wide u2) {
     return fnma(x, u2, fma(y, u1, u0));
 }
 
-// G (1, y, -x): what a unit impulse at a point does to (approach, tilt 1, tilt 2).
+// G (1, y, -x): response of (approach, tilt 1, tilt 2) to a unit impulse at a point.
 struct PointResponse {
     Wide r0, r1, r2, k;
 };
@@ -227,8 +228,8 @@ void warm_start_block(ContactConstraintWide& m, const RollingWide* rolling, Solv
     pair.store();
 }
 
-// Resistance to rolling: an angular impulse about the tangents, of which the material holds so much
-// per normal impulse.
+// Rolling resistance: an angular impulse about the tangents, limited by the material in proportion
+// to the normal impulse.
 template <PairKind kPair, Inertia kInertia>
 JOSTLE_INLINE void solve_rolling(ContactConstraintWide& m, RollingWide& rolling,
                                  Wide normal_impulse, PairBodies<kPair, kInertia>& pair,
@@ -236,7 +237,7 @@ JOSTLE_INLINE void solve_rolling(ContactConstraintWide& m, RollingWide& rolling,
     const Wide3 w = pair.relative_spin();
     const Wide w1 = dot(pair.t1, w), w2 = dot(pair.t2, w);
     const Wide k00 = load(m.g[3]), k01 = load(m.g[4]), k11 = load(m.g[5]);
-    // Bodies that cannot turn have no such matrix.
+    // For bodies that cannot rotate the matrix is singular.
     const Wide det = max(k00 * k11 - k01 * k01, splat(1e-30f));
     const Wide old1 = load<RollingWide>(rolling.roll[0]), old2 = load<RollingWide>(rolling.roll[1]);
     Wide r1 = old1 - (k11 * w1 - k01 * w2) / det;
@@ -253,8 +254,8 @@ JOSTLE_INLINE void solve_rolling(ContactConstraintWide& m, RollingWide& rolling,
     pair.apply({zero, zero, zero}, fma(pair.t2, r2 - old2, pair.t1 * (r1 - old1)));
 }
 
-// Cone at the centre, then twist, of the lanes in `of`. The limit is the normal impulse that was
-// found last. Returns the lanes that it binds.
+// Solves the friction cone at the centre, then torsional friction, in the lanes of `of`. The limit
+// uses the most recent normal impulse. Returns the lanes at the limit.
 template <PairKind kPair, Inertia kInertia>
 JOSTLE_INLINE WideMask solve_friction(ContactConstraintWide& m, RollingWide* rolling,
                                       PairBodies<kPair, kInertia>& pair, WideMask of) {
@@ -277,7 +278,7 @@ JOSTLE_INLINE WideMask solve_friction(ContactConstraintWide& m, RollingWide* rol
     Wide f1 = old1 - fma(m01, u2, m00 * u1);
     Wide f2 = old2 - fma(m11, u2, m01 * u1);
     const Wide length2 = fma(f2, f2, f1 * f1);
-    // Slips, or has nothing to hold on to. Mostly nobody slips.
+    // Lanes that slip or have a limit of zero. Usually no lane slips.
     const WideMask over = length2 > limit * limit;
     Wide scale = select(over, splat(0), splat(1));
     if (lane_bits(over & (limit > splat(0))) != 0)
@@ -295,9 +296,9 @@ JOSTLE_INLINE WideMask solve_friction(ContactConstraintWide& m, RollingWide* rol
     return ~(~over & ~(absolute(unclamped) > torsion_limit));
 }
 
-// What parts at more than `speed` and no longer presses holds nothing: the friction of the warm
-// start goes before the bodies turn on. What sinks to its slop presses little as well, and keeps
-// it.
+// A contact that separates at more than `speed` without normal impulse has no friction: the
+// warm-started friction is removed before it rotates the bodies further. A contact that sinks
+// towards its slop also has little normal impulse, but retains its friction.
 template <PairKind kPair, Inertia kInertia>
 JOSTLE_INLINE void drop_friction_of_parted(ContactConstraintWide& m, Wide parting, Wide speed,
                                            PairBodies<kPair, kInertia>& pair) {
@@ -307,7 +308,7 @@ JOSTLE_INLINE void drop_friction_of_parted(ContactConstraintWide& m, Wide partin
     const Wide f1 = load(m.friction[0]), f2 = load(m.friction[1]), torsion = load(m.torsion);
     const WideMask parted = ~(normal_impulse > zero) & (parting > speed) &
                             ((absolute(f1) + absolute(f2)) + absolute(torsion) > zero);
-    if (lane_bits(parted) == 0) return;  // mostly
+    if (lane_bits(parted) == 0) return;  // usual case
     pair.apply(fma(pair.t2, select(parted, -f2, zero), pair.t1 * select(parted, -f1, zero)),
                pair.n * select(parted, -torsion, zero));
     store(m.friction[0], select(parted, zero, f1));
@@ -316,7 +317,7 @@ JOSTLE_INLINE void drop_friction_of_parted(ContactConstraintWide& m, Wide partin
 }
 
 struct PairReport {
-    unsigned needs_rebuild = 0, touching = 0;  // lanes
+    unsigned needs_rebuild = 0, touching = 0;  // bit masks of lanes
 };
 
 JOSTLE_INLINE unsigned touching_lanes(const ContactConstraintWideMeta& meta) {
@@ -325,7 +326,7 @@ JOSTLE_INLINE unsigned touching_lanes(const ContactConstraintWideMeta& meta) {
            static_cast<unsigned>((&meta)[1].bits(LaneFlag::touching)) << 8;
 }
 
-// By what the usual lengths and speeds of each lane are multiplied (foundation/size_scale.h).
+// Scale factors of the default lengths and speeds for each lane (foundation/size_scale.h).
 struct WideScale {
     Wide length, speed;
 };
@@ -348,10 +349,10 @@ inline WideScale scale_of(const ContactConstraintWideMeta& meta, float gravity_r
             select(some, root(scale(size * splat(gravity_ratio))), splat(1))};
 }
 
-// kRelax: rigid, without push-out, with friction. kLast: the relax pass that ends the step also
-// moves the gaps to the new poses and reports lanes that moved too far to be reused and lanes that
-// press.
-// kPoints: 4, or 1 for blocks of manifolds with one point each, which lies at the centre.
+// kRelax: rigid, without push-out, with friction. kLast: the relaxing pass that ends the step. It
+// also moves the gaps to the new poses and reports lanes that moved too far to be reused and lanes
+// with normal impulse. kPoints: 4, or 1 for blocks of single-point manifolds, whose point is at the
+// centre.
 template <int kPoints, PairKind kPair, Inertia kInertia, bool kRelax, bool kLast>
 PairReport solve_block(ContactConstraintWide& m, ContactConstraintWideMeta& meta,
                        RollingWide* rolling, SolverBody* bodies, const ContactSettings& set,
@@ -359,7 +360,8 @@ PairReport solve_block(ContactConstraintWide& m, ContactConstraintWideMeta& meta
     PairBodies<kPair, kInertia> pair(m, bodies);
     const PairMotion motion = pair.follow(m);
     const Wide zero = splat(0);
-    // Before the normals, which have the last word on what is held, by the limit of the soft pass.
+    // Friction comes before the normals, with the limit of the soft pass. The normals are solved
+    // last, so they hold exactly.
     WideMask slips = zero > zero;
     Wide pressed = zero;
     if constexpr (kRelax) {
@@ -371,11 +373,12 @@ PairReport solve_block(ContactConstraintWide& m, ContactConstraintWideMeta& meta
                s2 = dot(pair.t2, motion.rotated);
     const Wide3 u = pair.relative_velocity(), w = pair.relative_spin();
     const Wide u0 = dot(pair.n, u), u1 = dot(pair.t1, w), u2 = dot(pair.t2, w);
-    // A sweep gives each point the impulse that it wants and takes what that does to the others
-    // from theirs: lambda_i = max(wanted_i, 0), wanted_j -= coupling_ji (change of lambda_i). Its
-    // own wish does not change: what a soft point leaks and what it then wants anew make up for
-    // each other (contact_settings.cpp: mass_scale + impulse_scale = 1). From one point to the next
-    // only a fused multiply-add, a maximum and a difference have to be waited for.
+    // A sweep gives each point its unclamped impulse and subtracts its effect from the impulses of
+    // the other points: lambda_i = max(unclamped_i, 0), unclamped_j -= coupling_ji (change of
+    // lambda_i). The point's own unclamped impulse does not change: the leak of a soft point and
+    // its renewed demand cancel (contact_settings.cpp: mass_scale + impulse_scale = 1). The
+    // dependency chain from one point to the next is a fused multiply-add, a maximum and a
+    // difference.
     Wide x[kPoints], y[kPoints], gap[kPoints], lambda[kPoints], unclamped[kPoints], rate[kPoints],
         off_diagonal[kPoints][kPoints];
     PointResponse r[kPoints];
@@ -399,8 +402,8 @@ PairReport solve_block(ContactConstraintWide& m, ContactConstraintWideMeta& meta
             r[i] = response_of(m, x[i], y[i]);
         }
         lambda[i] = load(m.lambda[i]);
-        // Apart: they may meet within the sub-step, no more. Overlapping: rigid, or a soft push
-        // out.
+        // Separated points may close their gap within the sub-step, but not more. Overlapping
+        // points are rigid, or pushed out softly.
         const WideMask apart = gap[i] > zero;
         const Wide meet = gap[i] * splat(set.inverse_h);
         if constexpr (kRelax) {
@@ -414,7 +417,7 @@ PairReport solve_block(ContactConstraintWide& m, ContactConstraintWideMeta& meta
             unclamped[i] = fnma(rate[i], vn + select(apart, meet, soft), kept);
         }
     }
-    // Mostly nothing is squeezed. A point that is gives back what a soft one does.
+    // Usually no point is squeezed. A squeezed point gives up as much impulse as a soft one.
     const Wide deep2 = splat(set.squeezed * set.squeezed) * dot(pair.arm_a, pair.arm_a);
     const auto is_squeezed = [&](Wide g) { return (g < zero) & (g * g > deep2); };
     bool any_squeezed = false;
@@ -469,8 +472,8 @@ PairReport solve_block(ContactConstraintWide& m, ContactConstraintWideMeta& meta
         pair.apply(pair.n * sum.total);
     else
         pair.apply(pair.n * sum.total, fma(pair.t2, sum.m2, pair.t1 * sum.m1));
-    // What slips is solved again once its limit is known better: the soft pass presses with less
-    // than the load while what it holds sinks to the slop.
+    // Slipping lanes are solved again after their limit is updated: the soft pass yields less than
+    // the load while a body sinks towards the slop.
     if constexpr (kRelax) {
         const Wide presses =
             (load(m.lambda[0]) + load(m.lambda[1])) + (load(m.lambda[2]) + load(m.lambda[3]));
@@ -483,8 +486,8 @@ PairReport solve_block(ContactConstraintWide& m, ContactConstraintWideMeta& meta
 
     PairReport report;
     if constexpr (kLast) {
-        // What is low remembers the force of each point. Of what is slender only the total force of
-        // the manifold is remembered, not its moments: those let stacks sway with growing
+        // Low islands remember the force of each point. Slender islands remember only the total
+        // force of the manifold, not its moments, which would let stacks sway with growing
         // amplitude.
         Wide total = load(m.lambda[0]), points = splat(1);
         if constexpr (kPoints > 1) {
@@ -501,9 +504,9 @@ PairReport solve_block(ContactConstraintWide& m, ContactConstraintWideMeta& meta
             if (any_squeezed) aim = select(is_squeezed(gap[i]), min(aim, mean_impulse), aim);
             store(m.mean_impulse[i], mean_impulse + splat(set.mean_rate) * (aim - mean_impulse));
         }
-        // Slip, relative turn and a third of the common turn (the normal does not follow it) all
-        // age the manifold. So does a turn about its only point: a long body may come down beside
-        // it.
+        // Slip, relative rotation and a third of the common rotation (which the normal does not
+        // follow) age the manifold. So does a rotation about its only point, because a long body
+        // may come down next to it.
         Wide drift = splat(set.rebuild_drift), touch_gap = splat(set.touch_gap),
              turn_radius = splat(1),
              max_displacement =
@@ -524,8 +527,8 @@ PairReport solve_block(ContactConstraintWide& m, ContactConstraintWideMeta& meta
         const Wide age = load<ContactConstraintWideMeta>(meta.moved) + displacement;
         store<ContactConstraintWideMeta>(meta.moved, age);
         report.needs_rebuild = lane_bits(age > drift) | lane_bits(displacement > max_displacement);
-        // Presses now, or did until, squeezed, it gave all back; or pressed a step ago and has
-        // hardly parted.
+        // Touching: the point has normal impulse; or it had, but gave it up because it was
+        // squeezed; or it touched a step ago and has hardly separated.
         report.touching = lane_bits(total > zero) |
                           (any_squeezed ? lane_bits(is_squeezed(nearest) & (pressed > zero)) : 0) |
                           (touching_lanes(meta) & lane_bits(nearest < touch_gap));
@@ -533,7 +536,7 @@ PairReport solve_block(ContactConstraintWide& m, ContactConstraintWideMeta& meta
     return report;
 }
 
-// Notes the approach speed of each point at the start of the step.
+// Records the approach speed of each point at the start of the step.
 template <PairKind kPair, Inertia kInertia>
 void begin_restitution(const ContactConstraintWide& m, RestitutionWide& restitution_wide,
                        const SolverBody* bodies) {
@@ -547,9 +550,9 @@ void begin_restitution(const ContactConstraintWide& m, RestitutionWide& restitut
     }
 }
 
-// After the first acceleration by h: what free fall over the gap adds to the approach. Without it a
-// ball that meets the floor late in a step loses what it gained in that step, up to g dt each
-// restitution_wide.
+// After the first acceleration by h: adds the speed that free fall over the gap adds to the
+// approach. Without it, a ball that reaches the floor late in a step would lose the speed that it
+// gained in that step, up to g dt per bounce.
 template <PairKind kPair, Inertia kInertia>
 void predict_approach(const ContactConstraintWide& m, RestitutionWide& restitution_wide,
                       const SolverBody* bodies, const ContactSettings& set) {
@@ -568,7 +571,7 @@ void predict_approach(const ContactConstraintWide& m, RestitutionWide& restituti
     }
 }
 
-// After each sub-step: a point that pressed in any of them was hit.
+// After each sub-step: a point with normal impulse in any sub-step was hit.
 inline void record_peaks(const ContactConstraintWide& m, RestitutionWide& restitution_wide) {
     for (int i = 0; i < 4; i++)
         store<RestitutionWide>(
@@ -576,9 +579,9 @@ inline void record_peaks(const ContactConstraintWide& m, RestitutionWide& restit
             max(load<RestitutionWide>(restitution_wide.peak[i]), load(m.lambda[i])));
 }
 
-// At the end of the step, points that were hit leave with restitution times their approach
-// (Newton's hypothesis). A bouncing manifold carries no impulse into the next step: it is about to
-// part.
+// At the end of the step, points that were hit leave with restitution times their approach speed
+// (Newton's hypothesis). A bouncing manifold carries no impulse into the next step, because it is
+// about to separate.
 template <PairKind kPair, Inertia kInertia>
 void apply_restitution(ContactConstraintWide& m, const RestitutionWide& restitution_wide,
                        const float* restitution, SolverBody* bodies, const ContactSettings& set) {
@@ -590,7 +593,7 @@ void apply_restitution(ContactConstraintWide& m, const RestitutionWide& restitut
     const Wide zero = splat(0);
     Wide applied[4] = {zero, zero, zero, zero};
     Wide left_with = zero;
-    // Several sweeps: the points of one face share the restitution_wide.
+    // Several sweeps, because the points of a face share the bounce.
     for (int sweep = 0; sweep < 4; sweep++)
         for (int i = 0; i < 4; i++) {
             const Wide x = load(m.x[i]), y = load(m.y[i]);

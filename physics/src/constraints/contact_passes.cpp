@@ -10,7 +10,7 @@
 namespace jostle::physics {
 namespace {
 
-// The blocks [begin, end) of a colour.
+// Runs a pass over the blocks [begin, end) of a colour.
 void run_blocks(ContactPass pass, GraphColour& colour, int c, int begin, int end,
                 const ContactTask& task) {
     if (begin >= end) return;
@@ -19,8 +19,8 @@ void run_blocks(ContactPass pass, GraphColour& colour, int c, int begin, int end
          task.bodies, task.set);
 }
 
-// Each grain has its share of both lists: a thread meets the same bodies in each. Shares begin with
-// even blocks, because kernels take two at a time.
+// Each grain covers the same fraction of both lists, so that a thread processes the same bodies in
+// each. Fractions begin with even blocks, because kernels process two at a time.
 void run(ContactPass pass, const ContactTask& task) {
     for (const ColourRun& run : task.runs) {
         const int total = run.blocks + run.singles;
@@ -41,7 +41,8 @@ void run(ContactPass pass, const ContactTask& task) {
     }
 }
 
-// Those of the last block, or all but the first of each where a block holds one manifold.
+// Sets the bodies of unused lanes: those of the last block, or all but the first lane of each block
+// of an overflow list.
 void point_unused_lanes(GraphColour& colour, int c, std::int32_t body) {
     if (colour.blocks.empty()) return;
     const auto point = [body](ContactConstraintWide& block, int used) {
@@ -82,7 +83,7 @@ void list_runs(ConstraintGraph& graph, std::size_t first, std::size_t last,
                           .blocks = static_cast<int>(colour.blocks.size()),
                           .shared = is_shared(set)};
             if (is_overflow(c)) {
-                run.shared = false;  // these share bodies: one by one
+                run.shared = false;  // blocks of an overflow list share bodies and run serially
             } else {
                 run.single = &set.colours[static_cast<std::size_t>(single_colours + c)];
                 run.singles = static_cast<int>(run.single->blocks.size());

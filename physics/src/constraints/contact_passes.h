@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The passes over all blocks of all colours of some sets, in solve order; the blocks of each
-// colour of a large set are shared among the threads.
+// The passes over all blocks of all colours of some sets, in solve order. Threads share the blocks
+// of each colour of a large set.
 #pragma once
 
 #include <span>
@@ -13,21 +13,21 @@
 
 namespace jostle::physics {
 
-// A colour in use, with the list of its manifolds of one point: their bodies are distinct.
+// A non-empty colour with the list of its single-point manifolds, whose bodies are distinct.
 struct ColourRun {
     GraphColour* colour = nullptr;
-    GraphColour* single = nullptr;  // null of an overflow list
+    GraphColour* single = nullptr;  // null for an overflow list
     int number = 0;                 // of `colour`
     int blocks = 0, singles = 0;
     bool shared = false;  // among threads
 };
 
-// The colours in use of the sets [first, last), in solve order, set after set. Their unused
-// lanes get bodies of their own.
+// Lists the non-empty colours of the sets [first, last), in solve order, set by set. Assigns
+// separate dummy bodies to their unused lanes.
 void list_runs(ConstraintGraph& graph, std::size_t first, std::size_t last,
                std::vector<ColourRun>& runs);
 
-// What every pass needs.
+// Parameters of every pass.
 struct ContactTask {
     std::span<const ColourRun> runs;
     SolverBody* bodies;
@@ -37,11 +37,11 @@ struct ContactTask {
 
 void warm_start(const ContactTask& task);
 void solve(const ContactTask& task);
-// `last`: ends the step; sets `needs_rebuild` and `touching_now` of every block.
+// `last`: the pass that ends the step. It sets `needs_rebuild` and `touching_now` of every block.
 void relax(const ContactTask& task, bool last);
 
-// Restitution. begin_restitution says whether any block is bouncy; if none is, the others need not
-// be called.
+// Restitution. begin_restitution() returns whether any block bounces; if not, the other functions
+// need not be called.
 bool begin_restitution(const ContactTask& task);
 void predict_approaches(const ContactTask& task);
 void record_peaks(const ContactTask& task);

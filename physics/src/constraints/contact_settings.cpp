@@ -7,8 +7,8 @@
 
 namespace jostle::physics {
 
-// An implicit spring of angular frequency omega and damping ratio zeta over a sub-step h acts on
-// the velocity as
+// An implicit spring of angular frequency omega and damping ratio zeta over a sub-step h changes
+// the impulse to
 //     lambda' = lambda - mass_scale (vn + bias_rate gap) / k - impulse_scale lambda,
 // with a1 = 2 zeta + h omega, a2 = h omega a1, bias_rate = omega / a1, mass_scale = a2 / (1 + a2),
 // impulse_scale = 1 / (1 + a2).

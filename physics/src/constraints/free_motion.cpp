@@ -19,7 +19,7 @@ double damping_factor(double damping, double dt) {
 
 namespace {
 
-// I^-1 (w x I w), by which Euler's equations bend the spin of a free body, in its axes.
+// I^-1 (w x I w), the term of Euler's equations that changes the spin of a free body, in its axes.
 struct BendOfAny {
     const Mat3 &inertia, &inverse_inertia;
     Vec3 operator()(Vec3 w) const { return inverse_inertia * cross(w, inertia * w); }
@@ -29,12 +29,13 @@ struct BendOfPrincipal {
     Vec3 operator()(Vec3 w) const { return scaled(factors, {w.y * w.z, w.z * w.x, w.x * w.y}); }
 };
 
-// The inertia is constant in the body's axes: the midpoint rule keeps energy and |L|, and with the
-// Cayley map for the turn L itself. Each round gains a factor of about h |w|, however thin the body
-// is, because no principal moment is less than the difference of the other two.
+// The inertia is constant in the body's axes. The midpoint rule conserves energy and |L| and, with
+// the Cayley map for the rotation, L itself. Each iteration reduces the error by a factor of about
+// h |w|, however thin the body is, because no principal moment is less than the difference of the
+// other two.
 template <class Bend>
 EulerStep euler_step(const Bend& bend, Vec3 w, double dt) {
-    // A spin that is no number is put right after the step (quarantine): here it is one part.
+    // A NaN spin uses one part; quarantine handles it after the step.
     const double wished = length(w) * absolute(dt) * 4;
     const int parts = wished >= 1 ? static_cast<int>(minimum(wished, 4000)) + 1 : 1;
     const double h = dt / parts;
@@ -93,8 +94,8 @@ bool is_gyroscopic(const BodyWarm& warm, const BodyCold& cold, double dt, double
 
 namespace {
 
-// With locked turns the spin keeps to the directions that are left; no gyroscopic term couples into
-// a locked one.
+// With locked rotations the spin stays in the free directions. No gyroscopic term couples into a
+// locked one.
 FreeSpin locked_spin(const BodyWarm& warm, const BodyCold& cold, double dt) {
     const Vec3 w = warm.w + world_inverse_inertia(warm, cold) * warm.torque * dt;
     if (w == Vec3{} && warm.w == Vec3{}) return {warm.rotation, w};
@@ -114,7 +115,7 @@ FreeSpin free_spin(const BodyWarm& warm, const BodyCold& cold, double dt) {
         return {normalized(from_rotation_vector(mean * dt) * warm.rotation), w};
     }
     if (warm.w == Vec3{} && warm.torque == Vec3{}) return {warm.rotation, {}};
-    // Torque in two halves round the free turn.
+    // Half of the torque before the free rotation, half after it.
     const double half = 0.5 * dt;
     const Vec3 start = transposed_times(warm.axes, warm.w) +
                        cold.inverse_inertia * transposed_times(warm.axes, warm.torque) * half;

@@ -6,17 +6,17 @@
 namespace jostle::physics {
 namespace {
 
-// What changes by less than this part of the approach is rounding.
+// Speed changes below this fraction of the approach speed are rounding.
 constexpr double settled = 1e-14;
 
 struct Load {
-    double target = 0;  // m/s along the normal, afterwards
+    double target = 0;  // m/s along the normal after the impact
     double normal = 0;  // N s
     Vec3 friction;
 };
 
-// All points at once: how fast each closes, and what an impulse at one does to all. The bodies hear
-// of the sum in the end.
+// All points simultaneously: the closing velocity of each point, and the response of all points to
+// an impulse at one. The bodies receive the sum at the end.
 class Impulses {
 public:
     Impulses(ImpactBody& a, ImpactBody& b, std::span<const ImpactPoint> points)
@@ -27,7 +27,7 @@ public:
             s.arm_b = points[k].position - b.center;
             s.speed = (b.v + cross(b.w, s.arm_b)) - (a.v + cross(a.w, s.arm_a));
         }
-        // Column by column: the speed at j by a unit impulse at k.
+        // Column by column: the velocity change at j from a unit impulse at k.
         responses_.resize(points.size() * points.size());
         const Vec3 mass = a.inverse_mass + b.inverse_mass, unit[3]{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
         for (std::size_t k = 0; k < points.size(); k++)
@@ -43,8 +43,8 @@ public:
 
     Vec3 relative(std::size_t k) const { return states_[k].speed; }
 
-    // First the normal impulse, never below zero in sum, then friction within the cone it opens.
-    // Returns by how much the speed of the point changed, m/s.
+    // Solves the normal impulse, whose sum is never negative, then friction within its cone.
+    // Returns the change of the point's velocity, m/s.
     double relax(std::size_t k, Load& load, double friction) {
         const Vec3 n = points_[k].normal, before_all = states_[k].speed;
         const double response_n = response(k, n);
@@ -56,7 +56,7 @@ public:
         return length(states_[k].speed - before_all);
     }
 
-    // Gives the bodies what their points got.
+    // Applies the accumulated point impulses to the bodies.
     void apply() {
         for (const PointState& s : states_) {
             a_.v -= scaled(a_.inverse_mass, s.impulse);
@@ -68,9 +68,9 @@ public:
 
 private:
     struct PointState {
-        Vec3 arm_a, arm_b;  // m, from the centres
-        Vec3 speed;         // m/s: of b against a
-        Vec3 impulse;       // N s, so far
+        Vec3 arm_a, arm_b;  // m, from the centres of mass
+        Vec3 speed;         // m/s: of b relative to a
+        Vec3 impulse;       // N s, accumulated
     };
     struct Response {
         Vec3 column[3];  // 1/kg
@@ -88,8 +88,8 @@ private:
         Vec3 wished = load.friction - along * (speed / response_t);
         if (const double size = length(wished); size > most)
             wished = wished * (size > 0 ? most / size : 0);
-        // Back into the cone is another way than along the slip: only as far as it takes energy. On
-        // a thin rod the rest would spin it up.
+        // The projection onto the cone changes the impulse in a direction other than the slip.
+        // Apply it only as far as it removes energy; the rest would spin up a thin rod.
         const Vec3 change = wished - load.friction;
         if (!(length(change) > 1e-12 * most)) return;
         const double takes = -dot(u, change) / response(k, change);
@@ -104,7 +104,7 @@ private:
         for (std::size_t j = 0; j < states_.size(); j++)
             states_[j].speed += responses_[k * states_.size() + j] * impulse;
     }
-    // Velocity along d per impulse along d, times the square of its length, 1/kg.
+    // Velocity along d per impulse along d, times the squared length of d, 1/kg.
     double response(std::size_t k, Vec3 d) const {
         return dot(d, responses_[k * states_.size() + k] * d);
     }
@@ -112,7 +112,7 @@ private:
     ImpactBody &a_, &b_;
     std::span<const ImpactPoint> points_;
     std::vector<PointState> states_;
-    std::vector<Response> responses_;  // [k * points + j]: of the speed at j to an impulse at k
+    std::vector<Response> responses_;  // [k * points + j]: velocity at j per impulse at k
 };
 
 }  // namespace

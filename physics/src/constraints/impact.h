@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What two bodies do to each other at the moment when they meet, away from the solver's sub-steps:
-// sequential impulses with restitution and Coulomb friction. Takes energy, never gives any.
+// The impact of two bodies at the time of contact, outside the solver's sub-steps: sequential
+// impulses with restitution and Coulomb friction. Removes energy, never adds any.
 #pragma once
 
 #include <span>
@@ -12,22 +12,22 @@
 
 namespace jostle::physics {
 
-// A body at that moment; one that impulses cannot move has zero inverse mass and inertia.
+// A body at the time of impact. Inverse mass and inertia are zero if impulses cannot move it.
 struct ImpactBody {
     Vec3 center;                                 // m
-    Vec3 inverse_mass;                           // 1/kg along each axis of the world
+    Vec3 inverse_mass;                           // 1/kg along each world axis
     Mat3 inverse_inertia = diagonal({0, 0, 0});  // 1/(kg m^2), world axes
     Vec3 v, w;                                   // m/s, rad/s
 };
 
 struct HardestPoint {
-    double approach = 0;  // m/s; 0: nothing approaches
+    double approach = 0;  // m/s; 0 if no point approaches
     ImpactPoint point;
-    double normal_impulse = 0, friction_impulse = 0;  // N s, of all points
+    double normal_impulse = 0, friction_impulse = 0;  // N s, sum over all points
 };
 
-// Changes the velocities of both. Returns where they came at each other fastest, and what they did
-// to each other.
+// Changes the velocities of both bodies. Returns the point with the highest approach speed and the
+// total impulses.
 HardestPoint resolve_impact(ImpactBody& a, ImpactBody& b, std::span<const ImpactPoint> points,
                             double restitution, double friction);
 

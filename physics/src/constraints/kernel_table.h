@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Defines the table of one instruction set. Included by constraints/kernels_*.cpp alone, each with
-// its own JOSTLE_ISA and compiler flags. Nothing in here or below may be an inline function of
-// another namespace that is not always inlined: the linker would keep one copy for all CPUs.
+// Defines the kernel table of one instruction set. Only constraints/kernels_*.cpp include it, each
+// with its own JOSTLE_ISA and compiler flags. This file and its includes must not use inline
+// functions of other namespaces that are not always inlined: the linker would keep one copy for all
+// CPUs.
 #pragma once
 
 #include "physics/src/constraints/body_kernel.h"
@@ -23,7 +24,7 @@ struct InertiaIs {
     static constexpr Inertia value = kValue;
 };
 
-// Calls pass(block index, pair kind, inertia) for every block, the latter two as types.
+// Calls pass(block index, pair kind, inertia) for every block, with the latter two as types.
 template <class Pass>
 JOSTLE_INLINE void each_block(const ContactRange& range, Pass pass) {
     const auto with_inertia = [&](auto pair) {
@@ -41,7 +42,7 @@ JOSTLE_INLINE void each_block(const ContactRange& range, Pass pass) {
         case PairKind::dynamic:
             return with_inertia(PairKindIs<PairKind::dynamic>{});
         case PairKind::kinematic:
-            // Few: the kernel that is right for all bodies serves.
+            // Kinematic pairs are few: use the kernel that handles all bodies.
             for (int k = range.begin; k < range.end; k++)
                 pass(k, PairKindIs<PairKind::kinematic>{}, InertiaIs<Inertia::locked>{});
             return;

@@ -8,7 +8,7 @@
 namespace jostle::physics {
 namespace {
 
-// Without FMA x86-64 cannot fuse.
+// Without FMA, x86-64 cannot fuse multiply-adds.
 #if defined(JOSTLE_ALL_KERNELS) && defined(__x86_64__) && !defined(JOSTLE_UNFUSED)
 constexpr bool has_baseline = false;
 const Kernels& usual_table() {
@@ -115,9 +115,9 @@ Status use_instruction_set(InstructionSet set) {
         }
         names += std::string(names.empty() ? "" : ", ") + instruction_set_name(s);
     }
-    return Error{ErrorCode::failed_precondition, std::string("instruction set ") +
-                                                     instruction_set_name(set) +
-                                                     " is not available here; these are: " + names};
+    return Error{ErrorCode::failed_precondition,
+                 std::string("instruction set ") + instruction_set_name(set) +
+                     " is not available on this machine; available: " + names};
 }
 
 }  // namespace jostle::physics

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The inner loops of the solver, built once per instruction set and chosen at run time. All give
-// the same bits (math/wide.h says why), so the choice is not part of a world's state.
+// The inner loops of the solver, built once per instruction set and selected at run time. All
+// variants produce the same bits (see math/wide.h), so the selection is not part of a world's
+// state.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +16,8 @@
 
 namespace jostle::physics {
 
-// Some blocks of one colour. Blocks of a colour may be solved in any order, those of an overflow
-// list only one after the other.
+// A range of blocks of one colour. Blocks of a colour may be solved in any order, blocks of an
+// overflow list only serially.
 struct ContactRange {
     ContactConstraintWide* blocks;
     ContactConstraintWideMeta* metas;
@@ -24,11 +25,11 @@ struct ContactRange {
     RollingWide* rollings;
     int begin, end;
     PairKind pair;
-    bool single;      // manifolds of one point
+    bool single;      // single-point manifolds
     bool one_by_one;  // an overflow list
 };
 
-// Some bodies by hot index.
+// A range of bodies by hot index.
 struct BodyRange {
     SolverBody* bodies;
     const ExternalChange* external;
@@ -36,16 +37,16 @@ struct BodyRange {
     int begin, end;
 };
 
-// Some blocks of one run of joints.
+// A range of blocks of one run of joints.
 struct JointRange {
     JointConstraintWide* blocks;
-    JointAngularWide* angular;  // of the run's first block; null for kinds that have none
-    VelocityRowWide* rows;      // likewise
-    JointAxesWide* axes;        // likewise
-    JointGearWide* gears;       // likewise
+    JointAngularWide* angular;  // of the run's first block; null for kinds without it
+    VelocityRowWide* rows;      // same
+    JointAxesWide* axes;        // same
+    JointGearWide* gears;       // same
     const JointConstraintWideMeta* metas;
     int kind;   // index into JointKind
-    int first;  // block of the run
+    int first;  // first block of the run
     int begin, end;
 };
 
@@ -57,24 +58,24 @@ using ContactPass = void (*)(const ContactRange&, SolverBody*, const ContactSett
 
 struct Kernels {
     ContactPass warm_start, solve, relax;
-    ContactPass
-        relax_last;  // ends the step: sets `needs_rebuild` and `touching_now` of every block
+    // relax_last ends the step: it sets `needs_rebuild` and `touching_now` of every block.
+    ContactPass relax_last;
     ContactPass begin_restitution, predict_approach, record_peaks, apply_restitution;
-    // The first sub-step's takes no warm start from what contacts did in the one before.
+    // accelerate_first does not warm-start contacts.
     void (*accelerate_first)(const BodyRange&);
     void (*accelerate)(const BodyRange&);
     void (*advance)(const BodyRange&, float h);
     JointPass warm_start_joints, solve_joints, relax_joints;
-    // Batches of groups that are solved at once: where the bodies are, then velocities.
-    // (again: after contacts have changed them).
+    // Batches of directly solved groups. factor_batch reads the current poses; the others solve
+    // velocities. solve_batch_again runs after contacts have changed the velocities.
     void (*factor_batch)(const BatchView&, const SolverBody*, const JointStep&);
     BatchKernel solve_batch, solve_batch_again, relax_batch;
-    // Around the passes of joints, for the bodies that have some.
+    // Called before and after the joint passes for the bodies with joints.
     void (*begin_joints)(const BodyRange&);
     void (*end_joints)(const BodyRange&);
 };
 
-// Of the instruction set in use (jostle/physics/instruction_set.h).
+// The kernels of the active instruction set (jostle/physics/instruction_set.h).
 const Kernels& kernels();
 
 namespace scalar {
@@ -84,14 +85,14 @@ namespace baseline {
 extern const Kernels table;
 }
 #if defined(__x86_64__)
-// x86-64 has no baseline but under a sanitizer and in a portable build: SSE2 cannot fuse.
+// x86-64 has a baseline table only under a sanitizer and in a portable build: SSE2 cannot fuse.
 namespace avx2 {
 extern const Kernels table;
 }
 namespace avx512 {
 extern const Kernels table;
 }
-// The passes over contacts, two blocks at a time.
+// The contact passes, two blocks at a time.
 namespace avx512_two {
 void solve(const ContactRange&, SolverBody*, const ContactSettings&);
 void relax(const ContactRange&, SolverBody*, const ContactSettings&);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// The passes that take most of a step, with AVX-512 registers: sixteen lanes, two blocks of eight
-// that follow one another and are of one kind. Their bodies are distinct like those of one block.
-// What is left over is solved with eight lanes; lanes know nothing of each other, so the bits are
-// the same. Built with AVX-512 (physics/CMakeLists.txt).
+// The most expensive contact passes with AVX-512 registers: sixteen lanes, two consecutive blocks
+// of eight with the same kind of inertia. Their bodies are distinct like the bodies of one block.
+// Remaining blocks use eight lanes. Lanes are independent, so the bits are the same. Built with
+// AVX-512 (physics/CMakeLists.txt).
 #if defined(__x86_64__)
 #define JOSTLE_ISA avx512_two
 #define JOSTLE_TWO_BLOCKS

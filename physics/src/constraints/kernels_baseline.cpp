@@ -1,4 +1,4 @@
 // SPDX-License-Identifier: MIT
-// What the compiler takes for granted on the target.
+// The default instruction set of the compilation target.
 #define JOSTLE_ISA baseline
 #include "physics/src/constraints/kernel_table.h"

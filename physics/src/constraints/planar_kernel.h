@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // The contact passes of planar worlds: bodies have three degrees of freedom, manifolds two points
-// and one direction of friction. The two normal impulses of a manifold are solved together as the
-// linear complementarity problem that they are (Catto, "Box2D" block solver, 2009). Same blocks,
-// same order, same rules as contact_kernel.h; what lies out of the plane is neither loaded nor
-// computed.
+// and one friction direction. The two normal impulses of a manifold are solved together as a linear
+// complementarity problem (Catto, "Box2D" block solver, 2009). Same blocks, same order and same
+// rules as contact_kernel.h. Out-of-plane data is neither loaded nor computed.
 #pragma once
 
 #include "physics/src/constraints/contact_kernel.h"
@@ -36,7 +35,7 @@ template <PairKind kPair>
 struct PlanarBodies {
     PlanarSide a, b;
     Wide nx, ny, tx, ty, ax, ay, bx, by;
-    Wide z_sign;  // +1 or -1: which way the second tangent looks along z
+    Wide z_sign;  // +1 or -1: sign of the second tangent along z
 
     JOSTLE_INLINE PlanarBodies(const ContactConstraintWide& m, const SolverBody* bodies) {
         load_planar(a, bodies, m.a);
@@ -62,7 +61,7 @@ struct PlanarBodies {
             w += wb;
         }
     }
-    // Impulse (px, py) at the centre and l about z, against a and for b.
+    // Applies impulse (px, py) at the centre and l about z: negative to a, positive to b.
     JOSTLE_INLINE void apply(Wide px, Wide py, Wide l) {
         a.vx -= px * a.state[6];
         a.vy -= py * a.state[6];
@@ -105,7 +104,7 @@ PairReport solve_planar(ContactConstraintWide& m, ContactConstraintWideMeta& met
                           w);
     };
     const auto pressing = [&] { return load(m.lambda[0]) + load(m.lambda[1]); };
-    // Friction and rolling resistance of some lanes; returns those that slip.
+    // Solves friction and rolling resistance of some lanes and returns the lanes that slip.
     const auto solve_friction = [&](WideMask of) {
         velocities();
         const Wide limit = load(m.mu) * pressing();
@@ -128,12 +127,12 @@ PairReport solve_planar(ContactConstraintWide& m, ContactConstraintWideMeta& met
         }
         return absolute(unclamped) > limit;
     };
-    // Before the normals and, of what slips, after them: as in solve_block().
+    // Before the normals and, for slipping lanes, after them, as in solve_block().
     WideMask slips = zero > zero;
     const Wide pressed = pressing();
     if constexpr (kRelax) slips = solve_friction(zero >= zero);
 
-    // Where the bodies have gone since the start of the step.
+    // The motion of the bodies since the start of the step.
     const auto motion = [](const PlanarSide& s, Wide& dx, Wide& dy, Wide& dr) {
         Wide t[8];
         load_rows(s.rows, 8, t);
@@ -162,7 +161,7 @@ PairReport solve_planar(ContactConstraintWide& m, ContactConstraintWideMeta& met
         slop = slop * scale.length;
         push_speed = push_speed * scale.speed;
     }
-    // What each point wants of its impulse, with softness as an addition to its own mass.
+    // The target impulse of each point, with softness added to its effective mass.
     const auto preference = [&](Wide gap, Wide old, Wide mean_impulse, Wide k, Wide vn,
                                 Wide& target, Wide& soft_mass) {
         const WideMask apart = gap > zero;
@@ -173,8 +172,8 @@ PairReport solve_planar(ContactConstraintWide& m, ContactConstraintWideMeta& met
         } else {
             const Wide push = max((gap + slop) * splat(set.bias_rate), -push_speed);
             const Wide bias = select(apart, gap * splat(set.inverse_h), push);
-            // now = old - scale (vn + bias) / k - impulse_scale (old - mean_impulse), written with
-            // a larger mass.
+            // now = old - scale (vn + bias) / k - impulse_scale (old - mean_impulse), expressed
+            // with a larger mass.
             const Wide scale = select(apart, splat(1), splat(set.mass_scale));
             const Wide impulse_scale = select(apart, zero, splat(set.impulse_scale));
             soft_mass = k / scale;
@@ -184,19 +183,19 @@ PairReport solve_planar(ContactConstraintWide& m, ContactConstraintWideMeta& met
     Wide t0, t1, m00, m11;
     preference(gap0, old0, load(m.mean_impulse[0]), k00, u0 - x0 * u2, t0, m00);
     preference(gap1, old1, load(m.mean_impulse[1]), k11, u0 - x1 * u2, t1, m11);
-    // K (new - old) + t = 0 where new > 0: both, one, the other, or none.
+    // K (new - old) + t = 0 where new > 0: both points, one of them, the other, or none.
     const Wide b0 = t0 - m00 * old0 - k01 * old1, b1 = t1 - k01 * old0 - m11 * old1;
     const Wide det = m00 * m11 - k01 * k01;
     const WideMask regular = det > splat(1e-5f) * m00 * m11;
     const Wide both0 = (k01 * b1 - m11 * b0) / det, both1 = (k01 * b0 - m00 * b1) / det;
     const Wide only0 = max(-b0 / m00, zero), only1 = max(-b1 / m11, zero);
     const WideMask both = regular & (both0 >= zero) & (both1 >= zero);
-    // One alone is right when the other then parts.
+    // A single point is a solution if the other point then separates.
     const WideMask first = (only0 > zero) & (k01 * only0 + b1 >= zero);
     const WideMask second = (only1 > zero) & (k01 * only1 + b0 >= zero);
     Wide new0 = select(both, both0, select(first, only0, zero));
     Wide new1 = select(both, both1, select(first, zero, select(second, only1, zero)));
-    // All but singular: the two points lie on each other; they share.
+    // Nearly singular: the two points coincide and share the impulse.
     const WideMask shared = ~regular & ~first & ~second;
     new0 = select(shared, only0 * splat(0.5f), new0);
     new1 = select(shared, only1 * splat(0.5f), new1);
@@ -224,7 +223,7 @@ PairReport solve_planar(ContactConstraintWide& m, ContactConstraintWideMeta& met
             const Wide aim = mean + splat(set.per_point) * (lambda[i] - mean);
             store(m.mean_impulse[i], mean_impulse + splat(set.mean_rate) * (aim - mean_impulse));
         }
-        // As in contact_kernel.h, a turn about its only point ages it, too.
+        // As in contact_kernel.h, a rotation about its only point also ages the manifold.
         const WideScale scale =
             any_unusual(meta) ? scale_of(meta, set.gravity_ratio) : WideScale{splat(1), splat(1)};
         const Wide lever = max(load(m.friction_radius), splat(0.3f) * scale.length);

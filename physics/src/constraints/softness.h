@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// A spring and damper as numbers of one sub-step: they act on the velocity v and the error C as
+// A spring and damper as coefficients of one sub-step. They act on the velocity v and the error C
+// as
 //     lambda' = lambda - (velocity_scale v + position_rate C) / k - impulse_scale lambda,
-// where lambda is the impulse of the sub-step before, which the warm start has applied, and k is
-// what a unit impulse does to v.
+// where lambda is the impulse of the previous sub-step, which warm starting has applied, and k is
+// the response of v to a unit impulse.
 #pragma once
 
 #include "jostle/physics/scalar.h"
@@ -11,22 +12,24 @@
 namespace jostle::physics {
 
 struct Softness {
-    double position_rate = 0, velocity_scale = 1, impulse_scale = 0;  // so: rigid, no push
-    bool once = false;  // acts in one pass of a sub-step: not in the relaxing one
+    double position_rate = 0, velocity_scale = 1,
+           impulse_scale = 0;  // default: rigid, without position correction
+    bool once = false;         // acts in one pass per sub-step, not in the relaxing one
 };
 
-// e^-x for x >= 0, by Taylor's series to 1e-16: the solver calls no libm.
+// e^-x for x >= 0, by Taylor series to 1e-16. The solver does not call libm.
 double decay(double x);
 
-// Implicit Euler (Catto, "Soft Constraints", GDC 2011): bounded however stiff, and damps.
+// Implicit Euler (Catto, "Soft Constraints", GDC 2011): stable for any stiffness, with numerical
+// damping.
 Softness soft(double hertz, double damping_ratio, double h);
 
-// A user's spring. As long as a sub-step resolves it: its damping in closed form, and symplectic
-// Euler, which keeps the energy of what is not damped and sags under a load as Hooke says. Else
-// soft(), in both passes: of stiff springs in a row one pass is too few.
+// A user-defined spring. If the sub-step resolves it: closed-form damping and symplectic Euler,
+// which conserves the energy of an undamped spring and deflects under load according to Hooke's
+// law. Otherwise soft(), in both passes, because one pass is not enough for chained stiff springs.
 Softness spring(double hertz, double damping_ratio, double h);
 
-// Takes away speed at `rate` per second, implicitly: a share of rate h / (1 + rate h) in h.
+// Reduces speed at `rate` per second, implicitly: by the fraction rate h / (1 + rate h) in h.
 Softness damper(double rate, double h);
 
 }  // namespace jostle::physics

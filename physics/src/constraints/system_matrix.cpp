@@ -11,13 +11,13 @@ std::size_t lane_ref_of(int body) {
 struct UnitChange {
     Vec3 v, w;
 };
-// Of a body, by a unit impulse along the row.
+// Change of a body's velocity from a unit impulse along the row.
 UnitChange change_of(const RowJacobian& row_jacobian, const SystemBody& body) {
     return {scaled(row_jacobian.linear, body.inverse_mass),
             body.inverse_inertia * row_jacobian.angular};
 }
 
-// J M^-1 J^T: only rows that share a body that moves meet.
+// J M^-1 J^T: only rows that share a movable body are coupled.
 void add_responses(ConstraintSystem& system) {
     const std::size_t count = system.rows.size();
     struct Use {
@@ -38,7 +38,7 @@ void add_responses(ConstraintSystem& system) {
                 system.matrix[to.row * count + from.row] += dot(to.row_jacobian->linear, change.v) +
                                                             dot(to.row_jacobian->angular, change.w);
         }
-    // The two halves differ by rounding.
+    // The two triangles differ by rounding.
     for (std::size_t i = 0; i < count; i++)
         for (std::size_t j = 0; j < i; j++) {
             double &below = system.matrix[i * count + j], &above = system.matrix[j * count + i];
@@ -46,7 +46,7 @@ void add_responses(ConstraintSystem& system) {
         }
 }
 
-// Rows of a block stand side by side.
+// Rows of a block are adjacent.
 void add_softness(ConstraintSystem& system, std::size_t k) {
     const std::size_t count = system.rows.size();
     const ConstraintRow& row = system.rows[k];
@@ -85,7 +85,7 @@ const char* word_of_role(RowRole role) {
         case RowRole::velocity:
             return "velocity row";
         case RowRole::gear:
-            return "couple";
+            return "gear";
         case RowRole::normal:
             return "normal";
         case RowRole::tangent:

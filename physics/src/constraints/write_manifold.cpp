@@ -14,7 +14,7 @@
 namespace jostle::physics {
 namespace {
 
-// What a manifold carried before it was rebuilt, in world axes.
+// Impulses of a manifold before its rebuild, in world axes.
 struct PreviousImpulses {
     int count = 0;
     Vec3 point[4];  // from a's centre of mass
@@ -39,15 +39,16 @@ PreviousImpulses previous_impulses(const ContactConstraintWide& block, const Rol
     return c;
 }
 
-// What the points of a manifold carry after a rebuild.
+// Impulses of the points of a manifold after its rebuild.
 struct Loads {
     double lambda[4] = {}, mean_impulse[4] = {};
 };
 
-// Each point takes what the nearest old one within reach carried. What no point continues (a face
-// that tilts rests on other corners) goes to the nearest of the points that continue none, or else
-// to the nearest of all: the load has not changed because other points were chosen to bear it.
-// `even`: what is remembered belongs to the manifold, not to its points (SolverTier::slender).
+// Each new point takes the impulse of the nearest old point within reach. The impulse of an old
+// point without a successor (a tilting face rests on other corners) goes to the nearest new point
+// without a predecessor, or else to the nearest new point: selecting other points does not change
+// the load. `even`: the remembered impulse belongs to the manifold, not to its points
+// (SolverTier::slender).
 Loads redistribute_loads(const PreviousImpulses& old, const Manifold& m, Vec3 center, double reach,
                          bool even) {
     Loads loads;
@@ -86,10 +87,10 @@ Loads redistribute_loads(const PreviousImpulses& old, const Manifold& m, Vec3 ce
     return loads;
 }
 
-// Where friction acts: amid the points. Of a rim amid those that touch, or may before the manifold
-// is rebuilt; the others stand for the rest of it, in case the body comes down. With all of them a
-// disc that rolls round on its rim would be held in its middle and braked by the lever of a whole
-// face.
+// The points whose centre is the friction anchor. For a rim, only points that touch or may touch
+// before the manifold is rebuilt; the other points represent the rest of the rim in case the body
+// comes down. If they all counted, a disc rolling on its rim would be held at its centre and braked
+// by the lever arm of a whole face.
 struct SupportExtent {
     Vec3 centre;
     bool bearing[4] = {};
@@ -118,7 +119,7 @@ bool has_rim(const WorldState& world, const Contact& contact) {
     return rim(contact.shape_a) || rim(contact.shape_b);
 }
 
-// The lever of the small disc in which round bodies touch in truth.
+// Lever arm of the small patch in which real round bodies touch.
 double patch_of(const ShapeStore& store, const Contact& contact) {
     const auto rounding = [&](std::uint32_t shape) {
         const Geometry& g = store.shapes[shape].geometry;
@@ -130,7 +131,7 @@ double patch_of(const ShapeStore& store, const Contact& contact) {
     return tuning::contact_patch * (a > 0 && b > 0 ? minimum(a, b) : maximum(a, b));
 }
 
-// Rolling, turning and moving surfaces.
+// Rolling, torsional friction and moving surfaces.
 void write_rolling(const ContactLaneRef& lane_ref, const Material& ma, const Material& mb,
                    Vec3 surface, Vec3 roll) {
     RollingWide& rolling = *lane_ref.rolling;
@@ -152,7 +153,7 @@ bool has_rolling(const RollingWide& rolling, int lane) {
            rolling.rolling[lane] != 0 || rolling.torsional_friction[lane] != 0;
 }
 
-// A manifold without points, which pushes nothing.
+// Disables a manifold without points.
 void disable(ContactConstraintWide& block, int lane) {
     for (int i = 0; i < 4; i++) {
         block.gap[i][lane] = no_point;
@@ -161,7 +162,7 @@ void disable(ContactConstraintWide& block, int lane) {
     block.friction[0][lane] = block.friction[1][lane] = block.torsion[lane] = 0;
 }
 
-// The lanes of a block share a byte, and other threads may write theirs.
+// The lanes of a block share a byte, and other threads may write other bits of it.
 void put_bit(std::uint8_t& bits, int lane, bool on) {
     const std::atomic_ref shared(bits);
     const auto bit = static_cast<std::uint8_t>(1u << lane);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Fills a lane from a manifold: geometry, effective masses, material, and the impulses that its
-// points carried before.
+// Writes a manifold into a lane: geometry, effective masses, material, and the impulses that its
+// points had before.
 #pragma once
 
 #include "physics/src/collision/narrowphase/manifold.h"
@@ -9,14 +9,14 @@
 
 namespace jostle::physics {
 
-// The contact has a lane. `fresh`: it was just taken and holds nothing to keep. May run on many
-// threads for different contacts at once.
+// The contact must have a lane. `fresh`: the lane was just allocated and holds no impulses.
+// Thread-safe for different contacts.
 void write_manifold(WorldState& world, const Contact& contact, const Manifold& manifold,
                     bool fresh);
 
-// Which body the point of contact travels with: 0 is a, 1 is b, between them both. It goes along
-// with a round body that rolls on a flat one; of two alike it stays between them. What is not
-// pushed need not be thought of.
+// The body that the contact point moves with: 0 for a, 1 for b, intermediate values blend. The
+// point follows a round body that rolls on a flat one; between two similar bodies it stays in the
+// middle. Bodies that cannot be pushed are irrelevant.
 double anchor_blend_of(const WorldState& world, const Contact& contact);
 
 }  // namespace jostle::physics

@@ -35,8 +35,8 @@ TEST(SystemMatrix, contains_the_coupling_of_rows) {
     EXPECT_DOUBLE_EQ(s.at(0, 1), -0.25);
     EXPECT_DOUBLE_EQ(s.at(1, 0), -0.25);
     EXPECT_DOUBLE_EQ(s.at(1, 1), 0.25);
-    EXPECT_DOUBLE_EQ(s.right[0], 7 + 2);
-    EXPECT_DOUBLE_EQ(s.right[1], 1);
+    EXPECT_DOUBLE_EQ(s.rhs[0], 7 + 2);
+    EXPECT_DOUBLE_EQ(s.rhs[1], 1);
     EXPECT_DOUBLE_EQ(rate_now(s.rows[0], s.bodies), -3);
     EXPECT_DOUBLE_EQ(rate_by_forces(s.rows[0], s.bodies), -2);
     EXPECT_DOUBLE_EQ(response_of(s.rows[0], s.bodies), 1.25);
@@ -57,7 +57,7 @@ TEST(SystemMatrix, softness_of_a_block_is_proportional_to_it) {
 TEST(SystemMatrix, names_contain_role_and_direction) {
     EXPECT_EQ(name_of({.role = RowRole::turn, .axis = 1}), "turn y");
     EXPECT_EQ(name_of({.role = RowRole::motor, .axis = 2}), "motor z");
-    EXPECT_EQ(name_of({.role = RowRole::gear}), "couple");
+    EXPECT_EQ(name_of({.role = RowRole::gear}), "gear");
     EXPECT_EQ(name_of({.role = RowRole::normal, .point = 2}), "normal of point 2");
     EXPECT_EQ(name_of({.role = RowRole::tangent, .axis = 1}), "friction 2 of point 0");
 }

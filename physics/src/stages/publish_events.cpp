@@ -23,7 +23,8 @@ void sort_by_trigger(std::vector<Event>& events) {
     });
 }
 
-// One manifold that presses. Impulses are those of the last sub-step, for as many as there were.
+// The event of one touching manifold. Impulses are those of the last sub-step times the number of
+// sub-steps.
 ContactStay stay_of(const WorldState& world, const Contact& c, const ContactConstraintWide& block,
                     int lane) {
     ASSERT(c.touching);
@@ -61,7 +62,8 @@ void report_stays(WorldState& world) {
         }
     });
     sort_by_shapes(stays);
-    // The manifolds of one pair are one contact: the point and normal are those of the hardest.
+    // The manifolds of a pair are reported as one contact, with the point and normal of the
+    // hardest.
     std::size_t retained = 0;
     for (std::size_t k = 0; k < stays.size(); k++) {
         const bool same = retained > 0 && stays[retained - 1].shape_a == stays[k].shape_a &&
@@ -86,7 +88,7 @@ void report_stays(WorldState& world) {
 
 Skipped publish_events(StepContext& step) {
     EventStore& events = step.world.events;
-    if (events.empty() && step.world.shapes.reporters == 0) return "nothing happened";
+    if (events.empty() && step.world.shapes.reporters == 0) return "no events";
     sort_by_shapes(events.contacts_began);
     sort_by_shapes(events.contacts_ended);
     sort_by_shapes(events.hits);

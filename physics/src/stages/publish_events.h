@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// The last stage: events become what World::events() shows, each list in order of ids.
+// The last stage: makes events available through World::events(), each list sorted by ids.
 //
-// Reads: EventStore as the stages and calls between steps filled it; of contacts that are to be
-// reported in every step, impulses and flags in the constraint graph. Writes: EventStore, sorted
-// and with EventStore::contacts. Leaves nothing in scratch.
+// Reads: EventStore as filled by the stages and by calls between steps; for contacts with
+// report_stays, impulses and flags in the constraint graph. Writes: EventStore, sorted and with
+// EventStore::contacts. Leaves nothing in scratch.
 #pragma once
 
 #include "physics/src/stages/step_context.h"

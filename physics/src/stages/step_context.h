@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What every stage of one step shares; made anew each step.
+// Data shared by all stages of one step. Rebuilt in each step.
 #pragma once
 
 #include <array>
@@ -11,11 +11,11 @@
 
 namespace jostle::physics {
 
-// What a stage returns: `ran`, or why it had nothing to do, as a sentence that lives as long as the
-// program.
+// Result of a stage: `ran`, or the reason why it had nothing to do, as a string with static
+// lifetime.
 using Skipped = const char*;
 inline constexpr Skipped ran = nullptr;
-inline constexpr Skipped no_awake_bodies = "nobody is awake";
+inline constexpr Skipped no_awake_bodies = "no awake bodies";
 
 struct StepScratch;
 
@@ -24,8 +24,8 @@ struct StepContext {
     StepScratch& scratch;
     ThreadPool& thread_pool;
     double dt = 0;                                           // s
-    std::array<ContactSettings, solved_set_count> contacts;  // by index_of(ColourSetKey)
-    Timer timer = {};                                        // of the stages, for the profile
+    std::array<ContactSettings, solved_set_count> contacts;  // indexed by index_of(ColourSetKey)
+    Timer timer = {};                                        // per stage, for the profile
 };
 
 }  // namespace jostle::physics

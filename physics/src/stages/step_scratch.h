@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Memory that a step uses and the next one uses again, stage by stage. Neither description nor
-// state: never saved, never hashed. A stage's header says what it leaves here for a later one.
+// Memory that steps reuse, stage by stage. Neither description nor state: never saved, never
+// hashed. The header of each stage documents what it leaves here for later stages.
 #pragma once
 
 #include <atomic>
@@ -18,7 +18,7 @@
 namespace jostle::physics {
 
 struct StepScratch {
-    // Set by any thread: what remains of the step does without sub-steps and sweeps.
+    // May be set by any thread. The rest of the step then skips sub-steps and sweeps.
     std::atomic<bool> stopped{false};
     PairScratch pairs;
     ContactScratch contacts;
@@ -29,7 +29,7 @@ struct StepScratch {
     SleepScratch sleep;
 };
 
-// Whoever drives a stage asks between its rounds; the threads that help it are told by it.
+// The thread that runs a stage polls this between rounds and informs its helper threads.
 inline bool is_stopped(const StepContext& step) {
     return step.scratch.stopped.load(std::memory_order_relaxed);
 }

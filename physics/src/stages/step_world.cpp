@@ -40,13 +40,13 @@ StepContext begin_step(WorldState& world, StepScratch& scratch, double dt) {
     return {world, scratch, *world.thread_pool, dt, {}};
 }
 
-// Manifolds are kept over more motion, however fast that is.
+// Reuses manifolds over larger motions, at any speed.
 void reuse_longer(ContactSettings& set) {
     set.rebuild_drift *= tuning::overload_drift;
     set.rebuild_motion = set.single_rebuild_motion = tuning::any_motion;
 }
 
-// While all sleep they are not worked out.
+// Skipped while all bodies sleep.
 void set_contact_settings(StepContext& step) {
     const WorldState& world = step.world;
     if (world.bodies.awake.empty()) return;
@@ -67,7 +67,8 @@ void set_contact_settings(StepContext& step) {
         }
 }
 
-// Puts the time of one stage into the profile, or why it was skipped: that takes no clock.
+// Records the time of one stage in the profile, or why it was skipped. A skipped stage reads no
+// clock.
 template <Skipped (*kStage)(StepContext&)>
 void run(StepContext& step, Stage name) {
     StepProfile& profile = step.world.profile;
@@ -76,7 +77,7 @@ void run(StepContext& step, Stage name) {
     if (profile.stage_skipped[index] == ran) profile.stage_ms[index] = step.timer.lap_ms();
 }
 
-// ... of the second part of a stage: both are skipped, or the stage ran.
+// The same for the second part of a stage: both parts are skipped, or the stage ran.
 template <Skipped (*kStage)(StepContext&)>
 void run_second(StepContext& step, Stage name) {
     StepProfile& profile = step.world.profile;
@@ -97,30 +98,30 @@ void add_up_times(StepProfile& profile) {
 
 }  // namespace
 
-// One step, in the order in which it happens. Each stage is one file of this folder.
+// One step, in execution order. Each stage is one file of this folder.
 void step_world(WorldState& world, StepScratch& scratch, double dt) {
     ASSERT(dt > 0);
     StepContext step = begin_step(world, scratch, dt);
     const bool asleep = world.bodies.awake.empty();
     set_contact_settings(step);
-    run<update_pairs>(step, Stage::update_pairs);                // which shapes may touch
-    run<update_contacts>(step, Stage::update_contacts);          // where they touch
-    run<wake_before_solve>(step, Stage::wake_bodies);            // who is disturbed
-    if (asleep) set_contact_settings(step);                      // somebody was woken
-    run<begin_contacts>(step, Stage::begin_contacts);            // new manifolds are to be solved
-    run<prepare_islands>(step, Stage::prepare_islands);          // sub-steps by what an island is
-    run<solve_constraints>(step, Stage::solve_constraints);      // sub-steps of all that touches
-    run<merge_islands>(step, Stage::merge_islands);              // what hangs together
-    run<integrate_free>(step, Stage::integrate_free);            // all that touches nothing
+    run<update_pairs>(step, Stage::update_pairs);                // shapes that may touch
+    run<update_contacts>(step, Stage::update_contacts);          // contact points
+    run<wake_before_solve>(step, Stage::wake_bodies);            // disturbed bodies
+    if (asleep) set_contact_settings(step);                      // bodies were woken
+    run<begin_contacts>(step, Stage::begin_contacts);            // adds new manifolds
+    run<prepare_islands>(step, Stage::prepare_islands);          // sub-steps by island
+    run<solve_constraints>(step, Stage::solve_constraints);      // sub-steps of all touching bodies
+    run<merge_islands>(step, Stage::merge_islands);              // connected bodies
+    run<integrate_free>(step, Stage::integrate_free);            // bodies without contacts
     run<finalize>(step, Stage::finalize);                        // poses, bounds, rest time
-    run<solve_continuous>(step, Stage::solve_continuous);        // nothing passes through a wall
-    run_second<wake_after_impacts>(step, Stage::wake_bodies);    // who was hit asleep
-    run_second<move_toi_bodies>(step, Stage::solve_continuous);  // where impacts sent them
-    run<quarantine>(step, Stage::quarantine);            // nothing that is not a number leaves
-    run<update_sleep>(step, Stage::update_sleep);        // resting islands leave the awake set
-    step.thread_pool.finish();                           // what finalize began
-    run<update_triggers>(step, Stage::update_triggers);  // what is inside which trigger
-    run<publish_events>(step, Stage::publish_events);    // sorted, ready to read
+    run<solve_continuous>(step, Stage::solve_continuous);        // prevents tunnelling
+    run_second<wake_after_impacts>(step, Stage::wake_bodies);    // sleeping bodies that were hit
+    run_second<move_toi_bodies>(step, Stage::solve_continuous);  // deflected bodies
+    run<quarantine>(step, Stage::quarantine);                    // rejects non-finite states
+    run<update_sleep>(step, Stage::update_sleep);  // removes resting islands from the awake set
+    step.thread_pool.finish();                     // completes the work started by finalize
+    run<update_triggers>(step, Stage::update_triggers);  // trigger overlaps
+    run<publish_events>(step, Stage::publish_events);    // sorts events for readers
     ASSERT(world.wake_requests.empty());
     ASSERT(scratch.contacts.begins.empty());
     update_step_budget(world);

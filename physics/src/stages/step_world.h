@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The whole step: step_world.cpp reads from top to bottom, one call a stage. Each stage's header
-// says what it reads, what it writes, and what it leaves in scratch for which later stage.
+// The whole step. step_world.cpp reads from top to bottom, one call per stage. The header of each
+// stage documents what it reads, what it writes, and what it leaves in scratch for which later
+// stage.
 #pragma once
 
 #include "physics/src/stages/step_scratch.h"
@@ -9,7 +10,8 @@
 
 namespace jostle::physics {
 
-// dt: s, above 0. On the thread that calls World::step(); stages share work with the world's team.
+// dt: s, above 0. Runs on the thread that calls World::step(); stages share work with the world's
+// thread pool.
 void step_world(WorldState& world, StepScratch& scratch, double dt);
 
 }  // namespace jostle::physics

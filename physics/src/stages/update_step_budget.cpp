@@ -24,7 +24,7 @@ OverloadState next_overload_level(OverloadState overload_level, std::int64_t wor
     return {.level = static_cast<std::uint8_t>(overload_level.level - 1)};
 }
 
-// What sleeps follows when it wakes.
+// Sleeping bodies are updated when they wake.
 void update_overload_level(WorldState& world, OverloadState to) {
     std::array<double, solved_set_count> scale{};
     for (const SolverTier tier : all_tiers)

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: MIT
 //
-// The end of a step: what it did is added up, and in a world with a budget the strain of the next
-// step follows from that (state/overload_state.h). It rises by one after a step of more work than
-// the budget, so no step is ever cut short, and falls by one after many cheap ones in a row.
+// The end of a step: sums up its work and, in a world with a budget, derives the overload level of
+// the next step (state/overload_state.h). The level rises by one after a step of more work than the
+// budget, so no step is ever truncated, and falls by one after many cheap steps in a row.
 #pragma once
 
 #include "physics/src/stages/step_context.h"
 
 namespace jostle::physics {
 
-// Of the step's own counters; the same for any number of threads.
+// Computed from the step's own counters; independent of the number of threads.
 std::int64_t step_work(const StepProfile& profile);
 
-// Reads: the profile's counters, WorldDef::step_budget. Writes: StepProfile::work, Strain, and the
-// impulses that warm-start the next step where its sub-steps are of another length. After all else:
-// events tell of the sub-steps that were.
+// Reads: the profile's counters, WorldDef::step_budget. Writes: StepProfile::work,
+// WorldState::overload_level, and the impulses that warm-start the next step if its sub-steps have
+// another length. Runs last, because events refer to the sub-steps of this step.
 void update_step_budget(WorldState& world);
 
 }  // namespace jostle::physics

@@ -27,7 +27,7 @@ TEST(Profile, sleeping_world_skips_every_stage_with_a_reason) {
         EXPECT_NE(why(world, stage), "ran") << stage_name(stage);
         EXPECT_EQ(world.profile().stage_ms[static_cast<std::size_t>(k)], 0) << stage_name(stage);
     }
-    EXPECT_EQ(why(world, Stage::solve_constraints), "nobody is awake");
+    EXPECT_EQ(why(world, Stage::solve_constraints), "no awake bodies");
     EXPECT_EQ(world.profile().pairs, 1);
 }
 
@@ -39,7 +39,7 @@ TEST(Profile, body_in_free_flight_skips_the_solver) {
     EXPECT_EQ(why(world, Stage::integrate_free), "ran");
     EXPECT_EQ(why(world, Stage::solve_continuous), "no body moved further than half its thickness");
     EXPECT_EQ(why(world, Stage::update_triggers), "no triggers");
-    EXPECT_EQ(why(world, Stage::publish_events), "nothing happened");
+    EXPECT_EQ(why(world, Stage::publish_events), "no events");
     EXPECT_GT(world.profile().step_ms, 0);
 }
 
@@ -60,7 +60,7 @@ TEST(Profile, disabled_stages_report_a_reason) {
     World world = make_world({.sleeping = false, .continuous = false});
     add(world, {.velocity = {100, 0, 0}});
     run(world, 0.1);
-    EXPECT_EQ(why(world, Stage::update_sleep), "sleeping is off");
+    EXPECT_EQ(why(world, Stage::update_sleep), "sleeping is disabled");
     EXPECT_EQ(why(world, Stage::solve_continuous), "continuous collision is off");
 }
 

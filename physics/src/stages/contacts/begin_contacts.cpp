@@ -20,7 +20,7 @@ Skipped begin_contacts(StepContext& step) {
     ContactScratch& scratch = step.scratch.contacts;
     std::vector<NewContact>& begins = scratch.begins;
     if (world.bodies.awake.empty()) return no_awake_bodies;
-    if (begins.empty()) return "no manifold begins";
+    if (begins.empty()) return "no new manifolds";
     const auto key = [&](const NewContact& next) {
         const Contact& c = world.contacts.contacts[scratch.tasks[next.task].contact];
         return std::tuple(c.shape_a, c.shape_b, next.child);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Manifolds that may touch in this step enter the constraint graph. After wake_before_solve: what
-// they meet asleep is awake by now.
+// Adds manifolds that may touch in this step to the constraint graph. Runs after wake_before_solve,
+// so their bodies are awake.
 //
 // Reads: ContactScratch::begins, and the manifolds found. Writes: constraint graph, contacts,
-// islands' colour sets. Leaves nothing in scratch.
+// colour sets of islands. Leaves nothing in scratch.
 #pragma once
 
 #include "physics/src/stages/step_context.h"

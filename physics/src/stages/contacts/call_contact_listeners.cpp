@@ -19,7 +19,7 @@ bool is_same(const ContactModifier& a, const ContactModifier& b) {
            a.surface_velocity == b.surface_velocity && a.enabled == b.enabled;
 }
 
-// Listeners may return anything.
+// Listeners may return any value.
 void sanitize(ContactModifier& modifier) {
     if (!(modifier.friction >= 0 && modifier.friction <= 1e6)) modifier.friction = 0;
     modifier.restitution = modifier.restitution >= 0 ? minimum(modifier.restitution, 1) : 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Asks listeners how two shapes shall touch (PreSolve of jostle/physics/step_listener.h), on the
-// thread of the step.
+// Calls listeners to modify how two shapes touch (PreSolve in jostle/physics/step_listener.h), on
+// the thread of the step.
 #pragma once
 
 #include "physics/src/stages/step_context.h"
@@ -12,20 +12,20 @@ inline bool has_pre_solve_listeners(const ListenerStore& listeners) {
     return listeners.active_hooks.pre_solve;
 }
 
-// What is about to touch, by index of shape.
+// The contact that is about to touch, by shape indices.
 struct PreSolveContact {
     std::uint32_t shape_a, shape_b;
     Vec3 normal, point;  // unit, from a to b; m, world
-    Vec3 velocity;       // m/s, of b against a there
+    Vec3 velocity;       // m/s, of b relative to a at the point
 };
 
-// What all listeners make of an answer.
+// Applies all listeners to a modifier and returns the result.
 ContactModifier call_contact_listeners(const WorldState& world,
                                        const PreSolveContact& pre_solve_contact,
                                        ContactModifier modifier);
 
-// For a contact whose manifold was just written: keeps what they say, if it is not what the
-// materials give. Returns whether the manifold is to be written again.
+// Call after the manifold of a contact was written. Stores the listeners' modifier if it differs
+// from the materials' values. Returns whether the manifold must be written again.
 bool modify_contact(WorldState& world, std::uint32_t contact);
 
 }  // namespace jostle::physics

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What the narrow phase hands on within a step, and uses again in the next. select_pairs fills the
-// checks, narrow_phase_pair their results, update_touching what begins; begin_contacts reads that.
+// Scratch data that the narrow phase passes on within a step and reuses in the next. select_pairs
+// fills the tasks, narrow_phase_pair their results, and update_touching the list of new contacts,
+// which begin_contacts reads.
 #pragma once
 
 #include <atomic>
@@ -14,21 +15,21 @@
 
 namespace jostle::physics {
 
-// One narrow phase call and what came of it. Small: there may be tens of thousands.
+// One narrow-phase task and its result. Kept small: there may be tens of thousands.
 struct NarrowPhaseTask {
     std::uint32_t contact = 0;
-    // Of a composite pair: its parts are in ContactScratch::parts[list]. Else: the manifold that
-    // may begin is ContactScratch::fresh[list].
+    // For a composite pair: index of its children in ContactScratch::children. Otherwise: index of
+    // the manifold that may begin in ContactScratch::fresh.
     std::int32_t list = -1;
-    bool persists = false;     // has points, and a lane that they were written to ...
-    bool done = false;         // ... and stays in: nothing is left to decide
-    bool bounces = false;      // its bodies are to be swept, however slow: ccd_policy.h
-    double closing = 0;        // m/s: how fast those do that bounce
-    float direction[3] = {};   // along which they are apart by `near`; zero: not known
-    double predicted_gap = 0;  // m: smallest gap of any point at the end of the step, as the bodies
-                               // move now
-    // m: the smallest gap now. Of a composite pair: everything nearer than this beyond the
-    // speculative margin is among its parts.
+    bool persists = false;    // has points, which were written to its lane
+    bool done = false;        // and remains in its set: nothing is left to decide
+    bool bounces = false;     // its bodies are swept at any speed: ccd_policy.h
+    double closing = 0;       // m/s: closing speed of bodies that bounce
+    float direction[3] = {};  // direction of their separation by `near`; zero if unknown
+    // m: smallest gap of any point at the end of the step, at the current velocities.
+    double predicted_gap = 0;
+    // m: current smallest gap. For a composite pair, all children within this distance beyond the
+    // speculative margin are in the list.
     double near = 0;
 };
 
@@ -36,44 +37,46 @@ struct NarrowPhaseTask {
 struct FoundChild {
     ChildManifold child;
     double predicted_gap = 0;
-    std::uint32_t contact = 0xffffffff;  // whose manifold it continues; none: it may begin
+    std::uint32_t contact = 0xffffffff;  // the contact that it continues; none: it may begin
 };
 
-// A manifold that enters the constraint graph: of a check, and which part of it (-1: the check's
-// own).
+// A manifold that enters the constraint graph: its task, and its index among the children (-1: the
+// task's own manifold).
 struct NewContact {
     std::uint32_t task = 0;
     std::int32_t child = -1;
 };
 
-// Bodies that are about to bounce off each other: find_clusters.h.
+// Bodies that are about to bounce off each other: see find_clusters.h.
 struct BodyCluster {
-    std::uint32_t cluster_parent = 0;  // itself, unless it was joined to another
+    std::uint32_t cluster_parent = 0;  // itself, unless merged into another cluster
     int bodies = 0;
-    int row = 0;         // bodies in its longest row, from one to the next
-    bool held = false;   // by a wall that is near, or by what one of them leans on
-    double fastest = 0;  // m/s: closing speed
-    double min_retained_energy =
-        0;  // what keeps less of its energy at an impact bounces in a crowd
+    int row = 0;         // number of bodies in its longest row of neighbours
+    bool held = false;   // by a nearby wall, or by a body with contacts
+    double fastest = 0;  // m/s: highest closing speed
+    // Fraction of energy: impacts that retain less of it are resolved as a cluster.
+    double min_retained_energy = 0;
 };
 
 struct ContactScratch {
-    std::vector<std::uint8_t> due;  // by separation bound: whether it is used up
+    std::vector<std::uint8_t>
+        due;  // indexed like the separation bounds: whether the bound may be used up
     std::vector<NarrowPhaseTask> tasks;
-    std::int32_t child_list_count = 0;  // given to checks of composite pairs
-    // Of checks without a lane, as far as fresh_count, in any order.
+    std::int32_t child_list_count = 0;  // number of lists assigned to tasks of composite pairs
+    // Manifolds of tasks without a lane. The first fresh_count are valid, in any order.
     UninitializedVector<Manifold> fresh;
     std::atomic<int> fresh_count = 0;
     std::vector<std::vector<FoundChild>> children;
     std::vector<NewContact> begins;
-    // By awake body: whether it had contacts in the constraint graph when the step began.
+    // Indexed by awake body: whether it had contacts in the constraint graph at the start of the
+    // step.
     std::vector<std::uint8_t> had_contacts;
-    // Bodies that may bounce off something in this step: awake, in any order, some more than once.
+    // Awake bodies that may bounce in this step, in any order, possibly more than once.
     std::vector<std::uint32_t> bouncing;
     std::vector<BodyCluster> clusters;
-    std::vector<std::pair<std::uint32_t, std::uint32_t>>
-        cluster_edges;                      // awake bodies side by side
-    std::vector<std::uint32_t> cluster_of;  // by awake body; empty where nobody is about to bounce
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> cluster_edges;  // adjacent awake bodies
+    std::vector<std::uint32_t>
+        cluster_of;  // indexed by awake body; empty if no body is about to bounce
 };
 
 }  // namespace jostle::physics

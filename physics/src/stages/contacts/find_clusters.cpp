@@ -18,14 +18,14 @@ namespace {
 
 constexpr std::uint32_t no_cluster = 0xffffffff;
 
-// Of two bodies it is plain who meets whom first.
+// With two bodies the order of impacts is unambiguous.
 constexpr int min_cluster_size = 3;
 
 bool is_member(const BodyCold& cold) {
     return cold.type == BodyType::dynamic && cold.set == BodySet::awake && !cold.asleep_in_place;
 }
 
-// The crowd that one has become part of.
+// The root of the cluster that a cluster was merged into.
 std::uint32_t cluster_root(std::vector<BodyCluster>& clusters, std::uint32_t cluster) {
     while (clusters[cluster].cluster_parent != cluster) {
         clusters[cluster].cluster_parent =
@@ -35,7 +35,7 @@ std::uint32_t cluster_root(std::vector<BodyCluster>& clusters, std::uint32_t clu
     return cluster;
 }
 
-// What leans on others, and is pressed against them, is held by them.
+// A body that has contacts and is pressed against them is held by them.
 std::uint32_t cluster_with(ContactScratch& scratch, const BodyCold& cold, bool pressed) {
     std::uint32_t& cluster = scratch.cluster_of[cold.at];
     if (cluster == no_cluster) {
@@ -47,7 +47,7 @@ std::uint32_t cluster_with(ContactScratch& scratch, const BodyCold& cold, bool p
     return cluster_root(scratch.clusters, cluster);
 }
 
-// `closing`: m/s. Of two the second may be what holds the first.
+// `closing`: m/s. The second body may be the one that holds the first.
 void merge_clusters(ContactScratch& scratch, const BodyCold& a, const BodyCold& b, double closing,
                     bool pressed) {
     if (!is_member(a))
@@ -70,21 +70,23 @@ void merge_clusters(ContactScratch& scratch, const BodyCold& a, const BodyCold& 
     scratch.clusters[cluster].fastest = maximum(scratch.clusters[cluster].fastest, closing);
 }
 
-// Whether something that does not move freely is within a length of a body's middle.
+// Returns whether a shape that cannot move freely is within `length` of a body's centre.
 bool is_wall_near(const WorldState& world, std::uint32_t shape, Vec3 center, double length) {
     const ShapeRecord& s = world.shapes.shapes[shape];
     const Aabb near = grow({center, center}, length);
     return is_plane(s) ? reaches_plane(world, s, near) : overlap(near, s.fat);
 }
 
-// What is so near that it may be struck within the step belongs to the crowd, wherever it goes now.
+// Bodies near enough to be struck within the step join the cluster, in whatever direction they
+// move.
 void merge_neighbours(const StepContext& step, ContactScratch& scratch, bool pressed) {
     const WorldState& world = step.world;
     struct Member {
         std::uint32_t awake;
-        double displacement;  // m: how far the fastest of its crowd come in the step
+        double displacement;  // m: displacement of the fastest body of its cluster in the step
     };
-    std::vector<Member> members;  // before anybody else joins: the order says nothing
+    std::vector<Member>
+        members;  // fixed before bodies are added, so that the order does not matter
     for (std::uint32_t awake = 0; awake < scratch.cluster_of.size(); awake++)
         if (const std::uint32_t cluster = scratch.cluster_of[awake]; cluster != no_cluster)
             members.push_back(
@@ -111,8 +113,9 @@ void merge_neighbours(const StepContext& step, ContactScratch& scratch, bool pre
     }
 }
 
-// How long the rows of crowds are: from the first of a crowd to the one most bodies away, and from
-// that to the one most bodies away from it. Of a rack of fifteen balls five, not fifteen.
+// Length of the rows of clusters: from the first body of a cluster to the one furthest in the
+// neighbour graph, and from that to the one furthest from it. A rack of fifteen balls yields five,
+// not fifteen.
 class Rows {
 public:
     explicit Rows(const ContactScratch& scratch)
@@ -136,7 +139,7 @@ public:
 private:
     static constexpr int not_seen = -1;
 
-    // How many bodies away the furthest is.
+    // Distance to the furthest body, in edges.
     int walk_from(std::uint32_t body) {
         for (const std::uint32_t k : seen_) steps_[k] = not_seen;
         seen_.assign(1, body);
@@ -149,7 +152,7 @@ private:
             }
         return steps_[seen_.back()];
     }
-    // Of several the lowest: the order of the walk says nothing.
+    // The lowest index among equally distant bodies, so that the traversal order does not matter.
     std::uint32_t furthest() const {
         std::uint32_t best = seen_.back();
         for (const std::uint32_t k : seen_)
@@ -157,14 +160,15 @@ private:
         return best;
     }
 
-    std::vector<std::uint32_t> first_,
-        neighbours_;                   // by awake body: where its neighbours begin; those
-    std::vector<int> steps_;           // by awake body, of the walk
-    std::vector<std::uint32_t> seen_;  // in the order of the walk
+    std::vector<std::uint32_t> first_;  // by awake body: start of its range in neighbours_
+    std::vector<std::uint32_t> neighbours_;
+    std::vector<int> steps_;           // by awake body, in the traversal
+    std::vector<std::uint32_t> seen_;  // in traversal order
 };
 
-// Which share of the energy each impact has to keep so that, after so many and among so many
-// bodies, each has the energy of `noise` from that of `speed`: a root, by halves.
+// The fraction of energy that each impact must retain so that, after `impacts` impacts with the
+// energy spread over `bodies` bodies, each body's energy falls from that of `speed` to that of
+// `noise`. Computed as a root by bisection.
 double retained_energy_fraction(double speed, double noise, int impacts, int bodies) {
     const double left = noise * noise * bodies / maximum(speed * speed, 1e-30);
     if (!(left < 1)) return 1;
@@ -181,10 +185,10 @@ double retained_energy_fraction(double speed, double noise, int impacts, int bod
     return low;
 }
 
-// Which share of the energy an impact keeps. Where friction holds, a ball loses 2/7 of the energy
-// of its motion along the surface, on the mean over all directions a seventh of all; where it
-// slips, mu (1 + e) times the mean of normal and tangential speed, of 0.4 times the square of the
-// whole, twice.
+// The fraction of energy that an impact retains. With sticking friction a ball loses 2/7 of its
+// tangential energy, on average over all directions a seventh of its total energy. With slipping
+// friction the loss is mu (1 + e) times the mean product of normal and tangential speed, which is
+// 0.4 times the squared speed, doubled.
 double retained_energy(const Material& a, const Material& b) {
     const double e = pair_restitution(a, b);
     return e * e * (1 - minimum(1.0 / 7, 0.8 * pair_friction(a, b) * (1 + e)));

@@ -18,8 +18,8 @@
 namespace jostle::physics {
 namespace {
 
-// Whether the pair will be swept (stages/continuous/solve_continuous.h). That takes a body that is
-// fast, and fast against the other.
+// Returns whether the pair will be swept (stages/continuous/solve_continuous.h). This requires a
+// body that is fast, both absolutely and relative to the other body.
 bool will_be_swept(const StepContext& step, const Contact& c, double displacement) {
     const WorldState& world = step.world;
     if (!world.def.continuous) return false;
@@ -35,27 +35,27 @@ bool will_be_swept(const StepContext& step, const Contact& c, double displacemen
     return sweeps(a, b) || sweeps(b, a);
 }
 
-// How fast two bodies come nearer to each other along a direction from a to b, m/s: their centres.
+// Closing speed of the centres of two bodies along a direction from a to b, m/s.
 double closing_along(const WorldState& world, const Contact& c, Vec3 direction) {
     return dot(direction, motion_of(world, c.body_a).v - motion_of(world, c.body_b).v);
 }
-// ... and how much faster any two of their points may.
+// Upper bound of the additional closing speed of any two points due to rotation, m/s.
 double closing_by_turning(const WorldState& world, const Contact& c) {
     const BodyCold &a = world.bodies.cold[c.body_a], &b = world.bodies.cold[c.body_b];
     const Vec3 wa = motion_of(world, c.body_a).w, wb = motion_of(world, c.body_b).w;
     return length(wa) * a.radius + (b.type == BodyType::static_body ? 0 : length(wb) * b.radius);
 }
 
-// How far ahead to look for contacts: the speculative margin and the way the pair closes in a step,
-// but no more than the smaller body's size: beyond that a manifold would see a plane where there is
-// an edge to fly past.
+// Lookahead distance for contacts: the closing distance of the pair in a step, limited to the size
+// of the smaller body. Beyond that a manifold would treat an edge that the body flies past as a
+// plane.
 double closing_reach(const BodyStore& bodies, const Contact& c, double displacement) {
     const BodyCold &a = bodies.cold[c.body_a], &b = bodies.cold[c.body_b];
     const double size = b.type == BodyType::dynamic ? minimum(a.radius, b.radius) : a.radius;
     return minimum(displacement, size);
 }
 
-// The smallest gap that any point may have at the end of the step, as the bodies move now.
+// The smallest gap that any point may have at the end of the step, at the current velocities.
 double expected_gap(const WorldState& world, const Contact& c, const Manifold& m, double dt) {
     const BodyMotion a = motion_of(world, c.body_a), b = motion_of(world, c.body_b);
     double smallest = 1e300;
@@ -68,7 +68,7 @@ double expected_gap(const WorldState& world, const Contact& c, const Manifold& m
     return smallest;
 }
 
-// How fast any point closes at the start of the step, m/s.
+// Highest closing speed of any point at the start of the step, m/s.
 double closing_speed(const WorldState& world, const Contact& c, const Manifold& m) {
     const BodyMotion a = motion_of(world, c.body_a), b = motion_of(world, c.body_b);
     double fastest = 0;
@@ -80,10 +80,11 @@ double closing_speed(const WorldState& world, const Contact& c, const Manifold& 
     return fastest;
 }
 
-// Whether two that bounce are to meet in this step, so that the sweep takes them
-// (stages/continuous/ccd_policy.h). Faces are the contact solver's when one end of them rests while
-// the other comes down, which a sweep would let go of, and when they have met already beside others
-// that gravity presses them against: there one impact follows the other without end.
+// Returns whether a bouncing pair will touch in this step, so that the sweep handles it
+// (stages/continuous/ccd_policy.h). The contact solver handles faces in two cases: one end of the
+// face rests while the other end approaches, because a sweep would release it; or the bodies have
+// already touched next to others that gravity presses them against, because impacts would follow
+// each other without end.
 bool will_bounce(const StepContext& step, const Contact& c, const Manifold& m, bool touching) {
     const WorldState& world = step.world;
     const double scale = scale_of_pair(world.bodies, c),
@@ -101,8 +102,8 @@ bool will_bounce(const StepContext& step, const Contact& c, const Manifold& m, b
            expected_gap(world, c, m, step.dt) < margin;
 }
 
-// Whether two that bounce cannot meet in this step but at a speed that bounces: then they need no
-// manifold, and fly as if they were alone. So do those that just bounced and part.
+// Returns whether a bouncing pair cannot touch in this step except at a speed that bounces. Such a
+// pair needs no manifold and moves freely. This includes bodies that just bounced and separate.
 bool stays_apart(const WorldState& world, const Contact& c, const Manifold& m, bool touching,
                  double dt) {
     if (touching) return false;
@@ -115,8 +116,8 @@ bool stays_apart(const WorldState& world, const Contact& c, const Manifold& m, b
     return true;
 }
 
-// Finds for each part that exists the manifold that continues it: the same child, and of pieces of
-// a surface the one with the nearest normal.
+// Finds for each existing child the manifold that continues it: the same child key and, among
+// pieces of a surface, the nearest normal.
 void match_children(WorldState& world, const Contact& pair, std::vector<FoundChild>& found) {
     for (std::uint32_t p = pair.first_child; p != none; p = world.contacts.contacts[p].next_child) {
         const Contact& child = world.contacts.contacts[p];
@@ -138,7 +139,7 @@ void match_children(WorldState& world, const Contact& pair, std::vector<FoundChi
     }
 }
 
-// Whether a part of a composite pair touches.
+// Returns whether a child of a composite pair touches.
 bool is_touching(const WorldState& world, const Contact& pair, std::uint64_t key) {
     for (std::uint32_t p = pair.first_child; p != none; p = world.contacts.contacts[p].next_child)
         if (world.contacts.contacts[p].key == key && world.contacts.contacts[p].touching)
@@ -146,14 +147,14 @@ bool is_touching(const WorldState& world, const Contact& pair, std::uint64_t key
     return false;
 }
 
-// Whether b is a surface that does not turn.
+// Returns whether b is a surface that does not rotate.
 bool is_even_surface(const WorldState& world, const Contact& c) {
     const ShapeKind kind = kind_of(world.shapes.shapes[c.shape_b].geometry);
     return (kind == ShapeKind::mesh || kind == ShapeKind::height_field) &&
            motion_of(world, c.body_b).w == Vec3{};
 }
 
-// How a moves against it in the step, as seen from where it is looked at.
+// The motion of a relative to b in the step, starting from the predicted pose.
 SurfaceMotion surface_motion_of(const WorldState& world, const Contact& c,
                                 const PredictedPair& pair, double dt) {
     const BodyMotion a = motion_of(world, c.body_a), b = motion_of(world, c.body_b);
@@ -182,8 +183,8 @@ void narrow_phase_composite(StepContext& step, NarrowPhaseTask& task) {
     const double way_ahead = displacement * time / dt;
     std::vector<ChildManifold> children;
     const PredictedPair pair(world, c, time);
-    // What moves more than the slack is looked at in the next step anyway: until then all that
-    // matters is what it comes near to.
+    // Pairs that move by more than the slack are tested again in the next step. Until then only the
+    // region that they approach matters.
     std::optional<SurfaceMotion> surface_motion;
     if (displacement > tuning::composite_slack * scale && is_even_surface(world, c))
         surface_motion = surface_motion_of(world, c, pair, dt);
@@ -191,7 +192,7 @@ void narrow_phase_composite(StepContext& step, NarrowPhaseTask& task) {
                       tuning::speculative_margin * scale + task.near, children,
                       &step.scratch.stopped, surface_motion ? &*surface_motion : nullptr);
     if (is_stopped(step)) {
-        task.done = true;  // as it was
+        task.done = true;  // unchanged
         return;
     }
     for (ChildManifold& child : children) pair.rewind_manifold(child.manifold, way_ahead);
@@ -219,12 +220,12 @@ void narrow_phase_composite(StepContext& step, NarrowPhaseTask& task) {
     match_children(world, c, found);
 }
 
-// How two that do not touch are nearest.
+// The closest approach of a pair that does not touch.
 struct Approach {
     Vec3 normal;
     double gap = 0;  // m
 };
-// By the manifold that they have.
+// Determined from the existing manifold.
 Approach approach_of(WorldState& world, const Contact& c) {
     const ContactLaneRef lane_ref = lane_ref_of(world, c);
     double gap = no_point;
@@ -252,8 +253,8 @@ Manifold predicted_manifold(const StepContext& step, Contact& c) {
         return within(tuning::touch_gap * scale, pair);
     Approach near;
     if (c.colour < 0 || swept) {
-        // Most of what moves much against each other flies past: that is cheaper to see than
-        // points.
+        // Most pairs with a high relative speed miss each other. Testing that is cheaper than
+        // finding points.
         const Manifold now = within(predicted, pair);
         near = {now.normal, smallest_gap(now)};
         const double most = closing_along(world, c, near.normal) + closing_by_turning(world, c);
@@ -275,8 +276,8 @@ Manifold predicted_manifold(const StepContext& step, Contact& c) {
     return within(margin, pair);
 }
 
-// Of a pair that is about to bounce: update_touching knows whether in a crowd, which leaves the
-// manifold to the contact solver.
+// For a pair that is about to bounce: update_touching decides whether it is in a cluster, in which
+// case the contact solver handles the manifold.
 void defer_to_clusters(StepContext& step, NarrowPhaseTask& task, const Manifold& manifold) {
     WorldState& world = step.world;
     ContactScratch& scratch = step.scratch.contacts;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// The narrow phase of one pair: where it touches, or by how much it is apart. A manifold that goes
-// on is written into its lane at once; one that may begin is kept.
+// The narrow phase of one pair: its contact points, or its separation. A continuing manifold is
+// written into its lane immediately; a new one is stored in scratch.
 //
-// Reads: bodies, shapes. Writes: the pair's own lanes and cache, so pairs may be looked at on many
-// threads. Leaves in scratch: the check's result for update_touching; the manifolds found, in
-// ContactScratch::fresh or parts, for begin_contacts.
+// Reads: bodies, shapes. Writes: the pair's own lanes and cache, so different pairs may run on
+// different threads. Leaves in scratch: the task's result for update_touching; the manifolds found,
+// in ContactScratch::fresh or children, for begin_contacts.
 #pragma once
 
 #include "physics/src/stages/contacts/contact_scratch.h"

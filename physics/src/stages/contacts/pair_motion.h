@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// How the two bodies of a pair move against each other.
+// The relative motion of the two bodies of a pair.
 #pragma once
 
 #include "physics/src/state/world_state.h"
@@ -15,7 +15,7 @@ inline BodyMotion motion_of(const WorldState& world, std::uint32_t body) {
     return {warm.center, warm.v, warm.w};
 }
 
-// How far any two points of the bodies move against each other in a step, at most, m.
+// Upper bound of the relative displacement of any two points of the bodies in a step, m.
 inline double max_closing_distance(const WorldState& world, const Contact& c, double dt) {
     const BodyCold &a = world.bodies.cold[c.body_a], &b = world.bodies.cold[c.body_b];
     const BodyMotion ma = motion_of(world, c.body_a), mb = motion_of(world, c.body_b);

@@ -63,8 +63,9 @@ void PredictedPair::rewind_manifold(Manifold& m, double displacement) const {
     m.distance = m.count > 0 ? smallest_gap(m) : m.distance - displacement;
 }
 
-// The forces of n sub-steps fall on their beginnings, in the mean (n - 1) / 2n of a step after its
-// start. No further than to half of what is thin: a body may be stopped before it gets there.
+// The forces of n sub-steps act at their starts, on average (n - 1) / 2n of a step after its start.
+// The prediction is limited to half the thickness, because a body may be stopped before it gets
+// there.
 double midpoint_time(const WorldState& world, const Contact& c, double displacement, double dt) {
     const bool touching = c.composite ? c.touching_children > 0 : c.touching;
     if (!touching || displacement < tuning::noticed_motion * scale_of_pair(world.bodies, c))

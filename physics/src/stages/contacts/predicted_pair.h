@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// A pair as it will be later in the step, if both go on as they move now. Contacts hold for a whole
-// step, and those of its start are old when they are needed:
+// The predicted poses of a pair later in the step, at the current velocities. Contacts are valid
+// for a whole step, and contacts found at its start are outdated when they are used:
 //
-// - Where bodies roll or rock on each other, normal and point of contact go along. A force that
-//   lags half a step behind the motion that it opposes feeds it: what swings with an angular
-//   frequency of w gains w^2 dt / 4 of its amplitude in a second (a plank on a ball would double
-//   its swing in 20 s). So what is in touch is looked at in the middle of the step, which makes
-//   contacts of second order in dt, as the midpoint rule is.
-// - What comes from afar touches elsewhere than where it is nearest now. So it is looked at where
-//   it meets.
+// - If bodies roll or rock on each other, the normal and the contact point move. A force that lags
+//   half a step behind the motion that it opposes adds energy: an oscillation with angular
+//   frequency w grows by w^2 dt / 4 of its amplitude per second (a plank on a ball would double
+//   its swing in 20 s). Touching pairs are therefore tested at the middle of the step, which makes
+//   contacts second-order accurate in dt, like the midpoint rule.
+// - A body that approaches from a distance touches at a place other than its current closest
+//   point. It is tested at its time of contact.
 #pragma once
 
 #include <optional>
@@ -28,10 +28,10 @@ public:
     const TransformedShape& shape_a() const { return a_.shape; }
     const TransformedShape& shape_b() const { return b_.shape; }
 
-    // Takes a manifold of that time back to the start of the step: its gaps become those of the
-    // start, its points those from which the solver gets to where they will be
-    // (PairBodies::follow). `way`, m: how far the two may move against each other until then, at
-    // most; two that do not touch may be nearer by it.
+    // Transforms a manifold from that time back to the start of the step. Its gaps become those at
+    // the start, and its points those from which the solver reaches the predicted points
+    // (PairBodies::follow). `displacement`: upper bound of the relative displacement until then, m.
+    // A pair that does not touch may be closer by that distance.
     void rewind_manifold(Manifold& manifold, double displacement) const;
 
 private:
@@ -48,12 +48,13 @@ private:
     Side a_, b_;
 };
 
-// s from the start of the step: the middle of its forces, for two that touch and move against each
-// other by `way`, m; else 0.
+// s from the start of the step: the mean time of its forces if the pair touches and has a relative
+// displacement of `displacement` metres; otherwise 0.
 double midpoint_time(const WorldState& world, const Contact& contact, double displacement,
                      double dt);
 
-// s from the start of the step: when two meet in it; 0 if they touch now, nothing if they do not.
+// s from the start of the step: the time of contact in it. 0 if the pair touches now, nullopt if it
+// does not touch.
 std::optional<double> time_to_contact(const WorldState& world, const Contact& contact, double dt);
 
 double smallest_gap(const Manifold& manifold);  // m

@@ -21,14 +21,14 @@ void queue(ContactStore& store, ContactScratch& scratch, std::uint32_t contact) 
         {.contact = contact, .list = c.composite ? scratch.child_list_count++ : -1});
 }
 
-// Who leans on something, before anything changes: stages/continuous/ccd_policy.h.
+// Records which bodies have contacts, before anything changes: see stages/continuous/ccd_policy.h.
 void note_contacts(const BodyStore& bodies, std::vector<std::uint8_t>& had_contacts) {
     had_contacts.clear();
     for (const BodyWarm& warm : bodies.awake)
         had_contacts.push_back(bodies.cold[warm.body].constraints > 0 ? 1 : 0);
 }
 
-// Pairs whose bodies all fell asleep need no bound.
+// Pairs whose bodies are all asleep need no bound.
 void drop_dormant_pairs(ContactStore& store) {
     if (!store.some_dormant) return;
     store.some_dormant = false;
@@ -41,7 +41,7 @@ void drop_dormant_pairs(ContactStore& store) {
     });
 }
 
-// Takes the bounds off the list that may be used up in this step.
+// Removes the bounds that may be used up in this step from the list.
 void select_due_pairs(StepContext& step) {
     WorldState& world = step.world;
     FlatArray<SeparationBound>& bounds = world.contacts.bounds;
@@ -68,7 +68,7 @@ void select_due_pairs(StepContext& step) {
     bounds.resize(retained);
 }
 
-// A composite pair is looked at as a whole when any of its parts needs it.
+// A composite pair is tested as a whole if any of its children needs a rebuild.
 void select_manifolds_to_rebuild(ContactStore& store, const ConstraintGraph& graph,
                                  ContactScratch& scratch) {
     const auto prefetch_contacts_of = [&](const ContactConstraintWideMeta& meta) {
@@ -92,8 +92,8 @@ void select_manifolds_to_rebuild(ContactStore& store, const ConstraintGraph& gra
     });
 }
 
-// A composite pair that is looked at because of a part may have a bound still, which says nothing
-// of where the parts are: the look gives it another.
+// A composite pair that is tested because of a child may still have a bound, which says nothing
+// about the children. The narrow-phase test assigns a new one.
 void drop_selected_bounds(ContactStore& store, const std::vector<NarrowPhaseTask>& tasks) {
     const auto has_bound = [&](const NarrowPhaseTask& task) {
         return store.contacts[task.contact].has_bound;
@@ -105,7 +105,7 @@ void drop_selected_bounds(ContactStore& store, const std::vector<NarrowPhaseTask
     for (const NarrowPhaseTask& task : tasks) store.contacts[task.contact].has_bound = false;
 }
 
-// Space for what threads will find.
+// Reserves space for the results of the threads.
 void make_space(ContactScratch& scratch) {
     const auto lists = static_cast<std::size_t>(scratch.child_list_count);
     ASSERT(lists <= scratch.tasks.size());

@@ -13,8 +13,8 @@
 namespace jostle::physics {
 namespace {
 
-// Contacts, their bodies and shapes lie anywhere: asked for in the order in which one leads to the
-// next, some checks before they are needed.
+// Contacts, their bodies and shapes are scattered in memory. Prefetches them in the order of their
+// references, several tasks ahead.
 void prefetch_ahead(const WorldState& world, const std::vector<NarrowPhaseTask>& tasks, int k,
                     int end) {
     const auto contact_of = [&](int task) -> const Contact& {
@@ -46,7 +46,7 @@ Skipped update_contacts(StepContext& step) {
                                  NarrowPhaseTask& task = tasks[static_cast<std::size_t>(k)];
                                  prefetch_ahead(step.world, tasks, k, end);
                                  if (is_stopped(step))
-                                     task.done = true;  // as it was
+                                     task.done = true;  // unchanged
                                  else
                                      narrow_phase_pair(step, task);
                              }

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// Narrow phase: where pairs touch. Chooses the pairs whose bodies could have met and the manifolds
-// that moved too far to be reused (select_pairs), looks at each on any thread (narrow_phase_pair),
-// and decides one after the other what follows (update_touching). All others keep what they have.
+// Narrow phase: finds the contact points of pairs. Selects the pairs whose bodies may have touched
+// and the manifolds that moved too far to be reused (select_pairs), tests each on any thread
+// (narrow_phase_pair), and applies the results serially (update_touching). All other pairs are
+// unchanged.
 //
-// Reads: bodies, shapes, pairs. Writes: separation bounds, manifolds that go
-// on, contacts that end, wake requests. Leaves in scratch: ContactScratch::begins for
-// begin_contacts, had_contacts for solve_continuous (ccd_policy.h).
+// Reads: bodies, shapes, pairs. Writes: separation bounds, continuing manifolds, ended contacts,
+// wake requests. Leaves in scratch: ContactScratch::begins for begin_contacts, had_contacts for
+// solve_continuous (ccd_policy.h).
 #pragma once
 
 #include "physics/src/stages/step_context.h"

@@ -20,14 +20,14 @@
 namespace jostle::physics {
 namespace {
 
-// A plane has no box; b is the only one that can be a plane.
+// A plane has no box. Only b can be a plane.
 bool boxes_overlap(const WorldState& world, const Contact& c) {
     const ShapeRecord &a = world.shapes.shapes[c.shape_a], &b = world.shapes.shapes[c.shape_b];
     if (is_plane(b)) return reaches_plane(world, b, a.fat);
     return overlap(a.fat, b.fat);
 }
 
-// No manifold (any more): the pair gets a separation bound, or ends when its boxes parted.
+// The pair has no manifold: it gets a separation bound, or ends if its boxes no longer overlap.
 void bound_or_end(WorldState& world, const NarrowPhaseTask& task, double near) {
     Contact& c = world.contacts.contacts[task.contact];
     ASSERT(!c.has_bound && !c.composite);
@@ -46,7 +46,7 @@ void bound_or_end(WorldState& world, const NarrowPhaseTask& task, double near) {
                          {double{d[0]}, double{d[1]}, double{d[2]}});
 }
 
-// Whether a body sleeps, with its island or in place.
+// Returns whether a body sleeps, with its island or in place.
 bool is_asleep(const BodyCold& cold) {
     return cold.set == BodySet::sleeping || cold.asleep_in_place;
 }
@@ -55,7 +55,7 @@ bool has_asleep(const BodyStore& bodies, const Contact& c) {
     return is_asleep(bodies.cold[c.body_a]) || is_asleep(bodies.cold[c.body_b]);
 }
 
-// A kinematic body stops for nobody.
+// A kinematic body is not slowed down by others.
 double mass_as_mover(const BodyStore& bodies, std::uint32_t mover, std::uint32_t other_body) {
     const BodyCold& cold = bodies.cold[mover];
     return cold.type == BodyType::dynamic
@@ -63,13 +63,13 @@ double mass_as_mover(const BodyStore& bodies, std::uint32_t mover, std::uint32_t
                : tuning::kinematic_mass_ratio * bodies.cold[other_body].mass;
 }
 
-// Whether a manifold begins. One with a body that sleeps begins only when they meet,
-// and wakes it and as much around it as the impact will stir.
+// Returns whether a manifold begins. With a sleeping body it begins only at contact, and wakes the
+// body and its surroundings as far as the impact affects them.
 bool begins(WorldState& world, const Contact& c, double predicted_gap) {
     const double scale = scale_of_pair(world.bodies, c);
     if (!has_asleep(world.bodies, c)) return predicted_gap < tuning::speculative_margin * scale;
     const double speed = max_closing_distance(world, c, 1);
-    // What comes to rest beside a sleeper, however near, does not wake it.
+    // A body that comes to rest next to a sleeping body does not wake it, however near it is.
     const double slow = tuning::sleep_speed * speed_scale(size_of_pair(world.bodies, c),
                                                           gravity_ratio_squared(world.def.gravity));
     if (predicted_gap >= (speed < slow ? 0 : tuning::wake_gap * scale)) return false;
@@ -83,14 +83,14 @@ bool begins(WorldState& world, const Contact& c, double predicted_gap) {
     return true;
 }
 
-// Within which gap a manifold of the pair begins, m.
+// The gap within which a manifold of the pair begins, m.
 double begin_margin(const BodyStore& bodies, const Contact& c) {
     return (has_asleep(bodies, c) ? tuning::wake_gap : tuning::speculative_margin) *
            scale_of_pair(bodies, c);
 }
 
-// Parts that found no manifold end, manifolds without a part begin one when they may touch in this
-// step, and the pair gets a bound until something new may come near.
+// Ends children without a manifold, begins children for manifolds that may touch in this step, and
+// gives the pair a bound until another child may come near.
 void update_composite(WorldState& world, ContactScratch& scratch, std::uint32_t k) {
     const NarrowPhaseTask& task = scratch.tasks[k];
     auto& contacts = world.contacts.contacts;
@@ -130,7 +130,7 @@ void note_bouncing(const BodyStore& bodies, const Contact& c,
     }
 }
 
-// What bounces in a crowd keeps its manifold, what bounces elsewhere has none.
+// A pair that bounces in a cluster retains its manifold; other bouncing pairs have none.
 void update_bounce(WorldState& world, ContactScratch& scratch, NarrowPhaseTask& task) {
     const Contact& c = world.contacts.contacts[task.contact];
     if (c.composite || !bounces_in_cluster(world, scratch, c.shape_a, c.shape_b)) {
@@ -150,8 +150,8 @@ void decide(WorldState& world, ContactScratch& scratch, std::uint32_t k) {
     ASSERT(!c.queued);
     if (task.bounces) update_bounce(world, scratch, task);
     if (c.composite) return update_composite(world, scratch, k);
-    // A manifold that exists stays while it has points; a new one begins when they may meet in this
-    // step.
+    // An existing manifold remains while it has points. A new one begins if the bodies may touch in
+    // this step.
     if (task.persists) return move_to_its_list(world, task.contact);
     if (task.list >= 0 && begins(world, c, task.predicted_gap)) {
         scratch.begins.push_back({k, -1});

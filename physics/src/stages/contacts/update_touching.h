@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// What follows from a look at a pair: its manifold goes on, begins or ends, or it gets a separation
-// bound. Serial, in order of the checks.
+// Applies the result of a narrow-phase test: the manifold of the pair continues, begins or ends, or
+// the pair gets a separation bound. Serial, in the order of the tasks.
 //
-// Reads: ContactScratch::checks and what they found. Writes: contacts, separation bounds,
-// constraint graph, the marks of islands that may be split, end events; files wake requests for
-// what is met asleep. Leaves in scratch: ContactScratch::begins for begin_contacts.
+// Reads: ContactScratch::tasks and their results. Writes: contacts, separation bounds, constraint
+// graph, flags of islands that may be split, end events; files wake requests for sleeping bodies
+// that are touched. Leaves in scratch: ContactScratch::begins for begin_contacts.
 #pragma once
 
 #include "physics/src/stages/step_context.h"

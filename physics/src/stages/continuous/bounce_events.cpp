@@ -11,7 +11,7 @@ std::pair<ShapeId, ShapeId> shapes_of(const ContactBegin& c) {
     return {c.shape_a, c.shape_b};
 }
 
-// In the order of their contact: create_contact() in state/contact_graph.h.
+// The shape order of their contact: see create_contact() in state/contact_graph.h.
 bool is_in_order(const WorldState& world, std::uint32_t shape, std::uint32_t other) {
     const auto dynamic = [&](std::uint32_t s) {
         return is_dynamic(world, world.shapes.shapes[s].body);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Contact events of impacts between sub-steps, which have no manifold: how hard they pressed; and a
-// bounce begins a contact that ends with the next step. Part of solve_continuous. One thread.
+// Contact events of impacts between sub-steps, which have no manifold: their impulses, and a
+// contact that begins with the bounce and ends in the next step. Part of solve_continuous.
+// Single-threaded.
 #pragma once
 
 #include <cstdint>
@@ -12,15 +13,15 @@
 
 namespace jostle::physics {
 
-// Adds a bounce of two shapes, with the normal from the first to the second; unless they touch as
-// it is, so that their contact goes on.
+// Adds a bounce of two shapes, with the normal from the first to the second. Ignored if they
+// already touch, because their contact then continues.
 void note_bounce(const WorldState& world, std::uint32_t shape, std::uint32_t other,
                  const HardestPoint& hit, std::vector<ContactBegin>& bounces);
-// Tells those who asked for stays of the impulse of an impact. publish_events adds up what a pair
-// did to each other in the step.
+// Reports the impulse of an impact for shapes with report_stays. publish_events sums the impulses
+// of a pair over the step.
 void report_impulse(WorldState& world, std::uint32_t shape, std::uint32_t other,
                     const HardestPoint& hit);
-// Reports bounces; of several bounces of two shapes in one step the first.
+// Reports bounces. If two shapes bounce several times in a step, only the first bounce is reported.
 void report_bounces(EventStore& events, std::vector<ContactBegin>& bounces);
 
 }  // namespace jostle::physics

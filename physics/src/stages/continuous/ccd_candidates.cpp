@@ -21,7 +21,8 @@ void CcdCandidates::find(std::uint32_t body, const Aabb& swept_box,
     found_.clear();
     world_.shapes.statics->query(swept_box, 0xffffffff, found_);
     if (some_slow_) world_.shapes.moving->query(swept_box, 0xffffffff, found_);
-    // Fast bodies are known by their ways: the boxes in the trees reach steps ahead.
+    // Fast bodies are found by their swept boxes; their boxes in the trees extend over several
+    // steps.
     for (const std::uint32_t shape : found_)
         if (!swept_.has(world_.shapes.shapes[shape].body)) near.push_back(shape);
     for (const std::uint32_t plane : world_.shapes.planes)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Which pairs are swept, and who resolves their impacts. Two stages must agree on both. What
-// update_contacts foresees, the contact solver resolves; all else solve_continuous does. Both read
-// ContactScratch::had_contacts, which select_pairs leaves.
+// Decides which pairs are swept and which stage resolves their impacts. Two stages must agree on
+// both. Impacts that update_contacts predicts are resolved by the contact solver, all others by
+// solve_continuous. Both stages read ContactScratch::had_contacts, which select_pairs writes.
 #pragma once
 
 #include "physics/src/foundation/tuning.h"
@@ -12,22 +12,22 @@
 
 namespace jostle::physics {
 
-// Whether a body had contacts in the constraint graph when the step began.
+// Returns whether a body had contacts in the constraint graph at the start of the step.
 inline bool had_contacts(const ContactScratch& scratch, const BodyCold& cold) {
     const auto& held = scratch.had_contacts;
     return cold.set == BodySet::sleeping || (cold.at < held.size() && held[cold.at] != 0);
 }
 
-// Whether strain leaves the impacts of two bodies on each other to the contact solver, however
-// fast.
+// Returns whether the overload level leaves impacts between two dynamic bodies to the contact
+// solver, regardless of their speed.
 inline bool left_to_contacts(const WorldState& world, const BodyCold& a, const BodyCold& b) {
     return leaves_impacts_to_contacts(world.overload_level) && a.type == BodyType::dynamic &&
            b.type == BodyType::dynamic;
 }
 
-// How far a body may move against another in a step without a sweep, m. In a crowd, where one of
-// the two already leans on others, their inner radii count together: impacts there come in chains,
-// which the contact solver resolves all at once and sweeps only one after the other.
+// The relative displacement in a step that needs no sweep, m. In a pile, where one of the two
+// already has contacts, it is based on the sum of their inner radii: impacts there come in chains,
+// which the contact solver resolves together and sweeps only one by one.
 inline double motion_without_sweep(const ContactScratch& scratch, const BodyCold& mover,
                                    const BodyCold& other) {
     double size = mover.inner_radius;
@@ -37,13 +37,13 @@ inline double motion_without_sweep(const ContactScratch& scratch, const BodyCold
     return tuning::sweep_fraction * size;
 }
 
-// Whether two shapes bounce off each other at the moment when they meet, which the sweep alone
-// finds: it sweeps them however little they move. What a bounce gives back, and in which direction,
-// depends on that moment; the contact solver knows nothing finer than its step. What hangs on
-// joints is the solver's all the same: see below.
+// Returns whether two shapes bounce at the time of contact, which only the sweep finds. Such pairs
+// are swept regardless of their displacement. The rebound speed and its direction depend on the
+// time of contact, which the contact solver cannot resolve within a step. Bodies with joints are
+// still handled by the solver: see below.
 inline bool bounces(const WorldState& world, std::uint32_t shape_a, std::uint32_t shape_b) {
     const ShapeRecord &sa = world.shapes.shapes[shape_a], &sb = world.shapes.shapes[shape_b];
-    if (sa.material.restitution == 0 && sb.material.restitution == 0) return false;  // mostly
+    if (sa.material.restitution == 0 && sb.material.restitution == 0) return false;  // usual case
     if (!world.def.continuous || !(pair_restitution(sa.material, sb.material) > 0)) return false;
     const BodyCold &a = world.bodies.cold[sa.body], &b = world.bodies.cold[sb.body];
     const auto sweeps = [](const BodyCold& cold) {
@@ -53,11 +53,11 @@ inline bool bounces(const WorldState& world, std::uint32_t shape_a, std::uint32_
     return (sweeps(a) || sweeps(b)) && a.first_joint == none && b.first_joint == none;
 }
 
-// Whether the contact solver resolves the impact of two shapes that are swept, along with what
-// holds their bodies. A sweep would let them go on without that: what hangs on joints would leave
-// them, and what leans on others would hit them in turn. Of bodies without joints it resolves only
-// what does not bounce: what bounces has the rest of the step to go back, which the solver does not
-// give it.
+// Returns whether the contact solver resolves the impact of two swept shapes, together with the
+// constraints of their bodies. A sweep would move the bodies without these constraints: a jointed
+// body would be torn from its neighbours, and a supported body would in turn hit its supports.
+// Without joints the solver handles only impacts that do not bounce, because a bouncing body moves
+// back within the rest of the step, which the solver does not model.
 inline bool uses_speculative_contact(const StepContext& step, std::uint32_t shape_a,
                                      std::uint32_t shape_b) {
     const WorldState& world = step.world;

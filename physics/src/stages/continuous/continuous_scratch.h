@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What solve_continuous uses again from step to step, and leaves to move_toi_bodies.
+// Scratch data that solve_continuous reuses from step to step and leaves to move_toi_bodies.
 #pragma once
 
 #include <cstdint>
@@ -15,17 +15,18 @@ struct CenterMotion {
 };
 
 struct ContinuousScratch {
-    // Of find_sweep_candidates.
-    std::vector<CenterMotion> center_motions;  // by body; of awake ones
-    std::vector<std::uint32_t> fast_body;      // by body: which fast body it is, or none
-    std::vector<std::uint32_t> with_manifold;  // contacts
-    std::vector<std::uint8_t> ends;            // by bound or contact: whose fast bodies may meet
-    std::vector<std::vector<std::uint32_t>>
-        sweep_candidates;  // by fast body: shapes that it may meet
+    // Data of find_sweep_candidates.
+    std::vector<CenterMotion> center_motions;  // by body; valid for awake bodies
+    std::vector<std::uint32_t> fast_body;      // by body: index among the fast bodies, or none
+    std::vector<std::uint32_t> with_manifold;  // contact indices
+    std::vector<std::uint8_t>
+        ends;  // by bound or contact: which of its fast bodies may hit the other
+    // By fast body: shapes that it may hit.
+    std::vector<std::vector<std::uint32_t>> sweep_candidates;
     // By fast body: pair_key() of the shapes of its manifolds.
     std::vector<std::vector<std::uint64_t>> manifolds;
 
-    std::vector<ToiBody> changed;  // those that an impact sent another way
+    std::vector<ToiBody> changed;  // bodies deflected by impacts
 };
 
 }  // namespace jostle::physics

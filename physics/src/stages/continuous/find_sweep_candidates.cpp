@@ -47,11 +47,12 @@ public:
     }
 
 private:
-    // Which bodies of a pair are fast and may have met the other; and which are fast and have a
+    // Which bodies of a pair are fast and may have hit the other, and which are fast and have a
     // manifold.
     enum Ends : std::uint8_t { neither = 0, a = 1, b = 2, manifold_of_a = 4, manifold_of_b = 8 };
 
-    // Where all awake bodies come from and go, side by side: bounds are many.
+    // Start and end positions of all awake bodies in contiguous memory, because there are many
+    // bounds.
     void record_center_motions() {
         const BodyStore& bodies = world_.bodies;
         scratch_.fast_body.assign(bodies.cold.size(), not_fast);
@@ -70,7 +71,7 @@ private:
     }
     std::uint32_t fast_index(std::uint32_t body) const { return scratch_.fast_body[body]; }
 
-    // Looks at pairs side by side and enters those in order.
+    // Tests pairs in parallel and records the results in order.
     template <class ContactOf, class EndsOf>
     void take(std::size_t count, ContactOf&& contact_of, EndsOf&& ends) {
         std::vector<std::uint8_t>& found = scratch_.ends;

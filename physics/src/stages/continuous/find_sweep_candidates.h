@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Which shapes fast bodies may meet on the way that was foreseen: those of the pairs that they are
-// in, but for what a separation bound still keeps apart after the step. Part of solve_continuous:
-// reads the world, FinalizeScratch and SweptMotions, writes ContinuousScratch.
+// Finds the shapes that fast bodies may hit on their predicted paths: the shapes in pairs with
+// them, except those that a separation bound still keeps apart after the step. Part of
+// solve_continuous. Reads the world, FinalizeScratch and SweptMotions, writes ContinuousScratch.
 #pragma once
 
 #include <cstdint>
@@ -13,9 +13,9 @@
 
 namespace jostle::physics {
 
-// `fast`: awake indices of the fast bodies. Leaves in ContinuousScratch::ahead, for each of them,
-// the shapes in no order, each as often as shapes of its own are in pairs with it, and in manifolds
-// the pairs of shapes that have one.
+// `fast`: awake indices of the fast bodies. Writes for each of them, to
+// ContinuousScratch::sweep_candidates, the shapes in no particular order, each once per pair with a
+// shape of the body, and to `manifolds` the shape pairs with a manifold.
 void find_sweep_candidates(StepContext& step, const SweptMotions& motions,
                            const std::vector<std::uint32_t>& fast);
 

@@ -14,7 +14,7 @@
 namespace jostle::physics {
 namespace {
 
-constexpr int rounds = 3;  // of Newton's method
+constexpr int rounds = 3;  // iterations of Newton's method
 constexpr int joint_rows = 3;
 
 struct ProjectedBody {
@@ -25,15 +25,15 @@ struct ProjectedBody {
     Quat rotation;
     Mat3 axes, inverse_inertia;
     double inverse_mass = 0;
-    Vec3 push, twist;  // of this round
+    Vec3 push, twist;  // of the current iteration
 };
 struct ProjectedJoint {
     JointEnds ends;
-    Vec3 local_a, local_b;  // arms in the bodies' axes, m
+    Vec3 local_a, local_b;  // arms in body axes, m
     Vec3 arm_a, arm_b, gap;
 };
 
-// What joints tie together by points.
+// A group of bodies connected by point joints.
 class JointProjection {
 public:
     JointProjection(const WorldState& world, std::vector<std::uint8_t>& seen)
@@ -75,7 +75,7 @@ public:
         return most;
     }
 
-    // m: what its ends may stay apart.
+    // Tolerance of the remaining joint error, m.
     double close_enough() const {
         double scale = 1;
         for (const ProjectedBody& body : bodies_)
@@ -84,7 +84,7 @@ public:
         return tuning::close_enough * scale;
     }
 
-    // False if that would cost too much.
+    // Returns false if the projection is too expensive.
     bool prepare() {
         const int joints = static_cast<int>(joints_.size());
         if (joints == 0 || is_net(joints, static_cast<int>(bodies_.size()))) return false;
@@ -126,8 +126,8 @@ public:
         }
     }
 
-    // False if something is left. Ends that are far apart may not come together in so few rounds:
-    // then nobody moves.
+    // Closes the joints. Returns false if an error remains. Large errors may not converge in the
+    // available iterations; all bodies then stay where they are.
     bool close() {
         const std::vector<ProjectedBody> previous = bodies_;
         const double left = widest();
@@ -139,7 +139,7 @@ public:
         if (widest() > left) bodies_ = previous;
         return widest() < close_enough();
     }
-    // What the others could not do those do that impacts have placed.
+    // Retries with the bodies placed by impacts movable, if the others could not close the joints.
     void project_with_placed() {
         for (ProjectedBody& body : bodies_)
             if (body.transformed_shape) body.held = false;
@@ -153,7 +153,7 @@ public:
     }
 
 private:
-    // Those that went as far as they may stay there.
+    // Clamps bodies to their maximum displacement and holds them there.
     void clamp_displacements() {
         for (ProjectedBody& body : bodies_) {
             if (body.held) continue;
@@ -172,7 +172,8 @@ private:
     }
 
     int number_of(std::uint32_t body, std::span<const std::uint32_t> transformed_shape) {
-        for (std::size_t k = bodies_.size(); k-- > 0;)  // mostly a joint's body was the last one's
+        for (std::size_t k = bodies_.size();
+             k-- > 0;)  // backwards: usually the previous joint has the body
             if (bodies_[k].body == body && body != none) return static_cast<int>(k);
         ProjectedBody to;
         to.body = body;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// What an impact between steps stops leaves those that joints tie to it to go on: their ends part
-// by all that it has not gone. Those are taken back to it, each as little as its mass allows (the
-// nearest place, in the metric of the masses, at which the joints hold), before anybody sees them
-// apart.
+// An impact within a step stops a body while the bodies jointed to it continue, so their joint ends
+// separate by the distance that the body did not move. This projection moves those bodies back,
+// each as little as its mass allows (the nearest configuration in the mass metric in which the
+// joints hold), before the separation becomes visible.
 #pragma once
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The ways of all bodies that were fast in this step, as boxes in a tree. Two may meet where
-// neither is any more, which the trees of shapes do not show.
+// The swept boxes of all bodies that were fast in this step, in a tree. Two bodies may have
+// collided at a place that both have left, which the trees of shapes do not show.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,7 @@ public:
         return body < leaf_.size() && leaf_[body] != DynamicTree::null_node;
     }
 
-    // All at once: box_of(body) is a body's box. Each body once.
+    // Inserts all bodies: box_of(body) returns a body's box. Each body occurs once.
     template <class MotionOf>
     void set_all(const std::vector<std::uint32_t>& bodies, MotionOf&& box_of) {
         for (const std::uint32_t body : bodies) {
@@ -30,7 +30,7 @@ public:
         tree_.rebuild();
     }
 
-    // The box of a body's way, or of what is left of it.
+    // Sets the box of a body's path, or of its remaining path.
     void set(std::uint32_t body, const Aabb& box) {
         if (body >= leaf_.size()) leaf_.resize(body + 1, DynamicTree::null_node);
         if (has(body))
@@ -46,7 +46,7 @@ public:
 
 private:
     DynamicTree tree_;
-    std::vector<std::int32_t> leaf_;  // by body
+    std::vector<std::int32_t> leaf_;  // indexed by body
 };
 
 }  // namespace jostle::physics

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// How bodies moved in a step, as far as it takes to tell whether two may have met. The motions of
-// those whose ways are known are computed once, because all their neighbours ask for them. Part of
-// solve_continuous: reads the world and FinalizeScratch, writes itself alone.
+// The motions of bodies in a step, in the detail needed to decide whether two may have collided.
+// Known motions are computed once, because all neighbours use them. Part of solve_continuous. Reads
+// the world and FinalizeScratch, writes only itself.
 #pragma once
 
 #include <cstdint>
@@ -19,14 +19,14 @@
 namespace jostle::physics {
 
 struct SweptMotion {
-    Vec3 center, motion;  // m: at the start of the step, and from there to its end
-    double turning = 0;   // m: how far turning carries any of its points, at most
+    Vec3 center, motion;  // m: at the start of the step, and displacement to its end
+    double turning = 0;   // m: upper bound of the displacement of any point by rotation
 };
 
 class SweptMotions {
 public:
-    // `known`: awake indices. sweep_of_body(awake index): its sweep from the start of the step to
-    // its end.
+    // `known`: awake indices. sweep_of_body(awake index): the sweep of the body from the start of
+    // the step to its end.
     template <class MotionOf>
     void note(StepContext& step, const std::vector<std::uint32_t>& known,
               MotionOf&& sweep_of_body) {
@@ -49,16 +49,16 @@ public:
         dt_ = step.dt;
     }
 
-    // Whether an awake body's way is among those.
+    // Returns whether the motion of an awake body is known.
     bool knows(std::uint32_t awake) const {
         return awake < index_.size() && index_[awake] != not_known;
     }
-    // Its way, if it is.
+    // The sweep of a body with known motion.
     const Sweep& sweep_of(std::uint32_t awake) const {
         ASSERT(knows(awake));
         return sweeps_[index_[awake]];
     }
-    // Of any body; one whose way is not known comes from where its velocity leads back to.
+    // The motion of any body. If it is not known, it is extrapolated backwards from the velocity.
     SweptMotion of(const WorldState& world, std::uint32_t body) const {
         const BodyCold& cold = world.bodies.cold[body];
         const bool awake = cold.set == BodySet::awake;
@@ -69,10 +69,10 @@ public:
         return {warm.center - motion, motion, length(warm.w * dt_) * cold.radius};
     }
 
-    // Whether the motions of a body and another, one of whose shapes is given, may bring them
-    // together and are large enough against each other for a sweep. What moves less is the contact
-    // solver's (stages/contacts/update_contacts.cpp), unless it bounces() (ccd_policy.h), which is
-    // asked last.
+    // Returns whether the motions of a body and another body, one of whose shapes is given, may
+    // make them collide and are large enough relative to each other for a sweep. Smaller motions
+    // are left to the contact solver (stages/contacts/update_contacts.cpp), unless the pair bounces
+    // (ccd_policy.h), which is evaluated last.
     template <class Bounces>
     bool may_collide(const WorldState& world, const SweptMotion& motion, const BodyCold& cold,
                      std::uint32_t other, std::uint32_t other_shape, Bounces&& bounces) const {
@@ -84,14 +84,14 @@ public:
             if (!is_on_path(world, motion, cold.radius, world.shapes.shapes[other_shape]))
                 return false;
         } else {
-            // How near their centres come, were both to move evenly.
+            // The minimum distance of their centres for linear motions.
             const Vec3 apart = other_motion.center - motion.center;
             const double nearest =
                 clamp(dot(apart, closing) / maximum(dot(closing, closing), 1e-30), 0, 1);
             const double reach = cold.radius + cold_other.radius + tuning::swept_margin;
             if (!(length_squared(apart - closing * nearest) < reach * reach)) return false;
         }
-        // A little less than foreseen, so that nothing falls between the two.
+        // Slightly less than predicted, so that no pair falls between the two criteria.
         return length(closing) + motion.turning + other_motion.turning >=
                    tuning::sweep_share * tuning::sweep_fraction * cold.inner_radius ||
                bounces();
@@ -110,8 +110,8 @@ private:
     static constexpr std::uint32_t not_known = 0xffffffff;
 
     std::vector<SweptMotion> motions_;
-    std::vector<Sweep> sweeps_;         // of the same
-    std::vector<std::uint32_t> index_;  // by awake index: among motions_
+    std::vector<Sweep> sweeps_;         // of the same bodies
+    std::vector<std::uint32_t> index_;  // by awake index: index into motions_
     double dt_ = 0;
 };
 

@@ -12,7 +12,7 @@
 namespace jostle::physics {
 namespace {
 
-// A body in another attitude and with another spin, which nothing turns.
+// The torque-free spin of a body with another orientation and angular velocity.
 FreeSpin spin_of(const WorldState& world, std::uint32_t body, Quat rotation, Vec3 w, double dt) {
     BodyWarm there = warm_of(world, body);
     there.rotation = rotation;
@@ -29,14 +29,14 @@ bool is_gyroscopic(const BodyCold& cold) {
     return cold.type == BodyType::dynamic && !cold.isotropic && cold.locks == 0;
 }
 
-// The leg that begins at sweep.from, for a body that nothing but forces acts on from there on.
+// Computes the leg that begins at sweep.from, for a body on which only forces act from there on.
 void aim(const WorldState& world, ToiBody& t, double dt) {
     const BodyCold& cold = world.bodies.cold[t.body];
     const double from = t.sweep.from, left = 1 - from;
     t.swept_shapes.known = false;
     t.sweep.until = 1;
     if (t.fast && is_gyroscopic(cold) && t.spin != Vec3{} && t.legs < tuning::max_legs) {
-        // The middle of an even turn over h is off by |dw/dt| h^2 / 8.
+        // At its midpoint, a constant rotation over h deviates by |dw/dt| h^2 / 8.
         const Mat3 axes = to_matrix(t.spin_rotation);
         const Vec3 w = transposed_times(axes, t.spin);
         const double bend = length(cold.inverse_inertia * cross(w, cold.inertia * w));
@@ -62,9 +62,9 @@ Sweep even_sweep(const BodyWarm& previous, const BodyWarm& now, double dt) {
 Speed speed_at(const WorldState& world, const ToiBody& t, double fraction, double dt) {
     Speed s{t.velocity + t.gain * (fraction - t.sweep.from), t.spin};
     if (!is_gyroscopic(world.bodies.cold[t.body])) return s;
-    // The sweep turns evenly, a gyroscopic body does not. Its spin is taken over in the body's own
-    // axes: seen from a slightly wrong attitude the same angular momentum would be a thousandfold
-    // spin about the thin axis of a rod.
+    // The sweep rotates at a constant rate, a gyroscopic body does not. The spin is transferred in
+    // the body's own axes: with a slightly wrong orientation the same angular momentum would give a
+    // thousandfold spin about the thin axis of a rod.
     const FreeSpin free = spin_at(world, t, fraction, dt);
     s.w = rotate(rotation_at(t.sweep, fraction) * conjugate(free.rotation), free.w);
     return s;
@@ -86,7 +86,7 @@ void begin_toi(const WorldState& world, ToiBody& t, const BodyWarm& previous, do
     t.spin = now.w;
     t.spin_rotation = now.rotation;
     if (cold.type != BodyType::dynamic || cold.first_joint != none) return;
-    // Contacts that did nothing let it fly.
+    // Contacts without impulse do not prevent free flight.
     const Vec3 fall = gain_in_free_fall(world, cold, dt);
     const double least = 1e-3;  // m/s
     t.held =
@@ -118,7 +118,8 @@ void depart(const WorldState& world, ToiBody& t, double fraction, const Departur
     const BodyCold& cold = world.bodies.cold[t.body];
     ASSERT(cold.type == BodyType::dynamic && fraction >= 0 && fraction <= 1);
     const double left = 1 - fraction, time = left * dt;
-    // From here on it flies, whatever held it before: the next step's contacts will see.
+    // From here on the body flies freely, even if it was held before. The next step's contacts take
+    // over.
     const FreeSpin free = time > 0 ? spin_of(world, t.body, from.rotation, from.w, time)
                                    : FreeSpin{from.rotation, from.w};
     t.end_rotation = free.rotation;
@@ -149,7 +150,7 @@ void move_body_to(WorldState& world, std::uint32_t body, Vec3 center, Quat rotat
     ASSERT(cold.set == BodySet::awake && !cold.asleep_in_place);
     BodyWarm& warm = warm_of(world, body);
     MotionBound& motion = world.bodies.motion[body];
-    const double turned = 3.2 * cold.radius;  // half a turn at most
+    const double turned = 3.2 * cold.radius;  // at most half a turn
     motion.travel += length(center - warm.center) + turned;
     motion.turned += turned;
     warm.center = center;
@@ -157,7 +158,7 @@ void move_body_to(WorldState& world, std::uint32_t body, Vec3 center, Quat rotat
     warm.axes = to_matrix(warm.rotation);
     warm.sleep_time = 0;
     update_motion_bound(world, body, dt);
-    // The solver moved their gaps along another way.
+    // The solver integrated their gaps along another path.
     for_each_manifold(world.contacts, cold, [&](std::uint32_t contact) {
         const ContactLaneRef lane_ref = lane_ref_of(world, world.contacts.contacts[contact]);
         lane_ref.meta->set(LaneFlag::needs_rebuild, lane_ref.lane, true);

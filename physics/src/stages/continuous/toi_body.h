@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A body under way within a step, as solve_continuous follows it from impact to impact.
+// A body in motion within a step, as solve_continuous tracks it from impact to impact.
 #pragma once
 
 #include <cstdint>
@@ -13,80 +13,80 @@
 
 namespace jostle::physics {
 
-// Where the shapes of a body of many are on what is left of its way: which of them may meet
-// another.
+// The positions of a multi-shape body's shapes on its remaining path, for finding the shapes that
+// may hit another body.
 struct SweptShapes {
     bool known = false;
     std::vector<std::uint32_t> shapes;  // in the body's order
-    Bvh tree;                           // over them; empty where there are few
+    Bvh tree;                           // over the shapes; empty if there are few
 };
 
-// One end of an impact, or one body under way.
+// One side of an impact, or a moving body.
 struct ToiBody {
     std::uint32_t body = none;
-    // How it goes on. A gyroscopic body does not turn evenly: its way is cut into legs, each from
-    // where it really is to where it really will be.
+    // Its current path. A gyroscopic body does not rotate at a constant rate: its path is split
+    // into legs that start and end at its exact poses.
     Sweep sweep;
-    Vec3 velocity, gain;    // m/s at the start of the sweep, and what forces add over a whole step
-    double flies_from = 0;  // fraction: since when nothing but those forces acts on it
-    bool held = false;      // contacts bore it in this step, and still do: no gain
-    // The spin and the attitude at one moment of the step; at others Euler's equations give it.
+    Vec3 velocity, gain;    // m/s at the start of the sweep; velocity change over a whole step
+    double flies_from = 0;  // fraction from which only those forces act
+    bool held = false;      // contacts supported it in this step and still do: no gain
+    // Spin and orientation at one time of the step. Euler's equations yield them at other times.
     double spin_at = 1;  // fraction
     Vec3 spin;           // rad/s
     Quat spin_rotation;
-    Quat end_rotation;     // at the end of the step, if no impact comes before
-    Vec3 end_spin;         // rad/s, then
-    bool fast = false;     // looks for impacts itself
-    bool changed = false;  // its pose or velocity is no longer what the step made it
+    Quat end_rotation;     // at the end of the step, without further impacts
+    Vec3 end_spin;         // rad/s, at the end of the step
+    bool fast = false;     // is swept against others
+    bool changed = false;  // its pose or velocity differs from the result of the step
     int impacts = 0;
-    int legs = 0;                                 // that lie behind it
-    int impact_chain_length = 0;                  // impacts that it had, found by itself or another
-    bool checked = false;                         // the impact below is the first on its way
-    bool queued = false;                          // on the list of those that are to look
-    std::uint32_t full_search_round = 0;          // the round in which it last looked at everything
-    std::vector<std::uint32_t> deflected_bodies;  // bodies that go another way since then
-    // The first impact that is known, if any.
+    int legs = 0;                         // number of completed legs
+    int impact_chain_length = 0;          // number of its impacts, found by it or by another body
+    bool checked = false;                 // the impact below is the first on its path
+    bool queued = false;                  // in the queue of bodies to be swept
+    std::uint32_t full_search_round = 0;  // the round of its last full search
+    std::vector<std::uint32_t> deflected_bodies;  // bodies deflected since then
+    // The first known impact, if any.
     double fraction = Impact::never;  // of the step
     std::uint32_t own_shape = none, other_shape = none;
     std::vector<ImpactPoint> points;
-    double closing = 0;     // m/s, then: of several impacts at one moment the hardest is the first
-    bool at_start = false;  // they touched already when its sweep began
-    Aabb swept;             // holds all that is left of its way
-    std::vector<std::uint32_t> candidates;  // shapes that may be in that box, rising, once each
-    SweptShapes swept_shapes;               // of its sweep, when first asked for
+    double closing = 0;     // m/s, at that time; the hardest of simultaneous impacts is first
+    bool at_start = false;  // the shapes touched at the start of its sweep
+    Aabb swept;             // contains its remaining path
+    std::vector<std::uint32_t> candidates;  // shapes that may overlap that box, sorted, unique
+    SweptShapes swept_shapes;               // of its sweep; computed on first use
     bool manifolds_known = false;
-    std::vector<std::uint64_t> manifolds;  // pair_key() of the shapes of its manifolds, rising
+    std::vector<std::uint64_t> manifolds;  // pair_key() of the shapes of its manifolds, sorted
 };
 
-// From where a step found a body to where it took it.
+// The motion from the pose before the step to the pose after it.
 Sweep even_sweep(const BodyWarm& previous, const BodyWarm& now, double dt);
 
 struct Speed {
     Vec3 v, w;  // m/s, rad/s
 };
-// At a fraction of the step, from the sweep's beginning on.
+// The velocity at a fraction of the step, which must not precede the sweep.
 Speed speed_at(const WorldState& world, const ToiBody& t, double fraction, double dt);
 
-// What gravity adds to the velocity of a body in a step, m/s.
+// Velocity change of a body by gravity in a step, m/s.
 Vec3 gain_in_free_fall(const WorldState& world, const BodyCold& cold, double dt);
 
-// A fast body from the beginning of the step, where it was `before`: as the step took it.
+// Initialises a fast body at the start of the step, with `previous` as its record before the step.
 void begin_toi(const WorldState& world, ToiBody& t, const BodyWarm& previous, double dt);
-// From the end of a leg on.
+// Continues from the end of a leg.
 void next_leg(const WorldState& world, ToiBody& t, double dt);
 
 struct Departure {
     Vec3 center;  // m
     Quat rotation;
-    Vec3 v, w;  // m/s, rad/s: from here on
+    Vec3 v, w;  // m/s, rad/s: after the impact
 };
-// From an impact on, with another velocity. It may be fast now.
+// Continues after an impact with another velocity. The body may become fast.
 void depart(const WorldState& world, ToiBody& t, double fraction, const Departure& from, double dt);
-// Whether it has used up its impacts and is where it will be when the step ends.
+// Returns whether the body has used up its impacts and has reached its final pose of the step.
 bool is_exhausted(const ToiBody& t);
-// Puts a body somewhere else than where the step left it: warm record, motion bound, fat boxes.
+// Moves a body away from the pose that the step computed: warm record, motion bound, fat boxes.
 void move_body_to(WorldState& world, std::uint32_t body, Vec3 center, Quat rotation, double dt);
-// Puts its body where its way ends, with the velocity that it has there.
+// Moves the body to the end of its path, with its velocity there.
 void finish_toi(WorldState& world, const ToiBody& t, double dt);
 
 }  // namespace jostle::physics

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Who expects to meet a body next, so that they can be told when it goes another way. An
-// expectation that no longer holds stays until it is taken: who takes it looks whether it holds.
+// Records which bodies expect to hit a body next, so that they can be notified when it is
+// deflected. Outdated entries remain until they are taken; the caller checks whether an entry is
+// still valid.
 #pragma once
 
 #include <cstddef>
@@ -19,7 +20,7 @@ public:
         latest_[body] = static_cast<std::uint32_t>(chain_.size() - 1);
     }
 
-    // Calls visit(who) for all that were added for a body, and forgets them.
+    // Calls visit(dependent) for all entries of a body, and removes them.
     template <class Visit>
     void take(std::uint32_t body, Visit&& visit) {
         if (body >= latest_.size()) return;
@@ -35,7 +36,7 @@ private:
         std::size_t dependent;
         std::uint32_t previous;
     };
-    std::vector<std::uint32_t> latest_;  // by body
+    std::vector<std::uint32_t> latest_;  // indexed by body
     std::vector<Node> chain_;
 };
 

@@ -28,7 +28,8 @@ Skipped finalize(StepContext& step) {
     WorldState& world = step.world;
     const SolverScratch& solver = step.scratch.solver;
     FinalizeScratch& scratch = step.scratch.finalize;
-    // Kinematic bodies were finalized with the free ones: contacts do not move them.
+    // Kinematic bodies were finalized together with the free ones, because contacts do not move
+    // them.
     const std::vector<std::uint32_t>& solved = solver.bodies.all;
     ASSERT(solved.empty() || solver.hot.size() == world.bodies.awake.size() + 1);
     step.thread_pool.run(
@@ -38,7 +39,7 @@ Skipped finalize(StepContext& step) {
                 finalize_body(step, i, motion_of(solver, i + 1, world.bodies.awake[i]));
             }
         });
-    // In order of the awake set.
+    // In the order of the awake set.
     ASSERT(scratch.left_fat_aabb.size() == world.bodies.awake.size());
     auto& moves = scratch.moves;
     moves.clear();
@@ -57,7 +58,7 @@ Skipped finalize(StepContext& step) {
         shapes.moving->move_all(moves);
         shapes.moving->flush();
     };
-    // Nobody asks the trees before the sweeps do. A few moves take less time than to wake a thread.
+    // The trees are not queried before the sweeps. A few moves take less time than waking a thread.
     if (moves.size() >= tuning::async_moves_min)
         step.thread_pool.start(tell_trees);
     else if (!moves.empty())

@@ -32,23 +32,23 @@ bool left_fat_aabb(const ShapeStore& store, MotionBound& motion, const BodyWarm&
     return margin.next < 0;
 }
 
-// Whether a shape of a body that moved is no longer within its fat box.
+// Returns whether a shape of a moved body is no longer within its fat box.
 bool left_predicted_aabb(const ShapeStore& store, const BodyWarm& warm, const BodyCold& cold) {
     for (std::uint32_t s = cold.first_shape; s != none; s = store.shapes[s].next)
         if (!fits_fat_aabb(store.shapes[s], warm, cold.radius, 0)) return true;
     return false;
 }
 
-// How far a turn carries the surface about the centre, m: as that of a ball with the same energy.
-// The furthest point of a capsule that rolls is far from the axis that it turns about.
+// The distance by which a rotation moves the surface around the centre, m: that of a ball with the
+// same energy. The furthest point of a rolling capsule is far from its rotation axis.
 double swing(const BodyWarm& warm, const BodyCold& cold, Vec3 turn) {
     constexpr double inertia_of_ball = 0.4;  // m r^2
-    if (cold.mass == 0) return 0;            // it has no shape that weighs
+    if (cold.mass == 0) return 0;            // no shape has mass
     const Vec3 own = transposed_times(warm.axes, turn);
     return square_root(maximum(dot(own, cold.inertia * own), 0) / (inertia_of_ball * cold.mass));
 }
 
-// How long the body has rested.
+// Updates the rest time of a body.
 void note_rest(const WorldState& world, BodyWarm& warm, const BodyCold& cold,
                const FreeMotion& motion, Quat turn, double dt) {
     if (warm.sleep_time == 0) warm.drift = warm.drift_turn = {};
@@ -65,12 +65,12 @@ void note_rest(const WorldState& world, BodyWarm& warm, const BodyCold& cold,
         length(warm.drift) + swing(warm, cold, warm.drift_turn) < tuning::drift * length_scale;
     const bool rests = cold.sleep_allowed && (still || sways) &&
                        (world.fields.empty() || !is_affected_by_gusts(world, warm, cold));
-    // What is large falls slowly, and has to rest for longer.
+    // Large bodies fall slowly and must rest for longer.
     warm.sleep_time = rests ? warm.sleep_time + dt * minimum(1, slow / length_scale) : 0;
 }
 
-// Whether a body's velocity does not lead back to where it came from, by more than a part of what
-// it may move without a sweep.
+// Returns whether a body's velocity does not lead back to its previous pose, by more than half of
+// the displacement that needs no sweep.
 bool was_deflected(const FreeMotion& motion, Quat turn, const BodyCold& cold, double dt) {
     const Vec3 turned = Vec3{turn.x, turn.y, turn.z} * (turn.w < 0 ? -2 : 2);
     const double missed =
@@ -104,7 +104,7 @@ void finalize_body(StepContext& step, std::uint32_t awake_index, const FreeMotio
     BodyWarm& warm = world.bodies.awake[awake_index];
     const BodyCold& cold = world.bodies.cold[warm.body];
     ASSERT(cold.set == BodySet::awake && cold.at == awake_index && !cold.asleep_in_place);
-    // Once in a step.
+    // Each body is finalized once per step.
     ASSERT(scratch.fast[awake_index] == 0 && scratch.deflected[awake_index] == 0);
     ASSERT(scratch.left_fat_aabb[awake_index] == 0 && scratch.not_finite[awake_index] == 0);
     warm.force = warm.torque = {};
@@ -117,8 +117,8 @@ void finalize_body(StepContext& step, std::uint32_t awake_index, const FreeMotio
     }
     if (cold.type == BodyType::kinematic && motion.v == Vec3{} && motion.w == Vec3{}) return;
 
-    // The turn of this step from the two rotations: |2 vec(q1 q0*)| is the sine bound of the half
-    // angle, doubled.
+    // The rotation of this step from the two orientations. |vec(q1 q0*)| is the sine of half the
+    // angle; 2.2 times it bounds the angle.
     const Quat turn = motion.rotation * conjugate(warm.rotation);
     const double angle = 2.2 * square_root(turn.x * turn.x + turn.y * turn.y + turn.z * turn.z);
     const double turned = maximum(angle, length(motion.w) * step.dt) * cold.radius;

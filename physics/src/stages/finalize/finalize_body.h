@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// The end of a step for one body. Touches this body only, so bodies may be finalized on many
+// The end of a step for one body. Writes only this body, so bodies may be finalized on several
 // threads.
 //
-// Writes: pose, velocity and time at rest in its warm record, whose force is used up; its motion
-// bound; new fat boxes of shapes that left theirs, of which no tree is told yet. Leaves in scratch:
-// its flags and `before` in FinalizeScratch.
+// Writes: pose, velocity and rest time in its warm record, and clears its force; its motion bound;
+// new fat boxes of shapes that left theirs, which are not yet in any tree. Leaves in scratch: its
+// flags and `previous` in FinalizeScratch.
 #pragma once
 
 #include "physics/src/constraints/free_motion.h"
@@ -14,13 +14,13 @@
 
 namespace jostle::physics {
 
-// Makes space for the flags of each awake body; serially, before the first finalize_body of a step.
+// Allocates the flags of all awake bodies. Call serially, before the first finalize_body of a step.
 // `bouncing`: ContactScratch::bouncing.
 void begin_finalize(const BodyStore& bodies, const std::vector<std::uint32_t>& bouncing,
                     FinalizeScratch& scratch);
 
-// A state that is not finite, or is faster or further away than is sound (tuning.h), is not taken
-// over: the body stays where it was, at rest, and is flagged for quarantine.
+// Rejects a state that is not finite, or too fast or too far away (tuning.h): the body stays at its
+// previous pose, at rest, and is flagged for quarantine.
 void finalize_body(StepContext& step, std::uint32_t awake_index, const FreeMotion& motion);
 
 }  // namespace jostle::physics

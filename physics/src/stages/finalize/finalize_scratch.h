@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What finalize_body finds out about each awake body, for finalize, solve_continuous and
-// quarantine. Bodies that wake later in the step have no place here.
+// Results of finalize_body per awake body, for finalize, solve_continuous and quarantine. Bodies
+// that wake later in the step have no entry.
 #pragma once
 
 #include <atomic>
@@ -14,20 +14,20 @@
 namespace jostle::physics {
 
 struct FinalizeScratch {
-    // By awake body: flags.
-    std::vector<std::uint8_t> left_fat_aabb;        // some shape of it did
-    std::vector<std::uint8_t> not_finite;           // or too fast or too far: to be quarantined
-    std::vector<std::uint8_t> fast;                 // moved far, or may have bounced: to be swept
-    std::vector<std::uint8_t> left_predicted_aabb;  // fast, and not where its fat boxes foresaw
-    // Not fast, and did not go as its velocity says: contacts turned it round in the step. Or it
-    // may have bounced and is not to be swept itself.
+    // Flags, by awake body.
+    std::vector<std::uint8_t> left_fat_aabb;  // one of its shapes left its fat box
+    std::vector<std::uint8_t> not_finite;     // or too fast or too far away: to be quarantined
+    std::vector<std::uint8_t> fast;           // moved far, or may have bounced: to be swept
+    std::vector<std::uint8_t> left_predicted_aabb;  // fast, and outside its predicted fat boxes
+    // Not fast, but its displacement does not match its velocity: contacts deflected it in the
+    // step. Or it may have bounced and is not swept itself.
     std::vector<std::uint8_t> deflected;
     std::vector<std::uint8_t> bouncing;  // ContactScratch::bouncing, by awake body
-    // By awake body: its record before the step, if it is fast or was thrown.
+    // By awake body: its record before the step, if it is fast or deflected.
     std::vector<BodyWarm> previous;
 
     std::atomic<int> any_fast = 0;
-    // Free bodies that are moved sub-step by sub-step: how they move now, and who they are.
+    // Free bodies that are integrated by sub-steps: their current motions and awake indices.
     std::vector<BodyWarm> moving;
     std::vector<std::uint32_t> moving_awake;
     std::vector<BroadPhaseIndex::Move> moves;  // of the fat boxes that were left

@@ -16,11 +16,11 @@
 namespace jostle::physics {
 namespace {
 
-// ---- by sub-steps: where listeners or force fields act on them ----
+// ---- by sub-steps: bodies with listeners or force fields ----
 
-// One sub-step. Fields act where the body is in its middle, which is of second order and keeps the
-// energy of a field that has one (position Verlet: Hairer, Lubich, Wanner, "Geometric numerical
-// integration by the Stormer-Verlet method", 2003).
+// One sub-step. Fields act at the body's position in the middle of the sub-step, which is
+// second-order and conserves the energy of a conservative field (position Verlet: Hairer, Lubich,
+// Wanner, "Geometric numerical integration by the Stormer-Verlet method", 2003).
 void advance(const WorldState& world, const SubstepInfo& substep_info, BodyWarm& now) {
     const BodyCold& cold = world.bodies.cold[now.body];
     const Vec3 force = now.force, torque = now.torque;
@@ -42,8 +42,8 @@ void advance(const WorldState& world, const SubstepInfo& substep_info, BodyWarm&
     now.torque = torque;
 }
 
-// Before a sub-step listeners, too, push where bodies are in its middle: free_motion() then starts
-// where it passes there with the new velocity.
+// Listeners before a sub-step also apply impulses at the bodies' midpoint positions. free_motion()
+// then starts at a point from which the new velocity passes through the midpoint.
 void listen_to(StepContext& step, const SubstepInfo& substep_info,
                std::span<const std::uint32_t> awake, std::span<BodyWarm> moving, std::size_t first,
                ListenedGroup& group) {
@@ -56,7 +56,8 @@ void listen_to(StepContext& step, const SubstepInfo& substep_info,
     for (BodyWarm& now : moving) now.center -= now.v * (0.5 * substep_info.h);
 }
 
-// All of them, or chunks of them at once; which are together follows from the awake set alone.
+// Calls listeners for all bodies together or in chunks concurrently. The chunks depend only on the
+// awake set.
 void listen(StepContext& step, const SubstepInfo& substep_info,
             std::span<const std::uint32_t> awake, std::span<BodyWarm> moving) {
     const std::size_t chunk =
@@ -72,7 +73,7 @@ void listen(StepContext& step, const SubstepInfo& substep_info,
     });
 }
 
-// Dynamic free bodies, all of them sub-step by sub-step. Kinematic ones are left in `others`.
+// Integrates dynamic free bodies by sub-steps. Kinematic ones are appended to `others`.
 void integrate_by_substeps(StepContext& step, std::vector<std::uint32_t>& others) {
     WorldState& world = step.world;
     SolverScratch& solver = step.scratch.solver;

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Bodies that nothing holds (no manifold, no joint), and all kinematic ones: an exact parabola
-// under constant force, and a free rotation that keeps energy and angular momentum
-// (constraints/free_motion.h). After merge_islands, whose events want the velocities from before.
+// Integrates bodies without manifolds and joints, and all kinematic bodies: an exact parabola under
+// constant force, and a free rotation that conserves energy and angular momentum
+// (constraints/free_motion.h). Runs after merge_islands, whose events need the velocities before
+// the integration.
 //
-// Reads: SolverScratch::free, warm records, gravity. Writes: what finalize_body does. Leaves in
-// scratch: FinalizeScratch with space for all awake bodies, filled for those that are free.
+// Reads: SolverScratch::free, warm records, gravity. Writes: see finalize_body. Leaves in scratch:
+// FinalizeScratch with space for all awake bodies, filled for the free ones.
 #pragma once
 
 #include "physics/src/stages/step_context.h"

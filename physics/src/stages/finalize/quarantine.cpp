@@ -12,8 +12,8 @@
 namespace jostle::physics {
 namespace {
 
-// What a manifold knows may be as unsound as the body's state: it has no points and bears nothing
-// until it is rebuilt, in the next step.
+// A manifold may be as invalid as the body's state. It is left without points and impulses until it
+// is rebuilt in the next step.
 void clear_manifold(const ContactLaneRef& lane_ref) {
     const int lane = lane_ref.lane;
     for (int row = first_saved_row; row < wide_rows; row++) {
@@ -34,10 +34,11 @@ void clear_manifold(const ContactLaneRef& lane_ref) {
 void clear_impulses(Joint& joint) {
     joint.point = joint.angular = joint.friction = joint.force = joint.torque = {};
     joint.lower = joint.upper = joint.swing = joint.spring = joint.motor = 0;
-    std::ranges::fill(joint.memory, 0);  // as at its beginning
+    std::ranges::fill(joint.memory, 0);  // as initially
 }
 
-// How far a pair is apart was told by how its bodies moved: in the next step it is looked at.
+// The separation bound of a pair depends on the motion of its bodies. The pair is tested in the
+// next step.
 void clear_bounds(ContactStore& store, std::vector<std::uint32_t>& contacts) {
     std::sort(contacts.begin(), contacts.end());
     for (const std::uint32_t contact : contacts) store.contacts[contact].limit = -1;
@@ -51,7 +52,7 @@ void clear_bounds(ContactStore& store, std::vector<std::uint32_t>& contacts) {
 Skipped quarantine(StepContext& step) {
     if (step.world.bodies.awake.empty()) return no_awake_bodies;
     WorldState& world = step.world;
-    // What woke since then was at rest.
+    // Bodies that woke since then were at rest.
     const std::vector<std::uint8_t>& not_finite = step.scratch.finalize.not_finite;
     ASSERT(not_finite.size() <= world.bodies.awake.size());
     std::vector<std::uint32_t> contacts;

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// Nothing that is not finite leaves the step. finalize_body has left a body whose state ran away
-// where it was before the step, at rest; here it is reported, and its contacts and joints forget
-// what they bore and where they were.
+// Quarantine: no non-finite state leaves the step. finalize_body has left a diverged body at its
+// previous pose, at rest. This stage reports it and resets the impulses and bounds of its contacts
+// and joints.
 //
 // Reads: FinalizeScratch::not_finite. Writes: quarantine events; impulses of the body's joints; its
-// manifolds, which are marked to be rebuilt; its separation bounds; its motion bound. Leaves
+// manifolds, which are marked for a rebuild; its separation bounds; its motion bound. Leaves
 // nothing in scratch.
 #pragma once
 

@@ -19,11 +19,11 @@ using BatchLoads = std::array<std::uint32_t, batch_count>;
 
 struct Work {
     BatchLoads loads{}, lightest{};      // by batch; the lightest island of each
-    std::uint32_t all = 0, largest = 0;  // largest: of one island
+    std::uint32_t all = 0, largest = 0;  // largest: of a single island
 };
 
-// What an island takes: its bodies and their manifolds, those of two bodies twice, and about its
-// joints.
+// Estimates the work of an island: its bodies and their manifolds (counted twice between two
+// bodies), and approximately its joints.
 std::array<Work, tier_count> weigh_islands(const BodyStore& bodies, const IslandStore& islands,
                                            std::vector<std::uint32_t>& weights) {
     weights.assign(islands.ids.size(), 0);
@@ -49,15 +49,15 @@ std::array<Work, tier_count> weigh_islands(const BodyStore& bodies, const Island
     return works;
 }
 
-// As many as are worth it; as many for each of two threads.
+// The number of batches that pays off, a power of two so that two threads get equal numbers.
 std::uint32_t batches_for(std::uint32_t weight) {
     std::uint32_t batches = 1;
     while (batches < batch_count && weight >= 2 * batches * tuning::min_batch) batches *= 2;
     return batches;
 }
 
-// Whether the fullest batch has more than its share, and an island that would make the emptiest no
-// fuller than it is itself.
+// Returns whether the fullest batch has more than its share and contains an island that would not
+// make the emptiest batch fuller than the fullest one is now.
 bool is_unequal(const Work& work) {
     const std::uint32_t batches = batches_for(work.all);
     if (batches < 2 || 2 * work.largest > work.all) return false;
@@ -68,7 +68,7 @@ bool is_unequal(const Work& work) {
            work.lightest[static_cast<std::size_t>(most - first)] < tuning::batch_unequal * gap / 2;
 }
 
-// Islands with all that manifolds tie to them.
+// Islands together with all islands coupled to them by manifolds.
 struct Group {
     std::span<const std::uint32_t> islands;
     std::uint32_t weight = 0;
@@ -90,8 +90,8 @@ std::vector<Group> find_groups(const WorldState& world, const CoupledIslands& co
     return groups;
 }
 
-// The heaviest stay where they are while there is space; the others fill up batch after batch:
-// neighbours in the lists of bodies stay together.
+// The heaviest groups remain in their batch while there is space. The others fill the batches in
+// order, so that neighbours in the body lists stay together.
 void assign(WorldState& world, const CoupledIslands& coupled,
             const std::vector<std::uint32_t>& weights, SolverTier tier, const Work& work) {
     std::vector<Group> groups = find_groups(world, coupled, weights, tier);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// Deals the islands of a tier out among batches, so that threads find equal work. Islands go whole,
-// with all that manifolds tie to them, and only when the batches have become unequal. It follows
-// from the world alone, so that every number of threads steps it alike.
+// Distributes the islands of a tier over batches so that threads get equal work. Islands are moved
+// whole, with all islands coupled to them by manifolds, and only when the batches have become
+// unequal. The result depends only on the world, so it is the same for any number of threads.
 //
-// Reads: awake bodies, how many contacts and joints they have. Writes: Island::colour_set, and with
-// it the colours of contacts. Part of prepare_islands.
+// Reads: awake bodies with their numbers of contacts and joints. Writes: Island::colour_set, and
+// with it the colours of contacts. Part of prepare_islands.
 #pragma once
 
 #include "physics/src/stages/step_context.h"

@@ -21,13 +21,13 @@ int substeps_at(const WorldState& world, const Island& island, std::uint8_t subs
     return substeps_of({island.colour_set.tier, substep_level}, world);
 }
 
-// By how much errors grow on another rung: of first order.
+// Factor by which errors grow at another sub-step level: first-order.
 double growth(const WorldState& world, const Island& island, std::uint8_t substep_level) {
     return static_cast<double>(substeps_of(island.colour_set, world)) /
            substeps_at(world, island, substep_level);
 }
 
-// Answers a measurement.
+// Updates the target level after an error measurement.
 void choose_target_level(const WorldState& world, Island& island) {
     IslandError& error = island.error;
     ASSERT(error.fresh && error.estimate > 0);
@@ -48,10 +48,10 @@ void choose_target_level(const WorldState& world, Island& island) {
     error.easy = 0;
 }
 
-// What manifolds tie together is on one rung.
+// Islands coupled by manifolds, which have the same sub-step level.
 struct CoupledGroup {
     std::span<const std::uint32_t> islands;
-    std::uint8_t substep_level = 0;  // that it is to have
+    std::uint8_t substep_level = 0;  // target level
     double error = 0;
     std::int64_t bodies = 0;
 };
@@ -77,7 +77,7 @@ bool is_awake(const WorldState& world, std::uint32_t island) {
     return world.islands.ids.alive(island) && !world.islands.islands[island].asleep;
 }
 
-// Whether the solver moves it: by contacts or joints.
+// Returns whether contacts or joints make the solver move the body.
 bool is_held(const BodyCold& cold) {
     return cold.island != none && !cold.asleep_in_place &&
            (cold.constraints > 0 || cold.first_joint != none);
@@ -86,7 +86,7 @@ bool is_held(const BodyCold& cold) {
 std::vector<CoupledGroup> find_active_groups(const WorldState& world,
                                              const CoupledIslands& coupled) {
     std::vector<CoupledGroup> groups;
-    std::vector<bool> seen(world.islands.islands.size(), false);  // by first of a group
+    std::vector<bool> seen(world.islands.islands.size(), false);  // by first island of a group
     for (const BodyWarm& warm : world.bodies.awake) {
         const BodyCold& cold = world.bodies.cold[warm.body];
         if (!is_held(cold)) continue;
@@ -98,7 +98,7 @@ std::vector<CoupledGroup> find_active_groups(const WorldState& world,
     return groups;
 }
 
-// Lowers rungs until all together keep to the budget, or all are on the first.
+// Lowers levels until the groups are within the budget, or all are at the lowest level.
 void distribute_budget(const WorldState& world, std::vector<CoupledGroup>& groups) {
     const auto spends = [&](const CoupledGroup& group) {
         const Island& island = world.islands.islands[group.islands.front()];

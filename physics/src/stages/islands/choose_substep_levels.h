@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
-// With a tolerance (WorldDef::tolerance), how many sub-steps each island takes: the fewest of
-// substeps_per_level with which its error, as stages/solver/error_trial.h measured it, keeps to the
-// tolerance. Finer at once, coarser with some patience: contacts move from set to set.
+// With a tolerance (WorldDef::tolerance), chooses the number of sub-steps of each island: the
+// smallest of substeps_per_level that keeps its error, as measured by stages/solver/error_trial.h,
+// within the tolerance. Levels rise immediately and fall with a delay, because contacts move
+// between sets.
 //
-// With a budget (WorldDef::substep_budget) what islands want is dealt out: the one that a coarser
-// rung would harm least, by the error it would have, gives in first. An island alone then no longer
-// decides what it gets.
+// With a budget (WorldDef::substep_budget) the requested sub-steps are reduced: the island whose
+// error would be the smallest at a lower level gives way first. An island's level then no longer
+// depends on that island alone.
 //
-// Reads: Island::error. Writes: it, Island::colour_set, contacts, impulses. Leaves in scratch, for
-// the solver: which colour sets hold an island of unknown error.
+// Reads: Island::error. Writes: Island::error, Island::colour_set, contacts, impulses. Leaves in
+// scratch, for the solver: which colour sets have an island of unknown error.
 #pragma once
 
 #include "physics/src/stages/step_context.h"

@@ -8,7 +8,7 @@
 namespace jostle::physics {
 namespace {
 
-// Whether the body rests on nothing but what is a hundred times lighter.
+// Returns whether the body rests only on bodies that are a hundred times lighter.
 bool is_heavy_load(WorldState& world, std::uint32_t body, Vec3 up) {
     const double most = world.bodies.cold[body].mass / tuning::heavy_ratio;
     bool on_light = false, on_firm = false;
@@ -16,7 +16,7 @@ bool is_heavy_load(WorldState& world, std::uint32_t body, Vec3 up) {
         const Contact& c = world.contacts.contacts[index];
         if (!c.touching) return;
         const double rise = dot(normal_of(lane_ref_of(world, c)), up);
-        // The normal leads from a to b.
+        // The normal points from a to b.
         if ((c.body_a == body ? -rise : rise) < tuning::lies_on) return;
         const BodyCold& other = world.bodies.cold[c.body_a == body ? c.body_b : c.body_a];
         if (other.type == BodyType::dynamic && other.mass <= most)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Heavy bodies that lie on light ones: their islands take SolverTier::heavy.
+// Heavy bodies on light ones: their islands get SolverTier::heavy.
 #pragma once
 
 #include <span>
@@ -9,11 +9,12 @@
 
 namespace jostle::physics {
 
-// Whether a body of the island rests on nothing but what is a hundred times lighter.
+// Returns whether a body of the island rests only on bodies that are a hundred times lighter.
 bool has_heavy_load(WorldState& world, const Island& island, Vec3 up);
 
-// Of these bodies, which have begun to touch what is much lighter: those that rest on nothing else
-// take their islands to that tier at once. Until the next look at all islands they would sink.
+// `bodies`: bodies that have begun to touch a much lighter body. Those that rest on nothing else
+// raise their islands to that tier immediately; until the next update of all islands they would
+// sink.
 void raise_to_heavy_tier(WorldState& world, std::span<const std::uint32_t> bodies);
 
 }  // namespace jostle::physics

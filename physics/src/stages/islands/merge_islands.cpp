@@ -14,7 +14,7 @@
 namespace jostle::physics {
 namespace {
 
-// The warm records still hold the velocities from before the solve: the approach of the impact.
+// The warm records still contain the velocities before the solve: the approach of the impact.
 ContactBegin begin_event(WorldState& world, const Contact& c) {
     const ContactLaneRef lane_ref = lane_ref_of(world, c);
     const Vec3 normal = normal_of(lane_ref);
@@ -53,14 +53,14 @@ void toggle_touch(WorldState& world, std::uint32_t contact) {
     }
 }
 
-// Which of two bodies has very much more mass.
+// Records the body of a contact that has much more mass than the other.
 void note_heavy(const BodyStore& bodies, const Contact& c, std::vector<std::uint32_t>& heavy) {
     const double a = bodies.cold[c.body_a].mass, b = bodies.cold[c.body_b].mass;
     if (maximum(a, b) >= tuning::heavy_ratio * minimum(a, b))
         heavy.push_back(a > b ? c.body_a : c.body_b);
 }
 
-// A pair of many parts begins with the first of them and ends with the last.
+// A composite pair begins with its first touching child and ends with its last.
 void report_composites(WorldState& world) {
     auto& changed = world.changed_pairs;
     std::sort(changed.begin(), changed.end());
@@ -103,7 +103,7 @@ Skipped merge_islands(StepContext& step) {
             meta.bits(LaneFlag::touching) = meta.bits(LaneFlag::touching_now);
         }
     });
-    // By index of contact: the order decides which island takes in which.
+    // In order of contact index, because the order decides which island absorbs which.
     std::sort(changes.begin(), changes.end());
     ASSERT(std::adjacent_find(changes.begin(), changes.end()) == changes.end());
     std::vector<std::uint32_t> heavy;

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// What hangs together: contacts that began to press bind islands, those that ended mark one that
-// may be split, and both become events. After solve_constraints, because only then is it known
-// which press; before the warm records change, because events tell the velocity of the approach.
+// Updates islands: contacts that began to touch merge islands, contacts that ended mark an island
+// that may be split, and both become events. Runs after solve_constraints, because only then the
+// touching contacts are known, and before the warm records change, because events report the
+// approach velocity.
 //
-// Reads: the flags that the last relaxing pass left in the constraint graph, warm records from
-// before the solve, WorldState::changed_pairs. Writes: contacts, islands, begin, end and hit
-// events; files wake requests for what sleeps in place and lost a touch. Leaves nothing in scratch.
+// Reads: the flags of the last relaxing pass in the constraint graph, warm records before the
+// solve, WorldState::changed_pairs. Writes: contacts, islands, begin, end and hit events; files
+// wake requests for bodies that sleep in place and lost a contact. Leaves nothing in scratch.
 #pragma once
 
 #include "physics/src/stages/step_context.h"

@@ -22,14 +22,14 @@ namespace {
 
 // ---- tier ----
 
-// What is faster falls.
+// A faster body is falling.
 bool stands(const BodyWarm& warm, const BodyCold& cold, Vec3 gravity) {
     const double most =
         tuning::standing_speed * speed_scale(cold.radius, gravity_ratio_squared(gravity));
     return length_squared(warm.v) <= most * most;
 }
 
-// What stands of each island: not what flies past or falls.
+// Measures the standing part of each island, without bodies that fly past or fall.
 void measure_extents(const BodyStore& bodies, const IslandStore& islands, IslandScratch& scratch,
                      Vec3 gravity) {
     const Vec3 up = -normalized(gravity);
@@ -54,8 +54,7 @@ void measure_extents(const BodyStore& bodies, const IslandStore& islands, Island
     }
 }
 
-// Its extent on the ground in its narrowest direction, m: a box of that depth has the same
-// variance.
+// Horizontal extent in the narrowest direction, m: the depth of a box with the same variance.
 double depth_of(const IslandExtent& e) {
     ASSERT(e.bodies > 0);
     const double n = e.bodies, xx = e.xx / n - e.x * e.x / (n * n),
@@ -65,12 +64,12 @@ double depth_of(const IslandExtent& e) {
     return square_root(12 * maximum(least, 0)) + e.thickness / n;
 }
 
-// A stack, a tower or a wall: on little ground for its height. A heap does not lean.
+// A stack, a tower or a wall: a small base for its height. A pile does not lean.
 bool is_slender(const IslandExtent& e) {
     return e.bodies > 1 && e.high - e.low > tuning::slenderness * depth_of(e);
 }
 
-// How many bodies of its mean thickness lie upon each other, if they do.
+// Number of layers if its bodies of mean thickness are stacked.
 double layers_of(const IslandExtent& e) {
     return 1 + (e.high - e.low) * e.bodies / maximum(e.thickness, 1e-9);
 }
@@ -92,8 +91,8 @@ SolverTier need_of(WorldState& world, const std::vector<IslandExtent>& extents, 
     return layers_of(extent) > limit ? SolverTier::tall : SolverTier::slender;
 }
 
-// What all that is tied together takes: what the neediest of it needs if that is tall or heavy,
-// else what most of its bodies do.
+// The common tier of coupled islands: the highest required tier if that is tall or heavy, otherwise
+// the tier of the majority of the bodies.
 SolverTier common_need(WorldState& world, std::vector<IslandExtent>& extents,
                        std::span<const std::uint32_t> coupled, Vec3 up) {
     SolverTier most = SolverTier::flat, max_low = SolverTier::flat;
@@ -109,7 +108,7 @@ SolverTier common_need(WorldState& world, std::vector<IslandExtent>& extents,
     return slender > low ? SolverTier::slender : max_low;
 }
 
-// Up at once; down when all that is tied to it has been content with less for a while.
+// Raises the tier immediately. Lowers it after all coupled islands have required less for a while.
 void choose_tier(WorldState& world, std::vector<IslandExtent>& extents,
                  std::optional<CoupledIslands>& all_coupled, std::uint32_t index, Vec3 up) {
     Island& island = world.islands.islands[index];
@@ -122,7 +121,8 @@ void choose_tier(WorldState& world, std::vector<IslandExtent>& extents,
     if (!all_coupled) all_coupled.emplace(world);
     const std::span<const std::uint32_t> coupled = all_coupled->group_of(index);
     const SolverTier common = common_need(world, extents, coupled, up);
-    // By bodies: what falls upon a heap has not been looked at for long, time and again.
+    // Weighted by bodies: new bodies that keep falling onto a pile reset the counter of their own
+    // islands.
     std::uint32_t calm = 0, all = 0;
     for (const std::uint32_t i : coupled) {
         const Island& other = world.islands.islands[i];
@@ -137,11 +137,12 @@ void choose_tiers(WorldState& world, IslandScratch& scratch) {
     const Vec3 up = -normalized(world.def.gravity);
     find_awake_islands(world, scratch.awake);
     measure_extents(world.bodies, world.islands, scratch, world.def.gravity);
-    std::optional<CoupledIslands> coupled;  // when first needed: moves to other sets leave it true
+    std::optional<CoupledIslands>
+        coupled;  // built on first use; moves to other sets do not invalidate it
     for (const std::uint32_t i : scratch.awake) choose_tier(world, scratch.extents, coupled, i, up);
 }
 
-// ---- loads that went ----
+// ---- lost loads ----
 
 void scale_lost_loads(WorldState& world) {
     world.islands.some_lost = false;
@@ -157,10 +158,10 @@ void scale_lost_loads(WorldState& world) {
 Skipped prepare_islands(StepContext& step) {
     WorldState& world = step.world;
     if (world.bodies.awake.empty()) return no_awake_bodies;
-    // The second step is the first that knows what hangs together.
+    // The second step is the first with known islands.
     const bool look = world.steps % tuning::tier_interval == 1;
     if (!look && !world.islands.some_lost && !controls_error(world.def))
-        return "islands are looked at in every eighth step";
+        return "islands are updated every eighth step";
     if (world.islands.some_lost) scale_lost_loads(world);
     if (look && world.def.gravity != Vec3{}) choose_tiers(world, step.scratch.islands);
     if (controls_error(world.def))

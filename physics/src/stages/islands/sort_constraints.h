@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Lanes come and go, and in time those of a colour lie in any order. Then each thread that shares
-// the colours would fetch bodies from the caches of the others in each of them.
+// Restores the order of lanes. As contacts begin and end, the lanes of a colour lose their order.
+// Each thread that shares the colours would then load bodies from the caches of other threads.
 //
 // Reads and writes: the slots of contacts in the constraint graph. Part of prepare_islands.
 #pragma once
@@ -10,7 +10,7 @@
 
 namespace jostle::physics {
 
-// Brings the contacts of large colour sets into the order of their bodies where many are out of it.
+// Sorts the contacts of large colour sets by their bodies if many are out of order.
 void sort_constraints(StepContext& step);
 
 }  // namespace jostle::physics

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What update_pairs and update_triggers use again from step to step.
+// Scratch data that update_pairs and update_triggers reuse from step to step.
 #pragma once
 
 #include <cstdint>
@@ -9,14 +9,14 @@
 
 namespace jostle::physics {
 
-// What one grain of update_pairs found, which is some of the shapes that moved.
+// Results of one grain of update_pairs, a range of the moved shapes.
 struct NewPairs {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;  // shapes
     std::vector<std::uint32_t> near;                             // shapes, of one query
 };
 
 struct PairScratch {
-    std::vector<NewPairs> new_pairs;        // by grain; the first ends up with those of all
+    std::vector<NewPairs> new_pairs;        // by grain; the first one finally holds all pairs
     std::vector<std::uint32_t> in_trigger;  // shapes, of one query of update_triggers
 };
 

@@ -33,7 +33,7 @@ void find_neighbours(const WorldState& world, std::uint32_t index, NewPairs& out
     const ShapeStore& store = world.shapes;
     const ShapeRecord& shape = store.shapes[index];
     ASSERT(store.ids.alive(index) && shape.moved);
-    if (shape.trigger) return;  // looked at by update_triggers
+    if (shape.trigger) return;  // handled by update_triggers
     const bool fixed = world.bodies.cold[shape.body].type == BodyType::static_body;
     if (is_plane(shape)) {
         for (std::uint32_t other = 0; other < store.ids.size(); other++)
@@ -42,7 +42,7 @@ void find_neighbours(const WorldState& world, std::uint32_t index, NewPairs& out
                 add_pair(world, index, other, out.pairs);
         return;
     }
-    // A positive group collides whatever the mask says.
+    // Shapes in the same positive group collide regardless of the mask.
     const std::uint32_t mask = shape.filter.group > 0 ? 0xffffffff : shape.filter.mask;
     out.near.clear();
     store.moving->query(shape.fat, mask, out.near);
@@ -54,8 +54,8 @@ void find_neighbours(const WorldState& world, std::uint32_t index, NewPairs& out
             add_pair(world, index, plane, out.pairs);
 }
 
-// The new pairs of all shapes that moved, each once, in an order that depends on nothing else:
-// contact indices must not depend on the shape of a tree or on threads.
+// The new pairs of all moved shapes, each once, in a canonical order: contact indices must not
+// depend on the structure of a tree or on threads.
 const std::vector<ShapePair>& find_new_pairs(StepContext& step) {
     constexpr std::size_t chunk = tuning::pair_grain;
     const WorldState& world = step.world;
@@ -79,7 +79,8 @@ const std::vector<ShapePair>& find_new_pairs(StepContext& step) {
     return all;
 }
 
-// A pair that nobody awake takes part in: something new stands beside a sleeper. It wakes to look.
+// A new shape may appear next to sleeping bodies. If no body of the pair is awake, wakes one so
+// that the pair is tested.
 void wake_if_all_asleep(const BodyStore& bodies, const Contact& c, WakeRequests& requests) {
     for (const std::uint32_t body : {c.body_a, c.body_b}) {
         const BodyCold& cold = bodies.cold[body];

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Broad phase: which shapes may touch. Shapes that are new or left their fat box look for new
-// neighbours, on many threads. What they find is sorted, so that contacts get the same indices
-// whatever the threads and the kind of broad phase.
+// Broad phase: finds shapes that may touch. Shapes that are new or left their fat box are queried
+// for new neighbours, on several threads. The results are sorted, so that contacts get the same
+// indices for any number of threads and any broad phase.
 //
-// Reads: ShapeStore::moved (filled by finalize in the step before, and by calls), fat boxes,
+// Reads: ShapeStore::moved (written by finalize in the previous step and by API calls), fat boxes,
 // filters, joints. Writes: a contact for each new pair, with a separation bound that is due; files
-// a wake request for a pair nobody of which is awake; empties ShapeStore::moved. Leaves nothing in
+// a wake request for a pair without awake bodies; clears ShapeStore::moved. Leaves nothing in
 // scratch.
 #pragma once
 

@@ -33,7 +33,7 @@ void test_trigger(const WorldState& world, std::uint32_t trigger, std::vector<st
         if (o.trigger || o.body == shape.body || !may_collide(shape.filter, o.filter)) return;
         const BodyCold& body = world.bodies.cold[o.body];
         if (own.type == BodyType::static_body && body.type == BodyType::static_body) return;
-        // Between two that do not move nothing changes.
+        // Between two shapes that do not move nothing changes.
         const Inside pair{trigger, other};
         const bool still = !fresh && own.set != BodySet::awake && body.set != BodySet::awake;
         const bool is_in = still ? std::binary_search(before.begin(), before.end(), pair)

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// What is inside which trigger, after everything has moved. After the trees were told of that
-// (ThreadPool::finish() in step_world).
+// Determines which shapes overlap which triggers, after all motion. Runs after the trees are
+// updated (ThreadPool::finish() in step_world).
 //
-// Reads: shapes where they are now, the broad phases, TriggerStore of the step before. Writes:
+// Reads: current shapes, the broad phases, the TriggerStore of the previous step. Writes:
 // TriggerStore, and trigger events. Leaves nothing in scratch.
 #pragma once
 

@@ -43,16 +43,16 @@ double momentum_of(const BodyWarm& warm, const BodyCold& cold, double dt) {
     return cold.mass * (length(warm.v) + length(warm.w) * cold.radius) + length(warm.force) * dt;
 }
 
-// ---- who falls asleep ----
+// ---- bodies that fall asleep ----
 
 bool is_restless(const BodyWarm& warm, const BodyCold& cold) {
     if (cold.asleep_in_place) return false;
     return cold.type != BodyType::dynamic || warm.sleep_time < tuning::partial_sleep_time;
 }
 
-// What is jointed together falls asleep as one, or not: if one of them has a mark, all get it. And
-// what a kinematic body leads goes with it. A kinematic body that stands still may be in the awake
-// set while what is jointed to it sleeps: that has no marks.
+// Jointed bodies fall asleep together or not at all: if one of them is marked, all are. This
+// includes bodies jointed to a kinematic body. A kinematic body at rest may be in the awake set
+// while its jointed bodies sleep; those have no marks.
 void propagate_to_jointed(WorldState& world, std::vector<std::uint8_t>& marks) {
     if (world.joints.ids.alive_count() == 0) return;
     const auto is_awake = [&](std::uint32_t body) {
@@ -71,7 +71,7 @@ void propagate_to_jointed(WorldState& world, std::vector<std::uint8_t>& marks) {
     });
 }
 
-// By hot index: who does not rest, and who touches such a one.
+// By hot index: bodies that do not rest, and bodies that touch them.
 void find_restless(const BodyStore& bodies, const ConstraintGraph& graph, SleepScratch& scratch) {
     scratch.restless.assign(bodies.awake.size() + 1, 0);
     for (std::size_t i = 0; i < bodies.awake.size(); i++) {
@@ -91,7 +91,7 @@ void request_disturbed_wakes(StepContext& step) {
     WorldState& world = step.world;
     if (world.bodies.asleep_in_place == 0) return;
     WakeRequests& requests = world.wake_requests;
-    // What a kinematic body carries has no time at rest: update_sleep.cpp.
+    // Bodies carried by a kinematic body have no rest time: see update_sleep.cpp.
     for (const BodyWarm& warm : world.bodies.awake)
         if (world.bodies.cold[warm.body].asleep_in_place && warm.sleep_time == 0)
             requests.push_back({warm.body});
@@ -121,7 +121,7 @@ void put_parts_to_sleep(StepContext& step) {
     if (!any) return;
     ASSERT(scratch.longest.size() == world.islands.ids.size());
     find_restless(world.bodies, world.graph, scratch);
-    // By island: how many rest among what rests.
+    // By island: number of resting bodies whose neighbours rest, too.
     auto& count = scratch.resting;
     count.assign(world.islands.ids.size(), 0);
     const auto rests = [&](std::size_t i, const BodyCold& cold) {
@@ -135,7 +135,7 @@ void put_parts_to_sleep(StepContext& step) {
         count[cold.island]++;
     }
     propagate_to_jointed(world, scratch.near_restless);
-    // What sleeps in a turmoil would hold up loads that are about to shift.
+    // In a moving island a sleeping body would support loads that are about to shift.
     const auto calm = [&](std::uint32_t island) {
         return count[island] >= tuning::partial_sleep_least &&
                count[island] >= tuning::partial_sleep_share * world.islands.islands[island].bodies;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What update_sleep and put_parts_to_sleep use again from step to step. Nothing in it is for a
-// later stage.
+// Scratch data that update_sleep and put_parts_to_sleep reuse from step to step. No later stage
+// reads it.
 #pragma once
 
 #include <cstdint>
@@ -10,14 +10,15 @@
 namespace jostle::physics {
 
 struct SleepScratch {
-    std::vector<std::uint32_t> islands;  // that are awake, rising
-    // By island, of these: the time at rest of its most restless and of its most restful body, s.
+    std::vector<std::uint32_t> islands;  // awake islands, in ascending order
+    // Indexed by island; valid for the awake ones: shortest and longest rest time of its bodies, s.
     std::vector<double> shortest, longest;
     std::vector<std::uint8_t> restless;  // by hot index: has not rested for long
-    // By hot index: restless, touches one that is, or is jointed to one of either.
+    // By hot index: restless, touches a restless body, or is jointed to such a body.
     std::vector<std::uint8_t> near_restless;
-    std::vector<std::uint32_t> resting;  // by island: bodies that could sleep in place, or do
-    std::vector<std::uint32_t> falling_asleep;  // bodies
+    std::vector<std::uint32_t>
+        resting;  // by island: number of bodies that could sleep in place, or do
+    std::vector<std::uint32_t> falling_asleep;  // body indices
 };
 
 }  // namespace jostle::physics

@@ -12,7 +12,7 @@
 namespace jostle::physics {
 namespace {
 
-// ... and what is tied to one.
+// Keeps bodies jointed to a moving kinematic body awake.
 void hold_towed_awake(WorldState& world, const std::vector<std::uint32_t>& jointed) {
     for (const std::uint32_t hot : jointed) {
         ASSERT(hot > 0 && hot <= world.bodies.awake.size());
@@ -27,7 +27,7 @@ void hold_towed_awake(WorldState& world, const std::vector<std::uint32_t>& joint
     }
 }
 
-// What touches a moving kinematic body is not at rest, however slowly that moves.
+// A body that touches a moving kinematic body is not at rest, however slow the motion.
 void hold_carried_awake(WorldState& world) {
     for_each_colour(world.graph.sets, [&](const GraphColour& colour, int c) {
         if (pair_kind_of(c) != PairKind::kinematic) return;
@@ -43,7 +43,7 @@ void hold_carried_awake(WorldState& world) {
     });
 }
 
-// The rest time of each awake island's most restless and most restful body.
+// The shortest and longest rest time of the bodies of each awake island.
 void measure_rest(const BodyStore& bodies, const IslandStore& islands, SleepScratch& scratch) {
     scratch.shortest.resize(islands.ids.size());
     scratch.longest.resize(islands.ids.size());
@@ -59,7 +59,7 @@ void measure_rest(const BodyStore& bodies, const IslandStore& islands, SleepScra
     }
 }
 
-// Of bodies that slept in place it has been told.
+// Bodies that slept in place have already been reported.
 void fall_asleep(WorldState& world, std::uint32_t island) {
     ASSERT(!world.islands.islands[island].may_be_split);
     for (std::uint32_t body = world.islands.islands[island].first; body != none;
@@ -75,14 +75,14 @@ void fall_asleep(WorldState& world, std::uint32_t island) {
 
 Skipped update_sleep(StepContext& step) {
     WorldState& world = step.world;
-    if (!world.def.sleeping) return "sleeping is off";
+    if (!world.def.sleeping) return "sleeping is disabled";
     if (world.bodies.awake.empty()) return no_awake_bodies;
     SleepScratch& scratch = step.scratch.sleep;
     hold_carried_awake(world);
     hold_towed_awake(world, step.scratch.solver.jointed.all);
     find_awake_islands(world, scratch.islands);
     measure_rest(world.bodies, world.islands, scratch);
-    // Splitting adds islands; those wait for the next step's measure.
+    // Splitting adds islands, which are measured in the next step.
     std::uint32_t sleepiest = none;
     int awake = 0;
     for (const std::uint32_t i : scratch.islands) {
@@ -98,8 +98,8 @@ Skipped update_sleep(StepContext& step) {
             sleepiest = i;
         }
     }
-    // One split a step is enough: a part that rests can wait a step, and a pile in motion would be
-    // split in vain.
+    // One split per step is enough: a resting part can wait a step, and splitting a moving pile
+    // would be wasted.
     if (sleepiest != none)
         split_island(world, sleepiest);
     else

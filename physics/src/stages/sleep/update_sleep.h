@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Resting islands leave the awake set; of an island that does not rest as a whole, parts that do
-// fall asleep in place (put_parts_to_sleep.h). An island that is in parts is split before, one in
-// a step.
+// Moves resting islands out of the awake set. Resting parts of other islands fall asleep in place
+// (put_parts_to_sleep.h). An island of several parts is split first, one per step.
 //
-// Reads: times at rest (finalize_body), SolverScratch::jointed, contacts with kinematic bodies.
-// Writes: islands, body sets, manifolds out of the constraint graph, sleep and end events; time at
-// rest of what a moving kinematic body carries or tows becomes 0. Leaves nothing in scratch.
+// Reads: rest times (finalize_body), SolverScratch::jointed, contacts with kinematic bodies.
+// Writes: islands, body sets, manifolds removed from the constraint graph, sleep and end events;
+// resets the rest time of bodies that a moving kinematic body carries or tows. Leaves nothing in
+// scratch.
 #pragma once
 
 #include "physics/src/stages/step_context.h"

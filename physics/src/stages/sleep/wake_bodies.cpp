@@ -8,7 +8,7 @@ namespace jostle::physics {
 namespace {
 
 Skipped wake_requested(WorldState& world) {
-    if (world.wake_requests.empty()) return "nobody is to wake";
+    if (world.wake_requests.empty()) return "no wake requests";
     apply_wake_requests(world, world.events.woke);
     return ran;
 }

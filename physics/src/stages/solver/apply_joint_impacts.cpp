@@ -13,7 +13,7 @@
 namespace jostle::physics {
 namespace {
 
-// A push runs along a row of so many pairs in a step, and the rest of it in the next.
+// An impulse propagates through a row of this many pairs in a step, and continues in the next one.
 constexpr int max_rounds = 64;
 
 struct JointImpact {
@@ -27,11 +27,11 @@ Vec3 solver_velocity_at(const SolverBody& body, Vec3 arm) {
     return to_vec3(body.v) + cross(to_vec3(body.w), arm);
 }
 
-// A manifold in which two meet within the step: its points at that moment, from the centre of a.
+// A manifold with an impact within the step: its points at that time, relative to the centre of a.
 struct JointImpactPoints {
-    Vec3 center_b;  // from the centre of a
+    Vec3 center_b;  // relative to the centre of a
     std::vector<ImpactPoint> points;
-    double closing = 0;  // m/s: of the point that closes fastest
+    double closing = 0;  // m/s: of the fastest closing point
 };
 
 JointImpactPoints joint_impact_points(const SolverBodies& hot, const JointImpact& s, double dt) {
@@ -42,7 +42,7 @@ JointImpactPoints joint_impact_points(const SolverBodies& hot, const JointImpact
     const Vec3 n = get_lane(block.normal, k), t1 = get_lane(block.tangent, k), t2 = cross(n, t1);
     const Vec3 arm_a = get_lane(block.arm_a, k), arm_b = get_lane(block.arm_b, k);
     JointImpactPoints impact;
-    double first = dt;  // s until then
+    double first = dt;  // s until the impact
     for (int i = 0; i < 4; i++) {
         const double gap{block.gap[i][k]};
         if (gap > 0.5 * double{no_point}) continue;
@@ -54,7 +54,7 @@ JointImpactPoints joint_impact_points(const SolverBodies& hot, const JointImpact
         impact.points.push_back({in_plane, n});
         first = minimum(first, maximum(gap, 0) / closing);
     }
-    // The arms follow, as in the solver (PairBodies::follow).
+    // The arms follow as in the solver (PairBodies::follow).
     const Vec3 apart = (solver_velocity_at(b, arm_b) - solver_velocity_at(a, arm_a)) * first;
     const Vec3 meets_a = arm_a + apart * double{block.anchor_blend[k]};
     for (ImpactPoint& p : impact.points) p.position += meets_a;
@@ -79,7 +79,7 @@ void set_solver_velocity(SolverBody& hot, const ImpactBody& body) {
     hot.w[0] = as_float(w.x), hot.w[1] = as_float(w.y), hot.w[2] = as_float(w.z);
 }
 
-// Whether it was one.
+// Returns whether there was an impact.
 bool resolve_joint_impact(SolverBodies& hot, const JointImpact& s, double dt) {
     const JointImpactPoints impact = joint_impact_points(hot, s, dt);
     if (impact.points.empty()) return false;
@@ -93,7 +93,7 @@ bool resolve_joint_impact(SolverBodies& hot, const JointImpact& s, double dt) {
     return true;
 }
 
-// Pairs that bounce, with a body on joints.
+// Finds bouncing pairs in which a body has joints.
 void find_bouncing_pairs(const WorldState& world, const GraphColour& colour,
                          std::vector<JointImpact>& found) {
     const auto jointed = [&](std::uint32_t body) {
@@ -129,8 +129,8 @@ void apply_joint_impacts(StepContext& step, std::span<const ColourRun> runs) {
             s.closing = joint_impact_points(hot, s, step.dt).closing;
             if (s.closing > 0) closing.push_back(s);
         }
-        // By contact where equally fast, not by place: which islands a task holds depends on the
-        // threads.
+        // Ties are broken by contact, not by position: the islands of a task depend on the number
+        // of threads.
         std::sort(closing.begin(), closing.end(), [](const JointImpact& x, const JointImpact& y) {
             return std::tuple(-x.closing, x.meta->contact[x.lane]) <
                    std::tuple(-y.closing, y.meta->contact[y.lane]);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Bounces of bodies that hang on joints. The sweep would let them go on without their joints
-// (stages/continuous/ccd_policy.h), so the solver has them, and before its sub-steps they are
-// resolved here: pair after pair, the hardest first, as one hands a push on to the next. All at
-// once a row of balls on threads would share it.
+// Bounces of bodies with joints. A sweep would move them without their joints
+// (stages/continuous/ccd_policy.h), so the solver handles them. This function resolves them before
+// the sub-steps: pair by pair, the hardest first, so that an impulse is passed on from body to
+// body. Resolved simultaneously, a row of balls on threads (Newton's cradle) would share it.
 //
-// Of pairs that move both: what fixed and kinematic bodies give back depends on how far one falls
-// until then, which constraints/contact_kernel.h sees to.
+// Only for pairs of two movable bodies. The rebound from static and kinematic bodies depends on the
+// fall until the contact, which constraints/contact_kernel.h handles.
 #pragma once
 
 #include <span>
@@ -16,7 +16,7 @@
 
 namespace jostle::physics {
 
-// Reads: manifolds of a task, hot records as prepared. Writes: velocities of hot records.
+// Reads: manifolds of a task, prepared hot records. Writes: velocities of hot records.
 void apply_joint_impacts(StepContext& step, std::span<const ColourRun> runs);
 
 }  // namespace jostle::physics

@@ -13,12 +13,12 @@
 namespace jostle::physics {
 namespace {
 
-// Exact both ways.
+// Both factors are exact in float.
 constexpr float longer = 2, shorter = 0.5f;
-constexpr double max_error = 1e6;    // m: what is not a number, too
-constexpr double min_error = 1e-12;  // m: 0 says that nothing is known
+constexpr double max_error = 1e6;    // m: also stands for NaN
+constexpr double min_error = 1e-12;  // m: 0 means unknown
 
-// With contacts, always in the same order.
+// Visits the colours with contacts, always in the same order.
 template <class Visit>
 void each_colour(ConstraintGraph& graph, std::size_t first, std::size_t last, Visit&& visit) {
     for_each_colour(std::span(graph.sets).subspan(first, last - first), visit);
@@ -34,7 +34,7 @@ void lengthen(GraphColour& colour, int number) {
         scale_warm_start(lane_ref_at(colour, number, slot), longer);
 }
 
-// As the step began.
+// At the start of the step.
 void note_overlaps(WorldState& world, std::size_t first, std::size_t last) {
     each_colour(world.graph, first, last, [&](const GraphColour& colour) {
         for (std::size_t k = 0; k < colour.blocks.size(); k++)
@@ -95,14 +95,14 @@ void end_trial(StepContext& step, std::size_t first, std::size_t last,
 }
 
 double second_error(double shift, double change, double dt, ErrorLife life) {
-    // s: half a second in the mean of one.
+    // s: half a second on average for a lasting error.
     const double lasts = life == ErrorLife::lasting ? 0.5 : tuning::velocity_error_life;
     const double seconds = 1;
     return (shift + change * lasts) * seconds / dt;
 }
 
 void note_error(Island& island, double error) {
-    // A maximum that takes what is not a number for the most.
+    // A maximum that maps NaN to the largest error.
     const double known = error < max_error ? maximum(error, min_error) : max_error;
     island.error.estimate = island.error.fresh ? maximum(island.error.estimate, known) : known;
     island.error.fresh = true;
@@ -121,8 +121,8 @@ void compare_trial(StepContext& step, std::size_t first, std::size_t last,
         const BodyCold& cold = world.bodies.cold[world.bodies.awake[bodies[k] - 1].body];
         const double shift =
             length_between(now.dp, then.dp) + cold.radius * length_between(now.dr, then.dr);
-        // What contacts take back at once hardly shows in the place: no more than what would, had
-        // it grown evenly.
+        // An error that contacts immediately remove barely affects positions: it is limited to the
+        // velocity error that would cause the position error if it had grown linearly.
         const double change =
             minimum(length_between(now.v, then.v) + cold.radius * length_between(now.w, then.w),
                     2 * shift / step.dt);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The world's force fields as forces on the bodies of a joint group, beside the constant ones that
-// these have.
+// The world's force fields as forces on the bodies of a joint group, in addition to their constant
+// forces.
 #pragma once
 
 #include <vector>
@@ -13,16 +13,16 @@ namespace jostle::physics {
 
 class GroupFields final : public ExternalForces {
 public:
-    // Before the group's step: remembers the constant forces if there are fields.
+    // Create before the group's step. Saves the constant forces if there are fields.
     GroupFields(const WorldState& world, const JointGroup& group);
-    // Whether one may reach a body of the group within dt.
+    // Returns whether a field may reach a body of the group within dt.
     bool reach(double dt) const;
     void push(std::vector<DirectBody>& bodies, double from, double h, double lookahead) override;
 
 private:
     const WorldState& world_;
     const JointGroup& group_;
-    std::vector<Vec3> constant_;  // force, torque of each body
+    std::vector<Vec3> constant_;  // force and torque of each body
 };
 
 }  // namespace jostle::physics

@@ -18,14 +18,14 @@
 namespace jostle::physics {
 namespace {
 
-// ---- which ----
+// ---- selection ----
 
 int locked_turns(const BodyCold& cold) {
     const Vec3 free = free_rotations(cold);
     return 3 - static_cast<int>(free.x + free.y + free.z);
 }
 
-// What turns about two axes of the world alone has no principal axes that turn with it.
+// A body that can rotate only about two world axes has no principal axes that rotate with it.
 bool may_be_grouped(const BodyCold& cold) {
     return cold.constraints == 0 && !cold.asleep_in_place && cold.mass > 0 &&
            locked_turns(cold) != 1;
@@ -40,15 +40,15 @@ bool is_known(const WorldState& world, const Joint& joint) {
            (is_pushed(world, joint.body_a) || is_pushed(world, joint.body_b));
 }
 
-// Figures with cones fall and tumble until they touch something, and are many: the sweeps with
-// their points solved at once take a quarter of the time, and nobody sees the difference. Who does
-// asks for it.
+// Ragdolls with cone joints fall and tumble until they touch something, and there are many of them.
+// The iterative solver with exact point rows takes a quarter of the time, and the difference is not
+// visible. Users who need it can request the direct solver.
 bool is_left_to_iterative(const Joint& joint) {
     return std::holds_alternative<ConeTwistJoint>(joint.kind);
 }
 
-// Multiplications that each joint of an island may take because they ask for it; -1: none of them
-// is to be solved directly.
+// Multiplications granted per joint of an island that requests the direct solver; -1: none of its
+// joints is solved directly.
 std::int64_t budget_of(const WorldState& world, const JointGroupScratch& scratch,
                        std::uint32_t island) {
     switch (solver_of(scratch.preferences[island], world.def.joint_solver)) {
@@ -63,7 +63,7 @@ std::int64_t budget_of(const WorldState& world, const JointGroupScratch& scratch
     return -1;
 }
 
-// Islands with a body or a joint of which groups know nothing are refused.
+// Refuses islands with a body or joint that groups do not support.
 void classify_islands(StepContext& step) {
     const WorldState& world = step.world;
     JointGroupScratch& scratch = step.scratch.solver.groups;
@@ -114,7 +114,7 @@ void list_joints(const WorldState& world, const Island& island, JointGroup& grou
     group.joints.erase(std::unique(group.joints.begin(), group.joints.end()), group.joints.end());
 }
 
-// In the order in which joints name them. The world is the last of number_of.
+// In the order in which joints reference them. The world is the last entry of number_of.
 void list_bodies(const WorldState& world, JointGroup& group, std::vector<std::int32_t>& number_of) {
     group.bodies.clear();
     for (const std::uint32_t index : group.joints) {
@@ -128,8 +128,8 @@ void list_bodies(const WorldState& world, JointGroup& group, std::vector<std::in
     }
 }
 
-// The axes of the world, of which it turns about one alone or about none: about that it is as hard
-// to turn wherever it has turned to.
+// World axes, for a body that can rotate about one of them or none. About that axis its inertia is
+// independent of its orientation.
 PrincipalAxes axes_of_locked(const BodyWarm& warm, const BodyCold& cold) {
     const Mat3 inertia = warm.axes * cold.inertia * transpose(warm.axes);
     const Vec3 along{inertia.x.x, inertia.y.y, inertia.z.z};
@@ -198,7 +198,7 @@ DirectEnd end_of(const WorldState& world, const JointGroup& group, std::size_t k
     return {inverse_rotate(axes, arm), conjugate(axes) * frame.rotation};
 }
 
-// The rotation with which kept impulses turn.
+// The rotation that stored impulses follow.
 Quat carried_by(const JointGroup& group, const DirectJoint& joint, const JointKind& kind) {
     const auto a = static_cast<std::size_t>(joint.a), b = static_cast<std::size_t>(joint.b);
     const auto number = [&](std::size_t body) {
@@ -215,7 +215,7 @@ void gather_joint(const StepContext& step, JointGroup& group, std::size_t k, dou
     const std::vector<std::int32_t>& number_of = step.scratch.solver.groups.number_of;
     const Joint& from = world.joints.joints[group.joints[k]];
     DirectJoint& joint = group.solver.joints[k];
-    std::vector<FreeAxis> free_axes = std::move(joint.free_axes);  // for its memory
+    std::vector<FreeAxis> free_axes = std::move(joint.free_axes);  // to reuse its memory
     free_axes.clear();
     joint = {};
     joint.free_axes = std::move(free_axes);
@@ -230,7 +230,7 @@ void gather_joint(const StepContext& step, JointGroup& group, std::size_t k, dou
                 h);
 }
 
-// False if it is too dense to be solved directly.
+// Returns false if the group is too dense for the direct solver.
 bool gather(StepContext& step, std::uint32_t island, std::int64_t budget) {
     WorldState& world = step.world;
     JointGroupScratch& scratch = step.scratch.solver.groups;
@@ -273,7 +273,7 @@ void scatter_joint(StepContext& step, JointGroup& group, std::size_t k, double h
     to.torque = joint.torque_sum * (1 / step.dt);
 }
 
-// By how much half of the sub-steps, which `trial` took, lead elsewhere.
+// Measures the difference from `trial`, which took half of the sub-steps.
 void compare(const StepContext& step, const JointGroup& group, const DirectGroup& trial,
              Island& island) {
     island.error.fresh = false;
@@ -286,7 +286,7 @@ void compare(const StepContext& step, const JointGroup& group, const DirectGroup
             length(now.x - then.x) + radius * 2 * length(Vec3{turn.x, turn.y, turn.z});
         const double change =
             length(velocity(now) - velocity(then)) + radius * length(spin(now) - spin(then));
-        // All kinds of its steps are of second order at least.
+        // All kinds of its steps are at least second-order.
         note_error(island, second_error(shift, change, step.dt, ErrorLife::lasting) / 3);
     }
 }

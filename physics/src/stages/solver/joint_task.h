@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The joints that the solver solves together, for solve_joints.h and solve_joint_batches.h.
+// The joints of one solver task, for solve_joints.h and solve_joint_batches.h.
 #pragma once
 
 #include <cstdint>
@@ -11,8 +11,8 @@
 
 namespace jostle::physics {
 
-// The joints of one task of the solver: of `bodies`, by hot index. Tasks may be solved at the same
-// time.
+// The joints of one task of the solver: those of `bodies`, by hot index. Different tasks may run
+// concurrently.
 struct JointTask {
     JointLevels& levels;
     JointBatches& batches;

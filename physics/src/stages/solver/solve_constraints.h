@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// The sub-step loop: velocities from forces, joints and contacts, motion from velocities. Soft
-// contacts with relaxation (Catto, "Soft Constraints", GDC 2011; "Solver2D", 2024).
+// The sub-step loop: integrates velocities from forces, joints and contacts, and positions from
+// velocities. Soft contacts with relaxation (Catto, "Soft Constraints", GDC 2011; "Solver2D",
+// 2024).
 //
 // Reads: awake bodies, joints, Island::colour_set, StepContext::contacts. Writes: impulses, gaps
 // and flags (touching_now, needs_rebuild) in the constraint graph, impulses and loads of joints;
-// joints that broke, with their events. The warm records stay as they were. Leaves in scratch:
+// broken joints with their events. Does not change the warm records. Leaves in scratch:
 // SolverScratch::hot, bodies and spin_axes for finalize, free for integrate_free, jointed for
-// update_sleep; bodies and free also when there is nothing to solve.
+// update_sleep; bodies and free are also set if there is nothing to solve.
 #pragma once
 
 #include "physics/src/stages/step_context.h"

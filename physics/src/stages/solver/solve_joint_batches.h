@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// The passes over points of joint groups that are solved at once, beside contacts
-// (constraints/joints/joint_batches.h). In the order of the functions below: the first two as
-// prepare_joints() does its work, the others in each sub-step.
+// The passes over point rows of directly solved joint groups, interleaved with contacts
+// (constraints/joints/joint_batches.h). Call the functions in the order below: the first two during
+// prepare_joints(), the others in each sub-step.
 //
-// Read: joints, JointTask::levels. Write: JointTask::batches, SolverScratch::hot; into the levels
-// the impulses of points.
+// Read: joints, JointTask::levels. Write: JointTask::batches, SolverScratch::hot; the point
+// impulses in the levels.
 #pragma once
 
 #include "physics/src/stages/solver/joint_task.h"
@@ -13,14 +13,14 @@
 
 namespace jostle::physics {
 
-// Once the joints have their lanes.
+// Call after lanes are assigned to the joints.
 void find_joint_batches(StepContext& step, const JointTask& task);
-// Once their lanes are written. h: s, of a sub-step, here and below.
+// Call after their lanes are written. h: length of a sub-step, s, here and below.
 void load_joint_batches(StepContext& step, const JointTask& task, double h);
-// Velocities to what the points allow, and what they are apart away: before the contacts of the
-// soft pass, and `again` after them.
+// Projects velocities onto the point constraints and corrects position errors: before the contacts
+// of the soft pass, and with `again` after them.
 void solve_joint_batches(StepContext& step, const JointTask& task, double h, bool again);
-// Rigidly, after the contacts of the relaxing pass; where the bodies then are.
+// Projects rigidly after the contacts of the relaxing pass, at the bodies' new poses.
 void relax_joint_batches(StepContext& step, const JointTask& task, double h);
 
 }  // namespace jostle::physics

@@ -34,7 +34,7 @@ JointEnd end_of(const WorldState& world, std::uint32_t body, const Transform& fr
             .frame = warm.rotation * frame.rotation};
 }
 
-// The joints of the bodies, in order.
+// The joints of the bodies, in ascending order.
 void find_joints(const JointStore& store, const BodyStore& all, const JointTask& task) {
     JointLevels& levels = task.levels;
     levels.marks.assign((store.joints.size() + 63) / 64, 0);
@@ -57,7 +57,8 @@ void find_joints(const JointStore& store, const BodyStore& all, const JointTask&
                                               static_cast<std::uint32_t>(std::countr_zero(bits))});
 }
 
-// Their bodies by hot index: negative for what moves but cannot be pushed, 0 for what stands still.
+// Their bodies by hot index: negative for bodies that move but cannot be pushed, 0 for immovable
+// ones.
 std::int32_t hot_of(const BodyStore& bodies, std::uint32_t body) {
     if (body == none) return 0;
     const BodyCold& cold = bodies.cold[body];
@@ -90,7 +91,7 @@ void find_bodies(const WorldState& world, JointLevels& levels) {
     }
 }
 
-// Joints of a level lie far apart in memory, and so do their bodies.
+// Joints of a level are scattered in memory, and so are their bodies.
 void prefetch_ahead(const JointStore& store, const BodyStore& bodies,
                     const JointConstraintWideMeta& meta) {
     for (int lane = 0; lane < meta.count; lane++) {
@@ -100,7 +101,7 @@ void prefetch_ahead(const JointStore& store, const BodyStore& bodies,
     }
 }
 
-// Calls visit(block index, side) for every block, on any thread.
+// Calls visit(block index, block meta) for every block, on any thread.
 template <class Visit>
 void each_block(StepContext& step, JointLevels& levels, Visit&& visit) {
     const WorldState& world = step.world;
@@ -258,7 +259,7 @@ void break_joints(StepContext& step) {
             if (exceeds_break_limit(world.joints.joints[index])) broken.push_back(index);
     }
     ASSERT(world.profile.joints <= static_cast<int>(world.joints.ids.alive_count()));
-    // In their own order, whichever part they were in.
+    // In order of index, independent of the task that they belonged to.
     std::sort(broken.begin(), broken.end());
     for (const std::uint32_t index : broken) {
         const Joint& joint = world.joints.joints[index];

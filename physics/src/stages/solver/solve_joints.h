@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The joint passes of solve_constraints, beside the contacts. In the order of the functions below:
-// prepare, then solve and relax in each sub-step, finish, and break when all tasks are done.
+// The joint passes of solve_constraints, interleaved with the contact passes. Call the functions in
+// the order below: prepare, then solve and relax in each sub-step, finish, and break after all
+// tasks.
 //
 // Read: joints, warm records. Write: SolverScratch::hot, JointTask::levels; at the end impulses and
 // loads of joints.
@@ -12,20 +13,20 @@
 
 namespace jostle::physics {
 
-// Finds the joints and writes what the kernels read. After the hot records were made. h: s, of a
-// sub-step, here and below.
+// Finds the joints and writes the kernel data. Call after the hot records are built. h: length of a
+// sub-step, s, here and below.
 void prepare_joints(StepContext& step, const JointTask& task, double h);
-// Whether threads share most of the passes below.
+// Returns whether threads share most of the passes below.
 bool shares_levels(const JointTask& task);
-// Warm start with what the joints did in the sub-step before, and a soft pass that pulls them
-// together.
+// Warm-starts with the joint impulses of the previous sub-step, then runs a soft pass that corrects
+// position errors.
 void solve_joints(StepContext& step, const JointTask& task, double h);
-// A rigid pass without that pull.
+// A rigid pass without position correction.
 void relax_joints(StepContext& step, const JointTask& task, double h);
-// After the last sub-step: impulses and loads into the joints.
+// Call after the last sub-step: writes impulses and loads to the joints.
 void finish_joints(StepContext& step, const JointTask& task);
-// After all tasks, serially: what was overloaded breaks, in order of joints, and becomes an event.
-// Counts the profile's joints.
+// Call serially after all tasks: breaks overloaded joints in ascending order, with an event for
+// each. Counts the joints for the profile.
 void break_joints(StepContext& step);
 
 }  // namespace jostle::physics

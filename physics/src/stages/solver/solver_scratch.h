@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What solve_constraints and solve_joints use again from step to step, and leave to integrate_free,
-// finalize and update_sleep. A hot index is 1 + the index in the awake set; 0 is what stands still.
+// Scratch data that solve_constraints and solve_joints reuse from step to step and leave to
+// integrate_free, finalize and update_sleep. A hot index is 1 + the index in the awake set; 0 is
+// the immovable body.
 #pragma once
 
 #include <array>
@@ -21,29 +22,29 @@
 
 namespace jostle::physics {
 
-// In which axes the solver keeps a body's spin.
+// The axes in which the solver stores a body's spin.
 enum class SpinAxes : std::uint8_t {
-    world,  // the gyroscopic change of spin is spread evenly over the step
-    // A gyroscopic body that joints hold and nothing touches: the world's axes, and its inertia
-    // follows it by sub-steps.
+    world,  // the gyroscopic spin change is spread evenly over the step
+    // For a gyroscopic body with joints and without contacts: world axes, with the inertia updated
+    // in each sub-step.
     world_by_substeps,
-    // A gyroscopic body with contacts: the frame in which it stood as the step began and which
-    // turns with it. There the inertia is constant, and contacts know it from the start of the step
-    // alone: seen with another one, what they do to a thin body would be far too much. Joints turn
-    // its spin and its inertia to the world's axes and back (SolverBody::spins_along).
+    // For a gyroscopic body with contacts: body-fixed axes that coincide with the world axes at the
+    // start of the step. The inertia is constant in them, and contacts only know the inertia at the
+    // start of the step: with a different inertia, their effect on a thin body would be far too
+    // large. Joints transform spin and inertia to world axes and back (SolverBody::spins_along).
     body,
 };
 
-// A body that turns far in a step, and not evenly: what each sub-step needs of it.
+// Sub-step data of a body that rotates far in a step at a varying rate.
 struct GyroscopicBody {
-    Mat3 axes;         // of the body: at the start of the step; by sub-steps: now
-    Quat start, now;   // its rotation; now: of what joints hold
-    Vec3 half_change;  // rad/s, in its axes: of a sub-step, of what joints hold
-    Vec3 bend;         // PrincipalRatios, if its axes are the principal ones
+    Mat3 axes;         // of the body: at the start of the step; with world_by_substeps: current
+    Quat start, now;   // rotation; now: only for bodies with joints
+    Vec3 half_change;  // rad/s, in body axes: per sub-step, for bodies with joints
+    Vec3 bend;         // PrincipalRatios, if its axes are the principal axes
     bool principal = false;
 };
 
-// Hot indices of bodies, colour set after colour set.
+// Hot indices of bodies, grouped by colour set.
 struct BodiesBySet {
     std::vector<std::uint32_t> all;
     std::array<std::uint32_t, solved_set_count + 1> begin{};
@@ -53,39 +54,40 @@ struct BodiesBySet {
     }
 };
 
-// What a trial of half of the sub-steps keeps (stages/solver/error_trial.h).
+// Data of a trial with half of the sub-steps (stages/solver/error_trial.h).
 struct ErrorTrial {
-    std::vector<GraphColour> colours;  // as they were before it
-    std::vector<SolverBody> bodies;    // as they were after it, in the task's order
+    std::vector<GraphColour> colours;  // before the trial
+    std::vector<SolverBody> bodies;    // after the trial, in the task's order
 };
 
-// What listeners are shown of a group.
+// A group of bodies as passed to listeners.
 struct ListenedGroup {
     std::vector<std::uint32_t> awake;
     std::vector<BodyId> bodies;
 };
 
 struct SolverScratch {
-    SolverBodies hot;                      // by hot index
-    std::vector<ExternalChange> external;  // by hot index
+    SolverBodies hot;                      // indexed by hot index
+    std::vector<ExternalChange> external;  // indexed by hot index
     BodiesBySet bodies;                    // dynamic bodies with contacts or joints
-    BodiesBySet jointed;                   // those of them with joints
+    BodiesBySet jointed;                   // the subset with joints
     std::vector<std::uint8_t> set_of;  // by awake body: index of its colour set, if it is solved
     std::vector<std::uint32_t> kinematic;  // hot indices of kinematic bodies that the solver reads
-    std::vector<std::uint32_t> free;  // awake indices of the other bodies, and all kinematic ones
-    // These by the first set of a task.
+    std::vector<std::uint32_t>
+        free;  // awake indices of the other bodies, and of all kinematic ones
+    // Indexed by the first set of a task.
     std::array<JointLevels, solved_set_count> joints;
     std::array<JointBatches, solved_set_count> joint_batches;
     std::array<std::vector<ColourRun>, solved_set_count> colour_runs;
     std::array<std::vector<std::uint32_t>, solved_set_count> in_fields;  // hot indices
     std::array<ErrorTrial, solved_set_count> trials;
     JointGroupScratch groups;
-    std::vector<SpinAxes> spin_axes;         // by hot index
-    std::vector<GyroscopicBody> gyroscopic;  // by hot index; filled where spin_axes is not world
-    // Groups of bodies whose sub-steps listeners are called for: by the first set; of free bodies.
+    std::vector<SpinAxes> spin_axes;         // indexed by hot index
+    std::vector<GyroscopicBody> gyroscopic;  // by hot index; valid if spin_axes is not world
+    // Groups of bodies for which sub-step listeners are called: by the first set; of free bodies.
     std::array<ListenedGroup, solved_set_count> listened;
     std::vector<ListenedGroup> listened_free;
-    std::vector<std::uint32_t> free_index;  // by awake body: its place among dynamic free ones
+    std::vector<std::uint32_t> free_index;  // by awake body: its index among dynamic free bodies
 };
 
 }  // namespace jostle::physics

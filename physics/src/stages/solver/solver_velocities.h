@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// A body in the middle of the solve, for what acts on it in a sub-step without being a constraint:
-// force fields and listeners. Reads and writes the body's hot record; different bodies at once.
+// Access to a body during the solve, for effects that act in a sub-step without being constraints:
+// force fields and listeners. Reads and writes the body's hot record. Thread-safe for different
+// bodies.
 #pragma once
 
 #include "physics/src/stages/solver/solver_scratch.h"
@@ -9,14 +10,14 @@
 
 namespace jostle::physics {
 
-// m, of mass, world.
+// Current centre of mass, m, world.
 Vec3 center_now(const BodyStore& bodies, const SolverScratch& scratch, std::uint32_t awake_index);
-// Where it is and how it moves now, in double, world axes.
+// Current pose and velocity in double, world axes.
 BodyWarm motion_now(const BodyStore& bodies, const SolverScratch& scratch,
                     std::uint32_t awake_index);
 
-// N s, and N m s about the centre of mass. It counts among what acts without contacts: no warm
-// start repeats it.
+// Applies an impulse in N s and an angular impulse in N m s about the centre of mass. It counts as
+// a non-contact change, so no warm start repeats it.
 void apply_solver_impulse(const BodyStore& bodies, SolverScratch& scratch,
                           std::uint32_t awake_index, Vec3 impulse, Vec3 angular_impulse);
 

@@ -11,7 +11,7 @@
 namespace jostle::physics {
 namespace {
 
-// What both kinds of groups have in common.
+// Common base of both kinds of groups.
 class Substep : public SubstepContext {
 public:
     Substep(StepContext& step, const SubstepInfo& substep_info,
@@ -57,7 +57,7 @@ protected:
     virtual BodyWarm motion(BodyId id) const = 0;
     virtual void push(BodyId id, Vec3 impulse, Vec3 angular_impulse) = 0;
 
-    // Its place in the awake set, or none.
+    // Its index in the awake set, or none.
     std::uint32_t awake_index(BodyId id) const {
         if (!step_.world.bodies.ids.matches(id.index, id.generation)) return none;
         const BodyCold& cold = step_.world.bodies.cold[id.index];

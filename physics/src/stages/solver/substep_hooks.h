@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What acts in a sub-step from outside: listeners and force fields. Of bodies in the solver by
-// their hot records, of free bodies by motions in double that integrate_free keeps.
+// External effects in a sub-step: listeners and force fields. They act on solved bodies through the
+// hot records, and on free bodies through the double motions of integrate_free.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ namespace jostle::physics {
 inline bool has_substep_listeners(const ListenerStore& listeners) {
     return listeners.active_hooks.substeps;
 }
-// Groups are then one a colour set, and chunks of free bodies.
+// If concurrent, there is one group per colour set, and free bodies are split into chunks.
 inline bool listens_at_once(const ListenerStore& listeners) {
     return listeners.active_hooks.substeps && listeners.active_hooks.concurrent;
 }
@@ -31,20 +31,21 @@ struct SubstepInfo {
     bool after = false;
 };
 
-// Calls every listener that wants sub-steps, on this thread. The bodies of a task of the solver, by
-// hot index; their colour sets are [first, last).
+// Calls all sub-step listeners on this thread. `hot`: hot indices of the bodies of a solver task.
+// Their colour sets are [first, last).
 void call_listeners(StepContext& step, const SubstepInfo& substep_info,
                     std::span<const std::uint32_t> hot, std::size_t first, std::size_t last);
-// ... of free bodies: awake indices and how each moves now; the first one's place among all free
-// ones.
+// Same for free bodies: awake indices and current motions. `first_free_index`: index of the first
+// one among all free bodies.
 void call_listeners(StepContext& step, const SubstepInfo& substep_info,
                     std::span<const std::uint32_t> awake, std::span<BodyWarm> moving,
                     std::uint32_t first_free_index, ListenedGroup& group);
 
-// Adds to `found` those whom a field may reach within the step, by their velocity as it begins.
+// Appends the bodies that a field may reach within the step, at their velocities at its start, to
+// `found`.
 void find_in_fields(const StepContext& step, std::span<const std::uint32_t> hot,
                     std::vector<std::uint32_t>& found);
-// What the force fields do in a sub-step to bodies of the solver.
+// Applies the force fields to solved bodies in a sub-step.
 void push_by_fields(StepContext& step, const SubstepInfo& substep_info,
                     std::span<const std::uint32_t> hot);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What a joint of the world keeps from step to step, as the direct solver of joint groups takes it,
-// and back. A group that touches down goes on from what it bore, and the other way round.
+// Converts the persistent state of a joint to the form of the direct solver of joint groups, and
+// back. A group keeps its joint loads when it gets its first contact, and vice versa.
 #pragma once
 
 #include "physics/src/constraints/direct/direct_joint.h"
@@ -9,7 +9,7 @@
 
 namespace jostle::physics {
 
-// `carried`: the rotation of the body with which impulses turn.
+// `carried`: rotation of the body that impulses rotate with.
 WarmStartCache read_warm_start(const Joint& from, Quat carried);
 void write_warm_start(Joint& to, Quat carried, const WarmStartCache& cache);
 

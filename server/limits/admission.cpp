@@ -11,12 +11,13 @@ using physics::Vec3;
 
 namespace {
 
-constexpr double coordinate_max = 1e4;             // m
-constexpr double size_min = 0.05, size_max = 2;    // m
-constexpr double mass_min = 1e-3, mass_max = 1e6;  // kg: about what sizes and densities allow
-constexpr double spawn_speed_max = 50;             // m/s and rad/s
-constexpr double impulse_max = 1e7;                // N s; the world cuts it to what gives 20 m/s
-constexpr double aim_length_max = 2000;            // m
+constexpr double coordinate_max = 1e4;           // m
+constexpr double size_min = 0.05, size_max = 2;  // m
+// kg: roughly the range that sizes and densities allow
+constexpr double mass_min = 1e-3, mass_max = 1e6;
+constexpr double spawn_speed_max = 50;   // m/s and rad/s
+constexpr double impulse_max = 1e7;      // N s; the world limits it to a speed change of 20 m/s
+constexpr double aim_length_max = 2000;  // m
 constexpr double explosion_radius_max = 20, explosion_speed_max = 20;  // m, m/s
 
 // Written so that NaN fails.
@@ -54,7 +55,7 @@ Status check_aim(const Aim& aim) {
     if (Status s = check_point("aim.origin", aim.origin); !s.ok()) return s;
     if (Status s = check_length("aim.motion", aim.motion, aim_length_max); !s.ok()) return s;
     if (aim.motion == Vec3{}) return invalid_argument("aim.motion is zero; it must have a length");
-    return aim.view_time ? check_number("aim.seen.fraction", aim.view_time->fraction, 0, 1)
+    return aim.view_time ? check_number("aim.view_time.fraction", aim.view_time->fraction, 0, 1)
                          : Status();
 }
 
@@ -122,8 +123,8 @@ private:
                                             kind_name(physics::kind_of(geometry)),
                                             spawned_shapes_allowed));
     }
-    // Its smallest size is the ball that fits inside: no slivers. Its largest is from the body's
-    // origin, which it may not be far away from.
+    // The minimum size applies to the inscribed ball, which excludes slivers. The maximum applies
+    // to the distance from the body's origin, so that the shape is not far away from it.
     static Status check_hull(const physics::ConvexHull& hull) {
         if (hull.vertices.size() > static_cast<std::size_t>(spawned_hull_points_max))
             return invalid_argument(fmt::format("the hull has {} points; {}", hull.vertices.size(),
@@ -134,9 +135,9 @@ private:
                     fmt::format("hull.points: ({:g}, {:g}, {:g}) is not within {:g} m of the "
                                 "origin along each axis",
                                 p.x, p.y, p.z, size_max));
-        return check_size("hull: the radius of the ball that fits inside", hull.inner_radius);
+        return check_size("hull: inscribed radius", hull.inner_radius);
     }
-    // What else a shape says about itself.
+    // The remaining properties of the shape.
     static Status check_material(const physics::ShapeDef& shape) {
         const physics::Material& m = shape.material;
         if (Status s = check_number("density", shape.density, 1, 20000); !s.ok()) return s;
@@ -170,16 +171,16 @@ Admission::Admission(const ClientLimits& limits, bool spectator, Clock::time_poi
       inputs_(limits.inputs_per_second, now) {}
 
 bool Admission::admit_message(std::size_t bytes, Clock::time_point now) {
-    // Both are asked, so that a refused message counts against neither alone.
+    // Both buckets are always charged, so that an oversized message also counts as a message.
     const bool count = messages_.take(1, now);
     return bytes_.take(static_cast<double>(bytes), now) && count;
 }
 
 Status Admission::admit_input(const Action& action, Clock::time_point now) {
-    if (spectator_) return Error{ErrorCode::permission_denied, "you are a spectator"};
+    if (spectator_) return Error{ErrorCode::permission_denied, "spectators cannot send inputs"};
     if (!inputs_.take(1, now))
         return Error{ErrorCode::resource_exhausted,
-                     fmt::format("more than {:g} inputs a second", limits_.inputs_per_second)};
+                     fmt::format("more than {:g} inputs per second", limits_.inputs_per_second)};
     return check_numbers(action);
 }
 

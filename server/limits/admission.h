@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// May this input go to the world? Numbers in range, rights, rates. What only the world knows (does
-// the entity exist, is it yours, how many do you own) is decided there.
+// Checks an input before it is queued for the world: value ranges, rights, rates. The world itself
+// checks conditions that only it knows: whether the entity exists, its owner, the number of owned
+// bodies.
 #pragma once
 
 #include "jostle/base/result.h"
@@ -16,16 +17,16 @@ inline constexpr char spawned_shapes_allowed[] =
     "allowed are sphere, capsule, box, cylinder, cone, and hull of at most 32 points, with sizes "
     "from 0.05 to 2 m";
 
-// The limits of play.proto: sizes 0.05 to 2 m, spawn speed 50 m/s, explosions 20 m and 20 m/s,
-// coordinates 10 km.
+// Checks the limits of play.proto: sizes 0.05 to 2 m, spawn speed 50 m/s, explosions 20 m and 20
+// m/s, coordinates 10 km.
 Status check_numbers(const Action& action);
 
-// Per client.
+// The admission state of one client.
 class Admission {
 public:
     Admission(const ClientLimits& limits, bool spectator, Clock::time_point now);
 
-    // A message of that size arrived: false when the client sends too many or too much.
+    // Charges a received message. Returns false if the client exceeds its message or byte rate.
     bool admit_message(std::size_t bytes, Clock::time_point now);
     Status admit_input(const Action& action, Clock::time_point now);
 

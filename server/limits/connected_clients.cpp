@@ -7,7 +7,7 @@ namespace jostle::server {
 
 namespace {
 
-// Over which the rate is taken: of one that was sent nothing for longer it falls to what it is.
+// Averaging window of the rate. Without traffic for longer than this, the rate decreases.
 constexpr double window_s = 1;
 
 double seconds_between(Clock::time_point from, Clock::time_point to) {
@@ -17,13 +17,14 @@ double seconds_between(Clock::time_point from, Clock::time_point to) {
 }  // namespace
 
 void ConnectedClient::count_sent(std::size_t bytes, Clock::time_point now) {
-    const Clock::time_point began{Clock::duration(window_began_.load(std::memory_order_relaxed))};
-    const double seconds = seconds_between(began, now);
+    const Clock::time_point window_start{
+        Clock::duration(window_start_.load(std::memory_order_relaxed))};
+    const double seconds = seconds_between(window_start, now);
     if (seconds >= window_s) {
         const auto sent = static_cast<double>(window_bytes_.load(std::memory_order_relaxed));
         last_rate_.store(sent / seconds, std::memory_order_relaxed);
         window_bytes_.store(0, std::memory_order_relaxed);
-        window_began_.store(now.time_since_epoch().count(), std::memory_order_relaxed);
+        window_start_.store(now.time_since_epoch().count(), std::memory_order_relaxed);
     }
     window_bytes_.fetch_add(bytes, std::memory_order_relaxed);
 }
@@ -45,10 +46,12 @@ void ConnectedClient::kick(std::string reason) {
     is_kicked_.store(true, std::memory_order_release);
 }
 
-// The parts may be of two moments when the link writes meanwhile: good enough to look at.
+// The values may be from different points in time if the session writes concurrently; that is
+// accurate enough for display.
 ClientStatus ConnectedClient::status(Clock::time_point now) const {
-    const Clock::time_point began{Clock::duration(window_began_.load(std::memory_order_relaxed))};
-    const double seconds = seconds_between(began, now);
+    const Clock::time_point window_start{
+        Clock::duration(window_start_.load(std::memory_order_relaxed))};
+    const double seconds = seconds_between(window_start, now);
     const auto bytes = static_cast<double>(window_bytes_.load(std::memory_order_relaxed));
     double rate = last_rate_.load(std::memory_order_relaxed);
     if (seconds >= window_s || rate == 0) rate = seconds > 0 ? bytes / seconds : 0;
@@ -61,29 +64,29 @@ ClientStatus ConnectedClient::status(Clock::time_point now) const {
 
 std::shared_ptr<ConnectedClient> ConnectedClients::add(ClientIdentity who) {
     const ClientId client = who.id;
-    auto record = std::make_shared<ConnectedClient>(std::move(who));
+    auto entry = std::make_shared<ConnectedClient>(std::move(who));
     const std::lock_guard lock(mutex_);
-    records_[client] = record;
-    return record;
+    clients_[client] = entry;
+    return entry;
 }
 
 void ConnectedClients::remove(ClientId client) {
     const std::lock_guard lock(mutex_);
-    records_.erase(client);
+    clients_.erase(client);
 }
 
 std::vector<ClientStatus> ConnectedClients::status(Clock::time_point now) const {
     const std::lock_guard lock(mutex_);
-    std::vector<ClientStatus> sights;
-    sights.reserve(records_.size());
-    for (const auto& [client, record] : records_) sights.push_back(record->status(now));
-    return sights;
+    std::vector<ClientStatus> statuses;
+    statuses.reserve(clients_.size());
+    for (const auto& [client, entry] : clients_) statuses.push_back(entry->status(now));
+    return statuses;
 }
 
 Status ConnectedClients::kick(ClientId client, std::string reason) {
     const std::lock_guard lock(mutex_);
-    const auto at = records_.find(client);
-    if (at == records_.end())
+    const auto at = clients_.find(client);
+    if (at == clients_.end())
         return Error{ErrorCode::not_found,
                      "there is no client " + std::to_string(client) + "; it may have left"};
     at->second->kick(std::move(reason));

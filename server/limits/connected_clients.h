@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Who is connected, as operators see it, and how they send somebody away. A client's link writes
-// its record on its own thread; anyone may read all of them.
+// The connected clients as operators see them, and how operators disconnect one. A client's session
+// writes its entry on its own thread; any thread may read all entries.
 #pragma once
 
 #include <atomic>
@@ -22,32 +22,32 @@ namespace jostle::server {
 
 struct ClientIdentity {
     ClientId id = 0;
-    std::string name;     // as it calls itself
-    std::string subject;  // whom its token names; empty: nobody asked
+    std::string name;     // chosen by the client
+    std::string subject;  // from its token; empty: authentication is off
     std::string world_id, world_name;
     std::string address;
     bool spectator = false;
     Clock::time_point since;
 };
 
-// A client at one moment.
+// Status of a client at one point in time.
 struct ClientStatus {
     ClientIdentity who;
-    double connected_seconds = 0;  // since it came
-    double kbit_per_second = 0;    // sent to it, over the last second or so
-    std::uint32_t skipped = 0;     // snapshots it was not sent because it did not keep up
+    double connected_seconds = 0;  // since it connected
+    double kbit_per_second = 0;    // sent to it, averaged over about the last second
+    std::uint32_t skipped = 0;     // snapshots not sent because it did not keep up
     double round_trip_ms = 0;      // of its last acknowledgement; 0: none yet
 };
 
 class ConnectedClient {
 public:
     explicit ConnectedClient(ClientIdentity who)
-        : who_(std::move(who)), window_began_(who_.since.time_since_epoch().count()) {}
+        : who_(std::move(who)), window_start_(who_.since.time_since_epoch().count()) {}
 
-    // The link's thread.
+    // The session's thread.
     void count_sent(std::size_t bytes, Clock::time_point now);
     void set_flow(std::uint32_t skipped, double round_trip_s);
-    // Why the client must go; nothing: it may stay.
+    // The reason if the client was kicked; empty: it was not.
     std::optional<std::string> kicked() const;
 
     // Any thread.
@@ -56,10 +56,10 @@ public:
 
 private:
     const ClientIdentity who_;
-    // Of the second that runs, and of the last one that was full.
-    std::atomic<Clock::rep> window_began_;
+    // Of the current window, and the rate of the last complete one.
+    std::atomic<Clock::rep> window_start_;
     std::atomic<std::uint64_t> window_bytes_{0};
-    std::atomic<double> last_rate_{0};  // bytes a second
+    std::atomic<double> last_rate_{0};  // bytes per second
     std::atomic<std::uint32_t> skipped_{0};
     std::atomic<double> round_trip_s_{0};
     std::atomic<bool> is_kicked_{false};
@@ -73,13 +73,13 @@ public:
     std::shared_ptr<ConnectedClient> add(ClientIdentity who);
     void remove(ClientId client);
 
-    std::vector<ClientStatus> status(Clock::time_point now) const;  // in order of their ids
-    // The client is told, and its stream ends within a moment. Not found: there is none of that id.
+    std::vector<ClientStatus> status(Clock::time_point now) const;  // in ascending order of id
+    // Notifies the client and ends its stream shortly after. not_found: no client has this id.
     Status kick(ClientId client, std::string reason);
 
 private:
     mutable std::mutex mutex_;
-    std::map<ClientId, std::shared_ptr<ConnectedClient>> records_;
+    std::map<ClientId, std::shared_ptr<ConnectedClient>> clients_;
 };
 
 }  // namespace jostle::server

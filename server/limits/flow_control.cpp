@@ -8,21 +8,22 @@
 namespace jostle::server {
 namespace {
 
-constexpr int window_min = 2, window_at_first = 4;
-constexpr double slack_s = 0.05;  // of the window beyond round trip and ack period
-// What stands for a round and is longer is the client's pace. A slow one is always reading one
-// message, so one that waits is none too many.
+constexpr int window_min = 2, initial_window = 4;
+constexpr double slack_s = 0.05;  // added to round trip and ack interval in the window
+// A standing queue above these limits means that the client is slow. A slow client is always
+// reading one message, so one queued message is acceptable.
 constexpr double queue_max_s = 0.04, queue_max_messages = 1;
 constexpr auto round_length = std::chrono::milliseconds(250);
 constexpr int round_acks = 2;
 constexpr double rate_min = 1;
-constexpr double below_delivered = 0.95;  // so that a queue does not grow again
+constexpr double below_delivered = 0.95;  // so that the queue drains
 constexpr double first_raise = 1.1, next_raise = 1.5;
 constexpr auto pause_min = std::chrono::seconds(1), pause_max = std::chrono::seconds(2);
-// A client that takes less is given a moment without anything on the way so often: a way that was
-// taken for longer than it is would keep a queue as long as that.
-constexpr auto alone_period = std::chrono::seconds(10);
-constexpr double full_share = 0.8;  // who is delivered so much of the rate takes all of it
+// While a client is slow, the path is drained this often to measure the base round trip again. An
+// overestimated base round trip would keep a queue of the same length.
+constexpr auto drain_period = std::chrono::seconds(10);
+// a client that receives this share of the rate accepts the full rate
+constexpr double full_share = 0.8;
 
 double seconds(Clock::duration duration) {
     return std::chrono::duration<double>(duration).count();
@@ -35,16 +36,16 @@ FlowControl::FlowControl(const StreamSettings& settings, double hz, int divider)
       divider_(std::max(1, divider)),
       full_rate_(hz / divider_),
       rate_(full_rate_),
-      window_learned_(window_at_first),
+      window_learned_(initial_window),
       pause_(pause_min) {}
 
-// While the rate rises the window goes by what arrived: it bounds what a rate that is too high
-// adds.
+// While the rate rises, the window follows the delivered rate, which bounds the data that a too
+// high rate adds.
 int FlowControl::window() const {
-    const double way_s = rtt_min_s_ + settings_.ack_interval_ms / 1000.0 + slack_s;
+    const double window_s = rtt_min_s_ + settings_.ack_interval_ms / 1000.0 + slack_s;
     const double rate = limited_ ? std::min(rate_, delivered_rate_) : rate_;
-    const int wanted = static_cast<int>(std::lround(rate * way_s));
-    return std::clamp(std::min(wanted, window_learned_), window_min, settings_.ack_window_max);
+    const int by_rate = static_cast<int>(std::lround(rate * window_s));
+    return std::clamp(std::min(by_rate, window_learned_), window_min, settings_.ack_window_max);
 }
 
 bool FlowControl::may_send(std::uint32_t tick, Clock::time_point now) {
@@ -57,7 +58,7 @@ bool FlowControl::may_send(std::uint32_t tick, Clock::time_point now) {
         rate_skipped_++;
         return false;
     }
-    // Only a snapshot is acknowledged: when none is on the way, one must go.
+    // Only snapshots are acknowledged: if none is in flight, one must be sent.
     const bool open = in_flight_ + others_ < window() && !emptying_ && !probing_;
     if (sent_snapshots_.empty() || open) return true;
     skipped_++;
@@ -69,19 +70,19 @@ void FlowControl::on_sent(std::uint32_t frame, Clock::time_point now) {
     sent_snapshots_.push_back({frame, now, others_ + 1, alone});
     in_flight_ += others_ + 1;
     others_ = 0;
-    // An even pace; what was late by less than a step does not move those that follow.
+    // Keeps an even pace; a delay of less than one step does not shift later snapshots.
     const Clock::duration step = from_seconds(1 / rate_);
     next_send_ = std::max(next_send_, now - step) + step;
 }
 
-void FlowControl::on_ack(std::uint32_t frame, Clock::duration held, Clock::time_point now) {
-    // An ack covers all that was sent before: the stream is ordered. A frame that is not in flight
-    // says nothing.
+void FlowControl::on_ack(std::uint32_t frame, Clock::duration ack_delay, Clock::time_point now) {
+    // An ack covers everything sent before, because the stream is ordered. An ack of a frame that
+    // is not in flight is ignored.
     const auto at = std::find_if(sent_snapshots_.begin(), sent_snapshots_.end(),
                                  [&](const SentSnapshot& f) { return f.frame == frame; });
     if (at == sent_snapshots_.end()) return;
     const SentSnapshot sent = *at;
-    const double rtt = std::max(0.0, seconds(now - sent.at - held));
+    const double rtt = std::max(0.0, seconds(now - sent.at - ack_delay));
     update_round_trip(sent, rtt, now);
     int delivered = 0;
     for (auto flight = sent_snapshots_.begin(); flight <= at; ++flight)
@@ -102,11 +103,11 @@ void FlowControl::drop_sent_before(Clock::time_point sent) {
     if (sent_snapshots_.empty()) probing_ = false;
 }
 
-// What was sent before the rate was lowered says nothing of the new one.
+// Snapshots sent before the rate was lowered carry no information about the new rate.
 void FlowControl::update_queue_estimate(const SentSnapshot& flight, double rtt, int delivered,
                                         Clock::time_point now) {
     if (round_.begun == Clock::time_point{} || flight.at <= lowered_) {
-        round_ = {.begun = now};  // what came before took no time that is known
+        round_ = {.begun = now};  // the delivery time of earlier snapshots is unknown
         return;
     }
     const double queue_s = rtt - rtt_min_s_;
@@ -116,8 +117,8 @@ void FlowControl::update_queue_estimate(const SentSnapshot& flight, double rtt, 
     if (now - round_.begun >= round_length && round_.acks >= round_acks) end_round(now);
 }
 
-// Others on the way make a queue: only what was alone says how long the way is, and any how long it
-// is at most.
+// Other messages in flight add queueing delay: only a snapshot that was alone in flight measures
+// the base round trip; every other one gives an upper bound.
 void FlowControl::update_round_trip(const SentSnapshot& flight, double rtt, Clock::time_point now) {
     rtt_s_ = rtt;
     if (flight.alone) alone_at_ = now;
@@ -131,7 +132,7 @@ void FlowControl::end_round(Clock::time_point now) {
         slow_down(now);
     else if (limited_ && now >= raise_at_)
         speed_up();
-    if (limited_ && now - alone_at_ > alone_period) {
+    if (limited_ && now - alone_at_ > drain_period) {
         emptying_ = true;
         alone_at_ = now;
     }
@@ -139,7 +140,8 @@ void FlowControl::end_round(Clock::time_point now) {
 }
 
 void FlowControl::slow_down(Clock::time_point now) {
-    // A queue that the last time did not take away may be none: the way became longer.
+    // If lowering the rate did not remove the queue, it may be no queue: the path may have become
+    // longer.
     emptying_ = (limited_ && !raised_) || alone_at_ == Clock::time_point{};
     pause_ = std::exchange(raised_, false) ? std::min<Clock::duration>(pause_ * 2, pause_max)
                                            : pause_min;
@@ -147,13 +149,13 @@ void FlowControl::slow_down(Clock::time_point now) {
     limited_ = true;
     lowered_ = now;
     rate_ = std::max(rate_min, below_delivered * std::min(rate_, delivered_rate_));
-    // What is on the way is read by then, but for what a round trip holds.
+    // By then the client has read everything in flight except for one round trip's worth.
     const double drain_s = in_flight_ / std::max(delivered_rate_, rate_min) - rtt_min_s_;
     next_send_ = now + from_seconds(std::max(0.0, drain_s));
 }
 
-// A little at first, to see whether a queue comes; then quickly. When the full rate arrives it is
-// over.
+// Raises the rate a little at first to detect a new queue, then quickly. Limiting ends when the
+// full rate is delivered.
 void FlowControl::speed_up() {
     limited_ = rate_ < full_rate_ || delivered_rate_ < full_share * full_rate_;
     rate_ = std::min(full_rate_, rate_ * (raised_ ? next_raise : first_raise));

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// When a client gets its next snapshot. What was sent and not acknowledged waits in buffers on the
-// way, and is as old as that queue is long: without a bound they fill for seconds before a write
-// ever blocks. The bound is a rate and a window: at first the world's rate and, after a few acks,
-// what it has on the way in a round trip, an ack period and a little slack. A queue that does not
-// go away within a quarter of a second means that the client takes less: the rate becomes what it
-// took, nothing is sent until the queue is gone, and the window shrinks with the rate. A burst, or
-// a stall however long, leaves no queue behind and changes nothing. After a pause the rate rises
-// again, the window with what is delivered; the pause doubles when this was too much. (The standing
-// queue is CoDel's, Nichols and Jacobson 2012; a rate that follows what was delivered is BBR's,
-// Cardwell et al. 2016.)
+// Decides when a client gets its next snapshot. Unacknowledged data waits in buffers along the path
+// and ages with the length of the queue; without a limit the buffers fill for seconds before a
+// write ever blocks. The limits are a rate and a window. The rate starts at the world's rate. After
+// a few acks the window covers a round trip, an ack interval and a little slack at that rate. A
+// queue that stands for a quarter of a second means that the client is slower: the rate becomes the
+// delivered rate, nothing is sent until the queue is gone, and the window shrinks with the rate. A
+// burst, or a stall of any length, leaves no queue behind and changes nothing. After a pause the
+// rate rises again, and the window with the delivered rate; the pause doubles if the rise was too
+// much. (Standing queue: CoDel, Nichols and Jacobson 2012. Rate from delivery: BBR, Cardwell et al.
+// 2016.)
 #pragma once
 
 #include <cstdint>
@@ -22,45 +22,45 @@ namespace jostle::server {
 
 class FlowControl {
 public:
-    // `hz`: ticks a second. `divider`: the client asked for every divider-th tick.
+    // `hz`: ticks per second. `divider`: the client requested every divider-th tick.
     FlowControl(const StreamSettings& settings, double hz, int divider);
 
-    // Whether the snapshot of this tick may go out now. Counts what is left out.
+    // Whether the snapshot of this tick may be sent now. Counts skipped snapshots.
     bool may_send(std::uint32_t tick, Clock::time_point now);
-    // A snapshot was handed to the transport.
+    // A snapshot was passed to the transport.
     void on_sent(std::uint32_t frame, Clock::time_point now);
-    // Any other message was: it waits in the same queue.
+    // Another message was passed to the transport; it waits in the same queue.
     void on_other_sent() { others_++; }
-    // `held`: between the client's decoding of the frame and its ack.
-    void on_ack(std::uint32_t frame, Clock::duration held, Clock::time_point now);
+    // `ack_delay`: time between the client's decoding of the frame and its ack.
+    void on_ack(std::uint32_t frame, Clock::duration ack_delay, Clock::time_point now);
 
-    // Of datagrams: what was sent before and not acknowledged since is lost, and no longer on the
-    // way.
+    // For datagrams: snapshots sent before `sent` without an acknowledgement are lost and no longer
+    // in flight.
     void drop_sent_before(Clock::time_point sent);
 
-    // Messages that may be on the way.
+    // Maximum number of messages in flight.
     int window() const;
     int in_flight() const { return in_flight_; }
-    double rate() const { return rate_; }  // snapshots a second
-    // Snapshots that the window held back.
+    double rate() const { return rate_; }  // snapshots per second
+    // Snapshots skipped because the window was full.
     std::uint32_t skipped() const { return skipped_; }
-    // Snapshots that were not even tried, because the client takes fewer.
+    // Snapshots skipped because the rate is limited.
     std::uint32_t rate_skipped() const { return rate_skipped_; }
-    double round_trip_s() const { return rtt_s_; }  // of the last ack; 0: there was none
+    double round_trip_s() const { return rtt_s_; }  // of the last ack; 0: none yet
     int divider() const { return divider_; }
 
 private:
     struct SentSnapshot {
         std::uint32_t frame;
         Clock::time_point at;
-        int messages;  // with those that went before it and are no snapshots
-        bool alone;    // nothing else was on the way
+        int messages;  // including other messages sent just before it
+        bool alone;    // nothing else was in flight
     };
-    // What acks told since `begun`.
+    // Measurements from acks since `begun`.
     struct Round {
         Clock::time_point begun{};
         int acks = 0, delivered = 0;
-        double queue_s = 0;  // the shortest
+        double queue_s = 0;  // minimum
     };
     void update_round_trip(const SentSnapshot& flight, double rtt, Clock::time_point now);
     void update_queue_estimate(const SentSnapshot& flight, double rtt, int delivered,
@@ -72,17 +72,17 @@ private:
     const StreamSettings settings_;
     const int divider_;
     const double full_rate_;
-    double rate_, delivered_rate_ = 0;  // as of the last round
-    int window_learned_;                // grows with what is acknowledged; for the first moments
+    double rate_, delivered_rate_ = 0;  // of the last round
+    int window_learned_;                // slow start: grows with acknowledged messages
     Fifo<SentSnapshot> sent_snapshots_;
     int in_flight_ = 0, others_ = 0;  // messages; since the last snapshot
     double rtt_s_ = 0, rtt_min_s_ = 0;
     bool measured_ = false;
     Round round_;
-    bool emptying_ = false;  // until nothing is on the way, to see how long the way is
-    bool probing_ = false;   // by one snapshot alone
-    bool limited_ = false;   // the rate was lowered, and not yet seen to be right in full
-    bool raised_ = false;    // since then
+    bool emptying_ = false;  // until nothing is in flight, to measure the base round trip
+    bool probing_ = false;   // with a single snapshot in flight
+    bool limited_ = false;   // the rate was lowered, and the full rate is not confirmed yet
+    bool raised_ = false;    // since the rate was lowered
     Clock::time_point next_send_{}, raise_at_{}, lowered_{}, alone_at_{};
     Clock::duration pause_;  // before the rate is raised
     std::uint32_t skipped_ = 0, rate_skipped_ = 0;

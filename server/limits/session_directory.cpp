@@ -7,7 +7,7 @@ namespace jostle::server {
 
 namespace {
 
-void take_one(std::map<std::string, int>& counts, const std::string& key) {
+void decrement(std::map<std::string, int>& counts, const std::string& key) {
     const auto at = counts.find(key);
     if (--at->second == 0) counts.erase(at);
 }
@@ -35,9 +35,9 @@ Result<ClientId> SessionDirectory::enter(const std::string& world_id, const std:
                      "the server is full: " + std::to_string(clients_max_) + " clients"};
     const auto same = of_network_.find(network);
     if (same != of_network_.end() && same->second >= per_network_max_)
-        return Error{ErrorCode::resource_exhausted, "your address has " +
+        return Error{ErrorCode::resource_exhausted, "this address already has " +
                                                         std::to_string(per_network_max_) +
-                                                        " clients here, the most allowed"};
+                                                        " clients, the maximum"};
     const ClientId client = next_++;
     sessions_[client] = {world_id, network};
     of_world_[world_id]++;
@@ -50,8 +50,8 @@ void SessionDirectory::leave(ClientId client) {
     const std::lock_guard lock(mutex_);
     const auto at = sessions_.find(client);
     if (at == sessions_.end()) return;
-    take_one(of_world_, at->second.world);
-    take_one(of_network_, at->second.network);
+    decrement(of_world_, at->second.world);
+    decrement(of_network_, at->second.network);
     sessions_.erase(at);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Who is connected: client ids, and how many clients each world has. Any thread.
+// The connected clients: assigns client ids and counts clients per world and per network. Any
+// thread.
 #pragma once
 
 #include <functional>
@@ -18,13 +19,13 @@ public:
     explicit SessionDirectory(int clients_max, int per_network_max = 1 << 30)
         : clients_max_(clients_max), per_network_max_(per_network_max) {}
 
-    // Before anybody enters: ids from `first` on were never given. `on_id` is called under a lock
-    // with the one that comes next, after each that is given.
+    // Call before the first client enters: ids from `first` on were never assigned. `on_id` is
+    // called under a lock after each assignment with the next id.
     void use_ids(ClientId first, std::function<void(ClientId next)> on_id);
-    // A client of before, with its id.
+    // Registers a client of an earlier process with its id.
     void restore_client(ClientId client, const std::string& world_id, const std::string& network);
-    // A new client id; an error when the server is full, or full of clients of that network
-    // (base/address.h).
+    // Assigns a new client id. Fails if the server is full, or if the network (util/address.h) has
+    // its maximum of clients.
     Result<ClientId> enter(const std::string& world_id, const std::string& network);
     void leave(ClientId client);
 

@@ -18,7 +18,8 @@ using google::protobuf::internal::WireFormatLite;
 using google::protobuf::io::CodedOutputStream;
 namespace {
 
-// All zero means no rotation, and readers normalise; what has no direction is refused.
+// All zeros means no rotation; other values are normalized. Values without a direction are
+// rejected.
 Result<physics::Quat> to_rotation(const v1::Quat& q) {
     const physics::Quat quat{q.x(), q.y(), q.z(), q.w()};
     const double size = norm_squared(quat);
@@ -28,7 +29,7 @@ Result<physics::Quat> to_rotation(const v1::Quat& q) {
     return normalized(quat);
 }
 
-// What may never be spawned is refused before it costs the work of building it.
+// Rejects shapes that cannot be spawned before the cost of building them.
 Status check_kind(const v1::Shape& shape) {
     switch (shape.kind_case()) {
         case v1::Shape::kPlane:
@@ -67,8 +68,8 @@ Result<Action> action_of(const v1::SpawnInput& spawn) {
     return Action{command};
 }
 
-std::optional<Aim> to_aim(bool there, const v1::Aim& from) {
-    if (!there) return std::nullopt;
+std::optional<Aim> to_aim(bool present, const v1::Aim& from) {
+    if (!present) return std::nullopt;
     Aim aim{.origin = to_vector(from.origin()),
             .motion = to_vector(from.motion()),
             .ignore = from.ignore()};
@@ -124,7 +125,7 @@ Result<Action> action_of(const v1::Input& input) {
         case v1::Input::KIND_NOT_SET:
             break;
     }
-    return invalid_argument("the input is empty, or of a kind that this server does not know");
+    return invalid_argument("the input is empty or of an unknown kind");
 }
 
 Ack decode(const v1::Ack& ack) {
@@ -136,31 +137,32 @@ Result<Interest> decode(const v1::Interest& interest) {
     const physics::Vec3 focus = to_vector(interest.focus());
     const auto within = [](double value) { return std::abs(value) <= 1e9; };
     if (!within(focus.x) || !within(focus.z))
-        return invalid_argument("interest.focus is not a place within 1e9 m");
+        return invalid_argument("interest.focus is out of range; x and z must be within 1e9 m");
     if (!(interest.radius() == 0 || interest.radius() >= 1))
-        return invalid_argument("interest.radius is not 0, for all of the world, or 1 m or more");
+        return invalid_argument(
+            "interest.radius is out of range; it must be 0 (the whole world) or at least 1 m");
     Interest decoded{.x_m = focus.x, .z_m = focus.z};
     if (interest.radius() != 0) decoded.radius_m = interest.radius();
     return decoded;
 }
 
 Result<ClientMessage> decode(const v1::Hello& hello) {
-    std::optional<Interest> sees;
+    std::optional<Interest> area_of_interest;
     if (hello.has_interest()) {
         const Result<Interest> interest = decode(hello.interest());
         if (!interest.ok()) return invalid_argument("hello." + interest.error().message);
-        sees = *interest;
+        area_of_interest = *interest;
     }
     if (hello.max_kbps() != 0 && hello.max_kbps() < hello_kbps_min)
         return invalid_argument(
-            fmt::format("hello.max_kbps is {}; it is 0, for no bound, or {} or more",
+            fmt::format("hello.max_kbps is {}; it must be 0 (unlimited) or at least {}",
                         hello.max_kbps(), hello_kbps_min));
     if (hello.name().size() > client_name_bytes_max) {
         return invalid_argument(fmt::format("hello.name has {} bytes; at most {} are allowed",
                                             hello.name().size(), client_name_bytes_max));
     }
     if (hello.channels_size() > hello_channels_max) {
-        return invalid_argument(fmt::format("hello.channels names {} kinds; at most {} are allowed",
+        return invalid_argument(fmt::format("hello.channels has {} entries; at most {} are allowed",
                                             hello.channels_size(), hello_channels_max));
     }
     if (hello.resume().token().size() > resume_token_bytes_max) {
@@ -181,7 +183,7 @@ Result<ClientMessage> decode(const v1::Hello& hello) {
                                .channels = {hello.channels().begin(), hello.channels().end()},
                                .codec = hello.codec(),
                                .max_kbps = hello.max_kbps(),
-                               .interest = sees,
+                               .interest = area_of_interest,
                                .datagrams = hello.datagrams(),
                                .resumable = hello.resumable(),
                                .resume = std::move(resume)}};
@@ -194,7 +196,7 @@ Result<ClientMessage> decode(const v1::InputBatch& batch) {
     }
     if (first + static_cast<std::uint64_t>(batch.inputs_size()) > 0xffffffffu) {
         return invalid_argument(
-            "input.first_sequence leaves no numbers for the inputs; join again");
+            "input.first_sequence leaves no sequence numbers for the inputs; rejoin");
     }
     InputBatch decoded;
     decoded.first_sequence = batch.first_sequence();
@@ -240,8 +242,7 @@ Result<ClientMessage> decode_client_message(std::string_view bytes) {
         case v1::ClientMessage::MESSAGE_NOT_SET:
             break;
     }
-    return invalid_argument(
-        "the ClientMessage is empty, or of a kind that this server does not know");
+    return invalid_argument("the ClientMessage is empty or of an unknown kind");
 }
 
 }  // namespace jostle::server

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What a client sends: the messages of play.proto, decoded and checked. They came from strangers:
-// they are parsed strictly and each refusal says which field is wrong. Pure functions; any thread.
+// Decodes and validates client messages (play.proto). They are untrusted: parsing is strict, and
+// each error names the invalid field. Pure functions; any thread.
 #pragma once
 
 #include <cstdint>
@@ -31,9 +31,9 @@ struct Hello {
     bool spectator = false;
     bool events = false;
     std::string token;
-    std::vector<std::string> channels;  // names of kinds; "*": all
-    std::uint32_t codec = 0;            // the highest that it understands; 0: 1
-    std::uint32_t max_kbps = 0;         // 0: no bound
+    std::vector<std::string> channels;  // names of channel kinds; "*": all
+    std::uint32_t codec = 0;            // highest codec the client supports; 0: codec 1
+    std::uint32_t max_kbps = 0;         // 0: unlimited
     std::optional<Interest> interest;
     bool datagrams = false;
     bool resumable = false;
@@ -47,12 +47,12 @@ struct Ack {
     std::uint32_t frame = 0;
     bool need_keyframe = false;
     std::uint32_t ack_delay_ms = 0;
-    std::uint32_t ack_bits = 0;  // bit k: frame - 1 - k was decoded, too
+    std::uint32_t ack_bits = 0;  // bit k: frame - 1 - k was decoded as well
 };
 struct InputBatch {
     std::uint32_t first_sequence = 0;
-    std::vector<Result<Action>> inputs;  // an error refuses that input alone
-    std::vector<std::uint32_t> ticks;    // one for each: which it is meant for; 0: the next
+    std::vector<Result<Action>> inputs;  // an error rejects that input only
+    std::vector<std::uint32_t> ticks;    // one per input: its scheduled tick; 0: the next one
     std::optional<Ack> ack;
     std::uint32_t client_time_us = 0;
 };
@@ -63,9 +63,10 @@ struct Leave {};
 
 using ClientMessage = std::variant<Hello, InputBatch, Ack, Ping, Leave, Interest>;
 
-// The bytes of one ClientMessage. An error refuses the whole message.
+// Decodes the bytes of one ClientMessage. An error rejects the entire message.
 Result<ClientMessage> decode_client_message(std::string_view bytes);
-// Whether the bytes, which may be any, look like an InputBatch: one that should be taken at once.
+// Whether the bytes look like an InputBatch, which should be processed at once. Accepts arbitrary
+// bytes.
 bool looks_like_inputs(std::string_view bytes);
 
 }  // namespace jostle::server

@@ -44,7 +44,7 @@ v1::BodyType to_message(physics::BodyType type) {
     return v1::BODY_TYPE_UNSPECIFIED;
 }
 
-// Then its mass says all of where its mass is.
+// The mass of the entity alone then determines its mass distribution.
 bool has_one_density(const EntityDescription& entity) {
     return entity.shapes.size() == 1 ||
            std::ranges::all_of(entity.shapes, [&](const physics::ShapeState& shape) {
@@ -52,7 +52,7 @@ bool has_one_density(const EntityDescription& entity) {
            });
 }
 
-// Fills one roster after the other.
+// Splits entity updates into messages of bounded size.
 class EntityUpdateWriter {
 public:
     explicit EntityUpdateWriter(GeometryTable& table) : table_(table) {}
@@ -91,7 +91,7 @@ private:
 
     v1::EntityUpdate& entity_update() { return *message_.mutable_entity_update(); }
 
-    // What a viewer draws, where it is and how big, and what decides its touch.
+    // Writes appearance, pose, size and contact properties.
     void write(v1::Shape& to, const physics::ShapeState& shape, bool with_mass) {
         const auto large = table_.find_or_add(shape.geometry);
         scenes::write_geometry(to, large ? physics::Geometry{} : shape.geometry, shape.pose);

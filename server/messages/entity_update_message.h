@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Who came and who went, as messages: the large shapes that the bodies name, then rosters of
-// bounded size.
+// Encodes the difference of two entity lists: the large geometries that the bodies refer to, then
+// entity updates of bounded size.
 #pragma once
 
 #include <memory>
@@ -15,15 +15,16 @@
 namespace jostle::server {
 
 struct EntityUpdateMessages {
-    std::vector<std::shared_ptr<const LargeGeometry>> geometry;  // each once; named by `rosters`
-    std::vector<SharedBytes> entity_updates;                     // what is gone first
-    std::vector<EntityId> removed;                               // likewise
+    // each once; referenced by `entity_updates`
+    std::vector<std::shared_ptr<const LargeGeometry>> geometry;
+    std::vector<SharedBytes> entity_updates;  // removed entities first
+    std::vector<EntityId> removed;            // ids of removed entities
 };
 
-// From one entity list to another. Both are in rising order of id, and an entity never changes.
-// A EntityUpdate that only tells who is gone.
+// An EntityUpdate that only lists removed entities.
 std::string encode_removed(std::span<const EntityId> entities);
-
+// The update from one entity list to another. Both must be in ascending order of id; an entity
+// description never changes.
 EntityUpdateMessages entity_update_messages(const EntityList& from, const EntityList& to,
                                             GeometryTable& geometry);
 

@@ -16,7 +16,7 @@ void write_ends(v1::ContactEvent& to, const ContactEvent& from) {
     to.set_entity_b(from.b);
 }
 
-// What a kind has no number for is zero, and zero takes no bytes.
+// Fields that a kind does not use are zero, which takes no bytes.
 void write_contact(v1::ContactEvent& to, const ContactEvent& from) {
     write_ends(to, from);
     write_vector(*to.mutable_point(), from.point);
@@ -37,7 +37,7 @@ void write_break(v1::JointBreakEvent& to, const JointBreakEvent& from) {
     to.set_torque(from.torque);
 }
 
-// Where a tick keeps a kind of event, the field it is sent in, and how one is written.
+// The storage of one kind of event in a tick, its field in the message, and its encoder.
 template <class From, class To>
 struct Kind {
     std::vector<From> TickEvents::*from;
@@ -49,7 +49,7 @@ struct Kind {
     }
 };
 
-// The same for kinds that name one entity each.
+// The same for kinds with one entity each.
 struct EntityKind {
     std::vector<EntityId> TickEvents::*from;
     google::protobuf::RepeatedField<std::uint32_t>* (v1::Events::*field)();

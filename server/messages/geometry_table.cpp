@@ -12,7 +12,7 @@ namespace jostle::server {
 
 namespace {
 
-// FNV-1a (Fowler, Noll, Vo), 64 bits. Who makes two shapes of one hash gets two ids (below).
+// FNV-1a (Fowler, Noll, Vo), 64 bits. Shapes with the same hash get different ids (below).
 std::uint64_t hash_of(const std::string& bytes) {
     std::uint64_t hash = 0xcbf29ce484222325ull;
     for (const char c : bytes) {
@@ -49,7 +49,8 @@ std::shared_ptr<const LargeGeometry> GeometryTable::find_or_add(const physics::G
     return made;
 }
 
-// Two contents of one hash take ids side by side: a stranger's shape never stands for another's.
+// Contents with the same hash get consecutive ids, so that a shape crafted to collide never
+// replaces another one.
 std::shared_ptr<const LargeGeometry> GeometryTable::find_or_add(std::string bytes) {
     std::uint64_t id = hash_of(bytes);
     for (auto known = by_id_.find(id); known != by_id_.end(); known = by_id_.find(++id))

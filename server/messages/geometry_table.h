@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Shapes that are too large to be told with every body that has them: each made into bytes once,
-// under an id that is a hash of its content, and told once to each client. Owned by a
-// BroadcastCache, under its lock. What is kept grows with the different large shapes of a world,
-// which come from its scene alone: what clients spawn is small.
+// Shapes that are too large to be sent with every body that uses them: each is encoded once, under
+// an id that is a hash of its content, and sent once per client. Owned by a BroadcastCache, and
+// guarded by its lock. The table grows with the number of distinct large shapes in a world; all of
+// them come from its scene, because spawned shapes are small.
 #pragma once
 
 #include <cstdint>
@@ -17,8 +17,8 @@
 
 namespace jostle::server {
 
-// Of one message: far below the 4 MiB that clients take by default, and little enough that what
-// waits behind it does not wait long.
+// Maximum bytes per message: far below the default client limit of 4 MiB, and small enough that
+// later messages are not delayed for long.
 inline constexpr std::size_t chunk_bytes_max = 256 * 1024;
 
 struct LargeGeometry {
@@ -28,14 +28,15 @@ struct LargeGeometry {
 
 class GeometryTable {
 public:
-    // Null: small, to be told with the body. The same pointer for the same content.
+    // Returns null if the geometry is small and is sent with the body. Returns the same pointer for
+    // the same content.
     std::shared_ptr<const LargeGeometry> find_or_add(const physics::Geometry& geometry);
 
 private:
     std::shared_ptr<const LargeGeometry> find_or_add(std::string bytes);
 
     struct Known {
-        physics::Geometry held;  // so that no other shape can have its address
+        physics::Geometry held;  // keeps the address from being reused by another shape
         std::shared_ptr<const LargeGeometry> geometry;
     };
     std::map<const void*, Known> by_address_;

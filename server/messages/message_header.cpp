@@ -15,7 +15,7 @@ using google::protobuf::io::CodedOutputStream;
 std::string encode_header(int field_number, std::string_view own, std::size_t shared_bytes) {
     const std::uint32_t tag =
         WireFormatLite::MakeTag(field_number, WireFormatLite::WIRETYPE_LENGTH_DELIMITED);
-    std::array<std::uint8_t, 10> bytes{};  // a tag and a length of five bytes at most each
+    std::array<std::uint8_t, 10> bytes{};  // a tag and a length of at most five bytes each
     std::uint8_t* end = CodedOutputStream::WriteTagToArray(tag, bytes.data());
     end = CodedOutputStream::WriteVarint32ToArray(
         static_cast<std::uint32_t>(own.size() + shared_bytes), end);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The beginning of a ServerMessage whose end is shared by many clients (out_message.h).
+// Encodes the start of a ServerMessage whose end is shared by many clients (out_message.h).
 #pragma once
 
 #include <cstddef>
@@ -9,8 +9,8 @@
 
 namespace jostle::server {
 
-// A field of a message whose content is `own` and, after these bytes, `shared_bytes` more: its
-// tag, its length, then `own`.
+// The header of a field whose content is `own` followed by `shared_bytes` more bytes: tag, length,
+// then `own`.
 std::string encode_header(int field_number, std::string_view own, std::size_t shared_bytes);
 
 }  // namespace jostle::server

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// One ServerMessage on its way out, in pieces: the bytes of this client alone and those that many
-// clients get. Protobuf lets the fields of a message stand in any order and be concatenated, so the
-// pieces sent one after the other are the message, and the big ones are never copied.
+// An outgoing ServerMessage in pieces: the bytes for one client, and shared bytes for many.
+// Protobuf allows fields in any order and the concatenation of messages, so the pieces in sequence
+// form the message, and the large ones are never copied.
 #pragma once
 
 #include <cstddef>
@@ -14,16 +14,16 @@
 namespace jostle::server {
 
 struct OutMessage {
-    std::string header;                // first on the wire
-    SharedBytes shared;                // then this; null: nothing
-    std::vector<SharedBytes> cells{};  // then these; none of them null
+    std::string header;                // first
+    SharedBytes shared;                // second; null: nothing
+    std::vector<SharedBytes> cells{};  // last; none of them null
 
     std::size_t size() const {
         std::size_t bytes = header.size() + (shared ? shared->size() : 0);
         for (const SharedBytes& cell : cells) bytes += cell->size();
         return bytes;
     }
-    // For who does not send pieces.
+    // For transports that need one contiguous buffer.
     std::string concatenated() const {
         std::string bytes = header + (shared ? *shared : "");
         for (const SharedBytes& cell : cells) bytes += *cell;

@@ -98,13 +98,13 @@ std::string encode_welcome(const Welcome& from) {
     return message.SerializeAsString();
 }
 
-std::string encode_geometry_chunk(const GeometryChunk& piece) {
+std::string encode_geometry_chunk(const GeometryChunk& from) {
     v1::ServerMessage message;
-    v1::GeometryChunk& part = *message.mutable_geometry();
-    part.set_id(piece.id);
-    part.set_chunk(piece.chunk);
-    part.set_chunk_count(piece.chunk_count);
-    part.set_data(piece.data.data(), piece.data.size());
+    v1::GeometryChunk& chunk = *message.mutable_geometry();
+    chunk.set_id(from.id);
+    chunk.set_chunk(from.chunk);
+    chunk.set_chunk_count(from.chunk_count);
+    chunk.set_data(from.data.data(), from.data.size());
     return message.SerializeAsString();
 }
 
@@ -145,23 +145,23 @@ std::string encode_shared_snapshot(const EncodedSnapshot& encoded) {
     snapshot.set_crc(encoded.crc);
     snapshot.set_late_us(encoded.late_us);
     snapshot.set_unchanged_ticks(encoded.unchanged_ticks);
-    if (const auto& told = encoded.channels; !told.bytes.empty()) {
-        snapshot.set_channels(told.bytes.data(), told.bytes.size());
-        snapshot.set_channels_crc(told.crc);
+    if (const auto& channels = encoded.channels; !channels.bytes.empty()) {
+        snapshot.set_channels(channels.bytes.data(), channels.bytes.size());
+        snapshot.set_channels_crc(channels.crc);
     }
     return snapshot.SerializeAsString();
 }
 
-std::string encode_controlled_entity_field(const ControlledEntityState& driven, std::uint32_t tick,
-                                           std::span<const std::uint32_t> before, bool keyframe) {
-    if (keyframe) before = {};
-    wire::WordChanges changes = wire::changes_between(before, driven.words);
+std::string encode_controlled_entity_field(const ControlledEntityState& state, std::uint32_t tick,
+                                           std::span<const std::uint32_t> previous, bool keyframe) {
+    if (keyframe) previous = {};
+    wire::WordChanges changes = wire::changes_between(previous, state.words);
     v1::Snapshot fields;
     v1::ControlledEntityState& to = *fields.mutable_controlled_entity();
-    to.set_entity(driven.entity);
-    to.set_module(driven.module);
+    to.set_entity(state.entity);
+    to.set_module(state.module);
     to.set_tick(tick);
-    to.set_words(static_cast<std::uint32_t>(driven.words.size()));
+    to.set_words(static_cast<std::uint32_t>(state.words.size()));
     to.set_keyframe(keyframe);
     to.set_changed_mask(std::move(changes.changed));
     to.set_values(std::move(changes.values));

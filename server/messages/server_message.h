@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What the server sends (event_message has the events): each function returns the bytes of one
+// Encodes server messages (events: event_message.h). Each function returns the bytes of one
 // ServerMessage of play.proto, or one of the two pieces of a Snapshot. Pure functions; any thread.
 #pragma once
 
@@ -37,7 +37,7 @@ struct Welcome {
         datagram::Credentials credentials;
     };
     std::optional<Datagrams> datagrams = {};
-    std::string resume_token = {};  // empty: its place is not kept
+    std::string resume_token = {};  // empty: the session cannot be resumed
     bool resumed = false, state_preserved = false;
     std::uint32_t last_sequence = 0;
     double resume_timeout_seconds = 0;
@@ -45,7 +45,7 @@ struct Welcome {
 enum class NoticeKind { draining, world_closed, refused, rate_limit, world_restarted };
 
 std::string encode_welcome(const Welcome& welcome);
-// One piece of a large shape.
+// One chunk of a large shape.
 struct GeometryChunk {
     std::uint64_t id = 0;
     std::uint32_t chunk = 0, chunk_count = 0;
@@ -55,9 +55,9 @@ std::string encode_geometry_chunk(const GeometryChunk& piece);
 std::string encode_pong(std::uint64_t client_time_us, std::uint64_t server_time_us);
 std::string encode_notice(NoticeKind kind, const std::string& message);
 
-// --- snapshots: a shared piece and a client's own, one after the other, are one ServerMessage ---
+// --- snapshots: the client's own piece followed by a shared piece forms one ServerMessage ---
 
-// What is zero, or empty, is as it was told last.
+// Zero or empty fields are unchanged since the last update.
 struct ClientUpdate {
     std::uint32_t input_sequence = 0;
     std::uint32_t echo_client_time_us = 0;
@@ -66,19 +66,20 @@ struct ClientUpdate {
     std::int32_t input_margin_us = 0;
     std::uint32_t input_received = 0;
 };
-// Fields of jostle.v1.Snapshot that some get with it.
+// Optional fields of jostle.v1.Snapshot.
 std::string encode_stats_field(const Frame& frame, std::uint32_t clients);
 
-// What the client drives, against the words that it was told last; `whole`: against none.
-std::string encode_controlled_entity_field(const ControlledEntityState& driven, std::uint32_t tick,
-                                           std::span<const std::uint32_t> before, bool keyframe);
+// State of the controlled entity as a difference from the previously sent words; `keyframe`:
+// complete.
+std::string encode_controlled_entity_field(const ControlledEntityState& state, std::uint32_t tick,
+                                           std::span<const std::uint32_t> previous, bool keyframe);
 
-// The fields of jostle.v1.Snapshot that all clients share.
+// The fields of jostle.v1.Snapshot shared by all clients.
 std::string encode_shared_snapshot(const EncodedSnapshot& snapshot);
-// A field of jostle.v1.Snapshot that all clients share who see the cell.
+// A field of jostle.v1.Snapshot shared by all clients that see the cell.
 std::string encode_cell_field(const EncodedCell& cell);
 std::string encode_cells_left_field(std::span<const CellId> cells);
-// What stands before them: the field and length of the snapshot in its ServerMessage, then the
+// The start of the message: the tag and length of the snapshot in its ServerMessage, then the
 // client's own field and `more` fields.
 std::string encode_snapshot_header(const ClientUpdate& own, std::string_view more,
                                    std::size_t shared_bytes);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Vectors in messages to ours and back. Unchecked: who reads a stranger's numbers checks them.
+// Converts vectors from and to messages. Unchecked: callers must validate client values.
 #pragma once
 
 #include "jostle/physics/vec3.h"

@@ -10,16 +10,16 @@ void AckedFrames::on_sent(std::uint32_t frame, bool by_datagram) {
     if (sent_.size() > BaselineTracker::client_frames_max) sent_.pop_front();
 }
 
-bool AckedFrames::on_ack(std::uint32_t frame, std::uint32_t before) {
-    bool news = false;
+bool AckedFrames::on_ack(std::uint32_t frame, std::uint32_t ack_bits) {
+    bool is_new = false;
     for (Sent& sent : sent_) {
         if (sent.frame > frame) break;
         const std::uint32_t back = frame - sent.frame;
-        if (sent.acked || (back != 0 && (back > 32 || (before >> (back - 1) & 1) == 0))) continue;
+        if (sent.acked || (back != 0 && (back > 32 || (ack_bits >> (back - 1) & 1) == 0))) continue;
         sent.acked = true;
-        news = news || sent.by_datagram;
+        is_new = is_new || sent.by_datagram;
     }
-    return news;
+    return is_new;
 }
 
 std::uint32_t AckedFrames::newest() const {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// What one client was sent by whatever way, and which of it it said that it decoded: bases for
-// snapshots that may get lost. A client keeps the last 32 frames that it decoded, so of the last 32
-// that were sent it has all that it acknowledged.
+// The frames sent to one client over any transport, and those it acknowledged as decoded: baselines
+// for snapshots that may be lost. A client stores the last 32 decoded frames, so it still has every
+// acknowledged frame among the last 32 sent.
 //
-// Thread rule: one thread at a time.
+// Threads: one thread at a time.
 #pragma once
 
 #include <cstdint>
@@ -17,16 +17,17 @@ namespace jostle::server {
 class AckedFrames {
 public:
     void on_sent(std::uint32_t frame, bool by_datagram = true);
-    // The client decoded that frame and, for each bit k, the frame - 1 - k. What was never sent
-    // counts for nothing. True: that is news of one that went by datagram.
-    bool on_ack(std::uint32_t frame, std::uint32_t before);
-    // The client lost track: nothing that it has counts any more.
+    // The client decoded `frame` and, for each bit k of `ack_bits`, the frame - 1 - k. Frames that
+    // were never sent are ignored. Returns true if this newly acknowledges a frame sent by
+    // datagram.
+    bool on_ack(std::uint32_t frame, std::uint32_t ack_bits);
+    // The client lost its state: no frame is available as a baseline.
     void reset() { sent_.clear(); }
 
-    // The newest frame that the client said it has; 0: none that can be a base.
+    // The newest acknowledged frame; 0: none can be a baseline.
     std::uint32_t newest() const;
     std::uint32_t last_sent() const { return last_sent_; }
-    // What it has, as if it had been sent nothing else.
+    // The acknowledged frames, as if nothing else had been sent.
     BaselineTracker known() const;
     wire::BaselineFrames baselines_for(std::uint32_t frame) const {
         return known().baselines_for(frame);
@@ -39,7 +40,7 @@ private:
         bool acked = false;
     };
     std::uint32_t last_sent_ = 0;
-    Fifo<Sent> sent_;  // rising; at most as many as the client keeps
+    Fifo<Sent> sent_;  // ascending; at most as many as the client stores
 };
 
 }  // namespace jostle::server

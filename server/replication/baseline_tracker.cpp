@@ -4,7 +4,8 @@
 namespace jostle::server {
 namespace {
 
-constexpr std::uint32_t oldest_baseline_age = 200;  // ticks; the codec takes 255 between two frames
+// ticks; the codec supports at most 255 between two frames
+constexpr std::uint32_t oldest_baseline_age = 200;
 
 }  // namespace
 
@@ -12,11 +13,11 @@ wire::BaselineFrames BaselineTracker::baselines_for(std::uint32_t frame) const {
     wire::BaselineFrames baselines;
     if (sent_.empty() || frame - sent_.back() > oldest_baseline_age) return baselines;
     baselines.baseline = sent_.back();
-    // The newest sent frame that is at least half of dt1 before `before`.
+    // The newest sent frame that precedes `newer` by at least half of dt1.
     const std::uint32_t apart = (frame - baselines.baseline + 1) / 2;
-    const auto older = [&](std::uint32_t before) -> std::uint32_t {
+    const auto older = [&](std::uint32_t newer) -> std::uint32_t {
         for (auto at = sent_.rbegin(); at != sent_.rend(); ++at)
-            if (*at + apart <= before) return before - *at > oldest_baseline_age ? 0 : *at;
+            if (*at + apart <= newer) return newer - *at > oldest_baseline_age ? 0 : *at;
         return 0;
     };
     baselines.baseline2 = older(baselines.baseline);

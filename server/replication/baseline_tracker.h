@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What one client was sent by its stream. The stream is reliable and ordered, so the last frame put
-// on it is a base that the client will have when it needs it; nothing has to be acknowledged first.
-// Clients on the same cadence have the same bases and share their bytes.
+// The frames sent to one client over its stream. The stream is reliable and ordered, so the last
+// frame sent is a baseline that the client will have when needed, without an acknowledgement.
+// Clients with the same rate have the same baselines and share encoded snapshots.
 #pragma once
 
 #include <cstddef>
@@ -15,22 +15,22 @@ namespace jostle::server {
 
 class BaselineTracker {
 public:
-    static constexpr std::size_t client_frames_max = 32;  // decoded frames a client keeps (WIRE.md)
+    // decoded frames that a client stores (WIRE.md)
+    static constexpr std::size_t client_frames_max = 32;
 
-    // The bases for the frame that is to be sent now: the last one sent, and two older ones about
-    // as far apart, because extrapolating a short step over a long one multiplies the rounding
-    // noise.
+    // The baselines for the next frame: the last frame sent, and two older ones spaced about as far
+    // apart, because extrapolating a long step from a short one would multiply rounding noise.
     wire::BaselineFrames baselines_for(std::uint32_t frame) const;
     void on_sent(std::uint32_t frame);
-    // The client has that frame and forgot those that were sent after it. False: that one is not
-    // known, and the next snapshot is absolute.
+    // The client has `frame` and lost those sent after it. Returns false if `frame` is unknown; the
+    // next snapshot is then a keyframe.
     bool roll_back_to(std::uint32_t frame);
-    // The client lost track: the next snapshot is absolute.
+    // The client lost its state: the next snapshot is a keyframe.
     void reset() { sent_.clear(); }
     std::uint32_t last() const { return sent_.empty() ? 0 : sent_.back(); }
 
 private:
-    Fifo<std::uint32_t> sent_;  // rising; at most as many as the client keeps
+    Fifo<std::uint32_t> sent_;  // ascending; at most as many as the client stores
 };
 
 }  // namespace jostle::server

@@ -7,10 +7,11 @@
 namespace jostle::server {
 namespace {
 
-constexpr double border_share = 0.125;  // of a cell: how far beyond it an entity stays in it
+// in cells: an entity changes its cell only this far beyond the border
+constexpr double border_share = 0.125;
 constexpr int coordinate_max = 32767;
 
-// m of a cell's extent that lie between it and a coordinate.
+// Distance in m from a coordinate to the interval [from, from + size]; 0 inside.
 double gap(double coordinate, double from, double size) {
     return std::max({0.0, from - coordinate, coordinate - (from + size)});
 }
@@ -40,11 +41,11 @@ double CellGrid::distance(CellId cell, double x_m, double z_m) const {
                       gap(z_m, coordinates.z * cell_m_, cell_m_));
 }
 
-CellId CellGrid::cell_of(const wire::EntityState& entity, CellId before) const {
+CellId CellGrid::cell_of(const wire::EntityState& entity, CellId previous) const {
     const double x = entity.position[0] / units_per_cell_, z = entity.position[2] / units_per_cell_;
-    if (before != everywhere) {
-        const CellCoordinates old = coordinates_of(before);
-        if (gap(x, old.x, 1) <= border_share && gap(z, old.z, 1) <= border_share) return before;
+    if (previous != everywhere) {
+        const CellCoordinates old = coordinates_of(previous);
+        if (gap(x, old.x, 1) <= border_share && gap(z, old.z, 1) <= border_share) return previous;
     }
     return id_of({static_cast<int>(std::floor(x)), static_cast<int>(std::floor(z))});
 }
@@ -60,8 +61,9 @@ CellGrid::Cells CellGrid::split(const wire::QuantizedFrame& frame, const EntityL
         while (old != known_.end() && old->first < entity.id) ++old;
         const bool large =
             description == entities.end() || !((*description)->bounding_radius <= cell_m_);
-        const bool seen = old != known_.end() && old->first == entity.id;
-        const CellId cell = large ? everywhere : cell_of(entity, seen ? old->second : everywhere);
+        const bool is_known = old != known_.end() && old->first == entity.id;
+        const CellId cell =
+            large ? everywhere : cell_of(entity, is_known ? old->second : everywhere);
         next_.emplace_back(entity.id, cell);
         wire::QuantizedFrame& to = cells[cell];
         to.frame = frame.frame;

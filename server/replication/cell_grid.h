@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Which part of a world an entity is in, so that clients that see a part are told of that part:
-// square cells of the ground, columns of any height. What is larger than a cell, or has no end, is
-// seen from everywhere and in a cell of its own. An entity changes its cell when it is an eighth of
-// a cell beyond the border, so that what lies on a border does not come and go.
+// Assigns entities to interest cells, so that clients with an area of interest are sent only nearby
+// cells. Cells are squares on the ground, columns of any height. Entities that are larger than a
+// cell or unbounded belong to a cell of their own, `everywhere`, which every client sees. An entity
+// changes its cell only an eighth of a cell beyond the border, so that entities on a border do not
+// alternate.
 //
-// Thread rule: one thread at a time.
+// Threads: one thread at a time.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +18,7 @@
 
 namespace jostle::server {
 
-// 0: what is seen from everywhere; else two whole numbers of 16 bits, plus one.
+// 0: everywhere; otherwise two 16-bit coordinates, plus one.
 using CellId = std::uint32_t;
 inline constexpr CellId everywhere = 0;
 
@@ -27,24 +28,24 @@ struct CellCoordinates {
 
 class CellGrid {
 public:
-    // `interest_cell_m`: edge of a cell.
+    // `interest_cell_m`: cell edge in m.
     CellGrid(double interest_cell_m, const wire::QuantSpec& spec);
 
-    // The entities of the frame by cell, each cell in rising order of id.
+    // The entities of the frame by cell; each cell in ascending order of id.
     using Cells = std::unordered_map<CellId, wire::QuantizedFrame>;
     Cells split(const wire::QuantizedFrame& frame, const EntityList& entities);
 
     double interest_cell_m() const { return cell_m_; }
     static CellId id_of(CellCoordinates coordinates);
     static CellCoordinates coordinates_of(CellId cell);
-    // m from a point on the ground to the nearest of the cell; 0 within, and to `everywhere`.
+    // Distance in m from a point on the ground to a cell; 0 inside, and for `everywhere`.
     double distance(CellId cell, double x_m, double z_m) const;
 
 private:
-    CellId cell_of(const wire::EntityState& entity, CellId before) const;
+    CellId cell_of(const wire::EntityState& entity, CellId previous) const;
 
     const double cell_m_, units_per_cell_;
-    // Of the entities of the last frame, in their order.
+    // Cells of the entities of the last frame, in their order.
     std::vector<std::pair<EntityId, CellId>> known_;
     std::vector<std::pair<EntityId, CellId>> next_;
 };

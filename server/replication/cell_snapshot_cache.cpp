@@ -32,7 +32,7 @@ CellSnapshotCache::Cells CellSnapshotCache::cells(
     return cells_;
 }
 
-// A state that is as the one before is that one.
+// A state equal to the previous one is not stored again.
 void CellSnapshotCache::add(CellId cell, wire::QuantizedFrame content, std::uint32_t tick) {
     History& history = histories_[cell];
     if (!history.states.empty() && history.states.back().content->entities == content.entities)
@@ -59,8 +59,8 @@ const wire::QuantizedFrame* CellSnapshotCache::find(const History& history,
 SharedBytes CellSnapshotCache::encoding(const CellState& state, wire::BaselineFrames baselines,
                                         wire::Codec codec) {
     const std::lock_guard lock(mutex_);
-    // Another thread may have made a newer state meanwhile, or forgotten the cell: then this one is
-    // made for one client.
+    // Another thread may have added a newer state or dropped the cell; the encoding is then made
+    // for this client only.
     const auto known = histories_.find(state.id);
     if (known == histories_.end()) return encode({}, state, baselines, codec);
     History& history = known->second;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What clients of one world are sent who see a part of it: its cells (cell_grid.h). A cell's state
-// has the tick in which it last changed as its number. Each state is encoded once against each set
-// of earlier ones, and shared by all clients and both transports. Any thread.
+// Snapshots of interest cells (cell_grid.h) for clients that see part of a world. The number of a
+// cell state is the tick of its last change. Each state is encoded once per set of baselines, and
+// shared by all clients and both transports. Any thread.
 #pragma once
 
 #include <deque>
@@ -20,13 +20,13 @@ namespace jostle::server {
 
 struct CellState {
     CellId id = everywhere;
-    std::uint32_t number = 0;   // the tick in which it became so
-    std::uint32_t members = 0;  // the tick in which somebody came or went last
+    std::uint32_t number = 0;   // tick of the last change
+    std::uint32_t members = 0;  // tick of the last entity that entered or left
     std::shared_ptr<const wire::QuantizedFrame> content;
     std::uint32_t crc = 0;
 };
 
-// A cell as it is put on the wire.
+// A cell as sent.
 struct EncodedCell {
     CellId id = everywhere;
     std::uint32_t number = 0;
@@ -38,20 +38,20 @@ struct EncodedCell {
 class CellSnapshotCache {
 public:
     using Serialize = std::function<std::string(const EncodedCell&)>;
-    static constexpr std::size_t states_retained = 32;  // of a cell, as bases
+    static constexpr std::size_t states_retained = 32;  // baselines per cell
     static constexpr std::uint32_t empty_ticks = 256;
 
     CellSnapshotCache(double interest_cell_m, const wire::QuantSpec& spec, Serialize serialize);
 
-    // In rising order of id. One that became empty stays for `empty_ticks`.
+    // In ascending order of id. An empty cell is retained for `empty_ticks`.
     using Cells = std::shared_ptr<const std::vector<CellState>>;
-    // The cells of a frame; of the newest one that was asked for, when it is newer.
-    // `quantized` is asked only for a new frame.
+    // The cells of a frame, or of the newest frame requested so far if that is newer. `quantized`
+    // is called only for a new frame.
     Cells cells(const FramePtr& frame, const std::function<wire::QuantizedFrame()>& quantized);
-    // Bases that are gone are left out. Never null.
+    // Baselines that are no longer stored are omitted. Never null.
     SharedBytes encoding(const CellState& state, wire::BaselineFrames baselines, wire::Codec codec);
 
-    // m from a point of the ground to a cell.
+    // Distance in m from a point on the ground to a cell.
     double distance(CellId cell, double x_m, double z_m) const {
         return grid_.distance(cell, x_m, z_m);
     }
@@ -60,7 +60,7 @@ public:
 private:
     struct History {
         std::deque<CellState> states;  // oldest first
-        // Of the newest state.
+        // Encodings of the newest state.
         std::map<std::tuple<wire::BaselineFrames, wire::Codec>, SharedBytes> encodings;
     };
     void add(CellId cell, wire::QuantizedFrame content, std::uint32_t tick);

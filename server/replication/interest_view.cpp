@@ -7,11 +7,11 @@
 namespace jostle::server {
 namespace {
 
-constexpr double bucket_s = 0.05;      // of the rate, held at most
+constexpr double bucket_s = 0.05;      // seconds of the rate that the bucket holds
 constexpr double fresh_share = 0.5;    // of the rate
-constexpr double leave_share = 0.25;   // of a cell beyond the radius before it is left
-constexpr double first_of_all = 1e12;  // rank of what is new, for as long as its quota lasts
-// Without a budget: what is new still comes in pieces, with motion between them.
+constexpr double leave_share = 0.25;   // in cells: how far beyond the radius a cell is left
+constexpr double first_of_all = 1e12;  // rank of new cells, as long as their quota lasts
+// Without a budget, new cells are still sent in pieces, with updates in between.
 constexpr double fresh_bytes_per_second = 4e6;
 
 double capacity(double rate) {
@@ -30,7 +30,7 @@ void InterestView::refill(Clock::time_point now) {
     fresh_tokens_ = std::min(capacity(fresh_rate), fresh_tokens_ + fresh_rate * seconds);
 }
 
-// What is larger than the bucket waits until it is full.
+// A piece larger than the bucket is sent when the bucket is full.
 bool InterestView::affords(std::size_t bytes, bool fresh) const {
     const auto within = [&](double tokens, double rate) {
         return static_cast<double>(bytes) <= tokens || tokens >= capacity(rate);
@@ -51,7 +51,7 @@ std::uint32_t InterestView::interval(double distance_m) const {
 }
 
 std::vector<InterestView::PendingCell> InterestView::pending_cells(
-    const CellSnapshotCache& feed, const std::vector<CellState>& cells, std::uint32_t tick,
+    const CellSnapshotCache& cache, const std::vector<CellState>& cells, std::uint32_t tick,
     Clock::time_point now) {
     refill(now);
     struct Ranked {
@@ -60,30 +60,30 @@ std::vector<InterestView::PendingCell> InterestView::pending_cells(
     };
     std::vector<Ranked> ranked;
     for (const CellState& cell : cells) {
-        const double distance = feed.distance(cell.id, interest_.x_m, interest_.z_m);
+        const double distance = cache.distance(cell.id, interest_.x_m, interest_.z_m);
         const auto known = known_.find(cell.id);
         if (known == known_.end()) {
             if (distance <= interest_.radius_m && !cell.content->entities.empty())
                 ranked.push_back({first_of_all - distance, {cell, {}, true, true}});
             continue;
         }
-        if (distance > interest_.radius_m + leave_share * feed.interest_cell_m()) {
+        if (distance > interest_.radius_m + leave_share * cache.interest_cell_m()) {
             left_.push_back(cell.id);
             known_.erase(known);
             continue;
         }
         const std::uint32_t waited = tick - known->second.sent_tick;
         if (cell.number == known->second.states.last() || waited < interval(distance)) continue;
-        const double near = 1 + distance / feed.interest_cell_m();
+        const double near = 1 + distance / cache.interest_cell_m();
         ranked.push_back({waited / near,
                           {cell, known->second.states.baselines_for(cell.number), false,
                            cell.members != known->second.members}});
     }
-    // Cells that are gone: nobody has been there for long.
+    // Cells that were dropped because they were empty for long.
     std::erase_if(known_, [&](const auto& known) {
-        const bool there = std::ranges::binary_search(cells, known.first, {}, &CellState::id);
-        if (!there) left_.push_back(known.first);
-        return !there;
+        const bool exists = std::ranges::binary_search(cells, known.first, {}, &CellState::id);
+        if (!exists) left_.push_back(known.first);
+        return !exists;
     });
     std::ranges::stable_sort(ranked, std::ranges::greater{}, &Ranked::rank);
     std::vector<PendingCell> parts;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// What one client sees of its world, and which cells (cell_snapshot_cache.h) it is sent next. Near
-// cells come with every snapshot; beyond half of the radius every second one, beyond three quarters
-// every fourth. What waited longest and is nearest comes first, for as long as the client's budget
-// lasts: a token bucket of bytes that holds a twentieth of a second, so that no second has more
-// than a twentieth beyond the rate. What is new to the client has a quota of its own, half of the
-// rate, so that entering a crowd does not stop what moves.
+// The area of interest of one client, and the cells (cell_snapshot_cache.h) it is sent next. Near
+// cells are sent with every snapshot, cells beyond half of the radius with every second one, and
+// cells beyond three quarters with every fourth. Cells that waited longest and are nearest come
+// first, within the client's budget: a token bucket of bytes that holds one twentieth of a second,
+// so that no second exceeds the rate by more than a twentieth. New cells have a quota of their own,
+// half of the rate, so that entering a crowded area does not stop updates of moving entities.
 //
-// Thread rule: one thread at a time.
+// Threads: one thread at a time.
 #pragma once
 
 #include <cstdint>
@@ -29,7 +29,7 @@ struct Interest {
 
 class InterestView {
 public:
-    // `bytes_per_second`: 0 without a bound.
+    // `bytes_per_second`: 0 for no limit.
     explicit InterestView(double bytes_per_second) : rate_(bytes_per_second) {}
 
     void set_interest(const Interest& interest) { interest_ = interest; }
@@ -38,33 +38,33 @@ public:
     struct PendingCell {
         CellState state;
         wire::BaselineFrames baselines;
-        bool fresh = false;        // the client does not know the cell
-        bool new_members = false;  // somebody is in it who was not when it was sent last
+        bool fresh = false;        // the client does not have the cell
+        bool new_members = false;  // an entity entered the cell since it was last sent
     };
-    // What should go out in that tick, in the order in which it should: what is new, then what is
-    // known. Of each as much as affords() lets. Refills the budget.
-    std::vector<PendingCell> pending_cells(const CellSnapshotCache& feed,
+    // The cells to send in this tick in order of priority: new cells, then known ones. Send each as
+    // long as affords() allows. Refills the budget.
+    std::vector<PendingCell> pending_cells(const CellSnapshotCache& cache,
                                            const std::vector<CellState>& cells, std::uint32_t tick,
                                            Clock::time_point now);
-    // Whether so many bytes may go out now.
+    // Whether `bytes` may be sent now.
     bool affords(std::size_t bytes, bool fresh) const;
     void spend(std::size_t bytes, bool fresh);
     void on_sent(const PendingCell& part, std::uint32_t tick);
-    // Cells that the client is to forget: they are out of sight since the last call of wanted().
+    // Cells that the client must remove: they left its area of interest since the last call.
     std::vector<CellId> take_left() { return std::exchange(left_, {}); }
-    // The client lost track: each cell that it has is sent whole again.
+    // The client lost its state: each of its cells is sent as a keyframe.
     void reset();
 
 private:
     struct Known {
-        BaselineTracker states;  // by their numbers
+        BaselineTracker states;  // by cell state number
         std::uint32_t sent_tick = 0;
-        std::uint32_t members = 0;  // CellState::members as of then
+        std::uint32_t members = 0;  // CellState::members when last sent
     };
     void refill(Clock::time_point now);
     std::uint32_t interval(double distance_m) const;
 
-    const double rate_;  // bytes a second
+    const double rate_;  // bytes per second
     double tokens_ = 0, fresh_tokens_ = 0;
     Clock::time_point refilled_{};
     Interest interest_;

@@ -19,7 +19,7 @@ wire::EntityState quantized_pose(const EntityPose& e, const wire::QuantSpec& spe
     return wire::quantize(e.id, {{p.x, p.y, p.z}, {q.x, q.y, q.z, q.w}}, !e.awake, spec);
 }
 
-// For so long all was as in the base, and changed at most in the frame's own tick.
+// Ticks in which nothing changed since the baseline, except possibly in the frame's own tick.
 std::uint32_t unchanged_ticks(const Frame& frame, const Frame& baseline) {
     if (frame.changed_at <= baseline.tick) return frame.tick - baseline.tick;
     const bool held = frame.changed_at == frame.tick && frame.previous_changed_at <= baseline.tick;
@@ -44,8 +44,8 @@ SnapshotCache::Entry* SnapshotCache::find(std::uint32_t frame) {
 SnapshotCache::Entry& SnapshotCache::entry_of(const FramePtr& frame) {
     if (Entry* known = find(frame->tick)) return *known;
     const auto newest = entries_.empty() ? nullptr : &entries_.rbegin()->second;
-    // The one that makes room is as long, and mostly says the same. A thread that was held up may
-    // ask for a frame older than the ring.
+    // Reuses the buffers of the evicted entry: they have the same size, and mostly the same
+    // content. A delayed thread may request a frame older than the ring.
     Entry oldest;
     if (entries_.size() >= ring && entries_.begin()->first < frame->tick) {
         oldest = std::move(entries_.begin()->second);
@@ -59,18 +59,18 @@ SnapshotCache::Entry& SnapshotCache::entry_of(const FramePtr& frame) {
     return entry;
 }
 
-// What is in the same block as in a frame before is what was made of it then.
-void SnapshotCache::quantize(Entry& entry, const Entry* before, Entry oldest) const {
+// Blocks that are unchanged from the previous frame reuse its results.
+void SnapshotCache::quantize(Entry& entry, const Entry* previous, Entry oldest) const {
     const Frame& frame = *entry.frame;
     const auto& blocks = frame.entities.blocks();
     const auto is_of_same = [&](const Entry* other) {
         return other && other->frame && other->frame->entity_list == frame.entity_list &&
                other->frame->entities.size() == frame.entities.size();
     };
-    if (!is_of_same(before)) before = nullptr;
-    FramePtr began;  // what is in `entry` is of this frame
-    if (before && is_of_same(&oldest)) {
-        began = oldest.frame;
+    if (!is_of_same(previous)) previous = nullptr;
+    FramePtr reused;  // the frame that the reused content of `entry` belongs to
+    if (previous && is_of_same(&oldest)) {
+        reused = oldest.frame;
         entry.quantized = std::move(oldest.quantized);
         entry.block_crcs = std::move(oldest.block_crcs);
         entry.block_rests = std::move(oldest.block_rests);
@@ -79,18 +79,18 @@ void SnapshotCache::quantize(Entry& entry, const Entry* before, Entry oldest) co
     entry.quantized.entities.resize(frame.entities.size());
     entry.block_crcs.resize(frame.entities.size() / PoseList::block_size);
     entry.block_rests.resize(blocks.size());
-    bool changed = !before;
+    bool changed = !previous;
     for (std::size_t b = 0; b < blocks.size(); b++) {
-        const bool known = before && before->frame->entities.blocks()[b] == blocks[b];
+        const bool known = previous && previous->frame->entities.blocks()[b] == blocks[b];
         changed |= !known;
-        if (began && began->entities.blocks()[b] == blocks[b]) continue;
+        if (reused && reused->entities.blocks()[b] == blocks[b]) continue;
         const std::size_t first = b * PoseList::block_size, size = blocks[b]->size();
         const auto to = std::span(entry.quantized.entities).subspan(first, size);
         if (known) {
-            std::ranges::copy(std::span(before->quantized.entities).subspan(first, size),
+            std::ranges::copy(std::span(previous->quantized.entities).subspan(first, size),
                               to.begin());
-            entry.block_rests[b] = before->block_rests[b];
-            if (b < entry.block_crcs.size()) entry.block_crcs[b] = before->block_crcs[b];
+            entry.block_rests[b] = previous->block_rests[b];
+            if (b < entry.block_crcs.size()) entry.block_crcs[b] = previous->block_crcs[b];
             continue;
         }
         std::ranges::transform(*blocks[b], to.begin(),
@@ -98,19 +98,19 @@ void SnapshotCache::quantize(Entry& entry, const Entry* before, Entry oldest) co
         entry.block_rests[b] = std::ranges::all_of(to, &wire::EntityState::at_rest);
         if (b < entry.block_crcs.size()) entry.block_crcs[b] = wire::block_crc(to);
     }
-    entry.crc = changed ? wire::frame_crc(entry.quantized, entry.block_crcs) : before->crc;
+    entry.crc = changed ? wire::frame_crc(entry.quantized, entry.block_crcs) : previous->crc;
 }
 
-// Blocks that both share, and in which all rests.
+// Blocks that both frames share, and in which all entities are at rest.
 std::vector<wire::UnchangedRun> SnapshotCache::unchanged_runs(const Entry& entry,
                                                               const Entry& baseline) {
     std::vector<wire::UnchangedRun> runs;
     if (entry.frame->entity_list != baseline.frame->entity_list) return runs;
     const auto &blocks = entry.frame->entities.blocks(),
-               &before = baseline.frame->entities.blocks();
-    if (blocks.size() != before.size()) return runs;
+               &previous = baseline.frame->entities.blocks();
+    if (blocks.size() != previous.size()) return runs;
     for (std::size_t b = 0; b < blocks.size(); b++) {
-        if (blocks[b] != before[b] || !entry.block_rests[b]) continue;
+        if (blocks[b] != previous[b] || !entry.block_rests[b]) continue;
         const std::size_t begin = b * PoseList::block_size, end = begin + blocks[b]->size();
         if (!runs.empty() && runs.back().end == begin)
             runs.back().end = end;
@@ -124,7 +124,7 @@ SharedBytes SnapshotCache::encoding(const FramePtr& frame, wire::BaselineFrames 
                                     std::uint64_t kinds, std::optional<wire::Codec> poses) {
     const std::lock_guard lock(mutex_);
     Entry& entry = entry_of(frame);
-    // Each base makes sense only with the one before it, in falling order.
+    // Each baseline is usable only with the previous one, in descending order.
     const Entry* baseline = baselines.baseline < frame->tick ? find(baselines.baseline) : nullptr;
     const Entry* baseline2 =
         baseline && baselines.baseline2 < baselines.baseline ? find(baselines.baseline2) : nullptr;
@@ -140,7 +140,7 @@ SharedBytes SnapshotCache::encoding(const FramePtr& frame, wire::BaselineFrames 
     if (kinds != 0)
         channels = wire::encode_channels(entry.channels,
                                          baseline ? baseline->channels : wire::Channels{}, kinds);
-    // Where nothing of them changed it is what those get who asked for none.
+    // If none of the channels changed, the bytes are the same as without channels.
     SharedBytes& bytes = entry.encodings[{used, channels.bytes.empty() ? 0 : kinds, poses}];
     if (!bytes)
         bytes = std::make_shared<const std::string>(

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Encode once, send to many: the newest frames of one world, quantised once each, and every
-// encoding of them against every set of bases that a client needed, made once and shared by
-// reference count. Any thread.
+// Encode once, send to many: the newest frames of one world are quantized once each, and each
+// encoding of a frame against a set of baselines is made once and shared by reference count. Any
+// thread.
 #pragma once
 
 #include <array>
@@ -25,46 +25,46 @@ namespace jostle::server {
 
 using SharedBytes = std::shared_ptr<const std::string>;
 
-// What an encoding is made of; `serialize` turns it into the bytes that clients share.
+// The content of an encoding; `serialize` converts it to the bytes shared by clients.
 struct EncodedSnapshot {
     std::uint32_t frame = 0;
     wire::BaselineFrames baselines;
     std::vector<std::byte> packed;
     std::uint32_t crc = 0;
     std::int64_t late_us = 0;
-    std::uint32_t unchanged_ticks = 0;  // ticks after the base in which nothing changed
-    wire::PackedChannels channels;      // of the kinds that were asked for, against the base
+    std::uint32_t unchanged_ticks = 0;  // ticks after the baseline in which nothing changed
+    wire::PackedChannels channels;      // of the requested kinds, relative to the baseline
 };
 
 class SnapshotCache {
 public:
     using Serialize = std::function<std::string(const EncodedSnapshot&)>;
-    static constexpr std::size_t ring = 32;  // frames kept as bases
+    static constexpr std::size_t ring = 32;  // frames retained as baselines
 
     SnapshotCache(wire::QuantSpec spec, Serialize serialize)
         : spec_(spec), serialize_(std::move(serialize)) {}
 
-    // The frame against those bases; bases that fell off the ring are left out, and without a first
-    // base it is absolute. `kinds`: a bit for each kind of channels that is wanted (host/frame.h).
-    // Without a codec of poses only what else is told of a frame: for who is told of cells. Never
-    // null.
+    // Encodes the frame against the baselines; baselines that left the ring are omitted, and
+    // without a first baseline the encoding is a keyframe. `kinds`: one bit per requested channel
+    // kind (world/frame.h). Without a pose codec only the other fields are encoded, for clients
+    // that receive cells. Never null.
     SharedBytes encoding(const FramePtr& frame, wire::BaselineFrames baselines,
                          std::uint64_t kinds = 0,
                          std::optional<wire::Codec> poses = wire::Codec::bits);
-    // The frame's entities as integers.
+    // The quantized entities of the frame.
     wire::QuantizedFrame quantized(const FramePtr& frame);
-    // Whether the frame can still be a base.
+    // Whether the frame can still be a baseline.
     bool holds(std::uint32_t frame) const;
 
     const wire::QuantSpec& spec() const { return spec_; }
-    // How many encodings of poses were made, for tests and figures: sharing keeps it far below the
+    // Number of pose encodings made, for tests and measurements: sharing keeps it far below the
     // number sent.
     std::uint64_t encodings_made() const;
 
 private:
     struct EncodingKey {
         wire::BaselineFrames baselines;
-        std::uint64_t kinds = 0;  // 0 also where none of the kinds that are wanted changed
+        std::uint64_t kinds = 0;  // also 0 if none of the requested kinds changed
         std::optional<wire::Codec> poses;
 
         auto operator<=>(const EncodingKey&) const = default;
@@ -73,20 +73,20 @@ private:
         FramePtr frame;
         wire::QuantizedFrame quantized;
         std::uint32_t crc = 0;
-        // Of each block of the frame's poses, the last one included only where it is full.
+        // Of each block of poses; the last block is included only if it is full.
         std::vector<std::uint32_t> block_crcs;
-        std::vector<bool> block_rests;  // all of it lies at rest
+        std::vector<bool> block_rests;  // all entities of the block are at rest
         wire::Channels channels;
         std::map<std::pair<wire::BaselineFrames, wire::Codec>, std::vector<std::byte>> packed;
         std::map<EncodingKey, SharedBytes> encodings;
     };
 
-    // Under the lock, against bases that are there. Poses are packed once, whoever asks for which
-    // channels with them.
+    // Requires the lock, and baselines that are stored. Poses are encoded once for all combinations
+    // of channels.
     const std::vector<std::byte>& packed(Entry& entry, const wire::BaselineFrames& baselines,
                                          wire::Codec codec);
     Entry& entry_of(const FramePtr& frame);
-    void quantize(Entry& entry, const Entry* before, Entry oldest) const;
+    void quantize(Entry& entry, const Entry* previous, Entry oldest) const;
     Entry* find(std::uint32_t frame);
     static std::vector<wire::UnchangedRun> unchanged_runs(const Entry& entry,
                                                           const Entry& baseline);

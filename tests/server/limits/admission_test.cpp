@@ -74,7 +74,7 @@ TEST(Admission, validates_every_number_by_name) {
         refuses("speed", ExplodeCommand{{}, 1, bad});
         refuses("aim.origin", ImpulseCommand{.aim = Aim{{bad, 0, 0}, {0, 0, 1}}});
         refuses("aim.motion", GrabCommand{.aim = Aim{{}, {0, bad, 0}}});
-        refuses("aim.seen.fraction",
+        refuses("aim.view_time.fraction",
                 ExplodeCommand{.radius = 1,
                                .speed = 1,
                                .aim = Aim{.motion = {0, 0, 1}, .view_time = ViewTime{1, bad}}});

@@ -27,7 +27,7 @@ TEST(SessionDirectory, limits_clients_per_address) {
     const auto first = sessions.enter("w1", "192.0.2.1");
     EXPECT_TRUE(sessions.enter("w1", "192.0.2.1").ok() && sessions.enter("w2", "192.0.2.1").ok());
     EXPECT_EQ(sessions.enter("w1", "192.0.2.1").error().message,
-              "your address has 3 clients here, the most allowed");
+              "this address already has 3 clients, the maximum");
     EXPECT_TRUE(sessions.enter("w1", "192.0.2.2").ok());
     sessions.leave(*first);
     EXPECT_TRUE(sessions.enter("w1", "192.0.2.1").ok());

@@ -682,8 +682,9 @@ TEST_F(InterestTest, ignores_absent_interest_and_rejects_invalid_interest) {
     other.hello([](v1::Hello& hello) { see(*hello.mutable_interest(), 0, -3); });
     other.listen();
     ASSERT_EQ(other.state.notices.size(), 1u);
-    EXPECT_EQ(other.state.notices[0].message(),
-              "hello.interest.radius is not 0, for all of the world, or 1 m or more");
+    EXPECT_EQ(
+        other.state.notices[0].message(),
+        "hello.interest.radius is out of range; it must be 0 (the whole world) or at least 1 m");
 }
 
 TEST_F(ClientSessionTest, rejects_disallowed_shapes_and_lists_allowed_ones) {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// The predictor for hosts that are not C++: browsers, by way of
-// WebAssembly (clients/web/src/prediction/predictor.ts). What it foresees, and how it is put right,
-// is in jostle/client/predictor.h.
+// C interface of the predictor, for hosts other than C++: browsers by way of WebAssembly
+// (clients/web/sdk/src/prediction/predictor.ts). jostle/client/predictor.h documents prediction and
+// correction.
 //
-// Whatever is more than a number goes through one list of numbers: the host asks for room, fills
-// it, and calls what reads it; what answers more than a number has put it there. A call that reads
-// more numbers than there is room for, or numbers that mean nothing, does nothing and answers 0.
-// One thread at a time for each predictor.
+// Arguments and results of more than one number use one buffer of numbers. The host requests the
+// buffer, fills it, and calls the function that reads it. A function that returns several numbers
+// writes them into the buffer. A call that would read more numbers than the buffer has, or invalid
+// numbers, has no effect and returns 0. One thread at a time per predictor.
 #pragma once
 
 #include <stdint.h>
@@ -29,41 +29,42 @@ typedef struct JostlePredictor JostlePredictor;
 JOSTLE_EXPORT(create) JostlePredictor* jostle_predictor_create(void);
 JOSTLE_EXPORT(destroy) void jostle_predictor_destroy(JostlePredictor*);
 
-// Room for so many numbers; what was there stays as far as it fits. Good until the next call that
-// asks for room, or that answers with numbers. 0: more than 2^24.
+// Returns the buffer with room for `count` numbers; existing numbers are preserved as far as they
+// fit. Valid until the next call that resizes the buffer or returns numbers. Returns 0 if count is
+// above 2^24.
 JOSTLE_EXPORT(numbers) double* jostle_predictor_buffer(JostlePredictor*, uint32_t count);
 
-// A stream begins: gravity in m/s^2, ticks a second, sub-steps of a tick (0: 8). All bodies are
-// forgotten, and who is followed.
+// Starts a stream: tick rate in Hz, gravity in m/s^2, sub-steps per tick (0: 8). Discards all
+// bodies and the followed entity.
 JOSTLE_EXPORT(begin)
 void jostle_predictor_begin(JostlePredictor*, double tick_hz, double x, double y, double z,
                             uint32_t substeps);
 
-// There is a body: type 0 static, 1 kinematic, 2 dynamic; mass in kg of a dynamic one. One that was
-// there is another one now.
+// Adds a body: type 0 static, 1 kinematic, 2 dynamic; mass in kg of a dynamic body. Replaces a body
+// with the same entity.
 JOSTLE_EXPORT(add_body)
 void jostle_predictor_add_body(JostlePredictor*, uint32_t entity, uint32_t type, double mass);
-// How it moves, where that is not as usual: dampings (1/s), gravity scale, locks (AxisLocks), and
-// what else moves it there: 1 a module of the server (Entity.drivable), 2 joints (Entity.jointed),
-// 3 both. After add_body.
+// Sets the motion parameters of a body that differ from the defaults: damping (1/s), gravity scale,
+// locks (AxisLocks), and its other movers on the server: 1 a module (Entity.controllable), 2 joints
+// (Entity.jointed), 3 both. Call it after add_body.
 JOSTLE_EXPORT(set_body)
 void jostle_predictor_set_body(JostlePredictor*, uint32_t entity, double linear_damping,
                                double angular_damping, double gravity_scale, uint32_t locks,
                                uint32_t moved_by);
 JOSTLE_EXPORT(remove_body) void jostle_predictor_remove_body(JostlePredictor*, uint32_t entity);
-// Its shapes, as shape_encoding.h has them. The host calls it when it is asked (below), and once
-// for each body. 1: they were understood.
+// Sets the shapes of a body, encoded as in shape_encoding.h. The host calls it after
+// request_shapes, once per body. Returns 1 if the shapes are valid.
 JOSTLE_EXPORT(set_shapes)
 uint32_t jostle_predictor_set_shapes(JostlePredictor*, uint32_t entity, uint32_t count);
-// The host's: the predictor wants the shapes of a body.
+// Implemented by the host: the predictor requests the shapes of a body.
 JOSTLE_IMPORT(request_shapes)
 void jostle_predictor_request_shapes(JostlePredictor*, uint32_t entity);
 
-// Whose motion is foreseen; 0: nobody's.
+// Selects the entity whose motion is predicted; 0: none.
 JOSTLE_EXPORT(follow) void jostle_predictor_follow(JostlePredictor*, uint32_t entity);
 
-// Inputs of that number (from 1) that are meant for a tick (from 1). One of the same number as the
-// last comes in its place. Impulses in N s; points and targets of the world in m.
+// Inputs with a sequence number (from 1), meant for a tick (from 1). An input with the same number
+// as the last one replaces it. Impulses in N s; points and targets in world coordinates, m.
 JOSTLE_EXPORT(push)
 void jostle_predictor_push(JostlePredictor*, uint32_t sequence, uint32_t tick, uint32_t entity,
                            double x, double y, double z);
@@ -79,40 +80,42 @@ void jostle_predictor_drag(JostlePredictor*, uint32_t sequence, uint32_t tick, d
                            double z);
 JOSTLE_EXPORT(release)
 void jostle_predictor_release(JostlePredictor*, uint32_t sequence, uint32_t tick);
-// What is held by who drives. Numbers: so many axes, -1 to 1.
+// Control state of the controlled entity. Buffer: `axes` numbers, each -1 to 1.
 JOSTLE_EXPORT(steer)
 void jostle_predictor_steer(JostlePredictor*, uint32_t sequence, uint32_t tick, uint32_t axes,
                             uint32_t buttons);
-// What became of one: it was applied (1) in that tick, or it was not (0).
+// Result of an input: applied (1) in that tick, or rejected (0).
 JOSTLE_EXPORT(result)
 void jostle_predictor_result(JostlePredictor*, uint32_t sequence, uint32_t tick, uint32_t applied);
 
-// How bodies move in the next frame, if that was told. Numbers, for each in rising order of entity:
-// entity, velocity of the centre of mass (3), spin (3), in the whole numbers of `jostle.motion`
-// (proto/WIRE.md, "Channels").
+// Velocities of bodies in the next frame, if they were received. Buffer, per body in ascending
+// order of entity: entity, velocity of the centre of mass (3), angular velocity (3), in the integer
+// units of `jostle.motion` (proto/WIRE.md, "Channels").
 JOSTLE_EXPORT(motions) uint32_t jostle_predictor_velocities(JostlePredictor*, uint32_t bodies);
-// What the client drives, after a tick (proto/WIRE.md, "Driven things"); good until the next.
-// Numbers: the letters of the module's tag, then the words. 1: they were taken.
+// State of the controlled entity after a tick (proto/WIRE.md, "Controlled entity"); valid until the
+// next one. Buffer: the characters of the module's tag, then the words. Returns 1 if they are
+// accepted.
 JOSTLE_EXPORT(drive)
 uint32_t jostle_predictor_control(JostlePredictor*, uint32_t entity, uint32_t tick,
                                   uint32_t letters, uint32_t words);
-// A frame of the server. Numbers, for each of its bodies in rising order of entity: entity,
-// position (3), rotation (4: x y z w), whether it rests (0 or 1). Bodies that were not added are
-// left out.
+// A frame of the server. Buffer, per body in ascending order of entity: entity, position (3),
+// rotation (4: x y z w), at rest (0 or 1). Bodies that were not added are ignored.
 JOSTLE_EXPORT(frame)
 uint32_t jostle_predictor_frame(JostlePredictor*, uint32_t number, uint32_t bodies);
 
-// Whose poses a picture takes from here: how many, and their entities as numbers.
+// Returns the number of bodies whose rendered poses the predictor provides; their entities are in
+// the buffer.
 JOSTLE_EXPORT(drawn) uint32_t jostle_predictor_predicted(JostlePredictor*);
-// The picture of now, in us of the host's clock, at that place of the input clock, in ticks.
-// Numbers, for each of drawn(): entity, position (3), rotation (4), as interpolated; who is nowhere
-// is left out. They are replaced by what is to be drawn. Answers how many there are.
+// Computes the poses of a rendered frame: `position` of the input clock in ticks, `now_us` on the
+// host's clock. Buffer, for each body of drawn(): entity, position (3), rotation (4), as
+// interpolated; bodies without a pose are omitted. The poses to render replace them. Returns their
+// number.
 JOSTLE_EXPORT(sample)
 uint32_t jostle_predictor_sample(JostlePredictor*, double position, double now_us, uint32_t bodies);
 
-// 0 frames that were compared, 1 corrections among them, 2 steps that were taken, 3 greatest error
-// of the last frame in m, 4 bodies that are foreseen, 5 bodies whose shapes could not be used, 6
-// times that what is driven was compared, 7 corrections among them, 8 error of the last one in m.
+// Statistics: 0 compared frames, 1 corrections, 2 simulated steps, 3 largest error of the last
+// frame in m, 4 predicted bodies, 5 bodies whose shapes were invalid, 6 compared states of the
+// controlled entity, 7 corrections of it, 8 error of the last one in m.
 JOSTLE_EXPORT(figure) double jostle_predictor_stat(const JostlePredictor*, uint32_t which);
 
 #ifdef __cplusplus

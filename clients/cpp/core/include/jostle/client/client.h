@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The C++ client: joins a world over gRPC, sends inputs, keeps a decoded view of the world. Many
-// clients may share one Loop, which is one thread. Functions of Client may be called from any
+// The C++ client: joins a world over gRPC, sends inputs and maintains a decoded view of the world.
+// Many clients may share one Loop (one thread). All functions of Client may be called from any
 // thread.
 //
 //     client::Loop loop;
@@ -26,54 +26,58 @@ namespace jostle::client {
 
 struct ClientState;
 
+/// A client in one world: its connection, its inputs and its view of the world.
 class Client {
 public:
-    // Returns at once; the loop connects. stats().connected tells when the server has welcomed it.
+    /// Creates a client and returns immediately; the loop connects it. stats().connected becomes
+    /// true when the server has sent its Welcome.
     static std::shared_ptr<Client> connect(Loop& loop, ClientOptions options);
-    ~Client();  // cancels the stream, and with it what was not sent: see leave()
+    ~Client();  ///< cancels the stream and discards unsent inputs; see leave()
 
-    // Queues an input and returns its sequence number. Returns 0 and does not take the input when
-    // 4096 wait already, because the server is away or slow. Up to 32 leave together, thirty times
-    // a second. What was not sent when a connection broke, or did not come, is sent by the next
-    // one: under its number if the client was resumed, else under new ones from 1, and then only
-    // what was not sent.
+    /// Queues an input and returns its sequence number. Returns 0 and discards the input if 4096
+    /// inputs are queued already, because the server is unreachable or slow. The loop sends up to
+    /// 32 inputs per message, 30 times per second. If the connection breaks, the next one sends the
+    /// unsent inputs: with their sequence numbers if the session was resumed, else with new ones
+    /// from 1.
     std::uint32_t send(v1::Input input);
-    // For inputs that name their tick: where the InputClock is, in ticks, and the next whole one. 0
-    // before it is known.
+    /// Position of the InputClock in ticks, for inputs that name their tick; 0 before it is known.
     double input_position(Clock::time_point now);
+    /// The next whole tick of the InputClock, for Input.tick; 0 before it is known.
     std::uint32_t input_tick(Clock::time_point now);
-    // What it wants to be told of from now on, if ClientOptions::sight was set: else it is told of
-    // all.
+    /// Moves the area of interest. Requires ClientOptions::interest; without it the client receives
+    /// the whole world.
     void set_interest(const AreaOfInterest& interest);
-    // The server sends a snapshot without a base soon (4 a second at most): from it on a recording
-    // can be played.
+    /// Requests a snapshot without baselines, for example as the start of a recording. The server
+    /// sends at most 4 per second.
     void request_keyframe();
-    // Sends what is queued and says goodbye: the stream ends in order.
+    /// Sends the queued inputs and a Leave, then closes the stream.
     void leave();
 
-    // Calls reader(view) under the client's lock. The reader keeps no reference and calls nothing
-    // of this client.
+    /// Calls reader(view) under the client's lock. The reader must neither store a reference nor
+    /// call functions of this client.
     void read(const std::function<void(const WorldView&)>& reader) const;
-    // Poses to draw now: InterpolationBuffer::sample(). Once a picture, with times that rise.
+    /// Returns the poses to render now; see InterpolationBuffer::sample(). Call it once per
+    /// rendered frame with increasing times.
     std::vector<SmoothPose> interpolated(Clock::time_point now);
-    // The moment that the last picture showed, for Aim.seen and QueryOptions::seen; for who draws
-    // none that of the newest frame. Tick 0: there is none yet.
+    /// The world time of the last rendered frame, for Aim.view_time and QueryOptions::view_time.
+    /// Without rendering: of the newest received frame. Tick 0: no frame was received yet.
     v1::ViewTime rendered_time() const;
-    // Since the last call; of more than 4096 the oldest are gone.
+    /// Returns the results of inputs since the last call. Only the newest 4096 are stored.
     std::vector<v1::InputResult> take_results();
-    // What happened since the last call, one entry per tick in which something did, in order. Of
-    // more than 1024 the oldest are gone; `missed` of the next one then counts them as well.
+    /// Returns the events since the last call, one entry per tick with events, in order. Only the
+    /// newest 1024 are stored; `missed` of the next entry counts the others.
     std::vector<v1::Events> take_events();
-    // How old each snapshot was when it was decoded, ms, since the last call. Of more than 65536
-    // the newest are left out.
+    /// Returns the age of each snapshot when it was decoded, ms, since the last call. At most 65536
+    /// are stored; later ones are discarded.
     std::vector<float> take_ages_ms();
+    /// Statistics since the client was created.
     ClientStats stats() const;
-    // What the server last told of its world; nothing before it did.
+    /// The newest statistics of the world from the server; nothing before the first ones.
     std::optional<v1::WorldStats> world_stats() const;
 
 private:
     explicit Client(std::shared_ptr<ClientState> state);
-    std::shared_ptr<ClientState> state_;  // shared with the loop: the last of the two lets go
+    std::shared_ptr<ClientState> state_;  // shared with the loop; the last owner destroys it
 };
 
 }  // namespace jostle::client

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Where a client connects to, who it is, and what it asks for.
+// The address of a server, the identity of a client, and the data that it requests.
 #pragma once
 
 #include <cstdint>
@@ -15,54 +15,56 @@
 
 namespace jostle::client {
 
-// A circle on the ground.
+/// A circle on the ground.
 struct AreaOfInterest {
-    double x = 0, z = 0;  // m
-    double radius = 0;    // m, from 1; 0: all of the world
+    double x = 0, z = 0;  ///< m, centre
+    double radius = 0;    ///< m, at least 1; 0: the whole world
 };
 
+/// Options of Client::connect().
 struct ClientOptions {
-    std::string target = "localhost:50051";  // of the server's gRPC port
+    std::string target = "localhost:50051";  ///< host:port of the server's gRPC listener
     Security security;
-    std::string world;              // name or id; empty: the server's first
-    std::string ticket;             // from WorldClient::join, when the server asks for one
-    std::string name;               // shown to others; at most 32 bytes
-    std::uint32_t snapshot_hz = 0;  // snapshots a second that it wants; 0: the world's rate
-    bool spectator = false;         // the server refuses its inputs
-    bool events = false;            // asks for what happens in the world: Client::take_events()
-    // Kinds of channels that it understands (WorldView::channels()); "*": all. What is not named is
-    // not sent.
+    std::string world;              ///< name or id; empty: the first world of the server
+    std::string ticket;             ///< from WorldClient::join(), if the server requires one
+    std::string name;               ///< display name; at most 32 bytes
+    std::uint32_t snapshot_hz = 0;  ///< requested snapshot rate, Hz; 0: the tick rate of the world
+    bool spectator = false;         ///< the server rejects its inputs
+    bool events = false;            ///< subscribes to events: Client::take_events()
+    /// Channel kinds to subscribe to (WorldView::channels()); "*": all kinds of modules. The server
+    /// sends no other kinds.
     std::vector<std::string> channels = {};
-    // The highest codec of snapshots that it asks for: 2 has two thirds of the bytes of 1 and takes
-    // about twice the time to decode.
+    /// The highest snapshot codec to request, 1 or 2. Codec 2 needs two thirds of the bytes of
+    /// codec 1 and about twice the time to decode.
     std::uint32_t codec = 2;
-    // kbit/s that the server may send, of all that it sends, from 16; 0: what the world takes.
+    /// Bandwidth limit for everything that the server sends, kbit/s, at least 16; 0: no limit.
     std::uint32_t max_kbps = 0;
-    // The part of the world that it is told of at first; Client::set_interest() moves it. Without
-    // one it is told of all.
+    /// Initial area of interest; Client::set_interest() moves it. Absent: the whole world.
     std::optional<AreaOfInterest> interest = {};
-    // Takes snapshots and sends inputs as datagrams where the server offers them, for links that
-    // lose packets; while they do not get through, all goes by the stream. Not for a client with a
-    // sight, a bound of kbit/s or a link that only pretends to be bad.
+    /// Receives snapshots and sends inputs as datagrams if the server supports them, for
+    /// connections that lose packets. While datagrams do not get through, the stream carries
+    /// everything. Not available together with an area of interest, a bandwidth limit or simulated
+    /// network conditions.
     bool datagrams = false;
-    // Connects again after a stream that ended, with pauses that grow to 5 s.
+    /// Reconnects after a stream has ended, with delays that increase to 5 s.
     bool reconnect = true;
-    // Is then the client that it was: the same id, its bodies, no input lost or applied twice, and
-    // snapshots that go on from the last one. The server keeps its place for a while.
+    /// Resumes the session when it reconnects: same client id and bodies, no input lost or applied
+    /// twice, and snapshots that continue from the last one. The server retains the session for a
+    /// limited time.
     bool resume = true;
-    // Each input is meant for a tick (InputClock) and waits for it at the server, so that the
-    // client can foresee what it does. Costs about a tick of delay.
+    /// Assigns a tick (InputClock) to each input, for which the input waits at the server, so that
+    /// the client can predict its effect. Adds a delay of about one tick.
     bool timed_inputs = false;
-    // An Aim that names no moment gets that of the last picture (Client::rendered_time), so that
-    // the server judges it by what was seen. Else it is judged by the world as it is when it
-    // arrives.
+    /// Sets the view time of an Aim without one to the last rendered frame (Client::rendered_time),
+    /// so that the server evaluates it against the view of the player. Otherwise the server
+    /// evaluates it against the world at the time of arrival.
     bool attach_view_time = true;
-    // For tests and demonstrations: a link that is worse than the real one, in both directions, to
-    // a millisecond.
+    /// Simulated network conditions in both directions, accurate to 1 ms, for tests and
+    /// demonstrations.
     NetworkConditions network_conditions = {};
-    // Is handed each message as it came, before anything is made of it: recordings (without
-    // datagrams, for what is late is of no use to them). Called on the
-    // loop's thread; it must be quick and call nothing of this client.
+    /// Receives each message as it arrived, before it is processed; for recordings (without
+    /// datagrams, because a recording cannot use late snapshots). Called on the loop's thread. It
+    /// must be quick and must not call functions of this client.
     std::function<void(const std::string& bytes, Clock::time_point now)> on_message = {};
 };
 

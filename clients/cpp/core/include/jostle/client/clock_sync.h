@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The server's clock, from round trips of pings. The shortest round trip of the last half minute
-// says most: the server's word was true half of it ago. Older ones are forgotten, because clocks
-// drift. One thread at a time.
+// Estimates the server's clock from the round trips of pings. The shortest round trip of the last
+// 30 s is the most accurate: the server's time was valid half of it ago. Older samples are dropped
+// because clocks drift. One thread at a time.
 #pragma once
 
 #include <chrono>
@@ -11,29 +11,35 @@
 
 namespace jostle::client {
 
+/// The clock of all times that clients pass to the library.
 using Clock = std::chrono::steady_clock;
 
+/// Microseconds of a time point since the epoch of the clock.
 inline std::uint64_t to_us(Clock::time_point t) {
     return static_cast<std::uint64_t>(
         std::chrono::duration_cast<std::chrono::microseconds>(t.time_since_epoch()).count());
 }
 
-// 285 years: no monotonic clock says more, and sums and differences of such times stay in range.
+/// 285 years. Clocks do not report later times, and sums and differences of such times stay in
+/// range.
 inline constexpr std::uint64_t latest_time_us = std::uint64_t{1} << 53;
 
+/// Estimate of the offset between two clocks.
 class ClockSync {
 public:
-    // A pong came: when its ping was sent (our clock), what the server's clock said, and now (our
-    // clock). Microseconds; a time that no clock says is not believed.
+    /// Adds a pong: when its ping was sent (local clock), the server's time, and the current time
+    /// (local clock), all in us. Times after latest_time_us are ignored.
     void add(std::uint64_t sent_us, std::uint64_t server_us, std::uint64_t now_us);
 
+    /// At least one sample was added.
     bool ready() const { return !samples_.empty(); }
-    // Server clock minus ours; 0 until ready.
+    /// Server clock minus local clock, us; 0 until ready.
     std::int64_t offset_us() const { return offset_us_; }
+    /// The server's time at a local time, us.
     std::int64_t server_us(Clock::time_point now) const {
         return static_cast<std::int64_t>(to_us(now)) + offset_us_;
     }
-    double rtt_ms() const;  // the shortest round trip that is remembered; 0 until ready
+    double rtt_ms() const;  ///< shortest stored round trip, ms; 0 until ready
 
 private:
     struct Sample {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// Smooth poses from frames that arrive unevenly. What a picture shows is RenderClock's; poses lie
-// between the two frames around it. When frames stop, motion goes on for at most 50 ms and then
-// holds: bodies that collide cannot be guessed further. When they come again, what was guessed
-// wrongly is walked off at a bounded speed (PoseError) instead of jumping. A body that went further
-// than 100 m/s explain did not fly there: it is shown at the old place until the new frame's time.
-// One thread at a time.
+// Smooth poses from frames that arrive at irregular intervals. RenderClock determines the time to
+// render; poses are interpolated between the two frames around it. If no frame is newer, motion is
+// extrapolated for at most 50 ms and then held, because collisions cannot be extrapolated further.
+// When frames resume, the displayed error decays at a bounded speed (PoseError) instead of jumping.
+// A body that moved faster than 100 m/s between two frames was teleported: it is shown at the old
+// position until the time of the new frame. One thread at a time.
 #pragma once
 
 #include <deque>
@@ -17,27 +17,32 @@
 
 namespace jostle::client {
 
+/// The pose of one entity.
 struct SmoothPose {
     std::uint32_t entity = 0;
     wire::Pose pose;
 };
 
+/// Buffer of frames, sampled once per rendered frame.
 class InterpolationBuffer {
 public:
-    // A frame was decoded: when its tick was due, on the server's clock, and when it came, on ours;
-    // in microseconds. A frame that is not newer than the last one is left out.
-    // After a rest, of which no frames were sent, its distance to the one before tells nothing.
+    /// Adds a decoded frame. `server_us`: due time of its tick on the server's clock. `arrived_us`:
+    /// arrival on the local clock. Ignores a frame that is not newer than the last one.
+    /// `after_rest`: the server had stopped sending frames because nothing moved, so the interval
+    /// to the previous frame says nothing about the rate.
     void add(wire::QuantizedFrame frame, std::int64_t server_us, std::int64_t arrived_us,
              bool after_rest = false);
-    // What the newest frame shows was so until that time.
+    /// The newest frame remains valid until this time.
     void hold(std::int64_t server_us);
+    /// Removes all frames.
     void clear();
 
-    // Where everything is to be drawn at a time on our clock, which should rise from call to call.
-    // Entities of the later of the two frames, in rising order; empty before the first frame. A
-    // body that is new stands where it appears.
+    /// Returns the poses to render at a local time, which must increase from call to call. The
+    /// result contains the entities of the later of the two frames, sorted by id; it is empty
+    /// before the first frame. A new body is shown at its first pose.
     std::vector<SmoothPose> sample(std::int64_t now_us, const wire::QuantSpec& spec);
 
+    /// The clock that determines the time to render.
     const RenderClock& clock() const { return clock_; }
 
 private:
@@ -50,7 +55,7 @@ private:
         BodySpeed body_speed;
         PoseError error;
     };
-    // The two frames around a moment, and where between them it is; beyond 1 when it is later.
+    // The two frames around a time, and the fraction between them; above 1 if the time is later.
     struct FramePair {
         const Timed *a, *b;
         double t;
@@ -62,8 +67,8 @@ private:
     void update_errors(const wire::QuantSpec& spec);
 
     RenderClock clock_;
-    std::deque<Timed> frames_;  // in order of time; at most 64
-    // The last picture: its time on our clock and on the server's, and what was the newest frame.
+    std::deque<Timed> frames_;  // sorted by time; at most 64
+    // The last rendered frame: its local time, its server time, and the newest frame at that time.
     std::int64_t last_sample_us_ = 0, last_render_time_us_ = 0, last_newest_frame_us_ = 0;
     std::vector<RenderedPose> rendered_;  // by entity
 };

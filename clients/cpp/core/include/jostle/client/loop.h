@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// One thread that connects its clients, and reads and writes their messages.
+// The network thread of clients: it connects them and reads and writes their messages.
 #pragma once
 
 #include <memory>
@@ -9,10 +9,11 @@ namespace jostle::client {
 
 class LoopThread;
 
+/// One thread for any number of clients. It must outlive its clients.
 class Loop {
 public:
     Loop();
-    ~Loop();  // cancels the streams that are still open, and waits for the thread
+    ~Loop();  ///< cancels the open streams and joins the thread
     Loop(const Loop&) = delete;
     Loop& operator=(const Loop&) = delete;
 

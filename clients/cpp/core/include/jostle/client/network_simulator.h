@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A bad link, for tests and demonstrations: ClientOptions::link. What it is made of is shared with
-// the server (jostle/base/network_simulator.h).
+// Simulated network conditions for tests and demonstrations: ClientOptions::network_conditions. The
+// server uses the same simulator (jostle/base/network_simulator.h).
 #pragma once
 
 #include "jostle/base/network_simulator.h"

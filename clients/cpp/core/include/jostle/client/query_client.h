@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Questions to a world that runs on a server: what does a ray hit, what overlaps a shape, what is
-// nearest. Each call blocks for up to 5 s. An error carries the server's message. Any thread.
+// Spatial queries of a world on a server: ray casts, overlaps and closest points. Each call blocks
+// for up to 5 s. Errors contain the server's message. Any thread.
 //
 //     client::QueryClient queries("localhost:50051", "sandbox");
 //     const auto hit = queries.cast_ray({0, 10, 0}, {0, -20, 0});
@@ -21,54 +21,63 @@
 
 namespace jostle::client {
 
-using Point = std::array<double, 3>;  // m, world; also for directions
+using Point = std::array<double, 3>;  ///< m, world; also for directions
 
+/// Options of a query.
 struct QueryOptions {
-    std::uint32_t categories = 0xffffffff;  // shapes whose category has a bit in here are seen
-    bool triggers = false;                  // whether triggers are seen
-    std::uint32_t ignore = 0;               // an entity that is not seen; 0: all are
-    // When the world was as it is asked about (Client::rendered_time()); nothing: now.
+    std::uint32_t categories = 0xffffffff;  ///< finds shapes whose category has a bit in this mask
+    bool triggers = false;                  ///< also finds triggers
+    std::uint32_t ignore = 0;               ///< an entity to skip; 0: none
+    /// Lag compensation: evaluates the query against the poses of this time
+    /// (Client::rendered_time()). Absent: the current state.
     std::optional<v1::ViewTime> view_time = {};
 };
 
+/// A hit of a ray.
 struct RayHit {
     std::uint32_t entity = 0;
-    std::uint32_t shape = 0;  // which of the entity's shapes, from 0
-    double fraction = 0;      // of the motion, 0 to 1
+    std::uint32_t shape = 0;  ///< index among the entity's shapes
+    double fraction = 0;      ///< of the motion, 0 to 1
     Point point{};
-    Point normal{};  // unit, out of what was hit
+    Point normal{};  ///< unit, pointing out of the shape
 };
 
+/// The closest surface point.
 struct ClosestPointHit {
     std::uint32_t entity = 0;
-    double distance = 0;  // m; negative: the point is inside
-    Point point{};        // on the surface
-    Point normal{};       // unit, out of the shape
+    double distance = 0;  ///< m; negative: the point is inside
+    Point point{};        ///< on the surface
+    Point normal{};       ///< unit, pointing out of the shape
 };
 
+/// The value of a query and the state that it refers to.
 template <class Value>
 struct QueryResult {
     Value value{};
-    std::uint32_t tick =
-        0;  // of the state that was asked: at most a few ticks old, or as of `seen`
-    bool view_time_clamped = false;  // `seen` was too long ago: the oldest that the server had
+    /// Tick of the evaluated state: at most a few ticks old, or of the view time.
+    std::uint32_t tick = 0;
+    /// the view time was too old; the oldest stored frame was used
+    bool view_time_clamped = false;
 };
 
+/// Blocking client of QueryService for one world.
 class QueryClient {
 public:
-    // `world`: id or name; empty: the server's first.
+    /// `target`: host:port of the gRPC listener. `world`: id or name; empty: the first world of the
+    /// server.
     explicit QueryClient(const std::string& target, std::string world = {}, Security security = {});
     ~QueryClient();
 
-    // The first thing that the ray from `origin` to `origin + motion` meets, if any.
+    /// Returns the closest hit of the ray from `origin` to `origin + motion`, if any.
     Result<QueryResult<std::optional<RayHit>>> cast_ray(Point origin, Point motion,
                                                         const QueryOptions& options = {});
-    // Entities that overlap a convex shape where it stands, or hold a point. In rising order.
+    /// Returns the entities that overlap a convex shape, posed in the world; ascending.
     Result<QueryResult<std::vector<std::uint32_t>>> overlap(const v1::Shape& shape,
                                                             const QueryOptions& options = {});
+    /// Returns the entities that contain a point; ascending.
     Result<QueryResult<std::vector<std::uint32_t>>> overlap(Point point,
                                                             const QueryOptions& options = {});
-    // The nearest surface within `max_distance` (m) of the point, if any.
+    /// Returns the closest surface point within `max_distance` (m), if any.
     Result<QueryResult<std::optional<ClosestPointHit>>> closest_point(
         Point point, double max_distance, const QueryOptions& options = {});
 

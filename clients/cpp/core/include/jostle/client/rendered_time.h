@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Which moment of the world a client shows, for servers that judge what it aims at by what it saw
-// (Aim.seen, CastRaysRequest.seen). The same in the browser (clients/web/src/rendered_time.ts).
+// The world time that a client renders, for lag compensation (Aim.view_time,
+// CastRaysRequest.view_time). The web SDK has the same function
+// (clients/web/sdk/src/interpolation/rendered_time.ts).
 #pragma once
 
 #include <cstdint>
@@ -10,15 +11,15 @@
 
 namespace jostle::client {
 
-// A snapshot that was decoded: its frame, and when its tick was due on the server's clock.
+/// The newest decoded snapshot: its frame, and the due time of its tick on the server's clock.
 struct NewestFrame {
-    std::uint32_t frame = 0;  // 0: there is none
+    std::uint32_t frame = 0;  ///< 0: none
     std::int64_t due_us = 0;
 };
 
-// `render_time_us`: of RenderClock; 0, or more than a second before the newest frame: nobody draws,
-// so what is known is the newest frame. Pictures go on for 50 ms after the newest frame, not
-// longer.
+/// Returns the view time. `render_time_us`: of RenderClock. If it is 0 or more than 1 s before the
+/// newest frame, the client does not render, and the result is the newest frame. Rendering
+/// extrapolates at most 50 ms beyond the newest frame.
 v1::ViewTime rendered_time(const NewestFrame& newest, std::int64_t render_time_us, double tick_us);
 
 }  // namespace jostle::client

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// How a client reaches a server that wants TLS and tokens. The default is neither, which a server
-// takes only on its own machine.
+// TLS and tokens of a client. The default is neither, which servers accept only on loopback.
 #pragma once
 
 #include <string>
@@ -10,22 +9,23 @@
 
 namespace jostle::client {
 
+/// Security settings of a connection.
 struct Security {
     bool tls = false;
-    std::string root_certificates_pem;     // whose certificates the server may show; empty: the
-                                           // system's authorities
-    std::string certificate_pem, key_pem;  // shown to the server; empty: none
-    std::string token;                     // sent with each call; empty: none
+    /// CA certificates that verify the server; empty: the system's CAs
+    std::string root_certificates_pem;
+    std::string certificate_pem, key_pem;  ///< client certificate and key; empty: none
+    std::string token;                     ///< bearer token, sent with each call; empty: none
 };
 
-// Paths, as flags name them; empty: not given.
+/// File paths, as on the command line; empty: not given.
 struct SecurityFiles {
-    bool tls = false;  // a CA or a certificate means it, too
+    bool tls = false;  ///< implied by a CA or a certificate
     std::string root_certificates, certificate, key, token;
 };
 
-// Reads them. An error names the file and what to do. A token goes out only encrypted, or to this
-// machine: `target` says which of the two.
+/// Reads the files. Errors name the file and the remedy. A token is sent only over TLS or to a
+/// loopback address, which `target` determines.
 Result<Security> read_security(const SecurityFiles& files, const std::string& target);
 
 }  // namespace jostle::client

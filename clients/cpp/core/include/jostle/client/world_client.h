@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The control plane: list, create, delete and join worlds. Each call blocks for up to 5 s. An error
-// carries the server's message. Any thread.
+// Client of the control plane: lists, creates, deletes and joins worlds. Each call blocks for up to
+// 5 s. Errors contain the server's message. Any thread.
 #pragma once
 
 #include <memory>
@@ -13,16 +13,19 @@
 
 namespace jostle::client {
 
+/// Blocking client of WorldService.
 class WorldClient {
 public:
-    // Of the server's gRPC port.
+    /// `target`: host:port of the server's gRPC listener.
     explicit WorldClient(const std::string& target, Security security = {});
     ~WorldClient();
 
+    /// Lists the worlds and the catalogue scenes.
     Result<v1::ListWorldsResponse> list();
+    /// Creates a world.
     Result<v1::CreateWorldResponse> create(const v1::CreateWorldRequest& request);
-    Status remove(const std::string& world);  // id or name
-    // The ticket for ClientOptions::ticket.
+    Status remove(const std::string& world);  ///< deletes a world; id or name
+    /// Returns a ticket for ClientOptions::ticket.
     Result<v1::JoinWorldResponse> join(const std::string& world);
 
 private:

@@ -1,25 +1,27 @@
 // SPDX-License-Identifier: MIT
 //
-// Foresees what the inputs of this client do, with the server's own solver: the body that it pushes
-// moves in the picture of the input instead of a round trip later. Around that body it keeps a
-// small world: what is near, and all that stands still. It steps that world to the tick that inputs
-// of now are meant for. A frame of the server tells what became of an earlier tick: where that is
-// not what was foreseen, the world goes back to it and takes the steps since then again, with the
-// inputs since then; what that changes in the picture is walked off (PoseError).
+// Predicts the effect of this client's inputs with the server's own solver: a body that the client
+// pushes moves in the rendered frame of the input instead of one round trip later. The predictor
+// simulates a small local world around that body: nearby bodies and all static ones. It steps that
+// world to the tick for which inputs made now are meant. A frame of the server contains the state
+// of an earlier tick. If that state differs from the prediction, the predictor rolls the local
+// world back to it and repeats the steps since then with their inputs. The resulting change of the
+// rendered poses is smoothed (PoseError).
 //
 //     auto me = Client::connect(loop, {.timed_inputs = true, ...});
-//     input.set_tick(me->input_tick(now));               // an impulse, say
+//     input.set_tick(me->input_tick(now));               // an impulse, for example
 //     predictor.add_input(me->send(input), input);
-//     // Once a picture:
+//     // Once per rendered frame:
 //     me->read([&](const WorldView& world) { predictor.on_frame(world); });
 //     predictor.on_results(me->take_results());
 //     draw(predictor.sample(me->input_position(now), now_us, me->interpolated(now)));
 //
-// What it foresees: impulses, what hands hold and drag, and the car or character that the client
-// drives, if that is who is followed; not joints of the scene, for clients are not told of them.
-// Velocities, and what is driven, are told to who names motion_channel in ClientOptions::channels,
-// for a few bytes more of each body that is awake; else velocities are estimated from frames where
-// the server disagrees. One thread at a time.
+// The predictor covers impulses, grabbed and dragged bodies, and the car or character that the
+// client controls if it is the followed entity. It does not cover joints of the scene, because the
+// server does not send them. Clients that name motion_channel in ClientOptions::channels receive
+// velocities and the state of the controlled entity, for a few more bytes per awake body. Otherwise
+// the predictor estimates velocities from frames that differ from its prediction. One thread at a
+// time.
 #pragma once
 
 #include <cstdint>
@@ -32,32 +34,37 @@
 
 namespace jostle::client {
 
+/// Channel with body velocities (proto/WIRE.md, "Channels").
 inline constexpr const char* motion_channel = "jostle.motion";
 
+/// Predictor of one client.
 class Predictor {
 public:
     explicit Predictor(PredictorOptions options = {});
     ~Predictor();
 
-    // A stream begins: everything is forgotten.
+    /// Starts a stream and discards all state.
     void begin(const v1::Welcome& welcome);
-    // Whose motion is foreseen; 0: nobody's.
+    /// Selects the entity whose motion is predicted; 0: none.
     void follow(std::uint32_t entity);
-    // An input was queued under that number. One that names no tick is not foreseen.
+    /// Adds an input that was queued under this sequence number. Inputs without a tick are not
+    /// predicted.
     void add_input(std::uint32_t sequence, const v1::Input& input);
-    // What became of them: of a refused one, and of one that came late, the steps are taken again.
+    /// Adds results of inputs. Steps with a rejected or late input are repeated.
     void on_results(const std::vector<v1::InputResult>& results);
-    // The newest frame of the view, if it is a new one.
+    /// Compares the prediction with the newest frame of the view, if it is new.
     void on_frame(const WorldView& view);
 
-    // The picture of now (our clock, microseconds): what is foreseen at that place of the input
-    // clock, in ticks, and all others where they are interpolated.
+    /// Returns the poses to render now (local clock, us). `position`: of the input clock, in ticks.
+    /// Predicted bodies have their predicted poses at that position, all others their interpolated
+    /// poses.
     std::vector<SmoothPose> sample(double position, std::int64_t now_us,
                                    std::vector<SmoothPose> interpolated);
 
     using Stats = PredictorStats;
+    /// Statistics since the predictor was created.
     const Stats& stats() const;
-    std::size_t bodies() const;  // that are foreseen
+    std::size_t bodies() const;  ///< number of predicted bodies
 
 private:
     struct Impl;

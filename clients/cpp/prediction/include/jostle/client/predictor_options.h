@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What a predictor may spend, and what it did.
+// Limits and statistics of a predictor.
 #pragma once
 
 #include <cstddef>
@@ -8,25 +8,29 @@
 
 namespace jostle::client {
 
+/// Options of a Predictor.
 struct PredictorOptions {
-    double neighbor_radius_m = 3;    // how far from the body others are foreseen, between origins
-    std::size_t neighbors_max = 32;  // of these the nearest
-    std::size_t static_bodies_max =
-        1000;  // bodies that stand still or move on rails; the first by id
-    // Further than this beyond the newest frame nothing is foreseen. A world in which nothing moves
-    // sends a frame a second.
+    /// m, between origins: dynamic bodies within this distance of the followed one are predicted
+    double neighbor_radius_m = 3;
+    std::size_t neighbors_max = 32;  ///< maximum number of predicted neighbours; the closest ones
+    /// Maximum number of static and kinematic bodies; those with the lowest ids.
+    std::size_t static_bodies_max = 1000;
+    /// Maximum number of ticks predicted beyond the newest frame. While nothing moves, the server
+    /// sends one frame per second.
     std::uint32_t ticks_ahead_max = 120;
-    int substeps = 8;  // of a world whose islands choose theirs; others say how many they take
+    /// for worlds that choose sub-steps per island; other worlds report their number
+    int substeps = 8;
 };
 
+/// Statistics of a Predictor.
 struct PredictorStats {
-    std::uint64_t frames = 0;               // that were compared
-    std::uint64_t corrections = 0;          // of them: that were not what was foreseen
-    std::uint64_t steps = 0;                // that were taken, again or not
-    double last_error_m = 0;                // greatest of the last frame, before it was corrected
-    std::uint64_t control_updates = 0;      // times that what is driven was told and compared
-    std::uint64_t control_corrections = 0;  // of them: that were not what was foreseen
-    double last_control_error_m = 0;        // of the last one
+    std::uint64_t frames = 0;       ///< compared frames
+    std::uint64_t corrections = 0;  ///< compared frames that differed from the prediction
+    std::uint64_t steps = 0;        ///< simulated steps, including repeated ones
+    double last_error_m = 0;        ///< largest error of the last frame before the correction, m
+    std::uint64_t control_updates = 0;      ///< compared states of the controlled entity
+    std::uint64_t control_corrections = 0;  ///< compared states that differed from the prediction
+    double last_control_error_m = 0;        ///< error of the last one, m
 };
 
 }  // namespace jostle::client

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Plays a recording into a WorldView, which is what live clients see by: forward from snapshot to
-// snapshot, or at once to any tick, by way of the keyframe before it. One thread at a time.
+// Plays a recording into a WorldView, like that of a live client: forward from snapshot to
+// snapshot, or directly to a tick by way of the preceding keyframe. One thread at a time.
 #pragma once
 
 #include <cstdint>
@@ -14,22 +14,24 @@
 
 namespace jostle::client {
 
+/// Player of a recording.
 class Playback {
 public:
     explicit Playback(RecordingReader recording);
 
-    // To the next snapshot, with what came before it. False: there is none. An error names the
-    // byte; skip_to_keyframe() goes on after it.
+    /// Advances to the next snapshot, including the messages before it. Returns false at the end.
+    /// Errors contain the byte offset; skip_to_keyframe() continues after an error.
     Result<bool> next();
-    // To what was seen in that tick: the newest snapshot that is not later. An error: the recording
-    // does not have it, or a record on the way is damaged; the view is somewhere then.
+    /// Seeks to a tick: the newest snapshot that is not later. Returns an error if the recording
+    /// does not contain it or if a record on the way is damaged; the state of the view is then
+    /// unspecified.
     Status seek(std::uint32_t tick);
-    // To before the next keyframe. False: there is none.
+    /// Advances to the next keyframe. Returns false if there is none.
     Result<bool> skip_to_keyframe();
 
-    // Before the first snapshot: of an empty world.
+    /// The view of the world; empty before the first snapshot.
     const WorldView& view() const { return view_; }
-    // Of the newest snapshot: since the recording began.
+    /// Arrival time of the current snapshot since the start of the recording, us.
     std::uint64_t arrived_us() const { return arrived_us_; }
     RecordingReader& recording() { return recording_; }
 
@@ -42,10 +44,10 @@ private:
 
     RecordingReader recording_;
     WorldView view_;
-    std::uint64_t position_ = 0;  // of what was not applied yet
+    std::uint64_t position_ = 0;  // of the first record that was not applied
     std::uint64_t arrived_us_ = 0;
-    bool incomplete_ = false;  // something was left out since the last keyframe
-    // The next snapshot, once it was looked for, and what stands before it.
+    bool incomplete_ = false;  // a record was skipped since the last keyframe
+    // The next snapshot, once it was found, and the records before it.
     std::optional<RecordingReader::Record> next_snapshot_;
     std::vector<std::uint64_t> persistent_records_;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Where to begin in a recording: its keyframes, and the messages that all later ones build on.
+// The entry points of a recording: its keyframes, and the messages on which all later ones depend.
 #pragma once
 
 #include <cstdint>
@@ -10,19 +10,20 @@
 
 namespace jostle::client {
 
+/// An entry of the index.
 struct RecordingEntry {
     enum class Kind : std::uint32_t {
-        keyframe = 1,    // a snapshot without a base
-        persistent = 2,  // a EntityUpdate or a GeometryChunk: counts from there on
+        keyframe = 1,    ///< a snapshot without baselines
+        persistent = 2,  ///< an EntityUpdate or a GeometryChunk: valid from there on
     };
-    std::uint64_t offset = 0;  // of its record in the file
-    std::uint32_t frame = 0;   // of a keyframe
+    std::uint64_t offset = 0;  ///< of its record in the file
+    std::uint32_t frame = 0;   ///< of a keyframe
     Kind kind = Kind::keyframe;
 
     friend bool operator==(const RecordingEntry&, const RecordingEntry&) = default;
 };
 
-// What the index says of a message; nothing: it is not in it.
+/// Returns the index entry of a message; nothing if the index does not contain it.
 inline std::optional<RecordingEntry> index_entry_for(const v1::ServerMessage& message,
                                                      std::uint64_t offset) {
     using Kind = RecordingEntry::Kind;

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Reads recordings (proto/WIRE.md, "Recordings"): any record by its place in the file. The bytes
-// are foreign: each length is checked before it is believed, each record has a CRC. A recording
-// that was cut off has no index; opening it then walks from record to record and makes one. One
-// thread at a time.
+// Reads recordings (proto/WIRE.md, "Recordings") with random access. The bytes are untrusted: each
+// length is checked before use, and each record has a CRC. A truncated recording has no index;
+// opening it scans the records and builds one. One thread at a time.
 #pragma once
 
 #include <cstdint>
@@ -17,35 +16,40 @@
 
 namespace jostle::client {
 
+/// Reader of a recording.
 class RecordingReader {
 public:
+    /// Opens a recording. Returns an error if the file is not a recording or has no valid Welcome.
     static Result<RecordingReader> open(const std::string& path);
     static Result<RecordingReader> open(std::unique_ptr<std::istream> in);
 
+    /// A record of the file.
     struct Record {
-        std::uint64_t offset = 0, next = 0;  // where it is, and the one after it
-        std::uint64_t arrived_us = 0;        // since the recording began
-        std::uint32_t bytes = 0;             // of the message
+        std::uint64_t offset = 0, next = 0;  ///< byte offsets of this record and of the next one
+        std::uint64_t arrived_us = 0;        ///< since the start of the recording
+        std::uint32_t bytes = 0;             ///< of the message
         v1::ServerMessage message;
     };
-    // The record at first(), or at `next` of another, or at an entry of the index; before end().
-    // An error names the byte.
+    /// Reads the record at first(), at `next` of another record or at an index entry; the offset
+    /// must be before end(). Errors contain the byte offset.
     Result<Record> read(std::uint64_t offset);
 
-    std::uint64_t first() const;                // the record after the Welcome
-    std::uint64_t end() const { return end_; }  // after the last whole record
+    std::uint64_t first() const;                ///< offset of the record after the Welcome
+    std::uint64_t end() const { return end_; }  ///< offset after the last complete record
     const v1::Welcome& welcome() const { return welcome_; }
+    /// Start time of the recording, us since 1970.
     std::uint64_t start_unix_us() const { return start_unix_us_; }
-    // In the order of the file.
+    /// In the order of the file.
     const std::vector<RecordingEntry>& index() const { return index_; }
-    // Why it is not whole: where it was cut off, or what became of its index. Empty: it is whole.
+    /// Why the recording is incomplete: where it was truncated or why its index is invalid. Empty:
+    /// it is complete.
     const std::string& truncation_reason() const { return truncation_reason_; }
-    // The index anew, from the records; for who wants to know whether the one of the file is right.
+    /// Builds the index from the records, to verify the index of the file.
     std::vector<RecordingEntry> rebuild_index();
 
 private:
     explicit RecordingReader(std::unique_ptr<std::istream> in) : in_(std::move(in)) {}
-    // As far as the records go; what stopped it, if it was not their end.
+    // Result of a scan: the records up to the first invalid one, and why the scan stopped there.
     struct ScanResult {
         std::vector<RecordingEntry> index;
         std::uint64_t end = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What is in a recording, and whether all of it can be played.
+// Contents of a recording, and verification that all of it can be played.
 #pragma once
 
 #include <cstdint>
@@ -12,25 +12,28 @@
 
 namespace jostle::client {
 
+/// Contents of a recording.
 struct RecordingSummary {
-    std::uint32_t first_tick = 0, last_tick = 0;      // of snapshots; 0: there is none
-    double seconds = 0;                               // from the first message to the last
-    std::uint64_t message_bytes = 0;                  // without what the file adds
-    std::uint64_t keyframes = 0, keyframe_bytes = 0;  // those and what they take
-    std::size_t entities = 0, entities_max = 0;       // at the end, and at most
-    std::map<std::string, std::uint64_t> messages{};  // of each kind: how many
-    std::string first_error{};                        // that ended the count; empty: none
+    std::uint32_t first_tick = 0, last_tick = 0;      ///< of snapshots; 0: none
+    double seconds = 0;                               ///< from the first message to the last
+    std::uint64_t message_bytes = 0;                  ///< without the overhead of the file
+    std::uint64_t keyframes = 0, keyframe_bytes = 0;  ///< number of keyframes and their size
+    std::size_t entities = 0, entities_max = 0;       ///< at the end, and maximum
+    std::map<std::string, std::uint64_t> messages{};  ///< number of messages by kind
+    std::string first_error{};  ///< error that stopped the summary; empty: none
 };
-// Reads every record, and decodes no snapshot.
+/// Reads every record without decoding snapshots.
 RecordingSummary summarize(RecordingReader& recording);
 
+/// Result of check().
 struct RecordingVerification {
-    static constexpr std::size_t errors_max = 100;  // more are not listed
+    static constexpr std::size_t errors_max = 100;  ///< further errors are not listed
 
-    std::uint64_t snapshots = 0;  // that were decoded and agree with their CRC
+    std::uint64_t snapshots = 0;  ///< snapshots that were decoded and match their CRC
     std::vector<std::string> errors;
 };
-// Decodes everything, going on at the next keyframe after each fault, and makes the index anew.
+/// Decodes the whole recording, continuing at the next keyframe after each error, and rebuilds the
+/// index.
 RecordingVerification check(Playback& playback);
 
 }  // namespace jostle::client

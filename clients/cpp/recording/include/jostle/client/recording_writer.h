@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Writes what a server sent into a file that can be played again (proto/WIRE.md, "Recordings").
-// Each record is whole by itself: whatever was written when a program dies is readable up to the
-// last whole record. finish() adds the index, which a reader makes by itself where it is missing.
-// One thread at a time.
+// Writes the messages of a server into a recording (proto/WIRE.md, "Recordings"). Each record is
+// self-contained: after a crash of the program the file is readable up to the last complete record.
+// finish() adds the index, which a reader rebuilds if it is missing. One thread at a time.
 #pragma once
 
 #include <cstdint>
@@ -16,23 +15,26 @@
 
 namespace jostle::client {
 
+/// Writer of a recording.
 class RecordingWriter {
 public:
-    // `out` is empty, binary, and outlives the writer. When it begins: us since 1970.
+    /// `out`: an empty binary stream that outlives the writer. `start_unix_us`: start time, us
+    /// since 1970.
     RecordingWriter(std::ostream& out, std::uint64_t start_unix_us);
 
-    // A ServerMessage as it came, the Welcome first, and when: us since the recording began. An
-    // error: it is not in the recording. After one of the file (resource_exhausted) nothing more
-    // can be written.
+    /// Adds a ServerMessage as received, the Welcome first. `arrived_us`: arrival time since the
+    /// start of the recording. On an error the message is not part of the recording. After
+    /// resource_exhausted (a write error) nothing more can be written.
     Status add(const std::string& bytes, std::uint64_t arrived_us);
-    // The index; nothing comes after it.
+    /// Writes the index. No records may follow.
     Status finish();
 
+    /// Totals of the recording.
     struct Counts {
-        std::uint64_t records = 0, bytes = 0;  // bytes: of the file
+        std::uint64_t records = 0, bytes = 0;  ///< bytes: size of the file
         std::uint64_t snapshots = 0, keyframes = 0;
-        std::uint32_t first_tick = 0, last_tick = 0;  // of snapshots
-        std::uint64_t arrived_us = 0;                 // of the newest
+        std::uint32_t first_tick = 0, last_tick = 0;  ///< of snapshots
+        std::uint64_t arrived_us = 0;                 ///< of the newest message
     };
     const Counts& counts() const { return counts_; }
 
@@ -42,7 +44,7 @@ private:
     Status write(const std::string& bytes);
 
     std::ostream& out_;
-    v1::ServerMessage message_;  // reused: parsing then allocates rarely
+    v1::ServerMessage message_;  // reused, so that parsing rarely allocates
     std::string record_;         // likewise
     std::vector<RecordingEntry> index_;
     Counts counts_;

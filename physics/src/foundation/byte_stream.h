@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Numbers to little-endian bytes and back. Reading never trusts the bytes: past the end it gives
-// zeros and remembers.
+// Conversion of numbers to little-endian bytes and back. The reader accepts untrusted bytes: a read
+// past the end returns zeros and sets failed().
 #pragma once
 
 #include <bit>
@@ -15,7 +15,7 @@
 
 namespace jostle::physics {
 
-// The bits of a number as an unsigned integer of the same size.
+// Returns the bits of a number as an unsigned integer of the same size.
 template <class T>
 auto bits_of(T value) {
     if constexpr (std::is_enum_v<T>) {
@@ -30,7 +30,7 @@ auto bits_of(T value) {
     }
 }
 
-// The bits in their order on every machine: little endian.
+// Little-endian byte order on every machine.
 template <class Bits>
 void put_bits(std::byte* to, Bits bits) {
     if constexpr (std::endian::native == std::endian::little) {
@@ -54,14 +54,14 @@ Bits get_bits(const std::byte* from) {
     }
 }
 
-// Millions of numbers go through write(): it looks at nothing but whether there is room.
+// write() is called for millions of numbers, so its only check is for free capacity.
 class ByteWriter {
 public:
     ByteWriter() = default;
     ByteWriter(const ByteWriter&) = delete;
     ByteWriter& operator=(const ByteWriter&) = delete;
 
-    // Room for so many in all; more is made when it is needed.
+    // Reserves a total capacity. The writer grows beyond it when needed.
     void reserve(std::size_t bytes) {
         if (bytes <= room_.size()) return;
         const std::size_t written = size();
@@ -77,14 +77,14 @@ public:
         put_bits(next_, bits);
         next_ += sizeof bits;
     }
-    // Over what was written there before.
+    // Overwrites a previously written value.
     template <class T>
     void write_at(std::size_t at, T value) {
         put_bits(room_.data() + at, bits_of(value));
     }
     std::size_t size() const { return static_cast<std::size_t>(next_ - room_.data()); }
     std::span<const std::byte> bytes() const { return {room_.data(), size()}; }
-    // All that was written; the writer is empty then.
+    // Returns the written bytes and leaves the writer empty.
     std::vector<std::byte> take() {
         room_.resize(size());
         next_ = end_ = nullptr;
@@ -93,14 +93,14 @@ public:
 
 private:
     std::vector<std::byte> room_;                 // written up to next_
-    std::byte *next_ = nullptr, *end_ = nullptr;  // of it
+    std::byte *next_ = nullptr, *end_ = nullptr;  // point into room_
 };
 
 class ByteReader {
 public:
     explicit ByteReader(std::span<const std::byte> bytes) : bytes_(bytes) {}
 
-    // The bits of a T, as bits_of makes them.
+    // Reads the bits of a T in the format of bits_of().
     template <class T>
     auto read_bits() {
         using Bits = decltype(bits_of(T{}));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// ASSERT checks what must be true if we are right; it is off in release builds. Input from outside
-// is never asserted: it is checked always and answered with an Error.
+// ASSERT checks internal invariants; it is disabled in release builds. External input is never
+// asserted: it is always checked, and invalid input yields an Error.
 #pragma once
 
 namespace jostle::physics {

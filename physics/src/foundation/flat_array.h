@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// A vector of plain records by the thousand, whose assignment writes past the caches. Copying a
-// world moves more megabytes than a core's caches hold, and a plain store first reads the line that
-// it is about to overwrite. Takes 0.6 of the time of a vector's assignment (docs/records/lab_diary.md,
+// A vector of trivially copyable records whose copy assignment bypasses the caches. A copy of a
+// world is larger than the caches of a core, and an ordinary store first reads the cache line that
+// it overwrites. Takes 0.6 of the time of std::vector's assignment (docs/records/lab_diary.md,
 // "Keeping and restoring 5000 bodies").
 #pragma once
 
@@ -18,14 +18,14 @@
 
 namespace jostle::physics {
 
-// As memcpy. `to` is aligned to 16 bytes.
+// Same as memcpy with non-temporal stores. `to` is aligned to 16 bytes.
 inline void copy_past_caches(void* to, const void* from, std::size_t bytes) {
     std::size_t done = 0;
 #if defined(__SSE2__)
     auto* target = static_cast<std::byte*>(to);
     const auto* source = static_cast<const std::byte*>(from);
     for (; done + 64 <= bytes; done += 64) {
-        // The hardware fetches ahead within a page only.
+        // The hardware prefetches within a page only.
         _mm_prefetch(reinterpret_cast<const char*>(source + done + 1024), _MM_HINT_T0);
         __m128i part[4];
         for (int k = 0; k < 4; k++)
@@ -33,7 +33,7 @@ inline void copy_past_caches(void* to, const void* from, std::size_t bytes) {
         for (int k = 0; k < 4; k++)
             _mm_stream_si128(reinterpret_cast<__m128i*>(target + done) + k, part[k]);
     }
-    _mm_sfence();  // such stores are not ordered by what publishes memory to other threads
+    _mm_sfence();  // non-temporal stores are not ordered by later release operations
 #endif
     if (done < bytes)
         std::memcpy(static_cast<std::byte*>(to) + done, static_cast<const std::byte*>(from) + done,
@@ -53,7 +53,7 @@ public:
         static_assert(std::is_trivially_copyable_v<T>);
         if (this == &other) return *this;
         const std::size_t bytes = other.size() * sizeof(T);
-        // What fits into a core's own cache is better left there.
+        // Small arrays should remain in the core's cache.
         if (bytes < 128 * 1024 || this->capacity() < other.size()) {
             std::vector<T>::operator=(other);
             return *this;

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// Every thread that steps runs with denormal floats flushed to zero and rounding to nearest:
-// denormals would cost a hundred times as much, and a host program may have changed either. A
-// portable build (jostle/physics/arithmetic.h) keeps denormals: WebAssembly cannot flush them, and
-// its bits are the same there. The scope restores what it found.
+// Floating-point mode of threads that step: denormal floats are flushed to zero and rounding is to
+// nearest. Denormals would be a hundred times slower, and the host program may have changed either
+// setting. A portable build (jostle/physics/arithmetic.h) preserves denormals, because WebAssembly
+// cannot flush them and must give the same bits.
+//
+// FpModeScope restores the previous mode.
 #pragma once
 
 #include <cstdint>
@@ -35,7 +37,7 @@ private:
     static void write(std::uint64_t mode) {
         _mm_setcsr(static_cast<unsigned>(mode));
     }
-    // Flush-to-zero 0x8000, denormals-are-zero 0x0040, rounding bits 0x6000 cleared.
+    // Sets flush-to-zero 0x8000 and denormals-are-zero 0x0040, clears the rounding bits 0x6000.
     static std::uint64_t step_mode(std::uint64_t mode) {
         return (mode & ~0xe040ull) | (flushes_denormals ? 0x8040 : 0);
     }
@@ -48,7 +50,7 @@ private:
     static void write(std::uint64_t mode) {
         asm volatile("msr fpcr, %0" ::"r"(mode));
     }
-    // FZ is bit 24, rounding mode bits 22 and 23.
+    // FZ is bit 24; the rounding mode is in bits 22 and 23.
     static std::uint64_t step_mode(std::uint64_t mode) {
         return (mode & ~(7ull << 22)) | (flushes_denormals ? 1ull << 24 : 0);
     }

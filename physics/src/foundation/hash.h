@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A 64-bit hash of a sequence of 64-bit words, the same on every machine. Not for hostile keys: it
-// proves equality of states and guards saved bytes against accidents.
+// A 64-bit hash of a sequence of 64-bit words, identical on every machine. Not resistant to hostile
+// keys: it verifies equality of states and detects accidental corruption of saved bytes.
 #pragma once
 
 #include <cstdint>

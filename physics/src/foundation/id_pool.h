@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Hands out indices, always the lowest free one, with a generation per index that tells a reused
-// index from its earlier life. Same calls, same ids: that is why replays and saved worlds agree.
+// Allocates indices. It always assigns the lowest free index, with a generation per index that
+// distinguishes successive uses. The same sequence of calls yields the same ids, which replays and
+// saved worlds rely on.
 #pragma once
 
 #include <algorithm>
@@ -44,19 +45,19 @@ public:
     std::uint32_t size() const { return static_cast<std::uint32_t>(alive_.size()); }
     std::uint32_t alive_count() const { return size() - static_cast<std::uint32_t>(free_.size()); }
 
-    // As alive_count, from the flags alone: right even before rebuild_free_list().
+    // Same as alive_count(), computed from the flags. Correct even before rebuild_free_list().
     std::size_t alive_count_slow() const {
         return static_cast<std::size_t>(std::count(alive_.begin(), alive_.end(), 1));
     }
 
-    // For the field list: the two arrays are the whole state; the heap of free indices follows from
-    // them.
+    // For the field list. The two arrays are the complete state; the heap of free indices is
+    // derived.
     std::vector<std::uint32_t>& generations() { return generation_; }
     std::vector<std::uint8_t>& alive_flags() { return alive_; }
     void rebuild_free_list() {
         free_.clear();
         for (std::uint32_t i = 0; i < alive_.size(); i++)
-            if (alive_[i] == 0) free_.push_back(i);  // rising order is a valid min-heap
+            if (alive_[i] == 0) free_.push_back(i);  // ascending order is a valid min-heap
     }
 
 private:

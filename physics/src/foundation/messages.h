@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What errors are put together from.
+// Number formatting for error messages.
 #pragma once
 
 #include <cstdio>

@@ -8,11 +8,11 @@
 namespace jostle::physics {
 namespace {
 
-// Between two ranges of one step there are microseconds; between two steps milliseconds. Spin
-// through the former only.
+// Ranges of one step are microseconds apart, steps are milliseconds apart. Spin only between
+// ranges.
 constexpr int spins_before_sleep = 4000;
-// Halves that are of the same length end within microseconds of each other. Who takes longer than
-// this has lost its processor.
+// Equal parts end within microseconds of each other. A thread that takes longer than this has lost
+// its processor.
 constexpr int spins_before_help = 1000;
 
 void relax_cpu() {
@@ -59,7 +59,8 @@ void ThreadPool::parallel_for(int total, int grain, Split split, Call call, void
     gate_.fetch_add(one_range | open, std::memory_order_release);
     gate_.notify_all();
     run_grains(0);
-    // Who has not come in by now finds the gate closed: nobody waits for a worker that sleeps.
+    // Closes the gate: a worker that has not entered by now cannot enter, so no thread waits for a
+    // sleeping worker.
     gate_.fetch_and(~open, std::memory_order_relaxed);
     int spins = 0;
     while ((gate_.load(std::memory_order_acquire) & inside) != 0) {
@@ -70,7 +71,8 @@ void ThreadPool::parallel_for(int total, int grain, Split split, Call call, void
     }
 }
 
-// Its own part first. To look whether others are done would carry their cursors to and fro.
+// Starts with the thread's own part. Polling the other parts earlier would transfer their cursors
+// between caches.
 void ThreadPool::run_grains(int self) {
     cursors_[static_cast<std::size_t>(self)].owned.store(true, std::memory_order_relaxed);
     for (int k = 0; k < count_; k++)
@@ -98,7 +100,7 @@ void ThreadPool::start(std::function<void()> job) {
     if (size() == 1) return job();
     job_ = std::move(job);
     job_state_.store(Job::waiting, std::memory_order_release);
-    // Whoever waits at the gate sees it change and looks around.
+    // Changing the gate wakes the waiting workers, which then check for a job.
     gate_.fetch_add(one_range, std::memory_order_release);
     gate_.notify_all();
 }
@@ -123,11 +125,12 @@ void ThreadPool::finish() {
 
 void ThreadPool::work(int self) {
     const FpModeScope fp_mode;
-    std::uint64_t seen = 0;  // the range that it was last in, or found closed
+    std::uint64_t seen = 0;  // last range that this worker entered or found closed
     int spins = 0;
     for (;;) {
-        // The gate first: who sees the change that comes with a job or the end sees these, too. The
-        // other way round a worker could miss the end and wait for a change after the last one.
+        // Load the gate first. A worker that sees the change caused by a job or by shutdown then
+        // also sees the job or the shutdown. In the other order it could miss the shutdown and wait
+        // for a change after the last one.
         std::uint64_t gate = gate_.load(std::memory_order_acquire);
         if (quit_.load(std::memory_order_relaxed)) return;
         if (job_state_.load(std::memory_order_relaxed) == Job::waiting && run_job()) spins = 0;

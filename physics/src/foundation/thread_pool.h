@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// Threads that share one range at a time. Each thread first takes grains from its own part of the
-// range, so that the records it worked on in the last pass are still in its cache, then helps the
-// others. Which thread runs which grain is a race; what a grain computes must not depend on it.
+// Thread pool that processes one range at a time. Each thread first takes grains from its own part
+// of the range, so that the records of the previous pass are still in its cache, then helps the
+// other threads. The assignment of grains to threads is nondeterministic, so the result of a grain
+// must not depend on it.
 //
 // Used by the one thread that steps a world. Workers spin briefly between ranges, then sleep until
-// the next step. Where there are no threads (WebAssembly, unless built with them) a team is of one,
-// however many are asked for.
+// the next step. Without thread support (WebAssembly, unless built with threads) the pool has one
+// thread, regardless of the requested number.
 #pragma once
 
 #include <atomic>
@@ -26,21 +27,24 @@ public:
     ThreadPool(const ThreadPool&) = delete;
     ThreadPool& operator=(const ThreadPool&) = delete;
 
-    // How many threads share what comes next.
+    // Number of threads that take part in the next range.
     int size() const { return single_threaded_ ? 1 : count_; }
-    // From now on the calling thread does everything itself; the workers sleep on.
+    // If true, the calling thread does all work and the workers stay asleep.
     void set_single_threaded(bool alone) { single_threaded_ = alone; }
 
-    // What happens to the share of a thread that is there but not done when others are.
+    // Handling of the part of a thread that has started but not finished when the other threads are
+    // done.
     enum class Split {
-        free,   // they help it
-        fixed,  // they leave it alone, for as long as it seems to get on. For passes that come
-                // again and again over the same records: one that another thread took has to come
-                // back from that thread's cache, which takes longer than a kernel does.
+        free,  // the other threads help
+        // The other threads leave it alone while the owner makes progress. For passes that are
+        // repeated over the same records: a record processed by another thread must be transferred
+        // back from that thread's cache, which takes longer than a kernel.
+        fixed,
     };
 
-    // Calls fn(begin, end) over [0, total) in grains, on all threads, and returns when all are
-    // done. Short ranges stay on the calling thread: a hand-over costs more than they do.
+    // Calls fn(begin, end) over [0, total) in grains on all threads, and returns when all are done.
+    // Short ranges stay on the calling thread, because handing them over costs more than processing
+    // them.
     template <class F>
     void run(int total, int grain, F&& fn, Split split = Split::free) {
         if (total <= 0) return;
@@ -55,8 +59,9 @@ public:
             const_cast<void*>(static_cast<const void*>(&fn)));
     }
 
-    // Calls fn(k) for each of [0, count), one at a time on each thread: a thread begins with those
-    // of its part of the range, in their order, as in the step before, and then helps the others.
+    // Calls fn(k) for each k in [0, count). Each thread starts with the elements of its own part of
+    // the range in order, which is the same assignment as in the previous step, then helps the
+    // others.
     template <class F>
     void run_tasks(int count, F&& fn) {
         const auto each = [&fn](int begin, int end) {
@@ -71,14 +76,14 @@ public:
             const_cast<void*>(static_cast<const void*>(&each)));
     }
 
-    // Tells the workers that there will be ranges soon: to wake takes as long as a small scene's
-    // step.
+    // Wakes the workers before the first range, because waking takes as long as the step of a small
+    // scene.
     void wake();
 
-    // Has a free worker do a job while this thread goes on, also through ranges; without workers it
-    // is done at once. One at a time: finish() comes before the next.
+    // Starts a job on a free worker while this thread continues, also through ranges. Without
+    // workers, runs it immediately. One job at a time: call finish() before the next start().
     void start(std::function<void()> job);
-    // Returns when the job is done, if there is one: does it itself if nobody has begun it.
+    // Waits for the job, if there is one. Runs it on this thread if no worker has started it.
     void finish();
 
 private:
@@ -86,10 +91,10 @@ private:
     struct alignas(64) Cursor {
         std::atomic<int> next{0};
         int end = 0;
-        std::atomic<bool> owned{false};  // its thread is there
+        std::atomic<bool> owned{false};  // the owning thread has started
     };
 
-    // In grains, each thread its own part of the range first.
+    // Processes a range in grains; each thread starts with its own part.
     void parallel_for(int total, int grain, Split split, Call call, void* context);
     void run_grains(int self);
     void run_grains_of(Cursor& cursor, bool leave_to_owner);
@@ -102,8 +107,8 @@ private:
 #if !defined(JOSTLE_NO_THREADS)
     std::vector<std::thread> workers_;
 #endif
-    // How many workers are in the present range, whether more may come in, and how many ranges
-    // there have been. A worker comes in by adding one, if it has not changed meanwhile.
+    // State of the current range: number of workers inside, whether more may enter, and a count of
+    // ranges. A worker enters by incrementing the value if it has not changed in the meantime.
     static constexpr std::uint64_t inside = 0xffff, open = 0x10000, one_range = 0x20000;
     alignas(64) std::atomic<std::uint64_t> gate_{0};
     alignas(64) std::atomic<bool> quit_{false};

@@ -36,7 +36,7 @@ bool ThreadingTrial::shares(double last_ms) {
         lost_ = 0;
         return shared_ != trying_;
     }
-    // The first one still finds records elsewhere.
+    // The first step of a trial is ignored: its records are still in other caches.
     if (left_ < trial_steps - 1 && last_ms >= tuning::trial_gain * baseline_ms_) lost_++;
     const bool decided = lost_ > sample_count / 2;
     if (left_ > 0 && !decided) return !shared_;
@@ -48,7 +48,7 @@ bool ThreadingTrial::shares(double last_ms) {
     return shared_;
 }
 
-// All of the last three: one was disturbed, perhaps.
+// Requires all of the last three steps, because a single one may have been disturbed.
 bool ThreadingTrial::last_are_long() const {
     const auto ago = [&](std::size_t steps) {
         return last_[(next_ + last_.size() - steps) % last_.size()];

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Finds out whether a second thread is worth its trouble. Where a step takes less than two
-// milliseconds, records that travel from one core's cache to another's and back may take longer
-// than the work that is saved: a line takes 0.05 to 0.35 us, by whether the cores share a cache,
-// which no constant can know. So it is tried, now and then, and what takes less time is kept. That
-// goes by the clock, and may: which thread does what changes no bit of a step (thread_pool.h).
+// Decides by timed trials whether several threads speed up a step. For steps shorter than 2 ms,
+// moving records between the caches of two cores can take longer than the saved work: a cache line
+// takes 0.05 to 0.35 us, depending on the caches that the cores share. The trials run at intervals,
+// and the faster mode is used. They depend on the clock, which is permitted because the assignment
+// of work to threads does not change the result of a step (thread_pool.h).
 //
 // Used by the thread that steps a world.
 #pragma once
@@ -18,22 +18,23 @@ namespace jostle::physics {
 
 class ThreadingTrial {
 public:
-    // Whether the threads share the next step. `last_ms`: what the last one took.
+    // Returns whether several threads take part in the next step. `last_ms`: duration of the last
+    // step.
     bool shares(double last_ms);
 
 private:
-    static constexpr int sample_count = 5;  // last steps before a trial, and of one
+    static constexpr int sample_count = 5;  // steps that are compared, before a trial and in it
     static constexpr int trial_steps = sample_count + 1;
 
     bool last_are_long() const;
     double median() const;
 
-    bool shared_ = false;  // the way that is kept
+    bool shared_ = false;  // current mode
     bool trying_ = false;
     int pause_ = tuning::first_trial_pause, left_ = tuning::first_trial_pause;
-    int lost_ = 0;                             // steps of the trial that were no better
-    double baseline_ms_ = 0;                   // a step took before the trial
-    std::array<double, sample_count> last_{};  // ms, round and round
+    int lost_ = 0;                             // steps of the trial that were not faster
+    double baseline_ms_ = 0;                   // median duration before the trial
+    std::array<double, sample_count> last_{};  // durations of the last steps, ms; ring buffer
     std::size_t next_ = 0;
 };
 

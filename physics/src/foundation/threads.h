@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Threads and what guards what they share, for the solver's few uses of them. WebAssembly has none
-// unless it is built with them; its standard library then lacks the types, too.
+// Threads and mutexes, with single-threaded replacements. WebAssembly has no threads unless built
+// with them, and its standard library then lacks the types as well.
 #pragma once
 
 #if defined(__wasm__) && !defined(__wasm_atomics__)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Monotonic stopwatch for the profile. Never read by anything that decides what a step does.
+// Monotonic stopwatch for the profile. The result of a step never depends on it.
 #pragma once
 
 #include <chrono>
@@ -9,7 +9,7 @@ namespace jostle::physics {
 
 class Timer {
 public:
-    // Milliseconds since construction or the last lap.
+    // Returns the milliseconds since construction or the previous lap.
     double lap_ms() {
         const auto now = std::chrono::steady_clock::now();
         const double ms = std::chrono::duration<double, std::milli>(now - start_).count();

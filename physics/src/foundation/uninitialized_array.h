@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// An array that begins with nothing in it: where 128 points may be needed and four are, zeroing all
-// of them takes longer than finding the four.
+// Arrays without initialization. If 128 points may be needed and four are, zeroing all of them
+// takes longer than computing the four.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@ class UninitializedArray {
 public:
     static_assert(std::is_trivially_copyable_v<T> && std::is_aggregate_v<T>);
 
-    // An element is read after it was written, not before.
+    // Read an element only after writing it.
     template <class Index>
     T& operator[](Index k) {
         return data()[k];
@@ -29,17 +29,18 @@ public:
     const T* data() const { return std::launder(reinterpret_cast<const T*>(bytes_)); }
 
 private:
-    alignas(T) std::byte bytes_[N * sizeof(T)];  // arrays of bytes create what is put there (C++20)
+    // a byte array implicitly creates the objects stored in it (C++20).
+    alignas(T) std::byte bytes_[N * sizeof(T)];
 };
 
-// The same for as many as are asked for: what is never written takes no memory of the machine.
+// The same with dynamic size. Pages that are never written take no physical memory.
 template <class T>
 class UninitializedVector {
 public:
     static_assert(std::is_trivially_copyable_v<T> && std::is_aggregate_v<T>);
     static_assert(alignof(T) <= __STDCPP_DEFAULT_NEW_ALIGNMENT__);
 
-    // Of what was there nothing is kept.
+    // Discards the content.
     void reserve_discarding(std::size_t count) {
         if (count <= count_) return;
         bytes_.reset();

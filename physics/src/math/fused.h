@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// a b + c of floats with one rounding, also where the processor has no instruction for it. In a
-// portable build (jostle/physics/arithmetic.h) it is a product and a sum, each rounded.
+// Multiply-add of floats with a single rounding, also on processors without such an instruction. In
+// a portable build (jostle/physics/arithmetic.h) it is a product and a sum, each rounded.
 #pragma once
 
 #include <bit>
@@ -9,14 +9,13 @@
 
 namespace jostle::physics {
 
-// The product of two floats is exact in a double. The sum is not: rounded to odd it still knows on
-// which side of every float's rounding boundary it lies (Boldo and Melquiond, "Emulation of FMA and
-// correctly rounded sums: proved algorithms using rounding to odd", IEEE Trans. Computers 57,
-// 2008).
+// The product of two floats is exact in a double. The sum is not; rounded to odd, it still
+// determines the correct rounding to float (Boldo and Melquiond, "Emulation of FMA and correctly
+// rounded sums: proved algorithms using rounding to odd", IEEE Trans. Computers 57, 2008).
 inline float multiply_add_in_double(float a, float b, float c) {
     const double product = double{a} * double{b}, addend = double{c};
     const double sum = product + addend;
-    // What the sum lost, exactly (Knuth's TwoSum).
+    // The exact rounding error of the sum (Knuth's TwoSum).
     const double part = sum - product;
     const double lost = (product - (sum - part)) + (addend - part);
     auto bits = std::bit_cast<std::uint64_t>(sum);
@@ -27,7 +26,7 @@ inline float multiply_add_in_double(float a, float b, float c) {
 
 inline __attribute__((always_inline)) float fused_multiply_add(float a, float b, float c) {
 #if defined(JOSTLE_UNFUSED)
-    return a * b + c;  // -ffp-contract=off: nobody fuses it
+    return a * b + c;  // not fused because of -ffp-contract=off
 #elif defined(__FMA__) || defined(__aarch64__)
     return __builtin_fmaf(a, b, c);
 #else

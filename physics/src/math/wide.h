@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
-// Eight floats at a time, with the same bits whatever the machine. Nothing here reduces across
-// lanes, so lane k of a result depends on lane k of the inputs alone; together with
-// -ffp-contract=off that makes a run's hash independent of the instruction set: what is fused is
-// written so, with fma(); in a portable build nothing is. min and max are compares because minps
-// and its scalar relatives disagree about NaN and -0.
+// SIMD arithmetic on eight floats with the same bits on every machine. No operation reduces across
+// lanes, so lane k of a result depends on lane k of the inputs only. Together with
+// -ffp-contract=off this makes the state hash independent of the instruction set: fused operations
+// are written explicitly with fma(), and a portable build fuses none. min and max are comparisons
+// because minps and its scalar counterparts differ for NaN and -0.
 //
-// GCC and clang vector extensions: the compiler splits a Wide into what the target has (two SSE
-// registers, one AVX). Included by one source per instruction set (constraints/kernels_*.cpp), each
-// of which names its own namespace: code built for one CPU must not be linked into another's path.
-// One of them defines JOSTLE_TWO_BLOCKS: sixteen lanes, which are two blocks of eight side by side,
-// for the passes over contacts alone.
+// Uses GCC and clang vector extensions: the compiler maps a Wide to the target's registers (two SSE
+// registers, one AVX register). Included by one source per instruction set
+// (constraints/kernels_*.cpp). Each source defines its own namespace, because code built for one
+// CPU must not be linked into the path of another. One of them defines JOSTLE_TWO_BLOCKS: sixteen
+// lanes, which are two adjacent blocks of eight, for the passes over contacts only.
 #pragma once
 
 #include <cstdint>
@@ -30,12 +30,12 @@
 namespace jostle::physics::JOSTLE_ISA {
 
 #if defined(JOSTLE_SCALAR) || defined(JOSTLE_SMALL)
-#define JOSTLE_INLINE inline  // all in one function takes a compiler minutes, and much code
+#define JOSTLE_INLINE inline  // force-inlining takes minutes to compile and produces large code
 #else
 #define JOSTLE_INLINE inline __attribute__((always_inline))
 #endif
 
-// Before a loop over the points of a manifold, whose values are to stay in registers.
+// For loops over the points of a manifold, whose values should stay in registers.
 #if defined(__clang__) || defined(JOSTLE_SCALAR)
 #define JOSTLE_UNROLL
 #else
@@ -49,7 +49,7 @@ inline constexpr int lane_count = 8;
 #endif
 
 #if defined(JOSTLE_SCALAR)
-// Plain loops over eight floats: proves that the bits do not come from the vector unit.
+// Plain loops over eight floats, to verify that the results do not depend on the vector unit.
 struct alignas(32) Wide {
     float lane[8];
     float& operator[](int i) { return lane[i]; }
@@ -109,7 +109,7 @@ JOSTLE_INLINE Quad high_half(Wide w) {
 JOSTLE_INLINE Wide splat(float f) {
     return _mm512_set1_ps(f);
 }
-// Two rows of eight, the second one so many floats after the first. p is 32-byte aligned.
+// Two rows of eight floats, kApart floats from each other. p is 32-byte aligned.
 template <int kApart>
 JOSTLE_INLINE Wide load_two(const float* p) {
     return _mm512_insertf32x8(_mm512_castps256_ps512(_mm256_load_ps(p)), _mm256_load_ps(p + kApart),
@@ -132,7 +132,7 @@ JOSTLE_INLINE void store(float* p, Wide w) {
     *static_cast<Wide*>(static_cast<void*>(p)) = w;
 }
 #endif
-// a > b ? a : b, which is what x86 calls a maximum, NaN and signs of zeros included.
+// a > b ? a : b, which matches the x86 maximum instruction for NaN and signed zeros.
 JOSTLE_INLINE Wide max(Wide a, Wide b) {
 #if defined(JOSTLE_TWO_BLOCKS)
     return _mm512_max_ps(a, b);
@@ -162,8 +162,8 @@ JOSTLE_INLINE Wide root(Wide a) {
     return r;
 #endif
 }
-// a b + c, rounded once: on every machine, in one instruction where it has one. In a portable build
-// it is rounded twice on every machine.
+// a b + c with a single rounding on every machine, in one instruction where available. In a
+// portable build it is rounded twice on every machine.
 JOSTLE_INLINE Wide fma(Wide a, Wide b, Wide c) {
 #if defined(JOSTLE_UNFUSED)
     return a * b + c;
@@ -182,7 +182,7 @@ JOSTLE_INLINE Wide fma(Wide a, Wide b, Wide c) {
     return r;
 #endif
 }
-// c - a b, likewise.
+// c - a b, with the same rounding as fma().
 JOSTLE_INLINE Wide fnma(Wide a, Wide b, Wide c) {
 #if defined(JOSTLE_UNFUSED)
     return c - a * b;
@@ -249,7 +249,7 @@ JOSTLE_INLINE void store_rows(float* const rows[8], const Wide in[8]) {
         for (int lane = 0; lane < 8; lane++) rows[lane][k] = in[k][lane];
 }
 #elif defined(JOSTLE_TWO_BLOCKS)
-// Turns a 4x4 block on its side, in each quarter of the registers.
+// Transposes a 4x4 block in each quarter of the registers.
 JOSTLE_INLINE void transpose4(Wide& a, Wide& b, Wide& c, Wide& d) {
     const Wide ab_low = _mm512_unpacklo_ps(a, b), ab_high = _mm512_unpackhi_ps(a, b);
     const Wide cd_low = _mm512_unpacklo_ps(c, d), cd_high = _mm512_unpackhi_ps(c, d);
@@ -259,8 +259,8 @@ JOSTLE_INLINE void transpose4(Wide& a, Wide& b, Wide& c, Wide& d) {
     d = _mm512_shuffle_ps(ab_high, cd_high, 0xee);
 }
 
-// As with eight lanes below. A register has two whole rows, low and high halves of two others side
-// by side make the columns. Lanes 4q + k of a column are the rows k, k + 4, k + 8, k + 12 of it.
+// Same as for eight lanes below. A register holds two complete rows; the columns combine low and
+// high halves of two others. Lanes 4q + k of a column are its rows k, k + 4, k + 8, k + 12.
 JOSTLE_INLINE void load_rows(const float* const rows[16], int at, Wide out[8]) {
     for (int k = 0; k < 4; k++) {
         const Wide near = _mm512_insertf32x8(_mm512_castps256_ps512(_mm256_load_ps(rows[k] + at)),
@@ -268,7 +268,7 @@ JOSTLE_INLINE void load_rows(const float* const rows[16], int at, Wide out[8]) {
         const Wide far =
             _mm512_insertf32x8(_mm512_castps256_ps512(_mm256_load_ps(rows[k + 4] + at)),
                                _mm256_load_ps(rows[k + 12] + at), 1);
-        // Quarters of near: row k low, high; row k + 8 low, high.
+        // Quarters of `near`: row k low and high, row k + 8 low and high.
         out[k] = __builtin_shufflevector(near, far, 0, 1, 2, 3, 16, 17, 18, 19, 8, 9, 10, 11, 24,
                                          25, 26, 27);
         out[4 + k] = __builtin_shufflevector(near, far, 4, 5, 6, 7, 20, 21, 22, 23, 12, 13, 14, 15,
@@ -294,7 +294,7 @@ JOSTLE_INLINE void store_rows(float* const rows[16], const Wide in[8]) {
     }
 }
 #else
-// Turns a 4x4 block on its side, in each half of the registers.
+// Transposes a 4x4 block in each half of the registers.
 template <class V>
 JOSTLE_INLINE void transpose4(V& a, V& b, V& c, V& d);
 
@@ -330,9 +330,9 @@ JOSTLE_INLINE void store_quad(float* p, Quad q) {
     *static_cast<Quad*>(static_cast<void*>(p)) = q;
 }
 
-// Reads the 32-byte rows of eight bodies that begin at float `at` of what is pointed at, and turns
-// them on their side: out[k] holds float k of all eight. Rows are 16-byte aligned at least. Halves
-// of two rows share a register, so that every shuffle stays within a half.
+// Loads and transposes eight 32-byte rows that start at float `at` of each pointer: out[k] holds
+// float k of all rows. Rows are at least 16-byte aligned. Halves of two rows share a register, so
+// that every shuffle stays within a half.
 JOSTLE_INLINE void load_rows(const float* const rows[8], int at, Wide out[8]) {
     for (int half = 0; half < 8; half += 4) {
 #if defined(__AVX2__)

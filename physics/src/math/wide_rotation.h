@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Rotations and angles, eight at a time: math/wide.h says what that means. Errors are those of
-// float: a few 1e-7.
+// SIMD rotations and angles on eight lanes (math/wide.h). Errors are of single precision: a few
+// 1e-7.
 #pragma once
 
 #include "physics/src/math/wide.h"
@@ -20,7 +20,7 @@ JOSTLE_INLINE WideQuat operator*(WideQuat a, WideQuat b) {
 JOSTLE_INLINE WideQuat conjugate(WideQuat q) {
     return {-q.x, -q.y, -q.z, q.w};
 }
-// How v changes when q turns it: no digits are lost where q turns little.
+// Returns the change of v under the rotation q. Small rotations do not lose precision.
 JOSTLE_INLINE Wide3 rotated_by(WideQuat q, Wide3 v) {
     const Wide3 u{q.x, q.y, q.z}, t = cross(u, v) * splat(2);
     return t * q.w + cross(u, t);
@@ -48,16 +48,16 @@ JOSTLE_INLINE Wide3 normalized(Wide3 v, Wide3 fallback) {
     return select(long_enough, unit, fallback);
 }
 
-// Of a rotation vector of any length; its sign is free. Taylor series of sine and cosine, up to a
-// quarter turn.
+// Returns the quaternion of a rotation vector of any length; its sign is arbitrary. Taylor series
+// of sine and cosine up to a quarter turn.
 JOSTLE_INLINE WideQuat from_rotation_vector(Wide3 r) {
-    const Wide square = dot(r, r) * splat(0.25f);  // of half the angle
+    const Wide square = dot(r, r) * splat(0.25f);  // square of half the angle
     Wide t2 = square, scale = splat(0.5f);
     constexpr float quarter_turn = 1.5707f;
     const WideMask far = square > splat(quarter_turn * quarter_turn);
     if (lane_bits(far) != 0) {
-        // Half turns of the half angle change the quaternion's sign alone.
-        constexpr float round = 12582912;  // 1.5 * 2^23: what is added to it loses its fraction
+        // Half turns of the half angle change only the sign of the quaternion.
+        constexpr float round = 12582912;  // 1.5 * 2^23: adding it rounds to an integer
         const Wide half = root(square);
         const Wide turns = (half * splat(0.318309886f) + splat(round)) - splat(round);
         const Wide t = (half - turns * splat(3.140625f)) - turns * splat(9.67653589793e-4f);
@@ -74,7 +74,7 @@ JOSTLE_INLINE WideQuat from_rotation_vector(Wide3 r) {
     return {u.x, u.y, u.z, cosine};
 }
 
-// The angle of the point (x, y), -pi..pi; 0 at the origin.
+// Returns the angle of the point (x, y), -pi..pi; 0 at the origin.
 JOSTLE_INLINE Wide arc_tangent(Wide y, Wide x) {
     constexpr float pi = 3.14159265f;
     const Wide ax = absolute(x), ay = absolute(y), one = splat(1), zero = splat(0);

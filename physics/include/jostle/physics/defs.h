@@ -142,7 +142,7 @@ struct BodyAndShapes {
 };
 
 /// Algorithm of the broad phase. All produce the same results at different cost
-/// (docs/performance.md).
+/// (docs/records/performance.md).
 enum class BroadPhase : std::uint8_t {
     dynamic_tree,
     sort_and_sweep,

@@ -9,7 +9,7 @@ namespace jostle::modules::destruction_detail {
 
 namespace {
 
-// a x^T b with x given turned: to[r][c] -= a[r][m] * turned[m][c].
+// Subtracts a x^T b, with x^T given transposed: to[r][c] -= a[r][m] * turned[m][c].
 void subtract_product(Block& to, const Block& a, const Block& turned) {
     for (std::size_t r = 0; r < 6; r++)
         for (std::size_t m = 0; m < 6; m++) {
@@ -33,8 +33,9 @@ Block turned(const Block& a) {
     return to;
 }
 
-// Gauss and Jordan, without exchange: the block is positive. A pivot that is nothing beside what
-// stood there is a direction without resistance: its row and column become 0.
+// Gauss-Jordan elimination without pivoting: the block is positive semidefinite. A pivot that is
+// negligible relative to the original diagonal is a direction without stiffness; its row and column
+// become 0.
 Block inverted(Block a) {
     Block6 before;
     for (std::size_t k = 0; k < 6; k++) before[k] = a[7 * k];
@@ -73,8 +74,8 @@ BlockFactor::BlockFactor(const BlockMatrix& matrix) {
     for (std::size_t k = 0; k < order_.size(); k++) eliminate(k);
 }
 
-// Eliminates on the graph: the neighbours of what goes become neighbours of each other, and are the
-// rows of its column.
+// Symbolic elimination on the graph: the neighbours of an eliminated node become neighbours of each
+// other and are the rows of its column.
 void BlockFactor::order_by_degree(const BlockMatrix& matrix) {
     const std::size_t n = matrix.diagonal.size();
     std::vector<std::vector<std::uint32_t>> near(n);
@@ -134,8 +135,8 @@ void BlockFactor::scatter(const BlockMatrix& matrix) {
     }
 }
 
-// Of all columns to come: A_ij -= L_ik A_jk^T. Rows of this column are rows of theirs, in the same
-// order.
+// Updates all later columns: A_ij -= L_ik A_jk^T. The rows of this column also exist in the updated
+// columns, in the same order.
 void BlockFactor::eliminate(std::size_t k) {
     diagonal_[k] = inverted(diagonal_[k]);
     const std::vector<std::uint32_t>& rows = rows_[k];

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// K x = f for a symmetric matrix of 6 x 6 blocks of which few are there: L D L^T, eliminated in the
-// order of least degree (George, Liu, "The Evolution of the Minimum Degree Ordering Algorithm",
-// 1989). The order follows from the pattern alone, so the same matrix gives the same bits.
+// Solves K x = f for a sparse symmetric matrix of 6 x 6 blocks by L D L^T factorization with
+// minimum degree ordering (A. George, J. W. H. Liu, "The Evolution of the Minimum Degree Ordering
+// Algorithm", 1989). The order depends only on the sparsity pattern, so equal matrices give
+// bit-identical results.
 #pragma once
 
 #include <array>
@@ -13,24 +14,24 @@
 
 namespace jostle::modules::destruction_detail {
 
-using Block = std::array<double, 36>;  // by rows
+using Block = std::array<double, 36>;  // row-major
 using Block6 = std::array<double, 6>;
 
 struct BlockMatrix {
     struct OffDiagonalBlock {
-        std::uint32_t row = 0, column = 0;  // row > column: the lower half
+        std::uint32_t row = 0, column = 0;  // row > column: the lower triangle
         Block block = {};
     };
     std::vector<Block> diagonal;
-    std::vector<OffDiagonalBlock> off_diagonal;  // several of a place add up
+    std::vector<OffDiagonalBlock> off_diagonal;  // entries at the same position are summed
 };
 
 class BlockFactor {
 public:
     explicit BlockFactor(const BlockMatrix& matrix);
-    // Directions in which the matrix gives no resistance stay at 0.
+    // Components along directions without stiffness stay 0.
     void solve(std::span<Block6> x) const;
-    // Products of blocks that the factor took.
+    // Number of block products of the factorization.
     std::uint64_t work() const { return work_; }
     std::size_t size() const { return order_.size(); }
 
@@ -40,10 +41,10 @@ private:
     void eliminate(std::size_t k);
     Block& at(std::uint32_t row, std::uint32_t column);
 
-    std::vector<std::uint32_t> order_, rank_;       // node at each place, place of each node
-    std::vector<std::vector<std::uint32_t>> rows_;  // of each column, by place, ascending
-    std::vector<std::vector<Block>> blocks_;        // beside rows_
-    std::vector<Block> diagonal_;                   // by place; inverted once eliminated
+    std::vector<std::uint32_t> order_, rank_;       // node at each position, position of each node
+    std::vector<std::vector<std::uint32_t>> rows_;  // per column: row positions, ascending
+    std::vector<std::vector<Block>> blocks_;        // parallel to rows_
+    std::vector<Block> diagonal_;                   // by position; inverted after elimination
     std::uint64_t work_ = 0;
 };
 

@@ -7,7 +7,7 @@ using namespace physics;
 
 namespace {
 
-// One spring: it is stretched by g_a . moved_a + g_b . moved_b.
+// A spring with the elongation g_a . moved_a + g_b . moved_b.
 struct Spring {
     Block6 g_a, g_b;
     double stiffness = 0;
@@ -17,7 +17,7 @@ Block6 joined(Vec3 along, Vec3 about) {
     return {along.x, along.y, along.z, about.x, about.y, about.z};
 }
 
-// Along a direction d at the face: d . (u_b + t_b x r_b - u_a - t_a x r_a).
+// Elongation along a direction d at the face: d . (u_b + t_b x r_b - u_a - t_a x r_a).
 Spring stretching(const Beam& beam, Vec3 d, double stiffness) {
     return {joined(-d, -cross(beam.arm_a, d)), joined(d, cross(beam.arm_b, d)), stiffness};
 }
@@ -25,7 +25,7 @@ Spring turning(Vec3 d, double stiffness) {
     return {joined({}, -d), joined({}, d), stiffness};
 }
 
-// Axial, two shears, torsion, two bendings: E A / l, G A / l, G J / l, E I / l.
+// Axial, two shear, one torsion and two bending springs: E A / l, G A / l, G J / l, E I / l.
 std::array<Spring, 6> springs_of(const Beam& beam, const BondMaterial& material) {
     const FractureBond& face = *beam.face;
     const double e = material.young / beam.length, g = e / (2 * (1 + material.poisson));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Rigid chunks joined by short beams (Kawai, "New discrete models and their application to seismic
-// response analysis of structures", 1978): six unknowns for each chunk, six springs for each bond.
+// Rigid chunks connected by short beams (T. Kawai, "New discrete models and their application to
+// seismic response analysis of structures", 1978): six unknowns per chunk, six springs per bond.
 #pragma once
 
 #include <span>
@@ -12,25 +12,25 @@
 
 namespace jostle::modules::destruction_detail {
 
-// A part of a whole: chunks, and bonds between them, both ascending.
+// A part of a destructible: chunks and the bonds between them, both ascending.
 struct Group {
     std::vector<std::uint32_t> chunks, bonds;
 };
 
-// How the two ends of a bond lie apart, and the six springs in between.
+// A bond as a beam: its two ends and the geometry of the six springs.
 struct Beam {
     const FractureBond* face = nullptr;
-    std::uint32_t a = 0, b = 0;  // unknowns; fixed_unknown: held
-    physics::Vec3 arm_a, arm_b;  // from the centres to the face
-    double length = 0;           // m, between the centres along the normal
+    std::uint32_t a = 0, b = 0;  // indices of unknowns; fixed_unknown if held
+    physics::Vec3 arm_a, arm_b;  // from the centres of mass to the face
+    double length = 0;           // m, between the centres of mass along the normal
 };
 inline constexpr std::uint32_t fixed_unknown = 0xffffffff;
 
 BlockMatrix stiffness_of(std::span<const Beam> beams, std::size_t unknowns,
                          const BondMaterial& material);
 
-// What a beam bears when its ends moved so, as a share of the strength: the greatest of tension,
-// compression (axial force over area and bending moments over section moduli) and shear.
+// Load of a beam for the displacements of its ends, as a fraction of the strength: the maximum of
+// tension, compression (axial force over area, bending moments over section moduli) and shear.
 double load_of(const Beam& beam, const Block6& moved_a, const Block6& moved_b,
                const BondMaterial& material);
 

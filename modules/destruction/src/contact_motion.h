@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// How bodies move, and give way, at a point.
+// Velocity and effective mass of a body at a point.
 #pragma once
 
 #include "jostle/physics/world.h"
 
 namespace jostle::modules::destruction_detail {
 
-// 1/kg: how easily a body gives way at a point along a unit direction. 0: not at all.
+// Inverse effective mass of a body at a point along a unit direction, 1/kg; 0 if it cannot move.
 inline double inverse_effective_mass(const physics::BodyState& body, physics::Vec3 point,
                                      physics::Vec3 n) {
     if (!(body.mass > 0)) return 0;

@@ -9,8 +9,8 @@ using namespace physics;
 
 namespace {
 
-// Where an edge meets the plane. Called from inside to outside by both faces that share the edge:
-// the same bits.
+// Intersection of an edge with the plane. Both faces of an edge call it in the order inside,
+// outside, so their results are bit-identical.
 Vec3 crossing(Vec3 inside, Vec3 outside, double below, double above) {
     return inside + (outside - inside) * (below / (below - above));
 }
@@ -19,10 +19,10 @@ void note(std::vector<Vec3>& rim, Vec3 point) {
     if (std::find(rim.begin(), rim.end(), point) == rim.end()) rim.push_back(point);
 }
 
-// The part of one face below the plane; what of it lies on the plane goes to the rim.
+// Returns the part of a face below the plane. Points on the plane are added to the rim.
 CellFace clipped_face(const CellFace& face, Vec3 normal, double offset, double plane_tolerance,
                       std::vector<Vec3>& rim) {
-    CellFace kept{.normal = face.normal, .neighbour = face.neighbour, .points = {}};
+    CellFace below{.normal = face.normal, .neighbour = face.neighbour, .points = {}};
     const std::size_t count = face.points.size();
     std::vector<double> height(count);
     for (std::size_t k = 0; k < count; k++) {
@@ -33,24 +33,24 @@ CellFace clipped_face(const CellFace& face, Vec3 normal, double offset, double p
         const std::size_t next = k + 1 == count ? 0 : k + 1;
         const Vec3 p = face.points[k], q = face.points[next];
         const double hp = height[k], hq = height[next];
-        if (hp <= 0) kept.points.push_back(p);
+        if (hp <= 0) below.points.push_back(p);
         if (hp == 0) note(rim, p);
         if (!((hp < 0 && hq > 0) || (hp > 0 && hq < 0))) continue;
         const Vec3 cut = hp < 0 ? crossing(p, q, hp, hq) : crossing(q, p, hq, hp);
-        kept.points.push_back(cut);
+        below.points.push_back(cut);
         note(rim, cut);
     }
-    return kept;
+    return below;
 }
 
-// A face that only touches the plane from below, or lies in it.
+// Returns true for a face that lies in the plane.
 bool is_flat(const CellFace& face, Vec3 normal, double offset, double plane_tolerance) {
     return std::all_of(face.points.begin(), face.points.end(), [&](Vec3 p) {
         return absolute(dot(normal, p) - offset) <= plane_tolerance;
     });
 }
 
-// Points of a convex face, in any order, about its normal.
+// Sorts the points of a convex face about its normal.
 void sort_about(std::vector<Vec3>& points, Vec3 normal) {
     Vec3 middle;
     for (const Vec3 p : points) middle += p * (1 / static_cast<double>(points.size()));
@@ -69,9 +69,9 @@ void sort_about(std::vector<Vec3>& points, Vec3 normal) {
 
 namespace {
 
-// Of the size: how far corners of a flat face may lie off its plane, by rounding.
+// Relative to the size: maximum distance of corners from the plane of a flat face, due to rounding.
 constexpr double flatness_tolerance = 1e-13;
-// Of the size, and of the cosine: planes that differ by less are one.
+// Relative to the size, and as a cosine: planes that differ by less count as one.
 constexpr double same_plane_tolerance = 1e-9, same_direction = 1 - 1e-9;
 
 bool is_flat(const ConvexHull& hull, const HullFace& face, double size) {
@@ -81,7 +81,7 @@ bool is_flat(const ConvexHull& hull, const HullFace& face, double size) {
     });
 }
 
-// Flat faces, no two in one plane.
+// Returns true if all faces are flat and no two are coplanar.
 bool has_clean_faces(const ConvexHull& hull) {
     const double size = length(hull.bounds.high - hull.bounds.low);
     return std::all_of(hull.faces.begin(), hull.faces.end(),
@@ -92,7 +92,7 @@ bool has_clean_faces(const ConvexHull& hull) {
            });
 }
 
-// All that lies below the planes of its faces, each plane once.
+// Intersection of the half spaces of all faces, without duplicate planes.
 ConvexCell below_faces(const ConvexHull& hull) {
     const Vec3 middle = (hull.bounds.low + hull.bounds.high) * 0.5;
     const Vec3 half = hull.bounds.high - hull.bounds.low;
@@ -107,8 +107,8 @@ ConvexCell below_faces(const ConvexHull& hull) {
 
 }  // namespace
 
-// A hull's faces may be bent by a millionth of its size, or lie in one plane as triangles: pieces
-// would have corners that no hull of their size could tell apart.
+// Faces of a hull may deviate from a plane by a millionth of its size, or several triangles may be
+// coplanar. Clipped cells would then have corners too close together to build a hull.
 ConvexCell cell_of(const ConvexHull& hull) {
     if (!has_clean_faces(hull)) return below_faces(hull);
     ConvexCell cell;
@@ -152,21 +152,21 @@ ConvexCell clipped(const ConvexCell& cell, Vec3 normal, double offset, std::uint
         }
     if (!above) return cell;
     if (!below) return {};
-    ConvexCell kept;
+    ConvexCell below;
     std::vector<Vec3> rim;
     for (const CellFace& face : cell.faces) {
         CellFace part = clipped_face(face, normal, offset, plane_tolerance, rim);
         if (part.points.size() >= 3 && !is_flat(part, normal, offset, plane_tolerance))
-            kept.faces.push_back(std::move(part));
+            below.faces.push_back(std::move(part));
     }
     if (rim.size() >= 3) {
         sort_about(rim, normal);
-        kept.faces.push_back({normal, neighbour, std::move(rim)});
+        below.faces.push_back({normal, neighbour, std::move(rim)});
     }
-    return kept;
+    return below;
 }
 
-// By tetrahedra from one corner. Of a tetrahedron with corners p_i about the origin: integral of
+// Sums tetrahedra from one corner. For a tetrahedron with corners p_i about the origin: integral of
 // x_j x_k dV = volume / 20 (sum p_j p_k + (sum p_j) (sum p_k)).
 CellMass mass_of(const ConvexCell& cell) {
     CellMass mass;

@@ -27,8 +27,8 @@ Destruction::Destructible* Destruction::find(DestructibleId id) {
 }
 
 Error Destruction::unknown(DestructibleId id) {
-    return {ErrorCode::not_found, "there is no destructible " + std::to_string(id.index) +
-                                      " of generation " + std::to_string(id.generation)};
+    return {ErrorCode::not_found, "destructible " + std::to_string(id.index) + " of generation " +
+                                      std::to_string(id.generation) + " does not exist"};
 }
 
 std::size_t Destruction::size() const {
@@ -49,9 +49,9 @@ Result<DestructibleId> Destruction::add(World& world, const FracturedShape& shap
     std::size_t at = 0;
     while (at < destructibles_.size() && destructibles_[at].alive) at++;
     if (at >= destructibles_max)
-        return Error{
-            ErrorCode::resource_exhausted,
-            "there are " + std::to_string(destructibles_max) + " destructibles, the most allowed"};
+        return Error{ErrorCode::resource_exhausted, "the world already has the maximum of " +
+                                                        std::to_string(destructibles_max) +
+                                                        " destructibles; remove one first"};
     const bool anchored = std::any_of(shape.chunks.begin(), shape.chunks.end(),
                                       [](const FractureChunk& c) { return c.anchored; });
     const BodyDef body_def{.type = anchored ? BodyType::static_body : BodyType::dynamic,
@@ -69,7 +69,7 @@ Result<DestructibleId> Destruction::add(World& world, const FracturedShape& shap
     const Result<BodyId> made_body = world.create_body(body_def, shapes);
     if (!made_body.ok()) return made_body.error();
     const BodyId body = *made_body;
-    if (!anchored)  // the centre of mass moved as shapes came
+    if (!anchored)  // creating shapes moved the centre of mass
         static_cast<void>(world.set_velocity(body, def.linear_velocity, def.angular_velocity).ok());
     if (at == destructibles_.size()) destructibles_.emplace_back();
     const std::uint32_t generation = destructibles_[at].generation + 1;
@@ -90,7 +90,7 @@ Result<DestructibleId> Destruction::add(World& world, const FracturedShape& shap
         piece.chunks.push_back(k);
     }
     for (const FractureBond& bond : shape.bonds) destructible.bonds.push_back({bond, false});
-    // Chunks that no bond holds part with the first step.
+    // Chunks without bonds separate in the first step.
     piece.split_pending = true;
     destructible.pieces.push_back(std::move(piece));
     derived_ = false;
@@ -114,8 +114,9 @@ Result<std::size_t> Destruction::break_near(const World& world, DestructibleId i
     Destructible* destructible = find(id);
     if (!destructible) return unknown(id);
     if (!is_finite(center) || !(radius >= 0 && radius <= 1e7))
-        return Error{ErrorCode::invalid_argument,
-                     "center is not finite, or radius is not 0 to 1e7 m"};
+        return Error{
+            ErrorCode::invalid_argument,
+            "center or radius is out of range; center must be finite, radius from 0 to 1e7 m"};
     return break_near(world, *destructible, center, radius);
 }
 

@@ -19,7 +19,7 @@ Status within(const Range (&ranges)[n]) {
     for (const Range& r : ranges)
         if (!(r.value >= r.low && r.value <= r.high))
             return invalid_argument(std::string(r.name) + " is " + std::to_string(r.value) +
-                                    "; it is out of its range");
+                                    "; it is out of range");
     return {};
 }
 
@@ -33,12 +33,12 @@ bool is_unit(Vec3 v) {
 
 Status check_bond(const FractureBond& bond, std::size_t chunks) {
     if (!(bond.a < bond.b && bond.b < chunks))
-        return invalid_argument("names no two chunks, the lower one first");
+        return invalid_argument("a and b must be indices of chunks with a < b");
     if (!is_near(bond.center) || !is_unit(bond.normal) || !is_unit(bond.axis) ||
         absolute(dot(bond.normal, bond.axis)) > 1e-6)
         return invalid_argument(
-            "has no place, or its normal and axis are not two unit vectors at a right "
-            "angle");
+            "center must be finite, and normal and axis must be perpendicular unit "
+            "vectors");
     return within({{"area", bond.area, area_min, area_max},
                    {"moment_u", bond.moment_u, second_moment_min, second_moment_max},
                    {"moment_v", bond.moment_v, second_moment_min, second_moment_max},
@@ -59,16 +59,16 @@ Status check_limits(const DestructionLimits& limits) {
 
 Status check_shape(const FracturedShape& shape) {
     if (shape.chunks.empty() || shape.chunks.size() > chunks_max)
-        return invalid_argument("there are " + std::to_string(shape.chunks.size()) +
-                                " chunks; give 1 to " + std::to_string(chunks_max));
+        return invalid_argument("chunks has " + std::to_string(shape.chunks.size()) +
+                                " elements; it must have 1 to " + std::to_string(chunks_max));
     if (shape.bonds.size() > bonds_max)
-        return invalid_argument("there are more than " + std::to_string(bonds_max) + " bonds");
+        return invalid_argument("bonds has more than " + std::to_string(bonds_max) + " elements");
     for (std::size_t k = 0; k < shape.chunks.size(); k++) {
         const FractureChunk& chunk = shape.chunks[k];
         if (!is_convex(kind_of(chunk.geometry)) || !is_near(chunk.center) ||
             !(chunk.volume > 0 && chunk.volume < 1e12))
             return invalid_argument("chunks[" + std::to_string(k) +
-                                    "] is not a convex solid with a place and a volume");
+                                    "] must be a convex solid with a finite position and a volume");
     }
     for (std::size_t k = 0; k < shape.bonds.size(); k++)
         if (Status s = check_bond(shape.bonds[k], shape.chunks.size()); !s.ok())

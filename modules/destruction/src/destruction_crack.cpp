@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Which bonds break: loads go through the bonds, those that bear too much break, worst first, and
-// what is left is asked again.
+// Breaking of bonds: evaluates the loads of bonds, breaks overloaded ones, worst first, and
+// evaluates the remaining groups again.
 #include <algorithm>
 #include <limits>
 
@@ -16,23 +16,23 @@ using namespace destruction_detail;
 
 namespace {
 
-// Of the worst load: bonds that bear as much break in the same round.
+// Relative to the worst load: bonds above this fraction break in the same round.
 constexpr double same_round_load_ratio = 0.5;
-// Of the loads: they are asked anew after a change of that size, or of a twentieth of the weight.
+// Relative to the loads, and to the weight: bonds are evaluated again after larger changes.
 constexpr double load_change_share = 0.05, load_change_weight_share = 0.05;
 constexpr double standard_gravity = 9.81;
-constexpr double load_max = 1e29;         // N, J, m: less than what a load takes
+constexpr double load_max = 1e29;         // N, J, m: upper limit of valid loads
 constexpr double beam_length_min = 1e-6;  // m
 constexpr std::uint32_t no_piece = 0xffffffff;
 
 struct Unknowns {
-    std::vector<std::uint32_t> of_chunk;  // by chunk of the whole
+    std::vector<std::uint32_t> of_chunk;  // by chunk of the destructible
     std::uint32_t count = 0;
 };
 
 }  // namespace
 
-// By bonds that hold, in order of the lowest chunk.
+// Groups connected by intact bonds, in order of their lowest chunk.
 std::vector<Group> Destruction::connected_groups(const Destructible& destructible,
                                                  const Group& group) {
     std::vector<std::uint32_t> part(destructible.chunks.size(), no_piece);
@@ -70,8 +70,8 @@ std::vector<Group> Destruction::connected_groups(const Destructible& destructibl
 
 namespace {
 
-// Chunks that are held have none; of what nobody holds the first chunk stays: its loads balance,
-// so nothing pulls at it.
+// Anchored chunks have no unknowns. In a group without anchors, the first chunk is held: the loads
+// are balanced, so its support transmits no force.
 template <class Chunk>
 Unknowns unknowns_of(const std::vector<Chunk>& chunks, const Group& group) {
     Unknowns unknowns{std::vector<std::uint32_t>(chunks.size(), fixed_unknown), 0};
@@ -100,8 +100,8 @@ std::vector<Beam> beams_of(const Destructible& destructible, const Group& group,
     return beams;
 }
 
-// What moves freely meets its loads by its inertia (d'Alembert): each chunk pulls by its mass times
-// the acceleration that the whole takes there. Weight pulls at all alike and cancels.
+// In a free group, inertia balances the loads (d'Alembert): each chunk adds minus its mass times
+// the acceleration of the group at that point. Gravity acts uniformly and cancels.
 template <class Destructible>
 void add_inertia(const Destructible& destructible, const Group& group, Vec3 spin,
                  std::vector<ChunkLoad>& chunk_loads) {
@@ -135,7 +135,7 @@ void add_inertia(const Destructible& destructible, const Group& group, Vec3 spin
 
 }  // namespace
 
-// What each bond of the group bears, as a share of its strength.
+// Load of each bond of the group as a fraction of its strength.
 std::vector<double> Destruction::loads_of(const Destructible& destructible, const Group& group,
                                           const BlockFactor& factor,
                                           std::span<const ChunkLoad> contact_loads, Vec3 spin,
@@ -164,7 +164,8 @@ std::vector<double> Destruction::loads_of(const Destructible& destructible, cons
     return loads;
 }
 
-// Solves, and breaks the worst. `cached`: the piece whose factor is that of the group.
+// Evaluates a group and breaks the worst bonds. `cached` is the piece whose factor belongs to the
+// group.
 Destruction::SolveResult Destruction::solve_group(Destructible& destructible, const Group& group,
                                                   Piece* cached,
                                                   std::span<const ChunkLoad> chunk_loads, Vec3 spin,
@@ -202,8 +203,8 @@ Destruction::SolveResult Destruction::solve_group(Destructible& destructible, co
     return broke ? SolveResult::broke : SolveResult::held;
 }
 
-// Round by round, what fell apart in one being asked part by part in the next. False: there was no
-// time to begin.
+// Repeats in rounds: groups that separated in one round are evaluated one by one in the next.
+// Returns false if there was no work budget to begin.
 bool Destruction::break_bonds(Destructible& destructible, Piece& piece,
                               std::span<const ChunkLoad> chunk_loads, Vec3 spin, Vec3 gravity,
                               double& energy) {
@@ -226,7 +227,7 @@ bool Destruction::break_bonds(Destructible& destructible, Piece& piece,
     return true;
 }
 
-// Whether loads changed enough to ask; then asks.
+// Evaluates the bonds if the loads changed enough.
 void Destruction::break_bonds_if_loaded(const World& world, std::uint32_t w, std::uint32_t p,
                                         std::span<ChunkContact> chunk_contacts) {
     Destructible& destructible = destructibles_[w];
@@ -241,7 +242,7 @@ void Destruction::break_bonds_if_loaded(const World& world, std::uint32_t w, std
         chunk_loads_.resize(destructible.chunks.size());
     const std::span<ChunkLoad> chunk_loads(chunk_loads_.data(), destructible.chunks.size());
     for (const std::uint32_t c : piece.chunks) chunk_loads[c] = {};
-    double energy = 0, mass = 0, change = 0, before = 0, sum = spin2;
+    double energy = 0, mass = 0, change = 0, previous = 0, sum = spin2;
     for (const ChunkContact& chunk_contact : chunk_contacts) {
         const Vec3 force = rotate(back, chunk_contact.force);
         const Vec3 at = apply_inverse(body->pose, chunk_contact.point) + piece.origin;
@@ -251,21 +252,21 @@ void Destruction::break_bonds_if_loaded(const World& world, std::uint32_t w, std
         energy += chunk_contact.energy;
         sum += length(chunk_contact.force) + length(chunk_contact.point) + chunk_contact.energy;
     }
-    // What ran away is in quarantine after this step: what it pressed means nothing.
+    // A diverging body is quarantined after this step; its loads are meaningless.
     if (!(sum < load_max)) return;
     for (const std::uint32_t c : piece.chunks) {
         const Chunk& chunk = destructible.chunks[c];
         mass += chunk.mass;
         change += length(chunk_loads[c].force - chunk.force);
-        before += length(chunk.force);
+        previous += length(chunk.force);
         if (piece.loads_pending) chunk_loads[c] = {chunk.force, chunk.torque};
     }
     const double size = length(destructible.chunks[piece.chunks.back()].center -
                                destructible.chunks[piece.chunks.front()].center);
     change += absolute(spin2 - piece.spin2) * mass * size;
-    before += piece.spin2 * mass * size;
+    previous += piece.spin2 * mass * size;
     const bool noticeable =
-        change > load_change_share * before + load_change_weight_share * standard_gravity * mass;
+        change > load_change_share * previous + load_change_weight_share * standard_gravity * mass;
     if (!piece.solve_pending && !piece.loads_pending && !noticeable) return;
     if (piece.loads_pending) energy = piece.energy;
     const bool hit = energy > 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What meets a piece that breaks under it: it was pushed no harder than the bonds bear, so both get
-// back what was more.
+// Impacts on pieces that break: a piece cannot exert more force than its bonds bear, so the excess
+// impulse is reversed on both bodies.
 #include <algorithm>
 
 #include "jostle/modules/destruction.h"
@@ -25,7 +25,8 @@ bool precedes(const PreStepState& noted, BodyId id) {
 
 }  // namespace
 
-// As bodies moved before the step: pieces, what touches them or is near; and who was knocked out.
+// Stores the states before the step of pieces and of the bodies that touch them, and updates chunks
+// that pass through their destructible.
 void Destruction::before_step(World& world, double dt) {
     rebuild_derived_state();
     passing_bodies_.clear();
@@ -71,7 +72,7 @@ void Destruction::pre_solve(PreSolve& pair) {
     }
 }
 
-// As it was before the first thing that met it in this step.
+// Stores the state before the first contact of this step.
 void Destruction::store_pre_step_state(const World& world, std::uint32_t destructible,
                                        BodyId body) {
     const auto at =
@@ -94,7 +95,7 @@ const PreStepState* Destruction::find_pre_step_state(BodyId body) const {
     return at != pre_step_states_.end() && at->state.id == body ? &*at : nullptr;
 }
 
-// What was struck and parted from what it hung on.
+// Starts the passing time of chunks that were struck and separated.
 void Destruction::start_passing() {
     for (const ReversedContact& again : reversed_contacts_) {
         Destructible& destructible = destructibles_[again.destructible];
@@ -105,8 +106,8 @@ void Destruction::start_passing() {
     }
 }
 
-// All but 1 / worst of the impulse was more than the bonds bear. It is taken back from both at the
-// point where it acted, so momenta stay what they were.
+// The fraction 1 - 1 / load_ratio of the impulse exceeded the strength of the bonds. It is reversed
+// on both bodies at the contact point, which conserves momentum.
 void Destruction::reverse_excess_impulses(World& world, double dt) {
     reversed_contacts_.clear();
     merge_mutual_impacts();
@@ -121,7 +122,8 @@ void Destruction::reverse_excess_impulses(World& world, double dt) {
     reverse_impacts(world, dt);
 }
 
-// Of two breaking bodies the weaker one says what both bear; both pay.
+// For two breaking bodies, the weaker one determines the load that both bear; both dissipate
+// energy.
 void Destruction::merge_mutual_impacts() {
     for (std::size_t k = 0; k < chunk_contacts_.size(); k++) {
         ChunkContact& chunk_contact = chunk_contacts_[k];
@@ -146,8 +148,8 @@ const Destruction::Piece& Destruction::piece_of(const ChunkContact& chunk_contac
     return destructible.pieces[destructible.chunks[chunk_contact.chunk].piece];
 }
 
-// A piece that something static presses, too: it is not known who gave what. It keeps of its change
-// of velocity what its bonds bear; the ground takes the rest.
+// For a piece that also touches a static body, the sources of its velocity change are unknown. It
+// retains the fraction of the change that its bonds bear; the ground takes the rest.
 void Destruction::limit_grounded_pieces(World& world, std::span<ChunkContact> chunk_contacts,
                                         double dt) {
     double worst = 0;
@@ -171,20 +173,21 @@ void Destruction::limit_grounded_pieces(World& world, std::span<ChunkContact> ch
                           .ok());
 }
 
-// The speed against each other that is left: the energy that the bonds took comes off it,
-// E = (v0^2 - v^2) / (2 inv). Negative: they part.
+// Remaining approach speed after the dissipation of the bonds, E = (v0^2 - v^2) / (2 inv).
+// Negative: the bodies separate.
 double Destruction::remaining_speed(const ChunkContact& chunk_contact) {
-    const double kept =
+    const double undamped =
         chunk_contact.approach -
         (chunk_contact.approach + chunk_contact.separation_speed) / chunk_contact.load_ratio;
-    if (!(kept > 0)) return kept;
+    if (!(undamped > 0)) return undamped;
     const double left2 =
-        kept * kept - 2 * chunk_contact.dissipated_energy * chunk_contact.inverse_mass;
+        undamped * undamped - 2 * chunk_contact.dissipated_energy * chunk_contact.inverse_mass;
     return left2 > 0 ? square_root(left2) : 0;
 }
 
-// How fast they shall meet again. Deflected within the step, it met this with a speed that it did
-// not bring: what gets back no more than it brought along any normal has no more energy than that.
+// Approach speed to restore. A body that was deflected within the step hit with a speed that it did
+// not have before. Limiting the speed along any normal to the initial one prevents an increase of
+// energy.
 double Destruction::restored_speed(const World& world, const ChunkContact& chunk_contact) const {
     const double speed = remaining_speed(chunk_contact);
     const BodyState* before = pre_step_body(chunk_contact.other_body);
@@ -196,8 +199,8 @@ double Destruction::restored_speed(const World& world, const ChunkContact& chunk
     return minimum(speed, dot(brought, chunk_contact.normal));
 }
 
-// What met in this step, with how it moved before. Whose way nobody noted is as it is now: it gets
-// nothing that it did not keep.
+// Adds a body in contact, with its velocity before the step. A body without a stored state uses its
+// current velocity, so nothing is restored to it.
 std::size_t Destruction::add_reversal_body(const World& world, std::vector<ReversalBody>& bodies,
                                            BodyId id, const Piece* piece, double dt) const {
     std::size_t at = 0;
@@ -217,8 +220,8 @@ std::size_t Destruction::add_reversal_body(const World& world, std::vector<Rever
     return at;
 }
 
-// What belongs to a whole, or was near it, and got energy in this step: from what struck the whole,
-// who shall not get it back as well.
+// Adds other bodies of a destructible, or near it, that gained energy in this step. That energy
+// came from the striking body and must not be restored to it as well.
 void Destruction::add_nearby_bodies(const World& world, std::uint32_t destructible, double dt,
                                     std::vector<ReversalBody>& bodies,
                                     std::vector<std::size_t>& added) const {
@@ -238,11 +241,13 @@ void Destruction::add_nearby_bodies(const World& world, std::uint32_t destructib
     }
 }
 
-// Which bodies share one ledger: those of a whole, and of the wholes that they touch.
+// Pairs of bodies that share an energy budget: the bodies of a destructible, and of destructibles
+// that touch each other.
 BodyPairs Destruction::shared_energy_pairs(const World& world, double dt,
                                            std::vector<ReversalBody>& bodies) const {
     BodyPairs links;
-    std::vector<std::pair<std::uint32_t, std::size_t>> wholes;  // and one of the bodies
+    // Destructible, and one of its bodies
+    std::vector<std::pair<std::uint32_t, std::size_t>> wholes;
     std::vector<std::size_t> added;
     const auto link = [&](std::size_t body, BodyId touched) {
         const PreStepState* noted = find_pre_step_state(touched);
@@ -270,7 +275,7 @@ BodyPairs Destruction::shared_energy_pairs(const World& world, double dt,
     return links;
 }
 
-// All that go on, at once; then each impulse acts on both at its point.
+// Solves all reversals at once, then applies each impulse to both bodies at its point.
 void Destruction::reverse_impacts(World& world, double dt) {
     std::vector<ReversalBody> bodies;
     std::vector<ImpulseReversal> all;

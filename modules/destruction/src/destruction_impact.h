@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What presses on chunks in a step, and what goes on pressing in the next.
+// Contact loads on chunks in a step, and contacts that continue in the next step.
 #pragma once
 
 #include <cstdint>
@@ -11,23 +11,24 @@
 
 namespace jostle::modules::destruction_detail {
 
-// A contact of the last step upon a chunk.
+// A contact of the last step on a chunk.
 struct ChunkContact {
     std::uint32_t destructible = 0, chunk = 0;
     physics::ShapeId own, other;
     physics::BodyId other_body;
     physics::Vec3 point, force;  // m; N, world
     bool impact = false;
-    physics::Vec3 normal;                                         // unit, against the chunk
-    double approach = 0, separation_speed = 0, inverse_mass = 0;  // m/s; 1/kg of both there
-    double energy = 0;                                            // J
-    bool mutual = false;           // bonds hold the other one, too: there is a press upon it
-    double dissipated_energy = 0;  // J, for broken bonds
-    double load_ratio = 0;         // what the worst bond had to bear, as a share of its strength
-    bool is_duplicate = false;     // of two twins that both broke: the first one says it all
-    bool grounded = false;         // something static presses on the piece, too
+    physics::Vec3 normal;  // unit, pointing into the chunk
+    // m/s; 1/kg, sum for both bodies at the point
+    double approach = 0, separation_speed = 0, inverse_mass = 0;
+    double energy = 0;             // J
+    bool mutual = false;           // the other shape has bonds too, and a ChunkContact of its own
+    double dissipated_energy = 0;  // J, dissipated by broken bonds
+    double load_ratio = 0;         // largest load of a bond as a fraction of its strength
+    bool is_duplicate = false;     // of a mutual pair in which both broke, the second entry
+    bool grounded = false;         // a static body touches the piece as well
 };
-// What got its speed back and is still in touch: that is no new contact.
+// A contact whose impulse was reversed and that is still touching. It causes no new begin event.
 struct ReversedContact {
     std::uint32_t destructible = 0, chunk = 0;
     physics::ShapeId other;
@@ -36,7 +37,7 @@ struct ReversedContact {
     double approach = 0;          // m/s
 };
 
-// A body of a whole, or near one, before the step.
+// State before the step of a body of a destructible, or of one near it.
 struct PreStepState {
     physics::BodyState state;
     std::uint32_t destructible = 0;

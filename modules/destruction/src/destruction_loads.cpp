@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What presses on chunks: contacts and impacts of the last step.
+// Loads on chunks: contacts and impacts of the last step.
 #include <algorithm>
 #include <tuple>
 
@@ -20,8 +20,8 @@ constexpr double impact_speed_min = 0.5;  // m/s
 
 }  // namespace
 
-// After anything changed: which piece chunks are in, which bonds hold within it, which shapes
-// bonds hold.
+// Rebuilds derived state after a change: the piece of each chunk, the intact bonds of each piece,
+// and the shapes with bonds.
 void Destruction::rebuild_derived_state() {
     if (derived_) return;
     constexpr std::uint32_t no_piece = 0xffffffff;
@@ -75,8 +75,8 @@ bool Destruction::is_impact(ShapeId a, ShapeId b) const {
     });
 }
 
-// The impulse is what turned the speed of approach into that of parting: the solver tells no
-// impulse of what happened between its sub-steps.
+// Computes the impulse from the approach and separation speeds, because the solver does not report
+// impulses of impacts between its sub-steps.
 void Destruction::add_impact(const World& world, double dt, ShapeId a, ShapeId b, BodyId body_a,
                              BodyId body_b, Vec3 point, Vec3 normal, double approach) {
     const BondedShape *at_a = find_bonded_shape(a), *at_b = find_bonded_shape(b);
@@ -112,7 +112,7 @@ void Destruction::add_impact(const World& world, double dt, ShapeId a, ShapeId b
     }
 }
 
-// m/s, against each other, where one is a body that got its speed back; else 0.
+// Approach speed before the step, m/s, if one body had its impulse reversed; otherwise 0.
 double Destruction::pre_step_approach_speed(const ContactStay& stay) const {
     for (const BodyState& mover : reversed_bodies_)
         if (mover.id == stay.body_a || mover.id == stay.body_b)
@@ -150,8 +150,8 @@ void Destruction::add_stay(const World& world, const ContactStay& stay, double d
                                    .force = push});
 }
 
-// What got its speed back and was stopped again without an event: by sweeps, which end at what is
-// static. It pressed on what is near it.
+// Handles bodies with reversed impulses that were stopped again without an event, by continuous
+// collision detection at static bodies. Their impact acts on the shapes that they touch.
 void Destruction::add_unreported_impacts(const World& world, double dt) {
     for (const BodyState& mover : reversed_bodies_) {
         if (std::any_of(chunk_contacts_.begin(), chunk_contacts_.end(),
@@ -171,7 +171,7 @@ void Destruction::add_unreported_impacts(const World& world, double dt) {
     }
 }
 
-// What meets a piece in several places at once presses on each with its share.
+// An impact on several places of a piece at once is distributed equally.
 void Destruction::distribute_impacts() {
     std::vector<BodyId> others;
     for (const ChunkContact& chunk_contact : chunk_contacts_)
@@ -186,7 +186,7 @@ void Destruction::distribute_impacts() {
     }
 }
 
-// Sorted by whole and piece, in the events' order within.
+// Sorted by destructible and piece, otherwise in the order of events.
 void Destruction::gather_contacts(const World& world, double dt) {
     chunk_contacts_.clear();
     if (bonded_shapes_.empty()) return;

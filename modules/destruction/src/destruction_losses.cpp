@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What somebody else destroyed: a body whose owner left, or a shape. The chunks are gone with it;
-// all else goes on.
+// Handles bodies and shapes that other callers destroyed, such as the owner of a body that left.
+// The affected chunks are lost; the rest continues.
 #include <algorithm>
 
 #include "jostle/modules/destruction.h"
@@ -12,7 +12,8 @@ namespace jostle::modules {
 using namespace physics;
 using namespace destruction_detail;
 
-// Pieces without a body go. Their chunks are then in no piece, and bonds to them hold nothing.
+// Removes pieces without a body. Their chunks then belong to no piece, and bonds to them are
+// inactive.
 void Destruction::drop_lost_bodies(const World& world) {
     for (Destructible& destructible : destructibles_)
         if (std::erase_if(destructible.pieces,
@@ -20,8 +21,8 @@ void Destruction::drop_lost_bodies(const World& world) {
             derived_ = false;
 }
 
-// Before a piece is parted: of chunks whose shape is not the body's any more. What is left may hang
-// together no longer.
+// Removes chunks whose shape no longer belongs to the body, before the piece is split. The
+// remaining chunks may be disconnected.
 void Destruction::drop_lost_chunks(const World& world, Destructible& destructible, Piece& piece) {
     const auto is_lost = [&](std::uint32_t c) {
         const Result<ShapeState> shape = world.shape(destructible.chunks[c].shape);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What no longer hangs together becomes bodies of its own: each goes on as its points moved in the
-// one it came from, so mass and momenta are what they were.
+// Turns disconnected groups into bodies of their own. Each continues with the velocity of its
+// points in the original body, so mass and momentum are conserved.
 #include <algorithm>
 
 #include "jostle/modules/destruction.h"
@@ -15,10 +15,10 @@ using namespace destruction_detail;
 
 namespace {
 
-// Up to so many shapes are taken from a body one by one: what touches the others stays in touch.
+// Up to this number, shapes are removed one by one, so the contacts of the others persist.
 constexpr std::size_t removed_one_by_one_max = 4;
 
-// Of debris that passes each other: shapes of one negative group do not meet.
+// Collision group of passing debris: shapes in the same negative group do not collide.
 constexpr std::int32_t passing_group = -0x6a6f7374;
 
 ShapeDef shifted(const ShapeState& shape, Vec3 by, bool bonded) {
@@ -53,7 +53,8 @@ bool Destruction::is_passing_debris(const Destructible& destructible, const Grou
                destructible.density * limits_.passing_volume;
 }
 
-// Those that leave, as bodies; then the old body without them. All or nothing.
+// Creates bodies for the leaving groups, then removes their shapes from the original body. On
+// failure, nothing changes.
 Status Destruction::detach_groups(World& world, Destructible& destructible, std::size_t p,
                                   std::span<const Group> leaving, const Group& staying) {
     const BodyId old = destructible.pieces[p].body;
@@ -75,7 +76,8 @@ Status Destruction::detach_groups(World& world, Destructible& destructible, std:
             const Result<ShapeState> shape = world.shape(destructible.chunks[c].shape);
             if (!shape.ok()) return shape.error();
             if (shape->body != old)
-                return Error{ErrorCode::failed_precondition, "a chunk's shape is another body's"};
+                return Error{ErrorCode::failed_precondition,
+                             "a shape of a chunk belongs to another body"};
             def.shapes.push_back(shifted(*shape, origin - piece.origin, group.chunks.size() > 1));
             Filter& filter = def.shapes.back().filter;
             if (filter.group != 0 || !is_passing_debris(destructible, group)) continue;
@@ -111,7 +113,7 @@ Status Destruction::detach_groups(World& world, Destructible& destructible, std:
     return {};
 }
 
-// Takes the shapes of what left from the old body.
+// Removes the shapes of the leaving groups from the original body.
 void Destruction::remove_detached_shapes(World& world, Destructible& destructible, Piece& piece,
                                          std::span<const Group> leaving) {
     std::size_t removed = 0;
@@ -139,8 +141,8 @@ void Destruction::remove_detached_shapes(World& world, Destructible& destructibl
         destructible.chunks[owners[k]].shape = (*shapes)[k];
 }
 
-// The largest part keeps the body; of an anchored piece the largest that is anchored. At most so
-// many others leave. How many did.
+// The largest group keeps the body; in an anchored piece, the largest anchored group. At most
+// `limit` other groups leave. Returns the number of groups that left.
 int Destruction::split(World& world, Destructible& destructible, std::size_t p, int limit) {
     drop_lost_chunks(world, destructible, destructible.pieces[p]);
     if (destructible.pieces[p].chunks.empty()) return 0;
@@ -172,7 +174,8 @@ int Destruction::split(World& world, Destructible& destructible, std::size_t p, 
     }
     std::sort(staying.chunks.begin(), staying.chunks.end());
     const bool all = leaving.size() + 1 == groups.size();
-    // What cannot be parted, as where the world takes no more bodies, stays as it is.
+    // If a split fails, for example because the world has no room for more bodies, the piece stays
+    // as it is.
     const bool parted =
         leaving.empty() || detach_groups(world, destructible, p, leaving, staying).ok();
     Piece& rest = destructible.pieces[p];
@@ -191,7 +194,7 @@ int Destruction::split(World& world, Destructible& destructible, std::size_t p, 
 void Destruction::split_all_pieces(World& world) {
     int limit = limits_.pieces_per_step;
     for (Destructible& destructible : destructibles_) {
-        const std::size_t count = destructible.pieces.size();  // those made here hang together
+        const std::size_t count = destructible.pieces.size();  // new pieces are connected already
         for (std::size_t p = 0; p < count && limit > 0; p++)
             if (destructible.pieces[p].split_pending) limit -= split(world, destructible, p, limit);
         std::erase_if(destructible.pieces, [](const Piece& piece) { return piece.chunks.empty(); });

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What of destructibles is saved, what clients hear, and what a scene says of them.
+// Serialization, client channel and scene settings of destructibles.
 #include <algorithm>
 
 #include "jostle/modules/destruction.h"
@@ -89,31 +89,33 @@ void Destruction::visit(StateVisitor& v, Destructible& destructible) {
     if (v.loading()) check_destructible(v, destructible);
 }
 
-// What fields say of each other. Each chunk is in one piece, or in none: then it is gone.
+// Checks the consistency of loaded fields. Each chunk is in one piece, or in none if it was lost.
 void Destruction::check_destructible(StateVisitor& v, const Destructible& destructible) {
     if (destructible.alive == destructible.chunks.empty())
-        v.fail("chunks", "are there when the whole is, and only then");
-    if (destructible.chunks.size() > chunks_max) v.fail("chunks", "are too many");
+        v.fail("chunks", "must be present exactly if the destructible is alive");
+    if (destructible.chunks.size() > chunks_max) v.fail("chunks", "has too many elements");
     for (const Bond& bond : destructible.bonds)
         if (!(bond.face.a < bond.face.b && bond.face.b < destructible.chunks.size())) {
-            v.fail("bonds", "name no two chunks");
+            v.fail("bonds", "has a bond without two valid chunks");
             return;
         }
     std::vector<bool> taken(destructible.chunks.size());
     for (const Piece& piece : destructible.pieces) {
-        if (piece.chunks.empty()) v.fail("pieces", "have no chunks");
+        if (piece.chunks.empty()) v.fail("pieces", "has a piece without chunks");
         bool anchored = false;
         for (std::size_t k = 0; k < piece.chunks.size(); k++) {
             const std::uint32_t c = piece.chunks[k];
             if (c >= destructible.chunks.size() || taken[c] ||
                 (k > 0 && c <= piece.chunks[k - 1])) {
-                v.fail("pieces", "name a chunk that is not there, or twice, or out of order");
+                v.fail("pieces",
+                       "has a chunk that does not exist, is a duplicate, or is out of order");
                 return;
             }
             taken[c] = true;
             anchored = anchored || destructible.chunks[c].anchored;
         }
-        if (anchored != piece.anchored) v.fail("anchored", "is not what its chunks say");
+        if (anchored != piece.anchored)
+            v.fail("anchored", "does not match the chunks of the piece");
     }
 }
 
@@ -140,7 +142,7 @@ void Destruction::visit(StateVisitor& v) {
         v.field("chunk", again.chunk);
         if (v.loading() && (again.destructible >= destructibles_.size() ||
                             again.chunk >= destructibles_[again.destructible].chunks.size()))
-            v.fail("chunk", "is not there");
+            v.fail("chunk", "does not exist");
         v.field("other", again.other);
         v.field("other_body", again.other_body);
         bounded(v, "point", again.point, 1e9);

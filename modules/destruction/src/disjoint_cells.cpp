@@ -10,9 +10,9 @@ using namespace physics;
 namespace {
 
 constexpr double sliver_share = 1e-9;   // of the volume
-constexpr double overlap_share = 1e-7;  // of the size: cells that reach less deep only touch
+constexpr double overlap_share = 1e-7;  // of the size: cells with less overlap only touch
 
-// Whether a plane of the first has all of the second beyond it.
+// Returns true if a face plane of the first cell separates it from the second.
 bool are_apart(const ConvexCell& a, const ConvexCell& b, double slack) {
     for (const CellFace& face : a.faces) {
         const double offset = dot(face.normal, face.points[0]) - slack;
@@ -24,7 +24,8 @@ bool are_apart(const ConvexCell& a, const ConvexCell& b, double slack) {
     return false;
 }
 
-// What of a cell lies outside another one: by each of its faces what is beyond, of the rest.
+// Adds the part of a cell outside another one: for each face of the other, cuts off the part
+// beyond.
 void add_outside(std::vector<ConvexCell>& to, const ConvexCell& cell, const ConvexCell& taken,
                  double size) {
     if (are_apart(taken, cell, overlap_share * size) ||

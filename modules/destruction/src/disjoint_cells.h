@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Hulls that may overlap, as cells that do not.
+// Converts hulls that may overlap to disjoint cells.
 #pragma once
 
 #include <memory>
@@ -11,7 +11,7 @@
 
 namespace jostle::modules::destruction_detail {
 
-// Where hulls overlap the first one has it; what of the others lies outside is cut along its faces.
+// Where hulls overlap, the first one has precedence; the rest of the others is cut along its faces.
 // Slivers of less than 1e-9 of the volume are dropped.
 std::vector<ConvexCell> disjoint_cells(
     std::span<const std::shared_ptr<const physics::ConvexHull>> hulls);

@@ -7,22 +7,22 @@ using namespace physics;
 
 namespace {
 
-constexpr double parallel = 1 - 1e-9;  // of the cosine
+constexpr double parallel = 1 - 1e-9;  // cosine
 
-// The part of a flat polygon at dot(side, x) <= offset.
+// The part of a flat polygon with dot(side, x) <= offset.
 std::vector<Vec3> cut_off(const std::vector<Vec3>& points, Vec3 side, double offset) {
-    std::vector<Vec3> kept;
+    std::vector<Vec3> clipped;
     for (std::size_t k = 0; k < points.size(); k++) {
         const Vec3 p = points[k], q = points[k + 1 == points.size() ? 0 : k + 1];
         const double hp = dot(side, p) - offset, hq = dot(side, q) - offset;
-        if (hp <= 0) kept.push_back(p);
+        if (hp <= 0) clipped.push_back(p);
         if ((hp < 0 && hq > 0) || (hp > 0 && hq < 0))
-            kept.push_back(p + (q - p) * (hp / (hp - hq)));
+            clipped.push_back(p + (q - p) * (hp / (hp - hq)));
     }
-    return kept;
+    return clipped;
 }
 
-// What of a's face the other one covers, too: within each of its edges.
+// The part of face a that face b covers: clips by each edge of b.
 std::vector<Vec3> covered(const CellFace& a, const CellFace& b) {
     std::vector<Vec3> points = a.points;
     for (std::size_t k = 0; k < b.points.size() && points.size() >= 3; k++) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Where faces of two convex solids lie on each other.
+// Finds coplanar contact areas between faces of two convex solids.
 #pragma once
 
 #include <vector>
@@ -9,12 +9,12 @@
 
 namespace jostle::modules::destruction_detail {
 
-// Of the size: faces that are so near and so parallel lie on each other.
+// Relative to the size: faces within this distance and angle are in contact.
 inline constexpr double face_contact_tolerance_ratio = 1e-6;
 
 struct FaceContact {
     physics::Vec3 normal;               // unit, from a to b
-    std::vector<physics::Vec3> points;  // what both faces cover, in order about the normal
+    std::vector<physics::Vec3> points;  // common area of both faces, in order about the normal
 };
 
 std::vector<FaceContact> face_contacts(const ConvexCell& a, const ConvexCell& b, double near);

@@ -15,24 +15,24 @@ using namespace physics;
 
 namespace {
 
-// Of the square of the size: faces that are smaller hold nothing.
+// Relative to the square of the size: smaller faces create no bond.
 constexpr double face_area_share_min = 1e-8;
-// Of the mean volume: what several parts leave of a cell and is less is left out.
+// Relative to the mean volume: smaller remainders at boundaries between parts are omitted.
 constexpr double splinter_share = 1e-6;
 constexpr std::size_t seeds_per_progress_call = 50;
 
-// Without points that are nearer than that to one before.
+// Removes points that are nearer than `distance` to an earlier point.
 std::vector<Vec3> welded(std::span<const Vec3> points, double distance) {
-    std::vector<Vec3> kept;
+    std::vector<Vec3> distinct;
     for (const Vec3 p : points)
-        if (std::none_of(kept.begin(), kept.end(),
+        if (std::none_of(distinct.begin(), distinct.end(),
                          [&](Vec3 q) { return length_squared(p - q) <= distance * distance; }))
-            kept.push_back(p);
-    return kept;
+            distinct.push_back(p);
+    return distinct;
 }
 
-// Where planes meet at a grazing angle corners lie so close together that a hull's faces are not
-// known: those that are nearer to each other than a hair are one. The mass is still the cell's.
+// Planes that intersect at a grazing angle create corners too close together to determine the faces
+// of a hull. Corners within a small distance are welded. The mass remains that of the cell.
 Result<std::shared_ptr<const ConvexHull>> hull_of(const ConvexCell& cell) {
     std::vector<Vec3> points;
     for (const CellFace& face : cell.faces)
@@ -53,20 +53,20 @@ Result<FractureChunk> chunk_of(const ConvexCell& cell, const CellMass& mass) {
                          .unit_inertia = mass.inertia};
 }
 
-// A flat face of a towards b.
+// Bond through a flat face of a towards b.
 FractureBond bond_of(std::span<const Vec3> points, Vec3 normal, std::uint32_t a, std::uint32_t b) {
     const Section s = section_of(points, normal);
     return {a, b, s.center, normal, s.axis, s.area, s.moment_u, s.moment_v, s.reach_u, s.reach_v};
 }
 
-// A cell that became a chunk: which seed's, in which part.
+// A cell that became a chunk, with the indices of its seed and part.
 struct Cut {
     std::uint32_t seed = 0, part = 0;
     ConvexCell cell;
     Aabb bounds;
 };
 
-// Chunks are in order of seed and part.
+// Chunks are sorted by seed and part.
 std::uint32_t chunk_at(std::span<const Cut> cuts, std::uint32_t seed, std::uint32_t part) {
     const auto found = std::lower_bound(
         cuts.begin(), cuts.end(), std::pair(seed, part),
@@ -76,7 +76,7 @@ std::uint32_t chunk_at(std::span<const Cut> cuts, std::uint32_t seed, std::uint3
                : outer_face;
 }
 
-// Within parts: a cell's face says whose lies beyond.
+// Bonds within a part: each face stores the cell on its other side.
 void bond_within(FracturedShape& shape, std::span<const Cut> cuts, double area_min) {
     for (std::uint32_t a = 0; a < cuts.size(); a++)
         for (const CellFace& face : cuts[a].cell.faces) {
@@ -88,7 +88,7 @@ void bond_within(FracturedShape& shape, std::span<const Cut> cuts, double area_m
         }
 }
 
-// Of two parts, where outer faces lie on each other. Pairs by their boxes, swept along x.
+// Bonds between parts, where outer faces are in contact. Finds pairs of boxes by a sweep along x.
 void bond_across(FracturedShape& shape, std::span<const Cut> cuts, double size, double area_min) {
     const double near = face_contact_tolerance_ratio * size;
     std::vector<std::uint32_t> order(cuts.size());
@@ -123,7 +123,8 @@ Aabb bounds_of(std::span<const ConvexCell> parts) {
     return bounds;
 }
 
-// The cells of all seeds in a box around all parts end at the same planes in each part.
+// Cuts parts by the Voronoi cells of all seeds in a box around all parts, so that cells in
+// different parts end at the same planes.
 class Cutter {
 public:
     Cutter(std::span<const ConvexCell> parts, std::span<const Vec3> seeds)
@@ -143,7 +144,7 @@ public:
         return volume / static_cast<double>(seeds_.size());
     }
 
-    // What of each part is the seed's.
+    // The parts of a seed's cell.
     std::vector<Cut> cut(std::uint32_t seed) const {
         std::vector<Cut> cuts;
         if (parts_.size() == 1) {
@@ -200,14 +201,14 @@ Result<FractureResult> fracture_cells(std::span<const ConvexCell> parts,
             Result<FractureChunk> chunk = chunk_of(cut.cell, mass);
             if (!chunk.ok() && parts.size() == 1)
                 return invalid_argument("seeds[" + std::to_string(seed) +
-                                        "]: its chunk is too thin: " + chunk.error().message);
+                                        "]: the chunk is too thin: " + chunk.error().message);
             if (!chunk.ok() || mass.volume < least_volume) {
                 made.lost_volume += mass.volume;
                 continue;
             }
             if (cuts.size() == chunks_max)
-                return invalid_argument("there are more than " + std::to_string(chunks_max) +
-                                        " chunks; give fewer seeds or parts");
+                return invalid_argument("the result has more than " + std::to_string(chunks_max) +
+                                        " chunks; use fewer seeds or parts");
             made.shape.chunks.push_back(std::move(*chunk));
             cuts.push_back(std::move(cut));
         }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Solids that are cells, cut by the cells of seeds: chunks, and the bonds between them.
+// Fractures solids given as cells by the Voronoi cells of seeds: creates chunks and bonds.
 #pragma once
 
 #include <span>
@@ -13,7 +13,7 @@ namespace jostle::modules::destruction_detail {
 // An error names the seed whose chunk is too thin for a hull.
 physics::Result<FracturedShape> fracture_cell(const ConvexCell& solid,
                                               std::span<const physics::Vec3> seeds);
-// Of parts that do not overlap.
+// `parts` must not overlap.
 physics::Result<FractureResult> fracture_cells(std::span<const ConvexCell> parts,
                                                std::span<const physics::Vec3> seeds,
                                                const FractureProgress& progress);

@@ -19,7 +19,7 @@ namespace {
 
 constexpr char magic[8] = {'J', 'F', 'R', 'A', 'C', 'T', '\r', '\n'};
 constexpr std::size_t chunk_bytes_min = 2 + 17 * 8 + 24, bond_bytes = 8 + 14 * 8;
-// Of a hull that is built anew: its volume and that of the cell that it was may differ so.
+// Relative tolerance between the volume of a rebuilt hull and that of the original cell.
 constexpr double volume_slack = 1e-3;
 enum Kind : std::uint8_t { box = 0, hull = 1 };
 
@@ -30,7 +30,7 @@ std::string place(const char* list, std::size_t k) {
     return std::string(list) + "[" + std::to_string(k) + "]";
 }
 
-// ---- out ----
+// ---- writing ----
 
 class Writer {
 public:
@@ -78,13 +78,13 @@ void write_bond(Writer& out, const FractureBond& bond) {
     out.number(bond.reach_u), out.number(bond.reach_v);
 }
 
-// ---- in ----
+// ---- reading ----
 
 class Reader {
 public:
     explicit Reader(std::span<const std::byte> bytes) : left_(bytes) {}
 
-    // Past the end: zeros, and ended().
+    // Past the end it returns zeros and ended() is true.
     template <class T>
     T bits() {
         T value{};
@@ -116,18 +116,18 @@ Result<Geometry> read_geometry(Reader& in, std::uint8_t kind) {
         const Vec3 half = in.numbers();
         for (int k = 0; k < 3; k++)
             if (!(half[k] >= min_shape_size && half[k] <= max_shape_size))
-                return damaged("its half extents are not 1e-4 to 1e4 m");
+                return damaged("half extents are out of range; they must be from 1e-4 to 1e4 m");
         return Geometry{Box{half}};
     }
     const std::size_t count = in.bits<std::uint16_t>();
     if (count < 4 || count > max_hull_vertices)
-        return damaged("its hull has " + std::to_string(count) + " vertices; a hull has 4 to " +
+        return damaged("hull has " + std::to_string(count) + " vertices; it must have 4 to " +
                        std::to_string(max_hull_vertices));
     std::vector<Vec3> points(count);
     for (Vec3& p : points) p = in.numbers();
-    if (in.ended()) return damaged("the file ends within it");
+    if (in.ended()) return damaged("unexpected end of file");
     auto made = build_hull(points);
-    if (!made.ok()) return damaged("its hull: " + made.error().message);
+    if (!made.ok()) return damaged("hull: " + made.error().message);
     return Geometry{Hull{std::move(*made)}};
 }
 
@@ -145,27 +145,27 @@ Solid solid_of(const Geometry& geometry) {
     return {data.volume, data.bounds};
 }
 
-// Sylvester: symmetric, and each leading determinant above 0.
+// Sylvester's criterion: symmetric, with positive leading minors.
 bool is_positive(const Mat3& m) {
     const double second = m.x.x * m.y.y - m.x.y * m.x.y;
     const double third = dot(m.x, cross(m.y, m.z));
     return m.x.x > 0 && second > 0 && third > 0;
 }
 
-// What is said of a chunk's mass fits to its geometry.
+// Checks that the mass properties of a chunk match its geometry.
 Status check_mass(const FractureChunk& chunk) {
     const Solid solid = solid_of(chunk.geometry);
     if (!(absolute(chunk.volume - solid.volume) <= volume_slack * solid.volume))
-        return damaged("its volume is not that of its geometry");
+        return damaged("volume does not match the geometry");
     const Vec3 local = apply_inverse(chunk.pose, chunk.center);
     const double size = length(solid.bounds.high - solid.bounds.low);
     for (int k = 0; k < 3; k++)
         if (!(local[k] >= solid.bounds.low[k] - volume_slack * size &&
               local[k] <= solid.bounds.high[k] + volume_slack * size))
-            return damaged("its centre of mass is outside of it");
+            return damaged("centre of mass is outside the geometry");
     const Mat3& m = chunk.unit_inertia;
     if (!(m.x.x + m.y.y + m.z.z <= 2 * chunk.volume * size * size) || !is_positive(m))
-        return damaged("its inertia is that of no solid of its size");
+        return damaged("inertia is not possible for a solid of this size");
     return {};
 }
 
@@ -173,8 +173,8 @@ Result<FractureChunk> read_chunk(Reader& in) {
     FractureChunk chunk;
     const auto kind = in.bits<std::uint8_t>(), anchored = in.bits<std::uint8_t>();
     if (kind > Kind::hull)
-        return damaged("is of kind " + std::to_string(kind) + "; 0 is a box, 1 a hull");
-    if (anchored > 1) return damaged("is anchored or not: 1 or 0");
+        return damaged("kind is " + std::to_string(kind) + "; it must be 0 (box) or 1 (hull)");
+    if (anchored > 1) return damaged("anchored must be 0 or 1");
     chunk.anchored = anchored == 1;
     chunk.pose.position = in.numbers();
     const Vec3 q = in.numbers();
@@ -186,10 +186,10 @@ Result<FractureChunk> read_chunk(Reader& in) {
     const Quat r = chunk.pose.rotation;
     if (!(absolute(r.x * r.x + r.y * r.y + r.z * r.z + r.w * r.w - 1) < 1e-6) ||
         !(length_squared(chunk.pose.position) <= coordinate_max * coordinate_max))
-        return damaged("its pose is no unit rotation, or is too far off");
+        return damaged("pose must have a unit rotation and a position within 1e5 m");
     Result<Geometry> geometry = read_geometry(in, kind);
     if (!geometry.ok()) return geometry.error();
-    if (in.ended()) return damaged("the file ends within it");
+    if (in.ended()) return damaged("unexpected end of file");
     chunk.geometry = std::move(*geometry);
     if (Status s = check_mass(chunk); !s.ok()) return s.error();
     return chunk;
@@ -206,17 +206,18 @@ FractureBond read_bond(Reader& in) {
 }
 
 Status check_head(std::span<const std::byte> bytes) {
-    if (bytes.size() > fracture_bytes_max) return damaged("it is longer than 256 MiB");
+    if (bytes.size() > fracture_bytes_max) return damaged("file is larger than 256 MiB");
     if (bytes.size() < fracture_header_bytes + 8 ||
         std::memcmp(bytes.data(), magic, sizeof magic) != 0)
-        return damaged("it is no fracture file: jostle-fracture makes one");
+        return damaged("not a fracture file; create one with jostle-fracture");
     Reader head(bytes.subspan(sizeof magic));
     const auto version = head.bits<std::uint32_t>();
     if (version != fracture_version)
-        return damaged("it is of version " + std::to_string(version) + "; this program reads " +
-                       std::to_string(fracture_version) + ": make it anew with jostle-fracture");
+        return damaged("unsupported version " + std::to_string(version) +
+                       "; this program reads version " + std::to_string(fracture_version) +
+                       "; create the file again with jostle-fracture");
     if (head.bits<std::uint64_t>() != fracture_checksum(bytes.subspan(fracture_header_bytes)))
-        return damaged("its checksum is wrong: it was damaged or cut short");
+        return damaged("checksum mismatch: the file is corrupt or truncated");
     return {};
 }
 
@@ -253,8 +254,8 @@ Result<FracturedShape> read_fracture(std::span<const std::byte> bytes) {
     const std::size_t chunks = in.bits<std::uint32_t>(), bonds = in.bits<std::uint32_t>();
     if (chunks < 1 || chunks > chunks_max || bonds > bonds_max ||
         chunks * chunk_bytes_min + bonds * bond_bytes > in.left())
-        return damaged("it says that it has " + std::to_string(chunks) + " chunks and " +
-                       std::to_string(bonds) + " bonds, and is too short for them, or too many");
+        return damaged("header declares " + std::to_string(chunks) + " chunks and " +
+                       std::to_string(bonds) + " bonds, which exceeds the file size or the limits");
     FracturedShape shape;
     for (std::size_t k = 0; k < chunks; k++) {
         Result<FractureChunk> chunk = read_chunk(in);
@@ -263,9 +264,10 @@ Result<FracturedShape> read_fracture(std::span<const std::byte> bytes) {
     }
     for (std::size_t k = 0; k < bonds; k++) {
         shape.bonds.push_back(read_bond(in));
-        if (in.ended()) return damaged(place("bonds", k) + ": the file ends within it");
+        if (in.ended()) return damaged(place("bonds", k) + ": unexpected end of file");
     }
-    if (in.left() > 0) return damaged(std::to_string(in.left()) + " bytes are left at its end");
+    if (in.left() > 0)
+        return damaged(std::to_string(in.left()) + " unexpected bytes at the end of the file");
     if (Status s = check_shape(shape); !s.ok()) return s.error();
     return shape;
 }

@@ -18,12 +18,11 @@ namespace {
 Status check_extents(Vec3 e) {
     for (int k = 0; k < 3; k++)
         if (!(e[k] >= min_shape_size && e[k] <= max_shape_size))
-            return invalid_argument(
-                "half_extents are not within the sizes of shapes, 1e-4 to 1e4 m");
+            return invalid_argument("half_extents is out of range; it must be from 1e-4 to 1e4 m");
     return {};
 }
 
-// The face between two boxes of those half extents, one step along an axis apart.
+// The face between two boxes with the given half extents that are adjacent along an axis.
 FractureBond box_bond(std::uint32_t a, std::uint32_t b, Vec3 at, Vec3 h, int axis) {
     const int u = (axis + 1) % 3, v = (axis + 2) % 3;
     FractureBond bond{.a = a, .b = b, .center = at};
@@ -77,7 +76,8 @@ Result<FractureResult> fracture_parts(std::span<const std::shared_ptr<const Conv
                                       std::span<const Vec3> seeds,
                                       const FractureProgress& progress) {
     if (parts.empty() || parts.size() > fracture_parts_max)
-        return invalid_argument("there are " + std::to_string(parts.size()) + " parts; give 1 to " +
+        return invalid_argument("parts has " + std::to_string(parts.size()) +
+                                " elements; it must have 1 to " +
                                 std::to_string(fracture_parts_max));
     for (std::size_t k = 0; k < parts.size(); k++)
         if (!parts[k]) return invalid_argument("parts[" + std::to_string(k) + "] is null");
@@ -90,10 +90,12 @@ Result<FracturedShape> split_box(Vec3 e, int nx, int ny, int nz) {
     const int counts[3] = {nx, ny, nz};
     for (const int count : counts)
         if (count < 1 || count > 1000)
-            return invalid_argument("a number of boxes is not 1 to 1000");
+            return invalid_argument(
+                "number of boxes along an axis is out of range; it must be from 1 to 1000");
     if (static_cast<std::size_t>(nx) * static_cast<std::size_t>(ny) * static_cast<std::size_t>(nz) >
         chunks_max)
-        return invalid_argument("there are more than " + std::to_string(chunks_max) + " boxes");
+        return invalid_argument("the box would be split into more than " +
+                                std::to_string(chunks_max) + " boxes");
     const Vec3 h{e.x / nx, e.y / ny, e.z / nz};
     if (Status s = check_extents(h); !s.ok()) return s.error();
     const int stride[3] = {1, nx, nx * ny};

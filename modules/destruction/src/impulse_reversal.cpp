@@ -25,7 +25,7 @@ void push(std::span<ReversalBody> bodies, const ImpulseReversal& one, double imp
     if (one.inverse_mass_piece > 0) push(bodies[one.piece].state, one.normal * -impulse, one.point);
 }
 
-// The piece gives no more than it got since before the step.
+// A piece returns at most the impulse that it received in the step.
 void share(std::span<ReversalBody> bodies, ImpulseReversal& one) {
     if (!(one.inverse_mass_piece + one.inverse_mass_struck > 0)) return;
     const BodyState &piece = bodies[one.piece].state, &struck = bodies[one.struck].state;
@@ -47,7 +47,7 @@ double energy_of(const BodyState& body, Vec3 linear, Vec3 angular) {
     return 0.5 * (body.mass * length_squared(linear) + dot(angular, body.inertia * angular));
 }
 
-// Which bodies hang together: by body, the lowest of them.
+// Groups of connected bodies: for each body, the lowest index of its group.
 std::vector<std::size_t> groups_of(std::span<const ReversalBody> bodies,
                                    std::span<const ImpulseReversal> all,
                                    std::span<const std::pair<std::size_t, std::size_t>> pairs) {
@@ -67,21 +67,21 @@ std::vector<std::size_t> groups_of(std::span<const ReversalBody> bodies,
     return group;
 }
 
-// Of a group, J.
+// Energy budget of a group, J.
 struct EnergyBudget {
     double initial = 0, final = 0;  // before and after the step
-    double reversed = 0,
-           velocity_change_energy = 0;  // after all was given; of the change of velocity alone
+    // with all impulses applied; of the velocity change alone
+    double reversed = 0, velocity_change_energy = 0;
     double dissipated_energy = 0;
 
-    // The share of what is given at which there is no more than there was:
-    // final + b s + velocity_change_energy s^2 = most.
+    // Scale of the impulses at which the energy does not exceed the budget: final + b s +
+    // velocity_change_energy s^2 = most.
     double share() const {
         const double most = maximum(initial - dissipated_energy, final),
                      b = reversed - final - velocity_change_energy;
         if (!(reversed > most) || !(velocity_change_energy > 0)) return 1;
         const double root = square_root(b * b + 4 * velocity_change_energy * (most - final));
-        // Both are the same; each has its rounding.
+        // Both forms are equal; each avoids cancellation in its case.
         const double part =
             b > 0 ? 2 * (most - final) / (b + root) : (root - b) / (2 * velocity_change_energy);
         return clamp(part, 0, 1);
@@ -99,10 +99,9 @@ double ReversalBody::energy_before() const {
            0.5 * state.mass * dot(gravity_velocity, linear + state.linear_velocity);
 }
 
-// Projected Gauss-Seidel: what one gives back may be what another need not. Each impulse wants its
-// own pair of bodies to meet again as fast as they did, but whoever is in several pairs, or was
-// turned, would then have more energy than it came with: all impulses of a group are lessened
-// alike, which leaves momenta alone.
+// Projected Gauss-Seidel over the impulses. Each impulse restores the approach speed of its own
+// pair. A body that is in several pairs, or was deflected, could then have more energy than before.
+// All impulses of a group are therefore scaled by the same factor, which conserves momentum.
 void reverse_impulses(std::span<ReversalBody> bodies, std::span<ImpulseReversal> all,
                       std::span<const std::pair<std::size_t, std::size_t>> pairs) {
     const std::vector<ReversalBody> after(bodies.begin(), bodies.end());

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// Random numbers that are the same everywhere: SplitMix64 (Steele, Lea, Flood, 2014).
+// Deterministic random numbers: SplitMix64 (G. L. Steele, D. Lea, C. H. Flood, 2014).
 #pragma once
 
 #include <cstdint>
 
 namespace jostle::modules::destruction_detail {
 
-// 0 to 1, without 1.
+// Uniform in [0, 1).
 inline double next_uniform(std::uint64_t& state) {
     std::uint64_t z = state += 0x9e3779b97f4a7c15u;
     z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9u;

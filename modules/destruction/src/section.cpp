@@ -7,7 +7,7 @@ using namespace physics;
 
 namespace {
 
-// Any unit vector across a unit vector.
+// Any unit vector perpendicular to a unit vector.
 Vec3 across(Vec3 n) {
     const Vec3 a = abs(n);
     const Vec3 least = a.x <= a.y && a.x <= a.z ? Vec3{1, 0, 0}
@@ -17,12 +17,12 @@ Vec3 across(Vec3 n) {
 }
 
 struct Moments {
-    double area = 0, xx = 0, yy = 0, xy = 0;  // of x^2, y^2 and x y over the face
+    double area = 0, xx = 0, yy = 0, xy = 0;  // integrals of x^2, y^2 and x y over the face
     Vec3 first;
 };
 
-// By triangles from the first point. Of a triangle with corners p, q, r about the origin:
-// integral of x y dA = area / 12 (sum of x_i y_i + (sum x_i) (sum y_i)).
+// Sums triangles from the first point. For a triangle with corners about the origin: integral of x
+// y dA = area / 12 (sum of x_i y_i + (sum x_i) (sum y_i)).
 Moments moments_of(std::span<const Vec3> points, Vec3 normal, Vec3 origin, Vec3 x, Vec3 y) {
     Moments m;
     for (std::size_t k = 2; k < points.size(); k++) {
@@ -42,7 +42,7 @@ Moments moments_of(std::span<const Vec3> points, Vec3 normal, Vec3 origin, Vec3 
     return m;
 }
 
-// The direction in which x^2 is spread most: half of the angle of (xx - yy, 2 xy).
+// Direction of the largest second moment: half of the angle of (xx - yy, 2 xy).
 Vec3 principal(const Moments& m, Vec3 x, Vec3 y) {
     const double spread = m.xx + m.yy;
     if (absolute(m.xx - m.yy) + absolute(m.xy) < 1e-9 * spread) return x;
@@ -63,7 +63,7 @@ Section section_of(std::span<const Vec3> points, Vec3 normal) {
     s.axis = normalized(principal(moments_of(points, normal, s.center, x, y), x, y), x);
     const Vec3 v = cross(normal, s.axis);
     const Moments own = moments_of(points, normal, s.center, s.axis, v);
-    s.moment_u = own.yy;  // about u: of the distances along v
+    s.moment_u = own.yy;  // about u: squares of the distances along v
     s.moment_v = own.xx;
     for (const Vec3 p : points) {
         s.reach_u = maximum(s.reach_u, absolute(dot(p - s.center, v)));

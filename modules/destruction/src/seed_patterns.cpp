@@ -15,21 +15,23 @@ using destruction_detail::next_uniform;
 
 namespace {
 
-constexpr int attempts_max = 200;  // for each seed that is asked for
+constexpr int attempts_max = 200;  // per requested seed
 
 Status check(const Aabb& bounds, const SeedPatternOptions& plan) {
     for (int k = 0; k < 3; k++) {
         const double side = bounds.high[k] - bounds.low[k];
         if (!(side >= 2 * min_shape_size && side <= 2 * max_shape_size))
-            return invalid_argument("a side of the bounds is not 2e-4 to 2e4 m");
+            return invalid_argument(
+                "a side of bounds is out of range; it must be from 2e-4 to 2e4 m");
     }
     if (plan.count < 1 || plan.count > static_cast<int>(chunks_max))
-        return invalid_argument("count is " + std::to_string(plan.count) + "; give 1 to " +
-                                std::to_string(chunks_max));
+        return invalid_argument("count is " + std::to_string(plan.count) +
+                                "; it must be from 1 to " + std::to_string(chunks_max));
     if (plan.center && !(is_finite(*plan.center) && length_squared(*plan.center) < 1e8))
-        return invalid_argument("center is not finite or beyond 10 km");
+        return invalid_argument("center is out of range; it must be finite and within 10 km");
     if (!(plan.spread >= 1e-3 && plan.spread <= 1))
-        return invalid_argument("spread is " + std::to_string(plan.spread) + "; give 0.001 to 1");
+        return invalid_argument("spread is " + std::to_string(plan.spread) +
+                                "; it must be from 0.001 to 1");
     return {};
 }
 
@@ -47,14 +49,14 @@ Vec3 random_point(const Aabb& bounds, std::uint64_t& state) {
     return bounds.low + scaled(bounds.high - bounds.low, {x, y, z});
 }
 
-// The sum of twelve chances is near enough to a bell.
+// Approximately normal distribution: the sum of twelve uniform numbers.
 double random_gaussian(std::uint64_t& state) {
     double sum = -6;
     for (int k = 0; k < 12; k++) sum += next_uniform(state);
     return sum;
 }
 
-// Four of five in the cluster.
+// Four of five points are in the cluster.
 Vec3 in_cluster(const Aabb& bounds, const SeedPatternOptions& plan, Vec3 center,
                 std::uint64_t& state) {
     if (next_uniform(state) < 0.2) return random_point(bounds, state);
@@ -76,9 +78,10 @@ Result<std::vector<Vec3>> random_points(const Aabb& bounds, const SeedPatternOpt
     const auto count = static_cast<std::size_t>(plan.count);
     for (std::size_t tries = 0; seeds.size() < count; tries++) {
         if (tries == attempts_max * count)
-            return invalid_argument(
-                "of " + std::to_string(tries) + " places only " + std::to_string(seeds.size()) +
-                " are inside: the solid is too thin for its bounds, or center is far");
+            return invalid_argument("only " + std::to_string(seeds.size()) + " of " +
+                                    std::to_string(tries) +
+                                    " sampled points are inside; the solid is too thin for its "
+                                    "bounds, or center is too far away");
         const Vec3 p = plan.pattern == SeedPattern::uniform
                            ? random_point(bounds, state)
                            : in_cluster(bounds, plan, center, state);
@@ -87,14 +90,14 @@ Result<std::vector<Vec3>> random_points(const Aabb& bounds, const SeedPatternOpt
     return seeds;
 }
 
-// Newton, from above.
+// Newton's method, from above.
 double cube_root(double x) {
     double root = maximum(1, x);
     for (int k = 0; k < 100; k++) root = (2 * root + x / (root * root)) / 3;
     return root;
 }
 
-// As near to cubes as the number allows.
+// Blocks that are as close to cubes as the count allows.
 std::vector<Vec3> blocks(const Aabb& bounds, int count) {
     const Vec3 sides = bounds.high - bounds.low;
     const double edge = cube_root(sides.x * sides.y * sides.z / count);
@@ -114,8 +117,8 @@ std::vector<Vec3> blocks(const Aabb& bounds, int count) {
     return seeds;
 }
 
-// About the shortest axis: rings whose widths grow with the square, the same spokes in each, a
-// little askew.
+// Rings about the shortest axis, whose widths grow quadratically, with the same number of slightly
+// randomized spokes in each.
 std::vector<Vec3> rings(const Aabb& bounds, const SeedPatternOptions& plan) {
     const Vec3 sides = bounds.high - bounds.low;
     int axis = 0;

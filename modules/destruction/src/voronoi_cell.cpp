@@ -22,7 +22,7 @@ bool before(Vec3 a, Vec3 b) {
 
 using Distance = std::pair<double, std::uint32_t>;  // squared; the seed
 
-// Sorts no more than is asked for: a cell has some twenty neighbours, whatever the number of seeds.
+// Sorts incrementally: a cell has about twenty neighbours, regardless of the number of seeds.
 class ByDistance {
 public:
     explicit ByDistance(std::vector<Distance> all) : all_(std::move(all)) {}
@@ -50,12 +50,12 @@ private:
 
 Status check_seeds(std::span<const Vec3> seeds) {
     if (seeds.empty() || seeds.size() > chunks_max)
-        return invalid_argument("there are " + std::to_string(seeds.size()) + " seeds; give 1 to " +
-                                std::to_string(chunks_max));
+        return invalid_argument("seeds has " + std::to_string(seeds.size()) +
+                                " elements; it must have 1 to " + std::to_string(chunks_max));
     for (std::size_t k = 0; k < seeds.size(); k++)
         if (!is_finite(seeds[k]) || !(length_squared(seeds[k]) < 1e8))
             return invalid_argument("seeds[" + std::to_string(k) +
-                                    "] is not finite or beyond 10 km");
+                                    "] is out of range; it must be finite and within 10 km");
     std::vector<std::size_t> order(seeds.size());
     for (std::size_t k = 0; k < order.size(); k++) order[k] = k;
     std::sort(order.begin(), order.end(),
@@ -63,7 +63,7 @@ Status check_seeds(std::span<const Vec3> seeds) {
     for (std::size_t k = 1; k < order.size(); k++)
         if (seeds[order[k]] == seeds[order[k - 1]])
             return invalid_argument("seeds[" + std::to_string(std::max(order[k], order[k - 1])) +
-                                    "] is there twice");
+                                    "] is a duplicate");
     return {};
 }
 
@@ -75,23 +75,23 @@ ConvexCell clip_by_bisector(const ConvexCell& solid, std::span<const Vec3> seeds
                    plane_tolerance);
 }
 
-// Others are cut off by distance: when one is so far that its plane lies beyond the furthest
-// corner, so do all that follow.
+// Clips by the other seeds in order of distance. Once a bisector plane is beyond the farthest
+// corner, so are all later ones.
 ConvexCell voronoi_cell(const ConvexCell& solid, std::span<const Vec3> seeds, std::size_t own,
                         double plane_tolerance) {
-    const Vec3 here = seeds[own];
+    const Vec3 own_seed = seeds[own];
     std::vector<Distance> all;
     for (std::size_t k = 0; k < seeds.size(); k++)
         if (k != own)
-            all.emplace_back(length_squared(seeds[k] - here), static_cast<std::uint32_t>(k));
+            all.emplace_back(length_squared(seeds[k] - own_seed), static_cast<std::uint32_t>(k));
     ByDistance others(std::move(all));
     ConvexCell cell = solid;
-    double reach2 = furthest_squared(cell, here);
+    double reach2 = furthest_squared(cell, own_seed);
     for (std::size_t k = 0; k < others.size(); k++) {
         const auto& [distance2, other] = others.at(k);
         if (cell.empty() || distance2 > 4 * reach2) break;
         cell = clip_by_bisector(cell, seeds, own, other, plane_tolerance);
-        reach2 = furthest_squared(cell, here);
+        reach2 = furthest_squared(cell, own_seed);
     }
     return cell;
 }

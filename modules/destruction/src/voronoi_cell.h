@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Voronoi cells of seeds, cut out of a convex solid one by one. Each cut between two seeds has the
-// same bits seen from both, so cells fill the solid to rounding.
+// Voronoi cells of seeds, clipped from a convex solid one by one. The plane between two seeds is
+// bit-identical for both cells, so the cells fill the solid up to rounding error.
 #pragma once
 
 #include <span>
@@ -11,15 +11,15 @@
 
 namespace jostle::modules::destruction_detail {
 
-// Of the size: what is nearer to a plane than rounding can tell lies on it.
+// Relative to the size: points within this distance of a plane are on it, because of rounding.
 inline constexpr double plane_tolerance_ratio = 1e-14;
 
-// Finite, none twice, 1 to chunks_max.
+// Seeds must be finite and distinct, 1 to chunks_max.
 physics::Status check_seeds(std::span<const physics::Vec3> seeds);
-// What of the whole is nearer to this seed than to any other.
+// The part of the solid that is nearer to this seed than to any other.
 ConvexCell voronoi_cell(const ConvexCell& solid, std::span<const physics::Vec3> seeds,
                         std::size_t own, double plane_tolerance);
-// What of the whole is on the own side of one other seed.
+// The part of the solid that is nearer to this seed than to one other seed.
 ConvexCell clip_by_bisector(const ConvexCell& solid, std::span<const physics::Vec3> seeds,
                             std::size_t own, std::uint32_t other, double plane_tolerance);
 

@@ -318,12 +318,12 @@ TEST(Destruction, rejects_invalid_shapes_and_names_the_field) {
     FracturedShape shape = split_box({1, 1, 1}, 2, 1, 1).value();
     shape.bonds[0].area = 0;
     EXPECT_EQ(stage.destruction->add(stage.world, shape, {}).error().message,
-              "bonds[0]: area is 0.000000; it is out of its range");
+              "bonds[0]: area is 0.000000; it is out of range");
     shape.bonds[0].b = 7;
     EXPECT_EQ(stage.destruction->add(stage.world, shape, {}).error().message,
-              "bonds[0]: names no two chunks, the lower one first");
+              "bonds[0]: a and b must be indices of chunks with a < b");
     EXPECT_EQ(stage.destruction->add(stage.world, {}, {}).error().message,
-              "there are 0 chunks; give 1 to 20000");
+              "chunks has 0 elements; it must have 1 to 20000");
     EXPECT_TRUE(stage.world.bodies().empty());
 }
 

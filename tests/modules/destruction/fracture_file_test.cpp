@@ -54,31 +54,33 @@ TEST(FractureFile, round_trip_is_bit_identical) {
 TEST(FractureFile, errors_name_the_invalid_field) {
     const FracturedShape shape = split_box({1, 1, 1}, 2, 1, 1).value();
     const std::vector<std::byte> whole = bytes_of(shape);
-    EXPECT_EQ(error_of({}), "it is no fracture file: jostle-fracture makes one");
+    EXPECT_EQ(error_of({}), "not a fracture file; create one with jostle-fracture");
     std::vector<std::byte> bytes = whole;
     bytes[8] = std::byte{7};
     EXPECT_EQ(error_of(bytes),
-              "it is of version 7; this program reads 1: make it anew with jostle-fracture");
+              "unsupported version 7; this program reads version 1; create the file again with "
+              "jostle-fracture");
     bytes = whole;
     bytes.back() ^= std::byte{1};
-    EXPECT_EQ(error_of(bytes), "its checksum is wrong: it was damaged or cut short");
+    EXPECT_EQ(error_of(bytes), "checksum mismatch: the file is corrupt or truncated");
     bytes = whole;
     bytes[fracture_header_bytes + 3] = std::byte{0x7f};
     EXPECT_EQ(error_of(sealed(bytes)),
-              "it says that it has 2130706434 chunks and 1 bonds, and is too short for them, or "
-              "too many");
+              "header declares 2130706434 chunks and 1 bonds, which exceeds the file size or the "
+              "limits");
     bytes = whole;
     bytes.push_back({});
-    EXPECT_EQ(error_of(sealed(bytes)), "1 bytes are left at its end");
+    EXPECT_EQ(error_of(sealed(bytes)), "1 unexpected bytes at the end of the file");
     FracturedShape wrong = shape;
     wrong.chunks[1].volume *= 1.1;
-    EXPECT_EQ(error_of(bytes_of(wrong)), "chunks[1]: its volume is not that of its geometry");
+    EXPECT_EQ(error_of(bytes_of(wrong)), "chunks[1]: volume does not match the geometry");
     wrong = shape;
     wrong.chunks[0].center.y = 3;
-    EXPECT_EQ(error_of(bytes_of(wrong)), "chunks[0]: its centre of mass is outside of it");
+    EXPECT_EQ(error_of(bytes_of(wrong)), "chunks[0]: centre of mass is outside the geometry");
     wrong = shape;
     wrong.chunks[0].unit_inertia = diagonal({1, 1, -1});
-    EXPECT_EQ(error_of(bytes_of(wrong)), "chunks[0]: its inertia is that of no solid of its size");
+    EXPECT_EQ(error_of(bytes_of(wrong)),
+              "chunks[0]: inertia is not possible for a solid of this size");
     wrong = shape;
     wrong.chunks[1].geometry = Sphere{1};
     EXPECT_EQ(write_fracture(wrong).error().message, "chunks[1] is neither a box nor a hull");

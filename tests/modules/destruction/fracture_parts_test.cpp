@@ -128,9 +128,10 @@ TEST(SeedPatterns, clustered_pattern_makes_smaller_chunks_near_its_centre) {
 
 TEST(SeedPatterns, rejects_invalid_options_and_names_the_field) {
     const Aabb bounds{{0, 0, 0}, {1, 1, 1}};
-    EXPECT_EQ(generate_seeds(bounds, {.count = 0}).error().message, "count is 0; give 1 to 20000");
+    EXPECT_EQ(generate_seeds(bounds, {.count = 0}).error().message,
+              "count is 0; it must be from 1 to 20000");
     EXPECT_EQ(generate_seeds({{0, 0, 0}, {1, 0, 1}}, {}).error().message,
-              "a side of the bounds is not 2e-4 to 2e4 m");
+              "a side of bounds is out of range; it must be from 2e-4 to 2e4 m");
     EXPECT_FALSE(generate_seeds(bounds, {.center = Vec3{std::nan(""), 0, 0}}).ok());
     EXPECT_FALSE(generate_seeds(bounds, {.spread = 2}).ok());
     EXPECT_FALSE(generate_seeds(bounds, {.count = 5}, [](Vec3) { return false; }).ok());

@@ -86,10 +86,10 @@ TEST(FracturedShape, bond_faces_lie_between_their_chunks) {
 
 TEST(FracturedShape, errors_name_the_seed) {
     const std::vector<Vec3> twice = {{0, 0, 0}, {0.1, 0, 0}, {0, 0, 0}};
-    EXPECT_EQ(fracture_box({1, 1, 1}, twice).error().message, "seeds[2] is there twice");
+    EXPECT_EQ(fracture_box({1, 1, 1}, twice).error().message, "seeds[2] is a duplicate");
     const std::vector<Vec3> wild = {{0, 0, std::nan("")}};
     EXPECT_EQ(fracture_box({1, 1, 1}, wild).error().message,
-              "seeds[0] is not finite or beyond 10 km");
+              "seeds[0] is out of range; it must be finite and within 10 km");
     EXPECT_FALSE(fracture_box({1, 1, 0}, random_seeds({1, 1, 1}, 3, 1)).ok());
     EXPECT_FALSE(split_box({1, 1, 1}, 0, 1, 1).ok());
 }

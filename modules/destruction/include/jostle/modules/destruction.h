@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Bodies that break: chunks held together by bonds, one body for all that hangs together. Loads
-// (weight, contacts, impacts, inertia) go through the bonds as through short beams; bonds that bear
-// too much break, and after the step what no longer hangs together becomes bodies of its own.
+// Destructible bodies: chunks connected by bonds. Each connected group of chunks, called a piece,
+// is one body. Loads (weight, contacts, impacts, inertia) are transmitted through the bonds as
+// through short beams. Overloaded bonds break, and after the step each disconnected group of chunks
+// becomes a body of its own.
 //
 //     auto module = std::make_unique<Destruction>();
 //     Destruction& destruction = *module;
@@ -11,15 +12,16 @@
 //     anchor(wall, {0, -1, 0}, half.y - 0.01);
 //     DestructibleId id = *destruction.add(world, wall, {.pose = {.position = {0, half.y, 0}}});
 //
-// What hangs together with an anchored chunk is a static body: whole, it costs what one static body
-// costs. What bonds bear is asked anew only when loads changed by a twentieth.
+// A piece with an anchored chunk is a static body. Undamaged, it costs as much as one static body.
+// Bonds are evaluated again only after loads changed by 5 %.
 //
-// The solver lets bodies meet as if nothing broke. But what breaks pushes no harder than its bonds
-// bear: where bonds broke, what was more is taken back from both bodies, less what the broken bonds
-// took of the energy, and in the next step they meet again with what is left. Single chunks that
-// are knocked out do not jam: for a fifth of a second they pass what they broke out of.
+// The solver handles contacts as if nothing broke, but a breaking piece cannot exert more force
+// than its bonds bear. If bonds broke, the excess impulse is reversed on both bodies, minus the
+// energy dissipated by the broken bonds, and the bodies collide again in the next step with the
+// remaining speed. Single chunks that are knocked out do not jam: for 0.2 s they pass through the
+// pieces of their destructible.
 //
-// Thread rule: that of the World.
+// Thread rule: that of World.
 #pragma once
 
 #include <compare>
@@ -43,49 +45,56 @@ struct ReversalBody;
 struct PreStepState;
 using BodyPairs = std::vector<std::pair<std::size_t, std::size_t>>;
 struct ChunkContact;
-// Upon a chunk: at its centre of mass, in the frame of the whole.
+/// Load on a chunk: acts at its centre of mass, in the frame of the destructible.
 struct ChunkLoad {
-    physics::Vec3 force, torque;  // N, N m
+    physics::Vec3 force, torque;  ///< N, N m
 };
 }  // namespace destruction_detail
 
-// What bonds are made of. The defaults are those of weak concrete.
+/// Material of bonds. The defaults are those of weak concrete.
 struct BondMaterial {
-    double young = 2e10;          // Pa, 1 to 1e13
-    double poisson = 0.2;         // 0 to 0.5
-    double tensile = 1.5e6;       // Pa that break a bond, each 1 to 1e13
-    double shear = 3e6;           // Pa
-    double compressive = 2e7;     // Pa
-    double fracture_energy = 80;  // J/m^2 that breaking takes of an impact, 0 to 1e9
-    // s, 1e-5 to 1: how long an impact presses. Its force is the impulse over this time, or over
-    // the step's where that is shorter.
+    double young = 2e10;       ///< Pa, Young's modulus, 1 to 1e13
+    double poisson = 0.2;      ///< Poisson's ratio, 0 to 0.5
+    double tensile = 1.5e6;    ///< Pa, tensile strength, 1 to 1e13
+    double shear = 3e6;        ///< Pa, shear strength, 1 to 1e13
+    double compressive = 2e7;  ///< Pa, compressive strength, 1 to 1e13
+    /// J/m^2, energy dissipated by breaking, taken from an impact; 0 to 1e9
+    double fracture_energy = 80;
+    /// Duration of an impact, s, 1e-5 to 1. The impact force is the impulse divided by this time,
+    /// or by the step length if that is shorter.
     double contact_time = 0.005;
 };
 
+/// Description of a destructible.
 struct DestructibleDef {
-    physics::Transform pose = {};        // of the shape's frame
-    physics::Vec3 linear_velocity = {};  // m/s, of the centre of mass; nothing is anchored
-    physics::Vec3 angular_velocity = {};
-    double density = 2400;  // kg/m^3, 1e-3 to 1e6
+    physics::Transform pose = {};  ///< of the frame of the shape
+    /// m/s, of the centre of mass; used only if no chunk is anchored
+    physics::Vec3 linear_velocity = {};
+    physics::Vec3 angular_velocity = {};  ///< rad/s; used only if no chunk is anchored
+    double density = 2400;                ///< kg/m^3, 1e-3 to 1e6
     physics::Material surface = {};
     physics::Filter filter = {};
     BondMaterial bonds = {};
 };
 
-// What a step may take; the rest waits for the next one.
+/// Limits of the work per step. Work beyond them is deferred to later steps.
 struct DestructionLimits {
-    int rounds = 8;              // of breaking and solving anew in a step, 1 to 64
-    int pieces_per_step = 2048;  // new bodies, 1 to 1000000
-    // Products of 6 x 6 blocks that new factors take, 1 to 1e12; one factor is always made.
+    int rounds = 8;              ///< rounds of breaking bonds and solving again in a step, 1 to 64
+    int pieces_per_step = 2048;  ///< new bodies per step, 1 to 1000000
+    /// Products of 6 x 6 blocks for factorizations, 1 to 1e12. At least one factorization is done
+    /// per step.
     std::int64_t work_per_step = 40000;
-    double debris_life = 0;    // s, 0 to 1e6: loose single chunks vanish after; 0: never
-    double debris_volume = 0;  // m^3, 0 to 1e12: of those that are smaller
-    // m^3, 0 to 1e12: loose single chunks that are smaller pass each other, meet all else, and are
-    // not swept. For thousands at once: what does not meet costs next to nothing. Not where a
-    // filter has a group.
+    /// s, 0 to 1e6: loose single chunks are removed after it; 0 disables removal
+    double debris_life = 0;
+    double debris_volume = 0;  ///< m^3, 0 to 1e12: removal applies to smaller chunks only
+    /// Volume, m^3, 0 to 1e12, below which loose single chunks do not collide with each other and
+    /// have no continuous collision detection. They still collide with everything else. Intended
+    /// for thousands of chunks: skipped pairs cost almost nothing. It has no effect if the filter
+    /// has a group.
     double passing_volume = 0;
 };
 
+/// Identifies a destructible. Valid until it is removed. A default id is null.
 struct DestructibleId {
     std::uint32_t index = 0xffffffff;
     std::uint32_t generation = 0;
@@ -93,6 +102,7 @@ struct DestructibleId {
     auto operator<=>(const DestructibleId&) const = default;
 };
 
+/// Module that owns the destructibles of a world. Tag: "destruction".
 class Destruction : public physics::Module {
 public:
     Destruction();
@@ -100,14 +110,18 @@ public:
 
     std::string_view tag() const override { return "destruction"; }
     void visit(physics::StateVisitor& v) override;
-    // Walls of a scene, side by side along x, anchored at their foot: count (0 to 100), spacing
-    // (m), width, height, thickness (m), chunks (1 to 2000), seed; x, y, z of the middle of the
-    // first one's foot; density; tensile, shear (Pa), fracture_energy; debris_life, debris_volume,
-    // passing_volume; heading (rad, about y), compressive. With the bytes `shape` of a fracture
-    // file: what it holds instead of walls, its origin at x, y, z.
+    /// Configures the module from a scene: a row of walls along x, anchored at their foot. Numbers:
+    /// - count (0 to 100), spacing (m, 0 to 1000), width, height (m, 0.1 to 100), thickness (m,
+    ///   0.02 to 100), chunks (per wall, 1 to 2000), seed;
+    /// - x, y, z: middle of the foot of the first wall (m); heading (rad about y);
+    /// - density, tensile, shear, compressive (Pa) and fracture_energy;
+    /// - debris_life, debris_volume and passing_volume.
+    /// With the bytes `shape`, the contents of a fracture file, it creates that shape with its
+    /// origin at x, y, z instead of walls.
     physics::Status configure(physics::World& world,
                               const physics::ModuleSettings& settings) override;
-    // "destruction": of each how many pieces, bonds that hold, bonds that were.
+    /// Publishes the channel "destruction": for each destructible the numbers of pieces, of intact
+    /// bonds, and of bonds in total.
     std::vector<physics::ChannelKind> channels() const override { return {{}}; }
     void publish(const physics::World& world, physics::ChannelWriter& channels) const override;
     physics::StepHooks hooks() const override { return {.pre_solve = true}; }
@@ -115,63 +129,71 @@ public:
     void pre_solve(physics::PreSolve& pair) override;
     void after_step(physics::World& world, double dt) override;
 
+    /// Replaces the limits. invalid_argument names the one that is out of range.
     physics::Status set_limits(const DestructionLimits& limits);
     const DestructionLimits& limits() const { return limits_; }
 
-    // All or nothing. Static when a chunk is anchored. An error names the chunk or the bond.
+    /// Creates a destructible: one body, static if a chunk is anchored. On failure, nothing is
+    /// created. invalid_argument names the chunk or bond that is invalid.
     physics::Result<DestructibleId> add(physics::World& world, const FracturedShape& shape,
                                         const DestructibleDef& def);
-    // With all its pieces.
+    /// Removes a destructible with all its pieces. Returns not_found for an unknown id, as all
+    /// calls with an id do.
     physics::Status remove(physics::World& world, DestructibleId id);
 
-    // Breaks the bonds whose middle is within a ball, in world space; they part after the next
-    // step. How many broke.
+    /// Breaks the bonds whose centre is within a ball (m, world). The pieces separate after the
+    /// next step. Returns the number of broken bonds.
     physics::Result<std::size_t> break_near(const physics::World& world, DestructibleId id,
                                             physics::Vec3 center, double radius);
 
-    // ... of all of them.
+    /// The same for all destructibles.
     std::size_t break_near(const physics::World& world, physics::Vec3 center, double radius);
 
+    /// Returns false after removal.
     bool contains(DestructibleId id) const { return find(id) != nullptr; }
+    /// Number of destructibles.
     std::size_t size() const;
+    /// Bodies of all pieces.
     physics::Result<std::vector<physics::BodyId>> bodies(DestructibleId id) const;
+    /// Number of bonds that are not broken.
     physics::Result<std::size_t> intact_bonds(DestructibleId id) const;
-    // What the bond that bears most bears under weight alone, as a share of its strength.
+    /// Returns the largest load of a bond of anchored pieces under gravity alone, as a fraction of
+    /// its strength. Expensive: factorizes the stiffness of each connected group.
     physics::Result<double> max_load_ratio(const physics::World& world, DestructibleId id) const;
 
 private:
     struct Chunk {
-        physics::Vec3 center;  // in the frame of the whole, as all that follows
+        physics::Vec3 center;  ///< in the frame of the destructible, as the following members
         double mass = 0;
         physics::Mat3 inertia;
         physics::ShapeId shape;
         bool anchored = false;
-        physics::Vec3 force, torque;  // of contacts, when its bonds were last asked
-        std::uint32_t piece = 0;      // derived
+        physics::Vec3 force, torque;  ///< of contacts, when its bonds were last evaluated
+        std::uint32_t piece = 0;      ///< derived
     };
     struct Bond {
         FractureBond face;
         bool broken = false;
     };
-    // What hangs together: one body, whose axes are those of the whole.
+    /// A connected group of chunks: one body, whose axes are those of the destructible.
     struct Piece {
         physics::BodyId body;
-        physics::Vec3 origin;  // of the body, in the frame of the whole
+        physics::Vec3 origin;  ///< of the body, in the frame of the destructible
         std::vector<std::uint32_t> chunks;
         bool anchored = false;
-        bool solve_pending = true;   // is to be asked, whatever its loads
-        bool solved = false;         // its factor was made, and paid for
-        bool loaded = false;         // by contacts, when last asked
-        bool loads_pending = false;  // its loads wait in its chunks: there was no time to ask
-        bool split_pending = false;  // bonds broke: it is to be parted
-        double spin2 = 0;            // rad^2/s^2, when last asked
-        double energy = 0;           // J of the impacts whose loads wait
-        double age = 0;              // s, of a loose single chunk
-        double passing_time = 0;     // s, for which it passes what it broke out of
+        bool solve_pending = true;   ///< must be evaluated, regardless of its loads
+        bool solved = false;         ///< its factor was computed and counted as work
+        bool loaded = false;         ///< by contacts, when last evaluated
+        bool loads_pending = false;  ///< its chunks hold loads whose evaluation was deferred
+        bool split_pending = false;  ///< bonds broke: it must be split
+        double spin2 = 0;            ///< rad^2/s^2, squared angular speed when last evaluated
+        double energy = 0;           ///< J, of the impacts whose loads are deferred
+        double age = 0;              ///< s, of a loose single chunk
+        double passing_time = 0;     ///< s, remaining time without collisions with its destructible
 
-        physics::Vec3 linear, angular;  // m/s, rad/s: before the step
+        physics::Vec3 linear, angular;  ///< m/s, rad/s: before the step
 
-        // Derived: bonds within that hold; the factor of its stiffness.
+        /// Derived: intact bonds inside the piece, and the factor of its stiffness matrix.
         std::vector<std::uint32_t> bonds;
         std::shared_ptr<const destruction_detail::BlockFactor> factor;
     };
@@ -184,7 +206,7 @@ private:
         std::vector<Bond> bonds;
         std::vector<Piece> pieces;
     };
-    struct BondedShape {  // of a shape that bonds hold
+    struct BondedShape {  ///< a shape with bonds
         physics::ShapeId shape;
         std::uint32_t destructible = 0, chunk = 0;
     };
@@ -199,7 +221,7 @@ private:
     void visit_limits(physics::StateVisitor& v);
     static void check_destructible(physics::StateVisitor& v, const Destructible& destructible);
 
-    // destruction_loads.cpp: what contacts press.
+    // destruction_loads.cpp: loads from contacts.
     void rebuild_derived_state();
     void update_gravity(const physics::World& world);
     void gather_contacts(const physics::World& world, double dt);
@@ -213,7 +235,7 @@ private:
     const BondedShape* find_bonded_shape(physics::ShapeId shape) const;
     bool is_impact(physics::ShapeId a, physics::ShapeId b) const;
 
-    // destruction_crack.cpp: which bonds break.
+    // destruction_crack.cpp: breaking of bonds.
     void break_all_bonds(const physics::World& world);
     void break_bonds_if_loaded(const physics::World& world, std::uint32_t destructible,
                                std::uint32_t piece,
@@ -233,11 +255,11 @@ private:
     static std::vector<destruction_detail::Group> connected_groups(
         const Destructible& destructible, const destruction_detail::Group& group);
 
-    // destruction_losses.cpp: what others destroyed.
+    // destruction_losses.cpp: bodies and shapes destroyed by others.
     void drop_lost_bodies(const physics::World& world);
     void drop_lost_chunks(const physics::World& world, Destructible& destructible, Piece& piece);
 
-    // destruction_split.cpp: pieces become bodies.
+    // destruction_split.cpp: separation of pieces.
     void split_all_pieces(physics::World& world);
     int split(physics::World& world, Destructible& destructible, std::size_t piece, int most);
     bool is_passing_debris(const Destructible& destructible,
@@ -278,21 +300,23 @@ private:
     void drop_debris(physics::World& world, double dt);
 
     DestructionLimits limits_;
-    physics::Vec3 gravity_;  // when all were last asked
+    physics::Vec3 gravity_;  ///< at the last evaluation of all pieces
     std::vector<Destructible> destructibles_;
     std::vector<destruction_detail::ReversedContact> reversed_contacts_;
 
-    // Derived, or of one step.
+    // Derived, or valid for one step.
     bool derived_ = false;
-    std::vector<BondedShape> bonded_shapes_;  // by shape
+    std::vector<BondedShape> bonded_shapes_;  ///< sorted by shape
     std::vector<destruction_detail::ChunkContact> chunk_contacts_;
-    std::vector<destruction_detail::ChunkLoad> chunk_loads_;  // by chunk; valid for one piece's
-    std::vector<std::pair<physics::BodyId, std::uint32_t>> passing_bodies_;  // bodies, of wholes
-    std::vector<physics::BodyState> reversed_bodies_;  // what got its speed back, before the step
-    std::vector<destruction_detail::PreStepState>
-        pre_step_states_;  // pieces, and what meets them; by body
+    std::vector<destruction_detail::ChunkLoad> chunk_loads_;  ///< by chunk; valid for one piece
+    /// Bodies, and indices of destructibles
+    std::vector<std::pair<physics::BodyId, std::uint32_t>> passing_bodies_;
+    /// State before the step of bodies with reversed impulses
+    std::vector<physics::BodyState> reversed_bodies_;
+    // Pieces and bodies in contact with them, sorted by body.
+    std::vector<destruction_detail::PreStepState> pre_step_states_;
     std::int64_t work_left_ = 0;
-    double max_load_ratio_ = 0;  // of the piece that was asked last, before anything broke
+    double max_load_ratio_ = 0;  ///< of the last evaluated piece, before bonds broke
 };
 
 }  // namespace jostle::modules

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Where the seeds of chunks lie: how a thing looks when it is broken. The same ones for the same
-// number on any machine.
+// Patterns of fracture seeds, which determine the appearance of a broken solid. The results are
+// deterministic and equal on all machines.
 //
-//     uniform    everywhere alike: stone
-//     radial     rings and spokes about a centre, closer towards it: glass
-//     grid       even blocks: masonry
-//     clustered  most of them near a centre, small chunks there and large ones around
+//     uniform    uniformly distributed: stone
+//     radial     rings and spokes about a centre, denser towards it: glass
+//     grid       equal blocks: masonry
+//     clustered  mostly near a centre: small chunks there and large ones around
 //
 // Thread rule: any thread; plain data.
 #pragma once
@@ -21,19 +21,23 @@
 
 namespace jostle::modules {
 
+/// Pattern of seeds.
 enum class SeedPattern : std::uint8_t { uniform, radial, grid, clustered };
 
+/// Parameters of a seed pattern.
 struct SeedPatternOptions {
     SeedPattern pattern = SeedPattern::uniform;
-    int count = 100;  // 1 to chunks_max; a grid and rings take what fits best
+    int count = 100;  ///< 1 to chunks_max; grid and radial use the nearest suitable number
+    /// Seed of the random number generator.
     std::uint64_t seed = 1;
-    // Of radial and clustered; without one the middle of the bounds.
+    /// Centre of radial and clustered patterns, m; the middle of the bounds by default.
     std::optional<physics::Vec3> center = {};
-    double spread = 0.15;  // of a cluster: its radius as a share of the longest side, 0.001 to 1
+    double spread = 0.15;  ///< cluster radius as a fraction of the longest side, 0.001 to 1
 };
 
-// Within bounds whose sides are 2e-4 to 2e4 m. Of uniform and clustered only such as `inside`
-// takes, if there is one; an error when it takes next to none.
+/// Generates seeds in bounds whose sides are 2e-4 to 2e4 m. For uniform and clustered patterns,
+/// `inside` selects the accepted points. invalid_argument names the option that is out of range, or
+/// reports that `inside` accepts too few points.
 physics::Result<std::vector<physics::Vec3>> generate_seeds(
     const physics::Aabb& bounds, const SeedPatternOptions& plan,
     const std::function<bool(physics::Vec3)>& inside = {});

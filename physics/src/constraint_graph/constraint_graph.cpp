@@ -5,7 +5,7 @@
 #include <cstring>
 #include <utility>
 
-#include "physics/src/foundation/check.h"
+#include "jostle/base/check.h"
 #include "physics/src/foundation/tuning.h"
 
 namespace jostle::physics {
@@ -91,10 +91,10 @@ bool is_shared(const ColourSet& set) {
     return set.contacts >= tuning::shared_contacts;
 }
 
-int free_colour(std::uint64_t taken, PairKind kind) {
+int free_colour(std::uint64_t used, PairKind kind) {
     const auto [first, count] = colours_of(kind);
     for (int c = first; c < first + count; c++)
-        if ((taken >> c & 1) == 0) return c;
+        if ((used >> c & 1) == 0) return c;
     return overflow_colours + static_cast<int>(kind);
 }
 

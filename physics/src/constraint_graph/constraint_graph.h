@@ -97,8 +97,8 @@ inline constexpr std::array<int, colour_count> solve_order = make_solve_order();
 // threads would cost more than the work.
 bool is_shared(const ColourSet& set);
 
-// Returns the lowest colour of a kind whose bit is not in `taken`, or that kind's overflow list.
-int free_colour(std::uint64_t taken, PairKind kind);
+// Returns the lowest colour of a kind whose bit is not in `used`, or that kind's overflow list.
+int free_colour(std::uint64_t used, PairKind kind);
 // Contacts between sleeping bodies are not solved, so they need no distinct colours. They are
 // distributed over all colours: a single growing list would reserve much more memory than it needs.
 int asleep_colour(PairKind kind, std::uint32_t contact);

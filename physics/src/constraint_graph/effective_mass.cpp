@@ -48,14 +48,14 @@ void rewrite_effective_mass(const ContactLaneRef& lane_ref, const InverseMass& a
                             const InverseMass& b) {
     ContactConstraintWide& block = *lane_ref.block;
     const int lane = lane_ref.lane;
-    const float before = block.g[0][lane];
+    const float old_mass = block.g[0][lane];
     write_effective_mass(lane_ref,
                          {get_lane(block.normal, lane), get_lane(block.tangent, lane),
                           get_lane(block.arm_a, lane), get_lane(block.arm_b, lane)},
                          a, b);
     // Contact stiffness is proportional to the mass of the bodies. The part of the impulse beyond
     // the mean would jump with the mass, so the mean is adjusted to preserve the load.
-    const float stiffer = before / block.g[0][lane];
+    const float stiffer = old_mass / block.g[0][lane];
     for (int k = 0; k < 4; k++)
         block.mean_impulse[k][lane] =
             block.lambda[k][lane] - stiffer * (block.lambda[k][lane] - block.mean_impulse[k][lane]);

@@ -8,7 +8,7 @@
 
 #include "jostle/physics/joint_defs.h"
 #include "physics/src/constraint_graph/joint_memory.h"
-#include "physics/src/foundation/check.h"
+#include "jostle/base/check.h"
 
 namespace jostle::physics {
 namespace {

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "physics/src/constraint_graph/joint_constraint_wide.h"
-#include "physics/src/foundation/check.h"
+#include "jostle/base/check.h"
 
 namespace jostle::physics {
 

@@ -12,7 +12,7 @@
 
 #include "jostle/physics/vec3.h"
 #include "physics/src/constraint_graph/solver_tier.h"
-#include "physics/src/foundation/check.h"
+#include "jostle/base/check.h"
 
 namespace jostle::physics {
 

@@ -12,7 +12,7 @@
 
 #include "jostle/physics/defs.h"
 #include "jostle/physics/limits.h"
-#include "physics/src/foundation/check.h"
+#include "jostle/base/check.h"
 
 namespace jostle::physics {
 

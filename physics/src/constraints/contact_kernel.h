@@ -413,8 +413,9 @@ PairReport solve_block(ContactConstraintWide& m, ContactConstraintWideMeta& meta
             const Wide soft = max((gap[i] + slop) * splat(set.bias_rate), -push_speed);
             const Wide impulse_scale = select(apart, zero, splat(set.impulse_scale));
             rate[i] = (splat(1) - impulse_scale) / r[i].k;
-            const Wide kept = fma(impulse_scale, load(m.mean_impulse[i]) - lambda[i], lambda[i]);
-            unclamped[i] = fnma(rate[i], vn + select(apart, meet, soft), kept);
+            const Wide retained =
+                fma(impulse_scale, load(m.mean_impulse[i]) - lambda[i], lambda[i]);
+            unclamped[i] = fnma(rate[i], vn + select(apart, meet, soft), retained);
         }
     }
     // Usually no point is squeezed. A squeezed point gives up as much impulse as a soft one.
@@ -500,9 +501,10 @@ PairReport solve_block(ContactConstraintWide& m, ContactConstraintWideMeta& meta
         JOSTLE_UNROLL
         for (int i = 0; i < kPoints; i++) {
             const Wide mean_impulse = load(m.mean_impulse[i]);
-            Wide aim = mean + splat(set.per_point) * (load(m.lambda[i]) - mean);
-            if (any_squeezed) aim = select(is_squeezed(gap[i]), min(aim, mean_impulse), aim);
-            store(m.mean_impulse[i], mean_impulse + splat(set.mean_rate) * (aim - mean_impulse));
+            Wide target = mean + splat(set.per_point) * (load(m.lambda[i]) - mean);
+            if (any_squeezed)
+                target = select(is_squeezed(gap[i]), min(target, mean_impulse), target);
+            store(m.mean_impulse[i], mean_impulse + splat(set.mean_rate) * (target - mean_impulse));
         }
         // Slip, relative rotation and a third of the common rotation (which the normal does not
         // follow) age the manifold. So does a rotation about its only point, because a long body
@@ -560,14 +562,14 @@ void predict_approach(const ContactConstraintWide& m, RestitutionWide& restituti
     const Wide3 u = pair.relative_velocity(), w = pair.relative_spin();
     const Wide u0 = dot(pair.n, u), u1 = dot(pair.t1, w), u2 = dot(pair.t2, w);
     for (int i = 0; i < 4; i++) {
-        const Wide before = load<RestitutionWide>(restitution_wide.approach[i]);
+        const Wide old_approach = load<RestitutionWide>(restitution_wide.approach[i]);
         const Wide now = at_point(load(m.x[i]), load(m.y[i]), u0, u1, u2);
-        const Wide pull = (before - now) * splat(set.inverse_h);
+        const Wide pull = (old_approach - now) * splat(set.inverse_h);
         const Wide gap = max(load(m.gap[i]), splat(0));
-        const Wide square = before * before + (pull + pull) * gap;
-        const WideMask nears = before < splat(0);
+        const Wide square = old_approach * old_approach + (pull + pull) * gap;
+        const WideMask nears = old_approach < splat(0);
         store<RestitutionWide>(restitution_wide.approach[i],
-                               select(nears, -root(max(square, splat(0))), before));
+                               select(nears, -root(max(square, splat(0))), old_approach));
     }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "physics/src/constraints/contact_passes.h"
 
-#include "physics/src/foundation/check.h"
+#include "jostle/base/check.h"
 #include "physics/src/foundation/tuning.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #include "physics/src/constraints/contact_settings.h"
 
 #include "jostle/physics/scalar.h"
-#include "physics/src/foundation/check.h"
+#include "jostle/base/check.h"
 #include "physics/src/foundation/tuning.h"
 
 namespace jostle::physics {

@@ -36,8 +36,8 @@ struct BendOfPrincipal {
 template <class Bend>
 EulerStep euler_step(const Bend& bend, Vec3 w, double dt) {
     // A NaN spin uses one part; quarantine handles it after the step.
-    const double wished = length(w) * absolute(dt) * 4;
-    const int parts = wished >= 1 ? static_cast<int>(minimum(wished, 4000)) + 1 : 1;
+    const double fraction_count = length(w) * absolute(dt) * 4;
+    const int parts = fraction_count >= 1 ? static_cast<int>(minimum(fraction_count, 4000)) + 1 : 1;
     const double h = dt / parts;
     EulerStep result{.rotation = {}, .w = w};
     for (int part = 0; part < parts; part++) {
@@ -77,13 +77,13 @@ EulerStep euler_step(const BodyCold& cold, Vec3 w, double dt) {
     return euler_step(BendOfAny{cold.inertia, cold.inverse_inertia}, w, dt);
 }
 
-Vec3 rotation_vector_between(Quat from, Quat to, Vec3 wished) {
+Vec3 rotation_vector_between(Quat from, Quat to, Vec3 expected) {
     const Quat rotation = to * conjugate(from);
     const Vec3 v{rotation.x, rotation.y, rotation.z};
     const double l = length(v);
-    const Vec3 axis = l > 1e-12 ? v * (1 / l) : normalized(wished);
+    const Vec3 axis = l > 1e-12 ? v * (1 / l) : normalized(expected);
     const double angle = 2 * arc_tangent(l, rotation.w), round = 2 * pi;
-    return axis * (angle + round * std::floor((dot(wished, axis) - angle) / round + 0.5));
+    return axis * (angle + round * std::floor((dot(expected, axis) - angle) / round + 0.5));
 }
 
 bool is_gyroscopic(const BodyWarm& warm, const BodyCold& cold, double dt, double turn) {

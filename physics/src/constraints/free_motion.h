@@ -43,8 +43,9 @@ EulerStep euler_step(const PrincipalRatios& bend, Vec3 w, double dt);
 bool is_gyroscopic(const BodyWarm& warm, const BodyCold& cold, double dt, double turn);
 
 // Constant rotation from one orientation to the other, rad. Among all rotations with that result,
-// returns the one closest to `wished`, so that the number of full turns matches the body's motion.
-Vec3 rotation_vector_between(Quat from, Quat to, Vec3 wished);
+// returns the one closest to `expected`, so that the number of full turns matches the body's
+// motion.
+Vec3 rotation_vector_between(Quat from, Quat to, Vec3 expected);
 
 struct FreeSpin {
     Quat rotation;

@@ -49,9 +49,9 @@ public:
         const Vec3 n = points_[k].normal, before_all = states_[k].speed;
         const double response_n = response(k, n);
         if (!(response_n > 0)) return 0;
-        const double before = load.normal;
-        load.normal = maximum(0, before - (dot(relative(k), n) - load.target) / response_n);
-        push(k, n * (load.normal - before));
+        const double old_impulse = load.normal;
+        load.normal = maximum(0, old_impulse - (dot(relative(k), n) - load.target) / response_n);
+        push(k, n * (load.normal - old_impulse));
         rub(k, load, friction * load.normal);
         return length(states_[k].speed - before_all);
     }
@@ -85,15 +85,15 @@ private:
         const Vec3 along = slip * (1 / speed);
         const double response_t = response(k, along);
         if (!(response_t > 0)) return;
-        Vec3 wished = load.friction - along * (speed / response_t);
-        if (const double size = length(wished); size > most)
-            wished = wished * (size > 0 ? most / size : 0);
+        Vec3 desired = load.friction - along * (speed / response_t);
+        if (const double size = length(desired); size > most)
+            desired = desired * (size > 0 ? most / size : 0);
         // The projection onto the cone changes the impulse in a direction other than the slip.
         // Apply it only as far as it removes energy; the rest would spin up a thin rod.
-        const Vec3 change = wished - load.friction;
+        const Vec3 change = desired - load.friction;
         if (!(length(change) > 1e-12 * most)) return;
-        const double takes = -dot(u, change) / response(k, change);
-        const Vec3 impulse = change * clamp(takes, 0, 1);
+        const double energy_limit = -dot(u, change) / response(k, change);
+        const Vec3 impulse = change * clamp(energy_limit, 0, 1);
         load.friction += impulse;
         push(k, impulse);
     }

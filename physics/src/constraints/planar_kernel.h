@@ -118,12 +118,12 @@ PairReport solve_planar(ContactConstraintWide& m, ContactConstraintWideMeta& met
             // Rolling resistance: about z.
             velocities();
             const Wide k = load(m.g[5]), hold = load(rolling->rolling) * pressing();
-            const Wide before = load(rolling->roll[1]);
-            const Wide after =
-                select(of, max(-hold, min(before - pair.z_sign * w / max(k, splat(1e-30f)), hold)),
-                       before);
-            store(rolling->roll[1], after);
-            pair.apply(zero, zero, pair.z_sign * (after - before));
+            const Wide old_roll = load(rolling->roll[1]);
+            const Wide new_roll = select(
+                of, max(-hold, min(old_roll - pair.z_sign * w / max(k, splat(1e-30f)), hold)),
+                old_roll);
+            store(rolling->roll[1], new_roll);
+            pair.apply(zero, zero, pair.z_sign * (new_roll - old_roll));
         }
         return absolute(unclamped) > limit;
     };
@@ -220,8 +220,9 @@ PairReport solve_planar(ContactConstraintWide& m, ContactConstraintWideMeta& met
         const Wide lambda[2] = {new0, new1};
         for (int i = 0; i < 2; i++) {
             const Wide mean_impulse = load(m.mean_impulse[i]);
-            const Wide aim = mean + splat(set.per_point) * (lambda[i] - mean);
-            store(m.mean_impulse[i], mean_impulse + splat(set.mean_rate) * (aim - mean_impulse));
+            const Wide target_mean = mean + splat(set.per_point) * (lambda[i] - mean);
+            store(m.mean_impulse[i],
+                  mean_impulse + splat(set.mean_rate) * (target_mean - mean_impulse));
         }
         // As in contact_kernel.h, a rotation about its only point also ages the manifold.
         const WideScale scale =

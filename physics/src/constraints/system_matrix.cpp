@@ -4,7 +4,7 @@
 namespace jostle::physics {
 namespace {
 
-std::size_t lane_ref_of(int body) {
+std::size_t body_index(int body) {
     return static_cast<std::size_t>(body);
 }
 
@@ -28,8 +28,8 @@ void add_responses(ConstraintSystem& system) {
     for (std::size_t k = 0; k < count; k++)
         for (int p = 0; p < system.rows[k].jacobian_count; p++) {
             const RowJacobian& row_jacobian = system.rows[k].jacobians[p];
-            if (system.bodies[lane_ref_of(row_jacobian.body)].moves)
-                uses[lane_ref_of(row_jacobian.body)].push_back({k, &row_jacobian});
+            if (system.bodies[body_index(row_jacobian.body)].moves)
+                uses[body_index(row_jacobian.body)].push_back({k, &row_jacobian});
         }
     for (std::size_t body = 0; body < uses.size(); body++)
         for (const Use& from : uses[body]) {
@@ -99,7 +99,7 @@ const char* word_of_role(RowRole role) {
 double rate_now(const ConstraintRow& row, const std::vector<SystemBody>& bodies) {
     double rate = 0;
     for (int p = 0; p < row.jacobian_count; p++) {
-        const SystemBody& body = bodies[lane_ref_of(row.jacobians[p].body)];
+        const SystemBody& body = bodies[body_index(row.jacobians[p].body)];
         rate +=
             dot(row.jacobians[p].linear, body.velocity) + dot(row.jacobians[p].angular, body.spin);
     }
@@ -109,7 +109,7 @@ double rate_now(const ConstraintRow& row, const std::vector<SystemBody>& bodies)
 double rate_by_forces(const ConstraintRow& row, const std::vector<SystemBody>& bodies) {
     double rate = 0;
     for (int p = 0; p < row.jacobian_count; p++) {
-        const SystemBody& body = bodies[lane_ref_of(row.jacobians[p].body)];
+        const SystemBody& body = bodies[body_index(row.jacobians[p].body)];
         rate += dot(row.jacobians[p].linear, body.free_velocity) +
                 dot(row.jacobians[p].angular, body.free_spin);
     }
@@ -120,7 +120,7 @@ double response_of(const ConstraintRow& row, const std::vector<SystemBody>& bodi
     double response = 0;
     for (int p = 0; p < row.jacobian_count; p++) {
         const RowJacobian& row_jacobian = row.jacobians[p];
-        const UnitChange change = change_of(row_jacobian, bodies[lane_ref_of(row_jacobian.body)]);
+        const UnitChange change = change_of(row_jacobian, bodies[body_index(row_jacobian.body)]);
         response += dot(row_jacobian.linear, change.v) + dot(row_jacobian.angular, change.w);
     }
     return response;
@@ -154,7 +154,7 @@ std::vector<double> ConstraintSystem::jacobian() const {
     for (std::size_t k = 0; k < rows.size(); k++)
         for (int p = 0; p < rows[k].jacobian_count; p++) {
             const RowJacobian& row_jacobian = rows[k].jacobians[p];
-            const std::size_t first = k * columns + 6 * lane_ref_of(row_jacobian.body);
+            const std::size_t first = k * columns + 6 * body_index(row_jacobian.body);
             add_vector(dense, first, row_jacobian.linear);
             add_vector(dense, first + 3, row_jacobian.angular);
         }

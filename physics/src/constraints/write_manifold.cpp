@@ -5,7 +5,7 @@
 
 #include "physics/src/constraint_graph/effective_mass.h"
 #include "physics/src/constraint_graph/wide_rows.h"
-#include "physics/src/foundation/check.h"
+#include "jostle/base/check.h"
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/state/contact_constraints.h"
 #include "physics/src/state/contact_modifiers.h"
@@ -52,32 +52,33 @@ struct Loads {
 Loads redistribute_loads(const PreviousImpulses& old, const Manifold& m, Vec3 center, double reach,
                          bool even) {
     Loads loads;
-    bool taken[4] = {}, assigned[4] = {};
-    const auto way2 = [&](int i, int j) {
+    bool consumed[4] = {}, assigned[4] = {};
+    const auto distance2 = [&](int i, int j) {
         return length_squared(old.point[j] - (m.point[i] - center));
     };
-    const auto give = [&](int i, int j) {
+    const auto transfer = [&](int i, int j) {
         loads.lambda[i] += old.lambda[j];
         loads.mean_impulse[i] += old.mean_impulse[j];
-        taken[j] = assigned[i] = true;
+        consumed[j] = assigned[i] = true;
     };
     for (int i = 0; i < m.count; i++) {
         double nearest = reach * reach;
         int best = -1;
         for (int j = 0; j < old.count; j++)
-            if (!taken[j] && way2(i, j) < nearest) {
-                nearest = way2(i, j);
+            if (!consumed[j] && distance2(i, j) < nearest) {
+                nearest = distance2(i, j);
                 best = j;
             }
-        if (best >= 0) give(i, best);
+        if (best >= 0) transfer(i, best);
     }
     for (int j = 0; j < old.count; j++) {
-        if (taken[j] || (old.lambda[j] == 0 && old.mean_impulse[j] == 0)) continue;
+        if (consumed[j] || (old.lambda[j] == 0 && old.mean_impulse[j] == 0)) continue;
         int best = 0;
         for (int i = 1; i < m.count; i++)
-            if (assigned[i] == assigned[best] ? way2(i, j) < way2(best, j) : assigned[best])
+            if (assigned[i] == assigned[best] ? distance2(i, j) < distance2(best, j)
+                                              : assigned[best])
                 best = i;
-        give(best, j);
+        transfer(best, j);
     }
     if (even) {
         double sum = 0;
@@ -197,9 +198,9 @@ void write_manifold(WorldState& world, const Contact& contact, const Manifold& m
     const Vec3 center_a = warm_of(world, contact.body_a).center,
                center_b = warm_of(world, contact.body_b).center;
 
-    const SupportExtent footing =
+    const SupportExtent support =
         support_extent(m, has_rim(world, contact), scale_of_pair(world.bodies, contact));
-    const Vec3 centre = footing.centre;
+    const Vec3 centre = support.centre;
     const Vec3 n = m.normal;
     const Vec3 t1 = world.def.planar
                         ? Vec3{-n.y, n.x, 0}
@@ -226,7 +227,7 @@ void write_manifold(WorldState& world, const Contact& contact, const Manifold& m
         block.gap[i][lane] = used ? as_float(m.gap[i]) : no_point;
         block.lambda[i][lane] = as_float(loads.lambda[i]);
         block.mean_impulse[i][lane] = as_float(loads.mean_impulse[i]);
-        if (footing.bearing[i]) friction_radius += square_root(x * x + y * y) / footing.count;
+        if (support.bearing[i]) friction_radius += square_root(x * x + y * y) / support.count;
     }
     block.friction_radius[lane] =
         as_float(maximum(friction_radius, patch_of(world.shapes, contact)));

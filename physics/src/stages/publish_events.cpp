@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "physics/src/constraint_graph/wide_rows.h"
-#include "physics/src/foundation/check.h"
+#include "jostle/base/check.h"
 
 namespace jostle::physics {
 namespace {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "physics/src/stages/step_world.h"
 
-#include "physics/src/foundation/check.h"
+#include "jostle/base/check.h"
 #include "physics/src/foundation/size_scale.h"
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/stages/contacts/begin_contacts.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "physics/src/stages/update_step_budget.h"
 
-#include "physics/src/foundation/check.h"
+#include "jostle/base/check.h"
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/state/impulse_scale.h"
 

@@ -80,12 +80,12 @@ void DynamicTree::link(std::int32_t leaf) {
     }
     const Box box = bounds_of(child);
     Child sibling = root_;
-    Box taken = bounds_of(root_);
+    Box sibling_box = bounds_of(root_);
     std::int32_t parent = null_node;
     while (!is_leaf(sibling)) {
         const Node& n = node(sibling);
-        const float together = half_area(unite(taken, box));
-        const float here = 2 * together, inherited = 2 * (together - half_area(taken));
+        const float together = half_area(unite(sibling_box, box));
+        const float here = 2 * together, inherited = 2 * (together - half_area(sibling_box));
         // Exact cost for a leaf and a lower bound for an inner node: the growth of the box, plus
         // the new node at the bottom, which is at least as large as the inserted box (as in Box2D
         // 3). Without the second term, coincident boxes would never be paired and would form a
@@ -102,14 +102,14 @@ void DynamicTree::link(std::int32_t leaf) {
         int side = first < second ? 0 : 1;
         if (first == second) side = height_of(n.child[0]) <= height_of(n.child[1]) ? 0 : 1;
         parent = sibling;
-        taken = n.box[side];
+        sibling_box = n.box[side];
         sibling = n.child[side];
     }
     const std::int32_t made = allocate_node();
     Node& n = node(made);
     n.child[0] = sibling;
     n.child[1] = child;
-    n.box[0] = taken;
+    n.box[0] = sibling_box;
     n.box[1] = box;
     n.categories[0] = categories_of(sibling);
     n.categories[1] = categories_of(child);

@@ -42,7 +42,7 @@ void UniformGrid::for_each_cell(const Range& r, Visit&& visit) const {
             for (std::int64_t z = r.low[2]; z <= r.high[2]; z++) visit(key_of(x, y, z));
 }
 
-void UniformGrid::put_in(std::int32_t handle) {
+void UniformGrid::insert_into_cells(std::int32_t handle) {
     Entry& e = entries_[static_cast<std::size_t>(handle)];
     const Range r = range_of(e.box);
     e.large = r.count() > cells_max;
@@ -52,7 +52,7 @@ void UniformGrid::put_in(std::int32_t handle) {
         for_each_cell(r, [&](std::uint64_t key) { cells_[key].push_back(handle); });
 }
 
-void UniformGrid::take_out(std::int32_t handle) {
+void UniformGrid::remove_from_cells(std::int32_t handle) {
     const Entry& e = entries_[static_cast<std::size_t>(handle)];
     const auto drop = [&](std::vector<std::int32_t>& list) {
         const auto found = std::find(list.begin(), list.end(), handle);
@@ -79,12 +79,12 @@ std::int32_t UniformGrid::insert(const Aabb& box, std::uint32_t item, std::uint3
         free_.pop_back();
     }
     entries_[static_cast<std::size_t>(handle)] = {box, item, category, true, false};
-    put_in(handle);
+    insert_into_cells(handle);
     return handle;
 }
 
 void UniformGrid::remove(std::int32_t handle) {
-    take_out(handle);
+    remove_from_cells(handle);
     entries_[static_cast<std::size_t>(handle)] = {};
     free_.push_back(handle);
 }
@@ -98,9 +98,9 @@ void UniformGrid::move(std::int32_t handle, const Aabb& box) {
         e.box = box;
         return;
     }
-    take_out(handle);
+    remove_from_cells(handle);
     e.box = box;
-    put_in(handle);
+    insert_into_cells(handle);
 }
 
 // Recomputes the cell size when the number of boxes has doubled or halved since the last choice.
@@ -128,7 +128,7 @@ void UniformGrid::flush() {
     cells_.clear();
     large_.clear();
     for (std::size_t k = 0; k < entries_.size(); k++)
-        if (entries_[k].alive) put_in(static_cast<std::int32_t>(k));
+        if (entries_[k].alive) insert_into_cells(static_cast<std::int32_t>(k));
 }
 
 void UniformGrid::query(const Aabb& box, std::uint32_t mask,

@@ -38,8 +38,8 @@ private:
     };
     Range range_of(const Aabb& box) const;
     static std::uint64_t key_of(std::int64_t x, std::int64_t y, std::int64_t z);
-    void put_in(std::int32_t handle);
-    void take_out(std::int32_t handle);
+    void insert_into_cells(std::int32_t handle);
+    void remove_from_cells(std::int32_t handle);
     template <class Visit>
     void for_each_cell(const Range& range, Visit&& visit) const;
 

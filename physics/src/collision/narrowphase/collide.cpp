@@ -4,7 +4,7 @@
 #include "physics/src/collision/narrowphase/collide_boxes.h"
 #include "physics/src/collision/narrowphase/collide_plane.h"
 #include "physics/src/collision/narrowphase/collide_round.h"
-#include "physics/src/foundation/check.h"
+#include "jostle/base/check.h"
 
 namespace jostle::physics {
 namespace {

@@ -41,15 +41,15 @@ public:
     // `key` is smaller for boxes nearer to the path of the centre, and for earlier boxes. A single
     // branch is accepted without further tests, because its children are tested.
     unsigned operator()(const BoxLanes& boxes, bool leaf, Float4& key) const {
-        const unsigned meets = overlapping(overlap_, boxes);
-        if (meets == 0 || (!leaf && (meets & (meets - 1)) == 0)) return meets;
+        const unsigned overlaps = overlapping(overlap_, boxes);
+        if (overlaps == 0 || (!leaf && (overlaps & (overlaps - 1)) == 0)) return overlaps;
         Float4 d[3];  // from the box to the centre
         for (int k = 0; k < 3; k++)
             d[k] = end_[k] - larger4(smaller4(end_[k], boxes.high[k]), boxes.low[k]);
         const Float4 along = times(d, ahead_), squared = times(d, d);
         key = squared - along * along - earlier_ * along;
         const Mask4 apart = (squared > extent(d, squared)) & (along <= splat4(0));
-        return meets & ~lanes_set(apart);
+        return overlaps & ~lanes_set(apart);
     }
 
 private:

@@ -186,8 +186,8 @@ Gap gap_of(const GjkResult& g, const SweptShape& a, const SweptShape& b, double 
             origin + (g.on_a + n * radius_a + g.on_b - n * radius_b) * 0.5, turn};
 }
 
-Convex convex_at(const SweptShape& shape, const TransformedShape& placed, Vec3 origin) {
-    Convex c = convex_of(placed, origin);
+Convex convex_at(const SweptShape& shape, const TransformedShape& transformed, Vec3 origin) {
+    Convex c = convex_of(transformed, origin);
     if (shape.scale == 1) return c;
     const Vec3 middle = middle_of(c);
     c.position = middle + (c.position - middle) * shape.scale;
@@ -414,9 +414,9 @@ bool stays_separated(const SweptShape& surface, const SweptShape& moving, const 
     if (area2 == 0) return false;
     const Vec3 front = triangle.axes * (out * (1 / square_root(area2)));
     const double plane = dot(triangle.position + triangle.axes * corner[0], front);
-    const double before = dot(support(shape, -front), front) - shape.radius - plane;
+    const double in_front = dot(support(shape, -front), front) - shape.radius - plane;
     const double behind = plane - dot(support(shape, front), front) - shape.radius;
-    const Gap now{maximum(before, behind), before > behind ? front : -front, {}, {}};
+    const Gap now{maximum(in_front, behind), in_front > behind ? front : -front, {}, {}};
     if (now.distance <= wider.gap) return false;
     return safe_step(surface, moving, now, interval.from, wider, 0,
                      extent_of(triangle, origin - center_at(surface.sweep, interval.from)),

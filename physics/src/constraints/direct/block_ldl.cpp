@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "physics/src/foundation/check.h"
+#include "jostle/base/check.h"
 
 namespace jostle::physics {
 namespace {
@@ -13,17 +13,17 @@ constexpr int max_block_rows = BlockLdl::max_rows;
 // rows.
 constexpr double dependent_pivot = 1e-10;
 
-// Inverts a pivot block of n rows by its own L D L^T. `kept`: its diagonal before the elimination.
-// Returns the number of dependent rows.
-int invert_pivot(const double* block, int n, const double* kept, double* inverse) {
+// Inverts a pivot block of n rows by its own L D L^T. `original`: its diagonal before the
+// elimination. Returns the number of dependent rows.
+int invert_pivot(const double* block, int n, const double* original, double* inverse) {
     double lower[max_block_rows][max_block_rows] = {}, pivot[max_block_rows],
            reciprocal[max_block_rows], x[max_block_rows][max_block_rows] = {};
     int skipped_rows = 0;
     for (int j = 0; j < n; j++) {
         double d = block[j * n + j];
         for (int k = 0; k < j; k++) d -= lower[j][k] * lower[j][k] * pivot[k];
-        const bool bad = !(d > dependent_pivot * kept[j]);
-        skipped_rows += bad && kept[j] > 0 ? 1 : 0;
+        const bool bad = !(d > dependent_pivot * original[j]);
+        skipped_rows += bad && original[j] > 0 ? 1 : 0;
         pivot[j] = bad ? 0 : d;
         reciprocal[j] = bad ? 0 : 1 / d;
         for (int i = j + 1; i < n; i++) {
@@ -50,11 +50,12 @@ int invert_pivot(const double* block, int n, const double* kept, double* inverse
 }
 
 // Inverts a block of three rows by cofactors if the rows are far from dependent.
-bool invert_three(const double* m, const double* kept, double* inverse) {
+bool invert_three(const double* m, const double* original, double* inverse) {
     const double a = m[0], b = m[3], c = m[6], d = m[4], e = m[7], f = m[8];
     const double m0 = d * f - e * e, m1 = c * e - b * f, m2 = b * e - c * d;
     const double determinant = a * m0 + b * m1 + c * m2;
-    if (!(determinant > 1e-7 * kept[0] * kept[1] * kept[2] && a > 0 && m0 > 0)) return false;
+    if (!(determinant > 1e-7 * original[0] * original[1] * original[2] && a > 0 && m0 > 0))
+        return false;
     const double s = 1 / determinant;
     inverse[0] = m0 * s;
     inverse[1] = inverse[3] = m1 * s;
@@ -80,9 +81,9 @@ int BlockLdl::factor_columns() {
         const int nk = kRows != 0 ? kRows : rows_[as_index(k)];
         double* const pivot = values_.data() + diagonal_[as_index(k)];
         double* const inverse = inverse_.data() + as_index(k) * max_values;
-        const double* const kept = kept_.data() + begin_[as_index(k)];
-        if (kRows != 3 || !invert_three(pivot, kept, inverse))
-            skipped_rows += invert_pivot(pivot, nk, kept, inverse);
+        const double* const original = original_diagonal_.data() + begin_[as_index(k)];
+        if (kRows != 3 || !invert_three(pivot, original, inverse))
+            skipped_rows += invert_pivot(pivot, nk, original, inverse);
         const int first = first_below_[as_index(k)], count = first_below_[as_index(k) + 1] - first;
         if (count == 0) continue;
         // The column is copied. L = column D^-1 overwrites it.
@@ -129,7 +130,7 @@ int BlockLdl::factor_columns() {
 int BlockLdl::factor() {
     for (int k = 0; k < nodes(); k++)
         for (int i = 0; i < rows_[as_index(k)]; i++)
-            kept_[as_index(begin_[as_index(k)] + i)] =
+            original_diagonal_[as_index(begin_[as_index(k)] + i)] =
                 values_[as_index(diagonal_[as_index(k)] + i * rows_[as_index(k)] + i)];
     return same_rows_ == 3   ? factor_columns<3>()
            : same_rows_ == 5 ? factor_columns<5>()

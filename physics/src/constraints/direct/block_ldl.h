@@ -115,7 +115,7 @@ private:
     std::vector<std::vector<int>> filled_;  // positions below each node
     std::vector<Below> below_;
     std::vector<Update> updates_;
-    std::vector<double> values_, inverse_, kept_, column_;
+    std::vector<double> values_, inverse_, original_diagonal_, column_;
     std::vector<int> column_at_;
     std::int64_t work_ = 0;
     int same_rows_ = 0;  // rows of every node, or 0 if they differ

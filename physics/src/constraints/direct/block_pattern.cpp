@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "physics/src/constraints/direct/block_ldl.h"
-#include "physics/src/foundation/check.h"
+#include "jostle/base/check.h"
 
 namespace jostle::physics {
 namespace {
@@ -54,14 +54,14 @@ std::vector<int> BlockLdl::order_by_degree(std::span<const int> rows_of_node,
         // The elimination couples all neighbours of the node.
         for (const int a : others) {
             std::vector<int>& list = near[as_index(a)];
-            const std::size_t before = list.size();
+            const std::size_t old_size = list.size();
             merged.clear();
             std::set_union(list.begin(), list.end(), others.begin(), others.end(),
                            std::back_inserter(merged));
             std::erase_if(merged, [&](int other) { return other == node || other == a; });
             list.swap(merged);
-            if (list.size() == before) continue;
-            queue.erase({before, a});
+            if (list.size() == old_size) continue;
+            queue.erase({old_size, a});
             queue.insert({list.size(), a});
         }
     }
@@ -129,7 +129,7 @@ void BlockLdl::lay_out() {
     first_update_[n] = static_cast<int>(updates_.size());
     values_.assign(as_index(size), 0);
     inverse_.assign(n * max_values, 0);
-    kept_.assign(as_index(rows()), 0);
+    original_diagonal_.assign(as_index(rows()), 0);
 }
 
 bool BlockLdl::analyze(std::span<const int> rows_of_node, std::span<const Edge> edges,
@@ -159,7 +159,7 @@ int BlockLdl::find(int row, int column) const {
     const auto first = below_.begin() + first_below_[as_index(column)];
     const auto last = below_.begin() + first_below_[as_index(column) + 1];
     const auto found = std::lower_bound(
-        first, last, row, [](const Below& b, int wanted) { return b.position < wanted; });
+        first, last, row, [](const Below& b, int target) { return b.position < target; });
     ASSERT(found != last && found->position == row);
     return found->at;
 }

@@ -8,7 +8,7 @@
 
 namespace jostle::physics {
 // Applies an impulse along a free axis, whether or not its row is active.
-void DirectGroup::give(DirectJoint& joint, const FreeAxis& free_axis, double impulse) {
+void DirectGroup::apply_impulse(DirectJoint& joint, const FreeAxis& free_axis, double impulse) {
     DirectBody &a = bodies[as_index(joint.a)], &b = bodies[as_index(joint.b)];
     const Vec3 linear = free_axis.linear * impulse, about_b = free_axis.angular_b * impulse;
     a.p -= linear;
@@ -54,7 +54,7 @@ void DirectGroup::damp_springs() {
         speed = rate_of(free_axis, bodies[as_index(joint.a)], bodies[as_index(joint.b)]);
     });
     each([&](DirectJoint& joint, FreeAxis& free_axis, double& speed) {
-        give(joint, free_axis, -free_axis.damper * speed);
+        apply_impulse(joint, free_axis, -free_axis.damper * speed);
         speed = 0;
     });
 }
@@ -136,7 +136,7 @@ bool DirectGroup::enforce_bounds(DirectJoint& joint, const double* value, double
                 free_axis.actuation = 2 * p + 2;
             else
                 continue;
-            if (time != 0) give(joint, free_axis, time * free_axis.push());
+            if (time != 0) apply_impulse(joint, free_axis, time * free_axis.push());
         } else {
             continue;
         }
@@ -167,13 +167,13 @@ bool DirectGroup::reach_limits(double h, double time) {
                 free_axis.at_limit = 0;
                 continue;
             }
-            const int before = free_axis.actuation;
+            const int old_actuation = free_axis.actuation;
             actuation_on_limit(free_axis);
             if (free_axis.at_limit == 0) continue;
             joint.target[row] = excess;
             free_axis.overrun = is_overrun(free_axis);
-            if (time != 0 && free_axis.actuation != before)
-                give(joint, free_axis, time * free_axis.push());
+            if (time != 0 && free_axis.actuation != old_actuation)
+                apply_impulse(joint, free_axis, time * free_axis.push());
             set_row(joint, row);
             changed = true;
         }

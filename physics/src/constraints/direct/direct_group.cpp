@@ -76,15 +76,15 @@ void DirectGroup::restore(int depth) {
 }
 
 // Nearly redundant rows can pull with arbitrary force: a net whose joints hold at the end of a step
-// may move at any speed. This shows as an energy gain since `before`.
-bool DirectGroup::has_burst(double h, const Saved& before) {
+// may move at any speed. This shows as an energy gain since `start`.
+bool DirectGroup::has_burst(double h, const Saved& start) {
     if (!looped_ || !smooth_ || sprung_) return false;
     double had = 0, has = 0, work = 0, scale = 0;  // J; sums over the kinetic energy
     for (std::size_t k = 0; k < bodies.size(); k++) {
         const DirectBody& body = bodies[k];
         if (!body.pushed && body.v == Vec3{} && body.w == Vec3{}) continue;
         if (!body.pushed) return false;  // driven bodies do work
-        const SavedBody& was = before.bodies[k];
+        const SavedBody& was = start.bodies[k];
         const Vec3 spin_then = rotate(conjugate(was.q), was.l);
         const Vec3 kick = body.force * h, twist = body.torque * h;
         had += 0.5 * dot(was.p, was.p) * body.inverse_mass +
@@ -180,11 +180,11 @@ void DirectGroup::advance(double dt, int substeps) {
 int DirectGroup::parts_of(double dt, int substeps) {
     if (damped_ || actuated_ || outside != nullptr || substeps < 5 || (!smooth_ && is_on_limit()))
         return 0;
-    const double wanted = spring_rate_ * dt / followed_spring;
+    const double required = spring_rate_ * dt / followed_spring;
     // For a large group the cost would exceed the benefit for its oscillations.
     const double many = maximum(1, static_cast<double>(joints.size()) / springs_followed);
-    if (wanted * many > max_spring_parts) return 0;
-    return static_cast<int>(maximum(substeps / 5, wanted + 1));
+    if (required * many > max_spring_parts) return 0;
+    return static_cast<int>(maximum(substeps / 5, required + 1));
 }
 
 // Fallback: kick, velocities that satisfy the joints and reduce their errors, drift, velocities

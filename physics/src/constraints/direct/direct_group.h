@@ -84,7 +84,7 @@ private:
     void step(double h, int depth);
     int parts_of(double dt, int substeps);
     bool compose(double h);
-    bool has_burst(double h, const Saved& before);
+    bool has_burst(double h, const Saved& start);
     double fastest_turn() const;  // rad/s
     double tolerance(double h) const;
     void save(int depth);
@@ -109,7 +109,7 @@ private:
     void project_velocities(double h, double bias, bool save_forces = true);
 
     // ---- direct_bounds.cpp ----
-    void give(DirectJoint& joint, const FreeAxis& free_axis, double impulse);
+    void apply_impulse(DirectJoint& joint, const FreeAxis& free_axis, double impulse);
     void set_springs();
     void damp_springs();
     void soften_springs(double h);

@@ -72,9 +72,9 @@ double free_axis_error(const FreeAxis& free_axis, double value, double impulse, 
     if (free_axis.at_limit != 0)
         return value - (free_axis.at_limit > 0 ? free_axis.lower : free_axis.upper);
     if (free_axis.is_held()) {
-        const double gone = value - free_axis.start;
-        return free_axis.is_linear() ? gone - free_axis.hold_speed() * h
-                                     : wrapped(wrapped(gone) - free_axis.hold_speed() * h);
+        const double travelled = value - free_axis.start;
+        return free_axis.is_linear() ? travelled - free_axis.hold_speed() * h
+                                     : wrapped(wrapped(travelled) - free_axis.hold_speed() * h);
     }
     if (!free_axis.implicit) return 0;
     const double share = end_share(free_axis, h);

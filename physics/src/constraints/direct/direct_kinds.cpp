@@ -3,7 +3,7 @@
 // Converts the joint kinds to rows and free axes.
 #include "physics/src/constraints/direct/direct_joint.h"
 #include "physics/src/constraints/joints/axes_layout.h"
-#include "physics/src/foundation/check.h"
+#include "jostle/base/check.h"
 
 namespace jostle::physics {
 namespace {

@@ -5,7 +5,7 @@
 #include "physics/src/constraints/direct/direct_group.h"
 #include "physics/src/constraints/direct/free_turn.h"
 #include "physics/src/constraints/free_motion.h"
-#include "physics/src/foundation/check.h"
+#include "jostle/base/check.h"
 #include "physics/src/foundation/tuning.h"
 
 namespace jostle::physics {
@@ -46,7 +46,7 @@ void DirectGroup::kick(double h, bool second) {
         for (const FreeAxis& free_axis : joint.free_axes) {
             const double push =
                 free_axis.push() - free_axis.stiffness * stretch_of(free_axis, free_axis.value);
-            if (push != 0) give(joint, free_axis, 0.5 * h * push);
+            if (push != 0) apply_impulse(joint, free_axis, 0.5 * h * push);
         }
 }
 

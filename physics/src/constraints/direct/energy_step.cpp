@@ -137,8 +137,9 @@ void DirectGroup::add_known_pushes(double h) {
             double push = free_axis.push();
             DirectBody &a = bodies[as_index(joint.a)], &b = bodies[as_index(joint.b)];
             if (free_axis.bound && free_axis.rate > 0) {
-                const double gone = free_axis.at_limit == 0 ? free_axis.hold_speed() * h : 0;
-                push -= free_axis.stiffness * stretch_of(free_axis, free_axis.start + 0.5 * gone);
+                const double travelled = free_axis.at_limit == 0 ? free_axis.hold_speed() * h : 0;
+                push -=
+                    free_axis.stiffness * stretch_of(free_axis, free_axis.start + 0.5 * travelled);
             }
             if (push == 0) continue;
             free_axis.applied = h * push;
@@ -246,7 +247,7 @@ void DirectGroup::correct(double h, bool again) {
 
 bool DirectGroup::solve_energy_positions(double h, double tolerance) {
     begin_energy_step(h);
-    double before = 1e300, first = 0, enough = tolerance;
+    double last_error = 1e300, first = 0, enough = tolerance;
     bool again = true;
     for (int round = 0;; round++) {
         const double error = residual_of(h, true);
@@ -258,8 +259,8 @@ bool DirectGroup::solve_energy_positions(double h, double tolerance) {
         if (round == max_energy_corrections || !(error < 1e6))
             return error < 30 * tolerance ||
                    (!smooth_ && error <= first && error_of_holding() < 30 * tolerance);
-        again = round < 1 || error > slow_contraction * before;
-        before = error;
+        again = round < 1 || error > slow_contraction * last_error;
+        last_error = error;
         correct(h, again);
     }
 }

@@ -32,16 +32,16 @@ bool DirectGroup::solve_positions(double h, double tolerance) {
             joint.impulse[k] = joint.off[as_index(k)] ? 0 : h * joint.force[k];
         push(joint, joint.impulse);
     }
-    double before = 1e300, first = 0;
+    double last_error = 1e300, first = 0;
     for (int round = 0;; round++) {
         for (DirectBody& body : bodies) drift(body, h);
         const double error = measure_all(h);
         if (error < tolerance) return true;
         if (round == 0) first = error;
-        if (round == max_position_corrections || !(error < 4 * before))
+        if (round == max_position_corrections || !(error < 4 * last_error))
             return error < 30 * tolerance ||
                    (!smooth_ && error <= first && error_of_holding() < 30 * tolerance);
-        before = error;
+        last_error = error;
         for (std::size_t k = 0; k < joints.size(); k++) {
             double* const to = right_side_.data() + matrix_.row_of(static_cast<int>(k));
             for (int r = 0; r < joints[k].rows(); r++) to[r] = -joints[k].error[r] / h;

@@ -124,7 +124,7 @@ struct AxesKernel {
 
     static void warm_start(JointPair& pair, JointConstraintWide& block, JointAxesWide& t,
                            unsigned uses) {
-        pair.meet_at_b();
+        pair.apply_at_b();
         set_carrier(pair, t);
         Axes axes(pair, t);
         if ((uses & uses_curve) != 0) axes.bend(load(t.curvature));
@@ -157,7 +157,7 @@ struct AxesKernel {
     template <bool kRelax>
     static JointLoad solve(JointPair& pair, const JointStep& step, JointConstraintWide& block,
                            JointAxesWide& t, unsigned uses) {
-        pair.meet_at_b();
+        pair.apply_at_b();
         set_carrier(pair, t);
         Axes axes(pair, t);
         if ((uses & uses_curve) != 0) axes.bend(load(t.curvature));

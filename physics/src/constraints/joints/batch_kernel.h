@@ -126,10 +126,10 @@ void solve_batch(const BatchView& batch, SolverBody* bodies, const JointStep& st
         Wide3 w = load_symmetric(body.inverse_inertia) * load3(body.w);
         if constexpr (kPass == BatchPass::first) w = w + load3(body.turned);
         if (body.any_along) w = rotate(conjugate(axes_of(body)), w);
-        alignas(32) float nobody[sizeof(SolverBody) / sizeof(float)];
+        alignas(32) float discarded[sizeof(SolverBody) / sizeof(float)];
         float* to[8];
         for (int lane = 0; lane < 8; lane++)
-            to[lane] = rows[lane][6] > 0 ? const_cast<float*>(rows[lane]) : nobody;
+            to[lane] = rows[lane][6] > 0 ? const_cast<float*>(rows[lane]) : discarded;
         // Joint impulses count as non-contact changes: see SolverBody::free.
         constexpr int changed[] = {0, 24};
         for (const int row : changed) {

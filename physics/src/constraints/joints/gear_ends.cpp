@@ -22,7 +22,7 @@ double unwrapped(double angle, double expected) {
 
 using End = GearTerms::End;
 
-Vec3 lane_ref_of(const JointEnd& end) {
+Vec3 anchor_of(const JointEnd& end) {
     return end.center + end.arm;
 }
 
@@ -32,11 +32,11 @@ End turning(const JointEnd& end, const Carrier& carrier, double scale) {
 
 End sliding(const JointEnd& end, const Carrier& carrier, double scale) {
     const Vec3 axis = rotate(end.frame, {0, 0, 1});
-    return {false, scale, axis, travel_against(lane_ref_of(end), axis, carrier)};
+    return {false, scale, axis, travel_against(anchor_of(end), axis, carrier)};
 }
 
 End hanging(const JointEnd& end, Vec3 from, double scale) {
-    const Vec3 apart = lane_ref_of(end) - from;
+    const Vec3 apart = anchor_of(end) - from;
     const double long_is = length(apart);
     return {false, scale, long_is > 1e-9 ? apart * (1 / long_is) : Vec3{0, -1, 0}, long_is,
             long_is};
@@ -91,13 +91,13 @@ GearTerms gear_terms(const Joint& joint, const JointEnd& a, const JointEnd& b,
             double sign = k == end ? 1 : 0;
             if (pulley == nullptr && slots[end + 2] == k) sign -= 1;
             row.sign[k] = sign;
-            row.arm[k] = lane_ref_of(*ends[end]) - centers[k];
+            row.arm[k] = anchor_of(*ends[end]) - centers[k];
         }
         if (pulley == nullptr) {
             const std::vector<double>& memory = joint.memory;
-            const double before = memory[static_cast<std::size_t>(GearMemory::travel_a + end)];
+            const double last_travel = memory[static_cast<std::size_t>(GearMemory::travel_a + end)];
             if (memory[GearMemory::measured] != 0 && row.turns)
-                row.travel = unwrapped(row.travel, before);
+                row.travel = unwrapped(row.travel, last_travel);
         }
         terms.sum += row.scale * row.travel;
     }

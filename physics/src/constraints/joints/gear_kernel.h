@@ -99,11 +99,11 @@ struct GearKernel {
         const Wide want = rate * select(stiff, one, s.velocity_scale) +
                           select(slack, error * splat(step.inverse_h),
                                  select(over, max(min(push, most), -most), push));
-        const Wide before = load(t.impulse);
-        Wide now = before - want * inverse_above(effect, none) -
-                   select(stiff, none, s.impulse_scale) * before;
+        const Wide old_impulse = load(t.impulse);
+        Wide now = old_impulse - want * inverse_above(effect, none) -
+                   select(stiff, none, s.impulse_scale) * old_impulse;
         now = select(rope, min(now, none), now);
-        gear.apply(rows, now - before);
+        gear.apply(rows, now - old_impulse);
         gear.store();
         jostle::physics::JOSTLE_ISA::store(t.impulse, now);
         if constexpr (kRelax) {

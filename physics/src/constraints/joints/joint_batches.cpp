@@ -6,7 +6,7 @@
 #include <utility>
 #include <variant>
 
-#include "physics/src/foundation/check.h"
+#include "jostle/base/check.h"
 #include "physics/src/foundation/tuning.h"
 
 namespace jostle::physics {

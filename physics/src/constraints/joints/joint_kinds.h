@@ -60,14 +60,14 @@ JOSTLE_INLINE void drive_turn(JointPair& pair, JointAngularWide& t, Wide3& impul
     const Wide one = splat(1), zero = splat(0);
     const Wide3 units[] = {{one, zero, zero}, {zero, one, zero}, {zero, zero, one}};
     const WideSymmetric points = pair.point_matrix(), own = pair.turn_matrix();
-    Wide3 parts[3], back[3];
+    Wide3 parts[3], reactions[3];
     for (int k = 0; k < 3; k++) {
         parts[k] = pair.parted_by(units[k]);
-        back[k] = solve3(points, parts[k]);
+        reactions[k] = solve3(points, parts[k]);
     }
     const WideSoft s = spring_of<kRelax>(t.spring_soft);
     const auto held = [&](int i, int k, Wide m) {
-        return (m - dot(parts[i], back[k])) * s.velocity_scale + m * s.impulse_scale;
+        return (m - dot(parts[i], reactions[k])) * s.velocity_scale + m * s.impulse_scale;
     };
     const WideSymmetric matrix{held(0, 0, own.xx), held(1, 1, own.yy), held(2, 2, own.zz),
                                held(0, 1, own.xy), held(0, 2, own.xz), held(1, 2, own.yz)};
@@ -78,10 +78,11 @@ JOSTLE_INLINE void drive_turn(JointPair& pair, JointAngularWide& t, Wide3& impul
     const WideMask strong = size > most;
     target = target * select(strong, most / select(strong, size, splat(1)), splat(1));
     const Wide3 change = target - impulse;
-    const Wide3 answer = -(back[0] * change.x + back[1] * change.y + back[2] * change.z);
+    const Wide3 reaction =
+        -(reactions[0] * change.x + reactions[1] * change.y + reactions[2] * change.z);
     pair.apply_angular(change);
-    pair.push(answer);
-    point = point + answer;
+    pair.push(reaction);
+    point = point + reaction;
     impulse = target;
     pair.store_impulse(t.angular, impulse);
 }
@@ -328,12 +329,12 @@ struct JointKernel<VelocityRow> {
     JOSTLE_INLINE static JointLoad solve(JointPair& pair, const JointStep&, JointConstraintWide&,
                                          VelocityRowWide& t, unsigned) {
         const Jacobian jacobian(pair, t);
-        const Wide softness = load(t.softness), before = load(t.impulse);
+        const Wide softness = load(t.softness), old = load(t.impulse);
         const Wide target = kRelax ? load(t.speed) : load(t.speed) - load(t.bias);
         const Wide response = inverse_above(jacobian.effective(pair) + softness, splat(0));
-        const Wide error = jacobian.rate(pair) + softness * before - target;
-        const Wide now = max(min(before - error * response, load(t.upper)), load(t.lower));
-        jacobian.apply(pair, now - before);
+        const Wide error = jacobian.rate(pair) + softness * old - target;
+        const Wide now = max(min(old - error * response, load(t.upper)), load(t.lower));
+        jacobian.apply(pair, now - old);
         store(t.impulse, now);
         return {jacobian.linear_b * now,
                 (jacobian.angular_b - cross(pair.b.arm, jacobian.linear_b)) * now};
@@ -360,14 +361,14 @@ struct JointKernel<GrabJoint> {
             hold_rotation(pair, spring_of<kRelax>(t.spring_soft), {zero, zero, zero}, angular);
             pair.store_impulse(t.angular, angular);
         }
-        const Wide3 before = point;
+        const Wide3 old = point;
         Wide3 target = point;
         JointPair tried = pair;
         hold_points(tried, spring_of<kRelax>(t.point_soft), target);
         const Wide size = root(dot(target, target)), most = load(t.motor_most);
         const WideMask strong = size > most;
         point = target * select(strong, most / select(strong, size, splat(1)), splat(1));
-        pair.push(point - before);
+        pair.push(point - old);
         pair.store_impulse(block.point, point);
         return {point, angular};
     }

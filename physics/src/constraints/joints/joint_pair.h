@@ -118,9 +118,10 @@ struct JointSide {
         const Wide3 spin = any_along ? rotate(conjugate(along), w) : w;
         state[3] = spin.x, state[4] = spin.y, state[5] = spin.z;
         // Bodies that joints cannot push may be in several blocks at once, so they are not written.
-        alignas(32) float nobody[8];
+        alignas(32) float discarded[8];
         float* to[8];
-        for (int k = 0; k < 8; k++) to[k] = rows[k][6] > 0 ? const_cast<float*>(rows[k]) : nobody;
+        for (int k = 0; k < 8; k++)
+            to[k] = rows[k][6] > 0 ? const_cast<float*>(rows[k]) : discarded;
         store_rows(to, state);
     }
     JOSTLE_INLINE Wide3 push(Wide3 p) const {
@@ -148,7 +149,7 @@ struct JointPair {
     }
     // Moves a's point of application and anchor velocity to b's anchor. Rows along a's axes are
     // then rates of that point in a's frame.
-    JOSTLE_INLINE void meet_at_b() { a.arm = a.arm + apart; }
+    JOSTLE_INLINE void apply_at_b() { a.arm = a.arm + apart; }
     JOSTLE_INLINE Wide3 to_world(const float (*impulse)[8]) const {
         return rotate(carried, load3(impulse));
     }
@@ -304,7 +305,7 @@ struct WideRow {
 // as the bodies' inertia about the point exceeds their own inertia.
 struct HeldRow {
     static constexpr bool angular = true;
-    Wide3 direction, back;  // of the rotation; of the point's response
+    Wide3 direction, point_response;  // of the rotation; of the point's response
     Wide response;
     Wide own;  // speed per impulse without the point
     Wide3& point;
@@ -312,16 +313,16 @@ struct HeldRow {
     JOSTLE_INLINE HeldRow(const JointPair& pair, Wide3 axis, Wide3& impulse)
         : direction(axis), point(impulse) {
         const Wide3 parts = pair.parted_by(axis);
-        back = solve3(pair.point_matrix(), parts);
+        point_response = solve3(pair.point_matrix(), parts);
         own = dot(axis, pair.turn_matrix() * axis);
-        response = inverse_above(own - dot(parts, back), own * splat(1e-4f));
+        response = inverse_above(own - dot(parts, point_response), own * splat(1e-4f));
     }
     JOSTLE_INLINE Wide speed(const JointPair& pair) const { return dot(direction, pair.spin()); }
     JOSTLE_INLINE void apply(JointPair& pair, Wide impulse) const {
-        const Wide3 answer = -(back * impulse);
+        const Wide3 reaction = -(point_response * impulse);
         pair.apply_angular(direction * impulse);
-        pair.push(answer);
-        point = point + answer;
+        pair.push(reaction);
+        point = point + reaction;
     }
 };
 
@@ -335,13 +336,14 @@ JOSTLE_INLINE void limit_row(JointPair& pair, const JointStep& step, const Row& 
     // The distance to the limit may be used up within the sub-step, but not exceeded.
     const Wide most = Row::angular ? s.push_spin : s.push_speed, push = left * s.position_rate;
     const WideMask over = push < -max_push(s, most), soft = ~free & ~over;
-    const Wide before = load(stored);
+    const Wide old_impulse = load(stored);
     const Wide toward = row.speed(pair) * splat(sign);
     const Wide want = toward * select(soft, s.velocity_scale, splat(1)) +
                       select(free, left * splat(step.inverse_h), select(over, -most, push));
     const Wide now = max(
-        before - want * row.response - select(soft, s.impulse_scale, splat(0)) * before, splat(0));
-    row.apply(pair, (now - before) * splat(sign));
+        old_impulse - want * row.response - select(soft, s.impulse_scale, splat(0)) * old_impulse,
+        splat(0));
+    row.apply(pair, (now - old_impulse) * splat(sign));
     store(stored, now);
 }
 
@@ -349,14 +351,15 @@ JOSTLE_INLINE void limit_row(JointPair& pair, const JointStep& step, const Row& 
 template <bool kAngular>
 JOSTLE_INLINE void spring_row(JointPair& pair, const WideRow<kAngular>& row, const WideSoft& s,
                               Wide error, Wide strongest, float* stored) {
-    const Wide before = load(stored);
+    const Wide old_impulse = load(stored);
     const Wide most = kAngular ? s.push_spin : s.push_speed, push = error * s.position_rate;
     const WideMask over = absolute(push) > max_push(s, most);
     const Wide want = row.speed(pair) * select(over, splat(1), s.velocity_scale) +
                       select(over, max(min(push, most), -most), push);
-    const Wide wished = -(want * row.response) - select(over, splat(0), s.impulse_scale) * before;
-    const Wide now = max(min(before + wished, strongest), -strongest);
-    const Wide d = select(absolute(before + wished) > strongest, now - before, wished);
+    const Wide desired =
+        -(want * row.response) - select(over, splat(0), s.impulse_scale) * old_impulse;
+    const Wide now = max(min(old_impulse + desired, strongest), -strongest);
+    const Wide d = select(absolute(old_impulse + desired) > strongest, now - old_impulse, desired);
     store(stored, now);
     row.apply(pair, d);
 }
@@ -365,23 +368,25 @@ JOSTLE_INLINE void spring_row(JointPair& pair, const WideRow<kAngular>& row, con
 // the point.
 JOSTLE_INLINE void spring_row(JointPair& pair, const HeldRow& row, const WideSoft& s, Wide error,
                               Wide strongest, float* stored) {
-    const Wide before = load(stored);
+    const Wide old_impulse = load(stored);
     const Wide soft = row.own * s.impulse_scale;
-    const Wide want = row.speed(pair) * s.velocity_scale + error * s.position_rate + soft * before;
+    const Wide want =
+        row.speed(pair) * s.velocity_scale + error * s.position_rate + soft * old_impulse;
     const Wide held = inverse_above(row.response, splat(0));
-    const Wide wished = before - want * inverse_above(held * s.velocity_scale + soft, splat(0));
-    const Wide now = max(min(wished, strongest), -strongest);
+    const Wide desired =
+        old_impulse - want * inverse_above(held * s.velocity_scale + soft, splat(0));
+    const Wide now = max(min(desired, strongest), -strongest);
     store(stored, now);
-    row.apply(pair, now - before);
+    row.apply(pair, now - old_impulse);
 }
 
 // Drives the row's speed to the target with at most `most` per sub-step.
 template <class Row>
 JOSTLE_INLINE void motor_row(JointPair& pair, const Row& row, Wide speed, Wide most,
                              float* stored) {
-    const Wide before = load(stored);
-    const Wide now = max(min(before - (row.speed(pair) - speed) * row.response, most), -most);
-    row.apply(pair, now - before);
+    const Wide old_impulse = load(stored);
+    const Wide now = max(min(old_impulse - (row.speed(pair) - speed) * row.response, most), -most);
+    row.apply(pair, now - old_impulse);
     store(stored, now);
 }
 

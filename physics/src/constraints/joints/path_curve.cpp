@@ -102,7 +102,7 @@ double distance2_at(const PathJoint& path, double at, Vec3 point) {
 
 }  // namespace
 
-PathPoint lane_ref_at(const PathJoint& path, double at) {
+PathPoint path_point_at(const PathJoint& path, double at) {
     const Parameter p = split(path, at);
     const Jet jet = jet_of(path, p.piece, p.t);
     const Vec3 tangent = tangent_of(path, p.piece, jet);
@@ -142,7 +142,7 @@ PathPoint nearest_path_point(const PathJoint& path, Vec3 point, double guess) {
         }
         if (!better || absolute(step) < 1e-12) break;
     }
-    return lane_ref_at(path, at);
+    return path_point_at(path, at);
 }
 
 PathPoint nearest_path_point(const PathJoint& path, Vec3 point) {
@@ -154,8 +154,8 @@ PathPoint nearest_path_point(const PathJoint& path, Vec3 point) {
     return nearest_path_point(path, point, best);
 }
 
-double parameter_step(const PathJoint& path, double before, double at) {
-    const double pieces = pieces_of(path), step = at - before;
+double parameter_step(const PathJoint& path, double previous, double at) {
+    const double pieces = pieces_of(path), step = at - previous;
     return path.closed ? step - pieces * std::floor(step / pieces + 0.5) : step;
 }
 

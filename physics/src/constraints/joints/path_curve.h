@@ -19,9 +19,9 @@ struct PathPoint {
 // The point of the curve nearest to `point`: near the parameter `guess`, or on the whole curve.
 PathPoint nearest_path_point(const PathJoint& path, Vec3 point, double guess);
 PathPoint nearest_path_point(const PathJoint& path, Vec3 point);
-PathPoint lane_ref_at(const PathJoint& path, double at);
-// Parameter difference from `before` to `at`, the shorter direction on a closed path.
-double parameter_step(const PathJoint& path, double before, double at);
+PathPoint path_point_at(const PathJoint& path, double at);
+// Parameter difference from `previous` to `at`, the shorter direction on a closed path.
+double parameter_step(const PathJoint& path, double previous, double at);
 double length_of(const PathJoint& path);  // m
 
 }  // namespace jostle::physics

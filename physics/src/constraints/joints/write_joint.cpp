@@ -142,7 +142,7 @@ void write_joint(const Joint& joint, const JointEnd& a, const JointEnd& b, doubl
         // The circle that approximates the curve in this step touches it in the middle of b's
         // displacement.
         if (path->smooth)
-            path_point = lane_ref_at(
+            path_point = path_point_at(
                 *path, path_point->at + maximum(-0.5, minimum(memory[PathMemory::step] / 2, 0.5)));
         arm_a += rotate(a.frame, path_point->position);
     }

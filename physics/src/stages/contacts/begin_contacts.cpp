@@ -5,7 +5,7 @@
 #include <tuple>
 
 #include "physics/src/constraints/write_manifold.h"
-#include "physics/src/foundation/check.h"
+#include "jostle/base/check.h"
 #include "physics/src/stages/contacts/call_contact_listeners.h"
 #include "physics/src/stages/step_scratch.h"
 #include "physics/src/state/contact_constraints.h"
@@ -27,7 +27,7 @@ Skipped begin_contacts(StepContext& step) {
     };
     std::sort(begins.begin(), begins.end(),
               [&](const NewContact& x, const NewContact& y) { return key(x) < key(y); });
-    const bool asks = has_pre_solve_listeners(world.listeners);
+    const bool has_listeners = has_pre_solve_listeners(world.listeners);
     for (const NewContact& next : begins) {
         ASSERT(next.task < scratch.tasks.size());
         const NarrowPhaseTask& task = scratch.tasks[next.task];
@@ -53,7 +53,7 @@ Skipped begin_contacts(StepContext& step) {
         ASSERT(manifold->count >= 1 && manifold->count <= 4);
         add_contact(world, contact, manifold->count == 1);
         write_manifold(world, world.contacts.contacts[contact], *manifold, true);
-        if (asks && modify_contact(world, contact))
+        if (has_listeners && modify_contact(world, contact))
             write_manifold(world, world.contacts.contacts[contact], *manifold, true);
     }
     begins.clear();

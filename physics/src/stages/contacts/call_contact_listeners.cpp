@@ -3,7 +3,7 @@
 
 #include "jostle/physics/step_listener.h"
 #include "physics/src/constraint_graph/wide_rows.h"
-#include "physics/src/foundation/check.h"
+#include "jostle/base/check.h"
 #include "physics/src/state/contact_constraints.h"
 #include "physics/src/state/contact_modifiers.h"
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "physics/src/foundation/check.h"
+#include "jostle/base/check.h"
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/stages/continuous/ccd_policy.h"
 #include "physics/src/stages/step_scratch.h"
@@ -58,11 +58,11 @@ void merge_clusters(ContactScratch& scratch, const BodyCold& a, const BodyCold& 
         scratch.cluster_edges.push_back({a.at, b.at});
         if (other < cluster) std::swap(cluster, other);
         if (other != cluster) {
-            BodyCluster &into = scratch.clusters[cluster], &gone = scratch.clusters[other];
-            gone.cluster_parent = cluster;
-            into.bodies += gone.bodies;
-            into.held |= gone.held;
-            into.fastest = maximum(into.fastest, gone.fastest);
+            BodyCluster &into = scratch.clusters[cluster], &absorbed = scratch.clusters[other];
+            absorbed.cluster_parent = cluster;
+            into.bodies += absorbed.bodies;
+            into.held |= absorbed.held;
+            into.fastest = maximum(into.fastest, absorbed.fastest);
         }
     } else {
         scratch.clusters[cluster].held = true;
@@ -119,7 +119,7 @@ void merge_neighbours(const StepContext& step, ContactScratch& scratch, bool pre
 class Rows {
 public:
     explicit Rows(const ContactScratch& scratch)
-        : first_(scratch.cluster_of.size() + 1, 0), steps_(scratch.cluster_of.size(), not_seen) {
+        : first_(scratch.cluster_of.size() + 1, 0), steps_(scratch.cluster_of.size(), unvisited) {
         for (const auto& [a, b] : scratch.cluster_edges) first_[a]++, first_[b]++;
         std::uint32_t sum = 0;
         for (std::uint32_t& end : first_) end = sum += end;
@@ -129,41 +129,41 @@ public:
     }
 
     int longest_from(std::uint32_t body) {
-        static_cast<void>(walk_from(body));
+        static_cast<void>(traverse_from(body));
         body = furthest();
-        const int most = walk_from(body);
-        for (const std::uint32_t k : seen_) steps_[k] = not_seen;
+        const int most = traverse_from(body);
+        for (const std::uint32_t k : visited_) steps_[k] = unvisited;
         return most + 1;
     }
 
 private:
-    static constexpr int not_seen = -1;
+    static constexpr int unvisited = -1;
 
     // Distance to the furthest body, in edges.
-    int walk_from(std::uint32_t body) {
-        for (const std::uint32_t k : seen_) steps_[k] = not_seen;
-        seen_.assign(1, body);
+    int traverse_from(std::uint32_t body) {
+        for (const std::uint32_t k : visited_) steps_[k] = unvisited;
+        visited_.assign(1, body);
         steps_[body] = 0;
-        for (std::size_t k = 0; k < seen_.size(); k++)
-            for (std::uint32_t n = first_[seen_[k]]; n < first_[seen_[k] + 1]; n++) {
-                if (steps_[neighbours_[n]] != not_seen) continue;
-                steps_[neighbours_[n]] = steps_[seen_[k]] + 1;
-                seen_.push_back(neighbours_[n]);
+        for (std::size_t k = 0; k < visited_.size(); k++)
+            for (std::uint32_t n = first_[visited_[k]]; n < first_[visited_[k] + 1]; n++) {
+                if (steps_[neighbours_[n]] != unvisited) continue;
+                steps_[neighbours_[n]] = steps_[visited_[k]] + 1;
+                visited_.push_back(neighbours_[n]);
             }
-        return steps_[seen_.back()];
+        return steps_[visited_.back()];
     }
     // The lowest index among equally distant bodies, so that the traversal order does not matter.
     std::uint32_t furthest() const {
-        std::uint32_t best = seen_.back();
-        for (const std::uint32_t k : seen_)
-            if (steps_[k] == steps_[seen_.back()]) best = std::min(best, k);
+        std::uint32_t best = visited_.back();
+        for (const std::uint32_t k : visited_)
+            if (steps_[k] == steps_[visited_.back()]) best = std::min(best, k);
         return best;
     }
 
     std::vector<std::uint32_t> first_;  // by awake body: start of its range in neighbours_
     std::vector<std::uint32_t> neighbours_;
-    std::vector<int> steps_;           // by awake body, in the traversal
-    std::vector<std::uint32_t> seen_;  // in traversal order
+    std::vector<int> steps_;              // by awake body, in the traversal
+    std::vector<std::uint32_t> visited_;  // in traversal order
 };
 
 // The fraction of energy that each impact must retain so that, after `impacts` impacts with the

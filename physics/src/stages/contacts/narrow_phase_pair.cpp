@@ -6,7 +6,7 @@
 #include "physics/src/collision/narrowphase/collide.h"
 #include "physics/src/collision/narrowphase/collide_planar.h"
 #include "physics/src/constraints/write_manifold.h"
-#include "physics/src/foundation/check.h"
+#include "jostle/base/check.h"
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/stages/contacts/pair_motion.h"
 #include "physics/src/stages/contacts/predicted_pair.h"
@@ -174,13 +174,13 @@ void narrow_phase_composite(StepContext& step, NarrowPhaseTask& task) {
     const double scale = scale_of_pair(world.bodies, c);
     task.near = closing_reach(world.bodies, c, displacement) + tuning::composite_slack * scale;
     const bool swept = will_be_swept(step, c, displacement);
-    std::optional<double> pre_solve_contact;
+    std::optional<double> contact_time;
     if (swept && uses_speculative_contact(step, c.shape_a, c.shape_b))
-        pre_solve_contact = time_to_contact(world, c, dt);
-    const double time = pre_solve_contact && *pre_solve_contact > 0
-                            ? *pre_solve_contact
+        contact_time = time_to_contact(world, c, dt);
+    const double time = contact_time && *contact_time > 0
+                            ? *contact_time
                             : midpoint_time(world, c, displacement, dt);
-    const double way_ahead = displacement * time / dt;
+    const double lookahead = displacement * time / dt;
     std::vector<ChildManifold> children;
     const PredictedPair pair(world, c, time);
     // Pairs that move by more than the slack are tested again in the next step. Until then only the
@@ -195,8 +195,8 @@ void narrow_phase_composite(StepContext& step, NarrowPhaseTask& task) {
         task.done = true;  // unchanged
         return;
     }
-    for (ChildManifold& child : children) pair.rewind_manifold(child.manifold, way_ahead);
-    task.near = surface_motion ? 0 : task.near - way_ahead;
+    for (ChildManifold& child : children) pair.rewind_manifold(child.manifold, lookahead);
+    task.near = surface_motion ? 0 : task.near - lookahead;
     ASSERT(task.list >= 0 && task.list < scratch.child_list_count);
     std::vector<FoundChild>& found = scratch.children[static_cast<std::size_t>(task.list)];
     found.clear();
@@ -205,15 +205,14 @@ void narrow_phase_composite(StepContext& step, NarrowPhaseTask& task) {
     for (const ChildManifold& child : children) {
         if (may_bounce) {
             const bool touches = is_touching(world, c, child.key);
-            const bool meets = will_bounce(step, c, child.manifold, touches);
-            task.bounces |= meets;
-            if (meets || stays_apart(world, c, child.manifold, touches, dt)) {
+            const bool will_touch = will_bounce(step, c, child.manifold, touches);
+            task.bounces |= will_touch;
+            if (will_touch || stays_apart(world, c, child.manifold, touches, dt)) {
                 task.near = minimum(task.near, 0);
                 continue;
             }
         }
-        if (swept && !pre_solve_contact && child.manifold.distance > tuning::touch_gap * scale)
-            continue;
+        if (swept && !contact_time && child.manifold.distance > tuning::touch_gap * scale) continue;
         found.push_back({child, expected_gap(world, c, child.manifold, dt), none});
         task.predicted_gap = minimum(task.predicted_gap, found.back().predicted_gap);
     }
@@ -260,12 +259,12 @@ Manifold predicted_manifold(const StepContext& step, Contact& c) {
         const double most = closing_along(world, c, near.normal) + closing_by_turning(world, c);
         if (now.count == 0 && near.normal != Vec3{} && near.gap - most * dt >= predicted)
             return now;
-        const std::optional<double> pre_solve_contact =
+        const std::optional<double> contact_time =
             swept ? time_to_contact(world, c, dt) : std::optional(0.0);
-        if (!pre_solve_contact) return now;
-        if (*pre_solve_contact > 0)
+        if (!contact_time) return now;
+        if (*contact_time > 0)
             return within(predicted,
-                          PredictedPair(world, c, minimum(dt, *pre_solve_contact + past / most)));
+                          PredictedPair(world, c, minimum(dt, *contact_time + past / most)));
     } else if (!c.touching) {
         near = approach_of(world, c);
     }

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "physics/src/foundation/check.h"
+#include "jostle/base/check.h"
 #include "physics/src/foundation/prefetch.h"
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/stages/step_scratch.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "physics/src/stages/continuous/find_sweep_candidates.h"
 
-#include "physics/src/foundation/check.h"
+#include "jostle/base/check.h"
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/stages/contacts/find_clusters.h"
 #include "physics/src/stages/continuous/ccd_policy.h"
@@ -31,7 +31,7 @@ public:
             scratch_.manifolds[k].clear();
         }
         const auto& bounds = world_.contacts.bounds;
-        take(
+        collect(
             bounds.size(), [&](std::size_t k) { return bounds[k].contact; },
             [&](std::size_t k) { return ends_within(bounds[k]); });
         std::vector<std::uint32_t>& held = scratch_.with_manifold;
@@ -41,7 +41,7 @@ public:
                 for (const std::uint32_t contact : meta.contact)
                     if (contact != none) held.push_back(contact);
         });
-        take(
+        collect(
             held.size(), [&](std::size_t k) { return held[k]; },
             [&](std::size_t k) { return ends_held(world_.contacts.contacts[held[k]]); });
     }
@@ -73,7 +73,7 @@ private:
 
     // Tests pairs in parallel and records the results in order.
     template <class ContactOf, class EndsOf>
-    void take(std::size_t count, ContactOf&& contact_of, EndsOf&& ends) {
+    void collect(std::size_t count, ContactOf&& contact_of, EndsOf&& ends) {
         std::vector<std::uint8_t>& found = scratch_.ends;
         found.resize(count);
         step_.thread_pool.run(static_cast<int>(count), tuning::bound_grain,

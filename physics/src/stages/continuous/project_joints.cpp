@@ -20,7 +20,7 @@ constexpr int joint_rows = 3;
 struct ProjectedBody {
     std::uint32_t body = none;
     bool held = false;
-    bool transformed_shape = false;  // held by that alone
+    bool placed = false;  // held only because an impact placed it
     Vec3 center, start;
     Quat rotation;
     Mat3 axes, inverse_inertia;
@@ -36,12 +36,12 @@ struct ProjectedJoint {
 // A group of bodies connected by point joints.
 class JointProjection {
 public:
-    JointProjection(const WorldState& world, std::vector<std::uint8_t>& seen)
-        : world_(world), seen_(seen) {}
+    JointProjection(const WorldState& world, std::vector<std::uint8_t>& visited)
+        : world_(world), visited_(visited) {}
 
-    void find(std::uint32_t body, std::span<const std::uint32_t> transformed_shape) {
+    void find(std::uint32_t body, std::span<const std::uint32_t> placed) {
         std::vector<std::uint32_t> open{body}, joints;
-        seen_[body] = 1;
+        visited_[body] = 1;
         while (!open.empty()) {
             const std::uint32_t at = open.back();
             open.pop_back();
@@ -50,16 +50,15 @@ public:
                 if (!holds_point(joint.kind)) return;
                 joints.push_back(index);
                 for (const std::uint32_t other : {joint.body_a, joint.body_b}) {
-                    if (!is_dynamic(world_, other) || seen_[other] != 0) continue;
-                    seen_[other] = 1;
+                    if (!is_dynamic(world_, other) || visited_[other] != 0) continue;
+                    visited_[other] = 1;
                     open.push_back(other);
                 }
             });
         }
         std::sort(joints.begin(), joints.end());
         joints.erase(std::unique(joints.begin(), joints.end()), joints.end());
-        for (const std::uint32_t index : joints)
-            add(world_.joints.joints[index], transformed_shape);
+        for (const std::uint32_t index : joints) add(world_.joints.joints[index], placed);
     }
 
     double widest() {
@@ -98,7 +97,7 @@ public:
             matrix_, system_blocks_);
     }
 
-    void take_back() {
+    void move_back() {
         assemble();
         matrix_.factor();
         std::vector<double> x(as_index(matrix_.rows()));
@@ -132,7 +131,7 @@ public:
         const std::vector<ProjectedBody> previous = bodies_;
         const double left = widest();
         for (int round = 0; round < rounds; round++) {
-            take_back();
+            move_back();
             if (widest() < close_enough()) break;
         }
         clamp_displacements();
@@ -142,7 +141,7 @@ public:
     // Retries with the bodies placed by impacts movable, if the others could not close the joints.
     void project_with_placed() {
         for (ProjectedBody& body : bodies_)
-            if (body.transformed_shape) body.held = false;
+            if (body.placed) body.held = false;
         if (prepare()) close();
     }
 
@@ -171,7 +170,7 @@ private:
             body.axes * world_.bodies.cold[body.body].inverse_inertia * transpose(body.axes);
     }
 
-    int number_of(std::uint32_t body, std::span<const std::uint32_t> transformed_shape) {
+    int number_of(std::uint32_t body, std::span<const std::uint32_t> placed) {
         for (std::size_t k = bodies_.size();
              k-- > 0;)  // backwards: usually the previous joint has the body
             if (bodies_[k].body == body && body != none) return static_cast<int>(k);
@@ -185,9 +184,8 @@ private:
             to.rotation = warm.rotation;
             to.held = cold.type != BodyType::dynamic || cold.set != BodySet::awake ||
                       cold.asleep_in_place || cold.locks != 0;
-            to.transformed_shape = !to.held && std::binary_search(transformed_shape.begin(),
-                                                                  transformed_shape.end(), body);
-            to.held |= to.transformed_shape;
+            to.placed = !to.held && std::binary_search(placed.begin(), placed.end(), body);
+            to.held |= to.placed;
             to.inverse_mass = cold.inverse_mass;
             turn(to);
         } else {
@@ -197,14 +195,14 @@ private:
         return static_cast<int>(bodies_.size()) - 1;
     }
 
-    void add(const Joint& joint, std::span<const std::uint32_t> transformed_shape) {
+    void add(const Joint& joint, std::span<const std::uint32_t> placed) {
         const auto arm = [&](std::uint32_t body, const Transform& frame) {
             return body == none ? frame.position
                                 : frame.position - world_.bodies.cold[body].local_center;
         };
         ProjectedJoint to;
-        to.ends.a = number_of(joint.body_a, transformed_shape);
-        to.ends.b = number_of(joint.body_b, transformed_shape);
+        to.ends.a = number_of(joint.body_a, placed);
+        to.ends.b = number_of(joint.body_b, placed);
         to.local_a = arm(joint.body_a, joint.frame_a);
         to.local_b = arm(joint.body_b, joint.frame_b);
         joints_.push_back(to);
@@ -233,7 +231,7 @@ private:
     }
 
     const WorldState& world_;
-    std::vector<std::uint8_t>& seen_;
+    std::vector<std::uint8_t>& visited_;
     std::vector<ProjectedBody> bodies_;
     std::vector<ProjectedJoint> joints_;
     std::vector<JointSystemBlock> system_blocks_;
@@ -242,17 +240,17 @@ private:
 
 }  // namespace
 
-void project_joints(StepContext& step, std::span<const std::uint32_t> transformed_shape) {
+void project_joints(StepContext& step, std::span<const std::uint32_t> placed) {
     WorldState& world = step.world;
     if (world.joints.ids.alive_count() == 0) return;
-    ASSERT(std::is_sorted(transformed_shape.begin(), transformed_shape.end()));
-    std::vector<std::uint8_t> seen;
-    for (const std::uint32_t body : transformed_shape) {
+    ASSERT(std::is_sorted(placed.begin(), placed.end()));
+    std::vector<std::uint8_t> visited;
+    for (const std::uint32_t body : placed) {
         if (world.bodies.cold[body].first_joint == none) continue;
-        if (seen.empty()) seen.resize(world.bodies.cold.size());
-        if (seen[body] != 0) continue;
-        JointProjection group(world, seen);
-        group.find(body, transformed_shape);
+        if (visited.empty()) visited.resize(world.bodies.cold.size());
+        if (visited[body] != 0) continue;
+        JointProjection group(world, visited);
+        group.find(body, placed);
         if (group.widest() < group.close_enough() || !group.prepare()) continue;
         if (!group.close()) group.project_with_placed();
         group.apply_poses(world, step.dt);

@@ -13,10 +13,10 @@
 
 namespace jostle::physics {
 
-// `placed`: bodies that impacts have placed, which stay where they are as long as the others can
-// close the joints; what cannot be pushed stays in any case. Writes: poses of bodies that joints
-// tie to them. A body goes back by no more than half of its thinnest shape's inner radius: so
-// nothing passes through anything; what is left is the solver's.
-void project_joints(StepContext& step, std::span<const std::uint32_t> transformed_shape);
+// `placed`: sorted bodies that impacts have placed. They stay where they are if the others can
+// close the joints; bodies that cannot be pushed never move. Writes: poses of bodies jointed to
+// them. Moves a body by at most half of its inner radius, so that it cannot pass through another.
+// The solver corrects the remaining error.
+void project_joints(StepContext& step, std::span<const std::uint32_t> placed);
 
 }  // namespace jostle::physics

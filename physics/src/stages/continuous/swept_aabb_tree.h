@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "physics/src/collision/broadphase/dynamic_tree.h"
-#include "physics/src/foundation/check.h"
+#include "jostle/base/check.h"
 
 namespace jostle::physics {
 

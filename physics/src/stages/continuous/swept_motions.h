@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "physics/src/collision/narrowphase/time_of_impact.h"
-#include "physics/src/foundation/check.h"
+#include "jostle/base/check.h"
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/stages/continuous/ccd_policy.h"
 #include "physics/src/stages/step_context.h"

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "physics/src/constraints/free_motion.h"
-#include "physics/src/foundation/check.h"
+#include "jostle/base/check.h"
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/state/contact_constraints.h"
 #include "physics/src/state/shape_proxy.h"
@@ -30,7 +30,7 @@ bool is_gyroscopic(const BodyCold& cold) {
 }
 
 // Computes the leg that begins at sweep.from, for a body on which only forces act from there on.
-void aim(const WorldState& world, ToiBody& t, double dt) {
+void start_leg(const WorldState& world, ToiBody& t, double dt) {
     const BodyCold& cold = world.bodies.cold[t.body];
     const double from = t.sweep.from, left = 1 - from;
     t.swept_shapes.known = false;
@@ -97,7 +97,7 @@ void begin_toi(const WorldState& world, ToiBody& t, const BodyWarm& previous, do
     t.spin_at = 0;
     t.spin = previous.w;
     t.spin_rotation = previous.rotation;
-    aim(world, t, dt);
+    start_leg(world, t, dt);
 }
 
 void next_leg(const WorldState& world, ToiBody& t, double dt) {
@@ -110,7 +110,7 @@ void next_leg(const WorldState& world, ToiBody& t, double dt) {
     t.sweep.rotation = t.spin_rotation = free.rotation;
     t.sweep.from = t.spin_at = at;
     t.spin = free.w;
-    aim(world, t, dt);
+    start_leg(world, t, dt);
 }
 
 void depart(const WorldState& world, ToiBody& t, double fraction, const Departure& from,
@@ -136,9 +136,9 @@ void depart(const WorldState& world, ToiBody& t, double fraction, const Departur
         t.sweep.translation = {};
         return;
     }
-    const double way = (length(from.v) + length(from.w) * cold.radius) * time;
-    t.fast |= cold.continuous && way > tuning::sweep_fraction * cold.inner_radius;
-    aim(world, t, dt);
+    const double displacement = (length(from.v) + length(from.w) * cold.radius) * time;
+    t.fast |= cold.continuous && displacement > tuning::sweep_fraction * cold.inner_radius;
+    start_leg(world, t, dt);
 }
 
 bool is_exhausted(const ToiBody& t) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "physics/src/stages/finalize/finalize.h"
 
-#include "physics/src/foundation/check.h"
+#include "jostle/base/check.h"
 #include "physics/src/foundation/tuning.h"
 
 #include "physics/src/stages/finalize/finalize_body.h"
@@ -54,15 +54,15 @@ Skipped finalize(StepContext& step) {
             buffer_move(world, s);
         }
     }
-    const auto tell_trees = [&shapes = world.shapes, &moves] {
+    const auto update_trees = [&shapes = world.shapes, &moves] {
         shapes.moving->move_all(moves);
         shapes.moving->flush();
     };
     // The trees are not queried before the sweeps. A few moves take less time than waking a thread.
     if (moves.size() >= tuning::async_moves_min)
-        step.thread_pool.start(tell_trees);
+        step.thread_pool.start(update_trees);
     else if (!moves.empty())
-        tell_trees();
+        update_trees();
     return ran;
 }
 

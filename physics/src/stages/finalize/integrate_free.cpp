@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <span>
 
-#include "physics/src/foundation/check.h"
+#include "jostle/base/check.h"
 #include "physics/src/foundation/tuning.h"
 
 #include "physics/src/constraints/free_motion.h"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "physics/src/foundation/check.h"
+#include "jostle/base/check.h"
 #include "physics/src/stages/step_scratch.h"
 #include "physics/src/state/contact_constraints.h"
 #include "physics/src/state/shape_proxy.h"

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "physics/src/foundation/check.h"
+#include "jostle/base/check.h"
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/stages/step_scratch.h"
 #include "physics/src/state/island_tiers.h"
@@ -78,12 +78,12 @@ struct Group {
 std::vector<Group> find_groups(const WorldState& world, const CoupledIslands& coupled,
                                const std::vector<std::uint32_t>& weights, SolverTier tier) {
     std::vector<Group> groups;
-    std::vector<bool> seen(weights.size(), false);  // by first island of a group
+    std::vector<bool> visited(weights.size(), false);  // by first island of a group
     for (std::uint32_t i = 0; i < weights.size(); i++) {
         if (weights[i] == 0 || world.islands.islands[i].colour_set.tier != tier) continue;
         const std::span<const std::uint32_t> islands = coupled.group_of(i);
-        if (seen[islands.front()]) continue;
-        seen[islands.front()] = true;
+        if (visited[islands.front()]) continue;
+        visited[islands.front()] = true;
         Group& group = groups.emplace_back(Group{islands});
         for (const std::uint32_t island : group.islands) group.weight += weights[island];
     }

@@ -7,7 +7,7 @@
 #include <tuple>
 #include <vector>
 
-#include "physics/src/foundation/check.h"
+#include "jostle/base/check.h"
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/stages/step_scratch.h"
 #include "physics/src/state/island_tiers.h"
@@ -86,13 +86,13 @@ bool is_held(const BodyCold& cold) {
 std::vector<CoupledGroup> find_active_groups(const WorldState& world,
                                              const CoupledIslands& coupled) {
     std::vector<CoupledGroup> groups;
-    std::vector<bool> seen(world.islands.islands.size(), false);  // by first island of a group
+    std::vector<bool> visited(world.islands.islands.size(), false);  // by first island of a group
     for (const BodyWarm& warm : world.bodies.awake) {
         const BodyCold& cold = world.bodies.cold[warm.body];
         if (!is_held(cold)) continue;
         const std::span<const std::uint32_t> islands = coupled.group_of(cold.island);
-        if (seen[islands.front()]) continue;
-        seen[islands.front()] = true;
+        if (visited[islands.front()]) continue;
+        visited[islands.front()] = true;
         groups.push_back(measured(world, islands));
     }
     return groups;
@@ -130,17 +130,17 @@ void distribute_budget(const WorldState& world, std::vector<CoupledGroup>& group
 
 void choose_substep_levels(StepContext& step) {
     WorldState& world = step.world;
-    std::vector<std::uint32_t> asking;
+    std::vector<std::uint32_t> changing;
     for (std::uint32_t i = 0; i < world.islands.ids.size(); i++) {
         if (!is_awake(world, i) || !world.islands.islands[i].error.fresh) continue;
         choose_target_level(world, world.islands.islands[i]);
         if (world.islands.islands[i].error.target_level !=
             world.islands.islands[i].colour_set.batch)
-            asking.push_back(i);
+            changing.push_back(i);
     }
-    if (world.def.substep_budget == 0 && !asking.empty()) {
+    if (world.def.substep_budget == 0 && !changing.empty()) {
         const CoupledIslands coupled(world);
-        for (const std::uint32_t i : asking) move(world, measured(world, coupled.group_of(i)));
+        for (const std::uint32_t i : changing) move(world, measured(world, coupled.group_of(i)));
     } else if (world.def.substep_budget > 0 && world.steps % tuning::budget_interval == 1) {
         const CoupledIslands coupled(world);
         std::vector<CoupledGroup> groups = find_active_groups(world, coupled);

@@ -5,7 +5,7 @@
 #include <optional>
 #include <span>
 
-#include "physics/src/foundation/check.h"
+#include "jostle/base/check.h"
 #include "physics/src/foundation/size_scale.h"
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/stages/islands/assign_batches.h"
@@ -159,11 +159,11 @@ Skipped prepare_islands(StepContext& step) {
     WorldState& world = step.world;
     if (world.bodies.awake.empty()) return no_awake_bodies;
     // The second step is the first with known islands.
-    const bool look = world.steps % tuning::tier_interval == 1;
-    if (!look && !world.islands.some_lost && !controls_error(world.def))
+    const bool update_tiers = world.steps % tuning::tier_interval == 1;
+    if (!update_tiers && !world.islands.some_lost && !controls_error(world.def))
         return "islands are updated every eighth step";
     if (world.islands.some_lost) scale_lost_loads(world);
-    if (look && world.def.gravity != Vec3{}) choose_tiers(world, step.scratch.islands);
+    if (update_tiers && world.def.gravity != Vec3{}) choose_tiers(world, step.scratch.islands);
     if (controls_error(world.def))
         choose_substep_levels(step);
     else if (world.steps % tuning::batch_interval == 1)

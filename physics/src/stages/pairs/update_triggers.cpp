@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "physics/src/collision/narrowphase/collide_composite.h"
-#include "physics/src/foundation/check.h"
+#include "jostle/base/check.h"
 #include "physics/src/geometry/bounds.h"
 #include "physics/src/stages/step_scratch.h"
 #include "physics/src/state/shape_proxy.h"
@@ -24,7 +24,7 @@ void test_trigger(const WorldState& world, std::uint32_t trigger, std::vector<st
     const ShapeRecord& shape = world.shapes.shapes[trigger];
     ASSERT(shape.trigger);
     const BodyCold& own = world.bodies.cold[shape.body];
-    const auto& before = world.triggers.inside;
+    const auto& previous = world.triggers.inside;
     const bool fresh = std::find(world.triggers.fresh.begin(), world.triggers.fresh.end(),
                                  trigger) != world.triggers.fresh.end();
     const auto consider = [&](std::uint32_t other) {
@@ -36,7 +36,7 @@ void test_trigger(const WorldState& world, std::uint32_t trigger, std::vector<st
         // Between two shapes that do not move nothing changes.
         const Inside pair{trigger, other};
         const bool still = !fresh && own.set != BodySet::awake && body.set != BodySet::awake;
-        const bool is_in = still ? std::binary_search(before.begin(), before.end(), pair)
+        const bool is_in = still ? std::binary_search(previous.begin(), previous.end(), pair)
                                  : overlap_now(world, trigger, other);
         if (is_in) inside.push_back(pair);
     };
@@ -79,12 +79,12 @@ Skipped update_triggers(StepContext& step) {
         test_trigger(world, trigger, step.scratch.pairs.in_trigger, inside);
     std::sort(inside.begin(), inside.end());
     inside.erase(std::unique(inside.begin(), inside.end()), inside.end());
-    const auto& before = world.triggers.inside;
+    const auto& previous = world.triggers.inside;
     for (const Inside& pair : inside)
-        (std::binary_search(before.begin(), before.end(), pair) ? world.events.triggers_stayed
-                                                                : world.events.triggers_entered)
+        (std::binary_search(previous.begin(), previous.end(), pair) ? world.events.triggers_stayed
+                                                                    : world.events.triggers_entered)
             .push_back(event_of(world, pair));
-    for (const Inside& pair : before)
+    for (const Inside& pair : previous)
         if (!std::binary_search(inside.begin(), inside.end(), pair))
             world.events.triggers_left.push_back(event_of(world, pair));
     world.triggers.inside = std::move(inside);

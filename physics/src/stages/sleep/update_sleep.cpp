@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "physics/src/stages/sleep/update_sleep.h"
 
-#include "physics/src/foundation/check.h"
+#include "jostle/base/check.h"
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/stages/sleep/put_parts_to_sleep.h"
 #include "physics/src/stages/step_scratch.h"

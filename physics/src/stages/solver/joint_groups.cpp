@@ -6,7 +6,7 @@
 
 #include "physics/src/constraint_graph/joint_solver_preferences.h"
 #include "physics/src/constraints/joints/write_joint.h"
-#include "physics/src/foundation/check.h"
+#include "jostle/base/check.h"
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/stages/solver/error_trial.h"
 #include "physics/src/stages/solver/group_fields.h"

@@ -9,7 +9,7 @@
 #include "physics/src/constraints/joints/gear_ends.h"
 #include "physics/src/constraints/joints/write_joint.h"
 #include "physics/src/constraints/kernels.h"
-#include "physics/src/foundation/check.h"
+#include "jostle/base/check.h"
 #include "physics/src/foundation/prefetch.h"
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/stages/solver/solve_joint_batches.h"

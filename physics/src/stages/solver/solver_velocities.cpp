@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "physics/src/stages/solver/solver_velocities.h"
 
-#include "physics/src/foundation/check.h"
+#include "jostle/base/check.h"
 
 namespace jostle::physics {
 Vec3 center_now(const BodyStore& bodies, const SolverScratch& scratch, std::uint32_t awake_index) {

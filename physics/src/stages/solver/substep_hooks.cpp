@@ -2,7 +2,7 @@
 #include "physics/src/stages/solver/substep_hooks.h"
 
 #include "jostle/physics/step_listener.h"
-#include "physics/src/foundation/check.h"
+#include "jostle/base/check.h"
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/stages/solver/solver_velocities.h"
 #include "physics/src/stages/step_scratch.h"

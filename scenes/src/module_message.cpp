@@ -53,7 +53,7 @@ void check_tag(FieldReader& in, const SceneDescription& scene, const std::string
 
 // The field of what the module's things are in; null: there are none.
 const google::protobuf::FieldDescriptor* objects_field_of(const v1::Module& m) {
-    const auto* choice = m.GetDescriptor()->FindOneofByName("things");
+    const auto* choice = m.GetDescriptor()->FindOneofByName("objects");
     return m.GetReflection()->GetOneofFieldDescriptor(m, choice);
 }
 

@@ -170,7 +170,7 @@ TEST(ModuleObjects, round_trips) {
 // where it is given alone, or says what else it needs.
 TEST(ModuleObjects, every_field_maps_to_a_known_module_setting) {
     register_catalog_modules();
-    const auto& choice = *v1::Module::descriptor()->FindOneofByName("things");
+    const auto& choice = *v1::Module::descriptor()->FindOneofByName("objects");
     int settings = 0;
     for (int m = 0; m < choice.field_count(); m++) {
         const auto& kind = *choice.field(m);

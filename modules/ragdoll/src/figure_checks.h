@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What a figure may be made of; errors name the bone.
+// Checks figure definitions. Errors name the bone.
 #pragma once
 
 #include "jostle/modules/ragdoll.h"

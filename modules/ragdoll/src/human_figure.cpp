@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A person: limbs and joints of the laboratory's figures, muscles by what they have to hold up.
+// The human figure: limbs and joints of the benchmark figures, with muscles sized for the loads
+// that they hold.
 #include "jostle/modules/ragdoll.h"
 
 namespace jostle::modules {
@@ -10,19 +11,19 @@ using namespace physics;
 
 constexpr double radians_per_degree = pi / 180;
 
-// Of a figure 1.76 m tall that stands with its arms spread along x and its face towards z, m.
+// Limbs of a figure of 1.76 m that stands with its arms spread along x and its face towards z; m.
 struct Limb {
     const char* name;
     int parent;
     Vec3 center;
     double radius, half_length;
-    bool sideways;  // its axis is x, not y
-    // A hinge turns about its axis; where a shoulder points is its axis. The normal, square to it,
-    // is where the angle is zero.
+    bool sideways;  // axis along x instead of y
+    // A hinge rotates about its axis; for a shoulder, the axis is its direction. The normal,
+    // perpendicular to it, is the direction of angle zero.
     bool hinge;
     Vec3 anchor, axis, normal;
     double swing, lower, upper;  // degrees
-    double torque;               // N m, of its muscle
+    double torque;               // N m, maximum torque of its muscle
 };
 
 constexpr Limb limbs[] = {
@@ -170,8 +171,8 @@ constexpr Limb limbs[] = {
 };
 constexpr double height_of_limbs = 1.80;
 
-// A rotation whose x and z axes are those, square to each other: from the turn that takes x there
-// and what is left about it.
+// Returns the rotation whose x and z axes are the given perpendicular vectors: the rotation of x,
+// followed by the remaining rotation about it.
 Quat rotation_of(Vec3 x, Vec3 z) {
     const Vec3 half = Vec3{1, 0, 0} + x;
     const Quat first = length_squared(half) > 1e-9 ? normalized(Quat{0, -half.z, half.y, half.x})
@@ -193,7 +194,7 @@ RagdollBone bone_of(const Limb& limb, double scale) {
         bone.joint = HingeJoint{.limit = limit};
     else
         bone.joint = ConeTwistJoint{.swing = limb.swing * radians_per_degree, .twist = limit};
-    // A torque bears a weight at an arm: the fourth power of the size.
+    // A torque carries a weight at a lever arm, so it scales with the fourth power of the size.
     bone.muscle = {.hertz = 12, .max_torque = limb.torque * scale * scale * scale * scale};
     return bone;
 }

@@ -17,21 +17,22 @@ namespace {
 constexpr std::size_t figures_max = 10000;
 constexpr double blend_seconds_max = 60;  // s
 
-// Where a bone is whose parent is there, with its joint turned so far.
+// Pose of a bone for the pose of its parent and a rotation of its joint.
 Transform bone_pose(const Transform& parent, const Transform& parent_rest, const Transform& frame,
                     const Transform& rest, Quat turn) {
     const Transform joint = compose(compose(parent, inverse(parent_rest)), frame);
     return compose(compose(joint, {{}, turn}), compose(inverse(frame), rest));
 }
 
-// How fast from one turn to the next, rad/s, seen from the parent's frame.
-Vec3 angular_velocity_between(Quat before, Quat target_rotation, double dt) {
-    return rotation_vector(target_rotation * conjugate(before)) * (1 / dt);
+// Angular velocity from one rotation to another, rad/s, in the parent's frame.
+Vec3 angular_velocity_between(Quat previous, Quat target_rotation, double dt) {
+    return rotation_vector(target_rotation * conjugate(previous)) * (1 / dt);
 }
 
-// A damped spring lags behind what moves by 2 zeta / omega, and holds a target for a whole step,
-// whose middle is half a step before the pose at its end. The solver's springs are implicit, and
-// are solved before and after a sub-step's motion: that damps like two sub-steps more.
+// Lead time that compensates the lag of a muscle, s. A damped spring lags behind a moving target by
+// 2 zeta / omega. The target is constant over a step, whose middle is half a step before the pose
+// at its end. The implicit springs are solved before and after the motion of a sub-step, which adds
+// the lag of two sub-steps.
 double lead_time_of(const Muscle& muscle, double dt, int substeps) {
     return muscle.damping_ratio / (pi * muscle.hertz) - 0.5 * dt + 2 * dt / substeps;
 }
@@ -55,8 +56,8 @@ Ragdolls::Figure* Ragdolls::find(RagdollId id) {
 }
 
 Error Ragdolls::unknown(RagdollId id) {
-    return {ErrorCode::not_found, "there is no ragdoll " + std::to_string(id.index) +
-                                      " of generation " + std::to_string(id.generation)};
+    return {ErrorCode::not_found, "ragdoll " + std::to_string(id.index) + " of generation " +
+                                      std::to_string(id.generation) + " does not exist"};
 }
 
 Ragdolls::BoneJoint Ragdolls::bone_joint_of(const JointKind& kind) {
@@ -70,12 +71,12 @@ Ragdolls::BoneJoint Ragdolls::bone_joint_of(const JointKind& kind) {
     return {};
 }
 
-// With what pulls it to a target as strongly as told.
+// Returns the joint with a drive of the given strength towards a target.
 JointKind Ragdolls::kind_of(const Bone& bone, double strength, Quat target) {
     const BoneJoint& bone_joint = bone.bone_joint;
     const double most = bone.muscle.max_torque * strength;
     const bool pulls = most > 0 && bone.muscle.hertz > 0;
-    // Stiffness goes with the square of the frequency.
+    // Stiffness is proportional to the square of the frequency.
     const JointSpring spring{pulls ? bone.muscle.hertz * square_root(strength) : 0,
                              bone.muscle.damping_ratio};
     const RotationDrive drive{spring, pulls ? target : Quat{}, most};
@@ -90,7 +91,7 @@ JointKind Ragdolls::kind_of(const Bone& bone, double strength, Quat target) {
     return BallJoint{drive, bone_joint.friction};
 }
 
-// Bones at their places to their parents. All or none.
+// Creates the joints of all bones at their current poses. On failure, none is created.
 Status Ragdolls::create_joints(World& world, Figure& figure) {
     for (std::size_t k = 0; k < figure.bones.size(); k++) {
         Bone& bone = figure.bones[k];
@@ -127,12 +128,13 @@ std::size_t Ragdolls::size() const {
 Result<RagdollId> Ragdolls::add(World& world, const RagdollDef& def, const Transform& place) {
     if (Status s = check_figure(def); !s.ok()) return s.error();
     if (!is_finite(place) || std::abs(norm_squared(place.rotation) - 1) > 0.01)
-        return invalid_argument("place is not a finite position and a unit quaternion");
+        return invalid_argument("place must have a finite position and a unit quaternion");
     std::size_t at = 0;
     while (at < figures_.size() && figures_[at].alive) at++;
     if (at >= figures_max)
-        return Error{ErrorCode::resource_exhausted,
-                     "there are " + std::to_string(figures_max) + " ragdolls, the most allowed"};
+        return Error{ErrorCode::resource_exhausted, "the world already has the maximum of " +
+                                                        std::to_string(figures_max) +
+                                                        " ragdolls; remove one first"};
     std::vector<BodyAndShapes> parts(def.bones.size());
     for (std::size_t k = 0; k < parts.size(); k++)
         parts[k] = {body_of(def, k, place), def.bones[k].shapes};
@@ -162,7 +164,7 @@ Result<RagdollId> Ragdolls::add(World& world, const RagdollDef& def, const Trans
 Status Ragdolls::remove(World& world, RagdollId id) {
     Figure* figure = find(id);
     if (figure == nullptr) return unknown(id);
-    for (const Bone& bone : figure->bones)  // some may have gone by themselves
+    for (const Bone& bone : figure->bones)  // bodies may have been destroyed by other callers
         if (world.contains(bone.body)) static_cast<void>(world.destroy_body(bone.body).ok());
     figure->alive = false;
     figure->bones.clear();
@@ -173,15 +175,16 @@ Status Ragdolls::set_pose(RagdollId id, const RagdollPose& pose) {
     Figure* figure = find(id);
     if (figure == nullptr) return unknown(id);
     if (pose.rotations.size() != figure->bones.size())
-        return invalid_argument("the pose has " + std::to_string(pose.rotations.size()) +
-                                " turns; the figure has " + std::to_string(figure->bones.size()) +
-                                " bones");
+        return invalid_argument("rotations has " + std::to_string(pose.rotations.size()) +
+                                " elements; it must have " + std::to_string(figure->bones.size()) +
+                                ", one per bone");
     const auto is_turn = [](Quat q) { return std::abs(norm_squared(q) - 1) <= 0.01; };
     for (std::size_t k = 0; k < pose.rotations.size(); k++)
         if (!is_turn(pose.rotations[k]))
-            return invalid_argument("turns[" + std::to_string(k) + "] is not a unit quaternion");
+            return invalid_argument("rotations[" + std::to_string(k) +
+                                    "] is not a unit quaternion");
     if (!is_finite(pose.root) || !is_turn(pose.root.rotation))
-        return invalid_argument("root is not a finite position and a unit quaternion");
+        return invalid_argument("root must have a finite position and a unit quaternion");
     for (std::size_t k = 0; k < pose.rotations.size(); k++)
         figure->bones[k].target_rotation = normalized(pose.rotations[k]);
     figure->root = {pose.root.position, normalized(pose.root.rotation)};
@@ -199,7 +202,7 @@ Status Ragdolls::set_types(World& world, const Figure& figure, RagdollMode mode)
         if (now->type == type) continue;
         if (Status s = world.set_type(body, type); !s.ok()) return s;
         if (held) continue;
-        // It flies on as it was moved.
+        // It continues with its current velocity.
         if (Status s = world.set_velocity(body, now->linear_velocity, now->angular_velocity);
             !s.ok())
             return s;
@@ -212,10 +215,11 @@ Status Ragdolls::set_mode(World& world, RagdollId id, RagdollMode mode, double b
     if (figure == nullptr) return unknown(id);
     if (!(blend >= 0 && blend <= blend_seconds_max))
         return invalid_argument("blend must be from 0 to 60 s");
-    if (mode > RagdollMode::kinematic) return invalid_argument("there is no such mode");
+    if (mode > RagdollMode::kinematic)
+        return invalid_argument("mode is out of range; it must be limp, powered or kinematic");
     const Result<RagdollPose> now = pose(world, id);
     if (!now.ok()) return now.error();
-    // Bodies that nothing pushes have no joints between them.
+    // Kinematic bodies do not need joints between them.
     const bool is_kinematic = mode == RagdollMode::kinematic,
                was_kinematic = figure->mode == mode && is_kinematic;
     if (is_kinematic && !was_kinematic) destroy_joints(world, *figure);
@@ -238,8 +242,9 @@ Status Ragdolls::set_strength(RagdollId id, std::size_t bone, double strength) {
     Figure* figure = find(id);
     if (figure == nullptr) return unknown(id);
     if (bone >= figure->bones.size())
-        return invalid_argument("there is no bone " + std::to_string(bone) + "; there are " +
-                                std::to_string(figure->bones.size()));
+        return invalid_argument("bone " + std::to_string(bone) +
+                                " does not exist; the figure has " +
+                                std::to_string(figure->bones.size()) + " bones");
     if (!(strength >= 0 && strength <= 1)) return invalid_argument("strength must be from 0 to 1");
     figure->bones[bone].strength = strength;
     figure->pose_changed = true;
@@ -291,7 +296,7 @@ Result<RagdollPose> Ragdolls::pose(const World& world, RagdollId id) const {
     return pose;
 }
 
-// A figure that lost a bone or a joint is no figure any more: what is left falls as it may.
+// Releases a figure that lost a body or a joint.
 void Ragdolls::release_if_incomplete(World& world, Figure& figure) {
     const bool whole = std::all_of(figure.bones.begin(), figure.bones.end(), [&](const Bone& b) {
         const bool joined = b.parent >= 0 && figure.mode != RagdollMode::kinematic;
@@ -300,7 +305,7 @@ void Ragdolls::release_if_incomplete(World& world, Figure& figure) {
     if (!whole) release(world, figure);
 }
 
-// What is left of it stays, limp.
+// Releases a figure: the remaining bodies stay in the world, limp.
 void Ragdolls::release(World& world, Figure& figure) {
     for (const Bone& bone : figure.bones)
         if (world.contains(bone.joint))
@@ -319,16 +324,16 @@ void Ragdolls::after_step(World& world, double) {
             release(world, figure);
 }
 
-// Kinematic: to where the pose puts each bone at the end of the step.
+// Moves kinematic bones to the pose at the end of the step.
 void Ragdolls::move_kinematic_bones(World& world, Figure& figure, double dt) {
     const bool blends = figure.blend_elapsed < figure.blend;
-    const double destroy_joints = blends ? figure.blend_elapsed / figure.blend : 1;
+    const double fraction = blends ? figure.blend_elapsed / figure.blend : 1;
     std::vector<Transform> poses;
     const Transform root =
-        blends ? interpolate(figure.blend_start_root, figure.root, destroy_joints) : figure.root;
+        blends ? interpolate(figure.blend_start_root, figure.root, fraction) : figure.root;
     for (const Bone& bone : figure.bones) {
         const Quat turn =
-            blends ? interpolate(bone.blend_start_rotation, bone.target_rotation, destroy_joints)
+            blends ? interpolate(bone.blend_start_rotation, bone.target_rotation, fraction)
                    : bone.target_rotation;
         poses.push_back(bone.parent < 0
                             ? compose(root, bone.rest)
@@ -337,23 +342,22 @@ void Ragdolls::move_kinematic_bones(World& world, Figure& figure, double dt) {
                                         bone.frame, bone.rest, turn));
         if (figure.mode == RagdollMode::kinematic || bone.parent < 0)
             static_cast<void>(world.move_to(bone.body, poses.back(), dt).ok());
-        if (figure.mode != RagdollMode::kinematic) return;  // the root alone is held
+        if (figure.mode != RagdollMode::kinematic) return;  // only the root is kinematic
     }
 }
 
-// Powered: muscles towards the pose; limp: none. What led a pose that stands now is taken back in
-// the next step.
+// Drives muscles towards the pose in powered mode and disables them in limp mode. If the pose does
+// not change in the next step, the lead is removed.
 void Ragdolls::drive_muscles(World& world, Figure& figure, double dt) {
     const bool blends = figure.blend_elapsed < figure.blend;
-    const double destroy_joints = blends ? figure.blend_elapsed / figure.blend : 1;
+    const double fraction = blends ? figure.blend_elapsed / figure.blend : 1;
     const int substeps = world.substeps();
     figure.pose_changed = false;
     for (Bone& bone : figure.bones) {
         if (bone.parent < 0) continue;
-        const double strength =
-            figure.mode == RagdollMode::powered ? bone.strength * destroy_joints : 0;
+        const double strength = figure.mode == RagdollMode::powered ? bone.strength * fraction : 0;
         const Quat turn =
-            blends ? interpolate(bone.blend_start_rotation, bone.target_rotation, destroy_joints)
+            blends ? interpolate(bone.blend_start_rotation, bone.target_rotation, fraction)
                    : bone.target_rotation;
         Quat target = turn;
         if (bone.muscle.hertz > 0 && bone.previous_rotation != turn) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What of figures is saved, and what a scene says of them.
+// Serialization and scene settings of figures.
 #include "jostle/modules/ragdoll.h"
 #include "jostle/modules/settings.h"
 #include "modules/ragdoll/src/figure_checks.h"
@@ -11,7 +11,7 @@ using namespace physics;
 
 namespace {
 
-// As it is, or the load ends.
+// Fails the load if the quaternion is not a unit quaternion.
 void rotation(StateVisitor& v, std::string_view name, Quat& q) {
     v.field(name, q);
     if (v.loading() && !(norm_squared(q) > 0.98 && norm_squared(q) < 1.02))
@@ -20,7 +20,7 @@ void rotation(StateVisitor& v, std::string_view name, Quat& q) {
 void place(StateVisitor& v, std::string_view name, Transform& t) {
     v.field(name, t);
     if (v.loading() && !(norm_squared(t.rotation) > 0.98 && norm_squared(t.rotation) < 1.02))
-        v.fail(name, "has no unit quaternion");
+        v.fail(name, "must have a unit quaternion");
 }
 
 }  // namespace
@@ -42,7 +42,7 @@ void Ragdolls::visit(StateVisitor& v, Figure& figure) {
         v.field("parent", bone.parent);
         if (v.loading() &&
             (bone.parent < -1 || bone.parent >= index || (bone.parent == -1) != (index == 0)))
-            v.fail("parent", "is no earlier bone");
+            v.fail("parent", "is not the index of an earlier bone");
         index++;
         v.field("link", bone.bone_joint.kind, BoneJointKind::cone_twist);
         v.field("limited", bone.bone_joint.limited);
@@ -62,7 +62,7 @@ void Ragdolls::visit(StateVisitor& v, Figure& figure) {
         rotation(v, "from", bone.blend_start_rotation);
     });
     if (v.loading() && figure.alive == figure.bones.empty())
-        v.fail("bones", "are there when the figure is, and only then");
+        v.fail("bones", "must be present exactly if the figure is alive");
 }
 
 void Ragdolls::visit(StateVisitor& v) {
@@ -84,7 +84,8 @@ Status Ragdolls::configure(World& world, const ModuleSettings& given) {
     settings.flag("kinematic", kinematic);
     if (Status s = settings.finish(); !s.ok()) return s;
     if (powered && kinematic)
-        return Error{ErrorCode::invalid_argument, "powered and kinematic are both 1; give one"};
+        return Error{ErrorCode::invalid_argument,
+                     "powered and kinematic are both 1; at most one must be 1"};
     int side = 1;
     while (side * side < static_cast<int>(count)) side++;
     const RagdollDef figure = human_figure(height);

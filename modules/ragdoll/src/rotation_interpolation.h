@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Turns between orientations, without libm.
+// Interpolation of rotations without the C library.
 #pragma once
 
 #include "jostle/physics/quat.h"
@@ -8,7 +8,7 @@
 
 namespace jostle::modules {
 
-// The shorter way: |v| radians about v, at most half a turn.
+// Rotation vector of the shorter arc: |v| radians about v, at most pi.
 inline physics::Vec3 rotation_vector(physics::Quat q) {
     using namespace physics;
     if (q.w < 0) q = {-q.x, -q.y, -q.z, -q.w};
@@ -17,7 +17,7 @@ inline physics::Vec3 rotation_vector(physics::Quat q) {
     return s < 1e-12 ? v * 2 : v * (2 * arc_tangent(s, q.w) / s);
 }
 
-// A part of the way from one to the other, along the shorter arc.
+// Interpolates along the shorter arc.
 inline physics::Quat interpolate(physics::Quat from, physics::Quat to, double fraction) {
     using namespace physics;
     return normalized(from_rotation_vector(rotation_vector(to * conjugate(from)) * fraction) *
@@ -29,7 +29,7 @@ inline physics::Transform interpolate(const physics::Transform& from, const phys
             interpolate(from.rotation, to.rotation, fraction)};
 }
 
-// About the z axis, -pi to pi.
+// Rotation angle about the z axis, -pi to pi.
 inline double angle_about_z(physics::Quat q) {
     double angle = 2 * physics::arc_tangent(q.z, q.w);
     if (angle > physics::pi) angle -= 2 * physics::pi;

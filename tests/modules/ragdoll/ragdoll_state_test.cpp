@@ -109,7 +109,7 @@ TEST(RagdollState, scene_settings_place_figures) {
     EXPECT_EQ(*stage.ragdolls->mode({4, 1}), RagdollMode::powered);
     const Status both =
         stage.ragdolls->configure(stage.world, {.numbers = {{"powered", 1}, {"kinematic", 1}}});
-    EXPECT_EQ(both.error().message, "powered and kinematic are both 1; give one");
+    EXPECT_EQ(both.error().message, "powered and kinematic are both 1; at most one must be 1");
 }
 
 }  // namespace

@@ -145,13 +145,13 @@ TEST(Ragdoll, errors_name_the_bone_and_leave_no_bodies) {
         return id.ok() ? std::string() : id.error().message;
     };
     EXPECT_EQ(error_of([](RagdollDef& d) { d.bones[3].parent = 7; }),
-              "bones[3] (left upper arm): its parent is 7; it must be an earlier bone");
+              "bones[3] (left upper arm): parent is 7; it must be the index of an earlier bone");
     EXPECT_EQ(error_of([](RagdollDef& d) { d.bones[2].shapes.clear(); }),
-              "bones[2] (head) has no shape; give one at least");
+              "bones[2] (head) has no shape; it must have at least one");
     EXPECT_EQ(error_of([](RagdollDef& d) { d.bones[2].muscle.hertz = -1; }),
               "bones[2] (head): muscle.hertz must be from 0 to 1000");
     EXPECT_EQ(error_of([](RagdollDef& d) { d.bones[5].joint = SliderJoint{}; }),
-              "bones[5] (left lower arm): its joint is a slider; it must be a ball, a hinge or a "
+              "bones[5] (left lower arm): joint is a slider; it must be a ball, a hinge or a "
               "cone-twist");
     EXPECT_NE(error_of([](RagdollDef& d) {
                   d.bones[1].joint = ConeTwistJoint{.swing = 9};

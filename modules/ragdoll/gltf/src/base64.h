@@ -8,7 +8,7 @@
 
 namespace jostle::modules::gltf {
 
-// RFC 4648 with or without padding; nothing if it is not that.
+// Decodes base64 (RFC 4648), with or without padding. Returns nullopt for invalid input.
 std::optional<std::vector<std::byte>> from_base64(std::string_view text);
 
 }  // namespace jostle::modules::gltf

@@ -16,13 +16,13 @@ using nlohmann::json;
 
 namespace {
 
-constexpr int depth_max = 64;  // of JSON
+constexpr int depth_max = 64;  // nesting depth of JSON
 
 Error corrupt(std::string message) {
     return {ErrorCode::corrupt_data, std::move(message)};
 }
 
-// glTF is little-endian, as all machines are that Jostle runs on.
+// glTF is little-endian, like all supported machines.
 template <class T>
 T read_bits(const std::byte* from) {
     T value;
@@ -32,7 +32,7 @@ T read_bits(const std::byte* from) {
 
 struct Component {
     std::size_t bytes = 0;
-    double largest = 1;  // what is 1 when normalised
+    double largest = 1;  // value that corresponds to 1 when normalized
     double (*read)(const std::byte*) = nullptr;
 };
 template <class T>
@@ -68,14 +68,15 @@ std::size_t width_of(std::string_view type) {
     return type == "MAT4" ? 16 : 0;
 }
 
-// A whole number from 0 on that a file may have; its absence counts as `otherwise`.
-Result<std::size_t> whole(const JsonNode& place, std::size_t default_bone) {
-    if (!place.exists()) return default_bone;
-    if (!place.value->is_number_integer()) return place.make_error("is no whole number");
-    const auto value = place.value->is_number_unsigned()
-                           ? place.value->get<std::uint64_t>()
-                           : static_cast<std::uint64_t>(place.value->get<std::int64_t>());
-    if (value > file_bytes_max) return place.make_error("is negative or above 64 million");
+// Reads a non-negative integer; returns `fallback` if it is absent.
+Result<std::size_t> whole(const JsonNode& node, std::size_t fallback) {
+    if (!node.exists()) return fallback;
+    if (!node.value->is_number_integer()) return node.make_error("is not an integer");
+    const auto value = node.value->is_number_unsigned()
+                           ? node.value->get<std::uint64_t>()
+                           : static_cast<std::uint64_t>(node.value->get<std::int64_t>());
+    if (value > file_bytes_max)
+        return node.make_error("is out of range; it must be from 0 to 64 million");
     return static_cast<std::size_t>(value);
 }
 
@@ -99,34 +100,34 @@ std::size_t JsonNode::size() const {
 }
 
 Result<File> File::open(std::span<const std::byte> bytes, const GltfBufferReader& outside) {
-    if (bytes.size() > file_bytes_max) return corrupt("the file has more than 64 MB");
+    if (bytes.size() > file_bytes_max) return corrupt("the file is larger than 64 MB");
     File file;
     if (Status s = file.open_container(bytes); !s.ok()) return s.error();
     const JsonNode version = file.root().at("asset").at("version");
     if (!version.exists() || !version.value->is_string() ||
         !version.value->get_ref<const std::string&>().starts_with("2."))
-        return version.make_error("is not \"2.0\": no glTF 2 file");
+        return version.make_error("is not \"2.0\"; only glTF 2 is supported");
     if (Status s = file.load_buffers(outside); !s.ok()) return s.error();
     return file;
 }
 
-// A .glb is a head of 12 bytes and chunks, of which the first is the JSON text and the second, if
-// there is one, the first buffer. All else is a .gltf: the text alone.
+// A .glb has a header of 12 bytes, followed by chunks. The first chunk is the JSON text, an
+// optional second one the first buffer. Any other file is a .gltf: the text alone.
 Status File::open_container(std::span<const std::byte> bytes) {
     constexpr std::uint32_t magic = 0x46546c67, json_type = 0x4e4f534a, binary_type = 0x004e4942;
     if (bytes.size() < 4 || read_bits<std::uint32_t>(bytes.data()) != magic) return parse(bytes);
-    if (bytes.size() < 20) return corrupt("the file ends within the head of a .glb");
+    if (bytes.size() < 20) return corrupt("the file ends inside the .glb header");
     if (read_bits<std::uint32_t>(bytes.data() + 4) != 2)
-        return corrupt("the file is a .glb of another version than 2");
+        return corrupt("the .glb version is not 2");
     if (read_bits<std::uint32_t>(bytes.data() + 8) > bytes.size())
-        return corrupt("the file is shorter than its head says");
+        return corrupt("the file is shorter than its header states");
     std::size_t at = 12;
     for (int k = 0; k < 2 && at + 8 <= bytes.size(); k++) {
         const std::size_t size = read_bits<std::uint32_t>(bytes.data() + at);
         const auto type = read_bits<std::uint32_t>(bytes.data() + at + 4);
         at += 8;
         if (size > bytes.size() - at)
-            return corrupt("chunk " + std::to_string(k) + " ends behind the end of the file");
+            return corrupt("chunk " + std::to_string(k) + " extends past the end of the file");
         if (k == 0 && type != json_type) return corrupt("the first chunk is not JSON");
         const std::span<const std::byte> chunk = bytes.subspan(at, size);
         if (k == 0) {
@@ -141,7 +142,7 @@ Status File::open_container(std::span<const std::byte> bytes) {
 }
 
 Status File::parse(std::span<const std::byte> text) {
-    if (text.size() > json_bytes_max) return corrupt("the JSON text has more than 16 MB");
+    if (text.size() > json_bytes_max) return corrupt("the JSON text is larger than 16 MB");
     bool deep = false;
     const auto keep = [&](int depth, json::parse_event_t, json&) {
         deep = deep || depth > depth_max;
@@ -149,7 +150,7 @@ Status File::parse(std::span<const std::byte> text) {
     };
     const char* const from = reinterpret_cast<const char*>(text.data());
     json_ = json::parse(from, from + text.size(), keep, false);
-    if (deep) return corrupt("the JSON text is nested more than 64 deep");
+    if (deep) return corrupt("the JSON text is nested deeper than 64 levels");
     if (!json_.is_object()) return corrupt("the file is neither a .glb nor a JSON object");
     return {};
 }
@@ -165,60 +166,60 @@ Status File::load_buffers(const GltfBufferReader& outside) {
         std::vector<std::byte> bytes;
         if (!uri.exists()) {
             if (k > 0 || !has_chunk_)
-                return buffer.make_error("has no uri, and the file no such chunk");
+                return buffer.make_error("has no uri, and the file has no binary chunk for it");
             bytes = std::move(chunk_);
         } else if (!uri.value->is_string()) {
-            return uri.make_error("is no text");
+            return uri.make_error("is not a string");
         } else if (const auto& text = uri.value->get_ref<const std::string&>();
                    text.starts_with("data:")) {
             const std::size_t comma = text.find(";base64,");
             if (comma == std::string::npos)
-                return uri.make_error("is a data URI, but not in base64");
+                return uri.make_error("is a data URI that is not base64");
             auto decoded = from_base64(std::string_view(text).substr(comma + 8));
-            if (!decoded) return uri.make_error("is not base64");
+            if (!decoded) return uri.make_error("is not valid base64");
             bytes = std::move(*decoded);
         } else {
             if (!outside)
-                return uri.make_error("names a buffer outside, and nobody reads those here");
+                return uri.make_error("names an external buffer, but no buffer reader is given");
             Result<std::vector<std::byte>> read = outside(text);
             if (!read.ok()) return uri.make_error("cannot be read: " + read.error().message);
             bytes = std::move(*read);
         }
         total += bytes.size();
-        if (total > file_bytes_max) return list->make_error("have more than 64 MB");
+        if (total > file_bytes_max) return list->make_error("exceed 64 MB in total");
         if (bytes.size() < *length)
-            return buffer.make_error("has " + std::to_string(bytes.size()) + " bytes and says " +
-                                     std::to_string(*length));
+            return buffer.make_error("has " + std::to_string(bytes.size()) +
+                                     " bytes but declares " + std::to_string(*length));
         buffers_.push_back(std::move(bytes));
     }
     return {};
 }
 
 Result<JsonNode> File::array(const char* name) const {
-    const JsonNode place = root().at(name);
-    if (place.exists() && !place.value->is_array()) return place.make_error("is no array");
-    if (place.size() > elements_max)
-        return place.make_error("has more than " + std::to_string(elements_max) + " elements");
-    return place;
+    const JsonNode node = root().at(name);
+    if (node.exists() && !node.value->is_array()) return node.make_error("is not an array");
+    if (node.size() > elements_max)
+        return node.make_error("has more than " + std::to_string(elements_max) + " elements");
+    return node;
 }
 
-Result<std::size_t> File::index(const JsonNode& place, std::size_t count, const char* of_what) {
-    if (!place.exists()) return place.make_error("is missing");
-    const Result<std::size_t> value = whole(place, 0);
+Result<std::size_t> File::index(const JsonNode& node, std::size_t count, const char* of_what) {
+    if (!node.exists()) return node.make_error("is missing");
+    const Result<std::size_t> value = whole(node, 0);
     if (!value.ok()) return value.error();
     if (*value >= count)
-        return place.make_error("is " + std::to_string(*value) + "; there are " +
-                                std::to_string(count) + " " + of_what);
+        return node.make_error("is " + std::to_string(*value) + "; there are " +
+                               std::to_string(count) + " " + of_what);
     return value;
 }
 
-Result<std::vector<double>> File::numbers(const JsonNode& place, std::size_t count) {
-    if (place.size() != count)
-        return place.make_error("must be " + std::to_string(count) + " numbers");
+Result<std::vector<double>> File::numbers(const JsonNode& node, std::size_t count) {
+    if (node.size() != count)
+        return node.make_error("must have " + std::to_string(count) + " numbers");
     std::vector<double> values;
     for (std::size_t k = 0; k < count; k++) {
-        const JsonNode number = place.at(k);
-        if (!number.value->is_number()) return number.make_error("is no number");
+        const JsonNode number = node.at(k);
+        if (!number.value->is_number()) return number.make_error("is not a number");
         values.push_back(number.value->get<double>());
         if (!is_finite(values.back())) return number.make_error("is not finite");
     }
@@ -232,7 +233,7 @@ Result<AccessorData> File::accessor(const JsonNode& which, const std::string& ty
     const Result<std::size_t> found = index(which, accessors->size(), "accessors");
     if (!found.ok()) return found.error();
     const JsonNode a = accessors->at(*found);
-    if (a.at("sparse").exists()) return a.make_error("is sparse, which is not read");
+    if (a.at("sparse").exists()) return a.make_error("is sparse, which is not supported");
     const JsonNode kind = a.at("type");
     if (!kind.exists() || *kind.value != type) return kind.make_error("is not \"" + type + "\"");
     const Result<std::size_t> component_type = whole(a.at("componentType"), 0),
@@ -244,7 +245,8 @@ Result<AccessorData> File::accessor(const JsonNode& which, const std::string& ty
         return a.at("count").make_error("is more than " +
                                         std::to_string(numbers_max / width_of(type)));
     const Component component = component_of(*component_type);
-    if (component.read == nullptr) return a.at("componentType").make_error("is none of glTF's");
+    if (component.read == nullptr)
+        return a.at("componentType").make_error("is not a glTF component type");
 
     const Result<std::size_t> view_index = index(a.at("bufferView"), views->size(), "buffer views");
     if (!view_index.ok()) return view_index.error();
@@ -260,11 +262,12 @@ Result<AccessorData> File::accessor(const JsonNode& which, const std::string& ty
         if (!value->ok()) return value->error();
     const std::vector<std::byte>& bytes = buffers_[*buffer];
     if (*begin > bytes.size() || *length > bytes.size() - *begin)
-        return view.make_error("ends behind the end of its buffer");
-    if (*stride < element) return view.at("byteStride").make_error("is less than an element has");
-    // Each is at most 64 million: no product overflows.
+        return view.make_error("extends past the end of its buffer");
+    if (*stride < element)
+        return view.at("byteStride").make_error("is less than the size of an element");
+    // Each factor is at most 64 million, so no product overflows.
     if (*count > 0 && *offset + (*count - 1) * *stride + element > *length)
-        return a.make_error("ends behind the end of its buffer view");
+        return a.make_error("extends past the end of its buffer view");
 
     const JsonNode normalised = a.at("normalized");
     const bool shares = normalised.exists() && *normalised.value == true;

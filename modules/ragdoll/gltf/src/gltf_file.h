@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A glTF file as JSON and buffers, and numbers out of its accessors; nothing of what they mean.
-// Whatever is asked for is checked when it is asked for: an error names its place in the file.
+// A glTF file as JSON and buffers, and the numbers of its accessors, without interpretation. All
+// values are checked on access; an error names the location in the file.
 #pragma once
 
 #include <cstddef>
@@ -15,22 +15,23 @@ namespace jostle::modules::gltf {
 
 inline constexpr std::size_t file_bytes_max = 64u << 20;
 inline constexpr std::size_t json_bytes_max = 16u << 20;
-inline constexpr std::size_t elements_max = 1u << 16;  // of an array of nodes, meshes, ...
-inline constexpr std::size_t numbers_max = 1u << 22;   // of an accessor
+inline constexpr std::size_t elements_max = 1u << 16;  // in an array of nodes, meshes, ...
+inline constexpr std::size_t numbers_max = 1u << 22;   // per accessor
 
-// A value of the JSON text and where it stands: "nodes[3].children".
+// A value of the JSON text and its path, such as "nodes[3].children".
 struct JsonNode {
     const nlohmann::json* value = nullptr;
     std::string path = {};
 
     bool exists() const { return value != nullptr; }
     physics::Error make_error(const std::string& what) const;
-    JsonNode at(const char* name) const;   // of an object; not there if it lacks it
-    JsonNode at(std::size_t index) const;  // of an array
-    std::size_t size() const;              // of an array; else 0
+    // Member of an object; does not exist if the object lacks it
+    JsonNode at(const char* name) const;
+    JsonNode at(std::size_t index) const;  // element of an array
+    std::size_t size() const;              // of an array, otherwise 0
 };
 
-// What an accessor holds, as doubles: `width` for each element.
+// Contents of an accessor as doubles, `width` per element.
 struct AccessorData {
     std::size_t width = 0;
     std::vector<double> values;
@@ -45,14 +46,14 @@ public:
                                       const GltfBufferReader& outside);
 
     JsonNode root() const { return {&json_, ""}; }
-    // An array of the root of at most elements_max; not there: empty.
+    // An array in the root, with at most elements_max elements; empty if absent.
     physics::Result<JsonNode> array(const char* name) const;
-    // An index into an array of the root of so many.
-    static physics::Result<std::size_t> index(const JsonNode& place, std::size_t count,
+    // An index into an array with `count` elements.
+    static physics::Result<std::size_t> index(const JsonNode& node, std::size_t count,
                                               const char* of_what);
-    static physics::Result<std::vector<double>> numbers(const JsonNode& place, std::size_t count);
-    // Of the type ("VEC3", "MAT4"), each finite; integers as they are, or as shares of their
-    // largest when normalised.
+    static physics::Result<std::vector<double>> numbers(const JsonNode& node, std::size_t count);
+    // Reads an accessor of a type ("VEC3", "MAT4"). All values are finite. Integers are converted
+    // as they are, or to fractions of their maximum if normalized.
     physics::Result<AccessorData> accessor(const JsonNode& index, const std::string& type) const;
 
 private:
@@ -62,7 +63,7 @@ private:
 
     nlohmann::json json_;
     bool has_chunk_ = false;
-    std::vector<std::byte> chunk_;  // of a .glb
+    std::vector<std::byte> chunk_;  // binary chunk of a .glb
     std::vector<std::vector<std::byte>> buffers_;
 };
 

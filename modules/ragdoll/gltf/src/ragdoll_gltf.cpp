@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t bones_max = 256;
 
-// A kept joint while it becomes a bone; in metres.
+// A joint that becomes a bone; in metres.
 struct BoneSegment {
     std::size_t joint = 0;
     int parent = -1;
@@ -25,22 +25,22 @@ struct BoneSegment {
     Vec3 start = {}, end = {};  // of its axis
     std::vector<Vec3> points = {};
     std::vector<std::size_t> children = {};
-    std::size_t below = 1;  // how many pieces hang on it, with itself
+    std::size_t below = 1;  // number of segments in its subtree, including itself
 };
 
 Error invalid(const std::string& what) {
     return {ErrorCode::invalid_argument, what};
 }
 bool is_within(double x, double low, double high) {
-    return x >= low && x <= high;  // NaN is not
+    return x >= low && x <= high;  // false for NaN
 }
 
 Status check_bone(const GltfBoneOptions& bone, const std::string& where) {
     if (!is_finite(bone.axis) || !(length(bone.axis) > 1e-6))
-        return invalid(where + ".axis is no direction");
+        return invalid(where + ".axis must be finite and not zero");
     if (!is_within(bone.swing, 0, pi)) return invalid(where + ".swing must be from 0 to pi");
     if (!(bone.lower >= -pi && bone.lower <= bone.upper && bone.upper <= pi))
-        return invalid(where + ": lower and upper must be from -pi to pi, the lower first");
+        return invalid(where + ": lower and upper must be from -pi to pi, lower <= upper");
     return {};
 }
 Status check(const GltfFigureOptions& options) {
@@ -49,7 +49,7 @@ Status check(const GltfFigureOptions& options) {
         return invalid("density must be from 1e-6 to 1e6 kg/m^3");
     if (!is_within(options.min_radius, 1e-4, 100))
         return invalid("min_radius must be from 1e-4 to 100 m");
-    if (Status s = check_bone(options.default_bone, "otherwise"); !s.ok()) return s;
+    if (Status s = check_bone(options.default_bone, "default_bone"); !s.ok()) return s;
     for (std::size_t k = 0; k < options.bones.size(); k++)
         if (Status s = check_bone(options.bones[k], "bones[" + std::to_string(k) + "] (" +
                                                         options.bones[k].name + ")");
@@ -64,8 +64,8 @@ const GltfBoneOptions& bone_options_for(const GltfFigureOptions& options, const 
     return options.default_bone;
 }
 
-// What is welded gives its points to the one above that is kept. So does the tip of a chain, a
-// joint on which nothing hangs: it says where its parent ends.
+// A merged joint adds its points to the nearest bone above it. So does the tip of a chain, a joint
+// without a mesh, which marks the end of its parent.
 class BoneBuilder {
 public:
     BoneBuilder(const std::vector<SkeletonJoint>& joints, const GltfFigureOptions& options)
@@ -76,7 +76,7 @@ public:
             if (bears[k] && joints[k].parent >= 0)
                 bears[static_cast<std::size_t>(joints[k].parent)] = true;
         }
-        const bool any = bears.front();  // else there is no mesh, and each is kept
+        const bool any = bears.front();  // without a mesh, every joint becomes a bone
         for (std::size_t k = 0; k < joints.size(); k++) add(k, !any || bears[k]);
         for (std::size_t k = pieces.size(); k-- > 1;)
             pieces[static_cast<std::size_t>(pieces[k].parent)].below += pieces[k].below;
@@ -94,9 +94,9 @@ private:
             joints_[k].parent < 0
                 ? -1
                 : static_cast<int>(of_joint_[static_cast<std::size_t>(joints_[k].parent)]);
-        const bool kept = above < 0 || (bears && bone_options.kind != GltfBoneKind::merged);
-        of_joint_[k] = kept ? pieces.size() : static_cast<std::size_t>(above);
-        if (kept) {
+        const bool is_bone = above < 0 || (bears && bone_options.kind != GltfBoneKind::merged);
+        of_joint_[k] = is_bone ? pieces.size() : static_cast<std::size_t>(above);
+        if (is_bone) {
             if (above >= 0)
                 pieces[static_cast<std::size_t>(above)].children.push_back(of_joint_[k]);
             pieces.push_back(
@@ -108,8 +108,8 @@ private:
             pieces[of_joint_[k]].points.push_back(point * options_.scale);
     }
 
-    // To the child on which most hangs; without one to its tip, or as far as its points go along
-    // the way that leads to it.
+    // The axis of a bone ends at the child with the largest subtree. Without children, it ends at
+    // the tip, or at the extent of the bone's points in the direction from the parent.
     void find_end(std::size_t k) {
         BoneSegment& piece = pieces[k];
         if (!piece.children.empty()) {
@@ -126,28 +126,30 @@ private:
         if (length(piece.end - piece.start) >= options_.min_radius) return;
         const Vec3 from =
             piece.parent < 0 ? piece.start : pieces[static_cast<std::size_t>(piece.parent)].start;
-        const Vec3 way = piece.start - from;
-        const Vec3 along = length(way) > 1e-9 ? way * (1 / length(way)) : Vec3{0, 1, 0};
-        double far = piece.points.empty() ? 0.5 * length(way) : 0;
+        const Vec3 axis_vector = piece.start - from;
+        const Vec3 along =
+            length(axis_vector) > 1e-9 ? axis_vector * (1 / length(axis_vector)) : Vec3{0, 1, 0};
+        double far = piece.points.empty() ? 0.5 * length(axis_vector) : 0;
         for (const Vec3 point : piece.points) far = maximum(far, dot(point - piece.start, along));
         piece.end = piece.start + along * far;
     }
 
     const std::vector<SkeletonJoint>& joints_;
     const GltfFigureOptions& options_;
-    std::vector<std::size_t> of_joint_;  // its piece, or whose it is welded to
+    // by joint: its segment, or the segment that it is merged into
+    std::vector<std::size_t> of_joint_;
     std::vector<std::pair<std::size_t, Vec3>> tips_;
 };
 
-// A unit vector across another, as near to a wished one as may be.
-Vec3 across(Vec3 along, Vec3 wished) {
-    for (const Vec3 v : {wished, Vec3{0, 0, 1}, Vec3{1, 0, 0}}) {
+// A unit vector perpendicular to another one, as close to the desired one as possible.
+Vec3 across(Vec3 along, Vec3 desired) {
+    for (const Vec3 v : {desired, Vec3{0, 0, 1}, Vec3{1, 0, 0}}) {
         const Vec3 rest = v - along * dot(along, v);
         if (length(rest) > 1e-3 * maximum(length(v), 1e-9)) return rest * (1 / length(rest));
     }
     return {0, 1, 0};
 }
-// The rotation whose axes those are: square to each other, of length one.
+// The rotation with these orthonormal axes.
 Quat rotation_of(const Mat3& m) {
     const double t = m.x.x + m.y.y + m.z.z;
     if (t > 0) return normalized({m.y.z - m.z.y, m.z.x - m.x.z, m.x.y - m.y.x, 1 + t});
@@ -158,7 +160,7 @@ Quat rotation_of(const Mat3& m) {
     return normalized({m.z.x + m.x.z, m.y.z + m.z.y, 1 + m.z.z - m.x.x - m.y.y, m.x.y - m.y.x});
 }
 
-// The mean distance of its points from its axis, at most what makes it a ball.
+// Mean distance of the points from the axis, limited to the radius of a sphere.
 double radius_of(const BoneSegment& piece, Vec3 along, double size, double least) {
     double sum = 0;
     for (const Vec3 point : piece.points) {
@@ -172,14 +174,14 @@ double radius_of(const BoneSegment& piece, Vec3 along, double size, double least
 
 RagdollBone bone_of(const BoneSegment& piece, const SkeletonJoint& joint,
                     const GltfFigureOptions& options) {
-    const Vec3 way = piece.end - piece.start;
-    const double size = length(way);
-    const Vec3 along = size > 1e-9 ? way * (1 / size) : Vec3{0, 1, 0};
+    const Vec3 axis_vector = piece.end - piece.start;
+    const double size = length(axis_vector);
+    const Vec3 along = size > 1e-9 ? axis_vector * (1 / size) : Vec3{0, 1, 0};
     const double radius = radius_of(piece, along, size, options.min_radius);
     RagdollBone bone{.name = joint.name, .parent = piece.parent};
     const Vec3 side = across(along, joint.world.linear.x);
     // A capsule lies along y.
-    bone.rest = {piece.start + way * 0.5, rotation_of({side, along, cross(side, along)})};
+    bone.rest = {piece.start + axis_vector * 0.5, rotation_of({side, along, cross(side, along)})};
     bone.shapes.push_back(
         {.geometry = Capsule{radius, maximum(0.5 * size - radius, 2e-4 + 1e-3 * radius)},
          .density = options.density});
@@ -200,12 +202,12 @@ RagdollBone bone_of(const BoneSegment& piece, const SkeletonJoint& joint,
     return bone;
 }
 
-// Of a buffer's file: below the folder of the one that names it.
+// Reads a buffer file.
 Result<std::vector<std::byte>> read_bytes(const std::filesystem::path& path) {
     std::error_code code;
     const auto size = std::filesystem::file_size(path, code);
-    if (code) return Error{ErrorCode::not_found, path.string() + " cannot be read"};
-    if (size > gltf::file_bytes_max) return invalid(path.string() + " has more than 64 MB");
+    if (code) return Error{ErrorCode::not_found, path.string() + " cannot be opened"};
+    if (size > gltf::file_bytes_max) return invalid(path.string() + " is larger than 64 MB");
     std::ifstream in(path, std::ios::binary);
     const std::string text{std::istreambuf_iterator<char>(in), {}};
     if (!in.good() && !in.eof())
@@ -236,8 +238,8 @@ Result<GltfFigure> figure_from_gltf(std::span<const std::byte> bytes,
     const BoneBuilder found(*joints, options);
     if (found.pieces.size() > bones_max)
         return invalid("the skin has " + std::to_string(found.pieces.size()) +
-                       " joints with something on them; a figure has at most " +
-                       std::to_string(bones_max) + ": weld some");
+                       " joints with a mesh; a figure has at most " + std::to_string(bones_max) +
+                       "; merge some joints");
     GltfFigure figure;
     for (const BoneSegment& piece : found.pieces) {
         const SkeletonJoint& joint = (*joints)[piece.joint];
@@ -251,11 +253,11 @@ Result<GltfFigure> read_gltf_figure(const std::string& path, const GltfFigureOpt
     const std::filesystem::path file(path);
     const Result<std::vector<std::byte>> bytes = read_bytes(file);
     if (!bytes.ok()) return bytes.error();
-    const auto beside = [&](const std::string& uri) -> Result<std::vector<std::byte>> {
-        if (!is_below(uri)) return invalid("\"" + uri + "\" is not in the file's folder");
+    const auto read_external = [&](const std::string& uri) -> Result<std::vector<std::byte>> {
+        if (!is_below(uri)) return invalid("\"" + uri + "\" is not in the folder of the file");
         return read_bytes(file.parent_path() / uri);
     };
-    return figure_from_gltf(*bytes, options, beside);
+    return figure_from_gltf(*bytes, options, read_external);
 }
 
 }  // namespace jostle::modules

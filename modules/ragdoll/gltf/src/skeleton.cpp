@@ -12,7 +12,7 @@ using namespace physics;
 namespace {
 
 constexpr std::size_t no_joint = static_cast<std::size_t>(-1);
-constexpr double coordinate_max = 1e9;  // units: what is further away is no figure's
+constexpr double coordinate_max = 1e9;  // units: positions beyond it are invalid
 
 struct Node {
     std::size_t parent = no_joint;
@@ -26,7 +26,7 @@ bool is_near(const Affine& m) {
     return true;
 }
 
-// Columns of a 4 x 4 matrix, of which the last row is 0 0 0 1.
+// From the columns of a 4 x 4 matrix whose last row is 0 0 0 1.
 Affine affine_of(const double* m) {
     return {{{m[0], m[1], m[2]}, {m[4], m[5], m[6]}, {m[8], m[9], m[10]}}, {m[12], m[13], m[14]}};
 }
@@ -48,12 +48,12 @@ Result<Affine> local_of(const JsonNode& node) {
     }
     const Quat q{turn[0], turn[1], turn[2], turn[3]};
     if (!(norm_squared(q) > 0.9 && norm_squared(q) < 1.1))
-        return node.at("rotation").make_error("is no unit quaternion");
+        return node.at("rotation").make_error("is not a unit quaternion");
     const Mat3 m = to_matrix(normalized(q));
     return Affine{{m.x * scale[0], m.y * scale[1], m.z * scale[2]}, {shift[0], shift[1], shift[2]}};
 }
 
-// Each node is the child of one at most, and of none of those below it.
+// Each node has at most one parent, and no node is its own descendant.
 Result<std::vector<Node>> read_nodes(const File& file) {
     const Result<JsonNode> list = file.array("nodes");
     if (!list.ok()) return list.error();
@@ -67,24 +67,24 @@ Result<std::vector<Node>> read_nodes(const File& file) {
             const Result<std::size_t> child = File::index(children.at(c), nodes.size(), "nodes");
             if (!child.ok()) return child.error();
             if (nodes[*child].parent != no_joint)
-                return children.at(c).make_error(
-                    "is a child of nodes[" + std::to_string(nodes[*child].parent) + "] already");
+                return children.at(c).make_error("is already a child of nodes[" +
+                                                 std::to_string(nodes[*child].parent) + "]");
             nodes[*child].parent = k;
         }
     }
-    std::vector<std::size_t> way;
+    std::vector<std::size_t> chain;
     for (std::size_t k = 0; k < nodes.size(); k++) {
-        way.clear();
+        chain.clear();
         for (std::size_t at = k; at != no_joint && !nodes[at].placed; at = nodes[at].parent) {
-            way.push_back(at);
-            if (way.size() > nodes.size()) return list->at(k).make_error("is below itself");
+            chain.push_back(at);
+            if (chain.size() > nodes.size()) return list->at(k).make_error("is its own descendant");
         }
-        for (; !way.empty(); way.pop_back()) {
-            Node& node = nodes[way.back()];
+        for (; !chain.empty(); chain.pop_back()) {
+            Node& node = nodes[chain.back()];
             node.world =
                 node.parent == no_joint ? node.local : nodes[node.parent].world * node.local;
             if (!is_near(node.world))
-                return list->at(way.back()).make_error("stands further away than 1e9");
+                return list->at(chain.back()).make_error("has a position beyond 1e9");
             node.placed = true;
         }
     }
@@ -102,19 +102,19 @@ struct SkinReader {
     const File& file;
     const std::vector<Node>& nodes;
     JsonNode skin;
-    std::vector<std::size_t> joint_nodes;  // in the skin's order
+    std::vector<std::size_t> joint_nodes;  // in the order of the skin
     std::vector<SkeletonJoint> joints;     // parents first
-    std::vector<std::size_t> place_of;     // by the skin's order
+    std::vector<std::size_t> place_of;     // index in `joints`, in the order of the skin
 
     Status read_joints() {
         const JsonNode list = skin.at("joints");
         if (list.size() == 0 || list.size() > joints_max)
-            return list.make_error("must be 1 to " + std::to_string(joints_max) + " nodes");
+            return list.make_error("must have 1 to " + std::to_string(joints_max) + " nodes");
         std::vector<std::size_t> of_node(nodes.size(), no_joint);
         for (std::size_t k = 0; k < list.size(); k++) {
             const Result<std::size_t> node = File::index(list.at(k), nodes.size(), "nodes");
             if (!node.ok()) return node.error();
-            if (of_node[*node] != no_joint) return list.at(k).make_error("is there twice");
+            if (of_node[*node] != no_joint) return list.at(k).make_error("is a duplicate");
             of_node[*node] = k;
             joint_nodes.push_back(*node);
         }
@@ -127,7 +127,7 @@ struct SkinReader {
         return sort(parents);
     }
 
-    // Level by level, each in the skin's order.
+    // Breadth-first, siblings in the order of the skin.
     Status sort(const std::vector<std::size_t>& parents) {
         place_of.assign(parents.size(), no_joint);
         std::vector<std::vector<std::size_t>> children(parents.size());
@@ -135,8 +135,8 @@ struct SkinReader {
         for (std::size_t k = 0; k < parents.size(); k++)
             (parents[k] == no_joint ? order : children[parents[k]]).push_back(k);
         if (order.size() != 1)
-            return skin.at("joints").make_error("have " + std::to_string(order.size()) +
-                                                " roots; a figure has one");
+            return skin.at("joints").make_error("has " + std::to_string(order.size()) +
+                                                " roots; it must have exactly one");
         for (std::size_t k = 0; k < order.size(); k++)
             order.insert(order.end(), children[order[k]].begin(), children[order[k]].end());
         for (const std::size_t k : order) {
@@ -151,8 +151,8 @@ struct SkinReader {
         return {};
     }
 
-    // By joint in the skin's order: from a mesh's points to where they are in the scene. A joint
-    // takes them to its own axes and stands in the scene itself.
+    // Per joint in the order of the skin: the transform from mesh points to the scene. It is the
+    // inverse bind matrix followed by the transform of the joint.
     Result<std::vector<Affine>> binds() const {
         std::vector<Affine> result;
         for (const std::size_t node : joint_nodes) result.push_back(nodes[node].world);
@@ -183,9 +183,9 @@ struct SkinReader {
             const JsonNode primitives = meshes->at(*mesh).at("primitives");
             all += primitives.size();
             if (all > elements_max)
-                return primitives.make_error("are too many: at most " +
-                                             std::to_string(elements_max) +
-                                             " of all meshes of a skin");
+                return primitives.make_error(
+                    "has too many elements; the meshes of a skin may have at most " +
+                    std::to_string(elements_max) + " primitives in total");
             for (std::size_t p = 0; p < primitives.size(); p++)
                 if (Status s = read_primitive(primitives.at(p).at("attributes"), *to_scene, points);
                     !s.ok())
@@ -213,12 +213,12 @@ struct SkinReader {
             const double *const w = (*weight)[k], *const j = (*joint)[k], *const x = (*position)[k];
             const auto most = static_cast<std::size_t>(std::max_element(w, w + 4) - w);
             if (!(j[most] >= 0 && j[most] < static_cast<double>(to_scene.size())))
-                return joints_at.make_error("names a joint that the skin has not");
+                return joints_at.make_error("refers to a joint that the skin does not have");
             const auto at = static_cast<std::size_t>(j[most]);
-            const Vec3 exists = gltf::apply(to_scene[at], {x[0], x[1], x[2]});
-            if (!(length(exists) < coordinate_max))
-                return attributes.at("POSITION").make_error("stands further away than 1e9");
-            joints[place_of[at]].points.push_back(exists);
+            const Vec3 position_in_scene = gltf::apply(to_scene[at], {x[0], x[1], x[2]});
+            if (!(length(position_in_scene) < coordinate_max))
+                return attributes.at("POSITION").make_error("has a position beyond 1e9");
+            joints[place_of[at]].points.push_back(position_in_scene);
         }
         return {};
     }
@@ -237,8 +237,8 @@ Result<std::vector<SkeletonJoint>> read_skeleton(const File& file, std::size_t s
     const Result<JsonNode> skins = file.array("skins");
     if (!skins.ok()) return skins.error();
     if (skin >= skins->size())
-        return skins->make_error("has no [" + std::to_string(skin) + "]; there are " +
-                                 std::to_string(skins->size()));
+        return skins->make_error("has no element " + std::to_string(skin) + "; it has " +
+                                 std::to_string(skins->size()) + " elements");
     const Result<std::vector<Node>> nodes = read_nodes(file);
     if (!nodes.ok()) return nodes.error();
     SkinReader reader{file, *nodes, skins->at(skin), {}, {}, {}};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The joints of a skin and where they stand, and the points of the meshes that hang on each.
+// The joints of a skin with their poses, and the mesh points bound to each.
 #pragma once
 
 #include <array>
@@ -13,7 +13,7 @@
 namespace jostle::modules::gltf {
 
 inline constexpr std::size_t joints_max = 1024;
-inline constexpr std::size_t points_max = 1u << 20;  // of all meshes of a skin
+inline constexpr std::size_t points_max = 1u << 20;  // in all meshes of a skin
 
 // v -> linear v + shift, in the file's units.
 struct Affine {
@@ -25,13 +25,14 @@ Affine operator*(const Affine& a, const Affine& b);
 
 struct SkeletonJoint {
     std::size_t node = 0;
-    std::string name = {};                   // "node 7" if the file gives none
-    int parent = -1;                         // an earlier joint; -1: the root, which is first
-    Affine world = {};                       // as it stands in the file
-    std::vector<physics::Vec3> points = {};  // likewise, of which it bears most
+    std::string name = {};  // "node 7" if the file has no name
+    int parent = -1;        // index of an earlier joint; -1 for the root, which is the first
+    Affine world = {};      // pose in the file
+    // in the scene; points with the largest weight on this joint
+    std::vector<physics::Vec3> points = {};
 };
 
-// In an order in which parents come first; exactly one is a root.
+// Returns the joints in an order in which parents come first; there is exactly one root.
 physics::Result<std::vector<SkeletonJoint>> read_skeleton(const File& file, std::size_t skin);
 
 }  // namespace jostle::modules::gltf

@@ -25,36 +25,37 @@ TEST(GltfErrors, errors_name_invalid_indices_and_cycles) {
     EXPECT_EQ(error_of([](GltfSkeleton& s) { s.json["nodes"][1]["children"][1] = 99; }),
               "nodes[1].children[1] is 99; there are 9 nodes");
     EXPECT_EQ(error_of([](GltfSkeleton& s) { s.json["nodes"][3]["children"] = {4}; }),
-              "nodes[3].children[0] is a child of nodes[1] already");
+              "nodes[3].children[0] is already a child of nodes[1]");
     EXPECT_EQ(error_of([](GltfSkeleton& s) {
                   s.json["nodes"][0]["children"] = {8};
                   s.json["nodes"][3]["children"] = {1};
               }),
-              "nodes[1] is below itself");
+              "nodes[1] is its own descendant");
     EXPECT_EQ(error_of([](GltfSkeleton& s) { s.json["skins"][0]["joints"][2] = 1; }),
-              "skins[0].joints[2] is there twice");
+              "skins[0].joints[2] is a duplicate");
     EXPECT_EQ(error_of([](GltfSkeleton& s) { s.json["skins"][0]["joints"].erase(0); }),
-              "skins[0].joints have 3 roots; a figure has one");
+              "skins[0].joints has 3 roots; it must have exactly one");
     EXPECT_EQ(error_of([](GltfSkeleton& s) { s.json["skins"][0]["joints"][0] = -1; }),
-              "skins[0].joints[0] is negative or above 64 million");
-    EXPECT_EQ(error_of([](GltfSkeleton&) {}, {.skin = 3}), "skins has no [3]; there are 1");
+              "skins[0].joints[0] is out of range; it must be from 0 to 64 million");
+    EXPECT_EQ(error_of([](GltfSkeleton&) {}, {.skin = 3}),
+              "skins has no element 3; it has 1 elements");
     EXPECT_EQ(error_of([](GltfSkeleton& s) { s.json["accessors"][0]["bufferView"] = 7; }),
               "accessors[0].bufferView is 7; there are 4 buffer views");
 }
 
 TEST(GltfErrors, errors_name_invalid_sizes) {
     EXPECT_EQ(error_of([](GltfSkeleton& s) { s.json["accessors"][0]["count"] = 757; }),
-              "accessors[0] ends behind the end of its buffer view");
+              "accessors[0] extends past the end of its buffer view");
     EXPECT_EQ(error_of([](GltfSkeleton& s) { s.json["accessors"][0]["count"] = 60'000'000; }),
               "accessors[0].count is more than 1398101");
     EXPECT_EQ(error_of([](GltfSkeleton& s) { s.json["bufferViews"][3]["byteLength"] = 449; }),
-              "bufferViews[3] ends behind the end of its buffer");
+              "bufferViews[3] extends past the end of its buffer");
     EXPECT_EQ(error_of([](GltfSkeleton& s) { s.json["bufferViews"][0]["byteStride"] = 4; }),
-              "bufferViews[0].byteStride is less than an element has");
+              "bufferViews[0].byteStride is less than the size of an element");
     EXPECT_EQ(error_of([](GltfSkeleton& s) { s.json["accessors"][3]["count"] = 6; }),
               "skins[0].inverseBindMatrices has 6 matrices for 7 joints");
     EXPECT_EQ(error_of([](GltfSkeleton& s) { s.json["skins"][0]["joints"] = json::array(); }),
-              "skins[0].joints must be 1 to 1024 nodes");
+              "skins[0].joints must have 1 to 1024 nodes");
 }
 
 TEST(GltfErrors, errors_name_invalid_numbers) {
@@ -66,22 +67,22 @@ TEST(GltfErrors, errors_name_invalid_numbers) {
     EXPECT_EQ(error_of([](GltfSkeleton& s) {
                   s.json["nodes"][2]["rotation"] = {0, 0, 0, 0};
               }),
-              "nodes[2].rotation is no unit quaternion");
+              "nodes[2].rotation is not a unit quaternion");
     EXPECT_EQ(error_of([](GltfSkeleton& s) {
                   s.json["nodes"][2]["translation"] = {1, "x", 0};
               }),
-              "nodes[2].translation[1] is no number");
+              "nodes[2].translation[1] is not a number");
     EXPECT_EQ(error_of([](GltfSkeleton& s) {
                   s.json["nodes"][2]["scale"] = {1e300, 1, 1};
               }),
-              "nodes[2] stands further away than 1e9");
+              "nodes[2] has a position beyond 1e9");
     EXPECT_EQ(error_of([](GltfSkeleton& s) { s.json["accessors"][1]["componentType"] = 9; }),
-              "accessors[1].componentType is none of glTF's");
+              "accessors[1].componentType is not a glTF component type");
     EXPECT_EQ(error_of([](GltfSkeleton&) {}, {.scale = 0}), "scale must be from 1e-4 to 1e4 m");
     GltfFigureOptions crossed;
     crossed.bones = {{.name = "head", .lower = 1}};
     EXPECT_EQ(error_of([](GltfSkeleton&) {}, crossed),
-              "bones[0] (head): lower and upper must be from -pi to pi, the lower first");
+              "bones[0] (head): lower and upper must be from -pi to pi, lower <= upper");
 }
 
 TEST(GltfErrors, files_that_are_none_are_named) {
@@ -90,13 +91,13 @@ TEST(GltfErrors, files_that_are_none_are_named) {
     };
     EXPECT_EQ(refused(""), "the file is neither a .glb nor a JSON object");
     EXPECT_EQ(refused("[1, 2"), "the file is neither a .glb nor a JSON object");
-    EXPECT_EQ(refused(std::string(5000, '[')), "the JSON text is nested more than 64 deep");
-    EXPECT_EQ(refused("{}"), "asset.version is not \"2.0\": no glTF 2 file");
-    EXPECT_EQ(refused("glTF1234"), "the file ends within the head of a .glb");
+    EXPECT_EQ(refused(std::string(5000, '[')), "the JSON text is nested deeper than 64 levels");
+    EXPECT_EQ(refused("{}"), "asset.version is not \"2.0\"; only glTF 2 is supported");
+    EXPECT_EQ(refused("glTF1234"), "the file ends inside the .glb header");
     EXPECT_EQ(error_of([](GltfSkeleton& s) { s.json.erase("skins"); }),
-              "skins has no [0]; there are 0");
+              "skins has no element 0; it has 0 elements");
     EXPECT_EQ(figure_from_gltf(GltfSkeleton().with_buffer_beside()).error().message,
-              "buffers[0].uri names a buffer outside, and nobody reads those here");
+              "buffers[0].uri names an external buffer, but no buffer reader is given");
 }
 
 // Any byte of a .glb may be anything: it is refused with a reason, or gives a figure that stands.

@@ -93,7 +93,7 @@ TEST(RagdollGltf, gltf_glb_and_external_buffers_give_the_same_figure) {
 // Knees are hinges about x; what is welded gives its mesh away.
 TEST(RagdollGltf, options_select_the_joint_kind) {
     GltfFigureOptions options = with_knees();
-    options.bones.push_back({.name = "head", .kind = GltfBoneKind::welded});
+    options.bones.push_back({.name = "head", .kind = GltfBoneKind::merged});
     options.bones.push_back({.name = "spine", .kind = GltfBoneKind::ball});
     options.default_bone.swing = 0.3;
     const GltfFigure figure = figure_from_gltf(GltfSkeleton().gltf(), options).value();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Figures of bones and joints that are driven to poses by muscles, follow an animation, or fall:
-// hit characters, puppets, machines with many links.
+// Ragdolls: figures of bones and joints that muscles drive to poses, that follow an animation, or
+// that fall. Examples are characters that are hit, puppets, and machines with many links.
 //
 //     auto module = std::make_unique<Ragdolls>();
 //     Ragdolls& ragdolls = *module;
@@ -10,7 +10,7 @@
 //     ragdolls.set_pose(figure, pose);                       // each step, or when it changes
 //     ragdolls.set_mode(world, figure, RagdollMode::limp);   // hit: falls
 //
-// Thread rule: that of the World.
+// Thread rule: that of World.
 #pragma once
 
 #include <cstdint>
@@ -23,51 +23,57 @@
 
 namespace jostle::modules {
 
-// What turns a bone against its parent: a spring on the orientation, as strong as told.
+/// Drives a bone relative to its parent: a spring on the orientation with a limited torque.
 struct Muscle {
-    double hertz = 6;          // of the spring, against the two bones' own inertia; 0: none
-    double damping_ratio = 1;  // 0 to 10
-    double max_torque = 200;   // N m, 0 to 1e9
+    /// of the spring, for the inertia of the two bones, 0 to 1000; 0 disables the muscle
+    double hertz = 6;
+    double damping_ratio = 1;  ///< 0 to 10
+    double max_torque = 200;   ///< N m, 0 to 1e9
 };
 
-// Bones stand in a rest pose, in the figure's own frame, whose origin stands on the ground.
+/// A bone. The rest pose is given in the figure's own frame, whose origin is on the ground.
 struct RagdollBone {
+    /// For error messages and for finding bones.
     std::string name = {};
-    int parent = -1;               // index of an earlier bone; -1: the root, which is first
-    physics::Transform rest = {};  // of the bone's body
-    std::vector<physics::ShapeDef> shapes = {};  // in the bone's body; one at least
-    // To its parent, and its frame, in the figure. A ball, hinge or cone-twist, of which limits and
-    // friction count: springs and drives are the muscle's.
+    int parent = -1;  ///< index of an earlier bone; -1 for the root, which is the first bone
+    physics::Transform rest = {};                ///< of the bone's body, in the figure's frame
+    std::vector<physics::ShapeDef> shapes = {};  ///< in the frame of the bone's body; at least one
+    /// Joint to the parent, and its frame in the figure's frame. A ball, hinge or cone-twist joint.
+    /// Its limits and friction are used; springs and drives are replaced by the muscle.
     physics::JointKind joint = physics::BallJoint{};
     physics::Transform frame = {};
     Muscle muscle = {};
 };
 
+/// Description of a figure.
 struct RagdollDef {
-    std::vector<RagdollBone> bones = {};  // 1 to 256
-    // The root does not fall: it is moved as the pose says, in every mode.
+    std::vector<RagdollBone> bones = {};  ///< 1 to 256 bones
+    /// If true, the root is kinematic and follows the pose in every mode.
     bool kinematic_root = false;
     bool sleep_allowed = true;
 };
 
-// A person of that height, m, 0.2 to 20: eleven capsules and ten joints; muscles of a size that
-// stands.
+/// Returns a human figure with the given height, m, 0.2 to 20: eleven capsules and ten joints, with
+/// muscles strong enough to stand.
 RagdollDef human_figure(double height = 1.8);
 
-// Where bones are wanted. Of each bone but the root how its joint's frame is turned against the
-// frame at rest, as seen from the parent; a hinge takes the turn about its z axis. The identity:
-// as at rest.
+/// A pose of a figure. The rotation of each bone except the root is that of its joint frame
+/// relative to rest, seen from the parent. The identity is the rest pose. A hinge uses only the
+/// rotation about its z axis.
 struct RagdollPose {
-    physics::Transform root = {};  // of the figure's frame in the world, as the root would have it
-    std::vector<physics::Quat> rotations = {};  // by bone; the root's counts for nothing
+    /// of the figure's frame in the world, derived from the root bone
+    physics::Transform root = {};
+    std::vector<physics::Quat> rotations = {};  ///< one per bone; that of the root is ignored
 };
 
+/// How a figure moves.
 enum class RagdollMode : std::uint8_t {
-    limp,       // joints alone
-    powered,    // muscles pull towards the pose; the root falls
-    kinematic,  // bones go where the pose says and push what is in the way
+    limp,       ///< joints without muscles
+    powered,    ///< muscles drive towards the pose; the root falls
+    kinematic,  ///< bones follow the pose and push other bodies
 };
 
+/// Identifies a figure. Valid until it is removed. A default id is null.
 struct RagdollId {
     std::uint32_t index = 0xffffffff;
     std::uint32_t generation = 0;
@@ -75,48 +81,58 @@ struct RagdollId {
     auto operator<=>(const RagdollId&) const = default;
 };
 
+/// Module that owns the ragdolls of a world. Tag: "ragdoll".
 class Ragdolls : public physics::Module {
 public:
     std::string_view tag() const override { return "ragdoll"; }
     void visit(physics::StateVisitor& v) override;
-    // Figures of a scene: count (0 to 200), height, spacing (m), x, y, z of the first, side of the
-    // square that they stand in follows; powered and kinematic (0 or 1; neither: limp).
+    /// Configures the module from a scene: a square grid of human figures. Numbers: count (0 to
+    /// 200), height, spacing (m), x, y, z of the first figure (m), and powered and kinematic (0 or
+    /// 1; neither means limp).
     physics::Status configure(physics::World& world,
                               const physics::ModuleSettings& settings) override;
-    // "ragdoll", of each root's body: its mode.
+    /// Publishes the channel "ragdoll" for the body of each root: its RagdollMode.
     std::vector<physics::ChannelKind> channels() const override { return {{}}; }
     void publish(const physics::World& world, physics::ChannelWriter& channels) const override;
     void before_step(physics::World& world, double dt) override;
-    // Lets go of figures of which a body was quarantined: those alone, and all their muscles.
+    /// Releases figures with a quarantined body: all their muscles become limp.
     void after_step(physics::World& world, double dt) override;
 
-    // Stands it there, limp, with its pose at rest. All or nothing. An error names the bone.
+    /// Creates a figure at `place`, limp and in the rest pose. On failure, nothing is created.
+    /// invalid_argument names the bone.
     physics::Result<RagdollId> add(physics::World& world, const RagdollDef& def,
                                    const physics::Transform& place);
-    // With its bodies and joints.
+    /// Removes a figure with its bodies and joints. Returns not_found for an unknown id, as all
+    /// calls with an id do.
     physics::Status remove(physics::World& world, RagdollId id);
 
-    // From a pose to the next within the coming step: muscles lead by what they would lag. Called
-    // once for each step, or once for a pose that is to be held.
+    /// Sets the pose for the end of the coming step. Muscles lead the motion to compensate their
+    /// lag. Call it once per step, or once for a pose to hold. invalid_argument if the number of
+    /// rotations is wrong or one is not a unit quaternion.
     physics::Status set_pose(RagdollId id, const RagdollPose& pose);
-    // The change takes `blend` seconds, 0 to 60: what was limp is led to the pose by and by, and
-    // muscles gain their strength.
+    /// Changes the mode within `blend` seconds, 0 to 60: a limp figure moves gradually to the pose,
+    /// and muscles gain strength.
     physics::Status set_mode(physics::World& world, RagdollId id, RagdollMode mode,
                              double blend = 0);
-    // Of one bone's muscle, 0 to 1: its spring and its greatest torque. 0: limp there.
+    /// Sets the strength of one bone's muscle, 0 to 1: scales its stiffness and maximum torque. 0
+    /// makes it limp.
     physics::Status set_strength(RagdollId id, std::size_t bone, double strength);
 
+    /// Returns false after removal or release.
     bool contains(RagdollId id) const { return find(id) != nullptr; }
+    /// Number of figures.
     std::size_t size() const;
+    /// Returns the current mode.
     physics::Result<RagdollMode> mode(RagdollId id) const;
-    // Bodies by bone; the joint of each bone to its parent, null of the root and while it is led.
+    /// Bodies by bone. Joints of each bone to its parent: null for the root, and for all bones in
+    /// kinematic mode.
     physics::Result<std::vector<physics::BodyId>> bodies(RagdollId id) const;
     physics::Result<std::vector<physics::JointId>> joints(RagdollId id) const;
-    // As its bodies stand.
+    /// Returns the current pose of the bodies.
     physics::Result<RagdollPose> pose(const physics::World& world, RagdollId id) const;
 
 private:
-    // What of a joint a figure keeps: bones that are led have none.
+    /// Joint parameters of a bone; they persist while the bone has no joint.
     enum class BoneJointKind : std::uint8_t { ball, hinge, cone_twist };
     struct BoneJoint {
         BoneJointKind kind = BoneJointKind::ball;
@@ -125,25 +141,26 @@ private:
     };
     struct Bone {
         physics::BodyId body;
-        physics::JointId joint;  // null: led, or the root
+        physics::JointId joint;  ///< null for the root and in kinematic mode
         BoneJoint bone_joint;
         std::int32_t parent = -1;
-        physics::Transform rest;            // in the figure
-        physics::Transform frame, frame_b;  // of the joint in the figure; in the bone
+        physics::Transform rest;  ///< in the figure's frame
+        /// of the joint, in the figure's frame and in the bone's frame
+        physics::Transform frame, frame_b;
         Muscle muscle;
         double strength = 1;
-        physics::Quat target_rotation,
-            previous_rotation;  // turns of the joint: at the end of the coming step, now
-        physics::Quat blend_start_rotation;  // where a blend began
+        // Rotations of the joint: at the end of the coming step, and now.
+        physics::Quat target_rotation, previous_rotation;
+        physics::Quat blend_start_rotation;  ///< at the start of a blend
     };
     struct Figure {
         bool alive = false;
         std::uint32_t generation = 0;
         RagdollMode mode = RagdollMode::limp;
         bool kinematic_root = false;
-        bool pose_changed = false;                  // a new pose for the coming step
-        double blend = 0, blend_elapsed = 0;        // s: of the whole, and so far
-        physics::Transform root, blend_start_root;  // of the figure's frame
+        bool pose_changed = false;                  ///< a new pose for the coming step
+        double blend = 0, blend_elapsed = 0;        ///< s, duration and elapsed time
+        physics::Transform root, blend_start_root;  ///< of the figure's frame
         std::vector<Bone> bones;
     };
 

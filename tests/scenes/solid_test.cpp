@@ -63,7 +63,7 @@ TEST(Solid, errors_name_the_invalid_field) {
         return description.ok() ? std::string() : description.error().message;
     };
     EXPECT_THAT(complaint(scene("", true)),
-                testing::HasSubstr("bodies[0].shapes[0].solid: the mesh is no solid: the edge"));
+                testing::HasSubstr("bodies[0].shapes[0].solid: the mesh is not a solid: the edge"));
     EXPECT_THAT(complaint(scene(", \"parts_max\": 999")),
                 testing::HasSubstr("solid.parts_max: 999 is out of range"));
 }

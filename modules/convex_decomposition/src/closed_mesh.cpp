@@ -22,8 +22,8 @@ Error invalid(std::string message) {
 
 Status check_numbers(std::span<const Vec3> vertices, std::span<const std::uint32_t> indices) {
     if (indices.empty() || indices.size() % 3 != 0 || indices.size() / 3 > triangles_max)
-        return invalid("the mesh has " + std::to_string(indices.size()) +
-                       " indices; they must be three for each of 1 to 200000 triangles");
+        return invalid("indices has " + std::to_string(indices.size()) +
+                       " elements; it must have 3 per triangle, for 1 to 200000 triangles");
     for (std::size_t k = 0; k < indices.size(); k++)
         if (indices[k] >= vertices.size())
             return invalid("indices[" + std::to_string(k) + "] is " + std::to_string(indices[k]) +
@@ -31,32 +31,34 @@ Status check_numbers(std::span<const Vec3> vertices, std::span<const std::uint32
     for (std::size_t k = 0; k < vertices.size(); k++)
         for (int axis = 0; axis < 3; axis++)
             if (!(absolute(vertices[k][axis]) <= largest))
-                return invalid("vertices[" + std::to_string(k) + "] is not within 1e5 m");
+                return invalid("vertices[" + std::to_string(k) +
+                               "] is out of range; it must be within 1e5 m");
     return {};
 }
 
-// Vertices in one place are one: files often repeat them for their colours.
+// Merges vertices at the same position: files often duplicate them for colours.
 std::vector<std::uint32_t> welded(std::span<const Vec3> vertices) {
     const auto less = [](Vec3 a, Vec3 b) {
         return a.x != b.x ? a.x < b.x : (a.y != b.y ? a.y < b.y : a.z < b.z);
     };
     std::map<Vec3, std::uint32_t, decltype(less)> first(less);
-    std::vector<std::uint32_t> one;
+    std::vector<std::uint32_t> merged;
     for (std::uint32_t k = 0; k < vertices.size(); k++)
-        one.push_back(first.emplace(vertices[k], k).first->second);
-    return one;
+        merged.push_back(first.emplace(vertices[k], k).first->second);
+    return merged;
 }
 
-// Each way along an edge is gone once, and once back.
+// Each directed edge must occur as often as its opposite.
 Status check_edges(std::span<const std::uint32_t> corners) {
-    std::map<std::pair<std::uint32_t, std::uint32_t>, int> ways;
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int> directed_edges;
     for (std::size_t t = 0; t + 2 < corners.size(); t += 3)
-        for (std::size_t k = 0; k < 3; k++) ways[{corners[t + k], corners[t + (k + 1) % 3]}]++;
-    for (const auto& [way, count] : ways) {
-        const auto back = ways.find({way.second, way.first});
-        if (back != ways.end() && back->second == count) continue;
-        return invalid("the mesh is no solid: the edge from vertex " + std::to_string(way.first) +
-                       " to " + std::to_string(way.second) +
+        for (std::size_t k = 0; k < 3; k++)
+            directed_edges[{corners[t + k], corners[t + (k + 1) % 3]}]++;
+    for (const auto& [edge, count] : directed_edges) {
+        const auto opposite = directed_edges.find({edge.second, edge.first});
+        if (opposite != directed_edges.end() && opposite->second == count) continue;
+        return invalid("the mesh is not a solid: the edge from vertex " +
+                       std::to_string(edge.first) + " to " + std::to_string(edge.second) +
                        " does not have a triangle on each side");
     }
     return {};
@@ -91,8 +93,8 @@ Vec3 nearest_on(const Triangle& t, Vec3 p) {
     return sum == 0 ? t[0] : t[0] + ab * (vb / sum) + ac * (vc / sum);
 }
 
-// Whether a ray along x meets the triangle beyond the point, seen as (y, z): each edge belongs to
-// one of its two triangles.
+// Returns true if a ray from the point along +x hits the triangle. In the (y, z) projection, each
+// edge belongs to exactly one of its two triangles.
 bool is_crossed(const Triangle& t, Vec3 p) {
     bool inside = false;
     for (std::size_t k = 0; k < 3; k++) {
@@ -111,10 +113,11 @@ bool is_crossed(const Triangle& t, Vec3 p) {
 Result<ClosedMesh> make_closed_mesh(std::span<const Vec3> vertices,
                                     std::span<const std::uint32_t> indices) {
     if (Status s = check_numbers(vertices, indices); !s.ok()) return s.error();
-    const std::vector<std::uint32_t> one = welded(vertices);
+    const std::vector<std::uint32_t> merged = welded(vertices);
     std::vector<std::uint32_t> corners;
     for (std::size_t t = 0; t < indices.size(); t += 3) {
-        const std::uint32_t a = one[indices[t]], b = one[indices[t + 1]], c = one[indices[t + 2]];
+        const std::uint32_t a = merged[indices[t]], b = merged[indices[t + 1]],
+                            c = merged[indices[t + 2]];
         if (a != b && b != c && c != a) corners.insert(corners.end(), {a, b, c});
     }
     if (corners.empty()) return invalid("the mesh has no triangle with an area");

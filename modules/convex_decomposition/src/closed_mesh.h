@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A mesh that is the surface of a solid: every edge has two triangles that agree which side is out.
+// A mesh that bounds a solid: every edge has two triangles with consistent orientation.
 #pragma once
 
 #include <array>
@@ -24,7 +24,7 @@ struct ClosedMesh {
 physics::Result<ClosedMesh> make_closed_mesh(std::span<const physics::Vec3> vertices,
                                              std::span<const std::uint32_t> indices);
 
-// By a ray along x: how often the surface is crossed.
+// Counts the crossings of a ray along x.
 bool is_inside(const std::vector<Triangle>& surface, physics::Vec3 point);
 double distance_to_surface(const std::vector<Triangle>& surface, physics::Vec3 point);
 

@@ -10,14 +10,14 @@ namespace {
 
 using namespace physics;
 
-// A polygon of the surface within the box.
+// A polygon of the surface inside the box.
 using Polygon = std::vector<Vec3>;
 
 double& component(Vec3& v, int axis) {
     return axis == 0 ? v.x : (axis == 1 ? v.y : v.z);
 }
 
-// Sutherland and Hodgman: what lies below (sign 1) or above (-1) a plane across an axis.
+// Sutherland-Hodgman clipping: the part below (sign 1) or above (-1) an axis-aligned plane.
 void clip(Polygon& polygon, Polygon& scratch, int axis, double sign, double limit) {
     scratch.clear();
     const auto outside = [&](Vec3 p) { return sign * (p[axis] - limit); };
@@ -27,14 +27,14 @@ void clip(Polygon& polygon, Polygon& scratch, int axis, double sign, double limi
         if (op <= 0) scratch.push_back(p);
         if ((op < 0 && oq > 0) || (op > 0 && oq < 0)) {
             Vec3 cut = p + (q - p) * (op / (op - oq));
-            component(cut, axis) = limit;  // to the last bit: neighbours meet there
+            component(cut, axis) = limit;  // exact, so that neighbours meet there
             scratch.push_back(cut);
         }
     }
     polygon.swap(scratch);
 }
 
-// Whether it lies in a wall of the box, and what it is the surface of lies beyond.
+// Returns true if the polygon lies in a wall of the box and the solid is on the other side.
 bool is_back_facing(const Triangle& triangle, const Polygon& polygon, const Aabb& box) {
     const Vec3 out = cross(triangle[1] - triangle[0], triangle[2] - triangle[0]);
     for (int axis = 0; axis < 3; axis++)
@@ -62,9 +62,9 @@ Vec3 corner_of(const Aabb& box, int k) {
             (k & 4) != 0 ? box.high.z : box.low.z};
 }
 
-// Each point of the surface throws a shadow along -x down to the low wall of the box, no longer
-// than the box is deep; what faces -x counts as less than none. The sum is the volume in the box
-// (the divergence theorem for a field along x), so no wall need be filled in.
+// Projects each surface point along -x onto the low wall of the box, with the length limited to the
+// depth of the box. Surfaces that face -x count negatively. The sum is the volume inside the box
+// (divergence theorem for a field along x), so walls need no closing faces.
 double shadow_volume(const Triangle& triangle, const Aabb& box, Polygon& scratch) {
     Polygon polygon(triangle.begin(), triangle.end());
     for (int axis = 1; axis < 3 && polygon.size() > 2; axis++) {
@@ -73,7 +73,8 @@ double shadow_volume(const Triangle& triangle, const Aabb& box, Polygon& scratch
     }
     if (polygon.size() < 3) return 0;
     const double depth = box.high.x - box.low.x;
-    // Below the low wall: no shadow. Between: its height. Beyond: the whole depth.
+    // Below the low wall the length is 0, inside the box the distance to the wall, beyond the box
+    // its depth.
     const auto sum = [&](const Polygon& part, bool whole) {
         double volume = 0;
         for (std::size_t k = 1; k + 1 < part.size(); k++) {
@@ -89,7 +90,7 @@ double shadow_volume(const Triangle& triangle, const Aabb& box, Polygon& scratch
     clip(part, scratch, 0, 1, box.high.x);
     if (part.size() > 2) clip(part, scratch, 0, -1, box.low.x);
     if (part.size() > 2) volume += sum(part, false);
-    // What lies in the wall counted above.
+    // A polygon in the wall is counted above.
     const bool reaches_beyond =
         std::any_of(polygon.begin(), polygon.end(), [&](Vec3 p) { return p.x > box.high.x; });
     if (!reaches_beyond) return volume;
@@ -107,10 +108,10 @@ bool is_in_ray_shadow(const Triangle& t, const Aabb& box) {
 }  // namespace
 
 std::vector<Triangle> triangles_for_box(const std::vector<Triangle>& surface, const Aabb& box) {
-    std::vector<Triangle> seen;
+    std::vector<Triangle> relevant;
     for (const Triangle& triangle : surface)
-        if (is_in_ray_shadow(triangle, box)) seen.push_back(triangle);
-    return seen;
+        if (is_in_ray_shadow(triangle, box)) relevant.push_back(triangle);
+    return relevant;
 }
 
 Piece cut_piece(const std::vector<Triangle>& surface, const Aabb& box) {
@@ -122,7 +123,7 @@ Piece cut_piece(const std::vector<Triangle>& surface, const Aabb& box) {
         const Polygon part = within(triangle, box, scratch);
         piece.points.insert(piece.points.end(), part.begin(), part.end());
     }
-    // What touches the corner from outside is not in it.
+    // A solid that touches the corner from outside does not contain it.
     const Vec3 inwards = (box.high - box.low) * 1e-9;
     const Aabb inner{box.low + inwards, box.high - inwards};
     for (int k = 0; k < 8; k++)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What of a solid lies in a box: the corners of its hull, and its volume.
+// The part of a solid inside a box: the points of its hull, and its volume.
 #pragma once
 
 #include <vector>
@@ -10,15 +10,15 @@
 namespace jostle::decomposition {
 
 struct Piece {
-    std::vector<physics::Vec3> points;  // whose hull is that of the piece
+    std::vector<physics::Vec3> points;  // its hull is the hull of the piece
     physics::Aabb bounds;               // of the points
     double volume = 0;                  // m^3
 };
 
-// The triangles that matter in the box: those in it, and those beyond it along x.
+// Returns the triangles that affect the box: those inside, and those beyond it along x.
 std::vector<Triangle> triangles_for_box(const std::vector<Triangle>& surface,
                                         const physics::Aabb& box);
-// Of what triangles_for_box() gives, or more.
+// `surface` is the result of triangles_for_box(), or a superset.
 Piece cut_piece(const std::vector<Triangle>& surface, const physics::Aabb& box);
 
 }  // namespace jostle::decomposition

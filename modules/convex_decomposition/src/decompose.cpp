@@ -17,10 +17,10 @@ using namespace physics;
 using HullPointer = std::shared_ptr<const ConvexHull>;
 
 struct Part {
-    Aabb box;                       // that it was cut out by
-    std::vector<Triangle> surface;  // that matters there
+    Aabb box;                       // that bounds the part
+    std::vector<Triangle> surface;  // triangles that affect the box
     Piece piece;
-    HullPointer hull;  // null: it has too many corners for one
+    HullPointer hull;  // null if it has too many corners for one hull
     bool done = false;
 
     double max_volume_error() const {
@@ -28,7 +28,7 @@ struct Part {
     }
 };
 
-// Nothing for what is flat, and so holds nothing.
+// Returns nullopt for flat pieces, which have no volume.
 std::optional<Part> part_in(const std::vector<Triangle>& surface, const Aabb& box) {
     Part part{.box = box, .surface = triangles_for_box(surface, box)};
     part.piece = cut_piece(part.surface, box);
@@ -41,7 +41,7 @@ std::optional<Part> part_in(const std::vector<Triangle>& surface, const Aabb& bo
 
 using Halves = std::vector<Part>;
 
-// What has too many corners for a hull counts as its box.
+// A part with too many corners for a hull counts with the volume of its box.
 double volume_of(const Halves& halves) {
     double volume = 0;
     for (const Part& half : halves) {
@@ -57,7 +57,8 @@ Aabb with_bound(Aabb box, int axis, double at, bool high) {
     return box;
 }
 
-// The two sides of the plane that leaves the hulls smallest, of those that are tried.
+// Returns the two sides of the best of the tried planes: the one with the smallest total hull
+// volume.
 Halves best_cut(const Part& part, int planes) {
     Halves best;
     double least = 1e300;
@@ -114,7 +115,7 @@ bool are_neighbours(const Part& a, const Part& b) {
     return true;
 }
 
-// One hull round two; nothing when it has too many corners.
+// Returns the common hull of two parts; nullopt if it has too many corners.
 std::optional<Part> merged(const Part& a, const Part& b) {
     Part part;
     part.piece.points = a.hull->vertices;
@@ -129,7 +130,7 @@ std::optional<Part> merged(const Part& a, const Part& b) {
     return part;
 }
 
-// The pair that adds least first, while the sum allows it.
+// Merges pairs in the order of the added volume while the total error is allowed.
 void merge_parts(std::vector<Part>& parts, double allowed) {
     struct Pair {
         std::size_t a, b;
@@ -163,7 +164,7 @@ void merge_parts(std::vector<Part>& parts, double allowed) {
     std::erase_if(parts, [](const Part& part) { return part.hull == nullptr; });
 }
 
-// Of points of the hulls' faces, as many as one can wait for.
+// Samples points on the faces of the hulls, limited to a bounded amount of work.
 double furthest_outside(const ClosedMesh& mesh, const std::vector<Part>& parts) {
     std::size_t faces = 0;
     for (const Part& part : parts) faces += part.hull->faces.size();
@@ -171,7 +172,7 @@ double furthest_outside(const ClosedMesh& mesh, const std::vector<Part>& parts) 
     const int side =
         static_cast<int>(clamp(square_root(most / static_cast<double>(3 * faces + 1)), 1, 8));
     double max_distance = 0;
-    const auto ask = [&](Vec3 p) {
+    const auto sample = [&](Vec3 p) {
         if (is_inside(mesh.triangles, p)) return;
         max_distance = maximum(max_distance, distance_to_surface(mesh.triangles, p));
     };
@@ -183,20 +184,22 @@ double furthest_outside(const ClosedMesh& mesh, const std::vector<Part>& parts) 
                 for (int i = 0; i < side; i++)
                     for (int j = 0; j + i < side; j++) {
                         const double u = (i + 1.0 / 3) / side, v = (j + 1.0 / 3) / side;
-                        ask(at(0) + (at(k) - at(0)) * u + (at(k + 1) - at(0)) * v);
+                        sample(at(0) + (at(k) - at(0)) * u + (at(k + 1) - at(0)) * v);
                     }
         }
     return max_distance;
 }
 
 Status check(const Options& options) {
-    const auto refuse = [](const char* what) { return Error{ErrorCode::invalid_argument, what}; };
+    const auto make_error = [](const char* what) {
+        return Error{ErrorCode::invalid_argument, what};
+    };
     if (options.hulls_max < 1 || options.hulls_max > 1024)
-        return refuse("hulls_max must be from 1 to 1024");
+        return make_error("hulls_max must be from 1 to 1024");
     if (!(options.max_volume_error >= 0 && options.max_volume_error <= 10))
-        return refuse("excess must be from 0 to 10");
+        return make_error("max_volume_error must be from 0 to 10");
     if (options.planes_per_axis < 1 || options.planes_per_axis > 127)
-        return refuse("planes_per_axis must be from 1 to 127");
+        return make_error("planes_per_axis must be from 1 to 127");
     return {};
 }
 
@@ -207,16 +210,16 @@ Result<Decomposition> decompose(std::span<const Vec3> vertices,
     if (Status s = check(options); !s.ok()) return s.error();
     const Result<ClosedMesh> mesh = make_closed_mesh(vertices, indices);
     if (!mesh.ok()) return mesh.error();
-    auto whole = part_in(mesh->triangles, mesh->bounds);
-    if (!whole) return Error{ErrorCode::invalid_argument, "the mesh encloses no volume"};
+    auto complete = part_in(mesh->triangles, mesh->bounds);
+    if (!complete) return Error{ErrorCode::invalid_argument, "the mesh encloses no volume"};
     std::vector<Part> parts;
-    parts.push_back(std::move(*whole));
+    parts.push_back(std::move(*complete));
     const double allowed = options.max_volume_error * mesh->volume;
     cut(parts, options, allowed);
     if (std::any_of(parts.begin(), parts.end(), [](const Part& p) { return p.hull == nullptr; }))
         return Error{ErrorCode::resource_exhausted, "a part has more than " +
                                                         std::to_string(max_hull_vertices) +
-                                                        " corners; allow more parts"};
+                                                        " corners; increase hulls_max"};
     merge_parts(parts, allowed);
     Decomposition found{.mesh_volume = mesh->volume,
                         .max_volume_error = total_volume_error(parts) / mesh->volume,

@@ -47,7 +47,7 @@ TEST(ClosedMesh, rejects_open_and_degenerate_meshes) {
     EXPECT_EQ(error_of(wrong), "indices[4] is 99; there are 8 vertices");
     Solid far = cube();
     far.vertices[2].x = std::nan("");
-    EXPECT_EQ(error_of(far), "vertices[2] is not within 1e5 m");
+    EXPECT_EQ(error_of(far), "vertices[2] is out of range; it must be within 1e5 m");
 }
 
 }  // namespace

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
-// Approximate convex decomposition: a closed mesh becomes a set of convex hulls that together hold
-// it, so that a dynamic body can have its shape. What they hold too much is measured and said.
+// Approximate convex decomposition: converts a closed mesh to a set of convex hulls that contain
+// it, so that a dynamic body can have its shape. The volume error is measured and returned.
 //
-// The box around the mesh is cut by planes across its axes, each time where the part with the most
-// excess gains most, until the excess is small enough; then neighbours whose common hull adds
-// little are joined again. A part is the hull of what of the mesh lies in its box: exact, without
-// voxels. After the idea of J. M. Lien and N. M. Amato, "Approximate convex decomposition of
-// polyhedra" (2007), and the planes of K. Mamou and F. Ghorbel's V-HACD.
+// The bounding box of the mesh is cut by axis-aligned planes. Each cut is applied to the part with
+// the largest excess volume, at the plane that reduces the volume most, until the total excess is
+// small enough. Then neighbours whose common hull adds little volume are merged again. A part is
+// the hull of the mesh inside its box, computed exactly without voxels. Based on J.-M. Lien and N.
+// M. Amato, "Approximate convex decomposition of polyhedra" (2007), with the planes of V-HACD (K.
+// Mamou and F. Ghorbel).
+//
+// Thread rule: any thread.
 #pragma once
 
 #include <cstdint>
@@ -20,24 +23,32 @@
 
 namespace jostle::decomposition {
 
+/// Options of the decomposition.
 struct Options {
-    int hulls_max = 32;              // 1 to 1024
-    double max_volume_error = 0.03;  // of the mesh's volume, that parts may hold too much; 0 to 10
-    int planes_per_axis = 15;        // that are tried across each axis of a part; 1 to 127
+    int hulls_max = 32;  ///< maximum number of hulls, 1 to 1024
+    /// Allowed excess volume as a fraction of the mesh's volume, 0 to 10
+    double max_volume_error = 0.03;
+    int planes_per_axis = 15;  ///< planes tried across each axis of a part, 1 to 127
 };
 
+/// Result of the decomposition.
 struct Decomposition {
+    /// The hulls.
     std::vector<std::shared_ptr<const physics::ConvexHull>> parts;
-    double mesh_volume = 0;       // m^3
-    double max_volume_error = 0;  // of it: what the hulls hold together, less the mesh; parts of
-                                  // one cut do not overlap, parts that were joined may
-    double max_distance = 0;  // m: the furthest that a point of a hull's surface, of many that were
-                              // asked, lies outside the mesh
+    double mesh_volume = 0;  ///< m^3
+    /// Sum of the hull volumes minus the mesh volume, as a fraction of the mesh volume; merged
+    /// parts may overlap
+    double max_volume_error = 0;
+    double max_distance = 0;  ///< m, largest sampled distance of a hull's surface outside the mesh
 };
 
-// Triangles are three indices each, counter-clockwise seen from outside; all the wrong way round is
-// put right. At most 200,000. An error says what keeps the mesh from being a solid: an edge that
-// does not have two triangles, no volume, numbers out of range.
+/// Decomposes a mesh of at most 200,000 triangles. Triangles are three indices each,
+/// counter-clockwise seen from outside. If all are clockwise, they are reversed. Vertices are
+/// within 1e5 m.
+///
+/// Returns invalid_argument if an option is out of range or the mesh is not a solid: an edge
+/// without a triangle on each side, zero volume, or numbers out of range. Returns
+/// resource_exhausted if a part has too many corners for one hull; increase hulls_max then.
 physics::Result<Decomposition> decompose(std::span<const physics::Vec3> vertices,
                                          std::span<const std::uint32_t> indices,
                                          const Options& options = {});

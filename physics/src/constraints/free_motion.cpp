@@ -36,8 +36,9 @@ struct BendOfPrincipal {
 template <class Bend>
 EulerStep euler_step(const Bend& bend, Vec3 w, double dt) {
     // A NaN spin uses one part; quarantine handles it after the step.
-    const double fraction_count = length(w) * absolute(dt) * 4;
-    const int parts = fraction_count >= 1 ? static_cast<int>(minimum(fraction_count, 4000)) + 1 : 1;
+    const double estimated_parts = length(w) * absolute(dt) * 4;
+    const int parts =
+        estimated_parts >= 1 ? static_cast<int>(minimum(estimated_parts, 4000)) + 1 : 1;
     const double h = dt / parts;
     EulerStep result{.rotation = {}, .w = w};
     for (int part = 0; part < parts; part++) {

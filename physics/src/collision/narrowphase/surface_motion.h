@@ -7,11 +7,11 @@ namespace jostle::physics {
 
 // The motion of a shape relative to a surface that does not rotate while its contacts are valid.
 struct SurfaceMotion {
-    Vec3 to_start, to_end;  // m, world: from the pose of the narrow-phase test back to the start
-                            // and on to the end
-    Vec3 turn;              // rad, world: maximum rotation to either pose
-    Vec3 center;            // m, world: centre of that rotation
-    double near = 0;        // m
+    // m, world: from the pose of the narrow-phase test back to the start and on to the end.
+    Vec3 to_start, to_end;
+    Vec3 turn;        // rad, world: maximum rotation to either pose
+    Vec3 center;      // m, world: centre of that rotation
+    double near = 0;  // m
 };
 
 }  // namespace jostle::physics

@@ -160,7 +160,7 @@ TEST(SceneFile, negative_zero_is_read_as_zero) {
 
 TEST(SceneFile, documentation_examples_run_for_one_second) {
     test::register_turntable();
-    const std::string document = read(PROJECT_FOLDER "/docs/scene_format.md");
+    const std::string document = read(PROJECT_FOLDER "/docs/reference/scene_format.md");
     int examples = 0;
     for (std::size_t at = 0; (at = document.find("```json\n", at)) != std::string::npos;
          examples++) {

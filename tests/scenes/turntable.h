@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // A module of tests: turns a kinematic disc about y at a speed that rises, and remembers how fast
-// and which. docs/scene_format.md has it in an example.
+// and which. docs/reference/scene_format.md has it in an example.
 #pragma once
 
 #include <memory>

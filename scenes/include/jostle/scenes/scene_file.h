@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Scene files: jostle.v1.Scene as JSON, as a message, and as a SceneDescription.
-// docs/scene_format.md says what a file holds.
+// docs/reference/scene_format.md says what a file holds.
 #pragma once
 
 #include "jostle/scenes/scene.h"

@@ -152,18 +152,18 @@ ConvexCell clipped(const ConvexCell& cell, Vec3 normal, double offset, std::uint
         }
     if (!above) return cell;
     if (!below) return {};
-    ConvexCell below;
+    ConvexCell result;
     std::vector<Vec3> rim;
     for (const CellFace& face : cell.faces) {
         CellFace part = clipped_face(face, normal, offset, plane_tolerance, rim);
         if (part.points.size() >= 3 && !is_flat(part, normal, offset, plane_tolerance))
-            below.faces.push_back(std::move(part));
+            result.faces.push_back(std::move(part));
     }
     if (rim.size() >= 3) {
         sort_about(rim, normal);
-        below.faces.push_back({normal, neighbour, std::move(rim)});
+        result.faces.push_back({normal, neighbour, std::move(rim)});
     }
-    return below;
+    return result;
 }
 
 // Sums tetrahedra from one corner. For a tetrahedron with corners p_i about the origin: integral of

@@ -7,12 +7,12 @@
 namespace jostle::bots {
 namespace {
 
-constexpr double yard = 9;    // m from the middle that bots use
-constexpr double range = 40;  // ... and those that drive
+constexpr double yard = 9;    // m; area of bots, half the edge length
+constexpr double range = 40;  // m from the centre; area of bots that drive
 constexpr double pi = 3.14159265358979;
 constexpr double forever = 1e18;  // s
-// Of those that race: rad at full lock and m between axles, about, and m off its circle at which a
-// car goes straight back.
+// Of racing bots: steering angle at full lock (rad) and distance between the axles (m), both
+// approximate, and the distance from its circle (m) at which a car drives straight back.
 constexpr double full_lock = 0.6, wheel_base = 2.7, course_correction_m = 10;
 
 // An axis of Controls (jostle/physics/module.h) in thousandths.
@@ -33,7 +33,7 @@ Behaviour::Behaviour(const ScriptLine& line, std::uint32_t seed)
     site_ = {random(-yard, yard), random(-yard, yard)};
     static constexpr std::uint32_t colors[] = {0xff595e, 0xffca3a, 0x8ac926, 0x1982c4, 0x6a4c93};
     color_ = colors[seed % 5];
-    // Not all at once.
+    // Bots start at different times.
     if (line_.values.contains("period")) next_ = random(0, value("period"));
 }
 
@@ -53,7 +53,8 @@ std::vector<std::uint32_t> Behaviour::owned(const client::WorldView& world,
 std::uint32_t Behaviour::random_entity(const client::WorldView& world, std::uint32_t client_id) {
     std::vector<std::uint32_t> others;
     for (const auto& [id, entity] : world.entities())
-        // Not what players spawned: their owner may delete it before this input arrives.
+        // Entities spawned by players are excluded: their owner may delete them before this input
+        // arrives.
         if (entity.mass() > 0 && entity.owner() == 0 && entity.owner() != client_id)
             others.push_back(id);
     if (others.empty()) return 0;
@@ -93,7 +94,7 @@ void Behaviour::wander(std::vector<v1::Input>& out, const client::WorldView& wor
     const auto entity = world.entities().find(mine.front());
     const auto pose = world.pose_of(mine.front());
     if (!pose) return;
-    // Somewhere else in the yard, and home when it got out.
+    // A random direction, or back to the centre from outside the yard.
     const double angle = random(0, 6.283), speed = value("strength") * entity->second.mass();
     double x = std::cos(angle), z = std::sin(angle);
     const double away = std::hypot(pose->position[0], pose->position[2]);
@@ -108,7 +109,7 @@ void Behaviour::push(std::vector<v1::Input>& out, const client::WorldView& world
     const std::uint32_t entity = random_entity(world, id);
     const auto pose = world.pose_of(entity);
     if (entity == 0 || !pose) return;
-    // Towards the middle, so that the yard does not empty.
+    // Towards the centre, so that the yard does not empty.
     const double x = pose->position[0], z = pose->position[2];
     const double away = std::max(0.5, std::hypot(x, z));
     const double strength = value("strength") * world.entities().at(entity).mass();
@@ -141,7 +142,7 @@ void Behaviour::build(std::vector<v1::Input>& out, const client::WorldView& worl
     const double half = value("size") / 2;
     if (mine.empty()) built_ = 0;
     if (!make_room(out, mine)) {
-        // The tower is done: take it down, build the next one elsewhere.
+        // The tower is complete: delete it and build the next one elsewhere.
         out.clear();
         for (const std::uint32_t entity : mine)
             out.emplace_back().mutable_delete_()->set_entity(entity);
@@ -177,7 +178,7 @@ void Behaviour::drag(std::vector<v1::Input>& out, const client::WorldView& world
         grabbed_ = 0;
         return;
     }
-    // Up and around.
+    // In a circle above the grabbed point.
     const double left = release_at_ - seconds;
     set(*out.emplace_back().mutable_drag()->mutable_target(), grab_point_[0] + std::cos(4 * left),
         grab_point_[1] + 1.5, grab_point_[2] + std::sin(4 * left));
@@ -200,14 +201,14 @@ bool Behaviour::take_control(std::vector<v1::Input>& out, const client::WorldVie
     return true;
 }
 
-// Ahead, now and then round a bend; when it got far away, towards the middle.
+// Drives forward with random turns, and back to the centre from outside the range.
 void Behaviour::drive(std::vector<v1::Input>& out, const client::WorldView& world) {
     const auto pose = world.pose_of(controlled_);
     if (!pose) return;
     double steer = random(-1, 1) * random(0, 1);
     const auto [x, y, z] = pose->position;
     if (std::hypot(x, z) > range) {
-        // Its own -z axis and the way home, seen from above.
+        // The body's -z axis and the direction to the centre, seen from above.
         const auto& q = pose->rotation;
         const double ahead_x = -2 * (q[0] * q[2] + q[3] * q[1]),
                      ahead_z = -1 + 2 * (q[0] * q[0] + q[1] * q[1]);
@@ -219,7 +220,7 @@ void Behaviour::drive(std::vector<v1::Input>& out, const client::WorldView& worl
     control.add_axes(axis(random(0.3, 1)));
 }
 
-// Along the circle's tangent, and towards the circle where it is off it.
+// Drives along the tangent of the circle, and towards the circle if off it.
 void Behaviour::race(std::vector<v1::Input>& out, const client::WorldView& world, double seconds) {
     const auto pose = world.pose_of(controlled_);
     if (!pose) return;
@@ -248,7 +249,7 @@ void Behaviour::walk(std::vector<v1::Input>& out, const client::WorldView& world
     const auto pose = world.pose_of(controlled_);
     if (!pose) return;
     const double x = pose->position[0], z = pose->position[2];
-    // The heading is counted from -z, to the left.
+    // The heading is measured from -z, positive to the left.
     double heading = random(-1, 1);
     if (std::hypot(x, z) > yard) heading = std::atan2(x, z) / pi;
     v1::ControlInput& control = *out.emplace_back().mutable_control();

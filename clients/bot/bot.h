@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// One bot: a client and its behaviour. Its owner calls think() some thirty times a second.
+// One bot: a client and its behaviour. The owner calls think() about 30 times per second.
 #pragma once
 
 #include <memory>

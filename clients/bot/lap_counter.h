@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Counts laps round the world's y axis, of one that is seen now and then.
+// Counts laps around the world's y axis from sampled positions.
 #pragma once
 
 #include <vector>
@@ -9,12 +9,13 @@ namespace jostle::bots {
 
 struct Lap {
     double seconds = 0;
-    double nearest = 1e9, furthest = 0;  // m from the axis on the way
+    double nearest = 1e9, furthest = 0;  // m from the axis
 };
 
 class LapCounter {
 public:
-    // Where it is at a time, often enough that it turned by less than half a lap. Either way round.
+    // Adds a position at a time. Successive positions must be less than half a lap apart. Laps
+    // count in both directions.
     void add_position(double seconds, double x, double z);
     void begin() { *this = {}; }
     const std::vector<Lap>& laps() const { return laps_; }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// jostle-bot: players that behave by a script.
+// jostle-bot: scripted players.
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -20,19 +20,19 @@ using jostle::client::Clock;
 std::atomic<bool> stop{false};
 
 constexpr const char* footer = R"(
-A script has one behaviour a line: NAME weight=N key=value ... ; # begins a comment.
-  wander   rolls a ball about             period=2 strength=4
-  push     shoves things to the middle    period=1 strength=3
-  throw    throws balls over the yard     period=2 speed=12 max_bodies=5
-  builder  stacks boxes                   period=1 max_bodies=8 size=0.3
-  drag     carries things about           period=3
-  drive    steers what can be driven      period=0.2 change=20
-  walk     goes about on foot, and jumps  period=0.5 change=20
-  race     drives round the middle, counts laps  period=0.1 radius=45 speed=16
-  idle    sends nothing
-Without a script each bot does one of these.
+A script has one behaviour per line: NAME weight=N key=value ... ; # starts a comment.
+  wander   rolls a ball                               period=2 strength=4
+  push     pushes bodies towards the centre           period=1 strength=3
+  throw    throws balls across the yard               period=2 speed=12 max_bodies=5
+  builder  stacks boxes                               period=1 max_bodies=8 size=0.3
+  drag     grabs and carries bodies                   period=3
+  drive    drives controllable entities               period=0.2 change=20
+  walk     walks and jumps as a character             period=0.5 change=20
+  race     drives around the centre and counts laps   period=0.1 radius=45 speed=16
+  idle     sends no inputs
+Without --script the bots wander, push, throw, build and drag.
 
-Exit status: 0 in order, 1 when a bot could not play, 2 wrong flags or script.)";
+Exit status: 0 success, 1 a bot received no snapshots, 2 invalid flags or script.)";
 
 struct Flags {
     jostle::client::SecurityFiles files;
@@ -52,17 +52,17 @@ std::string pair(std::uint32_t a, const char* verb, std::uint32_t b) {
     return std::to_string(a) + " " + verb + " " + std::to_string(b);
 }
 
-// One line per event: "tick 71: 5 hits 1 at 4.42 m/s".
+// Formats one line per event: "tick 71: 5 hits 1 at 4.42 m/s".
 std::string to_lines(const jostle::v1::Events& events) {
     std::string lines;
     const auto add = [&](const std::string& what) {
         lines += "tick " + std::to_string(events.tick()) + ": " + what + "\n";
     };
-    if (events.missed() > 0) add(std::to_string(events.missed()) + " ticks were missed");
+    if (events.missed() > 0) add("missed " + std::to_string(events.missed()) + " ticks");
     for (const auto& c : events.contacts_began())
         add(pair(c.entity_a(), "touches", c.entity_b()) + " at " + number(c.speed()) + " m/s");
     for (const auto& c : events.contacts_ended())
-        add(pair(c.entity_a(), "lets go of", c.entity_b()));
+        add(pair(c.entity_a(), "separates from", c.entity_b()));
     for (const auto& c : events.contacts())
         add(pair(c.entity_a(), "presses on", c.entity_b()) + " with " + number(c.impulse()) +
             " N s");
@@ -80,7 +80,7 @@ std::string to_lines(const jostle::v1::Events& events) {
     return lines;
 }
 
-// One line per lap: "bot 1: lap 2 in 17.9 s, 44.2 to 46.0 m from the middle".
+// Formats one line per lap: "bot 1: lap 2 in 17.9 s, 44.2 to 46.0 m from the centre".
 class LapReport {
 public:
     std::string new_lines(const std::vector<std::unique_ptr<jostle::bots::Bot>>& bots) {
@@ -92,13 +92,13 @@ public:
                 lines += "bot " + std::to_string(i + 1) + ": lap " +
                          std::to_string(reported_[i] + 1) + " in " + number(lap.seconds) + " s, " +
                          number(lap.nearest) + " to " + number(lap.furthest) +
-                         " m from the middle\n";
+                         " m from the centre\n";
             }
         return lines;
     }
 
 private:
-    std::vector<std::size_t> reported_;  // of each bot
+    std::vector<std::size_t> reported_;  // per bot
 };
 
 int play(const Flags& flags, const jostle::client::Security& security,
@@ -112,7 +112,8 @@ int play(const Flags& flags, const jostle::client::Security& security,
                                           .security = security,
                                           .world = flags.world,
                                           .name = "bot " + std::to_string(i + 1),
-                                          // All bots see the same: one tells.
+                                          // All bots receive the same events; only the first one
+                                          // subscribes.
                                           .events = flags.events && i == 0,
                                           .datagrams = flags.datagrams},
             line_for(script, i), static_cast<std::uint32_t>(i + 1)));
@@ -131,12 +132,12 @@ int play(const Flags& flags, const jostle::client::Security& security,
         if (now >= next_line) {
             next_line = now + std::chrono::seconds(1);
             int connected = 0;
-            std::uint64_t applied = 0, refused = 0;
+            std::uint64_t applied = 0, rejected = 0;
             for (const auto& bot : bots) {
                 const auto stats = bot->client().stats();
                 connected += stats.connected ? 1 : 0;
                 applied += stats.inputs_applied;
-                refused += stats.inputs_refused;
+                rejected += stats.inputs_refused;
                 if (!stats.connected && stats.last_error != last_error) {
                     last_error = stats.last_error;
                     if (!last_error.empty())
@@ -144,9 +145,9 @@ int play(const Flags& flags, const jostle::client::Security& security,
                 }
             }
             if (live)
-                std::printf("\r%d of %d connected, %llu inputs applied, %llu refused ", connected,
+                std::printf("\r%d of %d connected, %llu inputs applied, %llu rejected ", connected,
                             flags.count, static_cast<unsigned long long>(applied),
-                            static_cast<unsigned long long>(refused));
+                            static_cast<unsigned long long>(rejected));
             std::fflush(stdout);
         }
         std::this_thread::sleep_for(std::chrono::milliseconds(33));
@@ -164,18 +165,25 @@ int play(const Flags& flags, const jostle::client::Security& security,
 }  // namespace
 
 int main(int argc, char** argv) {
-    CLI::App app{"Headless players for a Jostle server."};
+    CLI::App app{"Connect scripted players to a Jostle server."};
     Flags flags;
-    app.add_option("--server", flags.target, "Server, HOST:PORT")->capture_default_str();
+    app.add_option("--server", flags.target,
+                   "Connect to this gRPC server [default: localhost:50051]")
+        ->type_name("HOST:PORT");
     jostle::client::add_security_flags(app, flags.files);
-    app.add_option("--world", flags.world, "World by name or id; the first when not given");
-    app.add_option("--count", flags.count, "How many bots")
-        ->capture_default_str()
-        ->check(CLI::Range(1, 10000));
-    app.add_option("--script", flags.script, "What they do; see below");
-    app.add_option("--seconds", flags.seconds, "How long; 0: until Ctrl-C")->capture_default_str();
-    app.add_flag("--events", flags.events, "Print what happens in the world");
-    app.add_flag("--datagrams", flags.datagrams, "Take snapshots as datagrams where offered");
+    app.add_option("--world", flags.world, "Join a world by name or id [default: the first]")
+        ->type_name("WORLD");
+    app.add_option("--count", flags.count, "Connect N bots [default: 5; 1 to 10000]")
+        ->type_name("N")
+        ->check(CLI::Range(1, 10000).description(""));
+    app.add_option("--script", flags.script, "Read the behaviours of the bots from FILE")
+        ->type_name("FILE");
+    app.add_option("--seconds", flags.seconds,
+                   "Run for this time; 0 runs until Ctrl-C [default: 0]")
+        ->type_name("SECONDS");
+    app.add_flag("--events", flags.events, "Print the events of the world");
+    app.add_flag("--datagrams", flags.datagrams,
+                 "Receive snapshots as datagrams if the server supports them");
     app.footer(footer);
     try {
         app.parse(argc, argv);

@@ -44,14 +44,15 @@ Result<ScriptLine> parse_line(const std::string& text) {
         std::string names;
         for (const BehaviourSpec& k : behaviour_specs())
             names += std::string(names.empty() ? "" : ", ") + k.behaviour;
-        return invalid_argument("there is no behaviour \"" + line.behaviour + "\"; there are " +
+        return invalid_argument("unknown behaviour \"" + line.behaviour + "\"; must be one of " +
                                 names);
     }
     line.values = behaviour->defaults;
     for (std::string word; words >> word;) {
         const std::size_t at = word.find('=');
         const std::string key = word.substr(0, at);
-        if (at == std::string::npos) return invalid_argument("\"" + word + "\" is no key=value");
+        if (at == std::string::npos)
+            return invalid_argument("\"" + word + "\" is not of the form key=value");
         double value = 0;
         const char* end = word.data() + word.size();
         const auto [stop, error] = std::from_chars(word.data() + at + 1, end, value);
@@ -63,7 +64,7 @@ Result<ScriptLine> parse_line(const std::string& text) {
         } else if (const auto slot = line.values.find(key); slot != line.values.end()) {
             slot->second = value;
         } else {
-            return invalid_argument(line.behaviour + " has no key \"" + key + "\"");
+            return invalid_argument(line.behaviour + ": unknown key \"" + key + "\"");
         }
     }
     if (line.values.contains("period") && line.values["period"] < 0.05)
@@ -93,7 +94,7 @@ Result<Script> parse_script(const std::string& text, const std::string& name) {
         weights += line->weight;
         script.push_back(std::move(*line));
     }
-    if (script.empty()) return invalid_argument(name + ": there is no behaviour in it");
+    if (script.empty()) return invalid_argument(name + ": no behaviours");
     if (weights <= 0) return invalid_argument(name + ": all weights are zero");
     return script;
 }
@@ -116,9 +117,9 @@ Result<Script> script_or_default(const std::string& path) {
 const ScriptLine& line_for(const Script& script, int i) {
     double weights = 0;
     for (const ScriptLine& line : script) weights += line.weight;
-    // The golden ratio spreads any number of bots evenly over the weights.
-    const double place = i * 0.6180339887498949;
-    double left = (place - static_cast<double>(static_cast<long long>(place))) * weights;
+    // The golden ratio distributes any number of bots evenly over the weights.
+    const double position = i * 0.6180339887498949;
+    double left = (position - static_cast<double>(static_cast<long long>(position))) * weights;
     for (const ScriptLine& line : script) {
         if (left < line.weight) return line;
         left -= line.weight;

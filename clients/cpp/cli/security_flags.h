@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The flags by which all programs say how they reach a server.
+// Command-line flags for TLS and tokens, shared by all client programs.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -10,12 +10,21 @@
 namespace jostle::client {
 
 inline void add_security_flags(CLI::App& app, SecurityFiles& files) {
-    app.add_flag("--tls", files.tls, "Speaks TLS; the system's authorities are believed");
+    app.add_flag("--tls", files.tls, "Use TLS and verify the server with the system's CAs")
+        ->group("Security");
     app.add_option("--ca", files.root_certificates,
-                   "Speaks TLS; the authorities in this PEM file are believed");
-    app.add_option("--cert", files.certificate, "PEM file of an own certificate to show");
-    app.add_option("--key", files.key, "PEM file of its private key");
-    app.add_option("--token-file", files.token, "File with the token to show");
+                   "Use TLS and verify the server with the CAs in a PEM file")
+        ->type_name("FILE")
+        ->group("Security");
+    app.add_option("--cert", files.certificate, "Present the client certificate in a PEM file")
+        ->type_name("FILE")
+        ->group("Security");
+    app.add_option("--key", files.key, "Read the private key of --cert from a PEM file")
+        ->type_name("FILE")
+        ->group("Security");
+    app.add_option("--token-file", files.token, "Send the bearer token in FILE")
+        ->type_name("FILE")
+        ->group("Security");
 }
 
 }  // namespace jostle::client

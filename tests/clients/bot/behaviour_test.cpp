@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Bots at the wheel, without a server between: a scene of the catalogue steps, is shown to the bot
-// as snapshots, and does what it answers.
+// Driving bots without a server: a scene of the catalogue steps, sends snapshots to the bot and
+// applies its inputs.
 #include "clients/bot/behaviour.h"
 
 #include <gtest/gtest.h>
@@ -91,7 +91,8 @@ private:
     double time_ = 0;
 };
 
-// The road is from 37 to 53 m; a lap of 45 m at 16 m/s takes 17.7 s, and the first a little more.
+// The track is 37 to 53 m from the centre. A lap at 45 m and 16 m/s takes 17.7 s, the first one
+// slightly more.
 TEST(Behaviour, drives_two_laps_on_the_race_track) {
     Drive race("race_track", "race", 3);
     race.run(45);

@@ -22,12 +22,12 @@ TEST(Script, errors_name_file_line_and_word) {
     const struct {
         const char *text, *message;
     } cases[] = {
-        {"push\n\nfly", "s:3: there is no behaviour \"fly\""},
-        {"push speed=3", "s:1: push has no key \"speed\""},
-        {"push strength", "s:1: \"strength\" is no key=value"},
+        {"push\n\nfly", "s:3: unknown behaviour \"fly\""},
+        {"push speed=3", "s:1: push: unknown key \"speed\""},
+        {"push strength", "s:1: \"strength\" is not of the form key=value"},
         {"push strength=ten", "s:1: \"strength=ten\": the value must be a number"},
         {"push period=0", "s:1: period must be at least 0.05 s"},
-        {"# nothing", "s: there is no behaviour in it"},
+        {"# nothing", "s: no behaviours"},
         {"push weight=0", "s: all weights are zero"},
     };
     for (const auto& c : cases) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// One client, shared by Client (any thread) and the loop's thread.
+// State of one client, shared by Client (any thread) and the loop's thread.
 #pragma once
 
 #include <atomic>
@@ -19,19 +19,19 @@ namespace jostle::client {
 struct ClientState {
     explicit ClientState(ClientOptions options) : protocol(std::move(options)) {}
 
-    mutable std::mutex mutex;  // guards the conversation
+    mutable std::mutex mutex;  // guards the protocol
     PlayProtocol protocol;
-    std::atomic<bool> destroyed{false};  // the Client was destroyed: end the stream
+    std::atomic<bool> destroyed{false};  // the Client was destroyed: close the stream
 
-    // The loop thread's own.
+    // Used by the loop's thread only.
     std::unique_ptr<Connection> connection;
-    std::unique_ptr<DatagramSocket> datagrams;  // of the connection's stream, if it has any
-    std::uint64_t socket_id = 0;                // for the watch
-    // Of a client with a bad link: what is on its way in and out. Empty otherwise.
+    std::unique_ptr<DatagramSocket> datagrams;  // of the connection's stream; null: none
+    std::uint64_t socket_id = 0;                // for the socket poller
+    // With simulated network conditions: messages in transit. Empty otherwise.
     std::optional<DelayedMessages> incoming, outgoing;
     Clock::time_point connect_at{};
     Clock::duration reconnect_delay = std::chrono::milliseconds(250);
-    std::optional<Clock::time_point> disconnect_deadline;  // of a client that is gone
+    std::optional<Clock::time_point> disconnect_deadline;  // of a destroyed client
     bool finished = false;
 };
 

@@ -11,10 +11,10 @@ constexpr std::uint64_t sample_life_us = 30'000'000;
 }  // namespace
 
 void ClockSync::add(std::uint64_t sent_us, std::uint64_t server_us, std::uint64_t now_us) {
-    if (now_us < sent_us) return;  // not an echo of ours
+    if (now_us < sent_us) return;  // not an echo of this client
     if (server_us > latest_time_us) return;
     const auto rtt = static_cast<std::int64_t>(now_us - sent_us);
-    // The server's word was true half a round trip ago.
+    // The server's time was valid half a round trip ago.
     const std::int64_t offset =
         static_cast<std::int64_t>(server_us) - static_cast<std::int64_t>(sent_us) - rtt / 2;
     samples_.push_back({offset, rtt, now_us});

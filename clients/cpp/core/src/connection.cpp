@@ -12,10 +12,11 @@ namespace {
 
 std::shared_ptr<grpc::Channel> make_channel(const ClientOptions& options) {
     grpc::ChannelArguments arguments;
-    // A connection of its own per client, as real players have; else gRPC would share one socket
-    // among all.
+    // One connection per client, as with real players; by default gRPC would share one socket among
+    // all.
     arguments.SetInt(GRPC_ARG_USE_LOCAL_SUBCHANNEL_POOL, 1);
-    arguments.SetMaxReceiveMessageSize(64 * 1024 * 1024);  // the first snapshot of a large world
+    // for the first snapshot of a large world
+    arguments.SetMaxReceiveMessageSize(64 * 1024 * 1024);
     return grpc::CreateCustomChannel(options.target, channel_credentials(options.security),
                                      arguments);
 }
@@ -95,7 +96,7 @@ const std::string* Connection::handle(Event event, bool ok) {
         }
         case Event::wrote:
             writing_ = false;
-            if (!ok) broken_ = true;  // the read in flight will fail as well and finish the stream
+            if (!ok) broken_ = true;  // the pending read fails as well and finishes the stream
             return nullptr;
         case Event::finished:
             finished_ = true;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// One gRPC play stream on a completion queue: at most one read and one write in flight, raw bytes
-// both ways. Lives on its loop's thread.
+// One gRPC play stream on a completion queue: at most one pending read and one pending write of raw
+// bytes. Used by its loop's thread only.
 #pragma once
 
 #include <grpcpp/channel.h>
@@ -22,27 +22,27 @@ public:
     struct Tag {
         Connection* connection;
         Event event;
-        void* owner;  // as given to the constructor
+        void* owner;  // as passed to the constructor
     };
 
-    // Begins to connect; the started event tells how it went. `owner` comes back with each event.
+    // Starts to connect; the started event reports the result. Each event contains `owner`.
     Connection(const ClientOptions& options, grpc::CompletionQueue& queue, void* owner);
 
-    // What the queue gave back. Returns received bytes when a message came, else null.
+    // Handles an event of the queue. Returns the bytes of a received message, else null.
     const std::string* handle(Event event, bool ok);
 
     bool ready_to_write() const { return started_ && !writing_ && !broken_ && !closing_; }
     void write(const std::string& bytes);
-    // We said all we had to say.
+    // Half-closes the stream: no more writes follow.
     void close_writes();
     void cancel();
 
-    // Where it is connected, as gRPC names it; once something was read.
+    // Peer address in gRPC's format; valid after the first read.
     std::string peer() const { return context_.peer(); }
 
     bool finished() const { return finished_; }
     const grpc::Status& status() const { return status_; }
-    // Nothing is in flight any more: may be destroyed.
+    // No operation is pending: the connection may be destroyed.
     bool idle() const { return in_flight_ == 0; }
 
 private:

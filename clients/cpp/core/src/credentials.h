@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A client's Security as gRPC takes it. Pure; any thread.
+// Converts Security to gRPC credentials. Pure functions; any thread.
 #pragma once
 
 #include <grpcpp/client_context.h>
@@ -13,7 +13,7 @@
 namespace jostle::client {
 
 std::shared_ptr<grpc::ChannelCredentials> channel_credentials(const Security& security);
-// Shows the token, if there is one.
+// Attaches the token, if there is one.
 void attach_token(grpc::ClientContext& call, const Security& security);
 
 }  // namespace jostle::client

@@ -17,7 +17,8 @@ namespace {
 
 constexpr int buffer_bytes = 1 << 20;
 
-// "192.0.2.7" of "ipv4:192.0.2.7:50051", "::1" of "ipv6:[::1]:50051" or "ipv6:%5B::1%5D:50051".
+// Extracts the host: "192.0.2.7" from "ipv4:192.0.2.7:50051", "::1" from "ipv6:[::1]:50051" or
+// "ipv6:%5B::1%5D:50051".
 std::optional<std::string> host_of(const std::string& peer) {
     const std::size_t scheme = peer.find(':'), port = peer.rfind(':');
     if (scheme == port) return std::nullopt;
@@ -32,27 +33,26 @@ std::optional<std::string> host_of(const std::string& peer) {
 }
 
 Error no_datagrams(const std::string& why) {
-    return {ErrorCode::unavailable, "no datagrams, the stream carries all: " + why};
+    return {ErrorCode::unavailable, "datagrams are unavailable, using the stream: " + why};
 }
 
 }  // namespace
 
-Result<std::unique_ptr<DatagramSocket>> DatagramSocket::open(const v1::DatagramCredentials& told,
+Result<std::unique_ptr<DatagramSocket>> DatagramSocket::open(const v1::DatagramCredentials& granted,
                                                              const std::string& peer,
                                                              Clock::time_point now) {
-    datagram::Credentials ticket{.id = told.id()};
-    if (told.key().size() != ticket.key.size() || told.port() == 0 || told.port() > 65535)
-        return no_datagrams("the server's ticket has a key of " +
-                            std::to_string(told.key().size()) + " bytes and port " +
-                            std::to_string(told.port()));
-    std::memcpy(ticket.key.data(), told.key().data(), ticket.key.size());
+    datagram::Credentials ticket{.id = granted.id()};
+    if (granted.key().size() != ticket.key.size() || granted.port() == 0 || granted.port() > 65535)
+        return no_datagrams("invalid credentials: key of " + std::to_string(granted.key().size()) +
+                            " bytes, port " + std::to_string(granted.port()));
+    std::memcpy(ticket.key.data(), granted.key().data(), ticket.key.size());
     const auto host = host_of(peer);
-    if (!host) return no_datagrams("the stream is connected to " + peer + ", which is no address");
+    if (!host) return no_datagrams("peer " + peer + " of the stream is not an IP address");
     addrinfo hints{}, *found = nullptr;
     hints.ai_socktype = SOCK_DGRAM;
     hints.ai_flags = AI_NUMERICHOST | AI_NUMERICSERV;
     if (const int error =
-            getaddrinfo(host->c_str(), std::to_string(told.port()).c_str(), &hints, &found);
+            getaddrinfo(host->c_str(), std::to_string(granted.port()).c_str(), &hints, &found);
         error != 0)
         return no_datagrams(*host + ": " + gai_strerror(error));
     const std::unique_ptr<addrinfo, decltype(&freeaddrinfo)> owned(found, freeaddrinfo);
@@ -75,7 +75,7 @@ std::optional<std::string> DatagramSocket::receive(Clock::time_point now) {
     for (;;) {
         std::array<char, datagram::packet_bytes_max + 1> bytes;
         const ssize_t size = recv(descriptor_, bytes.data(), bytes.size(), 0);
-        if (size < 0 && (errno == ECONNREFUSED || errno == EINTR)) continue;  // told once
+        if (size < 0 && (errno == ECONNREFUSED || errno == EINTR)) continue;  // reported once
         if (size < 0) return std::nullopt;
         const auto opened = cipher_->decrypt({bytes.data(), static_cast<std::size_t>(size)});
         if (!opened) continue;
@@ -84,10 +84,10 @@ std::optional<std::string> DatagramSocket::receive(Clock::time_point now) {
     }
 }
 
-// The message that is in it, or that it finishes.
+// Returns the message that the packet contains or completes.
 std::optional<std::string> DatagramSocket::take(const std::string& bytes) {
     const auto content = datagram::decode_content(bytes);
-    if (!content.ok()) return std::nullopt;  // of a newer server; not for us
+    if (!content.ok()) return std::nullopt;  // sent by a newer server; ignored
     if (const auto* question = std::get_if<datagram::PathChallenge>(&*content))
         transmit(datagram::encode(datagram::PathResponse{question->token}));
     if (const auto* message = std::get_if<datagram::Message>(&*content))
@@ -104,7 +104,7 @@ void DatagramSocket::send(const std::string& message) {
         transmit(content);
 }
 
-// What the system does not take is lost, as on the way.
+// A packet that the system rejects counts as lost.
 void DatagramSocket::transmit(const std::string& content) {
     const std::string packet = cipher_->encrypt(content);
     ::send(descriptor_, packet.data(), packet.size(), MSG_NOSIGNAL | MSG_DONTWAIT);

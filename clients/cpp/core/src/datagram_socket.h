@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The client's end of the datagrams of one stream (proto/WIRE.md, "Datagrams"): a UDP socket that
-// is connected to the server, seals what goes out, opens and puts together what comes in, and
-// answers when it is asked. The loop's thread.
+// The client's end of the datagrams of one stream (proto/WIRE.md, "Datagrams"): a UDP socket
+// connected to the server. It encrypts outgoing packets, decrypts and reassembles incoming ones,
+// and answers path challenges. Used by the loop's thread only.
 #pragma once
 
 #include <cstdint>
@@ -20,11 +20,11 @@ namespace jostle::client {
 
 class DatagramSocket {
 public:
-    // Who heard nothing for so long takes the way for blocked.
+    // After this time without a packet the path counts as blocked.
     static constexpr auto receive_timeout = std::chrono::milliseconds(1000);
 
-    // `peer`: where the stream is connected, as gRPC names it: "ipv4:192.0.2.7:50051". An error
-    // says what the ticket or the address lacks.
+    // `peer`: address of the stream in gRPC's format, "ipv4:192.0.2.7:50051". Errors name the
+    // invalid part of the credentials or the address.
     static Result<std::unique_ptr<DatagramSocket>> open(const v1::DatagramCredentials& ticket,
                                                         const std::string& peer,
                                                         Clock::time_point now);
@@ -33,15 +33,15 @@ public:
     DatagramSocket& operator=(const DatagramSocket&) = delete;
 
     int descriptor() const { return descriptor_; }
-    // The next whole message that came; nothing: no more has.
+    // Returns the next complete message, or nothing.
     std::optional<std::string> receive(Clock::time_point now);
     void send(const std::string& message);
 
-    // The server was heard lately.
+    // A packet was received recently.
     bool alive(Clock::time_point now) const {
         return last_received_ != Clock::time_point{} && now - last_received_ < receive_timeout;
     }
-    // It was tried for so long, and the server was not heard.
+    // No packet was received within the timeout since the start.
     bool timed_out(Clock::time_point now) const {
         return !alive(now) && now - std::max(opened_, last_received_) > receive_timeout;
     }

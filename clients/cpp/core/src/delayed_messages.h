@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Messages that are on their way over a bad link, in one direction: each comes out when the
-// conditioner says so, in the order in which they went in. One thread at a time.
+// Messages in transit in one direction of a simulated network: each one leaves at the time that the
+// network simulator determines, in order. One thread at a time.
 #pragma once
 
 #include <deque>
@@ -21,7 +21,7 @@ public:
         const std::int64_t due_us = link_.arrival_us(static_cast<std::int64_t>(to_us(now)));
         queue_.push_back({std::move(bytes), due_us});
     }
-    // The next one that has arrived.
+    // Returns the next message that has arrived.
     std::optional<std::string> take(Clock::time_point now) {
         if (queue_.empty() || queue_.front().due_us > static_cast<std::int64_t>(to_us(now)))
             return std::nullopt;

@@ -27,15 +27,15 @@ double InputClock::target_us() const {
 
 void InputClock::on_frame(std::uint32_t tick, double due_ago_us, double one_way_us,
                           std::int64_t now_us) {
-    const double wanted = tick + (due_ago_us + one_way_us + target_us()) / tick_us_;
+    const double target = tick + (due_ago_us + one_way_us + target_us()) / tick_us_;
     if (!ready_) {
         ready_ = true;
-        position_ = wanted;
+        position_ = target;
         now_us_ = now_us;
         return;
     }
-    // Margins know better; but without inputs there are none.
-    const double off = wanted - position(now_us);
+    // Margins are more accurate, but without inputs there are none.
+    const double off = target - position(now_us);
     if (++frames_since_margin_ > margin_timeout_frames && std::abs(off) > jump_ticks) jump(off);
 }
 
@@ -45,7 +45,7 @@ void InputClock::on_margin(std::uint32_t sequence, double margin_us) {
     frames_since_margin_ = 0;
     if (!measured_) mean_us_ = last_us_ = margin_us;
     measured_ = true;
-    // From one to the next: that the way became longer is no jitter.
+    // Measured between successive margins: a longer transit time is not jitter.
     const double change_us = std::min(std::abs(margin_us - last_us_), 2 * tick_us_);
     jitter_us_ += jitter_weight * (change_us - jitter_us_);
     last_us_ = margin_us;
@@ -85,7 +85,7 @@ double InputClock::position(std::int64_t now_us) {
 }
 
 std::uint32_t InputClock::tick(std::int64_t now_us) {
-    // A server may say anything of its time.
+    // The server's times are untrusted.
     return static_cast<std::uint32_t>(std::ceil(std::clamp(position(now_us), 0.0, 4294967295.0)));
 }
 

@@ -7,7 +7,7 @@
 namespace jostle::client {
 namespace {
 
-// A server that confirms nothing: the oldest are not said again.
+// Limit for servers that do not confirm: the oldest inputs are not sent again.
 constexpr std::size_t unconfirmed_max = 8192;
 
 }  // namespace
@@ -41,7 +41,7 @@ std::uint32_t InputOutbox::push(v1::Input input) {
 }
 
 void InputOutbox::confirm(std::uint32_t received, Clock::time_point now) {
-    // A server may say anything.
+    // The server's number is untrusted.
     const std::uint32_t end = std::min(received, last_sent());
     if (end < first_) return;
     inputs_.erase(inputs_.begin(), inputs_.begin() + (end + 1 - first_));
@@ -53,7 +53,8 @@ bool InputOutbox::on_result(std::uint32_t sequence, Clock::time_point now) {
     const auto at = std::ranges::lower_bound(awaiting_result_, sequence);
     if (at == awaiting_result_.end() || *at != sequence) return !resumed_;
     awaiting_result_.erase(at);
-    // One before it may wait until it is kept: should the server end, it is to be said again.
+    // An earlier input may still wait to be persisted: if the server restarts, it must be sent
+    // again.
     confirm(awaiting_result_.empty() ? last_sent() : awaiting_result_.front() - 1, now);
     return true;
 }
@@ -83,7 +84,7 @@ std::size_t InputOutbox::put(v1::InputBatch& batch, std::uint32_t from) const {
     return count;
 }
 
-// How many of them were not said before.
+// Returns the number of inputs sent for the first time.
 std::size_t InputOutbox::mark_sent_until(std::uint32_t end) {
     if (end <= next_unsent_) return 0;
     for (std::uint32_t k = next_unsent_; k < end; k++) awaiting_result_.push_back(k);
@@ -111,7 +112,7 @@ std::size_t InputOutbox::take_for_stream(v1::InputBatch& batch) {
 
 std::size_t InputOutbox::take_for_datagram(v1::InputBatch& batch, Clock::time_point now) {
     const auto end = static_cast<std::uint32_t>(first_ + put(batch, first_));
-    // What the stream says next must not follow what only a datagram said.
+    // The stream must not continue after inputs that only a datagram carried.
     if (end > next_for_stream()) stream_next_ = 0;
     if (first_ == next_unsent_) unconfirmed_since_ = now;
     return mark_sent_until(end);

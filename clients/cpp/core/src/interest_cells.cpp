@@ -17,9 +17,10 @@ Result<wire::QuantizedFrame> InterestCells::decode(const v1::CellUpdate& part,
                                                    wire::Codec codec) const {
     const std::string name =
         "cell " + std::to_string(part.cell()) + " of tick " + std::to_string(part.number());
-    const Result<wire::BaselineFrames> told =
+    const Result<wire::BaselineFrames> baseline_frames =
         wire::decode_baseline_frames(part.number(), part.baselines());
-    if (!told.ok()) return Error{told.error().code, name + ": " + told.error().message};
+    if (!baseline_frames.ok())
+        return Error{baseline_frames.error().code, name + ": " + baseline_frames.error().message};
     const auto known = cells_.find(part.cell());
     if (known != cells_.end() && part.baselines() != 0 &&
         part.number() <= known->second.back().frame)
@@ -27,21 +28,22 @@ Result<wire::QuantizedFrame> InterestCells::decode(const v1::CellUpdate& part,
     wire::Baselines baselines;
     const wire::QuantizedFrame** slots[] = {&baselines.baseline, &baselines.baseline2,
                                             &baselines.baseline3};
-    const std::uint32_t numbers[] = {told->baseline, told->baseline2, told->baseline3};
+    const std::uint32_t numbers[] = {baseline_frames->baseline, baseline_frames->baseline2,
+                                     baseline_frames->baseline3};
     for (int k = 0; k < 3 && numbers[k] != 0; k++) {
         if (known != cells_.end())
             for (const wire::QuantizedFrame& state : known->second)
                 if (state.frame == numbers[k]) *slots[k] = &state;
         if (*slots[k] == nullptr)
             return Error{ErrorCode::failed_precondition,
-                         name + ": its state " + std::to_string(numbers[k]) + " is not known"};
+                         name + ": unknown baseline " + std::to_string(numbers[k])};
     }
     const auto* bytes = reinterpret_cast<const std::byte*>(part.packed().data());
     auto state = wire::decode_frame(part.number(), {bytes, part.packed().size()}, baselines, spec,
                                     wire::default_entities_max, codec);
     if (!state.ok()) return Error{state.error().code, name + ": " + state.error().message};
     if (wire::frame_crc(*state) != part.crc())
-        return Error{ErrorCode::corrupt_data, name + ": the CRC does not match"};
+        return Error{ErrorCode::corrupt_data, name + ": CRC mismatch"};
     return state;
 }
 
@@ -58,7 +60,7 @@ Status InterestCells::apply(const v1::Snapshot& snapshot, const wire::QuantSpec&
     for (const std::uint32_t cell : snapshot.cells_left()) cells_.erase(cell);
     for (auto& [cell, state] : fresh) {
         States& states = cells_[cell];
-        // One that is told whole begins anew.
+        // A cell without baselines starts again.
         if (!states.empty() && state.frame <= states.back().frame) states.clear();
         states.push_back(std::move(state));
         if (states.size() > history_max) states.pop_front();
@@ -103,11 +105,11 @@ wire::QuantizedFrame InterestCells::frame(std::uint32_t number) const {
     return merge_cells(std::move(all), number);
 }
 
-// A cell in which nothing moved for a while is told as seldom as it likes: its shortest interval of
-// late is how often it is told.
+// A cell in which nothing moves is sent rarely, so its update interval is the shortest of its
+// recent intervals.
 double InterestCells::progress(const States& states, std::uint32_t number) const {
     constexpr std::size_t intervals = 3;
-    constexpr std::uint32_t longest = 12;  // ticks: nobody is shown later than that
+    constexpr std::uint32_t longest = 12;  // ticks: upper bound of the added delay
     if (states.size() < 2) return 1;
     std::uint32_t shortest = longest;
     for (std::size_t k = states.size() - 1; k > 0 && k + intervals >= states.size(); k--)
@@ -120,17 +122,17 @@ wire::QuantizedFrame InterestCells::rendered_frame(std::uint32_t number,
                                                    const wire::QuantSpec& spec,
                                                    double tick_us) const {
     std::vector<CellEntity> all;
-    std::deque<wire::EntityState> made;
+    std::deque<wire::EntityState> interpolated;
     for (const auto& [cell, states] : cells_) {
         const wire::QuantizedFrame& now = states.back();
         const double t = progress(states, number);
-        const wire::QuantizedFrame* const before = t < 1 ? &states[states.size() - 2] : nullptr;
-        const double width_us = before ? (now.frame - before->frame) * tick_us : 0;
-        wire::EntityFinder in_before(before);
+        const wire::QuantizedFrame* const previous = t < 1 ? &states[states.size() - 2] : nullptr;
+        const double width_us = previous ? (now.frame - previous->frame) * tick_us : 0;
+        wire::EntityFinder in_previous(previous);
         for (const wire::EntityState& entity : now.entities) {
-            const wire::EntityState* const was = in_before.find(entity.id);
-            if (was) made.push_back(interpolate_entity(*was, entity, t, spec, width_us));
-            all.push_back({was ? &made.back() : &entity, now.frame});
+            const wire::EntityState* const was = in_previous.find(entity.id);
+            if (was) interpolated.push_back(interpolate_entity(*was, entity, t, spec, width_us));
+            all.push_back({was ? &interpolated.back() : &entity, now.frame});
         }
     }
     return merge_cells(std::move(all), number);

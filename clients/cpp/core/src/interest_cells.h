@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What a client that sees a part of its world knows of it: the last states of each cell, put
-// together to one frame (proto/WIRE.md, "Cells"). One thread at a time.
+// The state of the area of interest: the last states of each cell, merged into one frame
+// (proto/WIRE.md, "Cells"). One thread at a time.
 #pragma once
 
 #include <cstddef>
@@ -17,29 +17,30 @@ namespace jostle::client {
 
 class InterestCells {
 public:
-    static constexpr std::size_t history_max = 32;  // states of a cell, as bases of later ones
+    static constexpr std::size_t history_max = 32;  // states per cell, as baselines of later ones
 
-    // The cells of a snapshot. An error leaves everything as it was.
+    // Applies the cells of a snapshot. An error leaves the state unchanged.
     Status apply(const v1::Snapshot& snapshot, const wire::QuantSpec& spec, wire::Codec codec);
-    // All entities that are in sight, in rising order of id: of one that is in two cells, on its
-    // way from one to the other, the newer.
+    // All entities of the area of interest, sorted by id. An entity in two cells, while it moves
+    // from one to the other, has the newer state.
     wire::QuantizedFrame frame(std::uint32_t number) const;
-    // The same for a picture: a cell that is told with some snapshots only moves on evenly from one
-    // telling to the next, and is shown so much later. `tick_us`: of a tick of the world.
+    // Like frame(), for rendering: entities of a cell with a lower update rate are interpolated
+    // between its updates and delayed accordingly. `tick_us`: tick interval.
     wire::QuantizedFrame rendered_frame(std::uint32_t number, const wire::QuantSpec& spec,
                                         double tick_us) const;
     void clear() { cells_.clear(); }
 
 private:
-    using States = std::deque<wire::QuantizedFrame>;  // rising, at most `kept`
+    using States = std::deque<wire::QuantizedFrame>;  // ascending; at most history_max
     Result<wire::QuantizedFrame> decode(const v1::CellUpdate& part, const wire::QuantSpec& spec,
                                         wire::Codec codec) const;
 
-    // How far on the way from the state before to the newest one a picture is.
+    // The fraction of the interval from the previous state to the newest one that is rendered.
     double progress(const States& states, std::uint32_t number) const;
 
     std::map<std::uint32_t, States> cells_;
-    std::uint32_t newest_ = 0, step_ = 1;  // snapshots: the last one, and ticks from the one before
+    // the last snapshot, and the number of ticks since the previous one
+    std::uint32_t newest_ = 0, step_ = 1;
 };
 
 }  // namespace jostle::client

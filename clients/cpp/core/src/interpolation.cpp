@@ -12,7 +12,8 @@ namespace {
 
 constexpr std::size_t frames_max = 64;
 constexpr double extrapolation_max_us = 50'000;
-// Who did not draw for so long shows the world anew: nobody saw what it looked like before.
+// After a longer gap without rendering, errors are discarded: nothing was displayed that could
+// jump.
 constexpr std::int64_t sample_gap_max_us = 250'000;
 
 const wire::EntityState* find_state(const wire::QuantizedFrame& frame, std::uint32_t id) {
@@ -51,7 +52,7 @@ void InterpolationBuffer::hold(std::int64_t server_us) {
 }
 
 InterpolationBuffer::FramePair InterpolationBuffer::frames_around(double at_us) const {
-    // The first frame after it, or the newest.
+    // The first frame after `at_us`, or the newest frame.
     std::size_t next = 0;
     while (next + 1 < frames_.size() && static_cast<double>(frames_[next].server_us) < at_us)
         next++;
@@ -62,7 +63,7 @@ InterpolationBuffer::FramePair InterpolationBuffer::frames_around(double at_us) 
     return {&a, &b, std::clamp(t, 0.0, 1 + extrapolation_max_us / width)};
 }
 
-// Without errors.
+// Poses without errors.
 std::vector<InterpolationBuffer::RenderedPose> InterpolationBuffer::poses_at(
     double at_us, const wire::QuantSpec& spec) const {
     const auto [a, b, t] = frames_around(at_us);
@@ -100,8 +101,8 @@ bool InterpolationBuffer::teleported_since(std::uint32_t entity, std::int64_t se
     return false;
 }
 
-// The last picture was a guess, and now there are the frames that it lacked: what would it have
-// shown?
+// The last rendered frame was extrapolated and the missing frames have arrived: computes the
+// difference from the correct poses.
 void InterpolationBuffer::update_errors(const wire::QuantSpec& spec) {
     const auto poses = poses_at(static_cast<double>(last_render_time_us_), spec);
     std::size_t k = 0;

@@ -8,17 +8,17 @@
 namespace jostle::client {
 namespace {
 
-// Inputs, pings and reconnects need no better; messages that arrive are handled at once.
+// Sufficient for inputs, pings and reconnects; messages are handled as they arrive.
 constexpr auto housekeeping_period_max = std::chrono::milliseconds(5);
-// Messages of a bad link arrive when it says so, not when something else happens.
+// Messages of a simulated network arrive on time, independent of other events.
 constexpr auto simulated_network_period = std::chrono::milliseconds(1);
 constexpr auto reconnect_delay_max = std::chrono::seconds(5);
 constexpr auto leave_timeout = std::chrono::milliseconds(100);
 
-// Of a stream that nobody here wanted to end.
+// The error of a stream that ended without a request of this client.
 Error stream_error(const Status& end) {
-    if (end.ok()) return {ErrorCode::aborted, "the stream ended: the server closed it"};
-    return {end.error().code, "the stream ended: " + end.error().message};
+    if (end.ok()) return {ErrorCode::aborted, "stream closed by the server"};
+    return {end.error().code, "stream failed: " + end.error().message};
 }
 
 }  // namespace
@@ -69,7 +69,7 @@ Clock::duration LoopThread::housekeeping_period() const {
 }
 
 void LoopThread::handle(const Connection::Tag& tag, bool ok, Clock::time_point now) {
-    // A client stays on the list until its connection has nothing in flight.
+    // A client stays on the list until its connection has no pending operation.
     ClientState& client = *static_cast<ClientState*>(tag.owner);
     const std::string* received = client.connection->handle(tag.event, ok);
     if (received && client.incoming) {
@@ -81,14 +81,14 @@ void LoopThread::handle(const Connection::Tag& tag, bool ok, Clock::time_point n
     advance(client, now);
 }
 
-// What has come over a bad link.
+// Handles messages that arrived over a simulated network.
 void LoopThread::receive(ClientState& client, Clock::time_point now) {
     if (!client.incoming) return;
     const std::lock_guard lock(client.mutex);
     while (const auto message = client.incoming->take(now)) client.protocol.receive(*message, now);
 }
 
-// What came by datagrams, of those who have something new.
+// Handles datagrams of sockets with new data.
 void LoopThread::read_ready(Clock::time_point now) {
     for (const std::uint64_t name : poller_->take_ready()) {
         const auto at = clients_by_socket_.find(name);
@@ -105,7 +105,7 @@ void LoopThread::read_datagrams(ClientState& client, Clock::time_point now) {
     }
 }
 
-// Once the server has told by which ticket.
+// Opens the socket once the server has sent the credentials.
 void LoopThread::open_datagrams(ClientState& client, Clock::time_point now) {
     const std::lock_guard lock(client.mutex);
     const auto& ticket = client.protocol.datagram_ticket();
@@ -119,7 +119,7 @@ void LoopThread::open_datagrams(ClientState& client, Clock::time_point now) {
     poller_->add(client.datagrams->descriptor(), client.socket_id);
 }
 
-// Says what is to be said by datagrams, and what became of them.
+// Sends due datagrams and reports their state to the protocol.
 void LoopThread::send_datagrams(ClientState& client, Clock::time_point now) {
     if (!client.datagrams) open_datagrams(client, now);
     if (!client.datagrams) return;
@@ -156,7 +156,7 @@ void LoopThread::write(ClientState& client, Clock::time_point now) {
     }
 }
 
-// Starts what can be started: a connection, the next write, the next attempt.
+// Starts what is due: a connection, the next write, the next attempt.
 void LoopThread::advance(ClientState& client, Clock::time_point now) {
     if (client.finished) return;
     if (!client.connection) {
@@ -171,7 +171,7 @@ void LoopThread::advance(ClientState& client, Clock::time_point now) {
         if (NetworkConditions network_conditions = options.network_conditions;
             network_conditions.impaired()) {
             client.incoming.emplace(network_conditions);
-            network_conditions.seed ^= 0x9e3779b9u;  // another link back
+            network_conditions.seed ^= 0x9e3779b9u;  // different conditions in the other direction
             client.outgoing.emplace(network_conditions);
         }
         client.connection = std::make_unique<Connection>(options, queue_, &client);
@@ -187,7 +187,7 @@ void LoopThread::advance(ClientState& client, Clock::time_point now) {
     write(client, now);
 }
 
-// It says goodbye if that can be done at once, so that the server keeps no place for it.
+// Sends a Leave if that is possible immediately, so that the server does not retain the session.
 void LoopThread::disconnect(ClientState& client, Clock::time_point now) {
     if (!client.disconnect_deadline) {
         const std::lock_guard lock(client.mutex);
@@ -203,10 +203,10 @@ void LoopThread::on_stream_end(ClientState& client, Clock::time_point now) {
     clients_by_socket_.erase(client.socket_id);
     client.datagrams.reset();
     const std::lock_guard lock(client.mutex);
-    const bool wanted = client.destroyed || client.protocol.leaving();
+    const bool requested = client.destroyed || client.protocol.leaving();
     if (client.protocol.stats().connected) client.reconnect_delay = std::chrono::milliseconds(250);
-    client.protocol.ended(wanted ? Status() : stream_error(end));
-    if (wanted || !client.protocol.options().reconnect) {
+    client.protocol.ended(requested ? Status() : stream_error(end));
+    if (requested || !client.protocol.options().reconnect) {
         client.finished = true;
         return;
     }
@@ -215,7 +215,7 @@ void LoopThread::on_stream_end(ClientState& client, Clock::time_point now) {
         std::min<Clock::duration>(client.reconnect_delay * 2, reconnect_delay_max);
 }
 
-// Cancels what is connected and takes the last events off the queue_.
+// Cancels all connections and removes the last events from the queue.
 void LoopThread::drain() {
     for (const auto& client : clients_)
         if (client->connection) client->connection->cancel();
@@ -223,7 +223,7 @@ void LoopThread::drain() {
     queue_.Shutdown();
     void* tag = nullptr;
     bool ok = false;
-    // No new operation may be started now, so the connections only count.
+    // No new operation may start, so the events are discarded.
     while (queue_.Next(&tag, &ok)) {
     }
     for (const auto& client : clients_) client->connection.reset();

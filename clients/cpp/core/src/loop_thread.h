@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The thread of a Loop: a completion queue, and the clients whose connections it moves.
+// The thread of a Loop: a completion queue and the clients whose connections it serves.
 #pragma once
 
 #include <grpcpp/completion_queue.h>
@@ -20,7 +20,7 @@ namespace jostle::client {
 class LoopThread {
 public:
     LoopThread();
-    ~LoopThread();  // ends what is still connected
+    ~LoopThread();  // closes all connections
     // Any thread.
     void add(std::shared_ptr<ClientState> client);
 
@@ -43,10 +43,10 @@ private:
     grpc::CompletionQueue queue_;
     std::mutex mutex_;  // guards new_clients_
     std::vector<std::shared_ptr<ClientState>> new_clients_;
-    std::vector<std::shared_ptr<ClientState>> clients_;  // the thread's own
-    std::unique_ptr<SocketPoller> poller_;               // once somebody takes datagrams
+    std::vector<std::shared_ptr<ClientState>> clients_;  // used by the thread only
+    std::unique_ptr<SocketPoller> poller_;  // created for the first client with datagrams
     std::uint64_t next_socket_id_ = 0;
-    std::unordered_map<std::uint64_t, ClientState*> clients_by_socket_;  // by name
+    std::unordered_map<std::uint64_t, ClientState*> clients_by_socket_;  // by socket id
     std::atomic<bool> stopping_{false};
     std::thread thread_;
 };

@@ -8,21 +8,23 @@ namespace jostle::client {
 namespace {
 
 constexpr std::uint32_t protocol_version = 1;
-constexpr auto batch_period = std::chrono::microseconds(33'333);  // 30 batches a second
-constexpr int initial_pings = 3;                                  // to have a clock soon
+constexpr auto batch_period = std::chrono::microseconds(33'333);  // 30 batches per second
+constexpr int initial_pings = 3;  // at short intervals, for a quick clock estimate
 constexpr auto initial_ping_period = std::chrono::milliseconds(100);
 constexpr auto ping_period = std::chrono::seconds(1);
-constexpr std::size_t results_max = 4096, ages_max = 1u << 16;  // not taken yet
-constexpr std::size_t events_max = 1024;                        // ticks, not taken yet
-constexpr std::uint32_t ack_ms_max = 1000;                      // whatever the server says
-// Of datagrams: how often one is sent although there is nothing to say, while they get through,
-// before it is known whether they do, and when they did not for a while.
+// limits of untaken results and ages
+constexpr std::size_t results_max = 4096, ages_max = 1u << 16;
+constexpr std::size_t events_max = 1024;    // limit of untaken events, in ticks
+constexpr std::uint32_t ack_ms_max = 1000;  // upper bound for the interval from the server
+// Intervals of datagrams without content: while datagrams get through, before that is known, and
+// after a longer failure.
 constexpr auto datagram_keepalive_period = std::chrono::milliseconds(250);
 constexpr auto initial_probe_period = std::chrono::milliseconds(50);
 constexpr auto probe_period = std::chrono::milliseconds(500);
 constexpr auto initial_probe_duration = std::chrono::seconds(2);
-constexpr std::size_t datagram_inputs_bytes = 1000;  // beside the ack and the batch's own numbers
-// Inputs that are not confirmed for so long go by the stream as well.
+// excluding the ack and the numbers of the batch
+constexpr std::size_t datagram_inputs_bytes = 1000;
+// Inputs that stay unconfirmed for longer are sent over the stream as well.
 constexpr auto confirm_timeout = std::chrono::seconds(1);
 
 void write(v1::Interest& to, const AreaOfInterest& from) {
@@ -52,7 +54,7 @@ void PlayProtocol::begin(Clock::time_point now) {
     if (resume_token_.empty()) start_new_session();
 }
 
-// The server counts each new client's inputs from 1.
+// The server counts the inputs of each new client from 1.
 void PlayProtocol::start_new_session() {
     buffer_.clear();
     newest_ = {};
@@ -73,7 +75,7 @@ void PlayProtocol::ended(const Status& end) {
     stats_.last_error = end.error().message;
 }
 
-// The newest counts; it goes out with the next message that is due.
+// Only the newest interest is sent, with the next message.
 void PlayProtocol::set_interest(const AreaOfInterest& interest) {
     if (!options_.interest) return;
     options_.interest = interest;
@@ -96,7 +98,7 @@ void PlayProtocol::receive(const std::string& bytes, Clock::time_point now) {
     if (options_.on_message) options_.on_message(bytes, now);
     if (!message_.ParseFromString(bytes)) {
         stats_.decode_errors++;
-        stats_.last_error = "the server sent bytes that are no ServerMessage";
+        stats_.last_error = "received bytes that are not a ServerMessage";
         return;
     }
     if (message_.has_welcome() && options_.datagrams) ticket_received_at_ = now;
@@ -108,7 +110,7 @@ void PlayProtocol::receive_datagram(const std::string& bytes, Clock::time_point 
     if (options_.on_message) options_.on_message(bytes, now);
     if (!message_.ParseFromString(bytes) || !message_.has_snapshot()) {
         stats_.decode_errors++;
-        stats_.last_error = "the server sent a datagram that holds no snapshot";
+        stats_.last_error = "received a datagram without a snapshot";
         return;
     }
     const std::uint64_t before = stats_.snapshots;
@@ -122,9 +124,9 @@ void PlayProtocol::on_message(Clock::time_point now) {
             on_welcome(message_.welcome(), now);
             break;
         case v1::ServerMessage::kGeometry:
-            if (const Status told = view_.apply(message_.geometry()); !told.ok()) {
+            if (const Status applied = view_.apply(message_.geometry()); !applied.ok()) {
                 stats_.decode_errors++;
-                stats_.last_error = told.error().message;
+                stats_.last_error = applied.error().message;
             }
             break;
         case v1::ServerMessage::kEntityUpdate:
@@ -132,11 +134,11 @@ void PlayProtocol::on_message(Clock::time_point now) {
             break;
         case v1::ServerMessage::kSnapshot:
             if (message_.snapshot().has_controlled_entity())
-                // What cannot be read is not foreseen.
+                // A malformed state is not predicted.
                 static_cast<void>(view_.apply(message_.snapshot().controlled_entity()).ok());
             if (message_.snapshot().frame() != 0) on_snapshot(message_.snapshot(), now);
             inputs_.confirm(message_.snapshot().client_update().input_received(), now);
-            // These stand by themselves, whatever became of the poses.
+            // Results and events are independent of the poses.
             on_results(message_.snapshot().client_update(), now);
             if (message_.snapshot().has_stats()) world_stats_ = message_.snapshot().stats();
             for (v1::Events& events : *message_.mutable_snapshot()->mutable_events())
@@ -151,7 +153,7 @@ void PlayProtocol::on_message(Clock::time_point now) {
             stats_.last_error = message_.notice().message();
             break;
         case v1::ServerMessage::MESSAGE_NOT_SET:
-            break;  // of a newer server; not for us
+            break;  // of a newer server; ignored
     }
 }
 
@@ -182,10 +184,10 @@ void PlayProtocol::on_welcome(const v1::Welcome& welcome, Clock::time_point now)
 void PlayProtocol::set_datagrams(bool alive, bool timed_out) {
     if (!alive && !blocked_reported_ && (stats_.datagrams || timed_out)) {
         blocked_reported_ = true;
-        stats_.last_error = "datagrams do not get through; the stream carries all";
+        stats_.last_error = "no datagrams received; using the stream";
     }
     if (alive) blocked_reported_ = false;
-    // Acks that went by datagrams may not have come: the server waits for them.
+    // Acks sent by datagram may be lost, and the server waits for them.
     if (!alive && stats_.datagrams) ack_due_ = true;
     stats_.datagrams = alive;
 }
@@ -203,8 +205,8 @@ void PlayProtocol::on_snapshot(const v1::Snapshot& snapshot, Clock::time_point n
         return;
     }
     if (const Status applied = view_.apply(snapshot); !applied.ok()) {
-        // While a keyframe is on its way, what follows cannot be decoded either; one error is
-        // enough.
+        // While a keyframe is in transit, the following snapshots cannot be decoded either; one
+        // error is enough.
         if (!need_keyframe_) {
             stats_.decode_errors++;
             stats_.last_error = applied.error().message;
@@ -316,8 +318,8 @@ std::string PlayProtocol::hello() {
     return message.SerializeAsString();
 }
 
-// Datagrams say inputs until they are confirmed; the stream does where they do not get through, and
-// what is too much for one.
+// Inputs are sent by datagram until they are confirmed. They use the stream if datagrams fail or
+// the inputs exceed a datagram.
 bool PlayProtocol::sends_inputs_on_stream(Clock::time_point now) const {
     if (!inputs_.has_for_stream()) return false;
     return leaving_ || !stats_.datagrams || !inputs_.fits(datagram_inputs_bytes) ||
@@ -344,7 +346,7 @@ std::optional<std::string> PlayProtocol::take_message(Clock::time_point now) {
         fill_ack(*message.mutable_ack(), now);
         return message.SerializeAsString();
     }
-    // Goodbye comes last, after every input.
+    // The Leave follows the last input.
     if (leaving_ && !inputs_.has_for_stream()) {
         leave_sent_ = true;
         resume_token_.clear();
@@ -381,13 +383,13 @@ std::optional<std::string> PlayProtocol::take_datagram(Clock::time_point now) {
         last_datagram_batch_ = now;
         return datagram_with_inputs(now);
     }
-    // It may get lost: what must not is still said by the stream.
-    const bool ack_due = ack_due_ && !through, keyframe_wanted = keyframe_requested_;
+    // The datagram may be lost, so flags that require delivery stay set for the stream.
+    const bool ack_due = ack_due_ && !through, keyframe_requested = keyframe_requested_;
     const Clock::time_point last_ack = last_ack_;
     v1::ClientMessage message;
     fill_ack(*message.mutable_ack(), now);
     ack_due_ = ack_due;
-    keyframe_requested_ = keyframe_wanted;
+    keyframe_requested_ = keyframe_requested;
     if (!through) last_ack_ = last_ack;
     return message.SerializeAsString();
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The client's half of the play stream without a network: takes received messages, says what to
-// send next. One thread at a time (Client's lock).
+// The client side of the play stream, independent of the network: takes received messages and
+// returns messages to send. One thread at a time (Client's lock).
 #pragma once
 
 #include <deque>
@@ -25,36 +25,36 @@ class PlayProtocol {
 public:
     explicit PlayProtocol(ClientOptions options) : options_(std::move(options)) {}
 
-    // A new stream: hello goes first. Inputs that were not sent yet stay queued. After a stream
-    // that was lost it asks to be the client that it was.
+    // Starts a new stream with a Hello. Unsent inputs stay queued. After a lost stream it requests
+    // to resume the session.
     void begin(Clock::time_point now);
     void receive(const std::string& bytes, Clock::time_point now);
-    // A message came by a datagram: the same, but it may be old, and only snapshots come so.
+    // Takes a message received as a datagram, which may be outdated and is always a snapshot.
     void receive_datagram(const std::string& bytes, Clock::time_point now);
-    // The stream ended, in order or not.
+    // The stream ended, normally or with an error.
     void ended(const Status& end);
-    // The next message to write, if it is time for one.
+    // Returns the next message to write, if one is due.
     std::optional<std::string> take_message(Clock::time_point now);
-    // The same for datagrams, which may get lost.
+    // Likewise for datagrams, which may be lost.
     std::optional<std::string> take_datagram(Clock::time_point now);
-    // By which datagrams can be had, once the server has told it; nothing: they cannot.
+    // Credentials for datagrams, once the server has sent them; nothing: no datagrams.
     const std::optional<v1::DatagramCredentials>& datagram_ticket() const { return ticket_; }
-    // Whether they get through now; if not, whether they were tried for long enough to say so.
+    // Reports whether datagrams get through, or whether the attempt timed out.
     void set_datagrams(bool alive, bool timed_out);
-    // There can be none: no ticket is left.
+    // Datagrams cannot be used; discards the credentials.
     void datagrams_failed(const Error& why);
 
-    std::uint32_t send(v1::Input input);  // 0: too many are waiting
-    // What the last picture showed, or, for who draws none, the newest frame. Tick 0: there is
+    std::uint32_t send(v1::Input input);  // 0: too many inputs are queued
+    // World time of the last rendered frame, or of the newest frame without rendering. Tick 0:
     // none.
     v1::ViewTime rendered_time() const;
     void set_interest(const AreaOfInterest& interest);
     void request_keyframe() { keyframe_requested_ = true; }
     void leave() { leaving_ = true; }
-    // The same, and at once: what waits is not sent.
+    // Like leave(), but without sending the queued inputs.
     void abandon();
     bool leaving() const { return leaving_; }
-    // Hello was answered and the Leave, if any, was handed out.
+    // The Leave, if any, was returned by take_message().
     bool leave_sent() const { return leave_sent_; }
 
     const WorldView& view() const { return view_; }
@@ -93,16 +93,16 @@ private:
     std::deque<v1::Events> events_;
     std::vector<float> ages_ms_;
 
-    v1::ServerMessage message_;  // reused: parsing then allocates rarely
+    v1::ServerMessage message_;  // reused, so that parsing rarely allocates
     InputOutbox inputs_;
-    std::string resume_token_;  // empty: it has no place that it could come back to
+    std::string resume_token_;  // empty: the session is not resumable
     std::optional<v1::DatagramCredentials> ticket_;
     bool datagram_ack_due_ = false, blocked_reported_ = false;
     Clock::time_point last_datagram_{}, last_datagram_batch_{}, ticket_received_at_{};
     bool interest_due_ = false;
     bool hello_due_ = false, ack_due_ = false;
-    bool need_keyframe_ = false;       // what comes cannot be decoded without one
-    bool keyframe_requested_ = false;  // it can, and somebody asked for one
+    bool need_keyframe_ = false;       // snapshots cannot be decoded without one
+    bool keyframe_requested_ = false;  // requested by the application
     Clock::duration ack_period_{};
     NewestFrame newest_;
     double tick_us_ = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A pose between two others.
+// Interpolation of poses.
 #pragma once
 
 #include <cmath>
@@ -16,19 +16,19 @@ inline double distance(const wire::Pose& a, const wire::Pose& b) {
                       b.position[2] - a.position[2]);
 }
 
-// It did not fly there.
+// Whether the distance is too large for continuous motion.
 inline bool is_teleport(const wire::Pose& a, const wire::Pose& b, double width_us) {
     return distance(a, b) * 1e6 > teleport_speed_m_s * width_us;
 }
 
-// t in 0..1 between a and b; beyond 1 the motion goes on.
+// Interpolates for t in 0..1 and extrapolates beyond 1.
 inline wire::Pose blend(const wire::Pose& a, const wire::Pose& b, double t) {
     wire::Pose out;
     double dot = 0, norm = 0;
     for (std::size_t k = 0; k < 3; k++)
         out.position[k] = a.position[k] + t * (b.position[k] - a.position[k]);
     for (std::size_t k = 0; k < 4; k++) dot += a.rotation[k] * b.rotation[k];
-    // Normalised linear interpolation along the shorter way: steps are small.
+    // Normalized linear interpolation along the shorter arc, sufficient for small steps.
     for (std::size_t k = 0; k < 4; k++) {
         const double to = dot < 0 ? -b.rotation[k] : b.rotation[k];
         out.rotation[k] = a.rotation[k] + t * (to - a.rotation[k]);

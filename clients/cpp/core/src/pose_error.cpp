@@ -25,12 +25,12 @@ double length_of(const std::array<double, 3>& v) {
     return std::hypot(v[0], v[1], v[2]);
 }
 
-// Of a rotation with w >= 0.
+// Angle of a rotation with w >= 0.
 double angle_of(const Quaternion& q) {
     return 2 * std::atan2(std::hypot(q[0], q[1], q[2]), q[3]);
 }
 
-// The same axis, another angle.
+// The same axis with another angle.
 Quaternion turned_to(const Quaternion& q, double angle) {
     const double length = std::hypot(q[0], q[1], q[2]);
     if (length == 0) return {0, 0, 0, 1};
@@ -59,7 +59,7 @@ PoseError pose_error(const wire::Pose& rendered, const wire::Pose& target) {
     const Quaternion& q = target.rotation;
     error.rotation = product(rendered.rotation, {-q[0], -q[1], -q[2], q[3]});
     if (error.rotation[3] < 0)
-        for (double& c : error.rotation) c = -c;  // the shorter way
+        for (double& c : error.rotation) c = -c;  // the shorter arc
     return error;
 }
 
@@ -77,21 +77,23 @@ wire::Pose apply_error(const wire::Pose& target, const PoseError& error) {
 
 PoseError decayed(const PoseError& error, const BodySpeed& body_speed, double seconds) {
     if (error.none()) return error;
-    PoseError left;
+    PoseError rest;
     const double distance = length_of(error.position);
-    const double still = remaining_error(distance, correction_speed(body_speed), seconds);
-    if (still > negligible_m)
-        for (std::size_t k = 0; k < 3; k++) left.position[k] = error.position[k] * still / distance;
+    const double remaining = remaining_error(distance, correction_speed(body_speed), seconds);
+    if (remaining > negligible_m)
+        for (std::size_t k = 0; k < 3; k++)
+            rest.position[k] = error.position[k] * remaining / distance;
     const double angle =
         remaining_error(angle_of(error.rotation), correction_spin(body_speed), seconds);
-    if (angle > negligible_rad) left.rotation = turned_to(error.rotation, angle);
-    return left;
+    if (angle > negligible_rad) rest.rotation = turned_to(error.rotation, angle);
+    return rest;
 }
 
 PoseError smoothable_error(const PoseError& error, const BodySpeed& body_speed) {
-    PoseError kept = error;
-    if (length_of(error.position) > correction_time_max_s * correction_speed(body_speed)) kept = {};
-    return kept;
+    PoseError result = error;
+    if (length_of(error.position) > correction_time_max_s * correction_speed(body_speed))
+        result = {};
+    return result;
 }
 
 }  // namespace jostle::client

@@ -10,10 +10,10 @@ namespace {
 constexpr std::size_t arrivals_max = 256;
 constexpr int frames_per_update = 8;
 constexpr double rest_us = 200'000, frame_gap_us = 500'000, delay_max_us = 300'000;
-// Frames that come one after the other faster than this share of their interval came at once.
+// Frames whose spacing is below this share of their interval arrived in a burst.
 constexpr double burst_interval_ratio = 0.25;
 constexpr double intervals_behind = 1.7, jitter_percentile = 0.95;
-// Of the difference to the delay that is wanted, by each frame.
+// Share of the difference to the target delay, per frame.
 constexpr double delay_growth_rate = 1.0 / 60, delay_shrink_rate = 1.0 / 240;
 constexpr double speed_change_max = 0.08, settle_us = 500'000, jump_us = 1'000'000;
 

@@ -21,29 +21,31 @@ Status read_text(const std::string& path, std::string& out) {
     std::error_code ignored;
     std::ifstream file(path, std::ios::binary);
     if (!file || std::filesystem::is_directory(path, ignored))
-        return invalid_argument("cannot read " + path + ": it is not there, or not yours to read");
+        return invalid_argument("cannot read " + path +
+                                ": the file does not exist or is not readable");
     out.resize(file_bytes_max + 1);
     file.read(out.data(), static_cast<std::streamsize>(out.size()));
     out.resize(static_cast<std::size_t>(file.gcount()));
-    if (out.size() > file_bytes_max) return invalid_argument(path + " has more than 1 MiB");
+    if (out.size() > file_bytes_max)
+        return invalid_argument(path + " is too large; at most 1 MiB is accepted");
     return {};
 }
 
-// No path: nothing.
+// Does nothing without a path.
 Status read_pem(const std::string& path, std::string& out) {
     if (path.empty()) return {};
     if (Status s = read_text(path, out); !s.ok()) return s;
     if (out.find("-----BEGIN ") == std::string::npos)
-        return invalid_argument(path + " is no PEM file: it has no line -----BEGIN ...-----");
+        return invalid_argument(path + " is not a PEM file: it has no -----BEGIN ...----- line");
     return {};
 }
 
 Status read_token(const std::string& path, std::string& out) {
     if (path.empty()) return {};
     if (Status s = read_text(path, out); !s.ok()) return s;
-    // Without the line end that an editor leaves.
+    // Removes the line end that editors append.
     out.erase(out.find_last_not_of("\r\n ") + 1);
-    return out.empty() ? invalid_argument(path + " holds no token") : Status();
+    return out.empty() ? invalid_argument(path + " contains no token") : Status();
 }
 
 }  // namespace
@@ -51,8 +53,7 @@ Status read_token(const std::string& path, std::string& out) {
 Result<Security> read_security(const SecurityFiles& files, const std::string& target) {
     Security security;
     if (files.certificate.empty() != files.key.empty())
-        return invalid_argument(
-            "--cert and --key go together: the certificate and its private key");
+        return invalid_argument("--cert and --key must be given together");
     security.tls = files.tls || !files.certificate.empty() || !files.root_certificates.empty();
     for (const auto& [path, out] :
          {std::pair(&files.root_certificates, &security.root_certificates_pem),
@@ -62,8 +63,8 @@ Result<Security> read_security(const SecurityFiles& files, const std::string& ta
     if (Status s = read_token(files.token, security.token); !s.ok()) return s.error();
     if (!security.token.empty() && !security.tls && !is_loopback(target))
         return invalid_argument(
-            "without TLS everybody on the way could read the token; give --tls, or --ca FILE for "
-            "an authority of your own");
+            "a token requires TLS unless the server is on loopback; use --tls, or --ca FILE for a "
+            "private CA");
     return security;
 }
 

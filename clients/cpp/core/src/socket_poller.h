@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Tells a loop that a socket has something to read: a thread that waits for sockets, and puts an
-// event on the loop's completion queue when there is one. gRPC's queue knows no sockets but its
-// own.
+// Notifies a loop when a socket becomes readable: a thread waits for the sockets and posts an event
+// to the loop's completion queue, because gRPC's queue supports only its own sockets.
 #pragma once
 
 #include <grpcpp/alarm.h>
@@ -18,17 +17,17 @@ namespace jostle::client {
 
 class SocketPoller {
 public:
-    // The event's tag is the watch itself.
+    // The tag of the event is the poller itself.
     explicit SocketPoller(grpc::CompletionQueue& queue);
-    // No event comes any more but one that is on the queue already.
+    // After the destructor no event is posted; one may still be in the queue.
     ~SocketPoller();
     SocketPoller(const SocketPoller&) = delete;
     SocketPoller& operator=(const SocketPoller&) = delete;
 
-    // The loop's thread. A socket is told of when something new comes: read all of it. It is
-    // forgotten when it is closed.
+    // Called by the loop's thread. The poller reports a socket when new data arrives, so the caller
+    // must read all of it. Closing the socket removes it.
     void add(int descriptor, std::uint64_t name);
-    // Whose sockets have something new; to be called at each event.
+    // Returns the ids of sockets with new data; to be called for each event.
     std::vector<std::uint64_t> take_ready();
 
 private:
@@ -39,7 +38,7 @@ private:
     grpc::Alarm alarm_;
     std::mutex mutex_;
     std::vector<std::uint64_t> ready_;
-    bool event_queued_ = false;  // an event is on the queue
+    bool event_queued_ = false;  // an event is in the queue
     std::atomic<bool> stopping_{false};
     std::thread thread_;
 };

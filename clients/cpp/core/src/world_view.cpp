@@ -14,7 +14,8 @@ namespace jostle::client {
 void WorldView::begin(const v1::Welcome& welcome) {
     spec_ = {static_cast<std::int32_t>(welcome.quant().units_per_meter()),
              static_cast<std::int32_t>(welcome.quant().rotation_component())};
-    // No clock says more, and no world is slower: what is beyond is not believed.
+    // Clamped, because the server's values are untrusted: later times and slower worlds are
+    // invalid.
     epoch_us_ = static_cast<std::int64_t>(std::min(welcome.epoch_us(), latest_time_us));
     tick_us_ = 1e6 / std::clamp(welcome.tick_hz(), 1.0, 1e5);
     codec_ = static_cast<wire::Codec>(std::max(1u, welcome.codec()));
@@ -42,14 +43,14 @@ Status WorldView::apply(const v1::GeometryChunk& part) {
     if (part.chunk() == 0) partial_geometry_ = {.id = part.id(), .next = 0, .bytes = {}};
     if (part.id() != partial_geometry_.id || part.chunk() != partial_geometry_.next ||
         part.chunk() >= part.chunk_count())
-        return failed("part " + std::to_string(part.chunk()) + " of " +
-                      std::to_string(part.chunk_count()) + " does not follow the one before");
+        return failed("chunk " + std::to_string(part.chunk()) + " of " +
+                      std::to_string(part.chunk_count()) + " does not follow the previous chunk");
     if (partial_geometry_.bytes.size() + part.data().size() > geometry_bytes_max)
-        return failed("it has more than " + std::to_string(geometry_bytes_max) + " bytes");
+        return failed("more than " + std::to_string(geometry_bytes_max) + " bytes");
     partial_geometry_.bytes += part.data();
     if (++partial_geometry_.next < part.chunk_count()) return {};
     v1::Shape shape;
-    if (!shape.ParseFromString(partial_geometry_.bytes)) return failed("its bytes are no Shape");
+    if (!shape.ParseFromString(partial_geometry_.bytes)) return failed("not a valid Shape");
     geometry_[part.id()] = std::move(shape);
     partial_geometry_ = {};
     return {};
@@ -67,20 +68,23 @@ void WorldView::apply(const v1::EntityUpdate& entity_update) {
     remove_unknown_entities();
 }
 
-Status WorldView::apply(const v1::ControlledEntityState& driven) {
-    if (!driven.keyframe() && driven.entity() != controlled_entity_.entity)
-        return Error{ErrorCode::failed_precondition,
-                     "driven: entity " + std::to_string(driven.entity()) + " was not told whole"};
-    if (driven.keyframe()) controlled_entity_ = {};
+Status WorldView::apply(const v1::ControlledEntityState& state) {
+    if (!state.keyframe() && state.entity() != controlled_entity_.entity)
+        return Error{ErrorCode::failed_precondition, "controlled entity " +
+                                                         std::to_string(state.entity()) +
+                                                         ": the first state must be a keyframe"};
+    if (state.keyframe()) controlled_entity_ = {};
     Result<std::vector<std::uint32_t>> words = wire::apply_changes(
-        controlled_entity_.words, driven.words(), driven.changed_mask(), driven.values());
+        controlled_entity_.words, state.words(), state.changed_mask(), state.values());
     controlled_entity_ = {};
-    if (!words.ok()) return Error{words.error().code, "driven: " + words.error().message};
-    controlled_entity_ = {driven.entity(), driven.tick(), driven.module(), *std::move(words)};
+    if (!words.ok())
+        return Error{words.error().code,
+                     "entity " + std::to_string(state.entity()) + ": " + words.error().message};
+    controlled_entity_ = {state.entity(), state.tick(), state.module(), *std::move(words)};
     return {};
 }
 
-// Both are in rising order of id.
+// Both lists are sorted by id.
 void WorldView::remove_unknown_entities() {
     known_frame_.reset();
     if (!datagrams_ || frames_.empty()) return;
@@ -115,11 +119,11 @@ const WorldView::KnownFrame* WorldView::find(std::uint32_t frame) const {
 }
 
 Status WorldView::apply(const v1::Snapshot& snapshot) {
-    const Result<wire::BaselineFrames> told_bases =
+    const Result<wire::BaselineFrames> baseline_frames =
         wire::decode_baseline_frames(snapshot.frame(), snapshot.baselines());
-    if (!told_bases.ok()) return told_bases.error();
-    const std::uint32_t numbers[] = {told_bases->baseline, told_bases->baseline2,
-                                     told_bases->baseline3};
+    if (!baseline_frames.ok()) return baseline_frames.error();
+    const std::uint32_t numbers[] = {baseline_frames->baseline, baseline_frames->baseline2,
+                                     baseline_frames->baseline3};
     wire::Baselines baselines;
     const wire::QuantizedFrame** slots[] = {&baselines.baseline, &baselines.baseline2,
                                             &baselines.baseline3};
@@ -129,7 +133,7 @@ Status WorldView::apply(const v1::Snapshot& snapshot) {
         const KnownFrame* known = find(numbers[k]);
         if (!known)
             return Error{ErrorCode::failed_precondition,
-                         "base frame " + std::to_string(numbers[k]) + " is not known"};
+                         "unknown baseline frame " + std::to_string(numbers[k])};
         *slots[k] = &known->state;
         if (k == 0) base_channels = &known->channels;
     }
@@ -138,9 +142,9 @@ Status WorldView::apply(const v1::Snapshot& snapshot) {
         return Error{ErrorCode::failed_precondition, name + " is not newer than the last one"};
     auto decoded = decode_poses(snapshot, baselines);
     if (!decoded.ok()) return Error{decoded.error().code, name + ": " + decoded.error().message};
-    const auto* told = reinterpret_cast<const std::byte*>(snapshot.channels().data());
+    const auto* channel_bytes = reinterpret_cast<const std::byte*>(snapshot.channels().data());
     Result<wire::Channels> channels = wire::decode_channels(
-        {told, snapshot.channels().size()}, snapshot.channels_crc(), *base_channels);
+        {channel_bytes, snapshot.channels().size()}, snapshot.channels_crc(), *base_channels);
     if (!channels.ok()) return Error{channels.error().code, name + ": " + channels.error().message};
     frames_.push_back({std::move(*decoded), *std::move(channels)});
     if (frames_.size() > frame_history_max) frames_.pop_front();
@@ -148,29 +152,29 @@ Status WorldView::apply(const v1::Snapshot& snapshot) {
     return {};
 }
 
-// Either a whole frame, or the cells that are in sight.
+// Decodes either a complete frame or the cells of the area of interest.
 Result<wire::QuantizedFrame> WorldView::decode_poses(const v1::Snapshot& snapshot,
                                                      const wire::Baselines& baselines) {
     if (cells_) {
         if (Status s = cells_->apply(snapshot, spec_, codec_); !s.ok()) return s.error();
-        wire::QuantizedFrame seen = cells_->frame(snapshot.frame());
-        // Who was removed may still be in a cell that comes late.
-        std::erase_if(seen.entities, [&](const auto& e) { return !entities_.contains(e.id); });
-        return seen;
+        wire::QuantizedFrame merged = cells_->frame(snapshot.frame());
+        // A delayed cell may contain entities that were removed.
+        std::erase_if(merged.entities, [&](const auto& e) { return !entities_.contains(e.id); });
+        return merged;
     }
     const auto* bytes = reinterpret_cast<const std::byte*>(snapshot.packed().data());
     auto decoded = wire::decode_frame(snapshot.frame(), {bytes, snapshot.packed().size()},
                                       baselines, spec_, wire::default_entities_max, codec_);
     if (decoded.ok() && wire::frame_crc(*decoded) != snapshot.crc())
-        return Error{ErrorCode::corrupt_data, "the CRC does not match"};
+        return Error{ErrorCode::corrupt_data, "CRC mismatch"};
     return decoded;
 }
 
 wire::QuantizedFrame WorldView::rendered_frame() const {
     if (!cells_ || frames_.empty()) return frame();
-    wire::QuantizedFrame shown = cells_->rendered_frame(frame().frame, spec_, tick_us_);
-    std::erase_if(shown.entities, [&](const auto& e) { return !entities_.contains(e.id); });
-    return shown;
+    wire::QuantizedFrame rendered = cells_->rendered_frame(frame().frame, spec_, tick_us_);
+    std::erase_if(rendered.entities, [&](const auto& e) { return !entities_.contains(e.id); });
+    return rendered;
 }
 
 WorldView::SnapshotTimes WorldView::times_of(const v1::Snapshot& snapshot) const {

@@ -14,7 +14,7 @@ using namespace physics;
 
 namespace {
 
-// Those that move what somebody drives, and tell of it. Who knows them already has the same.
+// Registers the modules that control entities and publish their state. Idempotent.
 void know_modules() {
     static const bool known = [] {
         static_cast<void>(register_module("character", [] {
@@ -131,7 +131,7 @@ double LocalWorld::bounding_radius(std::uint32_t entity) const {
     return bounding_radius;
 }
 
-// What is foreign and cannot be so leaves the body as it was.
+// An invalid motion leaves the body unchanged, because it is untrusted.
 void LocalWorld::set_motion(std::uint32_t entity, const MotionState& motion, bool at_rest) {
     const BodyId body = members_->moving.at(entity);
     if (!world_.set_pose(body, motion.pose).ok()) return;

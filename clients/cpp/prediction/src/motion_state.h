@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Poses and what bodies do. Nothing here is of the C library, so that every build foresees the
-// same.
+// Poses and velocities. No functions of the C library are used, so that every build predicts
+// identically.
 #pragma once
 
 #include "jostle/physics/transform.h"
@@ -9,7 +9,7 @@
 
 namespace jostle::client {
 
-// What a body does.
+// Pose and velocity of a body.
 struct MotionState {
     physics::Transform pose;
     physics::Vec3 linear, angular;  // m/s, rad/s
@@ -18,15 +18,15 @@ struct MotionState {
 physics::Transform to_transform(const wire::Pose& pose);
 wire::Pose to_pose(const physics::Transform& pose);
 
-// As `jostle.motion` tells them (proto/WIRE.md, "Channels").
+// Units of `jostle.motion` per m/s and rad/s (proto/WIRE.md, "Channels").
 inline constexpr double velocity_units = 128;
 struct Velocity {
     physics::Vec3 linear, angular;  // m/s, rad/s
 };
 
-// The rotation from a to b as an axis times an angle.
+// The rotation from a to b as axis times angle.
 physics::Vec3 rotation_vector_between(const physics::Quat& a, const physics::Quat& b);
-// From a (0) to b (1).
+// Interpolates from a (0) to b (1).
 physics::Transform interpolate(const physics::Transform& a, const physics::Transform& b, double t);
 
 }  // namespace jostle::client

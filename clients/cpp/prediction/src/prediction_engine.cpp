@@ -13,20 +13,21 @@ using namespace physics;
 
 namespace {
 
-// A frame and a foresight that agree differ by what is lost in a frame's integers (1.7 mm, 5 mrad
-// at the usual 512 a metre), and a little.
+// A frame and a matching prediction differ by the quantization of the frame (1.7 mm, 5 mrad at the
+// default of 512 units per metre) and a small tolerance.
 constexpr double position_tolerance_m = 0.003, rotation_tolerance_rad = 0.01;
-// What a body did between two frames, against what was foreseen of it: up to this it is the
-// integers' noise, beyond somebody pushed it.
+// Difference between the motion of a body in two frames and its prediction: a smaller one is
+// quantization noise, a larger one is caused by a push.
 constexpr double disturbance_speed = 0.25, disturbance_spin = 1;                // m/s, rad/s
 constexpr double control_speed_tolerance = 0.05, control_spin_tolerance = 0.1;  // m/s, rad/s
-constexpr double leave_factor = 1.5;  // of neighbor_radius_m: who came near stays until so far away
+// of neighbor_radius_m: distance at which a neighbour is removed
+constexpr double leave_factor = 1.5;
 constexpr double boundary_factor = 2;
 constexpr std::size_t boundary_max = 64;
 constexpr std::uint32_t slow_ticks = 15;
 constexpr std::size_t inputs_max = 1024;
 constexpr std::int64_t sample_gap_max_us = 250'000;
-// What is driven is told by the stream, and frames may overtake that.
+// The stream carries the state of the controlled entity, and frames may overtake it.
 constexpr std::uint32_t late_ticks = 8;
 constexpr std::uint32_t control_timeout_ticks = 60;
 
@@ -39,15 +40,15 @@ bool poses_agree(const Transform& a, const Transform& b) {
            length(rotation_vector_between(a.rotation, b.rotation)) <= rotation_tolerance_rad;
 }
 
-// A push shows in the velocity before it shows in the pose.
+// A push is visible in the velocity before it is visible in the pose.
 bool was_disturbed(const MotionState& guess, const BodyUpdate& update) {
     return update.velocity && !update.at_rest &&
            (gap(guess.linear, update.velocity->linear) > disturbance_speed ||
             gap(guess.angular, update.velocity->angular) > disturbance_spin);
 }
 
-// What hangs on a module that is not here floats as fast as frames say. What hangs on joints goes
-// on as it goes there, and nothing here moves it.
+// A body controlled by a remote module moves with the velocity of the frames. A body with joints is
+// kinematic: it keeps its velocity and nothing in the local world moves it.
 LocalBody local_body(const BodyUpdate& update, bool own) {
     return {.type = update.jointed && update.type == BodyType::dynamic ? BodyType::kinematic
                                                                        : update.type,
@@ -58,7 +59,7 @@ LocalBody local_body(const BodyUpdate& update, bool own) {
             .locks = update.locks};
 }
 
-// Statics do not, nor what stands on its rails.
+// Static bodies and resting kinematic bodies are not simulated.
 bool is_simulated(const BodyUpdate& body) {
     return body.type == BodyType::dynamic || (body.type == BodyType::kinematic && !body.at_rest);
 }
@@ -99,7 +100,7 @@ void PredictionEngine::add_action(std::uint32_t sequence, std::uint32_t input_ti
     }
     inputs_.push_back({sequence, input_tick, std::move(action)});
     if (inputs_.size() > inputs_max) inputs_.pop_front();
-    // What we do now is no mistake: it is seen at once.
+    // A new input of this client is not a misprediction; its effect is shown immediately.
     const bool changed = changed_;
     const bool late = !history_.empty() && input_tick < tick();
     resimulate_from(first);
@@ -110,14 +111,14 @@ void PredictionEngine::on_result(std::uint32_t sequence, std::uint32_t applied_i
     const auto sent = std::find_if(inputs_.begin(), inputs_.end(),
                                    [&](const Sent& s) { return s.sequence == sequence; });
     if (sent == inputs_.end()) return;
-    const std::uint32_t meant = sent->tick;
+    const std::uint32_t requested_tick = sent->tick;
     if (!applied)
         inputs_.erase(sent);
-    else if (applied_in != meant)
+    else if (applied_in != requested_tick)
         sent->tick = applied_in;
     else
         return;
-    resimulate_from(std::min(meant, std::max(1u, applied_in)));
+    resimulate_from(std::min(requested_tick, std::max(1u, applied_in)));
 }
 
 // --- ticks ---
@@ -132,9 +133,9 @@ void PredictionEngine::reset_world() {
     extra_radius_ = 0;
 }
 
-PredictionEngine::TickState* PredictionEngine::find(std::uint32_t wanted) {
-    if (history_.empty() || wanted < history_.front().tick || wanted > tick()) return nullptr;
-    return &history_[wanted - history_.front().tick];
+PredictionEngine::TickState* PredictionEngine::find(std::uint32_t target) {
+    if (history_.empty() || target < history_.front().tick || target > tick()) return nullptr;
+    return &history_[target - history_.front().tick];
 }
 
 void PredictionEngine::save(std::uint32_t at) {
@@ -165,30 +166,30 @@ void PredictionEngine::step() {
     save(next);
 }
 
-void PredictionEngine::step_to(std::uint32_t wanted) {
-    while (tick() < wanted) step();
+void PredictionEngine::step_to(std::uint32_t target) {
+    while (tick() < target) step();
 }
 
-// The world as it was after that tick; later moments are gone.
+// Restores the world to its state after a tick and discards later states.
 void PredictionEngine::roll_back(std::uint32_t to) {
     world_->roll_back(*find(to));
     while (tick() > to) drop_newest();
     changed_ = true;
 }
 
-// Something is otherwise from that tick on.
+// Repeats the steps from a tick on, because its inputs changed.
 void PredictionEngine::resimulate_from(std::uint32_t first) {
     if (history_.empty() || first > tick() || first == 0) return;
     const std::uint32_t now = tick();
-    // What was so in the newest frame is known.
+    // The state of the newest frame is authoritative.
     roll_back(std::max({first - 1, history_.front().tick, newest_frame_}));
     step_to(now);
 }
 
 // --- frames ---
 
-// Who is near where the body is, or where it comes to be, or was and is not yet far; and the
-// nearest of the others.
+// Selects the bodies near the current or the predicted position of the followed body, with
+// hysteresis, and the closest of the others as boundary.
 PredictionEngine::Neighborhood PredictionEngine::collect_neighbors(const FrameUpdate& frame,
                                                                    const Vec3& center) const {
     std::vector<std::pair<double, const BodyUpdate*>> candidates;
@@ -211,7 +212,7 @@ PredictionEngine::Neighborhood PredictionEngine::collect_neighbors(const FrameUp
     for (const auto& [far, body] : candidates) {
         const double most = is_member(body->entity) ? leave_factor * options_.neighbor_radius_m
                                                     : options_.neighbor_radius_m;
-        // What moves on rails costs nothing to foresee.
+        // Kinematic bodies cost almost nothing.
         const bool railed = body->type == BodyType::kinematic;
         if (railed || (far <= most && neighborhood.near.size() < options_.neighbors_max))
             neighborhood.near[body->entity] = *body;
@@ -243,13 +244,13 @@ void PredictionEngine::add_fixed(const FrameUpdate& frame, const Bodies& near) {
     }
 }
 
-// How long a body moved since the frame before. While nothing moves no frames are sent, so that
-// what rested then began with this one.
+// Duration of a body's motion since the previous frame. While nothing moves the server sends no
+// frames, so a body that was at rest started to move in this tick.
 double PredictionEngine::seconds_since(const BodyUpdate& before, std::uint32_t frame) const {
     return (before.at_rest ? 1 : frame - newest_frame_) * tick_s_;
 }
 
-// Of one that is new here: what it did since the frame before.
+// Motion of a new body, measured since the previous frame.
 MotionState PredictionEngine::measured_motion(const BodyUpdate& now, std::uint32_t frame) const {
     MotionState motion{.pose = now.pose};
     if (now.velocity && !now.at_rest)
@@ -264,18 +265,18 @@ MotionState PredictionEngine::measured_motion(const BodyUpdate& now, std::uint32
     return motion;
 }
 
-// Where the frame says, as fast as it says.
+// The pose and the velocity of the frame.
 MotionState PredictionEngine::corrected_motion(const BodyUpdate& now, std::uint32_t frame) {
     if (now.velocity && !now.at_rest)
         return {now.pose, now.velocity->linear, now.velocity->angular};
     return estimated_motion(now, frame);
 }
 
-// Where the frame says, at the velocity that explains how it came there.
+// The pose of the frame, with a velocity that explains it.
 MotionState PredictionEngine::estimated_motion(const BodyUpdate& now, std::uint32_t frame) {
     const std::uint32_t id = now.entity;
     const MotionState& guess = find(frame)->motions.at(id);
-    MotionState right{now.pose, guess.linear, guess.angular};
+    MotionState corrected{now.pose, guess.linear, guess.angular};
     const TickState* before = find(newest_frame_);
     const auto was = near_updates_.find(id);
     if (before && was != near_updates_.end() && before->motions.contains(id) &&
@@ -290,17 +291,17 @@ MotionState PredictionEngine::estimated_motion(const BodyUpdate& now, std::uint3
         const std::uint32_t since =
             last == corrected_.end() ? slow_ticks : std::min(slow_ticks, frame - last->second);
         const double slow_seconds = std::max(1u, since) * tick_s_;
-        right.linear += length(more) > disturbance_speed * seconds
-                            ? more * (1 / seconds)
-                            : (now.pose.position - guess.pose.position) * (1 / slow_seconds);
-        right.angular += length(turned) > disturbance_spin * seconds
-                             ? turned * (1 / seconds)
-                             : rotation_vector_between(guess.pose.rotation, now.pose.rotation) *
-                                   (1 / slow_seconds);
+        corrected.linear += length(more) > disturbance_speed * seconds
+                                ? more * (1 / seconds)
+                                : (now.pose.position - guess.pose.position) * (1 / slow_seconds);
+        corrected.angular += length(turned) > disturbance_spin * seconds
+                                 ? turned * (1 / seconds)
+                                 : rotation_vector_between(guess.pose.rotation, now.pose.rotation) *
+                                       (1 / slow_seconds);
     }
-    if (now.at_rest) right.linear = right.angular = {};
+    if (now.at_rest) corrected.linear = corrected.angular = {};
     corrected_[id] = frame;
-    return right;
+    return corrected;
 }
 
 bool PredictionEngine::boundary_changed(const Bodies& boundary) const {
@@ -350,7 +351,7 @@ void PredictionEngine::start(const FrameUpdate& frame, const Neighborhood& neigh
         if (!world_->set_controlled(entity_, frame.control.module, frame.control.words))
             return reset_world();
     }
-    // Distances are between origins, which tells nothing of what is larger than a step.
+    // Distances are measured between origins, so the radius of a large body is added.
     if (is_member(entity_)) extra_radius_ = std::max(0.0, world_->bounding_radius(entity_) - 1);
     save(frame.number);
     changed_ = true;
@@ -363,11 +364,11 @@ void PredictionEngine::compare(const FrameUpdate& update, const Neighborhood& ne
     stats_.frames++;
     stats_.last_error_m = 0;
     std::map<std::uint32_t, MotionState> wrong;
-    bool others = false;  // came or went
+    bool others = false;  // bodies were added or removed
     for (const auto& [id, body] : near) {
         const auto at = guess.motions.find(id);
         others |= at == guess.motions.end();
-        // What is driven is put right by apply_control().
+        // apply_control() corrects the controlled entity.
         if (at == guess.motions.end() || id == world_->members().controlled) continue;
         stats_.last_error_m =
             std::max(stats_.last_error_m, gap(at->second.pose.position, body.pose.position));
@@ -387,8 +388,8 @@ void PredictionEngine::compare(const FrameUpdate& update, const Neighborhood& ne
     step_to(now);
 }
 
-// Frames went past what was foreseen, for nobody drew. The world goes on as it is, with what hands
-// hold in it. False: too far.
+// Frames advanced beyond the prediction because nothing was rendered. Steps the local world with
+// its inputs. Returns false if the gap is too large.
 bool PredictionEngine::catch_up(std::uint32_t frame) {
     if (!world_ || frame <= newest_frame_ || frame - newest_frame_ > options_.ticks_ahead_max)
         return false;
@@ -396,7 +397,7 @@ bool PredictionEngine::catch_up(std::uint32_t frame) {
     return find(frame) != nullptr;
 }
 
-// Whether it was told lately how the followed body is driven.
+// Whether a recent state of the controlled entity is available.
 bool PredictionEngine::is_controlled(const FrameUpdate& frame) const {
     const ControlUpdate& control = frame.control;
     return control.tick != 0 && control.entity == entity_ &&
@@ -404,30 +405,30 @@ bool PredictionEngine::is_controlled(const FrameUpdate& frame) const {
            control.tick <= frame.number + late_ticks;
 }
 
-// All that is so of what is driven, to the bit of a single float. Where the guess is as good as
-// frames are, it stays.
+// Applies the complete state of the controlled entity. If the prediction agrees within the
+// precision of frames, it remains unchanged.
 void PredictionEngine::apply_control(const ControlUpdate& control) {
     if (control.tick <= newest_control_) return;
     const TickState* const guess = find(control.tick);
-    const auto right = modules::decode_controlled_motion(control.words);
-    if (!guess || !right) return;
+    const auto corrected = modules::decode_controlled_motion(control.words);
+    if (!guess || !corrected) return;
     newest_control_ = control.tick;
     const auto at = guess->motions.find(entity_);
     if (at == guess->motions.end()) return;
     const MotionState& guessed = at->second;
     stats_.control_updates++;
-    stats_.last_control_error_m = gap(guessed.pose.position, right->pose.position);
-    if (poses_agree(guessed.pose, right->pose) &&
-        gap(guessed.linear, right->linear) <= control_speed_tolerance &&
-        gap(guessed.angular, right->angular) <= control_spin_tolerance)
+    stats_.last_control_error_m = gap(guessed.pose.position, corrected->pose.position);
+    if (poses_agree(guessed.pose, corrected->pose) &&
+        gap(guessed.linear, corrected->linear) <= control_speed_tolerance &&
+        gap(guessed.angular, corrected->angular) <= control_spin_tolerance)
         return;
     stats_.control_corrections++;
     const std::uint32_t now = tick();
     roll_back(control.tick);
     drop_newest();
-    const bool goes_on = world_->set_controlled(entity_, control.module, control.words);
+    const bool accepted = world_->set_controlled(entity_, control.module, control.words);
     save(control.tick);
-    if (!goes_on) return reset_world();
+    if (!accepted) return reset_world();
     step_to(now);
 }
 
@@ -448,7 +449,7 @@ void PredictionEngine::on_frame(const FrameUpdate& update) {
     } else if (!controlled || update.control.tick == frame) {
         start(update, neighborhood);
     } else {
-        reset_world();  // until both are told of the same tick
+        reset_world();  // until a frame and a state of the same tick arrive
     }
     if (!world_) return;
     newest_frame_ = frame;
@@ -458,7 +459,7 @@ void PredictionEngine::on_frame(const FrameUpdate& update) {
     std::erase_if(corrected_, [&](const auto& one) { return !near_updates_.contains(one.first); });
 }
 
-// --- pictures ---
+// --- rendering ---
 
 std::vector<std::uint32_t> PredictionEngine::predicted_entities() const {
     std::vector<std::uint32_t> ids;
@@ -484,7 +485,7 @@ std::optional<wire::Pose> PredictionEngine::predicted_pose(std::uint32_t id, dou
     return to_pose(interpolate(from->second.pose, to->second.pose, at - before));
 }
 
-// Who was foreseen and is no longer, or the other way round, is walked over.
+// A body that starts or stops being predicted is blended.
 PoseError PredictionEngine::error_of(const SmoothPose& drawn,
                                      const std::optional<wire::Pose>& predicted,
                                      const RenderedPose* before, const BodySpeed& body_speed,

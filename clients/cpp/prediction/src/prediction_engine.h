@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What Predictor does (jostle/client/predictor.h), without messages: it is told of bodies, frames
-// and acts as plain data. Predictor reads messages for it, and clients/cpp/prediction/wasm is asked
-// by browsers. One thread at a time.
+// Implementation of Predictor (jostle/client/predictor.h) without messages: bodies, frames and
+// inputs are plain data. Predictor converts messages; clients/cpp/prediction/wasm serves browsers.
+// One thread at a time.
 #pragma once
 
 #include <cstdint>
@@ -23,19 +23,19 @@ namespace jostle::client {
 struct BodyUpdate {
     std::uint32_t entity = 0;
     physics::BodyType type = physics::BodyType::dynamic;
-    double mass = 0;  // kg, of a dynamic one
+    double mass = 0;  // kg, of a dynamic body
     physics::Transform pose;
     bool at_rest = false;
-    std::optional<Velocity> velocity = {};  // nothing: that was not told
-    bool controllable = false;              // a module of the server moves it
+    std::optional<Velocity> velocity = {};  // nothing: not received
+    bool controllable = false;              // a module of the server controls it
     bool jointed = false;                   // joints of the server hold it
     double linear_damping = 0, angular_damping = 0, gravity_scale = 1;
     physics::AxisLocks locks = 0;
 };
 
-// What the client drives, as jostle/modules/controlled_entity_state.h tells it.
+// State of the controlled entity (jostle/modules/controlled_entity_state.h).
 struct ControlUpdate {
-    std::uint32_t entity = 0, tick = 0;  // 0: nothing was told
+    std::uint32_t entity = 0, tick = 0;  // 0: not received
     std::string module;
     std::span<const std::uint32_t> words;
 };
@@ -43,8 +43,8 @@ struct ControlUpdate {
 // A frame of the server.
 struct FrameUpdate {
     std::uint32_t number = 0;
-    std::span<const BodyUpdate> bodies;  // in rising order of entity
-    // Of one of them; nothing: they were never told, or are none that the solver can have.
+    std::span<const BodyUpdate> bodies;  // sorted by entity
+    // Returns the shapes of a body; nothing: unknown, or invalid for the solver.
     std::function<std::optional<std::vector<physics::ShapeDef>>(std::uint32_t entity)> shapes_of;
     ControlUpdate control = {};
 };
@@ -53,20 +53,20 @@ class PredictionEngine {
 public:
     explicit PredictionEngine(PredictorOptions options) : options_(options) {}
 
-    // A stream begins: everything is forgotten but whom it follows.
+    // Starts a stream. Discards all state except the followed entity.
     void begin(physics::Vec3 gravity, double tick_hz, int substeps);
-    // Whose motion is foreseen; 0: nobody's.
+    // Selects the entity whose motion is predicted; 0: none.
     void follow(std::uint32_t entity);
-    // An input of that number that is meant for a tick. Of the same number as the last one: in its
-    // place.
+    // Adds an input for a tick. An input with the same sequence number as the last one replaces it.
     void add_action(std::uint32_t sequence, std::uint32_t tick, InputAction action);
-    // What became of it: it was applied in a tick, or it was not.
+    // Adds a result: the input was applied in `tick` or rejected.
     void on_result(std::uint32_t sequence, std::uint32_t tick, bool applied);
     void on_frame(const FrameUpdate& frame);
 
-    // Who is drawn otherwise than interpolated, now or since the last picture; in rising order.
+    // Entities whose rendered poses differ from the interpolated ones, now or since the last
+    // rendered frame; sorted.
     std::vector<std::uint32_t> predicted_entities() const;
-    // What Predictor::sample() says. Who is not among drawn() may be left out.
+    // See Predictor::sample(). Entities that are not in predicted_entities() may be omitted.
     std::vector<SmoothPose> sample(double position, std::int64_t now_us,
                                    std::vector<SmoothPose> interpolated);
 
@@ -85,8 +85,8 @@ private:
         bool predicted_pose;
     };
     using Bodies = std::map<std::uint32_t, BodyUpdate>;
-    // The dynamic bodies about the one that is followed: who moves in the world, and round these
-    // who stands in it, so that nothing falls for want of what carries it.
+    // The dynamic bodies around the followed one: near bodies are simulated, boundary bodies around
+    // them are static, so that near bodies keep their support.
     struct Neighborhood {
         Bodies near, boundary;
     };
@@ -123,7 +123,7 @@ private:
     void apply_control(const ControlUpdate& control);
     void compare(const FrameUpdate& frame, const Neighborhood& neighborhood);
 
-    // --- pictures ---
+    // --- rendering ---
     std::optional<wire::Pose> predicted_pose(std::uint32_t id, double position,
                                              BodySpeed* body_speed);
     PoseError error_of(const SmoothPose& predicted_entities,
@@ -137,19 +137,20 @@ private:
     double tick_s_ = 1.0 / 60;
     std::uint32_t entity_ = 0;
     std::optional<LocalWorld> world_;
-    std::deque<TickState> history_;       // one for each tick, the newest last: where the world is
-    std::vector<TickState> free_states_;  // for their memory
-    std::deque<Sent> inputs_;             // by sequence
+    // one per tick, the newest last: the current state of the world
+    std::deque<TickState> history_;
+    std::vector<TickState> free_states_;  // reused for their memory
+    std::deque<Sent> inputs_;             // sorted by sequence
     std::uint32_t newest_frame_ = 0, newest_control_ = 0;
-    double extra_radius_ = 0;  // m that the followed body is larger than a metre about its origin
-    Bodies near_updates_;      // of that frame: who was near
-    Bodies boundary_;          // as they stand in the world
+    double extra_radius_ = 0;  // m by which the followed body exceeds a radius of 1 m
+    Bodies near_updates_;      // near bodies of the newest frame
+    Bodies boundary_;          // as in the local world
     std::map<std::uint32_t, std::uint32_t> corrected_;  // tick, by entity
-    // The last picture.
+    // The last rendered frame.
     std::map<std::uint32_t, RenderedPose> rendered_;
     double last_position_ = 0;
     std::int64_t last_sample_us_ = 0;
-    bool changed_ = false;  // since then, what had been foreseen
+    bool changed_ = false;  // the prediction changed since then
 };
 
 }  // namespace jostle::client

@@ -49,9 +49,9 @@ std::optional<InputAction> to_act(const v1::Input& input) {
         case v1::Input::kControl:
             return Steer{to_controls(input.control())};
         case v1::Input::kPossess:
-            return Steer{};  // lets go of what was driven
+            return Steer{};  // releases control
         default:
-            return std::nullopt;  // what it does is not foreseen
+            return std::nullopt;  // the effect is not predicted
     }
 }
 
@@ -73,7 +73,7 @@ std::optional<std::vector<ShapeDef>> shapes_of(const WorldView& view, std::uint3
     return shapes;
 }
 
-// How bodies move, for who asked to be told (module_channels.h of the server).
+// Velocities from `jostle.motion` (server/world/module_channels.h).
 class Motions {
 public:
     explicit Motions(const WorldView& view)
@@ -86,7 +86,7 @@ public:
         while (at_ != end_ && at_->kind != kind) ++at_;
         while (end_ != at_ && (end_ - 1)->kind != kind) --end_;
     }
-    // Asked in rising order.
+    // Entities must be requested in ascending order.
     std::optional<Velocity> of(std::uint32_t entity) {
         while (at_ != end_ && at_->entity < entity) ++at_;
         if (at_ == end_ || at_->entity != entity || at_->values->size() != 6) return std::nullopt;
@@ -102,7 +102,7 @@ private:
     wire::Channels::const_iterator at_, end_;
 };
 
-// Those of the newest frame whose looks are known.
+// Bodies of the newest frame with known entities.
 std::vector<BodyUpdate> bodies_of(const WorldView& view) {
     Motions motions(view);
     std::vector<BodyUpdate> bodies;
@@ -167,7 +167,7 @@ void Predictor::on_results(const std::vector<v1::InputResult>& results) {
 }
 
 void Predictor::on_frame(const WorldView& view) {
-    // Bodies of a frame that is known, or of which nobody is followed, need not be read.
+    // Skips frames that were already processed and frames without a followed entity.
     const std::uint32_t frame = view.frame().frame;
     const WorldView::ControlledEntityState& controlled_entity = view.controlled_entity();
     if (frame == impl_->newest_frame && controlled_entity.tick == impl_->newest_control) return;

@@ -23,7 +23,7 @@ public:
     bool at_end() const { return left_.empty(); }
     void fail() { failed_ = true; }
 
-    // 0 when there is none, or it is none.
+    // Returns 0 past the end or for a non-finite number.
     double next() {
         if (left_.empty() || !is_finite(left_.front())) {
             failed_ = true;
@@ -31,9 +31,9 @@ public:
         }
         const double number = left_.front();
         left_ = left_.subspan(1);
-        return number + 0.0;  // no -0, as the server reads them
+        return number + 0.0;  // converts -0 to 0, like the server
     }
-    // A whole number up to `most`.
+    // An integer from 0 to `most`.
     std::uint32_t whole(double most = 4294967295.0) {
         const double number = next();
         if (!(number >= 0 && number <= most) || number != static_cast<std::uint32_t>(number)) {
@@ -42,7 +42,7 @@ public:
         }
         return static_cast<std::uint32_t>(number);
     }
-    // How many follow that take so many numbers each, at least.
+    // A count of items with at least `each` numbers.
     std::uint32_t count(std::size_t each) {
         return whole(static_cast<double>(left_.size() / each));
     }
@@ -81,8 +81,8 @@ Geometry built(NumberReader& in, const Result<std::shared_ptr<const Data>>& made
     return Box{};
 }
 
-// Faces come in an order that depends on points which are no corners: the server, too, builds it of
-// its corners.
+// The order of the faces depends on points that are not vertices; the server builds hulls from
+// their vertices too.
 Geometry read_hull(NumberReader& in) {
     const std::vector<Vec3> points = in.points();
     auto hull = build_hull(points);
@@ -103,7 +103,7 @@ Geometry read_height_field(NumberReader& in) {
     HeightGrid grid{.columns = in.whole(), .rows = in.whole()};
     grid.spacing_x = in.next();
     grid.spacing_z = in.next();
-    // Heights that are not there cannot be told.
+    // The list must contain all heights.
     const std::uint64_t samples = std::uint64_t{grid.columns} * grid.rows;
     if (grid.columns < 2 || grid.rows < 2 || samples > max_height_samples) in.fail();
     for (std::uint64_t k = 0; k < samples && !in.failed(); k++) grid.heights.push_back(in.next());
@@ -120,7 +120,7 @@ Geometry read_height_field(NumberReader& in) {
 Placed read_placed(NumberReader& in, bool inside = false);
 
 Geometry read_compound(NumberReader& in) {
-    constexpr std::size_t least = 9;  // kind, place and a radius
+    constexpr std::size_t least = 9;  // kind, position and a radius
     std::vector<CompoundChild> children;
     const std::uint32_t count = in.count(least);
     for (std::uint32_t k = 0; k < count && !in.failed(); k++) {
@@ -204,7 +204,7 @@ ShapeDef read_shape(NumberReader& in) {
 }  // namespace
 
 std::optional<std::vector<ShapeDef>> decode_shapes(std::span<const double> numbers) {
-    constexpr std::size_t least = 24;  // a sphere and its touch
+    constexpr std::size_t least = 24;  // a sphere and its material
     NumberReader in(numbers);
     std::vector<ShapeDef> shapes;
     const std::uint32_t count = in.count(least);

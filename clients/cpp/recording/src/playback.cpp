@@ -12,7 +12,7 @@ Playback::Playback(RecordingReader recording)
     view_.begin(recording_.welcome());
 }
 
-// Finds the next snapshot, if there is one; what must be applied before it is only noted.
+// Finds the next snapshot, if any; records that must be applied before it are only noted.
 Status Playback::find_next_snapshot() {
     if (next_snapshot_) return {};
     persistent_records_.clear();
@@ -43,7 +43,7 @@ Status Playback::apply(const v1::ServerMessage& message, std::uint64_t offset) {
                  "byte " + std::to_string(offset) + ": " + status.error().message};
 }
 
-// From here on only a keyframe helps.
+// After an error playback can continue only at a keyframe.
 Error Playback::broken(Error error) {
     incomplete_ = true;
     return error;
@@ -70,7 +70,8 @@ const RecordingEntry* Playback::keyframe_before(std::uint32_t tick) const {
     return nullptr;
 }
 
-// Who is there is told since the beginning, so all of that comes first; snapshots are left out.
+// Entity updates accumulate from the start of the recording, so all of them are applied; snapshots
+// are skipped.
 Status Playback::restart_at(const RecordingEntry& keyframe) {
     view_.begin(recording_.welcome());
     incomplete_ = false;
@@ -89,17 +90,17 @@ Status Playback::restart_at(const RecordingEntry& keyframe) {
 Status Playback::seek(std::uint32_t tick) {
     const RecordingEntry* keyframe = keyframe_before(tick);
     if (!keyframe) {
-        std::string begins = "; it has no keyframe at all";
+        std::string start = "; it has no keyframe";
         for (const RecordingEntry& entry : std::views::reverse(recording_.index()))
             if (entry.kind == RecordingEntry::Kind::keyframe)
-                begins = ", which begins with tick " + std::to_string(entry.frame);
+                start = ", which starts at tick " + std::to_string(entry.frame);
         return Error{ErrorCode::not_found,
-                     "tick " + std::to_string(tick) + " is before the recording" + begins};
+                     "tick " + std::to_string(tick) + " is before the recording" + start};
     }
     const std::uint32_t now = view_.frame().frame;
     if (incomplete_ || now == 0 || now > tick || position_ <= keyframe->offset)
         if (Status status = restart_at(*keyframe); !status.ok()) return status;
-    // What comes after the tick is of no concern, and may be damaged.
+    // Records after the tick are irrelevant and may be corrupt.
     while (view_.frame().frame != tick) {
         if (Status status = find_next_snapshot(); !status.ok()) return broken(status.error());
         if (!next_snapshot_) break;
@@ -109,7 +110,7 @@ Status Playback::seek(std::uint32_t tick) {
     const std::uint32_t last = view_.frame().frame;
     if (last >= tick) return {};
     return Error{ErrorCode::not_found, "tick " + std::to_string(tick) +
-                                           " is after the recording, which ends with tick " +
+                                           " is after the recording, which ends at tick " +
                                            std::to_string(last)};
 }
 

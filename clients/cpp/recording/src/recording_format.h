@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The numbers of a recording's bytes (proto/WIRE.md, "Recordings"), for its writer and its reader.
-// Everything is little-endian.
+// Layout of a recording (proto/WIRE.md, "Recordings"), shared by writer and reader. All numbers are
+// little-endian.
 #pragma once
 
 #include <bit>
@@ -20,7 +20,7 @@ inline constexpr std::string_view magic = "JREC", end_magic = "JEND";
 inline constexpr std::uint32_t version = 1;
 inline constexpr std::uint64_t header_bytes = 16;
 inline constexpr std::uint64_t record_header_bytes = 16;  // of a record, before its message
-inline constexpr std::uint64_t crc_from = 8;  // a CRC is of what follows it in its record
+inline constexpr std::uint64_t crc_from = 8;              // a CRC covers the rest of its record
 inline constexpr std::uint32_t message_bytes_max = 1u << 26;
 inline constexpr std::uint64_t index_head_bytes = 8, entry_bytes = 16, trailer_bytes = 16;
 
@@ -30,7 +30,7 @@ void put(std::string& bytes, Number value) {
         bytes.push_back(static_cast<char>(value >> (8 * k) & 0xff));
 }
 
-// The caller has seen that the bytes are there.
+// The caller guarantees that the bytes exist.
 template <std::unsigned_integral Number>
 Number get(std::string_view bytes, std::size_t at) {
     Number value = 0;

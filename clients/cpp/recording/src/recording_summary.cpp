@@ -41,7 +41,7 @@ void count_snapshot(RecordingSummary& summary, const RecordingReader::Record& re
 
 RecordingSummary summarize(RecordingReader& recording) {
     RecordingSummary summary;
-    std::set<std::uint32_t> there;
+    std::set<std::uint32_t> entities;
     for (std::uint64_t offset = recording.first(); offset < recording.end();) {
         const auto record = recording.read(offset);
         if (!record.ok()) {
@@ -54,11 +54,12 @@ RecordingSummary summarize(RecordingReader& recording) {
         summary.message_bytes += record->bytes;
         summary.seconds = static_cast<double>(record->arrived_us) / 1e6;
         if (message.has_snapshot()) count_snapshot(summary, *record);
-        for (const std::uint32_t id : message.entity_update().removed()) there.erase(id);
-        for (const v1::Entity& entity : message.entity_update().added()) there.insert(entity.id());
-        summary.entities_max = std::max(summary.entities_max, there.size());
+        for (const std::uint32_t id : message.entity_update().removed()) entities.erase(id);
+        for (const v1::Entity& entity : message.entity_update().added())
+            entities.insert(entity.id());
+        summary.entities_max = std::max(summary.entities_max, entities.size());
     }
-    summary.entities = there.size();
+    summary.entities = entities.size();
     return summary;
 }
 
@@ -72,7 +73,7 @@ RecordingVerification check(Playback& playback) {
     RecordingReader& recording = playback.recording();
     if (!recording.truncation_reason().empty()) note(recording.truncation_reason());
     if (recording.rebuild_index() != recording.index())
-        note("the index does not fit the records: seeking may show another state");
+        note("the index does not match the records: seeking may show a wrong state");
     for (;;) {
         const Result<bool> moved = playback.next();
         if (moved.ok() && !*moved) break;

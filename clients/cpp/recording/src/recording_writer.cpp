@@ -13,7 +13,7 @@ RecordingWriter::RecordingWriter(std::ostream& out, std::uint64_t start_unix_us)
     record_ = magic;
     put(record_, version);
     put(record_, start_unix_us);
-    // Whether it could be written shows with the first record.
+    // A failed write is reported with the first record.
     static_cast<void>(write(record_));
 }
 
@@ -21,26 +21,26 @@ Status RecordingWriter::write(const std::string& bytes) {
     out_.write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
     if (!out_)
         return Error{ErrorCode::resource_exhausted,
-                     "it cannot be written on after byte " + std::to_string(counts_.bytes) +
-                         ": is the disk full? What is before it can be played"};
+                     "write failed after byte " + std::to_string(counts_.bytes) +
+                         "; the recording up to there can be played; check the free disk space"};
     counts_.bytes += bytes.size();
     return {};
 }
 
 Status RecordingWriter::may_add(const std::string& bytes) {
     if (bytes.empty() || bytes.size() > message_bytes_max)
-        return invalid_argument("a message of " + std::to_string(bytes.size()) + " bytes; 1 to " +
-                                std::to_string(message_bytes_max) + " can be recorded");
+        return invalid_argument("message of " + std::to_string(bytes.size()) +
+                                " bytes is out of range; must be 1 to " +
+                                std::to_string(message_bytes_max));
     if (!message_.ParseFromString(bytes))
-        return Error{ErrorCode::corrupt_data, "the server sent bytes that are no ServerMessage"};
+        return Error{ErrorCode::corrupt_data, "the message is not a ServerMessage"};
     if (message_.has_welcome() != (counts_.records == 0))
-        return Error{
-            ErrorCode::failed_precondition,
-            "a recording is of one stream: it has one Welcome, which is its first message"};
+        return Error{ErrorCode::failed_precondition,
+                     "a recording must contain exactly one Welcome, as its first message"};
     if (message_.has_welcome() && message_.welcome().cells())
         return Error{ErrorCode::failed_precondition,
-                     "the stream tells of a part of the world; join without an interest and "
-                     "without a budget to record all of it"};
+                     "the stream covers only an area of interest; join without an interest and "
+                     "without a bandwidth limit to record the whole world"};
     return {};
 }
 

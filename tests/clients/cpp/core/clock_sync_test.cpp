@@ -9,7 +9,7 @@ TEST(ClockSync, uses_the_sample_with_the_shortest_round_trip) {
     ClockSync clock;
     EXPECT_FALSE(clock.ready());
     clock.add(0, 1'050'000, 100'000);        // 100 ms round trip; the true offset is 1 s
-    clock.add(200'000, 1'281'000, 280'000);  // lopsided: says 1.041 s
+    clock.add(200'000, 1'281'000, 280'000);  // asymmetric: offset 1.041 s
     clock.add(300'000, 1'301'000, 302'000);
     EXPECT_EQ(clock.offset_us(), 1'000'000);
     EXPECT_DOUBLE_EQ(clock.rtt_ms(), 2);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The client's half of a stream that has datagrams beside it, without a network: what goes by
-// which, and what is made of what comes late.
+// The client side of a stream with datagrams, without a network: the choice of transport and the
+// handling of late messages.
 #include <gtest/gtest.h>
 
 #include "clients/cpp/core/src/play_protocol.h"
@@ -63,7 +63,7 @@ TEST_F(DatagramProtocolTest, acknowledges_each_snapshot_immediately_together_wit
     const auto ack = by_datagram();
     ASSERT_TRUE(ack && ack->has_ack());
     EXPECT_EQ(ack->ack().frame(), 8u);
-    EXPECT_EQ(ack->ack().before(), 0b110u) << "6 and 5";
+    EXPECT_EQ(ack->ack().before(), 0b110u) << "frames 6 and 5";
     EXPECT_FALSE(by_datagram()) << "once";
     EXPECT_EQ(protocol.stats().datagram_snapshots, 3u);
 }
@@ -81,13 +81,14 @@ TEST_F(DatagramProtocolTest, resends_inputs_by_datagram_until_confirmed) {
     protocol.set_datagrams(true, false);
     protocol.send({});
     now += 40ms;
-    EXPECT_FALSE(by_stream()) << "the stream is left alone";
+    EXPECT_FALSE(by_stream()) << "the datagram carries the input";
     EXPECT_EQ(by_datagram()->input().inputs_size(), 1);
     now += 40ms;
-    EXPECT_EQ(by_datagram()->input().first_sequence(), 1u) << "again: it may be lost";
+    EXPECT_EQ(by_datagram()->input().first_sequence(), 1u)
+        << "sent again, because the datagram may be lost";
     protocol.receive_datagram(snapshot(5, 1), now);
     now += 40ms;
-    EXPECT_TRUE(by_datagram()->has_ack()) << "nothing is left to say";
+    EXPECT_TRUE(by_datagram()->has_ack()) << "an ack without inputs";
     EXPECT_EQ(protocol.stats().inputs_sent, 1u);
 }
 
@@ -102,7 +103,7 @@ TEST_F(DatagramProtocolTest, sends_inputs_on_the_stream_after_one_second_without
     EXPECT_EQ(said->input().first_sequence(), 1u);
 }
 
-// The server waited for the acks that were lost, and sent nothing more.
+// The server waits for the lost acks and has stopped sending.
 TEST_F(DatagramProtocolTest, repeats_the_last_ack_on_the_stream_when_datagrams_fail) {
     protocol.set_datagrams(true, false);
     protocol.receive(snapshot(5), now);
@@ -113,7 +114,7 @@ TEST_F(DatagramProtocolTest, repeats_the_last_ack_on_the_stream_when_datagrams_f
     const auto ack = by_stream();
     ASSERT_TRUE(ack && ack->has_ack());
     EXPECT_EQ(ack->ack().frame(), 5u);
-    EXPECT_NE(protocol.stats().last_error.find("datagrams do not get through"), std::string::npos);
+    EXPECT_NE(protocol.stats().last_error.find("no datagrams received"), std::string::npos);
 }
 
 TEST_F(DatagramProtocolTest, accepts_input_results_without_a_frame) {

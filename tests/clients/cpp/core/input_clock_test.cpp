@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Inputs of every tick, sent thirty times a second over a bad link to a server that tells their
-// margin over another. clients/web/src/input_clock.test.ts tells the same.
+// Inputs of every tick, sent 30 times per second over a simulated network to a server that reports
+// their margin over another one. clients/web/sdk/src/clock/input_clock.test.ts has the same test
+// cases.
 #include "jostle/client/input_clock.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +18,7 @@ namespace {
 
 constexpr double tick_us = 1e6 / 60;
 
-// Tick n of the server is due at n / 60 s. Ours is another clock.
+// Tick n of the server is due at n / 60 s. The local clock differs.
 struct SteeredStream {
     explicit SteeredStream(const NetworkConditions& settings) : up(settings), down(settings) {
         clock.begin(60);
@@ -27,7 +28,7 @@ struct SteeredStream {
     InputClock clock;
     std::int64_t us = 3'000'000, next_batch_us = us;
     std::uint32_t sequence = 0, tick = 0;
-    double added_way_us = 0;  // of the way up
+    double added_way_us = 0;  // additional transit time of inputs
     struct Input {
         std::uint32_t sequence, tick;
     };
@@ -41,7 +42,7 @@ struct SteeredStream {
     int late = 0, told = 0;
     double least = 1, greatest = 1;
 
-    // In steps of a millisecond.
+    // Steps of 1 ms.
     void run(double seconds, double way_us) {
         const auto end = us + static_cast<std::int64_t>(seconds * 1e6);
         for (; us < end; us += 1000) {
@@ -86,7 +87,7 @@ TEST(InputClock, converges_within_one_tick_of_its_target_with_few_late_inputs) {
     RecordProperty("margin_ms", std::to_string(stream.clock.margin_ms()));
     RecordProperty("target_ms", std::to_string(stream.clock.target_ms()));
     RecordProperty("late_share", std::to_string(1.0 * stream.late / stream.told));
-    EXPECT_LT(stream.clock.target_ms(), 45) << "a tick and four times the jitter";
+    EXPECT_LT(stream.clock.target_ms(), 45) << "one tick plus four times the jitter";
     EXPECT_LT(stream.late, 0.01 * stream.told);
     EXPECT_EQ(stream.clock.jumps(), 0);
 }
@@ -94,7 +95,7 @@ TEST(InputClock, converges_within_one_tick_of_its_target_with_few_late_inputs) {
 TEST(InputClock, adapts_to_a_longer_latency_at_1_05_and_back_at_0_95_speed) {
     SteeredStream stream({.delay_ms = 50});
     stream.run(5, 50'000);
-    stream.added_way_us = 100'000;  // six ticks, of which no ping tells
+    stream.added_way_us = 100'000;  // six ticks, unknown to the pings
     stream.run(5, 50'000);
     EXPECT_NEAR(stream.clock.margin_ms(), stream.clock.target_ms(), tick_us / 1000);
     stream.added_way_us = 0;
@@ -123,7 +124,8 @@ TEST(InputClock, follows_frames_without_inputs_after_the_server_skips_ticks) {
     const double ahead = 70'000 / tick_us + clock.target_ms() * 1000 / tick_us;
     EXPECT_NEAR(clock.position(1'000'000), 100 + ahead, 1e-9);
     EXPECT_NEAR(clock.position(2'000'000), 160 + ahead, 1e-9);
-    // A second later by ours, half by its ticks, and for two seconds nothing was told.
+    // One second later on the local clock, half a second later in ticks, without margins for two
+    // seconds.
     for (int k = 0; k <= 120; k++) clock.on_frame(130, 20'000, 50'000, 2'000'000);
     EXPECT_NEAR(clock.position(2'000'000), 130 + ahead, 1e-9);
     EXPECT_EQ(clock.jumps(), 1);

@@ -50,7 +50,7 @@ TEST_F(InputOutboxTest, sends_each_input_once_on_the_stream_in_batches_of_32) {
     EXPECT_EQ(by_stream(), (Said{1, 32}));
     EXPECT_EQ(by_stream(), (Said{33, 8}));
     EXPECT_FALSE(outbox.has_for_stream());
-    EXPECT_FALSE(outbox.has_unconfirmed()) << "nothing is kept";
+    EXPECT_FALSE(outbox.has_unconfirmed()) << "inputs are not stored";
     EXPECT_EQ(fresh, 40u);
 }
 
@@ -64,7 +64,7 @@ TEST_F(InputOutboxTest, repeats_unconfirmed_inputs_in_datagrams) {
     EXPECT_EQ(by_datagram(), (Said{4, 2}));
     outbox.confirm(4'000'000'000, now);
     EXPECT_FALSE(outbox.has_unconfirmed());
-    EXPECT_EQ(fresh, 5u) << "said five times and more, but five inputs";
+    EXPECT_EQ(fresh, 5u) << "repeated inputs count once";
     push(1);
     EXPECT_EQ(by_datagram(), (Said{6, 1}));
 }
@@ -76,12 +76,12 @@ TEST_F(InputOutboxTest, starts_the_stream_with_unconfirmed_inputs_when_it_takes_
     outbox.confirm(1, now);
     EXPECT_EQ(by_stream(), (Said{2, 2})) << "the datagram may be lost";
     push(2);
-    EXPECT_EQ(by_stream(), (Said{4, 2})) << "a stream loses nothing";
+    EXPECT_EQ(by_stream(), (Said{4, 2})) << "a stream loses no inputs";
     EXPECT_FALSE(outbox.has_for_stream());
-    EXPECT_EQ(by_datagram(), (Said{2, 4})) << "one that overtakes the stream leaves no gap";
+    EXPECT_EQ(by_datagram(), (Said{2, 4})) << "a datagram that overtakes the stream leaves no gap";
     push(1);
     EXPECT_EQ(by_datagram(), (Said{2, 5}));
-    EXPECT_EQ(by_stream(), (Said{2, 5})) << "the sixth went by a datagram alone";
+    EXPECT_EQ(by_stream(), (Said{2, 5})) << "only a datagram carried the sixth input";
 }
 
 TEST_F(InputOutboxTest, reports_oversized_and_stalled_unconfirmed_inputs) {
@@ -90,8 +90,8 @@ TEST_F(InputOutboxTest, reports_oversized_and_stalled_unconfirmed_inputs) {
     EXPECT_TRUE(outbox.fits(100));
     EXPECT_FALSE(outbox.fits(20));
     push(30);
-    EXPECT_FALSE(outbox.fits(10'000)) << "more than a batch holds";
-    EXPECT_FALSE(outbox.is_stalled(1s, now + 5s)) << "nothing was said";
+    EXPECT_FALSE(outbox.fits(10'000)) << "more inputs than a batch contains";
+    EXPECT_FALSE(outbox.is_stalled(1s, now + 5s)) << "no input was sent";
     by_datagram();
     EXPECT_FALSE(outbox.is_stalled(1s, now + 900ms));
     EXPECT_TRUE(outbox.is_stalled(1s, now + 1100ms));
@@ -114,11 +114,12 @@ TEST_F(InputOutboxTest, resends_only_lost_inputs_after_a_resume) {
     push(10);
     EXPECT_EQ(by_stream(), (Said{1, 10}));
     for (const std::uint32_t sequence : {1u, 2u, 3u}) EXPECT_TRUE(outbox.answered(sequence, now));
-    outbox.resume_after(5, now);  // 4 and 5 came; their answers are still to come
+    outbox.resume_after(5, now);  // 4 and 5 arrived; their results are pending
     push(1);
     EXPECT_EQ(by_stream(), (Said{6, 6}));
-    EXPECT_EQ(fresh, 11u) << "those that were said again are the same inputs";
-    EXPECT_FALSE(outbox.answered(3, now)) << "told again: the server does not know that it came";
+    EXPECT_EQ(fresh, 11u) << "repeated inputs count once";
+    EXPECT_FALSE(outbox.answered(3, now))
+        << "repeated result: the server does not know that it arrived";
     EXPECT_TRUE(outbox.answered(4, now));
     EXPECT_FALSE(outbox.answered(4, now));
     for (std::uint32_t sequence = 5; sequence <= 11; sequence++)
@@ -126,13 +127,14 @@ TEST_F(InputOutboxTest, resends_only_lost_inputs_after_a_resume) {
     EXPECT_FALSE(outbox.has_unconfirmed());
 }
 
-// A server that keeps its world answers an input when it is kept, and at once one that it refuses.
+// A server with persistence sends the result of an input when it is durable, and that of a rejected
+// input at once.
 TEST_F(InputOutboxTest, resends_an_input_without_result_even_if_a_later_one_has_one) {
     outbox.retain_until_confirmed(true);
     push(3);
     EXPECT_EQ(by_stream(), (Said{1, 3}));
     EXPECT_TRUE(outbox.answered(3, now));
-    outbox.resume_after(0, now);  // it was killed before it had kept anything
+    outbox.resume_after(0, now);  // the server crashed before it persisted anything
     EXPECT_EQ(by_stream(), (Said{1, 3}));
 }
 

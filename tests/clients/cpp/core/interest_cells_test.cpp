@@ -44,7 +44,7 @@ protected:
             if (entity.id == id) return wire::dequantize(entity, {}).position[0];
         return -1;
     }
-    // Of a picture of that tick.
+    // Position in a rendered frame of that tick.
     double rendered_frame(std::uint32_t number, std::uint32_t id) const {
         for (const auto& entity : cells.rendered_frame(number, {}, 1e6 / 60).entities)
             if (entity.id == id) return wire::dequantize(entity, {}).position[0];
@@ -87,12 +87,12 @@ TEST_F(InterestCellsTest, rejects_a_corrupt_cell_without_changing_state) {
     add_cell(spoilt, 9, state(11, {{2, 1}}));
     add_cell(spoilt, 7, state(11, {{1, 6}}), &a);
     spoilt.mutable_cells(1)->set_crc(5);
-    EXPECT_EQ(apply(spoilt).error().message, "cell 7 of tick 11: the CRC does not match");
-    EXPECT_EQ(seen(), (std::vector<std::uint32_t>{1})) << "not the sound one either";
+    EXPECT_EQ(apply(spoilt).error().message, "cell 7 of tick 11: CRC mismatch");
+    EXPECT_EQ(seen(), (std::vector<std::uint32_t>{1})) << "the valid cell is not applied either";
     v1::Snapshot unknown;
     const auto never = state(9, {});
     add_cell(unknown, 7, state(12, {}), &never);
-    EXPECT_EQ(apply(unknown).error().message, "cell 7 of tick 12: its state 9 is not known");
+    EXPECT_EQ(apply(unknown).error().message, "cell 7 of tick 12: unknown baseline 9");
     v1::Snapshot old;
     add_cell(old, 7, state(10, {}), &never);
     EXPECT_EQ(apply(old).error().message, "cell 7 of tick 10 is not newer than the last one");
@@ -107,8 +107,8 @@ TEST_F(InterestCellsTest, restarts_a_cell_from_an_absolute_update) {
     }
 }
 
-// Both run at 12 m/s, 0.2 m a tick. Near cells are told with every snapshot, far ones with every
-// fourth: in pictures the far one took steps of 0.8 m and stood between them.
+// Both entities move at 12 m/s, 0.2 m per tick. Near cells are sent with every snapshot, distant
+// ones with every fourth. Without interpolation the distant entity would move in steps of 0.8 m.
 TEST_F(InterestCellsTest, interpolates_entities_with_a_lower_update_rate) {
     wire::QuantizedFrame near_before, far_before;
     double near_worst = 0, far_worst = 0, far_least = 1;
@@ -125,12 +125,13 @@ TEST_F(InterestCellsTest, interpolates_entities_with_a_lower_update_rate) {
         }
         near_before = near;
         ASSERT_TRUE(apply(snapshot).ok());
-        EXPECT_NEAR(rendered_frame(tick, 1), x, 0.002) << "what is near is shown at once";
+        EXPECT_NEAR(rendered_frame(tick, 1), x, 0.002)
+            << "near entities are rendered without delay";
         if (tick > 20) {
             near_worst = std::max(near_worst, rendered_frame(tick, 1) - last_near);
             far_worst = std::max(far_worst, rendered_frame(tick, 2) - last_far);
             far_least = std::min(far_least, rendered_frame(tick, 2) - last_far);
-            EXPECT_NEAR(rendered_frame(tick, 2), 100 + x - 0.6, 0.003) << "three ticks later";
+            EXPECT_NEAR(rendered_frame(tick, 2), 100 + x - 0.6, 0.003) << "delayed by three ticks";
         }
         last_near = rendered_frame(tick, 1);
         last_far = rendered_frame(tick, 2);
@@ -152,7 +153,7 @@ TEST_F(InterestCellsTest, shows_a_woken_entity_immediately) {
         ASSERT_TRUE(apply(snapshot).ok());
     };
     for (; tick < 10; tick++) tell(0.1 * tick);
-    for (; tick < 100; tick++) {  // nothing of it is told
+    for (; tick < 100; tick++) {  // the distant cell is not sent
         v1::Snapshot snapshot;
         snapshot.set_frame(tick);
         ASSERT_TRUE(apply(snapshot).ok());

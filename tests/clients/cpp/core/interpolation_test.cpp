@@ -14,7 +14,7 @@ wire::QuantizedFrame body_at(std::uint32_t frame, double x) {
 
 TEST(Interpolation, renders_uniform_motion_smoothly_when_frames_arrive_in_bursts) {
     InterpolationBuffer buffer;
-    // One metre a second at 60 Hz; every fourth frame is 30 ms late.
+    // 1 m/s at 60 Hz; every fourth frame is 30 ms late.
     double last = -1, worst = 0;
     for (int i = 0; i < 900; i++) {
         const std::int64_t due = 1'000'000 + i * 16'667;
@@ -27,7 +27,7 @@ TEST(Interpolation, renders_uniform_motion_smoothly_when_frames_arrive_in_bursts
         if (last >= 0) worst = std::max(worst, std::abs(x - last - 1.0 / 60));
         last = x;
     }
-    EXPECT_LT(worst, 0.003);  // m; the quantiser and what is left of adapting
+    EXPECT_LT(worst, 0.003);  // m; quantization and remaining adaptation
     EXPECT_GT(buffer.clock().delay_ms(), 40);
     EXPECT_LT(buffer.clock().delay_ms(), 50);
 }
@@ -65,7 +65,7 @@ TEST(Interpolation, does_not_smooth_a_teleport_during_a_frame_gap) {
         buffer.add(body_at(static_cast<std::uint32_t>(i + 1), 1), i * 16'667, i * 16'667);
         buffer.sample(i * 16'667, {});
     }
-    // A silence of ten frames, after which all of them come; at the fifth it leapt by 2 m.
+    // A gap of ten frames, after which all arrive; in the fifth the body teleported by 2 m.
     for (int i = 60; i < 70; i++) buffer.sample(i * 16'667, {});
     for (int i = 60; i < 71; i++)
         buffer.add(body_at(static_cast<std::uint32_t>(i + 1), i < 65 ? 1 : 3), i * 16'667,
@@ -80,7 +80,7 @@ TEST(Interpolation, discards_errors_after_a_pause_in_rendering) {
         buffer.add(body_at(static_cast<std::uint32_t>(i + 1), i / 60.0), i * 16'667, i * 16'667);
         buffer.sample(i * 16'667, {});
     }
-    buffer.sample(66 * 16'667, {});  // a guess, and then nobody looks until
+    buffer.sample(66 * 16'667, {});  // extrapolated; then no rendering until
     for (int i = 60; i < 120; i++)
         buffer.add(body_at(static_cast<std::uint32_t>(i + 1), i / 60.0), i * 16'667, i * 16'667);
     const double x = buffer.sample(119 * 16'667, {})[0].pose.position[0];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Connections as the loop makes and ends them, against a small play service in this process: what
-// happens when streams end, servers go away and owners leave early.
+// Connections of the loop to a minimal play service in this process: streams that end, servers that
+// stop and owners that destroy their clients early.
 #include <grpcpp/server.h>
 #include <grpcpp/server_builder.h>
 #include <gtest/gtest.h>
@@ -18,8 +18,8 @@ namespace {
 
 using PlayCall = grpc::ServerReaderWriter<v1::ServerMessage, v1::ClientMessage>;
 
-// Welcomes, sends one snapshot of an empty world, then reads until the client leaves. The first
-// `streams_to_end` streams end right after the welcome.
+// Sends a Welcome and one snapshot of an empty world, then reads until the client leaves. The first
+// `streams_to_end` streams end directly after the Welcome.
 class Service final : public v1::PlayService::Service {
 public:
     std::atomic<int> streams{0}, streams_to_end{0}, inputs{0}, acks{0}, leaves{0};
@@ -125,7 +125,7 @@ TEST_F(LoopTest, handles_many_clients_destroyed_without_leave) {
             if (client->stats().snapshots == 0) return false;
         return true;
     }));
-    clients.clear();  // their streams are cancelled by the loop, which goes on
+    clients.clear();  // the loop cancels their streams and continues
     const auto another = Client::connect(loop, options());
     EXPECT_TRUE(soon([&] { return another->stats().snapshots == 1; }));
 }
@@ -159,7 +159,7 @@ TEST_F(LoopTest, can_be_destroyed_before_its_clients) {
 
 TEST(Loop, reports_an_unreachable_server_without_hanging) {
     Loop loop;
-    // Port 1 needs privileges that no test server has, and nothing listens on it.
+    // Port 1 is privileged, so nothing listens on it.
     const auto client = Client::connect(loop, {.target = "127.0.0.1:1"});
     EXPECT_TRUE(soon([&] { return client->stats().stream_failures >= 2; }));
     EXPECT_FALSE(client->stats().last_error.empty());

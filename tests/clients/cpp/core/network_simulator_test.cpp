@@ -9,14 +9,14 @@
 namespace jostle::client {
 namespace {
 
-// How long each of so many messages, 60 a second, is on its way, ms.
+// Transit time of each of `count` messages, 60 per second, ms.
 std::vector<double> ways_of(const NetworkConditions& settings, int count = 36'000) {
     NetworkSimulator network(settings);
     std::vector<double> ways;
     std::int64_t last = 0;
     for (int k = 0; k < count; k++) {
         const std::int64_t sent = k * 16'667LL, arrives = network.arrival_us(sent);
-        EXPECT_GE(arrives, last) << "nothing is overtaken";
+        EXPECT_GE(arrives, last) << "messages must not be reordered";
         last = arrives;
         ways.push_back(static_cast<double>(arrives - sent) / 1000);
     }
@@ -43,7 +43,7 @@ TEST(NetworkSimulator, draws_uniform_jitter_with_an_exponential_tail) {
     EXPECT_LE(*std::max_element(even.begin(), even.end()), 26);
     const auto tail = ways_of({.delay_ms = 10, .tail_ms = 4});
     EXPECT_NEAR(mean_ms(tail), 14, 0.2);
-    // exp(-20 / 4) = 0.67 % wait longer than 20 ms, and a few behind them.
+    // exp(-20 / 4) = 0.67 % of the messages wait longer than 20 ms, and a few more behind them.
     const auto late = std::count_if(tail.begin(), tail.end(), [](double ms) { return ms > 30; });
     EXPECT_NEAR(static_cast<double>(late) / 36'000, 0.0067, 0.002);
 }
@@ -53,13 +53,13 @@ TEST(NetworkSimulator, stalls_at_the_configured_interval_and_delays_later_messag
     int stalls = 0;
     for (std::size_t k = 1; k < ways.size(); k++)
         stalls += ways[k] > 200 && ways[k - 1] < 100 ? 1 : 0;
-    EXPECT_NEAR(stalls, 120, 8);  // of 600 s
+    EXPECT_NEAR(stalls, 120, 8);  // in 600 s
     EXPECT_LT(*std::max_element(ways.begin(), ways.end()), 250.1);
 }
 
 TEST(NetworkSimulator, delivers_lost_messages_one_retransmission_later) {
     const auto ways = ways_of({.delay_ms = 10, .loss = 0.01, .retransmit_ms = 200});
-    // Of the frames of 200 ms behind a lost one each waits; one in a hundred begins it.
+    // A lost frame delays all frames of the next 200 ms; one frame in a hundred is lost.
     const auto late = std::count_if(ways.begin(), ways.end(), [](double ms) { return ms > 10; });
     EXPECT_NEAR(static_cast<double>(late) / 36'000, 0.105, 0.02);
     EXPECT_NEAR(*std::max_element(ways.begin(), ways.end()), 210, 1);
@@ -75,7 +75,7 @@ TEST(NetworkSimulator, is_deterministic_per_seed_in_every_language) {
                               .seed = 7});
     std::int64_t sum = 0;
     for (int k = 0; k < 1000; k++) sum += network.arrival_us(k * 16'667LL) - k * 16'667LL;
-    EXPECT_EQ(sum, 109'097'580);  // clients/web/src/network_simulator.test.ts has the same number
+    EXPECT_EQ(sum, 109'097'580);  // the web SDK's network_simulator.test.ts expects the same number
 }
 
 TEST(NetworkSimulator, parses_a_settings_string_and_reports_errors) {

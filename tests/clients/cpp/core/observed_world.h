@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A world whose motion is known by formula, seen through a bad link: what pictures do to it. The
-// same in the browser's tests (clients/web/src/testing/observed_world.ts).
+// A world with analytically known motion, rendered through a simulated network. The web SDK has the
+// same tests (clients/web/sdk/src/testing/observed_world.ts).
 #pragma once
 
 #include <algorithm>
@@ -15,9 +15,9 @@
 
 namespace jostle::client {
 
-// Bodies: 1 goes straight at 2 m/s, 2 runs a circle of 2 m at 3 m/s and turns with it, 3 bounces
-// 0.4 m high without loss and drifts at 0.5 m/s, 4 leaps by 5 m every 7 s, 5 is there for 3 s of
-// every 6.
+// Bodies: 1 moves straight at 2 m/s. 2 runs a circle of 2 m at 3 m/s and rotates with it. 3 bounces
+// 0.4 m high without loss and drifts at 0.5 m/s. 4 teleports by 5 m every 7 s. 5 exists for 3 s of
+// every 6 s.
 inline wire::Pose pose_at(std::uint32_t body, double s) {
     switch (body) {
         case 1:
@@ -54,21 +54,22 @@ inline wire::QuantizedFrame frame_at(std::uint32_t number, double s) {
     return frame;
 }
 
-// What is watched of a viewer.
+// Measurements of the rendered frames.
 struct Observation {
     int pictures = 0, backward_steps = 0, halfway_leaps = 0, ghosts = 0;
     double least_speed = 1, greatest_speed = 1;  // of the clock
-    // mm: how much further a body came in one picture than 1.1 times its top speed explains, and
-    // how far it was from where it was at the time shown (of 95 % of pictures, and ever).
+    // mm. step_mm: motion in one rendered frame beyond 1.1 times the top speed. error_mm,
+    // usual_error_mm: distance from the true position at the rendered time, maximum and 95th
+    // percentile.
     double step_mm = 0, usual_error_mm = 0, error_mm = 0;
-    double behind_ms = 0;  // mean: shown behind the server
+    double behind_ms = 0;  // mean delay behind the server
 };
 
 class Watcher {
 public:
-    // A picture at s of the server's time, which shows shown_s of it.
+    // Adds a frame rendered at server time s that shows the time shown_s.
     void look(const std::vector<SmoothPose>& poses, double shown_s, double s, double seconds) {
-        if (shown_s < 0) return;  // nobody told of what was before the first frame
+        if (shown_s < 0) return;  // before the first frame
         double error = 0;
         for (const SmoothPose& now : poses)
             error = std::max(error, add_rendered_pose(now, shown_s, seconds));
@@ -103,7 +104,7 @@ private:
             seen_.halfway_leaps += std::fmod(now.pose.position[0] + 0.1, 5) > 0.2 ? 1 : 0;
             return 0;
         }
-        // One that went or is to come may be off by the frames on either side.
+        // The appearance and disappearance of a body may be off by the spacing of frames.
         if (!is_there(now.entity, shown_s) && !is_there(now.entity, shown_s + 0.02) &&
             !is_there(now.entity, shown_s - 0.1))
             seen_.ghosts++;
@@ -122,11 +123,12 @@ private:
     double last_shown_ = 0;
 };
 
-// So many seconds of frames, 60 a second, over a link, drawn so many times a second.
+// Renders `seconds` of frames, 60 per second, received over a simulated network, `pictures_hz`
+// times per second.
 inline Observation observe(const NetworkConditions& link_settings, double pictures_hz,
                            double seconds = 60) {
     constexpr std::int64_t epoch_us = 7'000'000'000;  // of the server's clock
-    constexpr std::int64_t ours_us = 1'000'000;       // of ours, at the same time
+    constexpr std::int64_t ours_us = 1'000'000;       // of the local clock at the same time
     NetworkSimulator link(link_settings);
     InterpolationBuffer buffer;
     Watcher watcher;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The client's half of the play stream, without a network: what it says, when, and what it makes of
-// what it hears.
+// The client side of the play stream without a network: messages that it sends, their timing, and
+// the handling of received messages.
 #include "clients/cpp/core/src/play_protocol.h"
 #include "jostle/snapshot/baseline_frames.h"
 
@@ -36,7 +36,7 @@ struct Stream {
         hear(message);
         EXPECT_TRUE(next()->has_ping());
     }
-    // A snapshot of one body at x metres.
+    // A snapshot with one body at x m.
     v1::ServerMessage snapshot(std::uint32_t frame, double x, const wire::QuantizedFrame* base) {
         quantized = {.frame = frame,
                      .entities = {wire::quantize(1, {{x, 0, 0}, {0, 0, 0, 1}}, false, {})}};
@@ -69,7 +69,7 @@ TEST(PlayProtocol, numbers_inputs_from_one_and_sends_thirty_batches_per_second) 
     const auto first = stream.next();
     EXPECT_EQ(first->input().first_sequence(), 1u);
     EXPECT_EQ(first->input().inputs_size(), 32);
-    EXPECT_FALSE(stream.next());  // not before a thirtieth of a second has passed
+    EXPECT_FALSE(stream.next());  // not within 1/30 s
     stream.now += milliseconds(34);
     const auto second = stream.next();
     EXPECT_EQ(second->input().first_sequence(), 33u);
@@ -166,7 +166,8 @@ TEST(PlayProtocol, decodes_a_snapshot_with_an_extreme_time) {
     stream.hear(snapshot);
     EXPECT_EQ(stream.protocol.stats().snapshots, 1u);
     const auto times = stream.protocol.view().times_of(snapshot.snapshot());
-    EXPECT_GE(times.due_us, -static_cast<std::int64_t>(latest_time_us)) << "as early as can be";
+    EXPECT_GE(times.due_us, -static_cast<std::int64_t>(latest_time_us))
+        << "lower bound of the due time";
 }
 
 TEST(PlayProtocol, requests_one_keyframe_after_a_crc_mismatch_or_unknown_baseline) {
@@ -179,7 +180,7 @@ TEST(PlayProtocol, requests_one_keyframe_after_a_crc_mismatch_or_unknown_baselin
     stream.hear(wrong);
     const auto ack = stream.next();
     EXPECT_TRUE(ack->ack().need_keyframe());
-    EXPECT_EQ(ack->ack().frame(), 10u);  // the last one that was good
+    EXPECT_EQ(ack->ack().frame(), 10u);  // the last valid frame
     const wire::QuantizedFrame unknown{.frame = 9, .entities = {}};
     stream.hear(stream.snapshot(12, 3, &unknown));
     EXPECT_EQ(stream.protocol.stats().decode_errors, 1u);
@@ -192,12 +193,13 @@ TEST(PlayProtocol, requests_a_keyframe_on_demand) {
     stream.welcome();
     stream.protocol.request_keyframe();
     stream.hear(stream.snapshot(10, 1, nullptr));
-    EXPECT_TRUE(stream.next()->ack().need_keyframe()) << "what came meanwhile does not answer it";
+    EXPECT_TRUE(stream.next()->ack().need_keyframe())
+        << "a snapshot sent before the request does not satisfy it";
     const wire::QuantizedFrame base = stream.quantized;
     stream.hear(stream.snapshot(11, 2, &base));
     EXPECT_FALSE(stream.next()->ack().need_keyframe()) << "once";
     stream.protocol.request_keyframe();
-    EXPECT_TRUE(stream.next()->ack().need_keyframe()) << "also while nothing comes";
+    EXPECT_TRUE(stream.next()->ack().need_keyframe()) << "also without received messages";
     EXPECT_FALSE(stream.next());
     EXPECT_EQ(stream.protocol.stats().decode_errors, 0u);
 }
@@ -215,7 +217,7 @@ TEST(PlayProtocol, passes_each_message_to_on_message_unchanged) {
 TEST(PlayProtocol, subscribes_to_events_and_returns_them_in_order) {
     Stream stream;
     stream.protocol.begin(stream.now);
-    EXPECT_FALSE(stream.next()->hello().events()) << "only when told to";
+    EXPECT_FALSE(stream.next()->hello().events()) << "only on request";
     PlayProtocol listener{ClientOptions{.events = true}};
     listener.begin(stream.now);
     v1::ClientMessage hello;
@@ -244,7 +246,7 @@ TEST(PlayProtocol, limits_unread_events_and_counts_dropped_ones_as_missed) {
         v1::ServerMessage message;
         v1::Events& told = *message.mutable_snapshot()->add_events();
         told.set_tick(tick);
-        if (tick == 2) told.set_missed(7);  // by the server already
+        if (tick == 2) told.set_missed(7);  // by the server
         stream.hear(message);
     }
     const auto events = stream.protocol.take_events();

@@ -9,10 +9,10 @@
 namespace jostle::client {
 namespace {
 
-// Frames at 60 Hz, each so long on its way; a picture after each.
+// Frames at 60 Hz, each with a transit time, and a rendered frame after each.
 struct Feed {
     RenderClock clock;
-    std::int64_t due_us = 50'000'000, ours_us = 1'000;  // two clocks that differ
+    std::int64_t due_us = 50'000'000, ours_us = 1'000;  // two different clocks
     double least = 1, greatest = 1;
 
     void frames(int count, std::int64_t way_us) {
@@ -53,7 +53,7 @@ TEST(RenderClock, adapts_to_changed_latency_within_8_percent_speed_change) {
 TEST(RenderClock, jumps_only_when_more_than_one_second_behind) {
     Feed feed;
     feed.frames(120, 1'500'000);
-    feed.frames(1, 10'000);  // a new route: its arrival is before that of the last
+    feed.frames(1, 10'000);  // a faster route: it arrives before the previous frame
     const std::int64_t before = feed.clock.render_time_us();
     feed.clock.advance(feed.ours_us + 1'600'000);
     EXPECT_GT(feed.clock.render_time_us() - before, 1'000'000);
@@ -62,7 +62,7 @@ TEST(RenderClock, jumps_only_when_more_than_one_second_behind) {
 TEST(RenderClock, does_not_increase_the_delay_after_the_world_slept) {
     Feed feed;
     feed.frames(600, 5'000);
-    // Four heartbeats a second, for a minute.
+    // Four heartbeats per second for one minute.
     for (int k = 0; k < 240; k++) {
         feed.due_us += 250'000;
         feed.ours_us += 250'000;

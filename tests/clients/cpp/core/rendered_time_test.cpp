@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The same stories as clients/web/src/rendered_time.test.ts.
+// The same test cases as clients/web/sdk/src/interpolation/rendered_time.test.ts.
 #include "jostle/client/rendered_time.h"
 
 #include <gtest/gtest.h>

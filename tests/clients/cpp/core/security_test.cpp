@@ -47,24 +47,24 @@ TEST_F(SecurityTest, trims_the_token_and_sends_it_only_over_tls_or_loopback) {
     EXPECT_EQ(read_security(files, "127.0.0.1:50051")->token, "abc.def.ghi");
     EXPECT_EQ(read_security({.tls = true, .token = files.token}, "example.org:1")->token,
               "abc.def.ghi");
-    EXPECT_EQ(fault_of(files, "example.org:50051"),
-              "without TLS everybody on the way could read the token; give --tls, or --ca FILE for "
-              "an authority of your own");
-    // Names that only look like this machine.
+    EXPECT_EQ(
+        fault_of(files, "example.org:50051"),
+        "a token requires TLS unless the server is on loopback; use --tls, or --ca FILE for a "
+        "private CA");
+    // Names that only look like loopback.
     EXPECT_NE(fault_of(files, "localhost.example.org:50051"), "");
     EXPECT_NE(fault_of(files, "127.example.org:50051"), "");
 }
 
 TEST_F(SecurityTest, errors_name_the_file) {
     EXPECT_EQ(fault_of({.root_certificates = folder / "none"}),
-              "cannot read none: it is not there, or not yours to read");
+              "cannot read none: the file does not exist or is not readable");
     EXPECT_EQ(fault_of({.root_certificates = folder.write("text", "hello")}),
-              "text is no PEM file: it has no line -----BEGIN ...-----");
-    EXPECT_EQ(fault_of({.token = folder.write("empty", "\n")}), "empty holds no token");
+              "text is not a PEM file: it has no -----BEGIN ...----- line");
+    EXPECT_EQ(fault_of({.token = folder.write("empty", "\n")}), "empty contains no token");
     EXPECT_EQ(fault_of({.root_certificates = folder.write("big", std::string(2'000'000, 'x'))}),
-              "big has more than 1 MiB");
-    EXPECT_EQ(fault_of({.certificate = folder / "a"}),
-              "--cert and --key go together: the certificate and its private key");
+              "big is too large; at most 1 MiB is accepted");
+    EXPECT_EQ(fault_of({.certificate = folder / "a"}), "--cert and --key must be given together");
 }
 
 }  // namespace

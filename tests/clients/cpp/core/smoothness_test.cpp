@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A minute of a known world over bad links, drawn 144 and 60 times a second: what a person sees.
-// clients/web/src/smoothness.test.ts tells the same of the browser.
+// One minute of a known world over simulated networks, rendered 144 and 60 times per second.
+// clients/web/sdk/src/interpolation/smoothness.test.ts has the same test cases.
 #include <gtest/gtest.h>
 
 #include <ostream>
@@ -15,7 +15,7 @@ namespace {
 struct PathEmulator {
     const char* name;
     NetworkConditions link;
-    // What this link is allowed to cost; measured figures are a little below.
+    // Allowed errors; measured values are slightly lower.
     double usual_error_mm, error_mm, behind_ms;
 };
 
@@ -23,8 +23,8 @@ void PrintTo(const PathEmulator& told, std::ostream* out) {
     *out << told.name;
 }
 
-// Errors are those of who guesses: a bounce is cut by 23 mm between two frames, and who holds while
-// a body goes on at 3 m/s is 2.6 m off when a stall of a second ends.
+// The errors are those of extrapolation: interpolation cuts a bounce by 23 mm, and a body at 3 m/s
+// is 2.6 m off at the end of a stall of 1 s.
 const PathEmulator bad_links[] = {
     {"even", {.delay_ms = 40}, 2, 25, 75},
     {"uniform_20", {.delay_ms = 40, .jitter_ms = 20}, 2, 25, 82},
@@ -50,7 +50,7 @@ class Smoothness : public testing::TestWithParam<PathEmulator> {};
 TEST_P(Smoothness, render_clock_is_monotonic_and_bodies_move_smoothly) {
     for (const double pictures_hz : {144.0, 60.0}) {
         const Observation seen = observe(GetParam().link, pictures_hz);
-        SCOPED_TRACE(std::to_string(pictures_hz) + " pictures a second");
+        SCOPED_TRACE(std::to_string(pictures_hz) + " rendered frames per second");
         const auto record = [&](const char* name, double value) {
             RecordProperty(name + std::to_string(static_cast<int>(pictures_hz)),
                            std::to_string(value));
@@ -67,8 +67,8 @@ TEST_P(Smoothness, render_clock_is_monotonic_and_bodies_move_smoothly) {
         EXPECT_GT(seen.least_speed, 0.9);
         EXPECT_LT(seen.greatest_speed, 1.1);
         EXPECT_LT(seen.step_mm, 20);
-        EXPECT_EQ(seen.halfway_leaps, 0) << "a body that leaps by 5 m is never between";
-        EXPECT_EQ(seen.ghosts, 0) << "a body that is gone is not shown";
+        EXPECT_EQ(seen.halfway_leaps, 0) << "a teleported body is never rendered in between";
+        EXPECT_EQ(seen.ghosts, 0) << "a removed body is not rendered";
         EXPECT_LT(seen.usual_error_mm, GetParam().usual_error_mm);
         EXPECT_LT(seen.error_mm, GetParam().error_mm);
         EXPECT_LT(seen.behind_ms, GetParam().behind_ms);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What a client knows of the modules of its world, snapshot by snapshot.
+// Channels and the controlled entity in a client's view, snapshot by snapshot.
 #include "jostle/client/world_view.h"
 #include "jostle/snapshot/baseline_frames.h"
 
@@ -9,7 +9,7 @@
 namespace jostle::client {
 namespace {
 
-// Of two kinds, "craft" (0) and "crane" (1), of entity 5.
+// Channels of entity 5 of two kinds, "craft" (0) and "crane" (1).
 using Told = std::vector<std::pair<std::uint32_t, std::int32_t>>;  // kind and value
 
 wire::Channels channels(const Told& told) {
@@ -19,7 +19,7 @@ wire::Channels channels(const Told& told) {
     return made;
 }
 
-// An empty world whose modules tell that, against what they told with the base.
+// An empty world with channels, encoded against those of the baseline.
 v1::Snapshot snapshot(std::uint32_t number, std::uint32_t base, const Told& told,
                       const Told& base_told = {}) {
     const wire::QuantizedFrame before{.frame = base}, frame{.frame = number};
@@ -49,7 +49,7 @@ protected:
         view.begin(message);
     }
     bool take(const v1::Snapshot& message) { return view.apply(message).ok(); }
-    // Its value; nothing when there is none.
+    // The value of a channel; nothing: no such channel.
     std::optional<std::int32_t> told(std::string_view kind) const {
         const auto values = view.channel(kind, 5);
         return values.empty() ? std::nullopt : std::optional(values.front());
@@ -58,7 +58,7 @@ protected:
     WorldView view;
 };
 
-// What it drives is told as what changed of it, and nothing is made up where that is not known.
+// The controlled entity is delta-encoded; a state without a known baseline is rejected.
 TEST_F(WorldViewTest, requires_a_complete_controlled_entity_state_first) {
     v1::Driven part;
     part.set_entity(5);
@@ -78,7 +78,8 @@ TEST_F(WorldViewTest, requires_a_complete_controlled_entity_state_first) {
     EXPECT_EQ(view.controlled_entity().module, "vehicle");
     part.set_values("short");
     EXPECT_EQ(view.apply(part).error().code, ErrorCode::corrupt_data);
-    EXPECT_EQ(view.controlled_entity().entity, 0u) << "what comes next is not told against that";
+    EXPECT_EQ(view.controlled_entity().entity, 0u)
+        << "the next state must not use the rejected one as baseline";
     welcome();
     EXPECT_EQ(view.controlled_entity().tick, 0u);
 }
@@ -86,7 +87,7 @@ TEST_F(WorldViewTest, requires_a_complete_controlled_entity_state_first) {
 }  // namespace
 
 TEST_F(WorldViewTest, keeps_a_channel_until_it_changes_or_ends) {
-    EXPECT_FALSE(told("craft")) << "nothing was told yet";
+    EXPECT_FALSE(told("craft")) << "no channel received yet";
     EXPECT_EQ(view.channel_kinds().size(), 2u);
     ASSERT_TRUE(take(snapshot(10, 0, {{0, 1}, {1, 2}})));
     EXPECT_EQ(told("craft"), 1);
@@ -97,14 +98,14 @@ TEST_F(WorldViewTest, keeps_a_channel_until_it_changes_or_ends) {
     EXPECT_EQ(view.channels().size(), 1u);
     EXPECT_FALSE(told("crane"));
     EXPECT_TRUE(view.channel("craft", 6).empty()) << "another entity";
-    EXPECT_TRUE(view.channel("boat", 5).empty()) << "no such kind";
+    EXPECT_TRUE(view.channel("boat", 5).empty()) << "unknown kind";
 }
 
 TEST_F(WorldViewTest, decodes_channels_against_any_baseline) {
     ASSERT_TRUE(take(snapshot(10, 0, {{0, 1}})));
     ASSERT_TRUE(take(snapshot(11, 10, {{0, 2}, {1, 3}}, {{0, 1}})));
     ASSERT_TRUE(take(snapshot(12, 10, {{0, 1}}, {{0, 1}})));
-    EXPECT_EQ(told("craft"), 1) << "as it was in frame 10";
+    EXPECT_EQ(told("craft"), 1) << "unchanged since frame 10";
     EXPECT_EQ(view.channels().size(), 1u);
 }
 
@@ -114,14 +115,14 @@ TEST_F(WorldViewTest, rejects_an_undecodable_snapshot_without_changing_channels)
     damaged.set_channels_crc(damaged.channels_crc() + 1);
     const Status refused = view.apply(damaged);
     ASSERT_FALSE(refused.ok());
-    EXPECT_EQ(refused.error().message, "frame 11: channels: the CRC does not match");
-    EXPECT_FALSE(take(snapshot(12, 11, {{0, 3}}, {{0, 2}}))) << "its base was refused";
+    EXPECT_EQ(refused.error().message, "frame 11: channels: CRC mismatch");
+    EXPECT_FALSE(take(snapshot(12, 11, {{0, 3}}, {{0, 2}}))) << "its baseline was rejected";
     EXPECT_EQ(told("craft"), 1);
 }
 
 TEST_F(WorldViewTest, discards_stale_state_on_a_keyframe_and_on_a_new_stream) {
     ASSERT_TRUE(take(snapshot(10, 0, {{0, 1}, {1, 2}})));
-    ASSERT_TRUE(take(snapshot(14, 0, {{1, 3}}))) << "the repair of a loss";
+    ASSERT_TRUE(take(snapshot(14, 0, {{1, 3}}))) << "a keyframe recovers from the loss";
     EXPECT_FALSE(told("craft"));
     EXPECT_EQ(told("crane"), 3);
     welcome();
@@ -139,7 +140,7 @@ TEST_F(WorldViewTest, assembles_a_large_shape_from_parts) {
     EXPECT_TRUE(view.apply(part).ok());
     v1::Shape named;
     named.set_geometry(77);
-    EXPECT_EQ(view.resolve_shape(named), nullptr) << "half of it is not it";
+    EXPECT_EQ(view.resolve_shape(named), nullptr) << "incomplete geometry is not resolved";
     part.set_chunk(1);
     part.set_data(bytes.substr(100));
     EXPECT_TRUE(view.apply(part).ok());
@@ -157,11 +158,11 @@ TEST_F(WorldViewTest, rejects_an_out_of_order_part_and_discards_the_shape) {
     part.set_chunk_count(2);
     const Status told = view.apply(part);
     ASSERT_FALSE(told.ok());
-    EXPECT_EQ(told.error().message, "geometry 77: part 1 of 2 does not follow the one before");
+    EXPECT_EQ(told.error().message, "geometry 77: chunk 1 of 2 does not follow the previous chunk");
     part.set_chunk(0);
     part.set_chunk_count(1);
     part.set_data("\xff no shape");
-    EXPECT_EQ(view.apply(part).error().message, "geometry 77: its bytes are no Shape");
+    EXPECT_EQ(view.apply(part).error().message, "geometry 77: not a valid Shape");
 }
 
 TEST_F(WorldViewTest, hides_entities_until_their_entity_update_arrives) {
@@ -184,13 +185,13 @@ TEST_F(WorldViewTest, hides_entities_until_their_entity_update_arrives) {
     };
     ASSERT_TRUE(view.apply(told(first, nullptr)).ok());
     EXPECT_EQ(view.frame().frame, 1u);
-    EXPECT_TRUE(view.frame().entities.empty()) << "nobody told what it looks like";
+    EXPECT_TRUE(view.frame().entities.empty()) << "no EntityUpdate has added it yet";
     EXPECT_FALSE(view.pose_of(7));
-    ASSERT_TRUE(view.apply(told(second, &first)).ok()) << "it is a base all the same";
+    ASSERT_TRUE(view.apply(told(second, &first)).ok()) << "it is a baseline nevertheless";
     v1::EntityUpdate entity_update;
     entity_update.add_added()->set_id(7);
     view.apply(entity_update);
-    EXPECT_EQ(view.frame().entities.size(), 1u) << "as soon as it is known";
+    EXPECT_EQ(view.frame().entities.size(), 1u) << "visible once the entity is known";
     EXPECT_EQ(view.ack_bits(), 1u);
     v1::EntityUpdate gone;
     gone.add_removed(7);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The predictor by its calls, natively: what a browser gets by way of WebAssembly
-// (clients/web/src/prediction has the long stories).
+// The C interface of the predictor, called natively; browsers call it as WebAssembly.
+// clients/web/sdk/src/prediction has the longer test cases.
 #include "clients/cpp/prediction/wasm/predictor_api.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ struct Caller {
         std::copy(numbers.begin(), numbers.end(), to);
         return static_cast<uint32_t>(numbers.size());
     }
-    // A floor, 1, and a crate of half a metre and 100 kg on it, 2.
+    // A floor (1) and a crate of 0.5 m and 100 kg on it (2).
     uint32_t frame(uint32_t number) {
         put({1, 0, -0.5, 0, 0, 0, 0, 1, 1, 2, 0, 0.25, 0, 0, 0, 0, 1, 0});
         return jostle_predictor_frame(predictor, number, 2);
@@ -70,15 +70,15 @@ TEST(PredictorApi, predicts_an_impulse_in_the_next_frame_and_requests_shapes_onc
     jostle_predictor_follow(caller.predictor, 0);
     jostle_predictor_follow(caller.predictor, 2);
     EXPECT_EQ(caller.frame(11), 1u);
-    EXPECT_EQ(asked.size(), 2u) << "they are known";
+    EXPECT_EQ(asked.size(), 2u) << "shapes are requested once";
 }
 
 TEST(PredictorApi, ignores_invalid_arguments) {
     Caller caller;
     caller.begin();
-    EXPECT_EQ(jostle_predictor_frame(caller.predictor, 1, 2), 0u) << "there are no numbers";
+    EXPECT_EQ(jostle_predictor_frame(caller.predictor, 1, 2), 0u) << "the buffer is empty";
     caller.put({2, 0, 0, 0, 0, 0, 0, 1, 0, 1, 0, 0, 0, 0, 0, 0, 1, 0});
-    EXPECT_EQ(jostle_predictor_frame(caller.predictor, 1, 2), 0u) << "not in order";
+    EXPECT_EQ(jostle_predictor_frame(caller.predictor, 1, 2), 0u) << "entities are not sorted";
     EXPECT_EQ(jostle_predictor_buffer(caller.predictor, 1u << 25), nullptr);
     EXPECT_EQ(jostle_predictor_set_shapes(caller.predictor, 99, 0), 0u);
     ASSERT_EQ(caller.frame(10), 1u);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A yard with a server's world on one side of a link of 100 ms and a predictor on the other, in
-// virtual time: what the player sees of a push, and how it is put right when somebody else pushes.
+// A yard with a server's world, a connection of 100 ms and a predictor, in virtual time: the
+// rendering of a push, and the correction when another client pushes.
 #include "jostle/client/predictor.h"
 
 #include <gtest/gtest.h>
@@ -48,19 +48,19 @@ struct Yard {
         predictor.follow(own_id);
     }
 
-    // --- the server ---
+    // --- server ---
     physics::World server;
     std::map<std::uint32_t, physics::BodyId> bodies;
     v1::EntityUpdate entity_update;
     std::uint32_t server_tick = 0, applied = 0;
     std::int32_t margin_us = 0;
     std::map<std::uint32_t, std::map<std::uint32_t, Vec3>> truth;  // by tick, by entity
-    std::map<std::uint32_t, Vec3> pushes_of_others;                // by tick, m/s, of our body
+    std::map<std::uint32_t, Vec3> pushes_of_others;                // by tick, m/s, of the own body
     double push_height = 0;                                        // m above its centre
     physics::JointId held;
     bool refuses = false;
     bool tells_motion = false;
-    bool quiet = false;  // sends no frames while nothing moves, but for one a second
+    bool quiet = false;  // sends one frame per second while nothing moves
 
     void add(std::uint32_t id, const physics::Geometry& geometry, Vec3 at, bool dynamic,
              double turn = 0) {
@@ -76,7 +76,7 @@ struct Yard {
         scenes::write_geometry(*entity.add_shapes(), geometry, {});
     }
 
-    // --- on the way ---
+    // --- network ---
     struct Sent {
         std::int64_t at_us;
         std::uint32_t sequence;
@@ -91,7 +91,7 @@ struct Yard {
     std::deque<Sent> rising;
     std::deque<Told> falling;
 
-    // --- the client ---
+    // --- client ---
     WorldView view;
     InputClock clock;
     InterpolationBuffer buffer;
@@ -106,11 +106,11 @@ struct Yard {
     };
     std::vector<Picture> pictures;
     std::set<std::uint32_t> pushed;  // ticks
-    double step_mm = 0;  // furthest that our body moved in a picture, beyond what `speed` explains
-    double far_moved = 0;  // m, of the far body in a picture
-    double speed = 0;      // m/s, of our body at most
+    double step_mm = 0;    // largest motion of the own body in a rendered frame beyond `speed`
+    double far_moved = 0;  // m, of the distant body in a rendered frame
+    double speed = 0;      // m/s, maximum speed of the own body
 
-    // As the server does.
+    // Applies an input like the server.
     void apply(const v1::Input& input) {
         const auto vector = [](const v1::Vec3& v) { return Vec3{v.x(), v.y(), v.z()}; };
         if (input.has_impulse()) {
@@ -231,7 +231,7 @@ struct Yard {
         impulse.mutable_impulse()->set_z(velocity.z * mass);
         pushed.insert(send(input, ticks_late));
     }
-    // Which tick it is meant for.
+    // Returns the tick of the input.
     std::uint32_t send(v1::Input input, int ticks_late = 0) {
         input.set_tick(clock.tick(us) - static_cast<std::uint32_t>(ticks_late));
         predictor.add_input(++sequence, input);
@@ -266,14 +266,14 @@ struct Yard {
             if (watching) picture();
         }
     }
-    // Of our body, from then on until 0.3 s ago: how far pictures were from where the server came
-    // to have it at that place of the input clock.
+    // For the own body, from a time until 0.3 s ago: distance of the rendered positions from the
+    // server's position at the same position of the input clock.
     double off_mm(std::int64_t since_us) const {
         double worst = 0;
         for (const Picture& p : pictures) {
             if (p.us < since_us || p.us > us - 300'000) continue;
             const auto tick = static_cast<std::uint32_t>(p.position);
-            if (pushed.contains(tick + 1)) continue;  // half of it was seen before the push
+            if (pushed.contains(tick + 1)) continue;  // partly rendered before the push
             const double t = p.position - tick;
             const Vec3 right =
                 truth.at(tick).at(own_id) * (1 - t) + truth.at(tick + 1).at(own_id) * t;
@@ -299,8 +299,9 @@ TEST(Predictor, shows_an_impulse_in_the_next_frame_instead_of_after_a_round_trip
     RecordProperty("foreseen_ms", foreseen_ms);
     RecordProperty("interpolated_ms", interpolated_ms);
     EXPECT_GT(foreseen_ms, 0);
-    EXPECT_LE(foreseen_ms, 34) << "its picture, or the one after where its tick begins there";
-    EXPECT_GE(interpolated_ms, 150) << "there and back, a tick of margin and the delay of pictures";
+    EXPECT_LE(foreseen_ms, 34)
+        << "in the rendered frame of the input or, if its tick starts later, the next one";
+    EXPECT_GE(interpolated_ms, 150) << "round trip, one tick of margin and the render delay";
 }
 
 TEST(Predictor, makes_no_corrections_when_the_server_agrees) {
@@ -321,8 +322,8 @@ TEST(Predictor, makes_no_corrections_when_the_server_agrees) {
     RecordProperty("worst_told_mm", std::to_string(worst_told_mm));
     EXPECT_EQ(yard.predictor.stats().corrections, 0u);
     EXPECT_LT(worst_mm, 2);
-    EXPECT_LT(worst_told_mm, 3) << "half a unit in each direction, and a little";
-    EXPECT_LT(yard.step_mm, 20) << "from rest to its speed in one picture";
+    EXPECT_LT(worst_told_mm, 3) << "half a unit per axis plus a tolerance";
+    EXPECT_LT(yard.step_mm, 20) << "from rest to full speed in one rendered frame";
 }
 
 TEST(Predictor, predicts_in_a_world_that_was_asleep) {
@@ -360,10 +361,12 @@ TEST(Predictor, smooths_corrections_caused_by_other_clients) {
     EXPECT_GT(yard.drawn[own_id].z, 0.8) << "v^2 / (2 mu g) is 0.92 m";
 }
 
-// Somebody throws our crate up, spinning: after the frame that tells of it all is as it will be.
+// Another client throws the own crate up, spinning: after the first frame with the motion the
+// prediction is exact.
 struct ThrownByOthers {
     std::uint64_t corrections = 0;
-    double off_mm = 0;  // of frames from 0.1 s after the first that tells of it, while it flies
+    // of frames from 0.1 s after the first one with the motion, during the flight
+    double off_mm = 0;
 };
 ThrownByOthers thrown_by_others(bool tells_motion) {
     Yard yard;
@@ -408,10 +411,10 @@ TEST(Predictor, converges_to_the_server_when_both_clients_push) {
 TEST(Predictor, predicts_bodies_hit_by_the_predicted_body) {
     Yard yard;
     yard.run(3);
-    EXPECT_EQ(yard.predictor.bodies(), 2u) << "ours and the one that is near";
+    EXPECT_EQ(yard.predictor.bodies(), 2u) << "the own body and its neighbour";
     const double stood = yard.drawn[other_id].x;
     yard.push({4, 0, 0});
-    yard.run(0.4);  // it is a metre away
+    yard.run(0.4);  // it is 1 m away
     const double foreseen = yard.drawn[other_id].x, seen = yard.interpolated[other_id].x;
     EXPECT_GT(foreseen - stood, 0.05);
     EXPECT_LT(seen - stood, 0.01);
@@ -451,7 +454,7 @@ TEST(Predictor, adds_and_removes_neighbors_without_a_visible_step) {
         most = std::max(most, yard.predictor.bodies());
     }
     EXPECT_EQ(most, 3u);
-    // 18 m/s, and 0.35 of it to catch up with what is shown in the future.
+    // 18 m/s, plus 0.35 times that to approach the predicted time.
     EXPECT_LT(yard.far_moved, 1.4 * 18 / pictures_hz);
 }
 
@@ -463,7 +466,7 @@ TEST(Predictor, keeps_a_tower_top_supported_by_static_boundary_bodies) {
     yard.view.apply(yard.entity_update);
     yard.predictor.follow(top);
     yard.run(3);
-    EXPECT_EQ(yard.predictor.bodies(), 5u) << "3 m of 7";
+    EXPECT_EQ(yard.predictor.bodies(), 5u) << "3 m of 7 m";
     yard.push({0.5, 0, 0}, top);  // shakes the tower, which is awake then
     double worst_mm = 0;
     for (int picture = 0; picture < 60; picture++) {
@@ -495,7 +498,7 @@ TEST(Predictor, predicts_dragging_the_top_of_a_tower) {
     }
     RecordProperty("worst_mm", std::to_string(worst_mm));
     RecordProperty("corrections", static_cast<int>(yard.predictor.stats().corrections));
-    EXPECT_LT(worst_mm, 10) << "the tower sways; what is less than 3 mm off is left so";
+    EXPECT_LT(worst_mm, 10) << "the tower sways; errors below 3 mm are not corrected";
     EXPECT_GT(yard.interpolated[top].y, 6.8) << "from 6.65";
 }
 
@@ -507,11 +510,13 @@ TEST(Predictor, continues_at_the_current_pose_after_half_a_second_without_render
     yard.run(0.5, false);
     const std::uint64_t corrections = yard.predictor.stats().corrections;
     yard.run(2);
-    EXPECT_EQ(yard.predictor.stats().corrections, corrections) << "it was foreseen meanwhile";
+    EXPECT_EQ(yard.predictor.stats().corrections, corrections)
+        << "the prediction continued meanwhile";
     EXPECT_LT(yard.off_mm(yard.us - 600'000), 2);
 }
 
-// Damped, without weight and held to an axis: a client that is told so corrects nothing.
+// Damped, weightless and locked to an axis: a client that receives these parameters corrects
+// nothing.
 TEST(Predictor, applies_damping_gravity_scale_and_locks_of_a_body) {
     for (const bool told : {true, false}) {
         Yard yard;
@@ -543,8 +548,8 @@ TEST(Predictor, applies_damping_gravity_scale_and_locks_of_a_body) {
     }
 }
 
-// A lamp swings beside us on a joint that nobody tells us of. As a free body it is seen up to 2 m
-// from where it comes to be.
+// A lamp swings next to the own body on a joint that the client does not receive. As a free body it
+// would be rendered up to 2 m from its true position.
 TEST(Predictor, jointed_bodies_keep_their_last_velocity) {
     Yard yard;
     constexpr std::uint32_t lamp = 9;
@@ -560,7 +565,7 @@ TEST(Predictor, jointed_bodies_keep_their_last_velocity) {
     yard.entity_update.mutable_added(yard.entity_update.added_size() - 1)->set_jointed(true);
     yard.view.apply(yard.entity_update);
     yard.run(3);
-    std::vector<std::pair<std::uint32_t, Vec3>> seen;  // in pictures of about that tick
+    std::vector<std::pair<std::uint32_t, Vec3>> seen;  // in rendered frames near that tick
     for (int k = 0; k < 90; k++) {
         yard.run(1 / pictures_hz);
         seen.emplace_back(std::lround(yard.pictures.back().position), yard.drawn[lamp]);
@@ -570,10 +575,10 @@ TEST(Predictor, jointed_bodies_keep_their_last_velocity) {
     for (const auto& [tick, at] : seen)
         worst_m = std::max(worst_m, length(at - yard.truth.at(tick).at(lamp)));
     RecordProperty("worst_m", std::to_string(worst_m));
-    EXPECT_LT(worst_m, 0.3) << "it goes on straight for 0.2 s, at up to 3 m/s";
+    EXPECT_LT(worst_m, 0.3) << "straight extrapolation for 0.2 s at up to 3 m/s";
     yard.predictor.follow(lamp);
     yard.run(1);
-    EXPECT_EQ(yard.predictor.bodies(), 0u) << "it is not foreseen";
+    EXPECT_EQ(yard.predictor.bodies(), 0u) << "it is not predicted";
     EXPECT_EQ(yard.drawn[lamp].x, yard.interpolated[lamp].x);
 }
 

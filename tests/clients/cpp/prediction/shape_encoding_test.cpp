@@ -57,7 +57,8 @@ TEST(ShapeEncoding, decodes_hulls_meshes_height_fields_and_compounds) {
     const auto hull =
         decode_shapes(one({7}, {5, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0.1, 0.1, 0.1}));
     ASSERT_TRUE(hull);
-    EXPECT_EQ(std::get<Hull>(hull->front().geometry).data->vertices.size(), 4u) << "one is inside";
+    EXPECT_EQ(std::get<Hull>(hull->front().geometry).data->vertices.size(), 4u)
+        << "one point is inside";
     const auto mesh = decode_shapes(one({8}, {3, 0, 0, 0, 1, 0, 0, 0, 0, 1, 1, 0, 2, 1}));
     ASSERT_TRUE(mesh);
     EXPECT_EQ(std::get<Mesh>(mesh->front().geometry).data->triangles.size(), 1u);
@@ -80,11 +81,11 @@ TEST(ShapeEncoding, rejects_truncated_oversized_and_inconsistent_encodings) {
     EXPECT_FALSE(decode_shapes(compound(2)));
     EXPECT_FALSE(decode_shapes(compound(1e9)));
     EXPECT_FALSE(decode_shapes(one({8}, {3, 0, 0, 0, 1, 0, 0, 0, 0, 1, 1, 0, 2, 3}))) << "a corner";
-    EXPECT_FALSE(decode_shapes(one({9}, {60000, 60000, 1, 1, 0}))) << "heights that are not there";
+    EXPECT_FALSE(decode_shapes(one({9}, {60000, 60000, 1, 1, 0}))) << "missing heights";
     EXPECT_FALSE(decode_shapes(one({11}, {1}))) << "no kind";
 }
 
-// Whatever comes: no crash, and nothing but shapes or nothing.
+// Random lists cause no crash and decode to valid shapes or nothing.
 TEST(ShapeEncoding, does_not_crash_on_random_encodings) {
     std::mt19937 random(7);
     const Numbers odd{-1,

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Recordings that a crash cut off, that a disk damaged, and files that are none.
+// Truncated and corrupt recordings, and files that are not recordings.
 #include <gtest/gtest.h>
 
 #include <iterator>
@@ -24,7 +24,7 @@ const RecordedWorld& short_recording() {
     return made;
 }
 
-// The places of all records, and after them that of the index.
+// Offsets of all records, followed by that of the index.
 std::vector<std::uint64_t> record_places(const std::string& file) {
     std::vector<std::uint64_t> places;
     for (std::uint64_t at = header_bytes;;) {
@@ -52,7 +52,7 @@ TEST(DamagedRecording, reads_a_truncated_recording_up_to_the_cut) {
         const std::string rest = world.file.substr(0, world.file.size() - truncation_reason);
         auto reader = opened(rest);
         ASSERT_TRUE(reader.ok()) << reader.error().message;
-        // All records that are whole are there, and the index is as it was of these.
+        // All complete records are readable, and the index lists exactly these.
         const auto after = std::ranges::upper_bound(places, rest.size());
         ASSERT_EQ(reader->end(), *(after - 1)) << truncation_reason << " bytes short";
         ASSERT_NE(reader->truncation_reason(), "");
@@ -71,13 +71,13 @@ TEST(DamagedRecording, reports_where_a_recording_without_index_ends) {
     const std::string& file = three_seconds().file;
     const std::uint64_t index = record_places(file).back();
     EXPECT_EQ(opened(file.substr(0, index))->truncation_reason(),
-              "byte " + std::to_string(index) + ": it has no index: it was cut off there");
+              "byte " + std::to_string(index) + ": no index: the recording is truncated");
     std::string wrong = file;
     wrong[index + 20] = static_cast<char>(wrong[index + 20] ^ 1);
     EXPECT_EQ(opened(wrong)->truncation_reason(),
-              "byte " + std::to_string(index) + ": its index is damaged");
-    EXPECT_EQ(opened(wrong)->index(), opened(file)->index()) << "it was made anew";
-    // What a file system may leave of blocks that were never written.
+              "byte " + std::to_string(index) + ": the index is corrupt");
+    EXPECT_EQ(opened(wrong)->index(), opened(file)->index()) << "the index was rebuilt";
+    // Zero bytes, as a file system may append after a crash.
     EXPECT_EQ(opened(file.substr(0, index) + std::string(5000, '\0'))->end(), index);
 }
 
@@ -94,8 +94,8 @@ TEST(DamagedRecording, reports_a_damaged_record_and_continues_at_the_next_keyfra
     Playback playback(opened(damaged).value());
     const Status there = playback.seek(keyframes[2].frame);
     ASSERT_FALSE(there.ok());
-    EXPECT_EQ(there.error().message, "byte " + std::to_string(at) +
-                                         ": the CRC of the record does not match: it is damaged");
+    EXPECT_EQ(there.error().message,
+              "byte " + std::to_string(at) + ": CRC mismatch: the record is corrupt");
     // Not every tick has a snapshot.
     const auto damaged_from = world.truth.lower_bound(keyframes[2].frame),
                whole_from = world.truth.lower_bound(keyframes[3].frame);
@@ -106,7 +106,7 @@ TEST(DamagedRecording, reports_a_damaged_record_and_continues_at_the_next_keyfra
 
     Playback again(opened(damaged).value());
     const RecordingVerification found = check(again);
-    EXPECT_EQ(found.errors.size(), 2u) << "the record, and the index that names it";
+    EXPECT_EQ(found.errors.size(), 2u) << "the record, and the index entry that refers to it";
     EXPECT_EQ(found.snapshots, world.truth.size() - static_cast<std::size_t>(
                                                         std::distance(damaged_from, whole_from)));
 }
@@ -125,17 +125,17 @@ TEST(DamagedRecording, detects_any_damaged_byte_of_a_record) {
 
 TEST(DamagedRecording, rejects_other_files_with_a_helpful_message) {
     EXPECT_EQ(error_of_opening(""),
-              "byte 0: it is no recording, which begins with the letters JREC; jostle-record makes "
-              "one");
+              "byte 0: not a recording: the file does not start with JREC; use a file written by "
+              "jostle-record");
     EXPECT_EQ(error_of_opening(std::string(100, 'x')), error_of_opening(""));
     std::string newer = three_seconds().file;
     newer[4] = 2;
     EXPECT_EQ(error_of_opening(newer),
-              "byte 4: it is a recording of version 2; this program reads version 1, so play it "
-              "with one of its own time");
+              "byte 4: unsupported version 2; this program reads version 1; use a program of the "
+              "same release");
     EXPECT_EQ(error_of_opening(newer.replace(4, 1, "\1").substr(0, 20)),
-              "byte 16: nothing was recorded: byte 16: the file ends within the head of a record: "
-              "it was cut off there");
+              "byte 16: the recording is empty: byte 16: truncated record "
+              "header");
     const auto gone = RecordingReader::open("/nowhere/yard.rec");
     ASSERT_FALSE(gone.ok());
     EXPECT_EQ(gone.error().message, "cannot read /nowhere/yard.rec: No such file or directory");
@@ -150,7 +150,7 @@ TEST(DamagedRecording, rejects_an_implausible_length) {
         const RecordingVerification found = check(playback);
         ASSERT_FALSE(found.errors.empty());
         EXPECT_TRUE(std::ranges::any_of(found.errors, [&](const std::string& fault) {
-            return fault.starts_with("byte " + std::to_string(at) + ": a message of ");
+            return fault.starts_with("byte " + std::to_string(at) + ": message of ");
         }));
     }
 }

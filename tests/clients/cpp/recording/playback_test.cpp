@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What was recorded is what is played: from the beginning, and from any tick.
+// Playback of a recording reproduces the recorded frames, from the start and from any tick.
 #include "jostle/client/playback.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@
 namespace jostle::client {
 namespace {
 
-// Ten seconds of 60 ticks, a keyframe every second.
+// Ten seconds at 60 ticks per second, with a keyframe every second.
 const RecordedWorld& ten_seconds() {
     static const RecordedWorld made = record_world(600, 60);
     return made;
@@ -37,8 +37,8 @@ TEST(Playback, reproduces_the_live_view_tick_by_tick) {
         ASSERT_EQ(playback.view().frame(), expected->second);
     }
     EXPECT_EQ(snapshots, world.truth.size());
-    EXPECT_GT(snapshots, 590u) << "one a tick";
-    EXPECT_FALSE(playback.next().value()) << "it stays at its end";
+    EXPECT_GT(snapshots, 590u) << "one snapshot per tick";
+    EXPECT_FALSE(playback.next().value()) << "playback stays at the end";
 }
 
 TEST(Playback, seeking_gives_the_same_state_as_playing_from_the_start) {
@@ -48,7 +48,7 @@ TEST(Playback, seeking_gives_the_same_state_as_playing_from_the_start) {
     std::size_t most = 0;
     while (sequential.next().value()) {
         const std::uint32_t tick = sequential.view().frame().frame;
-        // Somewhere else first, so that each begins anew.
+        // Seeks elsewhere first, so that each seek starts from a keyframe.
         ASSERT_TRUE(seeking.seek(tick < 300 ? world.counts.last_tick : world.counts.first_tick));
         const Status sought = seeking.seek(tick);
         ASSERT_TRUE(sought.ok()) << sought.error().message;
@@ -63,7 +63,7 @@ TEST(Playback, seeking_gives_the_same_state_as_playing_from_the_start) {
         }));
         most = std::max(most, told.size());
     }
-    EXPECT_EQ(most, 4u + 3u) << "the scene's and the balls that were thrown";
+    EXPECT_EQ(most, 4u + 3u) << "bodies of the scene and thrown balls";
 }
 
 TEST(Playback, seeks_forward_from_the_current_position_when_closer) {
@@ -83,10 +83,10 @@ TEST(Playback, rejects_a_missing_tick_and_names_the_available_range) {
     const Status early = playback.seek(counts.first_tick - 1), late = playback.seek(1'000'000);
     ASSERT_FALSE(early.ok());
     EXPECT_EQ(early.error().message, "tick " + std::to_string(counts.first_tick - 1) +
-                                         " is before the recording, which begins with tick " +
+                                         " is before the recording, which starts at tick " +
                                          std::to_string(counts.first_tick));
     ASSERT_FALSE(late.ok());
-    EXPECT_EQ(late.error().message, "tick 1000000 is after the recording, which ends with tick " +
+    EXPECT_EQ(late.error().message, "tick 1000000 is after the recording, which ends at tick " +
                                         std::to_string(counts.last_tick));
     EXPECT_TRUE(playback.seek(counts.last_tick));
 }
@@ -103,7 +103,8 @@ TEST(RecordingWriter, accepts_only_one_stream_of_a_whole_world) {
     RecordingWriter writer(out, 0);
     v1::ServerMessage message;
     message.mutable_pong();
-    EXPECT_FALSE(writer.add(message.SerializeAsString(), 0)) << "the Welcome comes first";
+    EXPECT_FALSE(writer.add(message.SerializeAsString(), 0))
+        << "the Welcome must be the first message";
     message.mutable_welcome()->set_cells(true);
     const Status part = writer.add(message.SerializeAsString(), 0);
     ASSERT_FALSE(part.ok());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A real world and a real conversation with it, in one thread and in no time, recorded: a player
-// throws balls about, so that bodies come and go, and asks for keyframes.
+// A recording of a real world and a real session, generated in one thread without waiting: a player
+// throws balls, so that bodies are spawned and deleted, and requests keyframes.
 #pragma once
 
 #include <chrono>
@@ -21,9 +21,9 @@
 namespace jostle::client {
 
 struct RecordedWorld {
-    std::string file;                                     // closed in order
-    std::map<std::uint32_t, wire::QuantizedFrame> truth;  // of each tick that was sent
-    std::map<std::uint32_t, std::size_t> listed;          // how many entities were told of then
+    std::string file;                                     // complete, with an index
+    std::map<std::uint32_t, wire::QuantizedFrame> truth;  // of each sent tick
+    std::map<std::uint32_t, std::size_t> listed;          // number of entities after that tick
     RecordingWriter::Counts counts;
 };
 

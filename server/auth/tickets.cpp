@@ -128,7 +128,7 @@ std::size_t Tickets::count_of(const std::string& holder) const {
     return at == by_holder_.end() ? 0 : at->second.size();
 }
 
-// If the table is full, the holder with the largest tickets loses its oldest one, unless the new
+// If the table is full, the holder with the most tickets loses its oldest one, unless the new
 // holder would then have more tickets than that holder. The search for the largest holder visits
 // all holders, and runs only in that case.
 bool Tickets::make_room_for(const std::string& holder, bool anonymous) {

@@ -15,7 +15,7 @@ std::string path_of(const char* name) {
 
 enum class Audit { no, yes };
 
-// Of the server as a whole.
+// A call about the server as a whole.
 template <class Request, class Response>
 CallMethod server_call(AdminControl& control, const char* name, Audit audit,
                        Status (AdminControl::*handle)(const Request&, Response&)) {
@@ -24,12 +24,13 @@ CallMethod server_call(AdminControl& control, const char* name, Audit audit,
         [&control, handle, audit](const CallContext& context, const Request& request,
                                   Response& response) {
             Status done = (control.*handle)(request, response);
-            if (audit == Audit::yes) context.authorizer.record(context.who, context.ask({}), done);
+            if (audit == Audit::yes)
+                context.authorizer.record(context.who, context.access_request({}), done);
             return done;
         });
 }
 
-// Of the world that the request names.
+// A call about the world named in the request.
 template <class Request, class Response>
 CallMethod world_call(AdminControl& control, const WorldDirectory& worlds, const char* name,
                       CallWork work, Audit audit,
@@ -40,8 +41,8 @@ CallMethod world_call(AdminControl& control, const WorldDirectory& worlds, const
                                   Response& response) {
             Status done = (control.*handle)(request, response);
             if (audit == Audit::yes)
-                context.authorizer.record(context.who, context.ask({request.world(), {}, {}}),
-                                          done);
+                context.authorizer.record(context.who,
+                                          context.access_request({request.world(), {}, {}}), done);
             return done;
         });
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// AdminService over gRPC: translate, ask AdminControl, answer; what changes something is told to
-// the audit log. Any thread.
+// AdminService over gRPC: decodes requests, calls AdminControl, encodes responses, and records
+// calls that change something in the audit log. Any thread.
 #pragma once
 
 #include <vector>
@@ -11,7 +11,7 @@
 
 namespace jostle::server {
 
-// Both outlive them.
+// Both arguments must outlive the methods.
 std::vector<CallMethod> admin_methods(AdminControl& control, const WorldDirectory& worlds);
 
 }  // namespace jostle::server

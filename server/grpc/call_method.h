@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// An RPC that is not a play stream, as the call front knows it: its name, its bounds and who
-// answers it. Messages are bytes here; unary_method() makes one of a function of two messages.
+// An RPC other than the play stream as the dispatcher sees it: its name, its limits and its
+// handler. Messages are bytes here; unary_method() wraps a handler of two messages.
 #pragma once
 
 #include <google/protobuf/message.h>
@@ -19,60 +19,61 @@
 
 namespace jostle::server {
 
-// Who calls, and until when the answer is of use.
+// The caller, and the deadline of the response.
 struct CallContext {
     Authorizer& authorizer;
-    std::string_view call;  // the row of the access table
+    std::string_view call;  // row of the access table
     const Identity& who;
     std::string address;
     std::chrono::system_clock::time_point deadline;
-    std::function<bool()> is_cancelled;  // nobody waits for the answer any more
+    std::function<bool()> is_cancelled;  // the client no longer waits for the response
 
     bool is_too_late() const {
         return deadline <= std::chrono::system_clock::now() || is_cancelled();
     }
-    AccessRequest ask(const WorldTarget& world) const { return {call, world, address}; }
+    AccessRequest access_request(const WorldTarget& world) const { return {call, world, address}; }
 };
 
 using ResponseBytes = std::shared_ptr<const std::string>;
 
 enum class CallWork {
-    quick,     // one request, one answer at once
-    query,     // likewise, on the threads of what asks worlds
-    control,   // likewise, on the threads of what changes worlds
-    blocking,  // likewise, on the threads of what waits for a world: operators' calls
-    stream,    // an answer for each request, until the client ends it
-    watch,     // one request, then an answer whenever there is another one
+    quick,     // one request, one immediate response
+    query,     // like quick, on the threads that query worlds
+    control,   // like quick, on the threads that create and delete worlds
+    blocking,  // like quick, on the threads that wait for a world: operators' calls
+    stream,    // one response per request, until the client ends the stream
+    watch,     // one request, then a response after each change
 };
 
 struct CallMethod {
     std::string path;  // "/jostle.v1.WorldService/ListWorlds"
     CallWork work = CallWork::quick;
     std::size_t request_bytes_max = 64 * 1024;
-    // Calls about a world ask the gate when they know which; for the others the front has asked.
+    // True: the handler authorizes the call, because only it knows the world. False: the dispatcher
+    // does.
     bool authorizes_world = false;
-    bool is_probe = false;  // is answered however many calls of others are open
-    // On a thread of a pool; a watch's on that of the front, again and again.
+    bool is_probe = false;  // answered even if the limit of open calls is reached
+    // Runs on a pool thread; the handler of a watch runs on the dispatcher's thread repeatedly.
     std::function<Status(const CallContext&, std::string_view request,
                          ResponseBytes& response_bytes)>
         run;
 
-    // Until its client ends it.
+    // Whether the call lasts until the client ends it.
     bool stays_open() const { return work == CallWork::stream || work == CallWork::watch; }
 };
 
 inline Status parse(std::string_view bytes, google::protobuf::Message& request) {
     if (request.ParseFromArray(bytes.data(), static_cast<int>(bytes.size()))) return {};
     return Error{ErrorCode::invalid_argument,
-                 "the request is no " + request.GetDescriptor()->full_name()};
+                 "the request is not a valid " + request.GetDescriptor()->full_name()};
 }
 
-// Whether who calls may do so with this world.
+// Checks whether the caller may access this world.
 inline Status admit(const CallContext& context, const WorldDirectory& worlds,
                     const std::string& name) {
     const std::shared_ptr<WorldHost> world = worlds.find(name);
-    return context.authorizer.admit(context.who,
-                                    context.ask(world ? world_target(*world) : WorldTarget{}));
+    return context.authorizer.admit(
+        context.who, context.access_request(world ? world_target(*world) : WorldTarget{}));
 }
 
 // `handle` is called as Status(const CallContext&, const Request&, Response&).
@@ -94,7 +95,8 @@ CallMethod unary_method(std::string path, CallWork work, std::size_t request_byt
             .run = std::move(run)};
 }
 
-// The same of a call about the world that `request.world()` names: it is let in by whose that is.
+// Like unary_method() for a call about the world named by `request.world()`: the owner of that
+// world affects authorization.
 template <class Request, class Response, class Handle>
 CallMethod world_method(std::string path, CallWork work, std::size_t request_bytes_max,
                         const WorldDirectory& worlds, Handle handle) {

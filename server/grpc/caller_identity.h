@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What a gRPC call shows of who calls: a token in its metadata, the certificate of its connection.
-// Pure; any thread.
+// The identity of the caller of a gRPC call: a token in the metadata, or the certificate of the
+// connection. Pure; any thread.
 #pragma once
 
 #include <grpcpp/server_context.h>

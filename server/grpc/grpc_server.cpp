@@ -18,21 +18,20 @@ namespace jostle::server {
 
 namespace {
 
-// Of gRPC's own buffers; beyond it gRPC resets whatever stream it likes. The relay stops reading
+// Limit of gRPC's own buffers; beyond it gRPC resets arbitrary streams. The relay stops reading
 // long before.
 constexpr std::size_t buffers_max = 512u << 20;
-constexpr int message_bytes_max = 4 * 1024 * 1024;  // methods and play streams have limits of
-                                                    // their own
+// Methods and play streams have lower limits of their own.
+constexpr int message_bytes_max = 4 * 1024 * 1024;
 constexpr int streams_per_connection_max = 100;
 constexpr int header_bytes_max = 8 * 1024;
-constexpr int handshake_ms = 5'000;  // from the connection to the first settings
+constexpr int handshake_ms = 5'000;  // from the connection to the first SETTINGS
 constexpr auto shutdown_timeout = std::chrono::seconds(1);
 constexpr auto shutdown_flush_max = std::chrono::milliseconds(300);
 constexpr auto probe_period = std::chrono::milliseconds(500);
 constexpr auto probe_timeout_max = std::chrono::milliseconds(1500);
 
-// A peer that vanished without a word is noticed within half a minute; clients may ping every 10 s
-// or slower.
+// A peer that vanished silently is detected within 30 s; clients may ping at most every 10 s.
 void set_keepalive(grpc::ServerBuilder& builder) {
     builder.AddChannelArgument(GRPC_ARG_KEEPALIVE_TIME_MS, 20'000);
     builder.AddChannelArgument(GRPC_ARG_KEEPALIVE_TIMEOUT_MS, 10'000);
@@ -43,8 +42,8 @@ void set_keepalive(grpc::ServerBuilder& builder) {
 void set_limits(grpc::ServerBuilder& builder, const GrpcSettings& settings) {
     builder.SetResourceQuota(grpc::ResourceQuota("jostle").Resize(buffers_max));
     builder.SetMaxReceiveMessageSize(message_bytes_max);
-    // A few bytes of a compressed request could become gigabytes; nobody compresses a small
-    // message.
+    // A compressed request of a few bytes could expand to gigabytes, and small messages need no
+    // compression.
     builder.AddChannelArgument(GRPC_COMPRESSION_CHANNEL_ENABLED_ALGORITHMS_BITSET,
                                1u << GRPC_COMPRESS_NONE);
     builder.AddChannelArgument(GRPC_ARG_MAX_CONCURRENT_STREAMS, streams_per_connection_max);
@@ -54,13 +53,13 @@ void set_limits(grpc::ServerBuilder& builder, const GrpcSettings& settings) {
         GRPC_ARG_MAX_CONNECTION_IDLE_MS,
         static_cast<int>(
             std::chrono::duration_cast<std::chrono::milliseconds>(settings.idle_max).count()));
-    // What a client may send ahead of its reader; a window that grows with the speed of the line
-    // would let strangers fill ours.
+    // Limits the data that a client may send ahead of its reader; a window that grows with the
+    // bandwidth would let clients fill the server's buffers.
     builder.AddChannelArgument(GRPC_ARG_HTTP2_BDP_PROBE, 0);
 }
 
-// Whose calls are counted by their names.
-void announce(const std::vector<CallMethod>& methods, RpcMetrics& metrics) {
+// Registers the methods whose calls are counted by name.
+void register_methods(const std::vector<CallMethod>& methods, RpcMetrics& metrics) {
     using enum RpcMetrics::Kind;
     metrics.add(play_path, streaming);
     for (const CallMethod& method : methods) {
@@ -98,7 +97,7 @@ std::vector<CallMethod> GrpcServer::all_methods(std::vector<CallMethod> methods,
     names.insert(names.end(), {"grpc.health.v1.Health", "grpc.reflection.v1.ServerReflection",
                                "grpc.reflection.v1alpha.ServerReflection"});
     add(reflection_methods(std::move(names)));
-    if (context_.rpc_metrics) announce(methods, *context_.rpc_metrics);
+    if (context_.rpc_metrics) register_methods(methods, *context_.rpc_metrics);
     return methods;
 }
 
@@ -108,7 +107,7 @@ Status GrpcServer::start() {
     grpc::ServerBuilder builder;
     external_acceptor_ = builder.experimental().AddExternalConnectionAcceptor(
         grpc::ServerBuilder::experimental_type::ExternalConnectionType::FROM_FD,
-        grpc::InsecureServerCredentials());  // TLS ends at the relay
+        grpc::InsecureServerCredentials());  // TLS terminates at the relay
     set_keepalive(builder);
     set_limits(builder, settings_);
     builder.RegisterService(&play_service_);
@@ -117,19 +116,19 @@ Status GrpcServer::start() {
         shards_.push_back(std::make_unique<PlayShard>(context_, play_service_, table_,
                                                       builder.AddCompletionQueue()));
     server_ = builder.BuildAndStart();
-    if (!server_) return Error{ErrorCode::unavailable, "gRPC cannot start its server"};
+    if (!server_) return Error{ErrorCode::unavailable, "cannot start the gRPC server"};
     dispatcher_.start(shards_.front()->queue(), table_);
     for (const auto& shard : shards_)
         shard->start(shard == shards_.front() ? &dispatcher_ : nullptr);
     serving_ = true;
     probed_at_ = Clock::now().time_since_epoch().count();
     prober_ = std::thread([this] { probe_self(); });
-    const Status moving = relay_.start([this](int descriptor) {
+    const Status relay_started = relay_.start([this](int descriptor) {
         grpc::experimental::ExternalConnectionAcceptor::NewConnectionParameters connection;
         connection.fd = descriptor;
         external_acceptor_->HandleNewConnection(&connection);
     });
-    if (!moving.ok()) return moving.error();
+    if (!relay_started.ok()) return relay_started.error();
     acceptor_.start(
         [this](std::unique_ptr<ClientSocket> client, std::shared_ptr<Connection> connection) {
             relay_.add(std::move(client), std::move(connection));
@@ -139,14 +138,14 @@ Status GrpcServer::start() {
 
 std::optional<std::string> GrpcServer::failure_reason(Clock::time_point now) const {
     if (now - Clock::time_point(Clock::duration(probed_at_)) > probe_timeout_max)
-        return "gRPC does not answer";
-    if (!relay_.is_responsive(now)) return "gRPC's connections stand still";
-    if (!acceptor_.is_listening(now)) return "gRPC takes no connections";
+        return "gRPC does not respond";
+    if (!relay_.is_responsive(now)) return "the gRPC connection relay is stalled";
+    if (!acceptor_.is_listening(now)) return "gRPC accepts no connections";
     return std::nullopt;
 }
 
-// Through gRPC and the front, by a transport that needs no descriptor: how many connections there
-// are is no matter of health.
+// Probes gRPC and the dispatcher over an in-process channel, which needs no descriptor: the number
+// of connections does not affect health.
 void GrpcServer::probe_self() {
     const auto health = grpc::health::v1::Health::NewStub(server_->InProcessChannel({}));
     std::unique_lock lock(prober_mutex_);
@@ -165,8 +164,8 @@ void GrpcServer::wake() {
     for (const auto& shard : shards_) shard->wake();
 }
 
-// gRPC's Shutdown() tells the connections at once, and returns when all calls have ended or the
-// patience has.
+// gRPC's Shutdown() sends GOAWAY at once, and returns when all calls have ended or the timeout has
+// passed.
 void GrpcServer::drain(Clock::duration timeout) {
     if (!serving_.exchange(false) || !server_) return;
     { const std::lock_guard lock(prober_mutex_); }
@@ -174,7 +173,7 @@ void GrpcServer::drain(Clock::duration timeout) {
     if (prober_.joinable()) prober_.join();
     acceptor_.stop();
     shutdown_ = std::thread([this, timeout] {
-        // Those who watch our health are told first.
+        // Notify health watchers first.
         std::this_thread::sleep_for(std::chrono::milliseconds(100));
         server_->Shutdown(std::chrono::system_clock::now() + timeout + shutdown_timeout);
     });
@@ -184,8 +183,8 @@ void GrpcServer::stop() {
     if (stopped_) return;
     stopped_ = true;
     drain({});
-    // The shards and the front still run: they take the ends of their calls off their queues. Who
-    // drains with patience is not to wait any longer.
+    // The shards and the dispatcher still run and drain the events of their calls. Cancelling all
+    // calls ends a drain in progress.
     if (server_) grpc_server_cancel_all_calls(server_->c_server());
     if (shutdown_.joinable()) shutdown_.join();
     dispatcher_.stop();

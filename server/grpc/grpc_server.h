@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The gRPC port: connections that we accept, watch and relay ourselves, play streams on shards of
-// their own, all other calls behind the call front. start(), then drain() and stop() in that order;
-// each from one thread.
+// The gRPC port: connections are accepted, guarded and relayed by the server itself; play streams
+// run on shards, all other calls in the dispatcher. Call start(), then drain() and stop() in this
+// order, each from one thread.
 #pragma once
 
 #include <grpcpp/server.h>
@@ -29,37 +29,38 @@ namespace jostle::server {
 
 struct GrpcSettings {
     std::string host = "127.0.0.1";
-    std::uint16_t port = 50051;  // 0: any that is free
+    std::uint16_t port = 50051;  // 0: any free port
     int network_threads = 1;
-    const CertificateStore* certificates = nullptr;  // null: without TLS; outlives the server
+    const CertificateStore* certificates = nullptr;  // null: no TLS; outlives the server
     ConnectionTableLimits connections = {};
     RelayLimits relay = {};
-    const ListenerMetrics* metrics = nullptr;                     // null: nobody counts
-    Clock::duration tcp_user_timeout = std::chrono::seconds(10);  // of who takes nothing
-    Clock::duration idle_max = std::chrono::minutes(5);           // of a connection without a call
+    const ListenerMetrics* metrics = nullptr;  // null: no counting
+    // of a peer that acknowledges nothing
+    Clock::duration tcp_user_timeout = std::chrono::seconds(10);
+    Clock::duration idle_max = std::chrono::minutes(5);  // of a connection without a call
 };
 
 class GrpcServer {
 public:
-    // `methods`: all that is not a play stream, but for health and reflection. `is_healthy`: any
-    // thread. The context outlives the server.
+    // `methods`: all methods except play streams, health and reflection. `is_healthy`: called on
+    // any thread. The context outlives the server.
     GrpcServer(PlayContext& context, std::vector<CallMethod> methods,
                std::function<bool()> is_healthy, GrpcSettings settings);
     ~GrpcServer();
 
-    // Binds and begins to serve. An error says which address and why.
+    // Binds and starts serving. An error names the address and the reason.
     Status start();
-    std::uint16_t port() const { return acceptor_.port(); }  // the real one, after start()
+    std::uint16_t port() const { return acceptor_.port(); }  // the bound port, after start()
 
-    // Any thread: why gRPC does not serve, as it found when it asked itself last; nothing: it does.
+    // Any thread. Why gRPC does not serve, according to its last self-probe; empty: it serves.
     std::optional<std::string> failure_reason(Clock::time_point now) const;
 
-    // Any thread: a world has a new frame, or the context began to drain.
+    // Any thread: a world has a new frame, or the context has started to drain.
     void wake();
-    // Health answers NOT_SERVING and nobody new is let in; each connection is told to go elsewhere
-    // (GOAWAY). Streams that run go on for so long.
+    // Health reports NOT_SERVING, new connections are refused, and open connections get GOAWAY.
+    // Open streams continue for at most `timeout`.
     void drain(Clock::duration timeout);
-    // Ends what is left and all threads.
+    // Ends all remaining calls and threads.
     void stop();
 
 private:
@@ -79,7 +80,7 @@ private:
     std::vector<std::unique_ptr<PlayShard>> shards_;
     std::unique_ptr<grpc::Server> server_;
     std::thread shutdown_, prober_;
-    std::atomic<Clock::rep> probed_at_{0};  // when it last answered itself
+    std::atomic<Clock::rep> probed_at_{0};  // time of the last successful self-probe
     std::mutex prober_mutex_;
     std::condition_variable prober_wake_;
     bool stopped_ = false;

@@ -24,7 +24,7 @@ std::vector<CallMethod> health_methods(std::vector<std::string> services,
         if (response.status() != HealthCheckResponse::SERVICE_UNKNOWN) return {};
         return Error{ErrorCode::not_found, "there is no service \"" + request.service() + "\""};
     };
-    // Of a service that is not known the watcher is told, and waits for it to come.
+    // An unknown service is reported to the watcher, which waits for it to appear.
     const auto watch = [status_of](const CallContext&, const HealthCheckRequest& request,
                                    HealthCheckResponse& response) -> Status {
         response.set_status(status_of(request.service()));

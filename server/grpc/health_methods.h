@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// grpc.health.v1.Health: Check answers once, Watch whenever it changes. Any thread.
+// grpc.health.v1.Health: Check responds once, Watch after each change. Any thread.
 #pragma once
 
 #include <functional>
@@ -11,8 +11,8 @@
 
 namespace jostle::server {
 
-// `services`: those it knows besides the empty name, which is the server as a whole; all begin and
-// end together. `is_serving`: any thread.
+// `services`: the known services besides the empty name, which is the entire server; all share one
+// status. `is_serving`: called on any thread.
 std::vector<CallMethod> health_methods(std::vector<std::string> services,
                                        std::function<bool()> is_serving);
 

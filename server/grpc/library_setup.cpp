@@ -16,16 +16,16 @@ namespace {
 
 constexpr std::size_t log_message_bytes_max = 400;
 
-// Its errors are mostly about single peers: they are no trouble of the server's.
-void write_grpc(gpr_log_func_args* said) {
-    const std::string text = printable(said->message, log_message_bytes_max);
-    if (said->severity == GPR_LOG_SEVERITY_ERROR)
+// Its errors are mostly faults of single peers rather than of the server.
+void write_grpc(gpr_log_func_args* entry) {
+    const std::string text = printable(entry->message, log_message_bytes_max);
+    if (entry->severity == GPR_LOG_SEVERITY_ERROR)
         log_warn("gRPC: {}", text);
     else
         log_debug("gRPC: {}", text);
 }
 
-// Of messages that are none, mostly: who reads them knows what to do.
+// Mostly malformed messages, which the callers report themselves.
 void write_protobuf(google::protobuf::LogLevel, const char*, int, const std::string& message) {
     log_debug("protobuf: {}", printable(message, log_message_bytes_max));
 }

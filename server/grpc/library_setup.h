@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// How the libraries below gRPC behave in our process. What gRPC and protobuf have to say goes to
-// our log, which is bounded and never waits, and not to standard error: strangers can make them say
-// a lot. Abseil does not look for deadlocks: its search, on by default in builds with assertions,
-// takes a tenth of the time of each message, and finds what tests have to find.
+// Configures the libraries below gRPC for this process. Messages of gRPC and protobuf go to the
+// server log, which is bounded and never blocks, instead of standard error: clients can cause many
+// of them. Abseil's deadlock detection is disabled: it is on by default in builds with assertions,
+// takes a tenth of the time of each message, and finds only what tests should find.
 #pragma once
 
 namespace jostle::server {
 
-// Any number of times; for the whole process.
+// Applies to the entire process; can be called repeatedly.
 void configure_libraries();
 
 }  // namespace jostle::server

@@ -8,11 +8,11 @@ namespace jostle::server {
 
 namespace {
 
-// gRPC calls the function on the thread that lets go of the last reference; a shared_ptr's count
-// may be changed there.
+// gRPC calls the deleter on the thread that releases the last reference; the count of a shared_ptr
+// may be changed on any thread.
 grpc::Slice share(const SharedBytes& bytes) {
     auto* const owner = new SharedBytes(bytes);
-    // gRPC takes void* but never writes into a slice.
+    // gRPC's interface takes void* but never writes into a slice.
     void* const data = const_cast<char*>(bytes->data());
     return grpc::Slice(
         data, bytes->size(), [](void* user) { delete static_cast<SharedBytes*>(user); }, owner);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Our bytes in gRPC's buffers and back, without copying what is shared: a shared piece becomes a
-// slice that keeps one more count on it until the transport has sent it.
+// Converts messages to gRPC buffers and back without copying shared bytes: a shared piece becomes a
+// slice that holds a reference until the transport has sent it.
 #pragma once
 
 #include <grpcpp/support/byte_buffer.h>
@@ -14,8 +14,8 @@ namespace jostle::server {
 
 grpc::ByteBuffer to_byte_buffer(const OutMessage& message);
 
-// The bytes of a received message, appended to a cleared `out`: callers keep one string and
-// allocate rarely.
+// Replaces `out` with the bytes of a received message. Callers reuse one string, so that it rarely
+// allocates.
 void copy_bytes(std::string& out, const grpc::ByteBuffer& buffer);
 
 }  // namespace jostle::server

@@ -9,11 +9,11 @@ namespace jostle::server {
 
 namespace {
 
-// Timeouts and statistics need no better; frames and messages wake the thread by themselves.
+// Sufficient for timeouts and statistics; frames and messages wake the thread directly.
 constexpr auto shard_housekeeping_period = std::chrono::milliseconds(50);
-// Of one that has no streams: each time that a thread wakes costs a quiet server.
+// For a shard without streams: each wake-up costs an idle server.
 constexpr auto idle_shard_period = std::chrono::milliseconds(250);
-// Calls that may arrive together before one of them has to wait for the thread.
+// Calls that can arrive at the same time without waiting for the thread.
 constexpr std::size_t plays_requested = 16;
 constexpr std::size_t streams_without_hello_max = 256;
 constexpr std::size_t streams_without_hello_of_address_max = 64;
@@ -35,12 +35,12 @@ void PlayShard::start(UnaryDispatcher* dispatcher) {
     thread_ = std::thread([this] { run(); });
 }
 
-// The server's limit on clients counts those who said hello; this one bounds those who did not.
+// The client limit of the server covers streams after their Hello; this limit covers the others.
 std::size_t PlayShard::streams_max() const {
     return static_cast<std::size_t>(context_.config.world.clients_max) + streams_without_hello_max;
 }
 
-// Of those without a hello no address takes all the room.
+// No single address may use the entire limit of streams without a Hello.
 bool PlayShard::too_many_without_hello_from(const std::string& network) const {
     const auto same = std::ranges::count_if(streams_, [&](const auto& stream) {
         return !stream->session().hello_received() && stream->network() == network;
@@ -52,8 +52,8 @@ void PlayShard::request_call() {
     waiting_.push_back(std::make_unique<PlayStream>(service_, *queue_));
 }
 
-// An alarm that is due at once is gRPC's way to put a foreign event on a completion queue. Its tag
-// is null.
+// An alarm that is due at once is gRPC's way to post an external event to a completion queue. Its
+// tag is null.
 void PlayShard::wake() {
     const std::lock_guard lock(wake_mutex_);
     if (stopping_ || awake_.exchange(true)) return;
@@ -76,7 +76,7 @@ void PlayShard::stop() {
     if (thread_.joinable()) {
         thread_.join();
     } else {
-        run();  // never started; gRPC still wants its queue emptied
+        run();  // never started; gRPC still requires that the queue is drained
     }
 }
 
@@ -84,8 +84,8 @@ void PlayShard::run() {
     housekeeping_ = Clock::now() + idle_shard_period;
     bool shut_down = false;
     for (;;) {
-        // Here, where all calls, reads and writes are begun: gRPC ends the process when one is
-        // begun on a queue that shuts down.
+        // Shut down on this thread, which starts all calls, reads and writes: gRPC aborts the
+        // process if an operation is started on a queue that shuts down.
         if (stopping_ && !shut_down) {
             const std::lock_guard lock(wake_mutex_);
             queue_->Shutdown();
@@ -93,7 +93,7 @@ void PlayShard::run() {
         }
         void* tag = nullptr;
         bool ok = false;
-        // gRPC takes its deadlines on the system clock; the distance is what counts.
+        // gRPC takes deadlines on the system clock; only the difference matters.
         const Clock::time_point due =
             dispatcher_ ? std::min(housekeeping_, dispatcher_->housekeeping()) : housekeeping_;
         const auto wait = std::max(Clock::duration::zero(), due - Clock::now());
@@ -104,12 +104,13 @@ void PlayShard::run() {
         const Clock::time_point now = Clock::now();
         if (next == grpc::CompletionQueue::GOT_EVENT) {
             if (tag == &datagram_alarm_) {
-                datagrams_came_ = false;  // before looking, as below
+                datagrams_came_ = false;  // before processing, as below
                 if (!stopping_) advance_with_datagrams(now);
             } else if (tag != nullptr) {
                 dispatch(*static_cast<RpcTag*>(tag), ok, now);
             } else if (!stopping_) {
-                awake_ = false;  // before looking: a frame that comes meanwhile wakes again
+                // before processing: a frame that arrives meanwhile wakes the thread again
+                awake_ = false;
                 advance_all(now);
             }
         }
@@ -135,7 +136,8 @@ void PlayShard::dispatch(RpcTag& tag, bool ok, Clock::time_point now) {
 void PlayShard::handle(PlayTag& tag, bool ok, Clock::time_point now) {
     PlayStream& stream = *tag.stream;
     if (stopping_)
-        return stream.on_shutdown(tag.event);  // nothing may be started on a queue that shuts down
+        // no operation may be started on a queue that shuts down
+        return stream.on_shutdown(tag.event);
     switch (tag.event) {
         case PlayTag::Event::accepted: {
             const auto at =
@@ -143,7 +145,7 @@ void PlayShard::handle(PlayTag& tag, bool ok, Clock::time_point now) {
                              [&](const auto& waiting) { return waiting.get() == &stream; });
             std::unique_ptr<PlayStream> owned = std::move(*at);
             waiting_.erase(at);
-            if (!ok) return;  // the server is going down
+            if (!ok) return;  // the server is shutting down
             request_call();
             owned->begin(
                 context_, connections_, [this] { wake_for_datagrams(); }, now);
@@ -172,7 +174,7 @@ void PlayShard::housekeep(Clock::time_point now) {
     drop_finished();
 }
 
-// Each round begins with the next client: with many of them the last one waits longest, and that
+// Each round starts with the next client: with many clients the last one waits longest, and it
 // should not always be the same one.
 void PlayShard::advance_all(Clock::time_point now) {
     const std::size_t count = streams_.size();

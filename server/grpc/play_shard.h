@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// One network thread: a completion queue and the play streams whose calls arrived on it; one of the
-// shards has all other calls as well (unary_dispatcher.h), because gRPC lets whoever waits on a
-// queue read all connections, and has to wake another thread for what is not its own. All reading,
-// encoding and writing for these clients happens here, so nothing is locked and no write wakes
-// another thread. The thread sleeps until gRPC has an event, a world has a new frame, or the
-// housekeeping tick is due.
+// A network thread: a completion queue and the play streams that arrived on it. One of the shards
+// also handles all other calls (unary_dispatcher.h), because gRPC lets any waiting queue thread
+// read all connections, and would have to wake another thread for foreign events. All reading,
+// encoding and writing for these clients happens on this thread, so that nothing is locked and no
+// write wakes another thread. The thread sleeps until gRPC has an event, a world has a new frame,
+// or housekeeping is due.
 #pragma once
 
 #include <grpcpp/alarm.h>
@@ -26,23 +26,25 @@ namespace jostle::server {
 
 class PlayShard {
 public:
-    // The queue comes from the ServerBuilder that registered the service. All outlive the shard.
+    // The queue comes from the ServerBuilder that registered the service. All arguments must
+    // outlive the shard.
     PlayShard(PlayContext& context, RawPlayService& service, const ConnectionTable& connections,
               std::unique_ptr<grpc::ServerCompletionQueue> queue);
     ~PlayShard();
 
-    // After the server was started. `front`: its calls arrive here, too; null: another shard's.
+    // Call after the server was started. `dispatcher`: its calls arrive on this shard; null: on
+    // another shard.
     void start(UnaryDispatcher* dispatcher);
     grpc::ServerCompletionQueue& queue() { return *queue_; }
-    // Any thread: a world has a new frame, or the context began to drain. Cheap when the shard is
-    // awake already.
+    // Any thread: a world has a new frame, or the context has started to drain. Cheap if the shard
+    // is already awake.
     void wake();
-    // Any thread: datagrams came for some of the streams.
+    // Any thread: datagrams arrived for some of the streams.
     void wake_for_datagrams();
-    // After the server was shut down: takes what is left off the queue and ends the thread.
+    // Call after the server was shut down: drains the queue and ends the thread.
     void stop();
 
-    // Any thread; may be a moment old.
+    // Any thread; may be slightly outdated.
     std::size_t streams() const { return stream_count_.load(std::memory_order_relaxed); }
 
 private:
@@ -62,15 +64,15 @@ private:
     const ConnectionTable& connections_;
     std::unique_ptr<grpc::ServerCompletionQueue> queue_;
     UnaryDispatcher* dispatcher_ = nullptr;
-    std::vector<std::unique_ptr<PlayStream>> waiting_;  // asked for, no client yet
+    std::vector<std::unique_ptr<PlayStream>> waiting_;  // requested from gRPC, without a client yet
     std::vector<std::unique_ptr<PlayStream>> streams_;
-    std::size_t first_ = 0;  // whose write starts first this time
+    std::size_t first_ = 0;  // the stream that starts the next round
     Clock::time_point housekeeping_{};
     std::atomic<std::size_t> stream_count_{0};
     grpc::Alarm alarm_, datagram_alarm_;
-    std::atomic<bool> datagrams_came_{false};  // as awake_, of the other alarm
+    std::atomic<bool> datagrams_came_{false};  // like awake_, for the other alarm
     std::mutex wake_mutex_;                    // no alarm may be set on a queue that shuts down
-    std::atomic<bool> awake_{false};  // an alarm is set, or the thread has not yet looked since
+    std::atomic<bool> awake_{false};           // an alarm is set and not processed yet
     std::atomic<bool> stopping_{false};
     std::thread thread_;
 };

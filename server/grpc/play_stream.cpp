@@ -52,7 +52,7 @@ void PlayStream::start_read() {
     stream_.Read(&incoming_, &read_);
 }
 
-// Memory may run out while a message is read or made: this conversation ends and no other does.
+// If memory runs out while a message is read or written, only this stream ends.
 template <class Work>
 void PlayStream::guarded(Clock::time_point now, const Work& work) {
     try {
@@ -67,7 +67,7 @@ void PlayStream::on_read(bool ok, Clock::time_point now) {
     reading_ = false;
     guarded(now, [&] {
         if (!ok) {
-            // The client closed its half, or the connection is gone.
+            // The client half-closed the stream, or the connection was closed.
             session_->on_peer_closed(now);
             return;
         }
@@ -82,7 +82,7 @@ void PlayStream::on_read(bool ok, Clock::time_point now) {
 
 void PlayStream::on_wrote(bool ok, Clock::time_point now) {
     writing_ = false;
-    // A write fails only when the connection is gone; the read that is in flight will fail as well.
+    // A write fails only if the connection was closed; the pending read then fails as well.
     if (!ok) session_->on_peer_closed(now);
     advance(now);
 }
@@ -102,7 +102,8 @@ void PlayStream::advance(Clock::time_point now) {
     guarded(now, [&] { session_->take_datagrams(now); });
     if (writing_) {
         session_->wait_for_write(now);
-        // A client that no longer reads would keep its last write, and so its stream, for ever.
+        // A client that no longer reads would block its last write, and with it the stream,
+        // forever.
         if (session_->end() && now >= session_->end_time() + last_write_timeout)
             context_.TryCancel();
         return;

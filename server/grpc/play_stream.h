@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// One gRPC play stream as a ClientSession: at most one read and one write in flight, raw bytes both
-// ways. Lives on the thread of its PlayShard, which hands it the events of its completion queue;
-// never called from anywhere else.
+// Runs one gRPC play stream as a ClientSession: at most one read and one write in flight, raw bytes
+// in both directions. Used only on the thread of its PlayShard, which passes it the events of its
+// completion queue.
 #pragma once
 
 #include <grpcpp/server_context.h>
@@ -26,7 +26,7 @@ inline constexpr char play_path[] = "/jostle.v1.PlayService/Play";
 
 class PlayStream;
 
-// What a completion queue gives back.
+// Tag of a completion queue event.
 struct PlayTag : RpcTag {
     enum class Event { accepted, read, wrote, finished };
 
@@ -39,29 +39,29 @@ struct PlayTag : RpcTag {
 
 class PlayStream {
 public:
-    // Asks gRPC for the next call; the accepted event tells that it came.
+    // Requests the next call from gRPC; the accepted event reports its arrival.
     PlayStream(RawPlayService& service, grpc::ServerCompletionQueue& queue);
     ~PlayStream();
     PlayStream(const PlayStream&) = delete;
     PlayStream& operator=(const PlayStream&) = delete;
 
-    // A client is there: begins the conversation. `wake`: any thread; the link has datagrams.
+    // Starts the session of a connected client. `wake`: called on any thread when the session has
+    // datagrams.
     void begin(PlayContext& context, const ConnectionTable& connections, std::function<void()> wake,
                Clock::time_point now);
     void on_read(bool ok, Clock::time_point now);
     void on_wrote(bool ok, Clock::time_point now);
     void on_finished();
-    // The queue shuts down: notes that an operation ended and starts none.
+    // Records the end of an operation during queue shutdown, and starts no new one.
     void on_shutdown(PlayTag::Event event);
 
-    // Starts the next write when none is in flight and there is something to say, or ends the
-    // stream.
+    // Starts the next write if none is in flight and a message is available, or ends the stream.
     void advance(Clock::time_point now);
 
     bool begun() const { return session_ != nullptr; }
-    ClientSession& session() { return *session_; }  // only when begun
+    ClientSession& session() { return *session_; }  // only after begin()
     const std::string& network() const { return network_; }
-    // Nothing is in flight and nothing will be: may be destroyed.
+    // No operation is in flight or will be started: the stream may be destroyed.
     bool is_finished() const { return finished_ && !reading_ && !writing_; }
 
 private:

@@ -10,37 +10,37 @@ namespace jostle::server {
 
 namespace {
 
-constexpr std::size_t query_request_bytes_max =
-    4 * 1024 * 1024;  // a hundred hulls of a thousand points
+// A hundred hulls of a thousand points.
+constexpr std::size_t query_request_bytes_max = 4 * 1024 * 1024;
 
 template <class Request, class Response>
-CallMethod question(const QueryControl& queries, const WorldDirectory& worlds, const char* name,
-                    Status (QueryControl::*ask)(const Request&, Response&, const CancellationCheck&)
-                        const) {
+CallMethod query_method(const QueryControl& queries, const WorldDirectory& worlds, const char* name,
+                        Status (QueryControl::*query)(const Request&, Response&,
+                                                      const CancellationCheck&) const) {
     return world_method<Request, Response>(
         std::string("/jostle.v1.QueryService/") + name, CallWork::query, query_request_bytes_max,
         worlds,
-        [&queries, ask](const CallContext& context, const Request& request, Response& response) {
-            return (queries.*ask)(request, response, [&] { return !context.is_too_late(); });
+        [&queries, query](const CallContext& context, const Request& request, Response& response) {
+            return (queries.*query)(request, response, [&] { return !context.is_too_late(); });
         });
 }
 
-// Answers that are on their way, by the copy of the world that they tell of: who asks the same of
-// the same copy gets the same bytes, however many ask at once.
+// Responses in flight, by the copy of the world they were computed from: identical requests on the
+// same copy share their bytes, regardless of how many clients query at the same time.
 class ResponseCache {
 public:
     template <class Make>
     ResponseBytes find_or_make(const QueryFramePtr& frame, std::string_view request,
                                const Make& make) {
         const std::lock_guard lock(mutex_);
-        std::erase_if(kept_,
-                      [](const CachedResponse& kept) { return kept.response_bytes.expired(); });
-        for (const CachedResponse& kept : kept_)
-            if (ResponseBytes response_bytes = kept.response_bytes.lock();
-                response_bytes && kept.frame.lock() == frame && kept.request == request)
+        std::erase_if(responses_,
+                      [](const CachedResponse& entry) { return entry.response_bytes.expired(); });
+        for (const CachedResponse& entry : responses_)
+            if (ResponseBytes response_bytes = entry.response_bytes.lock();
+                response_bytes && entry.frame.lock() == frame && entry.request == request)
                 return response_bytes;
         const ResponseBytes made = make();
-        kept_.push_back({frame, std::string(request), made});
+        responses_.push_back({frame, std::string(request), made});
         return made;
     }
 
@@ -52,7 +52,7 @@ private:
     };
 
     std::mutex mutex_;
-    std::vector<CachedResponse> kept_;
+    std::vector<CachedResponse> responses_;
 };
 
 CallMethod debug_method(const QueryControl& queries, const WorldDirectory& worlds) {
@@ -82,10 +82,10 @@ CallMethod debug_method(const QueryControl& queries, const WorldDirectory& world
 }  // namespace
 
 std::vector<CallMethod> query_methods(const QueryControl& queries, const WorldDirectory& worlds) {
-    return {question(queries, worlds, "CastRays", &QueryControl::cast_rays),
-            question(queries, worlds, "CastShapes", &QueryControl::cast_shapes),
-            question(queries, worlds, "Overlap", &QueryControl::overlap),
-            question(queries, worlds, "ClosestPoints", &QueryControl::closest_points),
+    return {query_method(queries, worlds, "CastRays", &QueryControl::cast_rays),
+            query_method(queries, worlds, "CastShapes", &QueryControl::cast_shapes),
+            query_method(queries, worlds, "Overlap", &QueryControl::overlap),
+            query_method(queries, worlds, "ClosestPoints", &QueryControl::closest_points),
             debug_method(queries, worlds)};
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// QueryService over gRPC: translate, ask QueryControl, answer. Any thread.
+// QueryService over gRPC: decodes requests, calls QueryControl, encodes responses. Any thread.
 #pragma once
 
 #include <vector>
@@ -10,7 +10,7 @@
 
 namespace jostle::server {
 
-// Both outlive them.
+// Both arguments must outlive the methods.
 std::vector<CallMethod> query_methods(const QueryControl& queries, const WorldDirectory& worlds);
 
 }  // namespace jostle::server

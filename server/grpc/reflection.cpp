@@ -39,9 +39,9 @@ void respond_with_file(const FileDescriptor* file, reflection::ServerReflectionR
     add_with_imports(*file, added, *response.mutable_file_descriptor_response());
 }
 
-void answer(const reflection::ServerReflectionRequest& request,
-            const std::vector<std::string>& services,
-            reflection::ServerReflectionResponse& response) {
+void respond(const reflection::ServerReflectionRequest& request,
+             const std::vector<std::string>& services,
+             reflection::ServerReflectionResponse& response) {
     using Request = reflection::ServerReflectionRequest;
     const DescriptorPool& pool = *DescriptorPool::generated_pool();
     switch (request.message_request_case()) {
@@ -54,7 +54,7 @@ void answer(const reflection::ServerReflectionRequest& request,
             for (const std::string& name : services)
                 response.mutable_list_services_response()->add_service()->set_name(name);
             return;
-        case Request::kAllExtensionNumbersOfType:  // nothing is extended here
+        case Request::kAllExtensionNumbersOfType:  // the server defines no extensions
         case Request::kFileContainingExtension:
         case Request::MESSAGE_REQUEST_NOT_SET:
             return respond_with_file(nullptr, response);
@@ -69,7 +69,7 @@ std::vector<CallMethod> reflection_methods(std::vector<std::string> services) {
                          reflection::ServerReflectionResponse& response) -> Status {
         response.set_valid_host(request.host());
         *response.mutable_original_request() = request;
-        answer(request, services, response);
+        respond(request, services, response);
         return {};
     };
     std::vector<CallMethod> methods;

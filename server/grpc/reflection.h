@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// gRPC's reflection, v1 and v1alpha: the descriptors that are compiled in anyway. Pure; any thread.
+// gRPC reflection, v1 and v1alpha, from the compiled-in descriptors. Pure; any thread.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace jostle::server {
 
-// Of these services, by full name.
+// For these services, by full name.
 std::vector<CallMethod> reflection_methods(std::vector<std::string> services);
 
 }  // namespace jostle::server

@@ -14,8 +14,8 @@ namespace jostle::server {
 
 namespace {
 
-constexpr int retry_ms = 1000;            // when there was no room
-constexpr int retry_elsewhere_ms = 5000;  // when the server goes down or a world is busy
+constexpr int retry_ms = 1000;            // if a limit was reached
+constexpr int retry_elsewhere_ms = 5000;  // if the server shuts down or a world is busy
 
 std::string_view reason_of(ErrorCode code) {
     switch (code) {
@@ -46,7 +46,7 @@ std::string_view reason_of(ErrorCode code) {
     return "UNKNOWN";
 }
 
-// Messages about a field begin with its path: "scene.bodies[3].shapes[0]: ...", "rays has ...".
+// Messages about a field start with its path: "scene.bodies[3].shapes[0]: ...", "rays has ...".
 std::string_view field_of(std::string_view message) {
     const auto belongs = [](char c) {
         return std::islower(static_cast<unsigned char>(c)) != 0 ||

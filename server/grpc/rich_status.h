@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Our Status as gRPC's with details for programs (google.rpc): which field was wrong, when to come
-// again, and a reason as one word. Pure; any thread.
+// Converts a Status to a gRPC status with google.rpc details for programs: the invalid field, the
+// time to retry, and a one-word reason. Pure; any thread.
 #pragma once
 
 #include <grpcpp/support/status.h>

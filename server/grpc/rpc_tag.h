@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What a completion queue gives back: whose event it is. Play streams and calls share a queue.
+// Tag of a completion queue: identifies the owner of the event. Play streams and calls share a
+// queue.
 #pragma once
 
 #include <cstdint>

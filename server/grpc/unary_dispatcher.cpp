@@ -14,15 +14,15 @@ namespace jostle::server {
 
 namespace {
 
-// How often timeouts and watches are looked at.
+// Period of checks for timeouts and watches.
 constexpr auto dispatcher_housekeeping_period = std::chrono::milliseconds(100);
-// Calls that may arrive together before one of them has to wait for the thread.
+// Calls that can arrive at the same time without waiting for the thread.
 constexpr int calls_requested = 16;
-// Who asks stands back behind who plays.
+// Queries and changes run at a lower priority than play streams.
 constexpr int query_niceness = 10, mutation_niceness = 5;
 
 Error too_much(std::string what) {
-    return {ErrorCode::resource_exhausted, std::move(what) + "; try again in a second"};
+    return {ErrorCode::resource_exhausted, std::move(what) + "; retry in 1 s"};
 }
 
 }  // namespace
@@ -36,8 +36,8 @@ struct UnaryDispatcher::Tag : RpcTag {
     Event event;
 };
 
-// Belongs to the queue's thread, but for the time in which a thread of a pool answers: that one
-// begins the write that hands it back.
+// Owned by the queue's thread, except while a pool thread responds; the write that the pool thread
+// starts returns the ownership.
 struct UnaryDispatcher::Call {
     grpc::GenericServerContext context;
     grpc::GenericServerAsyncReaderWriter stream{&context};
@@ -47,18 +47,18 @@ struct UnaryDispatcher::Call {
     const CallMethod* method = nullptr;
     std::shared_ptr<Connection> connection;
     std::string request;
-    Clock::time_point since{};  // it came
+    Clock::time_point since{};  // time of arrival
     Identity who;
     grpc::ByteBuffer incoming;
-    ResponseBytes told;  // of a watch: what it was told last
+    ResponseBytes last_sent;  // of a watch: the last response
     double unsent = 0;
-    std::atomic<Clock::rep> waits_since{0};  // for its client; 0: it does not
+    std::atomic<Clock::rep> waiting_since{0};  // for its client; 0: not waiting
     std::atomic<bool> is_cancelled{false};
-    bool begun = false, asked = false, writing = false, finishing = false;
+    bool begun = false, has_request = false, writing = false, finishing = false;
     bool is_finished = false, is_done = false;
 
     bool over() const { return is_finished && is_done; }
-    void wait_for_request() { waits_since = Clock::now().time_since_epoch().count(); }
+    void start_waiting() { waiting_since = Clock::now().time_since_epoch().count(); }
 };
 
 UnaryDispatcher::UnaryDispatcher(std::vector<CallMethod> methods, Authorizer& authorizer,
@@ -74,7 +74,7 @@ UnaryDispatcher::UnaryDispatcher(std::vector<CallMethod> methods, Authorizer& au
       quick_pool_(1, limits.queue_max, 0),
       query_pool_(1, limits.queue_max, query_niceness),
       mutation_pool_(1, limits.queue_max, mutation_niceness),
-      waiting_(limits.waiting_threads, limits.queue_max, 0) {}
+      blocking_pool_(limits.waiting_threads, limits.queue_max, 0) {}
 
 UnaryDispatcher::~UnaryDispatcher() {
     stop();
@@ -88,13 +88,13 @@ void UnaryDispatcher::start(grpc::ServerCompletionQueue& queue,
     for (int i = 0; i < calls_requested; i++) request_call();
 }
 
-// The pools first: what they answer begins an operation, which a queue that shuts down forbids.
+// The pools stop first: their responses start operations, which a queue that shuts down forbids.
 void UnaryDispatcher::stop() {
     if (stopping_.exchange(true)) return;
     quick_pool_.stop();
     query_pool_.stop();
     mutation_pool_.stop();
-    waiting_.stop();
+    blocking_pool_.stop();
 }
 
 void UnaryDispatcher::request_call() {
@@ -104,25 +104,25 @@ void UnaryDispatcher::request_call() {
     service_.RequestCall(&call.context, &call.stream, queue_, queue_, &call.accepted);
 }
 
-// While the front stops nothing is begun any more: the server has cancelled what is open.
+// No operation is started while the dispatcher stops: the server has cancelled all open calls.
 void UnaryDispatcher::handle(RpcTag& any, bool ok) {
     Tag& tag = static_cast<Tag&>(any);
     Call& call = *tag.call;
     switch (tag.event) {
         case Tag::Event::accepted:
-            // Not ok: the server goes down; such a call gets no other event.
+            // Not ok: the server is shutting down; such a call gets no other event.
             if (!ok) call.is_finished = call.is_done = true;
             if (!ok || stopping_) break;
             request_call();
             begin(call);
             break;
         case Tag::Event::read:
-            call.waits_since = 0;
+            call.waiting_since = 0;
             if (!stopping_) on_read(call, ok);
             break;
         case Tag::Event::wrote:
             call.writing = false;
-            call.waits_since = 0;
+            call.waiting_since = 0;
             unsent_bytes_.fetch_sub(std::exchange(call.unsent, 0));
             if (!stopping_) on_wrote(call, ok);
             break;
@@ -158,13 +158,14 @@ Status UnaryDispatcher::admit(Call& call) const {
     return authorize(call);
 }
 
-// Who calls, and whether he may; of calls about a world that is asked when it is known which.
+// Identifies the caller and authorizes the call. A call about a world is authorized later, when the
+// world is known.
 Status UnaryDispatcher::authorize(Call& call) const {
     Result<Identity> who = identify(call.context, *call.connection, authorizer_);
     if (!who.ok()) return who.error();
     call.who = *std::move(who);
     if (call.method->authorizes_world) return {};
-    return authorizer_.admit(call.who, context_of(call).ask({}));
+    return authorizer_.admit(call.who, context_of(call).access_request({}));
 }
 
 CallContext UnaryDispatcher::context_of(const Call& call) const {
@@ -195,13 +196,13 @@ void UnaryDispatcher::begin(Call& call) {
                                   &call.finished);
     }
     if (Status s = admit(call); !s.ok()) return finish(call, s);
-    call.wait_for_request();
+    call.start_waiting();
     call.stream.Read(&call.incoming, &call.read);
 }
 
 void UnaryDispatcher::on_read(Call& call, bool ok) {
     if (!ok) {
-        // The client sends no more: of a stream that is the end, of others it is too early.
+        // The client sends no more: the regular end of a stream, an error for all other calls.
         if (call.method->work == CallWork::stream) return finish(call, {});
         return finish(call, Error{ErrorCode::invalid_argument, "the request is missing"});
     }
@@ -213,16 +214,16 @@ void UnaryDispatcher::on_read(Call& call, bool ok) {
                                               size, call.method->request_bytes_max)});
     copy_bytes(call.request, call.incoming);
     call.incoming.Clear();
-    call.asked = true;
+    call.has_request = true;
     if (call.method->work != CallWork::watch) enqueue(call);
 }
 
 void UnaryDispatcher::enqueue(Call& call) {
-    // Quick answers are small.
+    // Quick responses are small.
     if (unsent_bytes_ > limits_.response_bytes_max && call.method->work != CallWork::quick)
-        return finish(call, too_much("answers wait for clients that do not read"));
+        return finish(call, too_much("too many responses wait for clients that do not read"));
     if (!pool_of(*call.method).add([this, &call] { respond(call); }))
-        finish(call, too_much("too many calls wait to be answered"));
+        finish(call, too_much("too many calls are queued"));
 }
 
 WorkPool& UnaryDispatcher::pool_of(const CallMethod& method) {
@@ -232,13 +233,13 @@ WorkPool& UnaryDispatcher::pool_of(const CallMethod& method) {
         case CallWork::control:
             return mutation_pool_;
         case CallWork::blocking:
-            return waiting_;
+            return blocking_pool_;
         default:
             return quick_pool_;
     }
 }
 
-// On a thread of a pool. The last operation it begins hands the call back.
+// Runs on a pool thread. The last operation it starts returns the call to the queue's thread.
 void UnaryDispatcher::respond(Call& call) {
     const CallContext context = context_of(call);
     Status status;
@@ -249,15 +250,16 @@ void UnaryDispatcher::respond(Call& call) {
         else
             status = call.method->run(context, call.request, bytes);
     } catch (const std::exception& error) {
-        // Out of memory, say: this call fails and nothing else does.
+        // For example out of memory: only this call fails.
         log_error("{} failed: {}", call.method->path, error.what());
-        status = Error{ErrorCode::resource_exhausted, "the answer takes more than there is"};
+        status = Error{ErrorCode::resource_exhausted,
+                       "the response needs more memory than is available"};
     }
     call.request.clear();
     if (!status.ok()) return finish(call, status);
     call.unsent = static_cast<double>(bytes->size());
     unsent_bytes_.fetch_add(call.unsent);
-    call.wait_for_request();
+    call.start_waiting();
     const grpc::ByteBuffer buffer = to_byte_buffer({{}, bytes});
     if (call.method->work == CallWork::stream) return call.stream.Write(buffer, &call.wrote);
     count(call, grpc::StatusCode::OK);
@@ -266,21 +268,21 @@ void UnaryDispatcher::respond(Call& call) {
 
 void UnaryDispatcher::on_wrote(Call& call, bool ok) {
     if (!ok || call.is_cancelled)
-        return finish(call, Error{ErrorCode::unavailable, "the connection is gone"});
+        return finish(call, Error{ErrorCode::unavailable, "the connection was closed"});
     if (call.method->work != CallWork::stream) return;
-    call.wait_for_request();
+    call.start_waiting();
     call.stream.Read(&call.incoming, &call.read);
 }
 
 void UnaryDispatcher::finish(Call& call, const Status& status) {
     call.finishing = true;
-    call.wait_for_request();
+    call.start_waiting();
     const grpc::Status rich = to_rich_status(status);
     count(call, rich.error_code());
     call.stream.Finish(rich, &call.finished);
 }
 
-// Once a call, when its status is known.
+// Called once per call, when its status is known.
 void UnaryDispatcher::count(const Call& call, grpc::StatusCode code) const {
     if (!metrics_) return;
     const double seconds = std::chrono::duration<double>(Clock::now() - call.since).count();
@@ -290,29 +292,30 @@ void UnaryDispatcher::count(const Call& call, grpc::StatusCode code) const {
 void UnaryDispatcher::notify_watches() {
     for (const auto& entry : calls_) {
         Call& call = *entry;
-        if (!call.asked || call.finishing || call.writing || call.method->work != CallWork::watch)
+        if (!call.has_request || call.finishing || call.writing ||
+            call.method->work != CallWork::watch)
             continue;
         if (call.is_cancelled) {
-            finish(call, Error{ErrorCode::aborted, "the client left"});
+            finish(call, Error{ErrorCode::aborted, "the client disconnected"});
             continue;
         }
         ResponseBytes now;
         const CallContext context = context_of(call);
         if (const Status s = call.method->run(context, call.request, now); !s.ok()) {
             finish(call, s);
-        } else if (!call.told || *call.told != *now) {
-            call.told = now;
+        } else if (!call.last_sent || *call.last_sent != *now) {
+            call.last_sent = now;
             call.writing = true;
-            call.wait_for_request();
+            call.start_waiting();
             call.stream.Write(to_byte_buffer({{}, now}), &call.wrote);
         }
     }
 }
 
-// A client that neither sends nor takes costs a call and its bytes: for a while only.
+// A client that neither sends nor reads occupies a call and its bytes, so its time is limited.
 void UnaryDispatcher::cancel_timed_out(Clock::time_point now) {
     for (const auto& call : calls_) {
-        const Clock::rep since = call->waits_since.load();
+        const Clock::rep since = call->waiting_since.load();
         if (since == 0 || call->is_done) continue;
         if (now - Clock::time_point(Clock::duration(since)) > limits_.timeout)
             call->context.TryCancel();

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// All RPCs but the play streams, behind one door: each call is bounded in size, time and number
-// before any work is done for it, the work waits in short queues, and what has no room is told to
-// come again. Calls, requests and endings come off the completion queue of a play shard, on its
-// thread; answers are made on the threads of four pools: what is quick, what asks worlds, what
-// changes them and what waits for them, so that health and lists never wait for a question or a
-// scene.
+// Handles all RPCs except play streams. Each call is limited in size, time and number before any
+// work is done for it; work waits in short queues, and calls beyond a limit are rejected with a
+// time to retry. Calls, requests and completions arrive on the completion queue of a play shard, on
+// its thread. Responses are computed on four pools (quick calls, queries, changes, and calls that
+// wait for a world), so that health checks and lists never wait for a query or a scene.
 #pragma once
 
 #include <grpcpp/completion_queue.h>
@@ -28,35 +27,35 @@
 namespace jostle::server {
 
 struct CallLimits {
-    std::size_t calls_max = 256;        // open at once
-    int calls_per_peer_max = 32;        // of one connection
-    std::size_t queue_max = 64;         // that wait for a thread, of each pool
+    std::size_t calls_max = 256;        // open calls
+    int calls_per_peer_max = 32;        // open calls per connection
+    std::size_t queue_max = 64;         // queued calls per pool
     std::size_t open_streams_max = 64;  // streams and watches
-    double response_bytes_max = 64e6;   // made but not yet taken by their clients
-    int waiting_threads = 2;            // for what waits for a world
-    // For a request to come in, and for an answer to be taken.
+    double response_bytes_max = 64e6;   // computed, but not yet read by their clients
+    int waiting_threads = 2;            // for calls that wait for a world
+    // For a request to arrive, and for a response to be read.
     Clock::duration timeout = std::chrono::seconds(10);
 };
 
 class UnaryDispatcher {
 public:
-    // The gate outlives the front, and so do `metrics`; null: nobody counts.
+    // The authorizer and `metrics` outlive the dispatcher; null metrics: no counting.
     UnaryDispatcher(std::vector<CallMethod> methods, Authorizer& authorizer, CallLimits limits,
                     RpcMetrics* metrics = nullptr);
     ~UnaryDispatcher();
 
     grpc::AsyncGenericService& service() { return service_; }
-    // After the server was started, before the queue's thread is; queue and `connections` outlive
-    // the front's calls.
+    // Call after the server and before the queue's thread is started; queue and `connections` must
+    // outlive the dispatcher's calls.
     void start(grpc::ServerCompletionQueue& queue, const ConnectionTable& connections);
-    // After the server was shut down, and before the queue is: nothing is begun any more.
+    // Call after the server and before the queue is shut down: no further operation is started.
     void stop();
 
-    // For the thread of the queue.
+    // For the queue's thread.
     void handle(RpcTag& tag, bool ok);
     void housekeep(Clock::time_point now);                   // does nothing before it is due
-    Clock::time_point housekeeping() const { return due_; }  // when it is
-    void drop_all();                                         // the queue is empty
+    Clock::time_point housekeeping() const { return due_; }  // when it is due
+    void drop_all();                                         // call when the queue is drained
 
 private:
     struct Call;
@@ -86,11 +85,12 @@ private:
     grpc::ServerCompletionQueue* queue_ = nullptr;
     const ConnectionTable* connections_ = nullptr;
     Clock::time_point due_{};
-    std::list<std::unique_ptr<Call>> calls_;  // also those that were asked for and did not come
+    // including calls requested from gRPC that have not arrived
+    std::list<std::unique_ptr<Call>> calls_;
     std::size_t open_ = 0, open_streams_ = 0;
     std::atomic<double> unsent_bytes_{0};
     std::atomic<bool> stopping_{false};
-    WorkPool quick_pool_, query_pool_, mutation_pool_, waiting_;
+    WorkPool quick_pool_, query_pool_, mutation_pool_, blocking_pool_;
 };
 
 }  // namespace jostle::server

@@ -15,7 +15,7 @@ Status create(WorldControl& control, const CallContext& context,
     if (Status s = control.create(request, response, context.who, context.address);
         !s.ok() || !context.is_too_late())
         return s;
-    // The caller has given up on a world that it does not know of: it would run for nobody.
+    // The caller has given up and does not know the new world, which would run unused.
     v1::DeleteWorldRequest removal;
     removal.set_world(response.world().id());
     v1::DeleteWorldResponse removed;
@@ -47,17 +47,18 @@ std::vector<CallMethod> world_methods(WorldControl& control, const WorldDirector
             service + "CreateWorld", CallWork::control, scene_request,
             [&](const CallContext& context, const auto& request, auto& response) {
                 Status done = create(control, context, request, response);
-                const v1::WorldInfo& made = response.world();
+                const v1::WorldInfo& created = response.world();
                 context.authorizer.record(
-                    context.who, context.ask({made.id(), made.name(), made.owner()}), done);
+                    context.who,
+                    context.access_request({created.id(), created.name(), created.owner()}), done);
                 return done;
             }),
         world_method<v1::DeleteWorldRequest, v1::DeleteWorldResponse>(
             service + "DeleteWorld", CallWork::control, small_request, worlds,
             [&](const CallContext& context, const auto& request, auto& response) {
                 Status done = control.remove(request, response);
-                context.authorizer.record(context.who, context.ask({request.world(), {}, {}}),
-                                          done);
+                context.authorizer.record(context.who,
+                                          context.access_request({request.world(), {}, {}}), done);
                 return done;
             }),
     };

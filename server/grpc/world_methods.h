@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// WorldService over gRPC: translate, ask WorldControl, answer. Any thread.
+// WorldService over gRPC: decodes requests, calls WorldControl, encodes responses. Any thread.
 #pragma once
 
 #include <vector>
@@ -10,7 +10,7 @@
 
 namespace jostle::server {
 
-// Both outlive them.
+// Both arguments must outlive the methods.
 std::vector<CallMethod> world_methods(WorldControl& control, const WorldDirectory& worlds);
 
 }  // namespace jostle::server

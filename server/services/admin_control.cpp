@@ -15,10 +15,10 @@ namespace {
 constexpr std::size_t reason_bytes_max = 100;
 constexpr std::uint32_t steps_max = 1000;
 constexpr std::size_t export_bytes_max = 64u << 20;
-// Beyond the time that steps take at the world's rate.
+// Added to the time that the steps take at the world's rate.
 constexpr double step_timeout_s = 2;
 
-// An operator names the world that is meant: the first one is not a good guess.
+// An operator must name the world: defaulting to the first one would be dangerous.
 Result<std::shared_ptr<WorldHost>> find_world(const PlayContext& context, const std::string& name) {
     if (name.empty()) return invalid_argument("name the world; ListWorlds lists them");
     std::shared_ptr<WorldHost> world = context.worlds.find(name);
@@ -34,19 +34,19 @@ Status check_reason(const std::string& reason) {
                                         reason.size(), reason_bytes_max));
 }
 
-// One of the few that may wait for a world.
-class Waiting {
+// A slot for a call that waits for a world; their number is limited.
+class WaitSlot {
 public:
-    explicit Waiting(std::atomic<int>& count)
+    explicit WaitSlot(std::atomic<int>& count)
         : count_(count), admitted_(count.fetch_add(1) < AdminControl::waiting_max) {}
-    ~Waiting() { count_--; }
-    Waiting(const Waiting&) = delete;
-    Waiting& operator=(const Waiting&) = delete;
+    ~WaitSlot() { count_--; }
+    WaitSlot(const WaitSlot&) = delete;
+    WaitSlot& operator=(const WaitSlot&) = delete;
 
     Status admitted() const {
         if (admitted_) return {};
         return Error{ErrorCode::resource_exhausted,
-                     fmt::format("{} such calls wait already; try again when they are done",
+                     fmt::format("{} such calls are already waiting; retry when they are done",
                                  AdminControl::waiting_max)};
     }
 
@@ -55,18 +55,18 @@ private:
     const bool admitted_;
 };
 
-void write(v1::ClientInfo& out, const ClientStatus& sight) {
-    out.set_id(sight.who.id);
-    out.set_name(sight.who.name);
-    out.set_subject(sight.who.subject);
-    out.set_world(sight.who.world_id);
-    out.set_world_name(sight.who.world_name);
-    out.set_address(sight.who.address);
-    out.set_spectator(sight.who.spectator);
-    out.set_connected_seconds(sight.connected_seconds);
-    out.set_kbit_per_second(sight.kbit_per_second);
-    out.set_snapshots_skipped(sight.skipped);
-    out.set_round_trip_ms(sight.round_trip_ms);
+void write(v1::ClientInfo& out, const ClientStatus& status) {
+    out.set_id(status.who.id);
+    out.set_name(status.who.name);
+    out.set_subject(status.who.subject);
+    out.set_world(status.who.world_id);
+    out.set_world_name(status.who.world_name);
+    out.set_address(status.who.address);
+    out.set_spectator(status.who.spectator);
+    out.set_connected_seconds(status.connected_seconds);
+    out.set_kbit_per_second(status.kbit_per_second);
+    out.set_snapshots_skipped(status.skipped);
+    out.set_round_trip_ms(status.round_trip_ms);
 }
 
 }  // namespace
@@ -83,9 +83,9 @@ Status AdminControl::list_clients(const v1::ListClientsRequest& request,
         if (!world.ok()) return world.error();
         world_id = (*world)->id();
     }
-    for (const ClientStatus& sight : context_.connected_clients.status(Clock::now()))
-        if (world_id.empty() || sight.who.world_id == world_id)
-            write(*response.add_clients(), sight);
+    for (const ClientStatus& status : context_.connected_clients.status(Clock::now()))
+        if (world_id.empty() || status.who.world_id == world_id)
+            write(*response.add_clients(), status);
     return {};
 }
 
@@ -93,7 +93,7 @@ Status AdminControl::kick(const v1::KickRequest& request, v1::KickResponse&) {
     if (Status s = check_reason(request.reason()); !s.ok()) return s;
     const std::string reason = request.reason().empty() ? "no reason given" : request.reason();
     if (Status s = context_.connected_clients.kick(request.client(), reason); !s.ok()) return s;
-    log_info("client {} is removed by an operator", request.client());
+    log_info("client {} was kicked by an operator", request.client());
     return {};
 }
 
@@ -106,7 +106,7 @@ Status AdminControl::set_paused(const v1::SetPausedRequest& request,
         (*world)->pause(request.reason().empty() ? "by an operator" : request.reason());
     else
         (*world)->resume();
-    log_info("world {} is {} by an operator", (*world)->id(),
+    log_info("world {} was {} by an operator", (*world)->id(),
              request.paused() ? "paused" : "resumed");
     response.set_tick((*world)->frame()->tick);
     return {};
@@ -121,10 +121,9 @@ Status AdminControl::step_world(const v1::StepWorldRequest& request,
     if (!world.ok()) return world.error();
     if (!(*world)->paused())
         return Error{ErrorCode::failed_precondition,
-                     fmt::format("world {} is not paused and steps by itself; pause it first",
-                                 (*world)->id())};
-    const Waiting waiting(waiting_);
-    if (Status s = waiting.admitted(); !s.ok()) return s;
+                     fmt::format("world {} is not paused; pause it first", (*world)->id())};
+    const WaitSlot slot(waiting_);
+    if (Status s = slot.admitted(); !s.ok()) return s;
     const auto steps = static_cast<int>(request.steps());
     const Result<int> taken =
         (*world)->single_step().step(steps, from_seconds(steps / (*world)->hz() + step_timeout_s));
@@ -138,37 +137,37 @@ Status AdminControl::export_world(const v1::ExportWorldRequest& request,
                                   v1::ExportWorldResponse& response) {
     const auto world = find_world(context_, request.world());
     if (!world.ok()) return world.error();
-    const Waiting waiting(waiting_);
-    if (Status s = waiting.admitted(); !s.ok()) return s;
+    const WaitSlot slot(waiting_);
+    if (Status s = slot.admitted(); !s.ok()) return s;
     ExportedScene exported;
     if (request.tick() != 0) {
-        Result<ExportedScene> then = context_.worlds.scene_at(**world, request.tick());
-        if (!then.ok()) return then.error();
-        exported = *std::move(then);
+        Result<ExportedScene> past = context_.worlds.scene_at(**world, request.tick());
+        if (!past.ok()) return past.error();
+        exported = *std::move(past);
         response.set_tick(request.tick());
-        return answer_export(std::move(exported), response);
+        return write_export(std::move(exported), response);
     }
-    const Status visited = (*world)->between_ticks().run([&](HostedWorld& hosted) {
+    const Status done = (*world)->between_ticks().run([&](HostedWorld& hosted) {
         exported = hosted.exported(*(*world)->description());
         response.set_tick((*world)->frame()->tick);
     });
-    return visited.ok() ? answer_export(std::move(exported), response) : visited;
+    return done.ok() ? write_export(std::move(exported), response) : done;
 }
 
 Status AdminControl::rewind_world(const v1::RewindWorldRequest& request,
                                   v1::RewindWorldResponse& response) {
     const auto world = find_world(context_, request.world());
     if (!world.ok()) return world.error();
-    const Waiting waiting(waiting_);
-    if (Status s = waiting.admitted(); !s.ok()) return s;
-    const auto again = context_.worlds.rewind(*world, request.tick());
-    if (!again.ok()) return again.error();
-    log_info("world {} was taken back to tick {} by an operator", (*again)->id(), request.tick());
-    response.set_tick((*again)->first_tick());
+    const WaitSlot slot(waiting_);
+    if (Status s = slot.admitted(); !s.ok()) return s;
+    const auto rewound = context_.worlds.rewind(*world, request.tick());
+    if (!rewound.ok()) return rewound.error();
+    log_info("world {} was rewound to tick {} by an operator", (*rewound)->id(), request.tick());
+    response.set_tick((*rewound)->first_tick());
     return {};
 }
 
-Status AdminControl::answer_export(ExportedScene exported, v1::ExportWorldResponse& response) {
+Status AdminControl::write_export(ExportedScene exported, v1::ExportWorldResponse& response) {
     *response.mutable_scene() = scenes::to_message(exported.scene);
     for (std::string& sentence : exported.omitted) *response.add_omitted() = std::move(sentence);
     if (const std::size_t bytes = response.ByteSizeLong(); bytes > export_bytes_max)
@@ -181,8 +180,7 @@ Status AdminControl::answer_export(ExportedScene exported, v1::ExportWorldRespon
 Status AdminControl::drain(const v1::DrainRequest&, v1::DrainResponse& response) {
     response.set_clients(static_cast<std::uint32_t>(context_.sessions.clients()));
     response.set_timeout_seconds(context_.config.drain_timeout_seconds);
-    if (!context_.drain_requested.exchange(true))
-        log_info("an operator asks the server to go down");
+    if (!context_.drain_requested.exchange(true)) log_info("an operator requested a drain");
     return {};
 }
 
@@ -192,8 +190,8 @@ Status AdminControl::profile(const v1::ProfileRequest& request, v1::ProfileRespo
                                             request.seconds(), profile_seconds_max));
     const auto world = find_world(context_, request.world());
     if (!world.ok()) return world.error();
-    const Waiting waiting(waiting_);
-    if (Status s = waiting.admitted(); !s.ok()) return s;
+    const WaitSlot slot(waiting_);
+    if (Status s = slot.admitted(); !s.ok()) return s;
     const auto ticks = (*world)->tick_metrics().record(from_seconds(request.seconds()));
     if (!ticks.ok()) return ticks.error();
     response.set_ticks(static_cast<std::uint32_t>(ticks->size()));

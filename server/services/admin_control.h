@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// AdminService without a transport: what rpc/admin_service and the operators' port both answer
-// with. Who may call it is the transport's to know. Any thread; step_world(), export_world(),
-// rewind_world() and profile() wait for a world and hold the thread up to half a minute, so only a
-// few are let in at a time.
+// AdminService without a transport, used by gRPC (grpc/admin_methods.h) and by the admin port. The
+// transport authorizes the calls. Any thread. step_world(), export_world(), rewind_world() and
+// profile() wait for a world and block the thread for up to half a minute, so only a few of them
+// run at a time.
 #pragma once
 
 #include <atomic>
@@ -34,18 +34,18 @@ namespace jostle::server {
 
 class AdminControl {
 public:
-    static constexpr int waiting_max = 2;  // calls that wait for a world
+    static constexpr int waiting_max = 2;  // concurrent calls that wait for a world
     static constexpr double profile_seconds_max = 30;
 
     explicit AdminControl(PlayContext& context) : context_(context) {}
 
     Authorizer& authorizer() const { return context_.authorizer; }
-    // What a request is about, for the gate; null: there is no such world.
+    // The world of a request, for authorization; null: no such world.
     std::shared_ptr<WorldHost> find(const std::string& world) const {
         return context_.worlds.find(world);
     }
 
-    // The server goes down: who waits for a world is answered at once.
+    // The server is shutting down: calls that wait for a world return at once.
     void stop();
 
     Status list_clients(const v1::ListClientsRequest& request, v1::ListClientsResponse& response);
@@ -58,7 +58,7 @@ public:
     Status profile(const v1::ProfileRequest& request, v1::ProfileResponse& response);
 
 private:
-    static Status answer_export(ExportedScene exported, v1::ExportWorldResponse& response);
+    static Status write_export(ExportedScene exported, v1::ExportWorldResponse& response);
     PlayContext& context_;
     std::atomic<int> waiting_{0};
 };

@@ -15,29 +15,29 @@ namespace jostle::server {
 
 namespace {
 
-constexpr int rays_max = 1000, shapes_max = 100, points_max = 1000;  // of one request
-// Quickhull on a stranger's behalf: more points than this make no better probe.
+constexpr int rays_max = 1000, shapes_max = 100, points_max = 1000;  // per request
+// Bounds the cost of quickhull; more points do not make a better query shape.
 constexpr int hull_points_max = 1000;
-// Of one answer: what stays below the 4 MiB that clients take by default.
+// Per response: keeps it below the default client limit of 4 MiB.
 constexpr std::size_t hits_max = 50000;
 constexpr double coordinate_max = physics::limits::max_coordinate;  // m
 
 Error cancelled() {
-    return {ErrorCode::deadline_exceeded, "the deadline passed while the answer was made"};
+    return {ErrorCode::deadline_exceeded, "the deadline passed while the response was computed"};
 }
 
-// What the solver says of a question: that it was asked wrongly. All else is our mistake.
+// Errors of the solver: invalid_argument is a fault of the request, all others are internal.
 Error from_solver(const Error& error) {
     return error.code == ErrorCode::invalid_argument ? error
                                                      : Error{ErrorCode::internal, error.message};
 }
 
-// --- what a request says ---
+// --- decoding requests ---
 
-Status check_count(const char* field, int count, int most) {
-    if (count <= most) return {};
+Status check_count(const char* field, int count, int max) {
+    if (count <= max) return {};
     return invalid_argument(
-        fmt::format("{} has {} entries; at most {} are allowed", field, count, most));
+        fmt::format("{} has {} entries; at most {} are allowed", field, count, max));
 }
 
 Status check_number(const std::string& field, double x, double low, double high) {
@@ -54,7 +54,7 @@ Status check_vector(const std::string& field, const v1::Vec3& v) {
     return check_number(field + ".z", v.z(), -coordinate_max, coordinate_max);
 }
 
-// Asks for a convex shape, and sees that it is one before it costs the work of building it.
+// Decodes a convex shape; other shapes are rejected before the cost of building them.
 Result<physics::ShapeDef> read_shape(const v1::Shape& message, const std::string& field) {
     const auto* kind = v1::Shape::descriptor()->FindFieldByNumber(message.kind_case());
     switch (message.kind_case()) {
@@ -72,7 +72,7 @@ Result<physics::ShapeDef> read_shape(const v1::Shape& message, const std::string
         case v1::Shape::kGeometry:
         case v1::Shape::KIND_NOT_SET:
             return invalid_argument(
-                fmt::format("{} is {}; ask with a sphere, capsule, box, cylinder, cone or hull",
+                fmt::format("{} is {}; it must be a sphere, capsule, box, cylinder, cone or hull",
                             field, kind != nullptr ? "a " + kind->name() : "empty"));
         default:
             break;
@@ -82,7 +82,7 @@ Result<physics::ShapeDef> read_shape(const v1::Shape& message, const std::string
     return read;
 }
 
-// An entity that is gone is not seen anyway.
+// An entity to ignore that no longer exists has no effect.
 physics::QueryFilter read_filter(const v1::QueryFilter& message, const QueryFrame& frame) {
     physics::QueryFilter filter;
     if (message.has_categories()) filter.categories = message.categories();
@@ -91,13 +91,13 @@ physics::QueryFilter read_filter(const v1::QueryFilter& message, const QueryFram
     return filter;
 }
 
-// --- what an answer says ---
+// --- encoding responses ---
 
 template <class PhysicsHit>
 void write_hit(v1::Hit& to, const PhysicsHit& from, const QueryFrame& frame) {
-    const ShapeOwner place = frame.owner_of(from.shape);
-    to.set_entity(place.entity);
-    to.set_shape(place.number);
+    const ShapeOwner owner = frame.owner_of(from.shape);
+    to.set_entity(owner.entity);
+    to.set_shape(owner.number);
     to.set_fraction(from.fraction);
     write_vector(*to.mutable_point(), from.point);
     write_vector(*to.mutable_normal(), from.normal);
@@ -109,9 +109,9 @@ Status write_hits(v1::Hits& to, const Result<std::vector<PhysicsHit>>& hits,
     if (!hits.ok()) return from_solver(hits.error());
     total += hits->size();
     if (total > hits_max)
-        return Error{ErrorCode::resource_exhausted,
-                     fmt::format("the answer would have more than {} hits; ask for less at a time",
-                                 hits_max)};
+        return Error{
+            ErrorCode::resource_exhausted,
+            fmt::format("the response would have more than {} hits; split the request", hits_max)};
     for (const PhysicsHit& hit : *hits) write_hit(*to.add_hits(), hit, frame);
     return {};
 }
@@ -129,22 +129,22 @@ void write_box(v1::DebugBox& to, const physics::Aabb& from) {
     write_vector(*to.mutable_high(), from.high);
 }
 
-// --- asking ---
+// --- queries ---
 
 template <class Request>
-Result<QueryTarget> ask(const WorldDirectory& worlds, const Request& request,
-                        const RewindView::CandidateFilter& candidate_filter = any_candidate) {
+Result<QueryTarget> target_of(const WorldDirectory& worlds, const Request& request,
+                              const RewindView::CandidateFilter& candidate_filter = any_candidate) {
     return query_target(worlds, request.world(),
                         request.has_view_time() ? &request.view_time() : nullptr, candidate_filter);
 }
 
 template <class Response>
-void write_view_time(Response& to, const QueryTarget& asked) {
-    to.set_tick(asked.tick);
-    to.set_view_time_clamped(asked.clamped);
+void write_view_time(Response& to, const QueryTarget& target) {
+    to.set_tick(target.tick);
+    to.set_view_time_clamped(target.clamped);
 }
 
-// What rays may meet of the past.
+// Restricts the rewound shapes to those that the rays can hit.
 RewindView::CandidateFilter along_rays(const v1::CastRaysRequest& request) {
     if (request.rays_size() == 1)
         return along_segment(to_vector(request.rays(0).origin()),
@@ -168,14 +168,14 @@ Status check_ray(const v1::Ray& ray, int number) {
 }
 
 Status cast_one(const physics::Ray& ray, v1::HitMode mode, const physics::QueryFilter& filter,
-                const QueryTarget& asked, v1::Hits& hits, std::size_t& total) {
-    const QueryFrame& frame = *asked.frame;
+                const QueryTarget& target, v1::Hits& hits, std::size_t& total) {
+    const QueryFrame& frame = *target.frame;
     if (mode == v1::HIT_MODE_ALL)
-        return write_hits(hits, asked.queries.cast_ray_all(ray, filter), frame, total);
-    if (Status s = write_hits(hits, asked.queries.cast_ray(ray, filter), frame); !s.ok()) return s;
+        return write_hits(hits, target.queries.cast_ray_all(ray, filter), frame, total);
+    if (Status s = write_hits(hits, target.queries.cast_ray(ray, filter), frame); !s.ok()) return s;
     if (mode == v1::HIT_MODE_ANY && hits.hits_size() > 0) {
-        // Of ANY only the entity counts. The solver's own test for any hit names no shape, so the
-        // closest is as good as another; what is saved is the answer's bytes.
+        // HIT_MODE_ANY returns only an entity. The solver's any-hit test returns no shape, so the
+        // closest hit is used; the mode only reduces the size of the response.
         const std::uint32_t entity = hits.hits(0).entity();
         hits.mutable_hits(0)->Clear();
         hits.mutable_hits(0)->set_entity(entity);
@@ -195,21 +195,21 @@ Status QueryControl::cast_rays(const v1::CastRaysRequest& request, v1::CastRaysR
                                const CancellationCheck& still_needed) const {
     if (Status s = check_count("rays", request.rays_size(), rays_max); !s.ok()) return s;
     if (!v1::HitMode_IsValid(request.mode()))
-        return invalid_argument(fmt::format("mode is {}; it must be one of HitMode's, 0 to {}",
+        return invalid_argument(fmt::format("mode is {}; it must be a HitMode from 0 to {}",
                                             static_cast<int>(request.mode()),
                                             static_cast<int>(v1::HitMode_MAX)));
     for (int i = 0; i < request.rays_size(); i++)
         if (Status s = check_ray(request.rays(i), i); !s.ok()) return s;
-    const Result<QueryTarget> asked = ask(context_.worlds, request, along_rays(request));
-    if (!asked.ok()) return asked.error();
-    const QueryFramePtr& frame = asked->frame;
-    write_view_time(response, *asked);
+    const Result<QueryTarget> target = target_of(context_.worlds, request, along_rays(request));
+    if (!target.ok()) return target.error();
+    const QueryFramePtr& frame = target->frame;
+    write_view_time(response, *target);
     const physics::QueryFilter filter = read_filter(request.filter(), *frame);
     std::size_t total = 0;
     for (const v1::Ray& ray : request.rays()) {
         if (!still_needed()) return cancelled();
         const physics::Ray cast{to_vector(ray.origin()), to_vector(ray.motion())};
-        if (Status s = cast_one(cast, request.mode(), filter, *asked, *response.add_rays(), total);
+        if (Status s = cast_one(cast, request.mode(), filter, *target, *response.add_rays(), total);
             !s.ok())
             return s;
     }
@@ -221,9 +221,9 @@ Status QueryControl::cast_shapes(const v1::CastShapesRequest& request,
                                  const CancellationCheck& still_needed) const {
     if (Status s = check_count("shapes", request.shapes_size(), shapes_max); !s.ok()) return s;
     if (!v1::HitMode_IsValid(request.mode()) || request.mode() == v1::HIT_MODE_ANY)
-        return invalid_argument(
-            fmt::format("mode is {}; shapes are cast with HIT_MODE_CLOSEST (1) or HIT_MODE_ALL (3)",
-                        static_cast<int>(request.mode())));
+        return invalid_argument(fmt::format(
+            "mode is {}; for shapes it must be HIT_MODE_CLOSEST (1) or HIT_MODE_ALL (3)",
+            static_cast<int>(request.mode())));
     std::vector<physics::ShapeCast> casts;
     for (int i = 0; i < request.shapes_size(); i++) {
         if (!still_needed()) return cancelled();
@@ -234,10 +234,10 @@ Status QueryControl::cast_shapes(const v1::CastShapesRequest& request,
         if (Status s = check_vector(field + ".motion", moving.motion()); !s.ok()) return s;
         casts.push_back({shape->geometry, shape->pose, to_vector(moving.motion())});
     }
-    const Result<QueryTarget> asked = ask(context_.worlds, request);
-    if (!asked.ok()) return asked.error();
-    const QueryFramePtr& frame = asked->frame;
-    write_view_time(response, *asked);
+    const Result<QueryTarget> target = target_of(context_.worlds, request);
+    if (!target.ok()) return target.error();
+    const QueryFramePtr& frame = target->frame;
+    write_view_time(response, *target);
     const physics::QueryFilter filter = read_filter(request.filter(), *frame);
     std::size_t total = 0;
     for (const physics::ShapeCast& cast : casts) {
@@ -245,8 +245,8 @@ Status QueryControl::cast_shapes(const v1::CastShapesRequest& request,
         v1::Hits& hits = *response.add_shapes();
         Status s =
             request.mode() == v1::HIT_MODE_ALL
-                ? write_hits(hits, asked->queries.cast_shape_all(cast, filter), *frame, total)
-                : write_hits(hits, asked->queries.cast_shape(cast, filter), *frame);
+                ? write_hits(hits, target->queries.cast_shape_all(cast, filter), *frame, total)
+                : write_hits(hits, target->queries.cast_shape(cast, filter), *frame);
         if (!s.ok()) return s;
     }
     return {};
@@ -268,14 +268,14 @@ Status QueryControl::overlap(const v1::OverlapRequest& request, v1::OverlapRespo
         case v1::OverlapRequest::WHAT_NOT_SET:
             return invalid_argument("give shape or point");
     }
-    const Result<QueryTarget> asked = ask(context_.worlds, request);
-    if (!asked.ok()) return asked.error();
-    const QueryFramePtr& frame = asked->frame;
-    write_view_time(response, *asked);
+    const Result<QueryTarget> target = target_of(context_.worlds, request);
+    if (!target.ok()) return target.error();
+    const QueryFramePtr& frame = target->frame;
+    write_view_time(response, *target);
     const physics::QueryFilter filter = read_filter(request.filter(), *frame);
     const auto found = request.has_shape()
-                           ? asked->queries.overlap_shape(shape.geometry, shape.pose, filter)
-                           : asked->queries.shapes_at(to_vector(request.point()), filter);
+                           ? target->queries.overlap_shape(shape.geometry, shape.pose, filter)
+                           : target->queries.shapes_at(to_vector(request.point()), filter);
     if (!found.ok()) return from_solver(found.error());
     std::vector<EntityId> entities;
     for (const physics::ShapeId id : *found) entities.push_back(frame->owner_of(id).entity);
@@ -298,12 +298,12 @@ Status QueryControl::closest_points(const v1::ClosestPointsRequest& request,
             return s;
         points.push_back(to_vector(request.points(i)));
     }
-    const Result<QueryTarget> asked = ask(context_.worlds, request);
-    if (!asked.ok()) return asked.error();
-    const QueryFramePtr& frame = asked->frame;
-    write_view_time(response, *asked);
-    const auto found = asked->queries.closest_points(points, request.max_distance(),
-                                                     read_filter(request.filter(), *frame));
+    const Result<QueryTarget> target = target_of(context_.worlds, request);
+    if (!target.ok()) return target.error();
+    const QueryFramePtr& frame = target->frame;
+    write_view_time(response, *target);
+    const auto found = target->queries.closest_points(points, request.max_distance(),
+                                                      read_filter(request.filter(), *frame));
     if (!found.ok()) return from_solver(found.error());
     for (const std::optional<physics::ClosestPoint>& closest : *found) {
         v1::ClosestPoint& to = *response.add_points();
@@ -328,7 +328,7 @@ Result<QueryFramePtr> QueryControl::debug_frame(const v1::DebugRequest& request)
     const CopyLayers layers = layers_of(request);
     if (layers == 0)
         return invalid_argument(
-            "ask for at least one of contacts, islands, bounds, joints, broad_phase");
+            "request at least one of contacts, islands, bounds, joints, broad_phase");
     return query_frame_of(context_.worlds, request.world(), layers);
 }
 
@@ -336,7 +336,7 @@ void QueryControl::write_debug(const v1::DebugRequest& request, const QueryFrame
                                v1::DebugResponse& response) {
     response.set_tick(frame.tick);
     response.set_truncated((frame.truncated & layers_of(request)) != 0);
-    // The copy may hold more than this request asked for: others ask as well.
+    // The copy may contain more than this request needs, for other clients.
     if (request.contacts())
         for (const DebugContact& from : frame.contacts) {
             v1::DebugContact& to = *response.add_contacts();

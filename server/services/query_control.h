@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// QueryService without a transport: what rpc/query_service and the gateway's /api/query both answer
-// with. Any thread; each call may wait a quarter of a second for a copy of the world and never
-// makes the world wait.
+// QueryService without a transport, used by gRPC (grpc/query_methods.h) and by /api/query over
+// HTTP. Any thread; each call may wait up to 250 ms for a copy of the world, and never blocks the
+// world.
 #pragma once
 
 #include <string>
@@ -36,7 +36,7 @@ public:
 
     explicit QueryControl(PlayContext& context) : context_(context) {}
 
-    // Work of many parts asks between them whether the answer is still wanted.
+    // Calls with many parts check between them whether the response is still needed.
     Status cast_rays(const v1::CastRaysRequest& request, v1::CastRaysResponse& response,
                      const CancellationCheck& still_needed = always) const;
     Status cast_shapes(const v1::CastShapesRequest& request, v1::CastShapesResponse& response,
@@ -48,7 +48,8 @@ public:
                           const CancellationCheck& still_needed = always) const;
     Status debug(const v1::DebugRequest& request, v1::DebugResponse& response,
                  const CancellationCheck& still_needed = always) const;
-    // Its two halves, for who keeps answers: the same request about the same copy gets the same.
+    // The two halves of debug(), for callers that cache responses: the same request on the same
+    // copy has the same response.
     Result<QueryFramePtr> debug_frame(const v1::DebugRequest& request) const;
     static void write_debug(const v1::DebugRequest& request, const QueryFrame& frame,
                             v1::DebugResponse& response);

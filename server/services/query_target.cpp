@@ -25,14 +25,14 @@ Result<QueryFramePtr> frame_of(WorldHost& world, CopyLayers parts) {
     if (QueryFramePtr frame = world.query_frame(parts)) return frame;
     if (world.stopped()) return Error{ErrorCode::unavailable, "the world was closed"};
     return Error{ErrorCode::unavailable,
-                 fmt::format("the world took more than {} ms for a step; ask again",
+                 fmt::format("a step of the world took more than {} ms; retry",
                              QueryBroker::timeout.count())};
 }
 
 Status check_view_time(const v1::ViewTime& view_time) {
     if (view_time.fraction() >= 0 && view_time.fraction() <= 1) return {};
     return invalid_argument(
-        fmt::format("seen.fraction is {:g}; it must be from 0 to 1", view_time.fraction()));
+        fmt::format("view_time.fraction is {:g}; it must be from 0 to 1", view_time.fraction()));
 }
 
 }  // namespace
@@ -57,10 +57,10 @@ Result<QueryTarget> query_target(const WorldDirectory& worlds, const std::string
     if (!view_time) return now;
     const RewindView past(
         *(*world)->frame_history().at({view_time->tick(), view_time->fraction()}));
-    const Result<physics::Queries> then =
+    const Result<physics::Queries> rewound =
         now.queries.with_shapes_at(past.shapes(*now.frame->entity_list, candidate_filter));
-    if (!then.ok()) return Error{ErrorCode::internal, then.error().message};
-    return QueryTarget{now.frame, *then, past.tick(), past.clamped()};
+    if (!rewound.ok()) return Error{ErrorCode::internal, rewound.error().message};
+    return QueryTarget{now.frame, *rewound, past.tick(), past.clamped()};
 }
 
 }  // namespace jostle::server

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What a question is asked of: a copy of the world, or its shapes where they were at the moment
-// that the client saw. Any thread; may wait a quarter of a second for the copy.
+// The target of a query: a copy of the world, or its shapes at the client's view time (lag
+// compensation). Any thread; may wait up to 250 ms for the copy.
 #pragma once
 
 #include <string>
@@ -18,22 +18,22 @@ class ViewTime;
 namespace jostle::server {
 
 struct QueryTarget {
-    QueryFramePtr frame;  // has the shapes
+    QueryFramePtr frame;  // copied with its shapes
     physics::Queries queries;
     std::uint32_t tick = 0;
-    bool clamped = false;  // an older moment was asked for
+    bool clamped = false;  // the view time was older than the oldest frame
 };
 
-// unavailable: the world is closed, or its step takes long. not_found: there is no such world.
+// unavailable: the world is closed, or its step takes too long. not_found: no such world.
 Result<QueryFramePtr> query_frame_of(const WorldDirectory& worlds, const std::string& world,
                                      CopyLayers parts);
 
-// `seen` null: now. Of the past only what may be met.
+// `view_time` null: now. Only candidates that pass the filter are rewound.
 Result<QueryTarget> query_target(const WorldDirectory& worlds, const std::string& world,
                                  const v1::ViewTime* view_time,
                                  const RewindView::CandidateFilter& candidate_filter);
 
-// For questions about all of a world.
+// For queries about the entire world.
 inline bool any_candidate(physics::Vec3, double) {
     return true;
 }

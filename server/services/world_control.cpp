@@ -34,19 +34,19 @@ Error no_such_world(const std::string& world) {
 }
 
 Error going_down() {
-    return Error{ErrorCode::unavailable, "the server is going down; try another"};
+    return Error{ErrorCode::unavailable, "the server is shutting down; try another server"};
 }
 
-// A name is taken from the catalogue alone: a stranger may not have the server read files.
+// Scene names refer to the catalogue only: clients must not make the server read files.
 Result<scenes::SceneDescription> scene_of(const v1::CreateWorldRequest& request) {
     if (request.has_scene()) return scenes::from_message(request.scene());
     if (!request.has_scene_name()) {
-        return Error{ErrorCode::invalid_argument, "give scene_name, scene or moment"};
+        return Error{ErrorCode::invalid_argument, "give scene_name, scene or checkpoint"};
     }
     if (auto scene = scenes::find_scene(request.scene_name())) return *std::move(scene);
-    return Error{ErrorCode::not_found,
-                 fmt::format("there is no scene \"{}\"; ListWorlds names those there are",
-                             request.scene_name())};
+    return Error{
+        ErrorCode::not_found,
+        fmt::format("there is no scene \"{}\"; ListWorlds lists the scenes", request.scene_name())};
 }
 
 }  // namespace
@@ -88,16 +88,16 @@ Result<std::shared_ptr<WorldHost>> WorldControl::create_from(const v1::CreateWor
         if (!scene.ok()) return scene.error();
         return context_.worlds.create(request.name(), *scene, who.subject);
     }
-    const v1::Checkpoint& moment = request.checkpoint();
-    if (moment.world().empty())
-        return Error{ErrorCode::invalid_argument, "moment.world is missing: name the world"};
-    const auto world = context_.worlds.find(moment.world());
-    if (!world) return no_such_world(moment.world());
+    const v1::Checkpoint& checkpoint = request.checkpoint();
+    if (checkpoint.world().empty())
+        return Error{ErrorCode::invalid_argument, "checkpoint.world is missing; name the world"};
+    const auto world = context_.worlds.find(checkpoint.world());
+    if (!world) return no_such_world(checkpoint.world());
     if (Status s = context_.authorizer.admit(
             who, {"jostle.v1.WorldService/JoinWorld", world_target(*world), address});
         !s.ok())
         return s.error();
-    return context_.worlds.create_from(request.name(), *world, moment.tick(), who.subject);
+    return context_.worlds.create_from(request.name(), *world, checkpoint.tick(), who.subject);
 }
 
 Status WorldControl::remove(const v1::DeleteWorldRequest& request, v1::DeleteWorldResponse&) {

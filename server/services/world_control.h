@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// WorldService without a transport: what rpc/world_service and the gateway's /api/worlds both
-// answer with. Any thread; create() takes as long as building the world takes.
+// WorldService without a transport, used by gRPC (grpc/world_methods.h) and by /api/worlds over
+// HTTP. Any thread; create() blocks until the world is built.
 #pragma once
 
 #include <string>
@@ -24,7 +24,7 @@ class ListWorldsResponse;
 
 namespace jostle::server {
 
-// Where clients are sent; known only after the ports are bound.
+// The addresses sent to clients; known only after the ports are bound.
 struct PlayAddresses {
     std::string grpc;       // host:port
     std::string websocket;  // ws://host:port/play
@@ -34,19 +34,19 @@ class WorldControl {
 public:
     explicit WorldControl(PlayContext& context) : context_(context) {}
 
-    // Before the first call of join().
+    // Call before the first join().
     void set_addresses(PlayAddresses addresses) { addresses_ = std::move(addresses); }
 
     Status list(const v1::ListWorldsRequest& request, v1::ListWorldsResponse& response) const;
     Status get(const v1::GetWorldRequest& request, v1::GetWorldResponse& response) const;
-    // It belongs to whoever asks, from that address.
+    // The caller becomes the owner of the world.
     Status create(const v1::CreateWorldRequest& request, v1::CreateWorldResponse& response,
                   const Identity& who, const std::string& address);
     Status remove(const v1::DeleteWorldRequest& request, v1::DeleteWorldResponse& response);
-    // The ticket is that of whoever asks, from that address.
+    // The ticket is issued to the caller.
     Status join(const v1::JoinWorldRequest& request, v1::JoinWorldResponse& response,
                 const Identity& who, const std::string& address);
-    // What a request is about, for the gate; null: there is no such world.
+    // The world of a request, for authorization; null: no such world.
     std::shared_ptr<WorldHost> find(const std::string& world) const {
         return context_.worlds.find(world);
     }

@@ -47,7 +47,7 @@ CertificateStore::Stamps CertificateStore::stamps() const {
             files_.client_ca.empty() ? FileStamp{} : stamp_of(files_.client_ca)};
 }
 
-// The stamps are taken previous_stamps the read, so that a change during the read is detected by
+// The stamps are taken before the read, so that a change during the read is detected by
 // the next poll.
 Status CertificateStore::read(WallTime now) {
     stamps_ = stamps();

@@ -311,12 +311,13 @@ TEST_F(QueryControlTest, rejects_invalid_numbers_by_field) {
               "rays[0].motion is zero; it must have a length");
     ray = down(static_cast<v1::HitMode>(9));
     EXPECT_EQ(refusal(&QueryControl::cast_rays, ray, v1::CastRaysResponse()),
-              "mode is 9; it must be one of HitMode's, 0 to 3");
+              "mode is 9; it must be a HitMode from 0 to 3");
 
     v1::CastShapesRequest cast;
     cast.add_shapes()->mutable_shape()->mutable_mesh();
-    EXPECT_EQ(refusal(&QueryControl::cast_shapes, cast, v1::CastShapesResponse()),
-              "shapes[0].shape is a mesh; ask with a sphere, capsule, box, cylinder, cone or hull");
+    EXPECT_EQ(
+        refusal(&QueryControl::cast_shapes, cast, v1::CastShapesResponse()),
+        "shapes[0].shape is a mesh; it must be a sphere, capsule, box, cylinder, cone or hull");
     cast.mutable_shapes(0)->mutable_shape()->mutable_sphere()->set_radius(-1);
     EXPECT_NE(refusal(&QueryControl::cast_shapes, cast, v1::CastShapesResponse())
                   .find("shapes[0].shape.sphere.radius"),
@@ -328,7 +329,7 @@ TEST_F(QueryControlTest, rejects_invalid_numbers_by_field) {
     v1::OverlapRequest overlap;
     overlap.mutable_shape();
     EXPECT_EQ(refusal(&QueryControl::overlap, overlap, v1::OverlapResponse()),
-              "shape is empty; ask with a sphere, capsule, box, cylinder, cone or hull");
+              "shape is empty; it must be a sphere, capsule, box, cylinder, cone or hull");
     v1::ClosestPointsRequest closest;
     closest.set_max_distance(-1);
     EXPECT_EQ(refusal(&QueryControl::closest_points, closest, v1::ClosestPointsResponse()),

@@ -203,7 +203,7 @@ TEST(LagCompensation, query_rpc_uses_the_view_time) {
     EXPECT_EQ(inside.entities(0), target);
     overlap.mutable_view_time()->set_fraction(1.5f);
     EXPECT_EQ(test::error_of(queries.overlap(overlap, inside)).message,
-              "seen.fraction is 1.5; it must be from 0 to 1");
+              "view_time.fraction is 1.5; it must be from 0 to 1");
 }
 
 }  // namespace

@@ -1,4 +1,5 @@
-// The client of the public API: one connection to one world, with smooth poses, inputs and optional prediction.
+// The client of the public API: one connection to one world, with smooth poses, inputs and optional
+// prediction.
 
 import { nowUs } from './clock/clock_sync.js';
 import type { AreaOfInterest } from './connection/area_of_interest.js';
@@ -29,15 +30,19 @@ export interface ConnectOptions {
   /** Whether to receive events (ConnectionListener.worldEvents); default: false. */
   readonly events?: boolean;
   /**
-   * Predicts the effects of own inputs; default: false. Pass the bytes of predictor.wasm where `fetch` cannot read the package,
-   * as in Node: `await readFile(predictorUrl)` with `predictorUrl` of `@jostle/client/prediction`.
+   * Predicts the effects of own inputs; default: false. Pass the bytes of predictor.wasm where `fetch`
+   * cannot read the package, as in Node: `await readFile(predictorUrl)` with `predictorUrl` of
+   * `@jostle/client/prediction`.
    */
   readonly prediction?: boolean | BufferSource;
   /** Callbacks; all are optional. */
   readonly listener?: Partial<ConnectionListener>;
   /** ms until connect() gives up; default: 10 000. */
   readonly timeoutMs?: number;
-  /** Opens the socket; default: a WebSocket. For tests, simulated networks, recordings and runtimes without WebSocket. */
+  /**
+   * Opens the socket; default: a WebSocket. For tests, simulated networks, recordings and runtimes
+   * without WebSocket.
+   */
   readonly openSocket?: (url: string) => Socket;
 }
 
@@ -47,9 +52,9 @@ export class ConnectError extends Error {}
 const TIMEOUT_MS = 10_000;
 
 /**
- * Joins a world. Resolves once the server has accepted the client; poses are available from the first frame on.
- * Rejects with ConnectError if the server rejects the client or does not respond in time, and with PredictorError if prediction
- * is requested but predictor.wasm cannot be loaded.
+ * Joins a world. Resolves once the server has accepted the client; poses are available from the first
+ * frame on. Rejects with ConnectError if the server rejects the client or does not respond in time, and
+ * with PredictorError if prediction is requested but predictor.wasm cannot be loaded.
  */
 export async function connect(options: ConnectOptions): Promise<Client> {
   const { prediction = false, timeoutMs = TIMEOUT_MS } = options;
@@ -136,9 +141,10 @@ export class Client {
   }
 
   /**
-   * Computes the poses to render now: interpolated between frames, slightly in the past, and predicted for own inputs. Call it
-   * once per rendered frame. Returns the same object every time, valid until the next call: `count` entities with ascending
-   * `ids`, and seven numbers per entity in `poses`: position in m, rotation as a quaternion x y z w.
+   * Computes the poses to render now: interpolated between frames, slightly in the past, and predicted
+   * for own inputs. Call it once per rendered frame. Returns the same object every time, valid until
+   * the next call: `count` entities with ascending `ids`, and seven numbers per entity in `poses`:
+   * position in m, rotation as a quaternion x y z w.
    */
   sample(localUs = nowUs()): RenderedPoses {
     const renderTimeUs = this.connection.renderClock.advance(localUs);
@@ -147,25 +153,35 @@ export class Client {
     return this.poses;
   }
 
-  /** Pose of an entity as of the last sample(): px py pz in m, qx qy qz qw; undefined: not in that frame. */
+  /**
+   * Pose of an entity as of the last sample(): px py pz in m, qx qy qz qw; undefined: not in that
+   * frame.
+   */
   poseOf(entity: number): Float64Array | undefined {
     return this.poses.poseOf(entity);
   }
 
   /**
-   * Sends an input. The server applies it in the next tick, or in the tick that prediction sets. Rejected inputs are reported to
-   * ConnectionListener.inputRejected. Does nothing while the client is not connected.
+   * Sends an input. The server applies it in the next tick, or in the tick that prediction sets.
+   * Rejected inputs are reported to ConnectionListener.inputRejected. Does nothing while the client is
+   * not connected.
    */
   send(kind: NonNullable<Input['kind']>): void {
     this.connection.send({ kind });
   }
 
-  /** Applies an impulse in N s to a body; `point`: where, in the world, default: the center of mass. The server limits the velocity change to 20 m/s. */
+  /**
+   * Applies an impulse in N s to a body; `point`: where, in the world, default: the center of mass. The
+   * server limits the velocity change to 20 m/s.
+   */
   applyImpulse(entity: number, impulse: Vector, point?: Vector): void {
     this.send({ case: 'impulse', value: point ? { entity, impulse, point } : { entity, impulse } });
   }
 
-  /** Attaches a spring to a point of a body, in the world; drag() moves its other end. A client holds one body at a time. */
+  /**
+   * Attaches a spring to a point of a body, in the world; drag() moves its other end. A client holds
+   * one body at a time.
+   */
   grab(entity: number, point: Vector): void {
     this.send({ case: 'grab', value: { entity, point } });
   }
@@ -180,12 +196,18 @@ export class Client {
     this.send({ case: 'release', value: {} });
   }
 
-  /** Takes control of an entity with Entity.controllable that no other client controls; 0: releases control. */
+  /**
+   * Takes control of an entity with Entity.controllable that no other client controls; 0: releases
+   * control.
+   */
   takeControl(entity: number): void {
     this.send({ case: 'possess', value: { entity } });
   }
 
-  /** Input for the controlled entity until the next call: at most eight axes from -1 to 1, and a bit per button. Modules define their meaning. */
+  /**
+   * Input for the controlled entity until the next call: at most eight axes from -1 to 1, and a bit per
+   * button. Modules define their meaning.
+   */
   control(axes: readonly number[], buttons = 0): void {
     this.send({ case: 'control', value: { axes: axes.map((axis) => Math.round(1000 * axis)), buttons } });
   }

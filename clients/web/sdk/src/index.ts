@@ -1,10 +1,13 @@
 /**
- * Client library of the Jostle physics server: joins a world, renders smooth poses and sends inputs. README.md has an example.
+ * Client library of the Jostle physics server: joins a world, renders smooth poses and sends inputs.
+ * README.md has an example.
  *
- * Units: m, kg, s, rad, N. Rotations are unit quaternions x y z w. Times with the suffix Us are microseconds; "local clock" is
- * nowUs(), "server's clock" is that of Welcome.epochUs. Entities are numbers from 1 that are never reused in a world; 0 is none.
+ * Units: m, kg, s, rad, N. Rotations are unit quaternions x y z w. Times with the suffix Us are
+ * microseconds; "local clock" is nowUs(), "server's clock" is that of Welcome.epochUs. Entities are
+ * numbers from 1 that are never reused in a world; 0 is none.
  *
- * The messages of the protocol are in `@jostle/client/gen/play_pb` and its siblings, prediction is in `@jostle/client/prediction`.
+ * The messages of the protocol are in `@jostle/client/gen/play_pb` and its siblings, prediction is in
+ * `@jostle/client/prediction`.
  *
  * @packageDocumentation
  */

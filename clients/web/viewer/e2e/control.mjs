@@ -1,5 +1,5 @@
-// Controlling entities: takes control of a car by its button, brakes, accelerates and checks that its wheels turn; walks and
-// jumps with a character; drives a boat through rendered water.
+// Controlling entities: takes control of a car by its button, brakes, accelerates and checks that its
+// wheels turn; walks and jumps with a character; drives a boat through rendered water.
 
 const poseOf = (page, id) => page.evaluate((entity) => window.jostle.poseOf(entity), id);
 const horizontalDistance = (a, b) => Math.hypot(a[0] - b[0], a[2] - b[2]);

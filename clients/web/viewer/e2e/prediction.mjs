@@ -1,5 +1,5 @@
-// Prediction over a network with 400 ms latency: with ?predict=1 a dragged box and a walking character move before the server
-// can have received the input.
+// Prediction over a network with 400 ms latency: with ?predict=1 a dragged box and a walking character
+// move before the server can have received the input.
 
 const ROUND_TRIP_MS = 800;
 const FRAME_RATE_MIN = 8; // per second: at a lower rate, the measured delays are meaningless
@@ -33,7 +33,10 @@ async function joinWithPrediction(page, url, until) {
   await until('the input clock runs', () => page.evaluate(() => window.jostle.inputTick > 0));
 }
 
-/** Stores in window.measured: the time from the next event to the first rendered displacement, and the prediction state then. */
+/**
+ * Stores in window.measured: the time from the next event to the first rendered displacement, and the
+ * prediction state then.
+ */
 const measureResponse = (page, body, event, minDistance) =>
   page.evaluate(
     ([id, eventName, distance]) => {

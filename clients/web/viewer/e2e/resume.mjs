@@ -1,5 +1,5 @@
-// Server failures: the server is killed and restarted, and an operator rewinds its world. The page resumes its session with the
-// same client id. An earlier tick of the world is opened as a new world.
+// Server failures: the server is killed and restarted, and an operator rewinds its world. The page
+// resumes its session with the same client id. An earlier tick of the world is opened as a new world.
 
 import { execFileSync, spawn } from 'node:child_process';
 import { existsSync, readFileSync, rmSync } from 'node:fs';

@@ -1,8 +1,9 @@
-// Tests the viewer in headless Chromium against a real server: joining, dragging, throwing, shapes of every kind, module renderers,
-// picking by the server, the debug view, events, prediction over a slow network, recordings, resuming after a server failure, and
-// controlling a car, a character and a boat.
+// Tests the viewer in headless Chromium against a real server: joining, dragging, throwing, shapes of
+// every kind, module renderers, picking by the server, the debug view, events, prediction over a slow
+// network, recordings, resuming after a server failure, and controlling a car, a character and a boat.
 // Usage: node viewer/e2e/viewer.mjs SERVER_BINARY [--screenshot FILE]
-// FILE shows the sandbox, FILE-shapes the debug view of a world of shapes. The exit status is 1 if a test fails.
+// FILE shows the sandbox, FILE-shapes the debug view of a world of shapes. The exit status is 1 if a
+// test fails.
 
 import { spawn } from 'node:child_process';
 import { mkdtempSync, readFileSync, rmSync, existsSync } from 'node:fs';

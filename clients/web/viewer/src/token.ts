@@ -1,5 +1,5 @@
-// The token of the user, from #token=... of the URL. It is removed from the URL immediately, so that neither the history nor
-// a shared link contains it, and stored for the lifetime of the tab.
+// The token of the user, from #token=... of the URL. It is removed from the URL immediately, so that
+// neither the history nor a shared link contains it, and stored for the lifetime of the tab.
 
 const KEY = 'jostle-token';
 

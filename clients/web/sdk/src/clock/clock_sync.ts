@@ -1,5 +1,5 @@
-// Estimates the server's clock from round trips. The sample with the shortest round trip is the most accurate; samples
-// expire after 30 s because clocks drift. All times in microseconds.
+// Estimates the server's clock from round trips. The sample with the shortest round trip is the most
+// accurate; samples expire after 30 s because clocks drift. All times in microseconds.
 
 const SAMPLE_LIFE_US = 30e6;
 

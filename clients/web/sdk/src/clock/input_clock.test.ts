@@ -1,5 +1,5 @@
-// Inputs of every tick, sent thirty times per second over a simulated network to a server that reports their margins over
-// another one. Same cases as tests/clients/cpp/core/input_clock_test.cpp.
+// Inputs of every tick, sent thirty times per second over a simulated network to a server that reports
+// their margins over another one. Same cases as tests/clients/cpp/core/input_clock_test.cpp.
 
 import { expect, it } from 'vitest';
 import { InputClock } from './input_clock.js';

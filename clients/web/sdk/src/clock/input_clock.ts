@@ -1,8 +1,9 @@
-// The server tick that an input made now is meant for (Input.tick). The clock runs ahead of the server, so that inputs
-// arrive before their tick. The server reports the margin (ClientUpdate.input_margin_us), and the clock is adjusted until
-// the margin is one tick plus four times its jitter. Within one tick of that target the speed is 1. After three consecutive
-// margins outside, it is 1.05 or 0.95 for as long as necessary. An error of more than ten ticks causes a jump. Same
-// algorithm as jostle/client/input_clock.h of the C++ client library. Times in microseconds.
+// The server tick that an input made now is meant for (Input.tick). The clock runs ahead of the server,
+// so that inputs arrive before their tick. The server reports the margin
+// (ClientUpdate.input_margin_us), and the clock is adjusted until the margin is one tick plus four
+// times its jitter. Within one tick of that target the speed is 1. After three consecutive margins
+// outside, it is 1.05 or 0.95 for as long as necessary. An error of more than ten ticks causes a jump.
+// Same algorithm as jostle/client/input_clock.h of the C++ client library. Times in microseconds.
 
 const MEAN_WEIGHT = 1 / 8;
 const JITTER_WEIGHT = 1 / 16;
@@ -44,7 +45,10 @@ export class InputClock {
     return this.meanMarginUs;
   }
 
-  /** A frame arrived. `dueAgoUs`: time since its tick was due, on the server's clock; `oneWayUs`: latency of an input. */
+  /**
+   * A frame arrived. `dueAgoUs`: time since its tick was due, on the server's clock; `oneWayUs`:
+   * latency of an input.
+   */
   onFrame(tick: number, dueAgoUs: number, oneWayUs: number, nowUs: number): void {
     const target = tick + (dueAgoUs + oneWayUs + this.targetUs) / this.tickUs;
     if (!this.ready) {
@@ -63,7 +67,10 @@ export class InputClock {
     this.sentSequence = sequence;
   }
 
-  /** The server reported the margin of an input; 0: unknown. Margins of inputs sent before the last jump are ignored. */
+  /**
+   * The server reported the margin of an input; 0: unknown. Margins of inputs sent before the last jump
+   * are ignored.
+   */
   onMargin(sequence: number, marginUs: number): void {
     if (sequence <= this.lastMarginSequence || marginUs === 0) return;
     this.lastMarginSequence = sequence;

@@ -1,7 +1,8 @@
-// The server time that a rendered frame shows. It is slightly in the past, so that there are frames before and after it
-// although frames arrive irregularly. The clock never goes backwards and its speed stays within 8 % of 1 under all network
-// conditions: changes of the delay are gradual. It needs no pings, because frames carry both times. Same algorithm as
-// jostle/client/render_clock.h of the C++ client library. All times in microseconds.
+// The server time that a rendered frame shows. It is slightly in the past, so that there are frames
+// before and after it although frames arrive irregularly. The clock never goes backwards and its speed
+// stays within 8 % of 1 under all network conditions: changes of the delay are gradual. It needs no
+// pings, because frames carry both times. Same algorithm as jostle/client/render_clock.h of the C++
+// client library. All times in microseconds.
 
 const ARRIVALS_MAX = 256;
 const FRAMES_PER_UPDATE = 8;
@@ -38,18 +39,19 @@ export class RenderClock {
   private started = false;
   private updatedUs = 0;
   /**
-   * Delay behind the earliest time that could be rendered: max(1.7 intervals, interval + jitter), at most 300 ms; 60 ms at
-   * first. The interval is the median of the last 256 frames. The jitter is the 95th percentile of the lateness beyond the
-   * smallest one. Frames more than 200 ms after the previous tick do not count, because the world rested. Nor does the burst
-   * of frames after a gap of 0.5 s, which no delay could compensate. Growing takes about 1 s, shrinking about 4 s.
+   * Delay behind the earliest time that could be rendered: max(1.7 intervals, interval + jitter), at
+   * most 300 ms; 60 ms at first. The interval is the median of the last 256 frames. The jitter is the
+   * 95th percentile of the lateness beyond the smallest one. Frames more than 200 ms after the previous
+   * tick do not count, because the world rested. Nor does the burst of frames after a gap of 0.5 s,
+   * which no delay could compensate. Growing takes about 1 s, shrinking about 4 s.
    */
   delayUs = FIRST_DELAY_US;
   renderTimeUs = 0;
   speed = 1; // over the last rendered frame
 
   /**
-   * A frame arrived. `serverUs`: when its tick was due, on the server's clock; `arrivedUs`: on the local clock;
-   * `afterRest`: no frames were sent before it because nothing moved.
+   * A frame arrived. `serverUs`: when its tick was due, on the server's clock; `arrivedUs`: on the
+   * local clock; `afterRest`: no frames were sent before it because nothing moved.
    */
   onFrame(serverUs: number, arrivedUs: number, afterRest = false): void {
     const first = this.arrivals === 0;
@@ -67,8 +69,9 @@ export class RenderClock {
   }
 
   /**
-   * Returns the server time to render at `nowUs` on the local clock; unchanged unless `nowUs` increased, 0 before the first
-   * frame. It approaches now - smallest lateness - delay. If it is more than 1 s behind, it jumps there.
+   * Returns the server time to render at `nowUs` on the local clock; unchanged unless `nowUs`
+   * increased, 0 before the first frame. It approaches now - smallest lateness - delay. If it is more
+   * than 1 s behind, it jumps there.
    */
   advance(nowUs: number): number {
     if (this.arrivals === 0) return 0;

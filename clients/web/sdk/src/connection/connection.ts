@@ -1,4 +1,5 @@
-// The play stream over a WebSocket: hello, acks, input batches, pings and reconnecting. It renders nothing.
+// The play stream over a WebSocket: hello, acks, input batches, pings and reconnecting. It renders
+// nothing.
 
 import { create, fromBinary, toBinary, type MessageInitShape } from '@bufbuild/protobuf';
 import { ClockSync, nowUs } from '../clock/clock_sync.js';
@@ -72,7 +73,10 @@ export interface ConnectionListener {
   notice(text: string): void;
 }
 
-/** Receives what prediction needs: entities, frames, inputs and results (prediction/prediction_controller.ts). */
+/**
+ * Receives what prediction needs: entities, frames, inputs and results
+ * (prediction/prediction_controller.ts).
+ */
 export interface PredictionListener {
   begin(welcome: Welcome): void;
   entityAdded(entity: Entity): void;
@@ -81,7 +85,10 @@ export interface PredictionListener {
   controlledEntity(state: ControlledEntity | undefined): void;
   frame(frame: PoseFrame): void;
   result(result: InputResult): void;
-  /** An input that will be sent as `sequence`; the same number again replaces the last input. Tick 0: the next tick. */
+  /**
+   * An input that will be sent as `sequence`; the same number again replaces the last input. Tick 0:
+   * the next tick.
+   */
   input(sequence: number, tick: number, input: Input): void;
 }
 
@@ -168,7 +175,9 @@ export class Connection {
     this.areaOfInterest = options.areaOfInterest;
   }
 
-  /** Leaves the current world, if any, and joins a world by id or name; empty: the server's first world. */
+  /**
+   * Leaves the current world, if any, and joins a world by id or name; empty: the server's first world.
+   */
   join(world: string): void {
     this.stop();
     this.world = world;
@@ -199,7 +208,10 @@ export class Connection {
     this.connect();
   }
 
-  /** From now on, inputs carry the tick that they are meant for (InputClock), and the listener receives what prediction needs. */
+  /**
+   * From now on, inputs carry the tick that they are meant for (InputClock), and the listener receives
+   * what prediction needs.
+   */
   enablePrediction(predictionListener: PredictionListener): void {
     this.predictionListener = predictionListener;
     if (!this.welcome) return;
@@ -228,7 +240,10 @@ export class Connection {
     return renderedTime(this.frames.newest, this.renderClock.renderTimeUs, this.welcome?.tickHz ?? 0);
   }
 
-  /** Adds the rendered time to an aim without view time, so that the server evaluates it against what was on screen. */
+  /**
+   * Adds the rendered time to an aim without view time, so that the server evaluates it against what
+   * was on screen.
+   */
   private withViewTime(input: Input): Input {
     const { kind } = input;
     if (kind?.case !== 'impulse' && kind?.case !== 'grab' && kind?.case !== 'explode') return input;

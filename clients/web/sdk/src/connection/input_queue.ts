@@ -1,6 +1,7 @@
-// Inputs under ascending sequence numbers from 1: those waiting to be sent, and those sent without a result, which are
-// resent if the connection breaks before the server received them. clients/cpp/core/src/input_outbox.h is the counterpart in
-// the C++ client library, which also supports datagrams.
+// Inputs under ascending sequence numbers from 1: those waiting to be sent, and those sent without a
+// result, which are resent if the connection breaks before the server received them.
+// clients/cpp/core/src/input_outbox.h is the counterpart in the C++ client library, which also supports
+// datagrams.
 
 const AWAITING_RESULT_MAX = 8192; // bounds the memory if the server sends no results: older inputs are not resent
 
@@ -58,7 +59,9 @@ export class InputQueue<Input> {
     this.resumed = false;
   }
 
-  /** Resumes a session of which the server has all inputs up to `lastSequence`; later inputs are resent. */
+  /**
+   * Resumes a session of which the server has all inputs up to `lastSequence`; later inputs are resent.
+   */
   resumeAfter(lastSequence: number): void {
     const last = Math.min(lastSequence, this.lastSent);
     const resent = this.awaitingResult.filter((sent) => sent.sequence > last).map((sent) => sent.input);

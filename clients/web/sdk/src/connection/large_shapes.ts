@@ -1,4 +1,5 @@
-// Large shapes: the server sends them once, in chunks, and refers to them by id. Bodies with the same id share one object.
+// Large shapes: the server sends them once, in chunks, and refers to them by id. Bodies with the same
+// id share one object.
 
 import { fromBinary } from '@bufbuild/protobuf';
 import type { Entity, GeometryChunk } from '../gen/jostle/v1/play_pb.js';
@@ -36,7 +37,10 @@ export class LargeShapes {
     return true;
   }
 
-  /** Replaces geometry ids by their shapes. An unknown id becomes a shape without a kind, which is not rendered. */
+  /**
+   * Replaces geometry ids by their shapes. An unknown id becomes a shape without a kind, which is not
+   * rendered.
+   */
   resolve(entity: Entity): void {
     for (const shape of entity.shapes)
       if (shape.kind.case === 'geometry') shape.kind = this.shapes.get(shape.kind.value) ?? { case: undefined };

@@ -1,5 +1,5 @@
-// A list of words, delta-encoded against the previous list, and the state of the controlled entity, which is sent in this form
-// (proto/WIRE.md).
+// A list of words, delta-encoded against the previous list, and the state of the controlled entity,
+// which is sent in this form (proto/WIRE.md).
 
 import type { ControlledEntityState } from '../gen/jostle/v1/play_pb.js';
 

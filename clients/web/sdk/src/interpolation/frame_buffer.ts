@@ -1,4 +1,5 @@
-// The newest 32 decoded frames: as baselines of later snapshots, and as poses for rendering, with their channels.
+// The newest 32 decoded frames: as baselines of later snapshots, and as poses for rendering, with their
+// channels.
 
 import { dequantize, type EntityState, type QuantSpec, type QuantizedFrame } from '../snapshot/decode_frame.js';
 import { NO_CHANNELS, type Channels } from '../snapshot/channels.js';
@@ -49,7 +50,10 @@ export class FrameBuffer {
     return this.frames.find((f) => f.quantized.frame === frame)?.poseFrame.channels ?? NO_CHANNELS;
   }
 
-  /** `blends`: entities that are rendered between two of their states (InterestCells); `tickUs`: duration of a tick. */
+  /**
+   * `blends`: entities that are rendered between two of their states (InterestCells); `tickUs`:
+   * duration of a tick.
+   */
   add(quantized: QuantizedFrame, serverUs: number, spec: QuantSpec, channels: Channels = NO_CHANNELS, blends?: ReadonlyMap<number, Blend>, tickUs = 0): PoseFrame {
     const previousBlends = this.blendsOfNewest;
     this.blendsOfNewest = blends;
@@ -91,7 +95,10 @@ export class FrameBuffer {
     return this.frames.slice(-2).map((f) => f.poseFrame);
   }
 
-  /** The two frames around a time on the server's clock; at the ends, the first frame twice or the last two frames. */
+  /**
+   * The two frames around a time on the server's clock; at the ends, the first frame twice or the last
+   * two frames.
+   */
   around(serverUs: number): { a: PoseFrame; b: PoseFrame } | undefined {
     const count = this.frames.length;
     if (count === 0) return undefined;

@@ -1,7 +1,8 @@
-// Smooths errors of rendered poses. The difference between the rendered and the correct pose is applied at first, so that
-// nothing jumps, and then decays: half-life 0.1 s, at most 1.1 m/s (18 mm per frame at 60 Hz) and 1.5 rad/s, or 0.35 of the
-// body's speed if that is more. An error that would take more than 3 s is not smoothed: the body jumps. Same algorithm as
-// jostle/client/pose_error.h of the C++ client library.
+// Smooths errors of rendered poses. The difference between the rendered and the correct pose is applied
+// at first, so that nothing jumps, and then decays: half-life 0.1 s, at most 1.1 m/s (18 mm per frame
+// at 60 Hz) and 1.5 rad/s, or 0.35 of the body's speed if that is more. An error that would take more
+// than 3 s is not smoothed: the body jumps. Same algorithm as jostle/client/pose_error.h of the C++
+// client library.
 
 /** px py pz qx qy qz qw, as in FrameBuffer. */
 export type Pose = Float64Array;
@@ -34,7 +35,10 @@ function multiply(a: Pose, b: Pose, out: Pose): void {
   out[6] = aw * bw - ax * bx - ay * by - az * bz;
 }
 
-/** Rendered minus target: a translation, and the rotation from target to rendered; undefined if too large to smooth. */
+/**
+ * Rendered minus target: a translation, and the rotation from target to rendered; undefined if too
+ * large to smooth.
+ */
 export function poseError(rendered: Pose, target: Pose, bodySpeed: BodySpeed): Pose | undefined {
   const error = new Float64Array(7);
   for (let k = 0; k < 3; k++) error[k] = rendered[k]! - target[k]!;

@@ -35,7 +35,10 @@ describe('rendered poses', () => {
 });
 
 describe('a teleporting body', () => {
-  /** Rendered x of a body that is at 1 until frame 90 and at `there` since; frames stop from `stop` to `go`. */
+  /**
+   * Rendered x of a body that is at 1 until frame 90 and at `there` since; frames stop from `stop` to
+   * `go`.
+   */
   const teleport = (there: number, stop: number, go: number) => {
     const frames = new FrameBuffer();
     const poses = new RenderedPoses();

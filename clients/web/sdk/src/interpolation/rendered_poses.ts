@@ -1,7 +1,8 @@
-// Smooth poses from frames that arrive irregularly. RenderClock gives the rendered time; poses are interpolated between the
-// two frames around it. When frames stop, motion is extrapolated for at most 50 ms and then holds, because collisions cannot
-// be extrapolated. When frames resume, the error decays at a bounded speed (pose_error.ts) instead of jumping. A displacement
-// of more than 100 m/s is a teleport: the body stays at the old position until the time of the new frame. Same algorithm as
+// Smooth poses from frames that arrive irregularly. RenderClock gives the rendered time; poses are
+// interpolated between the two frames around it. When frames stop, motion is extrapolated for at most
+// 50 ms and then holds, because collisions cannot be extrapolated. When frames resume, the error decays
+// at a bounded speed (pose_error.ts) instead of jumping. A displacement of more than 100 m/s is a
+// teleport: the body stays at the old position until the time of the new frame. Same algorithm as
 // jostle/client/interpolation.h of the C++ client library.
 
 import { POSE_FLOATS, type FrameBuffer, type PoseFrame } from './frame_buffer.js';
@@ -30,7 +31,9 @@ function indexOf(count: number, idAt: (i: number) => number, id: number): number
 
 const indexIn = ({ entities }: PoseFrame, id: number) => indexOf(entities.length, (i) => entities[i]!.id, id);
 
-/** Poses at one time, without errors. Reused: nothing is allocated unless the number of entities grows. */
+/**
+ * Poses at one time, without errors. Reused: nothing is allocated unless the number of entities grows.
+ */
 class FrameSample {
   ids = new Uint32Array(0);
   poses = new Float64Array(0);
@@ -128,7 +131,8 @@ export class RenderedPoses {
   private readonly current = new FrameSample();
   private readonly reference = new FrameSample();
   private readonly errors = new Map<number, Pose>(); // by entity
-  // The last rendered frame: its time on the local clock and on the server's, and the newest frame at that time.
+  // The last rendered frame: its time on the local clock and on the server's, and the newest frame at
+  // that time.
   private lastSampleUs = 0;
   private lastRenderTimeUs = 0;
   private lastNewestFrameUs = 0;
@@ -155,7 +159,9 @@ export class RenderedPoses {
     return i < 0 ? undefined : this.current.poseAt(i);
   }
 
-  /** Computes the poses at `serverUs` on the server's clock (RenderClock.advance); `nowUs`: local clock. */
+  /**
+   * Computes the poses at `serverUs` on the server's clock (RenderClock.advance); `nowUs`: local clock.
+   */
   update(frames: FrameBuffer, serverUs: number, nowUs: number): void {
     const newestUs = frames.newest?.serverUs ?? 0;
     const elapsedUs = Math.max(0, nowUs - this.lastSampleUs);
@@ -173,7 +179,10 @@ export class RenderedPoses {
     this.lastNewestFrameUs = newestUs;
   }
 
-  /** The last rendered frame was extrapolated, and the missing frames have arrived: compare it with the correct poses. */
+  /**
+   * The last rendered frame was extrapolated, and the missing frames have arrived: compare it with the
+   * correct poses.
+   */
   private updateErrors(frames: FrameBuffer): void {
     const correct = this.reference;
     correct.update(frames, this.lastRenderTimeUs);

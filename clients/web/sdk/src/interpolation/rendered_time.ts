@@ -4,8 +4,11 @@
 const RENDERING_TIMEOUT_US = 1_000_000;
 const EXTRAPOLATE_US = 50_000; // as in rendered_poses.ts
 
-/** `renderTimeUs`: of RenderClock. If it is 0, or more than 1 s before the newest frame, nothing is rendered and the newest
- * frame counts. The result is at most 50 ms after the newest frame, the limit of extrapolation. */
+/**
+ * `renderTimeUs`: of RenderClock. If it is 0, or more than 1 s before the newest frame, nothing is
+ * rendered and the newest frame counts. The result is at most 50 ms after the newest frame, the limit
+ * of extrapolation.
+ */
 export function renderedTime(
   newest: { frame: number; serverUs: number } | undefined,
   renderTimeUs: number,

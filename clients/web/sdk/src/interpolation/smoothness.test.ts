@@ -1,12 +1,13 @@
-// One minute of motion in closed form over simulated networks, rendered 144 and 60 times per second. Same networks and limits
-// as tests/clients/cpp/core/smoothness_test.cpp.
+// One minute of motion in closed form over simulated networks, rendered 144 and 60 times per second.
+// Same networks and limits as tests/clients/cpp/core/smoothness_test.cpp.
 
 import { describe, expect, it } from 'vitest';
 import { IDEAL_NETWORK, type NetworkConditions } from '../network_simulator/network_simulator.js';
 import { observe } from '../testing/observed_world.js';
 
-// Limits per network; measured values are slightly lower. Errors come from extrapolation: a bounce is cut by 23 mm between
-// two frames, and a body that holds while the real one moves on at 3 m/s is off by 2.6 m after a stall of 1 s.
+// Limits per network; measured values are slightly lower. Errors come from extrapolation: a bounce is
+// cut by 23 mm between two frames, and a body that holds while the real one moves on at 3 m/s is off by
+// 2.6 m after a stall of 1 s.
 const NETWORKS: { name: string; conditions: Partial<NetworkConditions>; errorP95Mm: number; errorMm: number; delayMs: number }[] = [
   { name: 'constant latency', conditions: { delay: 40 }, errorP95Mm: 2, errorMm: 25, delayMs: 75 },
   { name: 'uniform jitter of 20 ms', conditions: { delay: 40, jitter: 20 }, errorP95Mm: 2, errorMm: 25, delayMs: 82 },

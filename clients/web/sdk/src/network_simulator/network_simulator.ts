@@ -1,6 +1,7 @@
-// Simulates network conditions for tests and demonstrations: when a message sent now arrives at the other end of a stream.
-// As on TCP, nothing is lost or reordered: a lost message arrives one retransmission later and delays those behind it.
-// Deterministic per seed, and identical to base/include/jostle/base/network_simulator.h. One instance per direction.
+// Simulates network conditions for tests and demonstrations: when a message sent now arrives at the
+// other end of a stream. As on TCP, nothing is lost or reordered: a lost message arrives one
+// retransmission later and delays those behind it. Deterministic per seed, and identical to
+// base/include/jostle/base/network_simulator.h. One instance per direction.
 
 export interface NetworkConditions {
   readonly delay: number; // ms, of every message

@@ -1,4 +1,5 @@
-// Which body is predicted: the grabbed or pushed one until it rests, but not one with repeated corrections.
+// Which body is predicted: the grabbed or pushed one until it rests, but not one with repeated
+// corrections.
 
 import { create } from '@bufbuild/protobuf';
 import { describe, expect, it } from 'vitest';

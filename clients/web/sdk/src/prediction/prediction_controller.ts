@@ -1,5 +1,6 @@
-// Decides which body is predicted: the controlled entity, or else the grabbed or pushed body until it rests. Bodies with
-// repeated corrections are left to the server. So are jointed bodies such as ragdolls, because clients do not know joints.
+// Decides which body is predicted: the controlled entity, or else the grabbed or pushed body until it
+// rests. Bodies with repeated corrections are left to the server. So are jointed bodies such as
+// ragdolls, because clients do not know joints.
 
 import type { PredictionListener, Input } from '../connection/connection.js';
 import type { FrameBuffer, PoseFrame } from '../interpolation/frame_buffer.js';

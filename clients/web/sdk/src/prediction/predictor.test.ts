@@ -1,4 +1,5 @@
-// Prediction of impulses and its corrections: the cases and numbers of tests/clients/cpp/prediction/predictor_test.cpp.
+// Prediction of impulses and its corrections: the cases and numbers of
+// tests/clients/cpp/prediction/predictor_test.cpp.
 
 import { create } from '@bufbuild/protobuf';
 import { describe, expect, it } from 'vitest';

@@ -1,7 +1,7 @@
-// Predicts the effects of this client's inputs with the server's own solver, compiled to WebAssembly (predictor.wasm, built
-// by scripts/build-predictor from clients/cpp/prediction). The counterpart of Predictor in the C++ client library:
-// clients/cpp/prediction/include/jostle/client/predictor.h describes the algorithm, and
-// clients/cpp/prediction/wasm/predictor_api.h the exported functions.
+// Predicts the effects of this client's inputs with the server's own solver, compiled to WebAssembly
+// (predictor.wasm, built by scripts/build-predictor from clients/cpp/prediction). The counterpart of
+// Predictor in the C++ client library: clients/cpp/prediction/include/jostle/client/predictor.h
+// describes the algorithm, and clients/cpp/prediction/wasm/predictor_api.h the exported functions.
 
 import type { PoseFrame } from '../interpolation/frame_buffer.js';
 import { POSE_FLOATS } from '../interpolation/frame_buffer.js';
@@ -72,7 +72,9 @@ function system(module: WebAssembly.Module, memory: () => WebAssembly.Memory): W
   return api;
 }
 
-/** Instantiates a compiled module. `onShapesRequested` is called when it needs the shapes of an entity. */
+/**
+ * Instantiates a compiled module. `onShapesRequested` is called when it needs the shapes of an entity.
+ */
 export async function instantiate(module: WebAssembly.Module, onShapesRequested: (entity: number) => void): Promise<PredictorExports> {
   let api: PredictorExports | undefined;
   const imports = {
@@ -135,7 +137,7 @@ export class Predictor {
     return predictor;
   }
 
-  /** Starts a stream and resets the predictor. Gravity in m/s^2; substeps 0: as many as each island needs. */
+  /** Starts a stream and resets the predictor. Gravity in m/s^2; `substeps` per tick, 0: 8. */
   begin(tickHz: number, gravity: { readonly x: number; readonly y: number; readonly z: number }, substeps = 0): void {
     this.entities.clear();
     this.api.begin(this.self, tickHz, gravity.x, gravity.y, gravity.z, substeps);
@@ -222,7 +224,10 @@ export class Predictor {
     this.api.frame(this.self, frame, entities.length);
   }
 
-  /** Replaces the predicted poses of a rendered frame and returns their number; `position`: of the input clock, in ticks. */
+  /**
+   * Replaces the predicted poses of a rendered frame and returns their number; `position`: of the input
+   * clock, in ticks.
+   */
   applyTo(scene: RenderedScene, position: number, nowUs: number): number {
     const { api, self } = this;
     const ids = this.buffer(api.predicted(self)).slice();

@@ -1,4 +1,5 @@
-// Replays the calls of tests/determinism/predictor_golden_main.cpp and compares the results with the native build.
+// Replays the calls of tests/determinism/predictor_golden_main.cpp and compares the results with the
+// native build.
 
 import { readFileSync } from 'node:fs';
 import { expect, it } from 'vitest';

@@ -1,4 +1,5 @@
-// Encodes the shapes of a body as the numbers that the predictor decodes (clients/cpp/prediction/wasm/shape_encoding.h).
+// Encodes the shapes of a body as the numbers that the predictor decodes
+// (clients/cpp/prediction/wasm/shape_encoding.h).
 
 import { Combine, type Shape } from '../gen/jostle/v1/scene_pb.js';
 

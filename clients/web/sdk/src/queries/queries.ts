@@ -1,5 +1,5 @@
-// Queries about the joined world: POST /api/query/<Method> in protobuf's JSON form. Without a response, the result is
-// undefined, and callers use their local data.
+// Queries about the joined world: POST /api/query/<Method> in protobuf's JSON form. Without a response,
+// the result is undefined, and callers use their local data.
 
 import { create, fromJsonString, toJsonString, type DescMessage, type MessageInitShape, type MessageShape } from '@bufbuild/protobuf';
 import {
@@ -24,8 +24,8 @@ export const postToServer =
     fetch(path, { method: 'POST', headers: withToken(token, { 'Content-Type': 'application/json' }), body, signal });
 
 export class Queries {
-  // A server may be older than this client. A method that it does not serve is not requested again in the same world. It is
-  // requested in the next world, because 404 also means that the world is gone.
+  // A server may be older than this client. A method that it does not serve is not requested again in
+  // the same world. It is requested in the next world, because 404 also means that the world is gone.
   private readonly notServed = new Set<string>();
 
   constructor(

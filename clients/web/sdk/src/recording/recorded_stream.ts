@@ -1,6 +1,7 @@
-// A recording as a socket: a connection reads it instead of a server, so that live worlds and recordings share one code path.
-// It has its own time, which can be paused, scaled and set. Messages are delivered shortly before they are rendered. To seek
-// backwards or far ahead, it restarts as a server would: Welcome, entity updates, a keyframe and the later messages.
+// A recording as a socket: a connection reads it instead of a server, so that live worlds and
+// recordings share one code path. It has its own time, which can be paused, scaled and set. Messages
+// are delivered shortly before they are rendered. To seek backwards or far ahead, it restarts as a
+// server would: Welcome, entity updates, a keyframe and the later messages.
 
 import { fromBinary, create, toBinary } from '@bufbuild/protobuf';
 import type { Socket } from '../connection/connection.js';
@@ -81,7 +82,10 @@ export class RecordedStream implements Socket {
     this.playing = true;
   }
 
-  /** Call once per rendered frame; returns the rendered time on the server's clock. `nowUs`: local clock. */
+  /**
+   * Call once per rendered frame; returns the rendered time on the server's clock. `nowUs`: local
+   * clock.
+   */
   advance(nowUs: number): number {
     const elapsed = Math.min(FRAME_TIME_MAX_US, Math.max(0, nowUs - this.lastFrameUs));
     this.lastFrameUs = nowUs;

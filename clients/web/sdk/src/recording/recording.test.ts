@@ -1,4 +1,5 @@
-// Six seconds of the scene `machines`, recorded by jostle-record: 30 snapshots per second, a keyframe every 2 s.
+// Six seconds of the scene `machines`, recorded by jostle-record: 30 snapshots per second, a keyframe
+// every 2 s.
 
 import { readFileSync } from 'node:fs';
 import { describe, expect, it } from 'vitest';

@@ -1,5 +1,6 @@
-// A recording of jostle-record, as the list of messages that a server sent (proto/WIRE.md, "Recordings"). It is read and
-// checked when it is opened, up to the first incomplete or damaged record. Bytes are untrusted.
+// A recording of jostle-record, as the list of messages that a server sent (proto/WIRE.md,
+// "Recordings"). It is read and checked when it is opened, up to the first incomplete or damaged
+// record. Bytes are untrusted.
 
 import { fromBinary } from '@bufbuild/protobuf';
 import { crc32 } from '../snapshot/crc32.js';
@@ -13,7 +14,10 @@ export interface RecordedMessage {
   readonly bytes: Uint8Array;
   /** Frame of a snapshot; 0: another message. */
   readonly frame: number;
-  /** When the tick of a snapshot was due, on the server's clock; of other messages, that of the previous snapshot. */
+  /**
+   * When the tick of a snapshot was due, on the server's clock; of other messages, that of the previous
+   * snapshot.
+   */
   readonly dueUs: number;
   /** A snapshot without baselines. */
   readonly keyframe: boolean;
@@ -82,7 +86,10 @@ export class Recording {
     this.lastTick = Math.max(...tail(messages));
   }
 
-  /** Index of the message from which to render a tick: the last keyframe at or before it, or else the first keyframe. */
+  /**
+   * Index of the message from which to render a tick: the last keyframe at or before it, or else the
+   * first keyframe.
+   */
   keyframeBefore(tick: number): number {
     let found = -1;
     for (let i = 0; i < this.messages.length; i++) {

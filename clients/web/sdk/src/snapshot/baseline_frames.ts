@@ -4,7 +4,10 @@ import { DecodeError } from './frame_state.js';
 
 const NO_BASELINE = 255;
 
-/** Frame numbers of baseline, baseline2 and baseline3 (0: none) from Snapshot.baselines. Throws DecodeError. */
+/**
+ * Frame numbers of baseline, baseline2 and baseline3 (0: none) from Snapshot.baselines. Throws
+ * DecodeError.
+ */
 export function baselineFrames(frame: number, baselines: number): [number, number, number] {
   const numbers: [number, number, number] = [0, 0, 0];
   if (baselines === 0) return numbers;

@@ -1,5 +1,6 @@
-// Reads bits and the two variable-length codes of proto/WIRE.md. Values have up to 40 bits, so arithmetic is used where
-// 32-bit operators would truncate. Reads past the end return zeros and set pastEnd.
+// Reads bits and the two variable-length codes of proto/WIRE.md. Values have up to 40 bits, so
+// arithmetic is used where 32-bit operators would truncate. Reads past the end return zeros and set
+// pastEnd.
 
 const RICE_ESCAPE = 15;
 const RICE_ESCAPE_BITS = 33;

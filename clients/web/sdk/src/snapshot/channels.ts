@@ -1,4 +1,5 @@
-// Module channels: lists of integers by kind and entity, delta-encoded per frame (proto/WIRE.md, "Channels").
+// Module channels: lists of integers by kind and entity, delta-encoded per frame (proto/WIRE.md,
+// "Channels").
 
 import { BitReader, bitWidth, zigZagDecode } from './bit_reader.js';
 import { crc32 } from './crc32.js';
@@ -77,7 +78,10 @@ function checkSizes(channels: Channels): void {
   if (values > FRAME_VALUES_MAX) throw new DecodeError(`channels: more than ${FRAME_VALUES_MAX} values`);
 }
 
-/** The channels of a frame, decoded against those of its baseline. Throws DecodeError for malformed bytes. */
+/**
+ * The channels of a frame, decoded against those of its baseline. Throws DecodeError for malformed
+ * bytes.
+ */
 export function decodeChannels(bytes: Uint8Array, crc: number, baseline: Channels): Channels {
   if (bytes.length === 0) return baseline;
   const bits = new BitReader(bytes);

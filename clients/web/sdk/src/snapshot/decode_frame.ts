@@ -1,5 +1,5 @@
-// Decodes snapshots: the TypeScript counterpart of proto/snapshot, written from proto/WIRE.md and verified by proto/golden.
-// This file has codec 1; range_frame.ts has codec 2.
+// Decodes snapshots: the TypeScript counterpart of proto/snapshot, written from proto/WIRE.md and
+// verified by proto/golden. This file has codec 1; range_frame.ts has codec 2.
 
 import { BitReader, bitWidth, zigZagDecode } from './bit_reader.js';
 import { crc32 } from './crc32.js';

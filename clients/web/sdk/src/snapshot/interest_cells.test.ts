@@ -53,7 +53,8 @@ describe('interest cells', () => {
     expect(frameCrc(cells.frame(25))).toBeGreaterThan(0);
   });
 
-  // Same case as in tests/clients/cpp/core/interest_cells_test.cpp: 12 m/s, updated with every fourth snapshot.
+  // Same case as in tests/clients/cpp/core/interest_cells_test.cpp: 12 m/s, updated with every fourth
+  // snapshot.
   it('with a lower update rate are interpolated', () => {
     const cells = new InterestCells();
     const states = (cells as unknown as { cells: Map<number, { frame: number; entities: EntityState[] }[]> }).cells;

@@ -28,7 +28,10 @@ export class InterestCells {
   private newest = 0; // tick of the newest snapshot
   private step = 1; // ticks between the last two snapshots
 
-  /** Applies cell updates and removals. Throws DecodeError for a malformed update and leaves the state unchanged. */
+  /**
+   * Applies cell updates and removals. Throws DecodeError for a malformed update and leaves the state
+   * unchanged.
+   */
   apply(updates: readonly CellUpdate[], removed: readonly number[], spec: QuantSpec, codec: number, frame = 0): void {
     const decoded = updates.map((update) => ({ cell: update.cell, state: this.decode(update, spec, codec) }));
     if (this.newest !== 0 && frame > this.newest) this.step = frame - this.newest;
@@ -44,7 +47,10 @@ export class InterestCells {
     }
   }
 
-  /** All entities of the area of interest, ascending by id. An entity that changes cells may be in both: the newer state counts. */
+  /**
+   * All entities of the area of interest, ascending by id. An entity that changes cells may be in both:
+   * the newer state counts.
+   */
   frame(number: number): QuantizedFrame {
     const newest = new Map<number, { entity: EntityState; number: number }>();
     for (const states of this.cells.values()) {
@@ -59,8 +65,9 @@ export class InterestCells {
   }
 
   /**
-   * Entities that are rendered between two states when the newest snapshot is rendered. A cell with a lower update rate is
-   * interpolated over its update interval and rendered later by it. All other entities are where frame() has them.
+   * Entities that are rendered between two states when the newest snapshot is rendered. A cell with a
+   * lower update rate is interpolated over its update interval and rendered later by it. All other
+   * entities are where frame() has them.
    */
   blends(number: number): Map<number, Blend> {
     const blends = new Map<number, Blend>();
@@ -78,8 +85,8 @@ export class InterestCells {
     return blends;
   }
 
-  // Progress from the previous to the newest state. A cell without motion is updated rarely, so the shortest of its recent
-  // intervals is its update interval.
+  // Progress from the previous to the newest state. A cell without motion is updated rarely, so the
+  // shortest of its recent intervals is its update interval.
   private progress(states: readonly QuantizedFrame[], number: number): number {
     const last = states.length - 1;
     if (last < 1) return 1;

@@ -1,5 +1,5 @@
-// Predicts the pose of a body from up to three earlier frames, as proto/snapshot/include/jostle/snapshot/predict.h. Integer
-// arithmetic; every product is below 2^53.
+// Predicts the pose of a body from up to three earlier frames, as
+// proto/snapshot/include/jostle/snapshot/predict.h. Integer arithmetic; every product is below 2^53.
 
 import { INT32_MAX, INT32_MIN, sameRotation, type EntityState, type Four, type Spacing, type Survivor, type Three } from './frame_state.js';
 

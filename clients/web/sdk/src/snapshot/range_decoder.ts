@@ -1,5 +1,5 @@
-// The range decoder of codec 2 (proto/WIRE.md): bits with adaptive models. 32-bit values are unsigned by `>>> 0`. Reads
-// past the end return zeros and are counted.
+// The range decoder of codec 2 (proto/WIRE.md): bits with adaptive models. 32-bit values are unsigned
+// by `>>> 0`. Reads past the end return zeros and are counted.
 
 export const UPDATES_MAX = 100;
 /** Trailing zero bytes that an encoder omits, at most. */

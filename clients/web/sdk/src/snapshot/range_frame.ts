@@ -1,5 +1,5 @@
-// Decodes frames of codec 2, as proto/snapshot/include/jostle/snapshot/range_frame_serializer.h; written from
-// proto/WIRE.md.
+// Decodes frames of codec 2, as proto/snapshot/include/jostle/snapshot/range_frame_serializer.h;
+// written from proto/WIRE.md.
 
 import { bitWidth } from './bit_reader.js';
 import * as M from './frame_models.js';

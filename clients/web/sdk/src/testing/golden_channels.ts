@@ -4,7 +4,10 @@ import { readFileSync } from 'node:fs';
 import { expect } from 'vitest';
 import type { Channel } from '../snapshot/channels.js';
 
-/** proto/golden/channels.jchn; tests/proto/snapshot/channel_motion.h has the layout. Baselines are list indices from 1. */
+/**
+ * proto/golden/channels.jchn; tests/proto/snapshot/channel_motion.h has the layout. Baselines are list
+ * indices from 1.
+ */
 export function goldenChannels() {
   const bytes = readFileSync(new URL('../../../../../proto/golden/channels.jchn', import.meta.url));
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);

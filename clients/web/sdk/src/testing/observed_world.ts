@@ -1,4 +1,5 @@
-// A world with motion in closed form, observed over a simulated network. Same as tests/clients/cpp/core/observed_world.h.
+// A world with motion in closed form, observed over a simulated network. Same as
+// tests/clients/cpp/core/observed_world.h.
 
 import type { EntityState } from '../snapshot/decode_frame.js';
 import { FrameBuffer, POSE_FLOATS } from '../interpolation/frame_buffer.js';
@@ -9,8 +10,8 @@ import { RenderClock } from '../clock/render_clock.js';
 type Point = readonly [number, number, number];
 
 /**
- * Bodies: 1 moves straight at 2 m/s, 2 on a circle of 2 m radius at 3 m/s, 3 bounces 0.4 m high without loss and drifts at
- * 0.5 m/s, 4 teleports by 5 m every 7 s, 5 exists for 3 s of every 6 s.
+ * Bodies: 1 moves straight at 2 m/s, 2 on a circle of 2 m radius at 3 m/s, 3 bounces 0.4 m high without
+ * loss and drifts at 0.5 m/s, 4 teleports by 5 m every 7 s, 5 exists for 3 s of every 6 s.
  */
 export function positionAt(body: number, s: number): Point {
   if (body === 1) return [2 * s, 0, 0];

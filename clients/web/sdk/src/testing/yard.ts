@@ -1,6 +1,6 @@
 // A simulated session in virtual time: a server and a predictor with a network in between, as in
-// tests/clients/cpp/prediction/predictor_test.cpp. The world of the server is the same solver, in a second predictor that
-// receives only its own state.
+// tests/clients/cpp/prediction/predictor_test.cpp. The world of the server is the same solver, in a
+// second predictor that receives only its own state.
 
 import { readFileSync } from 'node:fs';
 import { create } from '@bufbuild/protobuf';
@@ -225,7 +225,10 @@ export class Yard {
     }
   }
 
-  /** mm: largest distance of the own body from the server's at the same position of the input clock, from `sinceUs` until 0.3 s ago. */
+  /**
+   * mm: largest distance of the own body from the server's at the same position of the input clock,
+   * from `sinceUs` until 0.3 s ago.
+   */
   errorMm(sinceUs: number): number {
     let worst = 0;
     for (const { us, position, own } of this.renderedFrames) {

@@ -1,4 +1,5 @@
-// Camera: orbit with the left button, pan with the right button, zoom with the wheel; touch gestures do the same.
+// Camera: orbit with the left button, pan with the right button, zoom with the wheel; touch gestures do
+// the same.
 
 import * as THREE from 'three';
 import { frameBox } from './framing';
@@ -42,7 +43,10 @@ export class Camera {
     this.approaching = { distance, remainingS: APPROACH_S };
   }
 
-  /** Keeps the camera behind and above an entity. `heading`: rad about y from -z, to the left; undefined: the user turns it. */
+  /**
+   * Keeps the camera behind and above an entity. `heading`: rad about y from -z, to the left;
+   * undefined: the user turns it.
+   */
   follow(position: ArrayLike<number>, heading: number | undefined, seconds: number): void {
     const target = this.controls.target;
     const moved = new THREE.Vector3(position[0], position[1]! + FOLLOW_UP, position[2]).sub(target);
@@ -67,7 +71,10 @@ export class Camera {
     this.camera.position.copy(this.controls.target).add(new THREE.Vector3().setFromSpherical(arm));
   }
 
-  /** Calls `draw` with the camera at most `distance` m from its target, so that obstacles do not hide the target. */
+  /**
+   * Calls `draw` with the camera at most `distance` m from its target, so that obstacles do not hide
+   * the target.
+   */
   renderWithin(distance: number, draw: () => void): void {
     const { position } = this.camera;
     const { target } = this.controls;

@@ -13,7 +13,10 @@ export interface CameraFrame {
   readonly target: THREE.Vector3;
 }
 
-/** `from`: unit direction from the box to the camera; `fov`: vertical field of view in degrees; distances in m. */
+/**
+ * `from`: unit direction from the box to the camera; `fov`: vertical field of view in degrees;
+ * distances in m.
+ */
 export function frameBox(box: THREE.Box3, from: THREE.Vector3, fov: number, aspect: number, minDistance: number, maxDistance: number): CameraFrame {
   const center = box.getCenter(new THREE.Vector3());
   const right = new THREE.Vector3(0, 1, 0).cross(from).normalize();
@@ -27,7 +30,8 @@ export function frameBox(box: THREE.Box3, from: THREE.Vector3, fov: number, aspe
       corner & 4 ? box.max.z : box.min.z,
     ).sub(center);
     const [x, y, z] = [Math.abs(c.dot(right)), c.dot(up), c.dot(from)];
-    // A corner appears at (y + RAISED tan distance) / (distance - z), which must be between -BOTTOM tan and TOP tan.
+    // A corner appears at (y + RAISED tan distance) / (distance - z), which must be between -BOTTOM tan
+    // and TOP tan.
     distance = Math.max(
       distance,
       x / (SIDE * tan * aspect) + z,

@@ -1,4 +1,5 @@
-// Sends the input of keys and gamepad to the controlled entity. Axes and buttons are those of Controls (docs/modules.md).
+// Sends the input of keys and gamepad to the controlled entity. Axes and buttons are those of Controls
+// (docs/modules.md).
 
 import type { Input } from '@jostle/client';
 
@@ -42,7 +43,10 @@ function stick(value: number | undefined): number {
   return value === undefined || Math.abs(value) < DEAD_ZONE ? 0 : value;
 }
 
-/** Combined input of keys and gamepad. `yaw`: direction of the camera, in half turns about y from -z, to the left. */
+/**
+ * Combined input of keys and gamepad. `yaw`: direction of the camera, in half turns about y from -z, to
+ * the left.
+ */
 export function readControls(keys: ReadonlySet<string>, pad: Pad | undefined, yaw: number): ControlInput {
   const axes = new Array<number>(AXIS_COUNT).fill(0);
   for (const code of keys) {

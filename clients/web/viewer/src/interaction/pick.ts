@@ -1,4 +1,5 @@
-// Picks the body under the pointer. The rendered scene gives an immediate result, the server the exact one after a round trip.
+// Picks the body under the pointer. The rendered scene gives an immediate result, the server the exact
+// one after a round trip.
 
 import * as THREE from 'three';
 import type { Queries } from '@jostle/client';
@@ -33,7 +34,10 @@ export function pickRendered(view: SceneView, raycaster: THREE.Raycaster): Pick 
 const CAMERA_DISTANCE_MIN = 1.2; // m
 const WALL_CLEARANCE = 0.25; // m
 
-/** Distance from `from` towards `to` up to the first static body; Infinity without one. `except`: an entity to ignore. */
+/**
+ * Distance from `from` towards `to` up to the first static body; Infinity without one. `except`: an
+ * entity to ignore.
+ */
 export function unobstructedDistance(view: SceneView, from: THREE.Vector3, to: THREE.Vector3, except: number): number {
   const displacement = to.clone().sub(from);
   const raycaster = new THREE.Raycaster(from, displacement.clone().normalize(), 0, displacement.length());
@@ -69,8 +73,11 @@ export async function pickFromServer(
   return { hit: { entity, shape, point, normal, distance: fraction * REACH } };
 }
 
-/** Chooses between the two results. Rendering is tens of milliseconds behind the server: for a moving body, the server's
- * result may refer to another time than the user's aim, so the rendered result counts. */
+/**
+ * Chooses between the two results. Rendering is tens of milliseconds behind the server: for a moving
+ * body, the server's result may refer to another time than the user's aim, so the rendered result
+ * counts.
+ */
 export function choosePick(
   rendered: Pick | undefined,
   fromServer: { hit: Pick | undefined } | undefined,

@@ -1,4 +1,5 @@
-// Limits how often requested work runs: at most once per interval, never concurrently, and once more after the last request.
+// Limits how often requested work runs: at most once per interval, never concurrently, and once more
+// after the last request.
 
 export class Throttle {
   private due = false;

@@ -1,5 +1,6 @@
-// Pointer tools: drag, throw, spawn, explode, delete, drive. Each turns clicks into inputs, which the server evaluates. The
-// pressed body is looked up in the rendered scene, so that dragging starts immediately, and corrected by the server's response.
+// Pointer tools: drag, throw, spawn, explode, delete, drive. Each turns clicks into inputs, which the
+// server evaluates. The pressed body is looked up in the rendered scene, so that dragging starts
+// immediately, and corrected by the server's response.
 
 import * as THREE from 'three';
 import type { Camera } from '../camera/camera';

@@ -1,5 +1,5 @@
-// Renders the module "boat": the outboard motor, turned by the rudder, and foam behind the propeller. Layout: boats.h of
-// the module "fields".
+// Renders the module "boat": the outboard motor, turned by the rudder, and foam behind the propeller.
+// Layout: boats.h of the module "fields".
 
 import * as THREE from 'three';
 import type { ModuleRenderer, RenderContext } from './module_renderer';

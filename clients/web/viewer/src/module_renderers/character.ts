@@ -1,5 +1,5 @@
-// Renders the module "character": a visor, a backpack, and hands and feet that swing with the walked distance. Layout:
-// character.h.
+// Renders the module "character": a visor, a backpack, and hands and feet that swing with the walked
+// distance. Layout: character.h.
 
 import * as THREE from 'three';
 import type { ModuleRenderer, RenderContext } from './module_renderer';

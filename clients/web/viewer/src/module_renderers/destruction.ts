@@ -1,4 +1,5 @@
-// Renders the module "destruction": a stone color per piece, and the share of intact bonds. Layout: destruction.h.
+// Renders the module "destruction": a stone color per piece, and the share of intact bonds. Layout:
+// destruction.h.
 
 import * as THREE from 'three';
 import { isOfModule, type ModuleRenderer } from './module_renderer';

@@ -1,5 +1,6 @@
-// Renders the module "fields". Kind "fields.waves", sent at a low rate: water whose waves the client advances. Kind
-// "fields": explosion marks, and in the debug view wind arrows and rings around attractors. Layouts: fields.h.
+// Renders the module "fields". Kind "fields.waves", sent at a low rate: water whose waves the client
+// advances. Kind "fields": explosion marks, and in the debug view wind arrows and rings around
+// attractors. Layouts: fields.h.
 
 import * as THREE from 'three';
 import type { WaterSurface } from '../scene/water';

@@ -1,4 +1,5 @@
-// Decodes and renders the golden channels of every module. The expected values are those of tests/modules/golden.
+// Decodes and renders the golden channels of every module. The expected values are those of
+// tests/modules/golden.
 
 import { create } from '@bufbuild/protobuf';
 import { describe, expect, it } from 'vitest';

@@ -4,8 +4,8 @@ import { withValue } from '../testing/golden_modules';
 import { testRenderContext } from '../testing/test_render_context';
 import { hovercraft, readThrusters } from './hovercraft';
 
-// Handwritten: thrusters at the corners of 2 m by 2 m, 0.5 m below the origin. The first has a ray of 4 m and full thrust, the
-// last has neither.
+// Handwritten: thrusters at the corners of 2 m by 2 m, 0.5 m below the origin. The first has a ray of 4
+// m and full thrust, the last has neither.
 const HIGH = 49151; // 1 m, to a step
 const LOW = 16384; // -1 m
 const BELOW = 24575; // -0.5 m

@@ -1,4 +1,5 @@
-// Renders the module "hovercraft": a line from each thruster down to the end of its ray, colored by thrust. Layout: WIRE.md.
+// Renders the module "hovercraft": a line from each thruster down to the end of its ray, colored by
+// thrust. Layout: WIRE.md.
 
 import * as THREE from 'three';
 import type { ModuleRenderer, RenderContext, ChannelData } from './module_renderer';

@@ -1,5 +1,5 @@
-// Interface of module renderers. A renderer draws the channels of one kind once per rendered frame. Channel values are
-// untrusted: a renderer ignores values that it cannot decode, and never throws.
+// Interface of module renderers. A renderer draws the channels of one kind once per rendered frame.
+// Channel values are untrusted: a renderer ignores values that it cannot decode, and never throws.
 
 import type { BlastMarks } from '../scene/blast_marks';
 import type { Entity } from '@jostle/client/gen/play_pb';

@@ -1,5 +1,5 @@
-// Renders module channels, and reports which entities can be controlled and how. Kinds without a renderer are not
-// subscribed to.
+// Renders module channels, and reports which entities can be controlled and how. Kinds without a
+// renderer are not subscribed to.
 
 import type * as THREE from 'three';
 import { BlastMarks } from '../scene/blast_marks';
@@ -84,7 +84,10 @@ export class ModuleView {
     blasts.update(input.nowMs);
   }
 
-  /** Colors of bodies without an own color; undefined if they did not change. `changed`: the set of bodies changed. */
+  /**
+   * Colors of bodies without an own color; undefined if they did not change. `changed`: the set of
+   * bodies changed.
+   */
   bodyColors(rendered: RenderedChannels, changed: boolean, entities: ReadonlyMap<number, Entity>): Map<number, number> | undefined {
     const coloring = rendered.channels.filter(({ kind }) => this.rendererOf(rendered, kind)?.bodyColors);
     // Frames share channels that did not change.

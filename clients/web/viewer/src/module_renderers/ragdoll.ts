@@ -1,5 +1,5 @@
-// Renders the module "ragdoll": clothes, and faces for human figures. Layout: ragdoll.h. The ids of the bones are
-// consecutive, from that of the first bone.
+// Renders the module "ragdoll": clothes, and faces for human figures. Layout: ragdoll.h. The ids of the
+// bones are consecutive, from that of the first bone.
 
 import * as THREE from 'three';
 import type { Entity } from '@jostle/client/gen/play_pb';

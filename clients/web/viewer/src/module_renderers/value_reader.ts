@@ -1,4 +1,5 @@
-// Reads the values of a channel in order. Values are untrusted: reads past the end return 0 and set `failed`.
+// Reads the values of a channel in order. Values are untrusted: reads past the end return 0 and set
+// `failed`.
 
 const word = new DataView(new ArrayBuffer(4));
 

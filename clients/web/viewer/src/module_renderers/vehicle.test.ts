@@ -4,8 +4,8 @@ import { withValue } from '../testing/golden_modules';
 import { testRenderContext } from '../testing/test_render_context';
 import { readCar, vehicles } from './vehicle';
 
-// Handwritten: second gear; one wheel of 0.5 m radius and 0.25 m width, 1 m ahead of the origin of the chassis; it touches,
-// slides, has turned by a quarter and does not steer.
+// Handwritten: second gear; one wheel of 0.5 m radius and 0.25 m width, 1 m ahead of the origin of the
+// chassis; it touches, slides, has turned by a quarter and does not steer.
 const CAR = new Int32Array([2, 128, 64, 64, 0x7fff, 0x7fff, 0x6fff, 3, 0x4000, 0x7fff, 0x7fff]);
 const SPIN = 9; // index of the value
 const data = (values: Int32Array, seconds = 0) => ({ entity: 7, values, seconds });

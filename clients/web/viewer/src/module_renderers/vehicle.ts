@@ -1,4 +1,5 @@
-// Renders the module "vehicle": wheels, which are not bodies, reddened while the tire slides. Layout: vehicle.h.
+// Renders the module "vehicle": wheels, which are not bodies, reddened while the tire slides. Layout:
+// vehicle.h.
 
 import * as THREE from 'three';
 import type { ModuleRenderer, RenderContext } from './module_renderer';

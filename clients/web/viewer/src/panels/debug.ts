@@ -1,4 +1,5 @@
-// Toggles of the debug view. While a toggle needs solver data, the server is queried five times per second.
+// Toggles of the debug view. While a toggle needs solver data, the server is queried five times per
+// second.
 
 import { islandTints, type DebugView, type DebugOptions } from '../scene/debug_view';
 import type { DebugResponse } from '@jostle/client/gen/query_pb';

@@ -5,8 +5,8 @@ import type { ContactEvent, Events } from '@jostle/client/gen/play_pb';
 const NAMED_BODIES_MAX = 2; // if more bodies fell asleep or woke in one tick, only their number is shown
 
 /**
- * One line per event, the most important last. The server repeats ongoing contacts and trigger overlaps in every tick;
- * they are omitted.
+ * One line per event, the most important last. The server repeats ongoing contacts and trigger overlaps
+ * in every tick; they are omitted.
  */
 export function describeEvents(events: Events, name: (entity: number) => string): string[] {
   const lines: string[] = [];

@@ -1,5 +1,5 @@
-// Control line: which entities can be controlled, how to take control, the keys, and the status. Arrows mark
-// controllable entities while the tool is selected.
+// Control line: which entities can be controlled, how to take control, the keys, and the status. Arrows
+// mark controllable entities while the tool is selected.
 
 import * as THREE from 'three';
 import type { Entity } from '@jostle/client/gen/play_pb';

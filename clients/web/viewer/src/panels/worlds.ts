@@ -1,4 +1,5 @@
-// Lists the worlds: join, create from a scene or from an earlier tick of a world, delete. Uses the JSON API at /api/worlds.
+// Lists the worlds: join, create from a scene or from an earlier tick of a world, delete. Uses the JSON
+// API at /api/worlds.
 
 import { withToken } from '@jostle/client';
 import { counted } from './describe_events';

@@ -12,7 +12,10 @@ export function keyOf(content: object, make: () => string): string {
   return key;
 }
 
-/** Element count and a 64-bit hash. Equal content has equal keys; different content collides with probability 1e-19. */
+/**
+ * Element count and a 64-bit hash. Equal content has equal keys; different content collides with
+ * probability 1e-19.
+ */
 export function contentKey(kind: string, ...lists: Iterable<number>[]): string {
   let a = 0x811c9dc5;
   let b = 0x9e3779b9;

@@ -1,5 +1,5 @@
-// Solver state as an overlay: contacts, bounds, joints and the broad phase as lines, islands as tints. Rebuilt with each
-// response of the server; rendered frames in between show the same lines.
+// Solver state as an overlay: contacts, bounds, joints and the broad phase as lines, islands as tints.
+// Rebuilt with each response of the server; rendered frames in between show the same lines.
 
 import type { Vec3 } from '@jostle/client/gen/common_pb';
 import type { DebugBox, DebugContact, DebugIsland, DebugJoint, DebugResponse } from '@jostle/client/gen/query_pb';
@@ -48,7 +48,9 @@ export class DebugView {
     for (const { object } of this.buffers) scene.add(object);
   }
 
-  /** Draws the enabled layers of the response. Joint lines start at the rendered poses of their bodies. */
+  /**
+   * Draws the enabled layers of the response. Joint lines start at the rendered poses of their bodies.
+   */
   show(response: DebugResponse, options: DebugOptions, poseOf: (entity: number) => ArrayLike<number> | undefined): void {
     for (const buffer of this.buffers) buffer.begin();
     if (options.contacts) for (const contact of response.contacts) this.drawContact(contact);
@@ -117,7 +119,10 @@ function drawBox(to: VertexBuffer, { low: l = ZERO, high: h = ZERO }: DebugBox, 
 
 const GOLDEN = 0.618034; // golden ratio: consecutive ids get distant hues
 
-/** A color per body: that of its island, which is stable while the island contains its body with the lowest id. */
+/**
+ * A color per body: that of its island, which is stable while the island contains its body with the
+ * lowest id.
+ */
 export function islandTints(islands: readonly DebugIsland[]): Map<number, number> {
   const tints = new Map<number, number>();
   const color = new THREE.Color();

@@ -75,7 +75,8 @@ describe('height fields', () => {
     expect(fieldGeometry(field([]))!.getIndex()!.count / 3).toBe(12);
     expect(fieldGeometry(field([4]))!.getIndex()!.count / 3).toBe(10);
     const corners = [...fieldGeometry(field([4]))!.getIndex()!.array];
-    // Cell 4 is (column 1, row 1): its diagonal from sample 5 to sample 10 is in no triangle, that of cell 0 is in two.
+    // Cell 4 is (column 1, row 1): its diagonal from sample 5 to sample 10 is in no triangle, that of
+    // cell 0 is in two.
     const diagonals = (from: number, to: number) =>
       corners.filter((_, i) => i % 3 === 0 && [from, to].every((c) => corners.slice(i, i + 3).includes(c))).length;
     expect([diagonals(5, 10), diagonals(0, 5)]).toEqual([0, 2]);

@@ -1,5 +1,5 @@
-// Geometries of hulls, meshes and height fields, in m. Facets are flat; the attribute `edge` gives the shader the distance
-// of a pixel to the nearest crease.
+// Geometries of hulls, meshes and height fields, in m. Facets are flat; the attribute `edge` gives the
+// shader the distance of a pixel to the nearest crease.
 
 import * as THREE from 'three';
 import { ConvexGeometry } from 'three/examples/jsm/geometries/ConvexGeometry.js';
@@ -29,7 +29,9 @@ export function meshGeometry(mesh: Mesh): THREE.BufferGeometry | undefined {
   return facets(new Float32Array(corners), CREASE);
 }
 
-/** Two triangles per cell, with the diagonal from (column, row) to (column + 1, row + 1); none in holes. */
+/**
+ * Two triangles per cell, with the diagonal from (column, row) to (column + 1, row + 1); none in holes.
+ */
 export function fieldGeometry(field: HeightField): THREE.BufferGeometry | undefined {
   const { columns, rows, heights } = field;
   if (columns < 2 || rows < 2 || heights.length < columns * rows) return undefined;
@@ -78,12 +80,13 @@ function facets(corners: Float32Array, creaseCosine: number): THREE.BufferGeomet
   return geometry;
 }
 
-// Component k of a corner is its distance from the side opposite corner k of its triangle. It is 0 on that side, so linear
-// interpolation gives the exact distance.
+// Component k of a corner is its distance from the side opposite corner k of its triangle. It is 0 on
+// that side, so linear interpolation gives the exact distance.
 function edgeDistances(corners: Float32Array, normals: Float32Array, creaseCosine: number): Float32Array {
   const count = corners.length / 3;
   const vertices = weld(corners);
-  // Side k of a triangle runs from corner k + 1 to corner k + 2. The first two triangles of a side decide.
+  // Side k of a triangle runs from corner k + 1 to corner k + 2. The first two triangles of a side
+  // decide.
   const sides = new Map<number, number[]>();
   for (let corner = 0; corner < count; corner++) {
     const first = corner - (corner % 3);

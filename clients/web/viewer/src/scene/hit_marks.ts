@@ -1,4 +1,5 @@
-// Hit marks: flashes of 0.3 s, larger for harder hits. The number of marks is fixed; a new mark replaces the oldest.
+// Hit marks: flashes of 0.3 s, larger for harder hits. The number of marks is fixed; a new mark
+// replaces the oldest.
 
 import * as THREE from 'three';
 

@@ -1,4 +1,5 @@
-// Instances of one geometry. Slots are acquired and released, so that adding or removing a body updates only its own parts.
+// Instances of one geometry. Slots are acquired and released, so that adding or removing a body updates
+// only its own parts.
 
 import * as THREE from 'three';
 import type { Kind } from './shape_parts';
@@ -99,7 +100,10 @@ export class Instances {
     this.matricesChanged = this.colorsChanged = false;
   }
 
-  /** Releases GPU memory; the object must not be used afterwards. The material may be shared and is not disposed. */
+  /**
+   * Releases GPU memory; the object must not be used afterwards. The material may be shared and is not
+   * disposed.
+   */
   dispose(): void {
     this.scene.remove(this.mesh);
     this.mesh.geometry.dispose();

@@ -1,6 +1,7 @@
-// Materials of bodies. Marks that show the orientation of a body are computed by the shader from the position on the unit
-// geometry, so that instances of all sizes share one geometry: dark edges on boxes, a belt on spheres, a stripe on cylinders
-// and cones, lines on the ground. Hulls and meshes have the distances to their creases as an attribute.
+// Materials of bodies. Marks that show the orientation of a body are computed by the shader from the
+// position on the unit geometry, so that instances of all sizes share one geometry: dark edges on
+// boxes, a belt on spheres, a stripe on cylinders and cones, lines on the ground. Hulls and meshes have
+// the distances to their creases as an attribute.
 
 import * as THREE from 'three';
 import type { Kind } from './shape_parts';

@@ -1,6 +1,6 @@
-// Bodies as instanced meshes: one mesh per geometry, one instance per part of a body. Per rendered frame only the matrices of
-// moved bodies are written, without allocations. Equal hulls, meshes and height fields share a geometry, which is disposed
-// with the last of them; unit geometries stay.
+// Bodies as instanced meshes: one mesh per geometry, one instance per part of a body. Per rendered
+// frame only the matrices of moved bodies are written, without allocations. Equal hulls, meshes and
+// height fields share a geometry, which is disposed with the last of them; unit geometries stay.
 
 import * as THREE from 'three';
 import { BodyType } from '@jostle/client/gen/scene_pb';

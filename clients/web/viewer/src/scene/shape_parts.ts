@@ -1,5 +1,5 @@
-// Shapes as parts that can be rendered. Spheres, boxes and the like are scaled unit geometries; hulls, meshes and height
-// fields have geometries of their own.
+// Shapes as parts that can be rendered. Spheres, boxes and the like are scaled unit geometries; hulls,
+// meshes and height fields have geometries of their own.
 
 import * as THREE from 'three';
 import { contentKey, keyOf } from './content_key';

@@ -1,4 +1,5 @@
-// Solid objects that are not bodies, such as wheels and faces: rewritten with every rendered frame into reused instances.
+// Solid objects that are not bodies, such as wheels and faces: rewritten with every rendered frame into
+// reused instances.
 
 import * as THREE from 'three';
 import { Instances } from './instances';

@@ -1,4 +1,5 @@
-// Colored points or lines that are rewritten many times per second into the same buffers, which only grow.
+// Colored points or lines that are rewritten many times per second into the same buffers, which only
+// grow.
 
 import * as THREE from 'three';
 

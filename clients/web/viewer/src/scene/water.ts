@@ -1,5 +1,6 @@
-// Water with waves: a sheet around the target of the camera, displaced by the same sum of waves as on the server (waves.h of
-// the module "fields"). The shader evaluates it; a rendered frame only updates uniforms.
+// Water with waves: a sheet around the target of the camera, displaced by the same sum of waves as on
+// the server (waves.h of the module "fields"). The shader evaluates it; a rendered frame only updates
+// uniforms.
 
 import * as THREE from 'three';
 

@@ -8,6 +8,7 @@ A fence names its frame after the language:
     ```cpp modules       inside a function, after the headers of the modules as well
     ```cpp client        inside a function, after the headers of the client library
     ```cpp program       a whole file
+A fence that includes a file (--8<-- "examples/a.cpp") is not compiled here; CMake builds the file.
 BUILD is the build folder, which has the generated messages that the client frame and some programs include. Without it, or before it
 is built, these fences are skipped with a message. Longer programs belong into examples/, which CMake builds.
 """
@@ -18,7 +19,9 @@ import subprocess
 import sys
 import tempfile
 
-FLAGS = ["-std=c++20", "-fsyntax-only", "-Wall", "-Wextra", "-Werror", "-Wno-unused-variable", "-Wno-unused-but-set-variable"]
+FLAGS = ["-std=c++20", "-fsyntax-only", "-Wall", "-Wextra", "-Werror", "-Wno-unused-variable", "-Wno-unused-but-set-variable",
+         "-Wno-missing-field-initializers"]
+INCLUDED = re.compile(r'\s*--8<-- "([^"]+)"\s*')
 FENCE = re.compile(r"^( *)```cpp(?: +([a-z]+))? *\n(.*?)^ *```", re.M | re.S)
 STANDARD = "#include <chrono>\n#include <cmath>\n#include <cstdio>\n#include <memory>\n#include <thread>\n"
 PHYSICS = STANDARD + "#include <jostle/physics/physics.h>\n"
@@ -46,6 +49,8 @@ def fences(root):
         text = path.read_text(encoding="utf-8")
         for match in FENCE.finditer(text):
             indent, frame, code = match.groups()
+            if INCLUDED.fullmatch(code):
+                continue
             yield (path.relative_to(root).as_posix(), text.count("\n", 0, match.start()) + 2, frame or "",
                    re.sub(f"^{indent}", "", code, flags=re.M))
 

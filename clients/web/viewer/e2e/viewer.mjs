@@ -1,6 +1,7 @@
 // Tests the viewer in headless Chromium against a real server: joining, dragging, throwing, shapes of
 // every kind, module renderers, picking by the server, the debug view, events, prediction over a slow
-// network, recordings, resuming after a server failure, and controlling a car, a character and a boat.
+// network, recordings, resuming after a server failure, and controlling a car, a character and a boat;
+// and the example of the SDK.
 // Usage: node viewer/e2e/viewer.mjs SERVER_BINARY [--screenshot FILE]
 // FILE shows the sandbox, FILE-shapes the debug view of a world of shapes. The exit status is 1 if a
 // test fails.
@@ -15,6 +16,7 @@ import { testControl } from './control.mjs';
 import { testPrediction } from './prediction.mjs';
 import { testRecording } from './recording.mjs';
 import { testResume } from './resume.mjs';
+import { testSdkExample } from './sdk_example.mjs';
 import { shapesScene } from './shapes_scene.mjs';
 
 const CHROMIUM_FLAGS = [
@@ -214,6 +216,7 @@ try {
     await page.keyboard.press('e');
   }
 
+  await testSdkExample({ url: `http://127.0.0.1:${ports.http}`, expect });
   await testPrediction({ page, url: `http://127.0.0.1:${ports.http}`, until, expect });
   await testRecording({ page, url: `http://127.0.0.1:${ports.http}`, until, expect, takeScreenshot: screenshot && takeScreenshot });
 

@@ -12,7 +12,7 @@ TEST(Script, example_script_has_all_five_active_behaviours) {
 }
 
 TEST(Script, assigns_bots_to_lines_by_weight) {
-    const Script script = *parse_script("push weight=3\nwatch # rests\n", "s");
+    const Script script = *parse_script("push weight=3\nidle # rests\n", "s");
     int pushing = 0;
     for (int i = 0; i < 1000; i++) pushing += line_for(script, i).behaviour == "push" ? 1 : 0;
     EXPECT_NEAR(pushing, 750, 5);

@@ -60,7 +60,7 @@ inline RecordedWorld record_world(int ticks, int ticks_between_keyframes) {
                           writer.add(bytes, to_us(when) - to_us(began)).expect();
                       }});
     bots::Behaviour thrower(
-        bots::parse_script("throw weight=1 period=0.2 speed=5 keep=3", "script").value().front(),
+        bots::parse_script("throw weight=1 period=0.2 speed=5 max_bodies=3", "script").value().front(),
         7);
     protocol.begin(now);
     for (int tick = 1; tick <= ticks; tick++) {

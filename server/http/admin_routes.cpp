@@ -17,12 +17,12 @@ namespace {
 
 constexpr std::string_view profile_path = "/debug/profile";
 constexpr std::string_view index =
-    "The operators' port of jostle-server:\n"
-    "  /metrics                              for Prometheus\n"
-    "  /healthz, /readyz                     200 or 503\n"
-    "  /debug/profile?world=NAME&seconds=N   a trace of the world's ticks, for ui.perfetto.dev\n";
+    "Admin port of jostle-server:\n"
+    "  /metrics                              metrics for Prometheus\n"
+    "  /healthz, /readyz                     health: 200 or 503\n"
+    "  /debug/profile?world=NAME&seconds=N   tick profile for ui.perfetto.dev\n";
 
-// "5" or "2.5"; nothing else.
+// Parses "5" or "2.5"; rejects any other text.
 std::optional<double> number_of(const std::string& text) {
     double number = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -30,7 +30,7 @@ std::optional<double> number_of(const std::string& text) {
     return number;
 }
 
-// What a browser or curl -OJ calls the file: the world's name may hold anything.
+// File name for browsers and curl -OJ; a world name may contain any character.
 std::string file_name_of(const std::string& world) {
     std::string name;
     for (const char c : world) {
@@ -49,7 +49,7 @@ HttpWork AdminRoutes::work_of(const HttpRequest& request) const {
 
 HttpResponse AdminRoutes::handle(const HttpRequest& request) const {
     if (request.method != "GET" && request.method != "HEAD") {
-        HttpResponse refused = plain_text(405, "This port takes GET.\n");
+        HttpResponse refused = plain_text(405, "This port supports GET only.\n");
         refused.headers.emplace_back("Allow", "GET, HEAD");
         return refused;
     }
@@ -62,21 +62,23 @@ HttpResponse AdminRoutes::handle(const HttpRequest& request) const {
             return plain_text(403, *refusal + "\n");
         return profile(request);
     }
-    return plain_text(404, "There is no such path; / lists those there are.\n");
+    return plain_text(404, "There is no such path; / lists the paths.\n");
 }
 
-// Prometheus and probes come by whatever name they like, and read what names nobody.
+// Not checked for metrics and health: Prometheus and probes may use any host name, and these paths
+// identify no client.
 std::optional<std::string> AdminRoutes::cross_origin_refusal(const HttpRequest& request) const {
-    if (!request.origin.empty()) return "No page of a browser may use the operators' port.";
+    if (!request.origin.empty()) return "Browser pages may not use the admin port.";
     if (!host_is_allowed(request.host, settings_.allowed_hosts))
-        return "This server does not go by that name; the setting allowed_hosts holds its names.";
+        return "The Host header does not name this server; the setting allowed_hosts lists its "
+               "names.";
     return std::nullopt;
 }
 
-// As an admin, by the access table.
+// Requires the admin role, according to the access table.
 Status AdminRoutes::authorize(const HttpRequest& request, const std::string& world) const {
     const AccessRow* const row = find_route(request.method, path_of(request.target));
-    if (!row) return Error{ErrorCode::not_found, "There is no such path."};
+    if (!row) return Error{ErrorCode::not_found, "there is no such path"};
     const Result<std::string_view> bearer = parse_bearer(request.authorization);
     if (!bearer.ok()) return bearer.error();
     Authorizer& authorizer = control_.authorizer();
@@ -92,8 +94,8 @@ HttpResponse AdminRoutes::health(std::string_view path) const {
     if (const auto failure_reason = settings_.failure_reason())
         return plain_text(503, *failure_reason + "\n");
     if (path == "/healthz") return plain_text(200, "ok\n");
-    const auto why_not = settings_.not_ready_reason();
-    return why_not ? plain_text(503, *why_not + "\n") : plain_text(200, "ready\n");
+    const auto not_ready = settings_.not_ready_reason();
+    return not_ready ? plain_text(503, *not_ready + "\n") : plain_text(200, "ready\n");
 }
 
 HttpResponse AdminRoutes::metrics() const {
@@ -106,11 +108,12 @@ HttpResponse AdminRoutes::metrics() const {
 
 HttpResponse AdminRoutes::profile(const HttpRequest& request) const {
     const auto world = query_field(request.target, "world");
-    const auto given = query_field(request.target, "seconds");
-    const auto seconds = given ? number_of(*given) : std::nullopt;
+    const auto duration = query_field(request.target, "seconds");
+    const auto seconds = duration ? number_of(*duration) : std::nullopt;
     if (!world || !seconds)
-        return to_http(Error{ErrorCode::invalid_argument,
-                             "Say which world and how long: /debug/profile?world=NAME&seconds=5"});
+        return to_http(
+            Error{ErrorCode::invalid_argument,
+                  "world and seconds are required: /debug/profile?world=NAME&seconds=5"});
     if (Status s = authorize(request, *world); !s.ok()) return to_http(s.error());
     v1::ProfileRequest message;
     message.set_world(*world);

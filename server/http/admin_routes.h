@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What the operators' port answers: metrics, health, and profiles. Knows nothing of sockets. Any
-// thread may call answer(); a profile holds it up for as long as it was asked to last, so the port
-// calls that on its worker.
+// The paths of the admin port: metrics, health and profiles. Independent of sockets. Any thread may
+// call handle(); a profile blocks for its duration, so the port runs it on a worker thread.
 #pragma once
 
 #include <functional>
@@ -18,17 +17,17 @@
 namespace jostle::server {
 
 struct AdminRouteSettings {
-    std::vector<std::string> allowed_hosts;  // names of this server, for what is more than to read
-    std::function<std::optional<std::string>()> not_ready_reason;  // nothing: it is
-    // What is wrong with the server; nothing: it is well.
+    std::vector<std::string> allowed_hosts;  // host names of this server, checked for profiles
+    std::function<std::optional<std::string>()> not_ready_reason;  // empty: ready
+    // The fault of the server; empty: healthy.
     std::function<std::optional<std::string>()> failure_reason;
-    // Before metrics are read: brings what is counted elsewhere up to date. May be empty.
+    // Called before metrics are read, to update values counted elsewhere. May be empty.
     std::function<void()> refresh;
 };
 
 class AdminRoutes final : public HttpHandler {
 public:
-    // Both outlive the routes.
+    // Both must outlive the routes.
     AdminRoutes(AdminControl& control, Metrics& metrics, AdminRouteSettings settings)
         : control_(control), metrics_(metrics), settings_(std::move(settings)) {}
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// How a peer's bytes become requests and messages: Beast's readers within the bounds of
-// HttpServerSettings. The sessions read from sockets with it, fuzzing reads from memory.
+// Converts received bytes to requests and messages: Beast's parsers with the limits of
+// HttpServerSettings. Sessions use it on sockets, fuzzers on memory.
 #pragma once
 
 #include <boost/beast/http/parser.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// An HTTP request and its answer as plain data, so that what the gateway says can be tested without
-// a socket and only http_server knows the library that frames them.
+// An HTTP request and its response as plain data, so that routes can be tested without sockets, and
+// only http_server depends on the HTTP library.
 #pragma once
 
 #include <string>
@@ -15,12 +15,12 @@ struct HttpRequest {
     std::string method;  // "GET", "POST", ...
     std::string target;  // as sent: path and query, not decoded
     std::string host;    // the Host header
-    std::string origin;  // the Origin header; empty when the client is no browser page
+    std::string origin;  // the Origin header; empty if the request is not from a browser page
     std::string content_type;
     std::string if_none_match;
     std::string authorization;
-    std::string address;      // of who asks, without the port
-    std::string certificate;  // subject of a client certificate that TLS has verified; empty: none
+    std::string address;      // of the client, without the port
+    std::string certificate;  // subject of a client certificate verified by TLS; empty: none
     std::string body;
 };
 
@@ -31,12 +31,12 @@ struct HttpResponse {
     std::string body;
 };
 
-// Nobody keeps it.
+// A text response that must not be cached.
 inline HttpResponse plain_text(int status, std::string body) {
     return {.status = status, .headers = {{"Cache-Control", "no-store"}}, .body = std::move(body)};
 }
 
-// What stands before the '?' of a target.
+// The part of a target before the '?'.
 inline std::string_view path_of(std::string_view target) {
     return target.substr(0, target.find_first_of("?#"));
 }

@@ -30,47 +30,48 @@ HttpResponse json(int status, std::string body) {
 
 HttpResponse json(int status, const google::protobuf::Message& message) {
     google::protobuf::util::JsonPrintOptions options;
-    options.always_print_primitive_fields = true;  // a reader in a browser sees zeros, not holes
+    // a reader in a browser sees zeros instead of missing fields
+    options.always_print_primitive_fields = true;
     std::string body;
     const auto written = google::protobuf::util::MessageToJsonString(message, &body, options);
     if (!written.ok()) {
-        return to_http(Error{ErrorCode::internal, "The answer could not be written as JSON."});
+        return to_http(Error{ErrorCode::internal, "cannot encode the response as JSON"});
     }
     return json(status, std::move(body));
 }
 
 HttpResponse method_not_allowed(std::string allowed) {
-    HttpResponse response = plain_text(405, "This path takes " + allowed + ".\n");
+    HttpResponse response = plain_text(405, "This path supports " + allowed + ".\n");
     response.headers.emplace_back("Allow", std::move(allowed));
     return response;
 }
 
-// "http://host:port" to "host:port".
+// Converts "http://host:port" to "host:port".
 std::string_view host_of_origin(std::string_view origin) {
     const std::size_t at = origin.find("://");
     return at == std::string_view::npos ? std::string_view{} : origin.substr(at + 3);
 }
 
-// The body of a request that changes or asks something; an answer when it is none.
+// Decodes the JSON body of a request; returns an error response if it is invalid.
 std::optional<HttpResponse> read_json(google::protobuf::Message& message,
                                       const HttpRequest& request) {
-    // Forms can send text from any page without asking the server first; JSON they cannot.
+    // HTML forms can send text from any page without a preflight request, but not JSON.
     if (!request.content_type.starts_with("application/json")) {
         return plain_text(415, "Send the body as JSON, with Content-Type: application/json.\n");
     }
     const auto read = google::protobuf::util::JsonStringToMessage(request.body, &message);
     if (read.ok()) return std::nullopt;
     return to_http(Error{ErrorCode::invalid_argument,
-                         "The body is not a " + message.GetDescriptor()->full_name() +
+                         "the body is not a " + message.GetDescriptor()->full_name() +
                              " as JSON: " + std::string(read.message())});
 }
 
-// Reads a question, has it let in, asks it, writes the answer.
+// Decodes a query, authorizes it, evaluates it and encodes the response.
 template <class Request, class Response>
-HttpResponse ask(const HttpRequest& request, const QueryControl& queries,
-                 const std::function<Status(const std::string&)>& authorize_world,
-                 Status (QueryControl::*method)(const Request&, Response&, const CancellationCheck&)
-                     const) {
+HttpResponse evaluate(const HttpRequest& request, const QueryControl& queries,
+                      const std::function<Status(const std::string&)>& authorize_world,
+                      Status (QueryControl::*method)(const Request&, Response&,
+                                                     const CancellationCheck&) const) {
     Request message;
     if (const auto refused = read_json(message, request)) return *refused;
     if (Status s = authorize_world(message.world()); !s.ok()) return to_http(s.error());
@@ -86,7 +87,7 @@ HttpResponse to_http(const Error& error) {
     const nlohmann::json body = {{"code", code.name}, {"message", error.message}};
     HttpResponse response = json(
         code.status, body.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
-    // In whole seconds, rounded up.
+    // Whole seconds, rounded up.
     const int seconds = error.retry_after_ms > 0 ? (error.retry_after_ms + 999) / 1000 : 5;
     if (code.status == 503 || code.status == 429)
         response.headers.emplace_back("Retry-After", std::to_string(seconds));
@@ -125,8 +126,9 @@ bool HttpRoutes::origin_is_allowed(const HttpRequest& request) const {
 
 std::optional<std::string> HttpRoutes::cross_origin_refusal(const HttpRequest& request) const {
     if (!host_is_allowed(request.host, settings_.allowed_hosts))
-        return "This server does not go by that name; the setting allowed_hosts holds its names.";
-    if (!origin_is_allowed(request)) return "A page from another origin may not use this server.";
+        return "The Host header does not name this server; the setting allowed_hosts lists its "
+               "names.";
+    if (!origin_is_allowed(request)) return "Pages from another origin may not use this server.";
     return std::nullopt;
 }
 
@@ -134,19 +136,19 @@ HttpResponse HttpRoutes::handle_health(std::string_view path) const {
     if (const auto failure_reason = settings_.failure_reason())
         return plain_text(503, *failure_reason + "\n");
     if (path == "/healthz") return plain_text(200, "ok\n");
-    const auto why_not = settings_.not_ready_reason();
-    return why_not ? plain_text(503, *why_not + "\n") : plain_text(200, "ready\n");
+    const auto not_ready = settings_.not_ready_reason();
+    return not_ready ? plain_text(503, *not_ready + "\n") : plain_text(200, "ready\n");
 }
 
 HttpResponse HttpRoutes::handle(const HttpRequest& request) const {
     const std::string_view path = path_of(request.target);
-    // Probes come by whatever name they like.
+    // Probes may use any host name.
     if (path == "/healthz" || path == "/readyz") return handle_health(path);
     if (!host_is_allowed(request.host, settings_.allowed_hosts))
         return plain_text(403, *cross_origin_refusal(request) + "\n");
     if (path == "/api" || path.starts_with("/api/")) return handle_api(request, path);
     if (path == "/play") {
-        HttpResponse response = plain_text(426, "This path takes WebSocket clients.\n");
+        HttpResponse response = plain_text(426, "This path supports WebSocket clients only.\n");
         response.headers.emplace_back("Upgrade", "websocket");
         return response;
     }
@@ -158,8 +160,8 @@ Result<HttpRoutes::RequestContext> HttpRoutes::authorize(const HttpRequest& requ
     const AccessRow* row = find_route(request.method, path);
     if (row == nullptr)
         return Error{ErrorCode::not_found,
-                     "There is no such path; /api/worlds, /api/worlds/{id} and /api/query/{method} "
-                     "are what there is."};
+                     "there is no such path; use /api/worlds, /api/worlds/{id} or "
+                     "/api/query/{method}"};
     const Result<std::string_view> bearer = parse_bearer(request.authorization);
     if (!bearer.ok()) return bearer.error();
     Result<Identity> who = worlds_.authorizer().identify(
@@ -173,23 +175,23 @@ Result<HttpRoutes::RequestContext> HttpRoutes::authorize(const HttpRequest& requ
     return context;
 }
 
-// What a request is about is known only when it was read.
+// The world of a query is known only after its body was read.
 Status HttpRoutes::authorize_world(const RequestContext& context, const std::string& world) const {
     const std::shared_ptr<WorldHost> host = worlds_.find(world);
-    const WorldTarget asked = host ? world_target(*host) : WorldTarget{};
-    return worlds_.authorizer().admit(context.who, {context.row->call, asked, context.address});
+    const WorldTarget target = host ? world_target(*host) : WorldTarget{};
+    return worlds_.authorizer().admit(context.who, {context.row->call, target, context.address});
 }
 
 HttpResponse HttpRoutes::handle_api(const HttpRequest& request, std::string_view path) const {
     const bool changes = request.method != "GET" && request.method != "HEAD";
     if (changes && !origin_is_allowed(request))
-        return plain_text(403, "A page from another origin may not use this server.\n");
+        return plain_text(403, "Pages from another origin may not use this server.\n");
     const bool is_query = path.starts_with(query_path);
     const bool is_list = path == worlds_path;
     std::string world;
     if (path.starts_with("/api/worlds/")) {
         const std::optional<std::string> relative = relative_path_of(path);
-        if (!relative) return to_http(Error{ErrorCode::invalid_argument, "The path is malformed."});
+        if (!relative) return to_http(Error{ErrorCode::invalid_argument, "the path is malformed"});
         world = relative->substr(worlds_path.size());  // without the first '/'
     }
     const bool is_world = !world.empty() && world.find('/') == std::string::npos;
@@ -224,25 +226,33 @@ HttpResponse HttpRoutes::create_world(const HttpRequest& request,
     if (const auto refused = read_json(message, request)) return *refused;
     v1::CreateWorldResponse response;
     const Status status = worlds_.create(message, response, context.who, context.address);
-    const v1::WorldInfo& made = response.world();
+    const v1::WorldInfo& created = response.world();
     worlds_.authorizer().record(
-        context.who, {context.row->call, {made.id(), made.name(), made.owner()}, context.address},
+        context.who,
+        {context.row->call, {created.id(), created.name(), created.owner()}, context.address},
         status);
     return status.ok() ? json(201, response) : to_http(status.error());
 }
 
 HttpResponse HttpRoutes::query(const HttpRequest& request, std::string_view method,
                                const RequestContext& context) const {
-    const auto let = [&](const std::string& world) { return authorize_world(context, world); };
-    if (method == "CastRays") return ask(request, queries_, let, &QueryControl::cast_rays);
-    if (method == "CastShapes") return ask(request, queries_, let, &QueryControl::cast_shapes);
-    if (method == "Overlap") return ask(request, queries_, let, &QueryControl::overlap);
+    const auto authorize_target = [&](const std::string& world) {
+        return authorize_world(context, world);
+    };
+    if (method == "CastRays")
+        return evaluate(request, queries_, authorize_target, &QueryControl::cast_rays);
+    if (method == "CastShapes")
+        return evaluate(request, queries_, authorize_target, &QueryControl::cast_shapes);
+    if (method == "Overlap")
+        return evaluate(request, queries_, authorize_target, &QueryControl::overlap);
     if (method == "ClosestPoints")
-        return ask(request, queries_, let, &QueryControl::closest_points);
-    if (method == "Debug") return ask(request, queries_, let, &QueryControl::debug);
-    return to_http(Error{ErrorCode::not_found,
-                         "There is no such query; CastRays, CastShapes, Overlap, ClosestPoints and "
-                         "Debug are what there is."});
+        return evaluate(request, queries_, authorize_target, &QueryControl::closest_points);
+    if (method == "Debug")
+        return evaluate(request, queries_, authorize_target, &QueryControl::debug);
+    return to_http(
+        Error{ErrorCode::not_found,
+              "there is no such query; use CastRays, CastShapes, Overlap, ClosestPoints or "
+              "Debug"});
 }
 
 HttpResponse HttpRoutes::delete_world(const std::string& world,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What each HTTP path answers: health, worlds and queries as JSON, the viewer's files. Knows
-// nothing of sockets. Any thread may call answer(), which may take as long as building a world.
+// The paths of the viewer port: health, worlds and queries as JSON, and the viewer's files.
+// Independent of sockets. Any thread may call handle(), which may block while a world is built.
 #pragma once
 
 #include <filesystem>
@@ -21,18 +21,18 @@ namespace jostle::server {
 
 struct RouteSettings {
     std::filesystem::path web_root;
-    // Pages of these origins ("https://play.example.org") may use the server besides its own.
+    // Origins ("https://play.example.org") whose pages may use the server, in addition to its own.
     std::vector<std::string> allowed_origins;
-    // Own names besides IP addresses and localhost (identity/allowed_hosts.h).
+    // Own host names in addition to IP addresses and localhost (auth/allowed_hosts.h).
     std::vector<std::string> allowed_hosts = {"*"};
-    std::function<std::optional<std::string>()> not_ready_reason;  // nothing: it is
-    // What is wrong with the server; nothing: it is well.
+    std::function<std::optional<std::string>()> not_ready_reason;  // empty: ready
+    // The fault of the server; empty: healthy.
     std::function<std::optional<std::string>()> failure_reason;
 };
 
 class HttpRoutes final : public HttpHandler {
 public:
-    // Both outlive the routes.
+    // Both must outlive the routes.
     HttpRoutes(WorldControl& worlds, const QueryControl& queries, RouteSettings settings);
 
     HttpResponse handle(const HttpRequest& request) const override;
@@ -40,13 +40,13 @@ public:
     bool accepts_large_body(const HttpRequest& request) const override;
     bool accepts_players(const HttpRequest& request) const override;
 
-    // Against pages that use their visitor's browser to reach a server that only the visitor can
-    // reach: they come from another origin, or made their own name point here. Why this request is
-    // refused; nothing: it is no such page.
+    // Rejects pages that use their visitor's browser to reach a server that only the visitor can
+    // reach: pages from another origin, and pages whose host name resolves to this server (DNS
+    // rebinding). Returns the reason; empty: allowed.
     std::optional<std::string> cross_origin_refusal(const HttpRequest& request) const override;
 
 private:
-    // Who asks, for which row of the access table.
+    // The caller, and the row of the access table that the request matches.
     struct RequestContext {
         Identity who;
         const AccessRow* row = nullptr;
@@ -71,7 +71,7 @@ private:
     WebFiles files_;
 };
 
-// {"code": "NOT_FOUND", "message": "..."} with the HTTP status that fits.
+// {"code": "NOT_FOUND", "message": "..."} with the corresponding HTTP status.
 HttpResponse to_http(const Error& error);
 
 }  // namespace jostle::server

@@ -26,13 +26,13 @@ using asio::ip::tcp;
 
 namespace {
 
-// Timeouts and statistics need no better; frames wake the thread by themselves.
+// Sufficient for timeouts and statistics; frames wake the thread directly.
 constexpr auto housekeeping_period = std::chrono::milliseconds(50);
 constexpr auto idle_period = std::chrono::milliseconds(250);  // without WebSockets
-// When no file descriptor is left, trying again at once would only spin.
+// If no file descriptor is available, an immediate retry would only spin.
 constexpr auto accept_pause = std::chrono::milliseconds(100);
 
-// Who asks stands back behind who plays.
+// Queries and changes run at a lower priority than play sessions.
 constexpr int query_niceness = 10, mutation_niceness = 5;
 
 template <class Session>
@@ -71,20 +71,20 @@ struct HttpServer::Impl {
     PlayContext& context;
     const HttpServerSettings settings;
     asio::io_context io{1};
-    double body_bytes = 0;  // of requests that are being received or answered
+    double body_bytes = 0;  // of requests that are being received or handled
     WorkPool query_pool{settings.query_threads, settings.work_queue_max, query_niceness},
         mutation_pool{1, settings.work_queue_max, mutation_niceness};
     tcp::acceptor acceptor{io};
     asio::steady_timer housekeeping{io}, accept_again{io};
-    bool ending = false;  // the thread's own
+    bool stopping = false;  // used by the thread only
     TlsContexts tls{settings.certificates, {.require_certificates = settings.require_certificates}};
     const HttpSession::Services services;
-    // The sessions keep themselves alive; these only know them.
+    // The sessions own themselves; these lists only refer to them.
     std::vector<std::weak_ptr<HttpSession>> http_sessions;
     std::vector<std::weak_ptr<WebSocketSession>> play_sessions;
-    std::size_t first = 0;           // whose write starts first this time
-    std::atomic<bool> awake{false};  // a wake-up is on its way
-    std::uint16_t real_port = 0;
+    std::size_t first = 0;           // the session that starts the next round
+    std::atomic<bool> awake{false};  // a wake-up is pending
+    std::uint16_t bound_port = 0;
     std::thread thread;
 };
 
@@ -103,13 +103,12 @@ Status HttpServer::Impl::listen() {
     if (error) return failure("resolve", error);
     const tcp::endpoint endpoint = found.begin()->endpoint();
     acceptor.open(endpoint.protocol(), error);
-    // Only means that a port whose last connections linger may be used again; a port in use is
-    // still refused.
+    // Allows reuse of a port with lingering connections; binding a port in use still fails.
     if (!error) acceptor.set_option(asio::socket_base::reuse_address(true), error);
     if (!error) acceptor.bind(endpoint, error);
     if (!error) acceptor.listen(asio::socket_base::max_listen_connections, error);
     if (error) return failure("listen on", error);
-    real_port = acceptor.local_endpoint().port();
+    bound_port = acceptor.local_endpoint().port();
     return {};
 }
 
@@ -120,12 +119,12 @@ void HttpServer::Impl::accept() {
 }
 
 void HttpServer::Impl::on_accept(beast::error_code error, tcp::socket socket) {
-    if (ending || error == asio::error::operation_aborted) return;
+    if (stopping || error == asio::error::operation_aborted) return;
     if (error) {
-        log_warn("http: cannot take a connection: {}", error.message());
+        log_warn("http: cannot accept a connection: {}", error.message());
         accept_again.expires_after(accept_pause);
         accept_again.async_wait([this](beast::error_code stopped) {
-            if (!stopped && !ending) accept();
+            if (!stopped && !stopping) accept();
         });
         return;
     }
@@ -139,8 +138,8 @@ void HttpServer::Impl::on_accept(beast::error_code error, tcp::socket socket) {
     accept();
 }
 
-// False: the socket is to be closed at once, which is the cheapest answer there is. Of HTTP
-// connections the one that has been silent for longest goes first; players are never sent away.
+// Returns false if the socket must be closed at once, the cheapest refusal. Of the HTTP connections
+// the one that was idle longest is closed first; play sessions are never closed.
 bool HttpServer::Impl::make_room(const tcp::socket& socket) {
     const std::size_t players = remove_closed(play_sessions), others = remove_closed(http_sessions);
     beast::error_code error;
@@ -182,12 +181,12 @@ void HttpServer::Impl::begin_play(SocketStream stream, const WebSocketSession::R
     const auto session =
         std::make_shared<WebSocketSession>(context, std::move(stream), settings.message_bytes_max);
     play_sessions.push_back(session);
-    if (play_sessions.size() == 1) schedule_housekeeping();  // sooner than an idle one
+    if (play_sessions.size() == 1) schedule_housekeeping();  // replaces the longer idle period
     session->start(request);
 }
 
 void HttpServer::Impl::schedule_housekeeping() {
-    if (ending) return;
+    if (stopping) return;
     housekeeping.expires_after(play_sessions.empty() ? idle_period : housekeeping_period);
     housekeeping.async_wait([this](beast::error_code stopped) {
         if (stopped) return;
@@ -197,14 +196,14 @@ void HttpServer::Impl::schedule_housekeeping() {
     });
 }
 
-// Each round begins with the next client, so that not always the same one is written to last.
+// Each round starts with the next client, so that no client is always written to last.
 void HttpServer::Impl::advance_all() {
     const Clock::time_point now = Clock::now();
     const std::size_t count = remove_closed(play_sessions);
     if (count == 0) return;
     first = (first + 1) % count;
     for (std::size_t i = 0; i < count; ++i) {
-        // advance() starts operations only, so no session can end or begin while we walk.
+        // advance() only starts operations, so no session starts or ends during the loop.
         if (const auto session = play_sessions[(first + i) % count].lock()) session->advance(now);
     }
 }
@@ -215,15 +214,15 @@ void HttpServer::Impl::count_open() {
     settings.metrics->open.Set(static_cast<double>(open));
 }
 
-// Who came or who had to go for it.
+// Counts a connection that was refused or closed for this reason.
 void HttpServer::Impl::count_refused(ConnectionRefusal why) {
     if (settings.metrics) settings.metrics->refused(why).Increment();
 }
 
 void HttpServer::Impl::abort_all() {
-    // Cancelling does not reach a timer whose handler is queued already: those look at this before
-    // they start anew.
-    ending = true;
+    // Cancelling does not affect a timer whose handler is already queued; handlers check this flag
+    // before they restart the timer.
+    stopping = true;
     beast::error_code ignored;
     acceptor.close(ignored);
     housekeeping.cancel();
@@ -236,7 +235,7 @@ void HttpServer::Impl::abort_all() {
     }
 }
 
-// Memory may run out while a request or a message is read: its session ends and no other does.
+// If memory runs out while a request or a message is read, only its session ends.
 void HttpServer::Impl::run() {
     for (;;) {
         try {
@@ -264,19 +263,20 @@ Status HttpServer::start() {
 }
 
 std::uint16_t HttpServer::port() const {
-    return impl_->real_port;
+    return impl_->bound_port;
 }
 
 void HttpServer::wake() {
     if (impl_->awake.exchange(true)) return;
     asio::post(impl_->io, [impl = impl_.get()] {
-        impl->awake = false;  // before looking: a frame that comes meanwhile wakes again
+        // before processing: a frame that arrives meanwhile wakes the thread again
+        impl->awake = false;
         impl->advance_all();
     });
 }
 
-// Sockets are closed on their own thread; the operations they had in flight end with an error and
-// let go of the sessions, so the io_context runs out of work and its thread ends.
+// Sockets are closed on their own thread. Their pending operations end with an error and release
+// the sessions, so that the io_context runs out of work and its thread ends.
 void HttpServer::stop() {
     if (!impl_->thread.joinable()) return;
     impl_->query_pool.stop();

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// One port for browsers: the viewer's files, the worlds as JSON, health, and at /play the same
-// conversation as gRPC's over a WebSocket. Has a thread of its own for the sockets and
-// two for requests that take long. Everything here is bounded: connections, header, body and
-// message sizes, and how long a peer may be silent.
+// An HTTP port for browsers: the viewer's files, the worlds as JSON, health, and play sessions over
+// WebSocket at /play. Has its own thread for the sockets and worker threads for slow requests. All
+// resources are bounded: connections, header, body and message sizes, and idle times.
 #pragma once
 
 #include <cstdint>
@@ -18,17 +17,17 @@ namespace jostle::server {
 
 class HttpServer {
 public:
-    // Both outlive the gateway.
+    // Both must outlive the server.
     HttpServer(PlayContext& context, const HttpHandler& routes, HttpServerSettings settings);
     ~HttpServer();
 
-    // Binds and begins to serve. An error says which address and why.
+    // Binds and starts serving. An error names the address and the reason.
     Status start();
-    std::uint16_t port() const;  // the real one, after start()
+    std::uint16_t port() const;  // the bound port, after start()
 
-    // Any thread: a world has a new frame, or the context began to drain.
+    // Any thread: a world has a new frame, or the context has started to drain.
     void wake();
-    // Ends every connection and both threads.
+    // Closes all connections and ends the threads.
     void stop();
 
 private:

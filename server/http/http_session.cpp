@@ -20,9 +20,9 @@ namespace asio = boost::asio;
 
 namespace {
 
-// Scripts come from this server alone; a page may also talk to other servers' /play, because the
-// viewer can be pointed at them. Its predictor is WebAssembly. Nobody may put the viewer into a
-// frame.
+// Only scripts of this server are allowed. A page may also connect to /play of other servers,
+// because the viewer can be pointed at them. The predictor is WebAssembly. The viewer must not be
+// embedded in a frame.
 constexpr std::string_view content_security_policy =
     "default-src 'self'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self' 'unsafe-inline'; "
     "img-src 'self' data: blob:; "
@@ -45,7 +45,7 @@ void HttpSession::start() {
     idle_since_ = Clock::now();
     stream_.tcp().expires_after(services_.settings.request_timeout);
     stream_.async_handshake([self = shared_from_this()](beast::error_code error) {
-        if (error) return;  // no client of ours, or one with a bad certificate
+        if (error) return;  // not a TLS client, or an invalid certificate
         self->certificate_ = self->stream_.certificate();
         self->read(self->services_.settings.request_timeout);
     });
@@ -68,17 +68,17 @@ void HttpSession::read(std::chrono::seconds timeout) {
                             });
 }
 
-// True: there is nothing to go on with, and what there was to say was said.
+// Returns true if the connection cannot continue; an error response was sent if one is due.
 bool HttpSession::failed(beast::error_code error) {
     if (error == http::error::header_limit) {
-        refuse(431, "The request's header is too big.\n");
+        refuse(431, "The request header is too large.\n");
     } else if (error == http::error::body_limit) {
-        refuse(413, "The request's body is too big.\n");
+        refuse(413, "The request body is too large.\n");
     } else if (error && error != http::error::end_of_stream && error != beast::error::timeout &&
                error.category() != asio::error::get_system_category()) {
         refuse(400, "This is not an HTTP request.\n");
     }
-    // Else: ended, cut or silent too long, and nobody waits for an answer.
+    // Otherwise the connection was closed or timed out, and no response is expected.
     return static_cast<bool>(error);
 }
 
@@ -91,23 +91,23 @@ void HttpSession::on_header(beast::error_code error) {
         return services_.upgrade(std::move(stream_), parser_->release());
     }
     const bool large = services_.routes.accepts_large_body(request);
-    const std::size_t most =
+    const std::size_t bytes_max =
         large ? services_.settings.body_bytes_max : services_.settings.small_body_bytes_max;
-    parser_->body_limit(most);
-    // Beast 1.74 asserts things of chunks that a client can make wrong.
-    if (parser_->chunked()) return refuse(411, "Say the body's length: Content-Length.\n");
+    parser_->body_limit(bytes_max);
+    // Beast 1.74 has assertions on chunked bodies that a client can violate.
+    if (parser_->chunked()) return refuse(411, "The Content-Length header is required.\n");
     const std::uint64_t length = parser_->content_length().value_or(0);
-    if (length > most) return refuse(413, "The request's body is too big.\n");
+    if (length > bytes_max) return refuse(413, "The request body is too large.\n");
     if (length > 0 && !reserve_body(static_cast<std::size_t>(length)))
-        return refuse(503, "Too many requests are being received; try again in a second.\n");
+        return refuse(503, "Too many requests are being received; retry in 1 s.\n");
     read_body();
 }
 
 bool HttpSession::reserve_body(std::size_t bytes) {
-    const auto wanted = static_cast<double>(bytes);
-    if (services_.body_bytes + wanted > services_.settings.bodies_bytes_max) return false;
-    services_.body_bytes += wanted;
-    reserved_ = wanted;
+    const auto size = static_cast<double>(bytes);
+    if (services_.body_bytes + size > services_.settings.bodies_bytes_max) return false;
+    services_.body_bytes += size;
+    reserved_ = size;
     return true;
 }
 
@@ -147,53 +147,53 @@ void HttpSession::handle_request() {
     }
 }
 
-// The peer sent what we cannot read on from: one answer, then the connection ends.
+// The rest of the connection cannot be parsed: sends one response, then closes it.
 void HttpSession::refuse(int status, std::string text) {
-    HttpResponse answer = plain_text(status, std::move(text));
-    answer.headers.emplace_back("Connection", "close");
-    if (status == 503) answer.headers.emplace_back("Retry-After", "1");
+    HttpResponse response = plain_text(status, std::move(text));
+    response.headers.emplace_back("Connection", "close");
+    if (status == 503) response.headers.emplace_back("Retry-After", "1");
     closing_ = true;
-    write(answer);
+    write(response);
 }
 
 void HttpSession::handle_on(WorkPool& pool, HttpRequest request) {
-    stream_.tcp().expires_never();  // however long the world takes to build
+    stream_.tcp().expires_never();  // building a world has no time limit
     const bool added = pool.add([self = shared_from_this(), request = std::move(request)] {
-        HttpResponse answer;
+        HttpResponse response;
         try {
-            answer = self->services_.routes.handle(request);
+            response = self->services_.routes.handle(request);
         } catch (const std::exception& error) {
-            // Out of memory, say: this request fails and nothing else does.
+            // For example out of memory: only this request fails.
             log_error("{} {} failed: {}", request.method, request.target, error.what());
-            answer.status = 503;
-            answer.body = "The answer takes more than there is.\n";
+            response.status = 503;
+            response.body = "The response needs more memory than is available.\n";
         }
         asio::post(self->stream_.get_executor(),
-                   [self, answer = std::move(answer)] { self->write(answer); });
+                   [self, response = std::move(response)] { self->write(response); });
     });
     if (added) return;
     if (services_.settings.metrics)
         services_.settings.metrics->refused(ConnectionRefusal::busy).Increment();
-    refuse(503, "Too many requests wait to be answered; try again in a second.\n");
+    refuse(503, "Too many requests are queued; retry in 1 s.\n");
 }
 
-void HttpSession::write(const HttpResponse& answer) {
+void HttpSession::write(const HttpResponse& response) {
     const auto& request = parser_->get();
     head_only_ = request.method() == http::verb::head;
-    response_ = Response(static_cast<http::status>(answer.status), 11);
+    response_ = Response(static_cast<http::status>(response.status), 11);
     response_.keep_alive(!closing_ && parser_->is_done() && request.keep_alive());
     response_.set(http::field::server, "jostle");
     response_.set("X-Content-Type-Options", "nosniff");
-    if (answer.status != 304) response_.set(http::field::content_type, answer.content_type);
-    if (answer.content_type.starts_with("text/html")) {
+    if (response.status != 304) response_.set(http::field::content_type, response.content_type);
+    if (response.content_type.starts_with("text/html")) {
         response_.set(
             "Content-Security-Policy",
             beast::string_view(content_security_policy.data(), content_security_policy.size()));
     }
-    for (const auto& [name, value] : answer.headers) response_.set(name, value);
-    // HEAD promises the length of the body it leaves out.
-    if (answer.status != 304) response_.content_length(answer.body.size());
-    if (!head_only_) response_.body() = answer.body;
+    for (const auto& [name, value] : response.headers) response_.set(name, value);
+    // A response to HEAD states the length of the omitted body.
+    if (response.status != 304) response_.content_length(response.body.size());
+    if (!head_only_) response_.body() = response.body;
 
     stream_.tcp().expires_after(services_.settings.request_timeout);
     http::async_write(stream_, response_,

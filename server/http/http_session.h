@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// One HTTP connection: reads a request at a time, has its handler answer it, writes the answer;
-// hands the socket over when the request asks for a WebSocket at /play. The head is looked at
-// before the body is let in: bodies have room as a whole. Lives on the gateway's thread; kept alive
-// by its operation in flight.
+// One HTTP connection: reads one request at a time, passes it to its handler and writes the
+// response; passes the socket on if the request is a WebSocket upgrade at /play. The header is
+// checked before the body is read, because the memory for all bodies is limited. Runs on the
+// server's thread; owned by its pending operation.
 #pragma once
 
 #include <boost/beast/core/flat_buffer.hpp>
@@ -29,17 +29,17 @@ public:
     struct Services {
         const HttpHandler& routes;
         const HttpServerSettings& settings;
-        WorkPool& query_pool;     // for requests that take long: those that ask worlds ...
-        WorkPool& mutation_pool;  // ... and those that change them
-        double& body_bytes;       // of all sessions
-        Upgrade upgrade;          // takes the socket of a WebSocket client
+        WorkPool& query_pool;     // for queries
+        WorkPool& mutation_pool;  // for changes of worlds
+        double& body_bytes;       // total of all sessions
+        Upgrade upgrade;          // takes ownership of the socket of a WebSocket client
     };
 
     HttpSession(SocketStream stream, const Services& services);
     ~HttpSession();
     void start();
     void abort();
-    // Since when it has waited for a request; nothing while it receives or answers one.
+    // Start of the wait for a request; empty while a request is received or handled.
     std::optional<Clock::time_point> idle_since() const { return idle_since_; }
     const std::string& address() const { return address_; }
 
@@ -57,7 +57,7 @@ private:
     HttpRequest request_of_peer() const;
     void refuse(int status, std::string text);
     void handle_on(WorkPool& pool, HttpRequest request);
-    void write(const HttpResponse& answer);
+    void write(const HttpResponse& response);
     void on_wrote(boost::beast::error_code error);
 
     SocketStream stream_;

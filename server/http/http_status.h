@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Our errors as HTTP says them: one table of status numbers, with the names that gRPC gives the
-// same errors.
+// Maps errors to HTTP status codes, with the names of the corresponding gRPC codes.
 #pragma once
 
 #include <string_view>

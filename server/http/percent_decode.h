@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What a target says in escapes: "%20" is a space.
+// Decodes percent escapes: "%20" is a space.
 #pragma once
 
 #include <optional>
@@ -9,11 +9,11 @@
 
 namespace jostle::server {
 
-// Nothing: an escape is malformed.
+// Empty if an escape is malformed.
 std::optional<std::string> percent_decode(std::string_view text);
 
-// The value of a field of a target's query: "world" of "/debug/profile?world=my%20arena&seconds=5"
-// is "my arena". Nothing: it is not there, or malformed.
+// The value of a query field of a target: "world" of "/debug/profile?world=my%20arena&seconds=5" is
+// "my arena". Empty if it is missing or malformed.
 std::optional<std::string> query_field(std::string_view target, std::string_view name);
 
 }  // namespace jostle::server

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// One accepted socket, with TLS or without: what HTTP and WebSocket sessions read from and write
-// to. Moves from one session to the other. Lives on the gateway's thread.
+// An accepted socket with or without TLS, used by HTTP and WebSocket sessions. Can be moved from
+// one session to another. Runs on the server's thread.
 #pragma once
 
 #include <array>
@@ -25,19 +25,19 @@ public:
     using executor_type = boost::beast::tcp_stream::executor_type;
     using Tls = boost::asio::ssl::stream<boost::beast::tcp_stream&>;
 
-    // Null `tls`: without. The context lives as long as the stream.
+    // Null `tls`: plain TCP. The stream shares ownership of the context.
     SocketStream(boost::asio::ip::tcp::socket socket,
                  std::shared_ptr<boost::asio::ssl::context> tls);
 
     executor_type get_executor() { return tcp_->get_executor(); }
-    // Has the timeouts of both.
+    // Holds the timeouts of both cases.
     boost::beast::tcp_stream& tcp() { return *tcp_; }
-    // Beast's name for it: where it looks for what to close.
+    // Beast uses this name to find the layer to close.
     using next_layer_type = boost::beast::tcp_stream;
     next_layer_type& next_layer() { return *tcp_; }
     const next_layer_type& next_layer() const { return *tcp_; }
     Tls* tls() { return tls_.get(); }
-    // Subject of the client's certificate that TLS has verified; empty: it showed none.
+    // Subject of the client certificate that TLS verified; empty: none.
     std::string certificate() const;
 
     template <class Handler>
@@ -57,15 +57,16 @@ public:
     }
     template <class Handler>
     void async_teardown(boost::beast::role_type role, Handler&& handler) {
-        end(role, [kept = std::make_shared<std::decay_t<Handler>>(std::forward<Handler>(handler))](
-                      boost::beast::error_code error) { std::move (*kept)(error); });
+        end(role, [shared_handler =
+                       std::make_shared<std::decay_t<Handler>>(std::forward<Handler>(handler))](
+                      boost::beast::error_code error) { std::move (*shared_handler)(error); });
     }
 
 private:
-    // Beast has a type for each kind of buffers and each handler. Here they become one of each:
-    // else TLS and TCP are compiled anew for every pair of them.
+    // Beast instantiates its code for each buffer type and handler type. These wrappers erase the
+    // types; otherwise TLS and TCP would be compiled again for every combination.
     using Done = std::function<void(boost::beast::error_code, std::size_t)>;
-    // The first few that are not empty: the others are for the next call.
+    // The first non-empty buffers; the rest is left to the next call.
     template <class Buffer>
     class Pieces {
     public:
@@ -86,9 +87,10 @@ private:
     };
     template <class Handler>
     static Done shared(Handler&& handler) {
-        return [kept = std::make_shared<std::decay_t<Handler>>(std::forward<Handler>(handler))](
+        return [shared_handler =
+                    std::make_shared<std::decay_t<Handler>>(std::forward<Handler>(handler))](
                    boost::beast::error_code error, std::size_t bytes) {
-            std::move (*kept)(error, bytes);
+            std::move (*shared_handler)(error, bytes);
         };
     }
     void read_some(const Pieces<boost::asio::mutable_buffer>& pieces, Done done);
@@ -100,7 +102,7 @@ private:
     std::unique_ptr<Tls> tls_;
 };
 
-// What Beast calls when a WebSocket ends.
+// Called by Beast when a WebSocket ends.
 void teardown(boost::beast::role_type role, SocketStream& stream, boost::beast::error_code& error);
 template <class Handler>
 void async_teardown(boost::beast::role_type role, SocketStream& stream, Handler&& handler) {

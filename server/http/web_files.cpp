@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t path_length_max = 1024;
-constexpr std::uintmax_t file_bytes_max = 64u << 20;  // a viewer is about one megabyte
+constexpr std::uintmax_t file_bytes_max = 64u << 20;  // the viewer takes about 1 MB
 
 bool has_forbidden_character(std::string_view path) {
     for (const char c : path) {
@@ -27,7 +27,7 @@ bool has_forbidden_character(std::string_view path) {
     return false;
 }
 
-// ".", ".." and hidden files such as ".git".
+// Matches ".", ".." and hidden files such as ".git".
 bool has_dot_segment(std::string_view path) {
     return path.starts_with('.') || path.find("/.") != std::string_view::npos;
 }
@@ -45,8 +45,8 @@ std::string etag_of(std::uintmax_t size, fs::file_time_type written) {
     return fmt::format("\"{:x}-{:x}\"", size, written.time_since_epoch().count());
 }
 
-// The build puts a hash of the content into the names below assets/, so those never change; all
-// else is asked for again.
+// File names in assets/ contain a hash of their content, so these files never change; all other
+// files must be revalidated.
 std::string_view cache_control_of(std::string_view relative) {
     return relative.starts_with("assets/") ? "public, max-age=31536000, immutable" : "no-cache";
 }
@@ -100,12 +100,12 @@ WebFiles::WebFiles(fs::path root) : root_(std::move(root)) {
 
 HttpResponse WebFiles::serve(const HttpRequest& request) const {
     if (request.method != "GET" && request.method != "HEAD") {
-        HttpResponse response = plain(405, "Files can only be read: use GET.\n");
+        HttpResponse response = plain(405, "Files are read-only; use GET.\n");
         response.headers.emplace_back("Allow", "GET, HEAD");
         return response;
     }
     std::optional<std::string> relative = relative_path_of(request.target);
-    if (!relative) return plain(400, "The path is malformed or leaves the viewer's folder.\n");
+    if (!relative) return plain(400, "The path is malformed or outside the viewer folder.\n");
     if (relative->empty() || relative->ends_with('/')) *relative += "index.html";
 
     std::error_code error;
@@ -129,7 +129,7 @@ HttpResponse WebFiles::serve(const HttpRequest& request) const {
     }
     std::ifstream stream(file, std::ios::binary);
     response.body.assign(std::istreambuf_iterator<char>(stream), {});
-    if (!stream) return plain(500, "The file could not be read.\n");
+    if (!stream) return plain(500, "Cannot read the file.\n");
     return response;
 }
 
@@ -141,12 +141,12 @@ HttpResponse WebFiles::page_without_viewer() const {
     response.body =
         "<!doctype html><meta charset=utf-8><title>Jostle</title>"
         "<body style=\"font:16px/1.5 system-ui;max-width:40em;margin:4em auto\">"
-        "<h1>The server runs, the viewer is missing</h1>"
-        "<p>This server was started with a web root that holds no <code>index.html</code>. "
-        "Start it from the top folder of the project, or name the folder:</p>"
+        "<h1>The server is running, but the viewer is missing</h1>"
+        "<p>The web root of this server contains no <code>index.html</code>. "
+        "Start the server from the top folder of the project, or set the web root:</p>"
         "<pre>jostle-server --web-root clients/web/dist</pre>"
-        "<p>The worlds are there: <a href=\"/api/worlds\">/api/worlds</a> lists them, and "
-        "<code>/play</code> takes WebSocket clients.</p>";
+        "<p>The worlds are available: <a href=\"/api/worlds\">/api/worlds</a> lists them, and "
+        "<code>/play</code> accepts WebSocket clients.</p>";
     return response;
 }
 

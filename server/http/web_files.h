@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The viewer's files, from one folder and nowhere else. Targets come from strangers: they are
-// decoded once, checked segment by segment, and what they name must lie inside the folder after
-// links are followed. Called by http_routes on the gateway's thread; holds no state but the folder.
+// Serves the viewer's files from one folder only. Targets are untrusted: they are decoded once and
+// checked segment by segment, and the file must be inside the folder after symbolic links are
+// resolved. Called by HttpRoutes on the server's thread; has no state except the folder.
 #pragma once
 
 #include <filesystem>
@@ -18,8 +18,8 @@ class WebFiles {
 public:
     explicit WebFiles(std::filesystem::path root);
 
-    // GET or HEAD of a file: 200, 304 (the browser's copy is current), 400, 404, or a page that
-    // says how to build the viewer when the folder has none.
+    // Serves a GET or HEAD: 200, 304 (the cached copy is current), 400, 404, or a page that
+    // explains how to set the web root if the folder contains no viewer.
     HttpResponse serve(const HttpRequest& request) const;
 
 private:
@@ -28,12 +28,12 @@ private:
     std::filesystem::path root_;
 };
 
-// "/a%20b/c" to "a b/c"; nothing when the target is malformed or tries to leave its folder: a bad
-// escape, a control character, a backslash, a segment that begins with a dot, a path longer than 1
-// kB.
+// Converts "/a%20b/c" to "a b/c". Empty if the target is malformed or tries to leave its folder: an
+// invalid escape, a control character, a backslash, a segment that starts with a dot, or a path
+// longer than 1 kB.
 std::optional<std::string> relative_path_of(std::string_view target);
 
-// By the file's extension; "application/octet-stream" when unknown.
+// Based on the file extension; "application/octet-stream" if unknown.
 std::string_view content_type_of(const std::filesystem::path& file);
 
 }  // namespace jostle::server

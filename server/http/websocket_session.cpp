@@ -40,7 +40,7 @@ websocket::close_code close_code_of(ErrorCode code) {
     }
 }
 
-// A close frame has room for 123 bytes of reason.
+// The reason in a close frame is limited to 123 bytes.
 websocket::close_reason reason_of(const Status& end) {
     if (end.ok()) return websocket::close_code::normal;
     const std::string_view reason = clip_utf8(end.error().message, 120);
@@ -65,17 +65,18 @@ WebSocketSession::WebSocketSession(PlayContext& context, SocketStream stream,
     beast::error_code error;
     const auto endpoint = tcp.socket().remote_endpoint(error);
     if (!error) address_ = endpoint.address().to_string();
-    tcp.expires_never();  // from here on the WebSocket layer and the link keep time
+    tcp.expires_never();  // from here on the WebSocket layer and the session handle timeouts
     set_tcp_user_timeout(tcp.socket().native_handle(),
                          from_seconds(context_.config.stream.client_timeout_seconds));
     websocket::stream_base::timeout timeout{};
     timeout.handshake_timeout = handshake_timeout;
-    timeout.idle_timeout = websocket::stream_base::none();  // the link has its own, shorter one
+    // the session has its own, shorter timeout
+    timeout.idle_timeout = websocket::stream_base::none();
     timeout.keep_alive_pings = false;
     socket_->set_option(timeout);
     set_limits(*socket_, message_bytes_max);
-    socket_->auto_fragment(
-        false);  // a snapshot is one frame, and its pieces are sent from where they lie
+    // A snapshot is one frame whose pieces are sent without copying.
+    socket_->auto_fragment(false);
 }
 
 void WebSocketSession::start(const Request& upgrade) {
@@ -108,16 +109,17 @@ void WebSocketSession::on_read(beast::error_code error) {
     if (!socket_) return;
     const Clock::time_point now = Clock::now();
     if (error == websocket::error::message_too_big) {
-        session_->refuse(Error{ErrorCode::resource_exhausted, "The message is too big."}, now);
+        session_->refuse(Error{ErrorCode::resource_exhausted, "the message is too large"}, now);
     } else if (error) {
         session_->on_peer_closed(now);
     } else if (socket_->got_text()) {
-        session_->refuse(Error{ErrorCode::invalid_argument, "Messages are binary, not text."}, now);
+        session_->refuse(Error{ErrorCode::invalid_argument, "messages must be binary, not text"},
+                         now);
     } else {
         const const_buffer bytes = incoming_.cdata();
         session_->receive({static_cast<const char*>(bytes.data()), bytes.size()}, now);
         incoming_.consume(bytes.size());
-        // Reading goes on after the link ended, because that is how the peer's close frame arrives.
+        // Reading continues after the session ended, to receive the peer's close frame.
         read();
     }
     advance(now);
@@ -139,7 +141,8 @@ void WebSocketSession::advance(Clock::time_point now) {
     }
     if (writing_) {
         session_->wait_for_write(now);
-        // A client that no longer reads would keep its last write, and so its socket, for ever.
+        // A client that no longer reads would block its last write, and with it the socket,
+        // forever.
         if (session_->end() && now >= session_->end_time() + last_write_timeout) abort();
         return;
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// One browser socket as a ClientSession: each binary message is a ClientMessage or a ServerMessage.
-// Lives on the gateway's thread; kept alive by the operations it has in flight.
+// Runs one browser socket as a ClientSession: each binary message is a ClientMessage or a
+// ServerMessage. Runs on the server's thread; owned by its pending operations.
 #pragma once
 
 #include <boost/asio/buffer.hpp>
@@ -27,14 +27,12 @@ public:
 
     WebSocketSession(PlayContext& context, SocketStream stream, std::size_t message_bytes_max);
 
-    // Answers the upgrade and begins the conversation.
+    // Responds to the upgrade and starts the session.
     void start(const Request& upgrade);
-    // Starts the next write when none is in flight and there is something to say, or closes the
-    // socket.
+    // Starts the next write if none is in flight and a message is available, or closes the socket.
     void advance(Clock::time_point now);
-    // Closes the socket at once: the gateway stops, or the client does not let us go.
+    // Closes the socket at once: the server stops, or the client does not complete the close.
     void abort();
-    // We did not listen for so long.
     const std::string& address() const { return address_; }
 
 private:
@@ -46,8 +44,8 @@ private:
     void close(const Status& end, Clock::time_point now);
 
     PlayContext& context_;
-    // Nothing: given up. Beast (1.74) can tie a close and a read that fails to each other for ever;
-    // what waits inside of the stream holds the session, and goes with it.
+    // Empty after abort(). In Beast 1.74 a close and a failing read can wait for each other
+    // forever; destroying the stream releases the operations that hold this session.
     std::optional<boost::beast::websocket::stream<SocketStream>> socket_;
     std::string peer_, address_;
     std::optional<ClientSession> session_;

@@ -8,7 +8,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "physics/src/foundation/check.h"
+#include "jostle/base/check.h"
 #include "physics/src/foundation/flat_array.h"
 
 namespace jostle::physics {

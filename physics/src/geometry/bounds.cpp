@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: MIT
 #include "physics/src/geometry/bounds.h"
 
+#include "jostle/base/check.h"
 #include "jostle/physics/compound.h"
 #include "jostle/physics/height_field.h"
 #include "jostle/physics/hull.h"
 #include "jostle/physics/mesh.h"
-#include "physics/src/foundation/check.h"
 
 namespace jostle::physics {
 namespace {
 
-// How far a disc about the axis `y` reaches along each world axis.
+// Extent of a disc with the normal `y` along each world axis.
 Vec3 disc_reach(Vec3 y, double radius) {
     const auto across = [](double c) { return square_root(maximum(0, 1 - c * c)); };
     return Vec3{across(y.x), across(y.y), across(y.z)} * radius;
 }
 
-// The box of a local box in the pose: not the tightest, but cheap for many points.
+// Bounding box of a transformed local box. Not tight, but cheap for many points.
 Aabb turned(const TransformedShape& shape, const Aabb& local) {
     const Vec3 middle = (local.low + local.high) * 0.5, half = (local.high - local.low) * 0.5;
     const Vec3 center = shape.position + shape.axes * middle;
@@ -34,7 +34,7 @@ Aabb bounds_of_points(const TransformedShape& shape, const std::vector<Vec3>& po
     return {shape.position + box.low, shape.position + box.high};
 }
 
-// The corner of a box that is furthest from the origin.
+// Distance of the furthest corner of a box from the origin.
 double furthest_corner(const Aabb& box) {
     return length(max(abs(box.low), abs(box.high)));
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The box around a shape, and the ball.
+// Bounding boxes and bounding radii of shapes.
 #pragma once
 
 #include "jostle/physics/aabb.h"
@@ -8,11 +8,11 @@
 
 namespace jostle::physics {
 
-// An axis-aligned box that holds the shape; the tightest one for convex kinds. A plane has none (it
-// is infinite): not to be asked.
+// Returns an axis-aligned bounding box of the shape, tight for convex kinds. Not for planes, which
+// are infinite.
 Aabb bounds_of(const TransformedShape& shape);
 
-// The distance of the shape's furthest point from its origin. Not for planes.
+// Returns the distance of the shape's furthest point from its origin, m. Not for planes.
 double radius_of(const Geometry& geometry);
 
 }  // namespace jostle::physics

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Four boxes side by side, in float, each as large as it is in double or a little larger: so that a
-// tree or a grid leaves out four at a time what cannot be met. What is left over is looked at
-// exactly, so nothing that is found depends on float.
+// Four boxes in SIMD layout, in single precision. Each is at least as large as its double-precision
+// original, so that a tree or a grid can reject four boxes at a time. The remaining ones are tested
+// exactly, so results do not depend on single precision.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@
 
 namespace jostle::physics {
 
-// What every x86-64 and ARM64 has registers for.
+// 16-byte vectors, which all x86-64 and ARM64 processors support.
 typedef float Float4 __attribute__((vector_size(16)));
 typedef std::int32_t Mask4 __attribute__((vector_size(16)));
 
@@ -28,7 +28,7 @@ inline Float4 larger4(Float4 a, Float4 b) {
 inline Float4 smaller4(Float4 a, Float4 b) {
     return a < b ? a : b;
 }
-// Bit k: lane k.
+// Returns a mask with bit k set for lane k.
 inline unsigned lanes_set(Mask4 mask) {
 #if defined(__SSE2__)
     return static_cast<unsigned>(_mm_movemask_ps(reinterpret_cast<__m128>(mask)));
@@ -37,7 +37,8 @@ inline unsigned lanes_set(Mask4 mask) {
            (mask[3] != 0 ? 8u : 0u);
 #endif
 }
-// Estimates will not do: they differ from one maker's processor to the other's.
+// Reciprocal square root estimates differ between processor vendors, so an exact square root is
+// required.
 inline Float4 root4(Float4 a) {
 #if defined(__SSE2__)
     return reinterpret_cast<Float4>(_mm_sqrt_ps(reinterpret_cast<__m128>(a)));
@@ -48,10 +49,10 @@ inline Float4 root4(Float4 a) {
 #endif
 }
 
-// What is beyond is further away than any shape is large.
+// Larger than the coordinates of any shape.
 inline constexpr double lanes_far = 1e30;
 
-// At most d, at least d.
+// Conversions to float that round down and up.
 inline float float_below(double d) {
     const float f = static_cast<float>(clamp(d, -lanes_far, lanes_far));
     return f - (f < 0 ? -f : f) * 1.2e-7f - 1e-37f;
@@ -69,8 +70,8 @@ struct BoxLanes {
             high[k][lane] = float_above(box.high[k]);
         }
     }
-    // Nothing overlaps it and no ray meets it.
-    void put_nothing(int lane) {
+    // An empty box, which nothing overlaps and no ray hits.
+    void put_empty(int lane) {
         for (int k = 0; k < 3; k++) {
             low[k][lane] = static_cast<float>(lanes_far);
             high[k][lane] = -static_cast<float>(lanes_far);
@@ -78,14 +79,14 @@ struct BoxLanes {
     }
 };
 
-// Which of the four overlap the box that is four times in `one`.
+// Returns which of the four boxes overlap the box that fills all four lanes of `one`.
 inline unsigned overlapping(const BoxLanes& one, const BoxLanes& boxes) {
     Mask4 meets = (boxes.low[0] <= one.high[0]) & (boxes.high[0] >= one.low[0]);
     for (int k = 1; k < 3; k++)
         meets &= (boxes.low[k] <= one.high[k]) & (boxes.high[k] >= one.low[k]);
     return lanes_set(meets);
 }
-inline BoxLanes four_times(const Aabb& box) {
+inline BoxLanes broadcast(const Aabb& box) {
     BoxLanes lanes;
     for (int k = 0; k < 3; k++) {
         lanes.low[k] = splat4(float_below(box.low[k]));
@@ -94,8 +95,8 @@ inline BoxLanes four_times(const Aabb& box) {
     return lanes;
 }
 
-// A segment against four: which it may enter within [0, limit], and about when. A box counts as
-// larger by more than float loses.
+// Tests a segment against four boxes: which it may enter within [0, limit], and approximately
+// where. Boxes are enlarged by more than the rounding error of single precision.
 class RayOverlap {
 public:
     RayOverlap(Vec3 origin, Vec3 motion) {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// A static bounding-volume tree over items given by their boxes: triangles of a mesh, children of a
-// compound. Built once by splitting in two at the best of a few planes (surface area heuristic,
-// binned: Wald, "On fast construction of SAH-based bounding volume hierarchies", 2007), then kept
-// as a tree of fours (Wald, Benthin, Boulos, "Getting rid of packets", 2008): the boxes of a node's
-// four children are looked at in one go. Items are visited as the tree of twos would, left before
-// right, those of a leaf in rising order.
+// A static bounding volume hierarchy over items with boxes: the triangles of a mesh or the children
+// of a compound. Built as a binary tree by binned splitting with the surface area heuristic (Wald,
+// "On fast construction of SAH-based bounding volume hierarchies", 2007), then collapsed to a
+// four-way tree (Wald, Benthin, Boulos, "Getting rid of packets", 2008), whose nodes test four
+// child boxes at a time. Items are visited in the order of the binary tree: left before right,
+// items of a leaf in ascending order.
 #pragma once
 
 #include <bit>
@@ -23,25 +23,25 @@ public:
     explicit Bvh(std::span<const Aabb> boxes);
 
     bool empty() const { return nodes_.empty(); }
-    int height() const { return height_; }  // of the tree of fours
+    int height() const { return height_; }  // of the four-way tree
 
-    // Calls visit(item) for every item whose box overlaps, and some that do not by rounding to
-    // float: the caller tests the item itself.
+    // Calls visit(item) for every item whose box overlaps, and for some whose box does not because
+    // of rounding to float. The caller must test the item itself.
     template <class Visit>
     void query(const Aabb& box, Visit&& visit) const {
         if (nodes_.empty()) return;
-        const BoxLanes wanted = four_times(box);
+        const BoxLanes query_box = broadcast(box);
         std::uint32_t stack[stack_size];
         int top = 0;
         stack[top++] = 0;
         while (top > 0) {
             const Node& n = nodes_[stack[--top]];
-            unsigned lanes = overlapping(wanted, n.boxes);
+            unsigned lanes = overlapping(query_box, n.boxes);
             if (n.leaf) {
                 for (; lanes != 0; lanes &= lanes - 1) visit(n.child[std::countr_zero(lanes)]);
                 continue;
             }
-            // The first on top.
+            // Push in reverse order, so that the first child is on top.
             while (lanes != 0) {
                 const int last = std::bit_width(lanes) - 1;
                 stack[top++] = n.child[last];
@@ -50,8 +50,9 @@ public:
         }
     }
 
-    // Calls visit(item, limit) for items whose box the segment meets within [0, limit], about the
-    // nearest first, and some that it misses by rounding to float; visit returns the new limit.
+    // Calls visit(item, limit) for items whose box the segment enters within [0, limit],
+    // approximately nearest first, and for some that it misses because of rounding to float.
+    // visit() returns the new limit.
     template <class Visit>
     void cast_ray(Vec3 origin, Vec3 motion, double limit, Visit&& visit) const {
         const RayOverlap meets(origin, motion);
@@ -60,9 +61,9 @@ public:
             [&](std::uint32_t item) { limit = visit(item, limit); });
     }
 
-    // Of each four, test(boxes, leaf, key) says by bits which are to be gone on with; visit(item)
-    // is called for those that are items, which are in leaves. Lower keys first, among the children
-    // of a node; of equal ones the left.
+    // Traverses the tree. test(boxes, leaf, key) returns a mask of the four boxes to visit;
+    // visit(item) is called for items in leaves. Children of a node are visited by ascending key,
+    // and from left to right for equal keys.
     template <class Test, class Visit>
     void nearest_first(Test&& test, Visit&& visit) const {
         if (nodes_.empty()) return;
@@ -88,20 +89,21 @@ public:
     }
 
 private:
-    static constexpr int max_height = 60;                  // of the tree of twos
-    static constexpr int stack_size = 3 * max_height + 4;  // a node that is taken off puts four on
+    static constexpr int max_height = 60;                  // of the binary tree
+    static constexpr int stack_size = 3 * max_height + 4;  // each popped node pushes up to four
     struct alignas(64) Node {
         BoxLanes boxes;
-        std::uint32_t child[4] = {};  // items of a leaf, else nodes
+        std::uint32_t child[4] = {};  // items of a leaf, otherwise nodes
         bool leaf = false;
     };
-    struct Two;
-    void split(std::vector<Two>& twos, std::uint32_t node, std::span<const Aabb> boxes, int depth);
-    void keep(const std::vector<Two>& twos, std::uint32_t node, std::span<const Aabb> boxes,
-              int depth);
+    struct BinaryNode;
+    void split(std::vector<BinaryNode>& binary, std::uint32_t node, std::span<const Aabb> boxes,
+               int depth);
+    void collapse(const std::vector<BinaryNode>& binary, std::uint32_t node,
+                  std::span<const Aabb> boxes, int depth);
 
     std::vector<Node> nodes_;
-    std::vector<std::uint32_t> items_;  // while it is built
+    std::vector<std::uint32_t> items_;  // used during construction only
     int height_ = 0;
 };
 

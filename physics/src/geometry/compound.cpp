@@ -35,7 +35,7 @@ Result<std::shared_ptr<const CompoundShape>> build_compound(std::vector<Compound
     if (children.empty()) return compound_error("it has no children");
     if (children.size() > max_compound_children)
         return compound_error("it has " + std::to_string(children.size()) + " children; at most " +
-                              std::to_string(max_compound_children) + " are taken");
+                              std::to_string(max_compound_children) + " are allowed");
     auto compound = std::make_shared<CompoundShape>();
     Hasher hasher;
     std::vector<Aabb> boxes;
@@ -44,15 +44,16 @@ Result<std::shared_ptr<const CompoundShape>> build_compound(std::vector<Compound
         CompoundChild& child = children[i];
         const std::string name = "children[" + std::to_string(i) + "]";
         if (!is_convex(kind_of(child.geometry)))
-            return compound_error(
-                name + " is a " + kind_name(kind_of(child.geometry)) +
-                "; children are spheres, capsules, boxes, cylinders, cones or hulls");
+            return compound_error(name + " is a " + kind_name(kind_of(child.geometry)) +
+                                  "; it must be a sphere, capsule, box, cylinder, cone or hull");
         if (Status s = check_geometry(name.c_str(), child.geometry); !s.ok()) return s.error();
         const double norm = norm_squared(child.pose.rotation);
         const Vec3 reach = abs(child.pose.position);
         if (!is_finite(child.pose) || norm < 1e-6 ||
             maximum(reach.x, maximum(reach.y, reach.z)) > max_shape_size)
-            return compound_error(name + ".pose is not finite, too far away or no rotation");
+            return compound_error(
+                name +
+                ".pose is invalid; it must be finite, within 10000 m and have a non-zero rotation");
         child.pose.rotation = unit(child.pose.rotation);
         boxes.push_back(bounds_of(transformed_shape(child.geometry, child.pose)));
         compound->bounds = i == 0 ? boxes[0] : unite(compound->bounds, boxes[i]);

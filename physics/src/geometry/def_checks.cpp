@@ -14,7 +14,7 @@ Status check_pose(const char* name, const Transform& pose) {
     const double norm = norm_squared(pose.rotation);
     const bool turned = is_finite(norm) && norm > 1e-12 && norm < 1e12;
     if (turned && is_within(pose.position, limits::max_coordinate)) return {};
-    // Names are put together for errors alone: who asks a lot checks a lot.
+    // Build names for errors only, because this is called very often.
     const std::string prefix = name;
     if (Status s =
             check_vector((prefix + ".position").c_str(), pose.position, limits::max_coordinate);
@@ -34,7 +34,7 @@ Status check_material(const Material& m) {
     if (Status s = check_vector("surface_velocity", m.surface_velocity, limits::max_speed); !s.ok())
         return s;
     if (m.friction_rule > Combine::maximum || m.restitution_rule > Combine::maximum)
-        return invalid_argument("friction_rule or restitution_rule is of no known kind");
+        return invalid_argument("friction_rule or restitution_rule has an unknown value");
     return {};
 }
 

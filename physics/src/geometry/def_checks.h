@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Checks of numbers that callers hand in and that saved worlds hold, too: each answers with an
-// Error that names the argument, its value and its range.
+// Checks of values that occur both in arguments and in saved worlds. Each returns an Error that
+// names the argument, its value and its range.
 #pragma once
 
 #include "jostle/physics/defs.h"
@@ -10,8 +10,8 @@
 
 namespace jostle::physics {
 
-Status check_mass(double mass);  // 0 is none
-// Finite, and a rotation that is not zero.
+Status check_mass(double mass);  // 0 means no explicit mass
+// Checks that the pose is finite and the rotation is not zero.
 Status check_pose(const char* name, const Transform& pose);
 Status check_material(const Material& material);
 

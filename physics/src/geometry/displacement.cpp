@@ -19,7 +19,7 @@ struct HalfSpace {
     double height(Vec3 p) const { return dot(normal, p) - offset; }
 };
 
-// A cap of a ball (Weisstein, "Spherical Cap", MathWorld).
+// Spherical cap (Weisstein, "Spherical Cap", MathWorld).
 Displacement cap_of_sphere(double r, const HalfSpace& below) {
     const double depth = below.offset + r;
     const double volume = pi * depth * depth * (3 * r - depth) / 3;
@@ -29,14 +29,14 @@ Displacement cap_of_sphere(double r, const HalfSpace& below) {
 
 // ---- polyhedra ----
 
-// Pyramids from a point of the cut to all that is left of the faces: the cut itself, seen from a
-// point of it, adds nothing and need not be known.
+// Sums pyramids from a point of the clipping plane to the clipped faces. The cap in the clipping
+// plane contributes nothing, because the apex lies in its plane, and need not be computed.
 class CutPolyhedron {
 public:
     CutPolyhedron(const HalfSpace& below, Vec3 middle)
         : below_(below), apex_(middle - below.normal * below.height(middle)) {}
 
-    // Corners counter-clockwise from outside.
+    // Corners are counter-clockwise seen from outside.
     template <class CornerAt>
     void add_face(std::size_t count, CornerAt&& corner_at) {
         corners_ = 0;
@@ -58,7 +58,7 @@ public:
     }
 
 private:
-    // A fan of triangles from the first corner.
+    // Triangle fan from the first corner.
     void add_corner(Vec3 corner) {
         const Vec3 p = corner - apex_;
         if (corners_ >= 2) {
@@ -77,7 +77,7 @@ private:
 };
 
 Displacement cut_box(const Box& box, const HalfSpace& below) {
-    // By the bits of their number: x, y, z.
+    // Corner indices; the bits are the signs of x, y, z.
     constexpr std::array<std::array<int, 4>, 6> faces{
         {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}}};
     const Vec3 h = box.half_extents;
@@ -100,9 +100,9 @@ Displacement cut_hull(const ConvexHull& hull, const HalfSpace& below) {
     return cut.result();
 }
 
-// ---- round about the y axis ----
+// ---- shapes symmetric about the y axis ----
 
-// A part of the axis on which the radius squared is a + b y + c y^2.
+// A section of the axis on which the squared radius is a + b y + c y^2.
 struct RoundPiece {
     double from, to;
     double a, b, c;
@@ -112,7 +112,7 @@ struct RoundPiece {
 
 struct Slice {
     double area = 0;    // m^2 below the plane
-    double moment = 0;  // m^3, along the horizontal part of the normal
+    double moment = 0;  // m^3, along the horizontal component of the normal
 };
 
 // The part of a disc on one side of a chord at distance `chord` from its centre.
@@ -123,8 +123,8 @@ Slice slice_of(double radius_squared, double chord) {
             -2.0 / 3 * half * half * half};
 }
 
-// Gauss-Legendre of 12 points (Abramowitz and Stegun, table 25.4): half of them, the others are
-// mirrored.
+// 12-point Gauss-Legendre quadrature (Abramowitz and Stegun, table 25.4). Half of the nodes; the
+// others are symmetric.
 constexpr std::array<double, 6> nodes{0.1252334085114689, 0.3678314989981802, 0.5873179542866175,
                                       0.7699026741943047, 0.9041172563704749, 0.9815606342467193};
 constexpr std::array<double, 6> weights{0.2491470458134028, 0.2334925365383548, 0.2031674267230659,
@@ -137,7 +137,8 @@ public:
           across_(square_root(below.normal.x * below.normal.x + below.normal.z * below.normal.z)) {}
 
     void add(const RoundPiece& piece) {
-        // Where the plane begins and ends to cut the discs; between those the slices are smooth.
+        // Positions at which the plane starts and stops to cut the discs. The slices are smooth in
+        // between.
         const double n = below_.normal.y, s2 = across_ * across_, d = below_.offset;
         std::array<double, 5> ends{piece.from, piece.to, piece.to, piece.to, piece.to};
         std::size_t count = 2;
@@ -146,23 +147,24 @@ public:
         };
         if (absolute(n) > 0.5) add_end(d / n);
         const double a = n * n - s2 * piece.c, b = -2 * d * n - s2 * piece.b,
-                     c = d * d - s2 * piece.a, under = b * b - 4 * a * c;
-        if (under > 0) {
-            const double q = -0.5 * (b + (b < 0 ? -1 : 1) * square_root(under));
+                     c = d * d - s2 * piece.a, discriminant = b * b - 4 * a * c;
+        if (discriminant > 0) {
+            const double q = -0.5 * (b + (b < 0 ? -1 : 1) * square_root(discriminant));
             if (a != 0) add_end(q / a);
             if (q != 0) add_end(c / q);
         }
-        std::sort(ends.begin(), ends.end());  // those not used lie at the end
+        std::sort(ends.begin(), ends.end());  // unused entries are at the end
         for (std::size_t k = 0; k + 1 < count; k++) integrate(piece, ends[k], ends[k + 1]);
     }
     Displacement result() const {
         if (!(volume_ > 0)) return {};
-        const double aside = across_ > 0 ? aside_ / (volume_ * across_) : 0;
-        return {volume_, {below_.normal.x * aside, along_ / volume_, below_.normal.z * aside}};
+        const double lateral = across_ > 0 ? lateral_ / (volume_ * across_) : 0;
+        return {volume_, {below_.normal.x * lateral, along_ / volume_, below_.normal.z * lateral}};
     }
 
 private:
-    // With y = (3 t - t^3) / 2, which makes of the roots at the ends of a cut polynomials.
+    // Substitution y = (3 t - t^3) / 2, which turns the square roots at the ends of a cut into
+    // polynomials.
     void integrate(const RoundPiece& piece, double from, double to) {
         const double middle = 0.5 * (from + to), half = 0.5 * (to - from);
         for (std::size_t k = 0; k < nodes.size(); k++)
@@ -177,13 +179,13 @@ private:
                 const Slice slice = slice_of(r2, chord);
                 volume_ += slice.area * weight;
                 along_ += slice.area * y * weight;
-                aside_ += slice.moment * weight;
+                lateral_ += slice.moment * weight;
             }
     }
 
     HalfSpace below_;
-    double across_;  // the normal's part across the axis
-    double volume_ = 0, along_ = 0, aside_ = 0;
+    double across_;  // component of the normal perpendicular to the axis
+    double volume_ = 0, along_ = 0, lateral_ = 0;
 };
 
 Displacement cut_capsule(const Capsule& capsule, const HalfSpace& below) {
@@ -232,8 +234,8 @@ Displacement displacement(const Geometry& geometry, Vec3 normal, double offset) 
     const Convex shape = convex_of({&geometry, {}, to_matrix(Quat{})}, {});
     if (below.height(support(shape, -normal)) - shape.radius >= 0) return {};
     if (below.height(support(shape, normal)) + shape.radius <= 0) {
-        const MassProperties whole = mass_of(geometry, 1);
-        return {whole.mass, whole.center};
+        const MassProperties total = mass_of(geometry, 1);
+        return {total.mass, total.center};
     }
     if (const auto* sphere = std::get_if<Sphere>(&geometry))
         return cap_of_sphere(sphere->radius, below);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What of a shape lies below a plane: the volume that it displaces, and its centre.
+// Volume and centre of the part of a shape below a plane, for buoyancy.
 #pragma once
 
 #include "jostle/physics/geometry.h"
@@ -9,13 +9,13 @@ namespace jostle::physics {
 
 struct Displacement {
     double volume = 0;  // m^3
-    Vec3 center;        // of that volume, m; zero when there is none
+    Vec3 center;        // centre of that volume, m; zero if the volume is zero
 };
 
-// Below means dot(normal, x) <= offset; `normal` is unit, both in the shape's own frame. Closed
-// forms for spheres; boxes and hulls are cut face by face; what is round about an axis is
-// integrated along it, to 1e-6 of its volume. Of a compound the sum of its children's. Planes,
-// meshes and height fields displace nothing.
+// Computes the displaced volume. Below means dot(normal, x) <= offset; `normal` is a unit vector;
+// both are in the shape's local frame. Closed form for spheres; boxes and hulls are clipped face by
+// face; shapes with rotational symmetry are integrated along their axis, accurate to 1e-6 of their
+// volume. A compound is the sum of its children. Planes, meshes and height fields displace nothing.
 Displacement displacement(const Geometry& geometry, Vec3 normal, double offset);
 
 }  // namespace jostle::physics

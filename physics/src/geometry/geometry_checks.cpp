@@ -23,7 +23,7 @@ Status check_round(const char* name, double radius, double half_length) {
 
 Status check_data(const char* name, bool given, const char* builder) {
     if (given) return {};
-    return invalid_argument(std::string(name) + " has no data; make it with " + builder);
+    return invalid_argument(std::string(name) + " has no data; create it with " + builder);
 }
 
 }  // namespace
@@ -65,7 +65,7 @@ Status check_geometry(const char* name, const Geometry& geometry) {
             return check_round(name, c.radius, c.half_length);
         }
         case ShapeKind::hull: {
-            // Without its lanes a hull was put together by hand.
+            // A hull without lanes was not created by build_hull.
             const auto& data = std::get<Hull>(geometry).data;
             return check_data(name, data != nullptr && data->lanes != nullptr, "build_hull");
         }
@@ -77,7 +77,7 @@ Status check_geometry(const char* name, const Geometry& geometry) {
         case ShapeKind::compound:
             return check_data(name, std::get<Compound>(geometry).data != nullptr, "build_compound");
     }
-    return invalid_argument(std::string(name) + " is of no known kind");
+    return invalid_argument(std::string(name) + " has an unknown kind");
 }
 
 Status check_vector(const char* name, Vec3 value, double limit) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Checks of the numbers in a geometry that callers hand in.
+// Range checks of geometry and of scalar and vector arguments.
 #pragma once
 
 #include "jostle/physics/geometry.h"
@@ -8,11 +8,10 @@
 
 namespace jostle::physics {
 
-// An Error names the field ("geometry.box.half_extents.x"), its value and its range.
+// Returns an error that names the field ("geometry.box.half_extents.x"), its value and its range.
 Status check_geometry(const char* name, const Geometry& geometry);
 Status check_range(const char* name, double value, double low, double high);
-// Each component is finite and at most `limit` in size.
-// Not so of what is not a number.
+// Returns true if the magnitude of each component is at most `limit`. Returns false for NaN.
 inline bool is_within(Vec3 value, double limit) {
     const Vec3 size = abs(value);
     return size.x <= limit && size.y <= limit && size.z <= limit;

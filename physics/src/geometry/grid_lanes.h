@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The cells of a height field as boxes, four of a row side by side: most of those under a shape are
-// left out without a look at their triangles.
+// Bounding boxes of height-field cells, four of a row at a time, so that most cells under a shape
+// are rejected without testing their triangles.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace jostle::physics {
 
-// The two triangles of a cell, unless it is a hole.
+// Visits the two triangles of a cell, unless it is a hole.
 template <class Visit>
 void visit_cell(const HeightGrid& grid, std::uint32_t column, std::uint32_t row, Visit&& visit) {
     const std::uint32_t cell = row * (grid.columns - 1) + column;
@@ -22,41 +22,43 @@ void visit_cell(const HeightGrid& grid, std::uint32_t column, std::uint32_t row,
     visit(SurfaceTriangle{{near, sample(grid, column, row + 1), far}, cell * 2 + 1});
 }
 
-// The boxes of up to four cells of a row.
+// Computes the boxes of up to four cells of a row.
 class GridLanes {
 public:
     explicit GridLanes(const HeightGrid& grid)
         : grid_(grid),
           spacing_(static_cast<float>(grid.spacing_x)),
-          beside_(static_cast<float>(rounding * grid.bounds.high.x)),
-          height_(static_cast<float>(
+          margin_x_(static_cast<float>(rounding * grid.bounds.high.x)),
+          margin_y_(static_cast<float>(
               rounding * maximum(absolute(grid.bounds.low.y), absolute(grid.bounds.high.y)))) {}
 
-    // Rows are to be begun in any order.
+    // Selects a row. Rows may be selected in any order.
     void begin_row(std::uint32_t row) {
         const double z = sample(grid_, 0, row).z;
         boxes_.low[2] = splat4(float_below(z - rounding * absolute(z)));
         boxes_.high[2] = splat4(float_above(z + grid_.spacing_z + rounding * absolute(z)));
         near_ = &grid_.heights[std::size_t{row} * grid_.columns];
     }
-    // From this column on. Those beyond the row's end are the last once more.
+    // Returns the boxes of four cells from this column on. Beyond the end of the row, the last cell
+    // is repeated.
     const BoxLanes& boxes_from(std::uint32_t column) {
         const double x = (column - 0.5 * (grid_.columns - 1)) * grid_.spacing_x;
         const Float4 from = splat4(static_cast<float>(x)) + Float4{0, 1, 2, 3} * splat4(spacing_);
-        boxes_.low[0] = from - splat4(beside_);
-        boxes_.high[0] = from + splat4(spacing_ + beside_);
+        boxes_.low[0] = from - splat4(margin_x_);
+        boxes_.high[0] = from + splat4(spacing_ + margin_x_);
         std::uint32_t at[5];
         for (std::uint32_t k = 0; k < 5; k++) at[k] = std::min(column + k, grid_.columns - 1);
         const Float4 a = heights(near_, at), b = heights(near_, at + 1);
         const double* far = near_ + grid_.columns;
         const Float4 c = heights(far, at), d = heights(far, at + 1);
-        boxes_.low[1] = smaller4(smaller4(a, b), smaller4(c, d)) - splat4(height_);
-        boxes_.high[1] = larger4(larger4(a, b), larger4(c, d)) + splat4(height_);
+        boxes_.low[1] = smaller4(smaller4(a, b), smaller4(c, d)) - splat4(margin_y_);
+        boxes_.high[1] = larger4(larger4(a, b), larger4(c, d)) + splat4(margin_y_);
         return boxes_;
     }
 
 private:
-    static constexpr double rounding = 1e-6;  // more than float's, of the largest number
+    // Exceeds the rounding error of float, relative to the largest value.
+    static constexpr double rounding = 1e-6;
 
     static Float4 heights(const double* row, const std::uint32_t at[4]) {
         return Float4{static_cast<float>(row[at[0]]), static_cast<float>(row[at[1]]),
@@ -64,13 +66,13 @@ private:
     }
 
     const HeightGrid& grid_;
-    float spacing_, beside_, height_;
+    float spacing_, margin_x_, margin_y_;
     const double* near_ = nullptr;
     BoxLanes boxes_;
 };
 
-// Calls visit(const SurfaceTriangle&) for those of cells under the box of which
-// test(boxes, leaf, key) says by bits that they count: first of the cell under `first`, then row by
+// Calls visit(const SurfaceTriangle&) for the triangles of cells under the box that pass
+// test(boxes, leaf, key), which returns a mask. Visits the cell under `first` first, then row by
 // row.
 template <class Test, class Visit>
 void nearest_cell_first(const HeightGrid& grid, const Aabb& box, Vec3 first, Test&& test,

@@ -28,7 +28,8 @@ std::uint64_t hash_of(const HeightGrid& grid) {
 Result<std::shared_ptr<const HeightGrid>> build_height_field(HeightGrid grid) {
     if (grid.columns < 2 || grid.rows < 2)
         return height_field_error("it has " + std::to_string(grid.columns) + " x " +
-                                  std::to_string(grid.rows) + " samples; give at least 2 x 2");
+                                  std::to_string(grid.rows) +
+                                  " samples; it must have at least 2 x 2");
     if (grid.columns > max_height_samples || grid.rows > max_height_samples ||
         std::size_t{grid.columns} * grid.rows > max_height_samples)
         return height_field_error("it has more than " + std::to_string(max_height_samples) +
@@ -40,14 +41,15 @@ Result<std::shared_ptr<const HeightGrid>> build_height_field(HeightGrid grid) {
                                   std::to_string(std::size_t{grid.columns} * grid.rows));
     for (const double s : {grid.spacing_x, grid.spacing_z})
         if (!(s >= min_shape_size && s <= max_shape_size))
-            return height_field_error("its spacing is out of the range 0.0001 to 10000 m");
+            return height_field_error("its spacing must be from 0.0001 to 10000 m");
     if ((grid.columns - 1) * grid.spacing_x > 2 * max_shape_size ||
         (grid.rows - 1) * grid.spacing_z > 2 * max_shape_size)
         return height_field_error("it is wider than 20000 m");
     const std::size_t cells = std::size_t{grid.columns - 1} * (grid.rows - 1);
     if (!grid.holes.empty() && grid.holes.size() != cells)
         return height_field_error("it has " + std::to_string(grid.holes.size()) +
-                                  " hole flags; there are " + std::to_string(cells) + " cells");
+                                  " hole flags; it must have " + std::to_string(cells) +
+                                  ", one per cell");
     bool any_hole = false;
     for (std::uint8_t& hole : grid.holes) {
         hole = hole != 0 ? 1 : 0;
@@ -68,7 +70,8 @@ Result<std::shared_ptr<const HeightGrid>> build_height_field(HeightGrid grid) {
             continue;
         }
         if (!(absolute(h) <= max_shape_size))
-            return height_field_error("heights[" + std::to_string(i) + "] is out of +-10000 m");
+            return height_field_error("heights[" + std::to_string(i) + "] is " + text(h) +
+                                      "; it must be within +-10000 m");
         low = minimum(low, h);
         high = maximum(high, h);
     }

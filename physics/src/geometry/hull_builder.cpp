@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Points to convex hull: exact topology on a grid (hull_topology.h), then triangles that lie in one
-// plane are merged into faces, and what is derived is computed.
+// Builds convex hulls: exact topology on a grid (hull_topology.h), then coplanar triangles are
+// merged into faces and derived data is computed.
 #include "physics/src/geometry/hull_builder.h"
 
 #include <algorithm>
@@ -17,7 +17,8 @@
 namespace jostle::physics {
 namespace {
 
-constexpr double merge_fraction = 1e-6;  // of the size: how far a vertex may lie off its face
+// Of the size: maximum distance of a vertex from the plane of its face.
+constexpr double merge_fraction = 1e-6;
 
 Error hull_error(std::string message) {
     return invalid_argument("hull: " + std::move(message));
@@ -27,17 +28,17 @@ Vec3 normal_of(std::span<const Vec3> points, const HullTriangle& t) {
     return cross(points[t[1]] - points[t[0]], points[t[2]] - points[t[0]]);
 }
 
-// The polygons that triangles make when those in one plane are put together.
+// Merges coplanar triangles into polygons.
 class FaceMerger {
 public:
     FaceMerger(std::span<const Vec3> points, std::vector<HullTriangle> triangles, double tolerance)
         : points_(points), triangles_(std::move(triangles)), tolerance_(tolerance) {}
 
-    // Each a closed loop of points, counter-clockwise; nothing when a region has no simple border.
+    // Returns closed loops of points, counter-clockwise; nullopt if a region has no simple border.
     std::optional<std::vector<std::vector<std::uint32_t>>> run() {
         find_neighbours();
         region_.assign(triangles_.size(), no_index);
-        // Large triangles first: their planes are the best known.
+        // Start with large triangles, whose planes are the most accurate.
         std::vector<std::uint32_t> order(triangles_.size());
         for (std::uint32_t i = 0; i < order.size(); i++) order[i] = i;
         std::vector<double> area;
@@ -79,7 +80,7 @@ private:
             for (std::size_t e = 0; e < 3; e++) {
                 const std::uint32_t other = across_[members[k]][e];
                 if (region_[other] != no_index) continue;
-                // A sliver's own normal says nothing: where its corners lie decides.
+                // The normal of a sliver is unreliable, so the positions of its corners decide.
                 bool flat = dot(normal_of(points_, triangles_[other]), normal) > -1e-300;
                 for (const std::uint32_t p : triangles_[other])
                     flat = flat && absolute(dot(normal, points_[p]) - offset) <= tolerance_;
@@ -113,7 +114,7 @@ private:
     std::vector<std::uint32_t> region_;
 };
 
-// Vertices where only two faces meet lie on an edge between corners: they go.
+// Removes vertices of only two faces, which lie on an edge between corners.
 void drop_edge_vertices(std::vector<std::vector<std::uint32_t>>& loops, std::size_t points) {
     std::vector<int> uses(points, 0);
     for (const auto& loop : loops)
@@ -169,15 +170,15 @@ Result<std::shared_ptr<const ConvexHull>> assemble_hull(
                      .emplace(std::pair(faces[f][k], faces[f][(k + 1) % faces[f].size()]),
                               static_cast<std::uint16_t>(f))
                      .second)
-                return hull_error("an edge is used twice in one direction");
+                return hull_error("an edge occurs twice in the same direction");
     for (const auto& [edge, left] : face_of) {
         const auto right = face_of.find({edge.second, edge.first});
-        if (right == face_of.end()) return hull_error("its faces do not close");
+        if (right == face_of.end()) return hull_error("its faces do not form a closed surface");
         if (edge.first < edge.second)
             hull->edges.push_back({edge.first, edge.second, left, right->second});
     }
     if (v.size() + hull->faces.size() != hull->edges.size() + 2)
-        return hull_error("its faces are not those of one solid");
+        return hull_error("its faces do not form a single solid");
 
     const PolyhedronMass mass = polyhedron_mass(*hull);
     if (!(mass.volume > 0)) return hull_error("it has no volume");
@@ -195,7 +196,7 @@ Result<std::shared_ptr<const ConvexHull>> assemble_hull(
 
 namespace {
 
-// Vertices that some loop uses, and the loops in their numbers.
+// Selects the vertices that the loops use and renumbers the loops.
 Result<std::shared_ptr<const ConvexHull>> hull_of_loops(
     const std::vector<Vec3>& retained, const std::vector<std::vector<std::uint32_t>>& loops) {
     std::vector<std::uint32_t> used;
@@ -222,7 +223,7 @@ Result<std::shared_ptr<const ConvexHull>> hull_of_loops(
     return assemble_hull(std::move(vertices), faces);
 }
 
-// Every corner of a face lies on its plane, above which there is nothing.
+// Checks that every corner of a face lies in its plane.
 bool is_flat_and_convex(const ConvexHull& hull, double size) {
     for (const HullFace& face : hull.faces)
         for (const std::uint16_t v : hull.vertices_of(face))
@@ -235,10 +236,11 @@ bool is_flat_and_convex(const ConvexHull& hull, double size) {
 
 Result<std::shared_ptr<const ConvexHull>> build_hull(std::span<const Vec3> points) {
     if (points.size() < 4)
-        return hull_error("it has " + std::to_string(points.size()) + " points; give at least 4");
+        return hull_error("it has " + std::to_string(points.size()) +
+                          " points; it must have at least 4");
     if (points.size() > max_hull_points)
         return hull_error("it has " + std::to_string(points.size()) + " points; at most " +
-                          std::to_string(max_hull_points) + " are taken");
+                          std::to_string(max_hull_points) + " are allowed");
     Aabb box{points[0], points[0]};
     for (std::size_t i = 0; i < points.size(); i++) {
         const Vec3 reach = abs(points[i]);
@@ -255,18 +257,18 @@ Result<std::shared_ptr<const ConvexHull>> build_hull(std::span<const Vec3> point
         return hull_error("its points lie within " + text(size) + " m; it must be at least " +
                           text(min_shape_size) + " m long");
 
-    // Round to the grid, one point per place.
+    // Round to the grid, one point per grid position.
     const Vec3 center = (box.low + box.high) * 0.5;
     const double scale = 0x1p30 / size;
-    std::map<GridPoint, std::uint32_t> places;
+    std::map<GridPoint, std::uint32_t> positions;
     for (std::uint32_t i = 0; i < points.size(); i++) {
         const Vec3 p = (points[i] - center) * scale;
         const auto round = [](double x) { return static_cast<std::int64_t>(std::floor(x + 0.5)); };
-        places.emplace(GridPoint{round(p.x), round(p.y), round(p.z)}, i);
+        positions.emplace(GridPoint{round(p.x), round(p.y), round(p.z)}, i);
     }
     std::vector<GridPoint> grid;
     std::vector<Vec3> retained;
-    for (const auto& [slot, index] : places) {
+    for (const auto& [slot, index] : positions) {
         grid.push_back(slot);
         retained.push_back(points[index]);
     }
@@ -274,7 +276,7 @@ Result<std::shared_ptr<const ConvexHull>> build_hull(std::span<const Vec3> point
     if (!triangles) return hull_error("its points lie in one plane; it has no volume");
     auto loops = FaceMerger(retained, *triangles, merge_fraction * size).run();
     if (loops) drop_edge_vertices(*loops, retained.size());
-    // A region whose border is not simple, or a face with nothing left: keep the triangles.
+    // If a region has no simple border or a face has too few corners, use the triangles instead.
     const auto broken = [](const auto& all) {
         return std::any_of(all.begin(), all.end(), [](const auto& l) { return l.size() < 3; });
     };
@@ -283,7 +285,7 @@ Result<std::shared_ptr<const ConvexHull>> build_hull(std::span<const Vec3> point
         if (merged.ok() && is_flat_and_convex(**merged, size) &&
             (*merged)->inner_radius >= 1e-6 * size)
             return merged;
-        // Too large to be one is final; a bent face is not.
+        // A hull that is too large is rejected; a bent face falls back to triangles.
         if (!merged.ok() && merged.error().message.find("simplify") != std::string::npos)
             return merged;
     }
@@ -292,8 +294,8 @@ Result<std::shared_ptr<const ConvexHull>> build_hull(std::span<const Vec3> point
     auto hull = hull_of_loops(retained, *loops);
     if (hull.ok() && ((*hull)->inner_radius < 1e-6 * size || !is_flat_and_convex(**hull, size)))
         return hull_error(
-            "it is so thin, or its points so nearly in line, that its faces are not "
-            "known; make it thicker or give fewer points");
+            "it is too thin, or its points are too close to collinear, to determine its "
+            "faces; make it thicker or remove points");
     return hull;
 }
 

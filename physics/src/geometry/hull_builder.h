@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// The inside of build_hull: what a saved world needs to put a hull together again with the same
-// bits.
+// Internal part of build_hull, used by saved worlds to reconstruct a hull with the same bits.
 #pragma once
 
 #include "jostle/physics/hull.h"
 
 namespace jostle::physics {
 
-// Derives planes, edges and mass from vertices and the loops of the faces. Checks that they close.
-// Every index is in range and every loop has at least three.
+// Derives planes, edges and mass from the vertices and the face loops, and checks that the faces
+// form a closed surface. Preconditions: every index is in range, every loop has at least three
+// vertices.
 Result<std::shared_ptr<const ConvexHull>> assemble_hull(
     std::vector<Vec3> vertices, const std::vector<std::vector<std::uint16_t>>& faces);
 

@@ -7,7 +7,8 @@
 namespace jostle::physics {
 namespace {
 
-// What every x86-64 and ARM64 has registers for; wider ones a compiler may take apart lane by lane.
+// 16-byte vectors, which all x86-64 and ARM64 processors support; compilers may split wider ones
+// into scalars.
 typedef double Two __attribute__((vector_size(16)));
 typedef std::int64_t TwoMask __attribute__((vector_size(16)));
 typedef float Four __attribute__((vector_size(16)));
@@ -29,7 +30,7 @@ Four splat(float f) {
     return Four{f, f, f, f};
 }
 
-// A ball of a pair as floats, and what their rounding may take away.
+// A pair of balls in single precision, with margins for rounding.
 struct BallLanes {
     Four x, y, z, squared, off, lateral;
 };
@@ -45,7 +46,7 @@ BallLanes lanes_of(const InnerBalls& balls, double sign) {
             lanes(-1e-5 * length(d))};
 }
 
-// Of four lanes from `at` on.
+// Four lanes starting at `at`.
 Four along(const DirectionLanes& n, std::size_t at, const BallLanes& d) {
     return (load(n.x + at) * d.x + load(n.y + at) * d.y) + load(n.z + at) * d.z;
 }
@@ -61,13 +62,13 @@ Four root(Four a) {
     return r;
 }
 
-// Of what an arc's normals show.
+// The maximum over the normals of an arc.
 Four most_of_arc(const ArcLanes& arc, std::size_t at, const BallLanes& ball) {
     const Four at_ends = larger(along(arc.first, at, ball), along(arc.second, at, ball));
     const FourMask between = (along(arc.after_first, at, ball) >= ball.lateral) &
                              (along(arc.before_second, at, ball) >= ball.lateral);
-    // Of all directions square to the edge the ball's own, without its part along the edge, shows
-    // most, when it is between the two.
+    // Of all directions perpendicular to the edge, the projection of the balls' direction gives the
+    // maximum if it lies on the arc.
     const Four part = along(arc.along, at, ball);
     const Four square = larger(ball.squared - part * part, splat(0.0f));
     return (between ? larger(root(square), at_ends) : at_ends) + ball.off;
@@ -79,7 +80,7 @@ void put(DirectionLanes& lanes, std::size_t lane, Vec3 v) {
     lanes.z[lane] = static_cast<float>(v.z);
 }
 
-// How many blocks of so many lanes hold so many.
+// Number of blocks of `lanes` elements that hold `count` elements.
 constexpr std::size_t blocks(std::size_t count, std::size_t lanes) {
     return (count + lanes - 1) / lanes;
 }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// The parts of a hull side by side, so that a few are looked at in one go: its vertices in double,
-// by four, for whoever asks which lies furthest along a direction; the normals of its faces and the
-// arcs of its edges in float, by eight, for the separating axis test, which only asks of most of
-// them whether they can be left out. The last of each is repeated to fill the lanes.
+// Vertices, faces and edges of a hull in SIMD layout. Vertices are in double precision, four per
+// block, for the support function. Face normals and edge arcs are in single precision, eight per
+// block, for the separating axis test, which rejects most of them. The last element is repeated to
+// fill a block.
 //
-// Lanes do not meet, but for the furthest vertex, of which equal ones are told apart by number: the
-// bits are those of any other width.
+// Lanes are combined only in the support function, where ties are resolved by index, so results do
+// not depend on the SIMD width.
 #pragma once
 
 #include <cstddef>
@@ -23,36 +23,37 @@ struct VertexLanes {
 struct DirectionLanes {
     alignas(16) float x[8], y[8], z[8];
 };
-// All normals between those of an edge's two faces, which are square to the edge.
+// The arc of normals between those of an edge's two faces, perpendicular to the edge.
 struct ArcLanes {
     DirectionLanes first, second;  // the normals of the two faces
-    // A direction without its part along the edge lies between the two when it looks along both of
-    // these.
+    // A direction, projected perpendicular to the edge, lies on the arc if its dot products with
+    // both of these are not negative.
     DirectionLanes after_first, before_second;
-    DirectionLanes along;  // unit
+    DirectionLanes along;  // unit vector along the edge
 };
 
 struct HullLanes {
     std::vector<VertexLanes> vertices;
     std::vector<DirectionLanes> normals;
     std::vector<ArcLanes> arcs;
-    double outer_radius = 0;  // m: of the ball about the centre of mass that holds the hull
+    // m, radius of a ball around the centre of mass that contains the hull.
+    double outer_radius = 0;
 };
 
 HullLanes lanes_of(const ConvexHull& hull);
 
-// Which vertex lies furthest along d (any length); of equal ones the first.
+// Returns the index of the vertex that is furthest along d (any length); of several, the first.
 std::size_t furthest_vertex(const HullLanes& lanes, Vec3 d);
 
-// A ball in one shape and one in another: along a direction n from the first to the second the
-// shapes are no further apart than the balls are, n . apart - radii.
+// A ball inside one shape and a ball inside another. Along a direction n from the first to the
+// second, the separation of the shapes is at most that of the balls, n . apart - radii.
 struct InnerBalls {
-    Vec3 apart;  // m, from the first to the second, in the frame of the hull
+    Vec3 apart;  // m, from the first centre to the second, in the hull's local frame
     double radii = 0;
 };
-// For each normal, or each arc's best normal, how far apart the balls are, m: the least of the
-// pairs of balls, and a little more than that, for rounding. `sign`: -1 where normals look from the
-// second shape to the first. As many as the lanes hold.
+// Computes an upper bound of the separation along each normal, and along the best normal of each
+// arc, m: the minimum over the pairs of balls plus a margin for rounding. `sign` is -1 if the
+// normals point from the second shape to the first. Writes as many values as there are lanes.
 void show_normals(const HullLanes& lanes, std::span<const InnerBalls> balls, double sign,
                   float* to);
 void show_arcs(const HullLanes& lanes, std::span<const InnerBalls> balls, double sign, float* to);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Quickhull (Barber, Dobkin, Huhdanpaa 1996) on triangles: each face keeps the points above it; the
-// highest of them becomes a vertex, the faces it sees are replaced by a fan to their horizon.
+// Quickhull (Barber, Dobkin, Huhdanpaa 1996) on triangles. Each face stores the points above it.
+// The highest of them becomes a vertex, and the faces visible from it are replaced by a fan to
+// their horizon.
 #include "physics/src/geometry/hull_topology.h"
 
 #include <algorithm>
@@ -14,8 +15,10 @@ __extension__ typedef __int128 Wide;
 
 struct Face {
     std::array<std::uint32_t, 3> corner{};
-    std::array<std::uint32_t, 3> across{};  // face beyond the edge from corner k to corner k + 1
-    std::vector<std::uint32_t> above;       // points outside this face, each on one face's list
+    // Adjacent face across the edge from corner k to corner k + 1.
+    std::array<std::uint32_t, 3> across{};
+    // Points outside this face; each point is in the list of one face.
+    std::vector<std::uint32_t> above;
     bool alive = true;
     bool seen = false;
 };
@@ -38,7 +41,7 @@ public:
     }
 
 private:
-    // Six times the volume of (a, b, c, p): positive when p is above the face (a, b, c).
+    // Six times the signed volume of (a, b, c, p): positive if p is above the face (a, b, c).
     Wide volume(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t p) const {
         const GridPoint &o = points_[a], &q = points_[b], &r = points_[c], &s = points_[p];
         const std::int64_t ux = q.x - o.x, uy = q.y - o.y, uz = q.z - o.z;
@@ -52,8 +55,8 @@ private:
         return volume(face.corner[0], face.corner[1], face.corner[2], p);
     }
 
-    // The first two points far apart, a third off their line, a fourth off their plane: the
-    // extremes, so that the first solid is large.
+    // Chooses extreme points, so that the initial solid is large: two distant points, a third off
+    // their line, a fourth off their plane.
     bool make_tetrahedron() {
         const auto count = static_cast<std::uint32_t>(points_.size());
         if (count < 4) return false;
@@ -69,7 +72,7 @@ private:
             const GridPoint &o = points_[a], &q = points_[b], &r = points_[i];
             const Wide ux = q.x - o.x, uy = q.y - o.y, uz = q.z - o.z;
             const Wide vx = r.x - o.x, vy = r.y - o.y, vz = r.z - o.z;
-            // The largest component of the cross product is measure enough.
+            // The largest component of the cross product suffices as a measure.
             const auto size = [](Wide w) { return w < 0 ? -w : w; };
             const Wide area = std::max(
                 {size(uy * vz - uz * vy), size(uz * vx - ux * vz), size(ux * vy - uy * vx)});
@@ -99,8 +102,8 @@ private:
         return true;
     }
 
-    // Puts the point on the list of the first face from `first` on that it is above; points inside
-    // are dropped.
+    // Adds the point to the list of the first face, starting at `first`, that it is above. Interior
+    // points are dropped.
     void assign(std::uint32_t point, std::size_t first) {
         for (std::size_t f = first; f < faces_.size(); f++)
             if (faces_[f].alive && height(faces_[f], point) > 0) {
@@ -118,8 +121,8 @@ private:
     }
 
     struct Rim {
-        std::uint32_t from, to;  // counter-clockwise seen from outside, as the visible face had it
-        std::uint32_t beyond;    // the face that stays
+        std::uint32_t from, to;  // counter-clockwise seen from outside, as in the visible face
+        std::uint32_t beyond;    // the remaining face
     };
 
     void add_point(std::uint32_t start) {
@@ -132,7 +135,7 @@ private:
                 top = p;
             }
         }
-        // What the point sees is connected; exactly flat neighbours stay.
+        // The visible faces are connected. Exactly coplanar neighbours remain.
         visible_.assign(1, start);
         faces_[start].seen = true;
         for (std::size_t k = 0; k < visible_.size(); k++)
@@ -148,7 +151,7 @@ private:
                 if (!faces_[faces_[f].across[e]].seen)
                     rim_.push_back(
                         {faces_[f].corner[e], faces_[f].corner[(e + 1) % 3], faces_[f].across[e]});
-        // In order around the rim: each edge begins where the last one ended.
+        // Sort the edges around the rim: each edge starts at the end of the previous one.
         for (std::size_t k = 1; k < rim_.size(); k++) {
             std::size_t next = k;
             while (rim_[next].from != rim_[k - 1].to) next++;
@@ -158,10 +161,11 @@ private:
         const auto count = static_cast<std::uint32_t>(rim_.size());
         for (std::uint32_t k = 0; k < count; k++) {
             const Rim& r = rim_[k];
-            const std::uint32_t before = first_new + (k + count - 1) % count;
-            const std::uint32_t after = first_new + (k + 1) % count;
-            faces_.push_back(
-                {.corner = {r.from, r.to, top}, .across = {r.beyond, after, before}, .above = {}});
+            const std::uint32_t previous = first_new + (k + count - 1) % count;
+            const std::uint32_t next_face = first_new + (k + 1) % count;
+            faces_.push_back({.corner = {r.from, r.to, top},
+                              .across = {r.beyond, next_face, previous},
+                              .above = {}});
             Face& beyond = faces_[r.beyond];
             for (std::size_t e = 0; e < 3; e++)
                 if (beyond.corner[e] == r.to && beyond.corner[(e + 1) % 3] == r.from)

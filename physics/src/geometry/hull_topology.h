@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The combinatorial half of hull building: which triples of points are faces. Works on integers, so
-// every question has an exact answer.
+// Topology of hull construction: determines which triples of points are faces. Uses integer
+// coordinates, so every predicate is exact.
 #pragma once
 
 #include <array>
@@ -19,9 +19,10 @@ struct GridPoint {
     auto operator<=>(const GridPoint&) const = default;
 };
 
-using HullTriangle = std::array<std::uint32_t, 3>;  // points, counter-clockwise seen from outside
+// Point indices, counter-clockwise seen from outside.
+using HullTriangle = std::array<std::uint32_t, 3>;
 
-// A closed triangulated hull; nothing when all points lie in one plane. Distinct points only.
+// Returns a closed triangulated hull of distinct points; nullopt if all points are coplanar.
 std::optional<std::vector<HullTriangle>> hull_triangles(std::span<const GridPoint> points);
 
 }  // namespace jostle::physics

@@ -21,7 +21,7 @@ double inner_radius_of(const Geometry& geometry) {
             return minimum(c.radius, c.half_length);
         }
         case ShapeKind::cone: {
-            // The ball that touches the base and the side: r h / (r + sqrt(r^2 + h^2)).
+            // Inscribed ball touching base and side: r h / (r + sqrt(r^2 + h^2)).
             const Cone& c = std::get<Cone>(geometry);
             const double h = 2 * c.half_length;
             return c.radius * h / (c.radius + square_root(c.radius * c.radius + h * h));

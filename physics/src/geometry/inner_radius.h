@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// How thick a shape is: what moves less than this between two looks cannot have passed through
-// anything.
+// Thickness of a shape: a body that moves less than this between two tests cannot tunnel.
 #pragma once
 
 #include "jostle/physics/geometry.h"
 
 namespace jostle::physics {
 
-// m: of a ball that fits inside. Zero for surfaces, infinite for planes.
+// Returns the radius of a ball that fits inside the shape, m. Zero for surfaces, infinite for
+// planes.
 double inner_radius_of(const Geometry& geometry);
 
 }  // namespace jostle::physics

@@ -13,8 +13,7 @@ MassProperties mass_of_sphere(const Sphere& s, double density) {
     return {m, {}, diagonal({i, i, i})};
 }
 
-// A cylinder and two half balls. The half balls' centres of mass are 3/8 r beyond the ends of the
-// segment.
+// A cylinder and two half balls, whose centres of mass are 3/8 r beyond the ends of the segment.
 MassProperties mass_of_capsule(const Capsule& c, double density) {
     const double r = c.radius, h = c.half_length;
     const double cylinder = density * pi * r * r * 2 * h;
@@ -58,7 +57,7 @@ MassProperties mass_of_compound(const CompoundShape& compound, double density) {
     return sum;
 }
 
-// What a mass m at offset d adds to the inertia: m (|d|^2 1 - d d^T).
+// Inertia of a point mass m at offset d: m (|d|^2 1 - d d^T).
 Mat3 offset_inertia(double m, Vec3 d) {
     const double d2 = length_squared(d);
     return Mat3{{d2 - d.x * d.x, -d.x * d.y, -d.x * d.z},
@@ -94,7 +93,7 @@ MassProperties mass_of(const Geometry& geometry, double density) {
 }
 
 MassProperties moved(const MassProperties& properties, const Transform& pose) {
-    // No rotation: keep the exact zeros off the diagonal, so that a cube stays isotropic.
+    // Without rotation, preserve exact zeros off the diagonal, so that a cube stays isotropic.
     if (pose.rotation == Quat{})
         return {properties.mass, pose.position + properties.center, properties.inertia};
     const Mat3 r = to_matrix(pose.rotation);

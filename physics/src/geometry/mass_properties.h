@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Mass, centre of mass and inertia of each shape kind, from density. Closed forms of solid bodies.
+// Mass, centre of mass and inertia of each shape kind with a given density. Closed forms of solid
+// bodies.
 #pragma once
 
 #include "jostle/physics/geometry.h"
@@ -10,17 +11,17 @@ namespace jostle::physics {
 
 struct MassProperties {
     double mass = 0;                     // kg
-    Vec3 center;                         // m
+    Vec3 center;                         // centre of mass, m
     Mat3 inertia = diagonal({0, 0, 0});  // kg m^2 about `center`
 };
 
-// In the shape's own frame. Planes, meshes and height fields have no mass.
+// Mass properties in the shape's local frame. Zero for planes, meshes and height fields.
 MassProperties mass_of(const Geometry& geometry, double density);
 
-// The same body seen from the parent of `pose`.
+// Transforms mass properties from the local frame to its parent.
 MassProperties moved(const MassProperties& properties, const Transform& pose);
 
-// Two bodies as one (parallel axis theorem).
+// Mass properties of two bodies as one (parallel axis theorem).
 MassProperties combined(const MassProperties& a, const MassProperties& b);
 
 }  // namespace jostle::physics

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Triangles to mesh: checks, neighbours across edges, tree.
+// Builds triangle meshes: checks, neighbours across edges, tree.
 #include <algorithm>
 #include <map>
 
@@ -18,8 +18,8 @@ Error mesh_error(std::string message) {
     return invalid_argument("mesh: " + std::move(message));
 }
 
-// For each vertex the lowest one at the same place.
-std::vector<std::uint32_t> same_places(const std::vector<Vec3>& vertices) {
+// Returns for each vertex the lowest index of a vertex at the same position.
+std::vector<std::uint32_t> same_positions(const std::vector<Vec3>& vertices) {
     std::vector<std::uint32_t> order(vertices.size()), first(vertices.size());
     for (std::uint32_t i = 0; i < order.size(); i++) order[i] = i;
     const auto less = [&](std::uint32_t a, std::uint32_t b) {
@@ -37,9 +37,9 @@ std::vector<std::uint32_t> same_places(const std::vector<Vec3>& vertices) {
 }
 
 void find_neighbours(TriangleMesh& mesh) {
-    const std::vector<std::uint32_t> slot = same_places(mesh.vertices);
+    const std::vector<std::uint32_t> slot = same_positions(mesh.vertices);
     struct Side {
-        std::uint32_t low, high;  // places of its two ends
+        std::uint32_t low, high;  // unique vertices at its two ends
         std::uint32_t triangle, edge;
     };
     std::vector<Side> sides;
@@ -84,11 +84,11 @@ Result<std::shared_ptr<const TriangleMesh>> build_mesh(
     std::span<const Vec3> vertices, std::span<const std::array<std::uint32_t, 3>> triangles) {
     if (vertices.size() < 3)
         return mesh_error("it has " + std::to_string(vertices.size()) +
-                          " vertices; give at least 3");
+                          " vertices; it must have at least 3");
     if (triangles.empty()) return mesh_error("it has no triangles");
     if (triangles.size() > max_mesh_triangles || vertices.size() > 3 * max_mesh_triangles)
         return mesh_error("it has " + std::to_string(triangles.size()) + " triangles; at most " +
-                          std::to_string(max_mesh_triangles) + " are taken");
+                          std::to_string(max_mesh_triangles) + " are allowed");
     auto mesh = std::make_shared<TriangleMesh>();
     mesh->vertices.assign(vertices.begin(), vertices.end());
     mesh->bounds = {vertices[0], vertices[0]};
@@ -104,9 +104,9 @@ Result<std::shared_ptr<const TriangleMesh>> build_mesh(
     for (std::size_t t = 0; t < triangles.size(); t++) {
         for (const std::uint32_t corner : triangles[t])
             if (corner >= vertices.size())
-                return mesh_error("triangles[" + std::to_string(t) + "] names vertex " +
+                return mesh_error("triangles[" + std::to_string(t) + "] refers to vertex " +
                                   std::to_string(corner) + "; there are " +
-                                  std::to_string(vertices.size()));
+                                  std::to_string(vertices.size()) + " vertices");
         const Vec3 a = vertices[triangles[t][0]], b = vertices[triangles[t][1]],
                    c = vertices[triangles[t][2]];
         const double longest = maximum(length(b - a), maximum(length(c - b), length(a - c)));
@@ -114,7 +114,7 @@ Result<std::shared_ptr<const TriangleMesh>> build_mesh(
         mesh->triangles.push_back(triangles[t]);
         boxes.push_back({min(a, min(b, c)), max(a, max(b, c))});
     }
-    if (mesh->triangles.empty()) return mesh_error("none of its triangles has an area");
+    if (mesh->triangles.empty()) return mesh_error("all its triangles are degenerate");
     find_neighbours(*mesh);
     mesh->tree = std::make_shared<const Bvh>(boxes);
     mesh->content_hash = hash_of(*mesh);

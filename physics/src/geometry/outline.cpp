@@ -18,6 +18,7 @@ int hull_of(std::vector<Vec3>& points, Vec3* out) {
     std::vector<Vec3> chain(2 * points.size());
     std::size_t n = 0;
     const auto add = [&](Vec3 p, std::size_t least) {
+        // The last point equals the first.
         while (n >= least + 2 && cross_z(chain[n - 1] - chain[n - 2], p - chain[n - 2]) <= 0) n--;
         chain[n++] = p;
     };
@@ -101,7 +102,7 @@ MassProperties planar_mass_of(const Geometry& geometry, double density) {
         return disc(m, 0.5 * m * r2);
     }
     if (const auto* capsule = std::get_if<Capsule>(&geometry)) {
-        // A rectangle and two half discs whose centres of area are 4 r / (3 pi) beyond its ends.
+        // A rectangle and two half discs, whose centroids are 4 r / (3 pi) beyond its ends.
         const double r = capsule->radius, h = capsule->half_length, r2 = r * r;
         const double rectangle = density * 4 * r * h, ends = density * pi * r2;
         return disc(rectangle + ends, rectangle * (r2 + h * h) / 3 +

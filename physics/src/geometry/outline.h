@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What a shape is in a planar world: its outline in the xy plane, a convex polygon with rounded
-// corners. A sphere is a disc, a capsule a stadium, a hull the shadow that it throws along z.
+// Outlines of shapes in a planar world: a convex polygon in the xy plane with rounded corners. A
+// sphere is a disc, a capsule a stadium, a hull its projection along z.
 #pragma once
 
 #include "jostle/physics/hull.h"
@@ -12,9 +12,9 @@
 namespace jostle::physics {
 
 struct Outline {
-    int count = 0;  // corners: 1 a point, 2 a segment, more a polygon
+    int count = 0;  // corners: 1 for a point, 2 for a segment, 3 or more for a polygon
     UninitializedArray<Vec3, max_hull_vertices> corner;  // counter-clockwise, z = 0
-    double radius = 0;                                   // of the rounding
+    double radius = 0;                                   // of the rounding, m
 };
 
 inline bool has_outline(ShapeKind kind) {
@@ -22,10 +22,10 @@ inline bool has_outline(ShapeKind kind) {
            kind == ShapeKind::hull;
 }
 
-// Seen from `origin`.
+// Returns the outline relative to `origin`.
 Outline outline_of(const TransformedShape& shape, Vec3 origin);
 
-// Of a slice 1 m thick: mass = density * area, inertia about z alone counts.
+// Mass properties of a slice 1 m thick: mass = density * area; only the inertia about z is used.
 MassProperties planar_mass_of(const Geometry& geometry, double density);
 
 }  // namespace jostle::physics

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Volume, centre and inertia of a closed polyhedron of density 1.
+// Volume, centre of mass and inertia of a closed polyhedron of density 1.
 #pragma once
 
 #include "jostle/physics/hull.h"
@@ -13,8 +13,8 @@ struct PolyhedronMass {
     Mat3 inertia = diagonal({0, 0, 0});  // m^5, about `center`
 };
 
-// Sums over tetrahedra from the first vertex to the triangles of every face (Blow and Binstock,
-// "How to find the inertia tensor of a 3D solid body", 2004).
+// Sums over the tetrahedra between the first vertex and the triangles of every face (Blow and
+// Binstock, "How to find the inertia tensor of a 3D solid body", 2004).
 PolyhedronMass polyhedron_mass(const ConvexHull& hull);
 
 }  // namespace jostle::physics

@@ -12,18 +12,20 @@ double across_axis(Vec3 d) {
     return square_root(d.x * d.x + d.z * d.z);
 }
 
-// The base's shadow is an ellipse, the tip's a point on its minor axis: the area of their hull.
+// The projection of the base is an ellipse, that of the apex a point on its minor axis. The area is
+// that of their convex hull.
 double area_of_cone(const Cone& cone, Vec3 d) {
     const double r = cone.radius, squeeze = absolute(d.y);
-    const double tip = 2 * cone.half_length * across_axis(d);  // from the ellipse's centre
+    const double tip = 2 * cone.half_length * across_axis(d);  // from the centre of the ellipse
     if (squeeze * r >= tip) return pi * r * r * squeeze;       // inside the ellipse
     if (squeeze < 1e-9) return r * tip;                        // a triangle
-    // Stretched to a circle: two tangents from the tip, and the arc beyond where they touch.
+    // Scaled to a circle: two tangents from the apex, and the arc between the points of contact on
+    // the far side.
     const double far = tip / squeeze, tangent = square_root(far * far - r * r);
     return squeeze * (r * r * (pi - arc_tangent(tangent, r)) + r * tangent);
 }
 
-// Every face is seen from one side or the other.
+// Every face is visible from exactly one of the two directions.
 double area_of_hull(const ConvexHull& hull, Vec3 d) {
     double twice = 0;
     for (const HullFace& face : hull.faces) {

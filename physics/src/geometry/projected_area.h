@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// What a shape shows to a flow: the area of its shadow along a direction.
+// Projected area of a shape along a direction, for drag.
 #pragma once
 
 #include "jostle/physics/geometry.h"
 
 namespace jostle::physics {
 
-// m^2; `direction` is unit, in the shape's own frame. Exact for convex shapes; of a compound the
-// sum of its children's. Planes, meshes and height fields show nothing.
+// Returns the projected area in m^2; `direction` is a unit vector in the shape's local frame. Exact
+// for convex shapes, the sum over the children for compounds, zero for planes, meshes and height
+// fields.
 double projected_area(const Geometry& geometry, Vec3 direction);
 
 }  // namespace jostle::physics

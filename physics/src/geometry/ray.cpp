@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Each kind is solved in the shape's own frame with the ray o + t m, 0 <= t <= 1.
+// Each kind is solved in the shape's local frame with the ray o + t m, 0 <= t <= 1.
 #include "physics/src/geometry/ray.h"
 
 #include "jostle/physics/compound.h"
@@ -16,7 +16,7 @@ Hit from_inside(Vec3 motion) {
     return ShapeRayHit{0, normalized(-motion)};
 }
 
-// Smaller root of |o + t m - c|^2 = r^2 for an origin outside.
+// The smaller root of |o + t m - c|^2 = r^2, for an origin outside.
 Hit cast_at_sphere(Vec3 o, Vec3 m, Vec3 center, double radius) {
     const Vec3 d = o - center;
     const double a = dot(m, m), b = dot(d, m), c = dot(d, d) - radius * radius;
@@ -34,7 +34,7 @@ Hit cast_at_capsule(Vec3 o, Vec3 m, const Capsule& capsule) {
     const Vec3 nearest{0, clamp(o.y, -h, h), 0};
     if (length_squared(o - nearest) <= r * r) return from_inside(m);
     Hit best;
-    // The side: a circle in the xz plane, if the ray meets it between the two ends.
+    // The side: a circle in the xz plane, if the ray hits it between the two ends.
     const double a = m.x * m.x + m.z * m.z, b = o.x * m.x + o.z * m.z;
     const double c = o.x * o.x + o.z * o.z - r * r, discriminant = b * b - a * c;
     if (c > 0 && b < 0 && discriminant >= 0) {
@@ -79,10 +79,10 @@ Hit cast_at_plane(Vec3 o, Vec3 m, Vec3 normal) {
     return ShapeRayHit{height / -climb, normal};
 }
 
-// Where the line is between the two ends of an axis-aligned slab |y| <= h.
+// The interval of the line inside the slab |y| <= h.
 struct Stretch {
     double enter, leave;
-    double side;  // y of the normal where it enters
+    double side;  // y component of the normal at the entry
 };
 Stretch between_ends(Vec3 o, Vec3 m, double h) {
     if (m.y == 0) return absolute(o.y) <= h ? Stretch{-1e300, 1e300, 0} : Stretch{1, -1, 0};
@@ -102,7 +102,7 @@ Hit cast_at_cylinder(Vec3 o, Vec3 m, const Cylinder& cylinder) {
         const double discriminant = b * b - a * c;
         if (discriminant < 0) return {};
         const double root = square_root(discriminant);
-        // Without cancellation: one root by the sum, the other by the product.
+        // Avoid cancellation: one root from the sum, the other from the product.
         const double q = b > 0 ? -b - root : -b + root;
         const double t1 = q / a, t2 = q != 0 ? c / q : t1;
         enter = minimum(t1, t2);
@@ -115,8 +115,8 @@ Hit cast_at_cylinder(Vec3 o, Vec3 m, const Cylinder& cylinder) {
     return ShapeRayHit{t, normalized(Vec3{o.x + t * m.x, 0, o.z + t * m.z})};
 }
 
-// The side is x^2 + z^2 = k^2 (h - y)^2 with k = r / (2 h); the line meets the double cone twice at
-// most, and only what lies between base and tip counts.
+// The side is x^2 + z^2 = k^2 (h - y)^2 with k = r / (2 h). The line intersects the double cone at
+// most twice; only points between base and apex count.
 Hit cast_at_cone(Vec3 o, Vec3 m, const Cone& cone) {
     const double h = cone.half_length, k = cone.radius / (2 * h), down = h - o.y;
     const double a = m.x * m.x + m.z * m.z - k * k * m.y * m.y;
@@ -145,7 +145,7 @@ Hit cast_at_cone(Vec3 o, Vec3 m, const Cone& cone) {
     return best;
 }
 
-// Between the planes of all faces.
+// Clips the ray against the planes of all faces.
 Hit cast_at_hull(Vec3 o, Vec3 m, const ConvexHull& hull) {
     double enter = -1e300, leave = 1;
     const HullFace* entered = nullptr;
@@ -185,15 +185,15 @@ Hit cast_at_surface(Vec3 o, Vec3 m, const Geometry& surface) {
         });
         return best;
     }
-    // Column by column along the ray's larger horizontal direction, so that a long ray looks only
-    // at the cells under it.
+    // Traverse column by column along the ray's larger horizontal component, so that a long ray
+    // tests only the cells below it.
     const HeightGrid& grid = *std::get<HeightField>(surface).data;
     const double start = ray_enters(grow(grid.bounds, 1e-9), o, m, 1);
     if (start > 1) return {};
     const int along = absolute(m.x) >= absolute(m.z) ? 0 : 2;
     const double spacing = along == 0 ? grid.spacing_x : grid.spacing_z;
-    const double way = absolute(m[along]);
-    const double step = way > 0 ? minimum(1, spacing / way) : 1;
+    const double extent = absolute(m[along]);
+    const double step = extent > 0 ? minimum(1, spacing / extent) : 1;
     for (double from = start; from < 1 && !(best && best->fraction < from); from += step) {
         const Vec3 p = o + m * from, q = o + m * minimum(1, from + step);
         for_each_triangle(grid, grow({min(p, q), max(p, q)}, 1e-9 * (1 + length(p))),
@@ -222,7 +222,7 @@ std::optional<ShapeRayHit> cast_at_triangle(Vec3 o, Vec3 m, const Vec3 corner[3]
     if (det == 0) return {};
     const double scale = 1 / det;
     const Vec3 s = o - corner[0];
-    // A little beyond the edges, so that no ray slips between two triangles.
+    // Extend the triangle slightly beyond its edges, so that no ray passes between two triangles.
     constexpr double slack = 1e-12;
     const double a = dot(s, p) * scale;
     if (a < -slack || a > 1 + slack) return {};

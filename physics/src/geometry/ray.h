@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Ray against each shape kind.
+// Ray casts against each shape kind.
 #pragma once
 
 #include <optional>
@@ -14,12 +14,13 @@ struct ShapeRayHit {
     Vec3 normal;          // unit, out of the shape
 };
 
-// A triangle, from either side (Moeller and Trumbore, "Fast, minimum storage ray/triangle
-// intersection", 1997).
+// Casts a ray against both sides of a triangle (Moeller and Trumbore, "Fast, minimum storage
+// ray/triangle intersection", 1997).
 std::optional<ShapeRayHit> cast_at_triangle(Vec3 origin, Vec3 motion, const Vec3 corner[3]);
 
-// The first point of origin..origin+motion that the shape holds. An origin inside answers fraction
-// 0 and a normal against the motion; meshes and height fields are surfaces, with no inside.
+// Returns the first point of origin..origin + motion inside the shape. If the origin is inside, the
+// fraction is 0 and the normal is opposite to the motion; meshes and height fields are surfaces
+// without an inside.
 std::optional<ShapeRayHit> cast_ray(const TransformedShape& shape, Vec3 origin, Vec3 motion);
 
 }  // namespace jostle::physics

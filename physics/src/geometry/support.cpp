@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "physics/src/geometry/support.h"
 
-#include "physics/src/foundation/check.h"
+#include "jostle/base/check.h"
 #include "physics/src/geometry/hull_lanes.h"
 
 namespace jostle::physics {
 namespace {
 
-// d < 0 ? -h : h without a branch, which nobody could predict; h is not negative.
+// d < 0 ? -h : h without a branch, which would be unpredictable. h is not negative.
 double signed_size(double d, double h) {
     return __builtin_copysign(h, d + 0.0);  // -0 + 0 is 0
 }
 
-// The point of the disc |p| = r in the xz plane along d; its centre when d has no part in it.
+// The point of the disc |p| = r in the xz plane along d; its centre if d is vertical.
 Vec3 on_disc(Vec3 d, double r) {
     const double l2 = d.x * d.x + d.z * d.z;
     if (l2 < 1e-300) return {};

@@ -4,9 +4,9 @@
 namespace jostle::physics {
 namespace {
 
-// The triangle across edge k of a height field's triangle. Half 0 has corners 00, 11, 10 (column,
-// row): edges are the diagonal, the side to the next column and the side to the row before. Half 1
-// has 00, 01, 11: the side to the column before, the side to the next row, the diagonal.
+// The triangle across edge k of a height-field triangle. Half 0 has the corners 00, 11, 10 (column,
+// row); its edges are the diagonal, the side to the next column and the side to the previous row.
+// Half 1 has 00, 01, 11: the side to the previous column, the side to the next row, the diagonal.
 std::uint32_t across(const HeightGrid& grid, std::uint32_t index, int k) {
     const std::uint32_t columns = grid.columns - 1, rows = grid.rows - 1;
     const std::uint32_t cell = index / 2, c = cell % columns, r = cell / columns;
@@ -53,7 +53,7 @@ SurfaceEdge edge_of(const Geometry& surface, const SurfaceTriangle& t, int k) {
     if (other == no_triangle) return {};
     const SurfaceTriangle n = triangle_of(surface, other);
     const Vec3 from = t.corner[k], along = normalized(t.corner[(k + 1) % 3] - from);
-    // The neighbour's far corner is the one furthest from the common edge.
+    // The far corner of the neighbour is the one furthest from the common edge.
     Vec3 far;
     double reach = -1;
     for (const Vec3 p : n.corner) {
@@ -63,8 +63,8 @@ SurfaceEdge edge_of(const Geometry& surface, const SurfaceTriangle& t, int k) {
             far = p;
         }
     }
-    // Neighbours may be wound the other way round: turn the normal so that the two faces are the
-    // two sides of one sheet. Seen along the edge, the far corner lies away from this triangle.
+    // Neighbours may have the opposite winding. Orient the normal so that the two faces form one
+    // sheet: seen along the edge, the far corner lies away from this triangle.
     const Vec3 own = normal_of(t);
     const Vec3 off = (far - from) - along * dot(far - from, along);
     Vec3 normal = normalized(cross(off, along));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Meshes and height fields as one thing: triangles with an index each, found by box or by ray, that
-// know what lies across their edges.
+// Common interface of meshes and height fields: indexed triangles, found by box or by ray, with
+// their neighbours across edges.
 #pragma once
 
 #include <cstdint>
@@ -20,13 +20,14 @@ struct SurfaceTriangle {
     std::uint32_t index = 0;
 };
 
-// What lies across an edge.
+// The neighbour across an edge.
 struct SurfaceEdge {
-    bool border = true;  // no neighbour, or several
-    Vec3 normal;         // of the neighbour, facing the same way
-    double fold = 0;     // m: height of the neighbour's far corner above this triangle's plane;
-                         // negative: a ridge as seen from the front
-    double reach = 1;    // m: distance of that corner from the edge
+    bool border = true;  // no neighbour, or more than one
+    Vec3 normal;         // of the neighbour, oriented consistently
+    // Height of the neighbour's far corner above the plane of this triangle, m; negative: a ridge
+    // seen from the front.
+    double fold = 0;
+    double reach = 1;  // distance of that corner from the edge, m
 };
 
 inline Vec3 normal_of(const SurfaceTriangle& t) {
@@ -34,7 +35,7 @@ inline Vec3 normal_of(const SurfaceTriangle& t) {
 }
 
 SurfaceTriangle triangle_of(const TriangleMesh& mesh, std::uint32_t index);
-// Height fields number their triangles cell * 2 + half.
+// The index of a height-field triangle is cell * 2 + half.
 SurfaceTriangle triangle_of(const HeightGrid& grid, std::uint32_t index);
 SurfaceTriangle triangle_of(const Geometry& surface, std::uint32_t index);
 
@@ -46,7 +47,7 @@ inline bool is_hole(const HeightGrid& grid, std::size_t cell) {
 }
 
 // Calls visit(const SurfaceTriangle&) for every triangle whose box overlaps, in an order that
-// depends on the surface alone.
+// depends only on the surface.
 template <class Visit>
 void for_each_triangle(const TriangleMesh& mesh, const Aabb& box, Visit&& visit) {
     mesh.tree->query(box, [&](std::uint32_t index) {
@@ -78,16 +79,16 @@ void for_each_triangle(const HeightGrid& grid, const Aabb& box, Visit&& visit) {
     };
     for (std::uint32_t r = cells.row_begin; r < cells.row_end; r++) {
         Vec3 near = sample(grid, cells.column_begin, r),
-             beside = sample(grid, cells.column_begin, r + 1);
+             next_row = sample(grid, cells.column_begin, r + 1);
         for (std::uint32_t c = cells.column_begin; c < cells.column_end; c++) {
             const std::uint32_t cell = r * (grid.columns - 1) + c;
             const Vec3 next = sample(grid, c + 1, r), far = sample(grid, c + 1, r + 1);
             if (!is_hole(grid, cell)) {
                 visit_half({{near, far, next}, cell * 2});
-                visit_half({{near, beside, far}, cell * 2 + 1});
+                visit_half({{near, next_row, far}, cell * 2 + 1});
             }
             near = next;
-            beside = far;
+            next_row = far;
         }
     }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A shape where it stands: what collision, bounds and ray casts work on. They have never heard of a
-// body.
+// A shape with its world pose: the input of collision, bounds and ray casts, which do not depend on
+// bodies.
 #pragma once
 
 #include "jostle/physics/geometry.h"
@@ -12,7 +12,7 @@ namespace jostle::physics {
 struct TransformedShape {
     const Geometry* geometry = nullptr;
     Vec3 position;  // of the shape's origin, m
-    Mat3 axes;      // columns: the shape's axes
+    Mat3 axes;      // columns: the axes of the shape
 };
 
 inline TransformedShape transformed_shape(const Geometry& geometry, const Transform& pose) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The visitors of the field list that write bytes and read them. Foreign bytes are checked field by
-// field; the first fault is kept, with its path and place.
+// Field list visitors that write and read bytes. Untrusted bytes are checked field by field; the
+// first error is recorded with its path and byte position.
 #pragma once
 
 #include <bit>
@@ -64,7 +64,7 @@ struct Loader {
     static constexpr bool kLoading = true;
     ByteReader in;
     std::uint32_t version;         // of the bytes
-    std::size_t header_bytes = 0;  // before them, for messages
+    std::size_t header_bytes = 0;  // number of bytes before `in`, for messages
     SharedGeometry table = {};
     Path path = {};
     std::string error = {};
@@ -87,7 +87,7 @@ struct Loader {
             if (bits > 1) return fail(name, "is neither 0 nor 1");
             value = bits == 1;
         } else if constexpr (std::is_enum_v<T>) {
-            // Enumerations count from 0.
+            // Enumerators start at 0.
             if (bits > largest_value<T>()) return fail(name, "is not one of its values");
             value = static_cast<T>(bits);
         } else if constexpr (std::is_floating_point_v<T>) {
@@ -111,10 +111,10 @@ struct Loader {
         field(name, index);
         if (!error.empty()) return;
         data = table.at<Data>(index);
-        if (!data) fail(name, "names no shared geometry of its kind");
+        if (!data) fail(name, "does not refer to a shared geometry of its kind");
     }
-    // No array is longer than the bytes that are left: what a file can make us allocate is bounded
-    // by its own size.
+    // An array cannot be longer than the remaining bytes, so untrusted data cannot cause an
+    // allocation larger than itself.
     std::size_t count(std::string_view name, std::size_t) {
         if (!error.empty()) return 0;
         const std::uint64_t size = in.read_bits<std::uint64_t>();

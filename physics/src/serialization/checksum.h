@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The checksum in a saved world's header. It guards against accidents, not against forgers: those
-// meet the loader.
+// Checksum in the header of a saved world. It detects accidental corruption; the loader handles
+// forged data.
 #pragma once
 
 #include <cstddef>
@@ -13,7 +13,7 @@
 
 namespace jostle::physics {
 
-// Eight bytes little endian; past the end zeros.
+// Reads eight bytes as little endian; bytes past the end are zero.
 inline std::uint64_t word_at(std::span<const std::byte> bytes, std::size_t at) {
     std::uint64_t word = 0;
     for (std::size_t k = 0; k < sizeof word && at + k < bytes.size(); k++)
@@ -21,7 +21,7 @@ inline std::uint64_t word_at(std::span<const std::byte> bytes, std::size_t at) {
     return word;
 }
 
-// Of versions up to 16: one chain of words, each of which waits for the one before.
+// For versions up to 16: one chain of words, each of which depends on the previous one.
 inline std::uint64_t chained_checksum(std::span<const std::byte> bytes) {
     Hasher hasher;
     hasher.add(bytes.size());
@@ -29,8 +29,8 @@ inline std::uint64_t chained_checksum(std::span<const std::byte> bytes) {
     return hasher.value;
 }
 
-// Since version 17: word k goes to chain k % 4, and the four come together in the end. A processor
-// works on all four at once.
+// Since version 17: word k goes to chain k % 4, and the four chains are combined at the end, so
+// that a processor computes them in parallel.
 inline std::uint64_t checksum(std::span<const std::byte> bytes) {
     Hasher a, b, c, d;
     std::size_t at = 0;

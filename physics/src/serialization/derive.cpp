@@ -16,7 +16,7 @@ void derive_shapes(WorldState& world) {
         if (!world.shapes.ids.alive(i)) continue;
         ShapeRecord& shape = world.shapes.shapes[i];
         derive_shape_pose(world.bodies.cold[shape.body], shape);
-        // The list of moved shapes was saved in its order; entering a tree must not add to it.
+        // The list of moved shapes was saved in its order; inserting a proxy must not extend it.
         const bool moved = shape.moved;
         const std::size_t fresh = world.triggers.fresh.size();
         shape.moved = true;
@@ -60,8 +60,8 @@ void derive_all(WorldState& world) {
         BodyCold& cold = world.bodies.cold[i];
         if (!world.bodies.ids.alive(i)) continue;
         world.bodies.asleep_in_place += cold.asleep_in_place ? 1 : 0;
-        // The bytes have the inverses, too, but strangers write what they like. Those from before
-        // 2026-11-24 have zeroes where bodies sleep in place.
+        // The inverses in the bytes are not trusted. Saved worlds from before 2026-11-24 contain
+        // zeros for bodies that sleep in place.
         invert_mass(cold);
     }
     derive_shapes(world);

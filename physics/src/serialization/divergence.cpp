@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Walks the first world into a list of bits, then the second against it, and stops at the first
-// field that differs.
+// Converts the first world to a list of bits, then compares the second world with it, and stops at
+// the first difference.
 #include <cstdio>
 
 #include "jostle/physics/serialization.h"

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
 //
-// ONE list of every persisted field. Save, load, hash and first difference are four visitors that
-// walk it, so none of them can forget a field that another has. What is not here is derived
-// (persist/derive.h) or scratch.
+// The list of all persisted fields. Save, load, hash and first difference are four visitors of this
+// list, so all of them cover the same fields. Other data is derived (serialization/derive.h) or
+// scratch.
 //
-// A visitor v has: v.field(name, number&), for bools, integers, floats and enums; v.enter(name) /
-// v.enter(index) and v.leave() for the path; v.count(name, size) -> size, which a loader replaces
-// by what it reads (and bounds); v.optional(name, number&, version), a field that most leave at
-// zero and that joined with a version of saved worlds: saved like any other, but a zero leaves a
-// hash as it was; v.unhashed, likewise, which no hash sees; and kLoading.
+// A visitor v provides:
+// - v.field(name, number&) for bools, integers, floats and enums;
+// - v.enter(name) / v.enter(index) and v.leave() for the path;
+// - v.count(name, size) -> size, which a loader replaces with the loaded size (and bounds);
+// - v.optional(name, number&, version) for a field that is usually zero and was added in a version
+//   of saved worlds: saved like any other field, but a zero does not change the hash;
+// - v.unhashed(name, number&, version), likewise, but never hashed;
+// - kLoading.
 #pragma once
 
 #include <cstdint>
@@ -55,7 +58,8 @@ void visit(V& v, std::string_view name, Aabb& box) {
     v.leave();
 }
 
-// The variant's alternative by its number, with default content; false when there is none.
+// Sets the variant to its alternative with this index, default-constructed. Returns false if there
+// is none.
 template <class... Kinds>
 bool make_kind(std::size_t kind, std::variant<Kinds...>& value) {
     std::size_t at = 0;
@@ -63,7 +67,7 @@ bool make_kind(std::size_t kind, std::variant<Kinds...>& value) {
     return kind < sizeof...(Kinds);
 }
 
-// An array of records: its length, then each under its index.
+// Visits an array of records: its length, then each record under its index.
 template <class V, class T, class Each>
 void visit_all(V& v, std::string_view name, std::vector<T>& items, Each&& each) {
     v.enter(name);
@@ -140,9 +144,8 @@ void visit(V& v, std::string_view name, Transform& t) {
     v.leave();
 }
 
-// A loader makes the kind first; an unknown kind is its error to report. Shared data go by
-// reference: v.shared writes or reads where they are in the table of shared geometry, and hashes
-// their content.
+// A loader creates the kind first and reports an unknown kind. Shared data is visited by reference:
+// v.shared writes or reads its index in the table of shared geometry, and hashes its content.
 template <class V>
 void visit_geometry(V& v, Geometry& geometry) {
     auto kind = static_cast<std::uint8_t>(geometry.index());
@@ -205,7 +208,7 @@ void visit_fields(V& v, ShapeRecord& s) {
     v.field("moved", s.moved);
 }
 
-// A joint kind's fields as its table lists them (jostle/physics/joint_fields.h).
+// The fields of a joint kind as listed in its table (jostle/physics/joint_fields.h).
 template <class V>
 struct JointFieldList {
     V& v;
@@ -233,7 +236,7 @@ struct JointFieldList {
         if constexpr (V::kLoading)
             if (!(x >= low && x <= high)) v.fail(name, "is out of range");
     }
-    // What is not driven is one number, a zero.
+    // A drive without a spring is saved as a single zero.
     void drive(const char* name, RotationDrive& drive) {
         v.enter(name);
         later("hertz", drive.spring.hertz, 0, 1e4, 12);
@@ -242,7 +245,7 @@ struct JointFieldList {
             visit(v, "target", drive.target);
             number("max_torque", drive.max_torque, 0, 1e12);
             if constexpr (V::kLoading)
-                if (!(norm_squared(drive.target) > 1e-6)) v.fail("target", "is no rotation");
+                if (!(norm_squared(drive.target) > 1e-6)) v.fail("target", "is not a rotation");
         }
         v.leave();
     }
@@ -251,10 +254,10 @@ struct JointFieldList {
         visit_all(v, name, points, [&](Vec3& x) { vector("", x, limit); });
         if constexpr (V::kLoading) {
             if (points.size() < least || points.size() > most)
-                return v.fail(name, "are too few or too many");
+                return v.fail(name, "has too few or too many points");
             for (std::size_t k = 1; k < points.size(); k++)
                 if (!(length(points[k] - points[k - 1]) >= 1e-6))
-                    return v.fail(name, "has the same point twice");
+                    return v.fail(name, "has two equal adjacent points");
         }
     }
     void limit(const char* name, JointLimit& limit, double low, double high) {
@@ -299,7 +302,7 @@ void visit_kind(V& v, JointKind& joint) {
         joint);
 }
 
-// 0: as the world says.
+// 0: the world's default.
 template <class V>
 void visit_solver(V& v, std::optional<JointSolver>& solver) {
     std::uint8_t number = solver ? static_cast<std::uint8_t>(static_cast<int>(*solver) + 1) : 0;
@@ -390,7 +393,7 @@ void visit_fields(V& v, SavedContact& m) {
     v.field("needs_rebuild", m.needs_rebuild);
 }
 
-// The contacts of one colour in order: order decides the bits of a solve.
+// The contacts of one colour in order, because the order determines the bits of a solve.
 template <class V>
 void visit_fields(V& v, GraphColour& colour, int index) {
     const std::size_t count = v.count("contacts", static_cast<std::size_t>(colour.contacts));
@@ -436,7 +439,7 @@ void visit_fields(V& v, ColourSet& set) {
     }
     if constexpr (V::kLoading)
         if (static_cast<std::size_t>(set.contacts) != lanes)
-            v.fail("contacts", "is not what its colours have");
+            v.fail("contacts", "does not match the contacts of its colours");
 }
 
 template <class V>
@@ -516,7 +519,7 @@ void visit_fields(V& v, FieldDef& field) {
     v.field("user_data", field.user_data);
 }
 
-// What a world has only if something was added to it from outside: force fields, answers of
+// Data that exists only if it was added from outside: force fields, and contact modifiers of
 // listeners.
 template <class V>
 void visit_entry_points(V& v, WorldStores& world) {
@@ -545,7 +548,7 @@ void visit_entry_points(V& v, WorldStores& world) {
     }
 }
 
-// All but the modules, which come after it.
+// All fields except those of the modules, which follow.
 template <class V>
 void visit_stores(V& v, WorldStores& world) {
     v.enter("world");

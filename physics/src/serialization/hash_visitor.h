@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The visitor of the field list whose sum is state_hash().
+// Field list visitor that computes state_hash().
 #pragma once
 
 #include <cstddef>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The state of one module as bytes and back, and the fields that visitors are not asked for one by
-// one.
+// Saving and loading of one module's state, and the composite fields of StateVisitor.
 #include "physics/src/serialization/byte_visitors.h"
 #include "physics/src/serialization/module_visitor.h"
 
@@ -85,7 +84,7 @@ Status load_module(Module& module, std::span<const std::byte> bytes) {
     visit_state(loader, module);
     std::string fault = loader.error;
     if (fault.empty() && loader.in.left() != 0)
-        fault = std::to_string(loader.in.left()) + " bytes are left after its last field";
+        fault = std::to_string(loader.in.left()) + " bytes remain after its last field";
     if (fault.empty()) return {};
     return Error{ErrorCode::corrupt_data,
                  "state of module \"" + std::string(module.tag()) + "\": " + fault};

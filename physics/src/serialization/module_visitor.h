@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// A visitor of the field list as the visitor that modules know, and the walk over a world's
+// Adapter from a field list visitor to the StateVisitor of modules, and the visit of a world's
 // modules.
 #pragma once
 
 #include <memory>
 #include <string>
 
+#include "jostle/base/check.h"
 #include "jostle/physics/module.h"
-#include "physics/src/foundation/check.h"
 #include "physics/src/state/listener_store.h"
 
 namespace jostle::physics {
@@ -57,7 +57,8 @@ void visit_state(V& v, Module& module) {
     v.leave();
 }
 
-// Their tags and states in their order. A loader makes them by the registry.
+// Visits the tags and states of the modules in order. A loader creates the modules with the
+// registry.
 template <class V>
 void visit_modules(V& v, ListenerStore& listeners) {
     auto count = static_cast<std::uint32_t>(listeners.modules.size());
@@ -72,7 +73,7 @@ void visit_modules(V& v, ListenerStore& listeners) {
             if (!v.error.empty()) return;
             Result<std::unique_ptr<Module>> made = make_module(tag);
             if (!made.ok() || listeners.module(tag) != nullptr) {
-                v.fail("", made.ok() ? "has \"" + tag + "\" twice" : made.error().message);
+                v.fail("", made.ok() ? "contains \"" + tag + "\" twice" : made.error().message);
                 return;
             }
             listeners.add(std::move(made).value());

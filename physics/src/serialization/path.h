@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Where in the field list a visitor is, for messages: "bodies.awake[3].center.y".
+// The position of a visitor in the field list, for messages: "bodies.awake[3].center.y".
 #pragma once
 
 #include <string>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The stores are plain arrays, so a copy of them is a dozen blocks of memory. No list of fields
-// here: what is added to a store is kept without further ado.
+// The stores are plain arrays, so a copy consists of a dozen blocks of memory. No field list is
+// needed: a new field of a store is copied automatically.
 #include "jostle/physics/restore_point.h"
 
 #include <algorithm>
@@ -14,8 +14,8 @@
 
 namespace jostle::physics {
 
-// What there are thousands of is copied as bytes; a shape is not, because it shares its geometry,
-// nor a joint, of which some kinds have numbers elsewhere.
+// Numerous records are copied as bytes. Exceptions are shapes, which share geometry, and joints,
+// some kinds of which allocate memory.
 static_assert(std::is_trivially_copyable_v<BodyCold> && std::is_trivially_copyable_v<BodyWarm> &&
               std::is_trivially_copyable_v<MotionBound> && std::is_trivially_copyable_v<Contact> &&
               std::is_trivially_copyable_v<SeparationBound> &&
@@ -24,7 +24,7 @@ static_assert(std::is_trivially_copyable_v<BodyCold> && std::is_trivially_copyab
 
 struct RestorePoint::CapturedState {
     WorldStores stores;
-    PendingEvents pending;  // the next step publishes them
+    PendingEvents pending;  // published by the next step
     struct ModuleState {
         std::string tag;
         std::vector<std::byte> state;
@@ -48,12 +48,13 @@ void RestorePoint::capture(const World& world) {
 
 Status RestorePoint::restore(World& world) const {
     if (!state_)
-        return Error{ErrorCode::failed_precondition, "restore point: nothing was kept in it yet"};
+        return Error{ErrorCode::failed_precondition,
+                     "restore point: it is empty; call capture() first"};
     WorldState& state = state_of(world);
     if (state.listeners.stepping != nullptr)
         return Error{ErrorCode::failed_precondition,
-                     "restore point: the world is stepping; restore it between two steps"};
-    // All that may fail comes before anything changes.
+                     "restore point: the world is stepping; call restore() between two steps"};
+    // Everything that can fail precedes the first change.
     std::vector<std::unique_ptr<Module>> missing;
     for (const CapturedState::ModuleState& captured : state_->modules) {
         if (state.listeners.module(captured.tag) != nullptr) continue;
@@ -73,7 +74,8 @@ Status RestorePoint::restore(World& world) const {
 
 Result<RestorePoint::Saved> RestorePoint::save() const {
     if (!state_)
-        return Error{ErrorCode::failed_precondition, "restore point: nothing was kept in it yet"};
+        return Error{ErrorCode::failed_precondition,
+                     "restore point: it is empty; call capture() first"};
     ListenerStore modules;
     for (const CapturedState::ModuleState& captured : state_->modules) {
         Result<std::unique_ptr<Module>> made = make_module(captured.tag);
@@ -88,7 +90,7 @@ Result<RestorePoint::Saved> RestorePoint::save() const {
     return Saved{end_saved_world(visitor.saver), visitor.hash.hasher.value};
 }
 
-// The modules of the world become those that were kept, in their order.
+// Replaces the modules of the world with the captured ones, in their order.
 Status RestorePoint::restore_modules(World& world,
                                      std::vector<std::unique_ptr<Module>> missing) const {
     ListenerStore& listeners = state_of(world).listeners;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// World to bytes and back: a header (magic, version, length, hash of the rest), then the field
-// list.
+// Conversion of a world to bytes and back: a header (magic, version, length, checksum of the rest),
+// then the field list.
 #include "jostle/physics/serialization.h"
 #include "jostle/physics/world.h"
 #include "physics/src/serialization/byte_visitors.h"
@@ -16,12 +16,13 @@ namespace jostle::physics {
 namespace {
 
 constexpr std::uint64_t magic = 0x31444c524f574a00ull;  // "\0JWORLD1"
-// docs/design/format_changes.md has one line for each. Older ones lack what is optional in the field list.
+// docs/design/format_changes.md has one line per version. Older versions lack optional fields of
+// the field list.
 constexpr std::uint32_t version = saved_world_version, oldest_version = 8;
 constexpr std::size_t length_at = 8 + 4, checksum_at = length_at + 8,
                       header_bytes = checksum_at + 8;
 
-// About as many bytes as a world takes: what there are thousands of has fewer bytes than in memory.
+// Estimated size of a saved world. Numerous records take fewer bytes than in memory.
 std::size_t expected_bytes(const WorldStores& world) {
     std::size_t lanes = 0;
     for (const ColourSet& set : world.graph.sets) lanes += static_cast<std::size_t>(set.contacts);
@@ -43,7 +44,7 @@ void begin_saved_world(Saver& saver, const WorldStores& stores) {
     out.reserve(expected_bytes(stores));
     out.write(magic);
     out.write(version);
-    out.write(std::uint64_t{0});  // length and checksum: known in the end
+    out.write(std::uint64_t{0});  // length and checksum, known at the end
     out.write(std::uint64_t{0});
     saver.table.collect(stores.shapes);
     saver.table.write(out);
@@ -58,7 +59,8 @@ std::vector<std::byte> end_saved_world(Saver& saver) {
 }
 
 std::vector<std::byte> save(const World& world) {
-    // The list is shared with loading, so it takes references; saving changes nothing.
+    // The field list takes non-const references because loading uses it too; saving changes
+    // nothing.
     auto& state = const_cast<WorldState&>(state_of(world));
     Saver saver;
     begin_saved_world(saver, state);
@@ -75,17 +77,18 @@ Result<World> load(std::span<const std::byte> bytes) {
     if (header.failed())
         return corrupt("it has " + std::to_string(bytes.size()) +
                        " bytes, fewer than the header's " + std::to_string(header_bytes));
-    if (found_magic != magic) return corrupt("it does not begin with the mark of a Jostle world");
+    if (found_magic != magic)
+        return corrupt("it does not begin with the magic number of a saved world");
     if (found_version < oldest_version || found_version > version)
         return corrupt("it has format version " + std::to_string(found_version) +
                        "; this library reads versions " + std::to_string(oldest_version) + " to " +
                        std::to_string(version));
     if (length != header.left())
-        return corrupt("its header says " + std::to_string(length) + " bytes follow, there are " +
-                       std::to_string(header.left()));
+        return corrupt("its header states that " + std::to_string(length) +
+                       " bytes follow, but there are " + std::to_string(header.left()));
     const std::span<const std::byte> rest = bytes.subspan(header_bytes);
     if (checksum_of_version(found_version, rest) != expected)
-        return corrupt("its checksum does not match: bytes were changed");
+        return corrupt("its checksum does not match: the data is damaged");
 
     auto state = std::make_unique<WorldState>();
     Loader loader{.in = ByteReader(rest), .version = found_version, .header_bytes = header_bytes};
@@ -94,7 +97,7 @@ Result<World> load(std::span<const std::byte> bytes) {
     visit_world(loader, *state);
     if (!loader.error.empty()) return corrupt(loader.error);
     if (loader.in.left() != 0)
-        return corrupt(std::to_string(loader.in.left()) + " bytes are left after the last field");
+        return corrupt(std::to_string(loader.in.left()) + " bytes remain after the last field");
     if (const auto fault = find_fault(*state)) return corrupt(*fault);
     derive_all(*state);
     state->thread_pool = std::make_unique<ThreadPool>(1);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The frame of a saved world's bytes, for all who have its stores: a world, or a moment that was
-// kept. Between the two calls the saver walks the field list.
+// Framing of a saved world, from the stores of a world or of a restore point. Between the two
+// calls, the saver visits the field list.
 #pragma once
 
 #include <cstddef>
@@ -14,13 +14,13 @@
 
 namespace jostle::physics {
 
-// A header, and the table of what shapes share.
+// Writes the header and the table of shared geometry.
 void begin_saved_world(Saver& saver, const WorldStores& stores);
-// Fills the header in. The saver is empty then.
+// Completes the header. The saver is empty afterwards.
 std::vector<std::byte> end_saved_world(Saver& saver);
 
-// Both in one walk: what was kept lies outside the caches. Two walks take a checkpoint of 5000
-// bodies from 42 to 48 ms.
+// Saves and hashes in one pass, because a captured state is not in the caches. Two passes take a
+// checkpoint of 5000 bodies from 42 to 48 ms.
 struct SaverAndHash {
     static constexpr bool kLoading = false;
     Saver saver;

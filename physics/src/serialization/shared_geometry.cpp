@@ -62,7 +62,7 @@ public:
         const double x = number<double>(), y = number<double>(), z = number<double>();
         return {x, y, z};
     }
-    // No array is longer than the bytes that are left.
+    // An array cannot be longer than the remaining bytes.
     std::size_t count(std::size_t bytes_each) {
         const auto n = number<std::uint64_t>();
         if (failed_ || n > in_.left() / bytes_each) {
@@ -80,7 +80,7 @@ private:
 };
 
 Error cut_short() {
-    return {ErrorCode::corrupt_data, "the data end before it, or a number in it is impossible"};
+    return {ErrorCode::corrupt_data, "the data ends early or contains an invalid number"};
 }
 
 Result<std::shared_ptr<const ConvexHull>> read_hull(Source& in) {
@@ -198,7 +198,8 @@ Result<std::shared_ptr<const CompoundShape>> read_compound(Source& in,
                 break;
             }
             default:
-                return Error{ErrorCode::corrupt_data, "a child is of no convex kind"};
+                return Error{ErrorCode::corrupt_data,
+                             "the kind of a child is unknown or not convex"};
         }
         child.pose.position = in.vec();
         Quat& q = child.pose.rotation;
@@ -231,31 +232,31 @@ std::optional<std::string> SharedGeometry::read(ByteReader& reader) {
         const std::string name = "geometry[" + std::to_string(k) + "]: ";
         const auto kind = in.number<std::uint8_t>();
         std::optional<std::string> fault;
-        const auto keep = [&](auto made) {
-            if (made.ok())
-                entries_.push_back(*made);
+        const auto add_entry = [&](auto built) {
+            if (built.ok())
+                entries_.push_back(*built);
             else
-                fault = name + made.error().message;
+                fault = name + built.error().message;
         };
         switch (kind) {
             case 0:
-                keep(read_hull(in));
+                add_entry(read_hull(in));
                 break;
             case 1:
-                keep(read_mesh(in));
+                add_entry(read_mesh(in));
                 break;
             case 2:
-                keep(read_height_field(in));
+                add_entry(read_height_field(in));
                 break;
             case 3:
-                keep(read_compound(in, *this));
+                add_entry(read_compound(in, *this));
                 break;
             default:
-                return name + "is of no known kind";
+                return name + "has an unknown kind";
         }
         if (fault) return fault;
     }
-    if (in.failed()) return "geometry: the data end before it";
+    if (in.failed()) return "geometry: the data ends early";
     return std::nullopt;
 }
 

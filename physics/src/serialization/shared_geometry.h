@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The table of hulls, meshes, height fields and compounds in a saved world: each is there once,
-// however many shapes use it. What is derived from them is computed anew by their builders, with
+// Table of the hulls, meshes, height fields and compounds of a saved world. Each is stored once,
+// regardless of the number of shapes that use it. Derived data is recomputed by their builders with
 // the same bits.
 #pragma once
 
@@ -21,17 +21,18 @@ namespace jostle::physics {
 
 class SharedGeometry {
 public:
-    // Gathers what a world's shapes use, in order of shapes; a compound's hulls come before it.
+    // Collects the shared geometry of a world's shapes, in order of the shapes. The hulls of a
+    // compound precede it.
     void collect(const ShapeStore& store);
     void write(ByteWriter& out) const;
-    // Foreign bytes: a message names what is wrong.
+    // Reads the table from untrusted bytes. Returns an error message if it is invalid.
     std::optional<std::string> read(ByteReader& in);
 
     template <class Data>
     std::uint32_t index_of(const std::shared_ptr<const Data>& data) const {
         return indices_.at(data.get());
     }
-    // Null when there is none of that kind at the index.
+    // Returns the entry at the index; null if there is no entry of that type.
     template <class Data>
     std::shared_ptr<const Data> at(std::uint32_t index) const {
         if (index >= entries_.size()) return nullptr;
@@ -47,7 +48,7 @@ private:
     void put(const void* data, Entry entry);
 
     std::vector<Entry> entries_;
-    std::map<const void*, std::uint32_t> indices_;  // checked up, never walked
+    std::map<const void*, std::uint32_t> indices_;  // looked up only, never iterated
 };
 
 }  // namespace jostle::physics

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "physics/src/state/body_sets.h"
 
-#include "physics/src/foundation/check.h"
+#include "jostle/base/check.h"
 #include "physics/src/state/contact_constraints.h"
 
 namespace jostle::physics {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Bodies. A body is three records: cold (what the user set and what links to it; at a fixed place),
-// warm (pose and velocity in double; in the array of its set) and hot (what the contact kernel
-// touches, made anew each step; in constraints/solver_body.h). Sets are contiguous, so the awake
-// set is all that a step walks.
+// Bodies. A body consists of three records: cold (user settings and links; at a fixed index), warm
+// (pose and velocity in double precision; in the array of its set) and hot (input of the contact
+// kernel, rebuilt in each step; constraint_graph/solver_body.h). Sets are contiguous, so a step
+// iterates only over the awake set.
 #pragma once
 
 #include <cstdint>
@@ -20,66 +20,68 @@ inline constexpr std::uint32_t none = 0xffffffff;
 
 enum class BodySet : std::uint8_t {
     static_set,  // BodyStore::statics
-    awake,       // BodyStore::awake: dynamic bodies that move or sleep in place, all kinematic ones
-    sleeping,    // Island::sleepers of its island
+    // BodyStore::awake: dynamic bodies that are awake or sleep in place, all kinematic bodies.
+    awake,
+    sleeping,  // Island::sleepers of its island
 };
 
 struct BodyCold {
-    // What the user set.
+    // User settings.
     BodyType type = BodyType::dynamic;
     bool sleep_allowed = true;
     bool continuous = true;
     AxisLocks locks = 0;
     double linear_damping = 0, angular_damping = 0, gravity_scale = 1;
-    double mass_override = 0;  // kg; 0: what the shapes give
+    double mass_override = 0;  // kg; 0: the mass of the shapes
     std::uint64_t user_data = 0;
 
-    // What its shapes make of it. Infinite mass and inertia are zero inverses.
+    // Derived from the shapes. Infinite mass and inertia have zero inverses.
     double mass = 0, inverse_mass = 0;
     Mat3 inertia = diagonal({0, 0, 0}),
-         inverse_inertia = diagonal({0, 0, 0});  // about the centre, body axes
-    Vec3 local_center;                           // of mass, from the body's origin
-    double radius = 0;                           // m from the centre of mass to the furthest point
-    double inner_radius = 0;                     // m: of its thinnest shape
-    bool isotropic = true;  // inertia is a multiple of the identity: no gyroscopic term, no inertia
-                            // to turn. Never of bodies with locks: those need the full matrix
+         inverse_inertia = diagonal({0, 0, 0});  // about the centre of mass, body axes
+    Vec3 local_center;                           // centre of mass relative to the body's origin
+    double radius = 0;        // distance of the furthest point from the centre of mass, m
+    double inner_radius = 0;  // inner radius of its thinnest shape, m
+    // True if the inertia is a multiple of the identity, so that it has no gyroscopic term and need
+    // not be rotated. Never true for bodies with locks, which need the full matrix.
+    bool isotropic = true;
 
-    // Where it is and what hangs on it.
+    // Location and links.
     BodySet set = BodySet::static_set;
     std::uint32_t at = 0;  // index in its set
-    bool asleep_in_place =
-        false;  // rests in an island that moves elsewhere (state/partial_sleep.h)
-    std::uint32_t first_shape = none,
-                  last_shape = none;   // list through ShapeRecord::next, in order of creation
-    std::uint32_t first_edge = none;   // list of contacts: contact * 2 + side
-    std::uint32_t first_joint = none;  // list of joints: joint * 2 + side
-    std::uint32_t island = none;       // dynamic bodies always have one
-    std::uint32_t island_prev = none, island_next = none;  // bodies in the island's list
-    std::uint64_t colours = 0;      // of its contacts in the constraint graph
-    std::uint32_t constraints = 0;  // contacts of it that are in the constraint graph
+    // Rests in an island of which other bodies move (state/partial_sleep.h).
+    bool asleep_in_place = false;
+    // List through ShapeRecord::next, in order of creation.
+    std::uint32_t first_shape = none, last_shape = none;
+    std::uint32_t first_edge = none;                       // list of contacts: contact * 2 + side
+    std::uint32_t first_joint = none;                      // list of joints: joint * 2 + side
+    std::uint32_t island = none;                           // every dynamic body has one
+    std::uint32_t island_prev = none, island_next = none;  // list of the island's bodies
+    std::uint64_t colours = 0;      // colours of its contacts in the constraint graph
+    std::uint32_t constraints = 0;  // number of its contacts in the constraint graph
 };
 
 struct BodyWarm {
     std::uint32_t body = none;
-    Vec3 center;  // of mass, m, world
+    Vec3 center;  // centre of mass, m, world
     Quat rotation;
     Vec3 v, w;               // m/s, rad/s, world
-    Vec3 force, torque;      // N, N m: for the next step, then zero
-    double sleep_time = 0;   // s at rest
-    Vec3 drift, drift_turn;  // m and rad, world, since then
-    Mat3 axes;               // to_matrix(rotation): derived, not saved
+    Vec3 force, torque;      // N, N m: applied in the next step, then cleared
+    double sleep_time = 0;   // time at rest, s
+    Vec3 drift, drift_turn;  // displacement since the rest began, m and rad, world
+    Mat3 axes;               // to_matrix(rotation); derived, not saved
 };
 
-// How far any point of a body can have moved since its creation, and can have moved when the next
-// step is over. A pair that does not touch is looked at again only when the sum of both exceeds
-// its limit. Indexed by body, apart from the rest because the scan over all separation bounds reads
-// nothing else.
+// Upper bounds of the displacement of any point of a body since its creation: so far, and at the
+// end of the next step. A pair that does not touch is tested again only when the sum of both
+// exceeds its limit. Indexed by body, separate from the other records because the scan over all
+// separation bounds reads nothing else.
 struct MotionBound {
     double travel = 0;  // m, never decreases
     double bound = 0;   // m
-    double turned = 0;  // m: the part of `travel` that comes from turning
-    // Until `travel`, the next step's included, reaches this, all shapes are within their fat
-    // boxes. Derived: 0 means that nobody has checked.
+    double turned = 0;  // part of `travel` that is caused by rotation, m
+    // All shapes are inside their fat boxes until `travel`, including that of the next step,
+    // reaches this value. Derived; 0 means not computed.
     double fits_until = 0;  // m
 };
 
@@ -88,14 +90,14 @@ struct BodyStore {
     FlatArray<BodyCold> cold;       // by index
     FlatArray<MotionBound> motion;  // by index
     FlatArray<BodyWarm> statics, awake;
-    std::uint32_t asleep_in_place = 0;  // how many of the awake set are; derived
+    std::uint32_t asleep_in_place = 0;  // bodies of the awake set that sleep in place; derived
 };
 
 inline Transform pose_of(const BodyWarm& warm, const BodyCold& cold) {
     return {warm.center - warm.axes * cold.local_center, warm.rotation};
 }
 
-// The inverses of its mass and inertia.
+// Computes the inverses of mass and inertia.
 inline void invert_mass(BodyCold& cold) {
     cold.inverse_mass = cold.mass > 0 ? 1 / cold.mass : 0;
     const double spin = cold.inertia.x.x;
@@ -106,7 +108,7 @@ inline void invert_mass(BodyCold& cold) {
             spin > 0 ? diagonal(Vec3{1, 1, 1} * (1 / spin)) : diagonal({0, 0, 0});
 }
 
-// A body whose axes are locked: what pushes it along or about one does nothing.
+// 1 for free and 0 for locked axes. Impulses along or about locked axes have no effect.
 inline Vec3 free_directions(const BodyCold& cold) {
     return {(cold.locks & lock_x) != 0 ? 0.0 : 1.0, (cold.locks & lock_y) != 0 ? 0.0 : 1.0,
             (cold.locks & lock_z) != 0 ? 0.0 : 1.0};
@@ -117,8 +119,8 @@ inline Vec3 free_rotations(const BodyCold& cold) {
             (cold.locks & lock_rotation_z) != 0 ? 0.0 : 1.0};
 }
 
-// Inverse inertia in world axes. With locked turns: the inverse of what is left of the inertia when
-// the locked rows and columns are taken out, not a part of the full inverse.
+// Inverse inertia in world axes. With locked rotations, it is the inverse of the inertia without
+// the locked rows and columns, not a part of the full inverse.
 inline Mat3 world_inverse_inertia(const BodyWarm& warm, const BodyCold& cold) {
     constexpr AxisLocks turns = lock_rotation_x | lock_rotation_y | lock_rotation_z;
     if ((cold.locks & turns) == 0) {
@@ -127,10 +129,10 @@ inline Mat3 world_inverse_inertia(const BodyWarm& warm, const BodyCold& cold) {
     }
     if ((cold.locks & turns) == turns || cold.inverse_mass == 0) return diagonal({0, 0, 0});
     const Vec3 free = free_rotations(cold);
-    Mat3 left = warm.axes * cold.inertia * transpose(warm.axes);
-    left = {scaled(left.x, free) * free.x, scaled(left.y, free) * free.y,
-            scaled(left.z, free) * free.z};
-    const Mat3 inverted = inverse(left + diagonal(Vec3{1, 1, 1} - free));
+    Mat3 remaining = warm.axes * cold.inertia * transpose(warm.axes);
+    remaining = {scaled(remaining.x, free) * free.x, scaled(remaining.y, free) * free.y,
+                 scaled(remaining.z, free) * free.z};
+    const Mat3 inverted = inverse(remaining + diagonal(Vec3{1, 1, 1} - free));
     return {scaled(inverted.x, free) * free.x, scaled(inverted.y, free) * free.y,
             scaled(inverted.z, free) * free.z};
 }

@@ -4,7 +4,7 @@
 
 #include "jostle/physics/channels.h"
 #include "jostle/physics/scalar.h"
-#include "physics/src/foundation/check.h"
+#include "jostle/base/check.h"
 
 namespace jostle::physics {
 namespace {

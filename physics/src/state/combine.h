@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// One coefficient from two materials.
+// Combined coefficients of two materials.
 #pragma once
 
 #include "jostle/physics/defs.h"

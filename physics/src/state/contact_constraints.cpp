@@ -3,7 +3,7 @@
 
 #include <bit>
 
-#include "physics/src/foundation/check.h"
+#include "jostle/base/check.h"
 #include "physics/src/state/pair_size.h"
 
 namespace jostle::physics {

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "jostle/base/check.h"
 #include "physics/src/collision/narrowphase/collide_composite.h"
-#include "physics/src/foundation/check.h"
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/state/contact_constraints.h"
 #include "physics/src/state/contact_load.h"
@@ -81,7 +81,7 @@ std::uint32_t create_child_contact(WorldState& world, std::uint32_t parent, std:
         new_contact(world, contacts[parent].shape_a, contacts[parent].shape_b);
     contacts[index].parent = parent;
     contacts[index].key = key;
-    // At the end: parts keep the order in which they came.
+    // Append, so that children are in order of creation.
     std::uint32_t* last = &contacts[parent].first_child;
     while (*last != none) last = &contacts[*last].next_child;
     *last = index;
@@ -132,14 +132,14 @@ void report_end(const WorldState& world, const Contact& c, std::vector<ContactEn
 
 namespace {
 
-// Destroying a pair takes its parts along, so the list is read first.
+// Destroying a pair destroys its children, so the list is collected first.
 template <class Which>
 void destroy_pairs(WorldState& world, const BodyCold& body, std::vector<ContactEnd>& ended,
-                   Which&& which) {
+                   Which&& selects) {
     std::vector<std::uint32_t> pairs;
     for_each_contact(world.contacts, body, [&](std::uint32_t contact) {
         const Contact& c = world.contacts.contacts[contact];
-        if (c.parent == none && which(c)) pairs.push_back(contact);
+        if (c.parent == none && selects(c)) pairs.push_back(contact);
     });
     for (const std::uint32_t contact : pairs) destroy_contact(world, contact, ended);
 }
@@ -148,7 +148,7 @@ void destroy_pairs(WorldState& world, const BodyCold& body, std::vector<ContactE
 
 namespace {
 
-// Its island bears it no more.
+// The island no longer carries the load of this body.
 void record_lost_load(WorldState& world, std::uint32_t body) {
     const BodyCold& cold = world.bodies.cold[body];
     if (cold.island == none || cold.constraints == 0) return;
@@ -205,7 +205,7 @@ void end_touch(WorldState& world, std::uint32_t contact) {
             world.wake_requests.push_back({body, supported_mass(world, c)});
     if (c.parent != none) {
         Contact& parent = world.contacts.contacts[c.parent];
-        // Whether the pair as a whole parted is seen when the step's changes are all in.
+        // Whether the pair as a whole separated is determined after all changes of the step.
         ASSERT(parent.touching_children > 0);
         parent.touching_children--;
         world.changed_pairs.push_back(c.parent);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "physics/src/state/contact_load.h"
 
+#include "jostle/base/check.h"
 #include "physics/src/constraint_graph/wide_rows.h"
-#include "physics/src/foundation/check.h"
 #include "physics/src/state/contact_constraints.h"
 
 namespace jostle::physics {
@@ -12,11 +12,11 @@ Vec3 load_of(const WorldState& world, const Contact& contact) {
     const ContactLaneRef lane_ref = lane_ref_of(world, contact);
     const ContactConstraintWide& block = *lane_ref.block;
     const int lane = lane_ref.lane;
-    double pressed = 0;
-    for (const auto& lambda : block.lambda) pressed += double{lambda[lane]};
+    double normal_sum = 0;
+    for (const auto& lambda : block.lambda) normal_sum += double{lambda[lane]};
     const Vec3 normal = normal_of(lane_ref);
     const Vec3 t1 = get_lane(block.tangent, lane);
-    const Vec3 impulse = normal * pressed + t1 * double{block.friction[0][lane]} +
+    const Vec3 impulse = normal * normal_sum + t1 * double{block.friction[0][lane]} +
                          cross(normal, t1) * double{block.friction[1][lane]};
     const std::uint32_t island = world.bodies.cold[contact.body_a].island;
     const ColourSetKey set = world.islands.islands[island].colour_set;

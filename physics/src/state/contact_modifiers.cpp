@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "physics/src/foundation/check.h"
+#include "jostle/base/check.h"
 #include "physics/src/state/combine.h"
 
 namespace jostle::physics {

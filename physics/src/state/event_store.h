@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What happened in the last step, to be read until the next one. Not part of the state: never saved
-// or hashed.
+// Events of the last step, readable until the next step. Not part of the state: never saved or
+// hashed.
 #pragma once
 
 #include <vector>
@@ -10,7 +10,7 @@
 
 namespace jostle::physics {
 
-// Happened between steps, by destroying or moving a body; published with the next step.
+// Events between steps, caused by destroying or moving a body; published by the next step.
 struct PendingEvents {
     std::vector<ContactEnd> ended;
     std::vector<TriggerEvent> left;
@@ -27,7 +27,7 @@ struct EventStore {
     std::vector<BodyId> fell_asleep, woke, quarantined;
     PendingEvents pending;
 
-    // Of what a step publishes.
+    // True if the step published no events.
     bool empty() const {
         return contacts_began.empty() && contacts_ended.empty() && contacts.empty() &&
                hits.empty() && triggers_entered.empty() && triggers_stayed.empty() &&

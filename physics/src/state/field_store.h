@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The force fields of a world, as the user gave them.
+// The force fields of a world.
 #pragma once
 
 #include <vector>
@@ -13,7 +13,7 @@ namespace jostle::physics {
 struct FieldStore {
     IdPool ids;
     std::vector<FieldDef> fields;       // by index
-    std::vector<std::uint32_t> active;  // indices of those that exist, rising; derived
+    std::vector<std::uint32_t> active;  // indices of existing fields, ascending; derived
 
     bool empty() const { return active.empty(); }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "physics/src/state/force_fields.h"
 
+#include "jostle/base/check.h"
 #include "jostle/physics/limits.h"
-#include "physics/src/foundation/check.h"
 #include "physics/src/foundation/messages.h"
 #include "physics/src/geometry/displacement.h"
 #include "physics/src/geometry/geometry_checks.h"
@@ -17,7 +17,7 @@ double to_power(double x, int n) {
     return power;
 }
 
-// Calls visit(shape, placed) for each shape that touches others.
+// Calls visit(shape) for each shape of the body that is not a trigger.
 template <class Visit>
 void for_each_solid(const WorldState& world, const BodyWarm& now, const BodyCold& cold,
                     Visit&& visit) {
@@ -25,11 +25,11 @@ void for_each_solid(const WorldState& world, const BodyWarm& now, const BodyCold
         if (!world.shapes.shapes[s].trigger) visit(transformed_shape(world.shapes.shapes[s], now));
 }
 
-// All that a field needs of the body, and what all fields together do to it.
+// Input of the field laws for one body, and the sum of their forces.
 struct Pushed {
     const WorldState& world;
     const BodyCold& cold;
-    BodyWarm now;  // its velocities change from field to field
+    BodyWarm now;  // velocities change from field to field
     double time, h;
     FieldPush sum = {};
 
@@ -54,7 +54,7 @@ struct Pushed {
 
     void operator()(const UniformWind& wind) {
         Vec3 velocity = wind.velocity;
-        // In the middle of the sub-step.
+        // Evaluated in the middle of the sub-step.
         if (wind.gust != Vec3{})
             velocity += wind.gust * sin_cos(2 * pi * (time + 0.5 * h) / wind.gust_period).sin;
         drag(velocity, wind.density, wind.drag, 1, shown_area);
@@ -75,7 +75,7 @@ struct Pushed {
                      out * (strength_at(vortex, vortex.pull, r) / r);
     }
     void operator()(const BuoyancyField& fluid) {
-        double below = 0, whole = 0;
+        double below = 0, total = 0;
         Vec3 moment;
         for_each_solid(world, now, cold, [&](const TransformedShape& shape) {
             const Vec3 normal = transposed_times(shape.axes, fluid.normal);
@@ -83,12 +83,12 @@ struct Pushed {
             const Displacement part = displacement(*shape.geometry, normal, offset);
             below += part.volume;
             moment += (shape.position + shape.axes * part.center) * part.volume;
-            whole += displacement(*shape.geometry, normal, 1e30).volume;
+            total += displacement(*shape.geometry, normal, 1e30).volume;
         });
         if (!(below > 0)) return;
         const double displaced = fluid.density * below;  // kg
         push(world.def.gravity * -displaced, moment * (1 / below));
-        drag(fluid.flow, fluid.density, fluid.drag, below / whole, shown_area);
+        drag(fluid.flow, fluid.density, fluid.drag, below / total, shown_area);
         const double rate = fluid.angular_drag * displaced * cold.inverse_mass;
         const Vec3 change = now.w * (1 / (1 + rate * h) - 1);
         now.w += change;
@@ -156,10 +156,10 @@ FieldPush field_push(const WorldState& world, const BodyWarm& now, const BodyCol
 }
 
 double field_acceleration(const WorldState& world, const BodyWarm& now, const BodyCold& cold) {
-    // One that is being made has no shapes yet, and no mass.
+    // A body under construction has no shapes and no mass yet.
     if (cold.type != BodyType::dynamic || cold.mass == 0 || !reaches(world.fields, now.center, 0))
         return 0;
-    // Over a moment, in which drag is all that it can be.
+    // Over a short interval, so that drag has its full strength.
     const FieldPush push = field_push(world, now, cold, world.time, 1e-5);
     return length(push.force) * cold.inverse_mass;
 }
@@ -178,11 +178,11 @@ constexpr double most = 1e12;
 
 Status check_unit(const char* name, Vec3 v) {
     if (is_finite(v) && absolute(length_squared(v) - 1) < 1e-6) return {};
-    return Error{ErrorCode::invalid_argument,
-                 std::string(name) + " has length " + text(length(v)) + "; give a unit vector"};
+    return Error{ErrorCode::invalid_argument, std::string(name) + " has length " + text(length(v)) +
+                                                  "; it must be a unit vector"};
 }
 
-// The first that fails.
+// Returns the first failed check.
 Status all_of(std::initializer_list<Status> checks) {
     for (const Status& s : checks)
         if (!s.ok()) return s;
@@ -193,7 +193,7 @@ Status check_solid(bool planar, const char* name) {
     if (!planar) return {};
     return Error{ErrorCode::failed_precondition,
                  std::string(name) +
-                     " acts on volumes and areas, which shapes of a planar world "
+                     " requires volumes and areas, which shapes in a planar world "
                      "do not have; use radial or vortex fields, or forces"};
 }
 
@@ -244,7 +244,7 @@ Status check_field(const FieldDef& field, bool planar) {
     if (Status s = check_vector("region.high", high, limits::max_coordinate); !s.ok()) return s;
     if (low.x <= high.x && low.y <= high.y && low.z <= high.z) return {};
     return Error{ErrorCode::invalid_argument,
-                 "region.low is above region.high in some direction; give the lower corner first"};
+                 "region.low is above region.high; region.low must be the lower corner"};
 }
 
 }  // namespace jostle::physics

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What the world's force fields do to one body. Reads the world; many threads at once.
+// Effect of the world's force fields on one body. Reads the world only; thread-safe during a step.
 #pragma once
 
 #include "jostle/physics/result.h"
@@ -9,27 +9,27 @@
 namespace jostle::physics {
 
 struct FieldPush {
-    Vec3 force, torque;  // N, N m about the centre of mass; world
+    Vec3 force, torque;  // N, N m about the centre of mass, world
 };
 
-// The mean over a sub-step of h seconds that begins at `time`, of a dynamic body that is and moves
-// as `now` says. Its locks are not looked at.
+// Returns the mean over a sub-step of h seconds that starts at `time`, for a dynamic body in the
+// state `now`. Locks are not applied.
 FieldPush field_push(const WorldState& world, const BodyWarm& now, const BodyCold& cold,
                      double time, double h);
 
-// m/s^2: how much they accelerate a body where it is now.
+// Returns the acceleration of a body at its current position, m/s^2.
 double field_acceleration(const WorldState& world, const BodyWarm& now, const BodyCold& cold);
 
-// Whether a field that changes with time acts on the body: it may not fall asleep.
+// Returns whether a time-dependent field acts on the body, which must then stay awake.
 bool is_affected_by_gusts(const WorldState& world, const BodyWarm& now, const BodyCold& cold);
 
-// Whether a field reaches a ball there, whomever it acts on.
+// Returns whether any field overlaps a sphere.
 bool reaches(const FieldStore& fields, Vec3 center, double radius);
-// Whether a field acts on the body where it is.
+// Returns whether a field acts on the body at its position.
 bool acts_on(const WorldState& world, const FieldDef& field, const BodyWarm& now,
              const BodyCold& cold);
 
-// The error names the number that is out of range.
+// Checks the values of a field. The error names the one that is out of range.
 Status check_field(const FieldDef& field, bool planar);
 
 }  // namespace jostle::physics

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Memory for walks over what hangs together, used again from walk to walk. Not part of the state.
+// Scratch memory for traversals of connected bodies, reused between traversals. Not part of the
+// state.
 #pragma once
 
 #include <cstdint>

@@ -3,21 +3,21 @@
 
 #include <algorithm>
 
-#include "physics/src/foundation/check.h"
+#include "jostle/base/check.h"
 
 namespace jostle::physics {
 
 namespace {
 
-// Stiffness goes with the inverse square of a sub-step's length: what a contact gives beyond its
-// mean_impulse impulse would jump with it, so the mean_impulse impulse makes up for the difference
-// and the load stays what it is. `even`: the points of a manifold share it.
+// Stiffness is proportional to the inverse square of the sub-step length, so the impulse of a
+// contact beyond its mean impulse would change abruptly. The mean impulse is adjusted so that the
+// load stays constant. `even`: the points of a manifold share it.
 void stiffen(const ContactLaneRef& lane_ref, float stiffer, bool even) {
     ContactConstraintWide& block = *lane_ref.block;
     const int lane = lane_ref.lane;
     float lambda_sum = 0, mean_impulse_sum = 0, points = 0;
     for (int k = 0; k < 4; k++) {
-        // There is always a first one.
+        // The first point always exists.
         if (k > 0 && block.gap[k][lane] > 0.5f * no_point) continue;
         lambda_sum += block.lambda[k][lane];
         mean_impulse_sum += block.mean_impulse[k][lane];
@@ -61,7 +61,7 @@ void clear_negative_mean_impulse(const ContactLaneRef& lane_ref) {
 void scale_joints(WorldState& world, std::uint32_t body, double scale) {
     for_each_joint(world.joints, world.bodies.cold[body], [&](std::uint32_t index) {
         Joint& j = world.joints.joints[index];
-        // Once each: at its first dynamic body.
+        // Each joint once: at its first dynamic body.
         const bool first = is_dynamic(world, j.body_a);
         if ((first ? j.body_a : j.body_b) == body) scale_impulses(j, scale);
     });

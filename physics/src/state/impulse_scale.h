@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Impulses that warm-start the next sub-step are those of a sub-step of the same length. When that
-// changes, because an island changes its tier or the user the length of the step, they follow it.
+// Scaling of warm-start impulses. They apply to a sub-step of the same length; when an island
+// changes its tier or the caller changes the step length, they are scaled accordingly.
 #pragma once
 
 #include <array>
@@ -10,21 +10,21 @@
 
 namespace jostle::physics {
 
-// All that warm-starts a manifold.
+// Scales all warm-start impulses of a manifold.
 void scale_warm_start(const ContactLaneRef& lane_ref, float scale);
-// ... for sub-steps that are `scale` times as long. `even`: the points of a manifold share its
-// load.
+// Scales the impulses of a manifold for sub-steps that are `scale` times as long. `even`: the
+// points of the manifold share its load.
 void scale_impulses(const ContactLaneRef& lane_ref, float scale, bool even);
-// A contact that became stiffer before it had learned what it bears makes up for that with a mean
-// impulse that pulls. It would rub as if it bore more, until it has learned better.
+// Removes negative mean impulses. A contact that became stiffer before its mean impulse converged
+// compensates with a negative one, and would have the friction of a larger load until then.
 void clear_negative_mean_impulse(const ContactLaneRef& lane_ref);
-// Those of the joints of a body, each joint once: at its first dynamic body.
+// Scales the impulses of the joints of a body, each joint at its first dynamic body.
 void scale_joints(WorldState& world, std::uint32_t body, double scale);
 
-// All of the awake set, for steps that are `scale` times as long. What sleeps follows when it
-// wakes.
+// Scales all impulses of the awake set for steps that are `scale` times as long. Sleeping islands
+// follow when they wake.
 void scale_awake(WorldState& world, double scale);
-// ... for sub-steps that are so many times as long, by index_of() of an island's colour set.
+// Same with a factor per colour set, indexed by index_of().
 void scale_awake(WorldState& world, const std::array<double, solved_set_count>& scale);
 
 }  // namespace jostle::physics

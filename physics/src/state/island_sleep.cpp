@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "physics/src/state/island_sleep.h"
 
-#include "physics/src/foundation/check.h"
+#include "jostle/base/check.h"
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/state/body_sets.h"
 #include "physics/src/state/contact_constraints.h"
@@ -16,7 +16,7 @@
 namespace jostle::physics {
 namespace {
 
-// A kinematic body without velocity: as good as fixed.
+// A kinematic body without velocity, which acts like a static one.
 bool is_parked(const WorldState& world, std::uint32_t body) {
     const BodyWarm& warm = warm_of(world, body);
     return !is_dynamic(world, body) && warm.v == Vec3{} && warm.w == Vec3{};
@@ -26,7 +26,8 @@ bool is_parked(const WorldState& world, std::uint32_t body) {
 
 namespace {
 
-// Those of an island that a touch leaves as they lie: all but what a kinematic body leads.
+// Bodies that remain asleep in place when the island wakes: all except those connected to a
+// kinematic body.
 std::vector<std::uint32_t> bodies_staying_asleep(WorldState& world,
                                                  const std::vector<BodyWarm>& sleepers) {
     std::vector<std::uint32_t> still;
@@ -39,7 +40,7 @@ std::vector<std::uint32_t> bodies_staying_asleep(WorldState& world,
     return still;
 }
 
-// By how much strain makes an island's sub-steps longer.
+// Factor by which the overload level makes the island's sub-steps longer.
 double lengthening(const WorldState& world, const Island& island) {
     return static_cast<double>(substeps_of(island.colour_set, world.def)) /
            substeps_of(island.colour_set, world);
@@ -62,7 +63,7 @@ void wake_island(WorldState& world, std::uint32_t island_index, std::vector<Body
     for (const BodyWarm& warm : sleepers)
         if (!world.bodies.cold[warm.body].asleep_in_place)
             woke.push_back(body_id(world, warm.body));
-    // Steps may have another length than when it fell asleep.
+    // The step length may differ from that at the time it fell asleep.
     const double scale = island.dt > 0 && world.last_dt > 0
                              ? world.last_dt * lengthening(world, island) / island.dt
                              : 1;
@@ -77,8 +78,8 @@ void wake_island(WorldState& world, std::uint32_t island_index, std::vector<Body
         if (!still.empty()) save_load(world, saved.contact);
         world.contacts.contacts[saved.contact].dormant = false;
     }
-    // What has no manifold keeps its bound. A contact with another island that still sleeps is
-    // awake now on one side.
+    // Contacts without a manifold retain their bound. A contact with another island that still
+    // sleeps is now awake on one side.
     for (const BodyWarm& warm : sleepers)
         for_each_contact(world.contacts, world.bodies.cold[warm.body], [&](std::uint32_t contact) {
             const Contact& c = world.contacts.contacts[contact];
@@ -88,7 +89,7 @@ void wake_island(WorldState& world, std::uint32_t island_index, std::vector<Body
 
 namespace {
 
-// How many it has, so that a heap's memory is taken once.
+// Number of manifolds of an island, to allocate memory once.
 std::size_t manifolds_of(const WorldState& world, std::uint32_t island) {
     std::size_t count = 0;
     for (std::uint32_t body = world.islands.islands[island].first; body != none;
@@ -96,7 +97,8 @@ std::size_t manifolds_of(const WorldState& world, std::uint32_t island) {
         for_each_manifold(world.contacts, world.bodies.cold[body], [&](std::uint32_t index) {
             const Contact& c = world.contacts.contacts[index];
             const bool first =
-                c.body_a == body || world.bodies.cold[c.body_a].island != island;  // of two
+                // Each contact once.
+                c.body_a == body || world.bodies.cold[c.body_a].island != island;
             count += first ? 1 : 0;
         });
     return count;
@@ -110,8 +112,8 @@ void put_island_to_sleep(WorldState& world, std::uint32_t island_index,
     ASSERT(!island.asleep && island.sleepers.empty());
     island.sleepers.reserve(island.bodies);
     island.manifolds.reserve(manifolds_of(world, island_index));
-    // Manifolds first, while the hot indices still mean something. Each contact is met at its body
-    // a, or at b when only b is of this island.
+    // Save manifolds first, while the hot indices are valid. Each contact is visited at its body a,
+    // or at b if only b is in this island.
     for (std::uint32_t body = island.first; body != none;
          body = world.bodies.cold[body].island_next) {
         for_each_contact(world.contacts, world.bodies.cold[body], [&](std::uint32_t contact) {
@@ -123,12 +125,12 @@ void put_island_to_sleep(WorldState& world, std::uint32_t island_index,
             const bool other_moves =
                 other_cold.set == BodySet::awake && !inside && !is_parked(world, other);
             if (c.colour >= 0) {
-                // A manifold with an awake outsider (near, not touching) or a kinematic one ends;
-                // the pair gets a bound.
-                const bool keep = inside || !other_moves;
-                if (keep) island.manifolds.push_back(save_contact(world, contact));
+                // A manifold with an awake body outside the island (close, not touching) or a
+                // moving kinematic one ends; the pair gets a separation bound.
+                const bool store_manifold = inside || !other_moves;
+                if (store_manifold) island.manifolds.push_back(save_contact(world, contact));
                 remove_contact(world, contact);
-                if (!keep) {
+                if (!store_manifold) {
                     if (c.parent != none) {
                         const std::uint32_t parent = c.parent;
                         destroy_contact(world, contact, ended);

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "physics/src/foundation/check.h"
+#include "jostle/base/check.h"
 #include "physics/src/state/contact_constraints.h"
 #include "physics/src/state/impulse_scale.h"
 
@@ -20,7 +20,7 @@ void for_each_body(const WorldState& world, std::uint32_t island, Visit&& visit)
         visit(body);
 }
 
-// To sub-steps of another length.
+// Scaling to another sub-step length.
 struct Rescale {
     float scale = 1;
     bool even = false;  // the points of a manifold share its load
@@ -33,7 +33,7 @@ void rescale(WorldState& world, const Contact& c, Rescale by) {
     if (controls_error(world.def)) clear_negative_mean_impulse(lane_ref);
 }
 
-// `resting_only`: the others have been moved.
+// `resting_only`: the other contacts have already been moved.
 void move_contacts(WorldState& world, std::uint32_t body, Rescale by, bool resting_only) {
     for_each_manifold(world.contacts, world.bodies.cold[body], [&](std::uint32_t index) {
         const Contact& c = world.contacts.contacts[index];
@@ -43,16 +43,15 @@ void move_contacts(WorldState& world, std::uint32_t body, Rescale by, bool resti
     });
 }
 
-// Errors go with the length of a sub-step at least.
+// Errors grow at least linearly with the length of a sub-step.
 void follow_substeps(IslandError& error, double scale) {
     error.estimate *= scale;
     error.easy = 0;
 }
 
-// To move contacts by the ten thousand, one by one, would take as long as several steps. So when
-// most of a set goes to one that holds little, the two change places and what is in the wrong one
-// moves.
-// Calls moved(contact) for those that change sets.
+// Moving tens of thousands of contacts one by one would take as long as several steps. If most
+// contacts of a set move to a set with few contacts, the two sets are swapped and only misplaced
+// contacts are moved. Calls moved(contact) for contacts that change sets.
 template <class Moved>
 void swap_sets(WorldState& world, ColourSetKey from, ColourSetKey to, Moved&& moved) {
     std::swap(world.graph.sets[index_of(from)], world.graph.sets[index_of(to)]);
@@ -128,8 +127,8 @@ void move_to_set(WorldState& world, std::span<const std::uint32_t> islands, Colo
     if (from == to) return;
     const bool other_tier = from.tier != to.tier;
     const double scale = static_cast<double>(substeps_of(from, world)) / substeps_of(to, world);
-    // All islands first: contacts ask which set their bodies have.
-    std::int64_t contacts = 0;  // those of two bodies twice
+    // Update all islands first, because the set of a contact depends on the sets of its bodies.
+    std::int64_t contacts = 0;  // contacts of two dynamic bodies count twice
     for (const std::uint32_t i : islands) {
         ASSERT(world.islands.islands[i].colour_set == from && !world.islands.islands[i].asleep);
         world.islands.islands[i].colour_set = to;
@@ -143,7 +142,7 @@ void move_to_set(WorldState& world, std::span<const std::uint32_t> islands, Colo
     const Rescale by{static_cast<float>(scale), other_tier && to.tier > SolverTier::pile};
     const bool swap = contacts > in_from && 2 * in_to < in_from;
     if (swap) swap_sets(world, from, to, [&](const Contact& c) { rescale(world, c, by); });
-    // What rests in place has a set of its own.
+    // Contacts asleep in place have a separate set.
     const bool walk = !swap || world.bodies.asleep_in_place > 0;
     if (!walk && scale == 1) return;
     for (const std::uint32_t i : islands)
@@ -167,16 +166,17 @@ void match_sets(WorldState& world, std::uint32_t a, std::uint32_t b) {
     const Island &ia = world.islands.islands[a], &ib = world.islands.islands[b];
     ASSERT(!ia.asleep && !ib.asleep);
     if (ia.colour_set == ib.colour_set) return;
-    // What touches a heap does not make it slender, nor the other way round; nor tall, when it was
-    // content with less at the last look: a ball that left a tall heap and comes back.
-    const auto asks = [](const Island& island) {
+    // A body that touches a pile does not make it slender, nor vice versa. It does not make it tall
+    // either if the last test of the pile required less, as for a ball that left a tall pile and
+    // returns.
+    const auto required_tier = [](const Island& island) {
         const SolverTier tier = island.colour_set.tier;
         return island.calm > 0 ? std::min(tier, SolverTier::slender) : tier;
     };
-    const SolverTier a_asks = asks(ia), b_asks = asks(ib);
-    const bool alike = ia.colour_set.tier == ib.colour_set.tier || a_asks == b_asks ||
-                       (is_usual(a_asks) && is_usual(b_asks));
-    const bool a_yields = alike ? ia.bodies < ib.bodies : a_asks < b_asks;
+    const SolverTier tier_a = required_tier(ia), tier_b = required_tier(ib);
+    const bool alike = ia.colour_set.tier == ib.colour_set.tier || tier_a == tier_b ||
+                       (is_usual(tier_a) && is_usual(tier_b));
+    const bool a_yields = alike ? ia.bodies < ib.bodies : tier_a < tier_b;
     ColourSetKey to = a_yields ? ib.colour_set : ia.colour_set;
     if (controls_error(world.def)) to.batch = std::max(ia.colour_set.batch, ib.colour_set.batch);
     for (const std::uint32_t island : {a, b})

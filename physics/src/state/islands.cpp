@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "physics/src/foundation/check.h"
+#include "jostle/base/check.h"
 #include "physics/src/state/island_tiers.h"
 
 namespace jostle::physics {
@@ -62,7 +62,7 @@ void remove_from_island(WorldState& world, std::uint32_t body) {
 
 namespace {
 
-// What is not known of one is not known of both.
+// An error that is unknown for one island is unknown for both.
 IslandError joined(const IslandError& a, const IslandError& b) {
     return {.estimate = a.estimate == 0 || b.estimate == 0 ? 0 : maximum(a.estimate, b.estimate),
             .target_level = std::max(a.target_level, b.target_level)};
@@ -99,7 +99,8 @@ void join_islands(WorldState& world, std::uint32_t a, std::uint32_t b) {
 
 namespace {
 
-// Everything that hangs together with `seed` joins `island`. Bodies not yet reached have no island.
+// Adds the connected component of `seed` to `island`. Bodies that are not yet reached have no
+// island.
 void flood(WorldState& world, std::uint32_t island, std::uint32_t seed) {
     std::vector<std::uint32_t>& stack = world.scratch.stack;
     stack.assign(1, seed);
@@ -131,27 +132,27 @@ void split_island(WorldState& world, std::uint32_t island) {
     for (std::uint32_t b = world.islands.islands[island].first; b != none;
          b = world.bodies.cold[b].island_next)
         bodies.push_back(b);
-    // Its parts are what it was, but for their bodies.
-    const Island& whole = world.islands.islands[island];
-    const Island like{.colour_set = whole.colour_set,
-                      .calm = whole.calm,
-                      .uneven = whole.uneven,
-                      .split_at = world.steps,
-                      .error = whole.error};
-    world.islands.islands[island] = like;
+    // The components inherit all properties except the bodies.
+    const Island& original = world.islands.islands[island];
+    const Island prototype{.colour_set = original.colour_set,
+                           .calm = original.calm,
+                           .uneven = original.uneven,
+                           .split_at = world.steps,
+                           .error = original.error};
+    world.islands.islands[island] = prototype;
     for (const std::uint32_t body : bodies) world.bodies.cold[body].island = none;
     bool first = true;
     for (const std::uint32_t body : bodies) {
         if (world.bodies.cold[body].island != none) continue;
-        const std::uint32_t part = first ? island : create_island(world);
-        world.islands.islands[part] = like;
-        flood(world, part, body);
+        const std::uint32_t component = first ? island : create_island(world);
+        world.islands.islands[component] = prototype;
+        flood(world, component, body);
         first = false;
     }
 }
 
 void find_awake_islands(const WorldState& world, std::vector<std::uint32_t>& islands) {
-    constexpr std::size_t scan_worth = 8;  // islands that are looked at in the time to sort one
+    constexpr std::size_t scan_worth = 8;  // islands that can be scanned in the time to sort one
     islands.clear();
     const std::uint32_t count = world.islands.ids.size();
     if (scan_worth * world.bodies.awake.size() > count) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Islands grow and part: which bodies belong to one. Sleep is elsewhere (state/island_sleep.h).
+// Membership of bodies in islands, which merge and split. Sleep is in state/island_sleep.h.
 #pragma once
 
 #include <cstdint>
@@ -12,14 +12,16 @@ namespace jostle::physics {
 
 std::uint32_t create_island(WorldState& world);
 void add_to_island(WorldState& world, std::uint32_t island, std::uint32_t body);
-// Frees the island when its last body leaves.
+// Frees the island if its last body leaves.
 void remove_from_island(WorldState& world, std::uint32_t body);
-// The smaller joins the larger; of equals the higher index joins the lower. Both awake.
+// Merges the smaller island into the larger one; of equal islands the higher index into the lower
+// one. Both must be awake.
 void join_islands(WorldState& world, std::uint32_t a, std::uint32_t b);
-// Cuts an awake island into what still hangs together by touching contacts and joints. What hangs
-// together with its first body keeps the island's index.
+// Splits an awake island into its connected components by touching contacts and joints. The
+// component of its first body retains the island's index.
 void split_island(WorldState& world, std::uint32_t island);
-// Rising. Where few are awake among many that sleep, these are not looked at.
+// Returns the awake islands in ascending order. If few of many islands are awake, sleeping islands
+// are not visited.
 void find_awake_islands(const WorldState& world, std::vector<std::uint32_t>& islands);
 
 }  // namespace jostle::physics

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "physics/src/foundation/check.h"
+#include "jostle/base/check.h"
 #include "physics/src/state/islands.h"
 #include "physics/src/state/shape_proxy.h"
 
@@ -62,7 +62,7 @@ void destroy_joint(WorldState& world, std::uint32_t joint) {
     j = Joint{};
     world.joints.ids.release(joint);
     if (collided || a == none) return;
-    // Their shapes may meet from now on.
+    // Their shapes may collide from now on.
     for (const std::uint32_t body : {a, b})
         for (std::uint32_t s = world.bodies.cold[body].first_shape; s != none;
              s = world.shapes.shapes[s].next)
@@ -87,7 +87,8 @@ std::uint32_t find_carrier(const WorldState& world, const Joint& gear, int end) 
     if (body == none) return none;
     const Vec3 z{0, 0, 1};
     const Vec3 axis =
-        rotate(end == 0 ? gear.frame_a.rotation : gear.frame_b.rotation, z);  // in the body
+        // In the body's local frame.
+        rotate(end == 0 ? gear.frame_a.rotation : gear.frame_b.rotation, z);
     std::uint32_t first = none, carrier = none;
     for_each_joint(world.joints, world.bodies.cold[body], [&](std::uint32_t index) {
         const Joint& j = world.joints.joints[index];

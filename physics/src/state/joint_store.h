@@ -1,24 +1,24 @@
 // SPDX-License-Identifier: MIT
 //
-// Joints: what the user set, and the impulses that they carry from sub-step to sub-step.
+// Joints: the settings, and the impulses carried over between sub-steps.
 #pragma once
 
 #include <cstdint>
 #include <optional>
 #include <vector>
 
+#include "jostle/base/check.h"
 #include "jostle/physics/joint_defs.h"
 #include "physics/src/constraint_graph/joint_memory.h"
-#include "physics/src/foundation/check.h"
 #include "physics/src/foundation/id_pool.h"
 #include "physics/src/state/body_store.h"
 
 namespace jostle::physics {
 
 struct Joint {
-    std::uint32_t next[2] = {none, none}, prev[2] = {none, none};  // as Contact's
+    std::uint32_t next[2] = {none, none}, prev[2] = {none, none};  // lists, as in Contact
 
-    // What the user set. Bodies by index; body_a may be none, the world.
+    // Settings. Bodies by index; body_a may be none, the world.
     std::uint32_t body_a = none, body_b = none;
     Transform frame_a, frame_b;
     JointKind kind;
@@ -27,20 +27,20 @@ struct Joint {
     double break_force = 0, break_torque = 0;
     std::uint64_t user_data = 0;
 
-    // Impulses of one sub-step on b, N s and N m s. Vectors turn with body b (with a when b does
-    // not move): kept in the world's axes they would lag behind and push what turns. Which of them
-    // mean something depends on the kind.
-    Vec3 point;                   // holds the frames' origins together
-    Vec3 angular;                 // holds their directions together
+    // Impulses of one sub-step on b, N s and N m s. Vectors are stored in the frame of body b (of a
+    // if b does not move): in world axes they would lag behind the rotation and push the body. The
+    // kind determines which of them are used.
+    Vec3 point;                   // of the point constraint
+    Vec3 angular;                 // of the angular constraint
     double lower = 0, upper = 0;  // of a limit, >= 0
-    double swing = 0;             // of a cone, >= 0
+    double swing = 0;             // of a cone limit, >= 0
     double spring = 0;
-    double motor = 0;  // about the axis; of a velocity row
+    double motor = 0;  // about the axis; or of a velocity row
     Vec3 friction;
-    // What else a kind keeps from step to step, memory_of(kind) numbers
+    // Further numbers that a kind stores between steps: memory_of(kind) of them
     // (constraint_graph/joint_memory.h).
     std::vector<double> memory;
-    // What acted during the last step, for reports and for breaking.
+    // Load during the last step, for reports and breaking.
     Vec3 force, torque;  // N, N m
 };
 
@@ -49,7 +49,7 @@ struct JointStore {
     std::vector<Joint> joints;
 };
 
-// Calls visit(joint index) for every joint of a body. The visit may destroy that joint, no other.
+// Calls visit(joint index) for every joint of a body. visit() may destroy that joint, but no other.
 template <class Visit>
 void for_each_joint(const JointStore& store, const BodyCold& body, Visit&& visit) {
     for (std::uint32_t edge = body.first_joint; edge != none;) {

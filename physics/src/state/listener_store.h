@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Who takes part in the step, in the order in which they are called. No part of what a restore
-// point copies: it keeps what the modules' visitors give it.
+// Listeners and modules of a world, in call order. Not part of a restore point, which stores the
+// state of modules through their visitors.
 #pragma once
 
 #include <algorithm>
@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
+#include "jostle/base/check.h"
 #include "jostle/physics/module.h"
-#include "physics/src/foundation/check.h"
 
 namespace jostle::physics {
 
@@ -20,9 +20,10 @@ struct ListenerStore {
         StepListener* listener;
         StepHooks hooks;
     };
-    std::vector<Entry> order;                      // modules among them
-    std::vector<std::unique_ptr<Module>> modules;  // in their order
-    StepHooks active_hooks;  // by any of them, but concurrent: by all who want sub-steps; derived
+    std::vector<Entry> order;                      // includes modules
+    std::vector<std::unique_ptr<Module>> modules;  // in order
+    // Hooks of any listener; `concurrent` only if all listeners of sub-steps set it. Derived.
+    StepHooks active_hooks;
     World* stepping = nullptr;  // set within World::step()
 
     bool empty() const { return order.empty(); }
@@ -40,7 +41,7 @@ struct ListenerStore {
         order.push_back({&listener, listener.hooks()});
         derive_active_hooks();
     }
-    // What each wants of the step that begins.
+    // Reads the hooks of all listeners for the next step.
     void refresh_hooks() {
         for (Entry& entry : order) entry.hooks = entry.listener->hooks();
         derive_active_hooks();
@@ -54,21 +55,21 @@ struct ListenerStore {
         add(static_cast<StepListener&>(*module));
         modules.push_back(std::move(module));
     }
-    // Calls and visits modules in the order of their tags in `tags`, which names all of them; the
-    // places of the listeners between them stay.
+    // Sorts the modules by the order of their tags in `tags`, which contains all of them. The
+    // positions of other listeners do not change.
     void sort_modules(const std::vector<std::string>& tags) {
         ASSERT(tags.size() == modules.size());
         const auto rank = [&](std::string_view tag) {
             return std::find(tags.begin(), tags.end(), tag) - tags.begin();
         };
-        std::vector<std::size_t> places;
+        std::vector<std::size_t> positions;
         for (std::size_t k = 0; k < order.size(); k++)
             for (const std::unique_ptr<Module>& module : modules)
-                if (module.get() == order[k].listener) places.push_back(k);
+                if (module.get() == order[k].listener) positions.push_back(k);
         std::sort(modules.begin(), modules.end(),
                   [&](const auto& a, const auto& b) { return rank(a->tag()) < rank(b->tag()); });
-        for (std::size_t k = 0; k < places.size(); k++)
-            order[places[k]] = {modules[k].get(), modules[k]->hooks()};
+        for (std::size_t k = 0; k < positions.size(); k++)
+            order[positions[k]] = {modules[k].get(), modules[k]->hooks()};
     }
     void remove_module(std::string_view tag) {
         remove(*module(tag));

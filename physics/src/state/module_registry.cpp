@@ -33,15 +33,17 @@ bool is_tag(std::string_view tag) {
 
 Status check_module_tag(std::string_view tag) {
     if (is_tag(tag)) return {};
-    return Error{ErrorCode::invalid_argument, "the module's tag is \"" + std::string(tag) +
-                                                  "\"; give 1 to 32 of a-z, 0-9 and _"};
+    return Error{ErrorCode::invalid_argument,
+                 "the module's tag is \"" + std::string(tag) +
+                     "\"; it must be 1 to 32 characters of a-z, 0-9 and _"};
 }
 
 Status register_module(std::string tag, MakeModule make) {
     if (Status s = check_module_tag(tag); !s.ok()) return s;
     if (!make)
-        return Error{ErrorCode::invalid_argument,
-                     "module \"" + tag + "\": give a function that makes one"};
+        return Error{
+            ErrorCode::invalid_argument,
+            "module \"" + tag + "\": make is empty; pass a function that creates the module"};
     Registry& known = registry();
     const MutexLock lock(known.mutex);
     const std::string name = tag;
@@ -63,13 +65,14 @@ Result<std::unique_ptr<Module>> make_module(std::string_view tag) {
     }
     const std::string quoted = "module \"" + std::string(tag) + "\"";
     if (!make)
-        return Error{ErrorCode::not_found, quoted + " is not one that this program knows (" +
-                                               (tags.empty() ? "it knows none" : tags) +
-                                               "); call register_module() before"};
+        return Error{ErrorCode::not_found,
+                     quoted + " is not registered (" +
+                         (tags.empty() ? "no module is" : "registered: " + tags) +
+                         "); call register_module() first"};
     std::unique_ptr<Module> module = make();
     if (!module || module->tag() != tag)
         return Error{ErrorCode::failed_precondition,
-                     quoted + ": what was registered makes " +
+                     quoted + ": the registered function creates " +
                          (module ? "\"" + std::string(module->tag()) + "\"" : "nothing")};
     return module;
 }
@@ -88,7 +91,7 @@ Status Module::configure(World&, const ModuleSettings& settings) {
         settings.numbers.empty() ? settings.bodies.front().first : settings.numbers.front().first;
     return Error{
         ErrorCode::invalid_argument,
-        "module \"" + std::string(tag()) + "\" takes no settings; leave out \"" + name + "\""};
+        "module \"" + std::string(tag()) + "\" accepts no settings; remove \"" + name + "\""};
 }
 
 }  // namespace jostle::physics

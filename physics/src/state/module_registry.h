@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What the registry (jostle/physics/module.h) tells the library's own files besides.
+// Internal functions of the module registry (jostle/physics/module.h).
 #pragma once
 
 #include <string_view>
@@ -9,7 +9,7 @@
 
 namespace jostle::physics {
 
-// Whether it may name a module.
+// Checks that the tag is valid.
 Status check_module_tag(std::string_view tag);
 
 }  // namespace jostle::physics

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// How large a pair of bodies is for lengths of tuning.h: as its smaller dynamic body.
+// Size of a pair of bodies for the lengths of tuning.h: that of its smaller dynamic body.
 #pragma once
 
 #include "physics/src/foundation/size_scale.h"
@@ -9,7 +9,7 @@
 
 namespace jostle::physics {
 
-// m. The first body is dynamic.
+// Returns the size in m. The first body is dynamic.
 inline double size_of_pair(const BodyCold& a, const BodyCold& b) {
     return b.type == BodyType::dynamic ? minimum(a.radius, b.radius) : a.radius;
 }

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
+#include "jostle/base/check.h"
 #include "physics/src/constraint_graph/effective_mass.h"
 #include "physics/src/constraint_graph/wide_rows.h"
-#include "physics/src/foundation/check.h"
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/state/contact_constraints.h"
 #include "physics/src/state/contact_load.h"
@@ -19,13 +19,13 @@ void for_each_manifold(WorldState& world, std::uint32_t body, Visit&& visit) {
     for_each_manifold(world.contacts, world.bodies.cold[body], visit);
 }
 
-// After one of its bodies fell asleep or woke: to the colour set where it belongs now. What is
-// solved there gets its effective masses anew.
+// After one of its bodies fell asleep or woke: moves the contact to its colour set and recomputes
+// the effective masses of solved contacts.
 void move_to_own_set(WorldState& world, std::uint32_t contact) {
     const Contact& c = world.contacts.contacts[contact];
-    const ColourSetKey belongs = set_of_contact(world, c);
-    if (belongs != c.colour_set) move_contact(world, contact);
-    if (belongs != asleep_set) rewrite_effective_mass(world, c);
+    const ColourSetKey target = set_of_contact(world, c);
+    if (target != c.colour_set) move_contact(world, contact);
+    if (target != asleep_set) rewrite_effective_mass(world, c);
 }
 
 }  // namespace
@@ -60,7 +60,7 @@ void wake_in_place(WorldState& world, std::uint32_t body) {
 
 namespace {
 
-// Rest times are at most `sleep_time` from then on.
+// Limits the times at rest to `sleep_time`.
 void wake_jointed(WorldState& world, std::uint32_t body, double sleep_time,
                   std::vector<BodyId>& woke) {
     if (!world.bodies.cold[body].asleep_in_place) return;

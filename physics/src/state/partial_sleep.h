@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
 // Partial sleep: a part of an island sleeps while the rest of it moves. A body that sleeps in place
-// keeps its place in the awake set, but nobody solves it. For its neighbours that move it is as
-// good as static, and contacts between bodies that sleep in place lie in a colour set of their own.
-// What would move such a body wakes it (stages/sleep/wake_bodies.h). Bodies that joints tie
-// together fall asleep and wake as one, so no joint has one that moves and one that sleeps.
+// remains in the awake set but is not solved. It acts like a static body on its moving neighbours,
+// and contacts between bodies that sleep in place are in a separate colour set. A disturbance wakes
+// the body (stages/sleep/wake_bodies.h). Bodies connected by joints fall asleep and wake together,
+// so no joint connects a moving and a sleeping body.
 #pragma once
 
 #include <cstdint>
@@ -15,21 +15,24 @@
 
 namespace jostle::physics {
 
-// Puts dynamic bodies of the awake set to sleep in place, all of those that are jointed together
-// and to no kinematic body, and keeps the forces at their contacts.
+// Puts dynamic bodies of the awake set to sleep in place and stores the forces at their contacts.
+// `bodies` contains complete groups of jointed bodies, none of which is connected to a kinematic
+// body.
 void sleep_in_place(WorldState& world, std::span<const std::uint32_t> bodies);
-// A half of that, for a caller who moves the contacts himself: all bodies first, then save_load().
+// First half of sleep_in_place(), for callers that move the contacts themselves: first all bodies,
+// then save_load().
 void hold_still(WorldState& world, std::uint32_t body);
 
-// The body moves again, it alone. Its time at rest goes on.
+// Wakes this body only. Its time at rest continues.
 void wake_in_place(WorldState& world, std::uint32_t body);
-// With all that is jointed to it, and times at rest begin anew.
+// Wakes the body with all bodies connected by joints, and resets their time at rest.
 void wake_from_partial_sleep(WorldState& world, std::uint32_t body, std::vector<BodyId>& woke);
-// ... and go on, but for the last steps before it would fall asleep: what still rests soon sleeps
-// again, with what presses on it now.
+// Same, but retains the time at rest up to a few steps before falling asleep: bodies that still
+// rest soon sleep again, with the current forces.
 void wake_briefly(WorldState& world, std::uint32_t body, std::vector<BodyId>& woke);
-// Wakes the body, and briefly so much of what contacts lead to from it, kg: an impact is felt by
-// more than the body that it hits, and what lost its support may have borne more than itself.
+// Wakes the body, and briefly its surroundings along contacts up to this mass in kg: an impact
+// affects more than the body that it hits, and a body that lost its support may have carried more
+// than itself.
 void wake_around(WorldState& world, std::uint32_t body, double mass, std::vector<BodyId>& woke);
 
 }  // namespace jostle::physics

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "physics/src/state/separation_bounds.h"
 
-#include "physics/src/foundation/check.h"
+#include "jostle/base/check.h"
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/state/contact_store.h"
 #include "physics/src/state/pair_size.h"
@@ -20,7 +20,7 @@ void add_separation_bound(WorldState& world, std::uint32_t contact, double slack
     Contact& c = world.contacts.contacts[contact];
     ASSERT(world.contacts.ids.alive(contact) && c.parent == none && c.colour < 0);
     c.dormant = false;
-    if (c.has_bound) return;  // was dormant meanwhile: keeps its place and limit
+    if (c.has_bound) return;  // it was dormant: retains its position and limit
     c.has_bound = true;
     const MotionBound &a = world.bodies.motion[c.body_a], &b = world.bodies.motion[c.body_b];
     SeparationBound w{.contact = contact, .body_a = c.body_a, .body_b = c.body_b};
@@ -44,13 +44,13 @@ void resume_separation_bound(WorldState& world, std::uint32_t contact) {
 
 namespace {
 
-// What is left of a pair's slack, m, and how much of that this step may use up.
+// The remaining slack of a pair, and how much of it the next step may use, m.
 struct Slack {
     double left, next;
 };
 
-// Along a direction by what look() would see; else by the same bounds as update_motion_bound()'s,
-// on their motion against each other.
+// Along a direction if there is one, otherwise with the bounds of update_motion_bound() applied to
+// the relative motion.
 Slack slack_of(const WorldState& world, const SeparationBound& w, double dt) {
     const BodyCold &a = world.bodies.cold[w.body_a], &b = world.bodies.cold[w.body_b];
     const BodyWarm &wa = warm_of(world, w.body_a), &wb = warm_of(world, w.body_b);
@@ -69,12 +69,12 @@ Slack slack_of(const WorldState& world, const SeparationBound& w, double dt) {
             1.5 * dt * (length(velocity) + turning) + dt * dt * pull};
 }
 
-// Most new pairs are of bodies that fly along with each other: if the balls around them cannot
-// touch in this step, the pair gets a bound along their centres without a look. That happens once:
-// a look ends pairs that have parted.
+// Most new pairs consist of bodies that move in parallel. If their bounding spheres cannot touch in
+// this step, the pair gets a bound along the centres without a narrow-phase test. This happens
+// once: a test ends pairs that have separated.
 bool bound_by_spheres(const WorldState& world, SeparationBound& w, double dt) {
     const BodyCold &a = world.bodies.cold[w.body_a], &b = world.bodies.cold[w.body_b];
-    // What forces do not move may have a plane, which no ball holds.
+    // Other bodies may have a plane, which has no bounding sphere.
     if (a.type != BodyType::dynamic || b.type != BodyType::dynamic) return false;
     const BodyWarm &wa = warm_of(world, w.body_a), &wb = warm_of(world, w.body_b);
     const Vec3 apart = wb.center - wa.center;
@@ -101,14 +101,15 @@ bool is_due(const WorldState& world, SeparationBound& w, double dt) {
     return slack.next > slack.left;
 }
 
-bool stayed_apart(const WorldState& world, const SeparationBound& w, Vec3 before, Vec3 now) {
+bool stayed_apart(const WorldState& world, const SeparationBound& w, Vec3 previous, Vec3 now) {
     const MotionBound &a = world.bodies.motion[w.body_a], &b = world.bodies.motion[w.body_b];
     if (a.travel + b.travel < w.limit) return true;
-    // Turning only ever uses up, and of an even motion the nearest moment is the first or the last.
+    // Rotation only decreases the budget, and with linear motion the minimum is at the start or the
+    // end.
     const double left = w.budget - a.turned - b.turned;
     const Vec3 retained = direction_of(w);
-    if (w.directed) return left + minimum(dot(retained, before), dot(retained, now)) > 0;
-    return left > maximum(length(before - retained), length(now - retained));
+    if (w.directed) return left + minimum(dot(retained, previous), dot(retained, now)) > 0;
+    return left > maximum(length(previous - retained), length(now - retained));
 }
 
 }  // namespace jostle::physics

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
+#include "jostle/base/check.h"
 #include "physics/src/collision/broadphase/fat_box.h"
-#include "physics/src/foundation/check.h"
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/geometry/bounds.h"
 #include "physics/src/state/force_fields.h"
@@ -12,7 +12,7 @@
 namespace jostle::physics {
 namespace {
 
-// Where the shape's box is found.
+// The index that contains the shape's box.
 BroadPhaseIndex& index_of(WorldState& world, const ShapeRecord& shape) {
     const bool fixed = world.bodies.cold[shape.body].type == BodyType::static_body;
     return fixed ? *world.shapes.statics : *world.shapes.moving;
@@ -66,7 +66,8 @@ void destroy_proxy(WorldState& world, std::uint32_t index) {
         std::erase(world.shapes.triggers, index);
         std::erase(world.triggers.fresh, index);
     }
-    // What it was in, or what was in it, is told with the next step, while its id still means it.
+    // Report that the shape left its triggers, or that shapes left this trigger, with the next
+    // step; record the events while the ids are valid.
     std::erase_if(world.triggers.inside, [&](const Inside& pair) {
         if (pair.trigger != index && pair.shape != index) return false;
         world.events.pending.left.push_back({shape_id(world, pair.trigger),
@@ -102,7 +103,7 @@ void enlarge_proxy(WorldState& world, std::uint32_t index, const BodyWarm& warm,
 AabbMargin margin_in_fat_aabb(const ShapeRecord& shape, const BodyWarm& warm, double radius,
                               double dt) {
     if (is_plane(shape)) return {1e300, 1e300};
-    // A quarter of the margin early: manifolds begin before surfaces meet.
+    // Leave the box a quarter of the margin early, because manifolds begin before surfaces touch.
     const Aabb box = grow(bounds_of(transformed_shape(shape, warm)),
                           tuning::fat_margin_reserve * fat_margin_of(radius));
     const Vec3 low = box.low - shape.fat.low, high = shape.fat.high - box.high;
@@ -131,7 +132,7 @@ void update_motion_bound(WorldState& world, std::uint32_t body, double dt) {
     const BodyWarm& warm = warm_of(world, body);
     MotionBound& motion = world.bodies.motion[body];
     ASSERT(dt > 0);
-    // Half as much again as the present speed, and twice what gravity and forces can add.
+    // 1.5 times the current speed, and twice the contribution of gravity and forces.
     const double speed = length(warm.v) + length(warm.w) * cold.radius;
     double acceleration = length(world.def.gravity) * absolute(cold.gravity_scale) +
                           length(warm.force) * cold.inverse_mass;

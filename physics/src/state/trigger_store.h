@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What is inside which trigger, as of the last step.
+// Shapes inside triggers, as of the last step.
 #pragma once
 
 #include <compare>
@@ -16,9 +16,9 @@ struct Inside {
 };
 
 struct TriggerStore {
-    std::vector<Inside> inside;        // rising
-    std::vector<std::uint32_t> fresh;  // triggers that are new or were moved: to be checked into
-                                       // even where nothing moves
+    std::vector<Inside> inside;  // ascending
+    // New or moved triggers, which are tested even if nothing moves.
+    std::vector<std::uint32_t> fresh;
 };
 
 }  // namespace jostle::physics

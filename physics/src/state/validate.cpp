@@ -21,13 +21,13 @@ template <class T>
 Fault check_pool(const char* name, const IdPool& ids, const std::vector<T>& items) {
     auto& pool = const_cast<IdPool&>(ids);
     if (pool.generations().size() != pool.alive_flags().size() || items.size() != ids.size())
-        return std::string(name) + ": ids and records differ in number";
+        return std::string(name) + ": the numbers of ids and records differ";
     for (std::size_t i = 0; i < pool.alive_flags().size(); i++)
         if (pool.alive_flags()[i] > 1) return at(name, i, "has an alive flag that is not 0 or 1");
     return {};
 }
 
-// As World::step() takes them; 0: none yet.
+// Returns whether World::step() accepts the step length; 0: no step yet.
 bool is_step_length(double dt) {
     return dt == 0 || (dt >= 1e-5 && dt <= 0.25);
 }
@@ -36,18 +36,20 @@ bool body_alive(const WorldState& world, std::uint32_t body) {
     return body < world.bodies.cold.size() && world.bodies.ids.alive(body);
 }
 
-// Every alive body is in exactly one place of its set, and the sets hold nothing else.
+// Every existing body is in its set exactly once, and the sets contain nothing else.
 Fault check_sets(const WorldState& world) {
     const auto check_set = [&](const std::vector<BodyWarm>& set, BodySet kind,
                                std::uint32_t island) -> Fault {
         for (std::size_t i = 0; i < set.size(); i++) {
-            if (!body_alive(world, set[i].body)) return at("set", i, "names no body");
+            if (!body_alive(world, set[i].body)) return at("set", i, "refers to no body");
             const BodyCold& cold = world.bodies.cold[set[i].body];
-            if (cold.set != kind || cold.at != i) return at("set", i, "and its body disagree");
+            if (cold.set != kind || cold.at != i)
+                return at("set", i, "is inconsistent with its body");
             if (kind == BodySet::sleeping && cold.island != island)
-                return at("set", i, "sleeps in another island");
+                return at("set", i, "is in the wrong island");
             const double norm = norm_squared(set[i].rotation);
-            if (!(norm > 0.9 && norm < 1.1)) return at("set", i, "has a rotation that is not one");
+            if (!(norm > 0.9 && norm < 1.1))
+                return at("set", i, "has a rotation that is not a unit quaternion");
         }
         return {};
     };
@@ -60,25 +62,26 @@ Fault check_sets(const WorldState& world) {
         if (Fault f = check_set(island.sleepers, BodySet::sleeping, i)) return f;
     }
     if (members != world.bodies.ids.alive_count_slow())
-        return "bodies: the sets hold " + std::to_string(members) + " of " +
+        return "bodies: the sets contain " + std::to_string(members) + " of " +
                std::to_string(world.bodies.ids.alive_count_slow());
     return {};
 }
 
 Fault check_bodies(const WorldState& world) {
     if (world.bodies.motion.size() != world.bodies.cold.size())
-        return "bodies: cold and reach differ in number";
+        return "bodies: the numbers of cold and motion records differ";
     for (std::uint32_t i = 0; i < world.bodies.cold.size(); i++) {
         if (!world.bodies.ids.alive(i)) continue;
         const BodyCold& b = world.bodies.cold[i];
         const bool dynamic = b.type == BodyType::dynamic;
         if ((b.type == BodyType::static_body) != (b.set == BodySet::static_set))
-            return at("bodies", i, "is in a set that its type does not belong to");
+            return at("bodies", i, "is in a set that does not match its type");
         if (b.set == BodySet::sleeping && !dynamic)
             return at("bodies", i, "sleeps but is not dynamic");
         if (b.asleep_in_place && (!dynamic || b.set != BodySet::awake))
             return at("bodies", i, "sleeps in place outside the awake set");
-        if (dynamic != (b.island != none)) return at("bodies", i, "has no island, or needs none");
+        if (dynamic != (b.island != none))
+            return at("bodies", i, "has an island that does not match its type");
         if (dynamic && !world.islands.ids.alive(b.island))
             return at("bodies", i, "is in an island that does not exist");
         if (b.inverse_mass < 0 || b.radius < 0 || b.linear_damping < 0 || b.angular_damping < 0)
@@ -87,7 +90,7 @@ Fault check_bodies(const WorldState& world) {
     return {};
 }
 
-// Shape lists: each alive shape is on its body's list exactly once.
+// Shape lists: each existing shape is on its body's list exactly once.
 Fault check_shapes(const WorldState& world) {
     const auto& shapes = world.shapes.shapes;
     std::size_t listed = 0;
@@ -102,10 +105,11 @@ Fault check_shapes(const WorldState& world) {
             last = s;
         }
         if (last != world.bodies.cold[i].last_shape)
-            return at("bodies", i, "has a list of shapes with another end");
+            return at("bodies", i, "has a list of shapes with a wrong end");
         listed += steps;
     }
-    if (listed != world.shapes.ids.alive_count_slow()) return "shapes: some are on no body's list";
+    if (listed != world.shapes.ids.alive_count_slow())
+        return "shapes: some are not on a body's list";
     std::size_t moved = 0;
     for (std::uint32_t s = 0; s < shapes.size(); s++) {
         if (!world.shapes.ids.alive(s)) continue;
@@ -116,19 +120,19 @@ Fault check_shapes(const WorldState& world) {
             return at("shapes", s, "is a surface on a dynamic body");
         if (kind_of(shapes[s].geometry) == ShapeKind::plane &&
             world.bodies.cold[shapes[s].body].type != BodyType::static_body)
-            return at("shapes", s, "is a plane on a body that moves");
+            return at("shapes", s, "is a plane on a body that is not static");
     }
     std::vector<std::uint8_t> visited(shapes.size(), 0);
     for (const std::uint32_t s : world.shapes.moved)
         if (s >= shapes.size() || !world.shapes.ids.alive(s) || !shapes[s].moved ||
             visited[s]++ != 0)
-            return at("shapes.moved", s, "is not a shape that moved, or is there twice");
-    if (moved != world.shapes.moved.size()) return "shapes.moved: not every moved shape is there";
+            return at("shapes.moved", s, "is not a moved shape, or is listed twice");
+    if (moved != world.shapes.moved.size()) return "shapes.moved: a moved shape is missing";
     return {};
 }
 
-// A part is on its parent's list once, and the parent counts those that touch.
-Fault check_parts(const WorldState& world, std::uint32_t i) {
+// A child is on its parent's list exactly once, and the parent counts the touching children.
+Fault check_children(const WorldState& world, std::uint32_t i) {
     const auto& contacts = world.contacts.contacts;
     const Contact& c = contacts[i];
     const auto exists = [&](std::uint32_t k) {
@@ -138,17 +142,17 @@ Fault check_parts(const WorldState& world, std::uint32_t i) {
         if (!exists(c.parent) || !contacts[c.parent].composite || c.composite || c.has_bound ||
             c.first_child != none || contacts[c.parent].shape_a != c.shape_a ||
             contacts[c.parent].shape_b != c.shape_b)
-            return at("contacts", i, "is a part of a pair that is none");
+            return at("contacts", i, "has an invalid parent");
         std::size_t visited = 0, steps = 0;
         for (std::uint32_t p = contacts[c.parent].first_child; p != none;
              p = contacts[p].next_child) {
             if (!exists(p) || ++steps > contacts.size())
-                return at("contacts", c.parent, "has a broken list of parts");
+                return at("contacts", c.parent, "has a broken list of children");
             visited += p == i ? 1 : 0;
         }
-        if (visited != 1) return at("contacts", i, "is not on its pair's list of parts");
+        if (visited != 1) return at("contacts", i, "is not on its parent's list of children");
     } else if (!c.composite && (c.first_child != none || c.touching_children != 0)) {
-        return at("contacts", i, "has parts but is not composite");
+        return at("contacts", i, "has children but is not composite");
     }
     if (!c.composite) return {};
     if (c.colour >= 0) return at("contacts", i, "is composite but has a manifold");
@@ -156,16 +160,16 @@ Fault check_parts(const WorldState& world, std::uint32_t i) {
     std::size_t steps = 0;
     for (std::uint32_t p = c.first_child; p != none; p = contacts[p].next_child) {
         if (!exists(p) || contacts[p].parent != i || ++steps > contacts.size())
-            return at("contacts", i, "has a broken list of parts");
+            return at("contacts", i, "has a broken list of children");
         touching += contacts[p].touching ? 1 : 0;
     }
     if (touching != c.touching_children)
-        return at("contacts", i, "counts its touching parts wrongly");
+        return at("contacts", i, "has a wrong count of touching children");
     return {};
 }
 
-// Joint lists: every joint is on the lists of its bodies, one of which is dynamic. The first may be
-// none.
+// Joint lists: every joint is on the lists of its bodies, one of which is dynamic. The first body
+// may be none.
 Fault check_joints(const WorldState& world) {
     const auto& joints = world.joints.joints;
     std::size_t edges = 0, expected_edges = 0;
@@ -175,21 +179,20 @@ Fault check_joints(const WorldState& world) {
         const bool to_world = j.body_a == none;
         if (!(to_world || body_alive(world, j.body_a)) || !body_alive(world, j.body_b) ||
             j.body_a == j.body_b)
-            return at("joints", i, "names bodies that do not exist");
+            return at("joints", i, "refers to bodies that do not exist");
         expected_edges += to_world ? 1 : 2;
-        if (to_world && !is_dynamic(world, j.body_b))
-            return at("joints", i, "joins no dynamic body");
+        if (to_world && !is_dynamic(world, j.body_b)) return at("joints", i, "has no dynamic body");
         if (to_world) continue;
         const BodyCold &a = world.bodies.cold[j.body_a], &b = world.bodies.cold[j.body_b];
         if (a.type != BodyType::dynamic && b.type != BodyType::dynamic)
-            return at("joints", i, "joins no dynamic body");
+            return at("joints", i, "has no dynamic body");
         if (a.type == BodyType::dynamic && b.type == BodyType::dynamic && a.island != b.island)
-            return at("joints", i, "joins two islands");
+            return at("joints", i, "connects two islands");
         const auto moves = [](const BodyCold& c) {
             return c.type != BodyType::static_body && !c.asleep_in_place;
         };
         if ((a.asleep_in_place && moves(b)) || (b.asleep_in_place && moves(a)))
-            return at("joints", i, "ties a body that sleeps in place to one that moves");
+            return at("joints", i, "connects a body that sleeps in place to one that moves");
     }
     for (std::uint32_t i = 0; i < world.bodies.cold.size(); i++) {
         if (!world.bodies.ids.alive(i)) continue;
@@ -207,7 +210,7 @@ Fault check_joints(const WorldState& world) {
         }
         edges += steps;
     }
-    if (edges != expected_edges) return "joints: some are on no body's list";
+    if (edges != expected_edges) return "joints: some are not on a body's list";
     return {};
 }
 
@@ -218,11 +221,11 @@ Fault check_triggers(const WorldState& world) {
             !world.shapes.ids.alive(inside[k].shape) ||
             !world.shapes.shapes[inside[k].trigger].trigger ||
             (k > 0 && !(inside[k - 1] < inside[k])))
-            return at("triggers.inside", k, "is out of order or names no trigger");
+            return at("triggers.inside", k, "is out of order or does not refer to a trigger");
     }
     for (const std::uint32_t s : world.triggers.fresh)
         if (!world.shapes.ids.alive(s) || !world.shapes.shapes[s].trigger)
-            return at("triggers.fresh", s, "is no trigger");
+            return at("triggers.fresh", s, "is not a trigger");
     return {};
 }
 
@@ -237,7 +240,7 @@ Fault check_contact(const WorldState& world, std::uint32_t i) {
         !world.shapes.ids.alive(c.shape_a) || !world.shapes.ids.alive(c.shape_b) ||
         shapes[c.shape_a].body != c.body_a || shapes[c.shape_b].body != c.body_b ||
         c.body_a == c.body_b)
-        return at("contacts", i, "names shapes and bodies that do not belong together");
+        return at("contacts", i, "refers to shapes and bodies that do not match");
     if (world.bodies.cold[c.body_a].type != BodyType::dynamic)
         return at("contacts", i, "has a first body that is not dynamic");
     if (c.colour >= colour_count) return at("contacts", i, "has a colour that does not exist");
@@ -247,19 +250,20 @@ Fault check_contact(const WorldState& world, std::uint32_t i) {
             const std::uint32_t island = world.bodies.cold[body].island;
             if (island < world.islands.islands.size() && c.colour_set != asleep_set &&
                 world.islands.islands[island].colour_set != c.colour_set)
-                return at("contacts", i, "has another tier or batch than its island");
+                return at("contacts", i, "has a tier or batch that differs from its island's");
         }
         const BodyCold &own = world.bodies.cold[c.body_a], &other = world.bodies.cold[c.body_b];
         if ((c.colour_set == asleep_set) !=
             (own.asleep_in_place && (other.asleep_in_place || other.type != BodyType::dynamic)))
-            return at("contacts", i, "is solved though nobody of it moves, or the other way round");
+            return at("contacts", i,
+                      "is in a set that does not match the sleep state of its bodies");
         const GraphColour& colour =
             world.graph.sets[index_of(c.colour_set)].colours[static_cast<std::size_t>(c.colour)];
         if (c.slot < 0 || c.slot >= colour.contacts)
             return at("contacts", i, "has a slot out of range");
         const auto block = static_cast<std::size_t>(c.slot / lanes_per_block(c.colour));
         if (colour.metas[block].contact[c.slot % lanes_per_block(c.colour)] != i)
-            return at("contacts", i, "and its slot disagree");
+            return at("contacts", i, "is inconsistent with its slot");
         const BodyType b = world.bodies.cold[c.body_b].type;
         const PairKind kind = b == BodyType::dynamic     ? PairKind::dynamic
                               : b == BodyType::kinematic ? PairKind::kinematic
@@ -270,7 +274,7 @@ Fault check_contact(const WorldState& world, std::uint32_t i) {
             world.bodies.cold[c.body_b].set == BodySet::sleeping)
             return at("contacts", i, "is in the constraint graph with a sleeping body");
     }
-    if (Fault f = check_parts(world, i)) return f;
+    if (Fault f = check_children(world, i)) return f;
     if (c.touching && world.bodies.cold[c.body_b].type == BodyType::dynamic &&
         world.bodies.cold[c.body_a].island != world.bodies.cold[c.body_b].island)
         return at("contacts", i, "touches across two islands");
@@ -302,7 +306,7 @@ Fault check_contacts(const WorldState& world) {
         edges += steps;
     }
     if (edges != 2 * world.contacts.ids.alive_count_slow())
-        return "contacts: some are on no body's list";
+        return "contacts: some are not on a body's list";
     std::vector<std::uint8_t> entries(contacts.size(), 0);
     for (std::size_t k = 0; k < world.contacts.bounds.size(); k++) {
         const SeparationBound& w = world.contacts.bounds[k];
@@ -310,7 +314,7 @@ Fault check_contacts(const WorldState& world) {
             entries[w.contact]++ != 0 || !contacts[w.contact].has_bound ||
             contacts[w.contact].colour >= 0 || contacts[w.contact].body_a != w.body_a ||
             contacts[w.contact].body_b != w.body_b)
-            return at("contacts.bounds", k, "does not agree with its contact");
+            return at("contacts.bounds", k, "is inconsistent with its contact");
     }
     for (std::uint32_t i = 0; i < contacts.size(); i++)
         if (world.contacts.ids.alive(i) && contacts[i].has_bound != (entries[i] != 0))
@@ -318,8 +322,8 @@ Fault check_contacts(const WorldState& world) {
     return {};
 }
 
-// Lanes: each belongs to a contact that says so, and colours and counts of the bodies follow from
-// them.
+// Lanes: each belongs to a contact that refers to it, and the colours and counts of bodies match
+// the lanes.
 Fault check_graph(const WorldState& world) {
     std::vector<std::uint64_t> colours(world.bodies.cold.size(), 0);
     std::vector<std::uint32_t> constraints(world.bodies.cold.size(), 0);
@@ -350,7 +354,7 @@ Fault check_graph(const WorldState& world) {
     for (std::uint32_t i = 0; i < world.bodies.cold.size(); i++)
         if (world.bodies.ids.alive(i) && (world.bodies.cold[i].colours != colours[i] ||
                                           world.bodies.cold[i].constraints != constraints[i]))
-            return at("bodies", i, "has colours that do not follow from its contacts");
+            return at("bodies", i, "has colours that do not match its contacts");
     return {};
 }
 
@@ -374,18 +378,19 @@ Fault check_islands(const WorldState& world) {
         }
         listed += count;
         if (previous != island.last || count != island.bodies || count == 0)
-            return at("islands", i, "has a list of bodies with another end or length");
+            return at("islands", i, "has a list of bodies with a wrong end or length");
         if (island.colour_set.tier == SolverTier::asleep || !exists(island.colour_set))
             return at("islands", i, "has a tier or a batch that does not exist");
         if (!(is_step_length(island.dt) || is_step_length(0.5 * island.dt)) ||
             island.remaining_load < 0 || island.remaining_load > 1 ||
             island.calm > tuning::tier_patience || island.split_at > world.steps)
-            return at("islands", i, "has a kept load, a patience or a date out of range");
+            return at("islands", i,
+                      "has a step length, load, calm count or split step out of range");
         if (island.error.estimate < 0 || island.error.target_level >= batch_count ||
             island.error.easy > tuning::substep_level_patience)
-            return at("islands", i, "has an error, a rung or a patience out of range");
+            return at("islands", i, "has an error, sub-step level or easy count out of range");
         if (island.sleepers.size() != (island.asleep ? count : 0))
-            return at("islands", i, "sleeps with some of its bodies");
+            return at("islands", i, "is asleep with only some of its bodies");
         for (const SavedContact& m : island.manifolds) {
             if (m.contact >= world.contacts.contacts.size() ||
                 !world.contacts.ids.alive(m.contact) ||
@@ -393,14 +398,14 @@ Fault check_islands(const WorldState& world) {
                 world.contacts.contacts[m.contact].has_bound ||
                 !world.contacts.contacts[m.contact].dormant ||
                 world.bodies.cold[world.contacts.contacts[m.contact].body_a].island != i)
-                return at("islands", i, "keeps a manifold of a contact that is elsewhere");
+                return at("islands", i, "stores a manifold of a contact that is not dormant in it");
         }
         if (!island.asleep && !island.manifolds.empty())
-            return at("islands", i, "is awake but keeps manifolds");
+            return at("islands", i, "is awake but stores manifolds");
     }
     for (std::uint32_t b = 0; b < world.bodies.cold.size(); b++)
         dynamic += body_alive(world, b) && is_dynamic(world, b) ? 1 : 0;
-    if (listed != dynamic) return "islands: some bodies are on no island's list";
+    if (listed != dynamic) return "islands: some bodies are not on an island's list";
     return {};
 }
 
@@ -419,9 +424,9 @@ Fault check_modifiers(const WorldState& world) {
     const std::vector<ContactModifier>& modifiers = world.contacts.modifiers;
     for (std::size_t i = 0; i < modifiers.size(); i++) {
         const ContactModifier& a = modifiers[i];
-        if (!world.contacts.ids.alive(a.contact)) return at("answers", i, "names no contact");
+        if (!world.contacts.ids.alive(a.contact)) return at("answers", i, "refers to no contact");
         if (i > 0 && modifiers[i - 1].contact >= a.contact)
-            return at("answers", i, "is not rising");
+            return at("answers", i, "is out of order");
         if (!(a.friction >= 0 && a.restitution >= 0 && a.restitution <= 1))
             return at("answers", i, "has a coefficient out of range");
     }
@@ -439,13 +444,13 @@ std::optional<std::string> find_fault(const WorldState& world) {
     if (world.def.step_budget < 0 || world.def.step_budget > 4294967295)
         return "world.step_budget is out of range";
     if (world.def.step_budget > 0 && tolerance != 0)
-        return "world.step_budget is set beside a tolerance";
+        return "world.step_budget is set together with a tolerance";
     if (world.overload_level.level > max_overload_level ||
         world.overload_level.easy >= tuning::overload_patience)
-        return "world.strain is out of range";
+        return "world.overload_level is out of range";
     if (world.def.step_budget == 0 &&
         (world.overload_level.level > 0 || world.overload_level.easy > 0))
-        return "world.strain is above 0 without a budget";
+        return "world.overload_level is above 0 without a budget";
     if (world.def.substeps < 1 || world.def.substeps > limits::max_substeps)
         return "world.substeps is " + std::to_string(world.def.substeps) + ", out of range";
     if (!is_step_length(world.last_dt)) return "world.last_dt is out of range";
@@ -455,9 +460,9 @@ std::optional<std::string> find_fault(const WorldState& world) {
     if (Fault f = check_pool("joints", world.joints.ids, world.joints.joints)) return f;
     if (Fault f = check_pool("islands", world.islands.ids, world.islands.islands)) return f;
     if (Fault f = check_pool("fields", world.fields.ids, world.fields.fields)) return f;
-    if (!(world.time >= 0)) return "world.time is below 0";
+    if (!(world.time >= 0)) return "world.time is negative";
     if (Fault f = find_number_fault(world)) return f;
-    // In this order: each relies on what those before it found sound.
+    // The order matters: each check relies on the previous ones.
     for (const auto check :
          {check_bodies, check_sets, check_shapes, check_joints, check_triggers, check_contacts,
           check_graph, check_islands, check_fields, check_modifiers})

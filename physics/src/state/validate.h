@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Checks that every store agrees with every other. Used on loaded worlds, whose bytes may come from
-// anywhere, and by tests after each kind of change.
+// Checks the consistency of all stores. Used for loaded worlds, whose bytes may come from untrusted
+// sources, and by tests after changes.
 #pragma once
 
 #include <optional>
@@ -11,8 +11,8 @@
 
 namespace jostle::physics {
 
-// The first thing that is wrong, or nothing. Reads only what a load restores, so it may run before
-// persist/derive.h.
+// Returns the first inconsistency, or nullopt. Reads only loaded data, so it can run before
+// serialization/derive.h.
 std::optional<std::string> find_fault(const WorldState& world);
 
 }  // namespace jostle::physics

@@ -10,10 +10,10 @@ namespace {
 
 using Fault = std::optional<std::string>;
 
-// What rounding leaves of an equality, as a share.
+// Relative tolerance for rounding.
 constexpr double rounding = 1e-6;
-// More than any impulse within its range makes of any body before the next step looks at it. Sums
-// and squares of such numbers are finite.
+// Exceeds the values that impulses within their range can produce before the next step checks them.
+// Sums and squares of such values are finite.
 constexpr double beyond_all = 1e60;
 
 std::string named(const char* what, std::size_t index, const std::string& problem) {
@@ -33,9 +33,9 @@ Fault world_numbers(const WorldDef& def) {
     return {};
 }
 
-// Whether a body of that mass can have the inertia: symmetric, and no principal moment is more than
-// the two others together. So what is left of half the trace less the inertia, the second moments
-// of the mass, is not negative in any direction.
+// Returns whether the inertia is physically possible: symmetric, and no principal moment exceeds
+// the sum of the other two. Equivalently, half the trace minus the inertia (the second moments of
+// the mass) is positive semi-definite.
 bool is_inertia(const Mat3& i) {
     const double trace = i.x.x + i.y.y + i.z.z, small = rounding * trace;
     if (!(trace >= 0)) return false;
@@ -58,13 +58,13 @@ Fault body_numbers(const BodyCold& b, std::size_t index) {
         return wrong(" has a damping out of range");
     if (!within(b.gravity_scale, -1e3, 1e3)) return wrong(" has a gravity scale out of range");
     if (b.locks >= 64) return wrong(" has locks beyond the six axes");
-    if (!check_mass(b.mass_override).ok()) return wrong(" has a wanted mass out of range");
+    if (!check_mass(b.mass_override).ok()) return wrong(" has an explicit mass out of range");
     if (b.type != BodyType::dynamic && (b.mass != 0 || b.inertia != diagonal({0, 0, 0})))
         return wrong(" has a mass but is not dynamic");
     if (!within(b.mass, 0, 1e25)) return wrong(" has a mass out of range");
-    if (!is_inertia(b.inertia)) return wrong(" has an inertia that no mass has");
-    if (b.isotropic && !is_even(b.inertia)) return wrong(" has an inertia that is not even");
-    // No mass lies further from the centre than the furthest point.
+    if (!is_inertia(b.inertia)) return wrong(" has an impossible inertia");
+    if (b.isotropic && !is_even(b.inertia)) return wrong(" has an inertia that is not isotropic");
+    // No mass is further from the centre than the furthest point.
     if (b.inertia.x.x + b.inertia.y.y + b.inertia.z.z >
         3 * b.mass * b.radius * b.radius * (1 + rounding))
         return wrong(" has an inertia that is too large for its size");
@@ -76,12 +76,14 @@ Fault body_numbers(const BodyCold& b, std::size_t index) {
 }
 
 Fault motion_numbers(const BodyWarm& b, const char* set, std::size_t index) {
-    // One step ends with each within; calls may then set a body down at its shapes' distance.
+    // A step ends with every body within the limit; calls may then move it by the extent of its
+    // shapes.
     if (!within(b.center, 2 * tuning::quarantine_coordinate))
-        return named(set, index, " lies too far out");
+        return named(set, index, " is too far from the origin");
     for (const Vec3 v : {b.v, b.w, b.force, b.torque, b.drift, b.drift_turn})
-        if (!within(v, beyond_all)) return named(set, index, " moves faster than anything can");
-    if (!(b.sleep_time >= 0)) return named(set, index, " has rested for less than no time");
+        if (!within(v, beyond_all))
+            return named(set, index, " has a velocity, force or displacement out of range");
+    if (!(b.sleep_time >= 0)) return named(set, index, " has a negative time at rest");
     return {};
 }
 
@@ -99,7 +101,7 @@ Fault numbers_of_bodies(const WorldState& world) {
         const MotionBound& m = world.bodies.motion[i];
         if (!within(m.travel, 0, beyond_all) || !within(m.turned, 0, beyond_all) ||
             !within(m.bound, 0, beyond_all * beyond_all))
-            return named("bodies.motion", i, " is negative, or too far");
+            return named("bodies.motion", i, " has a bound out of range");
     }
     if (Fault f = numbers_of_motions(world.bodies.statics, "bodies.statics")) return f;
     if (Fault f = numbers_of_motions(world.bodies.awake, "bodies.awake")) return f;
@@ -116,14 +118,14 @@ Fault shape_numbers(const ShapeRecord& s, std::size_t index) {
         return wrong(checked);
     if (Status checked = check_pose("pose", s.pose); !checked.ok()) return wrong(checked);
     if (!within(norm_squared(s.pose.rotation), 0.99, 1.01))
-        return named("shapes", index, " has a rotation that is not one");
+        return named("shapes", index, " has a rotation that is not a unit quaternion");
     if (Status checked = check_material(s.material); !checked.ok()) return wrong(checked);
     if (Status checked = check_mass(s.mass); !checked.ok()) return wrong(checked);
     if (Status checked = check_range("density", s.density, 0, limits::max_density); !checked.ok())
         return wrong(checked);
     const Vec3 low = s.fat.low, high = s.fat.high;
     if (!is_plane(s) && !(low.x <= high.x && low.y <= high.y && low.z <= high.z))
-        return named("shapes", index, " has a fat box without an inside");
+        return named("shapes", index, " has an inverted fat box");
     return {};
 }
 
@@ -146,7 +148,7 @@ Fault numbers_of_shapes(const WorldState& world) {
     return {};
 }
 
-// Impulses of the solver, which are floats, and what follows from them.
+// Impulses of the solver, which are floats, and quantities derived from them.
 bool is_impulse(double x) {
     return within(x, -1e32, 1e32);
 }
@@ -170,9 +172,9 @@ Fault numbers_of_joints(const WorldState& world) {
         for (const Transform& frame : {j.frame_a, j.frame_b})
             if (!check_pose("frame", frame).ok() ||
                 !within(norm_squared(frame.rotation), 0.99, 1.01))
-                return named("joints", i, " has a frame that is none");
+                return named("joints", i, " has an invalid frame");
         if (!(j.break_force >= 0 && j.break_torque >= 0))
-            return named("joints", i, " breaks at less than nothing");
+            return named("joints", i, " has a negative break force or torque");
         if (!are_impulses(j)) return named("joints", i, " has an impulse out of range");
     }
     return {};

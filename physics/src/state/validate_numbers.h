@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Whether each number of a world is one that the calls of World and the steps make: a mass that no
-// shape has, or a rest that lasts less than no time, comes from forged bytes alone. Called by
-// validate.h, before the stores are compared.
+// Checks that each number of a world is one that calls of World and steps can produce. Others, such
+// as a mass without a shape or a negative time at rest, come from forged bytes. Called by
+// validate.h before the stores are compared.
 #pragma once
 
 #include <optional>
@@ -12,7 +12,7 @@
 
 namespace jostle::physics {
 
-// The first number that is out of its range, or nothing.
+// Returns the first number out of range, or nullopt.
 std::optional<std::string> find_number_fault(const WorldState& world);
 
 }  // namespace jostle::physics

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "physics/src/foundation/check.h"
+#include "jostle/base/check.h"
 #include "physics/src/state/island_sleep.h"
 #include "physics/src/state/partial_sleep.h"
 
@@ -18,7 +18,7 @@ void ensure_awake(WorldState& world, std::uint32_t body, std::vector<BodyId>& wo
 
 void apply_wake_requests(WorldState& world, std::vector<BodyId>& woke) {
     WakeRequests& requests = world.wake_requests;
-    // A caller may have destroyed or woken a body since.
+    // A caller may have destroyed or woken a body in the meantime.
     std::erase_if(requests, [&](const WakeRequest& r) {
         if (!world.bodies.ids.alive(r.body)) return true;
         const BodyCold& cold = world.bodies.cold[r.body];

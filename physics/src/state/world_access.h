@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The stores behind a World, for the library's own files and tests.
+// Access to the stores of a World, for the library's own files and tests.
 #pragma once
 
 #include "jostle/physics/world.h"

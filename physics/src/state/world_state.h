@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// All stores of one world side by side; the only place that lists them. Plain data: the functions
-// that keep the stores in agreement stand beside it, the stages in stages/.
+// All stores of one world. Plain data: functions that maintain consistency between the stores are
+// in this folder, the stages in stages/.
 #pragma once
 
 #include <memory>
 
+#include "jostle/base/check.h"
 #include "jostle/physics/defs.h"
 #include "jostle/physics/profile.h"
 #include "physics/src/constraint_graph/constraint_graph.h"
-#include "physics/src/foundation/check.h"
 #include "physics/src/foundation/thread_pool.h"
 #include "physics/src/foundation/threading_trial.h"
 #include "physics/src/state/body_store.h"
@@ -27,13 +27,13 @@
 
 namespace jostle::physics {
 
-// All that the next step depends on, and what is derived from it. A copy of this is a copy of the
-// world: persist/restore_point.cpp.
+// Everything that the next step depends on, and data derived from it. A copy of this struct is a
+// copy of the world (serialization/restore_point.cpp).
 struct WorldStores {
     WorldDef def;
     std::uint64_t steps = 0;
     double last_dt = 0;            // s; 0 before the first step
-    double time = 0;               // s: the sum of all steps
+    double time = 0;               // sum of all dt, s
     OverloadState overload_level;  // of the next step
 
     BodyStore bodies;
@@ -46,22 +46,22 @@ struct WorldStores {
     FieldStore fields;
 };
 
-// How the last step used its threads. It decides who does the work of the next one, never what
-// comes of it.
+// Thread usage of the last step. It affects the distribution of work in the next step, never its
+// result.
 struct ThreadUsage {
     double step_ms = 0;
     int solver_tasks = 0;
 };
 
 struct WorldState : WorldStores {
-    // Modules are part of the state; a restore point keeps theirs by their visitors.
+    // Modules are part of the state; a restore point stores theirs through their visitors.
     ListenerStore listeners;
     // Not part of the state.
     EventStore events;
     WakeRequests wake_requests;
     std::uint64_t static_revision = 0;  // World::static_revision()
     StepProfile profile;
-    // Composite pairs of which a part began or ended to touch: merge_islands reports them.
+    // Composite pairs of which a child began or ended to touch; merge_islands reports them.
     std::vector<std::uint32_t> changed_pairs;
     GraphScratch scratch;
     std::unique_ptr<ThreadPool> thread_pool;
@@ -69,7 +69,7 @@ struct WorldState : WorldStores {
     ThreadUsage thread_usage;
 };
 
-// Sub-steps of the islands of a set in the next step, or in the one that runs.
+// Sub-steps of the islands of a set in the current or next step.
 inline int substeps_of(ColourSetKey set, const WorldStores& world) {
     return substeps_of(set, world.def, halves_substeps(world.overload_level));
 }

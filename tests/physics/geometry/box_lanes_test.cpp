@@ -40,14 +40,14 @@ TEST(BoxLanes, find_overlaps_and_ray_hits) {
             box[k] = {box[k].low + about, box[k].high + about};
             lanes.put(k, box[k]);
         }
-        lanes.put_nothing(3);
+        lanes.put_empty(3);
         Aabb one = random_box(random, 2);
         one = {one.low + about, one.high + about};
         const Vec3 origin = about + random.vector(4), towards = about - origin;
         const Vec3 motion =
             round % 5 == 0 ? Vec3{0, 2 * towards.y, 0} : towards * 2 + random.vector(1);
         Float4 enters;
-        const unsigned overlaps = overlapping(four_times(one), lanes);
+        const unsigned overlaps = overlapping(broadcast(one), lanes);
         const unsigned rays = RayOverlap(origin, motion)(lanes, 1, enters);
         EXPECT_EQ(overlaps & 8, 0u);
         EXPECT_EQ(rays & 8, 0u);

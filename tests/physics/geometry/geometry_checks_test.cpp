@@ -33,13 +33,13 @@ TEST(GeometryChecks, errors_name_the_field_value_and_range) {
 }
 
 TEST(GeometryChecks, shared_geometry_must_not_be_null) {
-    EXPECT_EQ(error_of(Hull{}), "shape has no data; make it with build_hull");
+    EXPECT_EQ(error_of(Hull{}), "shape has no data; create it with build_hull");
     EXPECT_EQ(error_of(Hull{std::make_shared<const ConvexHull>()}),
-              "shape has no data; make it with build_hull")
+              "shape has no data; create it with build_hull")
         << "put together by hand";
-    EXPECT_EQ(error_of(Mesh{}), "shape has no data; make it with build_mesh");
-    EXPECT_EQ(error_of(HeightField{}), "shape has no data; make it with build_height_field");
-    EXPECT_EQ(error_of(Compound{}), "shape has no data; make it with build_compound");
+    EXPECT_EQ(error_of(Mesh{}), "shape has no data; create it with build_mesh");
+    EXPECT_EQ(error_of(HeightField{}), "shape has no data; create it with build_height_field");
+    EXPECT_EQ(error_of(Compound{}), "shape has no data; create it with build_compound");
 }
 
 TEST(GeometryChecks, ranges_are_inclusive) {

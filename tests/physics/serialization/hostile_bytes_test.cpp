@@ -75,14 +75,14 @@ TEST(HostileBytes, forged_truncation_error_names_the_missing_field) {
     Bytes longer = sample();
     longer.resize(longer.size() + 5);
     restamp(longer);
-    expect_refused(longer, "left after the last field");
+    expect_refused(longer, "remain after the last field");
 }
 
 TEST(HostileBytes, header_errors_name_the_problem) {
     expect_refused({}, "header");
     Bytes bytes = sample();
     bytes[0] ^= std::byte{1};
-    expect_refused(bytes, "mark");
+    expect_refused(bytes, "magic number");
     bytes = sample();
     bytes[8] ^= std::byte{64};
     expect_refused(bytes, "version");
@@ -198,7 +198,7 @@ TEST(HostileBytes, overload_level_is_validated) {
         forged[overload_level] = static_cast<std::byte>(value);
         restamp(forged);
         if (refused)
-            expect_refused(forged, "world.strain");
+            expect_refused(forged, "world.overload_level");
         else
             EXPECT_EQ(must(load(forged)).overload_level(), value);
     }

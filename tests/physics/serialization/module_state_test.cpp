@@ -108,7 +108,7 @@ TEST(ModuleState, restore_point_saves_the_same_bytes_as_its_world) {
     World world = pushed_world();
     run(world, 0.2);
     RestorePoint point;
-    EXPECT_EQ(point.save().error().code, ErrorCode::failed_precondition) << "nothing was kept yet";
+    EXPECT_EQ(point.save().error().code, ErrorCode::failed_precondition) << "nothing was captured yet";
     point.capture(world);
     const std::vector<std::byte> then = save(world);
     run(world, 0.2);
@@ -128,7 +128,7 @@ TEST(ModuleState, unknown_module_error_names_the_tag) {
     must(world.add_module(std::make_unique<Unknown>()));
     const auto loaded = load(save(world));
     ASSERT_FALSE(loaded.ok());
-    EXPECT_THAT(loaded.error().message, HasSubstr("module \"unheard_of\" is not one that this"));
+    EXPECT_THAT(loaded.error().message, HasSubstr("module \"unheard_of\" is not registered"));
     EXPECT_THAT(loaded.error().message, HasSubstr("pusher"));
     RestorePoint point;
     point.capture(world);
@@ -148,7 +148,7 @@ TEST(ModuleState, untrusted_module_bytes_are_validated) {
     std::vector<std::byte> longer = good;
     longer.push_back({});
     EXPECT_THAT(load_module(read, longer).error().message,
-                HasSubstr("state of module \"pusher\": 1 bytes are left"));
+                HasSubstr("state of module \"pusher\": 1 bytes remain"));
     std::vector<std::byte> mood = good;
     mood[16] = std::byte{2};
     EXPECT_THAT(load_module(read, mood).error().message,

@@ -28,7 +28,7 @@ TEST(ModuleRegistry, creates_registered_modules) {
                 HasSubstr("registered already"));
     EXPECT_THAT(make_module("boat").error().message, HasSubstr("kite"));
     must(register_module("sail", [] { return std::make_unique<Kite>(); }));
-    EXPECT_THAT(make_module("sail").error().message, HasSubstr("makes \"kite\""));
+    EXPECT_THAT(make_module("sail").error().message, HasSubstr("creates \"kite\""));
 }
 
 TEST(ModuleRegistry, rejects_settings_by_default) {
@@ -36,7 +36,7 @@ TEST(ModuleRegistry, rejects_settings_by_default) {
     Kite kite;
     EXPECT_TRUE(kite.configure(world, {}).ok());
     EXPECT_THAT(kite.configure(world, {.numbers = {{"span", 2}}, .bodies = {}}).error().message,
-                HasSubstr("takes no settings; leave out \"span\""));
+                HasSubstr("accepts no settings; remove \"span\""));
 }
 
 }  // namespace

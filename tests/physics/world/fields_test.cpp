@@ -40,7 +40,7 @@ TEST(FieldCalls, errors_name_the_field) {
     World world;
     EXPECT_THAT(error_of(world, {.force = UniformWind{.drag = -1}}), HasSubstr("wind.drag is -1"));
     EXPECT_THAT(error_of(world, {.force = VortexField{.axis = {0, 2, 0}}}),
-                HasSubstr("vortex.axis has length 2; give a unit vector"));
+                HasSubstr("vortex.axis has length 2; it must be a unit vector"));
     EXPECT_THAT(error_of(world, {.force = RadialField{.falloff = 5}}),
                 HasSubstr("radial.falloff is 5"));
     EXPECT_THAT(error_of(world, {.force = BuoyancyField{.density = 0.0 / 0.0}}),

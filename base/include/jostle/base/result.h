@@ -35,7 +35,7 @@ enum class ErrorCode {
 /// An error: its category and a message for people.
 struct Error {
     ErrorCode code = ErrorCode::invalid_argument;
-    std::string message;  ///< what failed, the offending value, and what is accepted
+    std::string message;  ///< the failed operation, the offending value, the accepted values
     /// Time after which the caller can retry, in ms. Set for resource_exhausted and unavailable
     /// only; 0 if unknown.
     int retry_after_ms = 0;

@@ -123,7 +123,7 @@ inline constexpr int shape_kinds = 10;
 inline ShapeKind kind_of(const Geometry& geometry) {
     return static_cast<ShapeKind>(geometry.index());
 }
-/// Returns the name of a kind: "sphere", "height_field". The string has static storage duration.
+/// Returns the name of a kind: "sphere", "height field". The string has static storage duration.
 const char* kind_name(ShapeKind kind);
 
 /// Returns true for sphere, capsule, box, cylinder, cone and hull. Children of a compound and

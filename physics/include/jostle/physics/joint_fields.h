@@ -70,7 +70,7 @@ void visit_axis(auto& v, auto& axis, double low, double high) {
 }
 
 /// Fields of one joint kind: `name` and visit(v, joint). The order of the fields is that of saved
-/// worlds; each change has a line in docs/format_changes.md.
+/// worlds; each change has a line in docs/design/format_changes.md.
 template <class Kind>
 struct JointFields;
 

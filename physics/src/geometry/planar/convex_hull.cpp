@@ -13,7 +13,8 @@ bool left_of(Vec2 a, Vec2 b) {
     return a.x < b.x || (a.x == b.x && a.y < b.y);
 }
 
-// Whether `further`, in one line with the two, lies beyond `end` as seen from `start`.
+// Returns whether `further`, which is collinear with the two points, lies beyond `end` seen from
+// `start`.
 bool beyond(Vec2 start, Vec2 end, Vec2 further) {
     return end == start || (left_of(start, end) ? left_of(end, further) : left_of(further, end));
 }
@@ -33,9 +34,10 @@ std::vector<Vec2> hull_of_checked(std::span<const Vec2> points) {
         chain.push_back(p);
     };
     for (const Vec2 p : sorted) add(p, 0);
-    const std::size_t lower = chain.size() - 1;  // the rightmost: where the upper chain begins
+    // The rightmost point, where the upper chain starts.
+    const std::size_t lower = chain.size() - 1;
     for (std::size_t k = sorted.size() - 1; k-- > 0;) add(sorted[k], lower);
-    chain.pop_back();  // the last is the first
+    chain.pop_back();  // the last point equals the first
     return chain;
 }
 
@@ -51,7 +53,7 @@ Result<std::vector<Vec2>> hull_by_gift_wrapping(std::span<const Vec2> points) {
     Vec2 at = first;
     do {
         hull.push_back(at);
-        // The paper is pulled tight: nothing stays to the right of the line to the next corner.
+        // Select the next corner such that no point is to the right of the line to it.
         Vec2 next = at;
         for (const Vec2 p : points) {
             if (p == at) continue;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Hulls of points that have been checked.
+// Convex hulls of checked points.
 #pragma once
 
 #include <span>
@@ -10,7 +10,7 @@
 
 namespace jostle::physics::planar {
 
-// As convex_hull() in planar.h. At least one point.
+// Same as convex_hull() in planar.h, without checks. At least one point.
 std::vector<Vec2> hull_of_checked(std::span<const Vec2> points);
 
 }  // namespace jostle::physics::planar

@@ -9,8 +9,8 @@ namespace {
 
 constexpr std::uint32_t no_index = 0xffffffff;
 
-// The sides of all parts: 3 t, 3 t + 1 and 3 t + 2 are those of triangle t. Inner ones are there
-// twice, once in each direction.
+// The sides of all parts: 3 t, 3 t + 1 and 3 t + 2 belong to triangle t. Inner sides occur twice,
+// once in each direction.
 class PartJoiner {
 public:
     PartJoiner(std::span<const Vec2> polygon, const std::vector<Triangle>& triangles,
@@ -48,7 +48,7 @@ public:
 private:
     void find_twins() {
         twin_.assign(from_.size(), no_index);
-        // Pairs of corners, lower first, with the side: equal pairs lie together when sorted.
+        // Pairs of corners, lower first, with the side. Sorting makes equal pairs adjacent.
         std::vector<std::array<std::uint32_t, 3>> pairs;
         for (std::uint32_t side = 0; side < from_.size(); side++) {
             const std::uint32_t a = from_[side], b = from_[next_[side]];
@@ -62,13 +62,13 @@ private:
             }
     }
 
-    // Parts that were joined share a root.
+    // Joined parts share a root.
     std::uint32_t root_of(std::uint32_t part) {
         while (into_[part] != part) part = into_[part] = into_[into_[part]];
         return part;
     }
 
-    // Whether the corner where `in` ends and `out` begins is convex or straight.
+    // Returns whether the corner between `in` and `out` is convex or straight.
     bool convex(std::uint32_t in, std::uint32_t out) const {
         return orientation(corners_[from_[in]], corners_[from_[out]],
                            corners_[from_[next_[out]]]) >= 0;
@@ -94,7 +94,7 @@ private:
     std::size_t max_corners_;
     std::vector<std::uint32_t> from_, next_, previous_, twin_, part_;  // by side
     std::vector<char> removed_;                                        // by side
-    std::vector<std::size_t> size_;                                    // by part: corners
+    std::vector<std::size_t> size_;                                    // by part: number of corners
     std::vector<std::uint32_t> into_;                                  // by part
 };
 
@@ -104,7 +104,7 @@ Result<std::vector<ConvexPart>> convex_parts(std::span<const Vec2> polygon,
                                              std::size_t max_corners) {
     if (max_corners < 3)
         return invalid_argument("max_corners is " + std::to_string(max_corners) +
-                                "; a part has at least 3 corners");
+                                "; it must be at least 3");
     const auto triangles = triangulate(polygon);
     if (!triangles.ok()) return triangles.error();
     return PartJoiner(polygon, *triangles, max_corners).run();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Sums without error: a value as a list of doubles that do not overlap, by increasing size
-// (Shewchuk 1997; two_sum is Knuth's, two_product Dekker's). Holds while nothing overflows and no
-// product falls below 2^-1022.
+// Exact sums: a value as a list of non-overlapping doubles of increasing magnitude (Shewchuk 1997;
+// two_sum is Knuth's, two_product Dekker's). Valid while nothing overflows and no product is below
+// 2^-1022.
 #pragma once
 
 #include <array>
@@ -10,7 +10,7 @@
 
 namespace jostle::physics::planar {
 
-// value + error is the exact result; value is it rounded.
+// value + error is the exact result; value is the rounded result.
 struct Rounded {
     double value, error;
 };
@@ -22,7 +22,7 @@ inline Rounded two_sum(double a, double b) {
 inline Rounded two_difference(double a, double b) {
     return two_sum(a, -b);
 }
-// Halves of 26 bits, whose products are exact.
+// Splits both factors into 26-bit halves, whose products are exact.
 inline Rounded two_product(double a, double b) {
     const double big_a = 134217729.0 * a, big_b = 134217729.0 * b;  // 2^27 + 1
     const double high_a = big_a - (big_a - a), low_a = a - high_a;
@@ -35,7 +35,7 @@ inline Rounded two_product(double a, double b) {
 template <int capacity>
 class Expansion {
 public:
-    // At most `capacity` numbers that are not zero.
+    // At most `capacity` non-zero components.
     void add(double x) {
         int retained = 0;
         for (int k = 0; k < count_; k++) {
@@ -50,7 +50,7 @@ public:
         add(both.error);
         add(both.value);
     }
-    // Of the exact sign, rounded to within a few units in the last place.
+    // Returns the sum with the exact sign, rounded to within a few units in the last place.
     double value() const {
         double sum = 0;
         for (int k = 0; k < count_; k++) sum += parts_[at(k)];

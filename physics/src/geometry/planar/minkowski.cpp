@@ -6,13 +6,13 @@
 namespace jostle::physics::planar {
 namespace {
 
-// A direction's place on the way round that begins to the right of straight down, as a hull's sides
-// do that begins at its leftmost corner, of those the lowest.
+// Angular order of directions, starting to the right of straight down. The sides of a hull that
+// starts at its leftmost corner (of several, the lowest) are in this order.
 bool points_right(Vec2 side) {
     return side.x > 0 || (side.x == 0 && side.y > 0);
 }
 
-// -1: u comes before v on that way, 0: one direction.
+// Returns -1 if u precedes v in this order, 0 if the directions are equal.
 int compare(Vec2 u, Vec2 v) {
     if (points_right(u) != points_right(v)) return points_right(u) ? -1 : 1;
     return -orientation({}, u, v);
@@ -22,8 +22,9 @@ Vec2 side_direction(std::span<const Vec2> hull, std::size_t k) {
     return hull[(k + 1) % hull.size()] - hull[k];
 }
 
-// Both hulls begin at their leftmost corner: so does the sum, and its sides are those of both, by
-// direction. Corners are sums of corners, so that no rounding adds up.
+// Both hulls start at their leftmost corner, and so does the sum, whose sides are the sides of both
+// hulls sorted by direction. Each corner is the sum of two corners, so rounding errors do not
+// accumulate.
 std::vector<Vec2> sum_of_hulls(std::span<const Vec2> a, std::span<const Vec2> b) {
     const std::size_t sides_a = a.size() == 1 ? 0 : a.size(),
                       sides_b = b.size() == 1 ? 0 : b.size();
@@ -38,7 +39,7 @@ std::vector<Vec2> sum_of_hulls(std::span<const Vec2> a, std::span<const Vec2> b)
         if (order >= 0) j++;
     }
     if (corners.empty()) corners.push_back(a[0] + b[0]);
-    // Rounding may have put corners into one line or one place.
+    // Rounding may have made corners collinear or equal.
     return hull_of_checked(corners);
 }
 
@@ -51,12 +52,12 @@ Result<std::vector<Vec2>> combined(std::span<const Vec2> a, std::span<const Vec2
 }
 
 Vec2 nearest_to_origin(Vec2 from, Vec2 to) {
-    const Vec2 way = to - from;
-    const double l2 = length_squared(way);
-    return l2 > 0 ? from + way * clamp(-dot(from, way) / l2, 0, 1) : from;
+    const Vec2 side = to - from;
+    const double l2 = length_squared(side);
+    return l2 > 0 ? from + side * clamp(-dot(from, side) / l2, 0, 1) : from;
 }
 
-// The way by which b, moved, touches the outside of a at most.
+// The smallest translation of b after which it only touches a.
 Separation depth_in(std::span<const Vec2> hull) {
     Separation least{-1e300, {1, 0}};
     for (std::size_t k = 0; k < hull.size(); k++) {
@@ -86,7 +87,7 @@ Result<Separation> separation(std::span<const Vec2> a, std::span<const Vec2> b) 
     for (std::size_t k = 0; k < hull.size() && inside; k++)
         inside = orientation(hull[k], hull[(k + 1) % hull.size()], {}) >= 0;
     if (inside) return depth_in(hull);
-    // The nearest point of the difference is a - b: the way from a to b leads against it.
+    // The nearest point of the difference is a - b; the direction from a to b is opposite to it.
     Separation out{1e300, {1, 0}};
     for (std::size_t k = 0; k < hull.size(); k++) {
         const Vec2 p = nearest_to_origin(hull[k], hull[(k + 1) % hull.size()]);

@@ -23,19 +23,20 @@ struct Extent {
     double middle() const { return (high + low) * 0.5; }
 };
 
-// Along a unit axis. Seen from the first point, so that what is far from the origin loses nothing.
+// The box along a unit axis. Computed relative to the first point, so that points far from the
+// origin lose no precision.
 OrientedBox box_along(Vec2 axis, std::span<const Vec2> points) {
     const Vec2 origin = points[0];
-    Extent along, beside;
+    Extent along, perpendicular;
     for (const Vec2 p : points) {
         along.add(dot(p - origin, axis));
-        beside.add(dot(p - origin, across(axis)));
+        perpendicular.add(dot(p - origin, across(axis)));
     }
-    return {origin + axis * along.middle() + across(axis) * beside.middle(), axis, along.half(),
-            beside.half()};
+    return {origin + axis * along.middle() + across(axis) * perpendicular.middle(), axis,
+            along.half(), perpendicular.half()};
 }
 
-// Of two opposite axes one.
+// Selects one of two opposite axes.
 Vec2 forward(Vec2 axis) {
     return axis.x < 0 || (axis.x == 0 && axis.y < 0) ? -axis : axis;
 }
@@ -49,7 +50,7 @@ OrientedBox longest_first(OrientedBox box) {
     return box;
 }
 
-// The corner from which on a hull recedes along `direction`, walking on from `k`.
+// Returns the first corner, starting at `k`, after which the hull recedes along `direction`.
 std::size_t walk(std::span<const Vec2> hull, std::size_t k, Vec2 direction) {
     for (std::size_t steps = 0; steps < hull.size(); steps++) {
         const std::size_t next = k + 1 == hull.size() ? 0 : k + 1;
@@ -75,7 +76,7 @@ Result<OrientedBox> pca_box(std::span<const Vec2> points) {
         yy += d.y * d.y;
     }
     // The eigenvector of the larger eigenvalue, (xx + yy) / 2 + root: of the two columns of the
-    // matrix less the other eigenvalue the one in which nothing cancels.
+    // matrix minus the other eigenvalue, the one without cancellation.
     const double half = (xx - yy) * 0.5, root = square_root(half * half + xy * xy);
     const Vec2 v = half >= 0 ? Vec2{half + root, xy} : Vec2{xy, root - half};
     const double size = length(v);
@@ -93,7 +94,7 @@ Result<OrientedBox> smallest_box(std::span<const Vec2> points) {
     for (std::size_t k = 0; k < hull.size(); k++) {
         const Vec2 side = hull[k + 1 == hull.size() ? 0 : k + 1] - hull[k];
         const Vec2 axis = side * (1 / length(side));
-        // Each caliper goes on from where it was: round the hull once in all.
+        // Each caliper continues from its last position, so it goes around the hull once in total.
         if (k == 0) right = 1;
         right = walk(hull, right, axis);
         top = walk(hull, k == 0 ? right : top, across(axis));

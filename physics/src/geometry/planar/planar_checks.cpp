@@ -10,7 +10,7 @@ Status check_points(const char* name, std::span<const Vec2> points, std::size_t 
                     std::size_t most) {
     if (points.size() < least || points.size() > most)
         return invalid_argument(std::string(name) + " has " + std::to_string(points.size()) +
-                                " points; give from " + std::to_string(least) + " to " +
+                                " points; it must have from " + std::to_string(least) + " to " +
                                 std::to_string(most));
     for (std::size_t k = 0; k < points.size(); k++) {
         const Vec2 p = points[k];

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Checks of the points that callers hand to the tools of the plane.
+// Checks of point sets passed to the planar functions.
 #pragma once
 
 #include <span>
@@ -10,8 +10,8 @@
 
 namespace jostle::physics::planar {
 
-// From `least` to `most` points, finite and within the limits. `name`: what the list is called in
-// the error.
+// Checks for `least` to `most` finite points within the limits. `name` is the name of the set in
+// the error message.
 Status check_points(const char* name, std::span<const Vec2> points, std::size_t least,
                     std::size_t most);
 

@@ -21,8 +21,8 @@ Location locate_by_crossings(std::span<const Vec2> polygon, Vec2 p) {
     for (std::size_t k = 0; k < polygon.size(); k++) {
         const Segment side = side_of(polygon, k);
         if (on_segment(side, p)) return Location::boundary;
-        // A ray along x. The lower end of a side belongs to it, the upper does not, so a corner
-        // that the ray passes through counts once or not at all.
+        // Cast a ray along x. A side includes its lower end but not its upper end, so a corner on
+        // the ray counts once or not at all.
         const bool rises = side.from.y <= p.y && p.y < side.to.y;
         const bool falls = side.to.y <= p.y && p.y < side.from.y;
         if (!rises && !falls) continue;

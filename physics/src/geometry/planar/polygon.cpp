@@ -22,7 +22,7 @@ double signed_area(std::span<const Vec2> polygon) {
     return 0.5 * twice;
 }
 
-// The leftmost corner, of those the lowest, is convex.
+// The leftmost corner (of several, the lowest) is convex.
 bool runs_counter_clockwise(std::span<const Vec2> polygon) {
     const std::size_t n = polygon.size();
     std::size_t at = 0;
@@ -38,8 +38,9 @@ Status check_polygon(std::span<const Vec2> polygon) {
     const std::size_t n = polygon.size();
     for (std::size_t k = 0; k < n; k++)
         if (polygon[k] == polygon[(k + 1) % n])
-            return invalid_argument("polygon: corners " + pair_of(k, (k + 1) % n) +
-                                    " are equal; give each once, the last is joined to the first");
+            return invalid_argument(
+                "polygon: corners " + pair_of(k, (k + 1) % n) +
+                " are equal; list each corner once, the last is connected to the first");
     const auto side = [&](std::size_t k) { return Segment{polygon[k], polygon[(k + 1) % n]}; };
     const auto low = [&](std::size_t k) { return minimum(side(k).from.x, side(k).to.x); };
     const auto high = [&](std::size_t k) { return maximum(side(k).from.x, side(k).to.x); };
@@ -57,12 +58,12 @@ Status check_polygon(std::span<const Vec2> polygon) {
             const SegmentRelation relation = intersect(side(i), side(j)).relation;
             if (relation == (neighbours ? SegmentRelation::touching : SegmentRelation::apart))
                 continue;
-            return invalid_argument(
-                "polygon: sides " + pair_of(i, j) +
-                (neighbours ? " double back on each other"
-                            : " meet; sides may share the corner between neighbours and "
-                              "nothing else") +
-                " (side k leads from corner k to the next)");
+            return invalid_argument("polygon: sides " + pair_of(i, j) +
+                                    (neighbours
+                                         ? " double back on each other"
+                                         : " intersect; sides may share only the corner between "
+                                           "neighbours") +
+                                    " (side k runs from corner k to the next)");
         }
     return {};
 }

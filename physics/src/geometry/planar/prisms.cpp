@@ -8,7 +8,8 @@
 namespace jostle::physics::planar {
 namespace {
 
-constexpr double sliver = 1e-5;  // of the square of a prism's size: a smaller face is left out
+// Of the square of a prism's size; prisms with a smaller face are dropped.
+constexpr double sliver = 1e-5;
 
 double size_of(std::span<const Vec2> corners, double half_depth) {
     Vec2 low = corners[0], high = corners[0];
@@ -24,8 +25,8 @@ Status check_reach(std::span<const Vec2> polygon) {
         const Vec2 p = polygon[k];
         if (absolute(p.x) > max_shape_size || absolute(p.y) > max_shape_size)
             return invalid_argument("polygon[" + std::to_string(k) + "] is (" + text(p.x) + ", " +
-                                    text(p.y) + "); shapes reach to +-" + text(max_shape_size) +
-                                    " m");
+                                    text(p.y) + "); coordinates must be within +-" +
+                                    text(max_shape_size) + " m");
     }
     return {};
 }
@@ -52,7 +53,7 @@ Result<std::vector<std::shared_ptr<const ConvexHull>>> build_prisms(std::span<co
         if (!prism.ok())
             return invalid_argument("polygon: the part at corner " +
                                     std::to_string((*parts)[k][0]) +
-                                    " makes no prism: " + prism.error().message);
+                                    " cannot be converted to a prism: " + prism.error().message);
         prisms.push_back(*prism);
     }
     if (prisms.empty())

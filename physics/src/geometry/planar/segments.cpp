@@ -6,8 +6,8 @@
 namespace jostle::physics::planar {
 namespace {
 
-// By x, then by y: an order along any line.
-bool before(Vec2 a, Vec2 b) {
+// Lexicographic order, which is monotonic along any line.
+bool precedes(Vec2 a, Vec2 b) {
     return a.x < b.x || (a.x == b.x && a.y < b.y);
 }
 
@@ -16,15 +16,15 @@ double within(double x, double end, double other_end) {
 }
 
 SegmentIntersection intersect_collinear(Segment a, Segment b) {
-    if (before(a.to, a.from)) std::swap(a.from, a.to);
-    if (before(b.to, b.from)) std::swap(b.from, b.to);
-    const Vec2 first = before(a.from, b.from) ? b.from : a.from;
-    const Vec2 last = before(a.to, b.to) ? a.to : b.to;
-    if (before(last, first)) return {};
+    if (precedes(a.to, a.from)) std::swap(a.from, a.to);
+    if (precedes(b.to, b.from)) std::swap(b.from, b.to);
+    const Vec2 first = precedes(a.from, b.from) ? b.from : a.from;
+    const Vec2 last = precedes(a.to, b.to) ? a.to : b.to;
+    if (precedes(last, first)) return {};
     return {first == last ? SegmentRelation::touching : SegmentRelation::overlapping, first, last};
 }
 
-// The ends of a lie on different sides of b, and the other way round.
+// Precondition: the ends of each segment are on different sides of the other segment.
 Vec2 crossing_point(Segment a, Segment b) {
     const double from = doubled_area(b.from, b.to, a.from), to = doubled_area(b.from, b.to, a.to);
     const double t = from / (from - to);
@@ -33,7 +33,7 @@ Vec2 crossing_point(Segment a, Segment b) {
             within(within(p.y, a.from.y, a.to.y), b.from.y, b.to.y)};
 }
 
-// Of a point in one line with the segment.
+// Precondition: p is collinear with the segment.
 bool in_box(Segment s, Vec2 p) {
     return p == Vec2{within(p.x, s.from.x, s.to.x), within(p.y, s.from.y, s.to.y)};
 }
@@ -47,7 +47,7 @@ bool on_segment(Segment segment, Vec2 p) {
 SegmentIntersection intersect(Segment a, Segment b) {
     const int b_from = orientation(a.from, a.to, b.from), b_to = orientation(a.from, a.to, b.to);
     const int a_from = orientation(b.from, b.to, a.from), a_to = orientation(b.from, b.to, a.to);
-    // Two points as well, and a point in line with a segment.
+    // Includes degenerate segments and points collinear with a segment.
     if (b_from == 0 && b_to == 0 && a_from == 0 && a_to == 0) return intersect_collinear(a, b);
     if (b_from * b_to < 0 && a_from * a_to < 0) {
         const Vec2 p = crossing_point(a, b);

@@ -8,7 +8,7 @@
 namespace jostle::physics::planar {
 namespace {
 
-constexpr double slack = 1e-13;  // of the radius squared: what rounding may put a point outside by
+constexpr double slack = 1e-13;  // of the squared radius: tolerance for rounding
 
 struct Round {
     Vec2 center;
@@ -22,18 +22,18 @@ Round around(Vec2 a, Vec2 b) {
     return {a + half, length_squared(half)};
 }
 
-// Through three corners of a hull, which are in no line.
+// The circle through three corners of a hull, which are not collinear.
 Round through(Vec2 a, Vec2 b, Vec2 c) {
     const Vec2 u = b - a, v = c - a;
     const double uu = length_squared(u), vv = length_squared(v);
     const double scale = 0.5 / doubled_area(a, b, c);
-    const Vec2 way = Vec2{v.y * uu - u.y * vv, u.x * vv - v.x * uu} * scale;
-    return {a + way, length_squared(way)};
+    const Vec2 offset = Vec2{v.y * uu - u.y * vv, u.x * vv - v.x * uu} * scale;
+    return {a + offset, length_squared(offset)};
 }
 
-// Welzl's expected time is that of a random order. SplitMix64 from a fixed start mixes them, so
-// that no order of the input is a bad one and the result is always the same.
-void mix(std::vector<Vec2>& points) {
+// Welzl's expected time requires a random order. SplitMix64 with a fixed seed shuffles the points,
+// so that no input order is slow and the result is deterministic.
+void shuffle(std::vector<Vec2>& points) {
     std::uint64_t state = 1991;
     for (std::size_t k = points.size(); k > 1; k--) {
         std::uint64_t z = state += 0x9e3779b97f4a7c15ull;
@@ -43,7 +43,7 @@ void mix(std::vector<Vec2>& points) {
     }
 }
 
-// The smallest circle around the first `count` points that has q on it.
+// The smallest circle that contains the first `count` points and has q on its boundary.
 Round with_one(std::span<const Vec2> points, std::size_t count, Vec2 q) {
     Round circle{q, 0};
     for (std::size_t j = 0; j < count; j++) {
@@ -60,7 +60,7 @@ Round with_one(std::span<const Vec2> points, std::size_t count, Vec2 q) {
 Result<Circle> smallest_circle(std::span<const Vec2> points) {
     if (Status s = check_points("points", points, 1, max_planar_points); !s.ok()) return s.error();
     std::vector<Vec2> corners = hull_of_checked(points);
-    mix(corners);
+    shuffle(corners);
     Round round{corners[0], 0};
     for (std::size_t k = 1; k < corners.size(); k++)
         if (!round.holds(corners[k])) round = with_one(corners, k, corners[k]);

@@ -44,13 +44,15 @@ TEST(Polygon, errors_name_the_offending_corners) {
     const auto fault = [](const std::vector<Vec2>& polygon) {
         return error_of(check_polygon(polygon)).message;
     };
-    EXPECT_THAT(fault({{0, 0}, {1, 0}}), HasSubstr("polygon has 2 points; give from 3 to 4096"));
+    EXPECT_THAT(fault({{0, 0}, {1, 0}}),
+                HasSubstr("polygon has 2 points; it must have from 3 to 4096"));
     EXPECT_THAT(fault({{0, 0}, {1, 0}, {0, 1e9}}), HasSubstr("polygon[2] is (0, 1e+09)"));
     EXPECT_THAT(fault({{0, 0}, {1, 0}, {1, 1}, {0, 0}}), HasSubstr("corners 3 and 0 are equal"));
-    EXPECT_THAT(fault({{0, 0}, {2, 2}, {2, 0}, {0, 2}}), HasSubstr("sides 0 and 2 meet"));
+    EXPECT_THAT(fault({{0, 0}, {2, 2}, {2, 0}, {0, 2}}), HasSubstr("sides 0 and 2 intersect"));
     EXPECT_THAT(fault({{0, 0}, {2, 0}, {1, 0}, {1, 1}}),
                 HasSubstr("sides 0 and 1 double back on each other"));
-    EXPECT_THAT(fault({{0, 0}, {2, 0}, {2, 2}, {1, 0}, {0, 2}}), HasSubstr("sides 0 and 3 meet"))
+    EXPECT_THAT(fault({{0, 0}, {2, 0}, {2, 2}, {1, 0}, {0, 2}}),
+                HasSubstr("sides 0 and 3 intersect"))
         << "corner 3 is on side 0";
     EXPECT_THAT(fault(std::vector<Vec2>(4097)), HasSubstr("has 4097 points"));
 }

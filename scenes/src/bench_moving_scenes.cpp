@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Scenes of the laboratory in which all moves for long: hulls, compounds, meshes, long chains, fast
-// crowds.
+// Benchmark scenes with persistent motion: hulls, compounds, meshes, long chains and many fast
+// bodies.
 #include <array>
 
 #include "jostle/physics/hull.h"
@@ -20,7 +20,7 @@ Geometry hull_of(std::span<const Vec3> points) {
     return Hull{build_hull(points).value()};
 }
 
-// Points in random directions, each on the hull.
+// A hull of points in random directions.
 Geometry round_stone(Random& random, int corners, double radius) {
     std::vector<Vec3> points;
     for (int k = 0; k < corners; k++) {
@@ -29,14 +29,14 @@ Geometry round_stone(Random& random, int corners, double radius) {
     }
     return hull_of(points);
 }
-// So many, so that not every stone has data of its own.
+// Several stones, so that not every body has hull data of its own.
 std::vector<Geometry> round_stones(Random& random, int count, int corners, double radius) {
     std::vector<Geometry> stones;
     for (int k = 0; k < count; k++) stones.push_back(round_stone(random, corners, radius));
     return stones;
 }
 
-// A prism of so many sides from one disc to another, which may differ.
+// A prism with the given number of sides between two discs, whose radii may differ.
 Geometry prism(int sides, Vec3 from, double radius_from, Vec3 to, double radius_to) {
     const Vec3 along = normalized(to - from);
     const Vec3 x =
@@ -52,7 +52,7 @@ Geometry prism(int sides, Vec3 from, double radius_from, Vec3 to, double radius_
     return hull_of(points);
 }
 
-// A square of cells around the origin, as a mesh of two triangles each.
+// A square of cells around the origin, as a mesh with two triangles per cell.
 template <class Height>
 SceneBody mesh_ground(std::uint32_t cells, double spacing, Height&& height) {
     std::vector<Vec3> vertices;
@@ -74,7 +74,7 @@ SceneBody mesh_ground(std::uint32_t cells, double spacing, Height&& height) {
             .color = {}};
 }
 
-// A ring that lies, as a mesh.
+// A lying ring, as a mesh.
 Geometry torus(double radius, double tube) {
     constexpr std::uint32_t around = 24, across = 12;
     std::vector<Vec3> vertices;
@@ -97,7 +97,7 @@ Quat random_turn(Random& random) {
     return from_axis_angle(Vec3{x, y, z} + Vec3{0, 1e-3, 0}, random.in(0, 2 * pi));
 }
 
-// Stones in columns, at random turns.
+// Stones in columns, with random rotations.
 void add_stones(SceneDescription& scene, Random& random, const std::vector<Geometry>& stones,
                 int side, int layers, double pitch, double lowest) {
     const double middle = 0.5 * (side - 1);
@@ -111,7 +111,7 @@ void add_stones(SceneDescription& scene, Random& random, const std::vector<Geome
             }
 }
 
-// A trunk of six pieces and sixteen branches.
+// A trunk of six segments and sixteen branches.
 SceneBody tree(Random& random, double height) {
     SceneBody body{.name = "tree", .body = {}, .shapes = {}, .color = {}};
     const auto add = [&](Vec3 from, double radius_from, Vec3 to, double radius_to) {
@@ -219,7 +219,7 @@ SceneDescription lab_chain() {
 
 SceneDescription lab_rain() {
     SceneDescription scene;
-    // Bowls beside each other.
+    // Adjacent bowls.
     scene.bodies.push_back(mesh_ground(60, 0.5, [](double x, double z) {
         return 0.8 * sin_cos(0.9 * x).sin * sin_cos(0.9 * x).sin +
                0.8 * sin_cos(0.9 * z).sin * sin_cos(0.9 * z).sin;
@@ -248,7 +248,7 @@ SceneDescription lab_vehicles() {
     SceneDescription scene;
     scene.bodies.push_back(mesh_ground(120, 2.5, height));
     const Geometry wheel = prism(16, {-0.15, 0, 0}, wheel_radius, {0.15, 0, 0}, wheel_radius);
-    // A hinge turns about its frame's z axis: here along x.
+    // A hinge rotates about the z axis of its frame, which points along x.
     const Quat axle = from_axis_angle({0, 1, 0}, pi / 2);
     for (int k = 0; k < 100; k++) {
         const double x = (k % 10 - 4.5) * 8, z = (k / 10 - 9.5) * 8;

@@ -9,12 +9,12 @@ using namespace physics;
 
 namespace {
 
-constexpr double degree = 0.01745329252;  // as the scene's definition has it
+constexpr double degree = 0.01745329252;  // the value in the definition of the scene
 
 struct Bone {
     Vec3 center;
     double radius, half_length;
-    bool sideways;  // its axis is x, not y
+    bool sideways;  // axis along x instead of y
 };
 
 constexpr Bone bones[] = {
@@ -33,8 +33,8 @@ constexpr Bone bones[] = {
 
 enum Kind { cone_twist, hinge };
 
-// What it connects, where, and how far it turns. A hinge turns about its axis; where a shoulder
-// points is its axis. The normal, square to it, is where the angle is zero. Axes of the figure.
+// Kind, bodies, anchor and limits. A hinge rotates about its axis; for a shoulder, the axis is its
+// direction. The normal, perpendicular to it, is the direction of angle zero. Axes of the figure.
 struct BoneJoint {
     Kind kind;
     std::size_t a, b;
@@ -55,7 +55,7 @@ constexpr BoneJoint bone_joints[] = {
     {hinge, 8, 10, {-0.10, 0.46, 0}, {1, 0, 0}, {0, 1, 0}, 0, -5, 120},
 };
 
-// The rotation whose columns are x, y, z (Shepperd's method: divide by the largest component).
+// The rotation with the columns x, y, z (Shepperd's method: divides by the largest component).
 Quat from_axes(const Mat3& m) {
     const double trace = m.x.x + m.y.y + m.z.z;
     if (trace > 0) {
@@ -68,13 +68,13 @@ Quat from_axes(const Mat3& m) {
         return normalized(
             Quat{s / 4, (m.x.y + m.y.x) / s, (m.x.z + m.z.x) / s, (m.y.z - m.z.y) / s});
     }
-    // Named anew, the two other cases are the first of the three: turn the axes round.
+    // By cyclic permutation of the axes, the two other cases reduce to this one.
     const Quat turned =
         from_axes({{m.y.y, m.y.z, m.y.x}, {m.z.y, m.z.z, m.z.x}, {m.x.y, m.x.z, m.x.x}});
     return {turned.z, turned.x, turned.y, turned.w};
 }
 
-// Jostle's hinges turn about their frame's z axis, its shoulders point along x.
+// Hinges of Jostle rotate about the z axis of their frame; cone-twist joints point along x.
 Transform frame_of(const BoneJoint& link, const Transform& feet) {
     const Vec3 axis = rotate(feet.rotation, link.axis), normal = rotate(feet.rotation, link.normal);
     const Vec3 x = link.kind == hinge ? normal : axis, z = link.kind == hinge ? axis : normal;

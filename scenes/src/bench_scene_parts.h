@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
 //
-// What the scenes of the laboratory share.
+// Parts shared by benchmark scenes.
 #pragma once
 
 #include "jostle/scenes/scene.h"
 
 namespace jostle::scenes {
 
-// What is the same for all, whatever the defaults become.
+// Sets the world parameters of all benchmark scenes explicitly, independent of the defaults.
 SceneDescription with_bench_defaults(SceneDescription scene);
 
-// Its top is at height 0.
+// Adds a floor whose top is at height 0.
 void add_bench_floor(SceneDescription& scene, double half_width);
-// Four walls, 20 m high and 1 m thick, around a square of this inner half width.
+// Adds four walls, 20 m high and 1 m thick, around a square with this inner half width.
 void add_bench_walls(SceneDescription& scene, double half_width);
 
 }  // namespace jostle::scenes

@@ -53,7 +53,8 @@ SceneDescription poured_pile(int count, int side, double half_width) {
     return with_bench_defaults(std::move(scene));
 }
 
-// A joint between two static bodies holds nothing, and engines differ in whether they take it.
+// Skips pairs of static bodies: such a joint has no effect, and engines differ in whether they
+// accept it.
 void join_in_the_middle(SceneDescription& scene, std::size_t a, std::size_t b) {
     const BodyDef &one = scene.bodies[a].body, &other = scene.bodies[b].body;
     if (one.type == BodyType::static_body && other.type == BodyType::static_body) return;
@@ -90,7 +91,8 @@ SceneDescription lab_pile_5000() {
 
 SceneDescription bench_pile(int count) {
     const double width = 10 * std::sqrt(count / 5000.0);
-    // As many columns, 0.75 m apart, as leave room for the longest body to turn at the wall.
+    // As many columns, 0.75 m apart, as fit with enough room for the longest body to rotate at the
+    // wall.
     const int side = static_cast<int>(maximum(1, std::floor((width - 1.1) / 0.75) + 1));
     return poured_pile(count, side, 0.5 * width);
 }
@@ -126,7 +128,7 @@ SceneDescription lab_joint_grid_10000() {
             const Vec3 at{1.0 * static_cast<double>(x), -1.0 * static_cast<double>(y), 0};
             SceneBody ball = dynamic_body("ball", at, Sphere{0.4});
             if (y == 0 && x >= 47 && x <= 53) ball.body.type = BodyType::static_body;
-            ball.shapes[0].filter.mask = 0;  // it collides with nothing
+            ball.shapes[0].filter.mask = 0;  // collides with nothing
             scene.bodies.push_back(ball);
             if (y > 0) join_in_the_middle(scene, index - 1, index);
             if (x > 0) join_in_the_middle(scene, index - side, index);

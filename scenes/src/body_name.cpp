@@ -14,17 +14,18 @@ std::size_t find_body(FieldReader& in, const SceneDescription& scene, const std:
         const char *first = text.data() + open + 1, *last = text.data() + text.size() - 1;
         const auto [end, error] = std::from_chars(first, last, which);
         if (error != std::errc{} || end != last || first == last) {
-            in.report_error(path, "is \"" + text + "\"; write name[number], counting from 0");
+            in.report_error(path, "is \"" + text + "\"; it must be name[index], counting from 0");
             return 0;
         }
         name = text.substr(0, open);
     }
-    std::size_t met = 0;
+    std::size_t count = 0;
     for (std::size_t i = 0; i < scene.bodies.size(); i++)
-        if (scene.bodies[i].name == name && met++ == which) return i;
-    in.report_error(path, met == 0 ? "is \"" + text + "\"; no body has the name \"" + name + "\""
-                                   : "is \"" + text + "\"; there are only " + std::to_string(met) +
-                                         " bodies called \"" + name + "\"");
+        if (scene.bodies[i].name == name && count++ == which) return i;
+    in.report_error(path, count == 0
+                              ? "is \"" + text + "\"; no body has the name \"" + name + "\""
+                              : "is \"" + text + "\"; there are only " + std::to_string(count) +
+                                    " bodies named \"" + name + "\"");
     return 0;
 }
 

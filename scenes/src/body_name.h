@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// How joints and modules of a scene name bodies: "link[3]" is the fourth body called link, "link"
+// Body references in joints and modules of a scene: "link[3]" is the fourth body named link, "link"
 // the first.
 #pragma once
 
@@ -12,10 +12,10 @@
 
 namespace jostle::scenes {
 
-// The place of that body in scene.bodies. One that is not there is noted, and 0.
+// Returns the index of the body in scene.bodies. If there is none, reports an error and returns 0.
 std::size_t find_body(FieldReader& in, const SceneDescription& scene, const std::string& path,
                       const std::string& text);
-// The other way round.
+// Inverse of find_body().
 std::string name_of(const SceneDescription& scene, std::size_t body);
 
 }  // namespace jostle::scenes

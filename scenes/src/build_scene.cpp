@@ -16,8 +16,8 @@ Error in_body(const SceneDescription& scene, std::size_t i, const Error& error) 
             "bodies[" + std::to_string(i) + "] '" + scene.bodies[i].name + "': " + error.message};
 }
 
-// Files know no -0: adding 0 makes it 0, so that a scene and its file are the same world to the
-// last bit.
+// Replaces -0 by 0: scene files contain no -0, so a scene and its file produce bit-identical
+// worlds.
 physics::Vec3 plain(physics::Vec3 v) {
     return {v.x + 0.0, v.y + 0.0, v.z + 0.0};
 }
@@ -36,7 +36,7 @@ physics::ShapeDef plain(physics::ShapeDef def) {
     return def;
 }
 
-// Of a module, or of a thing of it.
+// Settings of a module or of one of its objects.
 template <class Given>
 physics::ModuleSettings settings_of(const Given& given,
                                     const std::vector<physics::BodyId>& bodies) {
@@ -56,12 +56,12 @@ Status add_module(BuiltScene& built, const SceneModule& described) {
     const auto configure = [&](const auto& given) {
         return (*module)->configure(built.world, settings_of(given, built.bodies));
     };
-    // A module that makes nothing but its things has no settings of its own to read.
+    // A module that is used only for its objects has no settings to read.
     if (described.objects.empty() || !described.settings.empty() || !described.bodies.empty())
         if (Status s = configure(described); !s.ok()) return s;
-    std::map<std::string, int> met;  // of each list
+    std::map<std::string, int> counts;  // per list
     for (const SceneModule::ModuleObject& object : described.objects) {
-        const int number = met[object.list]++;
+        const int number = counts[object.list]++;
         if (Status s = configure(object); !s.ok())
             return Error{s.error().code,
                          object.list + "[" + std::to_string(number) + "]: " + s.error().message};
@@ -71,7 +71,7 @@ Status add_module(BuiltScene& built, const SceneModule& described) {
     return built.world.add_module(std::move(*module));
 }
 
-// Those that were kept are told when all are there, as in a loaded world.
+// Calls restored() after all modules exist, as in a loaded world.
 Status add_modules(BuiltScene& built, const SceneDescription& scene) {
     for (std::size_t i = 0; i < scene.modules.size(); i++) {
         const SceneModule& module = scene.modules[i];
@@ -97,7 +97,7 @@ Result<BuiltScene> build_scene(const SceneDescription& scene) {
         if (body.shapes.empty())
             return in_body(
                 scene, i,
-                {physics::ErrorCode::invalid_argument, "it has no shape; give it at least one"});
+                {physics::ErrorCode::invalid_argument, "has no shape; it must have at least one"});
         const Result<physics::BodyId> id =
             built.world.create_body(plain(body.body), plain(body.shapes.front()));
         if (!id.ok()) return in_body(scene, i, id.error());

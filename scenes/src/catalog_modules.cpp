@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The modules that scenes of the catalogue have.
+// Registers the modules that scenes of the catalogue use.
 #include <memory>
 #include <mutex>
 
@@ -17,7 +17,7 @@
 namespace jostle::scenes {
 namespace {
 
-// A program that made its own of that tag known before keeps it.
+// A module with this tag that the program registered earlier stays registered.
 template <class M>
 void register_once(const char* tag) {
     static_cast<void>(physics::register_module(tag, [] { return std::make_unique<M>(); }));

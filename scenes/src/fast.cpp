@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Things too fast to be seen: bullets at thin walls, spinning rods at posts.
+// Fast bodies that test continuous collision detection: bullets at thin walls, spinning rods at
+// posts.
 #include "scenes/src/scene_helpers.h"
 
 namespace jostle::scenes {
@@ -22,7 +23,7 @@ SceneDescription bullets() {
         bullet.shapes[0].density = 7800;
         scene.bodies.push_back(bullet);
     }
-    // Crates in the way of some of them.
+    // Crates in the path of some bullets.
     for (int k = 0; k < 6; k++)
         scene.bodies.push_back(colored(
             dynamic_body("crate", {2, 0.5 + (k % 2), (k / 2 - 1) * 2.4}, Box{{0.5, 0.5, 0.5}}),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// One feature each: shapes, belts, gates, locks.
+// Scenes about one feature each: shapes, belts, gates, locks.
 #include "jostle/physics/compound.h"
 #include "scenes/src/scene_helpers.h"
 
@@ -35,7 +35,7 @@ SceneDescription shapes() {
 
 SceneDescription conveyor() {
     SceneDescription scene{.bodies = {ground()}};
-    // A ring of belts that hand over to each other, with a rail on either side.
+    // A ring of conveyor belts that feed each other, with a rail on either side.
     const Vec3 centers[] = {{-0.7, 0.4, -3}, {3, 0.4, -0.7}, {0.7, 0.4, 3}, {-3, 0.4, 0.7}};
     const Vec3 along[] = {{1, 0, 0}, {0, 0, 1}, {-1, 0, 0}, {0, 0, -1}};
     for (int k = 0; k < 4; k++) {

@@ -29,7 +29,7 @@ double FieldReader::number(const std::string& path, double x, double low, double
                                " to " + text_of(high));
         return low;
     }
-    return x + 0.0;  // -0 becomes 0: JSON has "-0.0" and "-0", and only one of them is negative
+    return x + 0.0;  // -0 becomes 0: in JSON, "-0.0" is negative but "-0" is not
 }
 
 Vec3 FieldReader::vector(const std::string& path, const v1::Vec3& v, double limit) {
@@ -42,7 +42,7 @@ Quat FieldReader::rotation(const std::string& path, bool given, const v1::Quat& 
     const Quat q{m.x(), m.y(), m.z(), m.w()};
     const double norm = norm_squared(q);
     if (!is_finite(norm) || norm < 1e-6 || norm > 1e6)
-        report_error(path, "is no rotation; give x, y, z, w of a unit quaternion");
+        report_error(path, "is not a rotation; it must be x, y, z, w of a unit quaternion");
     return {q.x + 0.0, q.y + 0.0, q.z + 0.0, q.w + 0.0};
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Reads fields of foreign messages and notes the first fault, with the path of its field. What
-// comes after a fault is read as well and thrown away.
+// Reads fields of untrusted messages and stores the first error with the path of its field. Reading
+// continues after an error, but the results are discarded.
 #pragma once
 
 #include <optional>
@@ -23,7 +23,8 @@ public:
     bool failed() const { return error_.has_value(); }
     void report_error(const std::string& path, std::string what);
 
-    // Always within the range, so that it can be made an integer: after a fault it is `low`.
+    // The result is always in range, so it can be converted to an integer; after an error it is
+    // `low`.
     double number(const std::string& path, double x, double low, double high);
     physics::Vec3 vector(const std::string& path, const v1::Vec3& v, double limit);
     physics::Quat rotation(const std::string& path, bool given, const v1::Quat& q);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Water that carries what is lighter: boats to drive, crates and barrels, buoys on chains.
+// Water with buoyancy: boats to drive, crates and barrels, buoys on chains.
 #include <string>
 #include <vector>
 
@@ -15,7 +15,7 @@ namespace {
 
 constexpr double sea_bed = -5;  // m
 
-// Flat at the bottom and blunt at the stern, with a bow ahead, at -z.
+// Flat at the bottom and blunt at the stern, with the bow at -z.
 Geometry boat_hull() {
     std::vector<Vec3> points;
     for (const double side : {-1.0, 1.0}) {
@@ -38,7 +38,7 @@ SceneBody boat(const std::string& name, Vec3 at, std::uint32_t color) {
         {.geometry = Box{{0.7, 0.5, 0.8}}, .pose = {{0, 1.0, 0.9}, {}}, .density = 40});
     body.shapes.push_back(
         {.geometry = Cylinder{0.12, 0.35}, .pose = {{0, 1.8, 1.1}, {}}, .density = 40});
-    // Ballast low down: it comes up again from any roll.
+    // Low ballast rights the boat from any roll.
     body.shapes.push_back(
         {.geometry = Box{{0.4, 0.06, 1.5}}, .pose = {{0, -0.4, 0.3}, {}}, .mass = 500});
     return body;
@@ -73,7 +73,7 @@ void add_flotsam(SceneDescription& scene) {
     }
 }
 
-// A course to steer round.
+// Buoys that mark a slalom course.
 void add_buoys(SceneDescription& scene) {
     constexpr double reach = 5.6;  // m of chain
     for (int k = 0; k < 6; k++) {

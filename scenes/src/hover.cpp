@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A craft that a module flies: the one of examples.
+// A craft flown by the module of the hovercraft example.
 #include "jostle/physics/height_field.h"
 #include "scenes/src/scene_helpers.h"
 
@@ -10,7 +10,7 @@ using namespace physics;
 
 namespace {
 
-// 80 m square: waves 20 m long and 0.8 m high, and a rim that keeps what is loose.
+// 80 m square: waves 20 m long and 0.8 m high, and a rim that contains loose bodies.
 double wave_height(double x, double z) {
     const double r = square_root(x * x + z * z);
     const double rim = r > 22 ? 0.15 * (r - 22) * (r - 22) : 0;

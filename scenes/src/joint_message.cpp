@@ -15,14 +15,14 @@ using namespace physics;
 
 namespace {
 
-// The rotation stays as it is given: made unit length twice it may differ in the last bit, and the
-// world does it once.
+// The rotation is not normalized: normalizing twice may change the last bit, and the world
+// normalizes it once.
 Transform read_frame(FieldReader& in, const std::string& path, const v1::JointFrame& m) {
     return {in.vector(path + ".position", m.position(), limits::max_coordinate),
             in.rotation(path + ".rotation", m.has_rotation(), m.rotation())};
 }
 
-// The fields of the oneof have the names of the kinds.
+// The fields of the oneof are named like the joint kinds.
 JointKind read_kind(FieldReader& in, const std::string& path, const v1::Joint& m) {
     const auto* kind = m.GetDescriptor()->FindOneofByName("kind");
     const auto* given = m.GetReflection()->GetOneofFieldDescriptor(m, kind);
@@ -36,7 +36,7 @@ JointKind read_kind(FieldReader& in, const std::string& path, const v1::Joint& m
         JointFields<Kind>::visit(fields, joint);
         found = joint;
     });
-    if (!found) in.report_error(path, "has no kind; give one of " + names);
+    if (!found) in.report_error(path, "has no kind; it must have one of " + names);
     return found.value_or(BallJoint{});
 }
 
@@ -49,7 +49,7 @@ void write_kind(v1::Joint& out, const JointKind& kind) {
         kind);
 }
 
-// A frame in the world, as a body sees it.
+// Converts a frame in the world to the frame of a body.
 Transform local(const SceneBody& body, const Transform& world) {
     const Transform& pose = body.body.pose;
     const Quat turn = unit(pose.rotation);
@@ -76,9 +76,10 @@ std::optional<JointSolver> read_solver(FieldReader& in, const std::string& path,
         case v1::JOINT_SOLVER_DIRECT:
             return JointSolver::direct;
         default:
-            in.report_error(path, "is " + std::to_string(solver) +
-                                      "; give JOINT_SOLVER_AUTOMATIC, JOINT_SOLVER_ITERATIVE or "
-                                      "JOINT_SOLVER_DIRECT");
+            in.report_error(path,
+                            "is " + std::to_string(solver) +
+                                "; it must be JOINT_SOLVER_AUTOMATIC, JOINT_SOLVER_ITERATIVE or "
+                                "JOINT_SOLVER_DIRECT");
     }
     return {};
 }
@@ -103,10 +104,12 @@ void read_joint(FieldReader& in, SceneDescription& scene, const std::string& pat
                                    : find_body(in, scene, path + ".body_a", m.body_a()),
                      .body_b = find_body(in, scene, path + ".body_b", m.body_b()),
                      .joint = {}};
-    if (m.name().size() > 64) in.report_error(path + ".name", "must be a text of at most 64 bytes");
+    if (m.name().size() > 64)
+        in.report_error(path + ".name", "must be a string of at most 64 bytes");
     if (m.has_frame() && (m.has_frame_a() || m.has_frame_b()))
-        in.report_error(path + ".frame",
-                        "is given beside frame_a or frame_b; give the one or the others");
+        in.report_error(
+            path + ".frame",
+            "conflicts with frame_a and frame_b; use either frame, or frame_a and frame_b");
     if (in.failed()) return;
     JointDef& def = joint.joint;
     def.kind = read_kind(in, path, m);
@@ -123,8 +126,8 @@ void read_joint(FieldReader& in, SceneDescription& scene, const std::string& pat
     const Vec3 step = in.vector(path + ".repeat.offset", m.repeat().offset(), 1e6);
     if (in.failed()) return;
     if (scene.joints.size() + count > joints_max)
-        return in.report_error(path,
-                               "makes more than " + std::to_string(joints_max) + " joints in all");
+        return in.report_error(
+            path, "creates more than " + std::to_string(joints_max) + " joints in total");
     for (std::size_t k = 0; k < count; k++) {
         SceneJoint copy = joint;
         if (copy.body_a != world_body) copy.body_a += k;
@@ -133,8 +136,8 @@ void read_joint(FieldReader& in, SceneDescription& scene, const std::string& pat
             copy.body_b >= scene.bodies.size())
             return in.report_error(
                 path + ".repeat.count",
-                "goes beyond the last body; copy number i joins the bodies i places "
-                "further on");
+                "exceeds the last body; copy i joins the bodies whose indices are "
+                "larger by i");
         if (m.has_frame()) {
             Transform there = frame;
             there.position += step * static_cast<double>(k);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// jostle.v1.Joint to SceneJoint and back.
+// Converts jostle.v1.Joint to SceneJoint and back.
 #pragma once
 
 #include <optional>
@@ -18,12 +18,12 @@ namespace jostle::scenes {
 
 inline constexpr std::size_t joints_max = 200000;  // after repeats
 
-// Empty where the message says nothing, or no solver that there is, which is noted.
+// Returns nullopt if the message has no solver. An unknown solver is reported as an error.
 std::optional<physics::JointSolver> read_solver(FieldReader& in, const std::string& path,
                                                 v1::JointSolver solver);
 v1::JointSolver message_of(physics::JointSolver solver);
 
-// Appends the joint and its copies to scene.joints. The scene's bodies are all there.
+// Appends the joint and its copies to scene.joints. All bodies of the scene must exist already.
 void read_joint(FieldReader& in, SceneDescription& scene, const std::string& path,
                 const v1::Joint& message);
 void write_joint(v1::Joint& out, const SceneDescription& scene, const SceneJoint& joint);

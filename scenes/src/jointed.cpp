@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Bodies that hang together: ragdolls on stairs, a bridge and a wrecking ball, a workshop of
-// motors.
+// Jointed bodies: ragdolls on stairs, a bridge and a wrecking ball, a workshop with motors.
 #include "scenes/src/scene_helpers.h"
 
 namespace jostle::scenes {
@@ -10,14 +9,14 @@ using namespace physics;
 
 namespace {
 
-// Turns a joint's x axis to a direction in the world.
+// Rotates a joint's x axis to a direction in the world.
 Quat facing(Vec3 x) {
     const Vec3 n = normalized(x), axis = cross(Vec3{1, 0, 0}, n);
     if (length(axis) < 1e-9) return n.x > 0 ? Quat{} : from_axis_angle({0, 1, 0}, pi);
     return from_axis_angle(axis, arc_tangent(length(axis), n.x));
 }
 
-// Eleven bones of a person of 1.7 m who stands at `at`.
+// Eleven bones of a person, 1.7 m tall, who stands at `at`.
 void add_ragdoll(SceneDescription& scene, Vec3 at, std::uint32_t color) {
     const std::size_t first = scene.bodies.size();
     const auto bone = [&](Vec3 place, Geometry geometry, Quat rotation = {}) {
@@ -48,7 +47,7 @@ void add_ragdoll(SceneDescription& scene, Vec3 at, std::uint32_t color) {
     cone(1, 2, {0, 1.53, 0}, {0, 1, 0}, 0.6, 0.8);
     const auto hinge = [&](std::size_t a, std::size_t b, Vec3 place, Vec3 axis, double lower,
                            double upper) {
-        // The hinge turns about its frame's z axis.
+        // The hinge rotates about the z axis of its frame.
         const Quat turn =
             axis.x != 0 ? from_axis_angle({0, 1, 0}, pi / 2) : from_axis_angle({1, 0, 0}, -pi / 2);
         join(scene, "hinge", first + a, first + b, {at + place, turn},
@@ -85,40 +84,40 @@ SceneDescription bridge() {
     scene.bodies.push_back(fixed_box("pier", {-7, 1.5, 0}, {1, 1.5, 1.2}));
     const std::size_t right = scene.bodies.size();
     scene.bodies.push_back(fixed_box("pier", {7, 1.5, 0}, {1, 1.5, 1.2}));
-    std::size_t before = left;
-    const Quat along_z{};  // hinges turn about z: across the bridge
+    std::size_t previous = left;
+    const Quat along_z{};  // hinges rotate about z: across the bridge
     for (int k = 0; k < 20; k++) {
         const double x = -5.7 + 0.6 * k;
         scene.bodies.push_back(
             colored(dynamic_body("plank", {x, 2.95, 0}, Box{{0.28, 0.05, 1}}), 0xa47148));
         scene.bodies.back().body.angular_damping = 0.3;
-        join(scene, "hinge", before, scene.bodies.size() - 1, {{x - 0.3, 2.95, 0}, along_z},
+        join(scene, "hinge", previous, scene.bodies.size() - 1, {{x - 0.3, 2.95, 0}, along_z},
              HingeJoint{});
-        before = scene.bodies.size() - 1;
+        previous = scene.bodies.size() - 1;
     }
-    join(scene, "hinge", before, right, {{6, 2.95, 0}, along_z}, HingeJoint{});
+    join(scene, "hinge", previous, right, {{6, 2.95, 0}, along_z}, HingeJoint{});
     for (int k = 0; k < 6; k++)
         scene.bodies.push_back(colored(
             dynamic_body("cargo", {-2.5 + k, 3.6, (k % 3 - 1) * 0.4}, Box{{0.25, 0.25, 0.25}}),
             0xe9c46a));
 
-    // A chain of capsules with a ball of iron, held back to the side.
-    before = scene.bodies.size();
+    // A chain of capsules with an iron ball, held to the side.
+    previous = scene.bodies.size();
     scene.bodies.push_back(fixed_box("hook", {0, 9, 8}, {0.3, 0.1, 0.3}));
     const Quat lying = from_axis_angle({1, 0, 0}, pi / 2);
     for (int k = 0; k < 10; k++) {
         scene.bodies.push_back(colored(
             dynamic_body("link", {0, 8.9, 8.3 + 0.5 * k}, Capsule{0.08, 0.17}, lying), 0x6c757d));
         scene.bodies.back().shapes[0].density = 4000;
-        join(scene, "link", before, scene.bodies.size() - 1, {{0, 8.9, 8.05 + 0.5 * k}, {}},
+        join(scene, "link", previous, scene.bodies.size() - 1, {{0, 8.9, 8.05 + 0.5 * k}, {}},
              BallJoint{});
-        before = scene.bodies.size() - 1;
+        previous = scene.bodies.size() - 1;
     }
     scene.bodies.push_back(colored(dynamic_body("wrecker", {0, 8.9, 13.5}, Sphere{0.6}), 0x343a40));
     scene.bodies.back().shapes[0].density = 5000;
-    join(scene, "link", before, scene.bodies.size() - 1, {{0, 8.9, 13.05}, {}}, BallJoint{});
+    join(scene, "link", previous, scene.bodies.size() - 1, {{0, 8.9, 13.05}, {}}, BallJoint{});
 
-    // Boards fixed to each other and to posts: they bear 6 kN.
+    // Boards fixed to each other and to posts, with joints that break at 6 kN.
     const std::size_t post = scene.bodies.size();
     scene.bodies.push_back(fixed_box("post", {-1.9, 2, 4}, {0.1, 2, 0.1}));
     scene.bodies.push_back(fixed_box("post", {1.9, 2, 4}, {0.1, 2, 0.1}));
@@ -141,7 +140,7 @@ SceneDescription bridge() {
 SceneDescription workshop() {
     SceneDescription scene{.bodies = {ground()}};
     const std::size_t floor = 0;
-    // A drum of eight boards that a motor turns, with balls in it.
+    // A drum of eight boards driven by a motor, with balls inside.
     SceneBody drum = colored(dynamic_body("drum", {0, 2.2, 0}, Box{{0.1, 0.1, 0.1}}), 0x577590);
     drum.shapes.clear();
     for (int k = 0; k < 8; k++) {
@@ -163,7 +162,7 @@ SceneDescription workshop() {
                          {(i % 4 - 1.5) * 0.45, 1.5 + 0.4 * (i / 8), (i / 4 % 2 - 0.5) * 0.8},
                          i % 2 == 0 ? Geometry(Sphere{0.18}) : Geometry(Box{{0.15, 0.15, 0.15}})),
             i % 2 == 0 ? 0xf94144 : 0xf9c74f));
-    // Swing doors that a spring closes.
+    // Swing doors closed by springs.
     for (int k = 0; k < 3; k++) {
         const double x = 5 + 1.6 * k;
         scene.bodies.push_back(
@@ -173,7 +172,7 @@ SceneDescription workshop() {
              {{x, 1.05, -3}, from_axis_angle({1, 0, 0}, -pi / 2)},
              HingeJoint{.limit = {true, -1.4, 1.4}, .spring = {0.5, 0.2}});
     }
-    // Weights: on a rod, on a rope, on a spring.
+    // Weights on a rod, on a rope and on a spring.
     scene.bodies.push_back(fixed_box("beam", {-7, 5, 0}, {0.1, 0.1, 4}));
     const std::size_t beam = scene.bodies.size() - 1;
     const auto hang = [&](const char* name, double z, Vec3 offset, const DistanceJoint& kind) {

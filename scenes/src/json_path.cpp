@@ -8,7 +8,7 @@ namespace jostle::scenes {
 
 namespace {
 
-// The other spelling that protobuf's JSON allows: halfLength for half_length.
+// The other spelling that protobuf's JSON accepts: halfLength for half_length.
 std::string camel_case(const std::string& key) {
     std::string out;
     bool upper = false;
@@ -23,7 +23,7 @@ std::string camel_case(const std::string& key) {
     return out;
 }
 
-// A key as a message may show it: no control characters, no end of it out of sight.
+// A key as displayed in a message: without control characters, and with limited length.
 std::string shown(const std::string& key) {
     constexpr std::size_t longest = 64;
     std::string out = key.substr(0, longest);
@@ -32,12 +32,12 @@ std::string shown(const std::string& key) {
     return key.size() > longest ? out + "..." : out;
 }
 
-// Walks JSON text that is known to be well-formed, far enough to find one value.
+// Walks well-formed JSON text to the position of one value.
 class Locator {
 public:
     explicit Locator(std::string_view text) : text_(text) {}
 
-    // The line of the value, 0 when it is not there.
+    // Returns the line of the value, 0 if it does not exist.
     int find(const JsonPath& place) {
         skip_space();
         for (const JsonPathStep& step : place)

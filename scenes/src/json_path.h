@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Where a value stands in a JSON text: the steps from the whole down to it. Keys are foreign and
-// may hold anything, so they are kept apart and only joined to be shown.
+// Location of a value in a JSON text as a path from the root. Keys are untrusted and may contain
+// any character, so they are stored separately and only joined for display.
 #pragma once
 
 #include <cstddef>
@@ -12,20 +12,20 @@
 namespace jostle::scenes {
 
 struct JsonPathStep {
-    std::string key;        // of an object, or
-    std::size_t index = 0;  // the place in a list
+    std::string key;        // key of an object, or
+    std::size_t index = 0;  // index in a list
     bool in_list = false;
 };
 using JsonPath = std::vector<JsonPathStep>;
 
-// "bodies[2].position.x"; empty for the whole.
-std::string to_text(const JsonPath& place);
+// "bodies[2].position.x"; empty for the root.
+std::string to_text(const JsonPath& path);
 
-// The reverse, for paths of our own making: field names and places in lists.
+// The inverse, for trusted paths: field names and list indices.
 JsonPath parse_json_path(std::string_view path);
 
-// The line (from 1) on which the value begins, under its own name or the camelCase form of it; 0
-// when the text, which must be well-formed JSON, has no such value.
-int line_of(std::string_view text, const JsonPath& place);
+// Returns the line (from 1) on which the value begins, under its own name or the camelCase form; 0
+// if the text, which must be well-formed JSON, has no such value.
+int line_of(std::string_view text, const JsonPath& path);
 
 }  // namespace jostle::scenes

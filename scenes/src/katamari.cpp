@@ -12,8 +12,8 @@ using namespace physics;
 
 namespace {
 
-constexpr double half_yard = 11;  // m from the middle in which the player stays
-constexpr double eagerness = 4;   // 1/s: how fast it takes up the speed that it wants
+constexpr double half_yard = 11;  // m from the centre; the player stays within it
+constexpr double eagerness = 4;   // 1/s, rate at which it approaches the target speed
 constexpr double jump_speed = 5;  // m/s
 constexpr double player_half = 0.75;
 
@@ -42,9 +42,10 @@ Status Katamari::configure(World& world, const ModuleSettings& given) {
     random_ = static_cast<std::uint32_t>(seed);
     const Result<BodyState> player = world.body(player_);
     if (!player.ok())
-        return Error{ErrorCode::invalid_argument, "has no player; give a body by that name"};
+        return Error{ErrorCode::invalid_argument, "has no body \"player\"; it is required"};
     if (player->type != BodyType::dynamic)
-        return Error{ErrorCode::invalid_argument, "player is not dynamic; what rolls must move"};
+        return Error{ErrorCode::invalid_argument,
+                     "player is not dynamic; it must be a dynamic body"};
     return world.set_sleep_allowed(player_, false);
 }
 
@@ -54,7 +55,7 @@ double Katamari::random_in(double low, double high) {
 }
 
 void Katamari::decide(Vec3 position, double now) {
-    // Back to the middle from the edge, else anywhere.
+    // Back to the centre from the edge, otherwise in any direction.
     const bool outside = std::abs(position.x) > half_yard || std::abs(position.z) > half_yard;
     heading_ =
         outside ? arc_tangent(-position.z, -position.x) + random_in(-0.5, 0.5) : random_in(-pi, pi);
@@ -68,10 +69,10 @@ void Katamari::before_step(World& world, double) {
     const Vec3 at = player->center;
     if (world.time() >= decision_end_) decide(at, world.time());
     const SinCos ahead = sin_cos(heading_);
-    Vec3 wanted = Vec3{ahead.cos, 0, ahead.sin} * speed_ - player->linear_velocity;
-    wanted.y = 0;
-    // From above its middle, so that it tumbles rather than slides.
-    static_cast<void>(world.apply_force(player_, wanted * (eagerness * player->mass),
+    Vec3 velocity_error = Vec3{ahead.cos, 0, ahead.sin} * speed_ - player->linear_velocity;
+    velocity_error.y = 0;
+    // Applied above the centre, so that the player tumbles instead of sliding.
+    static_cast<void>(world.apply_force(player_, velocity_error * (eagerness * player->mass),
                                         at + Vec3{0, 0.5 * player_half, 0}));
     if (jumps_ && at.y < 1.5 * player_half) {
         jumps_ = false;

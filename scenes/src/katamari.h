@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The player of the scene "katamari": a module that drives one body about as somebody would who
-// plays, from a seed, and draws what is near to it. The step decides nothing else, so the same seed
-// gives the same motion, which is what codecs of snapshots are compared by.
+// The player of the scene "katamari": a module that moves one body like a player, controlled by a
+// random generator, and attracts nearby bodies. Its decisions depend only on the seed, so equal
+// seeds produce equal motion, on which snapshot codecs are compared.
 #pragma once
 
 #include <vector>
@@ -16,25 +16,25 @@ class Katamari : public physics::Module {
 public:
     std::string_view tag() const override { return "katamari"; }
     void visit(physics::StateVisitor& v) override;
-    // The numbers seed, speed, reach and pull; the body player, which must be given.
+    // Numbers: seed, speed, reach and pull. Body: player (required).
     physics::Status configure(physics::World& world,
                               const physics::ModuleSettings& settings) override;
     void before_step(physics::World& world, double dt) override;
 
 private:
     double random_in(double low, double high);
-    // Where the player wants to go, until when, and whether it jumps on the way.
+    // Chooses the direction of motion, its duration, and whether the player jumps.
     void decide(physics::Vec3 position, double now);
 
     physics::BodyId player_;
-    double speed_ = 6;    // m/s that it keeps, 0 to 20
-    double reach_ = 2.4;  // m from its middle, 0.1 to 20
-    double pull_ = 16;    // m/s^2 towards its middle, 0 to 100
+    double speed_ = 6;    // m/s, target speed, 0 to 20
+    double reach_ = 2.4;  // m from its centre, 0.1 to 20
+    double pull_ = 16;    // m/s^2 towards its centre, 0 to 100
     std::uint32_t random_ = 1;
-    double decision_end_ = 0;  // s of the world's time
+    double decision_end_ = 0;  // s, world time
     double heading_ = 0;       // rad about y, from +x
     bool jumps_ = false;
-    std::vector<physics::BodyState> bodies_;  // of this step; no part of the state
+    std::vector<physics::BodyState> bodies_;  // of this step; not part of the state
 };
 
 }  // namespace jostle::scenes

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What the joints of machines do: a car on wheels, gears that drive a rack, a pulley, a bead on a
-// wire, a lift on a slider, a gimbal, and a ball that a hand holds.
+// Joints of machines: a car on wheels, gears that drive a rack, a pulley, a bead on a wire, a lift
+// on a slider, a gimbal, and a ball on a grab joint.
 #include "scenes/src/scene_helpers.h"
 
 namespace jostle::scenes {
@@ -10,14 +10,15 @@ using namespace physics;
 
 namespace {
 
-const Quat upright = from_axis_angle({1, 0, 0}, -pi / 2);  // a frame's z to the world's y
+// Rotates the z axis of a frame to the y axis of the world
+const Quat upright = from_axis_angle({1, 0, 0}, -pi / 2);
 
 std::size_t add(SceneDescription& scene, const SceneBody& body, std::uint32_t color) {
     scene.bodies.push_back(colored(body, color));
     return scene.bodies.size() - 1;
 }
 
-// Four wheels on springs; the front ones are steered, the rear ones driven.
+// Four sprung wheels; the front ones are steered, the rear ones driven.
 void add_car(SceneDescription& scene, Vec3 at) {
     const std::size_t chassis =
         add(scene, dynamic_body("chassis", at + Vec3{0, 0.8, 0}, Box{{1.2, 0.2, 0.5}}), 0xd62828);
@@ -36,14 +37,15 @@ void add_car(SceneDescription& scene, Vec3 at) {
     }
 }
 
-// A wheel that swings on a spring, one of twice the size, and a rack that they move up and down.
+// A wheel that oscillates on a spring, one of twice its size, and a rack that they move up and
+// down.
 void add_gears(SceneDescription& scene, std::size_t floor, Vec3 at) {
     const auto cog = [&](Vec3 place, double radius, std::uint32_t color, const HingeJoint& hinge) {
         const std::size_t body = add(scene,
                                      dynamic_body("cog", at + place, Cylinder{radius, 0.1},
                                                   from_axis_angle({1, 0, 0}, pi / 2)),
                                      color);
-        // A peg shows how it turns.
+        // A peg makes the rotation visible.
         scene.bodies[body].shapes.push_back(
             {.geometry = Box{{0.08, 0.2, 0.08}}, .pose = {{radius * 0.7, 0, 0}, {}}});
         join(scene, "axle", floor, body, {at + place, {}}, hinge);
@@ -58,7 +60,8 @@ void add_gears(SceneDescription& scene, std::size_t floor, Vec3 at) {
     join(scene, "rail", floor, rack, {at + Vec3{2.3, 2, 0}, upright},
          SliderJoint{.limit = {true, -10, 10}});
     join(scene, "rack", large, rack, {at + Vec3{2.3, 2, 0}, {}}, RackJoint{.radius = -0.8});
-    // The rack moves along its frame's z axis, whichever way the pinion's points.
+    // The rack moves along the z axis of its frame, regardless of the direction of the pinion's
+    // axis.
     scene.joints.back().joint.frame_b.rotation = upright;
 }
 
@@ -78,7 +81,7 @@ void add_pulley(SceneDescription& scene, Vec3 at) {
     scene.joints.push_back(joint);
 }
 
-// A bead that swings in a valley.
+// A bead that oscillates in a valley.
 void add_wire(SceneDescription& scene, Vec3 at) {
     PathJoint path{.points = {}};
     for (int k = -4; k <= 4; k++)
@@ -100,7 +103,7 @@ SceneDescription machines() {
     add_pulley(scene, {-2, 0, -3});
     add_wire(scene, {5, 0, -3});
 
-    // A lift that a spring holds up, with a load that it throws.
+    // A lift supported by a spring, with a load that it throws.
     const std::size_t lift =
         add(scene, dynamic_body("lift", {2, 1, 0}, Box{{0.8, 0.1, 0.8}}), 0x43aa8b);
     join(scene, "lift", floor, lift, {{2, 1, 0}, upright},
@@ -111,7 +114,7 @@ SceneDescription machines() {
                          Box{{0.2, 0.2, 0.2}}),
             0xe9c46a);
 
-    // A rotor in a gimbal: two turns are free, the third has a motor.
+    // A rotor in a gimbal: two rotations are free, the third has a motor.
     const std::size_t rotor =
         add(scene, dynamic_body("rotor", {8, 3, 0}, Cylinder{0.8, 0.1}), 0x9b5de5);
     SixDofAxes gimbal;
@@ -121,7 +124,7 @@ SceneDescription machines() {
     join(scene, "gimbal", floor, rotor, {{8, 3, 0}, {}}, SixDofJoint{gimbal});
     scene.bodies[rotor].body.angular_velocity = {0.5, 0, 0.5};
 
-    // Held by a point beside its middle.
+    // Grabbed at a point away from its centre.
     const std::size_t held =
         add(scene, dynamic_body("held", {8, 2, 6}, Box{{0.4, 0.2, 0.3}}), 0x00bbf9);
     SceneJoint hand{.name = "hand", .body_a = world_body, .body_b = held, .joint = {}};

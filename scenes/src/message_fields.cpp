@@ -17,7 +17,7 @@ namespace {
 const FieldDescriptor* find_field(const Message& message, const std::string& name) {
     if (const auto* field = message.GetDescriptor()->FindFieldByName(name)) return field;
     throw std::logic_error(message.GetTypeName() + " has no field " + name +
-                           "; give it one in scene.proto");
+                           "; add it to scene.proto");
 }
 
 const FieldDescriptor* find_field(const Message& message, const std::string& name,
@@ -25,7 +25,7 @@ const FieldDescriptor* find_field(const Message& message, const std::string& nam
     const FieldDescriptor* field = find_field(message, name);
     if (field->cpp_type() == type && !field->is_repeated()) return field;
     throw std::logic_error(field->full_name() + " must be a " + FieldDescriptor::CppTypeName(type) +
-                           ", as the solver has it");
+                           ", the type used by the solver");
 }
 
 constexpr auto number_type = FieldDescriptor::CPPTYPE_DOUBLE;
@@ -77,9 +77,9 @@ void MessageFieldReader::points(const char* name, std::vector<Vec3>& points, std
     const auto* reflection = from_.GetReflection();
     const auto count = static_cast<std::size_t>(reflection->FieldSize(from_, field));
     if (count < least || count > most)
-        return in_.report_error(path_of(name), "has " + std::to_string(count) + " points; give " +
-                                                   std::to_string(least) + " to " +
-                                                   std::to_string(most));
+        return in_.report_error(path_of(name),
+                                "has " + std::to_string(count) + " points; it must have " +
+                                    std::to_string(least) + " to " + std::to_string(most));
     points.assign(count, {});
     for (std::size_t k = 0; k < count; k++) {
         MessageFieldReader point(in_, path_of(name) + "[" + std::to_string(k) + "]",
@@ -102,7 +102,7 @@ void MessageFieldReader::drive(const char* name, RotationDrive& drive) {
     target.number("z", drive.target.z, -1, 1);
     target.number("w", drive.target.w, -1, 1);
     if (norm_squared(drive.target) < 1e-6)
-        in_.report_error(fields.path_of("target"), "is no rotation");
+        in_.report_error(fields.path_of("target"), "is not a rotation");
 }
 
 void MessageFieldReader::limit(const char* name, JointLimit& limit, double low, double high) {
@@ -112,7 +112,7 @@ void MessageFieldReader::limit(const char* name, JointLimit& limit, double low, 
     limit.enabled = true;
     visit_limit(fields, limit, low, high);
     if (limit.lower > limit.upper)
-        in_.report_error(fields.path_of("lower"), "is above the upper limit");
+        in_.report_error(fields.path_of("lower"), "is greater than the upper limit");
 }
 
 void MessageFieldReader::spring(const char* name, JointSpring& spring) {

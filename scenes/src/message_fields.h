@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// Two visitors of the table of joint kinds (jostle/physics/joint_fields.h): from a message and into
-// one, whose fields are found by the table's names. So a new field needs its line in scene.proto
-// and none here; without that line both throw std::logic_error, which a test sees first.
+// Two visitors of the table of joint kinds (jostle/physics/joint_fields.h): one reads from a
+// message, the other writes to one. Fields are found by the names in the table, so a new field
+// needs a line in scene.proto and no code in this file. Without that line, both throw
+// std::logic_error, which a test detects.
 //
-// What a message lacks keeps its value, where the message can tell (messages and what is
-// `optional`); else it is 0. A limit is on when it is there. A motor lies flat (motor_speed,
-// motor_max_torque) and is on when its speed is there. What is off is not written, nor is a spring
-// of 0 hertz that a message without one would lack, nor an axis that is locked.
+// A field that is absent keeps its default, if its presence is known (messages and `optional`
+// fields); otherwise it is 0. A limit is enabled if it is present. A motor is stored in flat fields
+// (motor_speed, motor_max_torque) and is enabled if its speed is present. Disabled values, springs
+// of 0 hertz that are the default, and locked axes are not written.
 #pragma once
 
 #include <string>
@@ -26,7 +27,7 @@ class MessageFieldReader {
 public:
     MessageFieldReader(FieldReader& in, std::string path, const google::protobuf::Message& from)
         : in_(in), path_(std::move(path)), from_(from) {}
-    // Of the message in a field; the field's name joins the path.
+    // Reader of the message in a field; the field's name is appended to the path.
     MessageFieldReader inside(const char* name) const;
 
     void number(const char* name, double& value, double low, double high);
@@ -56,14 +57,14 @@ private:
     std::string path_of(const char* name) const { return path_ + "." + prefix_ + name; }
 
     FieldReader& in_;
-    std::string path_, prefix_ = {};  // of a message; of names in it
+    std::string path_, prefix_ = {};  // of the message; of field names in it
     const google::protobuf::Message& from_;
 };
 
 class MessageFieldWriter {
 public:
     explicit MessageFieldWriter(google::protobuf::Message& to) : to_(to) {}
-    // Into the message in a field, which is there from now on.
+    // Writer of the message in a field, which is created.
     MessageFieldWriter inside(const char* name) const;
 
     void number(const char* name, double value, double low, double high);

@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t setting_name_bytes_max = 64;
 constexpr double setting_max = 1e300;
 
-// Such names have one spelling in JSON, and no letter that a path of fields uses.
+// Such names have one spelling in JSON and contain no character that is special in field paths.
 bool is_name(const std::string& text) {
     const auto fits = [](char c) {
         return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
@@ -25,15 +25,16 @@ bool is_name(const std::string& text) {
            std::all_of(text.begin(), text.end(), fits);
 }
 
-// Maps of messages have no order: theirs is that of their names.
+// Maps of messages are unordered: sorts them by name.
 template <class Value>
 std::map<std::string, Value> read_names(FieldReader& in, const std::string& path,
                                         const google::protobuf::Map<std::string, Value>& given) {
     std::map<std::string, Value> sorted(given.begin(), given.end());
     for (const auto& [name, value] : sorted)
         if (!is_name(name))
-            in.report_error(path, "\"" + name.substr(0, setting_name_bytes_max) +
-                                      "\" is no name; give 1 to 64 of a-z, 0-9 and _");
+            in.report_error(path,
+                            "\"" + name.substr(0, setting_name_bytes_max) +
+                                "\" is not a valid name; it must be 1 to 64 of a-z, 0-9 and _");
     return sorted;
 }
 
@@ -41,17 +42,18 @@ void check_tag(FieldReader& in, const SceneDescription& scene, const std::string
                const std::string& tag) {
     const auto has_it = [&](const SceneModule& module) { return module.tag == tag; };
     if (std::any_of(scene.modules.begin(), scene.modules.end(), has_it))
-        in.report_error(path, "is \"" + tag + "\" again; a world has one module of a tag");
+        in.report_error(path,
+                        "is \"" + tag + "\", a duplicate; a world has at most one module per tag");
     register_catalog_modules();
     const std::vector<std::string> known = physics::module_tags();
     if (std::find(known.begin(), known.end(), tag) != known.end()) return;
     std::string names;
     for (const std::string& name : known) names += (names.empty() ? "" : ", ") + name;
-    in.report_error(path, "is \"" + tag + "\"; the modules of this program are " +
-                              (names.empty() ? "none" : names));
+    in.report_error(path,
+                    "is \"" + tag + "\"; it must be one of " + (names.empty() ? "none" : names));
 }
 
-// The field of what the module's things are in; null: there are none.
+// Returns the field that contains the module's objects; null if there is none.
 const google::protobuf::FieldDescriptor* objects_field_of(const v1::Module& m) {
     const auto* choice = m.GetDescriptor()->FindOneofByName("objects");
     return m.GetReflection()->GetOneofFieldDescriptor(m, choice);
@@ -62,13 +64,13 @@ const google::protobuf::FieldDescriptor* objects_field_of(const v1::Module& m) {
 void read_module(FieldReader& in, SceneDescription& scene, const std::string& path,
                  const v1::Module& m) {
     if (scene.modules.size() == modules_max)
-        return in.report_error(path, "is one too many; a scene has at most " +
-                                         std::to_string(modules_max) + " modules");
+        return in.report_error(
+            path, "exceeds the maximum of " + std::to_string(modules_max) + " modules in a scene");
     const google::protobuf::FieldDescriptor* kind = objects_field_of(m);
     const std::string tag = kind && m.tag().empty() ? kind->name() : m.tag();
     if (kind && tag != kind->name())
-        in.report_error(path + ".tag", "is \"" + tag + "\", but its things are of \"" +
-                                           kind->name() + "\"; leave the tag out");
+        in.report_error(path + ".tag", "is \"" + tag + "\", but its objects belong to \"" +
+                                           kind->name() + "\"; remove the tag");
     check_tag(in, scene, path + ".tag", tag);
     SceneModule module{.tag = tag, .settings = {}, .bodies = {}, .state = {}};
     if (kind)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// jostle.v1.Module to SceneModule and back.
+// Converts jostle.v1.Module to SceneModule and back.
 #pragma once
 
 #include "jostle/scenes/scene.h"
@@ -12,7 +12,7 @@ class Module;
 
 namespace jostle::scenes {
 
-// Appends the module to scene.modules. The scene's bodies are all there.
+// Appends the module to scene.modules. All bodies of the scene must exist already.
 void read_module(FieldReader& in, SceneDescription& scene, const std::string& path,
                  const v1::Module& message);
 void write_module(v1::Module& out, const SceneDescription& scene, const SceneModule& module);

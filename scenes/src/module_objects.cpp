@@ -70,11 +70,11 @@ void check_size(FieldReader& in, const std::string& path, int size, const FieldD
     const v1::SettingRange range = range_of(list);
     if (size >= range.low() && size <= range.high()) return;
     const auto text = [](double count) { return std::to_string(static_cast<int>(count)); };
-    in.report_error(path, "has " + std::to_string(size) + " items; give " + text(range.low()) +
-                              " to " + text(range.high()));
+    in.report_error(path, "has " + std::to_string(size) + " items; it must have " +
+                              text(range.low()) + " to " + text(range.high()));
 }
 
-// Reads one thing, field by field; parts of it have their own prefix.
+// Reads one object, field by field; nested messages have a prefix of their own.
 class ModuleObjectReader {
 public:
     ModuleObjectReader(FieldReader& in, const SceneDescription& scene, ModuleObject& object)
@@ -85,13 +85,14 @@ public:
         m.GetReflection()->ListFields(m, &given);
         for (const FieldDescriptor* field : given)
             read_field(m, *field, path + "." + field->name(), prefix + setting_of(*field));
-        // Bytes that a thing is made of are never left out.
+        // A bytes field of an object is required.
         const auto& type = *m.GetDescriptor();
         for (int k = 0; k < type.field_count(); k++)
             if (type.field(k)->type() == FieldDescriptor::TYPE_BYTES &&
                 m.GetReflection()->GetString(m, type.field(k)).empty())
-                in_.report_error(path + "." + type.field(k)->name(),
-                                 "is missing; give what jostle-fracture writes");
+                in_.report_error(
+                    path + "." + type.field(k)->name(),
+                    "is missing; it must be the contents of a file created by jostle-fracture");
     }
 
 private:
@@ -114,7 +115,7 @@ private:
         const double value = number_of(m, field);
         if (const auto* known = field.enum_type();
             known && (value < 0 || !known->FindValueByNumber(static_cast<int>(value) + 1)))
-            in_.report_error(path, "is none of the values of " + known->name());
+            in_.report_error(path, "is not a value of " + known->name());
         object_.settings[name] = in_.number(path, value, range.low(), range.high());
     }
     void read_vector(const v1::Vec3& v, const FieldDescriptor& field, const std::string& path,
@@ -124,11 +125,11 @@ private:
         object_.settings[name + "_y"] = in_.number(path + ".y", v.y(), range.low(), range.high());
         object_.settings[name + "_z"] = in_.number(path + ".z", v.z(), range.low(), range.high());
     }
-    // The only bytes that things have: modules/destruction/fracture_file.h.
+    // The only bytes fields of objects are fracture files (jostle/modules/fracture_file.h).
     void read_fracture(const std::string& given, const std::string& path, const std::string& name) {
         const std::span bytes = std::as_bytes(std::span(given));
         if (const auto shape = modules::read_fracture(bytes); !shape.ok())
-            in_.report_error(path, "is no fracture file: " + shape.error().message);
+            in_.report_error(path, "is not a valid fracture file: " + shape.error().message);
         object_.bytes[name].assign(bytes.begin(), bytes.end());
     }
     void read_list(const Message& m, const FieldDescriptor& field, const std::string& path,
@@ -146,19 +147,19 @@ private:
     ModuleObject& object_;
 };
 
-// Writes one thing; counts the settings that found their field.
+// Writes one object and counts the settings that have a field.
 class ModuleObjectWriter {
 public:
     ModuleObjectWriter(const SceneDescription& scene, const ModuleObject& object)
         : scene_(scene), object_(object) {}
 
-    // Whether there was anything to write.
+    // Returns false if there was nothing to write.
     bool write(Message& m, const std::string& prefix) {
-        const std::size_t before = written_.size();
+        const std::size_t previous_size = written_.size();
         const auto& type = *m.GetDescriptor();
         for (int k = 0; k < type.field_count(); k++)
             write_field(m, *type.field(k), prefix + setting_of(*type.field(k)));
-        return written_.size() > before;
+        return written_.size() > previous_size;
     }
     bool all_written() const {
         return written_.size() ==

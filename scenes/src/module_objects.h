@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The messages of the modules that come with Jostle (modules.proto), read and written by what their
-// fields say of themselves: which setting of the module they are, and its range.
+// Reads and writes the messages of the modules that come with Jostle (modules.proto), driven by
+// field options: the name of the module setting and its range.
 #pragma once
 
 #include <string>
@@ -15,11 +15,11 @@ class Message;
 
 namespace jostle::scenes {
 
-// Each item of each list becomes a thing of `module`. `path` is the message's.
+// Each item of each list becomes an object of `module`. `path` is the path of the message.
 void read_module_objects(FieldReader& in, const SceneDescription& scene, SceneModule& module,
                          const std::string& path, const google::protobuf::Message& message);
 
-// The other way. False: a thing is of a list, or has a setting, that the message does not have.
+// The inverse. Returns false if an object has a list or a setting that the message lacks.
 bool write_module_objects(google::protobuf::Message& message, const SceneDescription& scene,
                           const SceneModule& module);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A course for characters: up stairs, over gaps that widen, along a beam, to a flag.
+// A course for characters: up stairs, over widening gaps, along a beam, to a flag.
 #include <string>
 
 #include "scenes/src/scene_helpers.h"
@@ -16,7 +16,7 @@ void add_block(SceneDescription& scene, const char* name, Vec3 center, Vec3 half
     scene.bodies.push_back(colored(fixed_box(name, center, half, turn), color));
 }
 
-// The way from the start to the flag.
+// The course from the start to the flag.
 void add_course(SceneDescription& scene) {
     for (int k = 0; k < 8; k++)  // 30 cm each
         add_block(scene, "stair", {0, 0.15 * (k + 1), -6 - 0.5 * k}, {2, 0.15 * (k + 1), 0.25},
@@ -36,7 +36,7 @@ void add_course(SceneDescription& scene) {
     add_block(scene, "flag", {17.75, 4.8, 1.3}, {0.5, 0.3, 0.03}, 0xe63946);
 }
 
-// What there is to try beside it.
+// Obstacles next to the course.
 void add_gym(SceneDescription& scene) {
     for (int k = 0; k < 3; k++) {  // 25, 40 and 55 degrees: the last is too steep
         const double angle = (25 + 15 * k) * pi / 180;
@@ -67,7 +67,7 @@ void add_gym(SceneDescription& scene) {
 
 }  // namespace
 
-// Five characters stroll about until somebody drives them, one of them rigid.
+// Five characters, one of them rigid, that stroll until a client controls them.
 SceneDescription parkour() {
     SceneDescription scene;
     scene.bodies.push_back(colored(ground(), 0x588157));

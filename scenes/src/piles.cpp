@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Many mixed bodies that fall on each other.
+// Piles of many mixed bodies.
 #include "scenes/src/scene_helpers.h"
 
 namespace jostle::scenes {

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// Scenes in which a module has the leading part: figures that fall, walls that break.
+// Scenes that demonstrate one module: falling figures, breaking walls.
 #include "scenes/src/scene_helpers.h"
 
 namespace jostle::scenes {
 
 using namespace physics;
 
-// Twelve figures at the head of a flight of stairs, on a ramp that tips them over; who wants to see
-// them near by walks up.
+// Twelve figures on a ramp at the top of a flight of stairs, which tips them over, and a character
+// to walk up to them.
 SceneDescription ragdoll_stairs() {
     SceneDescription scene;
     scene.bodies.push_back(colored(ground(), 0x7f8c7d));
@@ -48,8 +48,7 @@ SceneDescription ragdoll_stairs() {
     return scene;
 }
 
-// Walls of stones that hold together until something hits them: a ball on a rope to begin with,
-// then a digger that somebody drives.
+// Walls of bonded stones, hit by a ball on a rope, and a digger that a client can drive.
 SceneDescription demolition() {
     SceneDescription scene;
     scene.bodies.push_back(colored(ground(), 0x8a8465));
@@ -60,21 +59,21 @@ SceneDescription demolition() {
                                           {"height", 4},
                                           {"thickness", 0.4},
                                           {"chunks", 120},
-                                          {"tensile", 2e5},  // Pa: of bricks in weak mortar
+                                          {"tensile", 2e5},  // Pa: bricks in weak mortar
                                           {"shear", 4e5},
                                           {"fracture_energy", 5},
                                           {"x", -7},
                                           {"z", -6}},
                              .bodies = {},
                              .state = {}});
-    // At the lowest point of its swing a ball lies against its wall: the first swings there, the
-    // second hangs and waits for somebody who pulls it back.
+    // At the lowest point of its swing, a ball touches its wall. The first ball starts raised; the
+    // second hangs at rest until a client pulls it back.
     constexpr double crane_top = 11.2, wall_front = -5.8, radius = 0.6, rope = 10;
     constexpr std::uint32_t steel = 0xe9a23b;
     for (int k = 0; k < 2; k++) {
         const double x = -7 + 7.0 * k, z = wall_front + radius + 0.05;
-        const Vec3 from{x, crane_top, z}, way = k == 0 ? Vec3{0, -0.8, 0.6} : Vec3{0, -1, 0};
-        SceneBody ball = dynamic_body("ball", from + way * rope, Sphere{radius});
+        const Vec3 from{x, crane_top, z}, direction = k == 0 ? Vec3{0, -0.8, 0.6} : Vec3{0, -1, 0};
+        SceneBody ball = dynamic_body("ball", from + direction * rope, Sphere{radius});
         ball.shapes[0].density = 4000;
         scene.bodies.push_back(colored(ball, 0x2f3437));
         scene.bodies.push_back(

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A ring of road with kerbs, over a hill on one side of it, and a ramp; pilots go round until
-// somebody takes their wheel.
+// A ring road with kerbs, over a hill on one side, and a ramp. Pilots drive until a client controls
+// a car.
 #include <array>
 #include <span>
 #include <string>
@@ -45,7 +45,7 @@ SceneBody land() {
     return colored(body, 0x5f7d4a);
 }
 
-// What lies on the land: bands between radii, each at a height over it.
+// Strips on the land: bands between radii, each at a height above it.
 struct Band {
     double radius, lift;
 };
@@ -73,7 +73,7 @@ struct Strips {
 };
 
 void add_road(SceneDescription& scene) {
-    // The edges dip into the land: nothing trips over them.
+    // The edges dip into the land, so that wheels do not catch on them.
     constexpr Band road[] = {{inside - 0.5, -0.1}, {inside, 0.06}, {41, 0.06},
                              {middle, 0.06},       {49, 0.06},     {outside, 0.06},
                              {outside + 0.5, -0.1}};
@@ -131,7 +131,7 @@ void add_surroundings(SceneDescription& scene) {
     }
 }
 
-// Bonnet and boot low, a cabin with slanting windows, and most of its mass in the floor.
+// A car body: low bonnet and boot, a cabin with slanted windows, and most of the mass in the floor.
 SceneBody car(const std::string& name, Vec3 at, double turn) {
     SceneBody body =
         dynamic_body(name, at, Box{{0.85, 0.2, 2.05}}, from_axis_angle({0, 1, 0}, turn));
@@ -156,7 +156,7 @@ SceneBody car(const std::string& name, Vec3 at, double turn) {
 SceneDescription race_track() {
     SceneDescription scene;
     scene.bodies.push_back(land());
-    // Around it: who leaves the land does not leave the world at once.
+    // Ground around the land, so that cars that leave it do not fall.
     scene.bodies.push_back(colored(fixed_box("plain", {0, -1.06, 0}, {400, 1, 400}), 0x5f7d4a));
     add_road(scene);
     add_surroundings(scene);
@@ -168,7 +168,7 @@ SceneDescription race_track() {
                      .bodies = {},
                      .state = {}};
     for (int k = 0; k < 6; k++) {
-        // One behind the other, along the tangent: to the left, seen from above.
+        // One behind the other, along the tangent: counter-clockwise seen from above.
         const double angle = 0.16 * k;
         const std::string name = k == 0 ? "car" : "car" + std::to_string(k + 1);
         cars.bodies[name] = scene.bodies.size();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The yard that jostle-server opens with: walls to keep things in, and things to throw about.
+// The default yard of jostle-server: walls that contain bodies, and bodies to throw.
 #include "scenes/src/scene_helpers.h"
 
 namespace jostle::scenes {
@@ -82,7 +82,7 @@ SceneDescription sandbox() {
     add_loose_objects(scene);
     add_ramps(scene);
     add_dominoes(scene);
-    // What rolls comes to rest: a little air.
+    // A little air drag brings rolling bodies to rest.
     for (SceneBody& body : scene.bodies) {
         body.body.linear_damping = 0.05;
         body.body.angular_damping = 0.2;

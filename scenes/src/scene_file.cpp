@@ -32,22 +32,22 @@ namespace {
 
 constexpr std::size_t bodies_max = 200000;  // after repeats
 constexpr std::size_t shapes_max = 64;      // of one body
-// A short file may ask for much: what repeats multiply is bounded as a whole.
+// A short file can create many shapes by repeats, so their total is limited.
 constexpr std::size_t all_shapes_max = 400000;
 constexpr std::size_t name_bytes_max = 64;
 constexpr std::size_t description_bytes_max = 1000;
 constexpr std::uint32_t repeat_max = 100000;
 constexpr std::size_t file_bytes_max = 64u << 20;
 
-// Reads one message, noting the first fault.
+// Reads one message and stores the first error.
 class Reader : public FieldReader {
 public:
     SceneDescription scene(const v1::Scene& m) {
         SceneDescription out{.name = m.name(), .description = m.description()};
         if (m.name().empty() || m.name().size() > name_bytes_max)
-            report_error("name", "must be a text of 1 to 64 bytes");
+            report_error("name", "must be a string of 1 to 64 bytes");
         if (m.description().size() > description_bytes_max)
-            report_error("description", "must be a text of at most 1000 bytes");
+            report_error("description", "must be a string of at most 1000 bytes");
         world(out, m.world());
         for (int i = 0; i < m.bodies_size() && !failed(); i++)
             body(out, m.bodies(i), "bodies[" + std::to_string(i) + "]");
@@ -89,7 +89,7 @@ private:
             case v1::BROAD_PHASE_UNIFORM_GRID:
                 return BroadPhase::uniform_grid;
             default:
-                report_error("world.broad_phase", "is no broad phase");
+                report_error("world.broad_phase", "is not a valid broad phase");
         }
         return BroadPhase::dynamic_tree;
     }
@@ -99,16 +99,16 @@ private:
         const bool surface = m.has_mesh() || m.has_height_field();
         if (m.has_plane() && out.body.type != BodyType::static_body)
             report_error(path + ".plane",
-                         "is infinite; only a body of type BODY_TYPE_STATIC may have one");
+                         "is infinite; only a body of type BODY_TYPE_STATIC may have a plane");
         if (surface && out.body.type == BodyType::dynamic)
             report_error(path,
-                         "is a surface without mass; give a dynamic body hulls or a compound");
+                         "is a surface without mass; use hulls or a compound for a dynamic body");
         out.shapes.push_back(def);
     }
 
     void body(SceneDescription& scene, const v1::Body& m, const std::string& path) {
         if (m.name().size() > name_bytes_max)
-            return report_error(path + ".name", "must be a text of at most 64 bytes");
+            return report_error(path + ".name", "must be a string of at most 64 bytes");
         SceneBody out{.name = m.name(), .body = {}, .shapes = {}, .color = {}};
         switch (m.type()) {
             case v1::BODY_TYPE_STATIC:
@@ -149,7 +149,7 @@ private:
         if (m.has_color())
             out.color = static_cast<std::uint32_t>(number(path + ".color", m.color(), 0, 0xffffff));
         if (m.shapes_size() == 0)
-            report_error(path + ".shapes", "is empty; give the body at least one shape");
+            report_error(path + ".shapes", "is empty; it must have at least one shape");
         if (static_cast<std::size_t>(m.shapes_size()) > shapes_max)
             report_error(path + ".shapes",
                          "has more than " + std::to_string(shapes_max) + " shapes");
@@ -158,7 +158,7 @@ private:
         add_copies(scene, out, m, path);
     }
 
-    // Each repeat multiplies what there is so far.
+    // Each repeat multiplies the copies created so far.
     void add_copies(SceneDescription& scene, const SceneBody& body, const v1::Body& m,
                     const std::string& path) {
         std::vector<Vec3> offsets{{}};
@@ -170,7 +170,7 @@ private:
             if (failed()) return;
             if (offsets.size() * count > bodies_max)
                 return report_error(at + ".count",
-                                    "makes more than " + std::to_string(bodies_max) + " bodies");
+                                    "creates more than " + std::to_string(bodies_max) + " bodies");
             std::vector<Vec3> all;
             all.reserve(offsets.size() * count);
             for (std::size_t k = 0; k < count; k++)
@@ -180,12 +180,12 @@ private:
         }
         if (failed()) return;
         if (scene.bodies.size() + offsets.size() > bodies_max)
-            return report_error(path,
-                                "makes more than " + std::to_string(bodies_max) + " bodies in all");
+            return report_error(
+                path, "creates more than " + std::to_string(bodies_max) + " bodies in total");
         shapes_ += offsets.size() * body.shapes.size();
         if (shapes_ > all_shapes_max)
             return report_error(
-                path, "makes more than " + std::to_string(all_shapes_max) + " shapes in all");
+                path, "creates more than " + std::to_string(all_shapes_max) + " shapes in total");
         for (const Vec3 offset : offsets) {
             scene.bodies.push_back(body);
             scene.bodies.back().body.pose.position += offset;
@@ -226,7 +226,7 @@ Result<SceneDescription> from_message(const v1::Scene& message) {
 }
 
 Result<SceneDescription> read_scene_json(std::string_view text) {
-    // The mark that some editors put before UTF-8 text.
+    // The byte order mark that some editors write before UTF-8 text.
     if (text.substr(0, 3) == "\xef\xbb\xbf") text.remove_prefix(3);
     if (const auto error = find_json_error(text, *v1::Scene::descriptor()))
         return invalid_argument(*error);
@@ -244,16 +244,16 @@ Result<SceneDescription> read_scene_json(std::string_view text) {
 
 Result<SceneDescription> read_scene_file(const std::string& path) {
     std::ifstream in(path, std::ios::binary);
-    if (!in) return Error{ErrorCode::not_found, "cannot read the scene file " + path};
+    if (!in) return Error{ErrorCode::not_found, "cannot read scene file " + path};
     std::string text;
     char buffer[65536];
     while (in.read(buffer, sizeof buffer) || in.gcount() > 0) {
         text.append(buffer, static_cast<std::size_t>(in.gcount()));
         if (text.size() > file_bytes_max)
-            return invalid_argument(path + ": larger than 64 MiB; that is no scene");
+            return invalid_argument(
+                path + ": file is larger than 64 MiB, the maximum size of a scene file");
     }
-    if (in.bad() || !in.eof())
-        return Error{ErrorCode::not_found, "cannot read the scene file " + path};
+    if (in.bad() || !in.eof()) return Error{ErrorCode::not_found, "cannot read scene file " + path};
     Result<SceneDescription> scene = read_scene_json(text);
     if (!scene.ok()) return Error{scene.error().code, path + ": " + scene.error().message};
     return scene;
@@ -288,7 +288,7 @@ v1::Scene to_message(const SceneDescription& scene) {
     return out;
 }
 
-// The same text each time: protobuf's own printer takes the names in a map as a hash orders them.
+// Deterministic: the printer of protobuf writes the keys of maps in hash order.
 std::string write_scene_json(const SceneDescription& scene) {
     namespace pb = google::protobuf;
     std::string bytes;
@@ -318,8 +318,8 @@ Result<SceneDescription> load_scene(const std::string& name_or_path) {
     std::string names;
     for (const CatalogEntry& entry : catalog())
         names += (names.empty() ? "" : ", ") + std::string(entry.name);
-    return Error{ErrorCode::not_found, "there is no scene \"" + name_or_path + "\"; there are " +
-                                           names + ", or give the path of a scene file"};
+    return Error{ErrorCode::not_found, "unknown scene \"" + name_or_path + "\"; must be one of " +
+                                           names + ", or the path of a scene file"};
 }
 
 }  // namespace jostle::scenes

@@ -31,7 +31,7 @@ Geometry stone(Random& random, double radius) {
         const double x = random.in(-1, 1), y = random.in(-1, 1), z = random.in(-1, 1);
         points.push_back(normalized(Vec3{x, y, z}) * radius);
     }
-    // Fourteen random directions never lie in one plane; a box stands in for the impossible.
+    // Fourteen random directions are never coplanar; the box is an unreachable fallback.
     const auto hull = build_hull(points);
     return hull.ok() ? Geometry(Hull{*hull}) : Geometry(Box{{radius, radius, radius}});
 }
@@ -43,7 +43,7 @@ SceneBody colored(SceneBody body, std::uint32_t color) {
 
 namespace {
 
-// Where a frame in the world is in a body as it starts.
+// Converts a frame in the world to the frame of a body in its initial pose.
 Transform seen_from(const SceneBody& body, const Transform& frame) {
     const Transform& pose = body.body.pose;
     return {apply_inverse(pose, frame.position), conjugate(pose.rotation) * frame.rotation};

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// What the scenes of the catalogue are put together from. Deterministic: own generator, no library
-// distributions.
+// Building blocks of the scenes in the catalogue. Deterministic: they use a generator of their own
+// instead of the distributions of the standard library.
 #pragma once
 
 #include "jostle/scenes/scene.h"
 
 namespace jostle::scenes {
 
-// Linear congruential generator (Numerical Recipes): the same numbers on every machine.
+// Linear congruential generator (Press et al., "Numerical Recipes"): the same numbers on every
+// machine.
 class Random {
 public:
     explicit Random(std::uint32_t seed = 12345) : state_(seed) {}
@@ -21,21 +22,21 @@ private:
     std::uint32_t state_;
 };
 
-// Solid ground 400 m wide whose top is at height 0.
+// Solid ground, 400 m wide, whose top is at height 0.
 SceneBody ground();
 SceneBody fixed_box(std::string name, physics::Vec3 center, physics::Vec3 half_extents,
                     physics::Quat rotation = {});
-// A dynamic body of one shape.
+// A dynamic body with one shape.
 SceneBody dynamic_body(std::string name, physics::Vec3 position, physics::Geometry geometry,
                        physics::Quat rotation = {});
-// A convex stone of 14 corners about as large as the radius.
+// A convex stone with 14 corners and about the given radius.
 physics::Geometry stone(Random& random, double radius);
 SceneBody colored(SceneBody body, std::uint32_t color);
-// Joins the bodies a and b at a frame in the world, where they are at the start.
+// Joins the bodies a and b at a frame in the world, given in their initial poses.
 void join(SceneDescription& scene, const char* name, std::size_t a, std::size_t b,
           const physics::Transform& frame, const physics::JointKind& kind);
 
-// Scenes, one function each; the catalogue lists them with their names and descriptions.
+// The scenes, one function each; the catalogue contains their names and descriptions.
 SceneDescription sandbox();
 SceneDescription stack();
 SceneDescription pyramid();

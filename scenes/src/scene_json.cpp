@@ -19,7 +19,7 @@ using nlohmann::json;
 
 namespace {
 
-// Edit distance, for "did you mean".
+// Edit distance, for suggestions.
 std::size_t distance(std::string_view a, std::string_view b) {
     std::vector<std::size_t> row(b.size() + 1);
     for (std::size_t k = 0; k <= b.size(); k++) row[k] = k;
@@ -54,17 +54,17 @@ std::string suggestion(const Descriptor& message, const std::string& wrong) {
         }
     }
     if (!best.empty()) return "did you mean \"" + best + "\"?";
-    return "its fields are " + fields_of(message);
+    return "must be one of " + fields_of(message);
 }
 
 std::string error_at(std::string_view text, const JsonPath& place, const std::string& what) {
     const int line = line_of(text, place);
     return (line > 0 ? "line " + std::to_string(line) + ": " : std::string()) +
-           (place.empty() ? "the scene" : to_text(place)) + ": " + what;
+           (place.empty() ? "scene" : to_text(place)) + ": " + what;
 }
 
-// Follows the parser through the text: knows where it is when it throws, and sees keys that come
-// twice, of which the parsed value keeps only one.
+// Tracks the position of the parser in the text. It provides the position of a parse error and
+// detects duplicate keys, of which the parsed value contains only one.
 class Follower {
 public:
     void on(json::parse_event_t event, const json& parsed) {
@@ -112,17 +112,17 @@ public:
     std::optional<std::string> walk(const json& value, const Descriptor& message) {
         if (!value.is_object())
             return error(std::string("must be an object {...}, not ") + value.type_name());
-        std::set<int> given;  // numbers of fields, and of kinds of which one may be given
+        std::set<int> seen_numbers;  // numbers of fields, and of oneofs
         for (const auto& [key, inner] : value.items()) {
             path_.push_back({.key = key});
             const FieldDescriptor* field = message.FindFieldByName(key);
             if (!field) field = message.FindFieldByCamelcaseName(key);
-            if (!field) return error("there is no such field; " + suggestion(message, key));
-            if (!given.insert(field->number()).second)
-                return error("is given twice, in two spellings; leave one out");
+            if (!field) return error("unknown field; " + suggestion(message, key));
+            if (!seen_numbers.insert(field->number()).second)
+                return error("is a duplicate in another spelling; remove one of them");
             const auto* choice = field->real_containing_oneof();
-            if (choice && !given.insert(-1 - choice->index()).second)
-                return error("is one " + choice->name() + " too many; give one only");
+            if (choice && !seen_numbers.insert(-1 - choice->index()).second)
+                return error("is a second " + choice->name() + "; only one is allowed");
             if (auto found = check_field(inner, *field)) return found;
             path_.pop_back();
         }
@@ -171,21 +171,21 @@ private:
                 return error(std::string("must be true or false, not ") + value.type_name());
             case FieldDescriptor::CPPTYPE_STRING:
                 if (field.type() == FieldDescriptor::TYPE_BYTES && !is_base64(value))
-                    return error("must be bytes as base64, a text in quotes");
+                    return error("must be base64 bytes, a string in quotes");
                 if (value.is_string()) return {};
-                return error(std::string("must be a text in quotes, not ") + value.type_name());
+                return error(std::string("must be a string in quotes, not ") + value.type_name());
             case FieldDescriptor::CPPTYPE_ENUM:
                 return check_enum(value, field);
             case FieldDescriptor::CPPTYPE_INT32:
                 if (is_whole(value, -2147483648.0, 2147483647.0)) return {};
-                return error("must be a whole number from -2147483648 to 2147483647");
+                return error("must be an integer from -2147483648 to 2147483647");
             default:
                 if (is_whole(value, 0, 4294967295.0)) return {};
-                return error("must be a whole number from 0 to 4294967295");
+                return error("must be an integer from 0 to 4294967295");
         }
     }
 
-    // Of either alphabet, padded or not, as protobuf reads it.
+    // Accepts both alphabets, padded or not, as protobuf does.
     static bool is_base64(const json& value) {
         if (!value.is_string()) return false;
         std::string text = value.get<std::string>();
@@ -209,7 +209,7 @@ private:
         for (int i = 1; i < field.enum_type()->value_count(); i++) {
             const auto& choice = *field.enum_type()->value(i);
             if (value.is_string() && value.get<std::string>() == choice.name()) return {};
-            // A second name for the same number is an older file's: read, not offered.
+            // A second name of a number is an alias for older files: accepted, but not listed.
             if (field.enum_type()->FindValueByNumber(choice.number()) == &choice)
                 names += (names.empty() ? "" : ", ") + choice.name();
         }
@@ -220,8 +220,8 @@ private:
     JsonPath path_;
 };
 
-// nlohmann says "[json.exception.parse_error.101] parse error at line 3, column 5: ...": what
-// stands behind the bracket.
+// Removes the prefix of nlohmann errors: "[json.exception.parse_error.101] parse error at line 3,
+// column 5: ...".
 std::string without_prefix(const std::string& what) {
     const std::size_t at = what.find("] ");
     return at == std::string::npos ? what : what.substr(at + 2);
@@ -238,11 +238,12 @@ std::optional<std::string> find_json_error(std::string_view text, const Descript
             return true;
         });
     } catch (const json::out_of_range&) {
-        return error_at(text, follower.place(), "is too large a number");
+        return error_at(text, follower.place(), "is a number that is too large");
     } catch (const json::exception& error) {
-        return "this is not JSON: " + without_prefix(error.what());
+        return "not valid JSON: " + without_prefix(error.what());
     }
-    if (follower.twice()) return error_at(text, *follower.twice(), "is given twice; leave one out");
+    if (follower.twice())
+        return error_at(text, *follower.twice(), "is a duplicate; remove one of them");
     return Walker(text).walk(parsed, message);
 }
 

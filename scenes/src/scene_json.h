@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The JSON side of scene files: checks a text against a message's fields before protobuf reads it,
-// because protobuf's own messages name neither line nor path.
+// JSON validation of scene files: checks a text against the fields of a message before protobuf
+// parses it, because errors of protobuf contain neither line nor path.
 #pragma once
 
 #include <optional>
@@ -14,9 +14,8 @@ class Descriptor;
 
 namespace jostle::scenes {
 
-// The first thing in the text that is no field of the message or has the wrong kind of value:
-// "line 7: bodies[2].shapes[0].radius: there is no such field; did you mean ...". Nothing when all
-// is well.
+// Returns the first unknown field or value of a wrong type in the text, such as "line 7:
+// bodies[2].shapes[0].radius: unknown field; did you mean ..."; nullopt if the text is valid.
 std::optional<std::string> find_json_error(std::string_view text,
                                            const google::protobuf::Descriptor& message);
 

@@ -25,8 +25,8 @@ std::vector<Vec3> points_of(FieldReader& in, const std::string& path,
     return out;
 }
 
-// What a builder made, or a note of why it could not. Messages of builders begin with their kind
-// ("hull: it has 3 points"), which the path says already.
+// Returns the result of a builder, or reports its error. Errors of builders begin with the kind of
+// the shape ("hull: it has 3 points"), which is already part of the path.
 template <class Shape, class Data>
 std::optional<Geometry> built(FieldReader& in, const std::string& path,
                               const Result<std::shared_ptr<const Data>>& made) {
@@ -41,8 +41,8 @@ std::optional<Geometry> read_hull(FieldReader& in, const std::string& path, cons
     const std::vector<Vec3> points = points_of(in, path + ".points", m.points());
     if (in.failed()) return std::nullopt;
     auto hull = build_hull(points);
-    // Only corners are written. Faces come in an order that depends on the points which were no
-    // corners, so that the hull is built of its corners here as it is when they are read again.
+    // Only corners are written. The order of faces depends on points that are not corners. The hull
+    // is therefore built from its corners only, so that it is the same when it is read again.
     if (hull.ok() && (*hull)->vertices.size() < points.size()) hull = build_hull((*hull)->vertices);
     return built<Hull>(in, path, hull);
 }
@@ -51,7 +51,7 @@ std::optional<Geometry> read_mesh(FieldReader& in, const std::string& path, cons
     const std::vector<Vec3> vertices = points_of(in, path + ".vertices", m.vertices());
     if (m.indices_size() % 3 != 0)
         in.report_error(path + ".indices", "has " + std::to_string(m.indices_size()) +
-                                               " entries; give three for each triangle");
+                                               " entries; it must have 3 per triangle");
     if (in.failed()) return std::nullopt;
     std::vector<std::array<std::uint32_t, 3>> triangles;
     for (int i = 0; i < m.indices_size(); i += 3)
@@ -59,8 +59,8 @@ std::optional<Geometry> read_mesh(FieldReader& in, const std::string& path, cons
     return built<Mesh>(in, path, build_mesh(vertices, triangles));
 }
 
-// Hulls that together hold a closed mesh. How much too much they may hold is the scene's to say;
-// how long it may take is ours.
+// Hulls that contain a closed mesh. The scene chooses the allowed volume error; the limits below
+// bound the computing time.
 std::optional<Geometry> read_solid(FieldReader& in, const std::string& path, const v1::Solid& m) {
     constexpr int triangles_max = 20000;
     constexpr double hulls_max = 128;
@@ -68,7 +68,7 @@ std::optional<Geometry> read_solid(FieldReader& in, const std::string& path, con
     if (m.mesh().indices_size() > 3 * triangles_max)
         in.report_error(path + ".mesh.indices",
                         "has " + std::to_string(m.mesh().indices_size() / 3) +
-                            " triangles; a solid may have " + std::to_string(triangles_max));
+                            " triangles; it must have at most " + std::to_string(triangles_max));
     decomposition::Options options;
     if (m.parts_max() != 0)
         options.hulls_max =
@@ -95,7 +95,7 @@ std::optional<Geometry> read_height_field(FieldReader& in, const std::string& pa
                     .heights = {m.heights().begin(), m.heights().end()},
                     .holes = {}};
     if (in.failed()) return std::nullopt;
-    for (double& h : grid.heights) h += 0.0;  // no -0, as FieldReader::number
+    for (double& h : grid.heights) h += 0.0;  // avoids -0, as in FieldReader::number()
     if (m.holes_size() > 0 && grid.columns >= 2 && grid.rows >= 2 &&
         grid.columns <= max_height_samples && grid.rows <= max_height_samples &&
         std::size_t{grid.columns} * grid.rows <= max_height_samples) {
@@ -120,12 +120,12 @@ std::optional<Geometry> read_compound(FieldReader& in, const std::string& path,
         const std::string at = path + ".children[" + std::to_string(i) + "]";
         const v1::Shape& child = m.children(i);
         if (child.kind_case() == v1::Shape::kCompound) {
-            in.report_error(at, "is a compound in a compound; put its children here");
+            in.report_error(at, "is a compound inside a compound; list its children directly");
             break;
         }
         if (child.kind_case() == v1::Shape::kSolid) {
             in.report_error(at,
-                            "is a solid in a compound; give it to the body as a shape of its own");
+                            "is a solid inside a compound; make it a separate shape of the body");
             break;
         }
         const auto geometry = read_geometry(in, at, child);
@@ -154,7 +154,7 @@ Combine rule_of(FieldReader& in, const std::string& path, v1::Combine rule, Comb
         case v1::COMBINE_MAXIMUM:
             return Combine::maximum;
         default:
-            in.report_error(path, "is no rule of combining");
+            in.report_error(path, "is not a valid combine rule");
     }
     return fallback;
 }
@@ -285,14 +285,14 @@ std::optional<Geometry> read_geometry(FieldReader& in, const std::string& path,
             return read_compound(in, path + ".compound", m.compound());
         case v1::Shape::kGeometry:
             in.report_error(path + ".geometry",
-                            "names a shape of a play stream; give the shape itself");
+                            "refers to a shape of a play stream; specify the shape itself");
             return std::nullopt;
         case v1::Shape::KIND_NOT_SET:
             break;
     }
     in.report_error(
         path,
-        "has no kind; give one of sphere, capsule, box, plane, cylinder, cone, hull, mesh, "
+        "has no kind; it must have one of sphere, capsule, box, plane, cylinder, cone, hull, mesh, "
         "height_field, compound, solid");
     return std::nullopt;
 }
@@ -317,10 +317,10 @@ ShapeDef read_shape(FieldReader& in, const std::string& path, const v1::Shape& m
 
 Result<ShapeDef> shape_from_message(const v1::Shape& message, const std::string& path) {
     FieldReader in;
-    // To take one apart may take seconds.
+    // The decomposition may take seconds.
     if (message.kind_case() == v1::Shape::kSolid)
         return Error{ErrorCode::invalid_argument,
-                     path + ".solid: only a scene may have one; give a hull or a compound"};
+                     path + ".solid: is allowed only in scenes; use a hull or a compound"};
     ShapeDef def = read_shape(in, path, message);
     if (in.failed())
         return Error{ErrorCode::invalid_argument, in.error()->path + ": " + in.error()->what};
@@ -371,7 +371,7 @@ std::string shape_bytes(const ShapeDef& def) {
 Result<ShapeDef> shape_from_bytes(std::string_view bytes, const std::string& path) {
     v1::Shape message;
     if (!message.ParseFromArray(bytes.data(), static_cast<int>(bytes.size())))
-        return Error{ErrorCode::corrupt_data, path + ": the bytes are no jostle.v1.Shape"};
+        return Error{ErrorCode::corrupt_data, path + ": not a valid jostle.v1.Shape message"};
     return shape_from_message(message, path);
 }
 

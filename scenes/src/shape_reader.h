@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The reading half of shape_message.h, for readers of whole scenes that note one fault for all.
+// Reading of shapes as in shape_message.h, for readers of complete scenes that store one error.
 #pragma once
 
 #include "jostle/physics/defs.h"

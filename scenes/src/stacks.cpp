@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Stacks and walls: what must stand.
+// Stacks and walls, which must remain standing.
 #include "scenes/src/scene_helpers.h"
 
 namespace jostle::scenes {
@@ -54,7 +54,7 @@ SceneDescription dominoes() {
                                  from_axis_angle({0, 1, 0}, -angle)),
                     i % 2 == 0 ? 0xf2e8cf : 0x386641);
         if (i == 0) {
-            // Its face looks along the spiral: over it goes.
+            // Its face points along the spiral, and it starts falling over.
             domino.body.angular_velocity = {1.8 * at.cos, 0, 1.8 * at.sin};
             domino.body.linear_velocity = {-0.9 * at.sin, 0, 0.9 * at.cos};
         }

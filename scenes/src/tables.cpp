@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Small scenes about one law: billiards (impacts), incline (friction), free space (momentum).
+// Small scenes about one law of physics: billiards (impacts), incline (friction), free space
+// (momentum).
 #include "scenes/src/scene_helpers.h"
 
 namespace jostle::scenes {
@@ -17,7 +18,8 @@ SceneDescription billiards() {
         body.shapes[0].material = material;
         scene.bodies.push_back(body);
     };
-    // Twice the size of a real table (2.84 x 1.42 m bed, balls of 57 mm): easier to watch.
+    // Twice the size of a real table (bed of 2.84 x 1.42 m, balls of 57 mm), which is easier to
+    // watch.
     add_fixed("bed", {0, 0.7, 0}, {2.84, 0.1, 1.42}, cloth, 0x1b7a43);
     for (const double side : {-1.0, 1.0}) {
         add_fixed("cushion", {side * 2.94, 0.86, 0}, {0.1, 0.06, 1.62}, cushion, 0x5c3a21);
@@ -51,7 +53,7 @@ SceneDescription incline() {
     ramp.shapes[0].material.friction = 1;
     scene.bodies = {fixed_box("ground", {0, -11, 0}, {200, 1, 200}), ramp};
     for (int i = 0; i < 9; i++) {
-        // The pair's coefficient is sqrt(1 * f): 0.1 i.
+        // The combined coefficient is sqrt(1 * f) = 0.1 i.
         const double mu = 0.1 * i;
         SceneBody box = colored(
             dynamic_body("mu 0." + std::to_string(i), rotate(slope, {-8, 0.75, (i - 4) * 1.2}),

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Ground that is not flat: a height field with hills and a hole, a mesh of stairs and a slide.
+// Uneven ground: a height field with hills and a hole, a mesh of stairs and a slide.
 #include "jostle/physics/height_field.h"
 #include "jostle/physics/mesh.h"
 #include "scenes/src/scene_helpers.h"
@@ -11,7 +11,7 @@ using namespace physics;
 
 namespace {
 
-// Two long waves across each other and a bowl in the middle.
+// Two long crossing waves and a bowl in the middle.
 double height_at(double x, double z) {
     const double waves = 0.6 * sin_cos(0.45 * x).sin + 0.5 * sin_cos(0.38 * z + 1).sin;
     const double r2 = x * x + z * z;
@@ -30,13 +30,13 @@ Geometry hills() {
     for (std::uint32_t r = 0; r < samples; r++)
         for (std::uint32_t c = 0; c < samples; c++)
             grid.heights.push_back(height_at((c - 24.0) * spacing, (r - 24.0) * spacing));
-    // A shaft in the bowl: what rolls in falls through.
+    // A shaft in the bowl, through which bodies fall.
     for (const std::uint32_t cell : {23u * 48 + 23, 23u * 48 + 24, 24u * 48 + 23, 24u * 48 + 24})
         grid.holes[cell] = 1;
     return HeightField{*build_height_field(std::move(grid))};
 }
 
-// Eight steps down along x, then a slide that bends up again.
+// Eight steps down along x, then a slide that curves up again.
 Geometry stairs_and_slide() {
     std::vector<Vec3> rim;  // the profile in the xy plane
     for (int k = 0; k <= 8; k++) {

@@ -34,7 +34,7 @@ TEST(SpeedScenes, every_scene_is_in_the_catalogue_and_portable) {
         SCOPED_TRACE(speed_scene.name);
         EXPECT_EQ(find_speed_scene(speed_scene.letter), find_speed_scene(speed_scene.name));
         const SceneDescription scene = build(speed_scene);
-        EXPECT_NE(scene.description.find(std::string("(laboratory ") + speed_scene.letter + ")"),
+        EXPECT_NE(scene.description.find(std::string("(benchmark ") + speed_scene.letter + ")"),
                   std::string::npos);
         const auto portable = check_portable(scene);
         EXPECT_TRUE(portable.ok()) << portable.error().message;

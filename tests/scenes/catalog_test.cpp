@@ -60,7 +60,7 @@ TEST(Catalog, errors_name_the_body) {
     scene.bodies.push_back({.name = "ramp", .body = {}, .shapes = {}, .color = {}});
     const auto built = build_scene(scene);
     ASSERT_FALSE(built.ok());
-    EXPECT_EQ(built.error().message, "bodies[0] 'ramp': it has no shape; give it at least one");
+    EXPECT_EQ(built.error().message, "bodies[0] 'ramp': has no shape; it must have at least one");
 }
 
 }  // namespace jostle::scenes

@@ -128,7 +128,7 @@ TEST(ModuleObjects, errors_name_line_and_field) {
               "line 11: modules[0].vehicle.cars[0].body: is \"cart\"; no body has the name "
               "\"cart\"");
     EXPECT_EQ(error_of(R"({"vehicle": {"cars": []}})"),
-              "line 11: modules[0].vehicle.cars: has 0 items; give 1 to 1000");
+              "line 11: modules[0].vehicle.cars: has 0 items; it must have 1 to 1000");
     EXPECT_THAT(error_of(R"({"vehicle": {"cars": [{"colour": 1}]}})"),
                 HasSubstr("line 11: modules[0].vehicle.cars[0]"));
     EXPECT_EQ(error_of(R"({"tag": "fields", "vehicle": {"cars": [{"body": "car"}]}})"),

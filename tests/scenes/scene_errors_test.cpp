@@ -76,24 +76,25 @@ const std::string neighbours = R"("name": "pin", "body_a": "link", "body_b": "li
 
 TEST(SceneErrors, errors_name_line_and_field) {
     const Case cases[] = {
-        {"{\"name\": \"a\",", "this is not JSON: parse error at line 1"},
-        {"[]", "line 1: the scene: must be an object {...}, not array"},
-        {"{}", "name: must be a text of 1 to 64 bytes"},
-        {"{\"name\": 7}", "line 1: name: must be a text in quotes, not number"},
+        {"{\"name\": \"a\",", "not valid JSON: parse error at line 1"},
+        {"[]", "line 1: scene: must be an object {...}, not array"},
+        {"{}", "name: must be a string of 1 to 64 bytes"},
+        {"{\"name\": 7}", "line 1: name: must be a string in quotes, not number"},
         {"{\"name\": \"a\",\n \"bodies\": [\n  {\"postion\": {}}]}",
-         "line 3: bodies[0].postion: there is no such field; did you mean \"position\"?"},
+         "line 3: bodies[0].postion: unknown field; did you mean \"position\"?"},
         {"{\"name\": \"a\",\n \"bodies\": {}}", "line 2: bodies: must be a list [...], not object"},
         {"{\"name\": \"a\",\n \"bodies\": [\n  {}]}",
-         "bodies[0].shapes: is empty; give the body at least one shape"},
+         "bodies[0].shapes: is empty; it must have at least one shape"},
         {"{\"name\": \"a\",\n \"bodies\": [\n  {\"shapes\": [\n {}]}]}",
-         "line 4: bodies[0].shapes[0]: has no kind; give one of sphere, capsule, box, plane"},
+         "line 4: bodies[0].shapes[0]: has no kind; it must have one of sphere, capsule, box, "
+         "plane"},
         {"{\"name\": \"a\",\n \"bodies\": [\n  {\"shapes\": [\n {\"sphere\": {\n\"radius\": "
          "-1}}]}]}",
          "line 5: bodies[0].shapes[0].sphere.radius: -1 is out of range; it must be from 0.0001 to "
          "10000"},
         {"{\"name\": \"a\",\n \"bodies\": [\n  {\"shapes\": [{\"plane\": {}}]}]}",
          "line 3: bodies[0].shapes[0].plane: is infinite; only a body of type BODY_TYPE_STATIC may "
-         "have one"},
+         "have a plane"},
         {"{\"name\": \"a\",\n \"bodies\": [\n  {\"type\": \"FIXED\"}]}",
          "line 3: bodies[0].type: must be one of BODY_TYPE_STATIC, BODY_TYPE_KINEMATIC, "
          "BODY_TYPE_DYNAMIC"},
@@ -102,17 +103,17 @@ TEST(SceneErrors, errors_name_line_and_field) {
         {"{\"name\": \"a\",\n \"world\": {\"tolerance\": -1}}",
          "line 2: world.tolerance: -1 is out of range; it must be from 1e-09 to 1000"},
         {"{\"name\": \"a\",\n \"world\": {\"substeps\": -1}}",
-         "line 2: world.substeps: must be a whole number from 0 to 4294967295"},
+         "line 2: world.substeps: must be an integer from 0 to 4294967295"},
         {"{\"name\": \"a\",\n \"bodies\": [\n  {\"shapes\": [{\"sphere\": {\"radius\": 1}}],\n"
          "   \"repeat\": [{\"count\": 100000}, {\"count\": 3}]}]}",
-         "line 4: bodies[0].repeat[1].count: makes more than 200000 bodies"},
+         "line 4: bodies[0].repeat[1].count: creates more than 200000 bodies"},
     };
     for (const auto& [text, message] : cases) expect_starts(text, message);
 }
 
 TEST(SceneErrors, rejects_hulls_with_coplanar_or_too_few_points) {
     expect_refused(body(R"({"hull": {"points": [{"x": 0}, {"x": 1}, {"y": 1}]}})"),
-                   "line 3: bodies[0].shapes[0].hull: it has 3 points; give at least 4");
+                   "line 3: bodies[0].shapes[0].hull: it has 3 points; it must have at least 4");
     expect_refused(
         body(R"({"hull": {"points": [{"x": 0}, {"x": 1}, {"y": 1}, {"x": 1, "y": 1}]}})"),
         "line 3: bodies[0].shapes[0].hull: its points lie in one plane; it has no volume");
@@ -120,10 +121,11 @@ TEST(SceneErrors, rejects_hulls_with_coplanar_or_too_few_points) {
 
 TEST(SceneErrors, rejects_mesh_indices_out_of_range) {
     const std::string vertices = R"({"mesh": {"vertices": [{"x": 0}, {"x": 1}, {"z": 1}],)";
-    expect_refused(body(vertices + "\n" + R"("indices": [0, 1, 3]}})", "FIXED"),
-                   "line 3: bodies[0].shapes[0].mesh: triangles[0] names vertex 3; there are 3");
+    expect_refused(
+        body(vertices + "\n" + R"("indices": [0, 1, 3]}})", "FIXED"),
+        "line 3: bodies[0].shapes[0].mesh: triangles[0] refers to vertex 3; there are 3 vertices");
     expect_refused(body(vertices + "\n" + R"("indices": [0, 1, 2, 0]}})", "FIXED"),
-                   "line 4: bodies[0].shapes[0].mesh.indices: has 4 entries; give three for each "
+                   "line 4: bodies[0].shapes[0].mesh.indices: has 4 entries; it must have 3 per "
                    "triangle");
 }
 
@@ -131,8 +133,8 @@ TEST(SceneErrors, rejects_surfaces_on_dynamic_bodies_and_triggers) {
     const std::string mesh =
         R"({"mesh": {"vertices": [{"x": 0}, {"x": 1}, {"z": 1}], "indices": [0, 1, 2]})";
     expect_refused(body(mesh + "}"),
-                   "line 3: bodies[0].shapes[0]: is a surface without mass; give a dynamic body "
-                   "hulls or a compound");
+                   "line 3: bodies[0].shapes[0]: is a surface without mass; use hulls or a "
+                   "compound for a dynamic body");
     expect_not_built(body(mesh + R"(, "trigger": true})", "FIXED"),
                      "bodies[0] 'it': a mesh has no volume; a trigger needs a solid shape");
 }
@@ -153,14 +155,15 @@ TEST(SceneErrors, rejects_height_fields_with_wrong_counts) {
 }
 
 TEST(SceneErrors, rejects_non_convex_compound_children) {
-    expect_refused(body(R"({"compound": {"children": [
+    expect_refused(
+        body(R"({"compound": {"children": [
 {"sphere": {"radius": 1}},
 {"compound": {"children": [{"sphere": {"radius": 1}}]}}]}})"),
-                   "line 5: bodies[0].shapes[0].compound.children[1]: is a compound in a compound; "
-                   "put its children here");
+        "line 5: bodies[0].shapes[0].compound.children[1]: is a compound inside a compound; "
+        "list its children directly");
     expect_refused(body(R"({"compound": {"children": [{"plane": {}}]}})"),
-                   "line 3: bodies[0].shapes[0].compound: children[0] is a plane; children are "
-                   "spheres, capsules, boxes, cylinders, cones or hulls");
+                   "line 3: bodies[0].shapes[0].compound: children[0] is a plane; it must be a "
+                   "sphere, capsule, box, cylinder, cone or hull");
     expect_refused(body(R"({"compound": {}})"),
                    "line 3: bodies[0].shapes[0].compound: it has no children");
 }
@@ -170,25 +173,27 @@ TEST(SceneErrors, rejects_joints_with_unknown_bodies) {
                    "line 6: joints[0].body_b: is \"lnik\"; no body has the name \"lnik\"");
     expect_refused(
         links("\"body_a\": \"link\",\n\"body_b\": \"link[9]\", \"ball\": {}"),
-        "line 6: joints[0].body_b: is \"link[9]\"; there are only 3 bodies called \"link\"");
+        "line 6: joints[0].body_b: is \"link[9]\"; there are only 3 bodies named \"link\"");
     expect_refused(
         links("\"body_a\": \"link\",\n\"body_b\": \"link[-1]\", \"ball\": {}"),
-        "line 6: joints[0].body_b: is \"link[-1]\"; write name[number], counting from 0");
+        "line 6: joints[0].body_b: is \"link[-1]\"; it must be name[index], counting from 0");
     expect_refused(links(neighbours + "\"ball\": {},\n\"repeat\": {\"count\": 3}"),
-                   "line 6: joints[0].repeat.count: goes beyond the last body; copy number i joins "
-                   "the bodies i places further on");
+                   "line 6: joints[0].repeat.count: exceeds the last body; copy i joins "
+                   "the bodies whose indices are larger by i");
 }
 
 TEST(SceneErrors, rejects_joints_with_several_kinds_or_frames) {
-    expect_refused(links(neighbours + "\"collide_connected\": true"),
-                   "line 5: joints[0]: has no kind; give one of ball, hinge, cone_twist, fixed, "
-                   "distance, velocity_row, slider, six_dof, wheel, grab, gear, "
-                   "rack, pulley, path");
+    expect_refused(
+        links(neighbours + "\"collide_connected\": true"),
+        "line 5: joints[0]: has no kind; it must have one of ball, hinge, cone_twist, fixed, "
+        "distance, velocity_row, slider, six_dof, wheel, grab, gear, "
+        "rack, pulley, path");
     expect_refused(links(neighbours + "\"ball\": {},\n\"hinge\": {}"),
-                   "line 6: joints[0].hinge: is one kind too many; give one only");
-    expect_refused(links(neighbours + "\"ball\": {}, \"frame_a\": {},\n\"frame\": {}"),
-                   "line 6: joints[0].frame: is given beside frame_a or frame_b; give the one or "
-                   "the others");
+                   "line 6: joints[0].hinge: is a second kind; only one is allowed");
+    expect_refused(
+        links(neighbours + "\"ball\": {}, \"frame_a\": {},\n\"frame\": {}"),
+        "line 6: joints[0].frame: conflicts with frame_a and frame_b; use either frame, or "
+        "frame_a and frame_b");
 }
 
 TEST(SceneErrors, rejects_unknown_joint_solvers) {
@@ -204,10 +209,10 @@ TEST(SceneErrors, rejects_limits_with_lower_above_upper) {
     expect_refused(links(neighbours + R"("hinge": {"limit": {
 "lower": 1,
 "upper": -1}})"),
-                   "line 6: joints[0].hinge.limit.lower: is above the upper limit");
+                   "line 6: joints[0].hinge.limit.lower: is greater than the upper limit");
     expect_refused(links(neighbours + R"("cone_twist": {"swing": 1, "twist": {
 "lower": 0.2, "upper": 0.1}})"),
-                   "line 6: joints[0].cone_twist.twist.lower: is above the upper limit");
+                   "line 6: joints[0].cone_twist.twist.lower: is greater than the upper limit");
     expect_refused(links(neighbours + "\"distance\": {\"min_length\": 2,\n\"max_length\": 1}"),
                    "line 6: joints[0].distance.max_length: is less than min_length");
 }
@@ -227,10 +232,10 @@ TEST(SceneErrors, accepts_negative_groups_and_rejects_negative_masks) {
     ASSERT_TRUE(scene.ok()) << scene.error().message;
     EXPECT_EQ(scene->bodies[0].shapes[0].filter.group, -2147483647 - 1);
     expect_refused(body(R"({"sphere": {"radius": 1}, "filter": {"group": 2147483648}})"),
-                   "line 3: bodies[0].shapes[0].filter.group: must be a whole number from "
+                   "line 3: bodies[0].shapes[0].filter.group: must be an integer from "
                    "-2147483648 to 2147483647");
     expect_refused(body(R"({"sphere": {"radius": 1}, "filter": {"mask": -1}})"),
-                   "line 3: bodies[0].shapes[0].filter.mask: must be a whole number from 0 to "
+                   "line 3: bodies[0].shapes[0].filter.mask: must be an integer from 0 to "
                    "4294967295");
 }
 
@@ -252,23 +257,23 @@ TEST(SceneErrors, rejects_unknown_and_duplicate_modules) {
     test::register_turntable();
     expect_refused(
         with_module("\n\"tag\": \"submarine\""),
-        "line 6: modules[0].tag: is \"submarine\"; the modules of this program are "
+        "line 6: modules[0].tag: is \"submarine\"; it must be one of "
         "boat, character, destruction, fields, hovercraft, katamari, ragdoll, turntable, vehicle");
     expect_refused(
         with_module("\"settings\": {}"),
-        "modules[0].tag: is \"\"; the modules of this program are boat, "
+        "modules[0].tag: is \"\"; it must be one of boat, "
         "character, destruction, fields, hovercraft, katamari, ragdoll, turntable, vehicle");
-    expect_refused(with_module("\"tag\": \"turntable\"},\n{\"tag\": \"turntable\""),
-                   "line 6: modules[1].tag: is \"turntable\" again; a world has one module of a "
-                   "tag");
+    expect_refused(
+        with_module("\"tag\": \"turntable\"},\n{\"tag\": \"turntable\""),
+        "line 6: modules[1].tag: is \"turntable\", a duplicate; a world has at most one module per "
+        "tag");
     SceneDescription scene{.name = "a", .modules = {{.tag = "submarine"}}};
     const auto built = build_scene(scene);
     ASSERT_FALSE(built.ok());
     EXPECT_EQ(built.error().message,
-              "modules[0] 'submarine': module \"submarine\" is not one that this program knows "
-              "(boat, character, destruction, fields, hovercraft, katamari, ragdoll, turntable, "
-              "vehicle); call "
-              "register_module() before");
+              "modules[0] 'submarine': module \"submarine\" is not registered (registered: boat, "
+              "character, destruction, fields, hovercraft, katamari, ragdoll, turntable, vehicle); "
+              "call register_module() first");
 }
 
 TEST(SceneErrors, rejects_invalid_module_settings_and_unknown_bodies) {
@@ -279,14 +284,15 @@ TEST(SceneErrors, rejects_invalid_module_settings_and_unknown_bodies) {
     expect_refused(with_module(tag + "\"settings\": [1]"),
                    "line 5: modules[0].settings: must be an object {...}, not array");
     expect_refused(with_module(tag + "\"settings\": {\n\"top speed\": 2}"),
-                   "line 5: modules[0].settings: \"top speed\" is no name; give 1 to 64 of a-z, "
+                   "line 5: modules[0].settings: \"top speed\" is not a valid name; it must be 1 "
+                   "to 64 of a-z, "
                    "0-9 and _");
     expect_refused(with_module(tag + "\"settings\": {\"speed\": 1,\n\"speed\": 2}"),
-                   "line 5: modules[0].settings.speed: is given twice; leave one out");
+                   "line 5: modules[0].settings.speed: is a duplicate; remove one of them");
     expect_refused(with_module(tag + "\"bodies\": {\n\"disc\": \"disk\"}"),
                    "line 6: modules[0].bodies.disc: is \"disk\"; no body has the name \"disk\"");
     expect_refused(with_module(tag + "\"bodies\": {\n\"disc\": 1}"),
-                   "line 6: modules[0].bodies.disc: must be a text in quotes, not number");
+                   "line 6: modules[0].bodies.disc: must be a string in quotes, not number");
 }
 
 TEST(SceneErrors, reports_settings_and_state_rejected_by_the_module) {
@@ -295,7 +301,7 @@ TEST(SceneErrors, reports_settings_and_state_rejected_by_the_module) {
     expect_not_built(with_module(tag + R"("settings": {"speeed": 2})"),
                      "modules[0] 'turntable': has no setting \"speeed\"; it has gain and speed");
     expect_refused(with_module(tag + "\n\"state\": \"not bytes\""),
-                   "line 6: modules[0].state: must be bytes as base64, a text in quotes");
+                   "line 6: modules[0].state: must be base64 bytes, a string in quotes");
     expect_not_built(with_module(tag + R"("state": "AAAA")"),
                      "modules[0] 'turntable': state of module \"turntable\": "
                      "turntable.state.disc.index is missing: the data ends before it (at byte 3)");

@@ -217,12 +217,12 @@ TEST_F(Sim, rejects_invalid_convergence_options) {
 
 TEST_F(Sim, exits_with_2_and_an_error_message_on_invalid_flags) {
     EXPECT_EQ(run("nowhere"), 2);
-    EXPECT_NE(output().find("there is no scene \"nowhere\""), std::string::npos);
+    EXPECT_NE(output().find("unknown scene \"nowhere\""), std::string::npos);
     EXPECT_EQ(run(""), 2);
     EXPECT_EQ(run("stack --substeps 99"), 2);
     std::ofstream(file("bad.json")) << "{\"name\": \"x\", \"bodies\": [{\"shape\": []}]}";
     EXPECT_EQ(run(file("bad.json")), 2);
-    EXPECT_NE(output().find("bodies[0].shape: there is no such field"), std::string::npos);
+    EXPECT_NE(output().find("bodies[0].shape: unknown field"), std::string::npos);
     EXPECT_EQ(run("stack --load " + file("bad.json")), 2);
 }
 

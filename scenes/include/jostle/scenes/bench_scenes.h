@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 //
-// The laboratory: scenes on which Jostle and other engines are compared. The catalogue has nine of
-// them (lab_pyramid_465 to lab_bullets_1000); the pile is here in any size as well. Their numbers
-// never change, so results of different times and engines are about the same scenes.
+// Benchmark scenes, on which Jostle is compared with other engines. The catalogue contains nine
+// basic ones (lab_pyramid_465 to lab_bullets_1000). bench_pile() creates the pile in any size.
+// Their parameters never change, so results of different versions and engines are comparable.
 #pragma once
 
 #include "jostle/scenes/scene.h"
 
 namespace jostle::scenes {
 
-// lab_pile_5000 with another count, above 0. The bodies fall in columns on a square whose area
-// grows with the count, 0.02 m^2 a body. So the pile is as deep for every count when it has
-// settled.
+/// Returns lab_pile_5000 with another number of bodies, above 0. The bodies fall in columns over a
+/// square whose area is proportional to the count, 0.02 m^2 per body. The depth of the settled pile
+/// is therefore the same for every count.
 SceneDescription bench_pile(int count);
 
 }  // namespace jostle::scenes

@@ -1,24 +1,26 @@
 // SPDX-License-Identifier: MIT
 //
-// Scenes by name: what every program lists and takes.
+// The scene catalogue: scenes by name, listed and accepted by all programs.
 #pragma once
 
 #include "jostle/scenes/scene.h"
 
 namespace jostle::scenes {
 
+/// An entry of the catalogue.
 struct CatalogEntry {
     std::string_view name;
     std::string_view description;
 };
 
+/// All scenes of the catalogue, in display order. Any thread.
 std::span<const CatalogEntry> catalog();
 
-// Nothing when the catalogue has no such name.
+/// Returns the scene with this name; nullopt if there is none.
 std::optional<SceneDescription> find_scene(std::string_view name);
 
-// Makes known the modules that scenes of the catalogue have. build_scene() does; a program that
-// loads saved worlds calls it before. Any thread, any number of times.
+/// Registers the modules that scenes of the catalogue use. build_scene() calls it. A program that
+/// loads saved worlds must call it first. Thread-safe and idempotent.
 void register_catalog_modules();
 
 }  // namespace jostle::scenes

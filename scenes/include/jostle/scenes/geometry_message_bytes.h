@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// How large what a client is told about a shape is, without making the message. Any thread.
+// Size of the message of a shape, without creating the message. Any thread.
 #pragma once
 
 #include <cstddef>
@@ -9,12 +9,13 @@
 
 namespace jostle::scenes {
 
-// At least as many bytes as kind and sizes take in a jostle.v1.Shape, and not many more.
+/// Returns an upper bound of the size of kind and dimensions in a jostle.v1.Shape, in bytes. It is
+/// not much larger than the actual size.
 std::size_t geometry_message_bytes(const physics::Geometry& geometry);
-// Play streams tell a shape of more than this once, not with each body that has it. What a client
-// may spawn has less.
+/// Larger shapes are sent once per play stream instead of with each body. Shapes that clients may
+/// spawn are smaller.
 inline constexpr std::size_t inline_geometry_bytes_max = 1024;
-// Of a shape with numbers that bodies may share, where they lie; null of others.
+/// Address of the data of a shape whose data several bodies can share; null for other shapes.
 const void* shared_data(const physics::Geometry& geometry);
 
 }  // namespace jostle::scenes

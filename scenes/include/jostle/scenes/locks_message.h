@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Directions in which a body cannot move, as a message and back.
+// Converts axis locks to a message and back.
 #pragma once
 
 #include "jostle/physics/defs.h"
@@ -11,6 +11,7 @@ class Locks;
 
 namespace jostle::scenes {
 
+/// Any thread.
 v1::Locks locks_message(physics::AxisLocks locks);
 physics::AxisLocks locks_of(const v1::Locks& message);
 

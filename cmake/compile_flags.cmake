@@ -1,4 +1,4 @@
-# Every flag that decides what our sources mean, in one place. jostle_library() and jostle_program() apply them.
+# All compiler flags in one place; jostle_library() and jostle_program() apply them.
 
 set(CMAKE_CXX_STANDARD 20)
 set(CMAKE_CXX_STANDARD_REQUIRED ON)
@@ -15,14 +15,16 @@ endif()
 
 add_library(jostle_flags INTERFACE)
 
-# Private headers are included by their path from the project folder, public ones by jostle/LIBRARY/NAME.h.
+# Private headers are included by their path from the project folder, public ones as jostle/LIBRARY/NAME.h.
 target_include_directories(jostle_flags INTERFACE ${PROJECT_SOURCE_DIR})
 
-# Floating point: the same bits from every compiler, optimisation level and CPU. Contraction would fuse a*b+c on some
-# targets only; fast-math would reorder sums. errno from sqrt is never read, and leaving it out lets sqrt be one instruction.
+# Floating point must be bit-identical for every compiler, optimization level and CPU. Contraction would fuse a*b+c on
+# some targets only; fast-math would reorder sums. errno of sqrt is never read; -fno-math-errno compiles sqrt to one
+# instruction.
 target_compile_options(jostle_flags INTERFACE -ffp-contract=off -fno-fast-math -fno-math-errno)
-# GCC 12 fuses alternating sums and differences (vfmaddsub) whatever -ffp-contract says, if CMAKE_CXX_FLAGS has -march=native or so. What
-# the solver fuses is written out, in sources with flags of their own (physics/CMakeLists.txt).
+# GCC 12 fuses alternating sums and differences (vfmaddsub) despite -ffp-contract=off if CMAKE_CXX_FLAGS has
+# -march=native or similar. The fused operations of the solver are explicit, in sources with their own flags
+# (physics/CMakeLists.txt).
 if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
     target_compile_options(jostle_flags INTERFACE -mno-fma -mno-fma4 -mno-avx512f)
 endif()
@@ -30,25 +32,27 @@ endif()
 target_compile_options(jostle_flags INTERFACE
     -Wall -Wextra $<$<BOOL:${PROJECT_IS_TOP_LEVEL}>:-Werror> -Wshadow -Wconversion -Wno-sign-conversion -Wnon-virtual-dtor -Wold-style-cast
     -Woverloaded-virtual -Wunused -Wcast-align -Wdouble-promotion)
-# Designated initialisers name what differs from the defaults; the fields left out are meant to be left out.
+# Designated initializers name only the fields that differ from the defaults; the others are omitted on purpose.
 target_compile_options(jostle_flags INTERFACE -Wno-missing-field-initializers)
-# GCC 12 sees overlapping copies in std::string's operator+ where there are none (GCC bug 105651).
+# GCC 12 reports overlapping copies in std::string's operator+ where there are none (GCC bug 105651).
 target_compile_options(jostle_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-restrict>)
-# ... and, optimising, members of a variant read that it does not hold (GCC bug 105562). The sanitizers' builds look for real ones.
+# With optimization, it also reports reads of inactive variant members (GCC bug 105562). Sanitizer builds find real
+# ones.
 target_compile_options(jostle_flags INTERFACE $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
-# Clang warns of a float that fills a double on purpose, as where the solver's lanes become a Vec3; GCC does not.
+# Clang warns about intended conversions from float to double, for example of solver lanes to a Vec3; GCC does not.
 target_compile_options(jostle_flags INTERFACE $<$<CXX_COMPILER_ID:Clang>:-Wno-double-promotion>)
-# The eight-wide vector type is passed between our own inline functions only, so its calling convention does not matter.
+# The eight-wide vector type is passed between inline functions only, so its calling convention does not matter.
 target_compile_options(jostle_flags INTERFACE -Wno-psabi)
 
-# Some of what we link asks for it; a precompiled header fits only where all sources agree.
-if(NOT CMAKE_SYSTEM_NAME STREQUAL WASI)  # has no threads
+# Some linked libraries require -pthread; a precompiled header is usable only if all sources use the same flags.
+if(NOT CMAKE_SYSTEM_NAME STREQUAL WASI)  # no threads
     target_compile_options(jostle_flags INTERFACE -pthread)
 endif()
 
-# Builds that are made once and thrown away take less time when the sources of a target are compiled eight together: most of what the
-# compiler reads is headers. So no two sources of a target use one name for different things; where they must, the target says APART.
-# One source's constant is then another's shadow, and what is in an unnamed namespace looks as if it were in a header's.
+# Clean builds are faster if the sources of a target are compiled in groups of eight, because most of the compile time
+# is headers. Therefore no two sources of a target may use the same name for different entities; targets that cannot
+# comply use APART. In a group, constants of one source can shadow those of another, and unnamed namespaces appear to
+# be in a header.
 if(JOSTLE_TOGETHER)
     target_compile_options(jostle_flags INTERFACE -Wno-shadow $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
 endif()
@@ -66,12 +70,12 @@ if(JOSTLE_SANITIZE)
     target_compile_options(jostle_flags INTERFACE -Wno-error)  # see precompiled.cmake
     add_link_options(${sanitize})
     if(JOSTLE_SANITIZE MATCHES thread)
-        # The thread sanitizer does not understand fences; Asio's locks order everything we hand over without them.
+        # The thread sanitizer does not support fences; Asio's locks order all shared data without them.
         add_compile_definitions(BOOST_ASIO_DISABLE_FENCED_BLOCK)
     endif()
 endif()
 
-# Sanitized by address it takes twice as long to compile when it is optimised, and what is tested so does not wait for it.
+# An optimized address sanitizer build takes twice as long to compile, and its tests are not limited by run time.
 function(jostle_unoptimised_when_sanitized)
     if(JOSTLE_SANITIZE MATCHES address)
         foreach(target ${ARGN})
@@ -80,7 +84,8 @@ function(jostle_unoptimised_when_sanitized)
     endif()
 endfunction()
 
-# A static library of ours: jostle_library(NAME SOURCES a.cpp ... [PUBLIC libs...] [PRIVATE libs...] [INCLUDE folder of public headers])
+# Static library: jostle_library(NAME SOURCES a.cpp ... [PUBLIC libs...] [PRIVATE libs...] [INCLUDE folder of public
+# headers])
 function(jostle_library name)
     cmake_parse_arguments(arg "" "" "SOURCES;PUBLIC;PRIVATE;INCLUDE" ${ARGN})
     add_library(${name} STATIC ${arg_SOURCES})
@@ -93,7 +98,7 @@ function(jostle_library name)
     jostle_together(${name})
 endfunction()
 
-# A program of ours: jostle_program(NAME [APART] SOURCES main.cpp ... LINK libs...)
+# Program: jostle_program(NAME [APART] SOURCES main.cpp ... LINK libs...)
 function(jostle_program name)
     cmake_parse_arguments(arg "APART" "" "SOURCES;LINK" ${ARGN})
     add_executable(${name} ${arg_SOURCES})
@@ -103,7 +108,8 @@ function(jostle_program name)
     endif()
 endfunction()
 
-# A GoogleTest program that ctest runs whole: jostle_test(NAME [APART] SOURCES a_test.cpp ... LINK libs... [LABELS l...] [TIMEOUT s])
+# GoogleTest program, one ctest test: jostle_test(NAME [APART] SOURCES a_test.cpp ... LINK libs... [LABELS l...]
+# [TIMEOUT s])
 function(jostle_test name)
     cmake_parse_arguments(arg "APART" "TIMEOUT" "SOURCES;LINK;LABELS" ${ARGN})
     if(arg_APART)

@@ -1,4 +1,4 @@
-# Debian 12 packages, found where they are installed; scripts/setup installs them. Nothing is downloaded at build time.
+# Debian 12 packages in their installed locations; scripts/setup installs them. The build downloads nothing.
 find_package(Threads REQUIRED)
 if(JOSTLE_SOLVER_ONLY)
     return()
@@ -7,26 +7,27 @@ if(JOSTLE_TESTS)
     find_package(GTest REQUIRED)
 endif()
 if(JOSTLE_SERVER)
-    find_package(Boost 1.74 REQUIRED)     # headers only: Asio (ticks, gateway) and Beast (HTTP, WebSocket)
+    find_package(Boost 1.74 REQUIRED)  # headers only: Asio (ticks, HTTP server) and Beast (HTTP, WebSocket)
     find_package(spdlog REQUIRED)
     find_package(tomlplusplus REQUIRED)
-    find_package(prometheus-cpp CONFIG REQUIRED)  # its core alone: registry and text
+    find_package(prometheus-cpp CONFIG REQUIRED)  # only its core: registry and text format
     find_package(Eigen3 3.4 REQUIRED NO_MODULE)  # headers only: linear_systems/
     find_package(OpenSSL 3.0 REQUIRED)    # tokens and certificates
-    find_package(SQLite3 3.37 REQUIRED)   # worlds that outlive the process
-    find_package(zstd REQUIRED)           # ... packed
+    find_package(SQLite3 3.37 REQUIRED)  # persisted worlds
+    find_package(zstd REQUIRED)  # compression of persisted worlds
     find_package(nlohmann_json REQUIRED)
 endif()
 if(JOSTLE_RPC)
     find_package(Protobuf 3.21 REQUIRED)  # MODULE mode: Debian ships no CONFIG for it
     find_package(gRPC CONFIG REQUIRED)
-    find_package(OpenSSL 3.0 REQUIRED)    # sealed datagrams
+    find_package(OpenSSL 3.0 REQUIRED)  # encrypted datagrams
     find_package(nlohmann_json REQUIRED)
 endif()
 if(JOSTLE_RPC AND JOSTLE_SERVER)
     find_package(CLI11 REQUIRED)
 endif()
-# Engines that jostle-bench compares Jostle with (MuJoCo, Box2D and Bullet's double precision: in accuracy and stability alone). Each is optional: without it the program says "not built in".
+# Physics engines that jostle-bench compares with (MuJoCo, Box2D and Bullet in double precision: only for accuracy and
+# stability). Each is optional; without it the program prints "not built in".
 if(JOSTLE_RPC AND JOSTLE_SERVER)
     find_package(Bullet QUIET)
     if(BULLET_FOUND)
@@ -44,7 +45,7 @@ if(JOSTLE_RPC AND JOSTLE_SERVER)
     find_library(BULLET64_DYNAMICS BulletDynamics-float64)
     find_library(BULLET64_COLLISION BulletCollision-float64)
     find_library(BULLET64_MATH LinearMath-float64)
-    # A sanitizer allows no library with names of its own (RTLD_DEEPBIND).
+    # Sanitizers do not support libraries with a separate symbol scope (RTLD_DEEPBIND).
     if(BULLET_FOUND AND BULLET64_DYNAMICS AND BULLET64_COLLISION AND BULLET64_MATH AND NOT JOSTLE_SANITIZE)
         add_library(jostle_peer_bullet64 INTERFACE)
         target_include_directories(jostle_peer_bullet64 SYSTEM INTERFACE ${BULLET_INCLUDE_DIRS})

@@ -1,13 +1,13 @@
-# cmake --install, find_package(jostle) from another project, and Debian packages.
-#   find_package(jostle REQUIRED COMPONENTS physics)          jostle::physics: the solver, nothing but a compiler
+# cmake --install, find_package(jostle) in other projects, and Debian packages.
+#   find_package(jostle REQUIRED COMPONENTS physics)          jostle::physics: the solver, without dependencies
 #   find_package(jostle REQUIRED COMPONENTS client)           jostle::client: the C++ client, with protobuf and gRPC
-# Two packages: `jostle` has the programs and the viewer, `jostle-dev` the libraries and headers.
+# Two packages: `jostle` contains the programs and the viewer, `jostle-dev` the libraries and headers.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
 set(jostle_cmake_dir ${CMAKE_INSTALL_LIBDIR}/cmake/jostle)
 
-# jostle_install(SET TARGET... ): the libraries of one export set, under their names without "jostle_".
+# jostle_install(SET TARGET... ): installs the libraries of one export set under their names without "jostle_".
 function(jostle_install set)
     foreach(target ${ARGN})
         string(REPLACE jostle_ "" name ${target})
@@ -56,7 +56,7 @@ endif()
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md
     DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT programs)
 
-# cpack -G DEB in the build folder.
+# Run cpack -G DEB in the build folder.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME jostle)
 set(CPACK_PACKAGE_VENDOR "The Jostle developers")

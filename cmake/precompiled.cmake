@@ -1,7 +1,7 @@
-# Headers that most sources read are compiled once: a quarter to a half of the time of a small source. Our own headers
-# are not among them, so an edit rebuilds what includes them and no more. Release builds go without, and so find a source that
-# forgot an include. Of what GCC 12 inlines from a precompiled header it warns as if it were our own code, with a sanitizer
-# without reason: warnings are for the other builds.
+# Standard headers are precompiled once, which saves a quarter to a half of the compile time of a small source.
+# Project headers are not precompiled, so an edit rebuilds only their users. Release builds do not precompile, and
+# therefore detect missing includes. GCC 12 reports warnings for code inlined from a precompiled header as if it were
+# project code, and false ones with a sanitizer; only builds without sanitizers treat warnings as errors.
 option(JOSTLE_PRECOMPILE "Compile the standard headers once for all sources of a debug build" ON)
 if(NOT JOSTLE_PRECOMPILE OR NOT CMAKE_BUILD_TYPE STREQUAL "Debug")
     function(jostle_precompiled)
@@ -9,7 +9,7 @@ if(NOT JOSTLE_PRECOMPILE OR NOT CMAKE_BUILD_TYPE STREQUAL "Debug")
     return()
 endif()
 
-# ccache must be told that what a precompiled header defines is part of it.
+# ccache must treat the macros defined by a precompiled header as part of the header.
 if(JOSTLE_CCACHE)
     set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_SLOPPINESS=pch_defines,time_macros ${JOSTLE_CCACHE})
 endif()
@@ -28,7 +28,8 @@ set(standard_headers <algorithm> <array> <chrono> <cmath> <cstdint> <cstring> <f
 jostle_precompile(jostle_precompiled_libraries HEADERS ${standard_headers})
 if(JOSTLE_TESTS)
     jostle_precompile(jostle_precompiled_tests LINK GTest::gtest HEADERS ${standard_headers} <gtest/gtest.h>)
-    # As programs are compiled; libraries are compiled with -fPIC, and the compiler takes no header that was not.
+    # Compiled like programs; libraries are compiled with -fPIC, and a precompiled header is only usable with the same
+    # flags.
     set_target_properties(jostle_precompiled_tests PROPERTIES POSITION_INDEPENDENT_CODE OFF)
     target_compile_options(jostle_precompiled_tests PRIVATE -fPIE)
 endif()

@@ -100,15 +100,13 @@ inline constexpr double slender_contact_damping_ratio = 4;
 // value and 3 at 0.4 m/s. At 0.5 m/s the pour takes a third more time, because bodies overlap
 // longer. At 3 m/s, five boxes at half pitch throw the top one at 6.8 m/s.
 inline constexpr double push_out_speed = 0.8;  // m/s
-// Target overlap in m, so that resting contacts stay in contact.
-inline constexpr double contact_slop =
-    5e-5;  // m of overlap aimed at, so that resting contacts stay in touch
+// Target overlap, so that resting contacts stay in contact.
+inline constexpr double contact_slop = 5e-5;  // m
 // A soft contact relaxes only the deviation of its impulse from the slow mean over this time, so
 // that stacks do not sag.
 inline constexpr double mean_impulse_time = 2.0;  // s
-// In s. A pile does not sway, so its mean may adapt faster.
-inline constexpr double low_mean_impulse_time =
-    0.5;  // s: a heap does not sway, so it may learn faster
+// A pile does not sway, so its mean may adapt faster.
+inline constexpr double low_mean_impulse_time = 0.5;  // s
 // A contact that overlaps by more than this fraction of its lever arm (centre of mass to contact
 // point) is squeezed: forces that no impulse can balance push the bodies together. Impulses that
 // are not relaxed would grow until the pile explodes. Stacks and heavily loaded contacts reach this

@@ -162,7 +162,7 @@ Result<std::shared_ptr<const ConvexHull>> assemble_hull(
         hull->face_vertices.insert(hull->face_vertices.end(), loop.begin(), loop.end());
         hull->faces.push_back(face);
     }
-    // Edges: each is met once in either direction.
+    // Edges: each one occurs once in each direction.
     std::map<std::pair<std::uint16_t, std::uint16_t>, std::uint16_t> face_of;
     for (std::size_t f = 0; f < faces.size(); f++)
         for (std::size_t k = 0; k < faces[f].size(); k++)

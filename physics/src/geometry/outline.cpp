@@ -25,7 +25,7 @@ int hull_of(std::vector<Vec3>& points, Vec3* out) {
     for (const Vec3 p : points) add(p, 0);
     const std::size_t upper = n - 1;
     for (std::size_t k = points.size() - 1; k-- > 0;) add(points[k], upper);
-    n--;  // the last is the first
+    n--;  // the last point equals the first
     const auto count = static_cast<int>(std::min(n, max_hull_vertices));
     for (int k = 0; k < count; k++) out[k] = chain[static_cast<std::size_t>(k)];
     return count;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "physics/src/world/mass.h"
 
-#include "physics/src/foundation/check.h"
+#include "jostle/base/check.h"
 #include "physics/src/geometry/bounds.h"
 #include "physics/src/geometry/inner_radius.h"
 #include "physics/src/geometry/mass_properties.h"

@@ -47,6 +47,7 @@ Result<NetworkConditions> parse_network_conditions(std::string_view text);
 /// one thread at a time.
 class NetworkSimulator {
 public:
+    /// Starts with a fresh random sequence. Precondition: the settings are within their ranges.
     explicit NetworkSimulator(const NetworkConditions& settings);
 
     /// Returns the arrival time of a message sent at `sent_us`. Both are in microseconds of one

@@ -34,7 +34,7 @@ enum class ErrorCode {
 
 /// An error: its category and a message for people.
 struct Error {
-    ErrorCode code = ErrorCode::invalid_argument;
+    ErrorCode code = ErrorCode::invalid_argument;  ///< category
     std::string message;  ///< the failed operation, the offending value, the accepted values
     /// Time after which the caller can retry, in ms. Set for resource_exhausted and unavailable
     /// only; 0 if unknown.

@@ -10,7 +10,7 @@ namespace jostle::physics {
 /// An axis-aligned box, given by its minimum and maximum corner, in metres. Valid if low <= high in
 /// each component.
 struct Aabb {
-    Vec3 low = {}, high = {};
+    Vec3 low = {}, high = {};  ///< minimum and maximum corner
 
     bool operator==(const Aabb&) const = default;
 };

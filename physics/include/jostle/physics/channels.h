@@ -51,7 +51,7 @@ public:
     struct Channel {
         /// Index in Module::channels(), and the entity number (0: the module itself).
         std::uint32_t kind = 0, entity = 0;
-        std::vector<std::int32_t> values;
+        std::vector<std::int32_t> values;  ///< in the layout of the kind's ChannelForm
     };
 
     /// `due` states for each kind of the module whether it is published in this step. An empty

@@ -66,7 +66,7 @@ struct RowJacobian {
 
 /// One scalar constraint.
 struct ConstraintRow {
-    RowRole role = RowRole::point;
+    RowRole role = RowRole::point;  ///< purpose of the row
     /// Axis of the row: 0, 1, 2 for x, y, z. World axes for the points of ball, hinge, fixed and
     /// grab joints; axes of a's frame for rotations and sliding axes; 0 or 1 for tangents. -1 if
     /// the row has only one direction.
@@ -100,7 +100,7 @@ std::string name_of(const ConstraintRow& row);
 
 /// A body of a constraint system.
 struct SystemBody {
-    BodyId id;
+    BodyId id;             ///< the body
     bool moves = false;    ///< true for dynamic bodies; otherwise the inverse masses are zero
     Vec3 inverse_mass;     ///< 1/kg, along the world axes; zero along locked axes
     Mat3 inverse_inertia;  ///< 1/(kg m^2), world

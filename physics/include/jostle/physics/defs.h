@@ -137,16 +137,16 @@ struct BodyDef {
 
 /// A body with its shapes, for World::create_bodies().
 struct BodyAndShapes {
-    BodyDef body = {};
-    std::vector<ShapeDef> shapes = {};
+    BodyDef body = {};                  ///< the body
+    std::vector<ShapeDef> shapes = {};  ///< its shapes, in order of creation
 };
 
 /// Algorithm of the broad phase. All produce the same results at different cost
 /// (docs/records/performance.md).
 enum class BroadPhase : std::uint8_t {
-    dynamic_tree,
-    sort_and_sweep,
-    uniform_grid,
+    dynamic_tree,    ///< a bounding volume hierarchy that is updated incrementally
+    sort_and_sweep,  ///< sorting along one axis
+    uniform_grid,    ///< a uniform grid of cells
 };
 
 /// The highest value of World::overload_level().

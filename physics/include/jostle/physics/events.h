@@ -14,28 +14,28 @@ namespace jostle::physics {
 /// Two shapes started to touch. Also reported for a bounce within a step; the shapes then separate
 /// in the next step.
 struct ContactBegin {
-    ShapeId shape_a, shape_b;
-    BodyId body_a, body_b;
-    Vec3 point;           ///< m, world, mean of the contact points
-    Vec3 normal;          ///< unit vector from a to b
-    double approach = 0;  ///< m/s, at the start of the step or at a bounce within it; >= 0
+    ShapeId shape_a, shape_b;  ///< the shapes; normal points from a to b
+    BodyId body_a, body_b;     ///< their bodies
+    Vec3 point;                ///< m, world, mean of the contact points
+    Vec3 normal;               ///< unit vector from a to b
+    double approach = 0;       ///< m/s, at the start of the step or at a bounce within it; >= 0
 };
 
 /// Two shapes stopped touching, or a call moved, changed or destroyed one of them. The ids of
 /// destroyed objects are no longer valid.
 struct ContactEnd {
-    ShapeId shape_a, shape_b;
-    BodyId body_a, body_b;
+    ShapeId shape_a, shape_b;  ///< the shapes
+    BodyId body_a, body_b;     ///< their bodies
 };
 
 /// Two shapes that touch, or that collided between sub-steps, at least one of which has
 /// ShapeDef::report_stays set. One entry per pair of shapes: the impulses of all its manifolds and
 /// impacts are summed; point and normal are those of the manifold with the largest impulse.
 struct ContactStay {
-    ShapeId shape_a, shape_b;
-    BodyId body_a, body_b;
-    Vec3 point;   ///< m, world, mean of the contact points
-    Vec3 normal;  ///< unit vector from a to b
+    ShapeId shape_a, shape_b;  ///< the shapes; normal points from a to b
+    BodyId body_a, body_b;     ///< their bodies
+    Vec3 point;                ///< m, world, mean of the contact points
+    Vec3 normal;               ///< unit vector from a to b
     /// Impulse along the normal over the step, in N s: that of the last sub-step times the number
     /// of sub-steps, plus the impulses of impacts between sub-steps.
     double normal_impulse = 0;
@@ -45,25 +45,25 @@ struct ContactStay {
 
 /// Two shapes that collided at WorldDef::hit_speed or faster.
 struct ContactHit {
-    ShapeId shape_a, shape_b;
-    BodyId body_a, body_b;
-    Vec3 point;           ///< m, world
-    Vec3 normal;          ///< unit vector from a to b
-    double approach = 0;  ///< m/s, at the start of the step or at an impact within it
+    ShapeId shape_a, shape_b;  ///< the shapes; normal points from a to b
+    BodyId body_a, body_b;     ///< their bodies
+    Vec3 point;                ///< m, world
+    Vec3 normal;               ///< unit vector from a to b
+    double approach = 0;       ///< m/s, at the start of the step or at an impact within it
 };
 
 /// A shape that is inside a trigger, entered it, or left it. Destroying the shape or the trigger
 /// counts as leaving.
 struct TriggerEvent {
-    ShapeId trigger, shape;
-    BodyId trigger_body, body;
+    ShapeId trigger, shape;     ///< the trigger and the shape inside it
+    BodyId trigger_body, body;  ///< their bodies
 };
 
 /// A joint whose force or torque exceeded JointDef::break_force or break_torque. The joint has been
 /// destroyed; its id is no longer valid.
 struct JointBreak {
-    JointId joint;
-    BodyId body_a, body_b;
+    JointId joint;                 ///< the destroyed joint
+    BodyId body_a, body_b;         ///< the bodies that it connected
     double force = 0, torque = 0;  ///< N, N m
 };
 

@@ -12,32 +12,32 @@ namespace jostle::physics {
 
 /// Handle of a body.
 struct BodyId {
-    std::uint32_t index = 0xffffffff;
-    std::uint32_t generation = 0;
+    std::uint32_t index = 0xffffffff;  ///< position in the world's store; 0xffffffff: null
+    std::uint32_t generation = 0;      ///< distinguishes successive objects at one index
 
     auto operator<=>(const BodyId&) const = default;
 };
 
 /// Handle of a shape.
 struct ShapeId {
-    std::uint32_t index = 0xffffffff;
-    std::uint32_t generation = 0;
+    std::uint32_t index = 0xffffffff;  ///< position in the world's store; 0xffffffff: null
+    std::uint32_t generation = 0;      ///< distinguishes successive objects at one index
 
     auto operator<=>(const ShapeId&) const = default;
 };
 
 /// Handle of a joint.
 struct JointId {
-    std::uint32_t index = 0xffffffff;
-    std::uint32_t generation = 0;
+    std::uint32_t index = 0xffffffff;  ///< position in the world's store; 0xffffffff: null
+    std::uint32_t generation = 0;      ///< distinguishes successive objects at one index
 
     auto operator<=>(const JointId&) const = default;
 };
 
 /// Handle of a force field.
 struct FieldId {
-    std::uint32_t index = 0xffffffff;
-    std::uint32_t generation = 0;
+    std::uint32_t index = 0xffffffff;  ///< position in the world's store; 0xffffffff: null
+    std::uint32_t generation = 0;      ///< distinguishes successive objects at one index
 
     auto operator<=>(const FieldId&) const = default;
 };

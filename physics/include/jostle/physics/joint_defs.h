@@ -38,7 +38,7 @@ struct JointLimit {
 
 /// A motor about an axis.
 struct JointMotor {
-    bool enabled = false;
+    bool enabled = false;   ///< if false, the motor exerts no torque
     double speed = 0;       ///< target speed of b relative to a, rad/s, within 1e4
     double max_torque = 0;  ///< N m, 0 to 1e12
 
@@ -47,7 +47,7 @@ struct JointMotor {
 
 /// A motor along a line.
 struct LinearMotor {
-    bool enabled = false;
+    bool enabled = false;  ///< if false, the motor exerts no force
     double speed = 0;      ///< target speed of b relative to a, m/s, within 1e4
     double max_force = 0;  ///< N, 0 to 1e12
 
@@ -56,9 +56,9 @@ struct LinearMotor {
 
 /// A motor along or about an axis of a SixDofJoint.
 struct AxisMotor {
-    bool enabled = false;
-    double speed = 0;  ///< target speed of b relative to a, m/s or rad/s, within 1e4
-    double most = 0;   ///< maximum force or torque, N or N m, 0 to 1e12
+    bool enabled = false;  ///< if false, the motor exerts no force or torque
+    double speed = 0;      ///< target speed of b relative to a, m/s or rad/s, within 1e4
+    double most = 0;       ///< maximum force or torque, N or N m, 0 to 1e12
 
     bool operator==(const AxisMotor&) const = default;
 };
@@ -83,8 +83,8 @@ struct BallJoint {
 /// Hinge: b rotates about the common z axis of the two frames. The hinge angle is the angle from
 /// a's x axis to b's x axis, in -pi..pi.
 struct HingeJoint {
-    JointLimit limit = {};  ///< rad, within -pi..pi
-    JointMotor motor = {};
+    JointLimit limit = {};         ///< rad, within -pi..pi
+    JointMotor motor = {};         ///< drives the angle
     JointSpring spring = {};       ///< pulls the angle towards spring_angle if hertz > 0
     double spring_angle = 0;       ///< rad, within -pi..pi
     double spring_max_torque = 0;  ///< N m, 0 to 1e12; 0: unlimited
@@ -114,8 +114,8 @@ struct FixedJoint {
 /// max_length. Rope: min_length = 0. Spring: hertz > 0 pulls towards rest_length within the limits.
 struct DistanceJoint {
     double min_length = 1, max_length = 1;  ///< m, 0 to 1e6, min_length <= max_length
-    JointSpring spring = {};
-    double rest_length = 1;  ///< m, 0 to 1e6
+    JointSpring spring = {};                ///< pulls the distance towards rest_length if hertz > 0
+    double rest_length = 1;                 ///< m, 0 to 1e6
 
     bool operator==(const DistanceJoint&) const = default;
 };
@@ -150,8 +150,8 @@ struct VelocityRow {
 /// Slider: b slides along the z axis of a's frame and does not rotate relative to it. The travel is
 /// the position of b's origin along that axis.
 struct SliderJoint {
-    JointLimit limit = {};  ///< of the travel, m, within -1e6..1e6
-    LinearMotor motor = {};
+    JointLimit limit = {};        ///< of the travel, m, within -1e6..1e6
+    LinearMotor motor = {};       ///< drives the travel
     JointSpring spring = {};      ///< pulls the travel towards spring_travel if hertz > 0
     double spring_travel = 0;     ///< m, within 1e6
     double friction_force = 0;    ///< N, resists sliding; 0 to 1e12
@@ -163,12 +163,12 @@ struct SliderJoint {
 /// One of the six relative degrees of freedom of two frames. Locked unless `free` is set. A locked
 /// axis has no limit, spring, motor or friction.
 struct JointAxis {
-    bool free = false;
-    JointLimit limit = {};  ///< m or rad
-    JointSpring spring = {};
-    double spring_at = 0;  ///< rest position of the spring, m or rad
-    AxisMotor motor = {};
-    double friction = 0;  ///< N or N m, resists motion along or about the axis; 0 to 1e12
+    bool free = false;        ///< whether the axis is free
+    JointLimit limit = {};    ///< m or rad
+    JointSpring spring = {};  ///< pulls the coordinate towards spring_at if hertz > 0
+    double spring_at = 0;     ///< rest position of the spring, m or rad
+    AxisMotor motor = {};     ///< drives the coordinate
+    double friction = 0;      ///< N or N m, resists motion along or about the axis; 0 to 1e12
     /// Maximum force or torque of the spring, N or N m, 0 to 1e12; 0: unlimited.
     double spring_most = 0;
 
@@ -199,7 +199,7 @@ struct SixDofJoint {
 /// Wheel joint: the wheel b moves along the y axis of a's frame (suspension), is steered about that
 /// axis, and spins about the z axis of b's frame, which stays perpendicular to it.
 struct WheelJoint {
-    JointSpring suspension = {};
+    JointSpring suspension = {};  ///< pulls the travel towards `ride` if hertz > 0
     /// Rest position of the suspension spring, m along the suspension, within 1e6.
     double ride = 0;
     JointLimit travel = {};  ///< m along the suspension, within -1e6..1e6
@@ -265,7 +265,7 @@ struct PathJoint {
     bool closed = false;
     /// m of travel, within 0..1e9; open paths only, whose ends are limits too.
     JointLimit limit = {};
-    LinearMotor motor = {};
+    LinearMotor motor = {};     ///< drives the travel
     JointSpring spring = {};    ///< pulls the travel towards spring_travel if hertz > 0
     double spring_travel = 0;   ///< m, 0..1e9
     double friction_force = 0;  ///< N, resists sliding; 0 to 1e12
@@ -300,7 +300,7 @@ struct JointDef {
 
 /// The current state of a joint (World::joint).
 struct JointState {
-    JointId id = {};
+    JointId id = {};   ///< the joint
     JointDef def;      ///< description with the current parameters
     Vec3 force = {};   ///< force on b, N, world; mean of the last step
     Vec3 torque = {};  ///< torque on b, N m, world; mean of the last step

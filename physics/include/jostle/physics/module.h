@@ -25,8 +25,8 @@ namespace jostle::physics {
 
 /// Settings of a module in a scene, in the order of the scene file.
 struct ModuleSettings {
-    std::vector<std::pair<std::string, double>> numbers = {};
-    std::vector<std::pair<std::string, BodyId>> bodies = {};
+    std::vector<std::pair<std::string, double>> numbers = {};  ///< numeric settings by name
+    std::vector<std::pair<std::string, BodyId>> bodies = {};  ///< bodies by the name of the setting
     /// Contents of referenced files.
     std::vector<std::pair<std::string, std::vector<std::byte>>> bytes = {};
 };
@@ -35,7 +35,7 @@ struct ModuleSettings {
 /// defines their meaning. The modules of Jostle follow the meanings below, so one key map serves
 /// all of them.
 struct Controls {
-    static constexpr std::size_t axes_max = 8;
+    static constexpr std::size_t axes_max = 8;  ///< number of axes
     /// Axes, each from -1 to 1. 0: right; 1: forward; 2: up; 3: view direction about the world's y
     /// axis, in half turns from -z, positive to the left.
     std::array<double, axes_max> axes = {};

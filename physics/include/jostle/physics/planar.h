@@ -55,7 +55,7 @@ enum class SegmentRelation : std::uint8_t {
 
 /// The intersection of two segments.
 struct SegmentIntersection {
-    SegmentRelation relation = SegmentRelation::apart;
+    SegmentRelation relation = SegmentRelation::apart;  ///< how the segments intersect
     /// The common points. Touching: the end point, bit-identical, in both fields. Overlapping: two
     /// of the four ends. Crossing: the rounded point, inside the bounding boxes of both segments,
     /// in both fields. Apart: zeros.

@@ -9,22 +9,22 @@
 
 namespace jostle::physics {
 
-/// The stages of a step, in order.
+/// The stages of a step. wake_bodies and solve_continuous run in two parts.
 enum class Stage {
-    update_pairs,
-    update_contacts,
-    wake_bodies,
-    begin_contacts,
-    prepare_islands,
-    merge_islands,
-    solve_constraints,
-    integrate_free,
-    finalize,
-    solve_continuous,
-    quarantine,
-    update_sleep,
-    update_triggers,
-    publish_events,
+    update_pairs,       ///< broad phase: finds new collider pairs
+    update_contacts,    ///< narrow phase: updates manifolds
+    wake_bodies,        ///< wakes disturbed bodies
+    begin_contacts,     ///< adds new manifolds to the solver
+    prepare_islands,    ///< chooses the sub-steps of each island
+    merge_islands,      ///< merges islands that started to touch
+    solve_constraints,  ///< solves contacts and joints in sub-steps
+    integrate_free,     ///< moves bodies without contacts and joints
+    finalize,           ///< updates poses, bounding boxes and rest times
+    solve_continuous,   ///< sweeps fast bodies
+    quarantine,         ///< resets bodies whose state diverged
+    update_sleep,       ///< splits islands and puts them to sleep
+    update_triggers,    ///< finds the shapes inside triggers
+    publish_events,     ///< collects and sorts the events
 };
 /// Number of stages.
 inline constexpr int stage_count = 14;

@@ -10,7 +10,7 @@ namespace jostle::physics {
 /// A rotation as a unit quaternion x i + y j + z k + w. The default is the identity. Functions that
 /// take a rotation expect unit length.
 struct Quat {
-    double x = 0, y = 0, z = 0, w = 1;
+    double x = 0, y = 0, z = 0, w = 1;  ///< imaginary parts and real part
 
     bool operator==(const Quat&) const = default;
 };
@@ -25,9 +25,11 @@ inline Quat operator*(Quat a, Quat b) {
 inline Quat conjugate(Quat q) {
     return {-q.x, -q.y, -q.z, q.w};
 }
+/// Returns the squared length of q.
 inline double norm_squared(Quat q) {
     return q.x * q.x + q.y * q.y + q.z * q.z + q.w * q.w;
 }
+/// Returns true if all components are finite.
 inline bool is_finite(Quat q) {
     return is_finite(norm_squared(q));
 }

@@ -36,8 +36,8 @@ struct Ray {
 
 /// The intersection of a ray with a shape.
 struct RayHit {
-    ShapeId shape = {};
-    BodyId body = {};
+    ShapeId shape = {};   ///< the shape that was hit
+    BodyId body = {};     ///< its body
     double fraction = 0;  ///< of the motion, 0..1; 0 if the origin is inside the shape
     Vec3 point = {};      ///< m, world
     /// Unit vector out of the shape; opposite to the motion if the origin is inside the shape.
@@ -53,8 +53,8 @@ struct ShapeCast {
 
 /// The first contact of a cast shape with a shape of the world.
 struct ShapeCastHit {
-    ShapeId shape = {};
-    BodyId body = {};
+    ShapeId shape = {};   ///< the shape that was hit
+    BodyId body = {};     ///< its body
     double fraction = 0;  ///< of the motion, 0..1; 0 if the shapes overlap at the start
     Vec3 point = {};      ///< m, world, point of contact
     Vec3 normal = {};     ///< unit vector out of the shape that was hit
@@ -62,8 +62,8 @@ struct ShapeCastHit {
 
 /// The closest point on a shape.
 struct ClosestPoint {
-    ShapeId shape = {};
-    BodyId body = {};
+    ShapeId shape = {};   ///< the closest shape
+    BodyId body = {};     ///< its body
     double distance = 0;  ///< m; negative inside a solid shape: minus the distance to its surface
     Vec3 point = {};      ///< m, world, on the surface of the shape
     Vec3 normal = {};     ///< unit vector out of the shape
@@ -71,7 +71,7 @@ struct ClosestPoint {
 
 /// The pose of a shape, as an override of its current pose (Queries::with_shapes_at).
 struct ShapePlacement {
-    ShapeId shape = {};
+    ShapeId shape = {};   ///< the shape
     Transform pose = {};  ///< of the shape, world
 };
 
@@ -91,7 +91,7 @@ struct ContactManifold {
         Vec3 position;   ///< m, world, midway between the surfaces
         double gap = 0;  ///< m along the normal; negative: overlap
     };
-    std::vector<Point> points;
+    std::vector<Point> points;  ///< 1 to 4 points
 };
 
 /// Computes the signed distance of two solid shapes: convex kinds and planes, but not two planes.

@@ -30,6 +30,7 @@ class World;
 /// continues.
 class RestorePoint {
 public:
+    /// Creates an empty restore point.
     RestorePoint();
     RestorePoint(RestorePoint&&) noexcept;  ///< leaves the source empty
     RestorePoint& operator=(RestorePoint&&) noexcept;
@@ -54,8 +55,8 @@ public:
 
     /// The result of save(world) and state_hash(world) (serialization.h).
     struct Saved {
-        std::vector<std::byte> bytes;
-        std::uint64_t hash = 0;
+        std::vector<std::byte> bytes;  ///< the saved world
+        std::uint64_t hash = 0;        ///< its state hash
     };
     /// Returns the saved world and its hash as of capture(), without a world to restore it into.
     /// Errors: as restore().

@@ -10,6 +10,7 @@
 
 namespace jostle::physics {
 
+/// Ratio of a circle's circumference to its diameter.
 inline constexpr double pi = 3.14159265358979323846;
 
 /// Returns the square root of x. Exactly rounded.

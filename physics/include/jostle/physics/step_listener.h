@@ -26,7 +26,7 @@ struct StepHooks {
 
 /// The state of a body during a step.
 struct MovingBody {
-    BodyId id = {};
+    BodyId id = {};              ///< the body
     Transform pose = {};         ///< of the body's origin, world
     Vec3 center = {};            ///< centre of mass, m, world
     Vec3 linear_velocity = {};   ///< m/s, of the centre of mass
@@ -73,11 +73,11 @@ public:
 /// apply until the manifold ends. For bodies that collide between sub-steps it is called for each
 /// impact, and surface_velocity is then ignored.
 struct PreSolve {
-    const World& world;
-    ShapeId shape_a = {}, shape_b = {};
-    BodyId body_a = {}, body_b = {};
-    Vec3 normal = {};  ///< unit vector from a to b
-    Vec3 point = {};   ///< m, world, mean of the contact points
+    const World& world;                  ///< for reading
+    ShapeId shape_a = {}, shape_b = {};  ///< the shapes
+    BodyId body_a = {}, body_b = {};     ///< their bodies
+    Vec3 normal = {};                    ///< unit vector from a to b
+    Vec3 point = {};                     ///< m, world, mean of the contact points
     /// Velocity of b relative to a at `point`, m/s; separating if > 0 along the normal.
     Vec3 velocity = {};
 

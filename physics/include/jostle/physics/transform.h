@@ -28,6 +28,7 @@ inline Vec3 apply_inverse(const Transform& t, Vec3 p) {
 inline Transform compose(const Transform& a, const Transform& b) {
     return {apply(a, b.position), a.rotation * b.rotation};
 }
+/// Returns true if all components are finite.
 inline bool is_finite(const Transform& t) {
     return is_finite(t.position) && is_finite(t.rotation);
 }

@@ -9,7 +9,7 @@ namespace jostle::physics {
 
 /// A two-dimensional vector. Units depend on use; metres for positions.
 struct Vec2 {
-    double x = 0, y = 0;
+    double x = 0, y = 0;  ///< components
 
     bool operator==(const Vec2&) const = default;
 };
@@ -26,6 +26,7 @@ inline Vec2 operator-(Vec2 a) {
 inline Vec2 operator*(Vec2 a, double s) {
     return {a.x * s, a.y * s};
 }
+/// Returns the dot product.
 inline double dot(Vec2 a, Vec2 b) {
     return a.x * b.x + a.y * b.y;
 }
@@ -33,12 +34,15 @@ inline double dot(Vec2 a, Vec2 b) {
 inline double cross(Vec2 a, Vec2 b) {
     return a.x * b.y - a.y * b.x;
 }
+/// Returns the squared length.
 inline double length_squared(Vec2 a) {
     return dot(a, a);
 }
+/// Returns the length.
 inline double length(Vec2 a) {
     return square_root(dot(a, a));
 }
+/// Returns true if both components are finite.
 inline bool is_finite(Vec2 a) {
     return is_finite(a.x) && is_finite(a.y);
 }

@@ -9,7 +9,7 @@ namespace jostle::physics {
 
 /// A three-dimensional vector. The unit depends on use and is stated with each declaration.
 struct Vec3 {
-    double x = 0, y = 0, z = 0;
+    double x = 0, y = 0, z = 0;  ///< components
 
     double& operator[](int i) { return i == 0 ? x : (i == 1 ? y : z); }
     double operator[](int i) const { return i == 0 ? x : (i == 1 ? y : z); }
@@ -44,15 +44,19 @@ inline Vec3& operator*=(Vec3& a, double s) {
     return a = a * s;
 }
 
+/// Returns the dot product.
 inline double dot(Vec3 a, Vec3 b) {
     return a.x * b.x + a.y * b.y + a.z * b.z;
 }
+/// Returns the cross product.
 inline Vec3 cross(Vec3 a, Vec3 b) {
     return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
+/// Returns the squared length.
 inline double length_squared(Vec3 a) {
     return dot(a, a);
 }
+/// Returns the length.
 inline double length(Vec3 a) {
     return square_root(dot(a, a));
 }
@@ -68,6 +72,7 @@ inline Vec3 min(Vec3 a, Vec3 b) {
 inline Vec3 max(Vec3 a, Vec3 b) {
     return {maximum(a.x, b.x), maximum(a.y, b.y), maximum(a.z, b.z)};
 }
+/// Returns true if all components are finite.
 inline bool is_finite(Vec3 a) {
     return is_finite(a.x) && is_finite(a.y) && is_finite(a.z);
 }

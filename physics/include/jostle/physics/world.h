@@ -34,13 +34,13 @@ struct StepScratch;
 
 /// The current state of a body (World::body).
 struct BodyState {
-    BodyId id;
-    BodyType type = BodyType::dynamic;
-    Transform pose;         ///< of the body's origin, world
-    Vec3 center;            ///< centre of mass, m, world
-    Vec3 linear_velocity;   ///< m/s, of the centre of mass
-    Vec3 angular_velocity;  ///< rad/s, world axes
-    double mass = 0;        ///< kg; 0 for static and kinematic bodies
+    BodyId id;                          ///< the body
+    BodyType type = BodyType::dynamic;  ///< how the body moves
+    Transform pose;                     ///< of the body's origin, world
+    Vec3 center;                        ///< centre of mass, m, world
+    Vec3 linear_velocity;               ///< m/s, of the centre of mass
+    Vec3 angular_velocity;              ///< rad/s, world axes
+    double mass = 0;                    ///< kg; 0 for static and kinematic bodies
     /// Inertia about the centre of mass, kg m^2, world axes; zero for static and kinematic bodies.
     Mat3 inertia;
     bool awake = false;           ///< false for static and sleeping bodies
@@ -51,17 +51,17 @@ struct BodyState {
 
 /// The current state of a shape (World::shape).
 struct ShapeState {
-    ShapeId id;
-    BodyId body;  ///< the body that the shape belongs to
-    Geometry geometry;
-    Transform pose;  ///< in the body's local frame
-    Material material;
-    double density = 0;  ///< kg/m^3
-    double mass = 0;     ///< explicit mass in kg; 0: the mass follows from the density
-    Filter filter;
-    bool trigger = false;
-    bool report_stays = false;
-    std::uint64_t user_data = 0;
+    ShapeId id;                   ///< the shape
+    BodyId body;                  ///< the body that the shape belongs to
+    Geometry geometry;            ///< as stored; the normal of a plane has unit length
+    Transform pose;               ///< in the body's local frame
+    Material material;            ///< surface properties
+    double density = 0;           ///< kg/m^3
+    double mass = 0;              ///< explicit mass in kg; 0: the mass follows from the density
+    Filter filter;                ///< which shapes it collides with
+    bool trigger = false;         ///< ShapeDef::trigger
+    bool report_stays = false;    ///< ShapeDef::report_stays
+    std::uint64_t user_data = 0;  ///< ShapeDef::user_data
 };
 
 /// Returns the definition that creates an identical shape.
@@ -79,22 +79,23 @@ inline ShapeDef def_of(const ShapeState& shape) {
 
 /// A current contact manifold, for debug views and tests.
 struct ContactInfo {
-    ShapeId shape_a, shape_b;
-    BodyId body_a, body_b;
-    Vec3 normal;             ///< unit vector from a to b
-    int count = 0;           ///< number of points, 0 to 4
-    Vec3 point[4];           ///< m, world
-    double gap[4] = {};      ///< m; negative: overlap
-    double impulse[4] = {};  ///< along the normal, N s, of the last sub-step
-    bool touching = false;   ///< whether the shapes touch; false if they are only close
-    bool asleep = false;     ///< whether the manifold belongs to a sleeping island
+    ShapeId shape_a, shape_b;  ///< the shapes
+    BodyId body_a, body_b;     ///< their bodies; a is dynamic
+    Vec3 normal;               ///< unit vector from a to b
+    int count = 0;             ///< number of points, 0 to 4
+    Vec3 point[4];             ///< m, world
+    double gap[4] = {};        ///< m; negative: overlap
+    double impulse[4] = {};    ///< along the normal, N s, of the last sub-step
+    bool touching = false;     ///< whether the shapes touch; false if they are only close
+    bool asleep = false;       ///< whether the manifold belongs to a sleeping island
 };
 
 /// Totals over the world, for reports and tests (World::summary).
 struct WorldSummary {
+    /// Counts; awake_bodies includes all kinematic bodies.
     int bodies = 0, dynamic_bodies = 0, awake_bodies = 0, shapes = 0;
     int contacts = 0;  ///< touching contacts, awake and asleep
-    int joints = 0;
+    int joints = 0;    ///< number of joints
     /// Largest position error of a joint, m: distance of its ends from where it allows them.
     double max_joint_error = 0;
     double kinetic_energy = 0;    ///< J

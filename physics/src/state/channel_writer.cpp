@@ -2,9 +2,9 @@
 #include <bit>
 #include <limits>
 
+#include "jostle/base/check.h"
 #include "jostle/physics/channels.h"
 #include "jostle/physics/scalar.h"
-#include "jostle/base/check.h"
 
 namespace jostle::physics {
 namespace {

@@ -20,7 +20,7 @@ import sys
 import tempfile
 
 FENCE = re.compile(r"^( *)```(sh test|text output) *\n(.*?)^ *```", re.M | re.S)
-PAGE_SECONDS = 240
+PAGE_SECONDS = 120
 SKIPPED = 77
 MARK = "=== example of line "
 LINKED = ("clients", "deploy", "docs", "examples", "proto", "scenes", "scripts", "server", "tests")
@@ -109,12 +109,14 @@ def run_page(root, programs, page):
                 pass
             run.wait()
         text = log.read_text(errors="replace")
+        server_logs = "".join(f"\n  {file.name}:\n    " + "\n    ".join(file.read_text(errors="replace").splitlines()[-10:])
+                              for file in sorted(folder.glob("*.log")) if file != log)
     printed = outputs(text)
     if status != 0:
         failed = max(printed, default=found[0][0])
         reason = f"exit status {status}" if status is not None else f"still running after {PAGE_SECONDS} s"
         tail = "\n    ".join(printed.get(failed, text.splitlines())[-30:])
-        return [f"{page}:{failed}: the example failed with {reason}; it printed:\n    {tail}"], len(found)
+        return [f"{page}:{failed}: the example failed with {reason}; it printed:\n    {tail}{server_logs}"], len(found)
     faults = []
     for line, _, shown in found:
         missing = missing_line(shown, printed.get(line, []))

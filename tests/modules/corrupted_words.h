@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Words that somebody tampered with.
+// Corrupted words, for tests of untrusted input.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace jostle::test {
 
-// A few bits are others; every third list is cut off, too.
+// Flips a few bits, and truncates every third list.
 inline std::vector<std::uint32_t> corrupted(std::span<const std::uint32_t> good, Random& random) {
     std::vector<std::uint32_t> words(good.begin(), good.end());
     if (random.below(3) == 0) words.resize(random.below(words.size()));

@@ -12,7 +12,7 @@ namespace {
 
 using namespace physics;
 
-// How high it stands after it walked at a step for as long as twice the way takes.
+// Height of the feet after walking at a step for twice the time that the distance takes.
 double height_after(double step, double speed, double limit, double angle) {
     Stage stage;
     test::add_floor(stage.world);
@@ -47,7 +47,7 @@ TEST(Climb, does_not_climb_steps_one_centimetre_above_its_limit) {
                     << "limit " << limit << " speed " << speed << " angle " << angle;
 }
 
-// Also slender and stout ones, at other rates.
+// Includes slender and stout characters, and other step rates.
 TEST(Climb, climbs_at_any_size_and_step_rate) {
     for (const double radius : {0.15, 0.3, 0.5})
         for (const double rate : {30.0, 120.0, 240.0})
@@ -66,14 +66,14 @@ TEST(Climb, climbs_at_any_size_and_step_rate) {
                 }
 }
 
-// 20 steps of 0.2 m from x = 4.925 m on, and down again.
+// 20 steps of 0.2 m from x = 4.925 m, up and down again.
 void add_stairs_of_boxes(World& world) {
     test::add_floor(world);
     for (int k = 0; k < 20; k++)
         test::add_static(world, {.geometry = Box{{0.15 * (41 - 2 * k) / 2.0, 0.1, 2}},
                                  .position = {8, 0.2 * k + 0.1, 0}});
 }
-// The same as one surface.
+// The same stairs as one surface.
 void add_stairs_of_triangles(World& world) {
     std::vector<Vec3> corners;
     std::vector<std::array<std::uint32_t, 3>> triangles;
@@ -96,7 +96,7 @@ void add_stairs_of_triangles(World& world) {
 
 class Stairs : public testing::TestWithParam<void (*)(World&)> {};
 
-// Without a loss of speed.
+// The walking speed must not drop.
 TEST_P(Stairs, climbs_and_descends_at_full_speed) {
     for (const double speed : {1.0, 3.0, 6.0}) {
         Stage stage;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A character that goes on in another world (jostle/modules/controlled_entity_state.h): what a
-// client foresees of the one that it walks with.
+// Applies the state of a character to another world (jostle/modules/controlled_entity_state.h), as
+// a client does to predict its own character.
 #include "jostle/modules/controlled_entity_state.h"
 
 #include "tests/modules/character/stage.h"
@@ -13,82 +13,83 @@ namespace {
 using namespace physics;
 
 struct TwoWorlds {
-    Stage there, here;
+    Stage server, client;
     CharacterId hero;
     BodyId body, copy;
 
     explicit TwoWorlds(CharacterKind kind) {
-        for (Stage* stage : {&there, &here}) {
+        for (Stage* stage : {&server, &client}) {
             test::add_floor(stage->world);
             for (int k = 1; k < 4; k++)  // stairs
                 test::add_static(stage->world, {.geometry = Box{{0.5, 0.1 * k, 2}},
                                                 .position = {2.0 + k, 0.1 * k, 0}});
         }
-        test::add(here.world, {.position = {20, 3, 0}});  // so that ids differ
-        hero = there.add({.kind = kind, .feet = {0, 0.02, 0}});
-        body = there.of(hero).body;
-        copy = test::must(here.world.create_body(
+        test::add(client.world, {.position = {20, 3, 0}});  // so that ids differ
+        hero = server.add({.kind = kind, .feet = {0, 0.02, 0}});
+        body = server.of(hero).body;
+        copy = test::must(client.world.create_body(
             {.type = kind == CharacterKind::rigid ? BodyType::dynamic : BodyType::kinematic,
              .pose = {.position = {5, 5, 5}}},
-            def_of(test::must(there.world.shape(there.world.shapes_of(body)[0])))));
+            def_of(test::must(server.world.shape(server.world.shapes_of(body)[0])))));
     }
     std::vector<std::uint32_t> encode() {
-        return encode_controlled_entity(there.world, *there.crowd, body,
+        return encode_controlled_entity(server.world, *server.crowd, body,
                                         [&](BodyId id) { return id == body ? 3u : 0u; })
             .value();
     }
     bool apply(std::span<const std::uint32_t> words) {
         return apply_controlled_entity(
-            here.world, *here.crowd, copy, words,
+            client.world, *client.crowd, copy, words,
             [&](std::uint32_t name) { return name == 3 ? copy : BodyId{}; });
     }
     double distance() {
-        return length(test::must(here.world.body(copy)).pose.position -
-                      test::must(there.world.body(body)).pose.position);
+        return length(test::must(client.world.body(copy)).pose.position -
+                      test::must(server.world.body(body)).pose.position);
     }
 };
 
 TEST(ControlledCharacter, walks_up_stairs_identically_in_another_world) {
     for (const CharacterKind kind : {CharacterKind::sweeping, CharacterKind::rigid}) {
         TwoWorlds of(kind);
-        of.there.walk(of.hero, {4, 0, 0.5});
-        of.there.run(0.25);
+        of.server.walk(of.hero, {4, 0, 0.5});
+        of.server.run(0.25);
         ASSERT_TRUE(of.apply(of.encode()));
-        of.there.run(0.5);
-        of.here.run(0.5);
+        of.server.run(0.5);
+        of.client.run(0.5);
         EXPECT_LT(of.distance(), 1e-4) << static_cast<int>(kind);
-        EXPECT_GT(test::must(of.there.world.body(of.body)).pose.position.x, 2);
-        // It jumps and crouches here, by its own stick.
-        of.here.crowd->control(of.here.world, of.copy, {.axes = {1, 0}, .buttons = 1});
-        of.there.steer(of.hero, {.walk = {0, 0, 0}, .crouch = true});
-        of.there.run(0.3);
-        of.here.run(0.3);
+        EXPECT_GT(test::must(of.server.world.body(of.body)).pose.position.x, 2);
+        // In the client world, it jumps and crouches with other input.
+        of.client.crowd->control(of.client.world, of.copy, {.axes = {1, 0}, .buttons = 1});
+        of.server.steer(of.hero, {.walk = {0, 0, 0}, .crouch = true});
+        of.server.run(0.3);
+        of.client.run(0.3);
         EXPECT_GT(of.distance(), 0.4);
         ASSERT_TRUE(of.apply(of.encode()));
         EXPECT_LT(of.distance(), 1e-5);
-        EXPECT_TRUE(of.here.of(of.here.crowd->character_of(of.copy)).crouched);
-        of.there.run(0.2);
-        of.here.run(0.2);
-        // A rigid one has the contacts of where it was before: .3 mm until these have settled.
+        EXPECT_TRUE(of.client.of(of.client.crowd->character_of(of.copy)).crouched);
+        of.server.run(0.2);
+        of.client.run(0.2);
+        // A rigid character retains the contacts of its previous position: 0.3 mm until these
+        // settle.
         EXPECT_LT(of.distance(), 5e-4);
     }
 }
 
 TEST(ControlledCharacter, words_that_make_no_sense_change_nothing) {
     TwoWorlds of(CharacterKind::sweeping);
-    of.there.walk(of.hero, {3, 0, 0});
-    of.there.run(0.3);
+    of.server.walk(of.hero, {3, 0, 0});
+    of.server.run(0.3);
     const std::vector<std::uint32_t> good = of.encode();
     ASSERT_TRUE(of.apply(good));
     test::Random random(6);
     int refused = 0;
     for (int k = 0; k < 3000; k++) {
-        const Transform before = test::must(of.here.world.body(of.copy)).pose;
+        const Transform before = test::must(of.client.world.body(of.copy)).pose;
         if (!of.apply(test::corrupted(good, random))) {
             refused++;
-            EXPECT_EQ(test::must(of.here.world.body(of.copy)).pose, before);
+            EXPECT_EQ(test::must(of.client.world.body(of.copy)).pose, before);
         }
-        of.here.run(1.0 / 60);
+        of.client.run(1.0 / 60);
         ASSERT_TRUE(of.apply(good)) << k;
     }
     EXPECT_GT(refused, 1000);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Crouching under what is low.
+// Crouching under low obstacles.
 #include "tests/modules/character/stage.h"
 
 namespace jostle::modules {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Many characters among crates between walls: nobody is thrown about, and nobody gets out.
+// Many characters among crates between walls: speeds stay limited, and no character escapes.
 #include "tests/modules/character/stage.h"
 #include "tests/support/random.h"
 
@@ -50,7 +50,7 @@ TEST(Crowd, dense_crowd_stays_stable) {
     }
     record("fastest_in_crowd_m_s", fastest);
     EXPECT_EQ(outside, 0);
-    EXPECT_LE(fastest, 12) << "a jump and a run, and what a light crate takes from them";
+    EXPECT_LE(fastest, 12) << "a jump plus a run, and the impact of a light crate";
 }
 
 }  // namespace

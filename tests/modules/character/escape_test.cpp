@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Random walks at 50 m/s over rough ground: nobody gets through. JOSTLE_WALKS sets how many.
+// Random walks at 50 m/s over rough ground, which no character may penetrate. JOSTLE_WALKS sets the
+// number of walks.
 #include <cstdlib>
 #include <optional>
 
@@ -12,12 +13,12 @@ namespace {
 
 using namespace physics;
 
-int walks_wanted() {
+int walk_count() {
     const char* text = std::getenv("JOSTLE_WALKS");
     return text != nullptr ? std::atoi(text) : 200;
 }
 
-// m: of the ground straight below or above a point.
+// m: height of the ground directly below or above a point.
 std::optional<double> ground_at(const Queries& queries, BodyId ground, Vec3 p) {
     const auto hits = test::must(queries.cast_ray_all({{p.x, 100, p.z}, {0, -200, 0}}));
     for (const RayHit& hit : hits)
@@ -32,7 +33,7 @@ CharacterControls at_random(test::Random& random) {
             .crouch = random.below(4) == 0};
 }
 
-// A walk is ten changes of mind, six steps each.
+// A walk has ten random controls of six steps each.
 int escapes_of(const Geometry& geometry, int walks, std::uint64_t seed) {
     Stage stage;
     const BodyId ground = test::add_static(stage.world, {.geometry = geometry});
@@ -50,7 +51,7 @@ int escapes_of(const Geometry& geometry, int walks, std::uint64_t seed) {
             stage.steer(hero, at_random(random));
             stage.run(0.1);
         }
-        // The middle of the capsule is above the ground.
+        // The centre of the capsule must be above the ground.
         const Vec3 middle = stage.of(hero).feet + Vec3{0, 0.5, 0};
         const auto height = ground_at(stage.world.queries(), ground, middle);
         if (!height || *height > middle.y) escapes++;
@@ -59,7 +60,7 @@ int escapes_of(const Geometry& geometry, int walks, std::uint64_t seed) {
 }
 
 TEST(Escape, cannot_pass_through_a_mesh) {
-    const int walks = walks_wanted();
+    const int walks = walk_count();
     const int escapes = escapes_of(rough_mesh(1), walks, 11);
     record("mesh_walks", walks);
     record("mesh_escapes", escapes);
@@ -67,7 +68,7 @@ TEST(Escape, cannot_pass_through_a_mesh) {
 }
 
 TEST(Escape, cannot_pass_through_a_height_field) {
-    const int walks = walks_wanted();
+    const int walks = walk_count();
     const int escapes = escapes_of(rough_field(2), walks, 12);
     record("height_field_walks", walks);
     record("height_field_escapes", escapes);

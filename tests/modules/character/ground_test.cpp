@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Jumps, slopes and walls, by closed forms.
+// Jumps, slopes and walls, compared with closed forms.
 #include <array>
 #include <vector>
 
@@ -35,11 +35,11 @@ TEST(Ground, queries_and_contacts_hit_its_capsule) {
         test::must(stage.world.queries().cast_ray({state.feet + Vec3{0, 1, 5}, {0, 0, -10}}));
     ASSERT_TRUE(hit.has_value());
     EXPECT_EQ(hit->body, state.body);
-    EXPECT_NEAR(hit->point.z, 0.28, 1e-6) << "the radius less the skin";
+    EXPECT_NEAR(hit->point.z, 0.28, 1e-6) << "the radius minus the skin";
     EXPECT_EQ(stage.crowd->character_of(hit->body), hero);
 }
 
-// The body, that follows by its velocity, is where the character is.
+// The pose of the body, which follows by its velocity, equals that of the character.
 TEST(Ground, walks_at_the_requested_speed) {
     Stage stage;
     test::add_floor(stage.world);
@@ -65,12 +65,12 @@ double apex(CharacterKind kind, double speed, double rate) {
     double highest = floor;
     for (int k = 0; k < 2 * rate; k++) {
         stage.run(1 / rate, rate);
-        // The rest of the parabola from here.
+        // The rest of the parabola.
         const CharacterState state = stage.of(hero);
         const double rise = maximum(state.velocity.y, 0);
         highest = maximum(highest, state.feet.y + rise * rise / (2 * 9.81));
     }
-    EXPECT_EQ(stage.of(hero).ground, GroundKind::on_ground) << "held, it jumps once";
+    EXPECT_EQ(stage.of(hero).ground, GroundKind::on_ground) << "a held button jumps once";
     return highest - floor;
 }
 
@@ -134,7 +134,7 @@ TEST(Ground, walks_slopes_one_degree_below_its_limit) {
     EXPECT_LE(worst, 0.001);
 }
 
-// With g sin, whatever it is asked to do; never up.
+// Slides with g sin(angle), regardless of its controls, and never moves up.
 TEST(Ground, slides_down_slopes_one_degree_above_its_limit) {
     double worst = 0;
     for (const double limit : {20.0, 35.0, 50.0, 65.0})
@@ -171,7 +171,7 @@ TEST(Ground, cannot_walk_from_level_ground_onto_a_too_steep_slope) {
             highest = maximum(highest, stage.of(hero).feet.y);
         }
         EXPECT_LE(highest, 0.001) << speed;
-        EXPECT_GT(stage.of(hero).feet.x, -0.2) << "it stands before it";
+        EXPECT_GT(stage.of(hero).feet.x, -0.2) << "it stops in front of the slope";
     }
 }
 
@@ -190,7 +190,7 @@ TEST(Ground, slides_along_a_wall_and_stops_in_a_corner) {
     EXPECT_TRUE(test::near(stage.of(hero).velocity, {}, 1e-6));
 }
 
-// Edges between triangles of one plane are no obstacles.
+// Edges between coplanar triangles are not obstacles.
 TEST(Ground, flat_mesh_walks_like_a_plane) {
     std::vector<Vec3> corners;
     std::vector<std::array<std::uint32_t, 3>> triangles;
@@ -220,7 +220,7 @@ TEST(Ground, flat_mesh_walks_like_a_plane) {
     EXPECT_LE(worst, 1e-5);
 }
 
-// Put where something solid is, it gets out and stands.
+// A character placed inside a solid leaves it and stands.
 TEST(Ground, recovers_from_initial_overlap) {
     Stage stage;
     test::add_floor(stage.world);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The same bits for any number of threads and after saving, loading and restoring; forged bytes.
+// Bit-identical results for any number of threads and after saving, loading and restoring;
+// corrupted bytes.
 #include <vector>
 
 #include "jostle/physics/restore_point.h"
@@ -16,7 +17,7 @@ using namespace physics;
 const bool registered =
     register_module("character", [] { return std::make_unique<Characters>(); }).ok();
 
-// A crowd of both kinds among crates on rough ground, with a lift.
+// A crowd of both kinds of characters among crates on rough ground, with a lift.
 World crowd(int threads) {
     Stage stage({.threads = threads});
     test::add_static(stage.world, {.geometry = rough_mesh(5)});
@@ -35,7 +36,7 @@ World crowd(int threads) {
     return std::move(stage.world);
 }
 
-// Everybody changes his mind now and then; what he wants follows from the step alone.
+// Controls change regularly; they depend only on the step.
 void play(World& world, int steps) {
     auto& characters = dynamic_cast<Characters&>(*world.module("character"));
     for (int k = 0; k < steps; k++) {
@@ -77,7 +78,7 @@ TEST(Identity, loaded_and_restored_worlds_continue_bit_identically) {
     EXPECT_EQ(state_hash(world), hash);
 }
 
-// Each byte of the state turned over, and some set to nothing: refused, or harmless.
+// Inverts each byte of the state and clears some: the load must fail or be harmless.
 TEST(Identity, corrupted_bytes_are_rejected_or_harmless) {
     World world = crowd(1);
     play(world, 30);
@@ -114,7 +115,7 @@ TEST(Identity, errors_name_fields_out_of_range) {
     Stage stage;
     stage.add({.feet = {1, 0, 2}});
     std::vector<std::byte> bytes = save_module(*stage.crowd);
-    // The number of characters, which comes first.
+    // The number of characters is the first value.
     bytes[0] = std::byte{2};
     Characters other;
     const Status status = load_module(other, bytes);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The velocity that planes allow is the nearest one, by comparison with a slow search.
+// Compares nearest_velocity() with a slow search.
 #include "modules/character/src/nearest_velocity.h"
 
 #include <gtest/gtest.h>
@@ -15,8 +15,8 @@ namespace {
 
 using namespace physics;
 
-// Dykstra's algorithm: projections onto the half-spaces in turn, with corrections, go to the
-// nearest point of what they share.
+// Dykstra's algorithm: alternating projections onto the half-spaces with corrections converge to
+// the nearest point of their intersection.
 Vec3 by_projections(Vec3 desired, const std::vector<VelocityPlane>& planes) {
     std::vector<Vec3> corrections(planes.size());
     Vec3 v = desired;
@@ -35,7 +35,7 @@ TEST(NearestVelocity, matches_a_brute_force_search) {
     for (int trial = 0; trial < 200; trial++) {
         std::vector<VelocityPlane> planes;
         const std::uint64_t count = random.below(7);
-        // A velocity that all allow.
+        // A velocity that all planes allow.
         const Vec3 inside = random.vector(3);
         for (std::uint64_t k = 0; k < count; k++) {
             const Vec3 n = random.direction();
@@ -62,7 +62,7 @@ TEST(NearestVelocity, stays_finite_between_closing_walls) {
     EXPECT_LE(length(v), 3);
 }
 
-// Two of one wall that rounding tells apart meet far away.
+// Two planes of one wall that differ by rounding intersect far away.
 TEST(NearestVelocity, nearly_parallel_planes_do_not_amplify_velocity) {
     for (const double off : {1e-9, 1e-6, 1e-4, 1e-2}) {
         const Vec3 tilted = normalized(Vec3{1, 0, off});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Lifts, turntables and belts: who stands on them goes along.
+// Lifts, turntables and belts carry the characters that stand on them.
 #include "tests/modules/character/stage.h"
 
 namespace jostle::modules {
@@ -14,12 +14,13 @@ Vec3 horizontal_part(Vec3 v) {
     return {v.x, 0, v.z};
 }
 
-// m: how far the feet are from the top of a box, and from where they stood on it.
+// m: distance of the feet from the top of a box, and from their initial position on it.
 struct Ride {
     double gap = 0, drift = 0;
 };
 
-// Moves a box of half height 0.5 along `pose_at(t)`, and a character that stands on it at `spot`.
+// Moves a box of half height 0.5 m along `pose_at(t)`, with a character that stands on it at
+// `spot`.
 template <class PoseAt>
 Ride ride(CharacterKind kind, Vec3 spot, double seconds, PoseAt&& pose_at) {
     Stage stage;
@@ -38,7 +39,7 @@ Ride ride(CharacterKind kind, Vec3 spot, double seconds, PoseAt&& pose_at) {
         test::must(stage.world.move_to(box, pose_at(k * dt), dt));
         test::must(stage.world.step(dt));
         const Vec3 now = local();
-        if (k == 30) start = now;  // it has found its feet
+        if (k == 30) start = now;  // it has settled
         if (k <= 30) continue;
         worst.gap =
             maximum(worst.gap, absolute(now.y - (kind == CharacterKind::sweeping ? 0.5 : start.y)));
@@ -89,7 +90,7 @@ TEST(Platform, curving_train_and_rolling_ship_carry_it) {
     });
     record("ship_gap_m", worst.gap);
     record("ship_drift_m", worst.drift);
-    // The round foot rolls on a deck that tilts: r (1 / cos - 1) over it, r sin aside.
+    // The round end rolls on a tilting deck: by r (1 / cos - 1) upwards and r sin sideways.
     EXPECT_LE(worst.gap, 0.3 * (1 / sin_cos(0.2).cos - 1) + 0.001);
     EXPECT_LE(worst.drift, 0.3 * sin_cos(0.2).sin + 0.01);
 }
@@ -139,7 +140,7 @@ TEST(Platform, conveyor_belt_carries_it) {
     EXPECT_NEAR(stage.of(hero).feet.x - start, 4, 1e-6);
 }
 
-// Faster than its skin is thick in a step.
+// In one step, the platform moves by more than the skin.
 TEST(Platform, fast_lift_or_wall_pushes_it) {
     for (const double speed : {1.0, 3.0, 10.0}) {
         Stage stage;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What a character gives to others: momentum is kept, and effort is bounded.
+// Pushes of a character: momentum is conserved, and effort is limited.
 #include "tests/modules/character/stage.h"
 
 namespace jostle::modules {
@@ -13,7 +13,7 @@ Vec3 momentum(const Stage& stage, BodyId body, CharacterId hero, double mass) {
     return crate.linear_velocity * crate.mass + stage.of(hero).velocity * mass;
 }
 
-// Adrift without gravity, square on and off centre: what one loses the other gets.
+// Without gravity, central and off centre: the momentum that one loses, the other gains.
 TEST(PushState, impact_conserves_momentum) {
     double worst = 0;
     for (const double speed : {1.0, 5.0, 20.0})
@@ -32,14 +32,14 @@ TEST(PushState, impact_conserves_momentum) {
                 worst = maximum(worst, absolute(off));
                 if (height == 0) {
                     EXPECT_NEAR(stage.of(hero).velocity.x, speed * 80 / (80 + mass), 0.01 * speed)
-                        << "a plastic impact";
+                        << "a perfectly inelastic impact";
                 }
             }
     record("impact_momentum_relative_error", worst);
     EXPECT_LE(worst, 0.01);
 }
 
-// On level ground without friction: the crate has what was given to it, step by step.
+// On level ground without friction, the crate has the momentum applied to it, in each step.
 TEST(PushState, crate_momentum_equals_the_applied_impulse) {
     Stage stage;
     test::add_floor(stage.world, 0);
@@ -58,11 +58,11 @@ TEST(PushState, crate_momentum_equals_the_applied_impulse) {
     }
     record("pushed_momentum_relative_error", worst);
     EXPECT_LE(worst, 0.01);
-    EXPECT_NEAR(test::velocity_of(stage.world, crate).x, 3, 0.03) << "as fast as it walks";
+    EXPECT_NEAR(test::velocity_of(stage.world, crate).x, 3, 0.03) << "the walking speed";
     EXPECT_NEAR(stage.of(hero).velocity.x, 3, 0.03);
 }
 
-// Against friction: it moves what its strength moves, and stands before what it does not.
+// Against friction: a character moves a crate only if its strength exceeds friction.
 TEST(PushState, push_force_matches_strength) {
     const double weight = 200 * 9.81, friction = 0.5;
     for (const double strength : {0.8 * friction * weight, 1.3 * friction * weight}) {
@@ -76,13 +76,13 @@ TEST(PushState, push_force_matches_strength) {
             stage.add({.feet = {0.65, 0, 0}, .abilities = {.strength = strength}});
         stage.walk(hero, {0.5, 0, 0});
         stage.run(6);
-        const double way = test::position_of(stage.world, crate).x - 1.5;
+        const double distance = test::position_of(stage.world, crate).x - 1.5;
         if (strength < friction * weight)
-            EXPECT_LT(way, 0.02);
+            EXPECT_LT(distance, 0.02);
         else
-            EXPECT_GT(way, 1.5);
+            EXPECT_GT(distance, 1.5);
         EXPECT_LT(stage.of(hero).feet.x + 0.3, test::position_of(stage.world, crate).x - 0.49)
-            << "it does not walk into it";
+            << "the character does not penetrate the crate";
     }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Rigid characters: bodies of the solver that are steered.
+// Rigid characters: dynamic bodies with controls.
 #include "tests/modules/character/stage.h"
 
 namespace jostle::modules {
@@ -48,8 +48,8 @@ TEST(Rigid, walks_below_its_slope_limit_and_slides_above) {
     }
 }
 
-// It is as heavy as it is: a ball that hits it sends it off, which nothing does to one that sweeps
-// and stands.
+// A ball that hits a rigid character accelerates it according to its mass. A standing sweeping
+// character would not move.
 TEST(Rigid, is_pushed_by_other_bodies) {
     Stage stage({.gravity = {}});
     const CharacterId hero = stage.add({.kind = CharacterKind::rigid, .feet = {0, 0, 0}});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Rough ground that is closed all round, as a mesh and as a height field.
+// Rough ground, closed on all sides, as a mesh and as a height field.
 #pragma once
 
 #include <array>
@@ -14,9 +14,9 @@
 namespace jostle::modules {
 
 inline constexpr int rough_samples = 65;
-inline constexpr double rough_half = 32;  // m: half the width, with a metre between samples
+inline constexpr double rough_half = 32;  // m: half the width; the sample spacing is 1 m
 
-// Hills, pits and cliffs, and a rim that nobody gets over.
+// Hills, pits and cliffs, and a rim that no character can climb.
 inline double rough_height(test::Random& random, int column, int row) {
     const double x = column - rough_half, z = row - rough_half;
     const double edge = physics::maximum(physics::absolute(x), physics::absolute(z));

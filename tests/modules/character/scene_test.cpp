@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What calls refuse, what a scene says of characters, who may be driven, and what clients are told.
+// Errors of calls, scene settings, driver input and client channels.
 #include "tests/modules/character/stage.h"
 #include "tests/support/error_of.h"
 
@@ -38,7 +38,7 @@ TEST(Calls, ids_expire_with_the_character_and_indices_are_reused) {
     EXPECT_NE(third, first);
     test::must(stage.world.destroy_body(stage.of(second).body));
     stage.run(0.1);
-    EXPECT_FALSE(stage.crowd->contains(second)) << "it goes with its body";
+    EXPECT_FALSE(stage.crowd->contains(second)) << "it is removed with its body";
     EXPECT_EQ(stage.crowd->ids(), std::vector<CharacterId>{third});
 }
 
@@ -67,7 +67,7 @@ TEST(Scene, scene_bodies_become_characters_of_matching_kind) {
     const CharacterState walker =
         test::must(cast.characters.state(cast.world, cast.characters.character_of(cast.walker)));
     EXPECT_EQ(walker.kind, CharacterKind::sweeping);
-    EXPECT_NEAR(walker.feet.y, 0, 1e-9) << "the skin below the body";
+    EXPECT_NEAR(walker.feet.y, 0, 1e-9) << "below the body by the skin";
     EXPECT_TRUE(cast.characters.is_controllable(cast.runner));
     EXPECT_EQ(
         test::must(cast.characters.abilities(cast.characters.character_of(cast.runner))).jump_speed,
@@ -75,7 +75,7 @@ TEST(Scene, scene_bodies_become_characters_of_matching_kind) {
     EXPECT_FALSE(cast.characters.is_controllable({}));
 }
 
-// 2 m/s at 0.5 rad/s: circles of 4 m.
+// 2 m/s at 0.5 rad/s: circles with a radius of 4 m.
 TEST(Scene, strolls_in_circles_until_controlled) {
     Cast cast;
     auto module = std::make_unique<Characters>();
@@ -89,7 +89,7 @@ TEST(Scene, strolls_in_circles_until_controlled) {
     EXPECT_NEAR(length(test::position_of(cast.world, cast.walker) - start), 8, 0.1);
     Controls stick;
     stick.axes[1] = 1;
-    stick.axes[3] = -0.5;  // looks to +x
+    stick.axes[3] = -0.5;  // views along +x
     characters.control(cast.world, cast.walker, stick);
     test::run(cast.world, 0.5);
     EXPECT_TRUE(test::near(test::velocity_of(cast.world, cast.walker), {5, 0, 0}, 1e-6));
@@ -104,7 +104,7 @@ TEST(Scene, errors_name_the_invalid_setting) {
               "mass is 0; it must be from 1 to 10000");
     EXPECT_EQ(cast.error_of({}), "has no body; name at least one body that becomes a character");
     EXPECT_EQ(cast.error_of({.bodies = {{"ghost", BodyId{99, 1}}}}), "ghost is not a body");
-    EXPECT_EQ(cast.error_of({.numbers = {{"sped", 1}}}).substr(0, 27), "unknown setting sped; m");
+    EXPECT_EQ(cast.error_of({.numbers = {{"sped", 1}}}).substr(0, 23), "unknown setting sped; m");
 }
 
 TEST(Scene, publishes_each_character_in_eight_bytes) {
@@ -114,12 +114,12 @@ TEST(Scene, publishes_each_character_in_eight_bytes) {
     const CharacterId low = stage.add({.feet = {3, 0, 0}});
     stage.steer(low, {.walk = {0, 0, -10}, .crouch = true});
     stage.run(1);
-    ChannelWriter told([](BodyId body) { return body.index + 1; });
-    stage.crowd->publish(stage.world, told);
-    ASSERT_EQ(told.channels().size(), 2u);
-    EXPECT_EQ(told.channels()[0].values[0], 0);
-    EXPECT_EQ(told.channels()[1].values[0], 2) << "crouched, on the ground";
-    EXPECT_EQ(told.channels()[1].values[2], 128) << "10 of 20 m/s";
+    ChannelWriter writer([](BodyId body) { return body.index + 1; });
+    stage.crowd->publish(stage.world, writer);
+    ASSERT_EQ(writer.channels().size(), 2u);
+    EXPECT_EQ(writer.channels()[0].values[0], 0);
+    EXPECT_EQ(writer.channels()[1].values[0], 2) << "crouched, on the ground";
+    EXPECT_EQ(writer.channels()[1].values[2], 128) << "10 of 20 m/s";
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A world with a character on it, for tests.
+// A world with characters, for tests.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -39,14 +39,14 @@ inline void record(const char* name, double value) {
     testing::Test::RecordProperty(name, text);
 }
 
-// A wide slab whose top is a plane through the origin that rises towards +x by the angle, rad.
+// A wide slab. Its top is a plane through the origin that rises towards +x by the angle, rad.
 inline physics::BodyId add_slope(physics::World& world, double angle) {
     const physics::Quat tilt = physics::from_axis_angle({0, 0, 1}, angle);
     return test::add_static(world, {.geometry = physics::Box{{200, 1, 200}},
                                     .position = physics::rotate(tilt, {0, -1, 0}),
                                     .rotation = tilt});
 }
-// Feet of a capsule that touches that slope with its skin.
+// Position of the feet of a capsule whose skin touches that slope.
 inline physics::Vec3 feet_on_slope(double angle, double radius, double x) {
     const physics::SinCos a = physics::sin_cos(angle);
     return {x, x * a.sin / a.cos + radius * (1 / a.cos - 1), 0};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What is a solid, and what keeps a mesh from being one.
+// Meshes that are solids, and errors of meshes that are not.
 #include "modules/convex_decomposition/src/closed_mesh.h"
 
 #include <gmock/gmock.h>
@@ -26,7 +26,7 @@ TEST(ClosedMesh, classifies_points_and_computes_their_distance) {
     const Solid solid = l_shape();
     const ClosedMesh mesh = *make_closed_mesh(solid.vertices, solid.indices);
     EXPECT_TRUE(is_inside(mesh.triangles, {0.5, 1.5, 0.5}));
-    EXPECT_FALSE(is_inside(mesh.triangles, {1.5, 1.5, 0.5})) << "in its corner";
+    EXPECT_FALSE(is_inside(mesh.triangles, {1.5, 1.5, 0.5})) << "in the notch of the L";
     EXPECT_NEAR(distance_to_surface(mesh.triangles, {1.5, 1.3, 0.5}), 0.3, 1e-12);
     EXPECT_NEAR(distance_to_surface(mesh.triangles, {3, 2, 0.5}), std::sqrt(2), 1e-12);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Pieces of a solid have their share of its volume, and the corners of their hulls.
+// Pieces of a solid have the correct volume and hull points.
 #include "modules/convex_decomposition/src/cut_mesh.h"
 
 #include <gtest/gtest.h>
@@ -19,10 +19,11 @@ TEST(CutMesh, cuts_a_quarter_of_a_cube) {
     const ClosedMesh mesh = *make_closed_mesh(solid.vertices, solid.indices);
     const Piece piece = cut_piece(mesh.triangles, {{0, 0.5, 0}, {0.5, 1, 1}});
     EXPECT_NEAR(piece.volume, 0.25, 1e-12);
-    EXPECT_NEAR((*build_hull(piece.points))->volume, 0.25, 1e-12) << "with corners inside";
+    EXPECT_NEAR((*build_hull(piece.points))->volume, 0.25, 1e-12)
+        << "includes the corners inside the solid";
 }
 
-// However a ring is cut into boxes, the pieces add up to it.
+// The pieces of a ring sum to its volume for any grid of boxes.
 TEST(CutMesh, piece_volumes_sum_to_the_mesh_volume) {
     const Solid solid = torus(1, 0.3, 48, 24);
     const ClosedMesh mesh = *make_closed_mesh(solid.vertices, solid.indices);
@@ -36,7 +37,8 @@ TEST(CutMesh, piece_volumes_sum_to_the_mesh_volume) {
                     cut_piece(mesh.triangles, {{x[i], y[j], z[k]}, {x[i + 1], y[j + 1], z[k + 1]}})
                         .volume;
     EXPECT_NEAR(sum, mesh.volume, 1e-12 * mesh.volume);
-    EXPECT_NEAR(mesh.volume, 2 * pi * pi * 0.09, 0.03) << "as on paper, less what chords cut off";
+    EXPECT_NEAR(mesh.volume, 2 * pi * pi * 0.09, 0.03)
+        << "the exact volume, minus the part that chords cut off";
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Solids as hulls: how many, and how much too large.
+// Decomposition of solids: number of hulls and volume error.
 #include "jostle/modules/convex_decomposition.h"
 
 #include <gtest/gtest.h>
@@ -36,15 +36,15 @@ TEST(Decompose, splits_an_l_shape_into_two_boxes) {
     EXPECT_NEAR(volume, 3, 1e-12);
 }
 
-// A ring of 1152 triangles: finer the more parts it may have, and each corner of it is in a part.
+// A ring of 1152 triangles: more hulls are more accurate, and each corner of the ring is in a hull.
 TEST(Decompose, improves_a_ring_with_more_hulls) {
     const Solid ring = torus(1, 0.3, 48, 12);
-    double before = 1e9;
+    double previous_error = 1e9;
     for (const int parts : {12, 24, 48}) {
         const Decomposition found = of(ring, {.hulls_max = parts, .max_volume_error = 0.03});
         EXPECT_LE(found.parts.size(), static_cast<std::size_t>(parts));
-        EXPECT_LT(found.max_volume_error, before);
-        before = found.max_volume_error;
+        EXPECT_LT(found.max_volume_error, previous_error);
+        previous_error = found.max_volume_error;
         RecordProperty("excess_" + std::to_string(parts), std::to_string(found.max_volume_error));
         RecordProperty("furthest_" + std::to_string(parts), std::to_string(found.max_distance));
         for (const Vec3 p : ring.vertices) {
@@ -56,10 +56,10 @@ TEST(Decompose, improves_a_ring_with_more_hulls) {
             ASSERT_TRUE(held);
         }
     }
-    EXPECT_LT(before, 0.09);
+    EXPECT_LT(previous_error, 0.09);
 }
 
-// A peg falls through the ring's hole, which a hull of the ring would not let it.
+// A peg falls through the hole of the ring, which a single hull would close.
 TEST(Decompose, preserves_the_hole_of_a_dynamic_ring) {
     const Decomposition found = of(torus(1, 0.3, 32, 12), {.hulls_max = 24});
     std::vector<ShapeDef> shapes;

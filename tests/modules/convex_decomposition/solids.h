@@ -22,8 +22,8 @@ struct Solid {
     }
 };
 
-// An outline in x and y, counter-clockwise, with the triangles that fill it, drawn out along z from
-// 0 to depth.
+// A counter-clockwise outline in x and y with the triangles that fill it, extruded along z from 0
+// to depth.
 inline Solid prism(const std::vector<std::array<double, 2>>& outline,
                    const std::vector<std::array<std::uint32_t, 3>>& cap, double depth) {
     Solid solid;
@@ -41,13 +41,13 @@ inline Solid prism(const std::vector<std::array<double, 2>>& outline,
 inline Solid cube() {
     return prism({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, {{0, 1, 2}, {0, 2, 3}}, 1);
 }
-// Of three unit squares: 3 m^3 when it is a metre deep.
+// Three unit squares: 3 m^3 at a depth of 1 m.
 inline Solid l_shape() {
     return prism({{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}},
                  {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}}, 1);
 }
 
-// About the y axis; the tube is round with a radius of `thin`.
+// About the y axis; the tube is round with radius `thin`.
 inline Solid torus(double wide, double thin, std::uint32_t around, std::uint32_t along) {
     Solid solid;
     for (std::uint32_t i = 0; i < around; i++)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Bodies that a module couples: one group, one sleep, and nothing else.
+// Coupled bodies share one group and one sleep state, and the coupling has no other effect.
 #include "jostle/modules/island_coupling.h"
 
 #include <gtest/gtest.h>
@@ -26,7 +26,7 @@ struct GroupProbe : StepListener {
     }
 };
 
-// Nine hundred crates on a floor make several groups; two of them stand far apart.
+// Nine hundred crates on a floor form several groups; two of them are far apart.
 TEST(IslandCoupling, coupled_bodies_share_one_island) {
     for (const bool coupled : {false, true}) {
         World world = test::make_world({});

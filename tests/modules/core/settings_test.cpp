@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What a scene says of a module is read in its range, and what it says wrong is named.
+// SettingsReader checks the ranges of settings, and its errors name the setting.
 #include "jostle/modules/settings.h"
 
 #include <gtest/gtest.h>
@@ -54,7 +54,7 @@ TEST(Settings, errors_name_the_setting_and_its_accepted_range) {
               "unknown body setting craft; must be one of: hull");
     EXPECT_EQ(craft.error_of({.numbers = {{"speed", 21}, {"height", 9}}}),
               "height is 9; it must be from 0.3 to 3")
-        << "one at a time, in the order of the module";
+        << "reports one error, in the order in which the module reads";
 }
 
 }  // namespace

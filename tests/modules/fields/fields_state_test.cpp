@@ -187,7 +187,7 @@ TEST(FieldsState, is_read_from_the_settings_of_a_scene) {
     EXPECT_EQ(module->charges()[0].explosion.strength, 50);
     Fields other;
     EXPECT_EQ(
-        other.configure(world, {.numbers = {{"waves_levle", 1}}}).error().message.substr(0, 34),
+        other.configure(world, {.numbers = {{"waves_levle", 1}}}).error().message.substr(0, 30),
         "unknown setting waves_levle; m");
     EXPECT_EQ(other.configure(world, {.numbers = {{"wave2_length", 0}}}).error().message,
               "wave2_length is 0; it must be from 0.1 to 10000");

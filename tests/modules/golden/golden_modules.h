@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Golden channels of what modules tell clients: each from a small world that is stepped a while.
-// Files proto/golden_modules/TAG.bin, which the drawers of clients/web read alike: u32 number of
-// channels; of each u32 kind (its place in Module::channels()), u32 entity, u32 number of values,
-// and the values as i32; little endian. Bodies are named to clients by their index + 1, in the
-// order in which they are made.
+// Golden channels of modules, each from a small world after some steps. The files
+// proto/golden_modules/TAG.bin are also read by the renderers of clients/web: u32 number of
+// channels; for each u32 kind (index in Module::channels()), u32 entity, u32 number of values, and
+// the values as i32; little endian. The name of a body is its index + 1, in the order of creation.
 #pragma once
 
 #include <string>
@@ -29,7 +28,7 @@ struct GoldenModule {
     Channels channels;
 };
 
-// As a file has them.
+// The contents of a file.
 inline std::vector<std::byte> file_bytes(const Channels& channels) {
     std::vector<std::byte> bytes;
     const auto u32 = [&](std::size_t value) {
@@ -59,14 +58,14 @@ inline World golden_world() {
     return world;
 }
 
-inline Channels told_after(World& world, const Module& module, int steps) {
+inline Channels channels_after(World& world, const Module& module, int steps) {
     for (int k = 0; k < steps; k++) world.step(1.0 / 60).expect();
     ChannelWriter writer([](BodyId body) { return body.index + 1; });
     module.publish(world, writer);
     return writer.channels();
 }
 
-// Full ahead with the rudder to the right, in still water.
+// Full throttle with the rudder to the right, in still water.
 inline Channels golden_boat() {
     World world;
     const BodyId hull = world
@@ -77,7 +76,7 @@ inline Channels golden_boat() {
     Boats& boats = add_to<Boats>(world);
     boats.add(world, {.hull = hull}).expect();
     boats.steer(world, hull, 1, 0.5).expect();
-    return told_after(world, boats, 60);
+    return channels_after(world, boats, 60);
 }
 
 // One walks to the right, a rigid one crouches, one has just jumped.
@@ -92,10 +91,10 @@ inline Channels golden_character() {
     crowd.set_controls(walks, {.walk = {3, 0, 0}}).expect();
     crowd.set_controls(crouches, {.crouch = true}).expect();
     crowd.set_controls(jumps, {.jump = true}).expect();
-    return told_after(world, crowd, 20);
+    return channels_after(world, crowd, 20);
 }
 
-// A wall, and one that lost its middle.
+// An intact wall, and one with a broken middle.
 inline Channels golden_destruction() {
     World world = golden_world();
     Destruction& destruction = add_to<Destruction>(world);
@@ -106,10 +105,10 @@ inline Channels golden_destruction() {
     const DestructibleId broken =
         destruction.add(world, wall, {.pose = {.position = {5, 1, 0}}}).value();
     destruction.break_near(world, broken, {5, 1, 0}, 0.5).value();
-    return told_after(world, destruction, 2);
+    return channels_after(world, destruction, 2);
 }
 
-// Water with two waves, wind, a point that attracts, and a blast in the last step.
+// Water with two waves, wind, an attracting point, and an explosion in the last step.
 inline Channels golden_fields() {
     World world = golden_world();
     Fields& fields = add_to<Fields>(world);
@@ -123,10 +122,10 @@ inline Channels golden_fields() {
     fields.add(world, {.law = Turbulence{.wind = {2, 0, -1}, .speed = 1.5}}).value();
     fields.add(world, {.law = Central{.point = {1, 2, 3}}}).value();
     fields.add_charge({.time = 0.49, .explosion = {.center = {4, 5, 6}, .radius = 7}}).expect();
-    return told_after(world, fields, 31);
+    return channels_after(world, fields, 31);
 }
 
-// A limp figure, and one whose muscles work.
+// A limp figure and a powered one.
 inline Channels golden_ragdoll() {
     World world = golden_world();
     Ragdolls& ragdolls = add_to<Ragdolls>(world);
@@ -134,10 +133,10 @@ inline Channels golden_ragdoll() {
     const RagdollId powered =
         ragdolls.add(world, human_figure(1.8), {.position = {3, 0.1, 0}}).value();
     ragdolls.set_mode(world, powered, RagdollMode::powered, 0).expect();
-    return told_after(world, ragdolls, 5);
+    return channels_after(world, ragdolls, 5);
 }
 
-// A saloon that pulls away to the right.
+// A saloon that accelerates to the right.
 inline Channels golden_vehicle() {
     World world = golden_world();
     const BodyId chassis = world
@@ -147,7 +146,7 @@ inline Channels golden_vehicle() {
     Vehicles& vehicles = add_to<Vehicles>(world);
     const CarId car = vehicles.add(world, saloon({.chassis = chassis})).value();
     vehicles.set_controls(world, car, {.throttle = 0.6, .steering = 0.5}).expect();
-    return told_after(world, vehicles, 150);
+    return channels_after(world, vehicles, 150);
 }
 
 inline std::vector<GoldenModule> golden_modules() {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// golden_modules FOLDER: writes what each module tells in its golden world to FOLDER/TAG.bin.
+// golden_modules FOLDER: writes the channels of each module in its golden world to FOLDER/TAG.bin.
 #include <cstdio>
 #include <fstream>
 

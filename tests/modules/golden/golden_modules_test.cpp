@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The committed golden channels are what modules tell today. clients/web reads the same.
+// The committed golden channels equal the current output of the modules. clients/web reads the same
+// files.
 #include "tests/modules/golden/golden_modules.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +15,7 @@
 namespace jostle::modules {
 namespace {
 
-// All of a file is numbers of 32 bits.
+// A file consists of 32-bit integers.
 std::vector<std::int32_t> numbers_of(std::string_view bytes) {
     std::vector<std::int32_t> numbers(bytes.size() / 4);
     std::memcpy(numbers.data(), bytes.data(), numbers.size() * 4);
@@ -22,8 +23,8 @@ std::vector<std::int32_t> numbers_of(std::string_view bytes) {
 }
 
 TEST(GoldenModules, committed_files_match_current_module_output) {
-    // A portable build rounds otherwise, so what is told may be the step beside.
-    const std::int64_t beside = arithmetic() == Arithmetic::fused ? 0 : 1;
+    // A portable build rounds differently, so quantized values may differ by one step.
+    const std::int64_t tolerance = arithmetic() == Arithmetic::fused ? 0 : 1;
     for (const GoldenModule& module : golden_modules()) {
         std::ifstream in(GOLDEN_FOLDER "/" + module.tag + ".bin", std::ios::binary);
         ASSERT_TRUE(in) << module.tag;
@@ -31,25 +32,26 @@ TEST(GoldenModules, committed_files_match_current_module_output) {
         const std::vector<std::byte> bytes = file_bytes(module.channels);
         ASSERT_EQ(text.size(), bytes.size()) << module.tag;
         const auto golden = numbers_of(text);
-        const auto told = numbers_of({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+        const auto current =
+            numbers_of({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
         for (std::size_t i = 0; i < golden.size(); i++)
-            ASSERT_LE(std::abs(std::int64_t{told[i]} - golden[i]), beside)
-                << module.tag << " number " << i << ": " << told[i] << ", not " << golden[i]
-                << "; if its layout was meant to change, run golden_modules proto/golden_modules";
+            ASSERT_LE(std::abs(std::int64_t{current[i]} - golden[i]), tolerance)
+                << module.tag << " number " << i << ": " << current[i] << ", not " << golden[i]
+                << "; if the change is intended, run golden_modules proto/golden_modules";
     }
 }
 
-// Numbers by the layouts that the headers state: of a boat, three characters, two walls, two waves,
-// wind with an attraction and a blast, two figures, a car.
+// Lengths according to the layouts in the headers, for a boat, three characters, two walls, two
+// waves, wind with an attraction and an explosion, two figures and a car.
 TEST(GoldenModules, channel_lengths_match_documented_layouts) {
     const std::vector<std::vector<std::size_t>> sizes = {
         {6}, {4, 4, 4}, {2 * 3}, {3 + 2 * 5, 1 + (1 + 4) + (1 + 3) + 4}, {1, 1}, {2 + 4 * 9}};
     const std::vector<GoldenModule> modules = golden_modules();
     ASSERT_EQ(modules.size(), sizes.size());
     for (std::size_t k = 0; k < modules.size(); k++) {
-        std::vector<std::size_t> told;
-        for (const auto& channel : modules[k].channels) told.push_back(channel.values.size());
-        EXPECT_EQ(told, sizes[k]) << modules[k].tag;
+        std::vector<std::size_t> current;
+        for (const auto& channel : modules[k].channels) current.push_back(channel.values.size());
+        EXPECT_EQ(current, sizes[k]) << modules[k].tag;
     }
 }
 

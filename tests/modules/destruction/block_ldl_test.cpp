@@ -8,7 +8,7 @@
 namespace jostle::modules::destruction_detail {
 namespace {
 
-// A net of blocks: neighbours pull, all are held a little.
+// A grid of blocks: adjacent ones are coupled, and each has a small support.
 BlockMatrix net(std::uint32_t wide, std::uint32_t high, double held) {
     BlockMatrix matrix;
     matrix.diagonal.assign(wide * high, Block{});
@@ -20,7 +20,7 @@ BlockMatrix net(std::uint32_t wide, std::uint32_t high, double held) {
             matrix.diagonal[a][7 * k] += s;
             matrix.diagonal[b][7 * k] += s;
         }
-        made.block[1] = 0.1;  // not symmetric in itself
+        made.block[1] = 0.1;  // not symmetric
         matrix.off_diagonal.push_back(made);
     };
     for (Block& block : matrix.diagonal)
@@ -63,7 +63,8 @@ TEST(BlockLdl, solves_a_grid_matrix) {
     EXPECT_LT(worst, 1e-11);
 }
 
-// Elimination by least degree fills far less than by rows: 30 n log n against n^1.5.
+// Minimum degree ordering causes much less fill-in than row ordering: 30 n log n compared with
+// n^1.5.
 TEST(BlockLdl, grid_matrix_has_little_fill_in) {
     const BlockFactor factor(net(40, 40, 1));
     RecordProperty("work", static_cast<int>(factor.work()));
@@ -71,7 +72,7 @@ TEST(BlockLdl, grid_matrix_has_little_fill_in) {
 }
 
 TEST(BlockLdl, unconstrained_directions_stay_zero) {
-    BlockMatrix matrix = net(3, 1, 0);  // adrift
+    BlockMatrix matrix = net(3, 1, 0);  // without support
     matrix.off_diagonal[0].block[1] = matrix.off_diagonal[1].block[1] = 0;
     std::vector<Block6> x(3, Block6{});
     x[0][0] = 1, x[2][0] = -1;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Hard hits on things of all kinds: no energy comes from nowhere, nothing falls through the floor.
+// Violent impacts on solids of all kinds create no energy, and nothing falls through the floor.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ struct Hit {
     int chunks;
     BondMaterial bonds;
     double density, speed, rate;  // kg/m^3, m/s, Hz
-    bool stacked;                 // another wall stands on it, loose
+    bool stacked;                 // another, loose wall stands on it
     Vec3 half{2, 1, 0.2};
 };
 
@@ -29,7 +29,7 @@ constexpr BondMaterial clay{
 constexpr BondMaterial glass{
     .young = 7e10, .tensile = 4e7, .shear = 4e7, .compressive = 1e9, .fracture_energy = 8};
 
-// Of the ball's energy, what there is too much at worst; the lowest that anything gets.
+// Largest energy gain relative to the energy of the ball, and the lowest height of any body.
 struct Outcome {
     double gain = 0, lowest = 0;
 };
@@ -38,7 +38,7 @@ const void* hull_of(const Geometry& geometry) {
     return std::get<Hull>(geometry).data.get();
 }
 
-// J, against the floor: of what stands, too, which the world's own sum leaves out.
+// Energy relative to the floor, J, including static bodies, which the summary of the world omits.
 double energy_of(const World& world, const FracturedShape& shape, const DestructibleDef& def) {
     const WorldSummary sum = world.summary();
     double energy = sum.kinetic_energy + sum.potential_energy;
@@ -106,7 +106,8 @@ Outcome outcome_of(const Hit& hit) {
 TEST(DestructionEnergy, violent_impacts_add_no_energy_and_nothing_falls_through_the_floor) {
     const BondMaterial concrete;
     const Hit hits[] = {
-        // What strikes many small chunks at once was thrown out of the wall faster than it came.
+        // Regression: a body that struck many small chunks at once was thrown back faster than it
+        // came.
         {"chunks of four decades",
          SeedPattern::radial,
          150,
@@ -117,7 +118,8 @@ TEST(DestructionEnergy, violent_impacts_add_no_energy_and_nothing_falls_through_
          false,
          {2, 1.5, 0.15}},
         {"wall on wall, clustered", SeedPattern::clustered, 80, clay, 2400, 40, 60, true},
-        // Who struck got all back, and what it had given to others on the way they kept.
+        // Regression: the striking body got its whole energy back, while others kept what it had
+        // given them.
         {"wall on wall, slowly", SeedPattern::clustered, 80, clay, 2400, 10, 60, true},
         {"at 120 Hz", SeedPattern::uniform, 100, concrete, 2400, 20, 120, false, {2, 1.5, 0.15}},
         {"at 240 Hz", SeedPattern::uniform, 100, concrete, 2400, 20, 240, false, {2, 1.5, 0.15}},

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// One broken thing does not take down the others: a body that somebody deletes, a shape that is
-// gone, a state that ran away.
+// A failure in one destructible does not affect the others: deleted bodies, deleted shapes, and
+// diverging states.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -15,7 +15,7 @@ namespace {
 
 using namespace physics;
 
-// Three walls in a row; balls fly at all three.
+// Three walls in a row, each with a ball flying at it.
 struct Row {
     Stage stage;
     DestructibleId walls[3];
@@ -30,7 +30,7 @@ struct Row {
         }
     }
     std::size_t pieces(int k) { return stage.destruction->bodies(walls[k])->size(); }
-    // Saves, loads, and both go on alike.
+    // After saving and loading, both worlds must continue identically.
     void expect_sound() {
         World loaded = std::move(*load(save(stage.world)));
         for (int k = 0; k < 30; k++) loaded.step(1.0 / 60).expect();
@@ -41,9 +41,9 @@ struct Row {
 
 TEST(DestructionLosses, wall_with_deleted_bodies_is_removed_and_other_walls_still_break) {
     ASSERT_TRUE(registered);
-    for (const int moment : {0, 8}) {
+    for (const int step : {0, 8}) {
         Row row;
-        row.stage.step(moment);
+        row.stage.step(step);
         row.stage.world.destroy_bodies(*row.stage.destruction->bodies(row.walls[1])).expect();
         row.stage.step(30);
         EXPECT_EQ(row.pieces(1), 0u);
@@ -55,7 +55,7 @@ TEST(DestructionLosses, wall_with_deleted_bodies_is_removed_and_other_walls_stil
     }
 }
 
-// Every third shape of the middle wall, its foot among them.
+// Deletes every third shape of the middle wall, including its foot.
 TEST(DestructionLosses, wall_with_deleted_shapes_still_breaks) {
     Row row;
     row.stage.step(3);
@@ -71,7 +71,7 @@ TEST(DestructionLosses, wall_with_deleted_shapes_still_breaks) {
     row.expect_sound();
 }
 
-// All of them: nothing is left, not even the body's piece.
+// Deletes all shapes: the piece is removed too.
 TEST(DestructionLosses, wall_without_shapes_is_removed) {
     Row row;
     row.stage.step(3);
@@ -84,11 +84,11 @@ TEST(DestructionLosses, wall_without_shapes_is_removed) {
     row.expect_sound();
 }
 
-// The ball in front of the middle wall, and a piece of it later on.
+// Quarantines the ball in front of the middle wall, and later a piece of the wall.
 TEST(DestructionLosses, quarantined_body_does_not_break_its_wall) {
-    for (const int moment : {4, 5, 6, 9}) {
+    for (const int step : {4, 5, 6, 9}) {
         Row row;
-        row.stage.step(moment);
+        row.stage.step(step);
         World& world = row.stage.world;
         const auto run_away = [&](BodyId body) {
             warm_of(state_of(world), body.index).v.x = std::nan("");
@@ -96,8 +96,8 @@ TEST(DestructionLosses, quarantined_body_does_not_break_its_wall) {
         run_away(world.bodies()[4]);  // floor, wall, ball, wall, ball
         if (row.pieces(1) > 3) run_away(row.stage.destruction->bodies(row.walls[1])->at(2));
         row.stage.step(30);
-        EXPECT_GT(row.pieces(0), 5u) << moment;
-        EXPECT_GT(row.pieces(2), 5u) << moment;
+        EXPECT_GT(row.pieces(0), 5u) << step;
+        EXPECT_GT(row.pieces(2), 5u) << step;
         const WorldSummary sum = world.summary();
         EXPECT_TRUE(std::isfinite(sum.kinetic_energy));
         for (const BodyId body : world.bodies()) EXPECT_TRUE(is_finite(world.body(body)->center));

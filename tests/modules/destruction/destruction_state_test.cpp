@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The same bits for any number of threads, and after saving, loading and restoring; and scenes.
+// Bit-identical results for any number of threads and after saving, loading and restoring; scene
+// settings.
 #include <gtest/gtest.h>
 
 #include "jostle/physics/restore_point.h"
@@ -12,7 +13,7 @@ namespace {
 
 using namespace physics;
 
-// A ball breaks a wall; another wall stands beside, a block falls on the ground.
+// A ball breaks a wall; another wall stands next to it, and a block falls on the ground.
 struct TestScene {
     Stage stage;
 
@@ -61,7 +62,7 @@ TEST(DestructionState, loaded_and_restored_worlds_continue_identically) {
     }
 }
 
-// Any byte of the module's state may be anything: a load says no, or gives a world that steps.
+// Any byte of the module's state may have any value: the load fails, or the world can be stepped.
 TEST(DestructionState, corrupted_bytes_are_rejected_or_harmless) {
     TestScene show(1, 8);
     show.stage.step(10);
@@ -75,7 +76,7 @@ TEST(DestructionState, corrupted_bytes_are_rejected_or_harmless) {
             refused++;
             continue;
         }
-        if (at % 37 != 0) continue;  // worlds take a while
+        if (at % 37 != 0) continue;  // worlds are slow
         TestScene other(1, 8);
         other.stage.step(2);
         other.stage.world.remove_module("destruction").expect();
@@ -101,10 +102,10 @@ TEST(DestructionState, scene_settings_place_walls) {
     ASSERT_EQ(third.size(), 1u);
     EXPECT_NEAR(stage.world.body(third[0])->pose.position.x, 23, 1e-12);
     EXPECT_EQ(stage.world.body(third[0])->type, BodyType::static_body);
-    ChannelWriter told([](BodyId) { return 0u; });
-    stage.destruction->publish(stage.world, told);
-    ASSERT_EQ(told.channels().size(), 1u);
-    EXPECT_EQ(told.channels()[0].values.size(), 9u) << "three numbers for each of three walls";
+    ChannelWriter writer([](BodyId) { return 0u; });
+    stage.destruction->publish(stage.world, writer);
+    ASSERT_EQ(writer.channels().size(), 1u);
+    EXPECT_EQ(writer.channels()[0].values.size(), 9u) << "three numbers per wall";
     EXPECT_FALSE(stage.destruction->configure(stage.world, {.numbers = {{"chunks", 0}}}).ok());
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What bonds bear, against beams on paper.
+// Loads of bonds, compared with beam theory.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,8 +14,8 @@ using namespace physics;
 
 constexpr double h = 0.4, width = 0.3, density = 2400, g = 9.81;
 
-// A beam along x from the face of its held first column at x = 0, of that many columns of a fifth
-// of a metre.
+// A beam along x, held at its first column, whose face is at x = 0. It has the given number of
+// columns of 0.2 m.
 FracturedShape cantilever(int columns, int rows) {
     const double column = 0.2;
     FracturedShape shape =
@@ -26,7 +26,7 @@ FracturedShape cantilever(int columns, int rows) {
     return shape;
 }
 
-// The greatest stress at the root, 3 rho g L^2 / h.
+// The largest stress at the root, 3 rho g L^2 / h.
 double stress(double length) {
     return 3 * density * g * length * length / h;
 }
@@ -41,11 +41,11 @@ void expect_breaks_at_its_length(int rows) {
     Stage stage;
     const DestructibleId own = stage.add(cantilever(columns, rows), beam(tensile));
     const double load = *stage.destruction->max_load_ratio(stage.world, own);
-    // The load goes with the square of the length.
+    // The load is proportional to the square of the length.
     const double length_error = std::sqrt(1 / load) - 1;
     ::testing::Test::RecordProperty("length_error", std::to_string(length_error));
     EXPECT_LT(std::abs(length_error), 0.05);
-    // 38 columns hold, 42 break at the root: 5 % less and more.
+    // 38 columns (5 % less) hold; 42 (5 % more) break at the root.
     for (const int length : {38, 42}) {
         Stage other;
         const FracturedShape shape = cantilever(length, rows);
@@ -67,7 +67,7 @@ TEST(DestructionStress, four_row_cantilever_breaks_at_its_critical_length) {
     expect_breaks_at_its_length(4);
 }
 
-// A column hangs from its top: rho g L at the top, whatever the cut.
+// A column hangs from its top: the stress at the top is rho g L for any number of chunks.
 TEST(DestructionStress, hanging_column_carries_its_own_weight) {
     const Vec3 half{0.2, 2, 0.2};
     FracturedShape column = split_box(half, 1, 20, 1).value();
@@ -78,7 +78,8 @@ TEST(DestructionStress, hanging_column_carries_its_own_weight) {
     EXPECT_NEAR(*stage.destruction->max_load_ratio(stage.world, id), density * g * 3.8 / 1e6, 1e-9);
 }
 
-// A rod that turns about its middle: rho w^2 l^2 / 2 in the middle, half of its length being l.
+// A rod rotates about its middle: the stress in the middle is rho w^2 l^2 / 2, where l is half of
+// its length.
 TEST(DestructionStress, overspeeding_rod_breaks_in_the_middle) {
     const double l = 2, tensile = 1e6;
     const double w = std::sqrt(2 * tensile / (density * l * l));
@@ -93,7 +94,7 @@ TEST(DestructionStress, overspeeding_rod_breaks_in_the_middle) {
     }
 }
 
-// A beam on two held ends under a weight in the middle is asked about when the weight comes.
+// A beam with two held ends is evaluated again when a weight is placed in its middle.
 TEST(DestructionStress, overloaded_shelf_breaks) {
     for (const double mass : {50.0, 1500.0}) {
         FracturedShape shelf = split_box({1.5, 0.05, 0.3}, 15, 1, 1).value();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Splits keep what they must, balls go through walls, and what is whole costs nothing.
+// Splits conserve mass and momentum, balls break through walls, and intact walls cost nothing.
 #include <gtest/gtest.h>
 #include <time.h>
 
@@ -26,7 +26,7 @@ double mass_of(const World& world) {
     return mass;
 }
 
-// What flies and turns falls apart: not in one go, each step a little more.
+// Splits a moving and rotating body step by step.
 TEST(Destruction, split_conserves_mass_and_momentum) {
     Stage stage({.gravity = {}});
     const Vec3 half{1, 0.7, 0.5};
@@ -39,7 +39,7 @@ TEST(Destruction, split_conserves_mass_and_momentum) {
     stage.destruction->break_near(stage.world, id, {30, 4, -7}, 0.4).value();
     const double mass = mass_of(stage.world);
     const WorldSummary before = stage.world.summary();
-    // Only the split: what listeners do after a step, without the step.
+    // Only the split: calls the listener without the step.
     stage.destruction->after_step(stage.world, 1.0 / 60);
     stage.destruction->break_near(stage.world, id, {30, 4, -7}, 10).value();
     stage.destruction->after_step(stage.world, 1.0 / 60);
@@ -61,7 +61,7 @@ TEST(Destruction, split_conserves_mass_and_momentum) {
     EXPECT_LT(energy, 1e-9);
 }
 
-// One piece at a time: the body that stays goes on as its points moved.
+// Splits off one piece: the remaining body continues with the velocity of its points.
 TEST(Destruction, detached_piece_keeps_the_velocity_of_its_points) {
     Stage stage({.gravity = {}});
     const DestructibleId id = stage.add(split_box({1, 0.1, 0.1}, 10, 1, 1).value(),
@@ -90,7 +90,7 @@ TEST(Destruction, heavy_ball_breaks_through_a_wall) {
         const WorldSummary sum = stage.world.summary();
         return sum.kinetic_energy + sum.potential_energy;
     };
-    // What was anchored weighs once it is loose.
+    // An anchored body has weight once it is loose.
     const double whole = 2400 * 8 * wall_half.x * wall_half.y * wall_half.z * 9.81 * wall_half.y;
     const double start = energy(), brought = stage.world.summary().kinetic_energy;
     for (int k = 0; k < 30; k++) {
@@ -112,7 +112,7 @@ TEST(Destruction, heavy_ball_breaks_through_a_wall) {
     EXPECT_GT(mass, 0);
 }
 
-// Momenta as they are when it is called after a step.
+// Momenta of the world when the listener is called after a step.
 struct Momenta : StepListener {
     Vec3 linear, angular;
 
@@ -123,9 +123,9 @@ struct Momenta : StepListener {
     }
 };
 
-// In free space, where nothing holds the block: it breaks, in several places at once, and the ball
-// goes on. The module, between two listeners, changes no momentum; the solver's contacts compute in
-// single precision.
+// In free space, the block breaks in several places at once, and the ball continues. The module,
+// between two listeners, does not change momentum; the solver computes contacts in single
+// precision.
 TEST(Destruction, breaking_impact_conserves_momentum) {
     World world = *World::create({.gravity = {}});
     Momenta before, after;
@@ -138,7 +138,7 @@ TEST(Destruction, breaking_impact_conserves_momentum) {
     const FracturedShape block = fracture_box(half, random_seeds(half, 30, 4)).value();
     const DestructibleId id =
         *destruction.add(world, block, {.bonds = {.tensile = 5e5, .shear = 1e6}});
-    // Beside it: two that meet and both break.
+    // Next to it, two blocks collide and both break.
     for (const double side : {-1.0, 1.0})
         static_cast<void>(destruction
                               .add(world, block,
@@ -187,7 +187,7 @@ TEST(Destruction, light_ball_bounces_off) {
     EXPECT_LT(stage.world.body(ball)->pose.position.x, -0.2);
 }
 
-// Breaking is paid for: with bonds that cost more than the ball brings none breaks.
+// Breaking dissipates energy: if the bonds require more than the ball has, none breaks.
 TEST(Destruction, broken_bonds_are_limited_by_impact_energy) {
     Stage stage;
     const FracturedShape shape = wall();
@@ -199,7 +199,8 @@ TEST(Destruction, broken_bonds_are_limited_by_impact_energy) {
     EXPECT_EQ(*stage.destruction->intact_bonds(id), shape.bonds.size());
 }
 
-// A world with the wall against one with a static box of its size: a hundred balls roll about.
+// Compares a world with the wall and one with a static box of the same size; a hundred balls roll
+// about.
 TEST(Destruction, intact_wall_costs_as_much_as_one_body) {
     double best[2] = {1e9, 1e9};
     for (int trial = 0; trial < 5; trial++)
@@ -226,7 +227,7 @@ TEST(Destruction, intact_wall_costs_as_much_as_one_body) {
     EXPECT_LT(best[1], 1.2 * best[0] + 0.02);
 }
 
-// Two thousand chunks part at once.
+// Two thousand chunks separate at once.
 TEST(Destruction, splits_into_2000_pieces_in_one_step) {
     Stage stage;
     stage.floor();
@@ -245,13 +246,13 @@ TEST(Destruction, splits_into_2000_pieces_in_one_step) {
         RecordProperty("tick_" + std::to_string(k) + "_us", static_cast<int>(tick[k] * 1e3));
         EXPECT_EQ(stage.destruction->bodies(id)->size(), 2000u);
     }
-    // Parting them takes less than the solver's first step with them.
+    // Splitting takes less time than the first step of the solver with the pieces.
     EXPECT_LT(tick[0], tick[1]);
     RecordProperty("late_ticks", late);
 }
 
-// Hulls that pass each other: none falls through the floor, and no step but the first two takes
-// longer than a sixtieth of a second: in work that is counted, in units of .1 microseconds.
+// Hulls that do not collide with each other: none falls through the floor, and no step except the
+// first two takes longer than 1/60 s, measured in counted work in units of 0.1 us.
 TEST(Destruction, steps_2000_non_colliding_hulls_within_the_time_limit) {
     Stage stage;
     stage.floor();
@@ -278,7 +279,7 @@ TEST(Destruction, steps_2000_non_colliding_hulls_within_the_time_limit) {
     EXPECT_LT(stage.world.summary().awake_bodies, 200);
 }
 
-// What does not fit into one step waits for the next.
+// Work beyond the limit of a step is deferred to the next step.
 TEST(Destruction, honours_pieces_per_step_limit) {
     Stage stage({.gravity = {}});
     DestructionLimits limits;

@@ -17,7 +17,7 @@ std::vector<std::byte> bytes_of(const FracturedShape& shape) {
     return write_fracture(shape).value();
 }
 
-// With the checksum of what is in it.
+// Updates the checksum to the contents.
 std::vector<std::byte> sealed(std::vector<std::byte> bytes) {
     const std::uint64_t sum = fracture_checksum(std::span(bytes).subspan(fracture_header_bytes));
     std::memcpy(bytes.data() + 12, &sum, sizeof sum);
@@ -88,7 +88,8 @@ TEST(FractureFile, errors_name_the_invalid_field) {
     EXPECT_FALSE(write_fracture(wrong).ok());
 }
 
-// Any byte may be anything, with a checksum that says so: refused, or a shape that can be added.
+// Any byte may have any value, with a matching checksum: the file is rejected, or its shape can be
+// added.
 TEST(FractureFile, corrupted_bytes_are_rejected_or_yield_a_valid_shape) {
     const std::vector<std::byte> whole = bytes_of(wall(4));
     int refused = 0, added = 0;

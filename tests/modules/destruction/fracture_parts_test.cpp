@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Solids of several hulls: nothing is lost, nothing is twice, and parts hold together.
+// Solids of several hulls: the volume is complete and counted once, and parts are bonded.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -30,7 +30,7 @@ double volume_of(const FracturedShape& shape) {
     return sum;
 }
 
-// How many hang together with the first chunk.
+// Number of chunks connected with the first one.
 std::size_t reached(const FracturedShape& shape) {
     std::vector<std::size_t> group(shape.chunks.size());
     std::iota(group.begin(), group.end(), 0u);
@@ -40,7 +40,7 @@ std::size_t reached(const FracturedShape& shape) {
     return static_cast<std::size_t>(std::count(group.begin(), group.end(), 0u));
 }
 
-// A table in an L: 2 x 1 x 1 and 1 x 1 x 1 on top, of parts that touch in 1 m^2.
+// An L of 2 x 1 x 1 and 1 x 1 x 1 on top; the parts touch in 1 m^2.
 TEST(FractureParts, touching_parts_are_bonded_over_their_common_face) {
     const std::vector<Part> parts = {box_hull({0, 0, 0}, {2, 1, 1}),
                                      box_hull({0, 1, 0}, {1, 2, 1})};
@@ -59,14 +59,14 @@ TEST(FractureParts, touching_parts_are_bonded_over_their_common_face) {
             across += bond.area;
     RecordProperty("area_error", std::to_string((across - 1) * 1e15) + "e-15");
     EXPECT_NEAR(across, 1, 1e-9);
-    // It can be added, and stands as one body.
+    // It can be added and is one body.
     Stage stage;
     const DestructibleId id = stage.add(made.shape);
     stage.step(3);
     EXPECT_EQ(stage.destruction->bodies(id)->size(), 1u);
 }
 
-// Two boxes that cross: 3 x 1 x 1 and 1 x 3 x 1 hold 5 m^3 together.
+// Two crossing boxes: the union of 3 x 1 x 1 and 1 x 3 x 1 is 5 m^3.
 TEST(FractureParts, overlapping_volume_is_counted_once) {
     const std::vector<Part> parts = {box_hull({-1.5, -0.5, 0}, {1.5, 0.5, 1}),
                                      box_hull({-0.5, -1.5, 0}, {0.5, 1.5, 1})};
@@ -109,7 +109,7 @@ TEST(SeedPatterns, every_pattern_produces_about_the_requested_chunk_count) {
     }
 }
 
-// A cluster's chunks are small near its centre.
+// Chunks of a cluster are small near its centre.
 TEST(SeedPatterns, clustered_pattern_makes_smaller_chunks_near_its_centre) {
     const Vec3 half{2, 1, 0.1}, center{1, 0.5, 0};
     for (const SeedPattern pattern : {SeedPattern::radial, SeedPattern::clustered}) {

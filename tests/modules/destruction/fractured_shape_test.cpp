@@ -48,7 +48,7 @@ TEST(FracturedShape, hull_cells_sum_to_hull_volume) {
     EXPECT_NEAR(solver, hull->volume, 1e-6 * hull->volume);
 }
 
-// Seeds in a grid: four cells meet in each edge, eight in each corner.
+// Seeds in a grid: four cells share each edge, eight each corner.
 TEST(FracturedShape, grid_seeds_produce_grid_boxes) {
     const Vec3 half{2, 1, 0.5};
     const FracturedShape boxes = split_box(half, 8, 4, 2).value();
@@ -80,7 +80,7 @@ TEST(FracturedShape, bond_faces_lie_between_their_chunks) {
         EXPECT_GT(dot(bond.center - shape.chunks[bond.a].center, bond.normal), 0);
         EXPECT_GT(dot(shape.chunks[bond.b].center - bond.center, bond.normal), 0);
         EXPECT_NEAR(dot(bond.normal, bond.axis), 0, 1e-12);
-        EXPECT_GE(bond.moment_v, bond.moment_u * (1 - 1e-9));  // u is the long way
+        EXPECT_GE(bond.moment_v, bond.moment_u * (1 - 1e-9));  // u is the long axis
     }
 }
 

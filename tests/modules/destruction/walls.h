@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A world with the module in it, and things to break.
+// A world with the Destruction module, and a wall to break.
 #pragma once
 
 #include <memory>
@@ -9,7 +9,7 @@
 
 namespace jostle::modules {
 
-// So that worlds with the module can be loaded.
+// Registration allows worlds with the module to be loaded.
 inline const bool registered =
     physics::register_module("destruction", [] { return std::make_unique<Destruction>(); }).ok();
 

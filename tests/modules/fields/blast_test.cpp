@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Blasts push what they see, by its area, and nothing through walls.
+// Explosions push visible surfaces in proportion to their area, and nothing behind walls.
 #include "jostle/modules/blast.h"
 
 #include <gtest/gtest.h>
@@ -70,9 +70,10 @@ TEST(Blast, wall_blocks_the_blast_and_its_edge_blocks_half) {
     const BlastImpulse past = push_on(world, fine, half);
     RecordProperty("half_hidden", std::to_string(past.impulse.x / -300));
     EXPECT_NEAR(past.impulse.x / -300, 0.5, 0.03);
-    // Of the lower half: a force below the centre along -x turns it about z, backwards.
+    // Only the lower half is pushed: a force below the centre along -x rotates it about z,
+    // backwards.
     EXPECT_NEAR(past.angular_impulse.z / -(300 * 0.5 * 0.25), 1, 0.06);
-    // What moves shields as well.
+    // A dynamic body shields as well.
     World other = test::make_world({.gravity = {}});
     const BodyId shield = add_plate(other, 3), sheltered = add_plate(other, 3.2);
     EXPECT_GT(push_on(other, even(300), shield).impulse.x, 290);
@@ -103,11 +104,12 @@ TEST(Blast, applied_momentum_matches_the_reported_impulse) {
     EXPECT_GT(pushes.size(), 20u);
     EXPECT_TRUE(test::near(after.linear_momentum - before.linear_momentum, linear, 1e-9 * sum));
     EXPECT_TRUE(test::near(after.angular_momentum - before.angular_momentum, angular, 1e-9 * sum));
-    // Each point is pushed away from the centre: no torque about that.
+    // Each point is pushed away from the centre, so there is no torque about it.
     EXPECT_LT(length(angular), 1e-9 * sum);
 }
 
-// Six walls about a blast off their middle, with falloff 2: each takes by its solid angle.
+// Six walls around an off-centre explosion with falloff 2: each receives an impulse according to
+// its solid angle.
 TEST(Blast, enclosing_shell_receives_zero_net_impulse) {
     World world = test::make_world({.gravity = {}});
     for (int k = 0; k < 6; k++) {
@@ -136,16 +138,16 @@ TEST(Blast, standoff_blast_wakes_and_lifts_a_crate_on_the_floor) {
     const BodyId struck = test::add(world, {.position = {-3, 0.5, 0}, .density = 100});
     test::run(world, 2);
     ASSERT_FALSE(test::state_of(world, crate).awake);
-    // At the floor, a little below its surface by rounding.
+    // At the floor, slightly below its surface because of rounding.
     test::must(explode(world, {.center = {0, -1e-6, 0}, .strength = 800}));
     EXPECT_TRUE(test::state_of(world, crate).awake);
     EXPECT_GT(test::velocity_of(world, crate).x, 2);
-    // On the face of a crate: it needs some distance to see it.
+    // On the face of a crate: visibility requires some distance.
     const Explosion on_face{.center = {-2.5, 0.5, 0}, .strength = 800};
     EXPECT_LT(length(push_on(world, on_face, struck).impulse), 1);
-    Explosion beside = on_face;
-    beside.standoff = 0.3;
-    EXPECT_LT(push_on(world, beside, struck).impulse.x, -100);
+    Explosion with_standoff = on_face;
+    with_standoff.standoff = 0.3;
+    EXPECT_LT(push_on(world, with_standoff, struck).impulse.x, -100);
 }
 
 TEST(Blast, compound_children_occlude_each_other) {
@@ -170,7 +172,7 @@ TEST(Blast, respects_mask_radius_and_speed_limit) {
     explosion.strength = 1e9;
     test::must(explode(world, explosion));
     EXPECT_LE(length(test::velocity_of(world, plate)), 1e4 * (1 + 1e-12))
-        << "as any caller may give";
+        << "the limit of World::apply_impulse()";
     explosion.mask = 2;
     EXPECT_TRUE(test::must(compute_blast(world, explosion)).empty());
     explosion.mask = 1;
@@ -191,7 +193,7 @@ TEST(Blast, charge_explodes_at_its_time) {
     test::run(world, 0.05);
     EXPECT_GT(test::velocity_of(world, plate).x, 0);
     EXPECT_TRUE(fields.charges().empty());
-    // A salvo takes several steps.
+    // The explosions of a salvo are distributed over several steps.
     for (int k = 0; k < 12; k++) test::must(fields.add_charge({.explosion = {.strength = 1}}));
     test::must(world.step(1.0 / 60));
     EXPECT_EQ(fields.blasts().size(), Fields::blasts_max);

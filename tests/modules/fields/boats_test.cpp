@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Boats on still water: how fast, how tight, and that a screw in the air pushes nothing.
+// Boats on still water: speed, turning, and no thrust from a propeller in the air.
 #include "jostle/modules/boats.h"
 
 #include <gtest/gtest.h>
@@ -49,19 +49,19 @@ TEST(Boats, stays_at_rest_until_driven) {
     EXPECT_TRUE(harbour.boats->states()[0].wet);
 }
 
-// Where the screw's thrust is the drag of the wetted front: F (1 - v / v_top) = rho c A v^2 / 2.
+// The thrust equals the drag of the wetted front: F (1 - v / v_top) = rho c A v^2 / 2.
 TEST(Boats, top_speed_balances_thrust_and_drag) {
     Harbour harbour;
     test::must(harbour.boats->steer(harbour.world, harbour.hull, 1, 0));
     test::run(harbour.world, 40);
     const BoatDef def;
-    const double front = 2 * (density / 1000 * 0.9);  // m^2: its breadth by its draft
+    const double front = 2 * (density / 1000 * 0.9);  // m^2, width times draft
     double v = 0;
     for (int k = 0; k < 200; k++) {
         const double over = def.thrust * (1 - v / def.top_speed) - 0.5 * 1000 * front * v * v;
         v += 1e-4 * over;
     }
-    // A bow that rises and a hull that makes waves of its own (damping) take some of it.
+    // The raised bow and the wave-making loss (damping) reduce it.
     EXPECT_NEAR(harbour.speed(), v, 0.25 * v);
     EXPECT_LT(harbour.state().linear_velocity.z, -2);
     RecordProperty("speed", std::to_string(harbour.speed()));
@@ -75,7 +75,7 @@ TEST(Boats, turns_towards_its_rudder_and_opposite_in_reverse) {
         EXPECT_GT(rudder * harbour.course(), 0.3);
         EXPECT_LT(rudder * harbour.course(), 2.5);
         RecordProperty("course", std::to_string(harbour.course()));
-        // It goes where it points, within what a keel lets it drift.
+        // It moves in the direction of its heading, within the drift that the keel allows.
         const BodyState state = harbour.state();
         const Vec3 right = rotate(state.pose.rotation, {1, 0, 0});
         EXPECT_LT(absolute(dot(state.linear_velocity, right)), 0.6 * length(state.linear_velocity));
@@ -149,7 +149,7 @@ TEST(Boats, continues_bit_identically_after_load_and_for_any_thread_count) {
     EXPECT_EQ(state_hash(one.world), state_hash(many.world));
 }
 
-// Any byte of it, turned to any value, loads to something in range or is refused.
+// Any changed byte loads to values in range or is rejected.
 TEST(Boats, rejects_corrupted_bytes) {
     Harbour harbour;
     const std::vector<std::byte> good = save_module(*harbour.boats);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Turbulent air has no sources, no mean beside its wind, and the strength it says.
+// Turbulent air is divergence-free, has the mean of its wind, and the requested strength.
 #include "modules/fields/src/curl_noise.h"
 
 #include <gtest/gtest.h>
@@ -16,8 +16,8 @@ using namespace physics;
 using fields_detail::curl_noise;
 using fields_detail::CurlNoise;
 
-// Of a flow that within a cell is a polynomial of degree 6 along each axis: these differences are
-// exact up to degree 8.
+// Divergence of a flow that is a polynomial of degree 6 along each axis within a cell. These
+// differences are exact up to degree 8.
 double divergence(const CurlNoise& noise, Vec3 p, double time, double step) {
     constexpr double weights[] = {4.0 / 5, -1.0 / 5, 4.0 / 105, -1.0 / 280};
     double sum = 0;
@@ -35,7 +35,7 @@ TEST(CurlNoise, is_divergence_free) {
     double worst = 0;
     test::Random random(3);
     for (int k = 0; k < 2000; k++) {
-        // Cells of the third octave are a quarter wide; stay within one.
+        // Cells of the third octave have a width of a quarter; all points stay within one.
         Vec3 p;
         for (int axis = 0; axis < 3; axis++)
             p[axis] = 0.25 * (std::floor(random.in(-400, 400)) + random.in(0.3, 0.7));
@@ -46,7 +46,7 @@ TEST(CurlNoise, is_divergence_free) {
     EXPECT_LT(worst, 1e-11);
 }
 
-// Over a whole period, by quadrature that is exact for what it integrates (Gauss, 4 points).
+// Averages over a period with Gauss quadrature of 4 points, which is exact for the integrand.
 TEST(CurlNoise, has_zero_mean_and_unit_rms) {
     constexpr double nodes[] = {-0.8611363115940526, -0.3399810435848563, 0.3399810435848563,
                                 0.8611363115940526};
@@ -72,7 +72,7 @@ TEST(CurlNoise, has_zero_mean_and_unit_rms) {
         }
     RecordProperty("mean", std::to_string(length(mean) * 1e15) + "e-15");
     EXPECT_LT(length(mean), 1e-13);
-    EXPECT_NEAR(square, 1, 0.15) << "one small period is one draw of many";
+    EXPECT_NEAR(square, 1, 0.15) << "a small period is one sample of the distribution";
 }
 
 TEST(CurlNoise, has_the_requested_rms_in_space_and_time) {
@@ -87,7 +87,7 @@ TEST(CurlNoise, has_the_requested_rms_in_space_and_time) {
         square += length_squared(u) / count;
     }
     RecordProperty("rms_error", std::to_string(square_root(square) / 2 - 1));
-    EXPECT_LT(length(mean), 0.02) << "four deviations of the mean of so many";
+    EXPECT_LT(length(mean), 0.02) << "four standard deviations of the mean of all samples";
     EXPECT_NEAR(square_root(square), 2, 0.01);
 }
 
@@ -101,7 +101,7 @@ TEST(CurlNoise, is_continuous_across_cells_and_in_time) {
     }
 }
 
-// The same on every machine: it is made of + - * / and of integers.
+// The same on every machine: it uses only + - * / and integers.
 TEST(CurlNoise, is_reproducible) {
     const Vec3 u = curl_noise({.seed = 7, .octaves = 3}, {12.3, -4.5, 678.9}, 1.7);
     EXPECT_TRUE(

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Turbulent air that is still drags as air does.
+// Turbulent air with zero speed causes the drag of still air.
 #include <gtest/gtest.h>
 
 #include "jostle/physics/hull.h"
@@ -18,7 +18,7 @@ void add_still_air(World& world, double drag) {
 TEST(Drag, fall_in_still_air_follows_tanh) {
     const double ball = worst_fall_error(add_still_air, ball_of_fall());
     const double box = worst_fall_error(add_still_air, box_of_fall());
-    // A feather: 0.5 m/s in the end.
+    // A feather with a terminal speed of 0.5 m/s.
     const double feather =
         worst_fall_error(add_still_air, {Box{{0.3, 0.005, 0.3}}, 1.5, 0.36, 1.0});
     RecordProperty("ball_error", std::to_string(ball));
@@ -41,7 +41,7 @@ TEST(Drag, very_strong_drag_stays_stable) {
     }
 }
 
-// A body of one shape shows what its outline says, in any direction.
+// The projected area of a single shape equals the area of its outline in any direction.
 double projected_shapes(const Geometry& geometry, Vec3 direction) {
     World world = test::make_world();
     const BodyId body = test::add(world, {.geometry = geometry});

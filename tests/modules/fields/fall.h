@@ -28,7 +28,7 @@ inline Fall box_of_fall() {
     return {Box{{0.3, 0.1, 0.2}}, 60, 0.6 * 0.4, 1.05};
 }
 
-// The largest share by which its speed is off, over six seconds.
+// The largest relative error of the speed over six seconds.
 inline double worst_fall_error(const std::function<void(World& world, double drag)>& add_air,
                                const Fall& fall) {
     World world = test::make_world();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Fields are state: the same bits for any number of threads, saved, loaded, restored; foreign
-// bytes and settings are checked.
+// Fields are state: bit-identical results for any number of threads and after saving, loading and
+// restoring. Untrusted bytes and settings are checked.
 #include <gtest/gtest.h>
 
 #include <bit>
@@ -93,7 +93,7 @@ TEST(FieldsState, every_field_change_changes_the_state) {
         << *difference;
 }
 
-// Any byte of it, turned to any value, loads to something in range or is refused; it never breaks.
+// Any changed byte loads to values in range or is rejected.
 TEST(FieldsState, rejects_corrupted_bytes) {
     World world = lively(1);
     const std::vector<std::byte> good = save_module(fields_of(world));
@@ -114,7 +114,7 @@ TEST(FieldsState, rejects_corrupted_bytes) {
         if (!status.ok()) continue;
         World other = test::make_world();
         test::add(other, {.position = {4, 0.2, 0}, .density = 500});
-        // What was taken is in range: it comes out as it went in, and a step bears it.
+        // Accepted values are in range: they are saved unchanged, and a step succeeds.
         ASSERT_EQ(save_module(victim), corrupted);
         if (taken % 20 != 0) continue;
         auto module = std::make_unique<Fields>();
@@ -197,9 +197,9 @@ TEST(FieldsState, publishes_water_wind_and_blasts) {
     World world = test::make_world();
     Fields& fields = fields_of(world);
     const auto published = [&] {
-        ChannelWriter told([](BodyId) { return 1u; });
-        fields.publish(world, told);
-        return told.channels();
+        ChannelWriter channels([](BodyId) { return 1u; });
+        fields.publish(world, channels);
+        return channels.channels();
     };
     EXPECT_TRUE(published().empty());
     add_field(world, {.law = Waves{.level = 2, .components = {{}, {}}}});
@@ -207,13 +207,13 @@ TEST(FieldsState, publishes_water_wind_and_blasts) {
     add_field(world, {.law = Central{}});
     test::must(fields.add_charge({.time = 0, .explosion = {.center = {1, 2, 3}}}));
     test::must(world.step(1.0 / 60));
-    const auto told = published();
-    ASSERT_EQ(told.size(), 2u) << "waves, which clients move on by themselves, and the rest";
-    const auto& waters = told[0].values;
-    EXPECT_EQ(told[0].kind, 0u);
+    const auto channels = published();
+    ASSERT_EQ(channels.size(), 2u) << "waves, which clients advance themselves, and the rest";
+    const auto& waters = channels[0].values;
+    EXPECT_EQ(channels[0].kind, 0u);
     EXPECT_EQ(waters.size(), 3u + 2 * 5u) << "two waves";
     EXPECT_EQ(std::bit_cast<float>(waters[0]), 2) << "the level";
-    const auto& rest = told[1].values;
+    const auto& rest = channels[1].values;
     ASSERT_EQ(rest.size(), 1u + (1 + 4) + (1 + 3) + 4u) << "a wind, a centre and a blast";
     EXPECT_EQ(rest[0], 2);
     EXPECT_EQ(std::bit_cast<float>(rest[12]), 3) << "z of the blast";

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What floats must do, whoever makes the water: the solver's field or the module's. Each takes the
-// water as a function that adds it to a world.
+// Buoyancy tests for the water of the solver and of the module. Each test takes a function that
+// adds the water to a world.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ inline double y_of(const World& world, BodyId body) {
     return test::position_of(world, body).y;
 }
 
-// Off by this share of the draft from h rho_b / rho_w.
+// Relative error of the draft, compared with h rho_b / rho_w.
 inline double draft_error(const AddWater& add_water, double density) {
     World world = test::make_world();
     const BodyId box = test::add(world, {.geometry = Box{{1, 0.25, 1}},
@@ -35,7 +35,8 @@ inline double draft_error(const AddWater& add_water, double density) {
     return draft / expected - 1;
 }
 
-// The mean period, s, of the first swings of a box that is let go a little above where it floats.
+// Mean period, s, of the first oscillations of a box that is released slightly above its floating
+// position.
 inline double heave_period(const AddWater& add_water, double density, double lift) {
     World world = test::make_world();
     const double rest = 0.25 - 0.5 * density / 1000;
@@ -45,18 +46,18 @@ inline double heave_period(const AddWater& add_water, double density, double lif
                                          .sleep_allowed = false});
     add_water(world, 0, 0);
     std::vector<double> crossings;  // downwards
-    double before = lift;
+    double previous = lift;
     for (int step = 1; crossings.size() < 6 && step < 6000; step++) {
         test::must(world.step(1.0 / 60));
         const double now = y_of(world, box) - rest;
-        if (before > 0 && now <= 0) crossings.push_back((step - now / (now - before)) / 60);
-        before = now;
+        if (previous > 0 && now <= 0) crossings.push_back((step - now / (now - previous)) / 60);
+        previous = now;
     }
     if (crossings.size() < 6) return 0;
     return (crossings.back() - crossings.front()) / 5;
 }
 
-// Degrees that a box leans by in the end which begins at 0.5: width x height, 4 widths long.
+// Final lean, degrees, of a box with an initial lean of 0.5: width x height, 4 widths long.
 inline double lean_after(const AddWater& add_water, double width, double height, double density) {
     World world = test::make_world();
     const double rest = height * (0.5 - density / 1000);
@@ -71,8 +72,8 @@ inline double lean_after(const AddWater& add_water, double width, double height,
     return arc_tangent(length(cross(up, {0, 1, 0})), up.y) * 180 / pi;
 }
 
-// GM / height = s / 2 + (width / height)^2 / 12 s - 1 / 2: nothing where (width / height)^2 is
-// 6 s (1 - s). Proportions of 4 % on both sides of that, for several densities.
+// GM / height = s / 2 + (width / height)^2 / 12 s - 1 / 2 is zero for (width / height)^2 = 6 s (1 -
+// s). Tests proportions 4 % above and below it, for several densities.
 inline void expect_upright_exactly_when_gm_is_positive(const AddWater& add_water) {
     double most_stable = 0, least_unstable = 180;
     for (const double s : {0.15, 0.3, 0.5, 0.7, 0.85}) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Panels close, and hold what their shapes hold.
+// Panel surfaces are closed and enclose the volume of their shapes.
 #include "modules/fields/src/panel_surface.h"
 
 #include <gtest/gtest.h>

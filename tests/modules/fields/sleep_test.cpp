@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A steady load wakes nobody; one that changes keeps awake whom it reaches.
+// A steady load wakes no body; a time-varying load keeps the affected bodies awake.
 #include <gtest/gtest.h>
 
 #include "tests/modules/fields/with_fields.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The solver's own wind and water hold what fields promise.
+// The wind and water of the solver pass the tests of module fields.
 #include <gtest/gtest.h>
 
 #include "tests/modules/fields/fall.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Attraction, laws by name, volumes and categories.
+// Attraction, user-defined laws, volumes and categories.
 #include <gtest/gtest.h>
 
 #include "tests/modules/fields/with_fields.h"
@@ -23,7 +23,7 @@ TEST(Volumes, contain_the_points_inside_them) {
     EXPECT_TRUE(contains(Everywhere{}, {1e6, 0, 0}));
 }
 
-// A circle of radius 5 about a body that itself moves on: v^2 r = strength.
+// A circle of radius 5 around a moving body: v^2 r = strength.
 TEST(Central, moon_stays_in_orbit) {
     World world = test::make_world({.gravity = {}});
     const Vec3 drift{3, 0, 1};
@@ -33,7 +33,7 @@ TEST(Central, moon_stays_in_orbit) {
         world,
         {.geometry = Sphere{0.1}, .position = {5, 0, 0}, .velocity = drift + Vec3{0, 0, 10}});
     add_field(world, {.law = Central{.body = planet, .strength = 500, .per_mass = true}});
-    // Ten turns.
+    // Ten orbits.
     double nearest = 5, furthest = 5;
     for (int step = 0; step < 60 * 31; step++) {
         test::must(world.step(1.0 / 60));
@@ -61,7 +61,7 @@ TEST(Central, wakes_sleeping_bodies_as_it_approaches) {
     EXPECT_FALSE(test::state_of(world, far).awake);
     test::must(world.destroy_body(magnet));
     test::run(world, 3);
-    EXPECT_FALSE(test::state_of(world, near).awake) << "what is gone attracts no more";
+    EXPECT_FALSE(test::state_of(world, near).awake) << "a destroyed body does not attract";
 }
 
 TEST(Fields, act_inside_their_volume_on_masked_categories) {
@@ -79,7 +79,7 @@ TEST(Fields, act_inside_their_volume_on_masked_categories) {
     EXPECT_EQ(test::velocity_of(world, other).z, 0);
 }
 
-// Turbulent air takes what is light along as it flows itself.
+// Turbulent air carries a light body with the velocity of the flow.
 TEST(Turbulence, carries_a_light_particle_with_the_flow) {
     World world = test::make_world({.gravity = {}});
     const BodyId mote = test::must(world.create_body({.mass = 1e-4}, {.geometry = Sphere{0.1}}));
@@ -96,7 +96,7 @@ TEST(Turbulence, carries_a_light_particle_with_the_flow) {
     EXPECT_GT(length(test::position_of(world, mote)), 3);
 }
 
-// A spring of a program's own: omega^2 = k / m.
+// A user-defined spring: omega^2 = k / m.
 TEST(UserFields, apply_the_registered_law_with_its_parameters) {
     static_cast<void>(register_user_field(
         "test_spring", [](const UserFieldInput& at) { return at.position * -at.parameters[0]; }));
@@ -166,7 +166,7 @@ TEST(Fields, set_and_remove_by_key) {
     test::run(world, 0.5);
     EXPECT_EQ(test::velocity_of(world, box).x, 0);
     EXPECT_GT(test::velocity_of(world, box).z, 0);
-    EXPECT_NE(add_field(world, {}), first) << "keys are not used twice";
+    EXPECT_NE(add_field(world, {}), first) << "keys are not reused";
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Still water of the module: what floats in it, against closed forms.
+// Still water of the module, compared with closed forms.
 #include <gtest/gtest.h>
 
 #include "tests/modules/fields/floating.h"
@@ -23,7 +23,7 @@ TEST(Water, draft_matches_archimedes) {
     }
 }
 
-// The depth of a ball's lowest point, by the volume of a cap: pi d^2 (3 r - d) / 3.
+// Depth of the lowest point of a ball, from the volume of a cap: pi d^2 (3 r - d) / 3.
 TEST(Water, ball_draft_matches_its_spherical_cap) {
     for (const double density : {200.0, 500.0, 700.0}) {
         World world = test::make_world();
@@ -31,10 +31,10 @@ TEST(Water, ball_draft_matches_its_spherical_cap) {
             test::add(world, {.geometry = Sphere{0.5}, .density = density, .sleep_allowed = false});
         add_still_water(world, 5, 4);
         test::run(world, 30);
-        const double wanted = density / 1000 * 4.0 / 3 * 0.125;  // over pi
+        const double cap_volume = density / 1000 * 4.0 / 3 * 0.125;  // divided by pi
         double depth = 0.5;
         for (int k = 0; k < 60; k++)
-            depth -= (depth * depth * (1.5 - depth) / 3 - wanted) / (depth * (1 - depth));
+            depth -= (depth * depth * (1.5 - depth) / 3 - cap_volume) / (depth * (1 - depth));
         const double found = 0.5 - y_of(world, ball);
         RecordProperty("ball_error_" + std::to_string(static_cast<int>(density)),
                        std::to_string(found / depth - 1));
@@ -42,7 +42,7 @@ TEST(Water, ball_draft_matches_its_spherical_cap) {
     }
 }
 
-// Half of the volume: up to the axis, whatever the ends are.
+// At half the density it floats at its axis, regardless of its end faces.
 TEST(Water, half_density_log_floats_at_its_axis) {
     for (const double density : {150.0, 300.0, 500.0, 800.0}) {
         World world = test::make_world();
@@ -52,7 +52,8 @@ TEST(Water, half_density_log_floats_at_its_axis) {
                                              .sleep_allowed = false});
         add_still_water(world, 5, 4);
         test::run(world, 30);
-        // Of the circle below the chord at height c r: acos(-c) + c sqrt(1 - c^2) = pi density.
+        // The area of a circle below a chord at height c r: acos(-c) + c sqrt(1 - c^2) = pi
+        // density.
         double c = 0;
         for (int k = 0; k < 60; k++)
             c -= (arc_tangent(square_root(1 - c * c), -c) + c * square_root(1 - c * c) -
@@ -76,7 +77,7 @@ TEST(Water, box_floats_upright_exactly_when_gm_is_positive) {
     expect_upright_exactly_when_gm_is_positive(add_still_water);
 }
 
-// Of a raft that leans a little: T = 2 pi k / sqrt(g GM), k its radius of gyration.
+// A raft with a small lean: T = 2 pi k / sqrt(g GM), where k is its radius of gyration.
 TEST(Water, roll_period_matches_the_metacentric_height) {
     const double width = 2, height = 0.5, s = 0.5;
     World world = test::make_world();

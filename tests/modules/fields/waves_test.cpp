@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Water with waves, against linear theory and against finer sums.
+// Water with waves, compared with linear theory and with finer panels.
 #include "jostle/modules/waves.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ using fields_detail::WaterScratch;
 
 constexpr double g = 9.81;
 
-// N and N m of a moment on one shape about its centre; panels no longer than `longest`.
+// Force, N, and torque about the centre, N m, on one shape; panels are at most `longest`.
 struct PressureSample {
     Vec3 force, torque;
     std::size_t panels = 0;
@@ -60,7 +60,7 @@ TEST(Waves, crests_move_at_deep_water_speed) {
     EXPECT_NEAR(water_at(waves, g, {0, 0, 3}, 0).height, 0.5, 1e-12);
     EXPECT_NEAR(water_at(waves, g, {10, 7, 3}, 0).height, 0.5, 1e-12);
     EXPECT_NEAR(water_at(waves, g, {omega / number * 2, 0, 0}, 2).height, 0.5, 1e-12);
-    // The surface moves as the water in it does.
+    // The surface moves with the water at the surface.
     const Vec3 p{1.7, -5, 0};
     const double eta = water_at(waves, g, p, 1).height;
     const double rise =
@@ -68,7 +68,7 @@ TEST(Waves, crests_move_at_deep_water_speed) {
     EXPECT_NEAR(water_at(waves, g, {p.x, eta - 1e-9, 0}, 1).velocity.y, rise, 1e-6);
     EXPECT_NEAR(water_at(waves, g, {p.x, eta - 1e-9, 0}, 1).head, 0, 1e-8);
     EXPECT_EQ(water_at(waves, g, {p.x, eta + 1e-9, 0}, 1).velocity, Vec3{});
-    // 1 / e at a wave number's depth.
+    // The flow decays to 1 / e at a depth of 1 / wave number.
     const Vec3 deep = water_at(waves, g, {0, 0.5 - 1 / number, 0}, 0).velocity;
     EXPECT_NEAR(deep.x, 0.5 * omega / std::exp(1.0), 1e-10);
 }
@@ -95,8 +95,8 @@ TEST(Waves, batched_pressure_matches_single_samples) {
     }
 }
 
-// The pressure's part by a wave on a small body is - grad of the dynamic pressure times its volume
-// (Froude and Krylov).
+// The wave force on a small body is -grad of the dynamic pressure times its volume (Froude-Krylov
+// force).
 TEST(Waves, small_body_force_equals_the_pressure_gradient) {
     const Waves waves = one_wave(0.3, 20);
     const double number = 2 * pi / 20;
@@ -108,7 +108,8 @@ TEST(Waves, small_body_force_equals_the_pressure_gradient) {
         sample_pressure({}, Box{{size / 2, size / 2, size / 2}}, {at, {}}, 0, 1);
     const PressureSample moved =
         sample_pressure(waves, Box{{size / 2, size / 2, size / 2}}, {at, {}}, 0, 1);
-    // Wheeler's depth adds to Airy's slope of the pressure that of the surface above: both stated.
+    // Wheeler's depth adds the slope of the surface above to the pressure gradient of Airy's
+    // theory; both are documented.
     const double slope = -0.3 * number * std::sin(angle);
     const double along = 1000 * g * fade * number * (std::sin(angle) + std::cos(angle) * slope);
     const double up = 1000 * g * -fade * number * std::cos(angle);
@@ -117,7 +118,7 @@ TEST(Waves, small_body_force_equals_the_pressure_gradient) {
     EXPECT_NEAR((moved.force.y - still.force.y) / (up * volume), 1, 5e-3);
 }
 
-// Against panels of a fortieth of the wave: what the usual ones (an eighth) are off.
+// Compares the default panels, an eighth of the wave, with panels of a fortieth.
 TEST(Waves, default_panels_are_within_3_percent_of_fine_panels) {
     const double wave_length = 8;
     const Waves waves = one_wave(0.4, wave_length);
@@ -131,7 +132,7 @@ TEST(Waves, default_panels_are_within_3_percent_of_fine_panels) {
         const PressureSample still = sample_pressure({}, box, pose, 0, 1e30);
         const PressureSample usual = sample_pressure(waves, box, pose, time, wave_length / 8);
         const PressureSample fine = sample_pressure(waves, box, pose, time, wave_length / 40);
-        // As shares of what a wave of that height can do to it.
+        // Relative to the largest effect of a wave of this height on the body.
         const double most = 1000 * g * 0.4 * 4 * box.half_extents.x * box.half_extents.z;
         worst = maximum(worst, length(usual.force - fine.force) / most);
         worst_torque = maximum(
@@ -145,7 +146,7 @@ TEST(Waves, default_panels_are_within_3_percent_of_fine_panels) {
     EXPECT_LT(worst_torque, 0.03);
 }
 
-// The closed form of a small ball against the same ball as a hull of many flat faces.
+// The closed form of a small ball, compared with the same ball as a hull of many flat faces.
 TEST(Waves, closed_form_of_small_balls_matches_panels) {
     const double radius = 0.4;
     std::vector<Vec3> corners;
@@ -171,7 +172,7 @@ TEST(Waves, closed_form_of_small_balls_matches_panels) {
     EXPECT_LT(worst, 0.03);
 }
 
-// A body much shorter than the wave rides on it; one as long as the wave hardly heaves.
+// A body much shorter than the wave follows it; a body as long as the wave hardly heaves.
 TEST(Waves, short_bodies_follow_waves_and_long_bodies_do_not) {
     const auto heave_of = [](double half_length) {
         World world = test::make_world();

@@ -9,15 +9,15 @@ namespace jostle::ctl {
 
 namespace {
 
-// Letters of UTF-8 text: all bytes but those that continue one.
+// Number of code points of UTF-8 text: all bytes except continuation bytes.
 std::size_t code_point_count(const std::string& text) {
     return static_cast<std::size_t>(std::ranges::count_if(
         text, [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }));
 }
 
 std::string padded(const std::string& text, std::size_t width, Align align) {
-    const std::size_t letters = code_point_count(text);
-    const std::string space(width > letters ? width - letters : 0, ' ');
+    const std::size_t code_points = code_point_count(text);
+    const std::string space(width > code_points ? width - code_points : 0, ' ');
     return align == Align::left ? text + space : space + text;
 }
 
@@ -50,14 +50,15 @@ std::string Table::text() const {
     return out;
 }
 
-// Control characters are those below a space, DEL, and U+0080 to U+009F, which are C2 80 to C2 9F.
+// Control characters are U+0000 to U+001F, DEL, and U+0080 to U+009F, which are encoded as C2 80 to
+// C2 9F.
 std::string sanitized(const std::string& text, std::size_t width_max) {
     std::string out;
-    std::size_t letters = 0;
+    std::size_t code_points = 0;
     for (std::size_t i = 0; i < text.size(); i++) {
         const auto byte = static_cast<unsigned char>(text[i]);
         const bool begins = (byte & 0xc0) != 0x80;
-        if (begins && letters++ == width_max) return out + "...";
+        if (begins && code_points++ == width_max) return out + "...";
         const auto next = i + 1 < text.size() ? static_cast<unsigned char>(text[i + 1]) : 0;
         if (byte < 0x20 || byte == 0x7f) {
             out += '?';

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Text in columns for a terminal. What strangers called themselves is shown so that it can neither
-// move the cursor nor look like another row.
+// Text tables for a terminal. Untrusted text, such as the names of clients, is sanitized so that it
+// can neither move the cursor nor look like another row.
 #pragma once
 
 #include <string>
@@ -20,9 +20,9 @@ class Table {
 public:
     explicit Table(std::vector<Column> columns) : columns_(std::move(columns)) {}
 
-    // One cell for each column.
+    // Adds a row with one cell per column.
     void add(std::vector<std::string> cells);
-    // The titles, then the rows; the last column is not padded.
+    // Returns the titles and the rows; the last column is not padded.
     std::string text() const;
 
 private:
@@ -30,11 +30,12 @@ private:
     std::vector<std::vector<std::string>> rows_;
 };
 
-// On one line, without control characters, and at most so many letters, "..." when it was longer.
+// Replaces control characters and truncates the text to `width_max` code points, with "..."
+// appended.
 std::string sanitized(const std::string& text, std::size_t width_max = 32);
-// "12 s", "3 min 20 s", "2 h 5 min", "4 d 1 h".
+// Formats a duration: "12 s", "3 min 20 s", "2 h 5 min", "4 d 1 h".
 std::string duration_text(double seconds);
-// With so many digits after the point.
+// Formats a number with `digits` decimal places.
 std::string number_text(double number, int digits);
 
 }  // namespace jostle::ctl

@@ -13,7 +13,7 @@ using Worlds = v1::WorldService::Stub;
 
 namespace {
 
-// A world of the lowest rate, 4 Hz, takes so long for a step.
+// Step interval of a world with the lowest rate, 4 Hz.
 constexpr double slowest_step_s = 0.25;
 
 Outcome server_error(const Error& error) {
@@ -23,7 +23,7 @@ Outcome usage_error(const Error& error) {
     return {.error = error.message, .is_usage_error = true};
 }
 
-// A sentence for people; the answer itself for programs.
+// Returns a sentence, or with --json the response itself.
 template <class Response>
 Outcome to_outcome(const Result<Response>& response, const CommandArguments& arguments,
                    const std::string& sentence) {
@@ -39,14 +39,15 @@ std::chrono::seconds whole_seconds(double seconds) {
     return std::chrono::seconds(static_cast<int>(seconds));
 }
 
-// A scene file is the message as JSON. The server checks what it says.
+// A scene file is the JSON form of the message. The server validates it.
 Status read_scene(const std::string& path, v1::Scene& scene) {
     const auto text = read_file(path);
     if (!text.ok()) return text.error();
     const auto read = google::protobuf::util::JsonStringToMessage(*text, &scene);
     if (read.ok()) return {};
     return Error{ErrorCode::invalid_argument,
-                 path + " is no scene file (docs/scene_format.md): " + std::string(read.message())};
+                 path + " is not a scene file (docs/reference/scene_format.md): " +
+                     std::string(read.message())};
 }
 
 std::string scene_file_text(const v1::Scene& scene) {
@@ -65,7 +66,7 @@ Outcome set_paused(Connection& server, const CommandArguments& arguments, bool p
     const auto response = server.call(&Admin::SetPaused, request);
     return to_outcome(response, arguments,
                       sanitized(arguments.world) +
-                          (paused ? " is paused; jostlectl step and resume go on" : " runs"));
+                          (paused ? " is paused; use jostlectl step or resume" : " is running"));
 }
 
 }  // namespace
@@ -116,7 +117,7 @@ Outcome kick(Connection& server, const CommandArguments& arguments) {
     const auto response = server.call(&Admin::Kick, request);
     return to_outcome(
         response, arguments,
-        "client " + std::to_string(arguments.client) + " is told to go; it may come back");
+        "client " + std::to_string(arguments.client) + " was disconnected; it may reconnect");
 }
 
 Outcome pause(Connection& server, const CommandArguments& arguments) {
@@ -135,9 +136,9 @@ Outcome step(Connection& server, const CommandArguments& arguments) {
         server.call(&Admin::StepWorld, request,
                     Connection::default_timeout + whole_seconds(slowest_step_s * arguments.steps));
     if (!response.ok()) return server_error(response.error());
-    return to_outcome(
-        response, arguments,
-        count_text(response->taken(), "step") + " taken; tick " + std::to_string(response->tick()));
+    return to_outcome(response, arguments,
+                      count_text(response->steps_taken(), "step") + " taken; tick " +
+                          std::to_string(response->tick()));
 }
 
 Outcome export_world(Connection& server, const CommandArguments& arguments) {
@@ -149,11 +150,11 @@ Outcome export_world(Connection& server, const CommandArguments& arguments) {
     if (Status s = write_file(arguments.file, scene_file_text(response->scene())); !s.ok())
         return usage_error(s.error());
     if (arguments.file == "-") return {};
-    std::string sentence = arguments.file + " holds tick " + std::to_string(response->tick()) +
+    std::string sentence = arguments.file + " contains tick " + std::to_string(response->tick()) +
                            ": " + std::to_string(response->scene().bodies_size()) + " bodies, " +
                            std::to_string(response->scene().joints_size()) + " joints";
-    for (const std::string& left_out : response->left_out())
-        sentence += "\n  left out: " + sanitized(left_out, 200);
+    for (const std::string& omitted : response->omitted())
+        sentence += "\n  omitted: " + sanitized(omitted, 200);
     if (!arguments.json) return {.text = sentence + "\n"};
     v1::ExportWorldResponse without_scene = *response;
     without_scene.clear_scene();
@@ -166,8 +167,8 @@ Outcome rewind(Connection& server, const CommandArguments& arguments) {
     request.set_tick(arguments.tick);
     const auto response = server.call(&Admin::RewindWorld, request, std::chrono::seconds(60));
     return to_outcome(response, arguments,
-                      sanitized(arguments.world) + " is as it was after tick " +
-                          std::to_string(arguments.tick) + "; ticks go on from " +
+                      sanitized(arguments.world) + " was restored to its state after tick " +
+                          std::to_string(arguments.tick) + "; ticks continue from " +
                           (response.ok() ? std::to_string(response->tick()) : ""));
 }
 
@@ -175,8 +176,9 @@ Outcome drain(Connection& server, const CommandArguments& arguments) {
     const auto response = server.call(&Admin::Drain, v1::DrainRequest());
     if (!response.ok()) return server_error(response.error());
     return to_outcome(response, arguments,
-                      "the server goes down: " + count_text(response->clients(), "client") +
-                          " told, at most " + number_text(response->timeout_seconds(), 0) + " s");
+                      "the server is draining: " + count_text(response->clients(), "client") +
+                          " notified, timeout " + number_text(response->timeout_seconds(), 0) +
+                          " s");
 }
 
 Outcome profile(Connection& server, const CommandArguments& arguments) {
@@ -190,7 +192,7 @@ Outcome profile(Connection& server, const CommandArguments& arguments) {
         return usage_error(s.error());
     if (arguments.file == "-") return {};
     if (!arguments.json)
-        return {.text = arguments.file + " holds " + count_text(response->ticks(), "tick") +
+        return {.text = arguments.file + " contains " + count_text(response->ticks(), "tick") +
                         "; open it at https://ui.perfetto.dev or chrome://tracing\n"};
     v1::ProfileResponse without_trace = *response;
     without_trace.clear_trace();

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What jostlectl can do, one function a command: asks the server and gives back what to print. An
-// error of code invalid_argument that came before the server was asked is the caller's mistake;
-// both kinds are told apart by Outcome.
+// The commands of jostlectl, one function each: call the server and return the text to print.
+// Outcome distinguishes errors of flags or files from errors of the server.
 #pragma once
 
 #include <cstdint>
@@ -12,20 +11,20 @@
 
 namespace jostle::ctl {
 
-// All that flags can say about any command.
+// Arguments of all commands.
 struct CommandArguments {
     std::string world, name, scene, file, reason;
-    std::string from;  // a world of which the new one is a moment
+    std::string from;  // world of which the new one is a copy
     std::uint32_t client = 0, steps = 1;
-    std::uint32_t tick = 0;  // 0: now
+    std::uint32_t tick = 0;  // 0: the current tick
     double seconds = 5;
     bool json = false;
 };
 
 struct Outcome {
     std::string text;             // for standard output
-    std::string error;            // for standard error; empty: it was done
-    bool is_usage_error = false;  // of an error: flags or files, not the server
+    std::string error;            // for standard error; empty: success
+    bool is_usage_error = false;  // the error is in flags or files, not in the server
 };
 
 Outcome list_worlds(Connection& server, const CommandArguments& arguments);

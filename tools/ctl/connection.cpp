@@ -16,7 +16,7 @@ namespace jostle::ctl {
 
 namespace {
 
-constexpr int message_bytes_max = 128 << 20;  // an exported world, a trace
+constexpr int message_bytes_max = 128 << 20;  // for exported worlds and traces
 constexpr std::size_t file_bytes_max = 64u << 20;
 
 }  // namespace
@@ -30,14 +30,14 @@ Result<std::string> read_file(const std::string& path) {
     if (path != "-") {
         file.open(path, std::ios::binary);
         if (!file || std::filesystem::is_directory(path, ignored))
-            return failed("it is not there, or not yours to read");
+            return failed("the file does not exist or is not readable");
         if (std::filesystem::is_regular_file(path, ignored) &&
             std::filesystem::file_size(path, ignored) > file_bytes_max)
-            return failed("it has more than 64 MiB");
+            return failed("the file is larger than 64 MiB");
     }
     std::istream& in = path == "-" ? std::cin : file;
     std::string text((std::istreambuf_iterator<char>(in)), {});
-    if (in.bad()) return failed("reading ended in the middle");
+    if (in.bad()) return failed("read error");
     return text;
 }
 
@@ -46,14 +46,14 @@ Status write_file(const std::string& path, const std::string& content) {
         const bool good = std::fwrite(content.data(), 1, content.size(), stdout) == content.size();
         return good && std::fflush(stdout) == 0
                    ? Status()
-                   : invalid_argument("cannot write to standard output: nobody reads it any more");
+                   : invalid_argument("cannot write to standard output: the reader has closed it");
     }
     std::ofstream out(path, std::ios::binary);
     out << content;
     out.close();
     if (out) return {};
     return invalid_argument("cannot write " + path +
-                            ": the folder is not there or not yours, or full");
+                            ": check that the directory exists, is writable and has free space");
 }
 
 Result<Connection> Connection::open(const ConnectionFlags& flags) {
@@ -82,19 +82,20 @@ Error Connection::describe_error(const grpc::Status& status) const {
         case grpc::StatusCode::UNAVAILABLE:
             return {error.code,
                     "cannot reach " + server_ + ": " + error.message +
-                        "\n  Is jostle-server running there, and is this its gRPC address "
-                        "(--server HOST:PORT)?" +
-                        (security_.tls ? " Does it speak TLS, and does --ca know its authority?"
-                                       : " If it speaks TLS, give --tls or --ca FILE.")};
+                        "\n  Check that jostle-server is running and that --server is its gRPC "
+                        "address." +
+                        (security_.tls
+                             ? " Check that the server uses TLS and that --ca contains its CA."
+                             : " If the server uses TLS, use --tls or --ca FILE.")};
         case grpc::StatusCode::UNAUTHENTICATED:
             return {error.code,
-                    error.message + "\n  Give --token-file FILE with an admin's token."};
+                    error.message + "\n  Use --token-file FILE with the token of an admin."};
         case grpc::StatusCode::UNIMPLEMENTED:
             return {error.code, server_ +
-                                    " does not know this call: it is an older server, or no "
-                                    "jostle-server at all"};
+                                    " does not support this method: it is an older server or not "
+                                    "a jostle-server"};
         case grpc::StatusCode::DEADLINE_EXCEEDED:
-            return {error.code, server_ + " did not answer in time: " + error.message};
+            return {error.code, server_ + " did not respond in time: " + error.message};
         default:
             return error;
     }

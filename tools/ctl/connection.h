@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// How jostlectl reaches a server: in the clear on this machine, by TLS elsewhere, with a token and
-// a certificate of its own where those are wanted. One thread.
+// jostlectl's connection to a server: without TLS on loopback, with TLS elsewhere, with an optional
+// token and client certificate. One thread.
 #pragma once
 
 #include <grpcpp/client_context.h>
@@ -17,7 +17,7 @@
 
 namespace jostle::ctl {
 
-// As the flags say.
+// Values of the flags.
 struct ConnectionFlags {
     std::string server = "127.0.0.1:50051";
     client::SecurityFiles files;
@@ -25,10 +25,11 @@ struct ConnectionFlags {
 
 class Connection {
 public:
-    // Reads the files. Nothing is sent before the first call.
+    // Reads the certificate and token files. Nothing is sent before the first call.
     static Result<Connection> open(const ConnectionFlags& flags);
 
-    // One call and its deadline: `Answer answer = *connection.ask(...)`. An error says what to do.
+    // Calls a method with a deadline: `Response response = *connection.call(...)`. Errors include
+    // the remedy.
     template <class Stub, class Request, class Response>
     Result<Response> call(grpc::Status (Stub::*method)(grpc::ClientContext*, const Request&,
                                                        Response*),
@@ -63,7 +64,7 @@ inline v1::WorldService::Stub& Connection::stub() const {
     return *worlds_;
 }
 
-// A file as it is; "-" is standard input or output. Errors name the file.
+// Reads or writes a file; "-" is standard input or output. Errors name the file.
 Result<std::string> read_file(const std::string& path);
 Status write_file(const std::string& path, const std::string& content);
 

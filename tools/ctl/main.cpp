@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// jostlectl: what an operator does to a running server, from a terminal or a script.
+// jostlectl: administration of a running server, from a terminal or a script.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
@@ -16,21 +16,22 @@ using jostle::ctl::Outcome;
 
 constexpr const char* footer = R"(
 Examples:
-  jostlectl worlds                                  what runs, and how busy it is
-  jostlectl world create arena --scene pyramid      another world
-  jostlectl world create arena --file arena.json    ... of a scene file
-  jostlectl clients arena                           who is there, for how long, at what rate
+  jostlectl worlds                                  list worlds and their load
+  jostlectl world create arena --scene pyramid      create a world from a catalogue scene
+  jostlectl world create arena --file arena.json    create a world from a scene file
+  jostlectl clients arena                           list clients, connection times and data rates
   jostlectl kick 17 --reason "please be kind"
   jostlectl pause arena && jostlectl step arena 60 && jostlectl resume arena
-  jostlectl export arena arena.json                 as a scene file; "-" writes to the terminal
-  jostlectl export arena then.json --at 1234        ... as it was in that tick, where worlds are kept
-  jostlectl profile arena arena.trace.json          5 s of ticks, for ui.perfetto.dev
-  jostlectl drain                                   the server says goodbye and ends
+  jostlectl export arena arena.json                 write a scene file; "-" is standard output
+  jostlectl export arena then.json --at 1234        export an earlier tick of a persisted world
+  jostlectl profile arena arena.trace.json          record 5 s of ticks for ui.perfetto.dev
+  jostlectl drain                                   notify clients, then stop the server
   jostlectl clients --json | jq '.clients[] | select(.kbitPerSecond > 500)'
   jostlectl --server game.example.org:50051 --ca ca.pem --token-file admin.jwt worlds
 
-Worlds are named by id or name. JOSTLE_SERVER may hold the server's address.
-Exit status: 0 done, 1 the server refused or cannot be reached, 2 wrong flags or a file that cannot be read or written.)";
+WORLD is the id or the name of a world.
+Exit status: 0 success, 1 the server rejected the call or is unreachable, 2 invalid flags, or a file
+cannot be read or written.)";
 
 using Command = Outcome (*)(Connection&, const CommandArguments&);
 
@@ -42,14 +43,14 @@ struct Flags {
 
 void add_connection_flags(CLI::App& app, Flags& flags) {
     ConnectionFlags& c = flags.connection;
-    app.add_option("--server", c.server, "gRPC address of the server, HOST:PORT")
-        ->envname("JOSTLE_SERVER")
-        ->capture_default_str();
+    app.add_option("--server", c.server, "Connect to this gRPC server [default: 127.0.0.1:50051]")
+        ->type_name("HOST:PORT")
+        ->envname("JOSTLE_SERVER");
     jostle::client::add_security_flags(app, c.files);
-    app.add_flag("--json", flags.arguments.json, "Prints the answer as JSON, for programs");
+    app.add_flag("--json", flags.arguments.json, "Print the response as JSON");
 }
 
-// A subcommand that runs `command`; the app goes on to add its flags.
+// Adds a subcommand that runs `command`; the caller adds its flags.
 CLI::App* add(CLI::App& app, Flags& flags, const char* name, const char* help, Command command) {
     CLI::App* const sub = app.add_subcommand(name, help);
     sub->callback([&flags, command] { flags.command = command; });
@@ -57,23 +58,31 @@ CLI::App* add(CLI::App& app, Flags& flags, const char* name, const char* help, C
 }
 
 void add_world_argument(CLI::App* sub, Flags& flags) {
-    sub->add_option("WORLD", flags.arguments.world, "Id or name of the world")->required();
+    sub->add_option("WORLD", flags.arguments.world, "Id or name of the world")
+        ->type_name("")
+        ->required();
 }
 
 void add_world_commands(CLI::App& app, Flags& flags) {
     namespace ctl = jostle::ctl;
     CommandArguments& w = flags.arguments;
-    add(app, flags, "worlds", "Lists the worlds", ctl::list_worlds);
-    CLI::App* const world = app.add_subcommand("world", "Creates and deletes worlds");
+    add(app, flags, "worlds", "List the worlds", ctl::list_worlds);
+    CLI::App* const world = app.add_subcommand("world", "Create or delete a world");
     world->require_subcommand(1);
-    CLI::App* const create = add(*world, flags, "create", "Creates a world", ctl::create_world);
-    create->add_option("NAME", w.name, "Its name; the scene's when not given");
-    auto* const scene = create->add_option("--scene", w.scene, "A scene of the server's catalogue");
-    auto* const file = create->add_option("--file", w.file, "A scene file; - reads standard input");
+    CLI::App* const create = add(*world, flags, "create", "Create a world", ctl::create_world);
+    create->add_option("NAME", w.name, "Name of the world [default: the name of the scene]")
+        ->type_name("");
+    auto* const scene =
+        create->add_option("--scene", w.scene, "Use a scene of the server's catalogue")
+            ->type_name("SCENE");
+    auto* const file =
+        create->add_option("--file", w.file, "Read a scene file; \"-\" reads standard input")
+            ->type_name("FILE");
     auto* const from =
-        create->add_option("--from", w.from, "A world that the server keeps, as it was at --at");
+        create->add_option("--from", w.from, "Copy a persisted world as it was after the tick --at")
+            ->type_name("WORLD");
     auto* const at =
-        create->add_option("--at", w.tick, "The tick after which that was")->needs(from);
+        create->add_option("--at", w.tick, "Tick of --from")->type_name("TICK")->needs(from);
     from->needs(at);
     scene->excludes(file)->excludes(from);
     file->excludes(from);
@@ -85,53 +94,64 @@ void add_world_commands(CLI::App& app, Flags& flags) {
             throw CLI::RequiredError("world create --from: NAME");
         flags.command = ctl::create_world;
     });
-    add_world_argument(
-        add(*world, flags, "delete", "Deletes a world; its clients are told", ctl::delete_world),
-        flags);
+    add_world_argument(add(*world, flags, "delete", "Delete a world and disconnect its clients",
+                           ctl::delete_world),
+                       flags);
     for (const auto& [name, help, command] :
-         {std::tuple("pause", "Lets a world stand still", &ctl::pause),
-          std::tuple("resume", "Lets a paused world go on", &ctl::resume)}) {
+         {std::tuple("pause", "Pause a world", &ctl::pause),
+          std::tuple("resume", "Resume a paused world", &ctl::resume)}) {
         CLI::App* const sub = add(app, flags, name, help, command);
         add_world_argument(sub, flags);
         if (command == &ctl::pause)
-            sub->add_option("--reason", w.reason, "Told to who sends inputs, at most 100 bytes");
+            sub->add_option("--reason", w.reason,
+                            "Send TEXT to clients whose inputs are rejected [at most 100 bytes]")
+                ->type_name("TEXT");
     }
     CLI::App* const rewind =
-        add(app, flags, "rewind", "Takes a world back to an earlier tick; its clients come along",
-            ctl::rewind);
+        add(app, flags, "rewind", "Restore a persisted world to an earlier tick", ctl::rewind);
     add_world_argument(rewind, flags);
     rewind
         ->add_option("--to", w.tick,
-                     "The tick; worlds --json has oldest_restorable_tick, the first")
+                     "Tick to restore; \"worlds --json\" shows oldest_restorable_tick")
+        ->type_name("TICK")
         ->required();
-    CLI::App* const step = add(app, flags, "step", "Steps a paused world", ctl::step);
+    CLI::App* const step = add(app, flags, "step", "Step a paused world", ctl::step);
     add_world_argument(step, flags);
-    step->add_option("STEPS", w.steps, "How many, 1 to 1000")
-        ->check(CLI::Range(1, 1000))
-        ->capture_default_str();
+    step->add_option("STEPS", w.steps, "Number of steps [default: 1; 1 to 1000]")
+        ->type_name("")
+        ->check(CLI::Range(1, 1000).description(""));
     CLI::App* const exported =
-        add(app, flags, "export", "Writes a world as a scene file", ctl::export_world);
+        add(app, flags, "export", "Write a world as a scene file", ctl::export_world);
     add_world_argument(exported, flags);
-    exported->add_option("FILE", w.file, "Where to; - is the terminal")->required();
-    exported->add_option("--at", w.tick, "As it was after this tick, if the server keeps it");
+    exported->add_option("FILE", w.file, "Scene file to write; \"-\" is standard output")
+        ->type_name("")
+        ->required();
+    exported
+        ->add_option("--at", w.tick, "Export a persisted world as it was after TICK [default: now]")
+        ->type_name("TICK");
     CLI::App* const profile =
-        add(app, flags, "profile", "Records where the time of a world's ticks goes", ctl::profile);
+        add(app, flags, "profile", "Record where the ticks of a world spend time", ctl::profile);
     add_world_argument(profile, flags);
-    profile->add_option("FILE", w.file, "Where to write the trace; - is the terminal")->required();
-    profile->add_option("--seconds", w.seconds, "For how long, 1 to 30")
-        ->check(CLI::Range(1.0, 30.0))
-        ->capture_default_str();
+    profile->add_option("FILE", w.file, "Trace file to write; \"-\" is standard output")
+        ->type_name("")
+        ->required();
+    profile->add_option("--seconds", w.seconds, "Record for this time [default: 5; 1 to 30]")
+        ->type_name("SECONDS")
+        ->check(CLI::Range(1.0, 30.0).description(""));
 }
 
 void add_client_commands(CLI::App& app, Flags& flags) {
     CommandArguments& w = flags.arguments;
-    add(app, flags, "clients", "Lists who is connected", jostle::ctl::list_clients)
-        ->add_option("WORLD", w.world, "Of this world alone, by id or name");
-    CLI::App* const kick =
-        add(app, flags, "kick", "Sends a client away; it may come back", jostle::ctl::kick);
-    kick->add_option("CLIENT", w.client, "Its id, as clients lists it")->required();
-    kick->add_option("--reason", w.reason, "Told to the client, at most 100 bytes");
-    add(app, flags, "drain", "Has the server say goodbye and end", jostle::ctl::drain);
+    add(app, flags, "clients", "List the connected clients", jostle::ctl::list_clients)
+        ->add_option("WORLD", w.world, "Id or name of a world [default: all worlds]")
+        ->type_name("");
+    CLI::App* const kick = add(app, flags, "kick", "Disconnect a client", jostle::ctl::kick);
+    kick->add_option("CLIENT", w.client, "Id of the client, as listed by \"clients\"")
+        ->type_name("")
+        ->required();
+    kick->add_option("--reason", w.reason, "Send TEXT to the client [at most 100 bytes]")
+        ->type_name("TEXT");
+    add(app, flags, "drain", "Notify all clients, then stop the server", jostle::ctl::drain);
 }
 
 int run(Flags& flags) {
@@ -150,14 +170,14 @@ int run(Flags& flags) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    CLI::App app{"Looks after a running jostle-server."};
+    CLI::App app{"Administer a running jostle-server."};
     Flags flags;
-    app.fallthrough();  // flags of all commands may stand after the command, too
+    app.fallthrough();  // global flags are also accepted after the command
     add_connection_flags(app, flags);
     add_world_commands(app, flags);
     add_client_commands(app, flags);
     app.require_subcommand(1);
-    app.set_version_flag("--version", "jostlectl " JOSTLE_VERSION);
+    app.set_version_flag("--version", "jostlectl " JOSTLE_VERSION, "Print the version and exit");
     app.footer(footer);
     try {
         app.parse(argc, argv);

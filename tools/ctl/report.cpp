@@ -8,7 +8,8 @@
 namespace jostle::ctl {
 
 std::string worlds_text(const v1::ListWorldsResponse& worlds) {
-    if (worlds.worlds().empty()) return "The server has no world: jostlectl world create\n";
+    if (worlds.worlds().empty())
+        return "The server has no worlds. Create one with jostlectl world create.\n";
     Table table({{"ID"},
                  {"NAME"},
                  {"SCENE"},
@@ -28,7 +29,7 @@ std::string worlds_text(const v1::ListWorldsResponse& worlds) {
 }
 
 std::string clients_text(const v1::ListClientsResponse& clients) {
-    if (clients.clients().empty()) return "Nobody is connected.\n";
+    if (clients.clients().empty()) return "No clients are connected.\n";
     Table table({{"ID", Align::right},
                  {"NAME"},
                  {"SUBJECT"},
@@ -55,7 +56,7 @@ std::string json_text(const google::protobuf::Message& message) {
     options.add_whitespace = true;
     options.always_print_primitive_fields = true;
     std::string text;
-    // Only what is no UTF-8 cannot be written, and no message off the wire holds such text.
+    // Only invalid UTF-8 cannot be converted, and received messages contain none.
     if (!google::protobuf::util::MessageToJsonString(message, &text, options).ok()) return "{}\n";
     return text;
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What jostlectl says of an answer: a table or a sentence for people, the message as JSON for
-// programs. Pure functions.
+// Formats responses for jostlectl: tables and sentences, or the message as JSON. Pure functions.
 #pragma once
 
 #include <string>
@@ -14,7 +13,7 @@ namespace jostle::ctl {
 std::string worlds_text(const v1::ListWorldsResponse& worlds);
 std::string clients_text(const v1::ListClientsResponse& clients);
 
-// The answer as protobuf's JSON, in lines; zeros are there.
+// The message as multi-line protobuf JSON, including zero values.
 std::string json_text(const google::protobuf::Message& message);
 
 }  // namespace jostle::ctl

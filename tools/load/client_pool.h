@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The clients of a run, whatever they are made of. They begin to connect when it is made.
+// The clients of a load run, independent of their kind. They start to connect on construction.
 #pragma once
 
 #include <cstdint>
@@ -12,15 +12,15 @@ namespace jostle::load {
 class ClientPool {
 public:
     struct Progress {
-        int joined = 0;  // and still there
+        int joined = 0;  // joined and still connected
         std::uint64_t snapshots = 0, inputs = 0;
     };
 
     virtual ~ClientPool() = default;
     virtual Progress progress() const = 0;
-    // Figures count from now on.
+    // Resets the metrics; the measurement starts now.
     virtual void measure() = 0;
-    // Ends all, in order, and tells what they saw; once.
+    // Disconnects all clients and returns their metrics; call it once.
     virtual LoadMetrics end() = 0;
 };
 

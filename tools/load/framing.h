@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// The client's side of a play stream without its socket: bytes that arrived become messages, and
-// messages become bytes to send. One for each transport: HTTP/2 with gRPC's messages, WebSocket.
-// Written for a load generator, which is to cost far less than the server that it measures: a
-// message that arrived whole is looked at where it lies. Bytes are foreign, and everything that is
-// kept of them is bounded. One thread.
+// The client side of a play stream without its socket: converts received bytes to messages, and
+// messages to bytes to send. One implementation per transport: HTTP/2 with gRPC framing, WebSocket,
+// raw. Written for a load generator, which must cost far less than the measured server: a complete
+// message is processed in place. Bytes are untrusted, and all buffers are bounded. One thread.
 #pragma once
 
 #include <cstddef>
@@ -16,14 +15,14 @@
 
 namespace jostle::load {
 
-// Of one message; whatever transport has it, no larger one is taken.
+// Limit for a message of any transport.
 inline constexpr std::size_t message_bytes_max = std::size_t{64} << 20;
-// Answers that a server makes us write and does not read.
+// Limit for queued responses that the server does not read.
 inline constexpr std::size_t outgoing_bytes_max = std::size_t{4} << 20;
 
 class Framing {
 public:
-    // Whom messages are handed to; the bytes are gone when it returns.
+    // Receives messages; the bytes are valid only during the call.
     class Reader {
     public:
         virtual void on_message(Bytes message) = 0;
@@ -33,13 +32,14 @@ public:
     };
 
     virtual ~Framing() = default;
-    // What came next, cut anywhere. An error: the stream is over, and why.
+    // Takes the next received bytes, split anywhere. An error ends the stream and contains the
+    // reason.
     virtual Status take(Bytes bytes, Reader& reader) = 0;
     virtual void send(std::string_view message) = 0;
-    // The reader is done with a message of so many bytes: the server may send as many more.
+    // The reader has processed a message: the server may send that number of bytes again.
     virtual void consume(std::size_t message_bytes) = 0;
 
-    // To be written to the socket, from its front.
+    // Bytes to write to the socket.
     std::string& outgoing() { return out_; }
 
 protected:

@@ -11,7 +11,7 @@ constexpr std::string_view preface = "PRI * HTTP/2.0\r\n\r\nSM\r\n\r\n";
 constexpr std::string_view play_path = "/jostle.v1.PlayService/Play";
 constexpr std::uint32_t call_stream = 1;
 
-// RFC 9113, 6.
+// Constants of RFC 9113, section 6.
 namespace http2 {
 enum FrameType : std::uint8_t {
     data = 0,
@@ -29,7 +29,7 @@ constexpr std::uint16_t setting_enable_push = 2, setting_initial_window = 4;
 }  // namespace http2
 
 constexpr std::size_t head_size = 9, message_head_size = 5;
-constexpr std::uint32_t frame_bytes_max = 16'384;  // what we may send, and what we let be sent
+constexpr std::uint32_t frame_bytes_max = 16'384;  // limit in both directions
 constexpr std::size_t waiting_bytes_max = 1 << 20;
 
 void put_big_endian(std::string& out, std::uint64_t value, unsigned bytes) {
@@ -42,7 +42,8 @@ std::uint32_t big_endian(Bytes bytes) {
     return value;
 }
 
-// RFC 7541, 5.1: a whole number after `prefix_bits` bits of a byte whose other bits are `first`.
+// RFC 7541, section 5.1: an integer after `prefix_bits` bits of a byte whose other bits are
+// `first`.
 void put_hpack_number(std::string& out, std::uint8_t first, unsigned prefix_bits,
                       std::size_t value) {
     const std::size_t full = (std::size_t{1} << prefix_bits) - 1;
@@ -58,7 +59,7 @@ void put_hpack_text(std::string& out, std::string_view text) {
     out += text;
 }
 
-// A literal without indexing, whose name is in the static table (RFC 7541, appendix A).
+// A literal without indexing, with its name in the static table (RFC 7541, appendix A).
 void put_header(std::string& out, std::size_t name_index, std::string_view value) {
     put_hpack_number(out, 0, 4, name_index);
     put_hpack_text(out, value);
@@ -80,15 +81,16 @@ std::string header_block(const Http2Request& request) {
 }
 
 Error broken(const std::string& what) {
-    return {ErrorCode::corrupt_data, "the server broke HTTP/2: " + what};
+    return {ErrorCode::corrupt_data, "HTTP/2 protocol error: " + what};
 }
 
-// Of a message with its head, of which this is the beginning; of less than a head, the head's.
+// Size of a message including its header, of which `begun` is the start; with less than a header,
+// the size of the header.
 Result<std::size_t> whole_size(Bytes begun) {
-    if (begun[0] != 0) return broken("a compressed message");
+    if (begun[0] != 0) return broken("compressed message");
     if (begun.size() < message_head_size) return message_head_size;
     const std::size_t size = big_endian(begun.subspan(1, 4));
-    if (size > message_bytes_max) return broken("a message of " + std::to_string(size) + " bytes");
+    if (size > message_bytes_max) return broken("message of " + std::to_string(size) + " bytes");
     return message_head_size + size;
 }
 
@@ -109,7 +111,7 @@ Http2Framing::Http2Framing(const Http2Request& request) : window_(request.window
     out_ += block;
 }
 
-// --- what we send ---
+// --- sending ---
 
 void Http2Framing::put_head(std::uint32_t length, std::uint8_t type, std::uint8_t flags,
                             std::uint32_t stream) {
@@ -154,13 +156,14 @@ void Http2Framing::consume(std::size_t message_bytes) {
     if (!is_large(size)) replenish_window(size);
 }
 
-// Of a message that does not fit into the window the server can send the end only when the
-// beginning was given back: so it is as it arrives.
+// The server can send the end of a message larger than the window only after the window was
+// replenished, so such a message is consumed as it arrives.
 bool Http2Framing::is_large(std::size_t size) const {
     return size > window_ / 2;
 }
 
-// Told in halves of the window: a frame for each message would cost the server as much as ours.
+// Sent after half of the window: one WINDOW_UPDATE per message would cost the server as much as its
+// own frame.
 void Http2Framing::replenish_window(std::size_t bytes) {
     unreported_bytes_ += static_cast<std::uint32_t>(bytes);
     if (unreported_bytes_ < window_ / 2) return;
@@ -170,7 +173,7 @@ void Http2Framing::replenish_window(std::size_t bytes) {
     unreported_bytes_ = 0;
 }
 
-// --- what arrives ---
+// --- receiving ---
 
 Status Http2Framing::take(Bytes bytes, Reader& reader) {
     if (!partial_.empty()) {
@@ -183,7 +186,7 @@ Status Http2Framing::take(Bytes bytes, Reader& reader) {
     if (!taken.ok()) return taken.error();
     partial_.assign(reinterpret_cast<const char*>(bytes.data()) + *taken, bytes.size() - *taken);
     if (waiting_bytes_ > waiting_bytes_max || out_.size() > outgoing_bytes_max)
-        return Error{ErrorCode::resource_exhausted, "the server does not take what we send"};
+        return Error{ErrorCode::resource_exhausted, "the server does not read the stream"};
     return {};
 }
 
@@ -196,7 +199,7 @@ Result<std::size_t> Http2Framing::take_frames(Bytes bytes, Reader& reader) {
                         .type = at[3],
                         .flags = at[4]};
         if (head.length > frame_bytes_max)
-            return broken("a frame of " + std::to_string(head.length) + " bytes");
+            return broken("frame of " + std::to_string(head.length) + " bytes");
         if (at.size() < head_size + head.length) break;
         if (Status s = on_frame(head, at.subspan(head_size, head.length), reader); !s.ok())
             return s.error();
@@ -207,7 +210,7 @@ Result<std::size_t> Http2Framing::take_frames(Bytes bytes, Reader& reader) {
 
 Status Http2Framing::on_frame(const Head& head, Bytes payload, Reader& reader) {
     if (header_block_open_ && head.type != http2::continuation)
-        return broken("a header block was cut");
+        return broken("truncated header block");
     switch (head.type) {
         case http2::data:
             return on_data(head, payload, reader);
@@ -230,20 +233,20 @@ Status Http2Framing::on_frame(const Head& head, Bytes payload, Reader& reader) {
             return {};
         case http2::goaway:
             if (payload.size() < 8) return broken("GOAWAY");
-            return Error{
-                ErrorCode::unavailable,
-                "the server went away, code " + std::to_string(big_endian(payload.subspan(4, 4)))};
+            return Error{ErrorCode::unavailable,
+                         "the server sent GOAWAY, code " +
+                             std::to_string(big_endian(payload.subspan(4, 4)))};
         case http2::window_update:
             return on_window_update(head, payload);
         default:
-            return {};  // PRIORITY, and what we do not know
+            return {};  // PRIORITY and unknown types
     }
 }
 
 Status Http2Framing::on_data(const Head& head, Bytes payload, Reader& reader) {
-    if (head.stream != call_stream) return broken("DATA of a stream that was not begun");
+    if (head.stream != call_stream) return broken("DATA on an unknown stream");
     unused_ += head.length;
-    if (unused_ > window_) return broken("more DATA than our window allows");
+    if (unused_ > window_) return broken("DATA exceeds the window");
     if ((head.flags & http2::padded) != 0) {
         if (payload.empty() || payload[0] >= payload.size()) return broken("padding");
         const std::size_t padding = payload[0];
@@ -251,11 +254,11 @@ Status Http2Framing::on_data(const Head& head, Bytes payload, Reader& reader) {
         replenish_window(1 + padding);
     }
     if (Status s = on_messages(payload, reader); !s.ok()) return s;
-    if ((head.flags & http2::end_stream) != 0) return broken("DATA ends the stream");
+    if ((head.flags & http2::end_stream) != 0) return broken("DATA with END_STREAM");
     return {};
 }
 
-// Each message is a byte that says whether it is compressed, its length, and itself.
+// Each message consists of a compression flag, its length and its bytes.
 Status Http2Framing::on_messages(Bytes bytes, Reader& reader) {
     while (!bytes.empty()) {
         const Result<std::size_t> size = whole_size(message_.empty() ? bytes : partial_message());
@@ -293,7 +296,7 @@ Bytes Http2Framing::partial_message() const {
 
 Status Http2Framing::on_headers(const Head& head) {
     if (head.type == http2::continuation && !header_block_open_)
-        return broken("CONTINUATION of nothing");
+        return broken("CONTINUATION without HEADERS");
     if (head.type == http2::headers) header_ends_stream_ = (head.flags & http2::end_stream) != 0;
     header_block_open_ = (head.flags & http2::end_headers) == 0;
     if (!header_block_open_ && header_ends_stream_)
@@ -308,7 +311,7 @@ Status Http2Framing::on_settings(const Head& head, Bytes payload) {
         if (big_endian(payload.first(2)) != http2::setting_initial_window) continue;
         const std::uint32_t window = big_endian(payload.subspan(2, 4));
         if (window > Http2Request::window_max)
-            return broken("a window of " + std::to_string(window));
+            return broken("initial window of " + std::to_string(window));
         stream_credit_ += static_cast<std::int64_t>(window) - server_window_;
         server_window_ = window;
     }
@@ -323,7 +326,7 @@ Status Http2Framing::on_window_update(const Head& head, Bytes payload) {
     if (increment == 0) return broken("WINDOW_UPDATE of 0");
     std::int64_t& credit = head.stream == 0 ? connection_credit_ : stream_credit_;
     credit += increment;
-    if (credit > Http2Request::window_max) return broken("more than a window");
+    if (credit > Http2Request::window_max) return broken("window overflow");
     send_waiting();
     return {};
 }

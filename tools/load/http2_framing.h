@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// One gRPC call over HTTP/2, by hand: RFC 9113 for the frames, RFC 7541 for the request's header
-// block, which is written with literals only. What the server's header blocks say is not decoded: a
-// play stream tells by a Notice why it ends.
+// One gRPC call over HTTP/2: RFC 9113 for the frames, RFC 7541 for the header block of the request,
+// which uses literals only. Header blocks of the server are not decoded: a play stream reports its
+// end in a Notice.
 #pragma once
 
 #include <deque>
@@ -13,9 +13,8 @@ namespace jostle::load {
 
 struct Http2Request {
     std::string authority;  // HOST:PORT
-    std::string token;      // shown as "Bearer ..."; empty: none
-    // How much the server may send before used() says that it may send more. The usual window is
-    // that of clients that did not ask for another.
+    std::string token;      // sent as "Bearer ..."; empty: none
+    // Initial flow control window, bytes. The default is that of clients without a setting.
     std::uint32_t window = default_window;
 
     static constexpr std::uint32_t default_window = 65'535, window_max = 0x7fff'ffff;
@@ -23,7 +22,7 @@ struct Http2Request {
 
 class Http2Framing : public Framing {
 public:
-    // The connection's preface and the beginning of the call wait to be sent.
+    // Queues the connection preface and the start of the call.
     explicit Http2Framing(const Http2Request& request);
 
     Status take(Bytes bytes, Reader& reader) override;
@@ -42,7 +41,7 @@ private:
     void replenish_window(std::size_t bytes);
     void send_waiting();
 
-    // The frames that are complete; how many bytes they were.
+    // Processes complete frames and returns their size in bytes.
     Result<std::size_t> take_frames(Bytes bytes, Reader& reader);
     Status on_frame(const Head& head, Bytes payload, Reader& reader);
     Status on_data(const Head& head, Bytes payload, Reader& reader);
@@ -55,16 +54,16 @@ private:
     Status on_window_update(const Head& head, Bytes payload);
 
     const std::uint32_t window_;
-    std::string partial_;                 // of a frame that is not complete
-    std::string message_;                 // likewise
-    std::size_t replenished_bytes_ = 0;   // of message_, when it is large
-    std::int64_t unused_ = 0;             // bytes of our window that are taken
-    std::uint32_t unreported_bytes_ = 0;  // of these, what is used, and not told
-    // What the server lets us send.
+    std::string partial_;                 // of an incomplete frame
+    std::string message_;                 // of an incomplete message
+    std::size_t replenished_bytes_ = 0;   // of message_, if it is large
+    std::int64_t unused_ = 0;             // received bytes not yet returned to the window
+    std::uint32_t unreported_bytes_ = 0;  // of these, consumed bytes not yet reported
+    // Send windows that the server grants.
     std::int64_t connection_credit_ = Http2Request::default_window;
     std::int64_t stream_credit_ = Http2Request::default_window;
     std::uint32_t server_window_ = Http2Request::default_window;
-    std::deque<std::string> waiting_;  // DATA for which there is no credit yet
+    std::deque<std::string> waiting_;  // DATA that exceeds the send window
     std::size_t waiting_bytes_ = 0;
     bool header_block_open_ = false, header_ends_stream_ = false;
 };

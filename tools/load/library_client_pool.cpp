@@ -13,7 +13,7 @@ using namespace std::chrono_literals;
 namespace {
 
 constexpr auto play_period = 33ms;
-constexpr auto leave_delay = 200ms;  // until what was said last is sent
+constexpr auto leave_delay = 200ms;  // for the last messages to be sent
 
 }  // namespace
 
@@ -75,7 +75,7 @@ void LibraryClientThread::think(Clock::time_point now) {
     inputs_.store(inputs, std::memory_order_relaxed);
 }
 
-// Refusals that a good client may meet are no errors: a body that somebody took away meanwhile, a
+// Rejections that valid clients can encounter are not errors: a body that was removed meanwhile, a
 // full world.
 void LibraryClientThread::collect(Member& member, Clock::time_point now) {
     client::Client& client = member.bot->client();

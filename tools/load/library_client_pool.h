@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Clients of the C++ client library, as a game would have them: each decodes all that it gets.
-// Spread over several threads, each with a loop of the library for its connections and a thread of
-// ours that plays.
+// Clients of the C++ client library, like those of a game: each decodes everything. They are
+// distributed over several threads, each with a loop of the library for its connections and a
+// thread that plays.
 #pragma once
 
 #include <atomic>
@@ -19,7 +19,7 @@ namespace jostle::load {
 
 class LibraryClientThread {
 public:
-    // Clients first, first + step, ... of the plan's. The plan outlives it.
+    // Clients first, first + step, ... of the plan, which must outlive this object.
     LibraryClientThread(const LoadOptions& plan, int first, int step, Clock::time_point begun);
     ~LibraryClientThread();
 
@@ -30,7 +30,7 @@ public:
 private:
     struct Member {
         std::unique_ptr<bots::Bot> bot;
-        client::ClientStats before;  // when the measurement began
+        client::ClientStats before;  // at the start of the measurement
     };
 
     void run();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Who is to load which server, for how long: what the flags of jostle-load say.
+// The plan of a load run: server, clients and duration, from the flags of jostle-load.
 #pragma once
 
 #include <cstdint>
@@ -22,22 +22,23 @@ struct LoadOptions {
     int clients = 10;
     int threads = 2;
     double ramp = 1, settle = 1, seconds = 10;  // s
-    bots::Script script;                        // empty: the clients only watch
-    // Of the world they see what is within so many metres of a point; 0: all. The points lie evenly
-    // in a disc of that radius about the origin, each client's elsewhere.
+    bots::Script script;                        // empty: the clients only receive
+    // m; radius of each client's area of interest; 0: the whole world. The centres are evenly
+    // distributed in a disc of that radius about the origin.
     double interest_radius = 0;
-    std::uint32_t max_kbps = 0;  // that the server may send to each; 0: what the world takes
+    std::uint32_t max_kbps = 0;  // bandwidth limit per client, kbit/s; 0: none
 
-    // Of a client that sees a part; number from 0.
+    // Area of interest of a client, numbered from 0.
     std::optional<client::AreaOfInterest> interest_of(int number) const;
 
-    bool datagrams = false;  // of clients of the library: ClientOptions::datagrams
+    bool datagrams = false;  // of library clients: ClientOptions::datagrams
 
-    // Of sinks. Raw: messages with their length (raw_framing.h), as servers of benchmarks send.
+    // Of passive clients. Raw: messages with a length prefix (raw_framing.h), for benchmark
+    // servers.
     Transport transport = Transport::grpc;
-    int ack_every = 0;           // snapshots; 0: as the server's welcome asks for
-    double read_rate = 0;        // messages a second that each client reads; 0: as they come
-    double decode_ratio = 0.01;  // of the clients; 0: none
+    int ack_every = 0;           // snapshots per ack; 0: at the interval of the Welcome
+    double read_rate = 0;        // messages per second that each client reads; 0: unlimited
+    double decode_ratio = 0.01;  // share of the clients that decode; 0: none
 };
 
 }  // namespace jostle::load

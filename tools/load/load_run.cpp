@@ -17,10 +17,10 @@ using namespace std::chrono_literals;
 namespace {
 
 constexpr auto poll_period = 20ms, progress_period = 500ms;
-constexpr double join_timeout = 10;  // s after the ramp
+constexpr double join_timeout = 10;  // s, after the ramp
 constexpr rlim_t reserved_descriptors = 100;
 
-// Rewrites a line of the terminal; nothing elsewhere.
+// Rewrites one line on a terminal; prints nothing elsewhere.
 class ProgressLine {
 public:
     void show(const char* phase, double seconds, int clients,

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// One run from the first client that joins to the report: the ramp, a while to settle, the
-// measurement.
+// One load run: ramp-up, settling time, measurement, report.
 #pragma once
 
 #include <atomic>
@@ -15,15 +14,15 @@
 
 namespace jostle::load {
 
-// Measures from when all have joined and `settle` has passed; when some do not join within ten
-// seconds after the ramp, without them. Ends early when `stop` becomes true. `server_pid`: whose
-// processor time to read; nothing: of nobody. `before_end` is called when the measurement is over
-// and the clients are still there. Tells how it goes on a terminal.
+// Measures for the planned duration, once all clients have joined and `settle` has passed; clients
+// that have not joined 10 s after the ramp are ignored. Ends early when `stop` becomes true.
+// `server_pid`: process whose CPU time is measured; nothing: none. Calls `before_end` after the
+// measurement, while the clients are still connected. Shows the progress on a terminal.
 Report run_load(const LoadOptions& plan, ClientPool& pool, std::optional<int> server_pid,
                 const std::atomic<bool>& stop, const std::function<void()>& before_end = {});
 
-// One socket a client, and some: as many as the system lets this process have. False: it may not
-// have so many.
+// Raises the limit of open files for one socket per client and a reserve. Returns false if the
+// system does not allow it.
 bool raise_socket_limit(int clients);
 
 }  // namespace jostle::load

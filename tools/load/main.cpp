@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// jostle-load: many scripted clients against one server, a report, and a verdict.
+// jostle-load: connects many scripted clients to a server, reports measurements and checks
+// thresholds.
 #include <CLI/CLI.hpp>
 #include <atomic>
 #include <csignal>
@@ -20,17 +21,28 @@ using namespace jostle::load;
 std::atomic<bool> stop{false};
 
 constexpr const char* footer = R"(
-Clients are those of the C++ library: each decodes all that it gets. With --passive they are sockets that speak the transport by
-hand, a few microseconds a message: thousands fit into one process, and the server is what is measured. Sinks only watch,
-unless a script is given; --server is then the gRPC port, or with --websocket that of HTTP. Without TLS.
+By default the clients use the C++ client library, and each one decodes every snapshot. With
+--passive they are bare sockets that cost a few microseconds per message: one process runs thousands
+of them, and the server is the bottleneck. Passive clients send no inputs unless --script is given.
+With --passive, --server is the gRPC port, or the HTTP port with --websocket; TLS is not supported.
 
-The report, taken when all have joined and --settle has passed: clients, connected (to the end), inputs_sent, inputs_accepted
-(applied by the server), snapshots, kbit_per_second_per_client, snapshots_per_second_per_client, decoded_share (of the snapshots:
-decoded, and their CRC compared), age_ms (from the moment a tick was due on the server to when its snapshot was read here; the
-library's is decoded then), gap_ms (between a client's snapshots), result_delay_ms (from an input that was sent to its result),
-effect_delay_ms (likewise, to the first snapshot of a tick that had applied it); the last three of sinks only. Errors are
-streams that ended, snapshots that did not decode, inputs of good form that were refused. server_cpu_percent is of one core, when
-the server is on this machine. Runs of more than 10 s show the age in pieces of 10 s, too.
+The measurement starts when all clients have joined and --settle has passed. The report contains:
+  clients, connected                requested clients, and those connected at the end
+  inputs_sent, inputs_accepted      inputs sent, and inputs applied by the server
+  snapshots                         received snapshots
+  kbit_per_second_per_client        received data
+  snapshots_per_second_per_client   received snapshots
+  decoded_share                     share of the snapshots that were decoded and verified by CRC
+  age_ms                            from the due time of a tick until its snapshot was read
+                                    (library clients: decoded)
+  gap_ms                            between successive snapshots of a client (passive clients)
+  result_delay_ms                   from an input until its result (passive clients)
+  effect_delay_ms                   from an input until the first snapshot of the tick that applied
+                                    it (passive clients)
+  errors                            streams that ended, snapshots that did not decode, and rejected
+                                    valid inputs
+  server_cpu_percent                of one core, if the server is on this machine
+Runs longer than 10 s also list age_ms in intervals of 10 s.
 
 Examples:
   jostle-load --clients 100 --seconds 20 --max-age-p99-ms 50
@@ -38,7 +50,7 @@ Examples:
   jostle-load --passive --websocket --server localhost:8080 --clients 500
   jostle-load --passive --clients 4 --read-rate 20 --seconds 120
 
-Exit status: 0 plan kept, 1 plan missed, 2 wrong flags or script.)";
+Exit status: 0 success, 1 a threshold was violated, 2 invalid flags or script.)";
 
 struct Flags {
     jostle::client::SecurityFiles files;
@@ -51,61 +63,103 @@ struct Flags {
 
 void add_flags(CLI::App& app, Flags& flags) {
     LoadOptions& load = flags.load;
-    app.add_option("--server", load.target, "Server, HOST:PORT")->capture_default_str();
+    app.add_option("--server", load.target, "Connect to this server [default: localhost:50051]")
+        ->type_name("HOST:PORT");
     jostle::client::add_security_flags(app, flags.files);
-    app.add_option("--world", load.world, "World by name or id; the first when not given");
-    app.add_option("--clients", load.clients, "How many clients")
-        ->capture_default_str()
-        ->check(CLI::Range(1, 20000));
-    app.add_option("--threads", load.threads, "Over which they are spread")
-        ->capture_default_str()
-        ->check(CLI::Range(1, 256));
-    app.add_option("--seconds", load.seconds, "How long to measure")
-        ->capture_default_str()
-        ->check(CLI::Range(0.1, 86400.0));
-    app.add_option("--ramp", load.ramp, "Seconds over which clients join")
-        ->capture_default_str()
-        ->check(CLI::Range(0.0, 3600.0));
-    app.add_option("--settle", load.settle, "Seconds from when all have joined to the measurement")
-        ->capture_default_str()
-        ->check(CLI::Range(0.0, 3600.0));
-    app.add_option("--script", flags.script, "What clients do (jostle-bot --help has the format)");
-    CLI::Option* datagrams = app.add_flag("--datagrams", load.datagrams,
-                                          "Clients take snapshots as datagrams where offered");
-    CLI::Option* passive =
-        app.add_flag("--passive", flags.passive, "Clients that only count: see below");
-    passive->excludes(datagrams);
-    app.add_flag("--websocket", flags.websocket, "Sinks join as browsers do")->needs(passive);
-    app.add_option("--ack-every", load.ack_every,
-                   "Snapshots that a sink acknowledges together; as the server asks when not given")
-        ->needs(passive)
-        ->check(CLI::Range(1, 1000));
-    app.add_option("--read-rate", load.read_rate,
-                   "Messages a second that each sink reads; as they come when not given")
-        ->needs(passive)
-        ->check(CLI::Range(0.1, 1000.0));
-    app.add_option("--decode-ratio", load.decode_ratio, "Share of the sinks that decode")
-        ->needs(passive)
-        ->capture_default_str()
-        ->check(CLI::Range(0.0, 1.0));
-    app.add_option(
-           "--interest-radius", load.interest_radius,
-           "Metres that each client sees about a point of its own; all of the world when not given")
-        ->check(CLI::Range(1.0, 1e6));
+    app.add_option("--world", load.world, "Join a world by name or id [default: the first]")
+        ->type_name("WORLD");
+    app.add_option("--clients", load.clients, "Connect N clients [default: 10; 1 to 20000]")
+        ->type_name("N")
+        ->check(CLI::Range(1, 20000).description(""))
+        ->group("Clients");
+    app.add_option("--threads", load.threads,
+                   "Distribute them over N threads [default: 2; 1 to 256]")
+        ->type_name("N")
+        ->check(CLI::Range(1, 256).description(""))
+        ->group("Clients");
+    app.add_option("--script", flags.script,
+                   "Read the behaviours from FILE (see jostle-bot --help)")
+        ->type_name("FILE")
+        ->group("Clients");
+    app.add_option("--interest-radius", load.interest_radius,
+                   "Limit each client to an area of interest with this radius\n"
+                   "[default: the whole world; 1 to 1e6]")
+        ->type_name("METRES")
+        ->check(CLI::Range(1.0, 1e6).description(""))
+        ->group("Clients");
     app.add_option("--max-kbps", load.max_kbps,
-                   "Kilobits a second that the server may send to each client")
-        ->check(CLI::Range(16, 1000000));
-    app.add_option("--json", flags.json, "Writes the report here as JSON");
-    app.add_option("--server-pid", flags.server_pid, "Process whose CPU time to read");
-    app.add_option("--max-age-p99-ms", flags.plan.age_ms_p99_max, "Plan: largest p99 of age_ms");
-    app.add_option("--max-errors", flags.plan.errors_max, "Plan: most errors")
-        ->capture_default_str();
+                   "Limit the data that the server sends to each client\n"
+                   "[default: unlimited; 16 to 1000000]")
+        ->type_name("KBIT/S")
+        ->check(CLI::Range(16, 1000000).description(""))
+        ->group("Clients");
+    CLI::Option* datagrams =
+        app.add_flag("--datagrams", load.datagrams,
+                     "Receive snapshots as datagrams if the server supports them");
+    datagrams->group("Clients");
+    CLI::Option* passive =
+        app.add_flag("--passive", flags.passive, "Use passive clients, see below");
+    passive->excludes(datagrams)->group("Passive clients");
+    app.add_flag("--websocket", flags.websocket, "Connect by WebSocket instead of gRPC")
+        ->needs(passive)
+        ->group("Passive clients");
+    app.add_option("--ack-every", load.ack_every,
+                   "Acknowledge every N-th snapshot\n"
+                   "[default: at the interval that the server requests; 1 to 1000]")
+        ->type_name("N")
+        ->needs(passive)
+        ->check(CLI::Range(1, 1000).description(""))
+        ->group("Passive clients");
+    app.add_option("--read-rate", load.read_rate,
+                   "Read N messages per second [default: unlimited; 0.1 to 1000]")
+        ->type_name("N")
+        ->needs(passive)
+        ->check(CLI::Range(0.1, 1000.0).description(""))
+        ->group("Passive clients");
+    app.add_option("--decode-ratio", load.decode_ratio,
+                   "Decode snapshots in this share of the clients [default: 0.01; 0 to 1]")
+        ->type_name("RATIO")
+        ->needs(passive)
+        ->check(CLI::Range(0.0, 1.0).description(""))
+        ->group("Passive clients");
+    app.add_option("--ramp", load.ramp,
+                   "Connect the clients over this time [default: 1; 0 to 3600]")
+        ->type_name("SECONDS")
+        ->check(CLI::Range(0.0, 3600.0).description(""))
+        ->group("Measurement");
+    app.add_option("--settle", load.settle,
+                   "Wait for this time before the measurement [default: 1; 0 to 3600]")
+        ->type_name("SECONDS")
+        ->check(CLI::Range(0.0, 3600.0).description(""))
+        ->group("Measurement");
+    app.add_option("--seconds", load.seconds, "Measure for this time [default: 10; 0.1 to 86400]")
+        ->type_name("SECONDS")
+        ->check(CLI::Range(0.1, 86400.0).description(""))
+        ->group("Measurement");
+    app.add_option("--json", flags.json, "Write the report to FILE as JSON")
+        ->type_name("FILE")
+        ->group("Measurement");
+    app.add_option("--server-pid", flags.server_pid,
+                   "Measure the CPU time of process PID\n"
+                   "[default: the process that listens on --server]")
+        ->type_name("PID")
+        ->group("Measurement");
+    app.add_option("--max-age-p99-ms", flags.plan.age_ms_p99_max,
+                   "Fail if the 99th percentile of age_ms is above MS")
+        ->type_name("MS")
+        ->group("Thresholds");
+    app.add_option("--max-errors", flags.plan.errors_max,
+                   "Fail if there are more than N errors [default: 0]")
+        ->type_name("N")
+        ->group("Thresholds");
     app.add_option("--min-connected", flags.plan.connected_min,
-                   "Plan: fewest connected; default all");
+                   "Fail if fewer than N clients are connected at the end [default: all]")
+        ->type_name("N")
+        ->group("Thresholds");
     app.footer(footer);
 }
 
-// Files are read, and what does not fit together is refused.
+// Reads the files and rejects inconsistent flags.
 jostle::Status finish(Flags& flags) {
     LoadOptions& load = flags.load;
     if (!flags.passive || !flags.script.empty()) {
@@ -117,12 +171,13 @@ jostle::Status finish(Flags& flags) {
     if (!security.ok()) return security.error();
     load.security = std::move(*security);
     if (flags.passive && load.security.tls)
-        return jostle::invalid_argument("--passive does not speak TLS; leave one of the two out");
+        return jostle::invalid_argument(
+            "--passive does not support TLS; omit --tls, --ca and --cert");
     if (flags.websocket) load.transport = Transport::websocket;
     if (!raise_socket_limit(load.clients))
         return jostle::invalid_argument(
             std::to_string(load.clients) +
-            " clients need as many sockets, and this process may not have them: raise ulimit -n");
+            " clients exceed the limit of open files; raise it with ulimit -n");
     return {};
 }
 
@@ -142,7 +197,7 @@ int fail(const std::string& what) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    CLI::App app{"Loads a Jostle server with scripted clients and reports what they saw."};
+    CLI::App app{"Load a Jostle server with many clients and report latency and bandwidth."};
     Flags flags;
     add_flags(app, flags);
     try {
@@ -165,6 +220,7 @@ int main(int argc, char** argv) {
         if (!out) return fail("cannot write " + flags.json);
     }
     const auto lines = violated_thresholds(report, flags.plan);
-    for (const std::string& line : lines) std::fprintf(stderr, "plan missed: %s\n", line.c_str());
+    for (const std::string& line : lines)
+        std::fprintf(stderr, "jostle-load: threshold violated: %s\n", line.c_str());
     return lines.empty() ? 0 : 1;
 }

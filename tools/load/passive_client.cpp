@@ -18,8 +18,8 @@
 namespace jostle::load {
 namespace {
 
-// What a slow reader of a WebSocket takes from the socket at once: it is TCP that holds its server
-// back.
+// Bytes that a slow WebSocket reader reads from the socket at once, so that TCP flow control slows
+// down the server.
 constexpr std::size_t slow_read_bytes = 2048;
 
 std::unique_ptr<Framing> make_framing(const LoadOptions& plan) {
@@ -31,8 +31,8 @@ std::unique_ptr<Framing> make_framing(const LoadOptions& plan) {
         case Transport::grpc:
             break;
     }
-    // A slow reader has the window that clients have by default. Else none that can be filled, so
-    // that the server's work is the same in each run.
+    // A slow reader uses the default window. Other clients use a window that never fills, so that
+    // the work of the server is the same in each run.
     return std::make_unique<Http2Framing>(Http2Request{
         .authority = plan.target,
         .token = plan.security.token,
@@ -44,14 +44,15 @@ std::unique_ptr<Framing> make_framing(const LoadOptions& plan) {
 Result<ServerAddress> resolve(const std::string& target) {
     const std::size_t colon = target.rfind(':');
     if (colon == std::string::npos)
-        return invalid_argument("--server is " + target + "; it must be HOST:PORT");
+        return invalid_argument("--server: \"" + target + "\" is not of the form HOST:PORT");
     std::string host = target.substr(0, colon);
     if (host.starts_with('[') && host.ends_with(']')) host = host.substr(1, host.size() - 2);
     addrinfo hints{}, *found = nullptr;
     hints.ai_socktype = SOCK_STREAM;
     if (const int error = getaddrinfo(host.c_str(), target.c_str() + colon + 1, &hints, &found);
         error != 0)
-        return invalid_argument("--server is " + target + ": " + gai_strerror(error));
+        return invalid_argument("--server: cannot resolve \"" + target +
+                                "\": " + gai_strerror(error));
     ServerAddress address;
     std::memcpy(&address.bytes, found->ai_addr, found->ai_addrlen);
     address.size = found->ai_addrlen;
@@ -73,7 +74,7 @@ PassiveClient::~PassiveClient() {
 
 void PassiveClient::connect(const ServerAddress& address) {
     socket_ = socket(address.bytes.ss_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
-    if (socket_ < 0) return end(std::string("no socket: ") + std::strerror(errno));
+    if (socket_ < 0) return end(std::string("cannot create a socket: ") + std::strerror(errno));
     const int on = 1;
     setsockopt(socket_, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
     if (::connect(socket_, reinterpret_cast<const sockaddr*>(&address.bytes), address.size) != 0 &&
@@ -82,7 +83,7 @@ void PassiveClient::connect(const ServerAddress& address) {
     epoll_events_ = EPOLLIN | EPOLLOUT;
     epoll_event event{.events = epoll_events_, .data = {.ptr = this}};
     if (epoll_ctl(epoll_, EPOLL_CTL_ADD, socket_, &event) != 0)
-        end(std::string("cannot watch a socket: ") + std::strerror(errno));
+        end(std::string("cannot add a socket to epoll: ") + std::strerror(errno));
 }
 
 void PassiveClient::on_event(std::span<std::uint8_t> scratch, Clock::time_point now) {
@@ -103,8 +104,8 @@ void PassiveClient::tick(Clock::time_point now) {
 std::string PassiveClient::why_closed() const {
     std::string why = "the server closed the connection";
     if (protocol_.joined()) return why;
-    why += " before it said welcome; is --server the port of ";
-    why += plan_.transport == Transport::websocket ? "HTTP?" : "gRPC?";
+    why += " before its Welcome; check that --server is the port of ";
+    why += plan_.transport == Transport::websocket ? "HTTP" : "gRPC";
     return why;
 }
 
@@ -131,7 +132,7 @@ void PassiveClient::read_waiting(Clock::time_point now) {
     while (!waiting_.empty() && now >= next_read_) {
         const auto period = std::chrono::duration_cast<Clock::duration>(
             std::chrono::duration<double>(1 / plan_.read_rate));
-        // One that had nothing to read is not faster afterwards.
+        // A pause does not allow faster reading afterwards.
         next_read_ = (now - next_read_ < period ? next_read_ : now) + period;
         const std::string message = std::move(waiting_.front());
         waiting_.pop_front();
@@ -154,7 +155,7 @@ void PassiveClient::flush() {
         end(std::string("cannot send: ") + std::strerror(errno));
 }
 
-// gRPC's transport reads ahead as far as its window goes; a WebSocket's reader is its transport.
+// gRPC reads ahead up to its window; a WebSocket reader reads from the transport directly.
 bool PassiveClient::is_backpressured() const {
     return plan_.transport != Transport::grpc && !waiting_.empty();
 }

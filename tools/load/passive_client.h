@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// One sink: a socket, its framing and its conversation. Lives on the thread of its
-// PassiveClientThread, which tells it what epoll says and calls on it every few milliseconds.
+// One passive client: a socket, its framing and its protocol. Used by its PassiveClientThread only,
+// which reports epoll events and calls tick() every few milliseconds.
 #pragma once
 
 #include <sys/socket.h>
@@ -25,7 +25,7 @@ Result<ServerAddress> resolve(const std::string& target);
 
 class PassiveClient final : private Framing::Reader {
 public:
-    // `epoll`: where it registers its socket. Plan and figures outlive it.
+    // `epoll`: descriptor for the socket's events. Plan and metrics must outlive this object.
     PassiveClient(const LoadOptions& plan, PassiveClientOptions options, int epoll,
                   LoadMetrics& metrics);
     ~PassiveClient();
@@ -33,9 +33,9 @@ public:
     PassiveClient& operator=(const PassiveClient&) = delete;
 
     void connect(const ServerAddress& address);
-    // Something arrived, or may be sent; `scratch` is free to be read into.
+    // Handles an epoll event; `scratch` is a reusable read buffer.
     void on_event(std::span<std::uint8_t> scratch, Clock::time_point now);
-    // Reads what may be read by now, and says what is due.
+    // Reads at the read rate and sends due messages.
     void tick(Clock::time_point now);
 
     bool began() const { return socket_ >= 0 || closed_; }
@@ -61,8 +61,8 @@ private:
     int socket_ = -1;
     std::uint32_t epoll_events_ = 0;
     bool closed_ = false;
-    Clock::time_point now_{};  // of the event that is handled
-    // Of one that reads at a rate of its own: what has arrived, and when it reads the next.
+    Clock::time_point now_{};  // time of the current event
+    // With a read rate: received messages, and the time of the next read.
     std::deque<std::string> waiting_;
     Clock::time_point next_read_{};
 };

@@ -17,7 +17,7 @@ using namespace std::chrono_literals;
 namespace {
 
 constexpr std::size_t scratch_bytes = 256 * 1024;
-// How often each client is looked after; one that reads at a rate of its own needs it finer.
+// Interval of tick() per client; slow readers need a finer one.
 constexpr auto default_tick_period = 10ms, slow_reader_tick_period = 1ms;
 constexpr auto think_period = 33ms;
 constexpr int events_at_once = 256;
@@ -32,7 +32,7 @@ Clock::duration seconds(double s) {
     return std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(s));
 }
 
-// Of every hundred clients the first one, when a hundredth is to decode.
+// Selects evenly distributed clients: with a share of 0.01 the first of every hundred.
 bool is_selected(int number, double share) {
     return share > 0 && std::floor(number * share) != std::floor((number - 1) * share);
 }
@@ -135,7 +135,7 @@ ClientPool::Progress PassiveClientThread::progress() const {
 LoadMetrics PassiveClientThread::end() {
     stop_ = true;
     thread_.join();
-    members_.clear();  // sockets close
+    members_.clear();  // closes the sockets
     return std::move(metrics_);
 }
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Sinks on several threads, each with an epoll and every n-th client. A share of the clients
-// decodes; where clients play by a script, one of each thread does, and all of that thread's look
-// through its eyes: what they see of the world is the same.
+// Passive clients on several threads, each with an epoll descriptor and every n-th client. A share
+// of the clients decodes snapshots. If clients play a script, one client per thread decodes and
+// provides the world view for all clients of its thread.
 #pragma once
 
 #include <atomic>
@@ -17,10 +17,10 @@
 
 namespace jostle::load {
 
-// One thread of them.
+// One thread of passive clients.
 class PassiveClientThread {
 public:
-    // Clients first, first + step, ... of the plan's. The plan outlives it.
+    // Clients first, first + step, ... of the plan, which must outlive this object.
     PassiveClientThread(const LoadOptions& plan, const ServerAddress& address, int first, int step,
                         Clock::time_point begun);
     ~PassiveClientThread();

@@ -12,13 +12,13 @@ using namespace std::chrono_literals;
 namespace {
 
 constexpr std::uint32_t protocol_version = 1;
-constexpr int initial_pings = 3;  // to have a clock soon
+constexpr int initial_pings = 3;  // at short intervals, for a quick clock estimate
 constexpr auto initial_ping_period = 100ms;
 constexpr auto ping_period = 5s;
-// Where nothing else is asked for: a snapshot is acknowledged by then, however few came since.
+// Maximum delay of an acknowledgement if the server does not request another one.
 constexpr auto default_ack_delay = 150ms;
 constexpr int default_ack_every = 6;
-constexpr std::uint32_t ack_ms_max = 1000;  // whatever the server says
+constexpr std::uint32_t ack_ms_max = 1000;  // upper bound for the server's value
 constexpr std::size_t sent_max = 4096, arrived_max = 128;
 
 template <class Message>
@@ -36,14 +36,14 @@ PassiveClientProtocol::PassiveClientProtocol(PassiveClientOptions options, LoadM
     if (options_.decodes) view_ = std::make_unique<client::WorldView>();
 }
 
-// --- what it hears ---
+// --- receiving ---
 
 void PassiveClientProtocol::receive(Bytes message, Clock::time_point now) {
     metrics_.messages++;
     metrics_.bytes += message.size();
     ProtoFieldReader walk(message);
     for (Field field; walk.next(field);) on_field(field, now);
-    if (walk.malformed()) metrics_.add_error("the server sent bytes that are no ServerMessage");
+    if (walk.malformed()) metrics_.add_error("received bytes that are not a ServerMessage");
     if (view_) decode(message);
 }
 
@@ -67,7 +67,7 @@ void PassiveClientProtocol::on_field(const Field& field, Clock::time_point now) 
 
 void PassiveClientProtocol::on_welcome(Bytes bytes) {
     v1::Welcome welcome;
-    if (!parse(welcome, bytes)) return metrics_.add_error("the server's welcome is none");
+    if (!parse(welcome, bytes)) return metrics_.add_error("received an invalid Welcome");
     joined_ = true;
     client_id_ = welcome.client_id();
     epoch_us_ = static_cast<std::int64_t>(std::min(welcome.epoch_us(), client::latest_time_us));
@@ -79,7 +79,7 @@ void PassiveClientProtocol::on_welcome(Bytes bytes) {
 }
 
 void PassiveClientProtocol::on_snapshot(Bytes bytes, Clock::time_point now) {
-    joined_ = true;  // a server of a benchmark says no welcome
+    joined_ = true;  // benchmark servers send no Welcome
     std::uint64_t late = 0;
     Bytes own;
     ProtoFieldReader walk(bytes);
@@ -89,7 +89,7 @@ void PassiveClientProtocol::on_snapshot(Bytes bytes, Clock::time_point now) {
         if (field.number == v1::Snapshot::kLateUsFieldNumber) late = field.value;
         if (field.number == v1::Snapshot::kClientUpdateFieldNumber) own = field.bytes;
     }
-    if (walk.malformed()) return metrics_.add_error("the server sent a snapshot that is none");
+    if (walk.malformed()) return metrics_.add_error("received an invalid Snapshot");
     metrics_.snapshots++;
     metrics_.snapshot_bytes += bytes.size();
     unacked_++;
@@ -106,7 +106,7 @@ void PassiveClientProtocol::on_snapshot(Bytes bytes, Clock::time_point now) {
     }
 }
 
-// As WorldView::times_of(). `late` is a zigzag number: 0, -1, 1, -2 ...
+// See WorldView::times_of(). `late` is zig-zag encoded: 0, -1, 1, -2, ...
 std::int64_t PassiveClientProtocol::due_us(std::uint32_t frame, std::uint64_t late) const {
     constexpr auto most = static_cast<std::int64_t>(client::latest_time_us);
     const auto late_us =
@@ -121,10 +121,10 @@ void PassiveClientProtocol::on_client_update(Bytes bytes, Clock::time_point now)
     for (Field field; walk.next(field);)
         if (field.number == v1::ClientUpdate::kResultsFieldNumber && parse(result, field.bytes))
             on_result(result, now);
-    if (walk.malformed()) metrics_.add_error("the server sent results that are none");
+    if (walk.malformed()) metrics_.add_error("received invalid input results");
 }
 
-// Refusals that a good client may meet are no errors: a body that somebody took away meanwhile, a
+// Rejections that valid clients can encounter are not errors: a body that was removed meanwhile, a
 // full world.
 void PassiveClientProtocol::on_result(const v1::InputResult& result, Clock::time_point now) {
     const bool applied = result.code() == v1::INPUT_CODE_APPLIED;
@@ -163,7 +163,7 @@ void PassiveClientProtocol::record_effect_delays(std::uint32_t frame, Clock::tim
 
 void PassiveClientProtocol::on_pong(Bytes bytes, Clock::time_point now) {
     v1::Pong pong;
-    if (!parse(pong, bytes)) return metrics_.add_error("the server sent a pong that is none");
+    if (!parse(pong, bytes)) return metrics_.add_error("received an invalid Pong");
     const std::uint64_t sent = pong.client_time_us(), server = pong.server_time_us(),
                         here = client::to_us(now);
     same_clock_ = same_clock_ && sent <= server && server <= here;
@@ -176,7 +176,7 @@ std::int64_t PassiveClientProtocol::server_us(Clock::time_point now) const {
 
 void PassiveClientProtocol::decode(Bytes bytes) {
     v1::ServerMessage message;
-    if (!parse(message, bytes)) return;  // that was counted
+    if (!parse(message, bytes)) return;  // already counted
     Status applied;
     if (message.has_welcome()) view_->begin(message.welcome());
     if (message.has_geometry()) applied = view_->apply(message.geometry());
@@ -184,13 +184,13 @@ void PassiveClientProtocol::decode(Bytes bytes) {
     if (message.has_snapshot()) {
         applied = view_->apply(message.snapshot());
         metrics_.decoded += applied.ok() ? 1 : 0;
-        // While a keyframe is on its way, what follows cannot be decoded either.
+        // While a keyframe is in transit, the following snapshots cannot be decoded either.
         if (std::exchange(need_keyframe_, !applied.ok())) return;
     }
     if (!applied.ok()) metrics_.add_error(applied.error().message);
 }
 
-// --- what it says ---
+// --- sending ---
 
 std::optional<std::string_view> PassiveClientProtocol::take_message(Clock::time_point now) {
     if (!hello_sent_) {

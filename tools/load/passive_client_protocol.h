@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What one sink says and hears, without its network: a hello, acks at a steady cadence, pings, and
-// inputs when it plays. Of a snapshot it reads the number and the time; a sink that decodes keeps a
-// view as well and compares each CRC. One thread.
+// The protocol of one passive client without its network: a Hello, acks at a steady interval,
+// pings, and inputs if it plays. It reads only the number and the time of a snapshot; a decoding
+// client also maintains a view and verifies each CRC. One thread.
 #pragma once
 
 #include <deque>
@@ -21,31 +21,31 @@
 namespace jostle::load {
 
 struct PassiveClientOptions {
-    std::string world;  // name or id; empty: the first
+    std::string world;  // name or id; empty: the first world
     std::string name;
-    std::string token;      // in the hello; empty: none
+    std::string token;      // in the Hello; empty: none
     bool spectator = true;  // sends no inputs
     bool decodes = false;
-    int ack_every = 0;  // snapshots; 0: as often as the server's welcome asks for
-    std::optional<client::AreaOfInterest> interest = {};  // nothing: all of the world
-    std::uint32_t max_kbps = 0;                           // 0: what the world takes
+    int ack_every = 0;  // snapshots per ack; 0: at the interval of the Welcome
+    std::optional<client::AreaOfInterest> interest = {};  // nothing: the whole world
+    std::uint32_t max_kbps = 0;                           // 0: no limit
 };
 
 class PassiveClientProtocol {
 public:
-    // The figures outlive it.
+    // The metrics must outlive this object.
     PassiveClientProtocol(PassiveClientOptions options, LoadMetrics& metrics);
 
-    // A message was read.
+    // Handles a received message.
     void receive(Bytes message, Clock::time_point now);
-    // The next thing to say, if there is one. The bytes are good until the next call.
+    // Returns the next message to send, if one is due. The bytes are valid until the next call.
     std::optional<std::string_view> take_message(Clock::time_point now);
     void play(const std::vector<v1::Input>& inputs);
 
     bool joined() const { return joined_; }
     std::uint32_t client_id() const { return client_id_; }
     const std::string& notice() const { return notice_; }  // the newest; empty: none
-    // Of a sink that decodes, else null.
+    // The view of a decoding client, else null.
     const client::WorldView* view() const { return view_.get(); }
 
 private:
@@ -57,7 +57,7 @@ private:
         std::uint32_t frame;
         Clock::time_point at;
     };
-    struct Applied {  // an input whose tick is known, and of which no snapshot came yet
+    struct Applied {  // an applied input whose tick was not yet received in a snapshot
         std::uint32_t tick;
         Clock::time_point sent;
     };
@@ -85,18 +85,18 @@ private:
     bool hello_sent_ = false, joined_ = false;
     std::uint32_t client_id_ = 0;
 
-    // Whether the server's clock is ours, because it runs on this machine: every pong so far said a
-    // time between its ping and now. Then the age of what waits in a queue is known however long
-    // pongs wait there, too.
+    // Whether the server shares this machine's clock: every pong so far contained a time between
+    // its ping and its arrival. Then the age of a message in a queue is exact, even if pongs wait
+    // in the same queue.
     client::ClockSync clock_;
     bool same_clock_ = true;
     Clock::time_point next_ping_{};
     int pings_ = 0;
 
-    std::int64_t epoch_us_ = 0;  // on the server's clock: tick 0
-    double tick_us_ = 0;         // from tick to tick; 0: not known
+    std::int64_t epoch_us_ = 0;  // due time of tick 0 on the server's clock
+    double tick_us_ = 0;         // tick interval; 0: unknown
 
-    int ack_every_, unacked_ = 0;  // 0: only by time
+    int ack_every_, unacked_ = 0;  // 0: by time only
     Clock::duration ack_delay_;
     Clock::time_point last_received_{}, last_ack_{};
     std::uint32_t frame_ = 0;  // of the newest snapshot
@@ -105,7 +105,7 @@ private:
 
     v1::InputBatch batch_;
     std::uint32_t next_sequence_ = 1;
-    std::deque<Sent> sent_;        // without a result
+    std::deque<Sent> sent_;        // inputs without a result
     std::deque<Arrival> arrived_;  // the newest snapshots
     std::vector<Applied> applied_;
 };

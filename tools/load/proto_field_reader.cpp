@@ -29,7 +29,7 @@ bool ProtoFieldReader::read_value(Field& field, unsigned wire_type) {
         case 5:
             return read_fixed(field.value, 4);
         default:
-            return false;  // groups; proto3 has none
+            return false;  // groups, which proto3 does not have
     }
 }
 

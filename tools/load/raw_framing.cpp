@@ -25,7 +25,7 @@ Status RawFraming::take(Bytes bytes, Reader& reader) {
         const std::size_t size = length_of(bytes);
         if (size > message_bytes_max)
             return Error{ErrorCode::corrupt_data,
-                         "the server sent a message of " + std::to_string(size) + " bytes"};
+                         "received a message of " + std::to_string(size) + " bytes"};
         if (bytes.size() - length_size < size) break;
         reader.on_message(bytes.subspan(length_size, size));
         bytes = bytes.subspan(length_size + size);

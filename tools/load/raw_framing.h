@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Messages with nothing but their length before them, four bytes, little end first: the least that
-// a stream over TCP needs. Only servers of benchmarks speak it: it is the floor under the others.
+// Messages with a four-byte little-endian length prefix: the minimum for a stream over TCP. Only
+// benchmark servers use it, as a lower bound for the other transports.
 #pragma once
 
 #include "tools/load/framing.h"
@@ -15,7 +15,7 @@ public:
     void consume(std::size_t) override {}
 
 private:
-    std::string partial_;  // of a message that is not complete
+    std::string partial_;  // of an incomplete message
 };
 
 }  // namespace jostle::load

@@ -77,12 +77,12 @@ std::string to_text(const Report& r) {
     if (r.age_windows_ms.size() > 1)
         for (std::size_t k = 0; k < r.age_windows_ms.size(); k++)
             text += percentiles_line(
-                format_text("  age_ms from %zu s on", k * LoadMetrics::window_s).c_str(),
+                format_text("  age_ms from %zu s", k * LoadMetrics::window_s).c_str(),
                 r.age_windows_ms[k]);
     text += line("errors", static_cast<double>(r.errors), 0);
     if (r.load_cpu_us > 0) text += line("load_cpu_us_per_message", r.load_cpu_us, 1);
     return text + (r.server_cpu_percent ? line("server_cpu_percent", *r.server_cpu_percent, 1)
-                                        : format_text("%-31s  not known\n", "server_cpu_percent"));
+                                        : format_text("%-31s  unknown\n", "server_cpu_percent"));
 }
 
 std::string to_json(const Report& r) {
@@ -119,21 +119,21 @@ std::string to_json(const Report& r) {
 
 std::vector<std::string> violated_thresholds(const Report& r, const LoadThresholds& plan) {
     std::vector<std::string> lines;
-    const int wanted = plan.connected_min.value_or(r.clients);
-    if (r.connected < wanted)
+    const int required = plan.connected_min.value_or(r.clients);
+    if (r.connected < required)
         lines.push_back(std::to_string(r.connected) +
-                        " clients were connected to the end; the plan asks for " +
-                        std::to_string(wanted));
+                        " clients were connected at the end; --min-connected requires " +
+                        std::to_string(required));
     if (r.errors > plan.errors_max)
-        lines.push_back(std::to_string(r.errors) + " errors; the plan allows " +
+        lines.push_back(std::to_string(r.errors) + " errors; --max-errors allows " +
                         std::to_string(plan.errors_max) +
-                        (r.last_error.empty() ? "" : " (the last one: " + r.last_error + ")"));
+                        (r.last_error.empty() ? "" : " (last error: " + r.last_error + ")"));
     if (plan.age_ms_p99_max && r.age_ms.count == 0)
-        lines.push_back("no age was measured; the plan asks for an age_ms_p99");
+        lines.push_back("no age was measured, but --max-age-p99-ms is set");
     else if (plan.age_ms_p99_max && !(r.age_ms.p99 <= *plan.age_ms_p99_max))
-        lines.push_back("age_ms_p99 is " + std::to_string(r.age_ms.p99) + "; the plan allows " +
-                        std::to_string(*plan.age_ms_p99_max));
-    if (r.snapshots == 0) lines.push_back("no snapshot arrived");
+        lines.push_back("age_ms_p99 is " + std::to_string(r.age_ms.p99) +
+                        "; --max-age-p99-ms allows " + std::to_string(*plan.age_ms_p99_max));
+    if (r.snapshots == 0) lines.push_back("no snapshots received");
     return lines;
 }
 

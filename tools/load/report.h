@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What a load run measured, as text and JSON, and whether the plan was kept.
+// The measurements of a load run as text and JSON, and the check of its thresholds.
 #pragma once
 
 #include <cstdint>
@@ -14,18 +14,18 @@ namespace jostle::load {
 
 struct Report {
     int clients = 0, connected = 0;
-    double seconds = 0;  // that were measured
+    double seconds = 0;  // duration of the measurement
     std::uint64_t inputs_sent = 0, inputs_accepted = 0, snapshots = 0;
     double kbit_per_second_per_client = 0, snapshots_per_second_per_client = 0;
     double messages_per_second_per_client = 0;
     double snapshot_bytes = 0;  // mean; 0: not measured
-    double decoded_share = 0;   // of the snapshots: those whose CRC was compared
+    double decoded_share = 0;   // share of the snapshots whose CRC was verified
     Percentiles age_ms, gap_ms, result_delay_ms, effect_delay_ms;
-    std::vector<Percentiles> age_windows_ms;  // of 10 s each
+    std::vector<Percentiles> age_windows_ms;  // in intervals of 10 s
     std::uint64_t errors = 0;
     std::optional<double>
-        server_cpu_percent;  // of one core; nothing: the server is not on this machine
-    double load_cpu_us = 0;  // of jostle-load, for each message that it got; 0: not measured
+        server_cpu_percent;  // of one core; nothing: the server is on another machine
+    double load_cpu_us = 0;  // of jostle-load per received message; 0: not measured
     std::string last_error;
 };
 
@@ -35,12 +35,13 @@ struct LoadThresholds {
     std::optional<int> connected_min;  // default: all clients
 };
 
-// Of so many clients; what the figures do not know stays as it is.
+// Computes the report of `clients` clients. Fields that the metrics do not contain keep their
+// defaults.
 Report make_report(const LoadMetrics& metrics, int clients);
 
 std::string to_text(const Report& report);
 std::string to_json(const Report& report);
-// What of the plan was missed, one line each.
+// Describes the violated thresholds, one line each.
 std::vector<std::string> violated_thresholds(const Report& report, const LoadThresholds& plan);
 
 }  // namespace jostle::load

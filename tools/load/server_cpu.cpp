@@ -14,8 +14,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The socket's inode, from a /proc/net/tcp table: state 0A is listening, the local address ends in
-// the port in hex.
+// Inode of a listening socket, from a /proc/net/tcp table: state 0A means listening, and the local
+// address ends with the port in hexadecimal.
 std::optional<std::string> listening_inode(const char* table, int port) {
     std::ifstream in(table);
     std::string line;

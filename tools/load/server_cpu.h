@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The processor time of the server, when it runs on this machine.
+// CPU time of a server on this machine.
 #pragma once
 
 #include <optional>
@@ -8,9 +8,9 @@
 
 namespace jostle::load {
 
-// The process that listens on the port of HOST:PORT, when HOST is this machine.
+// Returns the process that listens on the port of HOST:PORT if HOST is this machine.
 std::optional<int> find_listener(const std::string& target);
-// Seconds of processor time that the process has used so far.
+// CPU time of the process so far, s.
 std::optional<double> cpu_seconds(int pid);
 
 }  // namespace jostle::load

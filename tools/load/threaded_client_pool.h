@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// A crowd that is spread over threads, each with every so manieth of its clients. A Thread is made
-// with what its crowd was made with, then the first of its clients, the step from one to the next,
-// and when the run began; it has progress(), measure() and end() as a Crowd has them.
+// A client pool distributed over threads, each with every n-th client. A Thread is constructed with
+// the arguments of the pool, the number of its first client, the step to the next one, and the
+// start time of the run. It has progress(), measure() and end() like a ClientPool.
 #pragma once
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 namespace jostle::load {
 namespace {
 
-// The key of RFC 6455, 1.3, and what a server answers to it.
+// The example key of RFC 6455, section 1.3, and the server's response to it.
 constexpr std::string_view websocket_key = "dGhlIHNhbXBsZSBub25jZQ==";
 constexpr std::string_view websocket_accept = "s3pPLMBiTxaQ9kYGzzhZRbK+xOo=";
 constexpr std::size_t response_bytes_max = 16 * 1024;
@@ -22,14 +22,14 @@ std::uint64_t number_of(Bytes big_endian) {
 }
 
 Error broken_socket(const std::string& what) {
-    return {ErrorCode::corrupt_data, "the server broke the WebSocket: " + what};
+    return {ErrorCode::corrupt_data, "WebSocket protocol error: " + what};
 }
 
 std::string_view chars_of(Bytes bytes) {
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-// Of a server that says why: a number of two bytes, then words.
+// The error of a close frame: a two-byte code, then the reason.
 Error closed(Bytes payload) {
     std::string why = "the server closed the WebSocket";
     if (payload.size() >= 2) why += ", code " + std::to_string(number_of(payload.first(2)));
@@ -63,7 +63,7 @@ void WebSocketFraming::put_frame(std::string& out, std::uint8_t opcode, std::str
         put_number(websocket::masked_bit | 127, 1);
         put_number(payload.size(), 8);
     }
-    put_number(0, 4);  // the mask's key
+    put_number(0, 4);  // masking key
     out += payload;
 }
 
@@ -88,25 +88,26 @@ Status WebSocketFraming::take(Bytes bytes, Reader& reader) {
     }
     partial_ = chars_of(bytes.subspan(taken));
     if (out_.size() > outgoing_bytes_max)
-        return Error{ErrorCode::resource_exhausted, "the server does not take what we send"};
+        return Error{ErrorCode::resource_exhausted, "the server does not read the stream"};
     return {};
 }
 
-// HTTP's answer to the upgrade; 0 when it is not complete.
+// Reads the HTTP response to the upgrade request. Returns 0 if it is incomplete.
 Result<std::size_t> WebSocketFraming::take_response(Bytes bytes) {
     const std::string_view answer = chars_of(bytes);
     const std::size_t end = answer.find("\r\n\r\n");
     if (end == std::string_view::npos) {
-        if (bytes.size() > response_bytes_max) return broken_socket("an answer without end");
+        if (bytes.size() > response_bytes_max)
+            return broken_socket("the response to the upgrade is too long");
         return std::size_t{0};
     }
     const std::string_view head = answer.substr(0, end);
     const std::string_view first = head.substr(0, head.find("\r\n"));
     if (!first.starts_with("HTTP/1.1 101"))
         return Error{ErrorCode::unavailable,
-                     "the server did not open the WebSocket: " + std::string(first.substr(0, 200))};
+                     "the server rejected the WebSocket: " + std::string(first.substr(0, 200))};
     if (head.find(websocket_accept) == std::string_view::npos)
-        return broken_socket("its answer does not fit the key");
+        return broken_socket("the response does not match the key");
     open_ = true;
     out_ += pending_until_open_;
     pending_until_open_.clear();
@@ -116,8 +117,8 @@ Result<std::size_t> WebSocketFraming::take_response(Bytes bytes) {
 Result<WebSocketFraming::Head> WebSocketFraming::read_head(Bytes bytes) {
     Head head;
     if (bytes.size() < 2) return head;
-    if ((bytes[0] & websocket::reserved_bits) != 0) return broken_socket("a reserved bit");
-    if ((bytes[1] & websocket::masked_bit) != 0) return broken_socket("a masked frame");
+    if ((bytes[0] & websocket::reserved_bits) != 0) return broken_socket("reserved bit set");
+    if ((bytes[1] & websocket::masked_bit) != 0) return broken_socket("masked frame");
     const std::uint8_t shortly = bytes[1];
     const std::size_t more = shortly == 126 ? 2 : shortly == 127 ? 8 : 0;
     if (bytes.size() < 2 + more) return head;
@@ -126,7 +127,7 @@ Result<WebSocketFraming::Head> WebSocketFraming::read_head(Bytes bytes) {
             .opcode = static_cast<std::uint8_t>(bytes[0] & websocket::opcode_bits),
             .final = (bytes[0] & websocket::final_bit) != 0};
     if (head.payload > message_bytes_max)
-        return broken_socket("a frame of " + std::to_string(head.payload) + " bytes");
+        return broken_socket("frame of " + std::to_string(head.payload) + " bytes");
     return head;
 }
 
@@ -147,7 +148,7 @@ Result<std::size_t> WebSocketFraming::take_frames(Bytes bytes, Reader& reader) {
 Status WebSocketFraming::on_frame(const Head& head, Bytes payload, Reader& reader) {
     switch (head.opcode) {
         case websocket::binary:
-            if (continues_) return broken_socket("a message in the middle of another");
+            if (continues_) return broken_socket("new message within a fragmented one");
             if (head.final) {
                 reader.on_message(payload);
                 return {};
@@ -156,9 +157,10 @@ Status WebSocketFraming::on_frame(const Head& head, Bytes payload, Reader& reade
             continues_ = true;
             return {};
         case websocket::continuation:
-            if (!continues_) return broken_socket("a continuation of nothing");
+            if (!continues_) return broken_socket("continuation without a message");
             message_ += chars_of(payload);
-            if (message_.size() > message_bytes_max) return broken_socket("a message without end");
+            if (message_.size() > message_bytes_max)
+                return broken_socket("the message is too long");
             if (!head.final) return {};
             continues_ = false;
             reader.on_message(
@@ -166,7 +168,7 @@ Status WebSocketFraming::on_frame(const Head& head, Bytes payload, Reader& reade
             message_.clear();
             return {};
         case websocket::ping:
-            if (payload.size() > 125) return broken_socket("a long ping");
+            if (payload.size() > 125) return broken_socket("ping payload above 125 bytes");
             put_frame(out_, websocket::pong, chars_of(payload));
             return {};
         case websocket::pong:
@@ -174,7 +176,7 @@ Status WebSocketFraming::on_frame(const Head& head, Bytes payload, Reader& reade
         case websocket::close:
             return closed(payload);
         default:
-            return broken_socket("a frame of kind " + std::to_string(head.opcode));
+            return broken_socket("unknown opcode " + std::to_string(head.opcode));
     }
 }
 

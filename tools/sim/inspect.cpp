@@ -49,7 +49,7 @@ struct Names {
                 found != joints.end() ? found->second : "joint #" + std::to_string(row.joint.index);
         } else {
             const auto body = [&](int part) {
-                return of(system.bodies[static_cast<std::size_t>(row.parts[part].body)].id);
+                return of(system.bodies[static_cast<std::size_t>(row.jacobians[part].body)].id);
             };
             name = body(0) + "/" + body(1);
         }

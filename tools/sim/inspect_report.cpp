@@ -200,7 +200,7 @@ json rows_json(const InspectedGroup& group) {
         const physics::ConstraintRow& row = group.system.rows[k];
         json parts = json::array();
         for (int p = 0; p < row.jacobian_count; p++) {
-            const physics::RowJacobian& part = row.parts[p];
+            const physics::RowJacobian& part = row.jacobians[p];
             parts.push_back({{"body", part.body},
                              {"linear", {part.linear.x, part.linear.y, part.linear.z}},
                              {"angular", {part.angular.x, part.angular.y, part.angular.z}}});

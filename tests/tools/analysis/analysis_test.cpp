@@ -14,7 +14,7 @@ namespace {
 using namespace test;
 using namespace physics;
 
-// Rows that the others decide are what those say of them.
+// Checks that redundant rows are the stated combinations of the other rows.
 void expect_true(const Problem& problem, const Analysis& analysis) {
     ASSERT_EQ(analysis.redundancies.size(), problem.count - analysis.rank);
     for (const Redundancy& redundancy : analysis.redundancies)
@@ -26,9 +26,9 @@ void expect_true(const Problem& problem, const Analysis& analysis) {
         }
 }
 
-// Two rods that hang from the world, a bar between their ends: four hinges with parallel axes. The
-// loop would close without the third's and the fourth's turns and way along the axis: three rows of
-// twenty say what others do, so the three bodies move in one way.
+// Two rods on the world and a bar between their ends: four hinges with parallel axes. The loop
+// closes without the rotations of the third and fourth hinge and the displacement along the axis.
+// Three of twenty rows are redundant, so the three bodies have one degree of freedom.
 TEST(Analysis, a_four_bar_linkage_has_three_redundant_rows) {
     World world = make_world();
     const auto bar = [&](Vec3 half, Vec3 at) {
@@ -66,13 +66,14 @@ TEST(Analysis, a_four_bar_linkage_has_three_redundant_rows) {
     // In the loop's last joint, out of its plane.
     for (const Redundancy& redundancy : analysis.redundancies)
         EXPECT_EQ(problem.names[redundancy.row].substr(0, 8), "joint 3 ");
-    // What the three carry is not determined; the shortest solution holds the coupler all the same.
+    // The impulses of the three redundant rows are undetermined; the minimum-norm solution still
+    // holds the coupler.
     const Solution least = solve(problem, Method::minimum_norm);
     EXPECT_LT(least.residual, 1e-10);
     EXPECT_NE(solve(problem, Method::cholesky).failed, "");
 }
 
-// A rod from the world to a kilogram, another from there to a tonne: [1 -1; -1 1.001].
+// A rod from the world to 1 kg, another one from there to 1000 kg: [1 -1; -1 1.001].
 TEST(Analysis, computes_the_condition_number_of_a_chain_with_a_mass_ratio_of_1000) {
     World world = make_world();
     std::vector<BodyId> bodies = {BodyId{}};
@@ -99,7 +100,7 @@ TEST(Analysis, computes_the_condition_number_of_a_chain_with_a_mass_ratio_of_100
     EXPECT_NEAR(analysis.scaled_condition, (1 + off) / (1 - off), 1e-6 * 4000);
 }
 
-// Four corners of a box that rests: a plane has three degrees of freedom.
+// Four corners of a resting box: a plane has three degrees of freedom.
 TEST(Analysis, the_fourth_corner_of_a_box_is_redundant) {
     World world = make_world();
     add(world, {.geometry = Plane{}, .friction = 0, .type = BodyType::static_body});
@@ -123,7 +124,7 @@ TEST(Analysis, text_names_rows_and_factors) {
     ASSERT_EQ(analysis.redundancies.size(), 1u);
     EXPECT_EQ(to_text(analysis.redundancies[0], problem), "c = 0.5 a - b");
     EXPECT_EQ(to_text(analysis.redundancies[0], problem, 1), "c = -b and 1 more");
-    // c should be 0.5; it wants 1.
+    // c should be 0.5; its right-hand side is 1.
     EXPECT_GT(analysis.inconsistency, 0.1);
     EXPECT_EQ(analyse(problem_of(0, {}, {})).rank, 0u);
 }

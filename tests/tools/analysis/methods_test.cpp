@@ -11,7 +11,7 @@ namespace {
 
 using testing::HasSubstr;
 
-// Symmetric and positive definite: B B^T + 1 of a B without pattern.
+// Symmetric and positive definite: B B^T + 1 with an unstructured B.
 Problem solid(std::size_t n, std::vector<double>& x) {
     std::vector<double> b(n * n), a(n * n), right(n);
     for (std::size_t k = 0; k < n * n; k++) b[k] = std::sin(static_cast<double>(k * k + 1));
@@ -43,7 +43,7 @@ TEST(Methods, all_methods_find_the_unique_solution) {
     }
 }
 
-// Two rows that say the same: any split of the two is a solution.
+// Two equal rows: any distribution between them is a solution.
 TEST(Methods, redundant_rows_have_a_minimum_norm_solution) {
     const Problem problem = problem_of(2, {1, 1, 1, 1}, {2, 2});
     const Solution least = solve(problem, Method::minimum_norm);
@@ -63,7 +63,7 @@ TEST(Methods, redundant_rows_have_a_minimum_norm_solution) {
     }
 }
 
-// They want different things: a half of it is what least squares leaves.
+// Contradictory right-hand sides: least squares leaves half of the difference.
 TEST(Methods, inconsistent_rows_give_the_least_squares_solution) {
     const Problem problem = problem_of(2, {1, 1, 1, 1}, {2, 0});
     for (const Method method : {Method::minimum_norm, Method::qr}) {
@@ -74,7 +74,7 @@ TEST(Methods, inconsistent_rows_give_the_least_squares_solution) {
     EXPECT_FALSE(solve(problem, Method::gauss_seidel).converged);
 }
 
-// Of [1 r; r 1] the error falls by r^2 a sweep.
+// For [1 r; r 1] the error decreases by r^2 per sweep.
 TEST(Methods, gauss_seidel_converges_at_the_theoretical_rate) {
     const double r = 0.6;
     const Solution swept = solve(problem_of(2, {1, r, r, 1}, {1, 0}), Method::gauss_seidel);
@@ -83,7 +83,7 @@ TEST(Methods, gauss_seidel_converges_at_the_theoretical_rate) {
         EXPECT_NEAR(swept.residuals[k] / swept.residuals[k - 1], r * r, 1e-6);
 }
 
-// As many steps as there are different eigenvalues.
+// One iteration per distinct eigenvalue.
 TEST(Methods, conjugate_gradients_end_after_as_many_steps_as_distinct_eigenvalues) {
     std::vector<double> a(25);
     const double values[] = {1, 1, 4, 4, 9};
@@ -94,8 +94,7 @@ TEST(Methods, conjugate_gradients_end_after_as_many_steps_as_distinct_eigenvalue
     EXPECT_LT(solution.residual, 1e-12);
 }
 
-// A kilogram on a floor that is pushed sideways: a floor that pulls would be wrong, friction that
-// gives more than mu N, too.
+// 1 kg on a floor, pushed sideways: the floor must not pull, and the friction must not exceed mu N.
 TEST(Methods, projected_gauss_seidel_respects_the_bounds) {
     Problem problem = problem_of(2, {1, 0, 0, 1}, {3, 4});
     problem.lower = {0, 0};
@@ -106,7 +105,7 @@ TEST(Methods, projected_gauss_seidel_respects_the_bounds) {
     EXPECT_NEAR(solution.x[1], 1.5, 1e-12);
     EXPECT_EQ(solution.residual, 0);
     EXPECT_EQ(solve(problem, Method::gauss).out_of_bounds, 1);
-    problem.right[0] = -3;  // it flies off
+    problem.right[0] = -3;  // it lifts off
     solution = solve(problem, Method::projected_gauss_seidel);
     EXPECT_EQ(solution.x[0], 0);
     EXPECT_EQ(solution.x[1], 0);

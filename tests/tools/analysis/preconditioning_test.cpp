@@ -22,7 +22,7 @@ TEST(Preconditioning, softness_bounds_the_condition_number) {
         if (treatment.epsilon == 0) continue;
         const double condition = (2 + treatment.epsilon) / treatment.epsilon;
         EXPECT_NEAR(treatment.condition, condition, 1e-3 * condition);
-        // The sum of both rows gives way by epsilon in 2.
+        // The sum of both rows yields by epsilon in 2.
         EXPECT_NEAR(treatment.error, treatment.epsilon / (2 + treatment.epsilon),
                     1e-9 + 1e-3 * treatment.epsilon);
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Systems of worlds, solved: weights of stacks, and names.
+// Constraint systems of worlds, solved: weights of stacks, and names of rows.
 #include "jostle/analysis/problem.h"
 
 #include <gtest/gtest.h>

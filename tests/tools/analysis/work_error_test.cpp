@@ -30,7 +30,7 @@ TEST(ParetoSet, excludes_dominated_runs) {
 }
 
 TEST(LeastWork, returns_the_cheapest_run_within_the_tolerance) {
-    EXPECT_EQ(least_work(is_running, 0.3), 1u);  // not the last, which costs as much
+    EXPECT_EQ(least_work(is_running, 0.3), 1u);  // not the last one, which costs the same
     EXPECT_EQ(least_work(is_running, 0.01), 3u);
     EXPECT_FALSE(least_work(is_running, 1e-6));
 }

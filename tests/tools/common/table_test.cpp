@@ -15,13 +15,13 @@ TEST(CtlTable, aligns_columns_with_multibyte_characters) {
               "12  al    103.00  paused\n");
 }
 
-// A client chooses its name.
+// Clients choose their names.
 TEST(CtlTable, removes_control_characters_from_foreign_text) {
     EXPECT_EQ(sanitized("a\x1b[2Jb\nc\x7f"), "a?[2Jb?c?");
     EXPECT_EQ(sanitized("x\xc2\x9b"
                         "2Jy"),
               "x?2Jy")
-        << "CSI in one character";
+        << "CSI as a single character";
     EXPECT_EQ(sanitized("Zo\xc3\xab"), "Zo\xc3\xab");
     EXPECT_EQ(sanitized("nnnnnnnnnn", 8), "nnnnnnnn...");
     EXPECT_EQ(sanitized("nnnnnnnn", 8), "nnnnnnnn");

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// jostlectl against a real server, both as child processes: what an operator types and sees.
+// jostlectl against a real server, both as child processes: commands and their output.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -36,7 +36,7 @@ protected:
         std::ifstream in(path);
         return {std::istreambuf_iterator<char>(in), {}};
     }
-    // Exit status; what it printed is in out and err.
+    // Runs jostlectl and returns its exit status; the output is in out and err.
     int run(const std::string& arguments, const std::string& address = {}) {
         const std::string command =
             "JOSTLE_SERVER=" + (address.empty() ? server.grpc_address() : address) + " " +
@@ -66,7 +66,7 @@ TEST_F(CtlTest, lists_creates_and_deletes_worlds) {
     ASSERT_EQ(run("--json worlds"), 0);
     ASSERT_EQ(json()["worlds"].size(), 2u);
     EXPECT_EQ(json()["worlds"][1]["name"], "arena");
-    EXPECT_EQ(json()["worlds"][1]["clients"], 0) << "zeros are there";
+    EXPECT_EQ(json()["worlds"][1]["clients"], 0) << "JSON includes zero values";
     EXPECT_EQ(run("world create arena --scene dominoes"), 1);
     EXPECT_TRUE(complains("there is a world \"arena\" already")) << err;
     ASSERT_EQ(run("world delete arena"), 0) << err;
@@ -76,16 +76,16 @@ TEST_F(CtlTest, lists_creates_and_deletes_worlds) {
 
 TEST_F(CtlTest, lists_and_kicks_clients) {
     ASSERT_EQ(run("clients"), 0);
-    EXPECT_EQ(out, "Nobody is connected.\n");
+    EXPECT_EQ(out, "No clients are connected.\n");
     const auto player = grpc_player(server.grpc_address());
     player->hello("", "Ann\x1b[2J");
     for (int i = 0; i < 60; i++) {
-        player->send_inputs({});  // with an acknowledgement
+        player->send_inputs({});  // contains an ack
         std::this_thread::sleep_for(16ms);
     }
     ASSERT_EQ(run("clients stack"), 0) << err;
     EXPECT_TRUE(says("Ann?[2J")) << out;
-    ASSERT_EQ(run("clients --json"), 0) << "flags may stand before the command and after it";
+    ASSERT_EQ(run("clients --json"), 0) << "flags are accepted before and after the command";
     const auto client = json()["clients"][0];
     EXPECT_EQ(client["worldName"], "stack");
     EXPECT_GT(client["kbitPerSecond"], 0.1);
@@ -115,17 +115,17 @@ TEST_F(CtlTest, pauses_lists_and_resumes_a_world) {
 
 TEST_F(CtlTest, creates_a_world_from_an_exported_scene) {
     ASSERT_EQ(run("export stack " + file("stack.json")), 0) << err;
-    EXPECT_TRUE(says("holds tick")) << out;
+    EXPECT_TRUE(says("contains tick")) << out;
     ASSERT_EQ(run("world create again --file " + file("stack.json")), 0) << err;
     ASSERT_EQ(run("--json worlds"), 0);
     EXPECT_EQ(json()["worlds"][0]["bodies"], json()["worlds"][1]["bodies"]);
     ASSERT_EQ(run("export again -"), 0) << err;
-    EXPECT_EQ(json()["name"], "stack") << "on standard output, nothing but the scene";
+    EXPECT_EQ(json()["name"], "stack") << "standard output contains only the scene";
     EXPECT_EQ(run("export stack /nowhere/x.json"), 2);
     EXPECT_TRUE(complains("cannot write /nowhere/x.json")) << err;
     write("bad.json", "{\"bodies\": 7");
     EXPECT_EQ(run("world create bad --file " + file("bad.json")), 2);
-    EXPECT_TRUE(complains("is no scene file")) << err;
+    EXPECT_TRUE(complains("is not a scene file")) << err;
 }
 
 TEST_F(CtlTest, restores_and_rewinds_a_persisted_world) {
@@ -140,9 +140,9 @@ TEST_F(CtlTest, restores_and_rewinds_a_persisted_world) {
     EXPECT_EQ(json()["worlds"][0]["oldestRestorableTick"], 1);
     const unsigned before = json()["worlds"][0]["tick"];
     ASSERT_EQ(run("rewind stack --to 1", at), 0) << err;
-    EXPECT_TRUE(says("stack is as it was after tick 1; ticks go on from ")) << out;
+    EXPECT_TRUE(says("stack was restored to its state after tick 1; ticks continue from ")) << out;
     ASSERT_EQ(run("--json worlds", at), 0);
-    EXPECT_GT(json()["worlds"][0]["tick"], before) << "ticks never go back";
+    EXPECT_GT(json()["worlds"][0]["tick"], before) << "ticks never decrease";
     EXPECT_EQ(run("rewind stack --to 4000000000", at), 1);
     EXPECT_TRUE(complains("tick 4000000000 is not retained; the last retained tick is")) << err;
     EXPECT_EQ(run("world create what-if --from stack --at 1", at), 1);
@@ -161,10 +161,10 @@ TEST_F(CtlTest, writes_a_profile_for_a_trace_viewer) {
 
 TEST_F(CtlTest, drain_stops_the_server) {
     ASSERT_EQ(run("drain"), 0) << err;
-    EXPECT_TRUE(says("0 clients told, at most 5 s")) << out;
+    EXPECT_TRUE(says("0 clients notified, timeout 5 s")) << out;
     EXPECT_EQ(server.wait(5s), 0) << server.log();
     EXPECT_EQ(run("worlds"), 1);
-    EXPECT_TRUE(complains("Is jostle-server running there")) << err;
+    EXPECT_TRUE(complains("Check that jostle-server is running")) << err;
 }
 
 TEST_F(CtlTest, exits_with_2_and_an_error_message_on_invalid_flags) {
@@ -176,17 +176,17 @@ TEST_F(CtlTest, exits_with_2_and_an_error_message_on_invalid_flags) {
     EXPECT_TRUE(complains("--scene NAME, --file FILE, or --from WORLD --at TICK")) << err;
     EXPECT_EQ(run("profile stack x --seconds 31"), 2);
     EXPECT_EQ(run("--cert a.pem worlds"), 2);
-    EXPECT_TRUE(complains("--cert and --key go together")) << err;
+    EXPECT_TRUE(complains("--cert and --key must be given together")) << err;
     EXPECT_EQ(run("--token-file /nowhere worlds"), 2);
     EXPECT_TRUE(complains("cannot read /nowhere")) << err;
     write("token", "abc\n");
     EXPECT_EQ(run("--token-file " + file("token") + " worlds", "game.example.org:1"), 2);
-    EXPECT_TRUE(complains("could read the token")) << err;
+    EXPECT_TRUE(complains("a token requires TLS")) << err;
     write("no.pem", "hello");
     EXPECT_EQ(run("--ca " + file("no.pem") + " worlds"), 2);
-    EXPECT_TRUE(complains("is no PEM file")) << err;
+    EXPECT_TRUE(complains("is not a PEM file")) << err;
     EXPECT_EQ(run("--help"), 0);
-    EXPECT_TRUE(says("jostlectl kick 17 --reason")) << "help teaches by examples";
+    EXPECT_TRUE(says("jostlectl kick 17 --reason")) << "the help contains examples";
 }
 
 }  // namespace

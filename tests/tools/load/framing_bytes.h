@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What a framing is fed in its tests, and who it hands messages to.
+// Helpers for tests of framings: generated frames and a reader of messages.
 #pragma once
 
 #include <random>
@@ -28,7 +28,7 @@ inline std::string big_endian(std::uint64_t value, unsigned bytes) {
     return out;
 }
 
-// Feeds `bytes` in two pieces, cut at each place; returns what arrived, or the error.
+// Feeds `bytes` in two pieces, split at each position; returns the received messages or the error.
 template <class Make>
 std::vector<std::string> take_cut_at(std::size_t place, const std::string& bytes,
                                      const Make& make) {
@@ -40,7 +40,7 @@ std::vector<std::string> take_cut_at(std::size_t place, const std::string& bytes
     return list.texts;
 }
 
-// A good stream with some bytes changed, a thousand times: whatever comes, it returns.
+// Feeds a valid stream with modified bytes a thousand times; the framing must return each time.
 template <class Make>
 int count_refused_of_spoilt(const std::string& good, const Make& make) {
     std::mt19937 random(7);

@@ -8,7 +8,7 @@
 namespace jostle::load::http2_test {
 namespace {
 
-// RFC 9113, 6.
+// Frame types of RFC 9113, section 6.
 enum Type : unsigned {
     data = 0,
     headers = 1,
@@ -46,10 +46,10 @@ TEST(Http2Framing, starts_a_call_with_the_preface_settings_and_one_header_block)
     Http2Framing framing({.authority = "localhost:50051", .token = "abc"});
     const std::string& out = framing.outgoing();
     EXPECT_TRUE(out.starts_with("PRI * HTTP/2.0\r\n\r\nSM\r\n\r\n"));
-    // ":path", a literal whose name is number 4 of the static table (RFC 7541, 6.2.2).
+    // ":path", a literal whose name has index 4 of the static table (RFC 7541, section 6.2.2).
     EXPECT_NE(out.find("\x04\x1b/jostle.v1.PlayService/Play"), std::string::npos);
     EXPECT_NE(out.find("\x01\x0flocalhost:50051"), std::string::npos);
-    // "authorization" is number 23: 15, which fills the prefix, and 8.
+    // "authorization" has index 23: 15, which fills the prefix, plus 8.
     EXPECT_NE(out.find("\x0f\x08\x0a"
                        "Bearer abc"),
               std::string::npos);
@@ -95,7 +95,7 @@ TEST(Http2Framing, replenishes_the_window_at_half_and_rejects_an_overrun) {
     framing.consume(10'000);
     EXPECT_EQ(framing.outgoing(), frame(update, none, 0, big_endian(40'020, 4)) +
                                       frame(update, none, 1, big_endian(40'020, 4)));
-    // From here on nobody reads: six more fit.
+    // From here on the client reads nothing: six more messages fit.
     for (int k = 0; k < 6; k++) ASSERT_TRUE(framing.take(as_bytes(one), list)) << k;
     EXPECT_FALSE(framing.take(as_bytes(one), list));
 }
@@ -113,7 +113,7 @@ TEST(Http2Framing, receives_a_message_larger_than_the_window) {
 TEST(Http2Framing, queues_data_until_the_server_window_opens) {
     Http2Framing framing = make();
     MessageList list;
-    // A window of 8 bytes for the stream: a message of 3 has as many with its head.
+    // A stream window of 8 bytes: a message of 3 bytes has 8 with its header.
     ASSERT_TRUE(framing.take(
         as_bytes(frame(settings, none, 0, big_endian(4, 2) + big_endian(8, 4))), list));
     framing.outgoing().clear();
@@ -132,7 +132,7 @@ TEST(Http2Framing, reports_why_a_stream_ended) {
               "the server reset the stream, code 8");
     EXPECT_EQ(
         why_not(frame(goaway, none, 0, big_endian(1, 4) + big_endian(11, 4) + "too_many_pings")),
-        "the server went away, code 11");
+        "the server sent GOAWAY, code 11");
 }
 
 TEST(Http2Framing, rejects_hostile_bytes) {

@@ -19,7 +19,7 @@ TEST(LoadOptions, distributes_the_areas_of_interest_of_clients_over_a_disc) {
         inner += far < 25 ? 1 : 0;
     }
     EXPECT_EQ(inner, 25) << "a quarter of the disc";
-    EXPECT_FALSE(LoadOptions{}.interest_of(0)) << "all of the world";
+    EXPECT_FALSE(LoadOptions{}.interest_of(0)) << "the whole world";
 }
 
 }  // namespace

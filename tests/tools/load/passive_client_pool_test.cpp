@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Sinks against a real server: over both transports, watching, playing, and reading slowly.
+// Passive clients against a real server: both transports, as spectators, as players, and as slow
+// readers.
 #include "tools/load/passive_client_pool.h"
 
 #include <gtest/gtest.h>

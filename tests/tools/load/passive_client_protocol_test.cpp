@@ -16,9 +16,9 @@ const Clock::time_point noon = Clock::time_point(1000s);
 
 struct Talk {
     explicit Talk(PassiveClientOptions options = {}) : sink(std::move(options), metrics) {
-        said();  // hello
+        said();  // the Hello
     }
-    // All that it has to say.
+    // All due messages.
     std::vector<v1::ClientMessage> said(Clock::time_point now = noon) {
         std::vector<v1::ClientMessage> messages;
         while (const auto bytes = sink.take_message(now))
@@ -28,7 +28,7 @@ struct Talk {
     void hear(const v1::ServerMessage& message, Clock::time_point now = noon) {
         sink.receive(as_bytes(message.SerializeAsString()), now);
     }
-    // Tick 0 was due at noon, and a tick is 10 ms.
+    // Tick 0 was due at noon; a tick is 10 ms.
     void welcome(std::uint32_t ack_interval_ms = 0) {
         v1::ServerMessage message;
         message.mutable_welcome()->set_client_id(7);
@@ -72,20 +72,20 @@ TEST(PassiveClientProtocol, acknowledges_after_the_interval_requested_by_the_ser
     Talk talk;
     talk.welcome(100);
     int acks = 0;
-    for (int k = 0; k <= 60; k++) {  // a snapshot every 10 ms: at 0, 100 ... 600 ms
+    for (int k = 0; k <= 60; k++) {  // a snapshot every 10 ms; acks at 0, 100, ..., 600 ms
         const auto now = noon + k * 10ms;
         talk.snapshot(static_cast<std::uint32_t>(k + 1), now);
         acks += count_acks(talk.said(now));
     }
     EXPECT_EQ(acks, 7);
-    EXPECT_EQ(count_acks(talk.said(noon + 10s)), 0) << "nothing new came";
+    EXPECT_EQ(count_acks(talk.said(noon + 10s)), 0) << "no new snapshot";
 }
 
 TEST(PassiveClientProtocol, acknowledges_every_third_snapshot_when_configured) {
     Talk talk({.ack_every = 3});
     talk.welcome(1000);
     talk.snapshot(1);
-    EXPECT_EQ(count_acks(talk.said()), 1) << "the first at once";
+    EXPECT_EQ(count_acks(talk.said()), 1) << "the first snapshot is acknowledged immediately";
     int acks = 0;
     for (std::uint32_t frame = 2; frame <= 13; frame++) {
         talk.snapshot(frame);
@@ -114,8 +114,9 @@ TEST(PassiveClientProtocol, measures_snapshot_age_and_gap) {
     v1::ServerMessage pong;
     pong.mutable_pong()->set_client_time_us(client::to_us(noon));
     pong.mutable_pong()->set_server_time_us(client::to_us(noon));
-    talk.hear(pong, noon + 80ms);  // it waited: a clock of half a round trip would be 40 ms off
-    for (int k = 5; k < 15; k++)   // due at 100 ms, 120 ms ..., begun 1 ms early
+    // it was delayed: half a round trip would give a clock error of 40 ms
+    talk.hear(pong, noon + 80ms);
+    for (int k = 5; k < 15; k++)  // due at 100 ms, 120 ms, ..., started 1 ms early
         talk.snapshot(static_cast<std::uint32_t>(2 * k), noon + k * 20ms + 4ms, -1000);
     EXPECT_NEAR(percentiles_of(talk.metrics.age).p50, 5, 0.15);
     EXPECT_NEAR(percentiles_of(talk.metrics.gap).p50, 20, 0.6);

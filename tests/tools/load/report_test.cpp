@@ -21,7 +21,7 @@ TEST(Report, lists_violated_thresholds) {
     EXPECT_TRUE(
         violated_thresholds(report, {.age_ms_p99_max = {}, .errors_max = 2, .connected_min = 9})
             .empty());
-    // No clock, no age: a plan for the age is not kept by knowing nothing.
+    // Without a clock there is no age, and a threshold for the age is violated.
     const Report blind{.clients = 1, .connected = 1, .snapshots = 5, .last_error = {}};
     EXPECT_EQ(
         violated_thresholds(blind, {.age_ms_p99_max = 50.0, .errors_max = 0, .connected_min = {}})

@@ -8,7 +8,7 @@
 namespace jostle::load::websocket_test {
 namespace {
 
-// RFC 6455, 5.2.
+// Opcodes of RFC 6455, section 5.2.
 enum Opcode : unsigned { go_on = 0, text = 1, binary = 2, close = 8, ping = 9, pong = 10 };
 constexpr unsigned final_bit = 0x80, masked_bit = 0x80;
 
@@ -71,7 +71,7 @@ TEST(WebSocketFraming, reports_the_reason_of_a_close_frame) {
     EXPECT_EQ(why_not(answer + frame(final_bit | close, big_endian(1008, 2) + "no ticket")),
               "the server closed the WebSocket, code 1008: no ticket");
     EXPECT_EQ(why_not("HTTP/1.1 429 Too Many Requests\r\n\r\n"),
-              "the server did not open the WebSocket: HTTP/1.1 429 Too Many Requests");
+              "the server rejected the WebSocket: HTTP/1.1 429 Too Many Requests");
 }
 
 TEST(WebSocketFraming, rejects_hostile_bytes) {

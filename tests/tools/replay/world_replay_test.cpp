@@ -42,7 +42,7 @@ void play(const std::string& path, bool late) {
             server::SpawnCommand ball;
             ball.shape.geometry = physics::Sphere{0.3};
             ball.pose.position = {0.1 * tick / 200.0, 6, 0};
-            world->push({.client = extra ? 2U : 1U,
+            world->mailbox().push({.client = extra ? 2U : 1U,
                          .sequence = extra ? 1 : sequence,
                          .action = ball,
                          .reply = nullptr});

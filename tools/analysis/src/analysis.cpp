@@ -16,8 +16,8 @@ double condition_of(const std::vector<double>& rising, std::size_t rank) {
     return rising.back() / rising[rising.size() - rank];
 }
 
-// The null space in reduced form: each vector has a row of its own, with factor one, where all
-// others have none. A late row is preferred, as long as its factor is a fair part of the largest.
+// Reduced basis of the null space: each vector has its own row with factor one, in which all others
+// are zero. Later rows are preferred if their factor is a sufficient share of the largest.
 Eigen::MatrixXd reduced(Eigen::MatrixXd space, std::vector<std::size_t>& own) {
     constexpr double fair = 0.1;
     for (Index k = 0; k < space.cols(); k++) {
@@ -73,7 +73,7 @@ Analysis analyse(const Problem& problem) {
     result.condition = condition_of(result.eigenvalues, result.rank);
     result.scaled_condition = condition_of(result.scaled_eigenvalues, result.rank);
     if (!result.singular()) return result;
-    // A (D y) = 0 where D A D y = 0.
+    // A (D y) = 0 if D A D y = 0.
     const auto missing = static_cast<Index>(problem.count - result.rank);
     const Eigen::MatrixXd space =
         scaling_of(problem).asDiagonal() * scaled.eigenvectors().leftCols(missing);

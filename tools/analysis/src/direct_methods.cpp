@@ -10,7 +10,7 @@ namespace {
 using Eigen::Index;
 
 std::string pivot_error(const Problem& problem, std::size_t row) {
-    return "no pivot is left at row " + std::to_string(row) + ", " + problem.names[row];
+    return "no nonzero pivot at row " + std::to_string(row) + ", " + problem.names[row];
 }
 
 SolverResult by_elimination(const Problem& problem) {
@@ -60,11 +60,11 @@ SolverResult by_cholesky(const Problem& problem) {
     const Eigen::VectorXd pivots = llt.matrixLLT().diagonal();
     const double least = pivots.minCoeff(), most = pivots.maxCoeff();
     if (!(least * least > zero_tolerance(problem.count) * most * most))
-        return {.failed = "not positive definite, but for rounding"};
+        return {.failed = "not positive definite (zero pivot up to rounding)"};
     return {.x = to_std_vector(llt.solve(to_eigen_vector(problem.rhs)))};
 }
 
-// Pivots that are zero are left out: a solution, if there is one.
+// Skips zero pivots, which yields a solution if there is one.
 SolverResult by_ldlt(const Problem& problem) {
     const Eigen::LDLT<Eigen::MatrixXd> ldlt(to_eigen_matrix(problem));
     const Eigen::VectorXd d = ldlt.vectorD();
@@ -84,10 +84,10 @@ SolverResult by_qr(const Problem& problem) {
     return {.x = to_std_vector(qr.solve(to_eigen_vector(problem.rhs)))};
 }
 
-// Of a symmetric matrix without negative eigenvalues they are the singular values.
+// For a symmetric matrix without negative eigenvalues the eigenvalues are the singular values.
 SolverResult by_singular_values(const Problem& problem) {
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> svd(to_eigen_matrix(problem));
-    if (svd.info() != Eigen::Success) return {.failed = "no singular values were found"};
+    if (svd.info() != Eigen::Success) return {.failed = "singular value decomposition failed"};
     const double zero = zero_tolerance(problem.count) * svd.eigenvalues().cwiseAbs().maxCoeff();
     Eigen::VectorXd y = svd.eigenvectors().transpose() * to_eigen_vector(problem.rhs);
     for (Index k = 0; k < y.size(); k++)

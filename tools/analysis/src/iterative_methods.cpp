@@ -72,7 +72,7 @@ double relative_natural_residual(const Problem& problem, const SparseRows& rows,
     return relative(std::sqrt(sum), problem);
 }
 
-// A sweep solves row after row, with what the rows before it have found.
+// Solves row after row with the current values of the other rows.
 SolverResult sweep(const Problem& problem, bool within_bounds, const SolverLimits& limits) {
     const SparseRows rows(problem);
     SolverResult result;
@@ -113,7 +113,7 @@ SolverResult by_conjugate_gradients(const Problem& problem, const SolverLimits& 
             image[i] = rows.times(i, direction);
             bent += direction[i] * image[i];
         }
-        if (!(bent > 0)) break;  // nothing left, or nothing but what no x can make
+        if (!(bent > 0)) break;  // converged, or the rest is outside the range of A
         const double step = size / bent;
         double next = 0;
         for (std::size_t i = 0; i < n; i++) {

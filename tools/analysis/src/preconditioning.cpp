@@ -20,7 +20,7 @@ PreconditioningResult evaluate(const Problem& problem, const Problem& basis,
     for (std::size_t k = 0; k < basis.count; k++) soft.matrix[k * basis.count + k] += added;
 
     const std::vector<double>& values = scaled ? analysis.scaled_eigenvalues : analysis.eigenvalues;
-    // A zero that rounding made something of is a zero.
+    // Treats an eigenvalue that is zero up to rounding as zero.
     const double least = (analysis.singular() ? 0 : values.front()) + added;
     result.condition =
         least > 0 ? (values.back() + added) / least : std::numeric_limits<double>::infinity();

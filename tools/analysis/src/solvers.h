@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The methods themselves, without what all solutions are measured by (methods.cpp).
+// The numerical methods; methods.cpp measures their solutions.
 #pragma once
 
 #include "jostle/analysis/methods.h"
@@ -17,9 +17,9 @@ struct SolverResult {
 SolverResult solve_directly(const Problem& problem, Method method);
 SolverResult solve_by_iteration(const Problem& problem, Method method, const SolverLimits& limits);
 
-// |b - A x| / |b|.
+// b - A x| / |b|.
 double equation_residual(const Problem& problem, const std::vector<double>& x);
-// As Solution::residual says of the projected method.
+// See Solution::residual of the projected method.
 double natural_residual(const Problem& problem, const std::vector<double>& x);
 
 }  // namespace jostle::linear_systems

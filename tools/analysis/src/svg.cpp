@@ -6,7 +6,7 @@
 namespace jostle::plots {
 namespace {
 
-// Tenths of a pixel are as much as anyone sees, and keep files and their differences small.
+// A resolution of 0.1 px is sufficient and keeps files and their differences small.
 std::string number(double value) {
     char text[32];
     std::snprintf(text, sizeof text, "%.1f", value);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// How hard a problem is, and why: its eigenvalues, its rank, and which rows say what others say
-// already.
+// Conditioning of a constraint system: eigenvalues, rank and redundant rows.
 #pragma once
 
 #include "jostle/analysis/problem.h"
@@ -12,22 +11,23 @@ struct Term {
     std::size_t row = 0;
     double factor = 0;
 };
-// The row is the sum of others, each times its factor: what it wants they decide, and what it
-// carries is not determined. Factors below 1e-9 of the largest are left out.
+/// A redundant row: it is a linear combination of other rows with these factors, so its right-hand
+/// side is determined by theirs and its impulse is undetermined. Factors below 1e-9 of the largest
+/// are omitted.
 struct Redundancy {
     std::size_t row = 0;
     std::vector<Term> of;
 };
 
 struct Analysis {
-    std::vector<double> eigenvalues;         // rising
-    std::vector<double> scaled_eigenvalues;  // of D A D, whose diagonal is ones
-    std::size_t rank = 0;                    // of D A D, which is that of A
-    // Largest over smallest eigenvalue, of those that are not zero: of A, and of D A D.
+    std::vector<double> eigenvalues;         ///< ascending
+    std::vector<double> scaled_eigenvalues;  ///< of D A D, which has ones on the diagonal
+    std::size_t rank = 0;                    ///< of D A D, which equals that of A
+    /// Largest over smallest nonzero eigenvalue, of A and of D A D.
     double condition = 1, scaled_condition = 1;
-    std::vector<Redundancy> redundancies;  // as many as rows less the rank, rising by row
-    // The part of b that no x can make, relative to b: rows that say the same want different
-    // things.
+    std::vector<Redundancy> redundancies;  ///< rows minus rank entries, sorted by row
+    /// The component of b outside the range of A, relative to b: redundant rows with contradictory
+    /// right-hand sides.
     double inconsistency = 0;
 
     bool singular() const { return rank < eigenvalues.size(); }
@@ -35,7 +35,8 @@ struct Analysis {
 
 Analysis analyse(const Problem& problem);
 
-// "joint 3 turn x = 0.5 joint 0 turn x - joint 1 point z"; no more than so many terms.
+/// Formats a redundancy as "joint 3 turn x = 0.5 joint 0 turn x - joint 1 point z", with at most
+/// `terms_max` terms.
 std::string to_text(const Redundancy& redundancy, const Problem& problem, int terms_max = 6);
 
 }  // namespace jostle::linear_systems

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Logarithmic axes: a panel with its grid and numbers.
+// Logarithmic axes of a plot, with grid and numbers.
 #pragma once
 
 #include <string>
@@ -10,22 +10,23 @@
 
 namespace jostle::plots {
 
-// From whole decade to whole decade, over pixels.
+/// Maps whole decades to a range of pixels.
 struct LogAxis {
-    int low = 0, high = 1;  // powers of ten
+    int low = 0, high = 1;  ///< powers of ten
     double from = 0, to = 1;
 
-    double at(double value) const;  // values outside are drawn at the border
+    /// pixel of a value; values outside the range are drawn at the border
+    double at(double value) const;
 };
 
-// Spans the positive ones of the values.
+/// Returns an axis that spans the positive values.
 LogAxis log_axis_over(const std::vector<double>& values, double from, double to);
 
-// Grid lines with their numbers, and the axis' title with its unit.
+/// Draws the grid lines with their numbers, and the title of the axis with its unit.
 void draw_x_axis(Svg& svg, const LogAxis& x, double top, double bottom, const std::string& title);
 void draw_y_axis(Svg& svg, const LogAxis& y, double left, double right, const std::string& title);
 
-// Three digits at most: what fits over a bar.
+/// Formats a number with at most three digits, for labels of bars.
 std::string short_number(double value);
 
 }  // namespace jostle::plots

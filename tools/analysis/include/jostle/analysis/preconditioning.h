@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What makes a problem easier, and what that costs: softness on the diagonal (Tikhonov's
-// regularisation; constraint force mixing, as games call it) and scaling each row by its own
-// diagonal (Jacobi's preconditioner).
+// Effect of preconditioning on the condition number, and its cost: softness on the diagonal
+// (Tikhonov regularization; constraint force mixing in game engines) and scaling of each row by its
+// diagonal (Jacobi preconditioner).
 #pragma once
 
 #include <span>
@@ -14,19 +14,20 @@ namespace jostle::linear_systems {
 
 struct PreconditioningResult {
     bool scaled = false;
-    double epsilon = 0;  // what is added to the diagonal, by the largest of it (scaled: one)
-    // Largest over smallest eigenvalue, all of them; infinite where the smallest is zero.
+    double epsilon = 0;  ///< softness relative to the largest diagonal entry (scaled: to one)
+    /// Largest over smallest eigenvalue, including zeros: infinite if the smallest is zero.
     double condition = 0;
-    // To a residual of the treated problem of Effort::tolerance; beyond the most: not reached.
-    // Sweeps do not change with scaling.
+    /// Iterations until the residual of the treated problem is below SolverLimits::tolerance; above
+    /// the limit: not reached. Scaling does not change the number of sweeps.
     int gradient_iterations = 0, sweeps = 0;
     bool gradients_converged = false, sweeps_converged = false;
-    double error = 0;  // |b - A x| / |b| of the problem as it was, of what gradients found
+    /// b - A x| / |b| of the original problem, with the solution of conjugate gradients
+    double error = 0;
 };
 
 inline constexpr double default_epsilons[] = {0, 1e-12, 1e-9, 1e-6, 1e-3};
 
-// Unscaled, then scaled, with each epsilon.
+/// Evaluates each epsilon, first unscaled, then scaled.
 std::vector<PreconditioningResult> evaluate_preconditioning(
     const Problem& problem, const Analysis& analysis, const SolverLimits& limits = {},
     std::span<const double> epsilons = default_epsilons);

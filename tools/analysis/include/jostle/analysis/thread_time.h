@@ -3,8 +3,8 @@
 
 namespace jostle::convergence {
 
-// Processor time of this thread in seconds: what else the machine does then matters less. Reading
-// it is a system call, so put it around milliseconds, not around microseconds.
+/// CPU time of this thread in seconds, which other load on the machine affects less than wall time.
+/// It is a system call: measure intervals of milliseconds, not of microseconds.
 double thread_seconds();
 
 }  // namespace jostle::convergence

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Work against error: how fast errors fall when steps get shorter, which runs no other beats, and
-// which is the cheapest that is good enough. jostle-bench asks of its rows, jostle-sim of one
-// scene.
+// Work-error analysis: observed order of convergence, Pareto-optimal runs, and the cheapest run
+// within a tolerance. Used by jostle-bench and jostle-sim.
 #pragma once
 
 #include <cmath>
@@ -13,22 +12,24 @@
 
 namespace jostle::convergence {
 
-// Of one run. The unit of work is the caller's, as is what an error is.
+/// Work and error of one run. The caller defines the unit of work and the error measure.
 struct WorkError {
     double work = 0, error = 0;
 };
 
-// log(error / finer_error) / log(refinement): 2 when an error falls to a quarter at half the step.
-// Nothing where an error is not positive, or the refinement not above 1.
+/// log(error / finer_error) / log(refinement): 2 if the error decreases to a quarter at half the
+/// step. Returns nothing if an error is not positive or the refinement is not above 1.
 std::optional<double> observed_order(double error, double finer_error, double refinement);
 
-// Runs that no other beats in work and error at once, as places in `runs`, the cheapest first.
+/// Returns the indices of the Pareto-optimal runs (no other run has less work and a smaller error),
+/// sorted by work.
 std::vector<std::size_t> pareto_set(std::span<const WorkError> runs);
 
-// The cheapest run whose error is at most the tolerance; of equals the first.
+/// Returns the index of the cheapest run whose error is at most the tolerance; of equal ones the
+/// first.
 std::optional<std::size_t> least_work(std::span<const WorkError> runs, double tolerance);
 
-// Root of the mean of squares.
+/// Root mean square.
 struct Rms {
     double sum = 0;
     long count = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The laboratory's scenes are what their definitions say, to the last digit: figures of other times
-// and of other engines' authors are about the same bodies.
+// The benchmark scenes match their definitions exactly, so that results remain comparable over time
+// and with other engines.
 #include "jostle/scenes/bench_scenes.h"
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ Shape shape(const SceneBody& body) {
     return std::get<Shape>(body.shapes.at(0).geometry);
 }
 
-// The definition's generator, written a second time.
+// A second implementation of the generator in the definition.
 struct Draws {
     std::uint32_t s = 12345;
     double operator()(double a, double b) {
@@ -43,7 +43,7 @@ struct Draws {
 struct Expected {
     const char* name;
     std::size_t bodies, joints, fixed;
-    Vec3 first, last;  // of the bodies that move
+    Vec3 first, last;  // of dynamic bodies
 };
 
 const Expected expected[] = {
@@ -136,7 +136,8 @@ TEST(BenchScenes, pile_has_mixed_shapes_and_walls) {
     EXPECT_EQ(shape<Sphere>(d.bodies[5]).radius, 0.3);
     EXPECT_EQ(shape<Box>(d.bodies[6]).half_extents, (Vec3{0.3, 0.25, 0.35}));
     EXPECT_EQ(shape<Capsule>(d.bodies[7]), (Capsule{0.2, 0.25}));
-    // Six draws a body: x, z, the axis, the angle. The last body is number 4999 = 34 * 144 + 103.
+    // Six random numbers per body: x, z, the axis, the angle. The last body is number 4999 = 34 *
+    // 144 + 103.
     Draws draw;
     const double x = draw(-0.03, 0.03), z = draw(-0.03, 0.03);
     EXPECT_TRUE(near(position(d.bodies[5]), {-4.125 + x, 0.6, -4.125 + z}, 1e-12));
@@ -173,7 +174,7 @@ TEST(BenchScenes, ragdoll_joints_lie_where_bones_meet) {
     const SceneDescription f = *find_scene("lab_ragdolls_40");
     ASSERT_EQ(f.bodies.size(), 441u);
     ASSERT_EQ(f.joints.size(), 400u);
-    // The first: feet at (-0.6, 0.5, -0.6), leaning by 0.35 about x, its pelvis 1 m up.
+    // The first: feet at (-0.6, 0.5, -0.6), leaning by 0.35 about x, with its pelvis 1 m up.
     EXPECT_TRUE(
         near(position(f.bodies[1]), {-0.6, 0.5 + std::cos(0.35), -0.6 + std::sin(0.35)}, 1e-12));
     // The last: heading 0.62831853 * 9 + 0.9, level 9, its right lower leg at (-0.1, 0.24, 0).

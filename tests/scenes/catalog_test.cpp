@@ -8,7 +8,7 @@
 
 namespace jostle::scenes {
 
-// Of more than a thousand bodies fewer steps than a second's are enough.
+// Scenes with more than a thousand bodies are stepped for less than one second.
 int steps_of(const SceneDescription& scene) {
     return std::clamp(60000 / static_cast<int>(scene.bodies.size()), 6, 60);
 }
@@ -42,7 +42,7 @@ TEST(Catalog, pyramid_has_465_boxes_on_a_floor) {
     EXPECT_EQ(find_scene("pyramid")->bodies.size(), 466u);
 }
 
-// The first domino is pushed and the last one falls: nothing in between may stop the wave.
+// The first domino is pushed and the last one falls: nothing stops the wave.
 TEST(Catalog, all_120_dominoes_fall) {
     const auto scene = find_scene("dominoes");
     auto built = build_scene(*scene);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The hovercraft of examples in its scene: it stays above the waves, on its circle, and is
-// the same after a load and after a restore point.
+// The hovercraft example in its scene: it stays above the waves, on its circle, and continues
+// identically after a load and after a restore point.
 #include "examples/hovercraft/hovercraft.h"
 
 #include <gtest/gtest.h>
@@ -45,7 +45,7 @@ TEST(Hovercraft, follows_its_circle_over_the_waves) {
         furthest = std::max(furthest, (*hit)->fraction * 10);
         slowest = std::min(slowest, length(state.linear_velocity));
     }
-    // Thrusters keep 1.2 m and sit 0.3 m below the middle.
+    // Thrusters hover at 1.2 m and are 0.3 m below the centre.
     EXPECT_GT(nearest, 0.7);
     EXPECT_LT(furthest, 2.6);
     EXPECT_GT(slowest, 4);
@@ -67,15 +67,15 @@ TEST(Hovercraft, continues_bit_identically_after_load_and_restore) {
     EXPECT_EQ(hash, state_hash(world));
 }
 
-// The numbers that WIRE.md names and the viewer draws.
+// The values described in WIRE.md and drawn by the viewer.
 TEST(Hovercraft, publishes_its_thrusters_in_20_values) {
     BuiltScene built = built_scene();
     ride(built.world, 2);
-    ChannelWriter told([](BodyId) { return 7u; });
-    built.world.module("hovercraft")->publish(built.world, told);
-    ASSERT_EQ(told.channels().size(), 1u);
-    EXPECT_EQ(told.channels()[0].entity, 7u);
-    EXPECT_EQ(told.channels()[0].values.size(), 20u);
+    ChannelWriter writer([](BodyId) { return 7u; });
+    built.world.module("hovercraft")->publish(built.world, writer);
+    ASSERT_EQ(writer.channels().size(), 1u);
+    EXPECT_EQ(writer.channels()[0].entity, 7u);
+    EXPECT_EQ(writer.channels()[0].values.size(), 20u);
 }
 
 TEST(Hovercraft, rejects_unknown_settings_and_bodies) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The player of the scene "katamari" keeps the yard busy, always in the same way.
+// The player of the scene "katamari" moves many cubes, deterministically.
 #include "scenes/src/katamari.h"
 
 #include <gtest/gtest.h>

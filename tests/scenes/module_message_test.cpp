@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Modules of a scene: read, made, given their settings, kept and written again.
+// Modules of a scene: reading, creation, settings, saved state and writing.
 #include "scenes/src/module_message.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ using test::Turntable;
 
 using test::dt;
 
-// The disc is the second of its name.
+// The module uses the second disc.
 std::string turntable(const std::string& module) {
     return R"({"name": "a", "bodies": [{"name": "disc", "type": "BODY_TYPE_KINEMATIC",
   "shapes": [{"cylinder": {"radius": 1, "half_length": 0.1}}],
@@ -49,7 +49,7 @@ TEST_F(ModuleMessage, module_receives_settings_in_name_order_and_bodies_by_name)
     ASSERT_TRUE(built.ok()) << built.error().message;
     EXPECT_EQ(module_of(*built).order, "gain speed ");
     EXPECT_EQ(module_of(*built).disc(), built->bodies[1]);
-    EXPECT_FALSE(module_of(*built).restored_in_world) << "it began, and was not kept";
+    EXPECT_FALSE(module_of(*built).restored_in_world) << "a new module is not restored";
 }
 
 TEST_F(ModuleMessage, module_acts_on_the_world) {
@@ -64,14 +64,14 @@ TEST_F(ModuleMessage, module_acts_on_the_world) {
 TEST_F(ModuleMessage, saved_module_state_is_read_after_its_settings) {
     SceneDescription scene =
         read(turntable(R"("settings": {"speed": 2, "gain": 0.6}, "bodies": {"disc": "disc[1]"})"));
-    auto before = build_scene(scene);
-    ASSERT_TRUE(before.ok());
-    for (int tick = 0; tick < 60; tick++) ASSERT_TRUE(before->world.step(dt).ok());
-    scene.modules[0].state = physics::save_module(*before->world.module("turntable"));
+    auto first = build_scene(scene);
+    ASSERT_TRUE(first.ok());
+    for (int tick = 0; tick < 60; tick++) ASSERT_TRUE(first->world.step(dt).ok());
+    scene.modules[0].state = physics::save_module(*first->world.module("turntable"));
 
     const auto after = build_scene(read(write_scene_json(scene)));
     ASSERT_TRUE(after.ok()) << after.error().message;
-    EXPECT_EQ(module_of(*after).speed(), module_of(*before).speed());
+    EXPECT_EQ(module_of(*after).speed(), module_of(*first).speed());
     EXPECT_EQ(module_of(*after).disc(), after->bodies[1]);
     EXPECT_TRUE(module_of(*after).restored_in_world);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The modules that come with Jostle, as scene files say them: lists of things with ranges, found by
-// line and field when something is wrong with them.
+// The modules that come with Jostle in scene files: lists of objects with ranges, and errors with
+// line and field.
 #include "scenes/src/module_objects.h"
 
 #include <gmock/gmock.h>
@@ -53,7 +53,7 @@ TEST(ModuleObjects, two_cars_have_independent_wheels) {
       {"body": "car[1]", "radius": 0.5}
     ]}})"));
     ASSERT_TRUE(scene.ok()) << scene.error().message;
-    EXPECT_EQ(scene->modules[0].tag, "vehicle") << "it need not be said twice";
+    EXPECT_EQ(scene->modules[0].tag, "vehicle") << "the tag is implied";
     const auto built = build_scene(*scene);
     ASSERT_TRUE(built.ok()) << built.error().message;
     const auto* cars = dynamic_cast<const modules::Vehicles*>(built->world.module("vehicle"));
@@ -65,7 +65,7 @@ TEST(ModuleObjects, two_cars_have_independent_wheels) {
     EXPECT_NE(cast(0), cast(1));
 }
 
-// A shape that was cut ahead of time stands in the scene, and a fault in it is found by line and
+// A pre-fractured shape is placed in the scene, and an error in it is reported with its line and
 // chunk.
 TEST(ModuleObjects, prefractured_shape_is_placed_in_the_scene) {
     modules::FracturedShape wall =
@@ -131,12 +131,13 @@ TEST(ModuleObjects, errors_name_line_and_field) {
               "line 11: modules[0].vehicle.cars: has 0 items; it must have 1 to 1000");
     EXPECT_THAT(error_of(R"({"vehicle": {"cars": [{"colour": 1}]}})"),
                 HasSubstr("line 11: modules[0].vehicle.cars[0]"));
-    EXPECT_EQ(error_of(R"({"tag": "fields", "vehicle": {"cars": [{"body": "car"}]}})"),
-              "line 11: modules[0].tag: is \"fields\", but its things are of \"vehicle\"; leave "
-              "the tag out");
+    EXPECT_EQ(
+        error_of(R"({"tag": "fields", "vehicle": {"cars": [{"body": "car"}]}})"),
+        "line 11: modules[0].tag: is \"fields\", but its objects belong to \"vehicle\"; remove "
+        "the tag");
     EXPECT_THAT(error_of(R"({"vehicle": {"cars": [{"body": "car"}, {"body": "car"}]}})"),
                 HasSubstr("modules[0] 'vehicle': cars[1]: "))
-        << "what only the module knows: a body is one car";
+        << "detected by the module: a body belongs to one car";
     EXPECT_THAT(error_of(R"({"vehicle": {"cars": [{"body": "car", "cast": 7}]}})"),
                 HasSubstr("modules[0].vehicle.cars[0].cast"));
 }
@@ -166,8 +167,8 @@ TEST(ModuleObjects, round_trips) {
     EXPECT_EQ(walls->size(), 3u);
 }
 
-// Every number of every message: the module knows the setting, and takes both ends of its range
-// where it is given alone, or says what else it needs.
+// For every number of every message, the module has the setting and accepts both ends of its range,
+// unless it requires other settings.
 TEST(ModuleObjects, every_field_maps_to_a_known_module_setting) {
     register_catalog_modules();
     const auto& choice = *v1::Module::descriptor()->FindOneofByName("objects");
@@ -199,7 +200,7 @@ TEST(ModuleObjects, every_field_maps_to_a_known_module_setting) {
                     EXPECT_EQ(what.find("unknown setting"), std::string::npos)
                         << kind.name() << ": " << what;
                     EXPECT_EQ(what.find(name + " is "), std::string::npos)
-                        << kind.name() << " refuses an end of the range: " << what;
+                        << kind.name() << " rejects an end of the range: " << what;
                     settings++;
                 }
             }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Scenes that somebody plays, played by the sticks that a client would hold: laps of the race
-// track, the course of the parkour to its flag, a boat out of the harbour, a digger into a wall.
+// Playable scenes, controlled by driver input: laps of the race track, the parkour course to its
+// flag, a boat out of the harbour, a digger into a wall.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -31,7 +31,7 @@ struct Played {
     BodyId named(const std::string& name) const {
         for (std::size_t k = 0; k < scene.bodies.size(); k++)
             if (scene.bodies[k].name == name) return built.bodies[k];
-        ADD_FAILURE() << "there is no body " << name;
+        ADD_FAILURE() << "missing body " << name;
         return {};
     }
     BodyState state(const std::string& name) const { return *built.world.body(named(name)); }
@@ -54,25 +54,25 @@ Controls sticks(double right, double ahead, double look = 0, std::uint32_t butto
     return controls;
 }
 
-// Seconds until it has gone once round the y axis, to the left; < 0: it left the road, or a minute
-// was not enough.
+// Time of one counter-clockwise lap around the y axis, s; negative if the car left the road or
+// needed more than a minute.
 double lap_time(Played& track, const std::string& car) {
     double turned = 0;
-    Vec3 before = track.state(car).center;
+    Vec3 previous = track.state(car).center;
     for (int step = 1; step <= 60 * 60; step++) {
         if (!track.built.world.step(dt).ok()) return -1;
         const Vec3 now = track.state(car).center;
         const double radius = std::hypot(now.x, now.z);
         if (radius < 37 || radius > 53) return -1;
-        turned +=
-            std::atan2(before.x * now.z - before.z * now.x, before.x * now.x + before.z * now.z);
-        before = now;
+        turned += std::atan2(previous.x * now.z - previous.z * now.x,
+                             previous.x * now.x + previous.z * now.z);
+        previous = now;
         if (turned <= -2 * pi) return step * dt;
     }
     return -1;
 }
 
-// Ring of 45 m at 16 m/s: 17.7 s, and what it takes to get there from standing.
+// Ring of 45 m at 16 m/s: 17.7 s, plus the time to accelerate.
 TEST(RaceTrack, pilot_completes_a_lap_on_the_road) {
     Played track("race_track");
     const double seconds = lap_time(track, "car");
@@ -87,7 +87,7 @@ TEST(RaceTrack, pilot_completes_a_lap_on_the_road) {
 }
 
 TEST(RaceTrack, car_at_full_lock_and_full_speed_skids_without_rolling_over) {
-    // Nothing in its way.
+    // Removes all obstacles.
     SceneDescription open = *find_scene("race_track");
     for (SceneBody& body : open.bodies)
         if (body.name == "tree" || body.name == "tyre") {
@@ -107,14 +107,14 @@ TEST(RaceTrack, car_at_full_lock_and_full_speed_skids_without_rolling_over) {
     EXPECT_GT(lowest, 0.7);
 }
 
-// Up the stairs, over the gaps with a leap each, along the beam, to the flag.
+// Up the stairs, over each gap with a jump, along the beam, to the flag.
 TEST(Parkour, course_can_be_completed) {
     Played parkour("parkour");
-    const Vec3 way[] = {{0, 0, -5},     {0, 0, -12},   {16, 0, -12},
-                        {17, 0, -11.2}, {17, 0, -2.5}, {17.75, 0, 0.8}};
-    const double edges[] = {2, 5, 8.5, 12.5};  // x where gaps begin
+    const Vec3 waypoints[] = {{0, 0, -5},     {0, 0, -12},   {16, 0, -12},
+                              {17, 0, -11.2}, {17, 0, -2.5}, {17.75, 0, 0.8}};
+    const double edges[] = {2, 5, 8.5, 12.5};  // x at which gaps begin
     double seconds = 0;
-    for (const Vec3 mark : way)
+    for (const Vec3 mark : waypoints)
         for (double left = 1; left > 0.4; seconds += dt) {
             const Vec3 at = parkour.state("walker2").center;
             const double x = mark.x - at.x, z = mark.z - at.z;
@@ -147,7 +147,7 @@ TEST(Harbour, boat_leaves_the_harbour_upright_and_turns_back) {
         lowest = std::min(lowest, rotate(harbour.state("boat").pose.rotation, {0, 1, 0}).y);
     }
     EXPECT_GT(lowest, 0.6);
-    // It lay with its bow to +z; to the right of that is -x.
+    // It was facing +z, so -x is to its right.
     const Vec3 ahead = rotate(harbour.state("boat").pose.rotation, {0, 0, -1});
     EXPECT_LT(ahead.z, 0.9);
     RecordProperty("lowest_up", std::to_string(lowest));
@@ -172,10 +172,10 @@ TEST(Demolition, digger_breaks_a_wall) {
         yard.built.world.copy_bodies(all);
         return all.size();
     };
-    const std::size_t before = bodies();
+    const std::size_t previous = bodies();
     yard.hold("vehicle", "digger", sticks(0, 1));
     yard.run(5);
-    EXPECT_GT(bodies(), before + 60);
+    EXPECT_GT(bodies(), previous + 60);
     EXPECT_LT(yard.state("digger").center.z, began.z - 11);
 }
 

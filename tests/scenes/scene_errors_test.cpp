@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Files that are wrong, and what their writers are told: line, field, what is there, what to do.
+// Errors of invalid scene files: line, field, value and remedy.
 #include <gtest/gtest.h>
 
 #include "jostle/scenes/scene_file.h"
@@ -25,7 +25,7 @@ void expect_refused(const std::string& text, const std::string& message) {
     EXPECT_EQ(scene.error().message, message) << text;
 }
 
-// The file can be read, but no world can be made of it.
+// The file is valid, but the world cannot be built.
 void expect_not_built(const std::string& text, const std::string& message) {
     const auto scene = read_scene_json(text);
     ASSERT_TRUE(scene.ok()) << scene.error().message;
@@ -34,7 +34,7 @@ void expect_not_built(const std::string& text, const std::string& message) {
     EXPECT_EQ(built.error().message, message) << text;
 }
 
-// A scene of one body, whose shape begins on line 3.
+// A scene with one body, whose shape begins on line 3.
 std::string body(const std::string& shape, const std::string& type = "DYNAMIC") {
     return R"({"name": "a",
  "bodies": [{"name": "it", "type": "BODY_TYPE_)" +
@@ -43,13 +43,13 @@ std::string body(const std::string& shape, const std::string& type = "DYNAMIC") 
            "]}]}";
 }
 
-// The same where all lies in one plane.
+// The same in a planar world.
 std::string planar(const std::string& shape) {
     std::string text = body(shape);
     return text.replace(text.find('\n'), 1, R"( "world": {"planar": true},)");
 }
 
-// Three bodies called link, and a joint that begins on line 5.
+// Three bodies named link, and a joint that begins on line 5.
 std::string links(const std::string& joint, const std::string& type = "DYNAMIC") {
     return R"({"name": "a",
  "bodies": [{"name": "link", "type": "BODY_TYPE_)" +
@@ -60,7 +60,7 @@ std::string links(const std::string& joint, const std::string& type = "DYNAMIC")
            "}]}";
 }
 
-// A body called disc, and a module that begins on line 5.
+// A body named disc, and a module that begins on line 5.
 std::string with_module(const std::string& module) {
     return R"({"name": "a",
  "bodies": [{"name": "disc", "type": "BODY_TYPE_KINEMATIC",

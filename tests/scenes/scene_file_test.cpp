@@ -22,7 +22,7 @@ std::string read(const std::string& path) {
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
-// Between them they give every field of jostle.v1.Scene.
+// Together they contain every field of jostle.v1.Scene.
 constexpr const char* every_field_files[] = {PROJECT_FOLDER "/tests/scenes/data/every_field.json",
                                              PROJECT_FOLDER "/tests/scenes/data/every_module.json",
                                              PROJECT_FOLDER "/tests/scenes/data/planar.json"};
@@ -31,7 +31,7 @@ std::string name_of(const google::protobuf::FieldDescriptor& field) {
     return field.containing_type()->name() + "." + field.name();
 }
 
-// "Body.mass": the fields that a message and all within it can have.
+// Adds the names of all fields of a message type and of its nested types, such as "Body.mass".
 void add_fields(const google::protobuf::Descriptor& message, std::set<std::string>& names) {
     for (int i = 0; i < message.field_count(); i++) {
         const auto& field = *message.field(i);
@@ -40,19 +40,19 @@ void add_fields(const google::protobuf::Descriptor& message, std::set<std::strin
     }
 }
 
-// And those that this one has.
+// Adds the names of the fields that are present in a message.
 void add_present(const google::protobuf::Message& message, std::set<std::string>& names) {
-    const auto& look = *message.GetReflection();
+    const auto& reflection = *message.GetReflection();
     std::vector<const google::protobuf::FieldDescriptor*> fields;
-    look.ListFields(message, &fields);
+    reflection.ListFields(message, &fields);
     for (const auto* field : fields) {
         names.insert(name_of(*field));
         if (!field->message_type()) continue;
         if (!field->is_repeated())
-            add_present(look.GetMessage(message, field), names);
+            add_present(reflection.GetMessage(message, field), names);
         else
-            for (int i = 0; i < look.FieldSize(message, field); i++)
-                add_present(look.GetRepeatedMessage(message, field, i), names);
+            for (int i = 0; i < reflection.FieldSize(message, field); i++)
+                add_present(reflection.GetRepeatedMessage(message, field, i), names);
     }
 }
 
@@ -81,13 +81,13 @@ TEST(SceneFile, catalogue_scenes_round_trip_bit_identically) {
     }
 }
 
-// What a reader drops and a writer forgets would survive any round trip: so the fields themselves
-// are counted. Repeats, solids and frames in the world are written as what they make.
+// A field that is neither read nor written would survive a round trip, so the test counts the
+// fields. Repeats, solids and frames in the world are written in expanded form.
 TEST(SceneFile, round_trip_preserves_every_field) {
     test::register_turntable();
     std::set<std::string> all, given, written;
     add_fields(*v1::Scene::descriptor(), all);
-    all.erase("Shape.geometry");  // only in a EntityUpdate; a file that has it is refused
+    all.erase("Shape.geometry");  // only in an EntityUpdate; scene files with it are rejected
     for (const char* file : every_field_files) {
         const std::string text = read(file);
         v1::Scene message;
@@ -126,8 +126,6 @@ TEST(SceneFile, every_field_round_trips_to_the_same_world_after_30_steps) {
     }
 }
 
-// "-0.0" is a number with a sign of its own, "-0" is not: a file must not be able to tell them
-// apart.
 TEST(SceneFile, legacy_fixed_body_type_is_read_as_static) {
     const auto scene = read_scene_json(R"({"name": "old", "bodies": [
         {"name": "floor", "type": "BODY_TYPE_FIXED", "shapes": [{"plane": {}}]}]})");
@@ -138,6 +136,7 @@ TEST(SceneFile, legacy_fixed_body_type_is_read_as_static) {
     EXPECT_EQ(written.find("BODY_TYPE_FIXED"), std::string::npos) << written;
 }
 
+// In JSON, "-0.0" has a sign and "-0" does not; both must be read as 0.
 TEST(SceneFile, negative_zero_is_read_as_zero) {
     const std::string text =
         R"({"name": "a", "world": {"gravity": {"x": 0.0, "y": -9.81}}, "bodies": [

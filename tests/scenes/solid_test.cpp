@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A closed mesh in a scene file is a body of hulls that moves.
+// A closed mesh in a scene file becomes a dynamic body of hulls.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A module of tests: turns a kinematic disc about y at a speed that rises, and remembers how fast
-// and which. docs/reference/scene_format.md has it in an example.
+// A test module: rotates a kinematic disc about y with an angular acceleration.
+// docs/reference/scene_format.md uses it in an example.
 #pragma once
 
 #include <memory>
@@ -43,7 +43,7 @@ public:
     physics::BodyId disc() const { return disc_; }
     double speed() const { return speed_; }
 
-    std::string order;  // of the settings that came, each followed by a space
+    std::string order;  // of the settings received, each followed by a space
     bool restored_in_world = false;
 
 private:

@@ -9,8 +9,8 @@
 
 namespace jostle::modules {
 
-// Two boxes 0.4 m long, end to end along x: the first is held, the other hangs on its end by a
-// muscle. 8 kg each.
+// Two boxes of 8 kg, 0.4 m long, end to end along x: the first is kinematic, the second is held at
+// its end by a muscle.
 inline RagdollDef arm(physics::JointKind joint, const Muscle& muscle) {
     RagdollDef def{.kinematic_root = true, .sleep_allowed = false};
     const physics::ShapeDef shape{.geometry = physics::Box{{0.2, 0.05, 0.05}}, .density = 2000};
@@ -39,7 +39,7 @@ struct Stage {
         return ragdolls->add(world, def, place).value();
     }
     void step(double hz = 60) { world.step(1 / hz).expect(); }
-    // How the joint of a bone is turned about its frame's z axis.
+    // Rotation of the joint of a bone about the z axis of its frame.
     double angle(RagdollId id, std::size_t bone) const {
         const physics::Quat q = ragdolls->pose(world, id)->rotations[bone];
         return 2 * physics::arc_tangent(q.z, q.w);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Muscles against closed forms.
+// Muscles, compared with closed forms.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -14,8 +14,8 @@ namespace {
 
 using namespace physics;
 
-// An arm held level hangs down by m g l / k: the spring's stiffness is its frequency squared times
-// the inertia about the arm's own centre.
+// A horizontal arm sags by m g l / k. The stiffness of the spring is the square of its frequency
+// times the inertia about the centre of the arm.
 TEST(RagdollMuscles, held_arm_sags_by_weight_over_stiffness) {
     for (const bool hinge : {false, true})
         for (const double hertz : {4.0, 8.0, 16.0}) {
@@ -32,7 +32,7 @@ TEST(RagdollMuscles, held_arm_sags_by_weight_over_stiffness) {
         }
 }
 
-// No more than its greatest torque: an arm that is too heavy falls.
+// The torque is limited: an arm that is too heavy falls.
 TEST(RagdollMuscles, muscle_yields_above_its_max_torque) {
     for (const JointKind& joint : {JointKind(BallJoint{}), JointKind(HingeJoint{})})
         for (const double share : {0.9, 1.1}) {
@@ -48,8 +48,8 @@ TEST(RagdollMuscles, muscle_yields_above_its_max_torque) {
         }
 }
 
-// A pose that swings by 0.5 rad once a second is followed in amplitude and phase, by hinges and by
-// balls.
+// A pose that oscillates by 0.5 rad at 1 Hz is followed in amplitude and phase, by hinges and ball
+// joints.
 TEST(RagdollMuscles, follows_a_1_hz_pose) {
     for (const bool hinge : {false, true}) {
         Stage stage({.gravity = {}});
@@ -89,8 +89,8 @@ TEST(RagdollMuscles, half_strength_halves_the_stiffness) {
     EXPECT_NEAR(sag[1] / sag[0], 2, 0.02);
 }
 
-// Figures thrown at the floor at 10 m/s, 24 ways round: how far joints are bent further than they
-// go, and come apart, at the worst moment.
+// Figures thrown at the floor at 10 m/s in 24 orientations: the largest violation of joint limits
+// and the largest separation of joints at any time.
 TEST(RagdollMuscles, joint_limits_hold_under_impacts) {
     double worst = 0, gap = 0;
     for (int turn = 0; turn < 24; turn++) {

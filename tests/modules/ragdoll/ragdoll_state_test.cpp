@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The same bits for any number of threads, and after saving, loading and restoring; and scenes.
+// Bit-identical results for any number of threads and after saving, loading and restoring; scene
+// settings.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,18 +18,18 @@ using namespace physics;
 const bool registered =
     register_module("ragdoll", [] { return std::make_unique<Ragdolls>(); }).ok();
 
-// One limp, one that waves with its muscles, one that is led and let go of.
+// One limp figure, one that waves with its muscles, and one that leaves kinematic mode.
 struct TestScene {
     Stage stage;
-    RagdollId limp, powered, led;
+    RagdollId limp, powered, kinematic;
 
     explicit TestScene(int threads = 1) : stage({.threads = threads}) {
         stage.floor();
         limp = stage.add(human_figure());
         powered = stage.add(human_figure(), {{0, 0, 1.5}, {}});
-        led = stage.add(human_figure(1.5), {{0.3, 0, 3}, {}});
+        kinematic = stage.add(human_figure(1.5), {{0.3, 0, 3}, {}});
         stage.ragdolls->set_mode(stage.world, powered, RagdollMode::powered, 0.5).expect();
-        stage.ragdolls->set_mode(stage.world, led, RagdollMode::kinematic).expect();
+        stage.ragdolls->set_mode(stage.world, kinematic, RagdollMode::kinematic).expect();
     }
 };
 void play(World& world, const TestScene& show, int from, int to) {
@@ -37,7 +38,7 @@ void play(World& world, const TestScene& show, int from, int to) {
         RagdollPose pose{.root = {{0, 0, 1.5}, {}}, .rotations = std::vector<Quat>(11)};
         pose.rotations[3] = from_axis_angle({0, 0, 1}, 0.5 * sin_cos(0.1 * k).sin);
         ragdolls.set_pose(show.powered, pose).expect();
-        if (k == 60) ragdolls.set_mode(world, show.led, RagdollMode::limp, 0).expect();
+        if (k == 60) ragdolls.set_mode(world, show.kinematic, RagdollMode::limp, 0).expect();
         world.step(1.0 / 60).expect();
     }
 }
@@ -71,7 +72,7 @@ TEST(RagdollState, loaded_and_restored_worlds_continue_identically) {
     EXPECT_EQ(state_hash(world), hash);
 }
 
-// Any byte of the module's state may be anything: a load says no, or gives a world that steps.
+// Any byte of the module's state may have any value: the load fails, or the world can be stepped.
 TEST(RagdollState, corrupted_bytes_are_rejected_or_harmless) {
     TestScene show;
     play(show.stage.world, show, 0, 10);
@@ -86,7 +87,7 @@ TEST(RagdollState, corrupted_bytes_are_rejected_or_harmless) {
             refused++;
             continue;
         }
-        if (at % 31 != 0) continue;  // worlds take a while
+        if (at % 31 != 0) continue;  // worlds are slow
         other.stage.world.remove_module("ragdoll").expect();
         other.stage.world.add_module(std::move(corrupted)).expect();
         for (int k = 0; k < 3; k++) static_cast<void>(other.stage.world.step(1.0 / 60).ok());

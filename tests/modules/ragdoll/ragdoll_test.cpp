@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Figures stand, fall, are led and let go.
+// Figures stand, fall, follow poses and are released.
 #include "jostle/modules/ragdoll.h"
 
 #include <gtest/gtest.h>
@@ -32,7 +32,7 @@ TEST(Ragdoll, limp_figure_falls_and_sleeps) {
     EXPECT_EQ(stage.world.summary().awake_bodies, 0);
 }
 
-// Who is led goes where the pose says, to a micrometre, and pushes what is in the way.
+// A kinematic figure follows the pose within 1 um and pushes bodies in its way.
 TEST(Ragdoll, kinematic_figure_follows_the_pose_and_pushes) {
     Stage stage({.gravity = {}});
     const BodyId ball = *stage.world.create_body({.pose = {.position = {0.7, 1.42, 0.4}}},
@@ -47,10 +47,10 @@ TEST(Ragdoll, kinematic_figure_follows_the_pose_and_pushes) {
         const Vec3 pelvis = stage.world.body(stage.ragdolls->bodies(id)->front())->pose.position;
         ASSERT_NEAR(pelvis.z, k / 60.0, 1e-6);
     }
-    EXPECT_GT(stage.world.body(ball)->linear_velocity.z, 0.5) << "an arm came by at 1 m/s";
+    EXPECT_GT(stage.world.body(ball)->linear_velocity.z, 0.5) << "hit by an arm at 1 m/s";
 }
 
-// Let go of, it flies on as it was moved, and its joints hold it together.
+// When kinematic mode ends, it continues with its velocity, and its joints hold it together.
 TEST(Ragdoll, figure_keeps_its_velocity_when_kinematic_mode_ends) {
     Stage stage({.gravity = {}});
     const RagdollId id = stage.add(human_figure());
@@ -69,7 +69,7 @@ TEST(Ragdoll, figure_keeps_its_velocity_when_kinematic_mode_ends) {
     EXPECT_EQ(stage.world.summary().joints, 10);
 }
 
-// From the floor back to its feet within a second: no bone is moved faster than the blend asks.
+// From the floor back to its feet within 1 s: no bone moves faster than the blend requires.
 TEST(Ragdoll, blend_moves_a_fallen_figure_back_gradually) {
     Stage stage;
     stage.floor();
@@ -86,7 +86,7 @@ TEST(Ragdoll, blend_moves_a_fallen_figure_back_gradually) {
     EXPECT_LT(fastest, 6);
 }
 
-// Its neck is cut: what is left falls, and the others go on.
+// With its neck joint destroyed, the rest of the figure falls, and other figures are unaffected.
 TEST(Ragdoll, figure_with_a_lost_joint_is_released_and_others_are_unaffected) {
     Stage stage;
     stage.floor();
@@ -99,13 +99,13 @@ TEST(Ragdoll, figure_with_a_lost_joint_is_released_and_others_are_unaffected) {
     EXPECT_EQ(stage.ragdolls->size(), 1u);
     const RagdollId next = stage.add(human_figure(), {{6, 0, 0}, {}});
     EXPECT_EQ(next.index, one.index);
-    EXPECT_FALSE(stage.ragdolls->contains(one)) << "the place is another's now";
+    EXPECT_FALSE(stage.ragdolls->contains(one)) << "another figure uses the index";
     stage.ragdolls->remove(stage.world, two).expect();
     EXPECT_EQ(stage.ragdolls->size(), 1u);
 }
 
-// One figure's hand is pushed out of the world, another's head is taken away: both are let go of,
-// their muscles as well, and the third stands as if nothing had happened.
+// The hand of one figure is quarantined, and the head of another is destroyed: both are released
+// with limp muscles, and the third stands unaffected.
 TEST(Ragdoll, removes_figures_individually) {
     double height[2] = {};
     for (const bool lost : {false, true}) {
@@ -130,7 +130,7 @@ TEST(Ragdoll, removes_figures_individually) {
         height[lost ? 1 : 0] = highest(stage, ids[2]);
         if (!lost) continue;
         const auto neck = std::get<ConeTwistJoint>(stage.world.joint(joints[1])->def.kind);
-        EXPECT_EQ(neck.drive.spring.hertz, 0) << "its muscles have let go";
+        EXPECT_EQ(neck.drive.spring.hertz, 0) << "its muscles are limp";
     }
     EXPECT_EQ(height[0], height[1]);
 }
@@ -159,7 +159,7 @@ TEST(Ragdoll, errors_name_the_bone_and_leave_no_bodies) {
               std::string::npos);
     EXPECT_NE(error_of([](RagdollDef& d) { d.bones.clear(); }), "");
     const RagdollId id = stage.add(human_figure());
-    EXPECT_FALSE(stage.ragdolls->set_pose(id, {}).ok()) << "no turns";
+    EXPECT_FALSE(stage.ragdolls->set_pose(id, {}).ok()) << "no rotations";
     EXPECT_FALSE(stage.ragdolls->set_strength(id, 11, 1).ok());
     EXPECT_FALSE(stage.ragdolls->set_strength(id, 1, std::nan("")).ok());
     EXPECT_FALSE(stage.ragdolls->set_mode(stage.world, id, RagdollMode::limp, -1).ok());

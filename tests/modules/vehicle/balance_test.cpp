@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A motorcycle stays up by steering, and leans into a bend as far as the bend asks for.
+// A motorcycle balances by steering, and leans into a bend by the equilibrium angle.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -44,12 +44,12 @@ TEST(Balance, rides_straight_and_recovers_after_a_push) {
         of.drive(step_time);
         furthest = std::max(furthest, std::abs(of.lean()));
     }
-    EXPECT_GT(furthest, 0.01) << "the push was felt";
+    EXPECT_GT(furthest, 0.01) << "the push has an effect";
     of.drive(4);
     EXPECT_LT(std::abs(of.lean()), 0.01);
 }
 
-// Of the line from where it touches to its centre of mass: atan(v^2 / (g r)).
+// The equilibrium angle of the line from the contact to the centre of mass: atan(v^2 / (g r)).
 TEST(Balance, leans_into_a_turn_by_the_equilibrium_angle) {
     double worst = 0;
     for (const double speed : {6.0, 8.0, 15.0, 25.0, 40.0, 60.0})
@@ -65,7 +65,7 @@ TEST(Balance, leans_into_a_turn_by_the_equilibrium_angle) {
             const double lean = std::atan2(dot(arm, right), arm.y);
             worst = std::max(worst, std::abs(lean / std::atan(aside / gravity) - 1));
             EXPECT_GT(lean * steering, 0);
-            // No further than it was told, and not much less.
+            // At most the requested lean, and not much less.
             EXPECT_LT(std::abs(lean), 0.7 * std::abs(steering) + 0.04);
             EXPECT_GT(std::abs(lean), (speed < 8 ? 0.3 : 0.85) * 0.7 * std::abs(steering));
         }
@@ -106,7 +106,7 @@ TEST(Balance, stays_upright_on_both_wheels_from_standstill_to_top_speed) {
     EXPECT_GT(of.speed(), 55);
     EXPECT_NEAR(of.speed(), before, 0.01);
     EXPECT_LT(lean, 0.001);
-    EXPECT_LT(pitch, 0.2) << "no more than its springs give";
+    EXPECT_LT(pitch, 0.2) << "no more than the springs allow";
 }
 
 TEST(Balance, full_braking_neither_pitches_over_nor_falls_in_a_turn) {
@@ -128,7 +128,7 @@ TEST(Balance, full_braking_neither_pitches_over_nor_falls_in_a_turn) {
             EXPECT_LT(pitch, 0.2);
             EXPECT_LT(of.speed(), 1e-3);
             EXPECT_LT(std::abs(of.lean()), 0.01);
-            EXPECT_LT(stopped, v / (0.55 * gravity) + 1) << "and it brakes with two thirds of g";
+            EXPECT_LT(stopped, v / (0.55 * gravity) + 1) << "it brakes with about 2/3 g";
         }
 }
 
@@ -143,7 +143,7 @@ TEST(Balance, parked_motorcycle_stands_for_a_minute_and_survives_a_push) {
     EXPECT_LT(std::abs(of.lean()), 0.01);
 }
 
-// Feet lift nothing that lies on its side, and reach nothing in the air.
+// Feet do not lift a fallen motorcycle and have no effect in the air.
 TEST(Balance, knocked_over_motorcycle_stays_down) {
     for (const double speed : {0.0, 2.0, 10.0}) {
         Motorcycle of(speed);
@@ -155,7 +155,7 @@ TEST(Balance, knocked_over_motorcycle_stays_down) {
             of.drive(step_time);
             fastest = std::max(fastest, of.speed());
         }
-        EXPECT_GT(std::abs(of.lean()), 1) << "it lies";
+        EXPECT_GT(std::abs(of.lean()), 1) << "it lies on its side";
         EXPECT_LT(of.speed(), 0.1);
         EXPECT_LT(fastest, speed + 8);
     }
@@ -180,7 +180,7 @@ TEST(Balance, feet_keep_it_upright_at_standstill) {
     of.set({.throttle = 0.5});
     of.drive(6);
     EXPECT_GT(of.speed(), 8);
-    EXPECT_LT(std::abs(of.lean()), 0.05) << "and it sets off upright";
+    EXPECT_LT(std::abs(of.lean()), 0.05) << "it starts upright";
 }
 
 }  // namespace

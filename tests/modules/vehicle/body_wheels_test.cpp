@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Wheels that are bodies on the solver's wheel joints: what holds for wheels that look for the
-// ground holds for them, by Coulomb's law where the others have a tyre.
+// Wheels that are bodies on wheel joints of the solver pass the tests of ray and shape cast wheels,
+// with Coulomb friction instead of a tyre model.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -58,7 +58,7 @@ TEST(BodyWheels, locked_wheels_stop_within_v_squared_over_2_mu_g) {
         const double v = of.speed();
         const Vec3 start = of.body().center;
         of.set({.brake = 1, .gear = 0});
-        // Then it rocks back on wheels that are locked to it.
+        // Afterwards it rocks back on its locked wheels.
         double furthest = 0;
         for (int k = 0; k < static_cast<int>(60 * (v / gravity + 3)); k++) {
             of.drive(step_time);
@@ -72,8 +72,9 @@ TEST(BodyWheels, locked_wheels_stop_within_v_squared_over_2_mu_g) {
     EXPECT_LT(worst, 0.005);
 }
 
-// In first gear the engine would hold the rear wheels by more than the ground does, and a car whose
-// rear wheels slide ahead of its front turns round: so it is put into a gear that fits at once.
+// In first gear, the engine would brake the rear wheels with more than the friction of the ground,
+// and a car with sliding rear wheels spins around. The gearbox must therefore select a suitable
+// gear immediately.
 TEST(BodyWheels, car_released_at_60_m_s_in_gear_goes_straight) {
     for (const int substeps : {1, 8}) {
         WorldDef def;
@@ -81,14 +82,14 @@ TEST(BodyWheels, car_released_at_60_m_s_in_gear_goes_straight) {
         TestCar of(def, {0, 0, -60});
         of.add(with_bodies(of.chassis));
         of.set({.throttle = 0.5});
-        const int steps = 480 / substeps;  // 480 sub-steps a second
+        const int steps = 480 / substeps;  // 480 sub-steps per second
         for (int k = 0; k < 4 * steps; k++) of.world.step(1.0 / steps).expect();
         EXPECT_GT(of.speed(), 50);
         EXPECT_EQ(of.state().gear, 5);
-        // Of some 220 m.
-        const double aside = std::abs(of.body().center.x);
-        EXPECT_LT(aside, 0.5);
-        RecordProperty("aside_m_by_" + std::to_string(substeps), std::to_string(aside));
+        // After about 220 m.
+        const double sideways = std::abs(of.body().center.x);
+        EXPECT_LT(sideways, 0.5);
+        RecordProperty("sideways_m_by_" + std::to_string(substeps), std::to_string(sideways));
     }
 }
 
@@ -109,7 +110,7 @@ TEST(BodyWheels, top_speed_balances_power_and_drag) {
     EXPECT_NEAR(of.speed(), expected, 0.01 * expected);
 }
 
-// a = T i / R over the car and what spins with it.
+// a = T i / R divided by the mass of the car and its rotating parts.
 TEST(BodyWheels, engine_accelerates_the_total_mass) {
     TestCar of({}, {0, 0, -15});
     VehicleDef def = with_bodies(of.chassis);
@@ -146,7 +147,7 @@ TEST(BodyWheels, anti_roll_bar_reduces_roll_by_its_stiffness) {
     EXPECT_NEAR(share, 1, 0.03);
 }
 
-// Engine and brakes are inside: they turn nothing about the whole.
+// Engine and brakes are internal: they do not change the total angular momentum.
 TEST(BodyWheels, airborne_car_conserves_momentum) {
     TestCar of({.gravity = {}});
     of.world.set_pose(of.chassis, {.position = {0, 50, 0}}).expect();
@@ -174,7 +175,7 @@ TEST(BodyWheels, full_throttle_on_ice_spins_the_driven_wheels_only) {
     const CarState state = of.state();
     EXPECT_GT(state.wheels[2].spin * 0.33, 5 * of.speed());
     EXPECT_NEAR(state.wheels[0].spin * 0.33, state.speed, 0.2 + 0.1 * state.speed);
-    // mu g of the driven half, with some load transferred.
+    // mu g of the driven half of the weight, with some load transfer.
     EXPECT_LT(of.speed(), 0.14 * gravity * 3);
 }
 

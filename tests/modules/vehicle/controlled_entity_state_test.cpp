@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A car that goes on in another world (jostle/modules/controlled_entity_state.h): what a client
-// foresees of the car that it drives.
+// Applies the state of a car to another world (jostle/modules/controlled_entity_state.h), as a
+// client does to predict the car that it drives.
 #include "jostle/modules/controlled_entity_state.h"
 
 #include <gtest/gtest.h>
@@ -14,17 +14,17 @@
 namespace jostle::test {
 namespace {
 
-// A server's world and a client's: the second one's bodies have other ids.
+// A server world and a client world, in which bodies have other ids.
 struct TwoWorlds {
-    TestCar there;
+    TestCar server;
     World world{sleepless({})};
     BodyId chassis;
     Vehicles* vehicles = nullptr;
 
     explicit TwoWorlds(modules::WheelCast cast = modules::WheelCast::cylinder) {
-        VehicleDef def = modules::saloon({.chassis = there.chassis});
+        VehicleDef def = modules::saloon({.chassis = server.chassis});
         def.cast = cast;
-        there.add(def);
+        server.add(def);
         world.create_body({.pose = {.position = {50, 50, 50}}}, {.geometry = Sphere{1}}).value();
         chassis = add_chassis(world, {3, 3, 3});
         world
@@ -37,8 +37,8 @@ struct TwoWorlds {
     }
     std::optional<std::vector<std::uint32_t>> encode() {
         return modules::encode_controlled_entity(
-            there.world, *there.vehicles, there.chassis,
-            [&](BodyId id) { return id == there.chassis ? 7u : 9u; });
+            server.world, *server.vehicles, server.chassis,
+            [&](BodyId id) { return id == server.chassis ? 7u : 9u; });
     }
     bool apply(std::span<const std::uint32_t> words) {
         return modules::apply_controlled_entity(
@@ -46,11 +46,11 @@ struct TwoWorlds {
             [&](std::uint32_t name) { return name == 7 ? chassis : BodyId{}; });
     }
     double distance() const {
-        return length(world.body(chassis)->pose.position - there.body().pose.position);
+        return length(world.body(chassis)->pose.position - server.body().pose.position);
     }
     void drive_both(int ticks) {
         for (int k = 0; k < ticks; k++) {
-            there.world.step(step_time).expect();
+            server.world.step(step_time).expect();
             world.step(step_time).expect();
         }
     }
@@ -58,23 +58,23 @@ struct TwoWorlds {
 
 TEST(ControlledCar, continues_identically_in_another_world) {
     TwoWorlds of;
-    of.there.set({.throttle = 1, .steering = 0.3});
-    of.there.drive(2.5);
-    ASSERT_GT(of.there.speed(), 8);
+    of.server.set({.throttle = 1, .steering = 0.3});
+    of.server.drive(2.5);
+    ASSERT_GT(of.server.speed(), 8);
     const auto words = of.encode();
     ASSERT_TRUE(words.has_value());
     EXPECT_LT(words->size(), 400u);  // 1.6 kB, most of which never changes
     ASSERT_TRUE(of.apply(*words));
-    EXPECT_EQ(of.vehicles->state(1)->gear, of.there.state().gear);
-    // Half a second of the same controls, through a change of gear and 5 m of a bend.
+    EXPECT_EQ(of.vehicles->state(1)->gear, of.server.state().gear);
+    // 0.5 s with the same controls, through a gear change and 5 m of a bend.
     of.drive_both(30);
     RecordProperty("apart_mm", std::to_string(1000 * of.distance()));
     EXPECT_LT(of.distance(), 2e-4);
-    // Whoever holds the wheel here turns it here.
+    // Driver input in the client world changes only that world.
     of.vehicles->control(of.world, of.chassis, {.axes = {-1, 0}});
     of.drive_both(30);
     EXPECT_GT(of.distance(), 0.3);
-    // And what was told later puts that right.
+    // Applying a later state corrects it.
     ASSERT_TRUE(of.apply(*of.encode()));
     EXPECT_LT(of.distance(), 1e-5);
     EXPECT_EQ(of.vehicles->cars().size(), 1u);
@@ -87,8 +87,8 @@ TEST(ControlledCar, car_with_body_wheels_is_not_encoded) {
 
 TEST(ControlledCar, words_that_make_no_sense_change_nothing) {
     TwoWorlds of;
-    of.there.set({.throttle = 1});
-    of.there.drive(1);
+    of.server.set({.throttle = 1});
+    of.server.drive(1);
     const std::vector<std::uint32_t> good = *of.encode();
     ASSERT_TRUE(of.apply(good));
     Random random(5);
@@ -100,7 +100,8 @@ TEST(ControlledCar, words_that_make_no_sense_change_nothing) {
             EXPECT_EQ(of.world.body(of.chassis)->pose, before);
         }
         of.world.step(step_time).expect();
-        if (!of.apply(good)) FAIL() << "forged words " << k << " left a car that takes none";
+        if (!of.apply(good))
+            FAIL() << "after corrupted words " << k << ", the car rejects valid words";
     }
     EXPECT_GT(refused, 1000);
 }

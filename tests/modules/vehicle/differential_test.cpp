@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// How an axle shares torque when one of its wheels stands on ice.
+// Torque distribution of an axle with one wheel on ice.
 #include <cmath>
 #include <optional>
 
@@ -14,16 +14,16 @@ namespace {
 using modules::DifferentialLock;
 using modules::DifferentialLockKind;
 
-// The push of the left and right rear wheel, the left one on ice, and how they spin.
+// Forces of the left and right rear wheels, the left one on ice, and their spin.
 struct Split {
     double left, right, spin_left, spin_right;
-    double spun_up;  // N: what the inertia of the wheel on ice takes more than the other's
+    double spun_up;  // N, additional force that accelerates the spin of the wheel on ice
 };
 Split on_split_ground(std::optional<DifferentialLock> coupling) {
     TestCar of({.substeps = 2});
     VehicleDef def = plain_saloon(of.chassis);
-    def.wheels[2].tyre.friction = 0.01;  // 0.1 with the ground's 1
-    def.gearbox.automatic = false;       // no shift in between
+    def.wheels[2].tyre.friction = 0.01;  // 0.1 combined with the ground's 1
+    def.gearbox.automatic = false;       // prevents shifts
     if (coupling) def.differential_locks = {*coupling};
     of.add(def);
     of.drive(2);
@@ -48,7 +48,7 @@ Split on_split_ground(std::optional<DifferentialLock> coupling) {
 TEST(Differential, open_differential_is_limited_by_the_wheel_with_less_grip) {
     const Split split = on_split_ground({});
     RecordProperty("difference_off_N", std::to_string(split.right - split.left - split.spun_up));
-    EXPECT_GT(split.spin_left, 2 * split.spin_right) << "the one on ice spins";
+    EXPECT_GT(split.spin_left, 2 * split.spin_right) << "the wheel on ice spins";
     EXPECT_NEAR(split.right - split.left, split.spun_up, 0.05 * split.right);
 }
 
@@ -56,7 +56,8 @@ TEST(Differential, limited_slip_adds_its_friction_torque) {
     const DifferentialLock lock{.first = {2}, .second = {3}, .preload = 400, .ratio = 0};
     const Split split = on_split_ground(lock);
     EXPECT_GT(split.spin_left, 1.2 * split.spin_right);
-    // Each side gets half of the torque, the faster one less the lock's, the slower one more.
+    // Each side gets half of the torque; the friction torque of the lock reduces that of the faster
+    // side and increases that of the slower one.
     const double expected = 2 * 400 / 0.33 + split.spun_up;
     RecordProperty("difference_off_percent",
                    std::to_string(100 * ((split.right - split.left) / expected - 1)));
@@ -67,7 +68,7 @@ TEST(Differential, locked_differential_equalises_wheel_speeds) {
     const Split split = on_split_ground(
         DifferentialLock{.first = {2}, .second = {3}, .kind = DifferentialLockKind::locked});
     EXPECT_NEAR(split.spin_left, split.spin_right, 0.01 * split.spin_right);
-    EXPECT_GT(split.right, 4 * split.left) << "the gripping wheel pushes alone";
+    EXPECT_GT(split.right, 4 * split.left) << "only the wheel with grip drives";
 }
 
 TEST(Differential, locked_axle_resists_cornering_and_open_axle_does_not) {
@@ -85,7 +86,7 @@ TEST(Differential, locked_axle_resists_cornering_and_open_axle_does_not) {
         return std::pair{wheels[2].spin - wheels[3].spin, -of.body().angular_velocity.y};
     };
     const auto [open, turn] = difference(false);
-    // The outer wheel is 1.6 m further out.
+    // The outer wheel is 1.6 m farther out.
     EXPECT_NEAR(open, turn * 1.6 / 0.33, 0.02 * open);
     const auto [locked, less] = difference(true);
     EXPECT_NEAR(locked, 0, 0.01);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Engine, clutch and gearbox: what the engine gives arrives at the road.
+// Engine, clutch and gearbox: the torque of the engine arrives at the road.
 #include <algorithm>
 #include <cmath>
 
@@ -11,7 +11,8 @@
 namespace jostle::test {
 namespace {
 
-// Where the engine's push meets air and rolling: T(w) i n / R = rho / 2 A v^2 + c m g.
+// The speed at which the drive force equals air drag and rolling resistance: T(w) i n / R = rho / 2
+// A v^2 + c m g.
 double top_speed(const VehicleDef& def, double ratio) {
     double low = 1, high = 200;
     for (int k = 0; k < 60; k++) {
@@ -46,7 +47,7 @@ TEST(DriveLine, top_speed_balances_power_and_drag) {
     }
 }
 
-// a = T i n / R over the car's mass and what spins with it.
+// a = T i n / R divided by the mass of the car and its rotating parts.
 TEST(DriveLine, gear_ratio_multiplies_engine_torque) {
     for (const double gear : {1.0, 2.0}) {
         TestCar of({}, {0, 0, -15});
@@ -72,14 +73,14 @@ TEST(DriveLine, automatic_starts_and_shifts_up_to_top_gear) {
     TestCar of;
     of.add(plain_saloon(of.chassis));
     of.drive(1);
-    EXPECT_LT(of.speed(), 0.01) << "at idle the clutch is open";
+    EXPECT_LT(of.speed(), 0.01) << "the clutch is open at idle";
     of.set({.throttle = 1});
     std::int32_t gear = 1;
     double hundred = 0;
     for (int k = 0; k < 40 * 60; k++) {
         of.drive(step_time);
         const CarState now = of.state();
-        EXPECT_GE(now.gear, gear) << "never down at full throttle, at " << k / 60.0 << " s";
+        EXPECT_GE(now.gear, gear) << "no downshift at full throttle, at " << k / 60.0 << " s";
         EXPECT_LE(now.engine_speed, 690);
         gear = now.gear;
         if (hundred == 0 && of.speed() > 100 / 3.6) hundred = (k + 1) / 60.0;
@@ -91,15 +92,15 @@ TEST(DriveLine, automatic_starts_and_shifts_up_to_top_gear) {
 
     of.set({.brake = 0.3});
     of.drive(20);
-    EXPECT_EQ(of.state().gear, 1) << "back down to a stop";
+    EXPECT_EQ(of.state().gear, 1) << "shifts down while stopping";
     EXPECT_LT(of.speed(), 0.01);
-    EXPECT_NEAR(of.state().engine_speed, 90, 5) << "and the engine idles";
+    EXPECT_NEAR(of.state().engine_speed, 90, 5) << "the engine idles";
 }
 
 TEST(DriveLine, automatic_shifts_up_early_at_low_throttle_without_hunting) {
     TestCar of;
     VehicleDef def = plain_saloon(of.chassis);
-    def.aerodynamics.drag_area = 3;  // so that it comes to a steady speed
+    def.aerodynamics.drag_area = 3;  // so that it reaches a steady speed
     of.add(def);
     of.set({.throttle = 0.25});
     double fastest = 0;
@@ -123,7 +124,7 @@ TEST(DriveLine, reverse_engages_only_at_standstill) {
     coast(of, 0.5);
     of.set({.throttle = 0.3, .gear = -1});
     of.drive(0.5);
-    EXPECT_EQ(of.state().gear, 0) << "not at 5 m/s ahead";
+    EXPECT_EQ(of.state().gear, 0) << "not at 5 m/s forward";
     of.set({.brake = 1, .gear = -1});
     of.drive(2);
     of.set({.throttle = 0.3, .gear = -1});
@@ -142,11 +143,11 @@ TEST(DriveLine, manual_gearbox_follows_shift_commands) {
     of.drive(1);
     EXPECT_EQ(of.state().gear, 2);
     const double engine = of.state().engine_speed, wheel = of.state().wheels[2].spin;
-    EXPECT_NEAR(engine, wheel * 2.1 * 3.7, 0.01 * engine) << "the clutch holds";
-    EXPECT_LT(of.speed(), 20) << "and the engine brakes";
+    EXPECT_NEAR(engine, wheel * 2.1 * 3.7, 0.01 * engine) << "the clutch does not slip";
+    EXPECT_LT(of.speed(), 20) << "engine braking";
     of.set({.clutch = 1, .gear = 2});
     of.drive(3);
-    EXPECT_NEAR(of.state().engine_speed, 90, 10) << "pedal down: it idles";
+    EXPECT_NEAR(of.state().engine_speed, 90, 10) << "idles with the clutch pedal down";
 }
 
 TEST(DriveLine, full_throttle_on_ice_spins_the_driven_wheels_only) {
@@ -159,7 +160,7 @@ TEST(DriveLine, full_throttle_on_ice_spins_the_driven_wheels_only) {
     const CarState now = of.state();
     EXPECT_GT(now.wheels[2].spin * 0.33, of.speed() + 5);
     EXPECT_NEAR(now.wheels[0].spin * 0.33, of.speed(), 0.05);
-    // Half of the weight, at a friction of 0.1, and little else.
+    // Half of the weight at a friction of 0.1, with small losses.
     EXPECT_NEAR(of.speed(), 0.5 * 0.1 * gravity * 3, 0.25);
 }
 
@@ -175,7 +176,7 @@ TEST(DriveLine, airborne_wheel_spin_changes_transfer_angular_momentum_to_the_cha
     for (const auto& wheel : now.wheels) spin += 1.2 * wheel.spin;
     EXPECT_GT(spin, 50);
     const BodyState body = of.body();
-    // Ahead is about -x: the chassis turns about +x, its nose up.
+    // Forward rotation is about -x, so the chassis rotates about +x, with its nose up.
     EXPECT_NEAR((body.inertia * body.angular_velocity).x, spin, 0.001 * spin);
 }
 

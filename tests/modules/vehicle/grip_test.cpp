@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Tyres hold as far as friction goes, and cars answer to the wheel as the bicycle model says.
+// Tyre forces are limited by friction, and cars respond to steering as in the bicycle model.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -22,29 +22,30 @@ TEST(Grip, locked_wheels_stop_within_v_squared_over_2_mu_g) {
             coast(of);
             const double v0 = of.speed(), from = of.body().center.z;
             of.set({.brake = 1, .gear = 0});
-            // The last step is cut where the speed is gone: then treads spring back a little.
-            double went = 0, speed = v0;
+            // The last step before standstill is excluded, because treads then spring back a
+            // little.
+            double distance = 0, speed = v0;
             while (speed > 0.2) {
                 of.drive(step_time);
                 speed = -of.body().linear_velocity.z;
             }
-            went = from - of.body().center.z + speed * speed / (2 * mu * gravity);
+            distance = from - of.body().center.z + speed * speed / (2 * mu * gravity);
             const double expected = v0 * v0 / (2 * mu * gravity);
             of.drive(3);
             EXPECT_LT(of.speed(), 1e-3);
             EXPECT_NEAR(from - of.body().center.z, expected, 0.005 * expected + 0.03);
             RecordProperty("off_percent_at_" + std::to_string(static_cast<int>(v)) + "_mu_" +
                                std::to_string(mu),
-                           std::to_string(100 * (went / expected - 1)));
-            EXPECT_NEAR(went, expected, 0.005 * expected) << v << " m/s, friction " << mu;
+                           std::to_string(100 * (distance / expected - 1)));
+            EXPECT_NEAR(distance, expected, 0.005 * expected) << v << " m/s, friction " << mu;
         }
 }
 
-// Across the velocity, over a second at 20 m/s.
+// Acceleration perpendicular to the velocity, averaged over 1 s at 20 m/s.
 double lateral_acceleration(TestCar& of) {
-    const Vec3 before = of.body().linear_velocity;
+    const Vec3 initial = of.body().linear_velocity;
     double turned = 0, speed = 0;
-    Vec3 last = before;
+    Vec3 last = initial;
     for (int k = 0; k < 60; k++) {
         const Vec3 v = of.body().linear_velocity;
         const double lost = 20 - length(v);
@@ -59,7 +60,7 @@ double lateral_acceleration(TestCar& of) {
     return std::abs(turned) * speed;
 }
 
-// Towed at its centre of mass, so that tyres have nothing to do but turn it.
+// The car is towed at its centre of mass, so its tyres only provide lateral force.
 TEST(Grip, skid_pad_lateral_acceleration_reaches_mu_g) {
     for (const double mu : {0.5, 0.9}) {
         TestCar of({}, {0, 0, -20});
@@ -84,7 +85,8 @@ TEST(Grip, skid_pad_lateral_acceleration_reaches_mu_g) {
     }
 }
 
-// r / delta = V / (L + K V^2), K = (1 / c_front - 1 / c_rear) / g where stiffness goes with load.
+// r / delta = V / (L + K V^2), K = (1 / c_front - 1 / c_rear) / g if stiffness is proportional to
+// load.
 TEST(Grip, yaw_response_matches_the_bicycle_model) {
     struct Case {
         double front, rear;
@@ -113,11 +115,11 @@ TEST(Grip, yaw_response_matches_the_bicycle_model) {
 }
 
 TEST(Grip, parked_car_does_not_creep) {
-    for (const double slope : {10.0, 25.0, 38.0})  // degrees; friction holds 45
-        for (const bool aside : {false, true}) {
+    for (const double slope : {10.0, 25.0, 38.0})  // degrees; friction holds up to 45
+        for (const bool sideways : {false, true}) {
             const double along = gravity * std::sin(slope * pi / 180),
                          down = gravity * std::cos(slope * pi / 180);
-            TestCar of({.gravity = aside ? Vec3{along, -down, 0} : Vec3{0, -down, along}});
+            TestCar of({.gravity = sideways ? Vec3{along, -down, 0} : Vec3{0, -down, along}});
             VehicleDef def = plain_saloon(of.chassis);
             for (auto& wheel : def.wheels) wheel.hand_brake_torque = 5000;
             of.add(def);
@@ -127,7 +129,7 @@ TEST(Grip, parked_car_does_not_creep) {
             of.drive(60);
             const double crept = length(of.body().center - from);
             RecordProperty(
-                "creep_mm_" + std::to_string(static_cast<int>(slope)) + (aside ? "_aside" : ""),
+                "creep_mm_" + std::to_string(static_cast<int>(slope)) + (sideways ? "_aside" : ""),
                 std::to_string(1e3 * crept));
             EXPECT_LT(crept, 0.001) << slope << " degrees";
         }
@@ -146,7 +148,7 @@ TEST(Grip, parked_car_slides_above_the_friction_angle_per_coulomb) {
     EXPECT_NEAR((of.speed() - v) / 2, along - down, 0.02);
 }
 
-// Braking and turning share one circle.
+// Braking and cornering share one friction circle.
 TEST(Grip, braking_reduces_cornering_force) {
     TestCar of({}, {0, 0, -20});
     of.add(plain_saloon(of.chassis));
@@ -156,7 +158,8 @@ TEST(Grip, braking_reduces_cornering_force) {
     const auto wheels = of.state().wheels;
     for (const auto& wheel : wheels) {
         EXPECT_LE(std::hypot(wheel.force.x, wheel.force.y), 1.0001 * wheel.load);
-        EXPECT_GT(std::hypot(wheel.force.x, wheel.force.y), 0.99 * wheel.load) << "it slides";
+        EXPECT_GT(std::hypot(wheel.force.x, wheel.force.y), 0.99 * wheel.load)
+            << "the wheel slides";
     }
     EXPECT_LT(std::abs(of.body().angular_velocity.y), 0.15) << "locked wheels do not steer";
 }

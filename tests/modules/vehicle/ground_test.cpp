@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What wheels find below them, whatever it is and however it moves.
+// Ground detection of wheels on all kinds of static and moving ground.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -14,8 +14,8 @@ using modules::WheelCast;
 
 constexpr WheelCast casts[] = {WheelCast::ray, WheelCast::sphere, WheelCast::cylinder};
 
-// The front wheels, at z = -1.35, stand 0.15 m before a kerb of 0.1 m: wheels of 0.33 m touch its
-// edge.
+// The front wheels, at z = -1.35, are 0.15 m in front of a kerb of 0.1 m, whose edge touches wheels
+// of 0.33 m.
 TestCar before_a_kerb(WheelCast cast) {
     TestCar of;
     of.world
@@ -39,9 +39,9 @@ TEST(Ground, wheel_cast_finds_a_kerb_edge_that_a_ray_misses) {
         const auto wheel = of.state().wheels[0];
         EXPECT_NEAR(wheel.point.y, 0.1, 1e-3);
         EXPECT_NEAR(wheel.point.z, -1.5, 1e-3);
-        EXPECT_GT(wheel.normal.z, 0.3) << "pushed up and back";
+        EXPECT_GT(wheel.normal.z, 0.3) << "the force points up and back";
         EXPECT_GT(wheel.normal.y, 0.7);
-        EXPECT_GT(of.body().pose.rotation.x, 0.005) << "nose up";
+        EXPECT_GT(of.body().pose.rotation.x, 0.005) << "the nose is up";
         EXPECT_LT(of.speed(), 1e-3);
     }
 }
@@ -56,7 +56,7 @@ TEST(Ground, car_climbs_a_kerb_of_half_its_wheel_radius) {
     of.set({.throttle = 0.4});
     of.drive(5);
     EXPECT_LT(of.body().center.z, -8);
-    EXPECT_NEAR(of.body().center.y, 0.67 + 0.16, 0.08) << "it is up";
+    EXPECT_NEAR(of.body().center.y, 0.67 + 0.16, 0.08) << "it is on the kerb";
 }
 
 TEST(Ground, lift_carries_a_parked_car) {
@@ -76,9 +76,9 @@ TEST(Ground, lift_carries_a_parked_car) {
         const Vec3 start = of.body().center;
         of.world.set_velocity(lift, {0.5, 1, 0}, {}).expect();
         of.drive(4);
-        const Vec3 way = of.body().center - start;
-        EXPECT_NEAR(way.y, 4, 0.02);
-        EXPECT_NEAR(way.x, 2, 0.02) << "the tread holds it: it rides along";
+        const Vec3 displacement = of.body().center - start;
+        EXPECT_NEAR(displacement.y, 4, 0.02);
+        EXPECT_NEAR(displacement.x, 2, 0.02) << "the tread carries it along";
         EXPECT_NEAR(of.load({0, 1, 2, 3}), car_mass * gravity, 0.01 * car_mass * gravity);
     }
 }
@@ -104,7 +104,7 @@ TEST(Ground, turntable_turns_a_parked_car) {
     EXPECT_NEAR(2 * std::abs(off.y), 0, 0.02) << "rad";
 }
 
-// A barge that rests on the ground is in another group than the car.
+// A barge that rests on the ground is in another sub-step group than the car.
 TEST(Ground, ground_body_carries_the_weight_of_the_car) {
     TestCar of;
     const BodyId barge =
@@ -121,7 +121,7 @@ TEST(Ground, ground_body_carries_the_weight_of_the_car) {
     EXPECT_NEAR(of.world.body(barge)->pose.position.y, 0.2, 0.01);
 }
 
-// Both float: one group, and momentum is kept to rounding.
+// Both float in one group, and momentum is conserved up to rounding.
 TEST(Ground, car_on_a_free_raft_applies_equal_reaction) {
     TestCar of({.gravity = {}});
     const BodyId raft =
@@ -140,7 +140,7 @@ TEST(Ground, car_on_a_free_raft_applies_equal_reaction) {
         of.drive(step_time);
         pushed = std::max(pushed, length(of.world.body(raft)->linear_velocity));
     }
-    EXPECT_GT(pushed, 0.05) << "it did push";
+    EXPECT_GT(pushed, 0.05) << "the car pushes the raft";
     const double off = length(of.world.summary().linear_momentum - before.linear_momentum);
     RecordProperty("momentum_off_kg_m_s", std::to_string(off));
     EXPECT_LT(off, 1e-6);
@@ -149,11 +149,11 @@ TEST(Ground, car_on_a_free_raft_applies_equal_reaction) {
 TEST(Ground, wheels_ignore_categories_outside_the_ground_mask) {
     TestCar of;
     VehicleDef def = plain_saloon(of.chassis);
-    def.ground = 2;  // the plane is of category 1
+    def.ground = 2;  // the plane has category 1
     of.add(def);
     of.drive(2);
     EXPECT_EQ(of.load({0, 1, 2, 3}), 0);
-    EXPECT_LT(of.body().center.y, 0.3) << "the chassis lies on the ground";
+    EXPECT_LT(of.body().center.y, 0.3) << "the chassis has fallen to the ground";
 }
 
 TEST(Ground, flat_mesh_drives_like_a_plane) {
@@ -196,11 +196,12 @@ TEST(Ground, friction_is_read_from_the_ground) {
     TestCar of({}, {0, 0, -10});
     of.add(plain_saloon(of.chassis));
     coast(of, 0.5);
-    // Ice from here on: the material of the plane changes.
+    // Turns the plane into ice by changing its material.
     for (const BodyId body : of.world.bodies())
         for (const ShapeId shape : of.world.shapes_of(body))
             if (body != of.chassis)
-                of.world.set_material(shape, {.friction = 0.04}).expect();  // 0.2 with the tyre's 1
+                // 0.2 combined with the tyre's 1
+                of.world.set_material(shape, {.friction = 0.04}).expect();
     of.set({.brake = 1, .gear = 0});
     of.drive(1);
     const double v = of.speed();

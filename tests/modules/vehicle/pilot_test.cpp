@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A person at the wheel: sticks and buttons.
+// Driver input: sticks and buttons.
 #include <gtest/gtest.h>
 
 #include "tests/modules/vehicle/test_car.h"
@@ -37,10 +37,10 @@ TEST(PlayerDriver, drives_forward_brakes_and_then_reverses) {
     EXPECT_EQ(of.state().controls.brake, 1);
     EXPECT_LT(of.state().speed, fast);
     of.drive(4);
-    EXPECT_LT(of.state().speed, -1) << "back, once it stood";
+    EXPECT_LT(of.state().speed, -1) << "reverses after standstill";
     of.hold(0, 1);
     of.drive(4);
-    EXPECT_GT(of.state().speed, 1) << "and ahead again";
+    EXPECT_GT(of.state().speed, 1) << "drives forward again";
 }
 
 TEST(PlayerDriver, steers_right_and_applies_the_hand_brake) {
@@ -58,12 +58,12 @@ TEST(PlayerDriver, shifts_once_per_button_press) {
     ControlledCar of(false);
     of.hold(0, 0.5, 4);
     of.hold(0, 0.5, 4);
-    EXPECT_EQ(of.state().controls.gear, 2) << "held is not pressed again";
+    EXPECT_EQ(of.state().controls.gear, 2) << "a held button does not shift again";
     of.hold(0, 0.5, 0);
     of.hold(0, 0.5, 4);
     EXPECT_EQ(of.state().controls.gear, 3);
     for (int k = 0; k < 9; k++) of.hold(0, 0.5, k % 2 == 0 ? 8 : 0);
-    EXPECT_EQ(of.state().controls.gear, -1) << "reverse is the last";
+    EXPECT_EQ(of.state().controls.gear, -1) << "reverse is the lowest gear";
 }
 
 }  // namespace

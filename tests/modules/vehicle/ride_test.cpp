@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Springs bear what they must, and swing as they should.
+// Springs carry the load and oscillate at the configured frequency.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -48,7 +48,7 @@ TEST(Ride, sag_does_not_depend_on_external_loads) {
     EXPECT_NEAR(wheel.travel, 1800 * gravity / (4 * wheel.stiffness), 0.002 * wheel.travel);
 }
 
-// Periods between passes through the middle, upwards.
+// Measured from upward passes through the mean height.
 double bounce_frequency(double frequency, int substeps) {
     TestCar of({.substeps = substeps});
     VehicleDef def = plain_saloon(of.chassis);
@@ -80,15 +80,15 @@ TEST(Ride, undamped_car_bounces_at_its_configured_frequency) {
                        std::to_string(100 * (found / frequency - 1)));
         EXPECT_NEAR(found, frequency, 0.01 * frequency);
     }
-    EXPECT_NEAR(bounce_frequency(1.5, 1), 1.5, 0.015) << "one sub-step a step";
+    EXPECT_NEAR(bounce_frequency(1.5, 1), 1.5, 0.015) << "one sub-step per step";
 }
 
 TEST(Ride, braking_load_transfer_matches_the_pitch_moment) {
     TestCar of({}, {0, 0, -30});
     VehicleDef def = plain_saloon(of.chassis);
     for (auto& wheel : def.wheels) {
-        wheel.tyre.friction = 0.36;      // 0.6 with the ground's 1
-        wheel.suspension.frequency = 4;  // stiff: the formula is that of a car that does not pitch
+        wheel.tyre.friction = 0.36;      // 0.6 combined with the ground's 1
+        wheel.suspension.frequency = 4;  // stiff, because the formula assumes no pitch
         wheel.suspension.longest = 0.36;
     }
     of.add(def);
@@ -109,7 +109,7 @@ TEST(Ride, braking_load_transfer_matches_the_pitch_moment) {
     EXPECT_NEAR(moved, expected, 0.01 * expected);
 }
 
-// The bar takes its share of the moment.
+// The bar reduces roll according to its share of the stiffness.
 TEST(Ride, anti_roll_bar_reduces_roll_by_its_stiffness) {
     const double share = roll_with_bars(plain_saloon, 8);
     RecordProperty("roll_share_off_percent", std::to_string(100 * (share - 1)));
@@ -136,7 +136,7 @@ TEST(Ride, very_stiff_springs_stay_stable) {
                 }
                 EXPECT_LT(highest, 0.5)
                     << frequency << " Hz, damping " << damping << ", " << substeps << " sub-steps";
-                if (damping == 0) continue;  // bounces on
+                if (damping == 0) continue;  // does not come to rest
                 EXPECT_NEAR(of.load({0, 1, 2, 3}), car_mass * gravity, 150)
                     << frequency << " Hz, damping " << damping << ", " << substeps << " sub-steps";
             }
@@ -155,7 +155,7 @@ TEST(Ride, car_stays_on_its_wheels_after_a_wall_crash) {
         highest = std::max(highest, of.body().center.y);
     }
     EXPECT_LT(highest, 1.2);
-    EXPECT_GT(of.body().center.z, -9.05) << "not in the wall";
+    EXPECT_GT(of.body().center.z, -9.05) << "it does not penetrate the wall";
     EXPECT_NEAR(of.load({0, 1, 2, 3}), car_mass * gravity, 0.02 * car_mass * gravity);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Cars are part of the world's state: the same bits for any number of threads, after save, load and
-// restore; and bytes that were tampered with are refused.
+// Cars are part of the state of the world: bit-identical results for any number of threads and
+// after saving, loading and restoring; corrupted bytes are rejected.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -22,7 +22,7 @@ Vehicles& vehicles_of(World& world) {
     return dynamic_cast<Vehicles&>(*world.module(Vehicles::kind));
 }
 
-// Eight cars among crates, on ground with waves, each with another cast and another pilot.
+// Eight cars among crates on wavy ground, with different casts and pilots.
 World lively(int threads) {
     register_vehicles();
     World world({.threads = threads});
@@ -75,7 +75,7 @@ TEST(VehicleState, result_is_bit_identical_for_any_thread_count) {
     }
 }
 
-// So many that they look for their ground on all threads.
+// Enough cars that ground queries run on all threads.
 World crowded(int threads) {
     register_vehicles();
     World world({.threads = threads});
@@ -124,32 +124,32 @@ TEST(VehicleState, restored_world_continues_bit_identically) {
     EXPECT_EQ(state_hash(world), end);
 }
 
-std::string complaint_of(std::vector<std::byte> bytes) {
+std::string load_error_of(std::vector<std::byte> bytes) {
     Vehicles vehicles;
     const Status loaded = load_module(vehicles, bytes);
     return loaded.ok() ? "" : loaded.error().message;
 }
 
-// Each number of a saved car becomes one that it cannot be.
+// Each value of a saved car is replaced by an invalid one.
 TEST(VehicleState, errors_name_the_invalid_field) {
     World world = lively(1);
     drive(world, 10);
     const std::vector<std::byte> good = save_module(vehicles_of(world));
-    EXPECT_EQ(complaint_of(good), "");
+    EXPECT_EQ(load_error_of(good), "");
     const double radius = 0.33, bad = -1;
     std::size_t found = 0;
     for (std::size_t at = 0; at + 8 <= good.size(); at++) {
         if (std::memcmp(good.data() + at, &radius, 8) != 0) continue;
         std::vector<std::byte> corrupted = good;
         std::memcpy(corrupted.data() + at, &bad, 8);
-        const std::string error_of = complaint_of(corrupted);
+        const std::string error_of = load_error_of(corrupted);
         EXPECT_NE(error_of.find("radius is -1"), std::string::npos) << error_of;
         if (++found == 4) break;
     }
     EXPECT_EQ(found, 4u);
 }
 
-// Whatever a forger writes is refused, or makes a car that steps without harm.
+// Corrupted bytes are rejected, or the resulting car can be stepped.
 TEST(VehicleState, corrupted_bytes_are_rejected_or_harmless) {
     World world = lively(1);
     drive(world, 30);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What cars are not made for: whatever happens, without throttle the energy never grows and
-// everything stays finite. Springs keep what they are pressed by, which the sum of energies does
-// not know.
+// Extreme situations: without throttle, the energy never increases, and all values stay finite. The
+// energy stored in springs is not part of the summed energy.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -15,7 +14,7 @@ namespace {
 using modules::WheelCast;
 
 struct StressedCar : TestCar {
-    double fastest = 0, gained = 0;  // m/s, J above the start
+    double fastest = 0, gained = 0;  // m/s; J, gain above the start
 
     explicit StressedCar(Vec3 velocity = {}) : TestCar({}, velocity) {}
     void put(Vec3 position, Quat rotation = {}) {
@@ -51,7 +50,7 @@ struct StressedCar : TestCar {
     }
 };
 
-// J that springs hold of a car of 1,500 kg at rest, and a little.
+// J, energy of the springs of a resting car of 1,500 kg, plus a margin.
 constexpr double springs = 4 * 0.5 * 33'300 * 0.11 * 0.11 + 60;
 
 class Stress : public testing::TestWithParam<WheelCast> {};
@@ -73,7 +72,7 @@ TEST_P(Stress, survives_a_landing_on_one_wheel) {
     of.track_energy(10);
     EXPECT_LT(of.gained, springs);
     EXPECT_LT(of.fastest, std::sqrt(2 * gravity * 4) + 0.5);
-    EXPECT_GT(rotate(of.body().pose.rotation, {0, 1, 0}).y, 0.99) << "on its wheels again";
+    EXPECT_GT(rotate(of.body().pose.rotation, {0, 1, 0}).y, 0.99) << "it is back on its wheels";
 }
 
 TEST_P(Stress, stays_stable_on_its_roof) {
@@ -82,7 +81,7 @@ TEST_P(Stress, stays_stable_on_its_roof) {
     of.add(of.plain(GetParam()));
     of.set({.throttle = 1});
     of.track_energy(3);
-    EXPECT_LT(of.speed(), 0.3) << "wheels in the air drive nothing";
+    EXPECT_LT(of.speed(), 0.3) << "wheels in the air have no effect";
     EXPECT_LT(of.fastest, std::sqrt(2 * gravity));
 }
 

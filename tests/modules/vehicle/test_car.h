@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A saloon of 1,500 kg on flat ground, for the tests of vehicles: its tyres roll without loss and
-// the air does not hold it unless a test says so.
+// A saloon of 1,500 kg on flat ground, for vehicle tests. Rolling resistance and air drag are
+// disabled by default.
 #pragma once
 
 #include <memory>
@@ -79,14 +79,14 @@ struct TestCar {
     }
 };
 
-// Wheels that already roll at the chassis' speed: in neutral, after a moment.
+// Lets the wheels reach the speed of the chassis in neutral.
 inline void coast(TestCar& of, double seconds = 2) {
     of.set({.gear = 0});
     of.drive(seconds);
 }
 
-// How much less a car rolls with bars, by how much less it should: 1 is right. Gravity that leans
-// stands for a bend at a steady roll angle.
+// Measured roll reduction by anti-roll bars, divided by the expected one; 1 is correct. Tilted
+// gravity replaces a bend at a steady roll angle.
 inline double roll_with_bars(VehicleDef (*make)(BodyId), double seconds) {
     constexpr double bar = 20'000;
     const auto roll = [&](double stiffness) {
@@ -101,8 +101,8 @@ inline double roll_with_bars(VehicleDef (*make)(BodyId), double seconds) {
     };
     const auto [free, k] = roll(0);
     const auto [barred, same] = roll(bar);
-    // The moment meets k t^2, with bars (k + 2 bar) t^2, less what the chassis leans over its
-    // wheels: m g times the suspension's length.
+    // The roll stiffness is k t^2, with bars (k + 2 bar) t^2, minus the effect of the chassis
+    // leaning over its wheels: m g times the length of the suspension.
     const double t2 = 1.6 * 1.6, lean = car_mass * gravity * 0.34;
     return barred / free / ((k * t2 - lean) / ((k + 2 * bar) * t2 - lean));
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Tracks: the wheels of a side turn as one; the engine drives the sides against each other, or
-// brakes hold one.
+// Tracked vehicles: the wheels of a side turn together; the engine drives the sides against each
+// other, or brakes hold one side.
 #include <cmath>
 
 #include <gtest/gtest.h>
@@ -31,7 +31,7 @@ TEST(Tracks, wheels_of_one_side_turn_together) {
     EXPECT_GT(wheels[0].spin, 5);
     for (std::size_t k = 1; k < 5; k++)
         EXPECT_NEAR(wheels[k].spin, wheels[0].spin, 1e-3 * wheels[0].spin);
-    EXPECT_NEAR(of.body().center.x, 0, 0.01) << "and it drives straight";
+    EXPECT_NEAR(of.body().center.x, 0, 0.01) << "it drives straight";
 }
 
 TEST(Tracks, braking_one_side_turns_the_vehicle_about_that_side) {
@@ -40,21 +40,21 @@ TEST(Tracks, braking_one_side_turns_the_vehicle_about_that_side) {
     of.drive(3);
     const BodyState body = of.body();
     const auto wheels = of.state().wheels;
-    EXPECT_EQ(wheels[5].spin, 0) << "the right side stands";
+    EXPECT_EQ(wheels[5].spin, 0) << "the right side is held";
     EXPECT_GT(wheels[0].spin, 1);
-    EXPECT_LT(body.angular_velocity.y, -0.2) << "it turns to the right";
-    // The right track is dragged, the left one rolls.
+    EXPECT_LT(body.angular_velocity.y, -0.2) << "turns to the right";
+    // The right track is dragged; the left one rolls.
     const Vec3 right = rotate(body.pose.rotation, {1, 0, 0});
     const Vec3 turn = cross(body.angular_velocity, right);
     EXPECT_LT(length(body.linear_velocity + turn), 0.5 * length(body.linear_velocity - turn));
 }
 
-// Turning on the spot at w rad/s, every wheel slides on a rigid plane: ahead by u, the same for all
-// of a side, and aside by w z, z m before the middle. Coulomb friction pushes against that with the
-// same load everywhere. The moments about the middle balance, with b the gauge:
-//     sum of (u b / 2 - w z^2) / sqrt(u^2 + w^2 z^2) = 0     (Steeds, "Tracked vehicles", 1950)
-// which makes s = u / w a length of the vehicle, and w = R spin / (b / 2 + s). The steering drive
-// says spin = ratio * steering * speed of the engine.
+// During a neutral turn at w rad/s on a rigid plane, every wheel slides: forward at u, equal on one
+// side, and sideways at w z for a wheel z m in front of the middle. Coulomb friction opposes this
+// with the same load everywhere. The moments about the middle balance, with the gauge b:
+//     sum of (u b / 2 - w z^2) / sqrt(u^2 + w^2 z^2) = 0     (W. Steeds, "Tracked vehicles", 1950)
+// Therefore s = u / w is a length that depends only on the vehicle, and w = R spin / (b / 2 + s).
+// The steering drive sets spin = ratio * steering * engine speed.
 double slide_of(const modules::TrackedDef& of) {
     double low = 0, high = of.length * of.length;
     for (int round = 0; round < 60; round++) {
@@ -93,7 +93,7 @@ TEST(Tracks, neutral_turn_rate_matches_track_slip) {
             const modules::TrackedDef def{.length = length};
             Tank of(def);
             const Turning turning = turn_on_the_spot(of, {.steering = steering});
-            // Idling: the governor's droop is a tenth of it.
+            // At idle, the droop of the governor is a tenth.
             EXPECT_NEAR(turning.engine, 90, 9);
             const double spin = def.steering_ratio * steering * turning.engine;
             const double expected = 0.33 * spin / (0.5 * def.gauge + slide_of(def));
@@ -104,7 +104,8 @@ TEST(Tracks, neutral_turn_rate_matches_track_slip) {
     EXPECT_LT(worst, 0.005);
 }
 
-// Tracks so short that they hardly slide: yaw is the difference of their speeds over the gauge.
+// Tracks so short that they hardly slide: the yaw rate is the speed difference divided by the
+// gauge.
 TEST(Tracks, short_tracks_turn_by_their_speed_difference) {
     Tank of({.length = 0.2, .wheels = 2});
     const Turning turning = turn_on_the_spot(of, {.steering = 0.5, .gear = 0});
@@ -121,7 +122,7 @@ TEST(Tracks, player_turns_on_the_spot_with_lateral_stick) {
     EXPECT_LT(of.speed(), 0.02);
 }
 
-// In a gear the engine's speed drives both ways: the circle is that of the gear.
+// In gear, the engine speed drives both, so the radius depends only on the gear.
 TEST(Tracks, turning_radius_in_gear_matches_the_steering_ratio) {
     const modules::TrackedDef def{.length = 0.2, .wheels = 2};
     Tank of(def);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The module's own calls: what they refuse, what they tell.
+// Calls of the Vehicles module: errors and published data.
 #include "jostle/modules/vehicle.h"
 
 #include <gtest/gtest.h>
@@ -27,9 +27,10 @@ TEST(Vehicles, rejects_invalid_definitions_and_names_the_field) {
               "wheels is 0; it must be from 1 to 16");
     EXPECT_EQ(add_error([](VehicleDef& def) { def.wheels[2].drive_share = 0.1; }),
               "wheels: drive_share of all wheels must sum to 0 or 1");
-    EXPECT_EQ(
-        add_error([](VehicleDef& def) { def.differential_locks = {{.first = {2}, .second = {7}}}; }),
-        "differential_locks[0].wheels contains an index that is not a wheel");
+    EXPECT_EQ(add_error([](VehicleDef& def) {
+                  def.differential_locks = {{.first = {2}, .second = {7}}};
+              }),
+              "differential_locks[0].wheels contains an index that is not a wheel");
     EXPECT_EQ(add_error([](VehicleDef& def) {
                   def.steering_drive = {.left = {0, 1}, .right = {1}};
               }),
@@ -163,7 +164,7 @@ TEST(Vehicles, scene_settings_create_tanks_and_motorcycles) {
     EXPECT_EQ(tank.wheels.size(), 10u);
     EXPECT_EQ(tank.steering_drive.left.size(), 5u);
     EXPECT_EQ(tank.wheels[0].attachment, (Vec3{-0.8, 0, -1.35}));
-    EXPECT_EQ(made(2, 3).cast, modules::WheelCast::ray) << "wheels of two-wheelers are no bodies";
+    EXPECT_EQ(made(2, 3).cast, modules::WheelCast::ray) << "wheels of two-wheelers are not bodies";
     EXPECT_TRUE(made(2, 3).balance.enabled);
     EXPECT_EQ(made(0, 3).cast, modules::WheelCast::body);
 }
@@ -185,7 +186,7 @@ TEST(Vehicles, pilot_follows_its_circle) {
     EXPECT_NEAR(of.speed(), 12, 1);
     of.set({});
     of.drive(1);
-    EXPECT_EQ(of.state().controls, CarControls{}) << "who sets controls takes over";
+    EXPECT_EQ(of.state().controls, CarControls{}) << "set_controls() removes the pilot";
 }
 
 TEST(Vehicles, channel_data_matches_the_documented_layout) {
@@ -202,7 +203,7 @@ TEST(Vehicles, channel_data_matches_the_documented_layout) {
     EXPECT_NEAR(values[2] / 255.0 * 2, 0.33, 0.005) << "radius";
     EXPECT_NEAR(values[4] / 65535.0 * 16 - 8, -0.8, 1e-3) << "x of the first wheel";
     EXPECT_NEAR(values[5] / 65535.0 * 16 - 8, -0.3396, 1e-3) << "y";
-    EXPECT_EQ(values[7], 1) << "it touches, and does not slide";
+    EXPECT_EQ(values[7], 1) << "touches without sliding";
 }
 
 }  // namespace

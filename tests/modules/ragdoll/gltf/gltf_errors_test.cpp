@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What is wrong in a file is named with its place.
+// Errors in a file are reported with their location.
 #include <gtest/gtest.h>
 
 #include <functional>
@@ -96,11 +96,12 @@ TEST(GltfErrors, files_that_are_none_are_named) {
     EXPECT_EQ(refused("glTF1234"), "the file ends inside the .glb header");
     EXPECT_EQ(error_of([](GltfSkeleton& s) { s.json.erase("skins"); }),
               "skins has no element 0; it has 0 elements");
-    EXPECT_EQ(figure_from_gltf(GltfSkeleton().with_buffer_beside()).error().message,
+    EXPECT_EQ(figure_from_gltf(GltfSkeleton().with_external_buffer()).error().message,
               "buffers[0].uri names an external buffer, but no buffer reader is given");
 }
 
-// Any byte of a .glb may be anything: it is refused with a reason, or gives a figure that stands.
+// Any byte of a .glb may have any value: the file is rejected with a reason, or its figure is
+// valid.
 TEST(GltfErrors, forged_bytes_are_refused_or_harmless) {
     const std::vector<std::byte> whole = GltfSkeleton().glb();
     int refused = 0;

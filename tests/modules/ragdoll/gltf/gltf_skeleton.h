@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A skeleton as a modelling program would write it: seven joints with a tube about each, in a file
-// that tests change before it is written.
+// A skeleton as exported by a modelling program: seven joints with a tube around each, in a file
+// that tests can modify.
 #pragma once
 
 #include <cmath>
@@ -32,8 +32,8 @@ inline std::vector<std::byte> bytes_of(const std::string& text) {
     return {from, from + text.size()};
 }
 
-// hips (1 m up) - spine - head, and of the hips two legs of thigh and shin. The root node above
-// is turned and in centimetres, as exporters like it: in its axes z is up.
+// hips (1 m high) - spine - head, and two legs of thigh and shin. The root node above is rotated
+// and in centimetres, as is common for exporters: its z axis is up.
 class GltfSkeleton {
 public:
     nlohmann::json json;
@@ -77,7 +77,7 @@ public:
         append(head, static_cast<std::uint32_t>(12 + body.size()));
         return bytes_of(head + body);
     }
-    std::vector<std::byte> with_buffer_beside() const {
+    std::vector<std::byte> with_external_buffer() const {
         nlohmann::json all = json;
         all["buffers"] = {{{"byteLength", buffer.size()}, {"uri", "skeleton.bin"}}};
         return bytes_of(all.dump());
@@ -88,8 +88,8 @@ private:
         physics::Vec3 from, way;
         double radius;
     };
-    std::vector<Tube> tubes_;            // by joint, in the mesh's space: centimetres, z up
-    std::vector<physics::Vec3> places_;  // of joints there
+    std::vector<Tube> tubes_;            // by joint, in mesh space: centimetres, z up
+    std::vector<physics::Vec3> places_;  // of joints in mesh space
 
     template <class T>
     static void append(std::string& to, T value) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A skeleton of seven joints becomes a figure: where its bones are, how thick, how heavy; and it
+// A skeleton of seven joints becomes a figure: positions, radii and masses of its bones; and it
 // falls.
 #include "jostle/modules/ragdoll_gltf.h"
 
@@ -37,7 +37,7 @@ TEST(RagdollGltf, bones_span_joint_to_joint) {
     ASSERT_EQ(bones.size(), 7u);
     EXPECT_EQ(bones[0].name, "hips");
     EXPECT_EQ(figure.nodes[0], 1u);
-    // Level by level: the hips, what hangs on them, then what hangs on that.
+    // Breadth-first: the hips, their children, then the grandchildren.
     const char* names[] = {"hips", "spine",     "left thigh", "right thigh",
                            "head", "left shin", "right shin"};
     const int parents[] = {-1, 0, 0, 0, 1, 2, 3};
@@ -50,10 +50,10 @@ TEST(RagdollGltf, bones_span_joint_to_joint) {
     EXPECT_LT(length(bones[5].frame.position - Vec3{0.1, 0.55, 0}), 1e-6);
     EXPECT_LT(length(rotate(bones[5].rest.rotation, {0, 1, 0}) - Vec3{0, -1, 0}), 1e-6);
     EXPECT_LT(length(rotate(bones[2].frame.rotation, {1, 0, 0}) - Vec3{0, -1, 0}), 1e-6)
-        << "a cone is about the bone";
+        << "the cone axis is the bone";
 }
 
-// Tubes of 6 to 15 cm, from end to end.
+// Tubes of 6 to 15 cm, over the whole length.
 TEST(RagdollGltf, bone_radius_matches_mesh_and_mass_matches_volume) {
     const GltfFigure figure = figure_from_gltf(GltfSkeleton().gltf()).value();
     const std::vector<RagdollBone>& bones = figure.def.bones;
@@ -75,7 +75,7 @@ TEST(RagdollGltf, gltf_glb_and_external_buffers_give_the_same_figure) {
     const GltfFigure binary = figure_from_gltf(skeleton.glb()).value();
     const auto folder = std::filesystem::path(testing::TempDir()) / "ragdoll_gltf_test";
     std::filesystem::create_directories(folder);
-    const std::vector<std::byte> bytes = skeleton.with_buffer_beside();
+    const std::vector<std::byte> bytes = skeleton.with_external_buffer();
     std::ofstream(folder / "skeleton.gltf", std::ios::binary)
         .write(reinterpret_cast<const char*>(bytes.data()),
                static_cast<std::streamsize>(bytes.size()));
@@ -90,7 +90,7 @@ TEST(RagdollGltf, gltf_glb_and_external_buffers_give_the_same_figure) {
         }
 }
 
-// Knees are hinges about x; what is welded gives its mesh away.
+// Knees are hinges about x; merged joints add their mesh to the parent.
 TEST(RagdollGltf, options_select_the_joint_kind) {
     GltfFigureOptions options = with_knees();
     options.bones.push_back({.name = "head", .kind = GltfBoneKind::merged});
@@ -101,7 +101,7 @@ TEST(RagdollGltf, options_select_the_joint_kind) {
     ASSERT_EQ(bones.size(), 6u);
     EXPECT_TRUE(std::holds_alternative<BallJoint>(bones[1].joint));
     EXPECT_NEAR(length(bones[1].rest.position - Vec3{0, 1.4, 0}), 0, 1e-6)
-        << "it goes to the tip that the head's joint is";
+        << "it extends to the joint of the head, which is its tip";
     EXPECT_EQ(std::get<ConeTwistJoint>(bones[2].joint).swing, 0.3);
     const auto& knee = std::get<HingeJoint>(bones[4].joint);
     EXPECT_EQ(knee.limit, (JointLimit{true, -0.1, 2}));
@@ -111,7 +111,7 @@ TEST(RagdollGltf, options_select_the_joint_kind) {
               "the skin has no joint \"tail\"");
 }
 
-// It falls, lies down, and its joints hold.
+// It falls and sleeps, and its joints hold.
 TEST(RagdollGltf, imported_figure_falls_and_sleeps) {
     const GltfFigure figure = figure_from_gltf(GltfSkeleton().glb(), with_knees()).value();
     World world = std::move(*World::create({}));

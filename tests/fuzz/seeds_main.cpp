@@ -373,7 +373,7 @@ void write_skeletons(const fs::path& folder) {
         skeletons.add(kind + std::string(reinterpret_cast<const char*>(file.data()), file.size()));
     };
     modules::GltfSkeleton skeleton;
-    add('1', skeleton.with_buffer_beside());
+    add('1', skeleton.with_external_buffer());
     for (const char* part : {"meshes", "accessors", "bufferViews"}) skeleton.json.erase(part);
     skeleton.json["skins"][0].erase("inverseBindMatrices");
     skeleton.json["nodes"].erase(skeleton.json["nodes"].size() - 1);  // which shows the mesh

@@ -115,8 +115,8 @@ public:
         id = index < shapes.size() ? shapes[index] : ShapeId{};
     }
     void field(std::string_view, JointId& id) override { id = {}; }
-    // An array has at most as many elements as there are words left, so foreign words cannot cause
-    // a large allocation.
+    // An array has at most as many elements as there are words left, so untrusted words cannot
+    // cause a large allocation.
     std::size_t count(std::string_view, std::size_t) override {
         const std::uint32_t size = next();
         if (size <= words_.size()) return size;

@@ -1,1 +1,1 @@
-"""Attacks on a jostle-server, each beside honest players. scripts/attack-check runs them; arena.py says how one goes."""
+"""Attacks on a jostle-server with honest players connected. scripts/attack-check runs them; arena.py describes the procedure."""

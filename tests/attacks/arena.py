@@ -1,7 +1,7 @@
-"""One attack from start to verdict: a fresh server, two honest players, the attack in a process group of its own, the judging.
+"""One attack from start to verdict: a fresh server, two honest players, the attack in its own process group, and the checks.
 
-An attack is a function that takes an Arena and is registered by @attack. It only attacks and says what it saw, by
-`arena.check` (judged) and `arena.note` (a figure for people); what holds for all attacks is judged here.
+An attack is a function that takes an Arena and is registered by @attack. It attacks and reports with `arena.check` (a
+requirement) and `arena.note` (a figure for the reader). The requirements that all attacks share are checked here.
 """
 
 import collections
@@ -19,13 +19,15 @@ from .net import Closed
 from .player import TRANSPORTS, HonestPlayer
 from .server import DRAIN_SECONDS, Server, cpu_seconds, grpc_answers, http_answers, new_player_joins
 
-MESSAGES_MIN = 60          # a second, to each honest player, in the worst full second
+MESSAGES_MIN = 60  # messages per second to each honest player, in the worst full second
 RSS_MAX_MB = 300
 SHUTDOWN_MAX = DRAIN_SECONDS + 3
-WARM_UP = 1.5              # s that honest players play before the attack begins
-MEASURED_SECONDS_MIN = 3        # s, however short the attack was
-TIMEOUT = 15              # s beyond its own time before an attack is ended
-NICE = 10                  # of attackers: they stand for other machines, and may not starve the server by the scheduler
+WARM_UP = 1.5  # s during which the honest players play before the attack starts
+MEASURED_SECONDS_MIN = 3  # s, even if the attack was shorter
+TIMEOUT = 15  # s beyond its own duration before an attack is killed
+# niceness of attackers: they stand for other machines and must not starve the server through the
+# scheduler
+NICE = 10
 
 CONTEXT = multiprocessing.get_context("fork")
 ATTACKS = {}
@@ -35,9 +37,9 @@ ATTACKS = {}
 class Attack:
     name: str
     run: object
-    seconds: float         # that it is meant to take
-    options: dict          # of Server
-    starves: bool          # the honest players may miss messages; they must still be in
+    seconds: float  # intended duration, s
+    options: dict  # for Server
+    starves: bool  # the honest players may miss messages but must stay connected
 
     @property
     def description(self):
@@ -52,14 +54,14 @@ def attack(name, seconds=8, starves=False, **options):
 
 
 class Arena:
-    """What an attack is given. Lives in the attack's process."""
+    """The argument of an attack. It exists in the process of the attack."""
 
     def __init__(self, spec, server, pipe):
         self.ports, self.server_pid, self.log_path = server.ports, server.pid, server.log_path
         self.seconds, self.pipe = spec.seconds, pipe
 
     def begin(self):
-        """Judging starts here, not at the beginning: what came before was preparation."""
+        """Start the measurement here instead of at the start of the attack, which was preparation."""
         self.pipe.send(("begin", time.monotonic()))
 
     def check(self, holds, what):
@@ -69,7 +71,7 @@ class Arena:
         self.pipe.send(("note", what))
 
     def fork(self, count, function, *arguments, patience=TIMEOUT):
-        """function(i, *arguments) in `count` processes at once; what they return, None for who failed or took too long."""
+        """Run function(i, *arguments) in `count` processes at once. Return their results; None for a failed or late process."""
         pipes = []
         for i in range(count):
             ours, theirs = CONTEXT.Pipe(duplex=False)
@@ -103,7 +105,7 @@ def _call(pipe, function, i, arguments):
     try:
         pipe.send(function(i, *arguments))
     except (OSError, Closed):
-        pass  # it was cut off: that is no fault of the attack
+        pass  # The server cut the connection, which is not a failure of the attack.
     except Exception:
         traceback.print_exc()
 
@@ -116,7 +118,7 @@ def _attack_process(spec, server, pipe):
     try:
         spec.run(Arena(spec, server, pipe))
     except Exception as error:
-        pipe.send(("broke", f"{type(error).__name__}: {error}", traceback.format_exc()))
+        pipe.send(("failed", f"{type(error).__name__}: {error}", traceback.format_exc()))
     pipe.send(("done",))
 
 
@@ -124,11 +126,11 @@ def _attack_process(spec, server, pipe):
 class Verdict:
     name: str
     seconds: float = 0
-    rates: dict = dataclasses.field(default_factory=dict)     # transport -> [worst, mean]
+    rates: dict = dataclasses.field(default_factory=dict)  # transport -> [worst, mean]
     rss_mb: float = 0
     threads: int = 0
     shutdown_seconds: float | None = None
-    others_cpu: float = 0                                     # cores that neither server nor attack used
+    others_cpu: float = 0  # cores used by neither server nor attack
     faults: list = dataclasses.field(default_factory=list)
     notes: list = dataclasses.field(default_factory=list)
 
@@ -152,7 +154,7 @@ def run(spec, binary):
         _check_shutdown(server, verdict)
         verdict.rss_mb, verdict.threads = server.max_rss_mb, server.max_threads
         verdict.require(verdict.rss_mb < RSS_MAX_MB,
-                        f"{verdict.rss_mb:.0f} MB of memory" + (", and was killed by us" if server.killed else ""))
+                        f"{verdict.rss_mb:.0f} MB of resident memory" + ("; killed by the test" if server.killed else ""))
     except RuntimeError as error:
         verdict.faults.append(str(error))
     finally:
@@ -184,11 +186,11 @@ def _attack(spec, server, honest, verdict):
 
 
 def _listen(spec, pipe, began, verdict):
-    """Collects what the attack says until it is done; returns when judging began."""
+    """Collect the reports of the attack until it is done. Return the start time of the measurement."""
     until = began + spec.seconds + TIMEOUT
     while True:
         if not pipe.poll(max(0, until - time.monotonic())):
-            verdict.notes.append("the attack was ended by the clock")
+            verdict.notes.append("the attack was stopped at its time limit")
             return began
         try:
             kind, *what = pipe.recv()
@@ -201,15 +203,15 @@ def _listen(spec, pipe, began, verdict):
             (verdict.notes if what[0] else verdict.faults).append(what[1])
         elif kind == "note":
             verdict.notes.append(what[0])
-        elif kind == "broke":
-            verdict.faults.append(f"the attack itself broke: {what[0]}")
+        elif kind == "failed":
+            verdict.faults.append(f"the attack itself failed: {what[0]}")
             sys.stderr.write(what[1])
         elif kind == "done":
             return began
 
 
 def _end_group(process):
-    """The attack and all that it forked."""
+    """Kill the attack and all processes that it forked."""
     process.join(1)
     try:
         os.killpg(process.pid, signal.SIGKILL)
@@ -221,25 +223,25 @@ def _end_group(process):
 def _check_honest_player(spec, player, began, ended, verdict):
     report = player.report()
     if report is None:
-        return verdict.faults.append(f"the honest player ({player.transport}) does not answer")
+        return verdict.faults.append(f"the honest player ({player.transport}) does not respond")
     seconds = max(1, int(ended - began))
     counts = collections.Counter(int(at - began) for at in report["times"] if began <= at < began + seconds)
     per_second = [counts[k] for k in range(seconds)]
     worst, mean = min(per_second), sum(per_second) / seconds
     verdict.rates[player.transport] = [worst, round(mean, 1)]
-    verdict.require(report["ended"] is None, f"the honest player ({player.transport}) was thrown out: {report['ended']}")
+    verdict.require(report["ended"] is None, f"the honest player ({player.transport}) was disconnected: {report['ended']}")
     if not spec.starves:
         verdict.require(worst >= MESSAGES_MIN,
-                        f"{worst} messages in second {per_second.index(worst) + 1} of {seconds} ({player.transport})")
-    # The last one may be on its way.
-    verdict.require(report["applied"] >= report["asked"] - 2,
-                    f"{report['asked'] - report['applied']} of {report['asked']} honest inputs were not applied ({player.transport})")
+                        f"only {worst} messages in second {per_second.index(worst) + 1} of {seconds} ({player.transport})")
+    # The server may not have applied the last input yet.
+    verdict.require(report["applied"] >= report["sent"] - 2,
+                    f"{report['sent'] - report['applied']} of {report['sent']} honest inputs were not applied ({player.transport})")
 
 
 def _check_health(server, verdict):
     if not server.alive():
         if not server.killed:
-            verdict.faults.append(f"the server is dead: it ended with status {server.process.returncode}")
+            verdict.faults.append(f"the server exited with status {server.process.returncode}")
         return
     for holds, what in (http_answers(server.ports), http_answers(server.ports, "/readyz"), grpc_answers(server.ports),
                         new_player_joins(server.ports)):
@@ -253,18 +255,18 @@ def _check_shutdown(server, verdict):
     if server.killed:
         return
     verdict.shutdown_seconds = took
-    verdict.require(took is not None, f"SIGTERM did not end it within {SHUTDOWN_MAX + 5} s")
+    verdict.require(took is not None, f"the server did not exit within {SHUTDOWN_MAX + 5} s of SIGTERM")
     if took is not None:
-        verdict.require(took <= SHUTDOWN_MAX, f"SIGTERM took {took:.1f} s")
-        verdict.require(status == 0, f"SIGTERM: exit status {status}")
+        verdict.require(took <= SHUTDOWN_MAX, f"the server took {took:.1f} s to exit after SIGTERM; at most {SHUTDOWN_MAX} s are allowed")
+        verdict.require(status == 0, f"exit status {status} after SIGTERM; expected 0")
 
 
 class _CpuMonitor:
-    """Cores that others on this machine used meanwhile: whether a slow second was ours."""
+    """Cores used by unrelated processes meanwhile, to decide whether the server caused a slow second."""
 
     def __init__(self, server, honest):
         self.pids = [server.pid] + [player.process.pid for player in honest]
-        self.began, self.before = time.monotonic(), self._total() - self._ours()
+        self.began, self.start_cpu = time.monotonic(), self._total() - self._ours()
 
     def _total(self):
         user, nice, system, _, _, irq, soft, *_ = map(int, pathlib.Path("/proc/stat").read_text().split("\n")[0].split()[1:])
@@ -276,4 +278,4 @@ class _CpuMonitor:
         return (sum(map(cpu_seconds, self.pids)) + children.ru_utime + children.ru_stime + own.ru_utime + own.ru_stime)
 
     def others(self):
-        return max(0.0, (self._total() - self._ours() - self.before) / (time.monotonic() - self.began))
+        return max(0.0, (self._total() - self._ours() - self.start_cpu) / (time.monotonic() - self.began))

@@ -1,4 +1,4 @@
-"""Unary calls and streams of gRPC: many at once, dear ones, ones that never end, and messages that are more than they seem."""
+"""gRPC calls and streams: many at once, expensive calls, calls that never finish, and messages that expand when decoded."""
 
 import collections
 import math
@@ -13,21 +13,21 @@ from .player import TRANSPORTS, Player
 from .protobuf import field, nested, uint
 from .server import DEFAULT_TARGET, grpc_answers, new_player_joins
 
-# 10,000 boxes at rest: an answer of Debug about them has some 3 MB.
+# 10,000 boxes at rest: a Debug response about them has about 3 MB.
 MANY_BOXES = {"name": "target", "bodies": [DEFAULT_TARGET["bodies"][0], {
     "name": "box", "position": {"x": -100, "y": 0.5, "z": -100}, "shapes": [{"box": {"half_extents": {"x": 0.5, "y": 0.5, "z": 0.5}}}],
     "repeat": [{"count": 100, "offset": {"x": 2}}, {"count": 100, "offset": {"z": 2}}]}]}
 
 
 def call_repeatedly(number, ports, seconds, path, request, connections=1, at_once=100):
-    """Keeps so many calls in flight for so long; how they ended, by status. `number`: which process this is."""
+    """Keep `at_once` calls in flight for `seconds`; count them by status. `number`: index of this process."""
     ends, until = collections.Counter(), time.monotonic() + seconds
-    open_ones = []
+    open_connections = []
     while time.monotonic() < until:
         try:
-            if len(open_ones) < connections:
-                open_ones.append(Connection(ports.grpc, timeout=2.0))
-            for connection in open_ones:
+            if len(open_connections) < connections:
+                open_connections.append(Connection(ports.grpc, timeout=2.0))
+            for connection in open_connections:
                 for stream_number, stream in list(connection.streams.items()):
                     if stream.ended is not None:
                         ends[f"{stream.status} {stream.headers.get('grpc-message', '')[:60]}".strip()] += 1
@@ -38,11 +38,11 @@ def call_repeatedly(number, ports, seconds, path, request, connections=1, at_onc
                 connection.pump(time.monotonic() + 0.05)
         except (OSError, Closed) as ended:
             ends[f"connection: {ended}"[:60]] += 1
-            for connection in open_ones:
+            for connection in open_connections:
                 connection.close()
-            open_ones = []
+            open_connections = []
             time.sleep(0.05)
-    ends["no answer"] += sum(len(connection.streams) for connection in open_ones)
+    ends["no response"] += sum(len(connection.streams) for connection in open_connections)
     return ends
 
 
@@ -55,13 +55,13 @@ def flood(arena, processes, path, request, connections=1, at_once=100):
 
 @attack("debug-2000", seconds=8, target=MANY_BOXES)
 def debug_calls(arena):
-    """2,000 Debug calls at once about 10,000 boxes, again and again."""
+    """2,000 concurrent Debug calls about 10,000 boxes, repeatedly."""
     everything = b"".join(uint(number, 1) for number in range(2, 7))
     flood(arena, 4, messages.DEBUG, messages.text(1, "target") + everything, connections=5)
 
 
 def ball_of_points(count):
-    """Points of a spiral on a sphere: all are corners of their hull."""
+    """Points of a spiral on a sphere. All are vertices of their hull."""
     golden = math.pi * (3 - math.sqrt(5))
     points = []
     for i in range(count):
@@ -73,26 +73,27 @@ def ball_of_points(count):
 
 @attack("hull-casts", seconds=8, target=MANY_BOXES)
 def hull_casts(arena):
-    """20 clients each cast 100 hulls of 1,000 points through 10,000 boxes, in a loop."""
-    points = ball_of_points(250) + [tuple(0.9 * x for x in point) for point in ball_of_points(750)]  # 252 corners are allowed
+    """20 clients each cast 100 hulls of 1,000 points through 10,000 boxes in a loop."""
+    # a hull may have 252 vertices
+    points = ball_of_points(250) + [tuple(0.9 * x for x in point) for point in ball_of_points(750)]
     moving = nested(1, messages.hull(points) + nested(5, messages.vector(-100, 1, -90))) + nested(2, messages.vector(200, 0, 180))
     flood(arena, 20, messages.CAST_SHAPES, messages.text(1, "target") + nested(2, moving) * 100 + uint(3, 3), at_once=1)
 
 
 @attack("list-flood", seconds=8)
 def list_flood(arena):
-    """Eight connections with 100 ListWorlds each in flight."""
+    """Eight connections with 100 ListWorlds calls in flight each."""
     flood(arena, 8, messages.LIST_WORLDS, b"")
 
 
 @attack("join-world-flood", seconds=10)
 def join_world_flood(arena):
-    """JoinWorld 13,000 times and more; a ticket that somebody else got before must still open the door."""
+    """At least 13,000 JoinWorld calls. A ticket that another client obtained earlier must remain valid."""
     ticket = field(call(arena.ports.grpc, messages.JOIN_WORLD, messages.text(1, "sandbox"), source=PROBE)[2], 4, b"").decode()
     flood(arena, 4, messages.JOIN_WORLD, messages.text(1, "sandbox"))
     try:
         player = Player(arena.ports, "websocket", PROBE, "sandbox", ticket=ticket)
-        arena.check(player.until(messages.SNAPSHOT, 3), f"the ticket from before the flood: {player.notice or 'good'}")
+        arena.check(player.until(messages.SNAPSHOT, 3), f"the ticket from before the flood: {player.notice or 'valid'}")
     except (OSError, Closed) as ended:
         arena.check(False, f"the ticket from before the flood: {ended}")
 
@@ -100,7 +101,7 @@ def join_world_flood(arena):
 # --- messages that never end ---
 
 def _send_unfinished(number, ports, seconds, path, streams, size, declared, pause):
-    """Opens the streams of one connection and sends `size` bytes on each, of a message that says it has `declared`."""
+    """Open the streams of one connection and send `size` bytes on each, of a message whose header declares `declared` bytes."""
     until = time.monotonic() + seconds
     connection = Connection(ports.grpc)
     piece, sent = bytes(65536), {}
@@ -121,7 +122,7 @@ def _send_unfinished(number, ports, seconds, path, streams, size, declared, paus
 
 def unfinished(arena, path, processes, streams, size, declared, pause=0.002):
     taken = arena.fork(processes, _send_unfinished, arena.ports, arena.seconds, path, streams, size, declared, pause)
-    arena.note(f"{sum(each or 0 for each in taken) / 1e6:,.0f} MB were sent; {taken.count(None)} of {processes} connections were cut")
+    arena.note(f"{sum(each or 0 for each in taken) / 1e6:,.0f} MB sent; the server cut {taken.count(None)} of {processes} connections")
 
 
 FOUR_MIB = 4 << 20
@@ -129,31 +130,31 @@ FOUR_MIB = 4 << 20
 
 @attack("unfinished-play", seconds=10)
 def unfinished_play(arena):
-    """300 messages of 4 MiB on Play streams, each a byte short."""
+    """300 messages of 4 MiB on Play streams, each one byte short."""
     unfinished(arena, messages.PLAY, 10, 30, FOUR_MIB - 1, FOUR_MIB)
 
 
 @attack("unfinished-create", seconds=10)
 def unfinished_create(arena):
-    """300 messages of 4 MiB to CreateWorld, each a byte short."""
+    """300 messages of 4 MiB to CreateWorld, each one byte short."""
     unfinished(arena, messages.CREATE_WORLD, 10, 30, FOUR_MIB - 1, FOUR_MIB)
 
 
 @attack("unfinished-2gb", seconds=8)
 def unfinished_huge(arena):
-    """Messages that say they have 2 GB, fed as fast as the server takes them."""
+    """Messages that declare 2 GB, sent as fast as the server reads."""
     unfinished(arena, messages.CREATE_WORLD, 4, 5, 512 << 20, 2**31 - 1)
     unfinished(arena, messages.PLAY, 4, 5, 512 << 20, 2**31 - 1)
 
 
 @attack("unfinished-slow", seconds=10)
 def unfinished_slow(arena):
-    """1,000 calls that send 64 KiB every other second and never finish."""
+    """1,000 calls that send 64 KiB every two seconds and never finish."""
     unfinished(arena, messages.CREATE_WORLD, 10, 100, FOUR_MIB - 1, FOUR_MIB, pause=2)
 
 
 def bomb():
-    """2.6 GB of zeros as 2.6 MB of gzip: blocks that end on a byte and know nothing of the one before may be repeated."""
+    """2.6 GB of zeros as 2.6 MB of gzip. A block that ends at a byte boundary and has no back references can be repeated."""
     packer = zlib.compressobj(9, zlib.DEFLATED, 31)
     head = packer.compress(b"") + packer.flush(zlib.Z_FULL_FLUSH)
     block = packer.compress(bytes(64 << 20)) + packer.flush(zlib.Z_FULL_FLUSH)
@@ -175,7 +176,7 @@ def _drop_bombs(number, ports, seconds, payload, path):
 
 @attack("gzip-bomb", seconds=6)
 def gzip_bomb(arena):
-    """Messages of 2.6 MB that unpack to 2.6 GB, to CreateWorld and on Play."""
+    """Messages of 2.6 MB that decompress to 2.6 GB, sent to CreateWorld and on Play."""
     payload, ends = bomb(), collections.Counter()
     for path in (messages.CREATE_WORLD, messages.PLAY):
         for each in arena.fork(2, _drop_bombs, arena.ports, arena.seconds / 2, payload, path):
@@ -183,7 +184,7 @@ def gzip_bomb(arena):
     arena.note(f"statuses: {dict(ends)}")
 
 
-# --- streams that hold a thread, or a place ---
+# --- streams that hold a thread or a session ---
 
 def hold_streams(arena, path, first, connections=10, streams=100):
     held = []
@@ -206,31 +207,31 @@ def hold_streams(arena, path, first, connections=10, streams=100):
             pass
     for probe in (grpc_answers, new_player_joins):
         holds, what = probe(arena.ports)
-        arena.check(holds, f"while they are held: {what}")
+        arena.check(holds, f"while the streams are open: {what}")
     ended = collections.Counter(stream.status for connection in held for stream in connection.streams.values())
     arena.note(f"of {connections * streams} streams: " + ", ".join(f"{'open' if status is None else status}: {count}" for status, count in ended.items()))
 
 
 @attack("reflection-streams", seconds=10)
 def reflection_streams(arena):
-    """1,000 reflection streams that ask nothing and stay."""
+    """1,000 reflection streams that send no request and stay open."""
     hold_streams(arena, messages.REFLECTION, None)
 
 
 @attack("health-watches", seconds=10)
 def health_watches(arena):
-    """1,000 health watches."""
+    """1,000 health watch streams."""
     hold_streams(arena, messages.HEALTH_WATCH, b"")
 
 
 @attack("play-without-hello", seconds=10)
 def play_without_hello(arena):
-    """2,000 Play streams that never say hello: players who do must find a place."""
+    """2,000 Play streams without a Hello. Players that send one must still be able to join."""
     hold_streams(arena, messages.PLAY, None, connections=20)
 
 
 def _fill(ports, transport, count):
-    """Those of so many who got in. They say hello and wait: their silence is found out later than this takes."""
+    """Connect `count` players; return those that connected. They send nothing after Hello; this takes less time than the timeout."""
     players = []
     for i in range(count):
         try:
@@ -242,7 +243,7 @@ def _fill(ports, transport, count):
 
 @attack("fill-the-server", seconds=10)
 def fill_the_server(arena):
-    """1,100 players from one address: people from elsewhere must still get in."""
+    """1,100 players from one address. Players from other addresses must still be able to join."""
     players = _fill(arena.ports, TRANSPORTS[0], 550) + _fill(arena.ports, TRANSPORTS[1], 550)
     holds, what = new_player_joins(arena.ports)
     arena.check(holds, f"with {len(players)} players from one address: {what}")

@@ -1,3 +1,3 @@
-"""All attacks, in the order in which they are run. Importing a group registers what is in it."""
+"""All attacks, in the order in which they run. Importing a module registers its attacks."""
 
-from . import worlds, connections, calls, http2_floods, logs, crowds, garbage  # noqa: F401
+from . import worlds, connections, calls, http2_floods, logs, many_clients, garbage  # noqa: F401

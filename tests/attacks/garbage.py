@@ -1,4 +1,4 @@
-"""What no client would send: broken messages, frames and requests, and requests that a browser must not be made to send."""
+"""Malformed messages, frames and requests, and cross-origin requests that a browser must not be able to send."""
 
 import os
 import random
@@ -15,22 +15,22 @@ INFINITY, NOT_A_NUMBER = float("inf"), float("nan")
 
 
 def broken_messages(rng):
-    """ClientMessages that are wrong in every way a message can be."""
+    """ClientMessages that are malformed in every possible way."""
     hello = messages.hello("target")
     yield hello[:-1]
     yield hello + b"\xff" * 20
     yield rng.randbytes(rng.randrange(1, 3000))
-    yield b"\x0b" * 20000                                     # groups in groups in groups
+    yield b"\x0b" * 20000  # nested groups
     yield nested(2, nested(2, nested(1, nested(1, nested(15, nested(1, b"\x0a\x00" * 5000))))))
     nest = b""
     for _ in range(3000):
-        nest = nested(1, nested(15, nest))                    # compounds in compounds, as deep as 64 KiB allow
+        nest = nested(1, nested(15, nest))  # nested compounds, as deep as 64 KiB allow
         if len(nest) > 60000:
             break
     yield nested(2, uint(1, 1) + nested(2, nested(1, nest)))
     yield varint(2**64 - 1)
     yield nested(1, uint(1, 99))
-    yield nested(1, text(4, b"\xff\xfe"))                     # a string that is no UTF-8
+    yield nested(1, text(4, b"\xff\xfe"))  # a string that is not UTF-8
     yield b""
     yield messages.batch(2**32 - 1, [messages.release()] * 3)
     yield messages.batch(0, [messages.release()])
@@ -39,7 +39,7 @@ def broken_messages(rng):
 
 
 def wild_inputs():
-    """Inputs whose numbers are none."""
+    """Inputs with values that are not finite or far out of range."""
     for wild in (INFINITY, -INFINITY, NOT_A_NUMBER, 1e308, 5e-324):
         yield messages.spawn(messages.sphere(wild), (0, 1, 0))
         yield messages.spawn(messages.box(1, wild, 1), (wild, 1, 0))
@@ -69,8 +69,8 @@ def _garble(number, ports, seconds):
             done += 1
         try:
             player = Player(ports, TRANSPORTS[done % 2])
-            for one in wild_inputs():
-                player.act(one)
+            for each in wild_inputs():
+                player.act(each)
                 player.receive(time.monotonic() + 0.002)
             player.close()
         except (OSError, Closed):
@@ -80,9 +80,9 @@ def _garble(number, ports, seconds):
 
 @attack("play-garbage", seconds=8)
 def play_garbage(arena):
-    """Broken protobuf and wild numbers on Play, over both transports."""
+    """Malformed protobuf and non-finite numbers on Play, over both transports."""
     done = arena.fork(4, _garble, arena.ports, arena.seconds)
-    arena.note(f"{sum(each or 0 for each in done):,} broken messages")
+    arena.note(f"{sum(each or 0 for each in done):,} malformed messages")
 
 
 def _random_frames(number, ports, seconds):
@@ -113,12 +113,12 @@ def websocket_abuses(rng):
     yield frame(messages.hello("target"), masked=False)
     yield frame(b"", declared=2**63 - 1)
     yield frame(b"x" * 1000, declared=2**40)
-    yield frame(b"x", opcode=websocket.PING, final=False)              # a control frame in pieces
-    yield frame(b"x" * 126, opcode=websocket.PING)                     # one that is too long
+    yield frame(b"x", opcode=websocket.PING, final=False)  # a fragmented control frame
+    yield frame(b"x" * 126, opcode=websocket.PING)  # a control frame that is too long
     yield frame(b"x", opcode=3) + frame(b"x", opcode=11)               # reserved
     yield b"\xf2\x80\0\0\0\0"                                          # reserved bits
-    yield frame(b"x", opcode=websocket.CONTINUATION)                   # goes on with nothing
-    yield frame(b"x", final=False) + frame(b"y")                       # begins anew in the middle
+    yield frame(b"x", opcode=websocket.CONTINUATION)  # a continuation without a first fragment
+    yield frame(b"x", final=False) + frame(b"y")  # a new message between fragments
     yield frame(b"", final=False) + frame(b"", websocket.CONTINUATION, final=False) * 50000
     yield frame(b"", opcode=websocket.PING) * 50000
     yield frame(b"\xff\xff\xff", opcode=websocket.TEXT)
@@ -147,9 +147,9 @@ def _abuse(number, ports, seconds):
 
 @attack("websocket-abuse", seconds=8)
 def websocket_abuse(arena):
-    """Frames unmasked, endless, reserved, in pieces that may not be; pings and empty pieces by the ten thousand."""
+    """Unmasked, endless, reserved and wrongly fragmented frames; tens of thousands of pings and empty fragments."""
     done = arena.fork(4, _abuse, arena.ports, arena.seconds)
-    arena.note(f"{sum(each or 0 for each in done):,} abuses")
+    arena.note(f"{sum(each or 0 for each in done):,} malformed frames")
 
 
 def _endless_pings(number, ports, seconds, data):
@@ -169,7 +169,7 @@ def _endless_pings(number, ports, seconds, data):
 
 @attack("websocket-pings", seconds=8)
 def websocket_pings(arena):
-    """Four players send pings and empty pieces of a message without end: no message, so no limit on messages sees them."""
+    """Four players send pings and empty fragments endlessly. They never complete a message, so no message limit counts them."""
     pings = websocket.frame(b"", opcode=websocket.PING) * 2000
     sent = arena.fork(4, _endless_pings, arena.ports, arena.seconds, pings)
     arena.note(f"{sum(each or 0 for each in sent) / 1e6:,.0f} MB")
@@ -178,25 +178,27 @@ def websocket_pings(arena):
 # --- HTTP ---
 
 def request(ports, data, seconds=3.0):
-    """The status of what the server answers to these bytes, 0 when it answers nothing; and the answer."""
-    answer = b""
+    """Send raw bytes. Return the status of the response, 0 if there is none, and its bytes."""
+    response = b""
     try:
         sock = connect(ports.http, timeout=seconds)
         try:
             sock.sendall(data)
         except OSError:
-            pass  # refused before all was read: the answer is there all the same
+            # The server rejected the request before it read all of it; the response is still
+            # available.
+            pass
         until = time.monotonic() + seconds
-        while time.monotonic() < until and len(answer) < 100000:
+        while time.monotonic() < until and len(response) < 100000:
             sock.settimeout(max(0.01, until - time.monotonic()))
             more = sock.recv(65536)
-            answer += more
-            if not more or b"\r\n\r\n" in answer:
+            response += more
+            if not more or b"\r\n\r\n" in response:
                 break
         sock.close()
     except OSError:
         pass
-    return int(answer.split()[1]) if answer.startswith(b"HTTP/1.1 ") else 0, answer
+    return int(response.split()[1]) if response.startswith(b"HTTP/1.1 ") else 0, response
 
 
 def post(path, body, host, length=None, **headers):
@@ -208,34 +210,34 @@ def post(path, body, host, length=None, **headers):
 
 @attack("http-abuse", seconds=12)
 def http_abuse(arena):
-    """Path traversal, other origins, bodies and headers that are too big, JSON nested a hundred thousand deep."""
+    """Path traversal, cross-origin requests, oversized bodies and headers, and JSON nested 100,000 deep."""
     host = f"{SERVER}:{arena.ports.http}"
     for path in ("/../../../../etc/passwd", "/..%2f..%2f..%2f..%2fetc/passwd", "/%2e%2e/%2e%2e/%2e%2e/etc/passwd", "//etc/passwd",
                  "/assets/../../../../../etc/passwd", "/..\\..\\etc\\passwd", "/%00/etc/passwd", "/api/worlds/..%2f..", "/proc/self/environ"):
-        status, answer = request(arena.ports, f"GET {path} HTTP/1.1\r\nHost: {host}\r\nConnection: close\r\n\r\n".encode())
-        if b"root:" in answer or status not in (400, 403, 404):
-            arena.check(False, f"GET {path}: {status}")
+        status, response = request(arena.ports, f"GET {path} HTTP/1.1\r\nHost: {host}\r\nConnection: close\r\n\r\n".encode())
+        if b"root:" in response or status not in (400, 403, 404):
+            arena.check(False, f"GET {path}: status {status}; expected 400, 403 or 404 and no file content")
     create = b'{"name": "stolen", "sceneName": "pyramid"}'
     expected = [
         ("a POST from another origin", post("/api/worlds", create, host, Origin="http://evil.example"), (403,)),
         ("a POST from origin null", post("/api/worlds", create, host, Origin="null"), (403,)),
         ("/play from another origin", websocket.upgrade(arena.ports.http, Origin="http://evil.example"), (403,)),
         ("10 MB of JSON", post("/api/worlds", b" " * 10_000_000, host), (413,)),
-        ("10 MB announced", post("/api/worlds", b"", host, length=10_000_000), (413,)),
+        ("a content length of 10 MB", post("/api/worlds", b"", host, length=10_000_000), (413,)),
         ("JSON nested 100,000 deep", post("/api/worlds", b'{"scene":' * 100000, host), (400,)),
         ("arrays nested 500,000 deep", post("/api/worlds", b"[" * 500000, host), (400,)),
-        ("a query nested deep", post("/api/query/CastRays", b'{"rays":[' * 20000, host), (400,)),
+        ("a deeply nested query", post("/api/query/CastRays", b'{"rays":[' * 20000, host), (400,)),
         ("a header of 100 kB", b"GET / HTTP/1.1\r\nX: " + b"y" * 100000 + b"\r\n\r\n", (431, 400)),
-        ("no HTTP at all", b"\x16\x03\x01\x02\x00\x01\x00" + b"\0" * 200, (400, 0)),
-        ("a length and chunks", post("/api/worlds", create, host, Transfer_Encoding="chunked"), (400, 411, 501)),
-        ("a negative length", post("/api/worlds", b"", host, length=-1), (400,)),
-        ("a POST as text", post("/api/worlds", create, host).replace(b"application/json", b"text/plain"), (415,)),
+        ("bytes that are not HTTP", b"\x16\x03\x01\x02\x00\x01\x00" + b"\0" * 200, (400, 0)),
+        ("Content-Length with chunked encoding", post("/api/worlds", create, host, Transfer_Encoding="chunked"), (400, 411, 501)),
+        ("a negative Content-Length", post("/api/worlds", b"", host, length=-1), (400,)),
+        ("a POST of text/plain", post("/api/worlds", create, host).replace(b"application/json", b"text/plain"), (415,)),
         ("a name of 60,000 bytes", post("/api/worlds", b'{"name": "' + b"n" * 60000 + b'", "sceneName": "pyramid"}', host), (400,)),
     ]
-    for what, data, wanted in expected:
+    for what, data, accepted in expected:
         status, _ = request(arena.ports, data.replace(b"Transfer_Encoding", b"Transfer-Encoding"))
-        if status not in wanted:
-            arena.check(False, f"{what}: {status}, expected {' or '.join(map(str, wanted))}")
+        if status not in accepted:
+            arena.check(False, f"{what}: status {status}; expected {' or '.join(map(str, accepted))}")
 
 
 def _unfinished_bodies(number, ports, seconds, count):
@@ -256,15 +258,15 @@ def _unfinished_bodies(number, ports, seconds, count):
 
 @attack("http-unfinished-bodies", seconds=9)
 def http_unfinished_bodies(arena):
-    """300 POSTs of 4 MiB each that stop before the end."""
+    """300 POST requests of 4 MiB that stop before the end of the body."""
     held = arena.fork(6, _unfinished_bodies, arena.ports, arena.seconds, 50)
-    arena.note(f"{sum(each or 0 for each in held)} of 300 were taken")
+    arena.note(f"{sum(each or 0 for each in held)} of 300 were accepted")
     holds, what = http_answers(arena.ports)
     arena.check(holds, what)
 
 
 def _pipeline(number, ports, seconds, path):
-    """Asks and asks and never reads."""
+    """Send requests continuously and never read."""
     until, sent, line = time.monotonic() + seconds, 0, f"GET {path} HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n".encode() * 100
     socks = []
     for _ in range(60):
@@ -285,13 +287,13 @@ def _pipeline(number, ports, seconds, path):
 
 @attack("http-pipeline-unread", seconds=8)
 def http_pipeline_unread(arena):
-    """240 connections ask for the worlds and the viewer again and again and read no answer."""
+    """240 connections request the worlds and the viewer continuously and never read a response."""
     arena.fork(2, _pipeline, arena.ports, arena.seconds, "/api/worlds")
     arena.fork(2, _pipeline, arena.ports, arena.seconds / 2, "/index.html")
 
 
 def _post_flood(number, ports, seconds):
-    """Questions over HTTP: there is one thread for the slow requests of all."""
+    """Queries over HTTP. One thread runs the slow requests of all clients."""
     until, done = time.monotonic() + seconds, 0
     rays = b",".join(b'{"origin":{"x":-50,"y":%d,"z":0},"motion":{"x":100,"y":0,"z":%d}}' % (i % 5, i) for i in range(1000))
     data = post("/api/query/CastRays", b'{"world":"target","mode":"HIT_MODE_ALL","rays":[' + rays + b"]}", "127.0.0.1")
@@ -300,14 +302,14 @@ def _post_flood(number, ports, seconds):
     return done
 
 
-@attack("http-questions", seconds=8)
-def http_questions(arena):
-    """Twenty clients ask for 1,000 rays as JSON in a loop; the list of worlds must still be answered."""
+@attack("http-query-flood", seconds=8)
+def http_query_flood(arena):
+    """Twenty clients cast 1,000 rays as JSON in a loop. The server must still return the list of worlds."""
     if (child := os.fork()) == 0:
         done = arena.fork(20, _post_flood, arena.ports, arena.seconds)
-        arena.note(f"{sum(each or 0 for each in done):,} answers of 1,000 rays")
+        arena.note(f"{sum(each or 0 for each in done):,} responses with 1,000 rays")
         os._exit(0)
     time.sleep(arena.seconds / 2)
     holds, what = http_answers(arena.ports, "/api/worlds", seconds=2.0)
-    arena.check(holds, f"meanwhile {what}")
+    arena.check(holds, f"during the queries: {what}")
     os.waitpid(child, 0)

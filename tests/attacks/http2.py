@@ -1,8 +1,8 @@
-"""HTTP/2 by hand, for polite gRPC calls and for frames that no library would send.
+"""A minimal HTTP/2 client for regular gRPC calls and for frames that no library would send.
 
-Headers are written as HPACK literals without index, and the peer is told that our table has no room, so that it must do the
-same: neither side needs a dynamic table. Our windows are as large as they can be; the peer's are respected where `send_data`
-is used and ignored where an attack writes frames itself.
+It writes headers as HPACK literals without indexing and announces a header table size of 0, so neither side needs a dynamic
+table. Its own windows have the maximum size. `send_data` respects the windows of the peer; an attack that writes frames
+directly ignores them.
 """
 
 import struct
@@ -26,10 +26,10 @@ def settings(**values):
 
 
 def _prefixed(value, bits, first=0):
-    most = (1 << bits) - 1
-    if value < most:
+    limit = (1 << bits) - 1
+    if value < limit:
         return bytes([first | value])
-    out, value = bytearray([first | most]), value - most
+    out, value = bytearray([first | limit]), value - limit
     while value > 0x7F:
         out.append(value & 0x7F | 0x80)
         value >>= 7
@@ -52,11 +52,11 @@ def grpc_message(payload, compressed=0, declared=None):
 
 
 def _read_int(block, at, bits):
-    most = (1 << bits) - 1
-    value = block[at] & most
+    limit = (1 << bits) - 1
+    value = block[at] & limit
     at += 1
     shift = 0
-    while value >= most and shift < 35:
+    while value >= limit and shift < 35:
         byte = block[at]
         value += (byte & 0x7F) << shift
         at, shift = at + 1, shift + 7
@@ -67,11 +67,12 @@ def _read_int(block, at, bits):
 
 def _read_string(block, at):
     size, end = _read_int(block, at, 7)
-    return block[end:end + size].decode("latin-1"), end + size  # packed by Huffman: nobody here asks for such
+    # Huffman-coded strings are not decoded; the attacks do not need them.
+    return block[end:end + size].decode("latin-1"), end + size
 
 
 def read_headers(block):
-    """The literals of a header block by name; what stands in the static table is left out, but for :status 200."""
+    """The literal headers of a header block by name. Of the static table, only :status 200 is decoded."""
     out, at = {}, 0
     while at < len(block):
         byte = block[at]
@@ -106,7 +107,7 @@ class Stream:
 
     @property
     def status(self):
-        """gRPC's status as a number, or what ended the stream instead."""
+        """The gRPC status as a number, or the reason why the stream ended without one."""
         code = self.headers.get("grpc-status")
         return int(code) if code is not None else self.ended
 
@@ -115,14 +116,14 @@ class Connection:
     def __init__(self, port, source=None, timeout=5.0, window=BIGGEST_WINDOW, receive_buffer=None):
         self.sock, self.timeout = connect(port, source, timeout, receive_buffer), timeout
         self.streams, self.buffer, self.next_id = {}, bytearray(), 1
-        self.peer_window, self.peer_stream_window, self.gone = 65535, 65535, None
-        hello = PREFACE + settings(header_table_size=0, enable_push=0, initial_window=window)
+        self.peer_window, self.peer_stream_window, self.goaway = 65535, 65535, None
+        preface = PREFACE + settings(header_table_size=0, enable_push=0, initial_window=window)
         if window > 65535:
-            hello += frame(WINDOW_UPDATE, 0, 0, struct.pack(">I", window - 65535))
-        self.send(hello)
+            preface += frame(WINDOW_UPDATE, 0, 0, struct.pack(">I", window - 65535))
+        self.send(preface)
 
     def send(self, data):
-        """All of it; a peer that does not take it in time has left half a frame behind, so the connection is over."""
+        """Send all of it. After a timeout only a part of a frame may have been sent, so the connection is unusable."""
         self.sock.settimeout(self.timeout)
         try:
             self.sock.sendall(data)
@@ -137,7 +138,7 @@ class Connection:
         return number
 
     def send_data(self, number, payload, end=False, patience=5.0):
-        """Sends all of it as the peer makes room; says how much it took."""
+        """Send the payload as the windows of the peer allow. Return the number of bytes sent."""
         until, sent, stream = time.monotonic() + patience, 0, self.streams[number]
         while True:
             room = min(16384, self.peer_window, stream.window, len(payload) - sent)
@@ -153,7 +154,7 @@ class Connection:
                 return sent
 
     def pump(self, until):
-        """Reads once and handles each frame that is whole; False when nothing came until then."""
+        """Read once and process each complete frame. Return False if nothing arrived until then."""
         left = until - time.monotonic()
         if left <= 0:
             return False
@@ -163,7 +164,7 @@ class Connection:
         except TimeoutError:
             return False
         if not data:
-            raise Closed(self.gone or "connection closed")
+            raise Closed(self.goaway or "connection closed")
         self.buffer += data
         at = 0
         while len(self.buffer) - at >= 9:
@@ -196,7 +197,7 @@ class Connection:
             elif stream:
                 stream.window += more
         elif kind == GOAWAY:
-            self.gone = f"GOAWAY {int.from_bytes(payload[4:8], 'big')} {payload[8:].decode('latin-1')}"
+            self.goaway = f"GOAWAY {int.from_bytes(payload[4:8], 'big')} {payload[8:].decode('latin-1')}"
         elif stream is None:
             return
         elif kind == DATA:
@@ -211,7 +212,7 @@ class Connection:
             stream.ended = stream.ended or "end"
 
     def call(self, path, payload=b"", timeout=5.0):
-        """One unary call: (status, message of the error, answer)."""
+        """One unary call: (status, error message, response)."""
         number = self.open(path)
         until = time.monotonic() + timeout
         self.send_data(number, grpc_message(payload), end=True, patience=timeout)
@@ -219,7 +220,7 @@ class Connection:
         while stream.ended is None:
             if not self.pump(until):
                 del self.streams[number]
-                return "no answer", f"within {timeout:g} s", b""
+                return "no response", f"within {timeout:g} s", b""
         del self.streams[number]
         return stream.status, stream.headers.get("grpc-message", ""), stream.next_message() or b""
 
@@ -228,7 +229,7 @@ class Connection:
 
 
 def call(port, path, payload=b"", timeout=5.0, source=None):
-    """A connection for one call. An end of the connection is a status too."""
+    """Make one call on a connection of its own. The end of the connection counts as a status."""
     try:
         connection = Connection(port, source, timeout)
         try:

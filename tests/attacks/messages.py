@@ -1,4 +1,4 @@
-"""Jostle's messages, as bytes (proto/jostle/v1). Only the fields that attacks use; the numbers are those of the .proto files."""
+"""Jostle messages as bytes, with only the fields that attacks use. Field numbers are those of proto/jostle/v1."""
 
 from .protobuf import double, fixed32, fixed64, nested, packed_uints, text, uint
 
@@ -15,10 +15,10 @@ HEALTH_WATCH = "/grpc.health.v1.Health/Watch"
 REFLECTION = "/grpc.reflection.v1alpha.ServerReflection/ServerReflectionInfo"
 
 # Kinds of ServerMessage.
-WELCOME, ROSTER, SNAPSHOT, RESULTS, PONG, STATS, NOTICE, EVENTS = range(1, 9)
+WELCOME, ENTITY_UPDATE, SNAPSHOT, RESULTS, PONG, STATS, NOTICE, EVENTS = range(1, 9)
 
 
-# --- what clients say ---
+# --- messages from clients ---
 
 def hello(world="", name="", ticket="", snapshot_hz=0, spectator=False, events=False):
     return nested(1, uint(1, 1) + text(2, world) + text(3, ticket) + text(4, name) + uint(5, snapshot_hz)
@@ -42,7 +42,7 @@ def leave():
 
 
 def batch(first_sequence, inputs, acknowledged=None):
-    body = uint(1, first_sequence) + b"".join(nested(2, one) for one in inputs)
+    body = uint(1, first_sequence) + b"".join(nested(2, each) for each in inputs)
     if acknowledged is not None:
         body += nested(3, acknowledged)
     return nested(2, body + fixed32(4, 1))
@@ -103,12 +103,12 @@ def compound(children):
 
 
 def no_self_collision():
-    """A field of Shape: bodies with it do not collide with each other."""
+    """A field of Shape. Bodies with this field do not collide with each other."""
     return nested(22, uint(3, 1))  # group -1
 
 
 def grid_mesh(side, height=0.0):
-    """A flat square of side * side vertices: about 29 bytes a vertex and 14 a triangle pair."""
+    """A nearly flat square of side * side vertices: about 29 bytes per vertex and 14 per pair of triangles."""
     vertices = [(0.1 * i, height + 0.01 * ((i * 7 + j * 3) % 5), 0.1 * j) for i in range(side) for j in range(side)]
     indices = []
     for i in range(side - 1):
@@ -122,7 +122,7 @@ STATIC, KINEMATIC, DYNAMIC = 1, 2, 3
 
 
 def body(shape, name="", kind=DYNAMIC, position=None, repeat=(), velocity=None, spin=None, gravity_scale=None):
-    """repeat: (count, (x, y, z)) for each axis along which the body is copied."""
+    """repeat: (count, (x, y, z)) for each axis along which the body is repeated."""
     out = text(1, name) if name else b""
     if kind != DYNAMIC:
         out += uint(2, kind)
@@ -151,7 +151,7 @@ def ball_joint(a, b, direct=False):
 def scene(bodies, name="attack", joints=(), substeps=None, hz=None):
     settings = (uint(2, substeps) if substeps else b"") + (double(3, hz) if hz else b"")
     return (text(1, name) + (nested(3, settings) if settings else b"")
-            + b"".join(nested(4, one) for one in bodies) + b"".join(nested(5, one) for one in joints))
+            + b"".join(nested(4, each) for each in bodies) + b"".join(nested(5, each) for each in joints))
 
 
 def create_world(name, scene_bytes=None, scene_name=None):

@@ -1,20 +1,21 @@
-"""Where everybody comes from, and sockets. Each side has a loopback address of its own, so that a limit by address meets the
-attacker alone; crowds that come from everywhere take `anywhere(number)`."""
+"""Source addresses and sockets. Each role has its own loopback address, so that a limit per address affects only the attacker.
+Client pools with distinct addresses use `anywhere(number)`."""
 
 import random
 import socket
 
 SERVER = "127.0.0.1"
-HONEST = "127.0.1.1"      # the players whose messages are counted
-PROBE = "127.0.2.1"       # health checks and the newcomer after an attack
+HONEST = "127.0.1.1"  # the players whose messages the test counts
+PROBE = "127.0.2.1"  # health checks and the new player after an attack
 ATTACKER = "127.0.3.1"
 
 
-from_everywhere = False   # whether each connection of an attack has an address of its own, unless the attack says otherwise
+# each connection of an attack has a different address unless the attack specifies one
+from_everywhere = False
 
 
 def anywhere(number):
-    """One of 60,000 addresses."""
+    """One of 60,000 loopback addresses."""
     number %= 60000
     return f"127.16.{number // 250}.{number % 250 + 1}"
 
@@ -29,7 +30,8 @@ def connect(port, source=None, timeout=5.0, receive_buffer=None):
         if receive_buffer:
             sock.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, receive_buffer)
         sock.settimeout(timeout)
-        # The port is chosen when it is known to whom: otherwise thousands of connections would run out of ports.
+        # Choose the port in connect(), when the destination is known. Otherwise thousands of
+        # connections exhaust the ports.
         sock.setsockopt(socket.IPPROTO_IP, getattr(socket, "IP_BIND_ADDRESS_NO_PORT", 24), 1)
         sock.bind((source or attacker(), 0))
         sock.connect((SERVER, port))
@@ -41,7 +43,7 @@ def connect(port, source=None, timeout=5.0, receive_buffer=None):
 
 
 class Closed(Exception):
-    """The other side ended the conversation; `code` and `reason` as its protocol says them."""
+    """The peer closed the stream, with the `code` and `reason` of its protocol."""
 
     def __init__(self, code, reason=b""):
         super().__init__(f"{code} {reason!r}" if reason else str(code))

@@ -1,4 +1,4 @@
-"""Players: one over either transport, crowds of them, and the honest one whose messages judge an attack."""
+"""Players: one over either transport, pools of them, and the honest player whose messages decide the verdict of an attack."""
 
 import multiprocessing
 import selectors
@@ -12,7 +12,7 @@ from .websocket import WebSocket
 
 
 class GrpcStream:
-    """A Play stream with the face of a WebSocket. A connection may carry several."""
+    """A Play stream with the interface of WebSocket. A connection may carry several."""
 
     def __init__(self, port, source=None, timeout=5.0, connection=None, **options):
         self.connection = connection or Connection(port, source, timeout, **options)
@@ -50,7 +50,7 @@ def open_stream(ports, transport, source=None, **options):
 
 
 class Player:
-    """Says hello, acknowledges snapshots and counts what it is sent by kind. Raises Closed or OSError when it is thrown out."""
+    """Sends a Hello, acknowledges snapshots and counts messages by kind. Raises Closed or OSError when it is disconnected."""
 
     def __init__(self, ports, transport="websocket", source=None, world="target", link=None, keyframes=False,
                  receive_buffer=None, **hello):
@@ -64,12 +64,12 @@ class Player:
         return self.link.sock
 
     def receive(self, until):
-        """The kind of the next message, or None when none came until then."""
+        """The kind of the next message, or None if none arrived until then."""
         message = self.link.receive(until)
         return None if message is None else self._take(message)
 
     def drain(self):
-        """For a socket that has something to read: takes all that is there."""
+        """Read all available messages of a readable socket."""
         self.receive(time.monotonic() + 0.005)
         while (message := self.link.buffered()) is not None:
             self._take(message)
@@ -95,7 +95,7 @@ class Player:
         self.sequence += len(inputs)
 
     def until(self, kind, seconds):
-        """Plays until a message of that kind came; whether it did."""
+        """Play until a message of that kind arrives. Return whether it did."""
         end = time.monotonic() + seconds
         while time.monotonic() < end:
             if self.receive(end) == kind:
@@ -106,8 +106,8 @@ class Player:
         self.link.close()
 
 
-class Crowd:
-    """Many players in one process. Those who are thrown out are counted, with the reasons."""
+class ClientPool:
+    """Many players in one process. Counts the disconnected ones by reason."""
 
     def __init__(self):
         self.players, self.ends = [], {}
@@ -133,7 +133,7 @@ class Crowd:
         player.close()
 
     def play(self, seconds, act=None, every=0.1):
-        """Reads and acknowledges for so long; `act(player)` for each of them, each so often."""
+        """Read and acknowledge for `seconds`. Call `act(player)` for each player every `every` seconds."""
         now = time.monotonic()
         end, due = now + seconds, now
         while now < end and self.players:
@@ -164,7 +164,7 @@ class Crowd:
 
 
 class HonestPlayer:
-    """Plays in a process of its own until asked for its report: when each message came, and how it ended."""
+    """Plays in its own process. Its report holds the arrival time of each message and the reason of a disconnection."""
 
     def __init__(self, ports, transport, world):
         context = multiprocessing.get_context("fork")
@@ -174,10 +174,10 @@ class HonestPlayer:
         self.process.start()
         theirs.close()
         if not self.pipe.poll(10) or self.pipe.recv() != "in":
-            raise RuntimeError(f"the honest player ({transport}) did not get into the world")
+            raise RuntimeError(f"the honest player ({transport}) could not join the world")
 
     def report(self):
-        """Ends the counting, not the playing: who is there at shutdown must be told goodbye."""
+        """Get the report. The player stays connected, because the shutdown must notify connected clients."""
         try:
             self.pipe.send("report")
             return self.pipe.recv() if self.pipe.poll(10) else None
@@ -190,26 +190,26 @@ class HonestPlayer:
 
 
 def _play_honestly(ports, transport, world, pipe):
-    times, ended, asked = [], None, 0
+    times, ended, sent = [], None, 0
     player = Player(ports, transport, HONEST, world, name=f"honest {transport}")
     next_input = time.monotonic()
-    told = False
+    joined = False
     while True:
         if pipe.poll():
             pipe.recv()
-            pipe.send({"times": times, "ended": ended, "asked": asked, "applied": player.codes.get(1, 0)})
+            pipe.send({"times": times, "ended": ended, "sent": sent, "applied": player.codes.get(1, 0)})
         if ended is not None:
             time.sleep(0.02)
             continue
         try:
             if player.receive(time.monotonic() + 0.05) is not None:
                 times.append(time.monotonic())
-            if not told and player.frame:
-                told = True
+            if not joined and player.frame:
+                joined = True
                 pipe.send("in")
             if time.monotonic() >= next_input:
                 next_input += 0.5
-                asked += 1
+                sent += 1
                 player.act(messages.explode((0, 0.5, 0), 1.5, 2))
         except (OSError, Closed) as reason:
             ended = f"{type(reason).__name__}: {reason}"

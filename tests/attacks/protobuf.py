@@ -1,7 +1,6 @@
-"""Protobuf by hand: just enough to write any message, right or wrong, and to read the few fields that a player needs.
+"""A minimal protobuf encoder and decoder: it writes any message, valid or malformed, and reads the fields that a player needs.
 
-A message is bytes; a field is written with the function of its wire type, and fields are joined with +:
-
+A message is bytes. The function of its wire type writes a field; fields are joined with +:
     hello = uint(1, 1) + text(2, "sandbox")
     message = nested(1, hello)
 """
@@ -59,7 +58,7 @@ def read_varint(data, at):
 
 
 def fields(data):
-    """Yields (number, value): an int for numbers and fixed32/64, bytes for what has a length."""
+    """Yield (number, value): an int for varint and fixed32/64 fields, bytes for length-delimited fields."""
     at, end = 0, len(data)
     while at < end:
         key, at = read_varint(data, at)

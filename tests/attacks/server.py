@@ -1,4 +1,4 @@
-"""The server under attack: started with free ports and two worlds, watched for memory, ended by SIGTERM."""
+"""The server under attack, with free ports and two worlds. A thread monitors its memory; SIGTERM stops it."""
 
 import collections
 import http.client
@@ -22,10 +22,10 @@ Ports = collections.namedtuple("Ports", "grpc http")
 
 DRAIN_SECONDS = 2
 CLIENT_TIMEOUT_SECONDS = 10
-SOFT_FILES = 1024              # what a login or a unit file gives a process that does not ask for more
-RSS_KILL_MB = 3000             # the machine is not the server's alone
+SOFT_FILES = 1024  # the usual soft limit of a login or a systemd unit
+RSS_KILL_MB = 3000  # limit for the whole server process, MB
 
-# What attacks happen to: a hundred boxes on a floor.
+# The default target of attacks: 100 boxes on a floor.
 DEFAULT_TARGET = {"name": "target", "bodies": [
     {"name": "floor", "type": "BODY_TYPE_STATIC", "shapes": [{"plane": {}}]},
     {"name": "box", "position": {"x": -10, "y": 0.5, "z": -10}, "shapes": [{"box": {"half_extents": {"x": 0.5, "y": 0.5, "z": 0.5}}}],
@@ -33,8 +33,8 @@ DEFAULT_TARGET = {"name": "target", "bodies": [
 
 
 class Server:
-    """`output`, standard output and error: "file"; "unread", a pipe that nobody reads; "closed", a pipe whose reader goes
-    away when the attack begins. The server keeps the default of all settings but those written here."""
+    """`output` of standard output and error: "file"; "unread", a pipe that nobody reads; "closed", a pipe whose reader closes
+    when the attack starts. All settings that are not written here have their defaults."""
 
     def __init__(self, binary, target=None, output="file", settings="", log_level="info"):
         self.folder = tempfile.TemporaryDirectory(prefix="jostle-attack-")
@@ -47,7 +47,8 @@ class Server:
         log = open(self.log_path, "wb")
         self.reader, out = None, log
         if output != "file":
-            # A process of its own holds the reading end: ours would be inherited by all that we fork.
+            # A separate process holds the read end: all forked processes would inherit an end held
+            # by this process.
             end, out = os.pipe()
             self.reader = subprocess.Popen(["sleep", "600"], stdin=end)
             os.close(end)
@@ -60,8 +61,8 @@ class Server:
             os.close(out)
         self.closes_output = output == "closed"
         self.ports = self._wait_for_ports(folder / "ports.json")
-        self.watcher = threading.Thread(target=self._watch, daemon=True)
-        self.watcher.start()
+        self.monitor = threading.Thread(target=self._monitor_memory, daemon=True)
+        self.monitor.start()
 
     def _wait_for_ports(self, path):
         for _ in range(600):
@@ -74,7 +75,7 @@ class Server:
         self.kill()
         raise RuntimeError(f"the server did not start:\n{self.log_text()[-2000:]}")
 
-    def _watch(self):
+    def _monitor_memory(self):
         while self.process.poll() is None:
             try:
                 status = pathlib.Path(f"/proc/{self.process.pid}/status").read_text()
@@ -112,7 +113,7 @@ class Server:
         return self.log_path.read_bytes().decode("utf-8", "replace")
 
     def shutdown(self, patience):
-        """SIGTERM: (seconds it took, exit status); (None, None) when it had to be killed."""
+        """Send SIGTERM. Return (seconds until the exit, exit status), or (None, None) if the server had to be killed."""
         began = time.monotonic()
         self.process.send_signal(signal.SIGTERM)
         try:
@@ -141,10 +142,10 @@ def cpu_seconds(pid):
         return 0.0
 
 
-# --- what must still work ---
+# --- checks that the server still works ---
 
 def http_answers(ports, path="/healthz", seconds=1.0, source=PROBE):
-    """(whether it answered 200 in time, what happened)."""
+    """(whether the server returned 200 in time, description)."""
     began = time.monotonic()
     try:
         connection = http.client.HTTPConnection(SERVER, ports.http, timeout=seconds, source_address=(source, 0))
@@ -159,13 +160,13 @@ def http_answers(ports, path="/healthz", seconds=1.0, source=PROBE):
 
 def grpc_answers(ports, seconds=2.0, source=PROBE):
     began = time.monotonic()
-    status, message, answer = call(ports.grpc, messages.HEALTH, timeout=seconds, source=source)
-    serving = status == 0 and field(answer, 1, 0) == 1
+    status, message, response = call(ports.grpc, messages.HEALTH, timeout=seconds, source=source)
+    serving = status == 0 and field(response, 1, 0) == 1
     return serving, f"gRPC health: {'serving' if serving else f'{status} {message}'} in {time.monotonic() - began:.2f} s"
 
 
 def new_player_joins(ports, world="sandbox", seconds=3.0):
-    """A new player of each transport gets a snapshot in time."""
+    """Whether a new player of each transport receives a snapshot in time."""
     for transport in TRANSPORTS:
         began = time.monotonic()
         try:
@@ -173,7 +174,7 @@ def new_player_joins(ports, world="sandbox", seconds=3.0):
             joined = player.until(messages.SNAPSHOT, seconds)
             why = player.notice or "no snapshot"
             player.close()
-        except Exception as error:  # whatever it is: the newcomer is not in
+        except Exception as error:  # after any error the player did not join
             joined, why = False, f"{type(error).__name__} {error}"
         if not joined:
             return False, f"a new player ({transport}) cannot join: {why} after {time.monotonic() - began:.1f} s"

@@ -1,4 +1,4 @@
-"""A WebSocket client by hand. Its mask is zero, so what it sends costs nothing to mask; `frame` also writes what is forbidden."""
+"""A minimal WebSocket client. Its mask is zero, so masking costs nothing. `frame` also writes forbidden frames."""
 
 import struct
 import time
@@ -53,7 +53,7 @@ class WebSocket:
         self.sock.sendall(data)
 
     def receive(self, until):
-        """The next message, or None when none came until then."""
+        """The next message, or None if none arrived until then."""
         while True:
             message = self._next()
             if message is not None:

@@ -1,4 +1,4 @@
-"""Scenes that are cheap to send and dear to hold, to tell of, or to step; and worlds by the dozen."""
+"""Scenes that are cheap to send but expensive to store, to replicate or to step, and many worlds."""
 
 import time
 
@@ -11,13 +11,13 @@ from .player import TRANSPORTS, Player
 from .protobuf import field
 from .server import DEFAULT_TARGET
 
-STOCK_MESSAGE_MAX = 4 << 20  # what a gRPC client takes unless told otherwise
+STOCK_MESSAGE_MAX = 4 << 20  # default limit of a gRPC client for one message, bytes
 OK, INVALID_ARGUMENT, RESOURCE_EXHAUSTED = 0, 3, 8
 REFUSALS = (INVALID_ARGUMENT, RESOURCE_EXHAUSTED)
 
 
 def create(arena, name, scene_bytes, timeout=8.0):
-    """Whether the world is there; that it was refused is an answer too."""
+    """Create a world. Return whether it exists; a rejection is a valid response."""
     began = time.monotonic()
     status, why, _ = call(arena.ports.grpc, messages.CREATE_WORLD, create_world(name, scene_bytes), timeout)
     what = f"CreateWorld of {len(scene_bytes):,} bytes: {'created' if status == OK else f'{status} {why[:100]}'} in {time.monotonic() - began:.1f} s"
@@ -26,32 +26,32 @@ def create(arena, name, scene_bytes, timeout=8.0):
 
 
 def world_info(ports, world, timeout=3.0):
-    """WorldInfo's bytes, empty when there is no answer."""
+    """The bytes of WorldInfo, empty without a response."""
     return field(call(ports.grpc, messages.GET_WORLD, messages.text(1, world), timeout)[2], 1, b"")
 
 
 def join(arena, world, seconds=6.0):
-    """Players of both transports come in and are told all there is, in messages that stock clients take."""
+    """Players of both transports join and receive all entities in messages below the default limit of gRPC clients."""
     for transport in TRANSPORTS:
         try:
             player = Player(arena.ports, transport, world=world)
             joined = player.until(messages.SNAPSHOT, seconds)
             arena.check(joined and player.largest <= STOCK_MESSAGE_MAX,
-                        f"joining it ({transport}): {'a snapshot' if joined else 'none'}, {player.bytes:,} bytes in all, {player.largest:,} in the largest message")
+                        f"joining the world ({transport}): {'a snapshot' if joined else 'no snapshot'}, {player.bytes:,} bytes in total, {player.largest:,} in the largest message")
             player.close()
         except (OSError, Closed) as ended:
-            arena.check(False, f"joining it ({transport}): {type(ended).__name__} {ended}")
+            arena.check(False, f"joining the world ({transport}): {type(ended).__name__} {ended}")
 
 
 @attack("calm", seconds=5)
 def calm(arena):
-    """Nobody attacks: what this machine can do just now."""
+    """No attack. Shows what this machine achieves under its present load."""
     time.sleep(arena.seconds)
 
 
 @attack("mesh-copies", seconds=15)
 def mesh_copies(arena):
-    """CreateWorld with one mesh of 1.9 MB and 2,000 copies of its body; then players join it."""
+    """CreateWorld with one mesh of 1.9 MB and 2,000 copies of its body. Then players join."""
     one = body(messages.grid_mesh(205), "rock", messages.STATIC, repeat=[(2000, (25, 0, 0))])
     if create(arena, "copies", scene([one])):
         join(arena, "copies")
@@ -59,16 +59,16 @@ def mesh_copies(arena):
 
 @attack("mesh-twice", seconds=12)
 def mesh_twice(arena):
-    """Two bodies with a mesh of 3.3 MB: written out for each it is more than stock clients take in one message."""
+    """Two bodies with a mesh of 3.3 MB. Two copies exceed the default message limit of gRPC clients."""
     one = body(messages.grid_mesh(270), "rock", messages.STATIC, repeat=[(2, (30, 0, 0))])
     if create(arena, "twice", scene([one])):
         join(arena, "twice")
 
 
-# --- scenes that hold the thread of their world ---
+# --- scenes that block the thread of their world ---
 
 def stuck_world(arena, name, scene_bytes):
-    """Creates it and fills its queue from players of both transports, who then leave in every way there is."""
+    """Create the world and fill its queue from players of both transports, which then leave with and without a Leave message."""
     if not create(arena, name, scene_bytes):
         return False
     players = []
@@ -77,7 +77,7 @@ def stuck_world(arena, name, scene_bytes):
             players.append(Player(arena.ports, TRANSPORTS[i % 2], world=name, name="leaver"))
         except (OSError, Closed):
             pass
-    for _ in range(5):  # 300 inputs a second each: more than the queue of a world that does not take them
+    for _ in range(5):  # 300 inputs per second each: more than the queue of a stalled world holds
         for player in players:
             try:
                 player.act(*[messages.impulse(1, (1, 0, 0))] * 60)
@@ -97,33 +97,33 @@ def stuck_world(arena, name, scene_bytes):
     return True
 
 
-@attack("one-place-900", seconds=10)
-def one_place(arena):
-    """63 bytes: 900 boxes in one place, 64 sub-steps; 40 players join, fill its queue and leave. Then SIGTERM."""
+@attack("overlap-900", seconds=10)
+def overlap_900(arena):
+    """A scene of 63 bytes: 900 boxes at one position, 64 sub-steps. 40 players join, fill the queue and leave. Then SIGTERM."""
     stuck_world(arena, "t", scene([body(box(1, 1, 1), repeat=[(900, (0, 0, 0))])], substeps=64))
 
 
-@attack("one-place-900-deleted", seconds=10)
-def one_place_deleted(arena):
-    """The same, and the stuck world is deleted: that must be answered."""
+@attack("overlap-900-deleted", seconds=10)
+def overlap_900_deleted(arena):
+    """The same; then a client deletes the stalled world. The server must respond."""
     if stuck_world(arena, "t", scene([body(box(1, 1, 1), repeat=[(900, (0, 0, 0))])], substeps=64)):
         began = time.monotonic()
         status, why, _ = call(arena.ports.grpc, messages.DELETE_WORLD, messages.text(1, "t"), timeout=4)
-        arena.check(status == OK, f"DeleteWorld of the stuck world: {status} {why} in {time.monotonic() - began:.1f} s")
+        arena.check(status == OK, f"DeleteWorld of the stalled world: {status} {why} in {time.monotonic() - began:.1f} s")
 
 
-@attack("one-place-20000", seconds=12)
-def one_place_many(arena):
-    """20,000 boxes in one place: 200 million pairs from 63 bytes."""
+@attack("overlap-20000", seconds=12)
+def overlap_20000(arena):
+    """20,000 boxes at one position: 200 million pairs from 63 bytes."""
     stuck_world(arena, "t", scene([body(box(1, 1, 1), repeat=[(20000, (0, 0, 0))])]))
 
 
 @attack("implosion", seconds=12)
 def implosion(arena):
-    """10,000 balls that touch nobody as the scene starts, and all meet at the origin a second later."""
+    """10,000 balls that do not touch at the start and all reach the origin one second later."""
     def towards_origin(i):
-        place = ((i % 100 - 50) * 2.0, (i // 100 - 50) * 2.0, 60.0)
-        return body(sphere(0.4), position=place, velocity=tuple(-x for x in place), gravity_scale=0)
+        position = ((i % 100 - 50) * 2.0, (i // 100 - 50) * 2.0, 60.0)
+        return body(sphere(0.4), position=position, velocity=tuple(-x for x in position), gravity_scale=0)
     stuck_world(arena, "t", scene([towards_origin(i) for i in range(10000)], substeps=64))
 
 
@@ -136,7 +136,7 @@ def many_joints(arena):
 
 @attack("joints-hub", seconds=12)
 def joints_hub(arena):
-    """A hub with 5,000 spokes that ask to be solved directly, all at once."""
+    """A hub with 5,000 spokes on joints that select the direct solver."""
     spokes = body(sphere(0.1), "spoke", position=(2, 0, 0), repeat=[(5000, (0.3, 0, 0))])
     joints = [messages.ball_joint("hub", f"spoke[{i}]", direct=True) for i in range(5000)]
     stuck_world(arena, "t", scene([body(box(0.5, 0.5, 0.5), "hub"), spokes], joints=joints))
@@ -144,7 +144,7 @@ def joints_hub(arena):
 
 @attack("triangle-soup", seconds=12)
 def triangle_soup(arena):
-    """40,000 triangles within a metre and 1,500 boxes around all of them, which ignore each other: few pairs, 60 million touches."""
+    """40,000 triangles within 1 m and 1,500 boxes that contain all of them and ignore each other: few pairs, 60 million contacts."""
     vertices = [((i * 7919 % 1000) / 1000, (i * 104729 % 1009) / 1000, (i * 1299709 % 1013) / 1000) for i in range(40000)]
     soup = messages.mesh(vertices, [index for i in range(39998) for index in (i, i + 1, i + 2)])
     boxes = body(box(2, 2, 2) + messages.no_self_collision(), repeat=[(1500, (0, 0.0001, 0))])
@@ -153,23 +153,23 @@ def triangle_soup(arena):
 
 @attack("compounds", seconds=12)
 def compounds(arena):
-    """Two bodies of 30,000 boxes each, all in one place: one pair, 900 million of parts."""
+    """Two bodies of 30,000 boxes each, all at one position: one pair, 900 million pairs of child shapes."""
     parts = messages.compound([box(0.5, 0.5, 0.5)] * 30000)
     stuck_world(arena, "t", scene([body(parts, repeat=[(2, (0.1, 0, 0))])]))
 
 
 @attack("hz-1000", seconds=12)
 def fast_world(arena):
-    """5,000 boxes in heaps at 1,000 steps a second with 64 sub-steps each."""
+    """5,000 boxes in stacks at 1,000 steps per second with 64 sub-steps each."""
     heap = body(box(0.5, 0.5, 0.5), position=(0, 0.6, 0), repeat=[(20, (0, 1.1, 0)), (250, (1.3, 0, 0))])
     stuck_world(arena, "t", scene([floor(), heap], substeps=64, hz=1000))
 
 
 # --- many worlds ---
 
-def create_many(arena, scene_bytes, wanted=62, seconds=12):
+def create_many(arena, scene_bytes, count=62, seconds=12):
     created, why, until = 0, "", time.monotonic() + seconds
-    for i in range(wanted):
+    for i in range(count):
         if time.monotonic() > until:
             break
         status, why, _ = call(arena.ports.grpc, messages.CREATE_WORLD, create_world(f"many{i}", scene_bytes), timeout=6)
@@ -177,12 +177,12 @@ def create_many(arena, scene_bytes, wanted=62, seconds=12):
             arena.check(status in REFUSALS, f"CreateWorld number {i + 1}: {status} {why[:120]}")
             break
         created += 1
-    arena.note(f"{created} worlds were created; {arena.server_rss_mb():.0f} MB")
+    arena.note(f"{created} worlds were created; the server uses {arena.server_rss_mb():.0f} MB")
 
 
 @attack("worlds-asleep", seconds=15)
 def worlds_asleep(arena):
-    """As many worlds as there may be, each of 19,600 boxes at rest: memory."""
+    """The maximum number of worlds with 19,600 boxes at rest each: memory."""
     boxes = body(box(0.5, 0.5, 0.5), position=(-140, 0.5, -140), repeat=[(140, (2, 0, 0)), (140, (0, 0, 2))])
     create_many(arena, scene([floor(), boxes]))
     time.sleep(2)
@@ -190,7 +190,7 @@ def worlds_asleep(arena):
 
 @attack("worlds-awake", seconds=15)
 def worlds_awake(arena):
-    """As many worlds as there may be, each of 1,500 balls that never rest: time."""
+    """The maximum number of worlds with 1,500 balls each that never come to rest: CPU time."""
     balls = body(sphere(0.3) + messages.double(9, 1.0), position=(0, 2, 0), repeat=[(15, (0.9, 0.1, 0)), (100, (0, 0.05, 0.9))])
     create_many(arena, scene([floor(), balls]), seconds=5)
     time.sleep(6)
@@ -210,7 +210,7 @@ def _churn(number, ports, seconds):
 
 @attack("world-churn", seconds=8)
 def world_churn(arena):
-    """Eight clients create worlds of 2,500 boxes and delete them, as fast as they can."""
+    """Eight clients create and delete worlds of 2,500 boxes as fast as possible."""
     done = arena.fork(8, _churn, arena.ports, arena.seconds)
     arena.note(f"{sum(each or 0 for each in done)} worlds created and deleted")
 
@@ -227,12 +227,12 @@ def _build_hulls(number, ports, seconds):
 
 @attack("heavy-builds", seconds=10)
 def heavy_builds(arena):
-    """Twelve clients each send worlds with a hull of 100,000 points, 2.9 MB, in a loop."""
+    """Twelve clients each create worlds with a hull of 100,000 points (2.9 MB) in a loop."""
     done = arena.fork(12, _build_hulls, arena.ports, arena.seconds)
-    arena.note(f"{sum(each or 0 for each in done)} such worlds")
+    arena.note(f"{sum(each or 0 for each in done)} worlds created")
 
 
-# --- a world of sleepers ---
+# --- a world of sleeping bodies ---
 
 SLEEPERS = {"name": "target", "bodies": [DEFAULT_TARGET["bodies"][0], {
     "name": "box", "position": {"x": -140, "y": 0.5, "z": -140}, "shapes": [{"box": {"half_extents": {"x": 0.5, "y": 0.5, "z": 0.5}}}],
@@ -252,14 +252,14 @@ def _explode(number, ports, seconds):
 
 @attack("explosions", seconds=8, target=SLEEPERS)
 def explosions(arena):
-    """19,600 sleeping boxes; ten clients each explode 300 times a second where nothing is."""
+    """19,600 sleeping boxes. Ten clients each trigger 300 explosions per second in empty space."""
     rest = time.monotonic() + 15
     while time.monotonic() < rest and field(world_info(arena.ports, "target"), 6, 0) > 0:
         time.sleep(0.2)
     arena.begin()
-    before, began = field(world_info(arena.ports, "target"), 8, 0), time.monotonic()
+    start_tick, began = field(world_info(arena.ports, "target"), 8, 0), time.monotonic()
     applied = sum(each or 0 for each in arena.fork(10, _explode, arena.ports, arena.seconds))
     info = world_info(arena.ports, "target")
-    ticks = (field(info, 8, before) - before) / (time.monotonic() - began)
-    arena.check(ticks >= 55, f"the world of sleepers made {ticks:.0f} ticks a second under {applied:,} explosions" if info
-                else f"the server does not tell of the world of sleepers after {applied:,} explosions")
+    ticks = (field(info, 8, start_tick) - start_tick) / (time.monotonic() - began)
+    arena.check(ticks >= 55, f"the world of sleeping bodies ran at {ticks:.0f} ticks per second under {applied:,} explosions; at least 55 are required" if info
+                else f"GetWorld of the world of sleeping bodies failed after {applied:,} explosions")

@@ -48,9 +48,19 @@ OTHERS = {"physics/src/state/high.h": "", "server/http/b.h": "", "physics/includ
           "server/world/a.h": "", "server/world/b.h": '#include "server/world/a.h"\n',
           "physics/src/foundation/prefetch.h": "inline void prefetch() {}\n"}
 
+# Commit subjects that check_commit_subject.py rejects.
+SUBJECTS = ["Fix the server", "server: reject names.", "server: " + 65 * "x", ""]
+
 
 def main():
     failed = 0
+    for subject in SUBJECTS:
+        with tempfile.NamedTemporaryFile("w", suffix=".txt") as message:
+            message.write(subject + "\n")
+            message.flush()
+            if subprocess.run([sys.executable, HERE / "check_commit_subject.py", message.name], capture_output=True).returncode != 1:
+                failed += 1
+                print(f"check_commit_subject.py did not notice {subject!r}")
     for check, name, text, expected in CASES:
         with tempfile.TemporaryDirectory() as folder:
             root = pathlib.Path(folder)
@@ -63,7 +73,8 @@ def main():
             if run.returncode == 0 or expected not in run.stdout:
                 failed += 1
                 print(f"{check} did not notice {name}: {expected!r}\n{run.stdout}{run.stderr}")
-    print(f"tidy self-test: {len(CASES) - failed} of {len(CASES)} faults noticed")
+    count = len(CASES) + len(SUBJECTS)
+    print(f"tidy self-test: {count - failed} of {count} faults noticed")
     return 1 if failed else 0
 
 

@@ -1,5 +1,5 @@
 // Sends the input of keys and gamepad to the controlled entity. Axes and buttons are those of Controls
-// (docs/modules.md).
+// (docs/guides/game_developer/modules.md).
 
 import type { Input } from '@jostle/client';
 

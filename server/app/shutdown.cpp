@@ -13,6 +13,12 @@ constexpr auto notice_flush_time = std::chrono::milliseconds(100);
 
 }  // namespace
 
+Shutdown::Shutdown(bool handle_signals) {
+    if (!handle_signals) return;
+    signals_.add(SIGTERM);
+    signals_.add(SIGINT);
+}
+
 void Shutdown::wait(double drain_timeout_seconds, GrpcServer& grpc, HttpServer& http_server,
                     PlayContext& context) {
     drain_ = from_seconds(drain_timeout_seconds);

@@ -18,6 +18,9 @@ namespace jostle::server {
 
 class Shutdown {
 public:
+    // `handle_signals` false: only an operator or ServerApp::drain() begins it.
+    explicit Shutdown(bool handle_signals);
+
     // Waits for the first of them, then gives clients `drain_timeout_seconds` to leave; a further
     // signal ends the wait.
     void wait(double drain_timeout_seconds, GrpcServer& grpc, HttpServer& http_server,
@@ -36,7 +39,7 @@ private:
     HttpServer* http_server_ = nullptr;
     PlayContext* context_ = nullptr;
     boost::asio::io_context io_{1};
-    boost::asio::signal_set signals_{io_, SIGTERM, SIGINT};
+    boost::asio::signal_set signals_{io_};
     boost::asio::steady_timer timer_{io_}, operator_timer_{io_};
     bool begun_ = false;
     Clock::time_point deadline_{};

@@ -119,7 +119,7 @@ Status AdminControl::step_world(const v1::StepWorldRequest& request,
             fmt::format("steps is {}; it must be from 1 to {}", request.steps(), steps_max));
     const auto world = find_world(context_, request.world());
     if (!world.ok()) return world.error();
-    if (!(*world)->paused())
+    if (!(*world)->lifecycle().paused())
         return Error{ErrorCode::failed_precondition,
                      fmt::format("world {} is not paused; pause it first", (*world)->id())};
     const WaitSlot slot(waiting_);
@@ -148,7 +148,7 @@ Status AdminControl::export_world(const v1::ExportWorldRequest& request,
         return write_export(std::move(exported), response);
     }
     const Status done = (*world)->between_ticks().run([&](HostedWorld& hosted) {
-        exported = hosted.exported(*(*world)->description());
+        exported = hosted.exported(*(*world)->properties().scene);
         response.set_tick((*world)->frame()->tick);
     });
     return done.ok() ? write_export(std::move(exported), response) : done;

@@ -23,7 +23,7 @@ Result<std::shared_ptr<WorldHost>> find_host(const WorldDirectory& worlds,
 
 Result<QueryFramePtr> frame_of(WorldHost& world, CopyLayers parts) {
     if (QueryFramePtr frame = world.query_frame(parts)) return frame;
-    if (world.stopped()) return Error{ErrorCode::unavailable, "the world was closed"};
+    if (world.lifecycle().stopped()) return Error{ErrorCode::unavailable, "the world was closed"};
     return Error{ErrorCode::unavailable,
                  fmt::format("a step of the world took more than {} ms; retry",
                              QueryBroker::timeout.count())};

@@ -16,15 +16,15 @@ void describe(v1::WorldInfo& info, const WorldHost& world, const SessionDirector
     const FramePtr frame = world.frame();
     info.set_id(world.id());
     info.set_name(world.name());
-    info.set_scene(world.scene());
+    info.set_scene(world.properties().scene->name);
     info.set_hz(world.hz());
     info.set_bodies(static_cast<std::uint32_t>(frame->entities.size()));
     info.set_awake(static_cast<std::uint32_t>(frame->awake));
     info.set_clients(static_cast<std::uint32_t>(sessions.clients_in(world.id())));
     info.set_tick(frame->tick);
     info.set_step_ms_mean(frame->tick_ms_mean);
-    info.set_paused(world.paused().value_or(""));
-    info.set_owner(world.owner());
+    info.set_paused(world.lifecycle().paused().value_or(""));
+    info.set_owner(world.properties().label.owner);
     info.set_oldest_restorable_tick(world.oldest_restorable_tick());
 }
 

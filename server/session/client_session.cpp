@@ -212,16 +212,16 @@ void ClientSession::enter(const std::shared_ptr<WorldHost>& world, const Hello& 
     }
     if (hello.events) {
         wants_events_ = true;
-        world->add_event_listener();
+        world->listeners().events++;
     }
-    channel_kinds_ = kinds_named(world->channel_kinds(), hello.channels);
-    const std::uint64_t motion = motion_bit(world->channel_kinds());
+    channel_kinds_ = kinds_named(world->properties().channel_kinds, hello.channels);
+    const std::uint64_t motion = motion_bit(world->properties().channel_kinds);
     wants_controlled_entity_ = (channel_kinds_ & motion) != 0;
-    if (wants_controlled_entity_) world->add_controlled_entity_listener();
+    if (wants_controlled_entity_) world->listeners().controlled_entities++;
     // That is of all bodies, and such a client is told of some.
     if (interest_) channel_kinds_ &= ~motion;
     wants_motion_ = (channel_kinds_ & motion) != 0;
-    if (wants_motion_) world->add_motion_listener();
+    if (wants_motion_) world->listeners().motion++;
     codec_ = codec_for(hello, context_.config.stream);
     const FramePtr frame = world->frame();
     event_cursor_ = frame->events->count;
@@ -237,10 +237,10 @@ void ClientSession::enter(const std::shared_ptr<WorldHost>& world, const Hello& 
         .ack_interval_ms = static_cast<std::uint32_t>(context_.config.stream.ack_interval_ms),
         .quant = broadcast_->snapshots().spec(),
         .server_time_us = to_us(now),
-        .epoch_us = world->epoch_us(),
-        .gravity = world->gravity(),
-        .substeps = world->substeps(),
-        .channels = world->channel_kinds(),
+        .epoch_us = to_us(world->properties().epoch),
+        .gravity = world->properties().gravity,
+        .substeps = world->properties().substeps,
+        .channels = world->properties().channel_kinds,
         .codec = codec_,
         .cells = interest_ != nullptr,
         .resume_token = resume_session_ ? resume_session_->token : std::string(),
@@ -298,7 +298,7 @@ Status ClientSession::try_push_input(std::uint32_t sequence, const Result<Action
                                      std::uint32_t tick, Clock::time_point now) {
     if (!input.ok()) return Error{ErrorCode::invalid_argument, input.error().message};
     if (Status status = admission_->admit_input(*input, now); !status.ok()) return status;
-    if (!broadcast_->host().push({.client = client_,
+    if (!broadcast_->host().mailbox().push({.client = client_,
                                   .sequence = sequence,
                                   .action = *input,
                                   .reply = result_queue_,
@@ -374,9 +374,9 @@ void ClientSession::finish(Status status, Clock::time_point now, bool lost) {
 void ClientSession::leave_world(std::optional<Clock::time_point> lost) {
     if (client_ == 0) return;
     metrics_.left();
-    if (wants_events_) broadcast_->host().remove_event_listener();
-    if (wants_motion_) broadcast_->host().remove_motion_listener();
-    if (wants_controlled_entity_) broadcast_->host().remove_controlled_entity_listener();
+    if (wants_events_) broadcast_->host().listeners().events--;
+    if (wants_motion_) broadcast_->host().listeners().motion--;
+    if (wants_controlled_entity_) broadcast_->host().listeners().controlled_entities--;
     if (lost) {
         suspend(*lost);
     } else {
@@ -431,7 +431,7 @@ void ClientSession::check_timeouts(Clock::time_point now) {
                                         limits.client_timeout_seconds)},
                       now, true);
     }
-    if (broadcast_->host().failed()) {
+    if (broadcast_->host().lifecycle().failed()) {
         const bool kept = broadcast_->host().is_persisted();
         const char* why =
             kept ? "a fault of the server ended the world; it goes on from what was kept of it"
@@ -439,12 +439,12 @@ void ClientSession::check_timeouts(Clock::time_point now) {
         send(encode_notice(NoticeKind::world_restarted, why));
         return finish(Error{ErrorCode::unavailable, why}, now, kept);
     }
-    if (broadcast_->host().was_replaced()) {
+    if (broadcast_->host().lifecycle().was_replaced()) {
         const char* why = "the world is taken back to an earlier tick";
         send(encode_notice(NoticeKind::world_restarted, why));
         return finish(Error{ErrorCode::unavailable, why}, now, true);
     }
-    if (broadcast_->host().stopped()) {
+    if (broadcast_->host().lifecycle().stopped()) {
         send(encode_notice(NoticeKind::world_closed, "the world was closed"));
         return finish(Error{ErrorCode::aborted, "the world was closed"}, now);
     }

@@ -32,7 +32,7 @@ void release(PlayContext& context, const DisconnectedClient& lost) {
     log_info("client {} did not come back to world {}", lost.client, lost.broadcast->host().id());
     context.sessions.leave(lost.client);
     if (const auto host = host_of(context, lost))
-        host->leave(lost.client, context.config.client.retain_bodies_after_leave);
+        host->mailbox().leave(lost.client, context.config.client.retain_bodies_after_leave);
 }
 
 }  // namespace
@@ -40,7 +40,7 @@ void release(PlayContext& context, const DisconnectedClient& lost) {
 void expect_resume(PlayContext& context, const std::shared_ptr<WorldHost>& world, ClientId client,
                    std::uint32_t last_sequence, Clock::time_point until) {
     context.sessions.restore_client(client, world->id(), {});
-    world->disconnect(client);
+    world->mailbox().disconnect(client);
     context.resume_registry.expect({.client = client,
                                     .broadcast = context.broadcast_caches.cache_for(
                                         world, context.config.stream.interest_cell_m),
@@ -59,9 +59,9 @@ void expect_resume(PlayContext& context, const std::shared_ptr<WorldHost>& world
 void reconcile_clients(PlayContext& context, WorldHost& world, std::span<const ClientId> clients) {
     for (const ClientId client : clients) {
         if (context.sessions.has(client))
-            world.disconnect(client);
+            world.mailbox().disconnect(client);
         else
-            world.leave(client, context.config.client.retain_bodies_after_leave);
+            world.mailbox().leave(client, context.config.client.retain_bodies_after_leave);
     }
 }
 
@@ -96,7 +96,7 @@ std::shared_ptr<ResumeSession> ClientSession::open_resume_session(const WorldHos
 
 void ClientSession::suspend(Clock::time_point now) {
     collect_results();
-    broadcast_->host().disconnect(client_);
+    broadcast_->host().mailbox().disconnect(client_);
     DisconnectedClient lost{.client = client_,
                             .broadcast = broadcast_,
                             .network = network_of(peer_.address),
@@ -148,9 +148,9 @@ bool ClientSession::resume(const Hello& hello, Clock::time_point now) {
     if (const auto host = host_of(context_, lost); host && host.get() != &lost.broadcast->host())
         lost.move_to(
             context_.broadcast_caches.cache_for(host, context_.config.stream.interest_cell_m));
-    const bool world_is_there = !lost.broadcast->host().stopped();
+    const bool world_is_there = !lost.broadcast->host().lifecycle().stopped();
     const auto timeout =
-        lost.broadcast->host().was_replaced() ? world_replacement_max : give_way_max;
+        lost.broadcast->host().lifecycle().was_replaced() ? world_replacement_max : give_way_max;
     if (!world_is_there && lost.broadcast->host().is_persisted() && now - begun_ <= timeout) {
         context_.resume_registry.suspend(*claim.resume_session, std::move(lost), claim.until);
         waiting_hello_ = std::make_unique<Hello>(hello);

@@ -23,7 +23,7 @@ struct Peer {
 
 // Valid as long as the host.
 inline WorldTarget world_target(const WorldHost& host) {
-    return {host.id(), host.name(), host.owner()};
+    return {host.id(), host.name(), host.properties().label.owner};
 }
 
 }  // namespace jostle::server

@@ -37,12 +37,12 @@ void TickWatchdog::check(Clock::time_point now) {
     const Clock::time_point looked{Clock::duration(checked_at_.load())};
     bool hung = false;
     for (const auto& world : worlds_.list()) {
-        const auto began = world->tick_began();
-        if (!began || world->stopped()) continue;
+        const auto began = world->lifecycle().tick_began();
+        if (!began || world->lifecycle().stopped()) continue;
         const Clock::duration took = now - *began;
         hung = hung || took > settings_.hung_after;
         // After a pause of ours the tick gets its time anew.
-        if (took <= settings_.step_max || now - looked > process_stall_min || world->paused())
+        if (took <= settings_.step_max || now - looked > process_stall_min || world->lifecycle().paused())
             continue;
         world->interrupt(fmt::format("a step took more than {:.1f} s", to_ms(took) / 1000));
     }

@@ -71,7 +71,7 @@ Result<std::shared_ptr<WorldHost>> WorldDirectory::create_with(const std::string
     });
     const std::lock_guard lock(mutex_);
     // Another call may have taken the name, or the room, meanwhile.
-    Status fits = host.ok() ? check_totals(0, (*host)->work_per_second()) : host.error();
+    Status fits = host.ok() ? check_totals(0, (*host)->properties().work_per_second) : host.error();
     if (fits.ok() && find_locked(name)) fits = name_taken(name);
     if (!fits.ok()) {
         worlds_.erase(number);
@@ -109,7 +109,7 @@ Result<std::shared_ptr<WorldHost>> WorldDirectory::create_from(const std::string
     then->release_all_clients();
     const std::size_t bodies = then->entities();
     auto host = create_with(name, owner, bodies, [&](WorldLabel label) {
-        return WorldHost::begin({std::move(label), world.description(), *std::move(then), tick},
+        return WorldHost::begin({std::move(label), world.properties().scene, *std::move(then), tick},
                                 settings_);
     });
     if (host.ok())
@@ -135,7 +135,7 @@ Status WorldDirectory::check_totals(std::size_t bodies, double work) const {
     for (const auto& [number, world] : worlds_) {
         if (!world) continue;
         bodies += world->frame()->entities.size();
-        work += world->work_per_second();
+        work += world->properties().work_per_second;
     }
     const TotalLimits& totals = settings_.totals;
     if (bodies > static_cast<std::size_t>(totals.bodies_max))
@@ -180,7 +180,7 @@ Result<HostedWorld> WorldDirectory::world_at(const WorldHost& world, std::uint32
 Result<ExportedScene> WorldDirectory::scene_at(const WorldHost& world, std::uint32_t tick) const {
     Result<HostedWorld> then = world_at(world, tick);
     if (!then.ok()) return then.error();
-    return then->exported(*world.description());
+    return then->exported(*world.properties().scene);
 }
 
 Result<std::shared_ptr<WorldHost>> WorldDirectory::rewind(const std::shared_ptr<WorldHost>& world,
@@ -194,7 +194,7 @@ Result<std::shared_ptr<WorldHost>> WorldDirectory::rewind(const std::shared_ptr<
         Result<WorldStart> start =
             settings_.world_persistence->rewind(world->id(), tick, *std::move(then));
         if (!start.ok()) return start.error();
-        start->paused = world->paused();
+        start->paused = world->lifecycle().paused();
         return start_replacement(*std::move(start));
     });
     if (!again.ok()) {
@@ -252,7 +252,7 @@ void WorldDirectory::restart_failed(Clock::time_point now) {
     {
         const std::lock_guard lock(mutex_);
         for (const auto& [number, world] : worlds_)
-            if (world && world->failed()) failed.emplace_back(number, world);
+            if (world && world->lifecycle().failed()) failed.emplace_back(number, world);
     }
     for (const auto& [number, world] : failed) restart(number, world, now);
 }
@@ -289,10 +289,10 @@ Result<WorldDirectory::Replacement> WorldDirectory::restart_failed_world(
         if (failed.is_persisted()) {
             Result<WorldStart> kept = settings_.world_persistence->reload(failed.id());
             if (!kept.ok()) return kept.error();
-            kept->paused = failed.paused();
+            kept->paused = failed.lifecycle().paused();
             return start_replacement(*std::move(kept));
         }
-        auto host = WorldHost::start(failed.label(), failed.description(), settings_);
+        auto host = WorldHost::start(failed.properties().label, failed.properties().scene, settings_);
         if (!host.ok()) return host.error();
         return Replacement{*std::move(host), {}};
     });

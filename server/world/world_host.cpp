@@ -2,21 +2,31 @@
 #include "server/world/world_host.h"
 
 #include <algorithm>
-#include <boost/asio/io_context.hpp>
-#include <boost/asio/post.hpp>
-#include <boost/asio/steady_timer.hpp>
-#include <numeric>
+#include <cstdlib>
+#include <utility>
 
+#include "jostle/base/check.h"
 #include "server/util/log.h"
 #include "server/world/result_queue.h"
 
 namespace jostle::server {
 
-namespace asio = boost::asio;
-struct WorldHost::Timer {
-    asio::io_context io{1};
-    asio::steady_timer due{io};
-};
+namespace {
+
+WorldProperties properties_of(WorldStart& start) {
+    const scenes::SceneDescription& scene = *start.scene;
+    return {.label = std::move(start.label),
+            .scene = start.scene,
+            .hz = scene.hz,
+            .work_per_second = start.world.work_per_second(),
+            .gravity = scene.world.gravity,
+            .substeps = scene.world.tolerance > 0 ? 0 : scene.world.substeps,
+            .epoch = Clock::now() - from_seconds((start.tick - 1) / scene.hz),
+            .first_tick = start.tick,
+            .channel_kinds = start.world.channel_kinds()};
+}
+
+}  // namespace
 
 Result<std::shared_ptr<WorldHost>> WorldHost::start(
     WorldLabel label, std::shared_ptr<const scenes::SceneDescription> scene,
@@ -39,54 +49,52 @@ std::shared_ptr<WorldHost> WorldHost::start(WorldStart start, const WorldHostSet
 }
 
 WorldHost::WorldHost(WorldStart start, const WorldHostSettings& settings)
-    : label_(std::move(start.label)),
-      scene_(std::move(start.scene)),
-      hz_(scene_->hz),
-      work_per_second_(start.world.work_per_second()),
-      gravity_(scene_->world.gravity),
-      substeps_(scene_->world.tolerance > 0 ? 0 : scene_->world.substeps),
-      epoch_(Clock::now() - from_seconds((start.tick - 1) / hz_)),
-      first_tick_(start.tick),
-      channel_kinds_(start.world.channel_kinds()),
+    : properties_(properties_of(start)),
       settings_(settings),
+      lifecycle_(std::move(start.paused)),
+      mailbox_(static_cast<std::size_t>(settings.command_queue_max)),
+      publisher_(properties_.hz, settings.on_frame),
       world_(std::move(start.world)),
-      world_journal_(std::move(start.world_journal)),
       tick_(start.tick),
-      commands_(static_cast<std::size_t>(settings.command_queue_max)),
-      scheduled_(static_cast<std::size_t>(settings.command_queue_max)),
-      paused_(std::move(start.paused)),
-      tick_metrics_(settings.metrics, label_.name),
-      timer_(std::make_unique<Timer>()) {
-    recent_tick_ms_.assign(static_cast<std::size_t>(std::max(1.0, hz_)), 0.0);
+      world_journal_(std::move(start.world_journal)),
+      tick_metrics_(settings.metrics, properties_.label.name) {
     auto first = std::make_shared<Frame>();
     first->tick = tick_;
-    first->due = epoch_ + from_seconds(tick_ / hz_);
-    first->events = events_;
+    first->due = properties_.due_time(tick_);
+    first->events = publisher_.events();
     world_.copy_into(*first);
-    frame_ = std::move(first);
-    world_.frame_history().put(frame_);
+    world_.frame_history().put(first);
+    publisher_.set_frame(std::move(first));
     if (world_journal_) world_.enable_journal();
-    if (settings_.own_thread) thread_ = std::thread([this] { run(); });
+    if (!settings_.own_thread) return;
+    // The first tick is the world as it was built; the loop counts from there.
+    loop_.start(
+        {.hz = properties_.hz, .catch_up_ticks_max = settings_.catch_up_ticks_max},
+        properties_.due_time(tick_),
+        [this](Clock::time_point due, std::uint32_t late_ticks) { run_tick(due, late_ticks); },
+        [this] { return lifecycle_.stopped(); },
+        // Out of memory, for example: this world ends, its clients are notified and the other
+        // worlds continue.
+        [this](const char* what) {
+            log_error("world {} \"{}\" ends: {}", id(), name(), what);
+            lifecycle_.set_failed();
+            cancel_waiters();
+            lifecycle_.end_tick();
+        });
 }
 
 WorldHost::~WorldHost() {
     stop();
 }
 
-FramePtr WorldHost::frame() const {
-    const std::lock_guard lock(frame_mutex_);
-    return frame_;
-}
-
 void WorldHost::stop() {
     const std::lock_guard lock(stop_mutex_);
-    stopping_.store(true);
+    lifecycle_.set_stopped();
     world_.stop_stepping();
     cancel_waiters();
-    timer_->io.stop();
-    if (thread_.joinable()) thread_.join();
+    loop_.stop();
     if (checkpoint_copier_) checkpoint_copier_->finish();
-    if (world_journal_ && !failed() && !skips_final_checkpoint_ && !ended_)
+    if (world_journal_ && !lifecycle_.failed() && !skips_final_checkpoint_ && !ended_)
         world_journal_->end(step_aborted_ ? std::nullopt : std::optional(checkpoint_copy()));
     ended_ = true;
 }
@@ -94,36 +102,21 @@ void WorldHost::stop() {
 bool WorldHost::stop_for_replacement() {
     {
         const std::lock_guard lock(stop_mutex_);
-        if (stopped()) return false;
-        was_replaced_.store(true);  // before anybody sees that it stopped
-        stopping_.store(true);
+        if (lifecycle_.stopped()) return false;
+        lifecycle_.set_replaced();
     }
     stop();
     return true;
 }
 
-void WorldHost::leave(ClientId client, bool retain_bodies) {
-    const std::lock_guard lock(leave_mutex_);
-    leave_commands_.push_back(
-        {.client = client, .action = LeaveCommand{retain_bodies}, .reply = nullptr});
-}
-
-void WorldHost::disconnect(ClientId client) {
-    const std::lock_guard lock(leave_mutex_);
-    leave_commands_.push_back({.client = client, .action = DisconnectCommand{}, .reply = nullptr});
-}
-
-void WorldHost::pause(std::string reason) {
-    const std::lock_guard lock(pause_mutex_);
-    paused_ = std::move(reason);
-}
-
 void WorldHost::resume() {
-    {
-        const std::lock_guard lock(pause_mutex_);
-        paused_.reset();
-    }
+    lifecycle_.clear_pause();
     single_step_.cancel();
+}
+
+void WorldHost::interrupt(std::string reason) {
+    pause(std::move(reason));
+    world_.stop_stepping();
 }
 
 void WorldHost::cancel_waiters() {
@@ -133,117 +126,59 @@ void WorldHost::cancel_waiters() {
     between_ticks_.close();
 }
 
-std::optional<std::string> WorldHost::paused() const {
-    const std::lock_guard lock(pause_mutex_);
-    return paused_;
-}
-
-std::optional<Clock::time_point> WorldHost::tick_began() const {
-    const Clock::rep began = tick_began_.load(std::memory_order_relaxed);
-    if (began == 0) return std::nullopt;
-    return Clock::time_point(Clock::duration(began));
-}
-
-void WorldHost::interrupt(std::string reason) {
-    pause(std::move(reason));
-    world_.stop_stepping();
-}
-
-void WorldHost::run() {
-    // The first tick is the world as it was made; the clock counts from there.
-    TickClock clock(epoch_ + from_seconds(tick_ / hz_), hz_, settings_.catch_up_ticks_max);
-    std::function<void()> wait = [&] {
-        timer_->due.expires_at(clock.next_due());
-        timer_->due.async_wait([&](const boost::system::error_code& error) {
-            if (error || stopping_.load(std::memory_order_relaxed)) return;
-            for (int left = clock.due(Clock::now()); left > 0 && !stopping_; left--)
-                tick_late(clock.begin_tick(), clock.late_ticks());
-            wait();
-        });
-    };
-    wait();
-    // Out of memory, say: this world ends, its clients are told, and the others go on.
-    try {
-        timer_->io.run();
-    } catch (const std::exception& error) {
-        log_error("world {} \"{}\" ends: {}", id(), name(), error.what());
-        failed_.store(true);
-        stopping_.store(true);
-        cancel_waiters();
-    }
-    tick_began_.store(0, std::memory_order_relaxed);
-}
-
-void WorldHost::tick(Clock::time_point due) {
-    tick_late(due, 0);
-}
-
 QueryFramePtr WorldHost::query_frame(CopyLayers layers) {
-    if (!settings_.own_thread && !stopped()) {
+    if (!settings_.own_thread && !lifecycle_.stopped()) {
         queries_.request(layers, Clock::now());
         serve_queries();
     }
     return queries_.acquire(layers);
 }
 
-// One tick of one world. Nothing outside this thread ever touches world_, but to stop its step.
-void WorldHost::tick_late(Clock::time_point due, std::uint32_t late_ticks) {
+// One tick. No other thread touches world_ meanwhile, except to stop its step.
+void WorldHost::run_tick(Clock::time_point due, std::uint32_t late_ticks) {
     const Clock::time_point began = Clock::now();
-    tick_began_.store(began.time_since_epoch().count(), std::memory_order_relaxed);
+    lifecycle_.begin_tick(began);
     tick_metrics_.begin_tick(began);
     if (checkpoint_copier_) std::exchange(checkpoint_copier_, nullptr)->finish();
     tick_++;
-    const std::optional<std::string> why = paused();
-    const std::optional<Error> refusal = input_refusal(why);
+    const std::optional<std::string> paused = lifecycle_.paused();
+    const std::optional<Error> refusal = input_refusal(paused);
     apply_commands(refusal, due);
-    const bool allowed = why && single_step_.begin_step();
-    const bool steps = !why || allowed;
+    const bool allowed = paused && single_step_.begin_step();
+    const bool steps = !paused || allowed;
     if (world_journal_) world_journal_->append({tick_, steps, world_.take_journal()});
     tick_metrics_.begin_step();
     const bool stepped = steps && step(allowed);
-    auto frame = std::make_shared<Frame>();
-    frame->tick = tick_;
-    frame->due = due;
-    frame->late_us = late_us(due);
-    frame->late_ticks = late_ticks;
-    frame->events = events_;
-    frame->paused = why;
-    world_.copy_into(*frame);
+    const std::shared_ptr<Frame> frame = make_frame(due, late_ticks);
+    frame->paused = paused;
     if (!stepped) frame->step_ms = 0;
-    measure(*frame, began);
-    const FramePtr shown = frame;
-    const bool answered = !world_journal_ || refusal;
-    publish(std::move(frame), answered);
-    if (world_journal_) persist_published(shown->step_ms, answered);
-    serve_queries();  // players first
+    publisher_.measure(*frame, began);
+    const bool sends_results = !world_journal_ || refusal;
+    publish(frame, sends_results);
+    if (world_journal_) persist_published(frame->step_ms, sends_results);
+    serve_queries();  // after the frame: players come first
     single_step_.end_tick();
     between_ticks_.run_pending(world_);
-    tick_metrics_.end_tick(*shown, stepped ? &world_.world().profile() : nullptr, batch_.size());
+    tick_metrics_.end_tick(*frame, stepped ? &world_.world().profile() : nullptr,
+                           mailbox_.inputs().size());
     hand_over_checkpoint();
-    tick_began_.store(0, std::memory_order_relaxed);
-}
-
-// What was asked since the last tick, in order of arrival, but for what is meant for a later one;
-// then who left. A leaver's own commands were pushed before, so those who left are taken first.
-void WorldHost::apply_commands(const std::optional<Error>& refusal, Clock::time_point due) {
-    {
-        const std::lock_guard lock(leave_mutex_);
-        leave_commands_taken_.swap(leave_commands_);
-    }
-    commands_.drain_into(batch_);
-    scheduled_.select_due(batch_, tick_, leave_commands_taken_);
-    results_.clear();
-    for (const Command& command : batch_) results_.push_back(execute(command, refusal, due));
-    for (const Command& command : leave_commands_taken_) world_.apply(command, tick_);
-    leave_commands_taken_.clear();
+    lifecycle_.end_tick();
 }
 
 std::optional<Error> WorldHost::input_refusal(const std::optional<std::string>& paused) const {
     if (paused) return Error{ErrorCode::resource_exhausted, "the world is paused: " + *paused};
     if (!world_journal_) return std::nullopt;
-    const std::optional<std::string> failure_reason = world_journal_->failure_reason();
-    if (!failure_reason) return std::nullopt;
-    return Error{ErrorCode::unavailable, "nothing can be kept now, try again: " + *failure_reason};
+    const std::optional<std::string> failure = world_journal_->failure_reason();
+    if (!failure) return std::nullopt;
+    return Error{ErrorCode::unavailable, "nothing can be kept now, try again: " + *failure};
+}
+
+void WorldHost::apply_commands(const std::optional<Error>& refusal, Clock::time_point due) {
+    mailbox_.take_due(tick_);
+    results_.clear();
+    for (const Command& command : mailbox_.inputs())
+        results_.push_back(execute(command, refusal, due));
+    for (const Command& command : mailbox_.leave_commands()) world_.apply(command, tick_);
 }
 
 InputResult WorldHost::execute(const Command& command, const std::optional<Error>& refusal,
@@ -253,70 +188,76 @@ InputResult WorldHost::execute(const Command& command, const std::optional<Error
         result.status = *refusal;
     else
         result = world_.apply(command, tick_);
-    const std::int64_t meant = command.tick == 0 ? tick_ : command.tick;
-    const std::chrono::duration<double> wait =
+    const std::int64_t target = command.tick == 0 ? tick_ : command.tick;
+    const std::chrono::duration<double> margin =
         due - command.received +
-        std::chrono::duration<double>(static_cast<double>(meant - tick_) / hz_);
-    result.margin_us = static_cast<std::int64_t>(1e6 * wait.count());
+        std::chrono::duration<double>(static_cast<double>(target - tick_) / properties_.hz);
+    result.margin_us = static_cast<std::int64_t>(1e6 * margin.count());
     return result;
 }
 
 bool WorldHost::step(bool allowed) {
-    world_.publish_motion(motion_listeners_.load() > 0);
-    world_.publish_controlled_entities(controlled_entity_listeners_.load() > 0);
+    const FrameListeners& listeners = publisher_.listeners();
+    world_.publish_motion(listeners.motion.load() > 0);
+    world_.publish_controlled_entities(listeners.controlled_entities.load() > 0);
     world_.resume_stepping();
-    // interrupt() pauses before it stops: whoever resumed stepping just after it sees the pause.
-    // The journal has a step there.
-    if (stopping_ || (paused() && !allowed)) {
-        (stopping_ ? step_aborted_ : step_interrupted_) = true;
+    // interrupt() pauses before it stops: a thread that resumed stepping just after it sees the
+    // pause. The journal has a step there.
+    const bool ends = lifecycle_.stopped();
+    if (ends || (lifecycle_.paused() && !allowed)) {
+        (ends ? step_aborted_ : step_interrupted_) = true;
         return false;
     }
-    if (const auto stepped = world_.step(1 / hz_, tick_ + 1); stepped.ok()) {
-        record_events();
-        warn_of_quarantine();
-        warn_of_large_channels();
+    if (const auto stepped = world_.step(1 / properties_.hz, tick_ + 1); stepped.ok()) {
+        publisher_.record_events(listeners.events.load() > 0 ? world_.events_of_step(tick_)
+                                                             : std::nullopt);
+        log_step_warnings();
         return true;
     } else if (stepped.error().code == ErrorCode::aborted) {
-        (stopping_ ? step_aborted_ : step_interrupted_) = true;
+        (lifecycle_.stopped() ? step_aborted_ : step_interrupted_) = true;
         log_error("world {} \"{}\": a step was stopped and the world is paused: {}", id(), name(),
-                  paused().value_or("the world is being closed"));
+                  lifecycle_.paused().value_or("the world is being closed"));
     } else if (!step_refused_) {
-        step_refused_ = true;  // said once; the world stands still but answers
+        step_refused_ = true;  // logged once; the world no longer moves but still serves clients
         log_error("world {}: step refused: {}", id(), stepped.error().message);
     }
     return false;
 }
 
-// Readers hold what they were given, so each tick with events makes a new list of the newest ones.
-void WorldHost::record_events() {
-    if (event_listeners_.load() == 0) {
-        if (!events_->ticks.empty())
-            events_ = std::make_shared<const RecentEvents>(RecentEvents{events_->count, {}});
-        return;
-    }
-    std::optional<TickEvents> happened = world_.events_of_step(tick_);
-    if (!happened) return;
-    const auto& old = events_->ticks;
-    const std::size_t dropped = old.size() == RecentEvents::ticks_max ? 1 : 0;
-    auto recent = std::make_shared<RecentEvents>();
-    recent->count = events_->count + 1;
-    recent->ticks.assign(old.begin() + static_cast<std::ptrdiff_t>(dropped), old.end());
-    recent->ticks.push_back(std::make_shared<const TickEvents>(*std::move(happened)));
-    events_ = std::move(recent);
-}
-
-void WorldHost::warn_of_quarantine() {
+void WorldHost::log_step_warnings() {
     for (const auto& entity : world_.newly_quarantined())
         log_warn(
             "world {}: the state of entity {} \"{}\" stopped being a number; it was put back to "
             "where it was, at rest",
             id(), entity->id, entity->name);
+    for (const auto& [kind, entity, what] : world_.newly_oversized())
+        log_warn("world {}: channel \"{}\" of entity {} has {}, so it is skipped in such ticks",
+                 id(), kind, entity, what);
 }
 
-void WorldHost::warn_of_large_channels() {
-    for (const auto& [kind, entity, what] : world_.newly_oversized())
-        log_warn("world {}: what \"{}\" tells of entity {} has {}, so it is left out of such ticks",
-                 id(), kind, entity, what);
+std::shared_ptr<Frame> WorldHost::make_frame(Clock::time_point due, std::uint32_t late_ticks) {
+    auto frame = std::make_shared<Frame>();
+    const auto late = std::chrono::duration_cast<std::chrono::microseconds>(
+                          due - properties_.due_time(tick_))
+                          .count();
+    frame->tick = tick_;
+    frame->due = due;
+    frame->late_us = std::abs(late) <= 1 ? 0 : late;  // 1 us is rounding
+    frame->late_ticks = late_ticks;
+    frame->events = publisher_.events();
+    world_.copy_into(*frame);
+    return frame;
+}
+
+// Results follow the frame: a client that learns of a spawned body finds it in the frame.
+void WorldHost::publish(const std::shared_ptr<Frame>& frame, bool sends_results) {
+    const std::span<const Command> inputs = mailbox_.inputs();
+    ASSERT(results_.size() == inputs.size());
+    world_.frame_history().put(frame);
+    publisher_.set_frame(frame);
+    for (std::size_t i = 0; sends_results && i < inputs.size(); i++)
+        if (inputs[i].reply) inputs[i].reply->put(std::move(results_[i]));
+    publisher_.notify(frame->changed_at == frame->tick || !inputs.empty());
 }
 
 void WorldHost::serve_queries() {
@@ -324,62 +265,31 @@ void WorldHost::serve_queries() {
         queries_.put(world_.query_frame(tick_, layers));
 }
 
-// A microsecond is rounding.
-std::int64_t WorldHost::late_us(Clock::time_point due) const {
-    const Clock::time_point on_time = epoch_ + from_seconds(static_cast<double>(tick_) / hz_);
-    const auto late = std::chrono::duration_cast<std::chrono::microseconds>(due - on_time).count();
-    return std::abs(late) <= 1 ? 0 : late;
-}
-
-// The whole tick, with commands and the copy: what is not measured cannot be seen to be too long.
-void WorldHost::measure(Frame& frame, Clock::time_point began) {
-    recent_tick_ms_[recent_next_] = to_ms(Clock::now() - began);
-    recent_next_ = (recent_next_ + 1) % recent_tick_ms_.size();
-    frame.tick_ms_mean = std::accumulate(recent_tick_ms_.begin(), recent_tick_ms_.end(), 0.0) /
-                         static_cast<double>(recent_tick_ms_.size());
-    frame.tick_ms_max = *std::max_element(recent_tick_ms_.begin(), recent_tick_ms_.end());
-}
-
-void WorldHost::publish(std::shared_ptr<Frame> frame, bool answers) {
-    FramePtr old;  // freed outside the lock
-    const std::uint32_t events = frame->events->count;
-    bool has_events = frame->changed_at == frame->tick || !batch_.empty();
-    world_.frame_history().put(frame);
-    {
-        const std::lock_guard lock(frame_mutex_);
-        old = std::exchange(frame_, std::move(frame));
-    }
-    // After the frame: who hears that a body was spawned finds it there.
-    for (std::size_t i = 0; answers && i < batch_.size(); i++)
-        if (batch_[i].reply) batch_[i].reply->put(std::move(results_[i]));
-    has_events = has_events || events != old->events->count;
-    if (settings_.on_frame) settings_.on_frame(has_events);
-}
-
 CheckpointCopy WorldHost::checkpoint_copy() const {
-    CheckpointCopy now{.tick = tick_,
-                       .bodies = world_journal_->take_spare_restore_point(),
-                       .host_state = world_.host_state(tick_)};
-    now.bodies.capture(world_.world());
-    return now;
+    CheckpointCopy copy{.tick = tick_,
+                        .bodies = world_journal_->take_spare_restore_point(),
+                        .host_state = world_.host_state(tick_)};
+    copy.bodies.capture(world_.world());
+    return copy;
 }
 
-void WorldHost::persist_published(double step_ms, bool answered) {
+void WorldHost::persist_published(double step_ms, bool results_sent) {
     if (std::exchange(step_interrupted_, false)) world_journal_->on_interrupted();
+    const std::span<const Command> inputs = mailbox_.inputs();
     std::vector<WaitingResult> results;
-    for (std::size_t i = 0; !answered && i < batch_.size(); i++)
-        if (batch_[i].reply) results.push_back({batch_[i].reply, std::move(results_[i])});
+    for (std::size_t i = 0; !results_sent && i < inputs.size(); i++)
+        if (inputs[i].reply) results.push_back({inputs[i].reply, std::move(results_[i])});
     world_journal_->on_published(step_ms, std::move(results));
 }
 
-// The last thing in a tick: from here on others read the world, until the next one begins.
+// The last thing in a tick: until the next one begins, other threads may read the world.
 void WorldHost::hand_over_checkpoint() {
     if (!world_journal_ || step_aborted_ || !world_journal_->wants_checkpoint()) return;
-    auto taken = std::make_shared<CheckpointCopier>([this] { return checkpoint_copy(); });
-    world_journal_->write_checkpoint(tick_, taken);
-    if (taken.use_count() == 1) return;          // it is of no use now
-    if (!settings_.own_thread) taken->finish();  // who ticks it may look at it in between
-    checkpoint_copier_ = std::move(taken);
+    auto copier = std::make_shared<CheckpointCopier>([this] { return checkpoint_copy(); });
+    world_journal_->write_checkpoint(tick_, copier);
+    if (copier.use_count() == 1) return;          // the journal does not need it any longer
+    if (!settings_.own_thread) copier->finish();  // the caller of tick() may read the world
+    checkpoint_copier_ = std::move(copier);
 }
 
 }  // namespace jostle::server

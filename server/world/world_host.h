@@ -1,30 +1,33 @@
 // SPDX-License-Identifier: MIT
 //
-// One world, one thread: drain, apply, step, publish, at a fixed rate. Commands go in through one
-// bounded queue, frames come out as immutable values; nobody else ever touches the world. Who has
-// a clock of his own makes a world without a thread, and calls tick().
+// One world on one thread: drain commands, apply, step, publish, at a fixed rate. Commands come in
+// through a bounded mailbox, frames go out as immutable values; no other thread touches the world.
+// A world without a thread of its own is driven by tick(), for tests and simulations.
 #pragma once
 
 #include <atomic>
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
-#include <thread>
+#include <vector>
 
-#include "server/util/bounded_queue.h"
 #include "server/world/between_ticks_executor.h"
+#include "server/world/command_mailbox.h"
+#include "server/world/frame_publisher.h"
 #include "server/world/hosted_world.h"
 #include "server/world/query_broker.h"
-#include "server/world/scheduled_inputs.h"
 #include "server/world/single_step_control.h"
-#include "server/world/tick_clock.h"
+#include "server/world/tick_loop.h"
 #include "server/world/tick_metrics.h"
+#include "server/world/world_lifecycle.h"
 #include "server/world/world_persistence.h"
+#include "server/world/world_properties.h"
 
 namespace jostle::server {
 
-// Of all worlds of a process together.
+// Limits of all worlds of a process together.
 struct TotalLimits {
     int bodies_max = 50000;
     double work_per_second_max = 4e8;  // as scene_budget.h estimates it
@@ -38,30 +41,26 @@ struct WorldHostSettings {
     int physics_threads = 1;
     bool own_thread = true;                         // false: it ticks only when tick() is called
     WorldPersistence* world_persistence = nullptr;  // null: worlds end with the process
-    // Called on the world's thread after each frame, with whether something happened in it; must
-    // only wake somebody.
+    // Called on the tick thread after each frame, with whether anything happened in it; must only
+    // wake another thread.
     std::function<void(bool has_events)> on_frame;
-    Metrics* metrics = nullptr;  // null: nobody counts
+    Metrics* metrics = nullptr;  // null: no metrics
 };
 
-struct WorldLabel {
-    std::string id, name;
-    std::string owner;  // subject of who created it; empty: the server itself
-};
-
-// A world that begins, or goes on after that tick.
+// A new world, or one that continues after a tick.
 struct WorldStart {
     WorldLabel label;
     std::shared_ptr<const scenes::SceneDescription> scene;
     HostedWorld world;
     std::uint32_t tick = 1;
-    std::shared_ptr<WorldJournal> world_journal = nullptr;  // null: it ends with the process
+    std::shared_ptr<WorldJournal> world_journal = nullptr;  // null: not persisted
     std::optional<std::string> paused = {};                 // why
 };
 
 class WorldHost {
 public:
-    // Builds the world on the calling thread, then starts its own.
+    // Builds the world on the calling thread, then starts its own. Errors: the scene is invalid or
+    // exceeds a limit.
     static Result<std::shared_ptr<WorldHost>> start(
         WorldLabel label, std::shared_ptr<const scenes::SceneDescription> scene,
         const WorldHostSettings& settings);
@@ -72,156 +71,98 @@ public:
                      std::make_shared<const scenes::SceneDescription>(scene), settings);
     }
     static std::shared_ptr<WorldHost> start(WorldStart start, const WorldHostSettings& settings);
-    // One that is new to whoever keeps worlds.
+    // The same for a world that the persistence of the process does not know yet.
     static Result<std::shared_ptr<WorldHost>> begin(WorldStart start,
                                                     const WorldHostSettings& settings);
     ~WorldHost();
 
-    // Any thread. False: the queue is full, the command was not taken.
-    bool push(Command command) { return commands_.push(std::move(command)); }
-    // Any thread; never waits and is never refused: the world takes it after what the client sent.
-    void leave(ClientId client, bool retain_bodies);
-    // The same for a client whose connection broke and that may come back.
-    void disconnect(ClientId client);
-    // Any thread: the newest frame; there is one from the start.
-    FramePtr frame() const;
-    // Any thread: a copy of the world to ask, at most a few ticks old. Waits a little for the next
-    // one; null when none came. Without a thread of its own: a copy of this moment.
-    QueryFramePtr query_frame(CopyLayers layers);
-    // Any thread: its newest frames, for what clients saw a moment ago.
-    const FrameRing& frame_history() const { return world_.frame_history(); }
-    // Any thread: frames carry events while there are listeners.
-    void add_event_listener() { event_listeners_++; }
-    void remove_event_listener() { event_listeners_--; }
-    // Likewise, of how bodies move (module_channels.h).
-    void add_motion_listener() { motion_listeners_++; }
-    void remove_motion_listener() { motion_listeners_--; }
-    // Likewise, of what is driven.
-    void add_controlled_entity_listener() { controlled_entity_listeners_++; }
-    void remove_controlled_entity_listener() { controlled_entity_listeners_--; }
-    // Any thread: whether the world was stopped, or ended by an error that it could not survive.
-    bool stopped() const { return stopping_.load(std::memory_order_relaxed); }
-    // Any thread: ... by an error.
-    bool failed() const { return failed_.load(std::memory_order_relaxed); }
-    // Ends the thread, also in the midst of a long step; the last frame stays readable.
-    void stop();
-    // stop(), and another host will go on with it: its clients are to come back. False: it was
-    // stopped already.
-    bool stop_for_replacement();
-    // Any thread: whether it ended so.
-    bool was_replaced() const { return was_replaced_.load(); }
-    // Any thread: what it is at its end will not be asked for.
-    void skip_final_checkpoint() { skips_final_checkpoint_.store(true); }
-    // A world without a thread of its own, one thread at a time: the tick that was due then.
-    void tick(Clock::time_point due);
+    const WorldProperties& properties() const { return properties_; }
+    const std::string& id() const { return properties_.label.id; }
+    const std::string& name() const { return properties_.label.name; }
+    double hz() const { return properties_.hz; }
 
-    // Any thread. A paused world is seen and may be left, but does not step and takes no inputs.
-    void pause(std::string reason);
+    // Any thread: the ways in and out.
+    CommandMailbox& mailbox() { return mailbox_; }
+    FramePtr frame() const { return publisher_.frame(); }
+    FrameListeners& listeners() { return publisher_.listeners(); }
+    // The newest frames, for lag compensation.
+    const FrameRing& frame_history() const { return world_.frame_history(); }
+    // A copy of the world for queries, at most a few ticks old. Waits for the next one; null when
+    // none came in time. Without a thread of its own: a copy of the current state.
+    QueryFramePtr query_frame(CopyLayers layers);
+
+    // Any thread: pausing, stepping and watching the world.
+    const WorldLifecycle& lifecycle() const { return lifecycle_; }
+    void pause(std::string reason) { lifecycle_.pause(std::move(reason)); }
     void resume();
-    std::optional<std::string> paused() const;  // why
-    // Any thread: what else operators do.
+    // Pauses the world; the running step skips the rest of its work.
+    void interrupt(std::string reason);
     SingleStepControl& single_step() { return single_step_; }
     TickMetrics& tick_metrics() { return tick_metrics_; }
     BetweenTicksExecutor& between_ticks() { return between_ticks_; }
-    // Any thread: nobody waits for this world any longer, and nobody is answered.
+    // Releases every thread that waits for this world; later waits return at once.
     void cancel_waiters();
-    // Any thread: when the tick that runs began; nothing between two ticks.
-    std::optional<Clock::time_point> tick_began() const;
-    // Any thread: the step that runs leaves out what it still can, and the world is paused.
-    void interrupt(std::string reason);
 
-    const WorldLabel& label() const { return label_; }
-    const std::string& id() const { return label_.id; }
-    const std::string& name() const { return label_.name; }
-    const std::string& owner() const { return label_.owner; }
-    const std::string& scene() const { return scene_->name; }
-    const std::shared_ptr<const scenes::SceneDescription>& description() const { return scene_; }
-    double hz() const { return hz_; }
-    // What clients did is still there after the process.
+    // Any thread: whether inputs survive the process, and the oldest tick that can be restored (0:
+    // none).
     bool is_persisted() const { return world_journal_ != nullptr; }
-    // The one after which this host began.
-    std::uint32_t first_tick() const { return first_tick_; }
-    // Any thread: the first tick that can be had again; 0: none can.
     std::uint32_t oldest_restorable_tick() const {
         return world_journal_ ? world_journal_->oldest_tick() : 0;
     }
-    double work_per_second() const { return work_per_second_; }
-    physics::Vec3 gravity() const { return gravity_; }
-    // Of a step; 0: each island takes as many as it needs.
-    int substeps() const { return substeps_; }
-    // When tick 0 would have been due, on the server's clock.
-    std::uint64_t epoch_us() const { return to_us(epoch_); }
-    // What its modules tell clients: a channel's kind is a place in this list.
-    const std::vector<physics::ChannelKind>& channel_kinds() const { return channel_kinds_; }
+
+    // Ends the thread, also during a long step; the last frame stays readable.
+    void stop();
+    // stop() of a world that another host continues: its clients should reconnect. False: it was
+    // stopped already.
+    bool stop_for_replacement();
+    // Any thread: stop() writes no checkpoint.
+    void skip_final_checkpoint() { skips_final_checkpoint_.store(true); }
+    // A world without a thread of its own, one thread at a time: runs the tick that is due.
+    void tick(Clock::time_point due) { run_tick(due, 0); }
 
 private:
     WorldHost(WorldStart start, const WorldHostSettings& settings);
-    void run();
-    void tick_late(Clock::time_point due, std::uint32_t late_ticks);
-    // `refusal`: why no input is applied.
+    void run_tick(Clock::time_point due, std::uint32_t late_ticks);
+    // `refusal`: why no input is applied; nothing: inputs are applied.
+    std::optional<Error> input_refusal(const std::optional<std::string>& paused) const;
     void apply_commands(const std::optional<Error>& refusal, Clock::time_point due);
     InputResult execute(const Command& command, const std::optional<Error>& refusal,
                         Clock::time_point due);
-    std::optional<Error> input_refusal(const std::optional<std::string>& paused) const;
     // `allowed`: also when the world is paused. False: it took no step.
     bool step(bool allowed);
-    // Shows the frame, then answers the inputs that are in it, unless they are to be kept first.
-    void publish(std::shared_ptr<Frame> frame, bool answers);
-    // Hands the results of this tick, and now and then the world, to who keeps it.
-    void persist_published(double step_ms, bool answered);
+    void log_step_warnings();
+    std::shared_ptr<Frame> make_frame(Clock::time_point due, std::uint32_t late_ticks);
+    // Publishes the frame, then sends the results of its inputs unless the journal sends them.
+    void publish(const std::shared_ptr<Frame>& frame, bool sends_results);
+    // Hands the results of this tick, and now and then a checkpoint, to the journal.
+    void persist_published(double step_ms, bool results_sent);
     CheckpointCopy checkpoint_copy() const;
     void hand_over_checkpoint();
-    std::int64_t late_us(Clock::time_point due) const;
-    void measure(Frame& frame, Clock::time_point began);
-    void record_events();
-    void warn_of_quarantine();
-    void warn_of_large_channels();
     void serve_queries();
 
-    const WorldLabel label_;
-    const std::shared_ptr<const scenes::SceneDescription> scene_;
-    const double hz_, work_per_second_;
-    const physics::Vec3 gravity_;
-    const int substeps_;
-    const Clock::time_point epoch_;
-    const std::uint32_t first_tick_;
-    const std::vector<physics::ChannelKind> channel_kinds_;
+    const WorldProperties properties_;
     const WorldHostSettings settings_;
+    WorldLifecycle lifecycle_;
+    CommandMailbox mailbox_;
+    FramePublisher publisher_;
 
-    HostedWorld world_;  // the tick thread's own
-    const std::shared_ptr<WorldJournal> world_journal_;
-    std::shared_ptr<CheckpointCopier>
-        checkpoint_copier_;  // of the tick before; null: nobody wants it
+    // The tick thread's own.
+    HostedWorld world_;
     std::uint32_t tick_ = 0;
+    std::vector<InputResult> results_;  // of the mailbox's inputs, one each
     bool step_refused_ = false, step_interrupted_ = false;
     bool step_aborted_ = false;  // the last step, by the world's end
-    std::shared_ptr<const RecentEvents> events_ = std::make_shared<const RecentEvents>();
-    std::vector<Command> batch_, leave_commands_taken_;
-    std::vector<InputResult> results_;    // of batch_, one each
-    std::vector<double> recent_tick_ms_;  // ring of the last second
-    std::size_t recent_next_ = 0;
 
-    BoundedQueue<Command> commands_;
-    ScheduledInputs scheduled_;  // the tick thread's own
-    std::mutex leave_mutex_;
-    std::vector<Command> leave_commands_;  // few of each client
-    mutable std::mutex pause_mutex_;
-    std::optional<std::string> paused_;
-    std::atomic<Clock::rep> tick_began_{0};  // 0: between two ticks
+    const std::shared_ptr<WorldJournal> world_journal_;    // null: not persisted
+    std::shared_ptr<CheckpointCopier> checkpoint_copier_;  // of the previous tick; null: none
     QueryBroker queries_;
     SingleStepControl single_step_;
     TickMetrics tick_metrics_;
     BetweenTicksExecutor between_ticks_;
-    std::atomic<int> event_listeners_{0}, motion_listeners_{0}, controlled_entity_listeners_{0};
-    mutable std::mutex frame_mutex_;
-    FramePtr frame_;
-    std::atomic<bool> stopping_{false}, failed_{false}, skips_final_checkpoint_{false},
-        was_replaced_{false};
+    std::atomic<bool> skips_final_checkpoint_{false};
     std::mutex stop_mutex_;
     bool ended_ = false;
-    struct Timer;  // Asio's, kept out of this header
-    std::unique_ptr<Timer> timer_;
-    std::thread thread_;
+    TickLoop loop_;  // last: its thread uses everything above
 };
 
 }  // namespace jostle::server

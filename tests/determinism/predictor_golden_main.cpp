@@ -185,7 +185,7 @@ void send_controlled_car(uint32_t tick) {
     put(told);
     const auto letters = static_cast<uint32_t>(vehicles.tag().size()),
                count = static_cast<uint32_t>(words.size());
-    write_line("drive", {double(car), double(tick), double(letters), double(count),
+    write_line("control", {double(car), double(tick), double(letters), double(count),
                          double(jostle_predictor_control(predictor, car, tick, letters, count))});
     const physics::Vec3 at = world.body(chassis)->pose.position;
     put({1, 0, -0.5, 0, 0, 0, 0, 1, 1, car, at.x, at.y, at.z, 0, 0, 0, 1, 0});

@@ -39,10 +39,10 @@ std::vector<Link> chain(std::int32_t first, int links) {
 
 TEST(JointLevels, chain_of_twenty_links_has_twenty_levels) {
     const JointLevels levels = levels_of(chain(1, 20), 22);
-    ASSERT_EQ(levels.is_running.size(), 20u);
+    ASSERT_EQ(levels.runs.size(), 20u);
     for (std::uint32_t k = 0; k < 20; k++) {
-        EXPECT_EQ(levels.is_running[k].begin, static_cast<int>(k));
-        EXPECT_EQ(levels.is_running[k].end, static_cast<int>(k) + 1);
+        EXPECT_EQ(levels.runs[k].begin, static_cast<int>(k));
+        EXPECT_EQ(levels.runs[k].end, static_cast<int>(k) + 1);
         EXPECT_EQ(levels.metas[k].count, 1);
         EXPECT_EQ(levels.metas[k].joint[0], k) << "in their own order";
     }
@@ -53,8 +53,8 @@ TEST(JointLevels, twenty_pendulums_on_a_wall_have_one_level) {
     std::vector<Link> star;
     for (std::int32_t k = 1; k <= 20; k++) star.push_back({0, k});
     const JointLevels levels = levels_of(star, 21);
-    ASSERT_EQ(levels.is_running.size(), 1u);
-    EXPECT_EQ(levels.is_running[0].end, 3);
+    ASSERT_EQ(levels.runs.size(), 1u);
+    EXPECT_EQ(levels.runs[0].end, 3);
     EXPECT_EQ(levels.blocks.size(), 3u);
     EXPECT_EQ(levels.metas[0].count, 8);
     EXPECT_EQ(levels.metas[2].count, 4);
@@ -70,8 +70,8 @@ TEST(JointLevels,
         crane.push_back({-1, k});
         ball_in_the_middle.push_back({1, k});
     }
-    EXPECT_EQ(levels_of(crane, 22).is_running.size(), 1u);
-    EXPECT_EQ(levels_of(ball_in_the_middle, 22).is_running.size(), 20u);
+    EXPECT_EQ(levels_of(crane, 22).runs.size(), 1u);
+    EXPECT_EQ(levels_of(ball_in_the_middle, 22).runs.size(), 20u);
 }
 
 TEST(JointLevels, eight_parallel_chains_fill_the_blocks_of_one) {
@@ -79,7 +79,7 @@ TEST(JointLevels, eight_parallel_chains_fill_the_blocks_of_one) {
     for (int k = 0; k < 8; k++)
         for (const Link& link : chain(1 + 11 * k, 10)) links.push_back(link);
     const JointLevels levels = levels_of(links, 89);
-    EXPECT_EQ(levels.is_running.size(), 10u);
+    EXPECT_EQ(levels.runs.size(), 10u);
     ASSERT_EQ(levels.blocks.size(), 10u);
     for (std::uint32_t level = 0; level < 10; level++) {
         EXPECT_EQ(levels.metas[level].count, 8);
@@ -93,15 +93,15 @@ TEST(JointLevels, eight_parallel_chains_fill_the_blocks_of_one) {
 TEST(JointLevels, kinds_within_a_level_are_solved_sequentially) {
     const JointLevels levels = levels_of(
         {{1, 2, hinge_kind}, {3, 4, ball_kind}, {5, 6, hinge_kind}, {2, 3, hinge_kind}}, 7);
-    ASSERT_EQ(levels.is_running.size(), 3u);
-    EXPECT_EQ(levels.is_running[0].kind, ball_kind);
-    EXPECT_EQ(levels.is_running[0].angular, -1);
+    ASSERT_EQ(levels.runs.size(), 3u);
+    EXPECT_EQ(levels.runs[0].kind, ball_kind);
+    EXPECT_EQ(levels.runs[0].angular, -1);
     EXPECT_EQ(levels.metas[0].angular, -1);
-    EXPECT_EQ(levels.is_running[1].kind, hinge_kind);
-    EXPECT_EQ(levels.is_running[1].angular, 0);
+    EXPECT_EQ(levels.runs[1].kind, hinge_kind);
+    EXPECT_EQ(levels.runs[1].angular, 0);
     EXPECT_EQ(levels.metas[1].count, 2);
-    EXPECT_EQ(levels.is_running[2].kind, hinge_kind);
-    EXPECT_EQ(levels.is_running[2].angular, 1);
+    EXPECT_EQ(levels.runs[2].kind, hinge_kind);
+    EXPECT_EQ(levels.runs[2].angular, 1);
     EXPECT_EQ(levels.metas[2].joint[0], 3u) << "after both of its neighbours";
     EXPECT_EQ(levels.angular.size(), 2u);
 }
@@ -111,7 +111,7 @@ TEST(JointLevels, no_joints_yield_no_levels_after_a_chain) {
     JointLevels levels = levels_of(chain(1, 5), 7);
     levels.joints.clear();
     assign_levels(levels, 7);
-    EXPECT_TRUE(levels.is_running.empty());
+    EXPECT_TRUE(levels.runs.empty());
     EXPECT_TRUE(levels.blocks.empty());
     EXPECT_EQ(angular_of(levels, -1), nullptr);
 }

@@ -226,12 +226,12 @@ uint32_t jostle_predictor_frame(JostlePredictor* p, uint32_t number, uint32_t bo
     p->engine.on_frame({.number = number,
                         .bodies = p->told,
                         .shapes_of = [p](auto entity) { return p->shapes_of(entity); },
-                        .drive = p->drive});
+                        .control = p->drive});
     return 1;
 }
 
 uint32_t jostle_predictor_predicted(JostlePredictor* p) {
-    const std::vector<std::uint32_t> drawn = p->engine.drawn();
+    const std::vector<std::uint32_t> drawn = p->engine.predicted_entities();
     p->numbers.assign(drawn.begin(), drawn.end());
     return static_cast<uint32_t>(drawn.size());
 }

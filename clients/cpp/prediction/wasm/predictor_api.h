@@ -32,7 +32,7 @@ JOSTLE_EXPORT(destroy) void jostle_predictor_destroy(JostlePredictor*);
 // Returns the buffer with room for `count` numbers; existing numbers are preserved as far as they
 // fit. Valid until the next call that resizes the buffer or returns numbers. Returns 0 if count is
 // above 2^24.
-JOSTLE_EXPORT(numbers) double* jostle_predictor_buffer(JostlePredictor*, uint32_t count);
+JOSTLE_EXPORT(buffer) double* jostle_predictor_buffer(JostlePredictor*, uint32_t count);
 
 // Starts a stream: tick rate in Hz, gravity in m/s^2, sub-steps per tick (0: 8). Discards all
 // bodies and the followed entity.
@@ -91,11 +91,11 @@ void jostle_predictor_result(JostlePredictor*, uint32_t sequence, uint32_t tick,
 // Velocities of bodies in the next frame, if they were received. Buffer, per body in ascending
 // order of entity: entity, velocity of the centre of mass (3), angular velocity (3), in the integer
 // units of `jostle.motion` (proto/WIRE.md, "Channels").
-JOSTLE_EXPORT(motions) uint32_t jostle_predictor_velocities(JostlePredictor*, uint32_t bodies);
+JOSTLE_EXPORT(velocities) uint32_t jostle_predictor_velocities(JostlePredictor*, uint32_t bodies);
 // State of the controlled entity after a tick (proto/WIRE.md, "Controlled entity"); valid until the
 // next one. Buffer: the characters of the module's tag, then the words. Returns 1 if they are
 // accepted.
-JOSTLE_EXPORT(drive)
+JOSTLE_EXPORT(control)
 uint32_t jostle_predictor_control(JostlePredictor*, uint32_t entity, uint32_t tick,
                                   uint32_t letters, uint32_t words);
 // A frame of the server. Buffer, per body in ascending order of entity: entity, position (3),
@@ -105,7 +105,7 @@ uint32_t jostle_predictor_frame(JostlePredictor*, uint32_t number, uint32_t bodi
 
 // Returns the number of bodies whose rendered poses the predictor provides; their entities are in
 // the buffer.
-JOSTLE_EXPORT(drawn) uint32_t jostle_predictor_predicted(JostlePredictor*);
+JOSTLE_EXPORT(predicted) uint32_t jostle_predictor_predicted(JostlePredictor*);
 // Computes the poses of a rendered frame: `position` of the input clock in ticks, `now_us` on the
 // host's clock. Buffer, for each body of drawn(): entity, position (3), rotation (4), as
 // interpolated; bodies without a pose are omitted. The poses to render replace them. Returns their
@@ -116,7 +116,7 @@ uint32_t jostle_predictor_sample(JostlePredictor*, double position, double now_u
 // Statistics: 0 compared frames, 1 corrections, 2 simulated steps, 3 largest error of the last
 // frame in m, 4 predicted bodies, 5 bodies whose shapes were invalid, 6 compared states of the
 // controlled entity, 7 corrections of it, 8 error of the last one in m.
-JOSTLE_EXPORT(figure) double jostle_predictor_stat(const JostlePredictor*, uint32_t which);
+JOSTLE_EXPORT(stat) double jostle_predictor_stat(const JostlePredictor*, uint32_t which);
 
 #ifdef __cplusplus
 }

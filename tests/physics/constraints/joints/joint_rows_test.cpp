@@ -164,7 +164,7 @@ std::vector<double> swept(const ConstraintSystem& s) {
     std::vector<double> x(s.rows.size());
     for (int sweep = 0; sweep < 20000; sweep++)
         for (std::size_t i = 0; i < x.size(); i++) {
-            double left = s.right[i];
+            double left = s.rhs[i];
             for (std::size_t j = 0; j < x.size(); j++) left -= s.at(i, j) * x[j];
             x[i] = clamp(x[i] + left / s.at(i, i), s.rows[i].lower, s.rows[i].upper);
         }

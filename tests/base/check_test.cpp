@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // A promise of ours that does not hold ends the program with its place and its words.
-#include "physics/src/foundation/check.h"
+#include "jostle/base/check.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include "server/app/listener_settings.h"
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "server/config/exposure.h"
+#include "server/services/admin_control.h"
+#include "server/util/log.h"
+
+namespace jostle::server {
+
+namespace {
+
+// Connections need file descriptors, and HTTP, worlds and files take their share of them.
+ConnectionTableLimits connection_limits(const ConnectionLimits& configured) {
+    constexpr rlim_t reserved = 1200;
+    constexpr rlim_t per_connection = 3;  // the client's socket and a pair of sockets to gRPC
+    rlimit limit{};
+    rlim_t available = 512;
+    if (getrlimit(RLIMIT_NOFILE, &limit) == 0)
+        available = limit.rlim_cur > 2 * reserved ? limit.rlim_cur - reserved : limit.rlim_cur / 2;
+    return {.total_max = std::min(static_cast<std::size_t>(configured.total_max),
+                                  static_cast<std::size_t>(available / per_connection)),
+            .per_address_max = static_cast<std::size_t>(configured.per_address_max)};
+}
+
+}  // namespace
+
+WorldHostSettings world_settings(const Config& config, Metrics& metrics,
+                                 std::function<void(bool has_events)> on_frame) {
+    const SceneLimits& scene = config.scene;
+    return {.limits = {.scene = {.bodies_max = config.world.bodies_max,
+                                 .joints_max = scene.joints_max,
+                                 .joints_per_pair_max = scene.joints_per_pair_max,
+                                 .geometry_bytes_max = scene.geometry_bytes_max,
+                                 .body_geometry_bytes_max = scene.body_geometry_bytes_max,
+                                 .work_per_second_max = scene.work_per_second_max,
+                                 .first_step_seconds_max = scene.first_step_seconds_max},
+                       .bodies_owned_max = config.client.bodies_owned_max,
+                       .lag_compensation_ms_max = config.tick.lag_compensation_ms_max},
+            .totals = {.bodies_max = config.world.bodies_total_max,
+                       .work_per_second_max = scene.work_total_per_second_max},
+            .command_queue_max = config.world.command_queue_max,
+            .catch_up_ticks_max = config.tick.catch_up_ticks_max,
+            .physics_threads = config.tick.physics_threads,
+            .on_frame = std::move(on_frame),
+            .metrics = &metrics};
+}
+
+GrpcSettings grpc_settings(const Config& config, Metrics& metrics,
+                           const CertificateStore* certificates) {
+    const HostPort address = *parse_host_port(config.listen);
+    return {.host = address.host,
+            .port = address.port,
+            .network_threads = config.network_threads,
+            .certificates = certificates,
+            .connections = connection_limits(config.connection),
+            .relay = {.buffered_bytes_max = config.connection.buffered_bytes_max,
+                      .buffered_total_max = config.connection.buffered_total_bytes_max},
+            .metrics = &metrics.listener(Listener::grpc),
+            .tcp_user_timeout = from_seconds(config.stream.client_timeout_seconds),
+            .idle_max = from_seconds(config.connection.idle_timeout_seconds)};
+}
+
+HttpServerSettings http_settings(const Config& config, Metrics& metrics,
+                                 const CertificateStore* certificates) {
+    const HostPort address = *parse_host_port(config.http);
+    return {.host = address.host,
+            .port = address.port,
+            .metrics = &metrics.listener(Listener::http),
+            .certificates = certificates,
+            .per_address_max = static_cast<std::size_t>(config.connection.per_address_max),
+            .message_bytes_max = static_cast<std::size_t>(config.client.message_bytes_max)};
+}
+
+HttpServerSettings admin_settings(const Config& config, Metrics& metrics,
+                                  const CertificateStore* certificates) {
+    const HostPort address = *parse_host_port(config.admin);
+    const bool requires_certificate = !config.tls.client_ca.empty() && !is_loopback(address.host);
+    return {.host = address.host,
+            .port = address.port,
+            .flag = "--admin",
+            .metrics = &metrics.listener(Listener::admin),
+            .certificates = requires_certificate ? certificates : nullptr,
+            .require_certificates = requires_certificate,
+            .connections_max = 32,
+            .per_address_max = 32,
+            .small_body_bytes_max = 1024,
+            .work_queue_max = AdminControl::waiting_max,
+            .query_threads = AdminControl::waiting_max};
+}
+
+DatagramServerSettings datagram_settings(const Config& config, Metrics& metrics) {
+    const HostPort address = *parse_host_port(config.datagrams.listen);
+    return {.host = address.host,
+            .port = address.port,
+            .advertised_port = static_cast<std::uint16_t>(config.datagrams.advertised_port),
+            .metrics = &metrics};
+}
+
+void raise_descriptor_limit() {
+    rlimit limit{};
+    if (getrlimit(RLIMIT_NOFILE, &limit) != 0 || limit.rlim_cur == limit.rlim_max) return;
+    limit.rlim_cur = limit.rlim_max;
+    if (setrlimit(RLIMIT_NOFILE, &limit) != 0)
+        log_warn("cannot raise the limit of open files above {}", limit.rlim_cur);
+}
+
+std::filesystem::path find_web_root(const std::string& configured) {
+    std::error_code error;
+    if (std::filesystem::exists(configured, error)) return configured;
+    const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", error);
+    if (error) return configured;
+    const std::filesystem::path prefix = program.parent_path().parent_path();
+    for (const std::filesystem::path& candidate :
+         {prefix.parent_path().parent_path() / configured, prefix / "share" / "jostle" / "web"})
+        if (std::filesystem::exists(candidate, error)) return candidate;
+    return configured;
+}
+
+std::string reachable_host(const std::string& host, const std::string& advertised_host) {
+    if (!advertised_host.empty()) return advertised_host;
+    if (host == "0.0.0.0" || host == "::") {
+        char name[256] = {};
+        return gethostname(name, sizeof name - 1) == 0 ? name : "localhost";
+    }
+    return host.find(':') == std::string::npos ? host : "[" + host + "]";
+}
+
+}  // namespace jostle::server

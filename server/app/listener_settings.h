@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+//
+// Translates the configuration into the settings of worlds and listeners, and asks the system for
+// what they need. Pure functions unless noted; main thread.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include "server/config/config.h"
+#include "server/grpc/grpc_server.h"
+#include "server/http/http_server.h"
+#include "server/metrics/metrics.h"
+#include "server/tls/certificate_store.h"
+#include "server/udp/datagram_server.h"
+#include "server/world/world_host.h"
+
+namespace jostle::server {
+
+// `on_frame`: see WorldHostSettings.
+WorldHostSettings world_settings(const Config& config, Metrics& metrics,
+                                 std::function<void(bool has_events)> on_frame);
+// `certificates` null: no TLS.
+GrpcSettings grpc_settings(const Config& config, Metrics& metrics,
+                           const CertificateStore* certificates);
+HttpServerSettings http_settings(const Config& config, Metrics& metrics,
+                                 const CertificateStore* certificates);
+// The operators' listener serves few small requests. Beyond this machine it requires a client
+// certificate if the configuration names an authority for them.
+HttpServerSettings admin_settings(const Config& config, Metrics& metrics,
+                                  const CertificateStore* certificates);
+DatagramServerSettings datagram_settings(const Config& config, Metrics& metrics);
+
+// Raises the limit of open files of this process to the maximum that the system allows.
+void raise_descriptor_limit();
+// The folder of the viewer: as configured, or, if that does not exist from the current folder,
+// relative to the project in which the program was built or to the installation prefix.
+std::filesystem::path find_web_root(const std::string& configured);
+// The host name that clients use for a listener at `host`.
+std::string reachable_host(const std::string& host, const std::string& advertised_host);
+
+}  // namespace jostle::server

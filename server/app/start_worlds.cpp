@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#include "server/app/start_worlds.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <utility>
+
+#include "jostle/scenes/scene_file.h"
+
+namespace jostle::server {
+
+void resume_persisted_worlds(WorldArchive& archive, PlayContext& context) {
+    const Clock::time_point until =
+        Clock::now() + from_seconds(context.config.client.resume_timeout_seconds);
+    for (PersistedWorld& persisted : archive.take_worlds()) {
+        const auto world = context.worlds.adopt(std::move(persisted.start));
+        for (const PreviousClient& previous : persisted.previous_clients)
+            expect_resume(context, world, previous.client, previous.last_sequence, until);
+    }
+}
+
+Status create_configured_worlds(const Config& config, WorldDirectory& worlds) {
+    for (const std::string& entry : config.scenes) {
+        const auto failed = [&](const Error& error) {
+            return Error{error.code, fmt::format("scene \"{}\": {}", entry, error.message)};
+        };
+        const std::size_t equals = entry.find('=');
+        const bool named = equals != std::string::npos;
+        if (named && worlds.find(entry.substr(0, equals))) continue;  // it was persisted
+        const auto scene = scenes::load_scene(named ? entry.substr(equals + 1) : entry);
+        if (!scene.ok()) return failed(scene.error());
+        if (!named && worlds.find(scene->name)) continue;
+        const auto world = worlds.create(named ? entry.substr(0, equals) : "", *scene);
+        if (!world.ok()) return failed(world.error());
+    }
+    return {};
+}
+
+}  // namespace jostle::server

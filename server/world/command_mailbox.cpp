@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+#include "server/world/command_mailbox.h"
+
+#include <utility>
+
+namespace jostle::server {
+
+void CommandMailbox::leave(ClientId client, bool retain_bodies) {
+    push_leave({.client = client, .action = LeaveCommand{retain_bodies}, .reply = nullptr});
+}
+
+void CommandMailbox::disconnect(ClientId client) {
+    push_leave({.client = client, .action = DisconnectCommand{}, .reply = nullptr});
+}
+
+void CommandMailbox::push_leave(Command command) {
+    const std::lock_guard lock(mutex_);
+    leave_commands_.push_back(std::move(command));
+}
+
+// Leave commands are taken first: whatever a leaving client sent before is in the queue by then.
+void CommandMailbox::take_due(std::uint32_t tick) {
+    taken_leave_commands_.clear();
+    {
+        const std::lock_guard lock(mutex_);
+        taken_leave_commands_.swap(leave_commands_);
+    }
+    commands_.drain_into(inputs_);
+    scheduled_.select_due(inputs_, tick, taken_leave_commands_);
+}
+
+}  // namespace jostle::server

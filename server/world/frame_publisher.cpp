@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+#include "server/world/frame_publisher.h"
+
+#include <algorithm>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+namespace jostle::server {
+
+FramePublisher::FramePublisher(double hz, std::function<void(bool has_events)> on_frame)
+    : on_frame_(std::move(on_frame)),
+      tick_ms_(static_cast<std::size_t>(std::max(1.0, hz)), 0.0) {}
+
+FramePtr FramePublisher::frame() const {
+    const std::lock_guard lock(mutex_);
+    return frame_;
+}
+
+// Readers hold the list that they got, so each tick with events makes a new one.
+void FramePublisher::record_events(std::optional<TickEvents> events) {
+    if (listeners_.events.load() == 0) {
+        if (!events_->ticks.empty())
+            events_ = std::make_shared<const RecentEvents>(RecentEvents{events_->count, {}});
+        return;
+    }
+    if (!events) return;
+    const auto& old = events_->ticks;
+    const std::size_t dropped = old.size() == RecentEvents::ticks_max ? 1 : 0;
+    auto recent = std::make_shared<RecentEvents>();
+    recent->count = events_->count + 1;
+    recent->ticks.assign(old.begin() + static_cast<std::ptrdiff_t>(dropped), old.end());
+    recent->ticks.push_back(std::make_shared<const TickEvents>(*std::move(events)));
+    events_ = std::move(recent);
+}
+
+// The whole tick, with commands and the copy: what is not measured cannot be seen to be too long.
+void FramePublisher::measure(Frame& frame, Clock::time_point began) {
+    tick_ms_[next_] = to_ms(Clock::now() - began);
+    next_ = (next_ + 1) % tick_ms_.size();
+    frame.tick_ms_mean = std::accumulate(tick_ms_.begin(), tick_ms_.end(), 0.0) /
+                         static_cast<double>(tick_ms_.size());
+    frame.tick_ms_max = *std::max_element(tick_ms_.begin(), tick_ms_.end());
+}
+
+void FramePublisher::set_frame(FramePtr frame) {
+    has_new_events_ = frame->events->count != std::exchange(published_events_, frame->events->count);
+    FramePtr old;  // freed outside the lock
+    const std::lock_guard lock(mutex_);
+    old = std::exchange(frame_, std::move(frame));
+}
+
+void FramePublisher::notify(bool changed) {
+    if (on_frame_) on_frame_(changed || has_new_events_);
+}
+
+}  // namespace jostle::server

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+//
+// The outgoing side of a world: the newest frame, the events of the newest ticks, tick times, and
+// the number of clients that need optional parts of a frame. The tick thread publishes; any thread
+// reads frames and counts itself in and out as a listener.
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <vector>
+
+#include "server/world/frame.h"
+
+namespace jostle::server {
+
+// Frames carry an optional part while its count is above zero.
+struct FrameListeners {
+    std::atomic<int> events{0};
+    std::atomic<int> motion{0};  // velocities of bodies (module_channels.h)
+    std::atomic<int> controlled_entities{0};
+};
+
+class FramePublisher {
+public:
+    // `on_frame`: called on the tick thread after each frame, with whether anything happened in it;
+    // must only wake another thread.
+    FramePublisher(double hz, std::function<void(bool has_events)> on_frame);
+
+    // Any thread: the newest frame; the first one exists before the first tick.
+    FramePtr frame() const;
+    FrameListeners& listeners() { return listeners_; }
+
+    // The tick thread. `events` of the step, if there were any; without listeners the list of
+    // recent events is cleared.
+    void record_events(std::optional<TickEvents> events);
+    const std::shared_ptr<const RecentEvents>& events() const { return events_; }
+    // Sets the mean and maximum tick time of the last second, this tick included.
+    void measure(Frame& frame, Clock::time_point began);
+    // Replaces the newest frame.
+    void set_frame(FramePtr frame);
+    // Wakes the listeners. `changed`: the frame differs from the one before or answers an input.
+    void notify(bool changed);
+
+private:
+    const std::function<void(bool has_events)> on_frame_;
+    FrameListeners listeners_;
+    std::shared_ptr<const RecentEvents> events_ = std::make_shared<const RecentEvents>();
+    std::vector<double> tick_ms_;  // ring of the last second
+    std::size_t next_ = 0;
+    std::uint32_t published_events_ = 0;  // count of events in the newest frame
+    bool has_new_events_ = false;
+    mutable std::mutex mutex_;
+    FramePtr frame_;
+};
+
+}  // namespace jostle::server

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+//
+// The constants of a hosted world, from its start to its end. Any thread.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "jostle/physics/channels.h"
+#include "jostle/scenes/scene.h"
+#include "server/util/clock.h"
+
+namespace jostle::server {
+
+struct WorldLabel {
+    std::string id, name;
+    std::string owner;  // subject of the creator; empty: the server itself
+};
+
+struct WorldProperties {
+    WorldLabel label;
+    std::shared_ptr<const scenes::SceneDescription> scene;
+    double hz = 60;              // ticks per second
+    double work_per_second = 0;  // as scene_budget.h estimates it
+    physics::Vec3 gravity;       // m/s^2
+    int substeps = 0;            // of a step; 0: each island takes as many as it needs
+    Clock::time_point epoch;     // when tick 0 would have been due
+    std::uint32_t first_tick = 1;  // the tick that the host started from
+    // The channels that modules publish; a channel's kind is an index of this list.
+    std::vector<physics::ChannelKind> channel_kinds;
+
+    Clock::time_point due_time(std::uint32_t tick) const { return epoch + from_seconds(tick / hz); }
+};
+
+}  // namespace jostle::server

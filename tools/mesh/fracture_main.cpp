@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// jostle-fracture: a solid becomes chunks and the bonds between them, ahead of time.
+// jostle-fracture: cuts a solid into chunks with bonds, in advance.
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -20,29 +20,36 @@ using namespace jostle;
 using namespace jostle::physics;
 
 constexpr const char* footer = R"(
-A solid breaks along lines that are there before anything hits it. This program draws them: it strews seeds, and what of the
-solid is nearer to one seed than to any other becomes a chunk, a convex hull (Voronoi). Where two chunks share a face there is a
-bond, a short beam with the face's area and moments. What a bond bears is the material's affair, said where the solid is put
-into a world (docs/modules.md, "Destruction").
+A destructible body breaks along surfaces that are computed in advance. This program generates seed
+points. The region of the solid that is closer to one seed than to all others becomes a chunk, a
+convex hull (Voronoi cell). Chunks that share a face are connected by a bond: a short beam with the
+area and the moments of the face. The strength of bonds is set where the solid is added to a world
+(docs/guides/game_developer/destruction.md).
 
-Patterns: uniform, everywhere alike (stone); radial, rings and spokes about --center, across the shortest side (glass);
-grid, even blocks (masonry); clustered, small chunks near --center, large ones around.
+Patterns:
+  uniform    evenly distributed, like stone
+  radial     rings and spokes about --center, across the shortest side, like glass
+  grid       regular blocks, like masonry
+  clustered  small chunks near --center, large ones elsewhere
 
-A mesh is closed, as jostle-convert wants it. One that is not convex is first cut into convex parts (--max-hulls, --max-volume-error), each
-part is cut by the same seeds, and bonds hold the parts together where they touch. So there are more chunks than seeds.
+A mesh must be closed, as for jostle-convert. A mesh that is not convex is decomposed into convex
+parts first (--max-hulls, --max-volume-error). The same seeds cut each part, and bonds connect the
+parts where they touch. The number of chunks is then larger than the number of seeds.
 
---anchor names the side by which the ground holds it: -y is the foot. What hangs together with an anchored chunk does not move.
+--anchor selects a side that is attached to the ground; -y is the bottom. Chunks that are connected
+to an anchored chunk do not move.
 
-Scene files name no other files: --scene writes what stands there between the brackets of
+--scene writes an item for the brackets of
   "modules": [{"destruction": {"fractured": [ ]}}]
 
 Examples:
   jostle-fracture --box 4 3 0.3 --chunks 200 --anchor -y --out wall.fracture
-  jostle-fracture --box 2 1.2 0.01 --pattern radial --center 0.3 0.1 0 --chunks 150 --out window.fracture
+  jostle-fracture --box 2 1.2 0.01 --pattern radial --center 0.3 0.1 0 --out window.fracture
   jostle-fracture statue.obj --scale 0.01 --chunks 500 --anchor -y --out statue.fracture --json -
   jostle-fracture --hull 0 0 0  1 0 0  0 1 0  0 0 1 --chunks 20 --out corner.fracture
 
-Exit status: 0 done, 1 the solid could not be cut or a file not be read or written, 2 wrong flags.)";
+Exit status: 0 success, 1 the solid cannot be cut or a file cannot be read or written, 2 invalid
+flags.)";
 
 const std::map<std::string, modules::SeedPattern> patterns = {
     {"uniform", modules::SeedPattern::uniform},
@@ -65,7 +72,7 @@ int fail(const std::string& what) {
     return 1;
 }
 
-// On one line of a terminal; nothing elsewhere.
+// Shows the progress on a terminal; prints nothing elsewhere.
 void show(std::size_t done, std::size_t all) {
     if (isatty(2) == 0) return;
     std::fprintf(stderr, done == all ? "\r\033[K" : "\rcutting %zu of %zu", done, all);
@@ -100,9 +107,9 @@ Summary summary_of(const convert::FracturedSolid& made, std::size_t bytes) {
 void print(FILE* out, const convert::FracturedSolid& made, const Summary& sum) {
     std::fprintf(
         out,
-        "parts      %zu, %.3g %% too much\nchunks     %zu, %.3g to %.3g m^3\nanchored   "
-        "%zu\nbonds      %zu, %.6g m^2\nvolume     %.9g m^3, off by %.2g of it\nsplinters  "
-        "%.3g m^3 left out\nbytes      %zu\n",
+        "parts      %zu, %.3g %% excess volume\nchunks     %zu, %.3g to %.3g m^3\nanchored   "
+        "%zu\nbonds      %zu, %.6g m^2\nvolume     %.9g m^3, relative error %.2g\nsplinters  "
+        "%.3g m^3 omitted\nbytes      %zu\n",
         made.parts, 100 * made.max_volume_error, sum.chunks, sum.smallest, sum.largest,
         sum.anchored, sum.bonds, sum.bond_area, sum.volume, sum.volume_error, made.lost_volume,
         sum.bytes);
@@ -134,7 +141,7 @@ bool write_file(const std::string& path, const char* data, std::size_t size) {
     return static_cast<bool>(out);
 }
 
-// An item of "fractured" in a scene file, to be given a position and a material.
+// An item of "fractured" for a scene file, without position and material.
 std::string scene_item(std::span<const std::byte> bytes) {
     static constexpr char digits[] =
         "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
@@ -193,65 +200,85 @@ int run(Flags& flags) {
 }
 
 void add_solid(CLI::App& app, Flags& flags) {
-    CLI::Option_group* solid = app.add_option_group("solid", "What is cut: one of these");
-    solid->add_option("file", flags.file, "A Wavefront OBJ file of a closed mesh")
-        ->check(CLI::ExistingFile);
-    solid->add_option("--box", flags.box, "Its sides along x, y and z, m")->expected(3);
-    solid->add_option("--hull", flags.hull, "x y z of its corners, four or more, m")
+    CLI::Option_group* solid = app.add_option_group("Solid", "Select exactly one");
+    solid->add_option("FILE", flags.file, "Wavefront OBJ file of a closed mesh")
+        ->type_name("")
+        ->check(CLI::ExistingFile.description(""));
+    solid->add_option("--box", flags.box, "Cut a box with these edge lengths")
+        ->type_name("METRES")
+        ->expected(3);
+    solid
+        ->add_option("--hull", flags.hull,
+                     "Cut the convex hull of points, each x y z [4 to 1000 points]")
+        ->type_name("METRES")
         ->expected(12, 3000);
     solid->require_option(1);
-    app.add_option("--scale", flags.solid.scale, "Metres to a unit of the file")
-        ->check(CLI::Range(1e-6, 1e6))
-        ->capture_default_str();
+    app.add_option("--scale", flags.solid.scale,
+                   "Scale the mesh by FACTOR metres per unit [default: 1; 1e-6 to 1e6]")
+        ->type_name("FACTOR")
+        ->check(CLI::Range(1e-6, 1e6).description(""));
     app.add_option("--max-hulls", flags.solid.decomposition.hulls_max,
-                   "Convex parts of a mesh, at most")
-        ->check(CLI::Range(1, 1024))
-        ->capture_default_str();
+                   "Decompose a mesh into at most N convex parts [default: 32; 1 to 1024]")
+        ->type_name("N")
+        ->check(CLI::Range(1, 1024).description(""));
     app.add_option("--max-volume-error", flags.solid.decomposition.max_volume_error,
-                   "Of a mesh's volume, that its parts may hold too much")
-        ->check(CLI::Range(0.0, 10.0))
-        ->capture_default_str();
+                   "Allow this share of excess volume of the parts [default: 0.03; 0 to 10]")
+        ->type_name("RATIO")
+        ->check(CLI::Range(0.0, 10.0).description(""));
 }
 
 void add_plan(CLI::App& app, Flags& flags) {
     std::vector<std::string> names;
     for (const auto& [name, pattern] : patterns) names.push_back(name);
-    app.add_option("--pattern", flags.pattern, "How it breaks")
-        ->check(CLI::IsMember(names))
-        ->capture_default_str();
-    app.add_option("--chunks", flags.plan.count, "Seeds that are strewn")
-        ->check(CLI::Range(1, static_cast<int>(modules::chunks_max)))
-        ->capture_default_str();
-    app.add_option("--seed", flags.plan.seed, "Another number strews them another way")
-        ->capture_default_str();
-    app.add_option("--center", flags.center,
-                   "x y z of what is radial or clustered, m; without: the middle")
+    app.add_option("--pattern", flags.pattern,
+                   "Distribute the seeds by PATTERN: uniform, radial, grid or clustered\n"
+                   "[default: uniform]")
+        ->type_name("PATTERN")
+        ->check(CLI::IsMember(names).description(""));
+    app.add_option(
+           "--chunks", flags.plan.count,
+           "Generate N seeds [default: 100; 1 to " + std::to_string(modules::chunks_max) + "]")
+        ->type_name("N")
+        ->check(CLI::Range(1, static_cast<int>(modules::chunks_max)).description(""));
+    app.add_option("--seed", flags.plan.seed, "Seed of the random number generator [default: 1]")
+        ->type_name("N");
+    app.add_option(
+           "--center", flags.center,
+           "Centre of radial and clustered patterns, x y z\n[default: the centre of the solid]")
+        ->type_name("METRES")
         ->expected(3);
-    app.add_option("--spread", flags.plan.spread, "Of a cluster: its radius by the longest side")
-        ->check(CLI::Range(0.001, 1.0))
-        ->capture_default_str();
+    app.add_option("--spread", flags.plan.spread,
+                   "Radius of a cluster as a share of the longest side\n"
+                   "[default: 0.15; 0.001 to 1]")
+        ->type_name("RATIO")
+        ->check(CLI::Range(0.001, 1.0).description(""));
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-    CLI::App app{"Cuts a solid into chunks that bonds hold together, for things that break."};
+    CLI::App app{"Cut a solid into chunks with bonds, for destructible bodies."};
     Flags flags;
     app.footer(footer);
     add_solid(app, flags);
     add_plan(app, flags);
     std::vector<std::string> names;
     for (const auto& [name, side] : sides) names.push_back(name);
-    app.add_option("--anchor", flags.anchor, "The side by which the ground holds it")
-        ->check(CLI::IsMember(names));
-    app.add_option("--out", flags.out, "Writes the chunks and bonds here");
-    app.add_option("--scene", flags.scene, "Writes them here as scene files want them");
+    app.add_option("--anchor", flags.anchor,
+                   "Anchor the chunks on SIDE: -x, +x, -y, +y, -z or +z [default: none]")
+        ->type_name("SIDE")
+        ->check(CLI::IsMember(names).description(""));
+    app.add_option("--out", flags.out, "Write the fracture file to FILE")->type_name("FILE");
+    app.add_option("--scene", flags.scene, "Write an item of a scene file to FILE")
+        ->type_name("FILE");
     app.add_option("--json", flags.json,
-                   "Writes the summary here as JSON; -: instead of the table");
+                   "Write the summary to FILE as JSON; \"-\" replaces the table")
+        ->type_name("FILE");
     try {
         app.parse(argc, argv);
         if (flags.hull.size() % 3 != 0)
-            throw CLI::ValidationError("--hull", "three numbers to a corner");
+            throw CLI::ValidationError("--hull",
+                                       "the number of values must be a multiple of three");
     } catch (const CLI::ParseError& e) {
         return app.exit(e) == 0 ? 0 : 2;
     }

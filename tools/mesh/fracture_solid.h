@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A solid that breaks, made ahead of time: from a mesh, a box or points, to chunks and bonds.
+// Fractures a solid in advance: cuts a mesh, a box or the hull of points into chunks with bonds.
 #pragma once
 
 #include <optional>
@@ -13,23 +13,24 @@
 
 namespace jostle::convert {
 
-// One of the three.
+// Exactly one of obj, box and points is set.
 struct Solid {
-    std::string_view obj = {};                  // the text of a file
-    double scale = 1;                           // m to a unit of it
-    std::optional<physics::Vec3> box = {};      // m, its sides; about the origin
-    std::vector<physics::Vec3> points = {};     // m, of which the hull is taken
-    decomposition::Options decomposition = {};  // of a mesh that is not convex
+    std::string_view obj = {};                  // content of an OBJ file
+    double scale = 1;                           // m per unit of the file
+    std::optional<physics::Vec3> box = {};      // m, edge lengths; centred on the origin
+    std::vector<physics::Vec3> points = {};     // m; their convex hull is cut
+    decomposition::Options decomposition = {};  // for a mesh that is not convex
 };
 
 struct FracturedSolid {
     modules::FracturedShape shape;
-    std::size_t parts = 1;               // convex ones that it was cut into before
-    double max_volume_error = 0;         // of the mesh's volume, that they hold too much
-    double volume = 0, lost_volume = 0;  // m^3: FractureResult
+    std::size_t parts = 1;        // convex parts of the mesh
+    double max_volume_error = 0;  // excess volume of the parts, as a share of the mesh's volume
+    double volume = 0, lost_volume = 0;  // m^3; see FractureResult
 };
 
-// Anchors what reaches as far as any chunk does along `anchor`, if there is one.
+// Fractures a solid. With `anchor`, anchors the chunks that reach as far as any chunk in that
+// direction.
 physics::Result<FracturedSolid> fracture_solid(const Solid& solid,
                                                const modules::SeedPatternOptions& plan,
                                                std::optional<physics::Vec3> anchor = {},

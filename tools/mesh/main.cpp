@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// jostle-convert: a closed mesh becomes a body that may move.
+// jostle-convert: converts a closed mesh to a dynamic body of convex hulls.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <fstream>
@@ -18,18 +18,20 @@ using namespace jostle;
 using namespace jostle::physics;
 
 constexpr const char* footer = R"(
-The mesh must be closed: every edge has a triangle on each side. It is cut across its axes into parts, each of which gets
-its convex hull, until the hulls together hold no more than --max-volume-error too much, or there are --max-hulls of them. What came of
-it is said: how many hulls, how much more than the mesh they hold, and how far they reach beyond it.
+The mesh must be closed: every edge has a triangle on each side. It is cut into parts, and each part
+is replaced by its convex hull, until the excess volume of the hulls is at most --max-volume-error
+or there are --max-hulls of them. The output lists the number of hulls, their excess volume, and
+their largest distance from the mesh.
 
-The scene has a ground and the body, which falls on it; put its shape into a scene of your own.
+The scene contains a ground plane and the body above it.
 
 Examples:
   jostle-convert teapot.obj --scene teapot.json
   jostle-convert teapot.obj --max-hulls 64 --max-volume-error 0.01
   jostle-convert chair.obj --scale 0.01 --scene chair.json && jostle-sim chair.json --seconds 3
 
-Exit status: 0 done, 1 the mesh is no solid or a file could not be read or written, 2 wrong flags.)";
+Exit status: 0 success, 1 the mesh is not a solid or a file cannot be read or written, 2 invalid
+flags.)";
 
 struct Flags {
     std::string file, scene;
@@ -42,7 +44,7 @@ int fail(const std::string& what) {
     return 1;
 }
 
-// Falls from its own height on the ground.
+// The body falls onto the ground from its own height.
 scenes::SceneDescription scene_of(const decomposition::Decomposition& parts, double density) {
     std::vector<CompoundChild> children;
     Aabb bounds = parts.parts.front()->bounds;
@@ -74,7 +76,7 @@ int run(const Flags& flags) {
     if (!parts.ok()) return fail(flags.file + ": " + parts.error().message);
     std::printf(
         "triangles  %zu\nvolume     %.6g m^3\nhulls      %zu\nexcess     %.3g %% of the volume\n"
-        "furthest   %.3g m beyond the mesh\n",
+        "distance   %.3g m from the mesh (maximum)\n",
         mesh->indices.size() / 3, parts->mesh_volume, parts->parts.size(),
         100 * parts->max_volume_error, parts->max_distance);
     if (flags.scene.empty()) return 0;
@@ -87,30 +89,35 @@ int run(const Flags& flags) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    CLI::App app{"Makes convex hulls of a closed mesh, so that a body with its shape may move."};
+    CLI::App app{"Decompose a closed mesh into convex hulls, for a dynamic body."};
     Flags flags;
     app.footer(footer);
-    app.add_option("file", flags.file, "A Wavefront OBJ file")
+    app.add_option("FILE", flags.file, "Wavefront OBJ file")
+        ->type_name("")
         ->required()
-        ->check(CLI::ExistingFile);
-    app.add_option("--max-hulls", flags.options.hulls_max, "Hulls at most")
-        ->check(CLI::Range(1, 1024))
-        ->capture_default_str();
+        ->check(CLI::ExistingFile.description(""));
+    app.add_option("--max-hulls", flags.options.hulls_max,
+                   "Create at most N hulls [default: 32; 1 to 1024]")
+        ->type_name("N")
+        ->check(CLI::Range(1, 1024).description(""));
     app.add_option("--max-volume-error", flags.options.max_volume_error,
-                   "Of the volume, that hulls may hold too much")
-        ->check(CLI::Range(0.0, 10.0))
-        ->capture_default_str();
+                   "Allow this share of excess volume [default: 0.03; 0 to 10]")
+        ->type_name("RATIO")
+        ->check(CLI::Range(0.0, 10.0).description(""));
     app.add_option("--planes-per-axis", flags.options.planes_per_axis,
-                   "Cuts that are tried across each axis")
-        ->check(CLI::Range(1, 127))
-        ->capture_default_str();
-    app.add_option("--scale", flags.scale, "Metres to a unit of the file")
-        ->check(CLI::Range(1e-6, 1e6))
-        ->capture_default_str();
-    app.add_option("--density", flags.density, "kg/m^3")
-        ->check(CLI::Range(1e-3, 1e6))
-        ->capture_default_str();
-    app.add_option("--scene", flags.scene, "Writes a scene with the body here");
+                   "Try N cuts across each axis of a part [default: 15; 1 to 127]")
+        ->type_name("N")
+        ->check(CLI::Range(1, 127).description(""));
+    app.add_option("--scale", flags.scale,
+                   "Scale the mesh by FACTOR metres per unit [default: 1; 1e-6 to 1e6]")
+        ->type_name("FACTOR")
+        ->check(CLI::Range(1e-6, 1e6).description(""));
+    app.add_option("--density", flags.density,
+                   "Density of the body in kg/m^3 [default: 1000; 0.001 to 1e6]")
+        ->type_name("DENSITY")
+        ->check(CLI::Range(1e-3, 1e6).description(""));
+    app.add_option("--scene", flags.scene, "Write a scene with the body to FILE")
+        ->type_name("FILE");
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& e) {

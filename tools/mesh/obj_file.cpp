@@ -46,30 +46,34 @@ private:
         for (double& one : x) {
             const std::string_view text = word(rest);
             if (!read(text, one) || !std::isfinite(one))
-                return fault("\"" + std::string(text) + "\" is no coordinate; a vertex has three");
+                return fault("\"" + std::string(text) +
+                             "\" is not a finite number; a vertex needs three coordinates");
         }
-        if (mesh_.vertices.size() >= most) return fault("there are more than 1000000 vertices");
+        if (mesh_.vertices.size() >= most) return fault("more than 1000000 vertices");
         mesh_.vertices.push_back({x[0], x[1], x[2]});
         return {};
     }
-    // "7", "7/2", "7/2/5", "7//5"; below zero from the last vertex back.
+    // A corner: "7", "7/2", "7/2/5" or "7//5"; negative indices count from the last vertex.
     Status face(std::string_view rest) {
         std::vector<std::uint32_t> corners;
         for (std::string_view text = word(rest); !text.empty(); text = word(rest)) {
             std::int64_t index = 0;
             const auto count = static_cast<std::int64_t>(mesh_.vertices.size());
             if (!read(text.substr(0, text.find('/')), index))
-                return fault("\"" + std::string(text) + "\" is no corner of a face");
+                return fault(
+                    "\"" + std::string(text) +
+                    "\" is not a corner of a face; use INDEX, INDEX/UV or INDEX/UV/NORMAL");
             const std::int64_t at = index < 0 ? count + index : index - 1;
             if (at < 0 || at >= count)
-                return fault("corner " + std::to_string(index) + " is not among the " +
-                             std::to_string(count) + " vertices so far");
+                return fault("vertex index " + std::to_string(index) +
+                             " is out of range; there are " + std::to_string(count) +
+                             " vertices up to this line");
             corners.push_back(static_cast<std::uint32_t>(at));
         }
-        if (corners.size() < 3) return fault("a face has three corners at least");
+        if (corners.size() < 3) return fault("a face needs at least three corners");
         for (std::size_t k = 1; k + 1 < corners.size(); k++)
             mesh_.indices.insert(mesh_.indices.end(), {corners[0], corners[k], corners[k + 1]});
-        if (mesh_.indices.size() > 3 * most) return fault("there are more than 1000000 triangles");
+        if (mesh_.indices.size() > 3 * most) return fault("more than 1000000 triangles");
         return {};
     }
 
@@ -88,7 +92,8 @@ Result<ObjMesh> read_obj(std::string_view text) {
     }
     ObjMesh mesh = reader.take();
     if (mesh.indices.empty())
-        return Error{ErrorCode::invalid_argument, "the file has no face (\"f 1 2 3\")"};
+        return Error{ErrorCode::invalid_argument,
+                     "the file has no faces (lines such as \"f 1 2 3\")"};
     return mesh;
 }
 

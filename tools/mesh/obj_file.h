@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Wavefront OBJ files, as far as geometry goes: vertices and faces. Faces of more than three
-// corners are fans; all groups are one mesh; everything else is passed over.
+// Reads vertices and faces of Wavefront OBJ files. Faces with more than three corners become
+// triangle fans; all groups become one mesh; other lines are ignored.
 #pragma once
 
 #include <cstdint>
@@ -19,7 +19,8 @@ struct ObjMesh {
     std::vector<std::uint32_t> indices;  // three per triangle
 };
 
-// An error names the line. At most 1,000,000 vertices and as many triangles.
+// Reads the content of an OBJ file: at most 1,000,000 vertices and 1,000,000 triangles. Errors
+// contain the line.
 physics::Result<ObjMesh> read_obj(std::string_view text);
 
 }  // namespace jostle::convert

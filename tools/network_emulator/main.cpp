@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// jostle-netem: a bad link between clients and a server on one machine.
+// jostle-netem: network emulator between clients and a server on one machine.
 #include <CLI/CLI.hpp>
 #include <atomic>
 #include <csignal>
@@ -16,32 +16,36 @@ namespace {
 std::atomic<bool> stop{false};
 
 constexpr const char* footer = R"(
-Prints the port it listens at, then runs until it is interrupted. Up, towards the server, has the same delay and jitter, no stalls
-and no limit. Times are kept within a millisecond. The same seed gives the same link to the n-th connection.
+The program prints the port on which it listens and runs until it is interrupted. The direction
+towards the server has the same delay and jitter, but no stalls and no bandwidth limit. Times are
+accurate to 1 ms. The same seed reproduces the impairments of the n-th connection.
 
-With --tun-devices it makes two network devices instead, prints "ready", and hands on whole IP packets between them, of which --loss-percent percent are
-lost each way: put each device into a network namespace, and what runs there loses packets, be it TCP or UDP. Needs root (scripts/bad-links).
+With --tun-devices it creates two network devices instead, prints "ready", and forwards IP packets
+between them with --loss-percent packet loss in each direction. Move each device into its own
+network namespace to emulate TCP and UDP between programs there. Requires root; see
+scripts/bad-links.
 
 Examples:
-  jostle-netem --server 127.0.0.1:50051 --listen 127.0.0.1:6000 --delay-ms 30 --jitter-ms 20 --stall-interval-seconds 5 --stall-ms 300
+  jostle-netem --server 127.0.0.1:50051 --listen 127.0.0.1:6000 --delay-ms 30 --jitter-ms 20
+  jostle-netem --stall-interval-seconds 5 --stall-ms 300
   jostle-netem --tun-devices here0 there0 --loss-percent 2 --delay-ms 20
 
-Exit status: 0 interrupted, 1 cannot listen or make devices, 2 wrong flags.)";
+Exit status: 0 interrupted, 1 cannot listen or create devices, 2 invalid flags.)";
 
 int forward_packets(const std::vector<std::string>& devices,
                     const jostle::network_emulator::NetworkConditions& path) {
-    jostle::network_emulator::PacketForwarder relay(
+    jostle::network_emulator::PacketForwarder forwarder(
         {.devices = {devices[0], devices[1]}, .path = path});
-    if (const auto status = relay.open(); !status.ok()) {
+    if (const auto status = forwarder.open(); !status.ok()) {
         std::fprintf(stderr, "jostle-netem: %s\n", status.error().message.c_str());
         return 1;
     }
     std::printf("ready\n");
     std::fflush(stdout);
-    relay.run(stop);
-    std::printf("%llu packets handed on, %llu lost\n",
-                static_cast<unsigned long long>(relay.forwarded()),
-                static_cast<unsigned long long>(relay.lost()));
+    forwarder.run(stop);
+    std::printf("%llu packets forwarded, %llu lost\n",
+                static_cast<unsigned long long>(forwarder.forwarded()),
+                static_cast<unsigned long long>(forwarder.lost()));
     return 0;
 }
 
@@ -49,38 +53,56 @@ int forward_packets(const std::vector<std::string>& devices,
 
 int main(int argc, char** argv) {
     CLI::App app{
-        "Hands on TCP connections, or IP packets, as a bad link would: late, unsteadily, in "
-        "stalls, slowly."};
+        "Emulate network conditions for TCP connections or IP packets: delay, jitter, stalls,\n"
+        "bandwidth limit and packet loss."};
     jostle::network_emulator::TcpProxySettings settings{.target = "127.0.0.1:50051"};
     std::string listen = "127.0.0.1:0";
     std::vector<std::string> between;
     double loss_percent = 0;
-    const auto range = [](double most) { return CLI::Range(0.0, most); };
-    app.add_option("--server", settings.target, "Server, HOST:PORT")->capture_default_str();
-    app.add_option("--listen", listen, "Where clients connect, HOST:PORT")->capture_default_str();
-    app.add_option("--delay-ms", settings.down.delay_ms, "One way")->check(range(1e5));
-    app.add_option("--jitter-ms", settings.down.jitter_ms, "Up to so much more, uniformly")
+    const auto range = [](double most) { return CLI::Range(0.0, most).description(""); };
+    app.add_option("--server", settings.target,
+                   "Forward connections to this server [default: 127.0.0.1:50051]")
+        ->type_name("HOST:PORT");
+    app.add_option("--listen", listen,
+                   "Listen for clients; port 0 selects a free port [default: 127.0.0.1:0]")
+        ->type_name("HOST:PORT");
+    app.add_option("--delay-ms", settings.down.delay_ms,
+                   "Delay data by MS in each direction [default: 0; 0 to 100000]")
+        ->type_name("MS")
+        ->check(range(1e5));
+    app.add_option("--jitter-ms", settings.down.jitter_ms,
+                   "Add a uniformly distributed delay of up to MS [default: 0; 0 to 100000]")
+        ->type_name("MS")
         ->check(range(1e5));
     app.add_option("--stall-interval-seconds", settings.down.stall_every_s,
-                   "Mean seconds between stalls; 0: none")
+                   "Mean time between stalls; 0 disables stalls [default: 0; 0 to 100000]")
+        ->type_name("SECONDS")
         ->check(range(1e5));
-    app.add_option("--stall-ms", settings.down.stall_ms, "How long a stall is")
-        ->capture_default_str()
+    app.add_option("--stall-ms", settings.down.stall_ms,
+                   "Duration of a stall [default: 200; 0 to 100000]")
+        ->type_name("MS")
         ->check(range(1e5));
     app.add_option("--kbit-per-second", settings.down.kbit_per_second,
-                   "Limit of each connection, kbit/s; 0: none")
+                   "Limit the bandwidth of each connection; 0 is unlimited\n"
+                   "[default: 0; 0 to 10000000]")
+        ->type_name("KBIT/S")
         ->check(range(1e7));
     CLI::Option* devices =
-        app.add_option("--tun-devices", between, "Names of two network devices to make")
+        app.add_option("--tun-devices", between, "Create two TUN devices and forward IP packets")
+            ->type_name("NAME")
             ->expected(2);
-    app.add_option("--loss-percent", loss_percent, "Percent of packets that are lost, each way")
+    app.add_option("--loss-percent", loss_percent,
+                   "Drop this percentage of packets in each direction [default: 0; 0 to 100]")
+        ->type_name("PERCENT")
         ->needs(devices)
         ->check(range(100));
     app.add_option("--queue-bytes", settings.queue_bytes,
-                   "On their way, each direction of a connection")
-        ->capture_default_str()
-        ->check(CLI::Range(1460, 100'000'000));
-    app.add_option("--seed", settings.down.seed)->capture_default_str();
+                   "Buffer at most BYTES per direction of a connection\n"
+                   "[default: 65536; 1460 to 100000000]")
+        ->type_name("BYTES")
+        ->check(CLI::Range(1460, 100'000'000).description(""));
+    app.add_option("--seed", settings.down.seed, "Seed of the random number generator [default: 1]")
+        ->type_name("N");
     app.footer(footer);
     try {
         app.parse(argc, argv);
@@ -91,13 +113,13 @@ int main(int argc, char** argv) {
     std::signal(SIGTERM, [](int) { stop = true; });
     settings.down.loss = loss_percent / 100;
     if (!between.empty()) return forward_packets(between, settings.down);
-    jostle::network_emulator::TcpProxy relay(settings);
-    if (const auto status = relay.listen(listen); !status.ok()) {
+    jostle::network_emulator::TcpProxy proxy(settings);
+    if (const auto status = proxy.listen(listen); !status.ok()) {
         std::fprintf(stderr, "jostle-netem: %s\n", status.error().message.c_str());
         return 1;
     }
-    std::printf("%d\n", relay.port());
+    std::printf("%d\n", proxy.port());
     std::fflush(stdout);
-    relay.run(stop);
+    proxy.run(stop);
     return 0;
 }

@@ -21,12 +21,14 @@ constexpr std::size_t packet_bytes_max = 65'536, packets_in_flight_max = 20'000;
 
 Result<int> make_device(const std::string& name) {
     const auto failed = [&](const char* what) {
-        return Error{ErrorCode::unavailable, "cannot make the network device " + name + ": " +
+        return Error{ErrorCode::unavailable, "cannot create the network device " + name + ": " +
                                                  what + ": " + std::strerror(errno) +
-                                                 "; this needs root"};
+                                                 "; root privileges are required"};
     };
     if (name.empty() || name.size() >= IFNAMSIZ)
-        return invalid_argument("\"" + name + "\" is no name of a network device");
+        return invalid_argument(
+            "\"" + name +
+            "\" is not a valid name of a network device; must have 1 to 15 characters");
     const int device = open("/dev/net/tun", O_RDWR | O_NONBLOCK | O_CLOEXEC);
     if (device < 0) return failed("/dev/net/tun");
     ifreq request{};
@@ -90,7 +92,7 @@ void PacketForwarder::run(const std::atomic<bool>& stop) {
             if (!directions[k].packets.empty())
                 next = std::min(next, directions[k].packets.front().at);
         }
-        // To the microsecond: poll() knows milliseconds only.
+        // ppoll() has a resolution of microseconds; poll() only milliseconds.
         const auto wait = std::max(Clock::duration::zero(), next - Clock::now());
         const timespec timeout{.tv_sec = 0, .tv_nsec = static_cast<long>(wait.count())};
         ppoll(watched.data(), watched.size(), &timeout, nullptr);

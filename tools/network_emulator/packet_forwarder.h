@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// A bad link for whole IP packets, so that TCP and UDP lose alike: two network devices (TUN), each
-// to be put into a network namespace of its own; what is sent into one comes out of the other, but
-// for what is lost. Needs root. One thread.
+// Network emulator for IP packets, so that TCP and UDP are affected alike: two TUN devices, one per
+// network namespace. A packet sent into one device leaves the other one, unless it is lost.
+// Requires root. One thread.
 #pragma once
 
 #include <array>
@@ -17,8 +17,8 @@
 namespace jostle::network_emulator {
 
 struct PacketForwarderSettings {
-    std::array<std::string, 2> devices;  // their names, which nobody has yet
-    NetworkConditions path;              // both ways alike
+    std::array<std::string, 2> devices;  // unused names
+    NetworkConditions path;              // the same in both directions
 };
 
 class PacketForwarder {
@@ -28,7 +28,7 @@ public:
     PacketForwarder(const PacketForwarder&) = delete;
     PacketForwarder& operator=(const PacketForwarder&) = delete;
 
-    // Makes the devices, which go when this does. An error says which and why.
+    // Creates the devices; the destructor removes them. Errors name the device and the cause.
     Status open();
     void run(const std::atomic<bool>& stop);
 

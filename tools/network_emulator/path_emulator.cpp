@@ -22,12 +22,12 @@ PathEmulator::PathEmulator(const NetworkConditions& settings, std::uint64_t stre
       stall_begins_(now),
       stall_ends_(now) {}
 
-// The standard library's distributions differ between platforms.
+// The distributions of the standard library differ between platforms.
 double PathEmulator::random() {
     return static_cast<double>(generator_() >> 11) * 0x1p-53;
 }
 
-// Moves to the stall that is on then, or to the next one.
+// Advances to the current or the next stall.
 void PathEmulator::advance_stalls(Clock::time_point until) {
     while (stall_ends_ <= until) {
         const double pause = -settings_.stall_every_s * std::log(1 - random());

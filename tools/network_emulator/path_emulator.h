@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// One direction of a bad link: when bytes that came now may go on. Seeded, so that a run can be
-// repeated. TCP loses nothing, so what loss does to it is a stall: all that comes after the lost
-// segment waits for it. A value; one thread.
+// One direction of an emulated network path: computes the time at which bytes are forwarded.
+// Seeded, so that a run is repeatable. TCP streams lose no data; packet loss appears as a stall,
+// because all later data waits for the lost segment. A value; one thread.
 #pragma once
 
 #include <chrono>
@@ -14,21 +14,21 @@ namespace jostle::network_emulator {
 using Clock = std::chrono::steady_clock;
 
 struct NetworkConditions {
-    double delay_ms = 0;         // of each piece ...
-    double jitter_ms = 0;        // ... and up to so much more, uniformly
+    double delay_ms = 0;         // of each piece
+    double jitter_ms = 0;        // additional delay, uniform in [0, jitter_ms)
     double stall_every_s = 0;    // mean time between stalls; 0: none
-    double stall_ms = 200;       // nothing arrives for so long
-    double kbit_per_second = 0;  // 0: any number
-    double loss = 0;             // share of packets, 0 to 1: of whole packets, never of streams
+    double stall_ms = 200;       // duration of a stall, in which nothing arrives
+    double kbit_per_second = 0;  // 0: unlimited
+    double loss = 0;             // share of lost packets, 0 to 1; not for streams
     std::uint64_t seed = 1;
 };
 
 class PathEmulator {
 public:
-    // `stream`: links of the same settings and different numbers differ.
+    // `stream`: paths with the same settings and different stream numbers behave differently.
     PathEmulator(const NetworkConditions& settings, std::uint64_t stream, Clock::time_point now);
 
-    // When bytes that came now arrive; never before those that came earlier.
+    // Arrival time of bytes received now; never earlier than that of previous bytes.
     Clock::time_point arrival_time(std::size_t bytes, Clock::time_point now);
 
     // Whether this packet is lost.

@@ -14,7 +14,7 @@
 namespace jostle::network_emulator {
 namespace {
 
-constexpr std::size_t piece_bytes = 1460;  // as segments of an Ethernet are
+constexpr std::size_t piece_bytes = 1460;  // the segment size on Ethernet
 constexpr auto longest_sleep = std::chrono::milliseconds(50);
 
 struct Address {
@@ -24,7 +24,8 @@ struct Address {
 
 Result<Address> find(const std::string& text) {
     const std::size_t colon = text.rfind(':');
-    if (colon == std::string::npos) return invalid_argument(text + " is not HOST:PORT");
+    if (colon == std::string::npos)
+        return invalid_argument("\"" + text + "\" is not of the form HOST:PORT");
     addrinfo hints{}, *found = nullptr;
     hints.ai_socktype = SOCK_STREAM;
     if (const int error =
@@ -70,8 +71,8 @@ Status TcpProxy::listen(const std::string& address) {
         ::listen(listener_, 1024) != 0 ||
         getsockname(listener_, reinterpret_cast<sockaddr*>(&bound), &size) != 0)
         return Error{ErrorCode::unavailable,
-                     "cannot listen at " + address + ": " + std::strerror(errno)};
-    // The port stands at the same place in both kinds of addresses.
+                     "cannot listen on " + address + ": " + std::strerror(errno)};
+    // IPv4 and IPv6 addresses have the port at the same offset.
     port_ = ntohs(reinterpret_cast<const sockaddr_in*>(&bound)->sin_port);
     return {};
 }
@@ -142,7 +143,7 @@ void TcpProxy::write_due(Direction& direction, ProxiedConnection& connection,
     if (direction.ended && direction.chunks.empty()) shutdown(direction.to, SHUT_WR);
 }
 
-// When to look again.
+// Returns the time of the next call.
 Clock::time_point TcpProxy::serve(ProxiedConnection& connection, Clock::time_point now) const {
     Clock::time_point next = now + longest_sleep;
     for (Direction& direction : connection.directions) {

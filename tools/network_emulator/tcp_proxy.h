@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Hands on the bytes of TCP connections, both ways, as a bad link would. A connection to it becomes
-// one to the target. What is on its way is bounded: more is not read, and TCP holds the sender
-// back. One thread; loopback and test networks only.
+// Network emulator for TCP: forwards connections to a target in both directions with impairments.
+// The data in transit is bounded: beyond the limit the proxy stops reading, and TCP flow control
+// slows the sender down. One thread; for loopback and test networks only.
 #pragma once
 
 #include <sys/socket.h>
@@ -23,8 +23,10 @@ namespace jostle::network_emulator {
 struct TcpProxySettings {
     std::string target;  // HOST:PORT
     NetworkConditions
-        down;  // to those who connected; up has the same delay and jitter, and no limit
-    std::size_t queue_bytes = 65'536;  // on their way, each direction of a connection
+        // towards the clients; the other direction has the same delay and jitter, no stalls and no
+        // limit
+        down;
+    std::size_t queue_bytes = 65'536;  // in transit, per direction of a connection
 };
 
 class TcpProxy {
@@ -34,7 +36,7 @@ public:
     TcpProxy(const TcpProxy&) = delete;
     TcpProxy& operator=(const TcpProxy&) = delete;
 
-    // HOST:PORT; port 0: any that is free.
+    // Listens on HOST:PORT; port 0 selects a free port.
     Status listen(const std::string& address);
     int port() const { return port_; }
     void run(const std::atomic<bool>& stop);
@@ -49,7 +51,7 @@ private:
         PathEmulator path;
         std::deque<Chunk> chunks;
         std::size_t queued = 0;
-        bool ended = false;  // nothing more comes
+        bool ended = false;  // no more data will arrive
     };
     struct ProxiedConnection {
         std::array<Direction, 2> directions;  // down, up

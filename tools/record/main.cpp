@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// jostle-record: watches a world and writes what it is sent into a file.
+// jostle-record: joins a world as a spectator and records its stream.
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -23,18 +23,18 @@ std::atomic<bool> stop{false};
 
 constexpr const char* footer = R"(
 Examples:
-  jostle-record yard.rec --world yard                 # until Ctrl-C
+  jostle-record yard.rec --world yard                 # record until Ctrl-C
   jostle-record yard.rec --world yard --seconds 60
-  jostle-replay yard.rec                              # what is in it
-  jostle-replay yard.rec --at 1234                    # where everything was in a tick
+  jostle-replay yard.rec                              # summarize the recording
+  jostle-replay yard.rec --at 1234                    # print the poses in a tick
 
-It joins as a spectator, so it changes nothing, and is sent what any client is sent: all bodies, what modules tell, events.
-Every --keyframe-seconds it asks for a snapshot that needs no earlier one: from there a player can begin. What was written
-can be played while it grows, and after a crash, but for the last second at most. A recording is of one stream: it ends when
-the server, the world or the connection ends.
+The program joins as a spectator and records what any client receives: bodies, channels and events.
+Every --keyframe-seconds it requests a keyframe, at which playback can start. A recording can be
+played while it is written, and after a crash except for at most the last second. It ends when the
+server, the world or the connection ends.
 
-Exit status: 0 in order, 1 when the stream ended by itself, nothing came or the file cannot be written (what was written
-is kept), 2 wrong flags.)";
+Exit status: 0 success, 1 the stream ended early, nothing was received or the file cannot be written
+(the recorded part remains), 2 invalid flags.)";
 
 struct Flags {
     jostle::client::SecurityFiles files;
@@ -45,23 +45,29 @@ struct Flags {
 };
 
 void add_flags(CLI::App& app, Flags& flags) {
-    app.add_option("file", flags.file, "The recording to write")->required();
-    app.add_option("--server", flags.target, "Server, HOST:PORT")->capture_default_str();
+    app.add_option("FILE", flags.file, "Recording to write")->type_name("")->required();
+    app.add_option("--server", flags.target,
+                   "Connect to this gRPC server [default: localhost:50051]")
+        ->type_name("HOST:PORT");
     jostle::client::add_security_flags(app, flags.files);
-    app.add_option("--world", flags.world, "World by name or id; the first when not given");
-    app.add_option("--ticket", flags.ticket, "To get in, where the server asks for one");
-    app.add_option("--seconds", flags.seconds, "How long; 0: until Ctrl-C")
-        ->capture_default_str()
-        ->check(CLI::Range(0.0, 1e9));
+    app.add_option("--world", flags.world, "Join a world by name or id [default: the first]")
+        ->type_name("WORLD");
+    app.add_option("--ticket", flags.ticket, "Join with this ticket, if the server requires one")
+        ->type_name("TICKET");
+    app.add_option("--seconds", flags.seconds,
+                   "Record for this time; 0 records until Ctrl-C [default: 0; 0 to 1e9]")
+        ->type_name("SECONDS")
+        ->check(CLI::Range(0.0, 1e9).description(""));
     app.add_option("--keyframe-seconds", flags.keyframe_seconds,
-                   "From one keyframe to the next; what is shorter is quicker to seek, and larger")
-        ->capture_default_str()
-        ->check(CLI::Range(0.25, 3600.0));
+                   "Interval of keyframes; shorter means faster seeking and larger files\n"
+                   "[default: 5; 0.25 to 3600]")
+        ->type_name("SECONDS")
+        ->check(CLI::Range(0.25, 3600.0).description(""));
     app.add_option("--snapshot-hz", flags.snapshot_hz,
-                   "Snapshots a second that it asks for; 0: the world's rate")
-        ->capture_default_str();
-    app.add_flag("--no-events", flags.no_events, "Leaves out what happens between bodies");
-    app.add_flag("--replace", flags.replace, "Replaces the file if there is one");
+                   "Request HZ snapshots per second; 0 is the tick rate [default: 0]")
+        ->type_name("HZ");
+    app.add_flag("--no-events", flags.no_events, "Do not record events");
+    app.add_flag("--replace", flags.replace, "Overwrite an existing file");
     app.footer(footer);
 }
 
@@ -89,7 +95,7 @@ std::string status_line(const jostle::client::RecordingWriter::Counts& counts) {
     return text;
 }
 
-// Until it has been long enough; what ended it before, if anything did.
+// Records for the requested time. Returns why it ended early, if it did.
 std::string record(const Flags& flags, jostle::client::Client& client, Recorder& recorder) {
     const auto period = std::chrono::duration_cast<Clock::duration>(
         std::chrono::duration<double>(flags.keyframe_seconds));
@@ -120,7 +126,7 @@ std::string record(const Flags& flags, jostle::client::Client& client, Recorder&
 }  // namespace
 
 int main(int argc, char** argv) {
-    CLI::App app{"Watches a world of a Jostle server and writes what it is sent into a file."};
+    CLI::App app{"Record the stream of a world of a Jostle server."};
     Flags flags;
     add_flags(app, flags);
     try {
@@ -152,7 +158,7 @@ int main(int argc, char** argv) {
     const auto counts = recorder.counts();
     const auto finished = recorder.finish();
     if (counts.records == 0)
-        return fail(1, ended.empty() ? "no answer from " + flags.target : ended);
+        return fail(1, ended.empty() ? "no response from " + flags.target : ended);
     std::printf("%s: %s\n", flags.file.c_str(), status_line(counts).c_str());
     if (!ended.empty()) return fail(1, ended);
     if (!finished.ok()) return fail(1, finished.error().message);

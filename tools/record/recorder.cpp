@@ -13,7 +13,7 @@ Status Recorder::open(const std::string& path, bool replace) {
     std::error_code ignored;
     if (!replace && std::filesystem::exists(path, ignored))
         return Error{ErrorCode::already_exists,
-                     path + " is there already; name another file, or say --replace"};
+                     path + " exists; choose another file or use --replace"};
     path_ = path;
     out_.open(path, std::ios::binary | std::ios::trunc);
     if (!out_) return invalid_argument("cannot write " + path + ": " + std::strerror(errno));
@@ -26,7 +26,8 @@ Status Recorder::open(const std::string& path, bool replace) {
 
 void Recorder::on_message(const std::string& bytes, client::Clock::time_point now) {
     const std::lock_guard lock(mutex_);
-    // A server that lets nobody in says why before it would say welcome: the client tells that.
+    // A server that rejects the client sends a Notice before any Welcome; the client reports its
+    // text.
     v1::ServerMessage message;
     if (writer_->counts().records == 0 && message.ParseFromString(bytes) && message.has_notice())
         return;

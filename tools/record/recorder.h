@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A file into which one client's messages go while they come. take() is called on the loop's
-// thread, all else by the program's.
+// Records the messages of one client into a file as they arrive. on_message() is called on the
+// loop's thread, all other functions on the program's thread.
 #pragma once
 
 #include <fstream>
@@ -16,20 +16,20 @@ namespace jostle::record {
 
 class Recorder {
 public:
-    // Begins a new file; one that is there is only replaced when told so.
+    // Creates a file; an existing file is only overwritten with `replace`.
     Status open(const std::string& path, bool replace);
     void on_message(const std::string& bytes, client::Clock::time_point now);
-    // What was taken so far will be there whatever becomes of the program.
+    // Flushes the data to the file system, so that it survives a crash of the program.
     void flush();
-    // Closes the file in order; one into which nothing came is removed.
+    // Writes the index and closes the file; deletes a file without messages.
     Status finish();
 
     client::RecordingWriter::Counts counts() const;
-    // Why it takes nothing more; empty: it does.
+    // Why recording stopped; empty: it is active.
     std::string error_message() const;
 
 private:
-    mutable std::mutex mutex_;  // guards all
+    mutable std::mutex mutex_;  // guards all members
     std::string path_, error_message_;
     std::ofstream out_;
     std::optional<client::RecordingWriter> writer_;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// jostle-replay: what is in a recording or in a server's store, and where everything was in any of
-// its ticks.
+// jostle-replay: inspects recordings and databases of persisted worlds, and restores any tick.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <fstream>
@@ -23,27 +22,28 @@ using replay::PersistedWorld;
 
 constexpr const char* footer = R"(
 Examples:
-  jostle-replay yard.rec                    # the world, how long, how many bytes
-  jostle-replay yard.rec --at 1234          # where everything was in that tick
+  jostle-replay yard.rec                    # summarize a recording
+  jostle-replay yard.rec --at 1234          # print the poses in a tick
   jostle-replay yard.rec --at 1234 --json
-  jostle-replay yard.rec --verify           # decodes all and checks every CRC
+  jostle-replay yard.rec --verify           # decode everything and verify every CRC
 
-  jostle-replay worlds.db --world           # which worlds a server's store has
-  jostle-replay worlds.db --world yard      # how much of one
+  jostle-replay worlds.db --world           # list the worlds of a database
+  jostle-replay worlds.db --world yard      # summarize a world
   jostle-replay worlds.db --world yard --verify
   jostle-replay worlds.db --world yard --at 1234 --export then.json
   jostle-replay worlds.db --world yard --hash-every 600
   jostle-replay worlds.db --world yard --diff other.db
 
-jostle-record makes recordings. One that was cut off, by a crash or because it still grows, is read as far as it goes; the
-summary says so. --at begins at the keyframe before the tick, so it takes as long for any tick. Positions are in m, rotations
-are quaternions; a body that rests sleeps. A tick in which nothing was sent shows what was last told before it.
+Recordings are written by jostle-record. A truncated recording, after a crash or while it is
+written, is read up to its last complete record; the summary says so. Positions are in m, rotations
+are quaternions. A tick without a snapshot shows the preceding snapshot.
 
-A store is what a server keeps its worlds in (persistence.database, docs/persistence.md); the server must not run, so copy the files
-of one that does. What was done is done again, to the bit: --verify compares each checkpoint with what the world became,
---diff names the first tick after which two stores part, and the first field.
+A database contains the persisted worlds of a server (persistence.database, docs/persistence.md).
+Stop the server first, or copy its files. Replay is bit-identical: --verify compares each checkpoint
+with the replayed world, and --diff names the first tick and field in which two databases differ.
 
-Exit status: 0 in order, 1 when --verify or --diff found something or the tick is not there, 2 wrong flags or no such file.)";
+Exit status: 0 success, 1 --verify or --diff found a difference or the tick is not available,
+2 invalid flags or files.)";
 
 struct Flags {
     std::string file;
@@ -89,7 +89,7 @@ int run_recording(const Flags& flags) {
                             : replay::state_text(playback, *flags.at));
 }
 
-// --- stores ---
+// --- databases ---
 
 int list(const Flags& flags) {
     const auto worlds = PersistedWorld::list(flags.file);
@@ -98,7 +98,7 @@ int list(const Flags& flags) {
     for (const auto& world : *worlds) {
         json.push_back({{"id", world.id}, {"name", world.name}, {"epochs", world.epoch}});
         if (!flags.json)
-            std::printf("%-16s %s, taken up %llu times\n", world.id.c_str(), world.name.c_str(),
+            std::printf("%-16s %s, opened %llu times\n", world.id.c_str(), world.name.c_str(),
                         static_cast<unsigned long long>(world.epoch));
     }
     return flags.json ? print(json) : 0;
@@ -120,8 +120,8 @@ int summarize(PersistedWorld& world, const Flags& flags) {
                              {"damage", summary->corruption}});
     } else {
         std::printf(
-            "world %s \"%s\" of scene %s, kept by %s\n%zu checkpoints, the oldest of "
-            "tick %u; the journal goes to tick %u\n%llu commands in %llu entries, %.1f "
+            "world %s \"%s\" of scene %s, written by %s\n%zu checkpoints, the oldest of "
+            "tick %u; the journal ends at tick %u\n%llu commands in %llu records, %.1f "
             "kB\n",
             summary->id.c_str(), summary->name.c_str(), summary->scene.c_str(),
             summary->engine.c_str(), summary->checkpoints.size(),
@@ -129,7 +129,7 @@ int summarize(PersistedWorld& world, const Flags& flags) {
             static_cast<unsigned long long>(summary->commands),
             static_cast<unsigned long long>(summary->entries),
             static_cast<double>(summary->bytes) / 1e3);
-        if (!summary->corruption.empty()) std::printf("damaged: %s\n", summary->corruption.c_str());
+        if (!summary->corruption.empty()) std::printf("corrupt: %s\n", summary->corruption.c_str());
     }
     return summary->corruption.empty() ? 0 : 1;
 }
@@ -144,9 +144,9 @@ int verify(PersistedWorld& world, const Flags& flags) {
                              {"faults", verification->errors}});
     } else {
         for (const std::string& fault : verification->errors) std::printf("%s\n", fault.c_str());
-        std::printf("ticks %u to %u done again, %d checkpoints compared: %s\n",
+        std::printf("ticks %u to %u replayed, %d checkpoints compared: %s\n",
                     verification->first_tick, verification->last_tick, verification->checkpoints,
-                    verification->errors.empty() ? "all is as it was" : "FAULTS");
+                    verification->errors.empty() ? "identical" : "DIFFERENT");
     }
     return verification->errors.empty() ? 0 : 1;
 }
@@ -172,15 +172,15 @@ int print_state_at(PersistedWorld& world, const Flags& flags) {
     out.close();
     if (!out) return fail(2, "cannot write " + flags.export_to);
     for (const std::string& omitted : exported->omitted)
-        std::fprintf(stderr, "left out: %s\n", omitted.c_str());
+        std::fprintf(stderr, "omitted: %s\n", omitted.c_str());
     return 0;
 }
 
 int print_hashes(PersistedWorld& world, const Flags& flags) {
-    const auto tell = [](std::uint32_t tick, std::uint64_t hash) {
+    const auto print_hash = [](std::uint32_t tick, std::uint64_t hash) {
         std::printf("%u %016llx\n", tick, static_cast<unsigned long long>(hash));
     };
-    const jostle::Status done = world.hashes(*flags.hash_every, tell);
+    const jostle::Status done = world.hashes(*flags.hash_every, print_hash);
     return done.ok() ? 0 : fail(1, done.error().message);
 }
 
@@ -189,12 +189,13 @@ int print_difference(PersistedWorld& world, const Flags& flags) {
     if (!other.ok()) return fail(2, other.error().message);
     const auto difference = world.first_difference(*other);
     if (!difference.ok()) return fail(1, difference.error().message);
-    if (!*difference) return print(std::string("they are the same\n"));
-    std::printf("they part in tick %u: %s\n", (*difference)->tick, (*difference)->field.c_str());
+    if (!*difference) return print(std::string("the worlds are identical\n"));
+    std::printf("the worlds differ from tick %u: %s\n", (*difference)->tick,
+                (*difference)->field.c_str());
     return 1;
 }
 
-int run_store(const Flags& flags) {
+int run_database(const Flags& flags) {
     if (flags.world->empty()) return list(flags);
     auto world = PersistedWorld::open(flags.file, *flags.world);
     if (!world.ok()) return fail(2, world.error().message);
@@ -209,38 +210,45 @@ int run_store(const Flags& flags) {
 
 int main(int argc, char** argv) {
     CLI::App app{
-        "Plays a recording of a Jostle world, or what a server kept of one: tells what is in it, "
-        "shows any of its ticks, or checks all of it."};
+        "Inspect a recording of a world, or a database with persisted worlds: summarize, restore "
+        "a\n"
+        "tick, or verify."};
     Flags flags;
-    app.add_option("file", flags.file, "The recording, or with --world the store")->required();
+    app.add_option("FILE", flags.file, "Recording, or with --world a database")
+        ->type_name("")
+        ->required();
     auto* world = app.add_option("--world", flags.world,
-                                 "A world of a store, by name or id; without a name: lists them")
+                                 "Use a world of a database by name or id; without WORLD list them")
+                      ->type_name("[WORLD]")
                       ->expected(0, 1)
                       ->default_str("");
-    auto* at = app.add_option("--at", flags.at, "Shows the world as it was in this tick");
+    auto* at = app.add_option("--at", flags.at, "Print the state in TICK")->type_name("TICK");
     auto* verify_flag =
-        app.add_flag("--verify", flags.verify, "Decodes everything and lists what is damaged")
+        app.add_flag("--verify", flags.verify, "Decode everything and list the errors")
             ->excludes(at);
-    app.add_option("--export", flags.export_to, "With --at: writes it as a scene file")
+    app.add_option("--export", flags.export_to, "Write the state --at as a scene file to FILE")
+        ->type_name("FILE")
         ->needs(at)
         ->needs(world);
     auto* every = app.add_option("--hash-every", flags.hash_every,
-                                 "The hash of the state, every so many ticks")
-                      ->check(CLI::Range(1U, 1000000000U))
+                                 "Print the state hash of every N-th tick [1 to 1e9]")
+                      ->type_name("N")
+                      ->check(CLI::Range(1U, 1000000000U).description(""))
                       ->needs(world)
                       ->excludes(at)
                       ->excludes(verify_flag);
-    app.add_option("--diff", flags.diff, "Another store with that world: where do they part?")
+    app.add_option("--diff", flags.diff, "Compare with the same world in another database")
+        ->type_name("FILE")
         ->needs(world)
         ->excludes(at)
         ->excludes(verify_flag)
         ->excludes(every);
-    app.add_flag("--json", flags.json, "Says it as JSON");
+    app.add_flag("--json", flags.json, "Print JSON");
     app.footer(footer);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? 0 : 2;
     }
-    return flags.world ? run_store(flags) : run_recording(flags);
+    return flags.world ? run_database(flags) : run_recording(flags);
 }

@@ -32,7 +32,7 @@ std::string line(const char* name, const std::string& value) {
     return format_text("%-18s %s\n", name, value.c_str());
 }
 
-// Names are foreign: bytes that are no text are shown as such.
+// Names are untrusted: invalid UTF-8 is replaced.
 std::string dumped(const ordered_json& json) {
     return json.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n";
 }
@@ -44,7 +44,7 @@ struct Known {
 
 Known known_of(const client::WorldView& view, std::uint32_t id) {
     const auto found = view.entities().find(id);
-    if (found == view.entities().end()) return {.name = "", .type = "not told of"};
+    if (found == view.entities().end()) return {.name = "", .type = "unknown"};
     switch (found->second.type()) {
         case v1::BODY_TYPE_STATIC:
             return {found->second.name(), "static", found->second.owner()};
@@ -64,13 +64,13 @@ std::string to_text(const client::RecordingReader& recording, const client::Reco
     const v1::Welcome& welcome = recording.welcome();
     std::string text = line(
         "world", ctl::sanitized(welcome.world_name()) + " (" + ctl::sanitized(welcome.world_id()) +
-                     "), " + ctl::number_text(welcome.tick_hz(), 6) + " ticks a second");
+                     "), " + ctl::number_text(welcome.tick_hz(), 6) + " ticks per second");
     text += line("recorded",
                  utc_text(recording.start_unix_us()) + ", " + format_text("%.1f s", s.seconds));
     text += line("ticks", format_text("%u to %u", s.first_tick, s.last_tick));
     text +=
-        line("entities", format_text("%zu at the end, at most %zu", s.entities, s.entities_max));
-    text += line("bytes", format_text("%llu in messages, %.0f a second",
+        line("entities", format_text("%zu at the end, maximum %zu", s.entities, s.entities_max));
+    text += line("bytes", format_text("%llu in messages, %.0f per second",
                                       static_cast<unsigned long long>(s.message_bytes),
                                       bytes_per_second(s)));
     text += line("keyframes",
@@ -80,8 +80,8 @@ std::string to_text(const client::RecordingReader& recording, const client::Reco
         text += line((kind + " messages").c_str(),
                      format_text("%llu", static_cast<unsigned long long>(count)));
     if (!recording.truncation_reason().empty())
-        text += line("not whole", recording.truncation_reason());
-    if (!s.first_error.empty()) text += line("damaged", s.first_error);
+        text += line("truncated", recording.truncation_reason());
+    if (!s.first_error.empty()) text += line("corrupt", s.first_error);
     return text;
 }
 
@@ -108,8 +108,8 @@ std::string to_json(const client::RecordingReader& recording, const client::Reco
 std::string state_text(const client::Playback& playback, std::uint32_t tick) {
     const client::WorldView& view = playback.view();
     std::string text = format_text(
-        "tick %u, as told in tick %u, %.3f s into the recording: %zu entities, %zu "
-        "channels of modules\n",
+        "tick %u (snapshot of tick %u, %.3f s into the recording): %zu entities, %zu "
+        "channels\n",
         tick, view.frame().frame, static_cast<double>(playback.arrived_us()) / 1e6,
         view.frame().entities.size(), view.channels().size());
     using ctl::Align;
@@ -159,7 +159,7 @@ std::string state_json(const client::Playback& playback, std::uint32_t tick) {
 
 std::string to_text(const client::RecordingVerification& check) {
     std::string text =
-        format_text("%llu snapshots decode and agree with their CRC, %zu faults\n",
+        format_text("%llu snapshots decoded and verified, %zu errors\n",
                     static_cast<unsigned long long>(check.snapshots), check.errors.size());
     for (const std::string& fault : check.errors) text += fault + "\n";
     return text;

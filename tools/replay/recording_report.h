@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What jostle-replay says: text for people, JSON for programs. Pure functions.
+// Formats the output of jostle-replay: text, or JSON. Pure functions.
 #pragma once
 
 #include <string>
@@ -15,7 +15,7 @@ std::string to_text(const client::RecordingReader& recording,
 std::string to_json(const client::RecordingReader& recording,
                     const client::RecordingSummary& summary);
 
-// The world as the view has it, asked for in that tick.
+// The state of the view, requested for `tick`.
 std::string state_text(const client::Playback& playback, std::uint32_t tick);
 std::string state_json(const client::Playback& playback, std::uint32_t tick);
 

@@ -14,33 +14,33 @@ namespace jostle::replay {
 using server::RecoveredWorld;
 
 Result<std::vector<server::StoredWorld>> PersistedWorld::list(const std::string& file) {
-    auto store = server::SqliteStorage::open(file, {.create = false});
-    if (!store.ok()) return store.error();
-    return (*store)->worlds();
+    auto storage = server::SqliteStorage::open(file, {.create = false});
+    if (!storage.ok()) return storage.error();
+    return (*storage)->worlds();
 }
 
 Result<PersistedWorld> PersistedWorld::open(const std::string& file, const std::string& world) {
-    auto store = server::SqliteStorage::open(file, {.create = false});
-    if (!store.ok()) return store.error();
-    const auto all = (*store)->worlds();
+    auto storage = server::SqliteStorage::open(file, {.create = false});
+    if (!storage.ok()) return storage.error();
+    const auto all = (*storage)->worlds();
     if (!all.ok()) return all.error();
     for (const server::StoredWorld& stored : *all) {
         if (stored.id != world && stored.name != world) continue;
         auto record = server::decode_world_definition(stored.settings);
         if (!record.ok()) return record.error();
-        return PersistedWorld(*std::move(store), stored, *std::move(record));
+        return PersistedWorld(*std::move(storage), stored, *std::move(record));
     }
     std::string names;
     for (const server::StoredWorld& stored : *all)
         names += (names.empty() ? "" : ", ") + stored.name;
-    return Error{ErrorCode::not_found, file + " has no world \"" + world + "\"; it has " +
+    return Error{ErrorCode::not_found, file + " has no world \"" + world + "\"; it contains " +
                                            (names.empty() ? "none" : names)};
 }
 
 Result<std::uint32_t> PersistedWorld::oldest() {
     const auto ticks = store_->checkpoint_ticks(stored_.id);
     if (!ticks.ok()) return ticks.error();
-    if (ticks->empty()) return Error{ErrorCode::not_found, "it has no checkpoint"};
+    if (ticks->empty()) return Error{ErrorCode::not_found, "the world has no checkpoint"};
     return ticks->back();
 }
 
@@ -53,7 +53,7 @@ Result<PersistedWorld::Summary> PersistedWorld::summary() {
                     .engine = stored_.engine,
                     .checkpoints = {ticks->rbegin(), ticks->rend()}};
     if (summary.checkpoints.empty()) {
-        summary.corruption = "it has no checkpoint";
+        summary.corruption = "the world has no checkpoint";
         return summary;
     }
     summary.last_tick = summary.checkpoints.back();
@@ -93,11 +93,11 @@ Result<PersistedWorld::Verification> PersistedWorld::verify() {
     Verification verification;
     std::map<std::uint32_t, std::uint64_t> hashes;
     for (const std::uint32_t tick : *ticks) {
-        const auto kept = store_->checkpoint(stored_.id, tick);
-        if (kept.ok())
-            hashes[tick] = kept->hash;
+        const auto checkpoint = store_->checkpoint(stored_.id, tick);
+        if (checkpoint.ok())
+            hashes[tick] = checkpoint->hash;
         else
-            verification.errors.push_back(kept.error().message);
+            verification.errors.push_back(checkpoint.error().message);
     }
     const auto compare = [&](const server::HostedWorld& world, std::uint32_t tick) {
         const auto at = hashes.find(tick);
@@ -105,7 +105,7 @@ Result<PersistedWorld::Verification> PersistedWorld::verify() {
         verification.checkpoints++;
         if (physics::state_hash(world.world()) != at->second)
             verification.errors.push_back("the checkpoint of tick " + std::to_string(tick) +
-                                          " is not what the world had become");
+                                          " differs from the replayed world");
     };
     const auto world = replay_from_first({.after_tick = compare});
     if (!world.ok()) return world.error();
@@ -121,7 +121,7 @@ Result<RecoveredWorld> PersistedWorld::at(std::uint32_t tick) {
     if (!world.ok()) return world;
     if (world->tick != tick)
         return Error{ErrorCode::not_found, "tick " + std::to_string(tick) +
-                                               " is not kept; the last one is " +
+                                               " is not available; the last tick is " +
                                                std::to_string(world->tick)};
     return world;
 }
@@ -133,10 +133,10 @@ Result<server::ExportedScene> PersistedWorld::scene_at(std::uint32_t tick) {
 }
 
 Status PersistedWorld::hashes(std::uint32_t every, const OnHash& on_hash) {
-    const auto tell = [&](const server::HostedWorld& world, std::uint32_t tick) {
+    const auto report = [&](const server::HostedWorld& world, std::uint32_t tick) {
         if (tick % every == 0) on_hash(tick, physics::state_hash(world.world()));
     };
-    const auto world = replay_from_first({.after_tick = tell});
+    const auto world = replay_from_first({.after_tick = report});
     if (!world.ok()) return world.error();
     if (!world->warnings.empty()) return Error{ErrorCode::corrupt_data, world->warnings.back()};
     return {};
@@ -159,7 +159,7 @@ Result<std::optional<PersistedWorld::Difference>> PersistedWorld::first_differen
     if (Status s = other.hashes(1, compare); !s.ok()) return s.error();
     if (!differs) {
         if (compared == 0)
-            return Error{ErrorCode::failed_precondition, "they have no tick in common"};
+            return Error{ErrorCode::failed_precondition, "the databases have no tick in common"};
         return std::optional<Difference>();
     }
     const auto a = replay_from_first({.last_tick = differs});
@@ -168,7 +168,7 @@ Result<std::optional<PersistedWorld::Difference>> PersistedWorld::first_differen
     if (!b.ok()) return b.error();
     return std::optional(
         Difference{*differs, physics::first_difference(a->world.world(), b->world.world())
-                                 .value_or("nothing that can be named")});
+                                 .value_or("no field differs")});
 }
 
 }  // namespace jostle::replay

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What a server's store has of a world (server/recovery), done again: is it whole, what was it in
-// any tick, and where do two of them part? Each opens the store for itself alone, so no server may
-// have it open. One thread.
+// Replays a persisted world from a server's database (server/recovery): verifies its checkpoints,
+// restores any tick, and finds the first difference of two databases. Each object opens the
+// database exclusively, so no server may use it. One thread.
 #pragma once
 
 #include <cstdint>
@@ -19,41 +19,42 @@ namespace jostle::replay {
 
 class PersistedWorld {
 public:
-    // By id or name. Errors: the store cannot be opened, or has no such world.
+    // Opens a world by id or name. Returns an error if the database cannot be opened or has no such
+    // world.
     static Result<PersistedWorld> open(const std::string& file, const std::string& world);
     static Result<std::vector<server::StoredWorld>> list(const std::string& file);
 
     struct Summary {
         std::string id, name, scene, engine;
-        std::vector<std::uint32_t> checkpoints;  // ticks, rising
+        std::vector<std::uint32_t> checkpoints;  // ticks, ascending
         std::uint32_t last_tick = 0;
         std::uint64_t entries = 0, commands = 0, bytes = 0;
-        std::string corruption;  // empty: none was found
+        std::string corruption;  // empty: none found
     };
     Result<Summary> summary();
 
     struct Verification {
         std::uint32_t first_tick = 0, last_tick = 0;
-        int checkpoints = 0;              // that were compared, the first one not among them
-        std::vector<std::string> errors;  // each a sentence
+        int checkpoints = 0;              // number of compared checkpoints, excluding the first one
+        std::vector<std::string> errors;  // one sentence each
     };
-    // From the oldest checkpoint on: each later one must be what the world has become then.
+    // Replays from the oldest checkpoint and compares each later one with the replayed world.
     Result<Verification> verify();
 
-    // From the newest checkpoint before it. not_found: that tick is not kept.
+    // Restores a tick from the newest checkpoint before it. not_found: the tick is not available.
     Result<server::RecoveredWorld> at(std::uint32_t tick);
-    // As a scene file, and what it cannot say, each as a sentence.
+    // The tick as a scene, with state that a scene cannot express, one sentence each.
     Result<server::ExportedScene> scene_at(std::uint32_t tick);
 
-    // The hash of the state after each tick, from the oldest checkpoint on.
+    // Reports the state hash of every `every`-th tick, from the oldest checkpoint on.
     using OnHash = std::function<void(std::uint32_t tick, std::uint64_t hash)>;
     Status hashes(std::uint32_t every, const OnHash& on_hash);
 
     struct Difference {
-        std::uint32_t tick = 0;  // the first one after which they differ
-        std::string field;       // the first one, with both values
+        std::uint32_t tick = 0;  // the first tick that differs
+        std::string field;       // the first field that differs, with both values
     };
-    // Of the ticks that both have. Nothing: they are the same.
+    // Compares the ticks that both worlds have. Returns nothing if they are equal.
     Result<std::optional<Difference>> first_difference(PersistedWorld& other);
 
     const std::string& id() const { return stored_.id; }

@@ -15,15 +15,17 @@ using physics::Error;
 using physics::Result;
 using physics::Status;
 
-constexpr double slowest_hz = 4;              // of any step
-constexpr std::size_t samples_max = 240;      // looked at in a run
-constexpr double short_run = 0.05;            // s of processor time: repeated, the least counts
-constexpr double safe_ratio = 0.25;           // of the tolerance: agreement that leaves no doubt
-constexpr double perturbation_ratio = 1e-6;   // of the scale, a second
-constexpr double chaotic_growth = 100;        // of a nudge
-constexpr double order_min = 0.5;             // of the doubt: below, refining does not help
-constexpr double reference_error_margin = 4;  // times it: an error that is the run's own
-constexpr double extent_min = 1e-3;           // m: bodies that hardly move say nothing of a scale
+constexpr double slowest_hz = 4;          // minimum step rate
+constexpr std::size_t samples_max = 240;  // maximum number of samples per run
+// s of CPU time: shorter runs are repeated and the minimum counts
+constexpr double short_run = 0.05;
+constexpr double safe_ratio = 0.25;          // of the tolerance: refinement stops below
+constexpr double perturbation_ratio = 1e-6;  // of the scale, per second
+constexpr double chaotic_growth = 100;       // of a perturbation
+constexpr double order_min = 0.5;  // of the reference error: below it, refinement does not help
+// errors above this multiple of the reference error belong to the run
+constexpr double reference_error_margin = 4;
+constexpr double extent_min = 1e-3;  // m: below it, the motion does not define a scale
 
 std::string number(double value) {
     char text[32];
@@ -42,16 +44,16 @@ double error_of(const Distance& distance, double scale) {
 Status check(const scenes::SceneDescription& scene, const ConvergenceOptions& options) {
     const auto is_dynamic = [](const auto& b) { return b.body.type == physics::BodyType::dynamic; };
     if (std::none_of(scene.bodies.begin(), scene.bodies.end(), is_dynamic))
-        return Error{{}, scene.name + " has no dynamic body: there is nothing to converge"};
+        return Error{{}, scene.name + " has no dynamic body; --converge needs at least one"};
     const auto& rates = options.rates;
     if (rates.size() == 1)
-        return Error{{}, "one rate cannot be compared with anything: give two or more"};
+        return Error{{}, "one rate cannot be compared; --rates needs at least two"};
     for (std::size_t k = 1; k < rates.size(); k++) {
         const double times = rates[k] / rates[0];
         if (std::abs(times - std::round(times)) > 1e-9 * times)
             return Error{{},
-                         number(rates[k]) + " Hz is no multiple of " + number(rates[0]) +
-                             " Hz, so that the runs have no times in common"};
+                         number(rates[k]) + " Hz is not a multiple of " + number(rates[0]) +
+                             " Hz, so the runs have no common sample times"};
     }
     return {};
 }
@@ -75,7 +77,7 @@ std::vector<int> substeps_of(const scenes::SceneDescription& scene,
     return substeps;
 }
 
-// Runs a scene at one setting after the other, as long as the budget lasts.
+// Runs a scene with several settings while the budget lasts.
 class Runs {
 public:
     Runs(const scenes::SceneDescription& scene, const ConvergenceOptions& options,
@@ -96,19 +98,19 @@ public:
         on_progress_(name_of(setting));
         auto trajectory = simulate_trajectory(scene_, setting, samples_);
         if (!trajectory) return trajectory.error();
-        double least = trajectory->cpu_seconds;
-        spent_ += least;
-        for (int k = 0; k < 2 && least < short_run; k++)
+        double minimum = trajectory->cpu_seconds;
+        spent_ += minimum;
+        for (int k = 0; k < 2 && minimum < short_run; k++)
             if (auto again = simulate_trajectory(scene_, setting, samples_)) {
-                least = std::min(least, again->cpu_seconds);
+                minimum = std::min(minimum, again->cpu_seconds);
                 spent_ += again->cpu_seconds;
             }
-        return Run{setting, std::move(*trajectory), 1e6 * least / seconds_};
+        return Run{setting, std::move(*trajectory), 1e6 * minimum / seconds_};
     }
 
-    // The same with starts that hardly differ.
+    // Runs with slightly perturbed initial velocities.
     Result<Trajectory> run_perturbed(const StepSettings& setting, double perturbation) {
-        on_progress_(name_of(setting) + ", nudged");
+        on_progress_(name_of(setting) + ", perturbed");
         return simulate_trajectory(perturbed(scene_, perturbation), setting, samples_);
     }
 
@@ -123,7 +125,7 @@ private:
     const ProgressCallback& on_progress_;
 };
 
-// s: when the error at one sample first passes the tolerance; the whole run when it never does.
+// Time in s until the error first exceeds the tolerance; the duration of the run if it never does.
 double agreement_seconds(const Trajectory& a, const Trajectory& b, double scale, double tolerance,
                          const SampleTimes& samples) {
     const std::size_t count = std::min(a.samples(), b.samples());
@@ -137,61 +139,64 @@ double end_error(const Trajectory& a, const Trajectory& b, double scale) {
     return error_of(distance_at(a, b, std::min(a.samples(), b.samples()) - 1), scale);
 }
 
-// With the most sub-steps, from the lowest rate up, until two neighbours agree.
+// Refines the step rate with the largest number of sub-steps until two successive runs agree.
 Result<std::vector<Runs::Run>> refine(Runs& runs, const ConvergenceOptions& options,
                                       const std::vector<double>& rates, int substeps,
                                       Convergence& found) {
     std::vector<Runs::Run> ladder;
-    std::vector<double> doubts;
+    std::vector<double> reference_errors;
     for (const double hz : rates) {
         const bool more = ladder.size() >= 2;
         if (more && !runs.is_within_budget(ladder.back().cpu_us_per_second * hz /
                                            ladder.back().setting.hz)) {
-            found.skipped_runs = "all rates from " + number(hz) + " Hz on";
+            found.skipped_runs = "all rates from " + number(hz) + " Hz";
             break;
         }
         auto run = runs.run({hz, substeps});
         if (!run) return run.error();
         if (!run->trajectory.failure.empty())
             return Error{
-                {}, "the run at " + name_of(run->setting) + " ended: " + run->trajectory.failure};
+                {}, "the run at " + name_of(run->setting) + " failed: " + run->trajectory.failure};
         ladder.push_back(std::move(*run));
         const double extent = extent_of(ladder.back().trajectory);
         found.scale = options.scale > 0 ? options.scale : extent > extent_min ? extent : 1;
         if (ladder.size() < 2) continue;
-        doubts.push_back(error_of(
+        reference_errors.push_back(error_of(
             distance_between(ladder[ladder.size() - 2].trajectory, ladder.back().trajectory),
             found.scale));
-        if (options.rates.empty() && doubts.back() <= safe_ratio * options.tolerances.back()) break;
+        if (options.rates.empty() &&
+            reference_errors.back() <= safe_ratio * options.tolerances.back())
+            break;
     }
-    if (doubts.empty())
-        return Error{{}, "there is one rate alone, so nothing to compare: raise --finest-hz"};
+    if (reference_errors.empty())
+        return Error{{}, "only one rate is available for comparison; raise --finest-hz"};
     found.finest = ladder.back().setting;
-    found.reference_error = doubts.back();
-    if (doubts.size() > 1)
+    found.reference_error = reference_errors.back();
+    if (reference_errors.size() > 1)
         found.reference_order = convergence::observed_order(
-            doubts[doubts.size() - 2], doubts.back(),
+            reference_errors[reference_errors.size() - 2], reference_errors.back(),
             ladder.back().setting.hz / ladder[ladder.size() - 2].setting.hz);
     return ladder;
 }
 
-ConvergenceRow row_of(const Runs::Run& run, const Trajectory& truth, const Convergence& found,
+ConvergenceRow row_of(const Runs::Run& run, const Trajectory& reference, const Convergence& found,
                       const SampleTimes& samples) {
     ConvergenceRow row{.setting = run.setting,
                        .cpu_us_per_second = run.cpu_us_per_second,
                        .failure = run.trajectory.failure};
     if (!row.failure.empty()) return row;
-    const Distance distance = distance_between(run.trajectory, truth);
+    const Distance distance = distance_between(run.trajectory, reference);
     row.distance = distance.position;
     row.angle = distance.angle;
     row.error = error_of(distance, found.scale);
-    row.end_error = end_error(run.trajectory, truth, found.scale);
-    row.agreement_seconds =
-        agreement_seconds(run.trajectory, truth, found.scale, found.tolerances.front(), samples);
+    row.end_error = end_error(run.trajectory, reference, found.scale);
+    row.agreement_seconds = agreement_seconds(run.trajectory, reference, found.scale,
+                                              found.tolerances.front(), samples);
     return row;
 }
 
-// Only where the error is clear of the doubt: below, it is as much the truth's as the run's.
+// Computes an order only where the error clearly exceeds the reference error; below it, the error
+// belongs to the reference as much as to the run.
 void add_orders(std::vector<ConvergenceRow>& rows, double reference_error) {
     for (std::size_t k = 1; k < rows.size(); k++) {
         const ConvergenceRow& before = rows[k - 1];
@@ -202,7 +207,7 @@ void add_orders(std::vector<ConvergenceRow>& rows, double reference_error) {
     }
 }
 
-// Whether starts that hardly differ part as the runs do.
+// Checks whether slightly perturbed initial conditions diverge as much as the runs.
 Status perturbation(Runs& runs, const std::vector<Runs::Run>& ladder,
                     const ConvergenceOptions& options, Convergence& found) {
     const Runs::Run& same = ladder[std::min<std::size_t>(1, ladder.size() - 1)];
@@ -210,7 +215,7 @@ Status perturbation(Runs& runs, const std::vector<Runs::Run>& ladder,
     auto perturbed_run = runs.run_perturbed(same.setting, found.perturbation);
     if (!perturbed_run) return perturbed_run.error();
     if (perturbed_run->samples() == 0)
-        return Error{{}, "the nudged run ended: " + perturbed_run->failure};
+        return Error{{}, "the perturbed run failed: " + perturbed_run->failure};
     found.perturbation_error = end_error(same.trajectory, *perturbed_run, found.scale);
     found.growth = found.perturbation_error / (perturbation_ratio * options.seconds);
     return {};
@@ -241,12 +246,12 @@ Result<Convergence> converge(const scenes::SceneDescription& scene,
     if (auto status = check(scene, options); !status) return status.error();
     const std::vector<double> rates = rates_of(scene, options);
     const std::vector<int> substeps = substeps_of(scene, options);
-    // Every step of the lowest rate, or every second one, and so on.
+    // Samples at every step of the lowest rate, or every second one, and so on.
     const double steps = std::round(options.seconds * rates[0]);
     if (steps < 1)
         return Error{{},
-                     number(options.seconds) + " s are less than one step at " + number(rates[0]) +
-                         " Hz: simulate longer"};
+                     number(options.seconds) + " s is less than one step at " + number(rates[0]) +
+                         " Hz; increase --seconds"};
     const double stride = std::ceil(steps / static_cast<double>(samples_max));
     const SampleTimes samples{rates[0] / stride, static_cast<std::size_t>(steps / stride)};
 
@@ -256,9 +261,9 @@ Result<Convergence> converge(const scenes::SceneDescription& scene,
     Runs runs(scene, options, samples, on_progress);
     auto ladder = refine(runs, options, rates, substeps.back(), found);
     if (!ladder) return ladder.error();
-    const Trajectory& truth = ladder->back().trajectory;
-    found.bodies = static_cast<int>(truth.bodies);
-    found.agreement_seconds = agreement_seconds((*ladder)[ladder->size() - 2].trajectory, truth,
+    const Trajectory& reference = ladder->back().trajectory;
+    found.bodies = static_cast<int>(reference.bodies);
+    found.agreement_seconds = agreement_seconds((*ladder)[ladder->size() - 2].trajectory, reference,
                                                 found.scale, found.tolerances.front(), samples);
     if (auto status = perturbation(runs, *ladder, options, found); !status) return status.error();
     found.verdict = verdict_of(found);
@@ -266,7 +271,7 @@ Result<Convergence> converge(const scenes::SceneDescription& scene,
     for (const int count : substeps)
         for (const Runs::Run& step : *ladder) {
             if (count == substeps.back()) {
-                found.rows.push_back(row_of(step, truth, found, samples));
+                found.rows.push_back(row_of(step, reference, found, samples));
                 continue;
             }
             if (!runs.is_within_budget(step.cpu_us_per_second)) {
@@ -275,9 +280,9 @@ Result<Convergence> converge(const scenes::SceneDescription& scene,
             }
             const auto run = runs.run({step.setting.hz, count});
             if (!run) return run.error();
-            found.rows.push_back(row_of(*run, truth, found, samples));
+            found.rows.push_back(row_of(*run, reference, found, samples));
         }
-    // Nothing is known better than the finest run's neighbour says.
+    // No error can be known more accurately than the reference error.
     for (ConvergenceRow& row : found.rows) row.error = std::max(row.error, found.reference_error);
     found.rows.back().end_error = found.reference_error;
     add_orders(found.rows, found.reference_error);

@@ -42,21 +42,21 @@ std::string table(const Convergence& found) {
 
 std::string answer(const Convergence& found, double tolerance) {
     if (found.reference_error > tolerance)
-        return format_text("  %-8g nobody knows: the two finest runs differ by %.3g\n", tolerance,
+        return format_text("  %-8g unknown: the two finest runs differ by %.3g\n", tolerance,
                            found.reference_error);
     const auto row = found.cheapest(tolerance);
-    if (!row) return format_text("  %-8g no setting is good enough\n", tolerance);
+    if (!row) return format_text("  %-8g no setting is accurate enough\n", tolerance);
     return format_text("  %-8g --hz %g --substeps %d  (%.4g us/s, error %.3g)\n", tolerance,
                        row->setting.hz, row->setting.substeps, row->cpu_us_per_second, row->error);
 }
 
-// Refinement by which the doubt would fall to the tolerance if it goes on falling as it did.
+// Estimates the rate at which the reference error would reach the tolerance, at the observed order.
 std::string rate_needed(const Convergence& found) {
     if (!found.reference_order || *found.reference_order <= 0.1) return "";
     const double times =
         std::pow(found.reference_error / found.tolerances.back(), 1 / *found.reference_order);
-    return format_text("; at the order seen, %.2f, about %.0f Hz would do", *found.reference_order,
-                       found.finest.hz * times);
+    return format_text("; at the observed order %.2f, about %.0f Hz would suffice",
+                       *found.reference_order, found.finest.hz * times);
 }
 
 std::string verdict(const Convergence& found) {
@@ -74,11 +74,11 @@ std::string verdict(const Convergence& found) {
             break;
     }
     return format_text(
-        "The scene is chaotic: no two runs agree. The two finest differ by %.3g, and so do runs\n"
-        "whose starts differ by %.1g m/s: by the end they are %.3g apart, %.0f times as far as "
-        "the\n"
-        "start took them. No rate and no engine tells where a body ends up. The two finest agree\n"
-        "to %g for %.3g s: ask about that time (--seconds), or about sums over many bodies.\n",
+        "The scene is chaotic: no two runs agree. The two finest differ by %.3g. So do runs with\n"
+        "initial velocities that differ by %.1g m/s: at the end they are %.3g apart, %.0f times\n"
+        "the initial divergence. No rate and no engine can predict the final positions. The two\n"
+        "finest agree to %g for %.3g s: reduce --seconds to that time, or use averages over many\n"
+        "bodies.\n",
         found.reference_error, found.perturbation, found.perturbation_error, found.growth,
         found.tolerances.front(), found.agreement_seconds);
 }
@@ -89,13 +89,13 @@ std::string to_text(const Convergence& found) {
     std::string text = format_text("%s: %d bodies, %g s, one thread\n", found.scene.c_str(),
                                    found.bodies, found.seconds);
     text += format_text(
-        "error: RMS distance of the centres over %.4g m, or RMS angle in rad: the larger.\n"
-        "Against the finest run, over all bodies and times. No error is told below %.3g, by which\n"
-        "the two finest runs differ. Same to: closer than %g until then.\n\n",
+        "error: the larger of RMS distance of the centres / %.4g m and RMS angle in rad, over all\n"
+        "bodies and times, against the finest run. Errors below %.3g, the difference of the two\n"
+        "finest runs, are not reported. same to: time until the error exceeds %g.\n\n",
         found.scale, found.reference_error, found.tolerances.front());
     text += table(found) + "\n" + verdict(found);
     if (!found.skipped_runs.empty())
-        text += "Left out, for they would cost more than --budget: " + found.skipped_runs + ".\n";
+        text += "Skipped because they would exceed --budget: " + found.skipped_runs + ".\n";
     text += "Cheapest setting for an error of at most\n";
     for (const double tolerance : found.tolerances) text += answer(found, tolerance);
     return text;

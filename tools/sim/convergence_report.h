@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What jostle-sim --converge says of its runs: a table with a verdict for people, JSON for
-// programs.
+// Formats the result of jostle-sim --converge: a table with a verdict, or JSON.
 #pragma once
 
 #include <string>

@@ -16,7 +16,7 @@ using physics::Error;
 using physics::ErrorCode;
 using physics::Result;
 
-// Names of what a scene made; modules make bodies that it does not name.
+// Names of the objects of a scene; bodies created by modules have no names there.
 struct Names {
     std::map<BodyId, std::string> bodies;
     std::map<physics::JointId, std::string> joints;
@@ -25,7 +25,7 @@ struct Names {
         std::map<std::string, int> uses;
         for (const scenes::SceneBody& body : scene.bodies) uses[body.name]++;
         for (const scenes::SceneJoint& joint : scene.joints) uses[joint.name]++;
-        // With its place in the scene where the name alone does not tell which.
+        // Appends the index in the scene if the name alone is ambiguous.
         const auto name_or_index = [&](const std::string& name, const std::string& other,
                                        std::size_t k) {
             if (name.empty()) return other + " " + std::to_string(k);
@@ -61,13 +61,13 @@ Result<BodyId> find_body(const std::string& text, const scenes::SceneDescription
                          const scenes::BuiltScene& built) {
     for (std::size_t k = 0; k < scene.bodies.size(); k++)
         if (!text.empty() && scene.bodies[k].name == text) return built.bodies[k];
-    std::size_t place = 0;
+    std::size_t index = 0;
     const char* end = text.data() + text.size();
-    const auto read = std::from_chars(text.data(), end, place);
-    if (read.ec == std::errc{} && read.ptr == end && place < scene.bodies.size())
-        return built.bodies[place];
+    const auto read = std::from_chars(text.data(), end, index);
+    if (read.ec == std::errc{} && read.ptr == end && index < scene.bodies.size())
+        return built.bodies[index];
     return Error{ErrorCode::not_found, "--inspect: the scene has no body '" + text +
-                                           "'; give a body's name, a number " + "from 0 to " +
+                                           "'; must be a body's name, a number " + "from 0 to " +
                                            std::to_string(scene.bodies.size() - 1) + ", or all"};
 }
 
@@ -82,7 +82,7 @@ InspectedGroup group_of(ConstraintSystem system, const Names& names, const Inspe
     group.analysis = linear_systems::analyse(group.problem);
     if (full_report) {
         group.solutions = linear_systems::solve_all(group.problem, options.limits);
-        group.evaluate_preconditioning =
+        group.preconditioning =
             linear_systems::evaluate_preconditioning(group.problem, group.analysis, options.limits);
     } else {
         group.solutions = {
@@ -91,7 +91,7 @@ InspectedGroup group_of(ConstraintSystem system, const Names& names, const Inspe
     return group;
 }
 
-// Each group by the body of it that comes first, in the order of the scene.
+// Inspects all groups, in the order of their first bodies in the scene.
 std::vector<InspectedGroup> all_groups(const scenes::BuiltScene& built, const Names& names,
                                        const InspectOptions& options) {
     struct Refused {
@@ -99,7 +99,7 @@ std::vector<InspectedGroup> all_groups(const scenes::BuiltScene& built, const Na
         std::string why;
     };
     std::vector<ConstraintSystem> systems;
-    std::vector<Refused> unavailable_reason;
+    std::vector<Refused> refused;
     std::map<BodyId, bool> seen;
     const auto visit_island = [&](BodyId body) {
         for (const std::vector<BodyId>& island : built.world.islands())
@@ -113,15 +113,15 @@ std::vector<InspectedGroup> all_groups(const scenes::BuiltScene& built, const Na
             for (const physics::SystemBody& member : system->bodies) seen[member.id] = true;
             systems.push_back(std::move(*system));
         } else if (system.error().code != ErrorCode::failed_precondition) {
-            unavailable_reason.push_back({body, system.error().message});
+            refused.push_back({body, system.error().message});
             visit_island(body);
         }
     }
     std::vector<InspectedGroup> groups;
-    const bool full_report = systems.size() == 1 && unavailable_reason.empty();
+    const bool full_report = systems.size() == 1 && refused.empty();
     for (ConstraintSystem& system : systems)
         groups.push_back(group_of(std::move(system), names, options, full_report));
-    for (const Refused& group : unavailable_reason)
+    for (const Refused& group : refused)
         groups.push_back({.bodies = {names.of(group.body)}, .unavailable_reason = group.why});
     return groups;
 }

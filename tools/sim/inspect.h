@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// jostle-sim --inspect: what the next step has to solve for the bodies of a scene, taken apart and
-// solved in many ways.
+// jostle-sim --inspect: the constraint systems that the next step solves for the bodies of a scene,
+// analysed and solved with several methods.
 #pragma once
 
 #include <optional>
@@ -16,27 +16,27 @@
 namespace jostle::sim {
 
 struct InspectOptions {
-    std::string body = "all";  // a name, a place in the scene, or "all"
+    std::string body = "all";  // a name, an index in the scene, or "all"
     physics::ConstraintSystemOptions rows;
     linear_systems::SolverLimits limits;
 };
 
-// What hangs together.
+// Bodies connected by joints and touching contacts.
 struct InspectedGroup {
     std::vector<std::string> bodies;  // that move
-    std::string unavailable_reason;   // why there is no more; empty: there is
+    std::string unavailable_reason;   // why there is no system; empty: there is one
     physics::ConstraintSystem system;
-    linear_systems::Problem problem;  // rows by the names of joints and bodies
+    linear_systems::Problem problem;  // rows named after joints and bodies
     linear_systems::Analysis analysis;
-    // By all methods, and treated, where one group was asked for; else by projected sweeps alone.
+    // Of all methods, with preconditioning, if there is one group; otherwise of projected
+    // Gauss-Seidel only.
     std::vector<linear_systems::Solution> solutions;
-    std::vector<linear_systems::PreconditioningResult> evaluate_preconditioning;
+    std::vector<linear_systems::PreconditioningResult> preconditioning;
 
-    // Directions in which the bodies can go on as they like, of how many they would have alone.
-    // None where rows give way or push one way.
+    // Remaining degrees of freedom of the bodies. Nothing if rows are soft or unilateral.
     std::optional<int> free_motions() const;
     int motions() const;
-    // That which keeps to the bounds; without bounds the shortest.
+    // The solution that respects the bounds; without bounds the one of minimum norm.
     const linear_systems::Solution* best() const;
 };
 
@@ -47,7 +47,7 @@ struct Inspection {
     std::vector<InspectedGroup> groups;
 };
 
-// An error when the body is none of the scene's, or nothing is solved for it.
+// Returns an error if the scene has no such body or no system is solved for it.
 physics::Result<Inspection> inspect(const scenes::SceneDescription& scene,
                                     const scenes::BuiltScene& built, const InspectOptions& options);
 

@@ -10,8 +10,8 @@ namespace jostle::sim {
 namespace {
 
 constexpr double width = 960, height = 560, left = 90, right = 640, top = 70, bottom = 500;
-constexpr double least_residual = 1e-16, most_residual = 1e6;  // what is beyond is drawn there
-// Told apart by most color-blind readers as well (Okabe and Ito).
+constexpr double least_residual = 1e-16, most_residual = 1e6;  // values outside are clamped
+// Distinguishable with most forms of color blindness (Okabe and Ito).
 constexpr const char* colors[] = {"#0072b2", "#d55e00", "#009e73"};
 
 }  // namespace
@@ -47,7 +47,7 @@ std::string plot_residuals(const InspectedGroup& group, const std::string& title
         svg.polyline(points, color);
         svg.marker({right + 20, label + 6}, 0, color);
         svg.text({right + 32, label + 10}, std::string(name_of(solution.method)) +
-                                               (solution.converged ? "" : ", not there yet"));
+                                               (solution.converged ? "" : ", not converged"));
         label += 22;
     }
     return svg.str();

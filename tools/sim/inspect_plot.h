@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What is left after each iteration, as a picture.
+// Plot of the residual after each iteration.
 #pragma once
 
 #include <string>
@@ -9,7 +9,7 @@
 
 namespace jostle::sim {
 
-// SVG text: a curve for each method that iterates.
+// SVG text with one curve per iterative method.
 std::string plot_residuals(const InspectedGroup& group, const std::string& title);
 
 }  // namespace jostle::sim

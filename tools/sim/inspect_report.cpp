@@ -32,7 +32,7 @@ std::string rows_table(const InspectedGroup& group) {
     double most_force = 0;
     if (best != nullptr)
         for (const double x : best->x) most_force = std::max(most_force, std::abs(x) / h);
-    // What rounding leaves is shown as none.
+    // Rounding errors are shown as zero.
     const auto force = [&](double x) { return std::abs(x) / h > 1e-9 * most_force ? x / h : 0.0; };
     for (std::size_t k = 0; k < group.problem.count && k < rows_shown; k++) {
         const physics::ConstraintRow& row = group.system.rows[k];
@@ -49,8 +49,9 @@ std::string rows_table(const InspectedGroup& group) {
                             group.problem.count - rows_shown);
     if (best != nullptr)
         text += format_text(
-            "b: the change of rate that is wanted, m/s or rad/s. force (N, N m) by %s, its bounds\n"
-            "likewise. error in m or rad; of limits and contacts what is left.\n",
+            "b: the required change of velocity, m/s or rad/s. force and its bounds (N, N m) by "
+            "%s.\n"
+            "error: position error in m or rad; of limits and contacts the remaining distance.\n",
             name_of(best->method));
     return text;
 }
@@ -61,27 +62,26 @@ std::string rank_text(const InspectedGroup& group) {
     std::string text;
     if (analysis.singular())
         text += format_text(
-            "Rank %zu of %zu: %zu %s what others say, so what they carry is not "
+            "Rank %zu of %zu: %zu redundant %s, whose forces are not "
             "determined.\n",
-            analysis.rank, rows, rows - analysis.rank,
-            rows - analysis.rank == 1 ? "row says" : "rows say");
+            analysis.rank, rows, rows - analysis.rank, rows - analysis.rank == 1 ? "row" : "rows");
     else
-        text += format_text("Rank %zu of %zu: every row says something of its own.\n",
-                            analysis.rank, rows);
+        text += format_text("Rank %zu of %zu: no redundant rows.\n", analysis.rank, rows);
     for (std::size_t k = 0; k < analysis.redundancies.size() && k < redundancies_shown; k++)
         text += "  " + to_text(analysis.redundancies[k], group.problem) + "\n";
     if (analysis.redundancies.size() > redundancies_shown)
         text +=
             format_text("  ... and %zu more\n", analysis.redundancies.size() - redundancies_shown);
     if (analysis.inconsistency > 1e-12)
-        text += format_text("They want different things: no impulses make a part of %.3g of b.\n",
-                            analysis.inconsistency);
+        text += format_text(
+            "The redundant rows are contradictory: no impulses produce a share of %.3g of b.\n",
+            analysis.inconsistency);
     if (const auto free = group.free_motions())
-        text += format_text("The bodies are left %d of their %d free motions.\n", *free,
+        text += format_text("Remaining degrees of freedom of the bodies: %d of %d.\n", *free,
                             group.motions());
-    text += format_text("Condition number %.4g%s; with each row scaled by its diagonal %.4g.\n",
-                        analysis.condition, analysis.singular() ? " of what is not zero" : "",
-                        analysis.scaled_condition);
+    text += format_text(
+        "Condition number %.4g%s; with diagonal scaling %.4g.\n", analysis.condition,
+        analysis.singular() ? " (of the nonzero eigenvalues)" : "", analysis.scaled_condition);
     return text;
 }
 
@@ -102,11 +102,13 @@ std::string methods_table(const InspectedGroup& group) {
                             solution.residual, count.c_str(), solution.milliseconds, solution.size,
                             solution.out_of_bounds);
     }
-    text += "All but the projected sweeps take every row as an equation, without its bounds.\n";
+    text +=
+        "All methods except projected Gauss-Seidel treat every row as an equation without "
+        "bounds.\n";
     return text;
 }
 
-// After 1, 2, 5, 10, ... iterations.
+// Residuals after 1, 2, 5, 10, ... iterations.
 std::string progress_table(const InspectedGroup& group) {
     std::vector<const Solution*> shown;
     int most = 0;
@@ -137,14 +139,14 @@ std::string progress_table(const InspectedGroup& group) {
 std::string preconditioning_table(const InspectedGroup& group) {
     std::string text = format_text("%-8s %9s %11s %11s %11s %11s\n", "scaling", "epsilon",
                                    "condition", "gradients", "sweeps", "error");
-    for (const PreconditioningResult& t : group.evaluate_preconditioning)
+    for (const PreconditioningResult& t : group.preconditioning)
         text += format_text("%-8s %9.0e %11.3e %10d%s %10d%s %11.2e\n",
                             t.scaled ? "diagonal" : "none", t.epsilon, t.condition,
                             t.gradient_iterations, t.gradients_converged ? " " : "+", t.sweeps,
                             t.sweeps_converged ? " " : "+", t.error);
     text +=
-        "epsilon: what is added to the diagonal, over the largest of it. error: what that costs,\n"
-        "|b - A x| / |b| of the rows as they were. +: no further within so many iterations.\n";
+        "epsilon: softness relative to the largest diagonal entry. error: |b - A x| / |b| of the\n"
+        "original rows. +: not converged within the limit of iterations.\n";
     return text;
 }
 
@@ -182,7 +184,7 @@ std::string group_list(const std::vector<InspectedGroup>& groups) {
     if (groups.size() > groups_shown)
         text +=
             format_text("... and %zu more; --json has all of them\n", groups.size() - groups_shown);
-    return text + "Name one body, as in --inspect " + groups[0].bodies[0] +
+    return text + "Use a body, as in --inspect " + groups[0].bodies[0] +
            ", to see its group in full.\n";
 }
 
@@ -224,8 +226,7 @@ json group_json(const InspectedGroup& group) {
     if (!group.unavailable_reason.empty())
         return {{"bodies", group.bodies}, {"refused", group.unavailable_reason}};
     const Analysis& analysis = group.analysis;
-    json redundancies = json::array(), methods = json::array(),
-         evaluate_preconditioning = json::array();
+    json redundancies = json::array(), methods = json::array(), preconditioning = json::array();
     for (const auto& redundancy : analysis.redundancies) {
         json of = json::array();
         for (const auto& share : redundancy.of)
@@ -247,15 +248,15 @@ json group_json(const InspectedGroup& group) {
         }
         methods.push_back(line);
     }
-    for (const PreconditioningResult& t : group.evaluate_preconditioning)
-        evaluate_preconditioning.push_back({{"scaled", t.scaled},
-                                            {"epsilon", t.epsilon},
-                                            {"condition", finite_or_null(t.condition)},
-                                            {"gradient_iterations", t.gradient_iterations},
-                                            {"gradients_converged", t.gradients_converged},
-                                            {"sweeps", t.sweeps},
-                                            {"sweeps_converged", t.sweeps_converged},
-                                            {"error", finite_or_null(t.error)}});
+    for (const PreconditioningResult& t : group.preconditioning)
+        preconditioning.push_back({{"scaled", t.scaled},
+                                   {"epsilon", t.epsilon},
+                                   {"condition", finite_or_null(t.condition)},
+                                   {"gradient_iterations", t.gradient_iterations},
+                                   {"gradients_converged", t.gradients_converged},
+                                   {"sweeps", t.sweeps},
+                                   {"sweeps_converged", t.sweeps_converged},
+                                   {"error", finite_or_null(t.error)}});
     const auto free = group.free_motions();
     return {{"bodies", group.bodies},
             {"h", group.system.h},
@@ -270,7 +271,7 @@ json group_json(const InspectedGroup& group) {
             {"free_motions", free ? json(*free) : json(nullptr)},
             {"redundancies", redundancies},
             {"methods", methods},
-            {"treatments", evaluate_preconditioning}};
+            {"treatments", preconditioning}};
 }
 
 }  // namespace
@@ -279,7 +280,7 @@ std::string to_text(const Inspection& found) {
     const std::string head = format_text("%s after step %llu (%.4g s)\n", found.scene.c_str(),
                                          static_cast<unsigned long long>(found.step), found.time);
     if (found.groups.empty())
-        return head + "No joint and no contact of it can act now: there is nothing to solve.\n";
+        return head + "No joint and no contact can act now: there is nothing to solve.\n";
     if (found.groups.size() > 1) return head + group_list(found.groups);
     const InspectedGroup& group = found.groups[0];
     return head + (group.unavailable_reason.empty() ? full_report(group)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What jostle-sim --inspect says: tables for people, JSON for programs.
+// Formats the result of jostle-sim --inspect: tables, or JSON.
 #pragma once
 
 #include <string>

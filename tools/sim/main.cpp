@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// jostle-sim: a scene, offline, as fast as it can.
+// jostle-sim: runs a scene offline, as fast as possible.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
@@ -34,23 +34,25 @@ Examples:
   jostle-sim machines --inspect --at 120
   jostle-sim my_scene.json --inspect door --at 0 --json rows.json
 
-The trace has a header and one row per body and tick: tick, body (its place in the scene), name, position px py pz (m),
-rotation qx qy qz qw, velocity vx vy vz (m/s), angular velocity wx wy wz (rad/s). Static bodies are left out.
---save writes the world as it ends; --load goes on from such a file instead of the scene's start.
+The trace has a header and one row per tick and dynamic or kinematic body: tick, body (index in the
+scene), name, position px py pz (m), rotation qx qy qz qw, velocity vx vy vz (m/s), angular velocity
+wx wy wz (rad/s). --save writes the final world; --load resumes from such a file.
 
---converge asks which rate and how many sub-steps the scene needs. It runs it at half the scene's rate, then at twice
-that, and so on, until two runs agree; takes the finest for the truth; and tells the error and the processor time of every
-rate with every number of sub-steps, how fast the error falls (order 2: to a quarter at twice the rate), and the cheapest
-setting that is good enough. A run that starts a little differently tells whether the scene is chaotic: then no rate
-gives the truth for long, and it says for how long.
+--converge determines the step rate and the number of sub-steps that a scene needs. It runs the
+scene at half its rate, then at twice that, and so on, until two runs agree. The finest run is
+the reference. The report lists the error and the CPU time of each combination of rate and
+sub-steps, the order of convergence (2: doubling the rate divides the error by 4), and the
+cheapest setting within each tolerance. A run with perturbed initial velocities detects chaotic
+scenes, in which no rate is accurate for long; the report states for how long.
 
---inspect shows what a step has to solve. It steps to --at and takes the body with all that joints and touching contacts
-tie to it (all, or no body: each such group): a row for each direction in which something holds, drives, limits or rubs.
-It tells which rows say what others say already, how hard the system A x = b of the rows' impulses is (condition number),
-how nine methods solve it, with the residual after each iteration, and what softness and scaling change. A body is named
-as in the scene, or by its place there, from 0. docs/open_solver.md has an example.
+--inspect analyses the constraint system of a step. It steps to --at and selects the group of a
+body: all bodies connected to it by joints and touching contacts (without a body: every group).
+The system has one row per direction that is held, driven, limited or subject to friction. The
+report lists redundant rows, the condition number of A x = b, the results of nine solution
+methods with their residual per iteration, and the effect of softness and scaling. Bodies are
+selected by name or by index in the scene, from 0. docs/open_solver.md has an example.
 
-Exit status: 0 done, 1 the run failed, 2 wrong flags or scene.)";
+Exit status: 0 success, 1 the run failed, 2 invalid flags or scene.)";
 
 struct Flags {
     std::string scene, json, trace, save, load, sleep, write_scene, instructions;
@@ -66,7 +68,7 @@ struct Flags {
     std::vector<double> rates, tolerances = {0.01};
     std::vector<int> substep_counts;
     double finest_hz = 1920, scale = 0, budget = 120;
-    std::string inspect;  // empty: not asked for
+    std::string inspect;  // empty: not requested
     std::string plot;
     std::uint64_t at = 60;
     double position_correction = 0;
@@ -74,7 +76,7 @@ struct Flags {
     bool solver_softness = false;
 };
 
-// CLI::Range lets through what is not a number.
+// Unlike CLI::Range, rejects values that are not numbers.
 CLI::Validator between(double low, double high) {
     return CLI::Validator(
         [low, high](std::string& text) -> std::string {
@@ -86,10 +88,10 @@ CLI::Validator between(double low, double high) {
                           low, high);
             return words;
         },
-        "NUMBER");
+        "");
 }
 
-// Those that can be used here, from slow to fast.
+// The instruction sets of this machine, from slow to fast.
 std::string instruction_set_names() {
     std::string names;
     for (const auto set : jostle::physics::available_instruction_sets())
@@ -106,37 +108,44 @@ std::optional<jostle::physics::InstructionSet> find_instruction_set(const std::s
 void add_converge_flags(CLI::App& app, Flags& flags) {
     CLI::Option* converge =
         app.add_flag("--converge", flags.converge,
-                     "Runs the scene at more and more steps until two runs agree; see below");
+                     "Refine the steps until two runs agree, and report errors; see below");
+    converge->group("Convergence");
     const auto requires_mode = [&](CLI::Option* option) {
-        return option->needs(converge)->group("With --converge");
+        return option->needs(converge)->group("Convergence");
     };
     requires_mode(app.add_option("--tolerance", flags.tolerances,
-                                 "Errors that would be good enough, relative to the scale")
+                                 "Relative errors to achieve, separated by commas\n"
+                                 "[default: 0.01; 1e-9 to 10]")
+                      ->type_name("ERROR")
                       ->delimiter(',')
-                      ->capture_default_str()
                       ->check(between(1e-9, 10)));
     requires_mode(
         app.add_option("--rates", flags.rates,
-                       "Steps per second, each a multiple of the lowest; default: from half "
-                       "the scene's, doubled until two runs agree")
+                       "Step rates, separated by commas; each a multiple of the lowest\n"
+                       "[default: half the scene's rate, doubled until two runs agree; 4 to 10000]")
+            ->type_name("HZ")
             ->delimiter(',')
             ->check(between(4, 10000)));
     requires_mode(app.add_option("--substep-counts", flags.substep_counts,
-                                 "Default: a quarter, half, all and twice the scene's")
+                                 "Numbers of sub-steps, separated by commas\n"
+                                 "[default: a quarter, half, all and twice the scene's; 1 to 64]")
+                      ->type_name("N")
                       ->delimiter(',')
-                      ->check(CLI::Range(1, 64)));
-    requires_mode(app.add_option("--finest-hz", flags.finest_hz, "Doubles no further than this")
-                      ->capture_default_str()
+                      ->check(CLI::Range(1, 64).description("")));
+    requires_mode(app.add_option("--finest-hz", flags.finest_hz,
+                                 "Maximum step rate [default: 1920; 8 to 10000]")
+                      ->type_name("HZ")
                       ->check(between(8, 10000)));
     requires_mode(
         app.add_option("--scale", flags.scale,
-                       "Metres that distances are divided by; default: the diagonal of the "
-                       "box in which the bodies move")
+                       "Divide distances by this length\n"
+                       "[default: diagonal of the box in which the bodies move; 1e-6 to 1e6]")
+            ->type_name("METRES")
             ->check(between(1e-6, 1e6)));
     requires_mode(
         app.add_option("--budget", flags.budget,
-                       "Seconds of processor time; runs that would cost more are left out")
-            ->capture_default_str()
+                       "Skip runs that would exceed this CPU time [default: 120; 0.1 to 1e6]")
+            ->type_name("SECONDS")
             ->check(between(0.1, 1e6)));
     for (const char* other :
          {"--error-tolerance", "--substep-budget", "--step-budget", "--substep-report", "--threads",
@@ -150,75 +159,101 @@ void add_inspect_flags(CLI::App& app, Flags& flags) {
         [&flags](const std::vector<std::string>& given) {
             flags.inspect = given.empty() || given[0].empty() ? "all" : given[0];
         },
-        "Shows what a step has to solve for this body, or for all; see below");
-    inspect->expected(0, 1)->type_name("[BODY|all]");
+        "Analyse the constraint system of a step for BODY; see below\n[default: all]");
+    inspect->expected(0, 1)->type_name("[BODY|all]")->group("Inspection");
     const auto requires_mode = [&](CLI::Option* option) {
-        return option->needs(inspect)->group("With --inspect");
+        return option->needs(inspect)->group("Inspection");
     };
-    requires_mode(app.add_option("--at", flags.at, "After this step of the world")
-                      ->capture_default_str()
-                      ->check(CLI::Range(0, 100000000)));
+    requires_mode(app.add_option("--at", flags.at,
+                                 "Inspect after step N of the world [default: 60; 0 to 1e8]")
+                      ->type_name("N")
+                      ->check(CLI::Range(0, 100000000).description("")));
+    requires_mode(app.add_option("--position-correction", flags.position_correction,
+                                 "Correct this share of position errors per sub-step (Baumgarte)\n"
+                                 "[default: 0; 0 to 1]")
+                      ->type_name("RATIO")
+                      ->check(between(0, 1)));
+    requires_mode(app.add_option("--iterations", flags.iterations,
+                                 "Maximum iterations of a method [default: 1000; 1 to 1000000]")
+                      ->type_name("N")
+                      ->check(CLI::Range(1, 1000000).description("")));
     requires_mode(
-        app.add_option("--position-correction", flags.position_correction,
-                       "Share of each error of position that is to be gone after a sub-step")
-            ->capture_default_str()
-            ->check(between(0, 1)));
-    requires_mode(app.add_option("--iterations", flags.iterations, "At most, of a method")
-                      ->capture_default_str()
-                      ->check(CLI::Range(1, 1000000)));
-    requires_mode(app.add_option("--plot", flags.plot,
-                                 "Draws the residual after each iteration here, as SVG"));
+        app.add_option("--plot", flags.plot, "Plot the residual per iteration to FILE as SVG")
+            ->type_name("FILE"));
     requires_mode(app.add_flag("--solver-softness", flags.solver_softness,
-                               "Rows as soft as the solver's sweeps make them, not rigid"));
+                               "Use the softness of the solver's sweeps instead of rigid rows"));
     for (const char* other :
          {"--converge", "--seconds", "--trace", "--trace-every", "--save", "--write-scene"})
         inspect->excludes(app.get_option(other));
 }
 
 void add_flags(CLI::App& app, Flags& flags) {
-    app.add_option("scene", flags.scene, "A scene's name or the path of a scene file");
-    app.add_option("--seconds", flags.seconds, "Simulated time")
-        ->capture_default_str()
+    app.add_option("SCENE", flags.scene, "Catalogue scene or scene file")->type_name("");
+    app.add_option("--seconds", flags.seconds, "Simulated time [default: 10; 0 to 1e6]")
+        ->type_name("SECONDS")
         ->check(between(0, 1e6));
-    app.add_option("--hz", flags.hz, "Steps per second; default: the scene's")
+    app.add_option("--hz", flags.hz, "Steps per second [default: the scene's; 4 to 10000]")
+        ->type_name("HZ")
         ->check(between(4, 10000));
-    app.add_option("--substeps", flags.substeps, "Solver passes per step; default: the scene's")
-        ->check(CLI::Range(1, 64));
+    app.add_option("--substeps", flags.substeps,
+                   "Sub-steps per step [default: the scene's; 1 to 64]")
+        ->type_name("N")
+        ->check(CLI::Range(1, 64).description(""));
     app.add_option("--error-tolerance", flags.tolerance,
-                   "m: each island takes as many sub-steps as keep it so near after a second; 0: "
-                   "all take the same; default: the scene's")
+                   "Choose sub-steps per island for this error after 1 s; 0 disables\n"
+                   "[default: the scene's; 0 to 1000]")
+        ->type_name("METRES")
         ->check(between(0, 1e3));
     app.add_option("--substep-budget", flags.substep_budget,
-                   "With a tolerance: sub-steps of a step at most, summed over the bodies; 0: any "
-                   "number")
+                   "With a tolerance: sub-steps per step, summed over the bodies; 0 is unlimited\n"
+                   "[default: the scene's; 0 to 4294967295]")
+        ->type_name("N")
         ->check(between(0, 4294967295.0));
-    app.add_option("--step-budget", flags.step_budget,
-                   "Work of a step, in units of about 0.1 microseconds: after one of more the next "
-                   "gives something up; 0: any amount; default: the scene's")
+    app.add_option(
+           "--step-budget", flags.step_budget,
+           "Work per step in units of about 0.1 us, beyond which the next step reduces its\n"
+           "quality; 0 is unlimited [default: the scene's; 0 to 4294967295]")
+        ->type_name("WORK")
         ->check(between(0, 4294967295.0));
-    app.add_option("--substep-report", flags.island_substeps,
-                   "Writes here, as JSON, what each island took in the end; - shows it as text");
-    app.add_option("--threads", flags.threads, "Threads of the step; the bits are the same for any")
-        ->capture_default_str()
-        ->check(CLI::Range(1, 64));
+    app.add_option("--threads", flags.threads,
+                   "Threads of the step; the result is identical [default: 1; 1 to 64]")
+        ->type_name("N")
+        ->check(CLI::Range(1, 64).description(""));
     app.add_option("--instructions", flags.instructions,
                    "Instruction set of the inner loops: " + instruction_set_names() +
-                       "; the bits are the same for any; default: the last")
+                       ";\nthe result is identical [default: the last]")
+        ->type_name("NAME")
         ->check([](const std::string& name) {
             return find_instruction_set(name) ? std::string()
                                               : name + " is not one of " + instruction_set_names();
         });
-    app.add_option("--sleep", flags.sleep, "on or off; default: the scene's")
-        ->check(CLI::IsMember({"on", "off"}));
-    app.add_option("--json", flags.json, "Writes the report here as JSON");
-    app.add_option("--trace", flags.trace, "Writes poses and velocities here as CSV");
-    app.add_option("--trace-every", flags.trace_every, "Ticks between traced ones")
-        ->capture_default_str()
-        ->check(CLI::Range(1, 1000000));
-    app.add_option("--save", flags.save, "Writes the world here when done");
-    app.add_option("--load", flags.load, "Goes on from a saved world of the same scene");
-    app.add_option("--write-scene", flags.write_scene, "Writes the scene here as a scene file");
-    app.add_flag("--list", flags.list, "Names every scene of the catalogue and exits");
+    app.add_option("--sleep", flags.sleep, "Enable sleeping: on or off [default: the scene's]")
+        ->type_name("SWITCH")
+        ->check(CLI::IsMember({"on", "off"}).description(""));
+    app.add_option("--load", flags.load, "Resume from a saved world of the same scene")
+        ->type_name("FILE");
+    app.add_flag("--list", flags.list, "Print the scene catalogue and exit");
+    app.add_option("--json", flags.json, "Write the report to FILE as JSON")
+        ->type_name("FILE")
+        ->group("Output");
+    app.add_option("--substep-report", flags.island_substeps,
+                   "Write the final sub-steps of each island to FILE as JSON; \"-\" prints text")
+        ->type_name("FILE")
+        ->group("Output");
+    app.add_option("--trace", flags.trace, "Write poses and velocities to FILE as CSV")
+        ->type_name("FILE")
+        ->group("Output");
+    app.add_option("--trace-every", flags.trace_every,
+                   "Trace every N-th tick [default: 1; 1 to 1000000]")
+        ->type_name("N")
+        ->check(CLI::Range(1, 1000000).description(""))
+        ->group("Output");
+    app.add_option("--save", flags.save, "Write the final world to FILE")
+        ->type_name("FILE")
+        ->group("Output");
+    app.add_option("--write-scene", flags.write_scene, "Write the scene to FILE as a scene file")
+        ->type_name("FILE")
+        ->group("Output");
     add_converge_flags(app, flags);
     add_inspect_flags(app, flags);
     app.footer(footer);
@@ -233,8 +268,7 @@ double process_cpu_ms() {
     return 1000.0 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
 }
 
-// Replaces the built world by a saved one. The ids in a saved world are those of the scene it came
-// from.
+// Replaces the built world by a saved one, which has the ids of the scene that created it.
 Status load_world(jostle::scenes::BuiltScene& built, const std::string& path, int threads) {
     std::ifstream in(path, std::ios::binary);
     const std::string text((std::istreambuf_iterator<char>(in)), {});
@@ -296,7 +330,7 @@ int run_inspect(const jostle::scenes::SceneDescription& scene, jostle::scenes::B
     World& world = built.world;
     if (world.step_count() > flags.at)
         return fail(2, "--at: the world is at step " + std::to_string(world.step_count()) +
-                           " already; give a later one");
+                           " already; use a later step");
     {
         jostle::sim::Progress progress(flags.at - world.step_count());
         for (std::uint64_t step = 1; world.step_count() < flags.at; step++) {
@@ -319,7 +353,7 @@ int run_inspect(const jostle::scenes::SceneDescription& scene, jostle::scenes::B
         if (!write_text(flags.json, to_json(*found))) return fail(1, "cannot write " + flags.json);
     if (flags.plot.empty()) return 0;
     if (found->groups.size() != 1 || !found->groups[0].unavailable_reason.empty())
-        return fail(1, "--plot draws one group; name one of its bodies");
+        return fail(1, "--plot draws one group; select one of its bodies");
     const std::string title = found->scene + " after step " + std::to_string(found->step);
     if (!write_text(flags.plot, plot_residuals(found->groups[0], title)))
         return fail(1, "cannot write " + flags.plot);
@@ -375,7 +409,8 @@ int run(const Flags& flags) {
             progress.at(step, built->world.profile().bodies_awake);
         }
     }
-    if (trace && !trace->close()) return fail(1, "cannot write all of " + flags.trace);
+    if (trace && !trace->close())
+        return fail(1, "cannot write " + flags.trace + ": the file is incomplete");
 
     jostle::sim::Report report{.scene = scene->name,
                                .threads = flags.threads,
@@ -404,9 +439,7 @@ int run(const Flags& flags) {
 
 int main(int argc, char** argv) {
     CLI::App app{
-        "Runs a scene offline as fast as it can and reports what it cost and how it ended; or, "
-        "with --converge, which rate and sub-steps it needs; or, with --inspect, what a step of it "
-        "has to solve."};
+        "Run a scene offline as fast as possible and report its cost and its final state."};
     Flags flags;
     add_flags(app, flags);
     try {
@@ -421,6 +454,6 @@ int main(int argc, char** argv) {
         return 0;
     }
     if (flags.scene.empty())
-        return fail(2, "name a scene or a scene file; --list names the scenes");
+        return fail(2, "a scene is missing; use a scene file or a scene of --list");
     return run(flags);
 }

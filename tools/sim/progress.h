@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A bar or a line on a terminal; nothing when the output goes elsewhere.
+// A progress bar or line on a terminal; prints nothing elsewhere.
 #pragma once
 
 #include <chrono>
@@ -12,7 +12,7 @@ namespace jostle::sim {
 class Progress {
 public:
     explicit Progress(std::uint64_t total);
-    ~Progress();  // leaves the line clean
+    ~Progress();  // clears the line
     void at(std::uint64_t done, int awake);
 
 private:
@@ -21,7 +21,7 @@ private:
     std::chrono::steady_clock::time_point began_, last_{};
 };
 
-// Replaces the line on a terminal; empty: clears it.
+// Replaces the line on a terminal; an empty text clears it.
 void show_line(const std::string& text);
 
 }  // namespace jostle::sim

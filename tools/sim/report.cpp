@@ -78,13 +78,13 @@ void line(std::string& out, const char* name, const char* format, double value) 
 
 std::string worst_step(const Report& r) {
     char words[160];
-    std::snprintf(words, sizeof words, "%llu: %.4f ms, of it %s %.4f",
+    std::snprintf(words, sizeof words, "%llu: %.4f ms, including %s %.4f",
                   static_cast<unsigned long long>(r.worst_step), r.worst_step_ms,
                   stage_name(r.worst_stage), r.worst_stage_ms);
     return words;
 }
 
-// At each level, from 0.
+// Number of steps at each overload level, from 0.
 std::string overload_steps(const Report& r) {
     std::string words;
     for (const std::uint64_t steps : r.steps_at_overload_level)

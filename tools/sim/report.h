@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What a run cost and how it ended.
+// Cost and final state of a run.
 #pragma once
 
 #include <array>
@@ -18,23 +18,23 @@ struct Report {
     std::uint64_t steps = 0;
     int bodies = 0, contacts = 0, awake_bodies = 0;
     double ms_per_step_mean = 0, ms_per_step_p99 = 0;  // wall clock
-    // The step that took longest, but for the first, in which all is found for the first time: its
-    // number in this run, and which of its stages took most. 0: there was but one.
+    // The longest step except the first one, which starts without caches: its number in this run,
+    // and its longest stage. 0: there was only one step.
     std::uint64_t worst_step = 0;
     double worst_step_ms = 0, worst_stage_ms = 0;
     physics::Stage worst_stage = physics::Stage::update_pairs;
-    double work_mean = 0, work_worst = 0;  // StepProfile::work, the worst of all but the first
+    double work_mean = 0, work_worst = 0;  // StepProfile::work; work_worst excludes the first step
     std::array<std::uint64_t, physics::max_overload_level + 1> steps_at_overload_level{};
     double cpu_ms_per_step_mean = 0;  // of all threads of the process
     std::uint64_t state_hash = 0;
     double energy_joules = 0;      // kinetic + potential, zero at the origin
     double max_penetration_m = 0;  // at the end
     std::array<double, physics::stage_count> stage_ms_mean{};
-    // Of a stage that had nothing to do in any step: why, in the last; else null.
+    // Why a stage was skipped in the last step, if it was skipped in every step; otherwise null.
     std::array<const char*, physics::stage_count> stage_skipped{};
 };
 
-// Collects one step after the other.
+// Accumulates step profiles.
 class StepStatistics {
 public:
     void add(const physics::StepProfile& profile);
@@ -42,7 +42,7 @@ public:
 
 private:
     std::vector<double> step_ms_;
-    physics::StepProfile worst_;  // of all steps but the first
+    physics::StepProfile worst_;  // of all steps except the first
     std::uint64_t worst_step_ = 0;
     double work_ = 0, worst_work_ = 0;
     std::array<std::uint64_t, physics::max_overload_level + 1> steps_at_overload_level_{};

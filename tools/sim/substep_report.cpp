@@ -38,10 +38,10 @@ std::map<int, SubstepTotal> totals_by_substeps(const std::vector<IslandSubsteps>
 
 std::string to_text(const std::vector<IslandSubsteps>& island_substeps) {
     if (island_substeps.empty())
-        return "islands by sub-steps: none with contacts or joints is awake\n";
+        return "islands by sub-steps: no awake island has contacts or joints\n";
     std::string out =
-        "islands by sub-steps; error: m in a second, the worst; short: want more than the "
-        "budget gives\n"
+        "islands by sub-steps; error: maximum, m after one second; short: islands limited by the "
+        "budget\n"
         "  sub-steps islands  bodies contacts  joints  direct   short    error\n";
     for (const auto& [substeps, s] : totals_by_substeps(island_substeps))
         out += format_text("  %9d %7d %7d %8d %7d %7d %7d %8.2g\n", substeps, s.islands, s.bodies,
@@ -52,11 +52,11 @@ std::string to_text(const std::vector<IslandSubsteps>& island_substeps) {
         [](const IslandSubsteps& x, const IslandSubsteps& y) { return x.error > y.error; });
     worst.resize(std::min(worst.size(), shown_islands));
     if (worst.front().error == 0) return out;
-    out += "furthest off:\n";
+    out += "largest errors:\n";
     for (const IslandSubsteps& e : worst)
         out += format_text("  body %u with %d others: %.2g m, %d sub-steps%s\n", e.body.index,
                            e.bodies - 1, e.error, e.substeps,
-                           e.target_substeps > e.substeps ? ", wants more" : "");
+                           e.target_substeps > e.substeps ? ", limited by the budget" : "");
     return out;
 }
 

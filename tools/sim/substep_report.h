@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Which islands took how many sub-steps, and how exact that is.
+// Sub-steps of the islands and their estimated errors.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@
 
 namespace jostle::sim {
 
-// A line for each number of sub-steps, then the islands that are furthest off; a line that
-// says so when there are none.
+// One line per number of sub-steps, then the islands with the largest errors. Reports if there are
+// no islands.
 std::string to_text(const std::vector<physics::IslandSubsteps>& island_substeps);
 std::string to_json(const std::vector<physics::IslandSubsteps>& island_substeps);
 

@@ -4,7 +4,7 @@
 namespace jostle::sim {
 namespace {
 
-// As CSV wants it: quoted when it must be, quotes doubled.
+// Quotes a CSV field if necessary; quotes are doubled.
 std::string quoted(const std::string& text) {
     if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
     std::string out = "\"";

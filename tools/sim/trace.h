@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// A run as CSV: one row per dynamic or kinematic body and tick. Columns: tick, body (its place in
-// the scene, from 0), name, px py pz (m), qx qy qz qw, vx vy vz (m/s), wx wy wz (rad/s). Tick 0 is
-// the start.
+// Writes a run as CSV: one row per dynamic or kinematic body and tick. Columns: tick, body (index
+// in the scene, from 0), name, px py pz (m), qx qy qz qw, vx vy vz (m/s), wx wy wz (rad/s). Tick 0
+// is the start.
 #pragma once
 
 #include <cstdio>
@@ -15,13 +15,13 @@ namespace jostle::sim {
 
 class Trace {
 public:
-    // Null when the file cannot be written.
+    // Returns null if the file cannot be written.
     static std::unique_ptr<Trace> open(const std::string& path);
     ~Trace();
 
     void write(std::uint64_t tick, const scenes::BuiltScene& scene,
                const scenes::SceneDescription& description);
-    // Whether all was written; asked once, at the end.
+    // Closes the file. Returns false if not everything was written.
     bool close();
 
 private:

@@ -25,8 +25,8 @@ std::vector<physics::BodyId> dynamic_bodies(const scenes::BuiltScene& built) {
     return found;
 }
 
-// The angle of the rotation from one to the other. Its sine is found rather than its cosine, whose
-// rounding hides angles below 1e-8.
+// Angle of the rotation from one to the other, from its sine: rounding of the cosine hides angles
+// below 1e-8.
 double angle_between(Quat a, Quat b) {
     const Quat d = conjugate(a) * b;
     return 2 * std::atan2(std::sqrt(d.x * d.x + d.y * d.y + d.z * d.z), std::abs(d.w));
@@ -51,7 +51,7 @@ physics::Result<Trajectory> simulate_trajectory(scenes::SceneDescription scene,
                                                 const StepSettings& setting,
                                                 const SampleTimes& samples) {
     scene.world.substeps = setting.substeps;
-    scene.world.tolerance = 0;  // it would choose them
+    scene.world.tolerance = 0;  // a tolerance would override the sub-steps
     scene.world.threads = 1;
     auto built = scenes::build_scene(scene);
     if (!built) return built.error();
@@ -69,7 +69,7 @@ physics::Result<Trajectory> simulate_trajectory(scenes::SceneDescription scene,
         for (const physics::BodyId id : bodies) {
             const auto body = built->world.body(id);
             if (!body) {
-                trajectory.failure = "a body is gone";
+                trajectory.failure = "a body was removed";
                 return trajectory;
             }
             trajectory.at.push_back(body->center);
@@ -79,7 +79,7 @@ physics::Result<Trajectory> simulate_trajectory(scenes::SceneDescription scene,
     return trajectory;
 }
 
-// Directions spread over the sphere by the golden angle: no two bodies get the same.
+// Directions distributed over the sphere by the golden angle, so that they differ for all bodies.
 scenes::SceneDescription perturbed(scenes::SceneDescription scene, double speed) {
     constexpr double golden_angle = 2.399963229728653;
     for (std::size_t k = 0; k < scene.bodies.size(); k++) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// How the bodies of a scene move in one run, at times that runs of any rate share, and how far two
-// runs are apart.
+// Trajectories of the bodies of a scene, sampled at times that runs of all rates share, and
+// distances between two runs.
 #pragma once
 
 #include <cstdint>
@@ -12,46 +12,48 @@
 
 namespace jostle::sim {
 
-// How a run steps.
+// Step rate and sub-steps of a run.
 struct StepSettings {
     double hz = 60;
     int substeps = 8;
     bool operator==(const StepSettings&) const = default;
 };
 
-// Which times are looked at: every 1 / hz seconds, `count` times.
+// Sample times: every 1 / hz seconds, `count` times.
 struct SampleTimes {
     double hz = 60;
     std::size_t count = 0;
 };
 
 struct Trajectory {
-    std::size_t bodies = 0;         // the scene's dynamic ones
-    std::vector<physics::Vec3> at;  // centres of mass: all bodies of the first sample, and so on
+    std::size_t bodies = 0;  // number of dynamic bodies
+    // centres of mass: all bodies of the first sample, then of the second, and so on
+    std::vector<physics::Vec3> at;
     std::vector<physics::Quat> rotations;  // likewise
-    double cpu_seconds = 0;                // of the steps alone
+    double cpu_seconds = 0;                // of the steps only
     std::string failure;                   // why the run ended early; empty: it did not
 
     std::size_t samples() const { return bodies == 0 ? 0 : at.size() / bodies; }
 };
 
-// The setting's rate is a multiple of the samples'. An error says why the scene cannot be built.
+// Simulates a scene. The step rate must be a multiple of the sample rate. Returns an error if the
+// scene cannot be built.
 physics::Result<Trajectory> simulate_trajectory(scenes::SceneDescription scene,
                                                 const StepSettings& setting,
                                                 const SampleTimes& samples);
 
-// The same scene with every dynamic body `speed` m/s faster, each in a direction of its own.
+// Returns the scene with `speed` m/s added to every dynamic body, each in a different direction.
 scenes::SceneDescription perturbed(scenes::SceneDescription scene, double speed);
 
-// Diagonal of the box around all places of all bodies, m.
+// Diagonal of the bounding box of all sampled positions, m.
 double extent_of(const Trajectory& trajectory);
 
-// Root of the mean of squares over all bodies.
+// RMS over all bodies.
 struct Distance {
     double position = 0;  // m
     double angle = 0;     // rad
 };
-// Over all samples of both runs, and at one sample.
+// Distance over all samples of both runs, or at one sample.
 Distance distance_between(const Trajectory& a, const Trajectory& b);
 Distance distance_at(const Trajectory& a, const Trajectory& b, std::size_t sample);
 

@@ -32,7 +32,7 @@ double volume_of(const modules::FracturedShape& shape) {
     return sum;
 }
 
-// What hangs together with the chunk that most hang together with.
+// Size of the largest group of connected chunks.
 std::size_t largest_group(const modules::FracturedShape& shape) {
     std::vector<std::size_t> group(shape.chunks.size()), count(shape.chunks.size());
     std::iota(group.begin(), group.end(), 0u);
@@ -63,7 +63,7 @@ TEST(FractureSolid, preserves_the_volume_of_a_box_and_a_hull) {
     EXPECT_LT(std::abs(6 * volume_of(corner.shape) - 1), 1e-12);
 }
 
-// An L of 3 m^3 is no convex solid; of its parts there is one body.
+// An L of 3 m^3 is not convex; its parts form one body.
 TEST(FractureSolid, fractures_a_concave_mesh_into_bonded_convex_parts) {
     const std::string obj = obj_of(test::l_shape());
     const FracturedSolid made = fracture_solid({.obj = obj}, {.count = 80}).value();
@@ -75,7 +75,7 @@ TEST(FractureSolid, fractures_a_concave_mesh_into_bonded_convex_parts) {
     EXPECT_EQ(largest_group(made.shape), made.shape.chunks.size());
 }
 
-// Next to none of a ring is lost in splinters, and what is made can be written, read and added.
+// Almost no volume of a ring is lost in splinters, and the result can be written, read and added.
 TEST(FractureSolid, fractures_a_ring_into_one_breakable_body) {
     const std::string obj = obj_of(test::torus(1, 0.3, 24, 12));
     for (const auto pattern : {modules::SeedPattern::uniform, modules::SeedPattern::radial,
@@ -103,7 +103,7 @@ TEST(FractureSolid, fractures_a_ring_into_one_breakable_body) {
 
 TEST(FractureSolid, reports_invalid_solids) {
     EXPECT_EQ(fracture_solid({.obj = "f 1 2 3\n"}, {}).error().message,
-              "line 1: corner 1 is not among the 0 vertices so far");
+              "line 1: vertex index 1 is out of range; there are 0 vertices up to this line");
     EXPECT_FALSE(fracture_solid({.points = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}}, {}).ok());
     EXPECT_FALSE(fracture_solid({.box = Vec3{1, 1, 0}}, {}).ok());
     EXPECT_FALSE(fracture_solid({.box = Vec3{1, 1, 1}}, {.count = 20001}).ok());

@@ -21,13 +21,16 @@ TEST(ObjFile, errors_name_the_line) {
         const auto mesh = read_obj(text);
         return mesh.ok() ? std::string() : mesh.error().message;
     };
-    EXPECT_EQ(complaint("v 0 0\n"), "line 1: \"\" is no coordinate; a vertex has three");
-    EXPECT_EQ(complaint("v 0 0 nan\n"), "line 1: \"nan\" is no coordinate; a vertex has three");
+    EXPECT_EQ(complaint("v 0 0\n"),
+              "line 1: \"\" is not a finite number; a vertex needs three coordinates");
+    EXPECT_EQ(complaint("v 0 0 nan\n"),
+              "line 1: \"nan\" is not a finite number; a vertex needs three coordinates");
     EXPECT_EQ(complaint("v 0 0 0\nf 1 2 3\n"),
-              "line 2: corner 2 is not among the 1 vertices so far");
-    EXPECT_EQ(complaint("v 0 0 0\nf 1 1\n"), "line 2: a face has three corners at least");
-    EXPECT_EQ(complaint("f a b c\n"), "line 1: \"a\" is no corner of a face");
-    EXPECT_EQ(complaint("v 0 0 0\n"), "the file has no face (\"f 1 2 3\")");
+              "line 2: vertex index 2 is out of range; there are 1 vertices up to this line");
+    EXPECT_EQ(complaint("v 0 0 0\nf 1 1\n"), "line 2: a face needs at least three corners");
+    EXPECT_EQ(complaint("f a b c\n"),
+              "line 1: \"a\" is not a corner of a face; use INDEX, INDEX/UV or INDEX/UV/NORMAL");
+    EXPECT_EQ(complaint("v 0 0 0\n"), "the file has no faces (lines such as \"f 1 2 3\")");
 }
 
 }  // namespace

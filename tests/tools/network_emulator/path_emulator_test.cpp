@@ -17,7 +17,7 @@ double ms(Clock::duration d) {
     return std::chrono::duration<double, std::milli>(d).count();
 }
 
-// How long each of `count` pieces of 1 kB takes, one every millisecond.
+// Delays of `count` pieces of 1 kB, one per millisecond.
 std::vector<double> delays_of(const NetworkConditions& settings, int count,
                               std::uint64_t stream = 0) {
     PathEmulator path(settings, stream, start);
@@ -36,7 +36,7 @@ TEST(PathEmulator, keeps_delay_and_jitter_in_range_without_reordering) {
     Clock::time_point last = start;
     double sum = 0;
     for (int k = 0; k < 1000; k++) {
-        const auto now = start + k * 100ms;  // too rare to wait for each other
+        const auto now = start + k * 100ms;  // too far apart to queue
         const auto at = path.arrival_time(1000, now);
         ASSERT_GE(at, last);
         last = at;
@@ -45,18 +45,18 @@ TEST(PathEmulator, keeps_delay_and_jitter_in_range_without_reordering) {
         ASSERT_LE(delay, 50);
         sum += delay;
     }
-    EXPECT_NEAR(sum / 1000, 40, 1) << "uniform: the mean of 30 and 50";
+    EXPECT_NEAR(sum / 1000, 40, 1) << "uniform from 30 to 50";
 }
 
 TEST(PathEmulator, limits_throughput_to_the_configured_rate) {
-    // One comes every millisecond and takes eight: the queue grows by seven.
+    // One piece arrives every millisecond and takes eight: the delay grows by seven per piece.
     const auto delays = delays_of({.kbit_per_second = 1000}, 100);
     for (int k = 0; k < 100; k++)
         EXPECT_NEAR(delays[static_cast<std::size_t>(k)], 8 + 7 * k, 1e-3) << k;
 }
 
 TEST(PathEmulator, stalls_for_the_configured_share_of_time) {
-    // A second goes well in the mean, then 200 ms do not.
+    // On average 1 s without a stall, then a stall of 200 ms.
     const auto delays = delays_of({.stall_every_s = 1, .stall_ms = 200}, 200'000);
     const auto held = std::count_if(delays.begin(), delays.end(), [](double d) { return d > 0; });
     EXPECT_NEAR(static_cast<double>(held) / 200'000, 1.0 / 6, 0.03);
@@ -84,7 +84,7 @@ TEST(PathEmulator, drops_the_configured_share_of_packets) {
         longest = std::max(longest, lost_in_a_row);
     }
     EXPECT_NEAR(lost, 2000, 200);
-    EXPECT_LE(longest, 5) << "each by itself";
+    EXPECT_LE(longest, 5) << "losses are independent";
 }
 
 }  // namespace jostle::network_emulator

@@ -22,7 +22,7 @@ sockaddr_in loopback(int port) {
     return address;
 }
 
-// Sends back what one client sends, until that one has no more to say.
+// Echoes the data of one client until the client closes its direction.
 class Echo {
 public:
     Echo() : listener_(socket(AF_INET, SOCK_STREAM, 0)) {
@@ -88,7 +88,8 @@ TEST(TcpProxy, forwards_bytes_unchanged_with_the_configured_delay_each_way) {
 
 TEST(TcpProxy, rejects_an_invalid_address) {
     TcpProxy nowhere({.target = "here", .down = {}});
-    EXPECT_EQ(nowhere.listen("127.0.0.1:0").error().message, "here is not HOST:PORT");
+    EXPECT_EQ(nowhere.listen("127.0.0.1:0").error().message,
+              "\"here\" is not of the form HOST:PORT");
 }
 
 }  // namespace jostle::network_emulator

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What jostle-replay says of a recording.
+// Reports of jostle-replay.
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -31,12 +31,12 @@ TEST(RecordingReport, summarizes_the_file) {
     const auto json = nlohmann::json::parse(replay::to_json(recording, summary));
     EXPECT_EQ(json["world"], "yard");
     EXPECT_EQ(json["tick_hz"], 60);
-    EXPECT_EQ(json["keyframes"], 3) << "the first snapshot, and one each half second";
+    EXPECT_EQ(json["keyframes"], 3) << "the first snapshot, and one every 0.5 s";
     EXPECT_EQ(json["recorded"], "2023-11-14T22:13:20Z");
     EXPECT_EQ(json["truncation"], "");
     const std::string text = replay::to_text(recording, summary);
     EXPECT_NE(text.find("yard ("), std::string::npos) << text;
-    EXPECT_EQ(text.find("not whole"), std::string::npos) << text;
+    EXPECT_EQ(text.find("truncated"), std::string::npos) << text;
 }
 
 TEST(RecordingReport, lists_bodies_and_poses_of_a_tick) {

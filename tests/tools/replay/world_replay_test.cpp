@@ -22,8 +22,8 @@ namespace {
 using namespace std::chrono_literals;
 using test::error_of;
 
-// A store in which a yard of boxes was played in for 200 ticks: in each tenth somebody throws a
-// ball. `late` throws one more, in tick 125.
+// Plays in a yard of boxes for 200 ticks and persists it in a database; every tenth tick throws a
+// ball. With `late` tick 125 throws one more.
 void play(const std::string& path, bool late) {
     server::PersistenceSettings settings{.store = path,
                                          .level = "process",
@@ -43,9 +43,9 @@ void play(const std::string& path, bool late) {
             ball.shape.geometry = physics::Sphere{0.3};
             ball.pose.position = {0.1 * tick / 200.0, 6, 0};
             world->mailbox().push({.client = extra ? 2U : 1U,
-                         .sequence = extra ? 1 : sequence,
-                         .action = ball,
-                         .reply = nullptr});
+                                   .sequence = extra ? 1 : sequence,
+                                   .action = ball,
+                                   .reply = nullptr});
         }
         world->tick(server::Clock::now());
         ASSERT_TRUE(archive->flush(5s));
@@ -84,7 +84,7 @@ TEST(PersistedWorld, exports_any_tick_as_a_scene) {
     const auto scene = world.scene_at(150).value().scene;
     EXPECT_EQ(scene.bodies.size(), scenes::find_scene("stack")->bodies.size() + 15);
     EXPECT_TRUE(scenes::read_scene_json(scenes::write_scene_json(scene)).ok());
-    EXPECT_EQ(error_of(world.at(202)).message, "tick 202 is not kept; the last one is 201");
+    EXPECT_EQ(error_of(world.at(202)).message, "tick 202 is not available; the last tick is 201");
 }
 
 TEST(PersistedWorld, finds_the_first_tick_in_which_two_databases_differ) {
@@ -114,7 +114,7 @@ TEST(PersistedWorld, replays_a_world_that_stopped_during_a_step) {
         server::WorldDirectory worlds({.limits = limits, .keepers = archive.get()}, 4, "test");
         for (auto& kept : archive->take_worlds()) worlds.adopt(std::move(kept.start));
         auto world = worlds.find("");
-        // Its steps take most of a tick: it is in one whenever somebody looks.
+        // Steps take most of a tick, so the world is usually in a step.
         scenes::SceneDescription pile = scenes::bench_pile(2500);
         pile.name = "pile";
         if (!world) world = worlds.create("pile", pile).value();
@@ -145,19 +145,19 @@ TEST(PersistedWorld, reports_a_checkpoint_of_another_state) {
     auto world = PersistedWorld::open(folder / "worlds.db", "yard").value();
     const auto verified = world.verify().value();
     ASSERT_EQ(verified.errors.size(), 1u);
-    EXPECT_NE(verified.errors[0].find("is not what the world had become"), std::string::npos);
+    EXPECT_NE(verified.errors[0].find("differs from the replayed world"), std::string::npos);
 }
 
 TEST(PersistedWorld, errors_name_the_missing_item_and_the_available_ones) {
     const test::TempFolder folder;
     play(folder / "worlds.db", false);
     EXPECT_EQ(error_of(PersistedWorld::open(folder / "worlds.db", "field")).message,
-              folder / "worlds.db has no world \"field\"; it has yard");
+              folder / "worlds.db has no world \"field\"; it contains yard");
     EXPECT_EQ(error_of(PersistedWorld::open(folder / "world.db", "yard")).message,
               folder / "world.db: No such file or directory");
     EXPECT_EQ(error_of(PersistedWorld::open(folder / "world.db", "yard")).code,
               ErrorCode::not_found)
-        << "and looking for it did not make it";
+        << "opening must not create the file";
 }
 
 }  // namespace

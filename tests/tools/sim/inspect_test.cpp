@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// jostle-sim --inspect: what it says of scenes whose systems are known.
+// jostle-sim --inspect on scenes with known constraint systems.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -23,9 +23,9 @@ constexpr const char* linkage = PROJECT_FOLDER "/scenes/data/linkage.json";
 TEST_F(Sim, inspects_a_linkage_with_three_redundant_rows) {
     ASSERT_EQ(run(std::string(linkage) + " --inspect coupler --at 0 --json " + file("r.json")), 0)
         << output();
-    EXPECT_THAT(output(), HasSubstr("Rank 17 of 20: 3 rows say what others say"));
+    EXPECT_THAT(output(), HasSubstr("Rank 17 of 20: 3 redundant rows"));
     EXPECT_THAT(output(), HasSubstr("D turn x = A turn x - B turn x + C turn x"));
-    EXPECT_THAT(output(), HasSubstr("The bodies are left 1 of their 18 free motions."));
+    EXPECT_THAT(output(), HasSubstr("Remaining degrees of freedom of the bodies: 1 of 18."));
     EXPECT_THAT(output(), HasSubstr("Cholesky                 fails: not positive definite"));
     const auto json = report();
     EXPECT_EQ(json["scene"], "linkage");
@@ -48,7 +48,7 @@ TEST_F(Sim, inspects_a_linkage_with_three_redundant_rows) {
     EXPECT_LT(swept["residuals"].back().get<double>(), 1e-10);
 }
 
-// Ten boxes of a tonne: what presses the lowest on the ground for a sub-step.
+// Ten boxes of 1000 kg: the impulse of the lowest one on the ground in a sub-step.
 TEST_F(Sim, inspects_the_weight_of_a_stack) {
     ASSERT_EQ(run("stack --inspect --at 120 --iterations 4000 --json " + file("r.json") +
                   " --plot " + file("p.svg")),
@@ -76,7 +76,7 @@ TEST_F(Sim, inspects_the_weight_of_a_stack) {
 
 TEST_F(Sim, lists_all_groups_of_a_scene) {
     ASSERT_EQ(run("machines --inspect all --at 10 --json " + file("r.json")), 0) << output();
-    EXPECT_THAT(output(), HasSubstr("Name one body, as in --inspect chassis"));
+    EXPECT_THAT(output(), HasSubstr("Use a body, as in --inspect chassis"));
     const auto json = report();
     EXPECT_GT(json["groups"].size(), 4u);
     for (const auto& group : json["groups"]) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// jostle-sim as a child process, in a folder of its own.
+// jostle-sim as a child process in its own folder.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ protected:
     ~Sim() override { std::filesystem::remove_all(folder_); }
 
     std::string file(const char* name) const { return (folder_ / name).string(); }
-    // Exit status; output and messages go to out.txt.
+    // Runs jostle-sim and returns its exit status; standard output and error go to out.txt.
     int run(const std::string& arguments) const {
         const std::string command = JOSTLE_SIM " " + arguments + " > " + file("out.txt") + " 2>&1";
         const int status = std::system(command.c_str());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The real program as a child process: what it writes is what others read.
+// The program as a child process: checks its output files.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -34,7 +34,7 @@ TEST_F(Sim, reports_every_documented_value) {
     EXPECT_EQ(json["awake_bodies"], 0);
     EXPECT_EQ(json["state_hash"].get<std::string>().size(), 16u);
     EXPECT_EQ(json["arithmetic"], physics::arithmetic_name(physics::arithmetic()));
-    // Ten boxes of a tonne each, centres at 0.5 to 9.5 m: m g h = 1000 * 9.81 * 50 J.
+    // Ten boxes of 1000 kg each, centres at 0.5 to 9.5 m: m g h = 1000 * 9.81 * 50 J.
     EXPECT_NEAR(json["energy_joules"].get<double>(), 490500, 500);
 }
 
@@ -80,11 +80,12 @@ TEST_F(Sim, reports_substeps_per_island) {
     ASSERT_EQ(
         run("machines --seconds 1 --error-tolerance 1e-3 --substep-budget 100 --substep-report -"),
         0);
-    EXPECT_NE(output().find("furthest off:"), std::string::npos) << output();
+    EXPECT_NE(output().find("largest errors:"), std::string::npos) << output();
     EXPECT_NE(output().find("wants more"), std::string::npos) << output();
     ASSERT_EQ(run("stack --seconds 3 --substep-report -"), 0);
-    EXPECT_NE(output().find("none with contacts or joints is awake"), std::string::npos);
-    EXPECT_EQ(run("machines --converge --error-tolerance 1e-3"), 2) << "which chooses for itself";
+    EXPECT_NE(output().find("no awake island has contacts or joints"), std::string::npos);
+    EXPECT_EQ(run("machines --converge --error-tolerance 1e-3"), 2)
+        << "a tolerance chooses the sub-steps";
     EXPECT_EQ(run("machines --seconds 1 --error-tolerance -1"), 2);
     EXPECT_NE(output().find("is not a number from 0 to 1000"), std::string::npos) << output();
 }
@@ -97,7 +98,7 @@ TEST_F(Sim, traces_one_row_per_body_and_tick) {
     EXPECT_EQ(line, "tick,body,name,px,py,pz,qx,qy,qz,qw,vx,vy,vz,wx,wy,wz");
     int rows = 0;
     while (std::getline(lines, line)) rows++;
-    EXPECT_EQ(rows, 7 * 10);  // start and six ticks, ten boxes
+    EXPECT_EQ(rows, 7 * 10);  // the start and six ticks, ten boxes
 }
 
 TEST_F(Sim, continues_from_a_saved_world_bit_identically) {
@@ -108,7 +109,7 @@ TEST_F(Sim, continues_from_a_saved_world_bit_identically) {
     EXPECT_EQ(report()["state_hash"], straight);
 }
 
-// The midpoint rule turns what is free: second order, whatever the sub-steps.
+// The midpoint rule rotates free bodies: second order, for any number of sub-steps.
 TEST_F(Sim, tumbling_plank_converges_with_second_order) {
     std::ofstream(file("plank.json")) << R"({ "name": "plank", "world": { "gravity": { "y": 0 } },
       "bodies": [ { "name": "plank", "angular_velocity": { "x": 3, "y": 0.1, "z": 0.1 },
@@ -123,12 +124,12 @@ TEST_F(Sim, tumbling_plank_converges_with_second_order) {
     const auto json = report();
     EXPECT_EQ(json["verdict"], "agreed");
     EXPECT_EQ(json["bodies"], 1);
-    EXPECT_EQ(json["scale_m"], 1);  // its centre stays
+    EXPECT_EQ(json["scale_m"], 1);  // its centre does not move
     ASSERT_EQ(json["rows"].size(), 10u);
     for (const std::size_t k : {1u, 2u, 6u, 7u})
         EXPECT_NEAR(json["rows"][k]["order"].get<double>(), 2, 0.1) << output();
     EXPECT_TRUE(json["rows"][0]["order"].is_null());
-    // The coarse tolerance stands first and is no dearer.
+    // The coarse tolerance is listed first and is not more expensive.
     const auto& cheapest = json["cheapest"];
     EXPECT_EQ(cheapest[0]["tolerance"], 0.1);
     EXPECT_LE(cheapest[0]["cpu_us_per_second"], cheapest[1]["cpu_us_per_second"]);
@@ -136,7 +137,7 @@ TEST_F(Sim, tumbling_plank_converges_with_second_order) {
     EXPECT_NE(output().find("--hz 30"), std::string::npos) << output();
 }
 
-// A rod of 1 m on a hinge, released horizontal.
+// A rod of 1 m on a hinge, released horizontally.
 TEST_F(Sim, pendulum_converges) {
     std::ofstream(file("pendulum.json")) << R"({ "name": "pendulum", "bodies": [
         { "name": "pivot", "type": "BODY_TYPE_STATIC",
@@ -153,7 +154,7 @@ TEST_F(Sim, pendulum_converges) {
         << output();
     const auto json = report();
     EXPECT_EQ(json["verdict"], "agreed");
-    // Its centre swings through half a circle of 0.5 m radius.
+    // The centre swings through half a circle with a radius of 0.5 m.
     EXPECT_NEAR(json["scale_m"].get<double>(), std::hypot(1, 0.5), 0.02);
     for (std::size_t k = 1; k < 3; k++) {
         const auto& finer = json["rows"][k];
@@ -161,7 +162,7 @@ TEST_F(Sim, pendulum_converges) {
         EXPECT_GT(finer["cpu_us_per_second"], json["rows"][k - 1]["cpu_us_per_second"]);
     }
     EXPECT_LT(json["rows"][1]["error"], 0.02);
-    // First order at least: joints of a maximal-coordinate solver.
+    // At least first order: joints of a maximal-coordinate solver.
     EXPECT_GT(json["rows"][1]["order"].get<double>(), 0.7) << output();
 }
 
@@ -174,7 +175,7 @@ TEST_F(Sim, reports_a_billiards_break_as_chaotic_with_agreement_time) {
     EXPECT_EQ(json["verdict"], "chaotic");
     EXPECT_GT(json["perturbation_growth"].get<double>(), 100);
     EXPECT_GT(json["doubt"].get<double>(), 0.1);
-    // The cue ball needs that long to reach the others; after that nobody knows.
+    // The cue ball reaches the others after this time; afterwards the scene is chaotic.
     EXPECT_GT(json["agreement_s"].get<double>(), 0.1);
     EXPECT_LT(json["agreement_s"].get<double>(), 2);
     EXPECT_TRUE(json["cheapest"][0]["hz"].is_null());
@@ -183,7 +184,7 @@ TEST_F(Sim, reports_a_billiards_break_as_chaotic_with_agreement_time) {
 
 TEST_F(Sim, skips_and_reports_runs_over_budget) {
     ASSERT_EQ(run("billiards --converge --seconds 4 --budget 0.1"), 0) << output();
-    EXPECT_NE(output().find("Left out, for they would cost more than --budget"), std::string::npos)
+    EXPECT_NE(output().find("Skipped because they would exceed --budget"), std::string::npos)
         << output();
 }
 
@@ -199,7 +200,7 @@ TEST_F(Sim, rejects_invalid_convergence_options) {
     refused("--converge --scale -1", "-1 is not a number from");
     refused("--converge --budget inf", "inf is not a number from");
     refused("--converge --rates 60", "one rate cannot be compared");
-    refused("--converge --rates 60,90", "90 Hz is no multiple of 60 Hz");
+    refused("--converge --rates 60,90", "90 Hz is not a multiple of 60 Hz");
     refused("--converge --rates 60,1e9", "1e9 is not a number from 4 to 10000");
     refused("--converge --substep-counts 0", "not in range");
     refused("--converge --seconds 0.001", "less than one step at 30 Hz");

@@ -119,13 +119,12 @@ void add_converge_flags(CLI::App& app, Flags& flags) {
                       ->type_name("ERROR")
                       ->delimiter(',')
                       ->check(between(1e-9, 10)));
-    requires_mode(
-        app.add_option("--rates", flags.rates,
-                       "Step rates, separated by commas; each a multiple of the lowest\n"
-                       "[default: half the scene's rate, doubled until two runs agree; 4 to 10000]")
-            ->type_name("HZ")
-            ->delimiter(',')
-            ->check(between(4, 10000)));
+    requires_mode(app.add_option("--rates", flags.rates,
+                                 "Step rates, separated by commas; each a multiple of the lowest\n"
+                                 "[default: half the scene's rate, then doubled; 4 to 10000]")
+                      ->type_name("HZ")
+                      ->delimiter(',')
+                      ->check(between(4, 10000)));
     requires_mode(app.add_option("--substep-counts", flags.substep_counts,
                                  "Numbers of sub-steps, separated by commas\n"
                                  "[default: a quarter, half, all and twice the scene's; 1 to 64]")
@@ -205,14 +204,15 @@ void add_flags(CLI::App& app, Flags& flags) {
         ->type_name("METRES")
         ->check(between(0, 1e3));
     app.add_option("--substep-budget", flags.substep_budget,
-                   "With a tolerance: sub-steps per step, summed over the bodies; 0 is unlimited\n"
+                   "With a tolerance: limit the sub-steps per step, summed over the\nbodies; 0 is "
+                   "unlimited "
                    "[default: the scene's; 0 to 4294967295]")
         ->type_name("N")
         ->check(between(0, 4294967295.0));
-    app.add_option(
-           "--step-budget", flags.step_budget,
-           "Work per step in units of about 0.1 us, beyond which the next step reduces its\n"
-           "quality; 0 is unlimited [default: the scene's; 0 to 4294967295]")
+    app.add_option("--step-budget", flags.step_budget,
+                   "Limit the work per step, in units of about 0.1 us; after a step above\n"
+                   "the limit the next one reduces its quality; 0 is unlimited\n"
+                   "[default: the scene's; 0 to 4294967295]")
         ->type_name("WORK")
         ->check(between(0, 4294967295.0));
     app.add_option("--threads", flags.threads,
@@ -237,7 +237,7 @@ void add_flags(CLI::App& app, Flags& flags) {
         ->type_name("FILE")
         ->group("Output");
     app.add_option("--substep-report", flags.island_substeps,
-                   "Write the final sub-steps of each island to FILE as JSON; \"-\" prints text")
+                   "Write each island's final sub-steps to FILE as JSON; \"-\" prints text")
         ->type_name("FILE")
         ->group("Output");
     app.add_option("--trace", flags.trace, "Write poses and velocities to FILE as CSV")

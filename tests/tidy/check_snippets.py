@@ -4,9 +4,11 @@
 Usage: check_snippets.py ROOT COMPILER [BUILD]
 A fence names its frame after the language:
     ```cpp               inside a function, after <jostle/physics/physics.h>
+    ```cpp world         the same, with a World `world`, bodies `body`, `door`, `ball` and a joint `hinge`: parts of a longer program
     ```cpp declarations  at namespace scope, after the same header
     ```cpp modules       inside a function, after the headers of the modules as well
     ```cpp client        inside a function, after the headers of the client library
+    ```cpp connected     the same, with a client `me` on a Loop `loop`
     ```cpp program       a whole file
 A fence that includes a file (--8<-- "examples/a.cpp") is not compiled here; CMake builds the file.
 BUILD is the build folder, which has the generated messages that the client frame and some programs include. Without it, or before it
@@ -31,11 +33,15 @@ MODULES = PHYSICS + "".join(f"#include <jostle/modules/{name}.h>\n" for name in 
 CLIENT = STANDARD + "".join(f"#include <jostle/client/{name}.h>\n" for name in (
     "client", "playback", "predictor", "query_client", "recording_writer", "security", "world_client"))
 USING = "using namespace jostle::physics;\n"
+# The head of the file, then the text around each fence.
 FRAMES = {
-    "": (PHYSICS + USING, True),
-    "declarations": (PHYSICS + USING, False),
-    "modules": (MODULES + USING + "using namespace jostle::modules;\n", True),
-    "client": (CLIENT + "using namespace jostle;\n", True),
+    "": (PHYSICS + USING, "void run() {\n", "}\n"),
+    "world": (PHYSICS + USING, "void run() {\nWorld world;\nBodyId body, door, ball;\nJointId hinge;\n{\n", "}\n}\n"),
+    "declarations": (PHYSICS + USING, "", ""),
+    "modules": (MODULES + USING + "using namespace jostle::modules;\n", "void run() {\n", "}\n"),
+    "client": (CLIENT + "using namespace jostle;\n", "void run() {\n", "}\n"),
+    "connected": (CLIENT + "using namespace jostle;\n",
+                  "void run() {\nclient::Loop loop;\nconst auto me = client::Client::connect(loop, {});\n{\n", "}\n}\n"),
 }
 
 
@@ -63,12 +69,11 @@ def translation_units(found):
         if frame == "program":
             yield frame, text, 1
         else:
-            head, function = FRAMES[frame]
-            texts = by_frame.setdefault(frame, [])
-            name = f"snippet_{len(texts)}"
-            texts.append(f"namespace {name} {{\n" + ("void run() {\n" if function else "") + text + ("}\n" if function else "") + "}\n")
-    for frame, texts in by_frame.items():
-        yield frame, FRAMES[frame][0] + "".join(texts), len(texts)
+            head, before, after = FRAMES[frame]
+            texts = by_frame.setdefault(head, [])
+            texts.append(f"namespace snippet_{len(texts)} {{\n{before}{text}{after}}}\n")
+    for head, texts in by_frame.items():
+        yield "function", head + "".join(texts), len(texts)
 
 
 def main():
@@ -93,7 +98,7 @@ def main():
     count, skipped = 0, 0
     with tempfile.TemporaryDirectory() as folder:
         for frame, text, fence_count in translation_units(found):
-            if not generated and (frame == "client" or "jostle/client/" in text):
+            if not generated and "jostle/client/" in text:
                 skipped += fence_count
                 continue
             count += fence_count
@@ -102,7 +107,7 @@ def main():
             run = subprocess.run([compiler, *FLAGS, *options, str(file)], capture_output=True, text=True)
             if run.returncode != 0:
                 faults += 1
-                print(f"snippets of the frame \"{frame or 'function'}\" do not compile:\n{run.stderr}")
+                print(f"a {frame} does not compile:\n{run.stderr}")
     if skipped:
         print(f"snippets: {skipped} skipped, for they need the generated messages of a build")
     print(f"snippets: {count} compiled, {faults} faults")

@@ -84,10 +84,10 @@ Geometry torus(double radius, double tube) {
             const SinCos a = sin_cos(2 * pi * i / around), b = sin_cos(2 * pi * j / across);
             const double r = radius + tube * b.cos;
             vertices.push_back({r * a.cos, tube * b.sin, r * a.sin});
-            const std::uint32_t next = (i + 1) % around * across, beside = (j + 1) % across;
-            const std::uint32_t p = i * across + j, q = i * across + beside;
+            const std::uint32_t next = (i + 1) % around * across, adjacent = (j + 1) % across;
+            const std::uint32_t p = i * across + j, q = i * across + adjacent;
             triangles.push_back({p, q, next + j});
-            triangles.push_back({q, next + beside, next + j});
+            triangles.push_back({q, next + adjacent, next + j});
         }
     return Mesh{build_mesh(vertices, triangles).value()};
 }

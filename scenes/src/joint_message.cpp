@@ -139,11 +139,12 @@ void read_joint(FieldReader& in, SceneDescription& scene, const std::string& pat
                 "exceeds the last body; copy i joins the bodies whose indices are "
                 "larger by i");
         if (m.has_frame()) {
-            Transform there = frame;
-            there.position += step * static_cast<double>(k);
-            copy.joint.frame_a =
-                copy.body_a == world_body ? there : local(scene.bodies[copy.body_a], there);
-            copy.joint.frame_b = local(scene.bodies[copy.body_b], there);
+            Transform copy_frame = frame;
+            copy_frame.position += step * static_cast<double>(k);
+            copy.joint.frame_a = copy.body_a == world_body
+                                     ? copy_frame
+                                     : local(scene.bodies[copy.body_a], copy_frame);
+            copy.joint.frame_b = local(scene.bodies[copy.body_b], copy_frame);
         }
         scene.joints.push_back(copy);
     }

@@ -19,8 +19,8 @@ Quat facing(Vec3 x) {
 // Eleven bones of a person, 1.7 m tall, who stands at `at`.
 void add_ragdoll(SceneDescription& scene, Vec3 at, std::uint32_t color) {
     const std::size_t first = scene.bodies.size();
-    const auto bone = [&](Vec3 place, Geometry geometry, Quat rotation = {}) {
-        SceneBody body = colored(dynamic_body("bone", at + place, geometry, rotation), color);
+    const auto bone = [&](Vec3 offset, Geometry geometry, Quat rotation = {}) {
+        SceneBody body = colored(dynamic_body("bone", at + offset, geometry, rotation), color);
         body.shapes[0].material = {.friction = 0.6, .restitution = 0};
         body.body.angular_damping = 0.5;
         scene.bodies.push_back(body);
@@ -37,20 +37,20 @@ void add_ragdoll(SceneDescription& scene, Vec3 at, std::uint32_t color) {
     bone({0.36, 1.42, 0}, Capsule{0.05, 0.1}, across);    // 8
     bone({-0.64, 1.42, 0}, Capsule{0.045, 0.1}, across);  // 9 forearms
     bone({0.64, 1.42, 0}, Capsule{0.045, 0.1}, across);   // 10
-    const auto cone = [&](std::size_t a, std::size_t b, Vec3 place, Vec3 along, double swing,
+    const auto cone = [&](std::size_t a, std::size_t b, Vec3 offset, Vec3 along, double swing,
                           double twist) {
         join(
-            scene, "cone", first + a, first + b, {at + place, facing(along)},
+            scene, "cone", first + a, first + b, {at + offset, facing(along)},
             ConeTwistJoint{.swing = swing, .twist = {true, -twist, twist}, .friction_torque = 0.5});
     };
     cone(0, 1, {0, 1.13, 0}, {0, 1, 0}, 0.5, 0.4);
     cone(1, 2, {0, 1.53, 0}, {0, 1, 0}, 0.6, 0.8);
-    const auto hinge = [&](std::size_t a, std::size_t b, Vec3 place, Vec3 axis, double lower,
+    const auto hinge = [&](std::size_t a, std::size_t b, Vec3 offset, Vec3 axis, double lower,
                            double upper) {
         // The hinge rotates about the z axis of its frame.
         const Quat turn =
             axis.x != 0 ? from_axis_angle({0, 1, 0}, pi / 2) : from_axis_angle({1, 0, 0}, -pi / 2);
-        join(scene, "hinge", first + a, first + b, {at + place, turn},
+        join(scene, "hinge", first + a, first + b, {at + offset, turn},
              HingeJoint{.limit = {true, lower, upper}});
     };
     for (const double side : {-1.0, 1.0}) {

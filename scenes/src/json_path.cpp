@@ -38,9 +38,9 @@ public:
     explicit Locator(std::string_view text) : text_(text) {}
 
     // Returns the line of the value, 0 if it does not exist.
-    int find(const JsonPath& place) {
+    int find(const JsonPath& path) {
         skip_space();
-        for (const JsonPathStep& step : place)
+        for (const JsonPathStep& step : path)
             if (!(step.in_list ? enter_item(step.index) : enter_key(step.key))) return 0;
         return 1 + static_cast<int>(std::count(
                        text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(at_), '\n'));
@@ -118,9 +118,9 @@ private:
 
 }  // namespace
 
-std::string to_text(const JsonPath& place) {
+std::string to_text(const JsonPath& path) {
     std::string out;
-    for (const JsonPathStep& step : place) {
+    for (const JsonPathStep& step : path) {
         if (step.in_list)
             out += "[" + std::to_string(step.index) + "]";
         else
@@ -130,7 +130,7 @@ std::string to_text(const JsonPath& place) {
 }
 
 JsonPath parse_json_path(std::string_view path) {
-    JsonPath place;
+    JsonPath result;
     std::size_t at = 0;
     while (at < path.size()) {
         if (path[at] == '[') {
@@ -138,19 +138,19 @@ JsonPath parse_json_path(std::string_view path) {
             for (at++; at < path.size() && path[at] != ']'; at++)
                 index = 10 * index + static_cast<std::size_t>(path[at] - '0');
             at++;
-            place.push_back({.key = {}, .index = index, .in_list = true});
+            result.push_back({.key = {}, .index = index, .in_list = true});
             continue;
         }
         if (path[at] == '.') at++;
         const std::size_t end = std::min(path.find_first_of(".[", at), path.size());
-        place.push_back({.key = std::string(path.substr(at, end - at))});
+        result.push_back({.key = std::string(path.substr(at, end - at))});
         at = end;
     }
-    return place;
+    return result;
 }
 
-int line_of(std::string_view text, const JsonPath& place) {
-    return Locator(text).find(place);
+int line_of(std::string_view text, const JsonPath& path) {
+    return Locator(text).find(path);
 }
 
 }  // namespace jostle::scenes

@@ -68,8 +68,8 @@ void Katamari::before_step(World& world, double) {
     if (!player.ok()) return;
     const Vec3 at = player->center;
     if (world.time() >= decision_end_) decide(at, world.time());
-    const SinCos ahead = sin_cos(heading_);
-    Vec3 velocity_error = Vec3{ahead.cos, 0, ahead.sin} * speed_ - player->linear_velocity;
+    const SinCos direction = sin_cos(heading_);
+    Vec3 velocity_error = Vec3{direction.cos, 0, direction.sin} * speed_ - player->linear_velocity;
     velocity_error.y = 0;
     // Applied above the centre, so that the player tumbles instead of sliding.
     static_cast<void>(world.apply_force(player_, velocity_error * (eagerness * player->mass),

@@ -25,30 +25,31 @@ void add_car(SceneDescription& scene, Vec3 at) {
     scene.bodies[chassis].shapes[0].density = 400;
     for (int k = 0; k < 4; k++) {
         const bool front = k < 2;
-        const Vec3 place = at + Vec3{front ? 0.9 : -0.9, 0.4, k % 2 == 0 ? 0.7 : -0.7};
-        const std::size_t wheel = add(scene, dynamic_body("wheel", place, Sphere{0.4}), 0x222222);
+        const Vec3 position = at + Vec3{front ? 0.9 : -0.9, 0.4, k % 2 == 0 ? 0.7 : -0.7};
+        const std::size_t wheel =
+            add(scene, dynamic_body("wheel", position, Sphere{0.4}), 0x222222);
         scene.bodies[wheel].shapes[0].material.friction = 1;
         WheelJoint kind{.suspension = {2.5, 0.5}, .travel = {true, -0.2, 0.2}};
         if (front)
             kind.steering = 0.25;
         else
             kind.motor = {true, -8, 300};
-        join(scene, "suspension", chassis, wheel, {place, {}}, kind);
+        join(scene, "suspension", chassis, wheel, {position, {}}, kind);
     }
 }
 
 // A wheel that oscillates on a spring, one of twice its size, and a rack that they move up and
 // down.
 void add_gears(SceneDescription& scene, std::size_t floor, Vec3 at) {
-    const auto cog = [&](Vec3 place, double radius, std::uint32_t color, const HingeJoint& hinge) {
+    const auto cog = [&](Vec3 offset, double radius, std::uint32_t color, const HingeJoint& hinge) {
         const std::size_t body = add(scene,
-                                     dynamic_body("cog", at + place, Cylinder{radius, 0.1},
+                                     dynamic_body("cog", at + offset, Cylinder{radius, 0.1},
                                                   from_axis_angle({1, 0, 0}, pi / 2)),
                                      color);
         // A peg makes the rotation visible.
         scene.bodies[body].shapes.push_back(
             {.geometry = Box{{0.08, 0.2, 0.08}}, .pose = {{radius * 0.7, 0, 0}, {}}});
-        join(scene, "axle", floor, body, {at + place, {}}, hinge);
+        join(scene, "axle", floor, body, {at + offset, {}}, hinge);
         return body;
     };
     const std::size_t small =

@@ -57,10 +57,10 @@ std::string suggestion(const Descriptor& message, const std::string& wrong) {
     return "must be one of " + fields_of(message);
 }
 
-std::string error_at(std::string_view text, const JsonPath& place, const std::string& what) {
-    const int line = line_of(text, place);
+std::string error_at(std::string_view text, const JsonPath& path, const std::string& what) {
+    const int line = line_of(text, path);
     return (line > 0 ? "line " + std::to_string(line) + ": " : std::string()) +
-           (place.empty() ? "scene" : to_text(place)) + ": " + what;
+           (path.empty() ? "scene" : to_text(path)) + ": " + what;
 }
 
 // Tracks the position of the parser in the text. It provides the position of a parse error and
@@ -78,7 +78,7 @@ public:
             case json::parse_event_t::key:
                 levels_.back().step.key = parsed.get<std::string>();
                 if (!levels_.back().keys.insert(levels_.back().step.key).second && !twice_)
-                    twice_ = place();
+                    twice_ = current_path();
                 return;
             case json::parse_event_t::object_end:
             case json::parse_event_t::array_end:
@@ -89,10 +89,10 @@ public:
         }
         if (!levels_.empty() && levels_.back().step.in_list) levels_.back().step.index++;
     }
-    JsonPath place() const {
-        JsonPath place;
-        for (const Level& level : levels_) place.push_back(level.step);
-        return place;
+    JsonPath current_path() const {
+        JsonPath path;
+        for (const Level& level : levels_) path.push_back(level.step);
+        return path;
     }
     const std::optional<JsonPath>& twice() const { return twice_; }
 
@@ -238,7 +238,7 @@ std::optional<std::string> find_json_error(std::string_view text, const Descript
             return true;
         });
     } catch (const json::out_of_range&) {
-        return error_at(text, follower.place(), "is a number that is too large");
+        return error_at(text, follower.current_path(), "is a number that is too large");
     } catch (const json::exception& error) {
         return "not valid JSON: " + without_prefix(error.what());
     }

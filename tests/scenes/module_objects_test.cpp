@@ -87,10 +87,10 @@ TEST(ModuleObjects, prefractured_shape_is_placed_in_the_scene) {
     EXPECT_EQ(scene->modules[0].objects[0].bytes.at("shape"), file);
     const auto built = build_scene(*scene);
     ASSERT_TRUE(built.ok()) << built.error().message;
-    const auto* there =
+    const auto* destruction =
         dynamic_cast<const modules::Destruction*>(built->world.module("destruction"));
-    EXPECT_EQ(there->intact_bonds({0, 1}).value(), wall.bonds.size());
-    const physics::BodyId body = there->bodies({0, 1}).value()[0];
+    EXPECT_EQ(destruction->intact_bonds({0, 1}).value(), wall.bonds.size());
+    const physics::BodyId body = destruction->bodies({0, 1}).value()[0];
     EXPECT_EQ(built->world.body(body)->pose.position.x, 5);
 
     file[200] = std::byte(~std::to_integer<unsigned>(file[200]) & 0xff);

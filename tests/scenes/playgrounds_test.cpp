@@ -47,9 +47,9 @@ struct Played {
     }
 };
 
-Controls sticks(double right, double ahead, double look = 0, std::uint32_t buttons = 0) {
+Controls sticks(double right, double forward, double look = 0, std::uint32_t buttons = 0) {
     Controls controls;
-    controls.axes[0] = right, controls.axes[1] = ahead, controls.axes[3] = look;
+    controls.axes[0] = right, controls.axes[1] = forward, controls.axes[3] = look;
     controls.buttons = buttons;
     return controls;
 }
@@ -148,8 +148,8 @@ TEST(Harbour, boat_leaves_the_harbour_upright_and_turns_back) {
     }
     EXPECT_GT(lowest, 0.6);
     // It was facing +z, so -x is to its right.
-    const Vec3 ahead = rotate(harbour.state("boat").pose.rotation, {0, 0, -1});
-    EXPECT_LT(ahead.z, 0.9);
+    const Vec3 forward = rotate(harbour.state("boat").pose.rotation, {0, 0, -1});
+    EXPECT_LT(forward.z, 0.9);
     RecordProperty("lowest_up", std::to_string(lowest));
 }
 

@@ -58,13 +58,13 @@ TEST(Solid, single_part_is_the_convex_hull_of_the_mesh) {
 }
 
 TEST(Solid, errors_name_the_invalid_field) {
-    const auto complaint = [](const std::string& json) {
+    const auto message_of = [](const std::string& json) {
         const auto description = read_scene_json(json);
         return description.ok() ? std::string() : description.error().message;
     };
-    EXPECT_THAT(complaint(scene("", true)),
+    EXPECT_THAT(message_of(scene("", true)),
                 testing::HasSubstr("bodies[0].shapes[0].solid: the mesh is not a solid: the edge"));
-    EXPECT_THAT(complaint(scene(", \"parts_max\": 999")),
+    EXPECT_THAT(message_of(scene(", \"parts_max\": 999")),
                 testing::HasSubstr("solid.parts_max: 999 is out of range"));
 }
 

@@ -208,8 +208,8 @@ bool Characters::is_controllable(BodyId body) const {
 
 void Characters::control(World&, BodyId body, const Controls& controls) {
     const SinCos turn = sin_cos(controls.axes[3] * pi);
-    const Vec3 ahead{-turn.sin, 0, -turn.cos}, right{turn.cos, 0, -turn.sin};
-    Vec3 walk = ahead * controls.axes[1] + right * controls.axes[0];
+    const Vec3 forward{-turn.sin, 0, -turn.cos}, right{turn.cos, 0, -turn.sin};
+    Vec3 walk = forward * controls.axes[1] + right * controls.axes[0];
     const double size = length(walk);
     walk = walk * (controlled_walk_speed / maximum(size, 1));
     static_cast<void>(set_controls(character_of(body), {.walk = walk,

@@ -34,12 +34,12 @@ std::optional<Vec3> step_down(const EnvironmentQuery& near, const CharacterData&
     const auto hit = near.sweep(capsule, from, motion);
     if (!hit || hit->fraction <= 0 || hit->point.y > floor_height_max) return std::nullopt;
     const double lift = clearance / maximum(hit->normal.y, 0.5);  // back to the full skin
-    const Vec3 there =
+    const Vec3 landing =
         from + motion * hit->fraction + up * minimum(lift, -motion.y * hit->fraction);
-    const Vec3 feet = there - up * (0.5 * current_height(record));
+    const Vec3 feet = landing - up * (0.5 * current_height(record));
     const bool stands = hit->normal.y >= min_walkable_normal_y(record) ||
                         is_step_edge(near, record, feet, hit->point, hit->normal);
-    return stands ? std::optional(there) : std::nullopt;
+    return stands ? std::optional(landing) : std::nullopt;
 }
 
 std::optional<Vec3> climb(const EnvironmentQuery& near, const CharacterData& record, Vec3 from,
@@ -52,12 +52,13 @@ std::optional<Vec3> climb(const EnvironmentQuery& near, const CharacterData& rec
     const double fraction = free_fraction(near, capsule, above, displacement);
     if (fraction * length(displacement) <= min_progress) return std::nullopt;
     const double floor = from.y - 0.5 * current_height(record);
-    const auto there = step_down(near, record, above + displacement * fraction, rise + clearance,
-                                 floor + step + 0.002);
+    const auto landing = step_down(near, record, above + displacement * fraction, rise + clearance,
+                                   floor + step + 0.002);
     // A step must rise. On a level floor, the remaining displacement is only the clearance to a
     // wall.
-    if (!there || there->y - from.y < 0.1 * fraction * length(displacement)) return std::nullopt;
-    return there;
+    if (!landing || landing->y - from.y < 0.1 * fraction * length(displacement))
+        return std::nullopt;
+    return landing;
 }
 
 }  // namespace jostle::modules::character_detail

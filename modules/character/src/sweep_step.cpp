@@ -137,9 +137,9 @@ private:
                                     ? walk_velocity_
                                     : desired_velocity_) *
                                dt_;
-        if (const auto there = climb(environment_, data_, start, direction, got + 1e-5)) {
-            vertical_step_ = there->y - start.y;
-            center_ = *there;
+        if (const auto landing = climb(environment_, data_, start, direction, got + 1e-5)) {
+            vertical_step_ = landing->y - start.y;
+            center_ = *landing;
             final_velocity_ = desired_velocity_;
         }
     }
@@ -324,10 +324,10 @@ private:
     void find_ground() {
         Footing footing = probe_ground();
         if (grounded_ && footing.kind != GroundKind::on_ground) {
-            if (const auto there = step_down(environment_, data_, center_,
-                                             data_.abilities.floor_snap, center_.y)) {
-                vertical_step_ += there->y - center_.y;
-                center_ = *there;
+            if (const auto landing = step_down(environment_, data_, center_,
+                                               data_.abilities.floor_snap, center_.y)) {
+                vertical_step_ += landing->y - center_.y;
+                center_ = *landing;
                 footing = probe_ground();
             }
         }

@@ -75,12 +75,12 @@ double shadow_volume(const Triangle& triangle, const Aabb& box, Polygon& scratch
     const double depth = box.high.x - box.low.x;
     // Below the low wall the length is 0, inside the box the distance to the wall, beyond the box
     // its depth.
-    const auto sum = [&](const Polygon& part, bool whole) {
+    const auto sum = [&](const Polygon& part, bool full_depth) {
         double volume = 0;
         for (std::size_t k = 1; k + 1 < part.size(); k++) {
             const Vec3 a = part[0], b = part[k], c = part[k + 1];
             const double area = 0.5 * ((b.y - a.y) * (c.z - a.z) - (b.z - a.z) * (c.y - a.y));
-            const double height = whole ? depth : (a.x + b.x + c.x) / 3 - box.low.x;
+            const double height = full_depth ? depth : (a.x + b.x + c.x) / 3 - box.low.x;
             volume += area * height;
         }
         return volume;

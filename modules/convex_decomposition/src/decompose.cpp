@@ -146,7 +146,7 @@ void merge_parts(std::vector<Part>& parts, double allowed) {
     for (std::size_t b = 1; b < parts.size(); b++)
         for (std::size_t a = 0; a < b; a++)
             if (are_neighbours(parts[a], parts[b])) pairs.push_back({a, b, more_of(a, b)});
-    std::vector<bool> gone(parts.size(), false);
+    std::vector<bool> removed(parts.size(), false);
     while (!pairs.empty()) {
         const auto least = std::min_element(pairs.begin(), pairs.end(),
                                             [](auto& x, auto& y) { return x.more < y.more; });
@@ -154,11 +154,11 @@ void merge_parts(std::vector<Part>& parts, double allowed) {
         const auto [a, b, more] = *least;
         parts[a] = *merged(parts[a], parts[b]);
         parts[b] = {};
-        gone[b] = true;
+        removed[b] = true;
         std::erase_if(pairs,
                       [&](const Pair& p) { return p.a == a || p.b == a || p.a == b || p.b == b; });
         for (std::size_t k = 0; k < parts.size(); k++)
-            if (k != a && !gone[k] && are_neighbours(parts[a], parts[k]))
+            if (k != a && !removed[k] && are_neighbours(parts[a], parts[k]))
                 pairs.push_back({std::min(a, k), std::max(a, k), more_of(a, k)});
     }
     std::erase_if(parts, [](const Part& part) { return part.hull == nullptr; });

@@ -134,10 +134,10 @@ std::size_t Destruction::break_near(const World& world, Destructible& destructib
     for (Piece& piece : destructible.pieces) {
         const Result<BodyState> body = world.body(piece.body);
         if (!body.ok()) continue;
-        const Vec3 here = apply_inverse(body->pose, center) + piece.origin;
+        const Vec3 local_center = apply_inverse(body->pose, center) + piece.origin;
         for (const std::uint32_t k : piece.bonds) {
             Bond& bond = destructible.bonds[k];
-            if (length_squared(bond.face.center - here) > radius * radius) continue;
+            if (length_squared(bond.face.center - local_center) > radius * radius) continue;
             bond.broken = true;
             piece.split_pending = true;
             count++;

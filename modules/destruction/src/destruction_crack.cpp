@@ -316,10 +316,10 @@ Result<double> Destruction::max_load_ratio(const World& world, DestructibleId id
         const Result<BodyState> body = world.body(piece.body);
         if (!body.ok() || !piece.anchored) continue;
         Group all{piece.chunks, {}};
-        std::vector<bool> here(destructible->chunks.size());
-        for (const std::uint32_t c : piece.chunks) here[c] = true;
+        std::vector<bool> in_piece(destructible->chunks.size());
+        for (const std::uint32_t c : piece.chunks) in_piece[c] = true;
         for (std::uint32_t k = 0; k < destructible->bonds.size(); k++)
-            if (here[destructible->bonds[k].face.a] && here[destructible->bonds[k].face.b])
+            if (in_piece[destructible->bonds[k].face.a] && in_piece[destructible->bonds[k].face.b])
                 all.bonds.push_back(k);
         const Vec3 gravity = inverse_rotate(body->pose.rotation, world.gravity());
         for (const Group& group : connected_groups(*destructible, all)) {

@@ -19,8 +19,8 @@ namespace {
 
 constexpr double passing_seconds = 0.2;  // s
 
-bool precedes(const PreStepState& noted, BodyId id) {
-    return noted.state.id < id;
+bool precedes(const PreStepState& stored, BodyId id) {
+    return stored.state.id < id;
 }
 
 }  // namespace
@@ -85,8 +85,8 @@ void Destruction::store_pre_step_state(const World& world, std::uint32_t destruc
 const BodyState* Destruction::pre_step_body(BodyId body) const {
     for (const BodyState& state : reversed_bodies_)
         if (state.id == body) return &state;
-    const PreStepState* noted = find_pre_step_state(body);
-    return noted ? &noted->state : nullptr;
+    const PreStepState* stored = find_pre_step_state(body);
+    return stored ? &stored->state : nullptr;
 }
 
 const PreStepState* Destruction::find_pre_step_state(BodyId body) const {
@@ -194,9 +194,9 @@ double Destruction::restored_speed(const World& world, const ChunkContact& chunk
     const Piece& piece = piece_of(chunk_contact);
     const Result<BodyState> own = world.body(piece.body);
     if (!before || !own.ok()) return speed;
-    const Vec3 brought = velocity_at(*before, chunk_contact.point) - piece.linear -
-                         cross(piece.angular, chunk_contact.point - own->center);
-    return minimum(speed, dot(brought, chunk_contact.normal));
+    const Vec3 initial_velocity = velocity_at(*before, chunk_contact.point) - piece.linear -
+                                  cross(piece.angular, chunk_contact.point - own->center);
+    return minimum(speed, dot(initial_velocity, chunk_contact.normal));
 }
 
 // Adds a body in contact, with its velocity before the step. A body without a stored state uses its
@@ -226,18 +226,20 @@ void Destruction::add_nearby_bodies(const World& world, std::uint32_t destructib
                                     std::vector<ReversalBody>& bodies,
                                     std::vector<std::size_t>& added) const {
     const std::size_t known = bodies.size();
-    for (const PreStepState& noted : pre_step_states_) {
-        if (noted.destructible != destructible) continue;
-        const auto same = [&](const ReversalBody& met) { return met.state.id == noted.state.id; };
+    for (const PreStepState& stored : pre_step_states_) {
+        if (stored.destructible != destructible) continue;
+        const auto same = [&](const ReversalBody& candidate) {
+            return candidate.state.id == stored.state.id;
+        };
         if (std::any_of(bodies.begin(), bodies.begin() + static_cast<std::ptrdiff_t>(known), same))
             continue;
-        const Result<BodyState> now = world.body(noted.state.id);
+        const Result<BodyState> now = world.body(stored.state.id);
         if (!now.ok() || !now->awake) continue;
-        const ReversalBody met{*now, noted.state.linear_velocity, noted.state.angular_velocity,
-                               world.gravity() * dt};
-        if (!(met.energy() > met.energy_before())) continue;
+        const ReversalBody candidate{*now, stored.state.linear_velocity,
+                                     stored.state.angular_velocity, world.gravity() * dt};
+        if (!(candidate.energy() > candidate.energy_before())) continue;
         added.push_back(bodies.size());
-        bodies.push_back(met);
+        bodies.push_back(candidate);
     }
 }
 
@@ -250,15 +252,15 @@ BodyPairs Destruction::shared_energy_pairs(const World& world, double dt,
     std::vector<std::pair<std::uint32_t, std::size_t>> wholes;
     std::vector<std::size_t> added;
     const auto link = [&](std::size_t body, BodyId touched) {
-        const PreStepState* noted = find_pre_step_state(touched);
-        if (!noted) return;
+        const PreStepState* stored = find_pre_step_state(touched);
+        if (!stored) return;
         const auto known = std::find_if(wholes.begin(), wholes.end(), [&](const auto& entry) {
-            return entry.first == noted->destructible;
+            return entry.first == stored->destructible;
         });
         if (known != wholes.end()) return void(links.emplace_back(known->second, body));
-        wholes.emplace_back(noted->destructible, body);
+        wholes.emplace_back(stored->destructible, body);
         added.clear();
-        add_nearby_bodies(world, noted->destructible, dt, bodies, added);
+        add_nearby_bodies(world, stored->destructible, dt, bodies, added);
         for (const std::size_t k : added) links.emplace_back(body, k);
     };
     for (std::size_t k = 0; k < bodies.size(); k++) {

@@ -65,7 +65,7 @@ void Destruction::update_gravity(const World& world) {
 const Destruction::BondedShape* Destruction::find_bonded_shape(ShapeId shape) const {
     const auto found =
         std::lower_bound(bonded_shapes_.begin(), bonded_shapes_.end(), shape,
-                         [](const BondedShape& place, ShapeId id) { return place.shape < id; });
+                         [](const BondedShape& entry, ShapeId id) { return entry.shape < id; });
     return found != bonded_shapes_.end() && found->shape == shape ? &*found : nullptr;
 }
 

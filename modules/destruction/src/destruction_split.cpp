@@ -149,10 +149,10 @@ int Destruction::split(World& world, Destructible& destructible, std::size_t p, 
     std::vector<Group> groups;
     {
         Group all{destructible.pieces[p].chunks, {}};
-        std::vector<bool> here(destructible.chunks.size());
-        for (const std::uint32_t c : all.chunks) here[c] = true;
+        std::vector<bool> in_piece(destructible.chunks.size());
+        for (const std::uint32_t c : all.chunks) in_piece[c] = true;
         for (std::uint32_t k = 0; k < destructible.bonds.size(); k++)
-            if (here[destructible.bonds[k].face.a] && here[destructible.bonds[k].face.b])
+            if (in_piece[destructible.bonds[k].face.a] && in_piece[destructible.bonds[k].face.b])
                 all.bonds.push_back(k);
         groups = connected_groups(destructible, all);
     }

@@ -47,19 +47,19 @@ void add_outside(std::vector<ConvexCell>& to, const ConvexCell& cell, const Conv
 }  // namespace
 
 std::vector<ConvexCell> disjoint_cells(std::span<const std::shared_ptr<const ConvexHull>> hulls) {
-    std::vector<ConvexCell> whole, cells;
+    std::vector<ConvexCell> hull_cells, cells;
     double volume = 0, size = 0;
     for (const auto& hull : hulls) {
-        whole.push_back(cell_of(*hull));
+        hull_cells.push_back(cell_of(*hull));
         volume += hull->volume;
-        size =
-            maximum(size, square_root(furthest_squared(whole.back(), whole[0].faces[0].points[0])));
+        size = maximum(size, square_root(furthest_squared(hull_cells.back(),
+                                                          hull_cells[0].faces[0].points[0])));
     }
-    for (std::size_t k = 0; k < whole.size(); k++) {
-        std::vector<ConvexCell> left = {whole[k]};
+    for (std::size_t k = 0; k < hull_cells.size(); k++) {
+        std::vector<ConvexCell> left = {hull_cells[k]};
         for (std::size_t i = 0; i < k; i++) {
             std::vector<ConvexCell> next;
-            for (const ConvexCell& cell : left) add_outside(next, cell, whole[i], size);
+            for (const ConvexCell& cell : left) add_outside(next, cell, hull_cells[i], size);
             left = std::move(next);
         }
         for (ConvexCell& cell : left)

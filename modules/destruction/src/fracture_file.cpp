@@ -26,7 +26,7 @@ enum Kind : std::uint8_t { box = 0, hull = 1 };
 Error damaged(std::string message) {
     return {ErrorCode::invalid_argument, std::move(message)};
 }
-std::string place(const char* list, std::size_t k) {
+std::string element_name(const char* list, std::size_t k) {
     return std::string(list) + "[" + std::to_string(k) + "]";
 }
 
@@ -236,7 +236,7 @@ Result<std::vector<std::byte>> write_fracture(const FracturedShape& shape) {
     body.bits(static_cast<std::uint32_t>(shape.bonds.size()));
     for (std::size_t k = 0; k < shape.chunks.size(); k++)
         if (Status s = write_chunk(body, shape.chunks[k]); !s.ok())
-            return damaged(place("chunks", k) + " " + s.error().message);
+            return damaged(element_name("chunks", k) + " " + s.error().message);
     for (const FractureBond& bond : shape.bonds) write_bond(body, bond);
     const std::vector<std::byte> rest = body.take();
     Writer out;
@@ -259,12 +259,12 @@ Result<FracturedShape> read_fracture(std::span<const std::byte> bytes) {
     FracturedShape shape;
     for (std::size_t k = 0; k < chunks; k++) {
         Result<FractureChunk> chunk = read_chunk(in);
-        if (!chunk.ok()) return damaged(place("chunks", k) + ": " + chunk.error().message);
+        if (!chunk.ok()) return damaged(element_name("chunks", k) + ": " + chunk.error().message);
         shape.chunks.push_back(std::move(*chunk));
     }
     for (std::size_t k = 0; k < bonds; k++) {
         shape.bonds.push_back(read_bond(in));
-        if (in.ended()) return damaged(place("bonds", k) + ": unexpected end of file");
+        if (in.ended()) return damaged(element_name("bonds", k) + ": unexpected end of file");
     }
     if (in.left() > 0)
         return damaged(std::to_string(in.left()) + " unexpected bytes at the end of the file");

@@ -33,10 +33,11 @@ void share(std::span<ReversalBody> bodies, ImpulseReversal& one) {
         dot(velocity_at(struck, one.point) - velocity_at(piece, one.point), one.normal);
     double more = (one.speed - now) / (one.inverse_mass_piece + one.inverse_mass_struck);
     if (one.inverse_mass_piece > 0) {
-        const ReversalBody& met = bodies[one.piece];
-        const Vec3 got = piece.linear_velocity - met.linear - met.gravity_velocity +
-                         cross(piece.angular_velocity - met.angular, one.point - piece.center);
-        more = minimum(more, dot(got, one.normal) / one.inverse_mass_piece);
+        const ReversalBody& reversal_body = bodies[one.piece];
+        const Vec3 gained_velocity =
+            piece.linear_velocity - reversal_body.linear - reversal_body.gravity_velocity +
+            cross(piece.angular_velocity - reversal_body.angular, one.point - piece.center);
+        more = minimum(more, dot(gained_velocity, one.normal) / one.inverse_mass_piece);
     }
     more = maximum(more, -one.impulse);
     one.impulse += more;

@@ -134,11 +134,11 @@ std::vector<Vec3> rings(const Aabb& bounds, const SeedPatternOptions& plan) {
     std::vector<Vec3> seeds;
     for (int ring = 0; ring < count; ring++)
         for (int spoke = 0; spoke < spokes; spoke++) {
-            const double way = (ring + 0.3 + 0.4 * next_uniform(state)) / count;
+            const double fraction = (ring + 0.3 + 0.4 * next_uniform(state)) / count;
             const double turn = 2 * pi * (spoke + 0.3 * next_uniform(state)) / spokes;
             Vec3 p = center;
-            p[u] += reach * way * way * sin_cos(turn).cos;
-            p[v] += reach * way * way * sin_cos(turn).sin;
+            p[u] += reach * fraction * fraction * sin_cos(turn).cos;
+            p[v] += reach * fraction * fraction * sin_cos(turn).sin;
             p[axis] = bounds.low[axis] + sides[axis] * (0.4 + 0.2 * next_uniform(state));
             if (is_within(bounds, p)) seeds.push_back(p);
         }

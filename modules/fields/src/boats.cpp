@@ -50,8 +50,8 @@ Status check(const World& world, const BoatDef& def) {
 // Thrust impulse on the hull at the propeller, N s.
 Vec3 thrust_of(const BoatDef& def, const MovingBody& hull, double throttle, double rudder,
                double h) {
-    const Vec3 ahead = rotate(hull.pose.rotation, {0, 0, -1});
-    const double along = dot(hull.linear_velocity, ahead);
+    const Vec3 forward = rotate(hull.pose.rotation, {0, 0, -1});
+    const double along = dot(hull.linear_velocity, forward);
     // The angle of attack of the blades decreases with the speed of the inflow.
     const double slip = clamp(1 - (throttle < 0 ? -along : along) / def.top_speed, 0, 1);
     const double force = def.thrust * throttle * slip * (throttle < 0 ? reverse_thrust_share : 1);
@@ -64,10 +64,10 @@ Vec3 thrust_of(const BoatDef& def, const MovingBody& hull, double throttle, doub
 // The impulse is limited so that it does not reverse the sideways motion.
 Vec3 keel_of(const BoatDef& def, const MovingBody& hull, Vec3 velocity, double h) {
     const Vec3 right = rotate(hull.pose.rotation, {1, 0, 0});
-    const double aside = dot(velocity, right);
-    const double uncapped = 0.5 * def.keel * length(velocity) * absolute(aside) * h;
-    const double most = 0.1 * hull.mass * absolute(aside);
-    return right * (minimum(uncapped, most) * (aside < 0 ? 1 : -1));
+    const double sideways = dot(velocity, right);
+    const double uncapped = 0.5 * def.keel * length(velocity) * absolute(sideways) * h;
+    const double most = 0.1 * hull.mass * absolute(sideways);
+    return right * (minimum(uncapped, most) * (sideways < 0 ? 1 : -1));
 }
 
 }  // namespace

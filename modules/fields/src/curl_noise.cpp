@@ -52,8 +52,8 @@ struct Blend {
     }
 };
 
-std::uint64_t corner(double whole) {
-    return static_cast<std::uint64_t>(static_cast<std::int64_t>(whole));
+std::uint64_t corner(double coordinate) {
+    return static_cast<std::uint64_t>(static_cast<std::int64_t>(coordinate));
 }
 
 struct Cell {

@@ -14,15 +14,15 @@ namespace jostle::modules::fields_detail {
 // the Taylor polynomial on [-ln2/2, ln2/2] (J.-M. Muller, "Elementary Functions", chapter 11).
 inline double exp_of_negative(double x) {
     if (!(x > -700)) return 0;
-    const double exponent = std::floor(x * 1.44269504088896340736 + 0.5);
-    const double r = x - exponent * 0.693147180559945309417, r2 = r * r;
+    const double multiple = std::floor(x * 1.44269504088896340736 + 0.5);
+    const double r = x - multiple * 0.693147180559945309417, r2 = r * r;
     // Even and odd powers are summed separately: two short dependency chains instead of a long one.
     const double even =
         1 + r2 * (1.0 / 2 + r2 * (1.0 / 24 + r2 * (1.0 / 720 + r2 * (1.0 / 40320))));
     const double odd =
         1 + r2 * (1.0 / 6 + r2 * (1.0 / 120 + r2 * (1.0 / 5040 + r2 * (1.0 / 362880))));
     const double sum = even + r * odd;
-    const auto biased = static_cast<std::uint64_t>(static_cast<std::int64_t>(exponent) + 1023);
+    const auto biased = static_cast<std::uint64_t>(static_cast<std::int64_t>(multiple) + 1023);
     return sum * std::bit_cast<double>(biased << 52);
 }
 

@@ -120,7 +120,7 @@ PanelSurface of_cone(const Cone& c) {
                   2 * pi * c.radius * c.radius * c.half_length / 3);
 }
 
-void place(PanelSurface& surface, const Transform& pose) {
+void apply_pose(PanelSurface& surface, const Transform& pose) {
     for (Vec3& v : surface.vertices) v = apply(pose, v);
     surface.center = apply(pose, surface.center);
     surface.axis = rotate(pose.rotation, surface.axis);
@@ -168,7 +168,7 @@ std::vector<PanelSurface> panel_surfaces(const Geometry& geometry, const Transfo
     std::vector<PanelSurface> all;
     const auto add = [&](const Geometry& convex, const Transform& at) {
         PanelSurface& surface = all.emplace_back(of_convex(convex));
-        place(surface, at);
+        apply_pose(surface, at);
         for (const Triangle& t : surface.triangles) surface.area += length(area_of(surface, t));
     };
     if (const auto* compound = std::get_if<Compound>(&geometry)) {

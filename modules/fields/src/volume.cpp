@@ -20,8 +20,9 @@ struct ContainsPoint {
     }
     bool operator()(const CapsuleVolume& capsule) const {
         const Vec3 along = capsule.to - capsule.from, from = point - capsule.from;
-        const double way = length_squared(along);
-        const double share = way > 0 ? clamp(dot(from, along) / way, 0, 1) : 0;
+        const double squared_length = length_squared(along);
+        const double share =
+            squared_length > 0 ? clamp(dot(from, along) / squared_length, 0, 1) : 0;
         return length_squared(from - along * share) <= capsule.radius * capsule.radius;
     }
 };

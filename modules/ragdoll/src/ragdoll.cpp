@@ -37,9 +37,9 @@ double lead_time_of(const Muscle& muscle, double dt, int substeps) {
     return muscle.damping_ratio / (pi * muscle.hertz) - 0.5 * dt + 2 * dt / substeps;
 }
 
-BodyDef body_of(const RagdollDef& def, std::size_t bone, const Transform& place) {
+BodyDef body_of(const RagdollDef& def, std::size_t bone, const Transform& origin) {
     return {.type = bone == 0 && def.kinematic_root ? BodyType::kinematic : BodyType::dynamic,
-            .pose = compose(place, def.bones[bone].rest),
+            .pose = compose(origin, def.bones[bone].rest),
             .sleep_allowed = def.sleep_allowed};
 }
 
@@ -125,10 +125,10 @@ std::size_t Ragdolls::size() const {
         std::count_if(figures_.begin(), figures_.end(), [](const Figure& f) { return f.alive; }));
 }
 
-Result<RagdollId> Ragdolls::add(World& world, const RagdollDef& def, const Transform& place) {
+Result<RagdollId> Ragdolls::add(World& world, const RagdollDef& def, const Transform& origin) {
     if (Status s = check_figure(def); !s.ok()) return s.error();
-    if (!is_finite(place) || std::abs(norm_squared(place.rotation) - 1) > 0.01)
-        return invalid_argument("place must have a finite position and a unit quaternion");
+    if (!is_finite(origin) || std::abs(norm_squared(origin.rotation) - 1) > 0.01)
+        return invalid_argument("origin must have a finite position and a unit quaternion");
     std::size_t at = 0;
     while (at < figures_.size() && figures_[at].alive) at++;
     if (at >= figures_max)
@@ -137,10 +137,10 @@ Result<RagdollId> Ragdolls::add(World& world, const RagdollDef& def, const Trans
                                                         " ragdolls; remove one first"};
     std::vector<BodyAndShapes> parts(def.bones.size());
     for (std::size_t k = 0; k < parts.size(); k++)
-        parts[k] = {body_of(def, k, place), def.bones[k].shapes};
+        parts[k] = {body_of(def, k, origin), def.bones[k].shapes};
     const Result<std::vector<BodyId>> made = world.create_bodies(parts);
     if (!made.ok()) return made.error();
-    Figure figure{.alive = true, .kinematic_root = def.kinematic_root, .root = place};
+    Figure figure{.alive = true, .kinematic_root = def.kinematic_root, .root = origin};
     for (std::size_t k = 0; k < parts.size(); k++) {
         const RagdollBone& from = def.bones[k];
         figure.bones.push_back({.body = (*made)[k],
@@ -298,11 +298,11 @@ Result<RagdollPose> Ragdolls::pose(const World& world, RagdollId id) const {
 
 // Releases a figure that lost a body or a joint.
 void Ragdolls::release_if_incomplete(World& world, Figure& figure) {
-    const bool whole = std::all_of(figure.bones.begin(), figure.bones.end(), [&](const Bone& b) {
+    const bool complete = std::all_of(figure.bones.begin(), figure.bones.end(), [&](const Bone& b) {
         const bool joined = b.parent >= 0 && figure.mode != RagdollMode::kinematic;
         return world.contains(b.body) && (!joined || world.contains(b.joint));
     });
-    if (!whole) release(world, figure);
+    if (!complete) release(world, figure);
 }
 
 // Releases a figure: the remaining bodies stay in the world, limp.

@@ -17,7 +17,7 @@ void rotation(StateVisitor& v, std::string_view name, Quat& q) {
     if (v.loading() && !(norm_squared(q) > 0.98 && norm_squared(q) < 1.02))
         v.fail(name, "is not a unit quaternion");
 }
-void place(StateVisitor& v, std::string_view name, Transform& t) {
+void visit_transform(StateVisitor& v, std::string_view name, Transform& t) {
     v.field(name, t);
     if (v.loading() && !(norm_squared(t.rotation) > 0.98 && norm_squared(t.rotation) < 1.02))
         v.fail(name, "must have a unit quaternion");
@@ -33,8 +33,8 @@ void Ragdolls::visit(StateVisitor& v, Figure& figure) {
     v.field("moved", figure.pose_changed);
     bounded(v, "blend", figure.blend, 0, 60);
     bounded(v, "blended", figure.blend_elapsed, 0, 60);
-    place(v, "root", figure.root);
-    place(v, "blend_start_root", figure.blend_start_root);
+    visit_transform(v, "root", figure.root);
+    visit_transform(v, "blend_start_root", figure.blend_start_root);
     std::int32_t index = 0;
     v.all("bones", figure.bones, [&](Bone& bone) {
         v.field("body", bone.body);
@@ -50,9 +50,9 @@ void Ragdolls::visit(StateVisitor& v, Figure& figure) {
         bounded(v, "upper", bone.bone_joint.upper, -pi, pi);
         bounded(v, "swing", bone.bone_joint.swing, 0, pi);
         bounded(v, "friction", bone.bone_joint.friction, 0, 1e15);
-        place(v, "rest", bone.rest);
-        place(v, "frame", bone.frame);
-        place(v, "frame_b", bone.frame_b);
+        visit_transform(v, "rest", bone.rest);
+        visit_transform(v, "frame", bone.frame);
+        visit_transform(v, "frame_b", bone.frame_b);
         bounded(v, "hertz", bone.muscle.hertz, 0, 1000);
         bounded(v, "damping_ratio", bone.muscle.damping_ratio, 0, 10);
         bounded(v, "max_torque", bone.muscle.max_torque, 0, 1e9);

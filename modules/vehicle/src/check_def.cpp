@@ -24,8 +24,8 @@ public:
         number(name, value.y, -most, most);
         number(name, value.z, -most, most);
     }
-    void that(bool holds, const char* complaint) {
-        if (!holds) fail(complaint);
+    void that(bool holds, const char* message) {
+        if (!holds) fail(message);
     }
     void enter(const char* list, std::size_t index) {
         path_ = std::string(list) + "[" + std::to_string(index) + "].";

@@ -70,11 +70,11 @@ std::int32_t next_forward(const Car& car) {
 }
 
 std::int32_t target_gear(const Car& car) {
-    const std::int32_t asked = car.controls.gear;
+    const std::int32_t requested = car.controls.gear;
     const auto top = static_cast<std::int32_t>(car.def.gearbox.forward.size());
-    if (!car.def.gearbox.automatic) return asked > top ? top : asked;
-    if (asked == 0) return 0;
-    if (asked < 0) return car.speed < reverse_speed_max ? -1 : 0;
+    if (!car.def.gearbox.automatic) return requested > top ? top : requested;
+    if (requested == 0) return 0;
+    if (requested < 0) return car.speed < reverse_speed_max ? -1 : 0;
     return next_forward(car);
 }
 

@@ -19,8 +19,8 @@ double height_after(double step, double speed, double limit, double angle) {
     test::add_static(stage.world, {.geometry = Box{{50, 1, 50}}, .position = {51, step - 1, 0}});
     const CharacterId hero =
         stage.add({.feet = {-0.5, 0, 0}, .abilities = {.step_height = limit, .floor_snap = limit}});
-    const SinCos way = sin_cos(radians(angle));
-    stage.walk(hero, Vec3{way.cos, 0, way.sin} * speed);
+    const SinCos direction = sin_cos(radians(angle));
+    stage.walk(hero, Vec3{direction.cos, 0, direction.sin} * speed);
     stage.run(2.4 / speed + 0.5);
     return stage.of(hero).feet.y;
 }

@@ -36,9 +36,9 @@ TEST(Crowd, dense_crowd_stays_stable) {
     for (int k = 0; k < 20 * hz; k++) {
         if (k % 40 == 0)
             for (const CharacterId id : stage.crowd->ids()) {
-                const SinCos way = sin_cos(random.in(-pi, pi));
-                stage.steer(id,
-                            {.walk = Vec3{way.cos, 0, way.sin} * 5, .jump = random.below(4) == 0});
+                const SinCos direction = sin_cos(random.in(-pi, pi));
+                stage.steer(id, {.walk = Vec3{direction.cos, 0, direction.sin} * 5,
+                                 .jump = random.below(4) == 0});
             }
         stage.run(1 / hz);
         for (const BodyId body : stage.world.bodies())

@@ -27,8 +27,8 @@ std::optional<double> ground_at(const Queries& queries, BodyId ground, Vec3 p) {
 }
 
 CharacterControls at_random(test::Random& random) {
-    const SinCos way = sin_cos(random.in(-pi, pi));
-    return {.walk = Vec3{way.cos, 0, way.sin} * 50,
+    const SinCos direction = sin_cos(random.in(-pi, pi));
+    return {.walk = Vec3{direction.cos, 0, direction.sin} * 50,
             .jump = random.below(3) == 0,
             .crouch = random.below(4) == 0};
 }

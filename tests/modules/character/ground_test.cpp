@@ -213,8 +213,8 @@ TEST(Ground, flat_mesh_walks_like_a_plane) {
     double worst = 0;
     for (int k = 0; k < 600; k++) {
         stage.run(1 / hz);
-        const Vec3 there = start + Vec3{4, 0, 2.7} * ((k + 1) / hz);
-        worst = maximum(worst, length(stage.of(hero).feet - there));
+        const Vec3 expected = start + Vec3{4, 0, 2.7} * ((k + 1) / hz);
+        worst = maximum(worst, length(stage.of(hero).feet - expected));
     }
     record("level_triangles_error_m", worst);
     EXPECT_LE(worst, 1e-5);

@@ -42,10 +42,11 @@ void play(World& world, int steps) {
     for (int k = 0; k < steps; k++) {
         test::Random random(world.step_count() / 20);
         for (const CharacterId id : characters.ids()) {
-            const SinCos way = sin_cos(random.in(-pi, pi));
-            test::must(characters.set_controls(id, {.walk = Vec3{way.cos, 0, way.sin} * 4,
-                                                    .jump = random.below(3) == 0,
-                                                    .crouch = random.below(3) == 0}));
+            const SinCos direction = sin_cos(random.in(-pi, pi));
+            test::must(
+                characters.set_controls(id, {.walk = Vec3{direction.cos, 0, direction.sin} * 4,
+                                             .jump = random.below(3) == 0,
+                                             .crouch = random.below(3) == 0}));
         }
         test::must(world.step(1 / hz));
     }
@@ -82,13 +83,13 @@ TEST(Identity, loaded_and_restored_worlds_continue_bit_identically) {
 TEST(Identity, corrupted_bytes_are_rejected_or_harmless) {
     World world = crowd(1);
     play(world, 30);
-    const std::vector<std::byte> whole = save_module(*world.module("character"));
+    const std::vector<std::byte> saved = save_module(*world.module("character"));
     RestorePoint start;
     start.capture(world);
     int refused = 0, taken = 0;
     test::Random random(9);
-    for (std::size_t at = 0; at < whole.size(); at++) {
-        std::vector<std::byte> bytes = whole;
+    for (std::size_t at = 0; at < saved.size(); at++) {
+        std::vector<std::byte> bytes = saved;
         bytes[at] ^= static_cast<std::byte>(1 + random.below(255));
         auto corrupted = std::make_unique<Characters>();
         if (!load_module(*corrupted, bytes).ok()) {
@@ -103,9 +104,9 @@ TEST(Identity, corrupted_bytes_are_rejected_or_harmless) {
         EXPECT_TRUE(is_finite(world.summary().linear_momentum));
         EXPECT_TRUE(load(save(world)).ok()) << "byte " << at;
     }
-    for (std::size_t size = 0; size < whole.size(); size += 7)
+    for (std::size_t size = 0; size < saved.size(); size += 7)
         EXPECT_FALSE(
-            load_module(*std::make_unique<Characters>(), std::span(whole).first(size)).ok());
+            load_module(*std::make_unique<Characters>(), std::span(saved).first(size)).ok());
     record("forgeries_refused", refused);
     record("forgeries_taken", taken);
     EXPECT_GT(refused, 500);

@@ -85,8 +85,8 @@ TEST(Platform, curving_train_and_rolling_ship_carry_it) {
     const Ride worst = ride(CharacterKind::sweeping, {1, 0, -1}, 10, [](double t) {
         const Quat yaw = from_axis_angle({0, 1, 0}, 0.3 * t);
         const Quat roll = from_axis_angle({1, 0, 0}, 0.2 * sin_cos(t).sin);
-        const SinCos way = sin_cos(0.3 * t);
-        return Transform{Vec3{way.cos, 0, -way.sin} * 60, yaw * roll};
+        const SinCos course = sin_cos(0.3 * t);
+        return Transform{Vec3{course.cos, 0, -course.sin} * 60, yaw * roll};
     });
     record("ship_gap_m", worst.gap);
     record("ship_drift_m", worst.drift);

@@ -86,13 +86,13 @@ Outcome outcome_of(const Hit& hit) {
     stage.step(second / 2, 1 / hit.rate);
     const double start = energy_of(world, shape, def);
     stage.ball({0.2, 1.2 * hit.half.y, -hit.half.z - 0.6}, {0, 0, hit.speed});
-    const double brought = energy_of(world, shape, def) - start;
+    const double impact_energy = energy_of(world, shape, def) - start;
     Outcome outcome;
     for (int k = 0; k < 2 * second; k++) {
         stage.step(1, 1 / hit.rate);
         const double now = energy_of(world, shape, def);
         EXPECT_TRUE(std::isfinite(now)) << hit.name;
-        outcome.gain = std::max(outcome.gain, (now - start - brought) / brought);
+        outcome.gain = std::max(outcome.gain, (now - start - impact_energy) / impact_energy);
         for (const BodyId id : world.bodies()) {
             const Vec3 at = world.body(id)->center;
             if (std::abs(at.x) < 58 && std::abs(at.z) < 58 &&
@@ -118,7 +118,8 @@ TEST(DestructionEnergy, violent_impacts_add_no_energy_and_nothing_falls_through_
          false,
          {2, 1.5, 0.15}},
         {"wall on wall, clustered", SeedPattern::clustered, 80, clay, 2400, 40, 60, true},
-        // Regression: the striking body got its whole energy back, while others kept what it had
+        // Regression: the striking body got its whole energy back, while other bodies retained the
+        // energy that it had
         // given them.
         {"wall on wall, slowly", SeedPattern::clustered, 80, clay, 2400, 10, 60, true},
         {"at 120 Hz", SeedPattern::uniform, 100, concrete, 2400, 20, 120, false, {2, 1.5, 0.15}},

@@ -20,9 +20,9 @@ struct TestScene {
     explicit TestScene(int threads = 1, int chunks = 60) : stage({.threads = threads}) {
         stage.floor();
         stage.add(wall(chunks), standing());
-        DestructibleDef beside = standing();
-        beside.pose.position.x = 6;
-        stage.add(wall(chunks), beside);
+        DestructibleDef second_wall = standing();
+        second_wall.pose.position.x = 6;
+        stage.add(wall(chunks), second_wall);
         const Vec3 half{0.5, 0.5, 0.5};
         stage.add(fracture_box(half, random_seeds(half, 30, 4)).value(),
                   {.pose = {.position = {-5, 3, 0}}, .bonds = {.tensile = 2e5, .shear = 4e5}});
@@ -44,9 +44,9 @@ TEST(DestructionState, result_is_bit_identical_for_any_thread_count) {
 
 TEST(DestructionState, loaded_and_restored_worlds_continue_identically) {
     ASSERT_TRUE(registered);
-    for (const int moment : {3, 6, 40}) {
+    for (const int steps : {3, 6, 40}) {
         TestScene show;
-        show.stage.step(moment);
+        show.stage.step(steps);
         World& world = show.stage.world;
         const std::vector<std::byte> bytes = save(world);
         RestorePoint before;
@@ -66,10 +66,10 @@ TEST(DestructionState, loaded_and_restored_worlds_continue_identically) {
 TEST(DestructionState, corrupted_bytes_are_rejected_or_harmless) {
     TestScene show(1, 8);
     show.stage.step(10);
-    const std::vector<std::byte> whole = save_module(*show.stage.destruction);
+    const std::vector<std::byte> saved = save_module(*show.stage.destruction);
     int refused = 0, stepped = 0;
-    for (std::size_t at = 0; at < whole.size(); at += 5) {
-        std::vector<std::byte> bytes = whole;
+    for (std::size_t at = 0; at < saved.size(); at += 5) {
+        std::vector<std::byte> bytes = saved;
         bytes[at] = ~bytes[at];
         auto corrupted = std::make_unique<Destruction>();
         if (!load_module(*corrupted, bytes).ok()) {

@@ -91,11 +91,12 @@ TEST(Destruction, heavy_ball_breaks_through_a_wall) {
         return sum.kinetic_energy + sum.potential_energy;
     };
     // An anchored body has weight once it is loose.
-    const double whole = 2400 * 8 * wall_half.x * wall_half.y * wall_half.z * 9.81 * wall_half.y;
-    const double start = energy(), brought = stage.world.summary().kinetic_energy;
+    const double wall_energy =
+        2400 * 8 * wall_half.x * wall_half.y * wall_half.z * 9.81 * wall_half.y;
+    const double start = energy(), impact_energy = stage.world.summary().kinetic_energy;
     for (int k = 0; k < 30; k++) {
         stage.step();
-        gain = std::max(gain, (energy() - start - whole) / brought);
+        gain = std::max(gain, (energy() - start - wall_energy) / impact_energy);
         fastest = std::max(fastest, length(stage.world.body(ball)->linear_velocity));
     }
     const std::size_t pieces = stage.destruction->bodies(id)->size();

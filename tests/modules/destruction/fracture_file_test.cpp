@@ -53,22 +53,22 @@ TEST(FractureFile, round_trip_is_bit_identical) {
 
 TEST(FractureFile, errors_name_the_invalid_field) {
     const FracturedShape shape = split_box({1, 1, 1}, 2, 1, 1).value();
-    const std::vector<std::byte> whole = bytes_of(shape);
+    const std::vector<std::byte> valid = bytes_of(shape);
     EXPECT_EQ(error_of({}), "not a fracture file; create one with jostle-fracture");
-    std::vector<std::byte> bytes = whole;
+    std::vector<std::byte> bytes = valid;
     bytes[8] = std::byte{7};
     EXPECT_EQ(error_of(bytes),
               "unsupported version 7; this program reads version 1; create the file again with "
               "jostle-fracture");
-    bytes = whole;
+    bytes = valid;
     bytes.back() ^= std::byte{1};
     EXPECT_EQ(error_of(bytes), "checksum mismatch: the file is corrupt or truncated");
-    bytes = whole;
+    bytes = valid;
     bytes[fracture_header_bytes + 3] = std::byte{0x7f};
     EXPECT_EQ(error_of(sealed(bytes)),
               "header declares 2130706434 chunks and 1 bonds, which exceeds the file size or the "
               "limits");
-    bytes = whole;
+    bytes = valid;
     bytes.push_back({});
     EXPECT_EQ(error_of(sealed(bytes)), "1 unexpected bytes at the end of the file");
     FracturedShape wrong = shape;
@@ -91,11 +91,11 @@ TEST(FractureFile, errors_name_the_invalid_field) {
 // Any byte may have any value, with a matching checksum: the file is rejected, or its shape can be
 // added.
 TEST(FractureFile, corrupted_bytes_are_rejected_or_yield_a_valid_shape) {
-    const std::vector<std::byte> whole = bytes_of(wall(4));
+    const std::vector<std::byte> valid = bytes_of(wall(4));
     int refused = 0, added = 0;
-    for (std::size_t at = fracture_header_bytes; at < whole.size(); at++) {
+    for (std::size_t at = fracture_header_bytes; at < valid.size(); at++) {
         for (const std::byte flip : {std::byte{0xff}, std::byte{0x40}, std::byte{1}}) {
-            std::vector<std::byte> bytes = whole;
+            std::vector<std::byte> bytes = valid;
             bytes[at] ^= flip;
             const auto read = read_fracture(sealed(bytes));
             refused += !read.ok();
@@ -107,8 +107,8 @@ TEST(FractureFile, corrupted_bytes_are_rejected_or_yield_a_valid_shape) {
             added++;
         }
         if (at % 11 == 0) {
-            std::vector<std::byte> cut(whole.begin(),
-                                       whole.begin() + static_cast<std::ptrdiff_t>(at));
+            std::vector<std::byte> cut(valid.begin(),
+                                       valid.begin() + static_cast<std::ptrdiff_t>(at));
             cut.resize(std::max(cut.size(), fracture_header_bytes + 8));
             EXPECT_FALSE(read_fracture(sealed(cut)).ok());
         }

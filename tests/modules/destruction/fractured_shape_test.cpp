@@ -25,11 +25,11 @@ TEST(FracturedShape, box_cells_sum_to_box_volume) {
     const Vec3 half{3, 1.5, 0.15};
     const FracturedShape shape = fracture_box(half, random_seeds(half, 400, 7)).value();
     EXPECT_EQ(shape.chunks.size(), 400u);
-    const double whole = 8 * half.x * half.y * half.z;
-    const double error = std::abs(volume_of(shape) / whole - 1);
+    const double volume = 8 * half.x * half.y * half.z;
+    const double error = std::abs(volume_of(shape) / volume - 1);
     RecordProperty("volume_error", std::to_string(error * 1e15) + "e-15");
     EXPECT_LT(error, 1e-12);
-    EXPECT_LT(length(first_moment(shape)) / whole, 1e-12);
+    EXPECT_LT(length(first_moment(shape)) / volume, 1e-12);
 }
 
 TEST(FracturedShape, hull_cells_sum_to_hull_volume) {

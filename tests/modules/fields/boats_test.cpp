@@ -35,8 +35,8 @@ struct Harbour {
     double speed() const { return length(state().linear_velocity); }
     // rad to the right of -z.
     double course() const {
-        const Vec3 ahead = rotate(state().pose.rotation, {0, 0, -1});
-        return arc_tangent(ahead.x, -ahead.z);
+        const Vec3 forward = rotate(state().pose.rotation, {0, 0, -1});
+        return arc_tangent(forward.x, -forward.z);
     }
 };
 

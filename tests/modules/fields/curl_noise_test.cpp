@@ -23,10 +23,10 @@ double divergence(const CurlNoise& noise, Vec3 p, double time, double step) {
     double sum = 0;
     for (int axis = 0; axis < 3; axis++)
         for (int k = 0; k < 4; k++) {
-            Vec3 way;
-            way[axis] = (k + 1) * step;
-            sum += weights[k] * (curl_noise(noise, p + way, time)[axis] -
-                                 curl_noise(noise, p - way, time)[axis]);
+            Vec3 offset;
+            offset[axis] = (k + 1) * step;
+            sum += weights[k] * (curl_noise(noise, p + offset, time)[axis] -
+                                 curl_noise(noise, p - offset, time)[axis]);
         }
     return sum / step;
 }
@@ -95,8 +95,9 @@ TEST(CurlNoise, is_continuous_across_cells_and_in_time) {
     const CurlNoise noise{.octaves = 3};
     for (int k = -8; k < 8; k++) {
         const Vec3 p{0.25 * k, 0.25 * k + 0.1, -0.3};
-        const Vec3 way{1e-9, 0, 0};
-        EXPECT_LT(length(curl_noise(noise, p + way, k) - curl_noise(noise, p - way, k)), 1e-7);
+        const Vec3 offset{1e-9, 0, 0};
+        EXPECT_LT(length(curl_noise(noise, p + offset, k) - curl_noise(noise, p - offset, k)),
+                  1e-7);
         EXPECT_LT(length(curl_noise(noise, p, k + 1e-9) - curl_noise(noise, p, k - 1e-9)), 1e-7);
     }
 }

@@ -35,8 +35,8 @@ struct Stage {
         ragdolls = module.get();
         world.add_module(std::move(module)).expect();
     }
-    RagdollId add(const RagdollDef& def, const physics::Transform& place = {}) {
-        return ragdolls->add(world, def, place).value();
+    RagdollId add(const RagdollDef& def, const physics::Transform& origin = {}) {
+        return ragdolls->add(world, def, origin).value();
     }
     void step(double hz = 60) { world.step(1 / hz).expect(); }
     // Rotation of the joint of a bone about the z axis of its frame.

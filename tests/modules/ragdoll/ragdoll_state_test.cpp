@@ -76,10 +76,10 @@ TEST(RagdollState, loaded_and_restored_worlds_continue_identically) {
 TEST(RagdollState, corrupted_bytes_are_rejected_or_harmless) {
     TestScene show;
     play(show.stage.world, show, 0, 10);
-    const std::vector<std::byte> whole = save_module(*show.stage.ragdolls);
+    const std::vector<std::byte> saved = save_module(*show.stage.ragdolls);
     int refused = 0;
-    for (std::size_t at = 0; at < whole.size(); at += 3) {
-        std::vector<std::byte> bytes = whole;
+    for (std::size_t at = 0; at < saved.size(); at += 3) {
+        std::vector<std::byte> bytes = saved;
         bytes[at] = ~bytes[at];
         TestScene other;
         auto corrupted = std::make_unique<Ragdolls>();

@@ -120,8 +120,8 @@ TEST(Ragdoll, removes_figures_individually) {
         const std::vector<JointId> joints = *stage.ragdolls->joints(ids[0]);
         if (lost) {
             const BodyId hand = (*stage.ragdolls->bodies(ids[0]))[5];
-            const Vec3 there = stage.world.body(hand)->pose.position;
-            stage.world.apply_impulse(hand, {0, 1e9, 0}, there).expect();
+            const Vec3 hand_position = stage.world.body(hand)->pose.position;
+            stage.world.apply_impulse(hand, {0, 1e9, 0}, hand_position).expect();
             stage.world.destroy_body((*stage.ragdolls->bodies(ids[1]))[2]).expect();
         }
         for (int k = 0; k < 20; k++) stage.step();

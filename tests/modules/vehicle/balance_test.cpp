@@ -58,12 +58,12 @@ TEST(Balance, leans_into_a_turn_by_the_equilibrium_angle) {
             of.set({.steering = steering, .gear = 0});
             of.drive(5);
             const BodyState body = of.body();
-            const double aside = -body.angular_velocity.y * of.speed();
+            const double lateral = -body.angular_velocity.y * of.speed();
             const auto wheels = of.state().wheels;
             const Vec3 arm = body.center - (wheels[0].point + wheels[1].point) * 0.5;
             const Vec3 right = normalized(cross(body.linear_velocity, Vec3{0, 1, 0}));
             const double lean = std::atan2(dot(arm, right), arm.y);
-            worst = std::max(worst, std::abs(lean / std::atan(aside / gravity) - 1));
+            worst = std::max(worst, std::abs(lean / std::atan(lateral / gravity) - 1));
             EXPECT_GT(lean * steering, 0);
             // At most the requested lean, and not much less.
             EXPECT_LT(std::abs(lean), 0.7 * std::abs(steering) + 0.04);

@@ -171,9 +171,9 @@ TEST(Grip, hand_brake_causes_oversteer) {
     of.set({.hand_brake = 1, .steering = 0.5, .gear = 0});
     of.drive(1.5);
     const BodyState body = of.body();
-    const Vec3 ahead = rotate(body.pose.rotation, {0, 0, -1});
-    const double drift =
-        arc_tangent(length(cross(ahead, body.linear_velocity)), dot(ahead, body.linear_velocity));
+    const Vec3 forward = rotate(body.pose.rotation, {0, 0, -1});
+    const double drift = arc_tangent(length(cross(forward, body.linear_velocity)),
+                                     dot(forward, body.linear_velocity));
     RecordProperty("drift_degrees", std::to_string(drift * 180 / pi));
     EXPECT_GT(drift, 0.4);
 }

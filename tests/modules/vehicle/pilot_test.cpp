@@ -15,10 +15,10 @@ struct ControlledCar : TestCar {
         add(def);
         drive(1);
     }
-    void hold(double aside, double ahead, std::uint32_t buttons = 0) {
+    void hold(double right, double forward, std::uint32_t buttons = 0) {
         Controls controls;
-        controls.axes[0] = aside;
-        controls.axes[1] = ahead;
+        controls.axes[0] = right;
+        controls.axes[1] = forward;
         controls.buttons = buttons;
         vehicles->control(world, chassis, controls);
     }

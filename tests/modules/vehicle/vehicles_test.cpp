@@ -193,11 +193,11 @@ TEST(Vehicles, channel_data_matches_the_documented_layout) {
     TestCar of;
     of.add(plain_saloon(of.chassis));
     of.drive(3);
-    ChannelWriter told([](BodyId body) { return body.index + 1; });
-    of.vehicles->publish(of.world, told);
-    ASSERT_EQ(told.channels().size(), 1u);
-    EXPECT_EQ(told.channels()[0].entity, of.chassis.index + 1);
-    const auto& values = told.channels()[0].values;
+    ChannelWriter writer([](BodyId body) { return body.index + 1; });
+    of.vehicles->publish(of.world, writer);
+    ASSERT_EQ(writer.channels().size(), 1u);
+    EXPECT_EQ(writer.channels()[0].entity, of.chassis.index + 1);
+    const auto& values = writer.channels()[0].values;
     ASSERT_EQ(values.size(), 2u + 4 * 9u);
     EXPECT_EQ(values[0], of.state().gear);
     EXPECT_NEAR(values[2] / 255.0 * 2, 0.33, 0.005) << "radius";

@@ -69,7 +69,7 @@ std::size_t width_of(std::string_view type) {
 }
 
 // Reads a non-negative integer; returns `fallback` if it is absent.
-Result<std::size_t> whole(const JsonNode& node, std::size_t fallback) {
+Result<std::size_t> read_integer(const JsonNode& node, std::size_t fallback) {
     if (!node.exists()) return fallback;
     if (!node.value->is_number_integer()) return node.make_error("is not an integer");
     const auto value = node.value->is_number_unsigned()
@@ -161,7 +161,7 @@ Status File::load_buffers(const GltfBufferReader& outside) {
     std::size_t total = 0;
     for (std::size_t k = 0; k < list->size(); k++) {
         const JsonNode buffer = list->at(k), uri = buffer.at("uri");
-        const Result<std::size_t> length = whole(buffer.at("byteLength"), 0);
+        const Result<std::size_t> length = read_integer(buffer.at("byteLength"), 0);
         if (!length.ok()) return length.error();
         std::vector<std::byte> bytes;
         if (!uri.exists()) {
@@ -205,7 +205,7 @@ Result<JsonNode> File::array(const char* name) const {
 
 Result<std::size_t> File::index(const JsonNode& node, std::size_t count, const char* of_what) {
     if (!node.exists()) return node.make_error("is missing");
-    const Result<std::size_t> value = whole(node, 0);
+    const Result<std::size_t> value = read_integer(node, 0);
     if (!value.ok()) return value.error();
     if (*value >= count)
         return node.make_error("is " + std::to_string(*value) + "; there are " +
@@ -236,9 +236,9 @@ Result<AccessorData> File::accessor(const JsonNode& which, const std::string& ty
     if (a.at("sparse").exists()) return a.make_error("is sparse, which is not supported");
     const JsonNode kind = a.at("type");
     if (!kind.exists() || *kind.value != type) return kind.make_error("is not \"" + type + "\"");
-    const Result<std::size_t> component_type = whole(a.at("componentType"), 0),
-                              count = whole(a.at("count"), 0),
-                              offset = whole(a.at("byteOffset"), 0);
+    const Result<std::size_t> component_type = read_integer(a.at("componentType"), 0),
+                              count = read_integer(a.at("count"), 0),
+                              offset = read_integer(a.at("byteOffset"), 0);
     for (const auto* value : {&component_type, &count, &offset})
         if (!value->ok()) return value->error();
     if (*count > numbers_max / width_of(type))
@@ -255,9 +255,9 @@ Result<AccessorData> File::accessor(const JsonNode& which, const std::string& ty
     if (!buffer.ok()) return buffer.error();
     AccessorData numbers{.width = width_of(type)};
     const std::size_t element = numbers.width * component.bytes;
-    const Result<std::size_t> begin = whole(view.at("byteOffset"), 0),
-                              length = whole(view.at("byteLength"), 0),
-                              stride = whole(view.at("byteStride"), element);
+    const Result<std::size_t> begin = read_integer(view.at("byteOffset"), 0),
+                              length = read_integer(view.at("byteLength"), 0),
+                              stride = read_integer(view.at("byteStride"), element);
     for (const auto* value : {&begin, &length, &stride})
         if (!value->ok()) return value->error();
     const std::vector<std::byte>& bytes = buffers_[*buffer];

@@ -86,7 +86,9 @@ public:
     std::vector<BoneSegment> pieces;
 
 private:
-    Vec3 place_of(std::size_t joint) const { return joints_[joint].world.shift * options_.scale; }
+    Vec3 position_of(std::size_t joint) const {
+        return joints_[joint].world.shift * options_.scale;
+    }
 
     void add(std::size_t k, bool bears) {
         const GltfBoneOptions& bone_options = bone_options_for(options_, joints_[k].name);
@@ -99,10 +101,12 @@ private:
         if (is_bone) {
             if (above >= 0)
                 pieces[static_cast<std::size_t>(above)].children.push_back(of_joint_[k]);
-            pieces.push_back(
-                {.joint = k, .parent = above, .bone_options = bone_options, .start = place_of(k)});
+            pieces.push_back({.joint = k,
+                              .parent = above,
+                              .bone_options = bone_options,
+                              .start = position_of(k)});
         } else {
-            tips_.push_back({of_joint_[k], place_of(k)});
+            tips_.push_back({of_joint_[k], position_of(k)});
         }
         for (const Vec3 point : joints_[k].points)
             pieces[of_joint_[k]].points.push_back(point * options_.scale);

@@ -40,9 +40,9 @@ Result<Affine> local_of(const JsonNode& node) {
     std::vector<double> shift{0, 0, 0}, turn{0, 0, 0, 1}, scale{1, 1, 1};
     for (const auto& [name, values] :
          {std::pair{"translation", &shift}, {"rotation", &turn}, {"scale", &scale}}) {
-        const JsonNode place = node.at(name);
-        if (!place.exists()) continue;
-        Result<std::vector<double>> read = File::numbers(place, values->size());
+        const JsonNode property = node.at(name);
+        if (!property.exists()) continue;
+        Result<std::vector<double>> read = File::numbers(property, values->size());
         if (!read.ok()) return read.error();
         *values = *read;
     }
@@ -104,7 +104,7 @@ struct SkinReader {
     JsonNode skin;
     std::vector<std::size_t> joint_nodes;  // in the order of the skin
     std::vector<SkeletonJoint> joints;     // parents first
-    std::vector<std::size_t> place_of;     // index in `joints`, in the order of the skin
+    std::vector<std::size_t> joint_index;  // index in `joints`, in the order of the skin
 
     Status read_joints() {
         const JsonNode list = skin.at("joints");
@@ -129,7 +129,7 @@ struct SkinReader {
 
     // Breadth-first, siblings in the order of the skin.
     Status sort(const std::vector<std::size_t>& parents) {
-        place_of.assign(parents.size(), no_joint);
+        joint_index.assign(parents.size(), no_joint);
         std::vector<std::vector<std::size_t>> children(parents.size());
         std::vector<std::size_t> order;
         for (std::size_t k = 0; k < parents.size(); k++)
@@ -140,12 +140,12 @@ struct SkinReader {
         for (std::size_t k = 0; k < order.size(); k++)
             order.insert(order.end(), children[order[k]].begin(), children[order[k]].end());
         for (const std::size_t k : order) {
-            place_of[k] = joints.size();
+            joint_index[k] = joints.size();
             const std::size_t node = joint_nodes[k];
             joints.push_back(
                 {.node = node,
                  .name = name_of(file.root().at("nodes").at(node), node),
-                 .parent = parents[k] == no_joint ? -1 : static_cast<int>(place_of[parents[k]]),
+                 .parent = parents[k] == no_joint ? -1 : static_cast<int>(joint_index[parents[k]]),
                  .world = nodes[node].world});
         }
         return {};
@@ -156,13 +156,14 @@ struct SkinReader {
     Result<std::vector<Affine>> binds() const {
         std::vector<Affine> result;
         for (const std::size_t node : joint_nodes) result.push_back(nodes[node].world);
-        const JsonNode place = skin.at("inverseBindMatrices");
-        if (!place.exists()) return result;
-        const Result<AccessorData> matrices = file.accessor(place, "MAT4");
+        const JsonNode property = skin.at("inverseBindMatrices");
+        if (!property.exists()) return result;
+        const Result<AccessorData> matrices = file.accessor(property, "MAT4");
         if (!matrices.ok()) return matrices.error();
         if (matrices->count() < result.size())
-            return place.make_error("has " + std::to_string(matrices->count()) + " matrices for " +
-                                    std::to_string(result.size()) + " joints");
+            return property.make_error("has " + std::to_string(matrices->count()) +
+                                       " matrices for " + std::to_string(result.size()) +
+                                       " joints");
         for (std::size_t k = 0; k < result.size(); k++)
             result[k] = result[k] * affine_of((*matrices)[k]);
         return result;
@@ -218,7 +219,7 @@ struct SkinReader {
             const Vec3 position_in_scene = gltf::apply(to_scene[at], {x[0], x[1], x[2]});
             if (!(length(position_in_scene) < coordinate_max))
                 return attributes.at("POSITION").make_error("has a position beyond 1e9");
-            joints[place_of[at]].points.push_back(position_in_scene);
+            joints[joint_index[at]].points.push_back(position_in_scene);
         }
         return {};
     }

@@ -103,11 +103,11 @@ TEST(GltfErrors, files_that_are_none_are_named) {
 // Any byte of a .glb may have any value: the file is rejected with a reason, or its figure is
 // valid.
 TEST(GltfErrors, forged_bytes_are_refused_or_harmless) {
-    const std::vector<std::byte> whole = GltfSkeleton().glb();
+    const std::vector<std::byte> valid = GltfSkeleton().glb();
     int refused = 0;
-    for (std::size_t at = 0; at < whole.size(); at += 41)
+    for (std::size_t at = 0; at < valid.size(); at += 41)
         for (const unsigned flip : {0x01u, 0x10u, 0xffu}) {
-            std::vector<std::byte> bytes = whole;
+            std::vector<std::byte> bytes = valid;
             bytes[at] ^= static_cast<std::byte>(flip);
             const auto figure = figure_from_gltf(bytes);
             if (figure.ok()) continue;

@@ -85,7 +85,7 @@ public:
 
 private:
     struct Tube {
-        physics::Vec3 from, way;
+        physics::Vec3 from, extent;
         double radius;
     };
     std::vector<Tube> tubes_;            // by joint, in mesh space: centimetres, z up
@@ -103,7 +103,7 @@ private:
         if (!children.empty()) json["nodes"].back()["children"] = children;
     }
     void joint(const char* name, physics::Vec3 at, const std::vector<int>& children,
-               physics::Vec3 way, double radius) {
+               physics::Vec3 extent, double radius) {
         const int index = static_cast<int>(json["nodes"].size());
         node(name, at, children);
         physics::Vec3 above;
@@ -112,7 +112,7 @@ private:
                      "children", nlohmann::json::array()))
                 if (child == index) above = places_[static_cast<std::size_t>(k - 1)];
         places_.push_back(above + at);
-        tubes_.push_back({places_.back(), way, radius});
+        tubes_.push_back({places_.back(), extent, radius});
     }
 
     std::size_t view(std::size_t begin) {
@@ -134,7 +134,7 @@ private:
                 for (std::size_t k = 0; k < sides; k++) {
                     const double turn = 2 * physics::pi * static_cast<double>(k) / 12;
                     const physics::Vec3 v =
-                        tube.from + tube.way * (static_cast<double>(r) / 8) +
+                        tube.from + tube.extent * (static_cast<double>(r) / 8) +
                         physics::Vec3{std::cos(turn), std::sin(turn), 0} * tube.radius;
                     for (const double x : {v.x, v.y, v.z}) append(buffer, static_cast<float>(x));
                 }
@@ -152,12 +152,12 @@ private:
         accessor(begin, 5123, count, "VEC4");
         json["accessors"].back()["normalized"] = true;
         begin = buffer.size();
-        for (const physics::Vec3 place : places_)
+        for (const physics::Vec3 position : places_)
             for (int k = 0; k < 16; k++)
                 append(buffer, static_cast<float>(k % 5 == 0 ? 1
-                                                  : k == 12  ? -place.x
-                                                  : k == 13  ? -place.y
-                                                  : k == 14  ? -place.z
+                                                  : k == 12  ? -position.x
+                                                  : k == 13  ? -position.y
+                                                  : k == 14  ? -position.z
                                                              : 0));
         accessor(begin, 5126, places_.size(), "MAT4");
         json["meshes"] = {

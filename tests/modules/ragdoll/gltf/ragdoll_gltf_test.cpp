@@ -81,9 +81,9 @@ TEST(RagdollGltf, gltf_glb_and_external_buffers_give_the_same_figure) {
                static_cast<std::streamsize>(bytes.size()));
     std::ofstream(folder / "skeleton.bin", std::ios::binary)
         .write(skeleton.buffer.data(), static_cast<std::streamsize>(skeleton.buffer.size()));
-    const GltfFigure beside = read_gltf_figure((folder / "skeleton.gltf").string()).value();
+    const GltfFigure external = read_gltf_figure((folder / "skeleton.gltf").string()).value();
     std::filesystem::remove_all(folder);
-    for (const GltfFigure* other : {&binary, &beside})
+    for (const GltfFigure* other : {&binary, &external})
         for (std::size_t k = 0; k < 7; k++) {
             EXPECT_EQ(other->def.bones[k].rest, text.def.bones[k].rest);
             EXPECT_EQ(capsule_of(other->def.bones[k]).radius, capsule_of(text.def.bones[k]).radius);

@@ -72,7 +72,7 @@ public:
     void restored(const physics::World& world) override;
     /// Configures the module from a scene. For each prefix with at least one setting, adds one
     /// field: turbulence_*, waves_* with wave1_* to wave4_*, and central_* with the body `center`.
-    /// blast_* adds a charge that explodes at blast_time. docs/modules.md, section "Fields", lists
+    /// blast_* adds a charge that explodes at blast_time. docs/reference/scene_format.md lists
     /// all settings.
     physics::Status configure(physics::World& world,
                               const physics::ModuleSettings& settings) override;
@@ -108,7 +108,7 @@ private:
     fields_detail::SubstepFieldState substep_field_state(const physics::SubstepContext& substep,
                                                          double middle,
                                                          physics::Vec3 gravity) const;
-    void apply_field(std::size_t at, fields_detail::SubstepFieldState& moment,
+    void apply_field(std::size_t at, fields_detail::SubstepFieldState& field_state,
                      fields_detail::Load& load) const;
     void follow_targets(physics::World& world);
     void explode_due(physics::World& world);

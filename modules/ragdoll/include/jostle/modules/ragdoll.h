@@ -98,10 +98,10 @@ public:
     /// Releases figures with a quarantined body: all their muscles become limp.
     void after_step(physics::World& world, double dt) override;
 
-    /// Creates a figure at `place`, limp and in the rest pose. On failure, nothing is created.
-    /// invalid_argument names the bone.
+    /// Creates a figure whose frame is at `origin` in the world, limp and in the rest pose. On
+    /// failure, nothing is created. invalid_argument names the bone.
     physics::Result<RagdollId> add(physics::World& world, const RagdollDef& def,
-                                   const physics::Transform& place);
+                                   const physics::Transform& origin);
     /// Removes a figure with its bodies and joints. Returns not_found for an unknown id, as all
     /// calls with an id do.
     physics::Status remove(physics::World& world, RagdollId id);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The part of a ClientSession that goes by datagrams (docs/protocol.md): snapshots one way, acks
-// and inputs the other. Whatever must not get lost stays with the stream.
+// The part of a ClientSession that goes by datagrams (docs/design/datagrams.md): snapshots one way,
+// acks and inputs the other. Whatever must not get lost stays with the stream.
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The UDP socket for snapshots of clients that request datagrams (docs/protocol.md). One thread
-// receives packets in batches and passes each packet to the connection with its session id; packets
-// without a known id are dropped without a response. Connections send by themselves.
+// The UDP socket for snapshots of clients that request datagrams (docs/design/datagrams.md). One
+// thread receives packets in batches and passes each packet to the connection with its session id;
+// packets without a known id are dropped without a response. Connections send by themselves.
 //
 // Threads: start() and stop() from one thread, all other functions from any. Outlives its
 // connections.

@@ -50,7 +50,7 @@ body: all bodies connected to it by joints and touching contacts (without a body
 The system has one row per direction that is held, driven, limited or subject to friction. The
 report lists redundant rows, the condition number of A x = b, the results of nine solution
 methods with their residual per iteration, and the effect of softness and scaling. Bodies are
-selected by name or by index in the scene, from 0. docs/open_solver.md has an example.
+selected by name or by index in the scene, from 0. docs/design/constraint_systems.md has an example.
 
 Exit status: 0 success, 1 the run failed, 2 invalid flags or scene.)";
 

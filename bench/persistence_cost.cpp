@@ -19,7 +19,7 @@ namespace {
 
 constexpr const char* footer = R"(
 The scene: spheres, boxes and capsules poured between walls (scene d of 'speed' at 5000), 200 steps after the start, all awake. A
-checkpoint as a server takes it (docs/persistence.md).
+checkpoint as a server takes it (docs/design/persistence.md).
 
 Columns, ms of processor time, median of the repetitions: moment (the tick's thread: RestorePoint::keep() and who owns what),
 encode (another thread: RestorePoint::save() with its hash, and zstd; save(), state_hash() and zstd by themselves beside), decode (unpack, load(),

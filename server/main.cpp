@@ -67,7 +67,8 @@ void add_flags(CLI::App& app, Flags& flags) {
     app.add_flag("--insecure", flags.insecure,
                  "Allow non-loopback listeners without TLS and authentication")
         ->group("Network");
-    app.add_option("--config", flags.config, "Read settings from a TOML file (docs/operations.md)")
+    app.add_option("--config", flags.config,
+                   "Read settings from a TOML file (docs/reference/configuration.md)")
         ->type_name("FILE")
         ->envname("JOSTLE_CONFIG")
         ->group("Settings");

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // The access rules in one table: a row for each RPC, each HTTP route, and for the inputs within a
-// play stream. authorizer.h evaluates it, docs/operations.md documents it, and a test compares it
-// with the services: a new RPC without a row fails that test and is rejected at run time.
+// play stream. authorizer.h evaluates it, docs/guides/operator/secure.md documents it, and a test
+// compares it with the services: a new RPC without a row fails that test and is rejected at run
+// time.
 #pragma once
 
 #include <span>

@@ -82,7 +82,7 @@ struct TlsSettings {
     bool operator==(const TlsSettings&) const = default;
 };
 
-// Trusted tokens, and the role of anonymous clients (docs/security.md).
+// Trusted tokens, and the role of anonymous clients (docs/guides/operator/secure.md).
 struct AuthSettings {
     std::string issuer, audience;  // "iss" and "aud" of every token
     std::string keys;              // JWKS file; empty: every token is rejected
@@ -128,7 +128,8 @@ struct DevelopmentSettings {
     std::vector<std::string> network_conditions_worlds;  // names of affected worlds; empty: all
 };
 
-// Snapshots, acks and inputs as datagrams, for clients that request them (docs/protocol.md).
+// Snapshots, acks and inputs as datagrams, for clients that request them
+// (docs/design/datagrams.md).
 struct DatagramSettings {
     std::string listen;  // HOST:PORT of UDP; empty: no datagrams
     // port that clients are sent, if it differs from the local port; 0: the port of `listen`
@@ -137,7 +138,7 @@ struct DatagramSettings {
     bool operator==(const DatagramSettings&) const = default;
 };
 
-// Persistence of worlds across processes (docs/persistence.md).
+// Persistence of worlds across processes (docs/design/persistence.md).
 struct PersistenceSettings {
     std::string database;  // SQLite file, created if missing; empty: worlds end with the process
     // Acknowledged inputs survive "machine": a power failure; "process": a crash of the process;

@@ -152,7 +152,7 @@ Status apply_table(const Setters& setters, const toml::table& table, const std::
         if (at == setters.end())
             return Error{ErrorCode::invalid_argument,
                          location_of(name, node.source()) + "unknown setting \"" + path +
-                             "\"; docs/operations.md lists the settings"};
+                             "\"; docs/reference/configuration.md lists the settings"};
         if (!at->second(node))
             return Error{ErrorCode::invalid_argument, location_of(name, node.source()) + "\"" +
                                                           path +

@@ -42,11 +42,11 @@ Status check_exposure(const Config& config) {
         missing += std::string(missing.empty() ? "" : ", and ") +
                    "auth.keys, auth.issuer and auth.audience";
     if (missing.empty()) return {};
-    return Error{
-        ErrorCode::failed_precondition,
-        where + ", which other machines can reach, without " + missing +
-            "; set them (docs/security.md), listen on 127.0.0.1, or set insecure = true if "
-            "a proxy in front of this server provides both"};
+    return Error{ErrorCode::failed_precondition,
+                 where + ", which other machines can reach, without " + missing +
+                     "; set them (docs/guides/operator/secure.md), listen on 127.0.0.1, or set "
+                     "insecure = true if "
+                     "a proxy in front of this server provides both"};
 }
 
 std::string anonymous_role(const Config& config) {

@@ -38,7 +38,7 @@ Recordings are written by jostle-record. A truncated recording, after a crash or
 written, is read up to its last complete record; the summary says so. Positions are in m, rotations
 are quaternions. A tick without a snapshot shows the preceding snapshot.
 
-A database contains the persisted worlds of a server (persistence.database, docs/persistence.md).
+A database contains the persisted worlds of a server (persistence.database, docs/guides/operator/persist.md).
 Stop the server first, or copy its files. Replay is bit-identical: --verify compares each checkpoint
 with the replayed world, and --diff names the first tick and field in which two databases differ.
 

@@ -170,7 +170,7 @@ double cpu_ms() {
     return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
 }
 
-// The figures of docs/client_library.md; the bounds are far above them, for slow builds.
+// The figures of docs/records/performance.md; the bounds are far above them, for slow builds.
 TEST(RewindView, ray_among_thousands_of_bodies_takes_a_fraction_of_a_tick) {
     for (const int bodies : {1000, 5000}) {
         SteppedWorld stepped(bodies);

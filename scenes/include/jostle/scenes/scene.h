@@ -56,9 +56,9 @@ struct SceneModule {
     /// those of the world in which it was saved.
     std::vector<std::byte> state;
 };
-/// Maximum number of modules of a scene file and of a hosted world
+/// Maximum number of modules of a scene file and of a hosted world.
 inline constexpr std::size_t modules_max = 64;
-/// Maximum number of objects of a module in a scene file
+/// Maximum number of objects of a module in a scene file.
 inline constexpr std::size_t module_objects_max = 4096;
 
 /// A world as plain data.
@@ -66,7 +66,7 @@ struct SceneDescription {
     std::string name;
     std::string description;
     physics::WorldDef world;
-    /// Steps per second, 4 to 1000 in a file; the caller that steps the world uses it
+    /// Steps per second, 4 to 1000 in a file; the caller that steps the world uses it.
     double hz = 60;
     std::vector<SceneBody> bodies;
     std::vector<SceneJoint> joints;

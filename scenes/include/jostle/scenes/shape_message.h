@@ -23,8 +23,10 @@ physics::Result<physics::ShapeDef> shape_from_message(const v1::Shape& message,
 
 /// Writes the complete shape except user_data, so that shape_from_message() restores it.
 void write_shape(v1::Shape& out, const physics::ShapeDef& def);
-/// The same as serialized bytes, for storage. shape_from_bytes() treats them as untrusted.
+/// Returns the complete shape as a serialized message, for storage.
 std::string shape_bytes(const physics::ShapeDef& def);
+/// Inverse of shape_bytes(). The bytes are untrusted; errors are those of shape_from_message(), and
+/// corrupt_data if the bytes are not a message.
 physics::Result<physics::ShapeDef> shape_from_bytes(std::string_view bytes,
                                                     const std::string& path);
 /// Writes filter and material fields that differ from the defaults, for clients that predict

@@ -112,7 +112,7 @@ struct CharacterState {
     physics::BodyId ground_body;
     physics::Vec3 ground_normal;    ///< unit
     physics::Vec3 ground_velocity;  ///< m/s, world, of the ground under the feet
-    /// N s, sum of the impulses applied to other bodies in the last step
+    /// N s, sum of the impulses applied to other bodies in the last step.
     physics::Vec3 applied_impulse;
 };
 

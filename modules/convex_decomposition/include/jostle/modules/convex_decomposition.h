@@ -26,7 +26,7 @@ namespace jostle::decomposition {
 /// Options of the decomposition.
 struct Options {
     int hulls_max = 32;  ///< maximum number of hulls, 1 to 1024
-    /// Allowed excess volume as a fraction of the mesh's volume, 0 to 10
+    /// Allowed excess volume as a fraction of the mesh's volume, 0 to 10.
     double max_volume_error = 0.03;
     int planes_per_axis = 15;  ///< planes tried across each axis of a part, 1 to 127
 };

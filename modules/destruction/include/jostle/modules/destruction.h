@@ -58,7 +58,7 @@ struct BondMaterial {
     double tensile = 1.5e6;    ///< Pa, tensile strength, 1 to 1e13
     double shear = 3e6;        ///< Pa, shear strength, 1 to 1e13
     double compressive = 2e7;  ///< Pa, compressive strength, 1 to 1e13
-    /// J/m^2, energy dissipated by breaking, taken from an impact; 0 to 1e9
+    /// J/m^2, energy dissipated by breaking, taken from an impact; 0 to 1e9.
     double fracture_energy = 80;
     /// Duration of an impact, s, 1e-5 to 1. The impact force is the impulse divided by this time,
     /// or by the step length if that is shorter.
@@ -309,9 +309,9 @@ private:
     std::vector<BondedShape> bonded_shapes_;  ///< sorted by shape
     std::vector<destruction_detail::ChunkContact> chunk_contacts_;
     std::vector<destruction_detail::ChunkLoad> chunk_loads_;  ///< by chunk; valid for one piece
-    /// Bodies, and indices of destructibles
+    /// Bodies, and indices of destructibles.
     std::vector<std::pair<physics::BodyId, std::uint32_t>> passing_bodies_;
-    /// State before the step of bodies with reversed impulses
+    /// State before the step of bodies with reversed impulses.
     std::vector<physics::BodyState> reversed_bodies_;
     // Pieces and bodies in contact with them, sorted by body.
     std::vector<destruction_detail::PreStepState> pre_step_states_;

@@ -29,14 +29,14 @@ struct Explosion {
     double strength = 1000;     ///< N s/m^2, 0 to 1e9: overpressure times duration within the core
     double core = 1;            ///< m, 1e-3 to 1e4: the strength is constant within this distance
     std::uint32_t falloff = 2;  ///< exponent of the decay with distance, 0 to 4
-    /// Multiplies by 1 - r / radius, so that the effect ends smoothly at the radius
+    /// Multiplies by 1 - r / radius, so that the effect ends smoothly at the radius.
     bool fade = true;
     /// Minimum distance of the centre from surfaces, m, 0 to 100. A centre that is nearer to a
     /// surface, such as a clicked point, is moved away from it first. With 0, a solid that contains
     /// the centre hides nothing, and the pressure on its surface from inside does not move it.
     double standoff = 0;
     std::uint32_t points = 64;  ///< approximate number of surface points per shape, 6 to 1024
-    /// Affects bodies with a shape that has a category in the mask
+    /// Affects bodies with a shape that has a category in the mask.
     std::uint32_t mask = 0xffffffff;
     /// Maximum velocity change of a body, m/s, 0 to 1e4; 0 means 1e4.
     double most_speed = 0;

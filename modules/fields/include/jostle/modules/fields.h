@@ -38,9 +38,9 @@ class Fields : public physics::Module {
 public:
     /// Maximum numbers of fields and of pending charges.
     static constexpr std::size_t fields_max = 64, charges_max = 128;
-    /// Maximum number of Waves fields, which are the most expensive
+    /// Maximum number of Waves fields, which are the most expensive.
     static constexpr std::size_t waters_max = 4;
-    /// Maximum number of explosions per step; the rest follow in later steps
+    /// Maximum number of explosions per step; the rest follow in later steps.
     static constexpr std::size_t blasts_max = 8;
 
     Fields();
@@ -76,6 +76,8 @@ public:
     /// all settings.
     physics::Status configure(physics::World& world,
                               const physics::ModuleSettings& settings) override;
+    /// Publishing interval of "fields.waves", in steps.
+    static constexpr int waves_divisor = 60;
     /// Publishes two channels.
     ///
     /// "fields.waves", every waves_divisor steps. For each water: level and density (f32) and the
@@ -85,7 +87,6 @@ public:
     /// "fields": the number of other fields. For each its kind (0 central, 1 turbulence, 2 user),
     /// then for central the position (3 x f32), for turbulence the mean wind (3 x f32) and speed
     /// (f32). Then for each explosion of the last step the position (3 x f32) and radius (f32).
-    static constexpr int waves_divisor = 60;
     std::vector<physics::ChannelKind> channels() const override;
     void publish(const physics::World& world, physics::ChannelWriter& channels) const override;
 

@@ -124,9 +124,10 @@ public:
     std::size_t size() const;
     /// Returns the current mode.
     physics::Result<RagdollMode> mode(RagdollId id) const;
-    /// Bodies by bone. Joints of each bone to its parent: null for the root, and for all bones in
-    /// kinematic mode.
+    /// Returns the body of each bone.
     physics::Result<std::vector<physics::BodyId>> bodies(RagdollId id) const;
+    /// Returns the joint of each bone to its parent: null for the root, and for all bones in
+    /// kinematic mode.
     physics::Result<std::vector<physics::JointId>> joints(RagdollId id) const;
     /// Returns the current pose of the bodies.
     physics::Result<RagdollPose> pose(const physics::World& world, RagdollId id) const;

@@ -54,8 +54,7 @@ struct CarControls {
 /// Driver that follows a circle around the vertical axis through `center`, for scenes.
 /// set_controls() or driver input takes over.
 struct Pilot {
-    /// m
-    Vec3 center = {};
+    Vec3 center = {};    ///< m, each component within 1e7
     double radius = 30;  ///< m, 4 to 1e4; counter-clockwise seen from above
     double speed = 10;   ///< m/s, 0 to 200
 };
@@ -131,12 +130,12 @@ public:
     /// - pilot_radius and pilot_speed; pilot_radius adds a pilot.
     physics::Status configure(physics::World& world,
                               const physics::ModuleSettings& settings) override;
+    /// True for the chassis of cars.
+    bool is_controllable(BodyId body) const override;
     /// Applies driver input between steps. Axis 0 steers. Axis 1 is the throttle forward; backward
     /// it brakes, and drives in reverse once the car stands. Button 0 is the hand brake. Buttons 2
     /// and 3 shift a manual gearbox up and down. Driver input controls the car until set_controls()
     /// or set_pilot().
-    /// True for the chassis of cars.
-    bool is_controllable(BodyId body) const override;
     void control(physics::World& world, BodyId body, const physics::Controls& controls) override;
     /// Returns false for cars whose wheels are bodies.
     bool visit_controlled_entity(physics::World& world, BodyId body,

@@ -82,7 +82,7 @@ struct Wheel {
     Suspension suspension = {};
     Tyre tyre = {};
     double steering_most = 0;  ///< rad at full lock, -1.4 to 1.4; negative steers the opposite way
-    /// Fraction of the gearbox torque, 0 to 1; all wheels must sum to 0 or 1
+    /// Fraction of the gearbox torque, 0 to 1; all wheels must sum to 0 or 1.
     double drive_share = 0;
     double brake_torque = 1500;    ///< N m at full brake, 0 to 1e7
     double hand_brake_torque = 0;  ///< N m, 0 to 1e7
@@ -111,7 +111,7 @@ enum class DifferentialLockKind : std::uint8_t {
 };
 /// A limited-slip or locked differential.
 struct DifferentialLock {
-    /// Indices of wheels, at least one each, all different
+    /// Indices of wheels, at least one each, all different.
     std::vector<std::uint32_t> first = {}, second = {};
     DifferentialLockKind kind = DifferentialLockKind::limited_slip;
     double preload = 50;  ///< N m, 0 to 1e7
@@ -123,7 +123,7 @@ struct DifferentialLock {
 /// side faster than the right side by 2 * ratio * steering * engine speed, in any gear. In neutral,
 /// the vehicle turns on the spot. Without steering, it couples the sides.
 struct SteeringDrive {
-    /// Indices of wheels; both empty disables it
+    /// Indices of wheels; both empty disables it.
     std::vector<std::uint32_t> left = {}, right = {};
     double ratio = 0.03;     ///< 0 to 100
     double torque = 20'000;  ///< N m, maximum torque, 0 to 1e8

@@ -20,7 +20,7 @@ struct BlastImpulse {
     physics::Vec3 center = {};           ///< m, centre of mass
     physics::Vec3 impulse = {};          ///< N s
     physics::Vec3 angular_impulse = {};  ///< N m s about the centre of mass
-    double area = 0;           ///< m^2, projected area with a free line of sight to the centre
+    double area = 0;                     ///< m^2, projected area visible from the centre
     double occluded_area = 0;  ///< m^2, projected area that other shapes hide from the centre
 };
 

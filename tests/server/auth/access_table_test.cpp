@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The table against the services as they are compiled in: no RPC without a row, no row without an
-// RPC. What each role may do is written down once more here, by hand.
+// Compares the access table with the compiled-in services: every RPC has a row and every row has an
+// RPC. The expected permissions of each role are listed here a second time.
 #include "server/auth/access_table.h"
 
 #include <google/protobuf/descriptor.h>
@@ -19,7 +19,7 @@ using google::protobuf::DescriptorPool;
 using google::protobuf::FileDescriptor;
 using google::protobuf::ServiceDescriptor;
 
-// Every proto file of the project, and the one that gRPC brings along.
+// All proto files of the project and the proto file that gRPC provides.
 std::set<const FileDescriptor*> proto_files() {
     std::set<const FileDescriptor*> files;
     const DescriptorPool& pool = *DescriptorPool::generated_pool();
@@ -31,7 +31,7 @@ std::set<const FileDescriptor*> proto_files() {
         EXPECT_NE(file, nullptr) << name << " is not in jostle_proto (proto/CMakeLists.txt)";
         if (file) files.insert(file);
     }
-    // Not a file of ours; whoever refers to it links it.
+    // Not a file of the project. A program that refers to it links it.
     grpc::reflection::InitProtoReflectionServerBuilderPlugin();
     const ServiceDescriptor* older =
         pool.FindServiceByName("grpc.reflection.v1alpha.ServerReflection");
@@ -59,7 +59,7 @@ TEST(AccessTable, every_rpc_has_a_row) {
     EXPECT_GE(names.size(), 14u);
     for (const std::string& name : names)
         EXPECT_NE(find_call(name), nullptr)
-            << name << " has no row in server/auth/access_table.cpp, so nobody may call it";
+            << name << " has no row in server/auth/access_table.cpp, so no client may call it";
 }
 
 TEST(AccessTable, every_row_names_an_rpc) {
@@ -67,7 +67,7 @@ TEST(AccessTable, every_row_names_an_rpc) {
     for (const AccessRow& row : access_table()) {
         const std::string call(row.call);
         if (!is_rpc(call)) continue;
-        EXPECT_TRUE(names.contains(call)) << call << " is no RPC (any more)";
+        EXPECT_TRUE(names.contains(call)) << call << " is not an RPC";
     }
 }
 
@@ -118,7 +118,8 @@ TEST(AccessTable, returns_null_for_unknown_routes) {
         EXPECT_EQ(find_route(method, path), nullptr) << method << " " << path;
 }
 
-// Who may call what, once more: the least role, and a star where it must be one's own world.
+// The expected permissions: the minimum role, and a star for calls that require the caller's own
+// world.
 TEST(AccessTable, matches_the_expected_permissions) {
     const std::pair<const char*, std::vector<const char*>> expected[] = {
         {"none",
@@ -153,10 +154,10 @@ TEST(AccessTable, matches_the_expected_permissions) {
             ++count;
         }
     }
-    EXPECT_EQ(count, access_table().size()) << "a row is missing in this test";
+    EXPECT_EQ(count, access_table().size()) << "this test lacks a row";
 }
 
-// The line of docs/operations.md that is for that role.
+// The line for a role in the operator documentation.
 std::string documented(const std::string& rights) {
     std::ifstream in(OPERATIONS_PAGE);
     for (std::string line; std::getline(in, line);)
@@ -172,7 +173,7 @@ TEST(AccessTable, operations_guide_lists_every_row) {
         std::string call(row.call);  // without its package
         if (is_rpc(call)) call = call.substr(call.rfind('.', call.find('/')) + 1);
         EXPECT_NE(documented(rights).find("`" + call + "`"), std::string::npos)
-            << row.call << " does not stand in the line of " << rights;
+            << row.call << " is missing in the line of " << rights;
     }
 }
 

@@ -114,12 +114,11 @@ TEST(AuditLog, error_names_file_that_cannot_be_opened) {
     EXPECT_NE(log.error().message.find("/no/such/folder/audit"), std::string::npos);
     const test::TempFolder folder;
     ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);
-    EXPECT_FALSE(AuditLog::open(folder / "pipe").ok())
-        << "nobody reads it, and it is not waited for";
+    EXPECT_FALSE(AuditLog::open(folder / "pipe").ok()) << "open() must not wait for a reader";
 }
 
-// A pipe that nobody empties holds 64 KiB: lines wait, then are dropped and counted, and no caller
-// waits. Once somebody reads, what waited comes whole, and the count after it.
+// An unread pipe holds 64 KiB. Further lines wait, then they are dropped and counted; callers do
+// not block. When a reader reads, the waiting lines arrive complete, followed by the count.
 TEST(AuditLog, blocked_pipe_does_not_block_callers_and_counts_dropped_lines) {
     const test::TempFolder folder;
     ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);
@@ -129,9 +128,9 @@ TEST(AuditLog, blocked_pipe_does_not_block_callers_and_counts_dropped_lines) {
     constexpr int count = 20000;
     Clock::duration slowest{};
     for (int i = 0; i < count; ++i) {
-        const auto before = Clock::now();
+        const auto previous = Clock::now();
         log->record(entry(std::to_string(i)));
-        slowest = std::max(slowest, Clock::now() - before);
+        slowest = std::max(slowest, Clock::now() - previous);
     }
     EXPECT_LT(slowest, 5s);
     EXPECT_FALSE(log->flush(50ms));
@@ -144,13 +143,13 @@ TEST(AuditLog, blocked_pipe_does_not_block_callers_and_counts_dropped_lines) {
         const ssize_t got = read(reader, piece.data(), piece.size());
         if (got <= 0) std::this_thread::sleep_for(5ms);
         if (got > 0) text.append(piece.data(), static_cast<std::size_t>(got));
-        const std::size_t whole = text.rfind('\n') + 1;  // 0: none
+        const std::size_t whole = text.rfind('\n') + 1;  // 0: no complete line
         for (const json& line : lines_of(text.substr(0, whole))) {
             if (line["what"] == "unwritten") {
                 dropped += line["dropped"].get<std::uint64_t>();
             } else {
                 const int number = std::stoi(line["subject"].get<std::string>());
-                EXPECT_GE(number, expected) << "in their order";
+                EXPECT_GE(number, expected) << "lines are out of order";
                 expected = number + 1;
                 ++written;
             }
@@ -159,7 +158,8 @@ TEST(AuditLog, blocked_pipe_does_not_block_callers_and_counts_dropped_lines) {
     }
     close(reader);
     EXPECT_EQ(dropped, log->dropped());
-    EXPECT_EQ(written + dropped, static_cast<std::uint64_t>(count)) << "none is lost unseen";
+    EXPECT_EQ(written + dropped, static_cast<std::uint64_t>(count))
+        << "a line was lost without being counted";
 }
 
 TEST(AuditLog, blocked_pipe_does_not_delay_destruction) {
@@ -168,29 +168,29 @@ TEST(AuditLog, blocked_pipe_does_not_delay_destruction) {
     const int reader = open((folder / "pipe").c_str(), O_RDONLY | O_NONBLOCK);
     auto log = AuditLog::open(folder / "pipe").value();
     for (int i = 0; i < 5000; ++i) log->record(entry());
-    const auto before = Clock::now();
+    const auto previous = Clock::now();
     log.reset();
-    EXPECT_LT(Clock::now() - before, 5s);
+    EXPECT_LT(Clock::now() - previous, 5s);
     close(reader);
 }
 
-// A limit on the size of files does what a full disk does.
+// A file size limit has the same effect as a full disk.
 TEST(AuditLog, writes_complete_lines_after_disk_was_full) {
     const test::TempFolder folder;
     signal(SIGXFSZ, SIG_IGN);
-    rlimit before{};
-    ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &before), 0);
+    rlimit previous{};
+    ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &previous), 0);
     const auto log = AuditLog::open(folder / "audit").value();
     const std::size_t line = audit_line(entry()).size();
-    const rlimit tight{.rlim_cur = 10 * line + line / 2, .rlim_max = before.rlim_max};
+    const rlimit tight{.rlim_cur = 10 * line + line / 2, .rlim_max = previous.rlim_max};
     ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &tight), 0);
     for (int i = 0; i < 100; ++i) log->record(entry());
     for (const auto end = Clock::now() + 20s;
          Clock::now() < end && folder.read("audit").size() < tight.rlim_cur;)
         std::this_thread::sleep_for(5ms);
-    EXPECT_EQ(folder.read("audit").size(), tight.rlim_cur) << "ten lines and a half";
+    EXPECT_EQ(folder.read("audit").size(), tight.rlim_cur) << "10.5 lines fit";
     EXPECT_FALSE(log->flush(50ms));
-    ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &before), 0);
+    ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &previous), 0);
     EXPECT_TRUE(log->flush(20s));
     EXPECT_EQ(lines_of(folder.read("audit")).size(), 100u);
 }

@@ -53,8 +53,8 @@ protected:
             .value();
     }
     Identity anonymous() { return authorizer->identify({.address = home}, now).value(); }
-    Status ask(const Identity& who, const char* call,
-               const WorldTarget& world = {"w1", "arena", ""}, const char* address = home) {
+    Status admit(const Identity& who, const char* call,
+                 const WorldTarget& world = {"w1", "arena", ""}, const char* address = home) {
         return authorizer->admit(who, {.call = call, .world = world, .address = address}, now);
     }
     std::vector<Json> audited() {
@@ -87,9 +87,9 @@ TEST_F(AuthorizerTest, identifies_callers_by_token_certificate_or_as_anonymous) 
                 now)
             ->role,
         Role::viewer)
-        << "a token decides";
+        << "a token has priority";
     EXPECT_TRUE(anonymous().anonymous);
-    EXPECT_EQ(anonymous().role, Role::none) << "with keys, nobody may do anything unknown";
+    EXPECT_EQ(anonymous().role, Role::none) << "with keys, anonymous clients have no role";
     const Error error = authorizer->identify({.bearer = "rubbish", .address = home}, now).error();
     EXPECT_EQ(error.code, ErrorCode::unauthenticated);
 }
@@ -105,18 +105,18 @@ TEST_F(AuthorizerTest, anonymous_permissions_follow_the_configured_role) {
     }
     config.auth = {.audit_log = folder / "audit"};
     open();
-    EXPECT_EQ(anonymous().role, Role::admin) << "no keys, and on loopback";
+    EXPECT_EQ(anonymous().role, Role::admin) << "without keys, on loopback";
     EXPECT_EQ(authorizer->identify({.bearer = token("anna", "admin"), .address = home}, now)
                   .error()
                   .message,
               "this server accepts no tokens: auth.keys is not set");
     config.listen = "0.0.0.0:50051";
     open();
-    EXPECT_EQ(anonymous().role, Role::director) << "no keys, and beyond";
+    EXPECT_EQ(anonymous().role, Role::director) << "without keys, on a non-loopback address";
 }
 
-// Every row of the table by every role: those below the least are refused, and anonymous ones told
-// to show a token.
+// Checks every row of the table with every role. Lower roles are rejected; anonymous clients are
+// asked to authenticate.
 TEST_F(AuthorizerTest, every_row_requires_its_minimum_role) {
     int refused = 0;
     for (const AccessRow& row : access_table()) {
@@ -126,7 +126,7 @@ TEST_F(AuthorizerTest, every_row_requires_its_minimum_role) {
                 const Identity who{.subject = is_anonymous ? "anonymous" : "anna",
                                    .role = role,
                                    .anonymous = is_anonymous};
-                // One address each, so that no quota is felt.
+                // One address each, so that no quota applies.
                 const std::string address = "10.0.0." + std::to_string(++refused % 250);
                 const Status status = authorizer->admit(
                     who, {.call = row.call, .world = {"w1", "a", who.subject}, .address = address},
@@ -143,17 +143,17 @@ TEST_F(AuthorizerTest, every_row_requires_its_minimum_role) {
 
 TEST_F(AuthorizerTest, directors_delete_only_their_own_worlds_and_admins_any_world) {
     const Identity anna = known("anna", "director"), boss = known("boss", "admin");
-    EXPECT_TRUE(ask(anna, remove_world, {"w1", "arena", "anna"}).ok());
-    EXPECT_EQ(error_of(ask(anna, remove_world, {"w1", "arena", "berta"})).code,
+    EXPECT_TRUE(admit(anna, remove_world, {"w1", "arena", "anna"}).ok());
+    EXPECT_EQ(error_of(admit(anna, remove_world, {"w1", "arena", "berta"})).code,
               ErrorCode::permission_denied);
-    EXPECT_FALSE(ask(anna, remove_world, {"w1", "arena", ""}).ok()) << "the server's own";
-    EXPECT_TRUE(ask(boss, remove_world, {"w1", "arena", "berta"}).ok());
-    EXPECT_TRUE(ask(boss, remove_world, {"w1", "arena", ""}).ok());
+    EXPECT_FALSE(admit(anna, remove_world, {"w1", "arena", ""}).ok()) << "a world of the server";
+    EXPECT_TRUE(admit(boss, remove_world, {"w1", "arena", "berta"}).ok());
+    EXPECT_TRUE(admit(boss, remove_world, {"w1", "arena", ""}).ok());
     config.auth.anonymous_role = "director";
     open();
-    EXPECT_FALSE(ask(anonymous(), remove_world, {"w1", "arena", ""}).ok());
-    EXPECT_FALSE(ask(anonymous(), remove_world, {"w1", "arena", "anna"}).ok());
-    EXPECT_TRUE(ask(anonymous(), remove_world, {"w1", "arena", "anonymous"}).ok());
+    EXPECT_FALSE(admit(anonymous(), remove_world, {"w1", "arena", ""}).ok());
+    EXPECT_FALSE(admit(anonymous(), remove_world, {"w1", "arena", "anna"}).ok());
+    EXPECT_TRUE(admit(anonymous(), remove_world, {"w1", "arena", "anonymous"}).ok());
 }
 
 TEST_F(AuthorizerTest, token_for_one_world_is_rejected_for_other_worlds) {
@@ -161,45 +161,45 @@ TEST_F(AuthorizerTest, token_for_one_world_is_rejected_for_other_worlds) {
                    by_name = known("berta", "player", {{"world", "arena"}}),
                    director = known("carla", "director", {{"world", "w1"}});
     for (const char* call : {join, play, debug, play_inputs.data()}) {
-        EXPECT_TRUE(ask(by_id, call, {"w1", "arena", ""}).ok()) << call;
-        EXPECT_TRUE(ask(by_name, call, {"w1", "arena", ""}).ok()) << call;
-        EXPECT_EQ(error_of(ask(by_id, call, {"w2", "pit", ""})).message,
+        EXPECT_TRUE(admit(by_id, call, {"w1", "arena", ""}).ok()) << call;
+        EXPECT_TRUE(admit(by_name, call, {"w1", "arena", ""}).ok()) << call;
+        EXPECT_EQ(error_of(admit(by_id, call, {"w2", "pit", ""})).message,
                   "the token is for another world")
             << call;
-        EXPECT_FALSE(ask(by_name, call, {"w2", "pit", ""}).ok()) << call;
-        EXPECT_FALSE(ask(by_id, call, {}).ok()) << "which one is not said: " << call;
+        EXPECT_FALSE(admit(by_name, call, {"w2", "pit", ""}).ok()) << call;
+        EXPECT_FALSE(admit(by_id, call, {}).ok()) << "the call names no world: " << call;
     }
-    EXPECT_TRUE(ask(by_id, "jostle.v1.WorldService/ListWorlds", {}).ok());
-    EXPECT_FALSE(ask(director, create, {}).ok());
+    EXPECT_TRUE(admit(by_id, "jostle.v1.WorldService/ListWorlds", {}).ok());
+    EXPECT_FALSE(admit(director, create, {}).ok());
 }
 
 TEST_F(AuthorizerTest, identity_expires_with_its_token) {
     const Identity anna = known("anna", "player");
     now.wall += 1h + 29s;
-    EXPECT_TRUE(ask(anna, debug).ok());
+    EXPECT_TRUE(admit(anna, debug).ok());
     now.wall += 1s;
-    EXPECT_EQ(error_of(ask(anna, debug)).code, ErrorCode::unauthenticated);
-    EXPECT_TRUE(ask(anna, "GET /healthz").ok()) << "what is open is open";
+    EXPECT_EQ(error_of(admit(anna, debug)).code, ErrorCode::unauthenticated);
+    EXPECT_TRUE(admit(anna, "GET /healthz").ok()) << "public calls remain available";
 }
 
 TEST_F(AuthorizerTest, rejects_calls_without_a_row_even_for_admins) {
-    EXPECT_EQ(error_of(ask(known("boss", "admin"), "jostle.v1.WorldService/Explode")).code,
+    EXPECT_EQ(error_of(admit(known("boss", "admin"), "jostle.v1.WorldService/Explode")).code,
               ErrorCode::permission_denied);
-    EXPECT_FALSE(ask(known("boss", "admin"), "").ok());
+    EXPECT_FALSE(admit(known("boss", "admin"), "").ok());
 }
 
 TEST_F(AuthorizerTest, rate_limited_callers_receive_retry_delay) {
     config.quota.creates_per_minute = 3;
     open();
     const Identity anna = known("anna", "director");
-    for (int i = 0; i < 3; ++i) EXPECT_TRUE(ask(anna, create, {}).ok());
-    const Error error = error_of(ask(anna, create, {}));
+    for (int i = 0; i < 3; ++i) EXPECT_TRUE(admit(anna, create, {}).ok());
+    const Error error = error_of(admit(anna, create, {}));
     EXPECT_EQ(error.code, ErrorCode::resource_exhausted);
     EXPECT_EQ(error.message, "too many new worlds; retry in 20.0 s");
     EXPECT_NEAR(error.retry_after_ms, 20000, 2);
-    EXPECT_TRUE(ask(anna, debug).ok()) << "other work goes on";
+    EXPECT_TRUE(admit(anna, debug).ok()) << "other calls are not affected";
     now.steady += std::chrono::milliseconds(error.retry_after_ms);
-    EXPECT_TRUE(ask(anna, create, {}).ok());
+    EXPECT_TRUE(admit(anna, create, {}).ok());
 }
 
 TEST_F(AuthorizerTest, throttles_addresses_after_rejected_tokens) {
@@ -216,11 +216,12 @@ TEST_F(AuthorizerTest, throttles_addresses_after_rejected_tokens) {
     const Error error = login_with(forged, home).error();
     EXPECT_EQ(error.code, ErrorCode::resource_exhausted);
     EXPECT_NEAR(error.retry_after_ms, 12000, 2);
-    EXPECT_FALSE(login_with(good, home).ok()) << "nothing of the address is looked at";
+    EXPECT_FALSE(login_with(good, home).ok())
+        << "the address is blocked without checking the token";
     EXPECT_TRUE(login_with(good, "192.0.2.8").ok());
     now.steady += 12s;
     EXPECT_TRUE(login_with(good, home).ok());
-    EXPECT_TRUE(login_with(good, home).ok()) << "good ones cost nothing";
+    EXPECT_TRUE(login_with(good, home).ok()) << "valid tokens do not consume the quota";
 }
 
 TEST_F(AuthorizerTest, ticket_admits_its_holder_once) {
@@ -230,10 +231,10 @@ TEST_F(AuthorizerTest, ticket_admits_its_holder_once) {
     EXPECT_EQ(entry.who.subject, "anna");
     EXPECT_EQ(entry.who.role, Role::player);
     EXPECT_EQ(entry.world_id, "w1");
-    EXPECT_TRUE(ask(entry.who, play_inputs.data()).ok());
+    EXPECT_TRUE(admit(entry.who, play_inputs.data()).ok());
 }
 
-// Whoever guesses hears the same words whatever was wrong; the audit log has the difference.
+// All failures return the same message to the client. Only the audit log contains the reason.
 TEST_F(AuthorizerTest, ticket_failure_reason_appears_only_in_audit_log) {
     const Identity anna = known("anna", "player");
     const auto issue = [&] { return authorizer->issue_ticket(anna, "w1", home, now).value(); };
@@ -269,25 +270,25 @@ TEST_F(AuthorizerTest, ticket_failure_reason_appears_only_in_audit_log) {
 TEST_F(AuthorizerTest, audits_grants_refusals_and_changes_but_not_reads) {
     const Identity anna = known("anna", "director", {{"jti", "t-9"}});
     const AccessRequest made{.call = create, .world = {"w7", "pit", "anna"}, .address = home};
-    EXPECT_TRUE(ask(anna, create, {}).ok());
+    EXPECT_TRUE(admit(anna, create, {}).ok());
     authorizer->record(anna, made, {}, now);
     authorizer->record(anna, made, Error{ErrorCode::already_exists, "the name is taken"}, now);
-    EXPECT_TRUE(ask(anna, debug).ok());
-    EXPECT_TRUE(ask(anna, "GET /healthz").ok());
-    EXPECT_TRUE(ask(anna, join).ok());
-    EXPECT_FALSE(ask(anna, "jostle.v1.AdminService/Drain").ok());
-    std::vector<std::string> told;
+    EXPECT_TRUE(admit(anna, debug).ok());
+    EXPECT_TRUE(admit(anna, "GET /healthz").ok());
+    EXPECT_TRUE(admit(anna, join).ok());
+    EXPECT_FALSE(admit(anna, "jostle.v1.AdminService/Drain").ok());
+    std::vector<std::string> entries;
     for (const Json& line : audited()) {
         EXPECT_EQ(line["subject"], "anna");
         EXPECT_EQ(line["role"], "director");
         EXPECT_EQ(line["token_id"], "t-9");
         EXPECT_EQ(line["address"], home);
         EXPECT_EQ(line["time"], "2026-09-21T14:13:20.000Z");
-        told.push_back(line["what"].get<std::string>() + " " + line["outcome"].get<std::string>() +
-                       " " + line["world"].get<std::string>() + " " +
-                       line["reason"].get<std::string>());
+        entries.push_back(
+            line["what"].get<std::string>() + " " + line["outcome"].get<std::string>() + " " +
+            line["world"].get<std::string>() + " " + line["reason"].get<std::string>());
     }
-    EXPECT_EQ(told,
+    EXPECT_EQ(entries,
               (std::vector<std::string>{
                   "login granted  ", "create granted  ", "create done w7 ",
                   "create failed w7 the name is taken", "join granted w1 ",
@@ -303,9 +304,9 @@ TEST_F(AuthorizerTest, audits_each_token_login_once) {
 TEST_F(AuthorizerTest, limits_audited_refusals_per_address) {
     config.quota.refusals_audited_per_minute = 10;
     open();
-    for (int i = 0; i < 500; ++i) EXPECT_FALSE(ask(anonymous(), create, {}).ok());
-    EXPECT_FALSE(ask(anonymous(), create, {}, "192.0.2.8").ok());
-    authorizer.reset();  // the count comes last
+    for (int i = 0; i < 500; ++i) EXPECT_FALSE(admit(anonymous(), create, {}).ok());
+    EXPECT_FALSE(admit(anonymous(), create, {}, "192.0.2.8").ok());
+    authorizer.reset();  // the destructor writes the final count
     std::size_t refusals = 0, muted = 0;
     std::istringstream in(folder.read("audit"));
     for (std::string text; std::getline(in, text);) {
@@ -316,12 +317,12 @@ TEST_F(AuthorizerTest, limits_audited_refusals_per_address) {
             ++refusals;
         }
     }
-    EXPECT_EQ(refusals, 11u) << "ten of the one, one of the other";
+    EXPECT_EQ(refusals, 11u) << "ten of the first address, one of the second";
     EXPECT_EQ(muted, 490u);
 }
 
-// Forged, expired, none, without an end, for others, replayed: refused, audited, and nothing of
-// them written down.
+// Forged, expired, missing, non-expiring, foreign and replayed tokens are rejected and audited. No
+// part of them is logged.
 TEST_F(AuthorizerTest, never_logs_tokens_or_tickets) {
     std::vector<std::string> secrets;
     const auto show = [&](const std::string& bearer) {
@@ -351,7 +352,8 @@ TEST_F(AuthorizerTest, never_logs_tokens_or_tickets) {
         EXPECT_EQ(text.find(secret), std::string::npos);
         const std::size_t dot = secret.find('.');
         if (dot == std::string::npos) continue;
-        EXPECT_EQ(text.find(secret.substr(0, dot)), std::string::npos) << "no part of it";
+        EXPECT_EQ(text.find(secret.substr(0, dot)), std::string::npos)
+            << "a part of a token was logged";
         if (secret.size() > secret.rfind('.') + 1) {
             EXPECT_EQ(text.find(secret.substr(secret.rfind('.') + 1)), std::string::npos);
         }
@@ -369,7 +371,7 @@ TEST_F(AuthorizerTest, reloads_key_set_at_run_time) {
     now.steady += 1s;
     authorizer->poll(now);
     EXPECT_TRUE(is_good(of_new));
-    EXPECT_FALSE(is_good(token("anna", "player"))) << "the old key is gone";
+    EXPECT_FALSE(is_good(token("anna", "player"))) << "the old key was removed";
     folder.write("keys.json", login.published());
     authorizer->reload();
     EXPECT_TRUE(is_good(token("anna", "player")));
@@ -385,7 +387,7 @@ TEST_F(AuthorizerTest, error_names_invalid_settings) {
 
 TEST_F(AuthorizerTest, supports_concurrent_calls_during_key_reload) {
     const std::string bearer = token("anna", "player");
-    std::atomic<int> let_in = 0;
+    std::atomic<int> accepted = 0;
     {
         std::vector<std::jthread> threads;
         for (int t = 0; t < 4; ++t)
@@ -397,7 +399,7 @@ TEST_F(AuthorizerTest, supports_concurrent_calls_during_key_reload) {
                     if (!who.ok()) continue;
                     const auto ticket = authorizer->issue_ticket(*who, "w1", address, now);
                     if (ticket.ok() && authorizer->redeem_ticket(*ticket, "w1", address, now).ok())
-                        ++let_in;
+                        ++accepted;
                 }
             });
         for (int i = 0; i < 20; ++i) {
@@ -405,7 +407,7 @@ TEST_F(AuthorizerTest, supports_concurrent_calls_during_key_reload) {
             authorizer->reload();
         }
     }
-    EXPECT_EQ(let_in, 200);
+    EXPECT_EQ(accepted, 200);
 }
 
 TEST(BearerIn, parses_bearer_token_from_header) {

@@ -20,11 +20,11 @@ TEST(Base64url, round_trips_every_length) {
 TEST(Base64url, rejects_non_canonical_encodings) {
     EXPECT_TRUE(from_base64url("TQ"));
     for (const char* text : {"TQ==",  // padding
-                             "+/8",   // the other alphabet
+                             "+/8",   // standard alphabet
                              "T Q",   // white space
                              "TQ\n",  //
-                             "T",     // six bits
-                             "TR",    // bits left over that are not zero
+                             "T",     // 6 bits
+                             "TR",    // nonzero unused bits
                              "TWF\x80"}) {
         EXPECT_FALSE(from_base64url(text)) << text;
     }

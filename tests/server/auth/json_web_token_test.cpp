@@ -23,8 +23,8 @@ protected:
     Result<Identity> verify(const std::string& token, WallTime at = now) const {
         return verify_token(token, keys, rules, at);
     }
-    // What a token with these claims is refused for; "" if it is good. Members that are null are
-    // left out.
+    // The reason why a token with these claims is rejected; "" if it is valid. Members that are
+    // null are omitted.
     std::string fault_with(const Json& changes, WallTime at = now) const {
         Json claims = LoginService::claims("anna", "player", now);
         claims.update(changes);
@@ -56,13 +56,13 @@ TEST_F(JsonWebToken, returns_subject_and_expiry) {
     EXPECT_FALSE(who->anonymous);
     EXPECT_EQ(who->token_id, "t-17");
     EXPECT_EQ(who->world, "arena");
-    EXPECT_EQ(who->expires, now + 1h + 30s) << "an hour, and the leeway";
+    EXPECT_EQ(who->expires, now + 1h + 30s) << "1 h plus the leeway";
 }
 
 TEST_F(JsonWebToken, accepts_audience_list_containing_ours) {
     EXPECT_EQ(fault_with({{"aud", {"billing", "jostle"}}}), "");
     EXPECT_NE(fault_with({{"aud", {"billing", "mail"}}}), "");
-    EXPECT_NE(fault_with({{"aud", {"jostle", 7}}}), "") << "not an array of strings";
+    EXPECT_NE(fault_with({{"aud", {"jostle", 7}}}), "") << "aud must be an array of strings";
     EXPECT_NE(fault_with({{"aud", Json::array()}}), "");
     EXPECT_NE(fault_with({{"aud", std::vector<std::string>(33, "jostle")}}), "");
 }
@@ -126,23 +126,25 @@ TEST_F(JsonWebToken, rejects_reserved_subjects_and_unknown_roles) {
     EXPECT_NE(fault_with({{"role", "Admin"}}), "");
     EXPECT_NE(fault_with({{"role", {"admin"}}}), "");
     EXPECT_NE(fault_with({{"world", 5}}), "");
-    EXPECT_NE(fault_with({{"world", ""}}), "") << "else it would be good for any";
+    EXPECT_NE(fault_with({{"world", ""}}), "") << "an empty name would match any world";
 }
 
 TEST_F(JsonWebToken, accepts_only_es256) {
-    const std::string taken = "the token is not signed with ES256, the only accepted algorithm";
+    const std::string wrong_algorithm =
+        "the token is not signed with ES256, the only accepted algorithm";
     const auto sign = [&](const std::string& text) { return login.key.sign(text); };
     for (const char* algorithm : {"none", "None", "RS256", "HS256", "ES384", "es256", ""}) {
         Json header = login.header();
         header["alg"] = algorithm;
-        EXPECT_EQ(fault_of(test::assemble(header.dump(), good.dump(), sign)), taken) << algorithm;
+        EXPECT_EQ(fault_of(test::assemble(header.dump(), good.dump(), sign)), wrong_algorithm)
+            << algorithm;
     }
     Json header = login.header();
     header.erase("alg");
-    EXPECT_EQ(fault_of(login.token(header, good)), taken);
-    // No signature at all.
+    EXPECT_EQ(fault_of(login.token(header, good)), wrong_algorithm);
+    // No signature.
     const auto nothing = [](const std::string&) { return std::string(); };
-    EXPECT_EQ(fault_of(test::assemble(R"({"alg":"none"})", good.dump(), nothing)), taken);
+    EXPECT_EQ(fault_of(test::assemble(R"({"alg":"none"})", good.dump(), nothing)), wrong_algorithm);
     EXPECT_EQ(fault_of(test::assemble(login.header().dump(), good.dump(), nothing)),
               "the token's signature is not 64 bytes of base64url");
 }
@@ -169,14 +171,14 @@ TEST_F(JsonWebToken, rejects_forged_signatures) {
     const auto zeros = [](const std::string&) { return std::string(64, '\0'); };
     EXPECT_EQ(fault_of(test::assemble(login.header().dump(), good.dump(), zeros)), forged)
         << "r = s = 0";
-    // A signature of something else.
+    // A signature of a different token.
     const std::string token = login.token(good);
     good["role"] = "admin";
     const std::string other = login.token(good);
     EXPECT_EQ(fault_of(other.substr(0, other.rfind('.')) + token.substr(token.rfind('.'))), forged);
 }
 
-// A token with one character changed is refused wherever that is.
+// A token with one changed character is rejected, independent of its position.
 TEST_F(JsonWebToken, rejects_any_modified_character) {
     const std::string token = login.token(good);
     ASSERT_EQ(fault_of(token), "");
@@ -196,7 +198,7 @@ TEST_F(JsonWebToken, rejects_keys_outside_the_key_set) {
     EXPECT_EQ(fault_of(login.token(header, good)), "the token's header names no key (kid)");
     header.erase("kid");
     EXPECT_EQ(fault_of(login.token(header, good)), "the token's header names no key (kid)");
-    // A key that the token brings along is not looked at.
+    // A key inside the token is ignored.
     const test::SigningKey stranger;
     header["jwk"] = stranger.public_key("mine");
     header["kid"] = "mine";
@@ -249,7 +251,7 @@ TEST_F(JsonWebToken, rejects_tokens_larger_than_8_kib) {
     EXPECT_EQ(fault_of(login.token(good)), "the token is longer than 8192 bytes");
 }
 
-// Every fault has words of its own, and none of them holds a piece of the token.
+// Each error has a distinct message that contains no part of the token.
 TEST_F(JsonWebToken, errors_are_distinct_and_quote_no_token_content) {
     const Json deep = Json::parse(R"({"a": {"b": {"c": {"d": {}}}}})");
     std::set<std::string> messages;

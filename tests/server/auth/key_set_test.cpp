@@ -61,7 +61,7 @@ TEST(KeySet, requires_a_valid_file_at_startup) {
     EXPECT_FALSE(KeySet::open(folder.write("broken.json", "{")).ok());
     EXPECT_FALSE(KeySet::open(folder.write("huge.json", std::string(1 << 20, ' '))).ok());
     ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);
-    EXPECT_FALSE(KeySet::open(folder / "pipe").ok()) << "and is not waited for";
+    EXPECT_FALSE(KeySet::open(folder / "pipe").ok()) << "open() must not wait for a writer";
 }
 
 TEST(KeySet, applies_valid_files_and_ignores_broken_ones) {
@@ -77,14 +77,14 @@ TEST(KeySet, applies_valid_files_and_ignores_broken_ones) {
     EXPECT_TRUE(keys->poll(now));
     put(set_of("b"));
     EXPECT_TRUE(keys->poll(now + 900ms));
-    EXPECT_EQ(in_force(), "a") << "the next look is after a second";
+    EXPECT_EQ(in_force(), "a") << "the file is checked once per second";
     EXPECT_TRUE(keys->poll(now += 1s));
     EXPECT_EQ(in_force(), "b");
     put("{\"keys\": [");
     EXPECT_FALSE(keys->poll(now += 1s));
-    EXPECT_TRUE(keys->poll(now += 1s)) << "said once";
+    EXPECT_TRUE(keys->poll(now += 1s)) << "the error is reported once";
     EXPECT_EQ(in_force(), "b");
-    EXPECT_FALSE(keys->reload()) << "who asks is told";
+    EXPECT_FALSE(keys->reload()) << "reload() reports the error again";
     std::filesystem::remove(folder / "keys.json");
     EXPECT_FALSE(keys->poll(now += 1s));
     EXPECT_EQ(in_force(), "b");
@@ -93,7 +93,7 @@ TEST(KeySet, applies_valid_files_and_ignores_broken_ones) {
     EXPECT_EQ(in_force(), "c");
 }
 
-// Fifty new files under a reader that never sees anything but a whole set.
+// Fifty rotations with a concurrent reader, which only ever sees complete key sets.
 TEST(KeySet, retains_last_valid_key_set_over_fifty_rotations) {
     const test::TempFolder folder;
     folder.write("keys.json", test::key_set(Json::array({SigningKey().public_key("0")})));

@@ -23,11 +23,11 @@ TEST(Quotas, allows_a_one_minute_burst_then_the_refill_rate) {
     EXPECT_EQ(grants(quotas, QuotaKind::creates, "anna", "192.0.2.1", 100), 20);
     const Quotas::QuotaDecision no = quotas.take(QuotaKind::creates, "anna", "192.0.2.1", start);
     EXPECT_FALSE(no.granted);
-    EXPECT_NEAR(to_ms(no.retry_after), 3000, 2) << "one each three seconds";
+    EXPECT_NEAR(to_ms(no.retry_after), 3000, 2) << "one per 3 s";
     EXPECT_FALSE(quotas.take(QuotaKind::creates, "anna", "192.0.2.1", start + 2990ms).granted);
     EXPECT_TRUE(
         quotas.take(QuotaKind::creates, "anna", "192.0.2.1", start + no.retry_after).granted)
-        << "who waits as long as he is told is let in";
+        << "a client that waits for retry_after is admitted";
     EXPECT_EQ(grants(quotas, QuotaKind::creates, "anna", "192.0.2.1", 100, start + 10min), 20);
 }
 
@@ -44,17 +44,18 @@ TEST(Quotas, limits_subjects_individually_and_their_address_by_factor_ten) {
     for (int i = 0; i < 30; ++i)
         granted += grants(quotas, QuotaKind::joins, "s" + std::to_string(i), "192.0.2.1", 100);
     EXPECT_EQ(granted, 50);
-    EXPECT_EQ(grants(quotas, QuotaKind::joins, "s0", "192.0.2.2", 1), 0) << "his own are gone";
+    EXPECT_EQ(grants(quotas, QuotaKind::joins, "s0", "192.0.2.2", 1), 0)
+        << "the quota of the subject is used up";
     EXPECT_EQ(grants(quotas, QuotaKind::joins, "new", "192.0.2.2", 100), 5);
     EXPECT_EQ(grants(quotas, QuotaKind::joins, "", "192.0.2.3", 100), 50)
-        << "anonymous: by address";
+        << "anonymous clients count by address";
 }
 
 TEST(Quotas, rejected_requests_consume_no_tokens) {
     Quotas quotas({.joins_per_minute = 1, .address_factor = 2});
     EXPECT_EQ(grants(quotas, QuotaKind::joins, "anna", "192.0.2.1", 100), 1);
     EXPECT_EQ(grants(quotas, QuotaKind::joins, "berta", "192.0.2.1", 100), 1)
-        << "what anna did not get was not taken from the address";
+        << "a rejected call does not consume the quota of the address";
 }
 
 TEST(Quotas, quota_kinds_are_independent) {
@@ -62,7 +63,7 @@ TEST(Quotas, quota_kinds_are_independent) {
     EXPECT_EQ(grants(quotas, QuotaKind::creates, "anna", "192.0.2.1", 9), 1);
     EXPECT_EQ(grants(quotas, QuotaKind::joins, "anna", "192.0.2.1", 9), 9);
     EXPECT_EQ(grants(quotas, QuotaKind::refused_logins, "", "192.0.2.1", 9), 3)
-        << "no factor for failures";
+        << "the address factor does not apply to failures";
 }
 
 TEST(Quotas, evicts_the_least_recently_used_bucket) {
@@ -74,7 +75,7 @@ TEST(Quotas, evicts_the_least_recently_used_bucket) {
     }
     EXPECT_EQ(quotas.buckets(), 100u);
     EXPECT_FALSE(quotas.take(QuotaKind::creates, "", "192.0.2.1", start).granted)
-        << "who keeps asking is not forgotten";
+        << "an active bucket is not evicted";
 }
 
 }  // namespace

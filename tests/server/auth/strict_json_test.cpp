@@ -22,7 +22,7 @@ TEST(StrictJson, parses_one_value) {
 TEST(StrictJson, rejects_duplicate_keys_at_any_depth) {
     EXPECT_EQ(fault_of(R"({"a": 1, "b": 2, "a": 3})"), "an object has a duplicate key");
     EXPECT_EQ(fault_of(R"([{"x": {"a": 1, "\u0061": 2}}])"), "an object has a duplicate key")
-        << "escapes are other spellings of the same key";
+        << "escapes are another spelling of the same key";
     EXPECT_EQ(fault_of(R"({"a": {"a": {"a": 1}}, "b": {"a": 1}})"), "");
 }
 

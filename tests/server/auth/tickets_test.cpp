@@ -71,29 +71,31 @@ TEST(Tickets, evicts_the_oldest_ticket_of_the_same_holder) {
     for (int i = 7; i < 10; ++i)
         EXPECT_EQ(tickets.redeem(own[i], {}).ticket_status, TicketStatus::good);
     for (int i = 0; i < 10; ++i) EXPECT_TRUE(tickets.issue(nobody, "192.0.2.1", "w1", {}).ok());
-    EXPECT_EQ(tickets.waiting(), 5u) << "an address holds several people";
+    EXPECT_EQ(tickets.waiting(), 5u) << "an address may belong to several users";
 }
 
-// A flood from one holder costs the others nothing; a flood of holders is refused.
+// A flood from one subject does not affect the tickets of others. A flood from many subjects is
+// rejected.
 TEST(Tickets, does_not_evict_tickets_of_holders_with_fewer) {
     Tickets tickets({.total_max = 100, .subject_max = 1000});
-    std::vector<std::string> of_others;
+    std::vector<std::string> other_tickets;
     for (int i = 0; i < 10; ++i)
-        of_others.push_back(tickets.issue(anna, "h" + std::to_string(i), "w1", {}).value());
+        other_tickets.push_back(tickets.issue(anna, "h" + std::to_string(i), "w1", {}).value());
     for (int i = 0; i < 1000; ++i) EXPECT_TRUE(tickets.issue(anna, "flood", "w1", {}).ok());
     EXPECT_EQ(tickets.waiting(), 100u);
-    // Newcomers take the places of the one with most, until nobody has two more than they.
-    int let_in = 0;
+    // New subjects evict tickets of the subject with the most tickets, until no subject has two
+    // more than they do.
+    int issued = 0;
     Result<std::string> last = std::string();
     for (int i = 0; i < 200; ++i) {
         last = tickets.issue(anna, "n" + std::to_string(i), "w1", {});
-        if (last.ok()) ++let_in;
+        if (last.ok()) ++issued;
     }
-    EXPECT_EQ(let_in, 89) << "100, less 10 of others, less one of the flood";
+    EXPECT_EQ(issued, 89) << "100 minus 10 of other subjects minus 1 of the flood";
     ASSERT_FALSE(last.ok());
     EXPECT_EQ(last.error().code, ErrorCode::resource_exhausted);
     EXPECT_EQ(last.error().retry_after_ms, 30000);
-    for (const std::string& ticket : of_others)
+    for (const std::string& ticket : other_tickets)
         EXPECT_EQ(tickets.redeem(ticket, {}).ticket_status, TicketStatus::good);
     const Clock::time_point later = Clock::time_point{} + 30s;
     EXPECT_TRUE(tickets.issue(anna, "later", "w1", later).ok());

@@ -51,7 +51,7 @@ TEST(ConfigLoader, errors_name_file_and_key) {
 TEST(ConfigLoader, unreadable_files_return_an_error) {
     Config config;
     EXPECT_FALSE(load_config(config, "/no/such/file.toml").ok());
-    EXPECT_FALSE(load_config(config, testing::TempDir()).ok()) << "a directory";
+    EXPECT_FALSE(load_config(config, testing::TempDir()).ok()) << "a directory is not a file";
 }
 
 TEST(ConfigLoader, invalid_file_leaves_config_unchanged) {
@@ -74,11 +74,11 @@ TEST(Config, validation_errors_name_key_and_range) {
     EXPECT_EQ(parse_host_port("localhost:0")->port, 0);
 }
 
-// The file is the list that operators read: each line must be the default, so the file with any one
-// line changed to itself loads, and the loaded settings are the defaults.
+// The example file documents the settings for operators and must contain the defaults. Loading it
+// must restore the defaults.
 TEST(Config, example_file_contains_the_defaults) {
     Config config;
-    config.drain_timeout_seconds = 99;  // the file must say it again
+    config.drain_timeout_seconds = 99;  // the file must restore it
     config.client.bodies_owned_max = 99;
     config.world.clients_max = 99;
     config.stream.client_timeout_seconds = 99;

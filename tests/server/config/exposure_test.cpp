@@ -26,7 +26,7 @@ TEST(Exposure, detects_loopback_addresses) {
 }
 
 TEST(Exposure, non_loopback_listeners_require_tls_and_tokens_or_insecure) {
-    EXPECT_TRUE(check_exposure({}).ok()) << "loopback";
+    EXPECT_TRUE(check_exposure({}).ok()) << "loopback addresses need no protection";
     for (std::string Config::*listener : {&Config::listen, &Config::http, &Config::admin}) {
         Config config;
         config.*listener = "0.0.0.0:50051";
@@ -37,11 +37,11 @@ TEST(Exposure, non_loopback_listeners_require_tls_and_tokens_or_insecure) {
         config.*listener = "[::]:50051";
         EXPECT_TRUE(check_exposure(config).ok());
         config.auth.keys.clear();
-        EXPECT_FALSE(check_exposure(config).ok()) << "TLS alone";
+        EXPECT_FALSE(check_exposure(config).ok()) << "TLS without authentication is not sufficient";
         config = with_tls_and_tokens();
         config.*listener = "0.0.0.0:50051";
         config.tls = {};
-        EXPECT_FALSE(check_exposure(config).ok()) << "tokens alone, for all to read";
+        EXPECT_FALSE(check_exposure(config).ok()) << "authentication without TLS is not sufficient";
     }
 }
 
@@ -61,7 +61,8 @@ TEST(Exposure, error_explains_how_to_fix_exposure) {
     EXPECT_EQ(error.code, ErrorCode::failed_precondition);
     EXPECT_EQ(error.message,
               "http is 0.0.0.0:8080, which other machines can reach, without tls.certificate and "
-              "tls.key, and auth.keys, auth.issuer and auth.audience; set them (docs/security.md), "
+              "tls.key, and auth.keys, auth.issuer and auth.audience; set them "
+              "(docs/guides/operator/secure.md), "
               "listen on 127.0.0.1, or set insecure = true if a proxy in front of this server "
               "provides both");
 }

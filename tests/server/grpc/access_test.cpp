@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Who may do what, over real sockets: each row of the access table is asked for by five identities,
-// and by one who shows nothing.
+// Permissions over real sockets: five identities and an anonymous client call each row of the
+// access table.
 #include <grpcpp/create_channel.h>
 #include <grpcpp/generic/generic_stub.h>
 #include <gtest/gtest.h>
@@ -25,12 +25,12 @@ namespace {
 using namespace std::chrono_literals;
 using test::LoginService;
 
-struct Someone {
-    std::string name, role;  // role empty: shows no token
+struct User {
+    std::string name, role;  // an empty role sends no token
     Role is = Role::none;
 };
 
-// Worlds "mine" of the director dora, and "theirs" of another.
+// The world "mine" belongs to the director dora, "theirs" to another user.
 class AccessTest : public testing::Test {
 protected:
     void SetUp() override {
@@ -70,18 +70,18 @@ protected:
                 ASSERT_TRUE(worlds.create(name, *scenes::find_scene("stack"), owner).ok());
             }
     }
-    std::string token_of(const Someone& someone) const {
-        if (someone.role.empty()) return {};
+    std::string token_of(const User& user) const {
+        if (user.role.empty()) return {};
         return login.token(
-            LoginService::claims(someone.name, someone.role, std::chrono::system_clock::now()));
+            LoginService::claims(user.name, user.role, std::chrono::system_clock::now()));
     }
-    // The status of a call whose request is a message with `world` as its first field, which is how
-    // all requests about a world begin.
+    // The status of a call whose request has `world` as its first field. All requests about a world
+    // start with it.
     grpc::StatusCode call(const std::string& path, const std::string& world,
                           const std::string& token) {
         grpc::GenericStub stub(channel);
         grpc::ClientContext context_of_call;
-        // A watch ends by nothing else.
+        // A Watch stream only ends at its deadline.
         const bool watches = path.ends_with("/Watch");
         context_of_call.set_deadline(std::chrono::system_clock::now() +
                                      (watches ? std::chrono::milliseconds(500) : 10s));
@@ -112,19 +112,19 @@ protected:
         int count = 0;
         std::istringstream lines(folder.read("audit.jsonl"));
         for (std::string line; std::getline(lines, line);) {
-            EXPECT_EQ(line.find("eyJ"), std::string::npos) << "a token in the audit log";
+            EXPECT_EQ(line.find("eyJ"), std::string::npos) << "the audit log contains a token";
             const auto entry = nlohmann::json::parse(line);
             count += entry.value("outcome", "") == outcome && entry.value("call", "") == call_name;
         }
         return count;
     }
 
-    const std::vector<Someone> people{{"", "", Role::none},
-                                      {"vera", "viewer", Role::viewer},
-                                      {"paul", "player", Role::player},
-                                      {"dora", "director", Role::director},
-                                      {"otto", "director", Role::director},
-                                      {"anna", "admin", Role::admin}};
+    const std::vector<User> people{{"", "", Role::none},
+                                   {"vera", "viewer", Role::viewer},
+                                   {"paul", "player", Role::player},
+                                   {"dora", "director", Role::director},
+                                   {"otto", "director", Role::director},
+                                   {"anna", "admin", Role::admin}};
     test::TempFolder folder;
     LoginService login;
     Config config;
@@ -143,20 +143,19 @@ TEST_F(AccessTest, every_rpc_enforces_its_access_row) {
     int asked = 0;
     for (const AccessRow& row : access_table()) {
         const bool is_rpc = row.call.find('.') != std::string_view::npos;
-        // Play is a stream, and asks of its own (below).
+        // Play is a stream and has its own test below.
         if (!is_rpc || row.kind == CallKind::play ||
             row.call.find("ServerReflection") != std::string_view::npos)
             continue;
-        for (const Someone& someone : people) {
+        for (const User& user : people) {
             make_worlds();
-            const auto code = call("/" + std::string(row.call), "mine", token_of(someone));
-            const bool owns = someone.name == "dora" || someone.is == Role::admin;
-            const bool may =
-                row.kind == CallKind::open ||
-                (someone.is >= row.min_role && (row.scope != Scope::own_world || owns));
+            const auto code = call("/" + std::string(row.call), "mine", token_of(user));
+            const bool owns = user.name == "dora" || user.is == Role::admin;
+            const bool may = row.kind == CallKind::open ||
+                             (user.is >= row.min_role && (row.scope != Scope::own_world || owns));
             EXPECT_EQ(is_refusal(code), !may)
-                << row.call << " by " << someone.role << " " << someone.name << ": " << code;
-            if (someone.is == Role::none && !may) {
+                << row.call << " by " << user.role << " " << user.name << ": " << code;
+            if (user.is == Role::none && !may) {
                 EXPECT_EQ(code, grpc::StatusCode::UNAUTHENTICATED) << row.call;
             }
             asked++;
@@ -182,24 +181,23 @@ TEST_F(AccessTest, every_route_enforces_its_access_row) {
         const std::size_t space = text.find(" /");
         if (space == std::string::npos || row.call == "GET /play" || row.call == "GET /metrics" ||
             row.kind == CallKind::admin)
-            continue;  // the admin listener's, or no answer of these routes
+            continue;  // routes of the admin listener, or routes without a regular response
         HttpRequest request{.method = text.substr(0, space), .target = text.substr(space + 1)};
         for (const auto& [hole, content] : filled)
             if (const auto at = request.target.find(hole); at != std::string::npos)
                 request.target.replace(at, hole.size(), content);
         request.content_type = "application/json";
         request.body = R"({"world": "mine"})";
-        for (const Someone& someone : people) {
+        for (const User& user : people) {
             make_worlds();
-            const std::string token = token_of(someone);
+            const std::string token = token_of(user);
             request.authorization = token.empty() ? "" : "Bearer " + token;
             const HttpResponse answer = routes.answer(request);
-            const bool owns = someone.name == "dora" || someone.is == Role::admin;
-            const bool may =
-                row.kind == CallKind::open ||
-                (someone.is >= row.min_role && (row.scope != Scope::own_world || owns));
+            const bool owns = user.name == "dora" || user.is == Role::admin;
+            const bool may = row.kind == CallKind::open ||
+                             (user.is >= row.min_role && (row.scope != Scope::own_world || owns));
             EXPECT_EQ(answer.status == 401 || answer.status == 403, !may)
-                << row.call << " by " << someone.name << ": " << answer.status << answer.body;
+                << row.call << " by " << user.name << ": " << answer.status << answer.body;
         }
     }
 }
@@ -216,7 +214,7 @@ TEST_F(AccessTest, rejects_and_audits_forged_and_expired_tokens) {
     no_exp.erase("exp");
     test::Json none = login.header();
     none["alg"] = "none";
-    LoginService stranger;  // the same key id, another key
+    LoginService stranger;  // the same key id with another key
     const std::int64_t seconds = std::chrono::system_clock::to_time_t(now);
     const std::vector<std::pair<const char*, std::string>> tokens = {
         {"forged", stranger.token(claims)},

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// C++ clients that take datagrams, at a server in this process: over a way that loses packets, that
-// is blocked from the beginning, or that becomes so.
+// C++ clients that use datagrams, connected to a server in this process over a network path that
+// loses packets, that is blocked from the start, or that becomes blocked.
 #include <gtest/gtest.h>
 
 #include <set>
@@ -36,7 +36,7 @@ protected:
         proxy.start(port.port());
         ASSERT_TRUE(server.start().ok());
         scenes::SceneDescription scene = *scenes::find_scene("stack");
-        scenes::SceneBody top = scene.bodies[1];  // so that something always moves
+        scenes::SceneBody top = scene.bodies[1];  // rotates, so that the world always moves
         top.body.pose.position = {0, 30, 0};
         top.body.angular_velocity = {0, 2, 1};
         top.body.gravity_scale = 0;
@@ -45,7 +45,7 @@ protected:
         ASSERT_TRUE(worlds.create("", scene).ok());
     }
     void TearDown() override {
-        worlds.stop_all();  // before whom they wake
+        worlds.stop_all();  // stop the worlds before the objects that they notify
         port.stop();
         context.closing = true;
         server.drain({});
@@ -58,10 +58,10 @@ protected:
                                       .datagrams = true});
     }
     static bool uses_datagrams(const Client& client) {
-        const std::uint64_t before = client.stats().datagram_snapshots;
-        return wait_until([&] { return client.stats().datagram_snapshots > before + 20; });
+        const std::uint64_t previous = client.stats().datagram_snapshots;
+        return wait_until([&] { return client.stats().datagram_snapshots > previous + 20; });
     }
-    // Sends so many balls, a few at a time, and waits for their results.
+    // Spawns `count` balls, a few at a time, and waits for their results.
     std::vector<v1::InputResult> spawn(Client& client, std::size_t count) {
         std::vector<v1::InputResult> results;
         std::size_t sent = 0;
@@ -103,11 +103,12 @@ TEST_F(DatagramsTest, sends_snapshots_by_datagram_and_applies_each_input_once) {
         EXPECT_EQ(results[k].sequence(), k + 1);
         EXPECT_EQ(results[k].code(), v1::INPUT_CODE_APPLIED) << results[k].message();
     }
-    EXPECT_EQ(player->stats().inputs_sent, 20u) << "said again is not sent again";
+    EXPECT_EQ(player->stats().inputs_sent, 20u) << "a retransmitted input counts once";
     EXPECT_EQ(player->stats().decode_errors, 0u) << player->stats().last_error;
 }
 
-// What it drives comes by the stream, before or after the frame of its tick.
+// The state of the controlled entity arrives over the stream, before or after the snapshot of its
+// tick.
 TEST_F(DatagramsTest, predicts_the_controlled_entity_over_datagrams) {
     ASSERT_TRUE(worlds.create("course", *scenes::find_scene("parkour")).ok());
     client::ClientOptions options{.target = "127.0.0.1:" + std::to_string(server.port())};
@@ -147,7 +148,7 @@ TEST_F(DatagramsTest, predicts_the_controlled_entity_over_datagrams) {
         return predictor.stats().drives >= 30;
     }));
     EXPECT_GT(walker->stats().datagram_snapshots, 60u);
-    EXPECT_LT(predictor.stats().control_corrections, 10u) << "of 30, on a machine that is busy";
+    EXPECT_LT(predictor.stats().control_corrections, 10u) << "of 30, allowing for a loaded machine";
 }
 
 TEST_F(DatagramsTest, twenty_percent_loss_only_reduces_the_snapshot_rate) {
@@ -158,7 +159,7 @@ TEST_F(DatagramsTest, twenty_percent_loss_only_reduces_the_snapshot_rate) {
     ASSERT_EQ(results.size(), 40u);
     std::uint32_t tick = 0;
     for (std::size_t k = 0; k < results.size(); k++) {
-        EXPECT_EQ(results[k].sequence(), k + 1) << "in order, each once";
+        EXPECT_EQ(results[k].sequence(), k + 1) << "results must arrive in order, each once";
         EXPECT_EQ(results[k].code(), v1::INPUT_CODE_APPLIED) << results[k].message();
         EXPECT_GE(results[k].tick(), tick);
         tick = results[k].tick();
@@ -166,7 +167,7 @@ TEST_F(DatagramsTest, twenty_percent_loss_only_reduces_the_snapshot_rate) {
     EXPECT_EQ(player->stats().decode_errors, 0u) << player->stats().last_error;
     std::uint32_t events_tick = 0;
     for (const v1::Events& events : player->take_events()) {
-        EXPECT_GT(events.tick(), events_tick) << "events go by the stream, in order";
+        EXPECT_GT(events.tick(), events_tick) << "the stream delivers events in order";
         EXPECT_EQ(events.missed(), 0u);
         events_tick = events.tick();
     }
@@ -194,10 +195,11 @@ TEST_F(DatagramsTest, view_contains_only_entities_with_an_entity_update) {
     EXPECT_GT(looks, 20u);
     EXPECT_EQ(unknown, 0u);
     EXPECT_TRUE(wait_until([&] {
-        std::size_t seen = 0;
-        watcher->read([&](const client::WorldView& view) { seen = view.frame().entities.size(); });
-        return seen == worlds.find("")->frame()->entities.size();
-    })) << "and has them all in the end";
+        std::size_t entity_count = 0;
+        watcher->read(
+            [&](const client::WorldView& view) { entity_count = view.frame().entities.size(); });
+        return entity_count == worlds.find("")->frame()->entities.size();
+    })) << "the observer must receive all entities";
 }
 
 TEST_F(DatagramsTest, blocked_udp_falls_back_to_the_stream_and_is_reported) {
@@ -210,8 +212,8 @@ TEST_F(DatagramsTest, blocked_udp_falls_back_to_the_stream_and_is_reported) {
     EXPECT_FALSE(player->stats().datagrams);
     EXPECT_GT(player->stats().snapshots, 10u);
     EXPECT_EQ(player->stats().datagram_snapshots, 0u);
-    EXPECT_GT(proxy.up, 10) << "it is tried";
-    EXPECT_EQ(proxy.down, 0) << "nobody is told anything who was not heard";
+    EXPECT_GT(proxy.up, 10) << "the client must try datagrams";
+    EXPECT_EQ(proxy.down, 0) << "the server must not send to an unvalidated address";
 }
 
 TEST_F(DatagramsTest, falls_back_to_the_stream_and_returns_to_datagrams) {
@@ -220,20 +222,20 @@ TEST_F(DatagramsTest, falls_back_to_the_stream_and_returns_to_datagrams) {
     const auto without_datagrams_within = [&](Clock::duration timeout) {
         const auto cut = Clock::now();
         const auto comes_by_stream = [&] {
-            const auto before = player->stats();
+            const auto previous = player->stats();
             std::this_thread::sleep_for(100ms);
             const auto now = player->stats();
-            return !now.datagrams && now.datagram_snapshots == before.datagram_snapshots &&
-                   now.snapshots > before.snapshots + 3;
+            return !now.datagrams && now.datagram_snapshots == previous.datagram_snapshots &&
+                   now.snapshots > previous.snapshots + 3;
         };
         return wait_until(comes_by_stream) && Clock::now() - cut < timeout;
     };
     proxy.down_loss_percent = 100;
-    EXPECT_TRUE(without_datagrams_within(10s)) << "there";
+    EXPECT_TRUE(without_datagrams_within(10s)) << "packets to the client are lost";
     proxy.down_loss_percent = 0;
-    ASSERT_TRUE(uses_datagrams(*player)) << "again";
+    ASSERT_TRUE(uses_datagrams(*player)) << "datagrams must resume";
     proxy.up_loss_percent = 100;
-    EXPECT_TRUE(without_datagrams_within(10s)) << "back";
+    EXPECT_TRUE(without_datagrams_within(10s)) << "packets from the client are lost";
     EXPECT_EQ(player->stats().decode_errors, 0u) << player->stats().last_error;
 }
 

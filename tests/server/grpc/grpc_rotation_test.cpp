@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Fifty players over TLS, and the certificate replaced fifty times under them, ten times by a pair
-// that does not fit: nobody is dropped, and no handshake that comes meanwhile fails.
+// Fifty players over TLS while the certificate is replaced fifty times, ten times by a mismatched
+// pair. No player is disconnected and no concurrent handshake fails.
 #include <gtest/gtest.h>
 
 #include <thread>
@@ -112,13 +112,13 @@ TEST_F(GrpcRotationTest, fifty_certificate_rotations_drop_no_client_and_fail_no_
     newcomer.join();
     EXPECT_EQ(failed, 0) << "of " << handshakes;
     EXPECT_GT(handshakes, 20);
-    // A busy machine may take its time over them.
+    // A loaded machine may need some time.
     for (const auto& player : players) {
-        const auto before = player->stats().snapshots;
+        const auto previous = player->stats().snapshots;
         for (const auto end = Clock::now() + 20s;
-             player->stats().snapshots == before && Clock::now() < end;)
+             player->stats().snapshots == previous && Clock::now() < end;)
             std::this_thread::sleep_for(10ms);
-        EXPECT_GT(player->stats().snapshots, before);
+        EXPECT_GT(player->stats().snapshots, previous);
         EXPECT_TRUE(player->stats().connected);
         EXPECT_EQ(player->stats().stream_failures, 0u);
     }

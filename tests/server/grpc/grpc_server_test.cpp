@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// C++ clients at a server in this process, over the loopback device: what a module tells, from the
-// world's thread to the clients' views.
+// C++ clients connected to a server in this process over the loopback device: channels of a module
+// from the world thread to the views of the clients.
 #include "server/grpc/grpc_server.h"
 
 #include <gtest/gtest.h>
@@ -26,13 +26,13 @@ using namespace std::chrono_literals;
 using client::Client;
 using test::wait_until;
 
-// What a test::Counter told.
-struct Told {
+// A value published by a test::Counter.
+struct ChannelValue {
     std::uint32_t entity = 0, count = 0;
 };
 
-std::optional<Told> told(const Client& client, std::string_view tag) {
-    std::optional<Told> out;
+std::optional<ChannelValue> channel_value(const Client& client, std::string_view tag) {
+    std::optional<ChannelValue> out;
     client.read([&](const client::WorldView& view) {
         for (const wire::Channel& channel : view.channels())
             if (view.channel_kinds()[channel.kind].name() == tag)
@@ -50,7 +50,8 @@ std::string name_of(const Client& client, std::uint32_t entity) {
     return name;
 }
 
-// A world whose "counter" tells something else every fifth tick and whose "still" never does.
+// A world whose module "counter" publishes a new value every fifth tick and whose module "still"
+// never changes its value.
 class GrpcServerTest : public testing::Test {
 protected:
     void SetUp() override {
@@ -61,16 +62,16 @@ protected:
         ASSERT_TRUE(server.start().ok());
     }
     void TearDown() override {
-        worlds.stop_all();  // before whom they wake
+        worlds.stop_all();  // stop the worlds before the objects that they notify
         context.closing = true;
         server.drain({});
         server.wake();
         server.stop();
     }
-    // The counter falls silent at that count.
+    // The counter stops publishing at this count.
     void make_world(double until = 0) {
         scenes::SceneDescription scene = *scenes::find_scene("stack");
-        scene.bodies[1].name = "watched";
+        scene.bodies[1].name = "observed";
         scene.modules = {
             {.tag = "counter",
              .settings = {{"every", 5}, {"until", until}},
@@ -106,26 +107,28 @@ protected:
 TEST_F(GrpcServerTest, sends_channel_changes_and_current_values_to_late_joiners) {
     make_world();
     const auto early = join();
-    ASSERT_TRUE(wait_until([&] { return told(*early, "counter").has_value(); }));
-    const Told first = *told(*early, "counter");
+    ASSERT_TRUE(wait_until([&] { return channel_value(*early, "counter").has_value(); }));
+    const ChannelValue first = *channel_value(*early, "counter");
     EXPECT_EQ(name_of(*early, first.entity), "watched");
-    ASSERT_TRUE(wait_until([&] { return told(*early, "counter")->count > first.count + 3; }));
-    EXPECT_EQ(told(*early, "still")->count, 0u);
+    ASSERT_TRUE(
+        wait_until([&] { return channel_value(*early, "counter")->count > first.count + 3; }));
+    EXPECT_EQ(channel_value(*early, "still")->count, 0u);
 
-    const std::uint32_t before = told(*early, "counter")->count;
+    const std::uint32_t previous = channel_value(*early, "counter")->count;
     const auto late = join();
-    ASSERT_TRUE(wait_until([&] { return told(*late, "counter").has_value(); }));
-    EXPECT_GE(told(*late, "counter")->count, before);
-    ASSERT_TRUE(told(*late, "still").has_value()) << "told long before it came";
-    EXPECT_EQ(told(*late, "still")->entity, first.entity);
+    ASSERT_TRUE(wait_until([&] { return channel_value(*late, "counter").has_value(); }));
+    EXPECT_GE(channel_value(*late, "counter")->count, previous);
+    ASSERT_TRUE(channel_value(*late, "still").has_value())
+        << "published long before the client joined";
+    EXPECT_EQ(channel_value(*late, "still")->entity, first.entity);
     EXPECT_EQ(early->stats().decode_errors + late->stats().decode_errors, 0u);
 }
 
 TEST_F(GrpcServerTest, removes_channels_that_are_no_longer_published) {
-    make_world(30);  // after two and a half seconds
+    make_world(30);  // 2.5 s
     const auto client = join();
-    ASSERT_TRUE(wait_until([&] { return told(*client, "counter").has_value(); }));
-    ASSERT_TRUE(wait_until([&] { return !told(*client, "counter").has_value(); }));
+    ASSERT_TRUE(wait_until([&] { return channel_value(*client, "counter").has_value(); }));
+    ASSERT_TRUE(wait_until([&] { return !channel_value(*client, "counter").has_value(); }));
     client->read([](const client::WorldView& view) {
         ASSERT_EQ(view.channels().size(), 1u);
         EXPECT_EQ(view.channel_kinds()[view.channels()[0].kind].name(), "still");
@@ -137,13 +140,14 @@ TEST_F(GrpcServerTest, sends_only_requested_channel_kinds) {
     make_world();
     const auto all = join(), some = join({"still", "unheard of"}), none = join({});
     ASSERT_TRUE(wait_until([&] {
-        return told(*all, "counter").has_value() && told(*some, "still").has_value() &&
-               none->stats().snapshots > 5;
+        return channel_value(*all, "counter").has_value() &&
+               channel_value(*some, "still").has_value() && none->stats().snapshots > 5;
     }));
-    EXPECT_FALSE(told(*some, "counter").has_value());
+    EXPECT_FALSE(channel_value(*some, "counter").has_value());
     none->read([](const client::WorldView& view) {
         EXPECT_TRUE(view.channels().empty());
-        EXPECT_EQ(view.channel_kinds().size(), 3u) << "but knows what there is";
+        EXPECT_EQ(view.channel_kinds().size(), 3u)
+            << "the client must still know all channel kinds";
     });
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A C++ client and a server in this process, and between them a relay that is taken away and comes
-// back: real sockets break.
+// A C++ client and a server in this process with a relay between them, which the test stops and
+// restarts to break the connections.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -21,7 +21,7 @@ using namespace std::chrono_literals;
 using client::Client;
 using test::wait_until;
 
-// Hands on bytes for as long as it is there.
+// Relays bytes while it exists.
 class Line {
 public:
     Line(int server_port, int port)
@@ -85,7 +85,7 @@ TEST_F(ResumeOverSocketsTest, client_resumes_after_three_disconnects_without_los
     for (int round = 1; round <= 3; round++) {
         for (int i = 0; i < 8; i++) {
             sent = player->send(small_ball(static_cast<int>(sent)));
-            if (i == 3) line.reset();  // in the midst of it
+            if (i == 3) line.reset();  // while inputs are being sent
             std::this_thread::sleep_for(5ms);
         }
         line = std::make_unique<Line>(server.port(), port);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Hands on datagrams between one client and a server on the loopback device, and loses those that
-// it is told to. A thread of its own; settings may be changed at any time.
+// Relays datagrams between one client and a server on the loopback device and drops a percentage of
+// them. Runs in its own thread; the settings can be changed at any time.
 #pragma once
 
 #include <arpa/inet.h>
@@ -37,16 +37,16 @@ public:
     }
 
     std::atomic<int> up_loss_percent{0}, down_loss_percent{0};
-    std::atomic<int> up{0}, down{0};  // packets that came, lost ones included
+    std::atomic<int> up{0}, down{0};  // received packets, including dropped ones
 
 private:
     static int bound() {
         const int descriptor = socket(AF_INET, SOCK_DGRAM, 0);
-        sockaddr_in address = here(0);
+        sockaddr_in address = loopback(0);
         EXPECT_EQ(bind(descriptor, reinterpret_cast<sockaddr*>(&address), sizeof address), 0);
         return descriptor;
     }
-    static sockaddr_in here(std::uint16_t port) {
+    static sockaddr_in loopback(std::uint16_t port) {
         sockaddr_in address{};
         address.sin_family = AF_INET;
         address.sin_port = htons(port);
@@ -62,13 +62,13 @@ private:
     bool loses(int percent) { return static_cast<int>(random_() % 100) < percent; }
 
     void run() {
-        sockaddr_in client = here(0), server = here(server_);
-        std::array<pollfd, 2> watched{pollfd{.fd = clients_, .events = POLLIN, .revents = 0},
+        sockaddr_in client = loopback(0), server = loopback(server_);
+        std::array<pollfd, 2> sockets{pollfd{.fd = clients_, .events = POLLIN, .revents = 0},
                                       pollfd{.fd = servers_, .events = POLLIN, .revents = 0}};
         std::array<char, 2000> packet;
         while (!stop_) {
-            if (poll(watched.data(), watched.size(), 20) <= 0) continue;
-            if (watched[0].revents != 0) {
+            if (poll(sockets.data(), sockets.size(), 20) <= 0) continue;
+            if (sockets[0].revents != 0) {
                 socklen_t size = sizeof client;
                 const ssize_t bytes = recvfrom(clients_, packet.data(), packet.size(), 0,
                                                reinterpret_cast<sockaddr*>(&client), &size);
@@ -77,7 +77,7 @@ private:
                     sendto(servers_, packet.data(), static_cast<std::size_t>(bytes), 0,
                            reinterpret_cast<sockaddr*>(&server), sizeof server);
             }
-            if (watched[1].revents != 0) {
+            if (sockets[1].revents != 0) {
                 const ssize_t bytes = recv(servers_, packet.data(), packet.size(), 0);
                 down++;
                 if (bytes > 0 && !loses(down_loss_percent))

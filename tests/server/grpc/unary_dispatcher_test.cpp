@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// gRPC clients at a server in this process whose methods are the test's own.
+// gRPC clients connected to a server in this process whose methods belong to the test.
 #include "server/grpc/unary_dispatcher.h"
 
 #include <google/rpc/error_details.pb.h>
@@ -38,7 +38,7 @@ protected:
         server.drain({});
         server.stop();
     }
-    // List answers, Get says what was wrong, Create waits until the test goes on.
+    // List succeeds, Get fails with an error, Create blocks until the test continues.
     std::vector<CallMethod> methods() {
         const std::string service = "/jostle.v1.WorldService/";
         return {unary_method<v1::ListWorldsRequest, v1::ListWorldsResponse>(
@@ -117,12 +117,13 @@ TEST_F(UnaryDispatcherTest, exceptions_oversized_and_unknown_calls_fail_independ
     v1::DeleteWorldResponse nothing;
     EXPECT_EQ(worlds_stub->DeleteWorld(&call, {}, &nothing).error_code(),
               grpc::StatusCode::UNIMPLEMENTED);
-    EXPECT_EQ(get("any").error_message(), "no room") << "and the front goes on";
+    EXPECT_EQ(get("any").error_message(), "no room")
+        << "the dispatcher must continue after an error";
 }
 
 TEST_F(UnaryDispatcherTest, slow_calls_fill_only_their_own_queue) {
     std::vector<std::future<grpc::Status>> creates;
-    // One is worked on, thirty one wait: that is all that one connection may have open.
+    // One call runs and 31 wait: the maximum number of open calls per connection.
     for (int i = 0; i < 40; i++)
         creates.push_back(std::async(std::launch::async, [&] {
             grpc::ClientContext call;
@@ -192,7 +193,7 @@ TEST_F(UnaryDispatcherTest, reflection_lists_services_and_messages) {
     request.set_file_containing_symbol("jostle.v1.WorldService");
     ASSERT_TRUE(stream->Write(request) && stream->Read(&response));
     EXPECT_GE(response.file_descriptor_response().file_descriptor_proto_size(), 3)
-        << "world.proto and what it imports";
+        << "world.proto and its imports";
     request.set_file_by_filename("no/such.proto");
     ASSERT_TRUE(stream->Write(request) && stream->Read(&response));
     EXPECT_EQ(response.error_response().error_code(), grpc::StatusCode::NOT_FOUND);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Real sockets: a client at one end, what gRPC would get at the other, with TLS and without.
+// Tests with real sockets: a client at one end and the gRPC side at the other end, with and without
+// TLS.
 #include "server/grpc_proxy/connection_relay.h"
 
 #include <arpa/inet.h>
@@ -27,7 +28,7 @@ using namespace std::chrono_literals;
 
 const std::string preface = "PRI * HTTP/2.0\r\n\r\nSM\r\n\r\n";
 
-// DATA of stream 1.
+// A DATA frame of stream 1.
 std::string data_frame(std::size_t length) {
     std::string out{static_cast<char>(length >> 16),
                     static_cast<char>(length >> 8),
@@ -41,7 +42,7 @@ std::string data_frame(std::size_t length) {
     return out + std::string(length, 'x');
 }
 
-// A descriptor that closes itself.
+// A file descriptor that closes itself.
 struct Owned {
     int descriptor = -1;
     Owned() = default;
@@ -59,7 +60,7 @@ struct Owned {
         pollfd p{descriptor, events, 0};
         return poll(&p, 1, ms) == 1;
     }
-    // `count` bytes; less when the other side closes first.
+    // Reads `count` bytes, or fewer if the peer closes first.
     std::string read(std::size_t count) const {
         std::string out, part(1 << 16, '\0');
         while (out.size() < count && is_ready(POLLIN)) {
@@ -93,12 +94,12 @@ protected:
     void start(ConnectionRelay& which) {
         const Status started = which.start([this](int descriptor) {
             const std::lock_guard lock(mutex);
-            handed.emplace_back(descriptor);
+            accepted.emplace_back(descriptor);
             came.notify_all();
         });
         ASSERT_TRUE(started.ok());
     }
-    // The client's socket; the other one is in the relay.
+    // Returns the socket of the client; the relay owns the other end.
     Owned connect(SSL_CTX* tls = nullptr) {
         Owned listener(socket(AF_INET, SOCK_STREAM, 0));
         sockaddr_in any{.sin_family = AF_INET, .sin_addr = {htonl(INADDR_LOOPBACK)}};
@@ -115,12 +116,12 @@ protected:
         connection = table.admit(address);
         peer = address;
         auto socket_of_client = std::make_unique<ClientSocket>(served, tls);
-        if (tls) return shake_hands(std::move(client), std::move(socket_of_client));
+        if (tls) return tls_handshake(std::move(client), std::move(socket_of_client));
         door->add(std::move(socket_of_client), connection);
         return client;
     }
-    // As the acceptor would, with a client that takes any certificate.
-    Owned shake_hands(Owned client, std::unique_ptr<ClientSocket> served) {
+    // Does the TLS handshake like the acceptor, with a client that accepts any certificate.
+    Owned tls_handshake(Owned client, std::unique_ptr<ClientSocket> served) {
         client_context.reset(SSL_CTX_new(TLS_client_method()));
         client_tls.reset(SSL_new(client_context.get()));
         static constexpr unsigned char offered[] = {2, 'h', '2'};
@@ -134,16 +135,16 @@ protected:
     }
     Owned grpc_end() {
         std::unique_lock lock(mutex);
-        if (!came.wait_for(lock, 5s, [&] { return !handed.empty(); })) return {};
-        Owned out = std::move(handed.back());
-        handed.pop_back();
+        if (!came.wait_for(lock, 5s, [&] { return !accepted.empty(); })) return {};
+        Owned out = std::move(accepted.back());
+        accepted.pop_back();
         return out;
     }
-    bool nothing_was_handed() {
+    bool nothing_was_accepted() {
         const std::lock_guard lock(mutex);
-        return handed.empty();
+        return accepted.empty();
     }
-    bool forgotten() const {
+    bool is_table_empty() const {
         for (const auto end = Clock::now() + 5s; Clock::now() < end;)
             if (table.size() == 0) return true;
         return false;
@@ -151,7 +152,7 @@ protected:
 
     std::mutex mutex;
     std::condition_variable came;
-    std::vector<Owned> handed;
+    std::vector<Owned> accepted;
     ConnectionTable table{{}};
     ConnectionRelay relay{
         table, {.buffered_bytes_max = 1e6, .preface_timeout = 300ms, .close_timeout = 300ms}};
@@ -173,23 +174,24 @@ TEST_F(ConnectionRelayTest, relays_bytes_both_ways_with_peer_identity) {
     const std::string given(name.sun_path + 1, size - offsetof(sockaddr_un, sun_path) - 1);
     EXPECT_EQ(table.of("unix-abstract:" + given), connection);
 
-    // More than all buffers hold, while the client reads slowly.
-    std::string much(6'000'000, 'a');
-    for (std::size_t i = 0; i < much.size(); i++) much[i] = static_cast<char>(i * 7919 >> 5);
-    std::jthread writer([&] { EXPECT_TRUE(grpc.write(much)); });
+    // more data than all buffers hold, while the client reads slowly
+    std::string payload(6'000'000, 'a');
+    for (std::size_t i = 0; i < payload.size(); i++) payload[i] = static_cast<char>(i * 7919 >> 5);
+    std::jthread writer([&] { EXPECT_TRUE(grpc.write(payload)); });
     std::this_thread::sleep_for(100ms);
-    EXPECT_EQ(client.read(much.size()), much);
+    EXPECT_EQ(client.read(payload.size()), payload);
 }
 
 TEST_F(ConnectionRelayTest, rejects_non_http2_clients_before_grpc) {
     const Owned silent = connect();
-    EXPECT_TRUE(silent.is_closed()) << "after 0.3 s";
+    EXPECT_TRUE(silent.is_closed()) << "a silent client must be disconnected after 0.3 s";
     const Owned browser = connect();
     browser.write("GET / HTTP/1.1\r\n\r\n");
-    EXPECT_TRUE(browser.is_closed()) << "at once";
-    EXPECT_FALSE(table.refusal_for(peer, Clock::now())) << "a mistake, and no attack";
-    EXPECT_EQ(handed.size(), 0u);
-    EXPECT_TRUE(forgotten());
+    EXPECT_TRUE(browser.is_closed()) << "a client of another protocol must be disconnected at once";
+    EXPECT_FALSE(table.refusal_for(peer, Clock::now()))
+        << "a wrong protocol must not cause a penalty";
+    EXPECT_EQ(accepted.size(), 0u);
+    EXPECT_TRUE(is_table_empty());
 }
 
 TEST_F(ConnectionRelayTest, delivers_final_grpc_bytes_before_close) {
@@ -198,10 +200,11 @@ TEST_F(ConnectionRelayTest, delivers_final_grpc_bytes_before_close) {
     Owned grpc = grpc_end();
     ASSERT_TRUE(grpc.write(std::string(150'000, 'z')));
     grpc.close();
-    client.write(data_frame(100));  // nobody reads it, and it takes nothing back
+    client.write(data_frame(100));  // the data is not read and grants no window
     EXPECT_EQ(client.read(200'000).size(), 150'000u);
     EXPECT_TRUE(client.is_closed());
-    EXPECT_TRUE(forgotten()) << "after 0.3 s, though the client stays";
+    EXPECT_TRUE(is_table_empty())
+        << "the connection must be removed after 0.3 s although the client stays connected";
 }
 
 TEST_F(ConnectionRelayTest, half_closed_client_still_receives_the_response) {
@@ -224,7 +227,7 @@ TEST_F(ConnectionRelayTest, client_disconnect_closes_the_grpc_side) {
     setsockopt(client.descriptor, SOL_SOCKET, SO_LINGER, &at_once, sizeof at_once);
     client.close();
     EXPECT_TRUE(grpc.is_closed());
-    EXPECT_TRUE(forgotten());
+    EXPECT_TRUE(is_table_empty());
 }
 
 TEST_F(ConnectionRelayTest, drops_and_penalizes_clients_exceeding_the_buffer_limit) {
@@ -234,7 +237,7 @@ TEST_F(ConnectionRelayTest, drops_and_penalizes_clients_exceeding_the_buffer_lim
     std::jthread reader([&] { grpc.read(1u << 30); });
     int frames = 0;
     while (frames < 2000 && client.write(data_frame(16'384))) frames++;
-    EXPECT_LT(frames, 2000) << "of 16 KiB each";
+    EXPECT_LT(frames, 2000) << "the relay must stop a client that floods frames of 16 KiB";
     EXPECT_EQ(relay.dropped(), 1u);
     EXPECT_EQ(table.refusal_for(peer, Clock::now()), ConnectionTable::Refusal::address_penalized);
 }
@@ -258,21 +261,21 @@ TEST_F(ConnectionRelayTest, closed_pending_connections_never_reach_grpc) {
     ConnectionRelay slow(table, {.openings_per_second = 2});
     start(slow);
     door = &slow;
-    const auto come = [&] {
+    const auto connect_client = [&] {
         Owned client = connect();
         client.write(preface);
         return client;
     };
-    const Owned first = come(), first_grpc = grpc_end();
-    const Owned second = come(), second_grpc = grpc_end();
-    Owned third = come();
-    const Owned fourth = come();
+    const Owned first = connect_client(), first_grpc = grpc_end();
+    const Owned second = connect_client(), second_grpc = grpc_end();
+    Owned third = connect_client();
+    const Owned fourth = connect_client();
     third.close();                         // before its turn
-    const Owned fourth_grpc = grpc_end();  // after half a second
+    const Owned fourth_grpc = grpc_end();  // after 0.5 s
     EXPECT_EQ(fourth_grpc.read(preface.size()), preface);
     EXPECT_EQ(table.size(), 3u);
     std::this_thread::sleep_for(600ms);
-    EXPECT_TRUE(nothing_was_handed()) << "of the third gRPC never heard";
+    EXPECT_TRUE(nothing_was_accepted()) << "the third connection must not reach gRPC";
     slow.stop({});
 }
 
@@ -287,19 +290,19 @@ TEST_F(ConnectionRelayTest, terminates_tls) {
                                std::chrono::system_clock::now())
             .value();
     TlsContexts contexts(store.get(), {.only_http2 = true});
-    const Owned client = connect(contexts.present()->native_handle());
+    const Owned client = connect(contexts.current()->native_handle());
     ASSERT_EQ(SSL_write(client_tls.get(), preface.data(), static_cast<int>(preface.size())), 24);
     const Owned grpc = grpc_end();
     EXPECT_EQ(grpc.read(preface.size()), preface);
-    const std::string much(3'000'000, 'q');
-    std::jthread writer([&] { EXPECT_TRUE(grpc.write(much)); });
+    const std::string payload(3'000'000, 'q');
+    std::jthread writer([&] { EXPECT_TRUE(grpc.write(payload)); });
     std::string got, part(1 << 16, '\0');
-    while (got.size() < much.size()) {
+    while (got.size() < payload.size()) {
         const int n = SSL_read(client_tls.get(), part.data(), static_cast<int>(part.size()));
         ASSERT_GT(n, 0);
         got.append(part.data(), static_cast<std::size_t>(n));
     }
-    EXPECT_EQ(got, much);
+    EXPECT_EQ(got, payload);
 }
 
 TEST_F(ConnectionRelayTest, stop_closes_all_connections) {

@@ -46,7 +46,7 @@ TEST(ConnectionTable, finds_connections_by_grpc_peer_name) {
     EXPECT_EQ(table.of("unix-abstract:" + one->name), one);
     EXPECT_EQ(table.of(two->grpc_name())->peer, "192.0.2.1:1");
     table.remove(*two);
-    EXPECT_EQ(table.of(two->grpc_name())->address, "") << "gone: from nowhere";
+    EXPECT_EQ(table.of(two->grpc_name())->address, "") << "a removed connection has no address";
     EXPECT_EQ(table.of("inproc")->peer, "inproc");
 }
 
@@ -56,16 +56,17 @@ TEST(ConnectionTable, penalty_doubles_up_to_one_minute) {
     Clock::time_point t = now;
     for (const auto wait : {1s, 2s, 4s, 8s, 16s, 32s, 60s, 60s}) {
         table.penalize(*attacker, t);
-        table.penalize(*attacker, t + wait / 2);  // its other connections: the same attack
+        table.penalize(*attacker, t + wait / 2);  // its other connections belong to the same attack
         EXPECT_EQ(table.refusal_for(from("192.0.2.1", 2), t + wait - 1ms),
                   Refusal::address_penalized);
-        EXPECT_FALSE(table.refusal_for(from("192.0.2.2", 2), t)) << "nobody else does";
+        EXPECT_FALSE(table.refusal_for(from("192.0.2.2", 2), t))
+            << "other addresses must not be penalized";
         t += wait;
         EXPECT_FALSE(table.refusal_for(from("192.0.2.1", 2), t));
     }
     t += 11min;
     table.penalize(*attacker, t);
-    EXPECT_FALSE(table.refusal_for(from("192.0.2.1", 2), t + 1s)) << "long ago is forgotten";
+    EXPECT_FALSE(table.refusal_for(from("192.0.2.1", 2), t + 1s)) << "old penalties must expire";
 }
 
 }  // namespace

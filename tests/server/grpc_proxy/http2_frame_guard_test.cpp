@@ -29,11 +29,11 @@ protected:
     Status take(std::string_view bytes) {
         return guard.take({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}, now);
     }
-    // Error message of `frames` of a kind a second for ten seconds; empty: none.
-    std::string flood(const std::string& one, int a_second) {
-        for (int i = 0; i < 10 * a_second; i++) {
-            now += 1000000us / a_second;
-            if (const Status s = take(one); !s.ok()) return s.error().message;
+    // Sends `frames_per_second` frames for 10 s. Returns the error message; empty: no error.
+    std::string flood(const std::string& frame_bytes, int frames_per_second) {
+        for (int i = 0; i < 10 * frames_per_second; i++) {
+            now += 1000000us / frames_per_second;
+            if (const Status s = take(frame_bytes); !s.ok()) return s.error().message;
         }
         return {};
     }
@@ -48,7 +48,8 @@ protected:
 TEST_F(Http2FrameGuardTest, normal_play_is_never_throttled) {
     greet();
     ASSERT_TRUE(take(frame(headers, end_headers, 1, 300)).ok());
-    // Sixty times a second an input, a window update and a ping answered, however they are cut.
+    // 60 times per second an input, a WINDOW_UPDATE frame and a ping response, split at arbitrary
+    // positions.
     for (int tick = 0; tick < 60 * 3600; tick++) {
         now += 16667us;
         const std::string sent = frame(data, 0, 1, 40) + frame(window, 0, 0, 4) +
@@ -115,7 +116,8 @@ TEST_F(Http2FrameGuardTest, limits_header_blocks_to_8_frames_and_32_kb) {
     guard = Http2FrameGuard(now);
     greet();
     ASSERT_TRUE(take(frame(headers, 0, 1, 9) + frame(more, end_headers, 1, 9)).ok());
-    EXPECT_TRUE(take(frame(data, 0, 1, 9)).ok()) << "the block has ended";
+    EXPECT_TRUE(take(frame(data, 0, 1, 9)).ok())
+        << "DATA frames are allowed after the end of the block";
     EXPECT_FALSE(take(frame(more, 0, 1, 9)).ok());
     guard = Http2FrameGuard(now);
     greet();
@@ -138,14 +140,14 @@ TEST_F(Http2FrameGuardTest, rejects_oversized_frames) {
               "a frame of 16385 bytes; at most 16384 are allowed");
 }
 
-// What clients need, too, but not so much of it, has to wait.
+// Legitimate frames above their rate limit are delayed.
 TEST_F(Http2FrameGuardTest, throttles_window_updates_to_4000_per_second) {
     greet();
-    std::string many;
-    for (int i = 0; i < 1000; i++) many += frame(window, 0, 0, 4);
+    std::string updates;
+    for (int i = 0; i < 1000; i++) updates += frame(window, 0, 0, 4);
     int taken = 0;
     for (const auto end = now + 10s; now < end; now += guard.throttle_delay(now)) {
-        ASSERT_TRUE(take(many).ok());
+        ASSERT_TRUE(take(updates).ok());
         taken += 1000;
     }
     EXPECT_NEAR(taken, 44000, 1500);

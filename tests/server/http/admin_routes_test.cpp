@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The operators' port: what it answers, and over a socket, that profiles hold nobody up.
+// The operator port: its responses, and over a socket, that profiles do not block other requests.
 #include "server/http/admin_routes.h"
 
 #include <gtest/gtest.h>
@@ -39,8 +39,8 @@ protected:
         request.address = "127.0.0.1";
         return routes.handle(request);
     }
-    // One request over a connection of its own; all that comes back.
-    static std::string ask(int port, const std::string& target) {
+    // Sends one request on its own connection; returns the complete response.
+    static std::string fetch(int port, const std::string& target) {
         asio::io_context io;
         tcp::socket socket(io);
         socket.connect({asio::ip::address_v4::loopback(), static_cast<std::uint16_t>(port)});
@@ -66,17 +66,17 @@ protected:
     AdminControl control{context};
     std::optional<std::string> failure_reason;
     int refreshed = 0;
-    AdminRoutes routes{control,
-                       metrics,
-                       {.allowed_hosts = {"ops.example.org"},
-                        .not_ready_reason =
-                            [this] {
-                                return context.draining
-                                           ? std::optional<std::string>("the server is going down")
-                                           : std::nullopt;
-                            },
-                        .failure_reason = [this] { return failure_reason; },
-                        .refresh = [this] { refreshed++; }}};
+    AdminRoutes routes{
+        control,
+        metrics,
+        {.allowed_hosts = {"ops.example.org"},
+         .not_ready_reason =
+             [this] {
+                 return context.draining ? std::optional<std::string>("the server is shutting down")
+                                         : std::nullopt;
+             },
+         .failure_reason = [this] { return failure_reason; },
+         .refresh = [this] { refreshed++; }}};
 };
 
 TEST_F(AdminRoutesTest, returns_current_metrics_as_prometheus_text) {
@@ -87,7 +87,7 @@ TEST_F(AdminRoutesTest, returns_current_metrics_as_prometheus_text) {
     EXPECT_EQ(refreshed, 1);
     worlds.remove("my arena");
     EXPECT_EQ(get("/metrics").body.find("my arena"), std::string::npos)
-        << "the series of a world go with it";
+        << "the series of a removed world must be removed";
 }
 
 TEST_F(AdminRoutesTest, returns_health_status) {
@@ -123,15 +123,16 @@ TEST_F(AdminRoutesTest, returns_errors_for_invalid_requests) {
     EXPECT_EQ(get("/nowhere").status, 404);
     EXPECT_EQ(get("/metrics", "POST").status, 405);
     const std::string profile = "/debug/profile?world=nowhere&seconds=1";
-    EXPECT_EQ(get(profile, "GET", "http://elsewhere.example").status, 403) << "a page";
+    EXPECT_EQ(get(profile, "GET", "http://elsewhere.example").status, 403)
+        << "cross-origin requests must be rejected";
     EXPECT_EQ(get(profile, "GET", {}, "elsewhere.example:9464").status, 403) << "DNS rebinding";
     EXPECT_EQ(get(profile, "GET", {}, "ops.example.org").status, 404);
-    EXPECT_EQ(get("/metrics", "GET", {}, "server:9464").status, 200) << "Prometheus";
+    EXPECT_EQ(get("/metrics", "GET", {}, "server:9464").status, 200)
+        << "Prometheus sends no Origin";
     EXPECT_NE(get("/").body.find("/debug/profile?world=NAME"), std::string::npos);
 }
 
-// Two threads, and one request that may wait for them: while they are busy, Prometheus is answered
-// as ever.
+// Two threads, of which one may run profiles. A scrape is served while profiles run.
 TEST_F(AdminRoutesTest, profiles_do_not_block_scrapes_and_are_limited) {
     ASSERT_TRUE(worlds.create("b", *scenes::find_scene("stack")).ok());
     HttpServer gateway(context, routes,
@@ -146,22 +147,22 @@ TEST_F(AdminRoutesTest, profiles_do_not_block_scrapes_and_are_limited) {
     for (const char* world : {"my%20arena", "b", "nowhere"}) {
         slow.emplace_back([&, world] {
             const std::string answer =
-                ask(http_server.port(), std::string("/debug/profile?seconds=2&world=") + world);
+                fetch(http_server.port(), std::string("/debug/profile?seconds=2&world=") + world);
             if (answer.starts_with("HTTP/1.1 200")) served++;
         });
         std::this_thread::sleep_for(200ms);
     }
     const auto begun = Clock::now();
-    EXPECT_TRUE(ask(http_server.port(), "/metrics").starts_with("HTTP/1.1 200"));
-    EXPECT_TRUE(ask(http_server.port(), "/healthz").starts_with("HTTP/1.1 200"));
+    EXPECT_TRUE(fetch(http_server.port(), "/metrics").starts_with("HTTP/1.1 200"));
+    EXPECT_TRUE(fetch(http_server.port(), "/healthz").starts_with("HTTP/1.1 200"));
     EXPECT_LT(Clock::now() - begun, 1s);
     EXPECT_TRUE(
-        ask(http_server.port(), "/debug/profile?seconds=1&world=b").starts_with("HTTP/1.1 503"));
+        fetch(http_server.port(), "/debug/profile?seconds=1&world=b").starts_with("HTTP/1.1 503"));
     EXPECT_EQ(metrics.listener(Listener::admin).refused(ConnectionRefusal::busy).Value(), 1);
     for (std::thread& thread : slow) thread.join();
     EXPECT_EQ(served, 2);
-    EXPECT_TRUE(ask(http_server.port(), "/play").starts_with("HTTP/1.1 404"))
-        << "nobody plays here";
+    EXPECT_TRUE(fetch(http_server.port(), "/play").starts_with("HTTP/1.1 404"))
+        << "the admin port has no /play route";
     http_server.stop();
 }
 

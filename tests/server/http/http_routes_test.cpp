@@ -14,8 +14,8 @@ class HttpRoutesTest : public testing::Test {
 protected:
     void SetUp() override { ASSERT_TRUE(worlds.create("", *scenes::find_scene("stack")).ok()); }
 
-    HttpResponse ask(const std::string& method, const std::string& target,
-                     const std::string& body = {}, const std::string& origin = {}) const {
+    HttpResponse send(const std::string& method, const std::string& target,
+                      const std::string& body = {}, const std::string& origin = {}) const {
         HttpRequest request;
         request.method = method;
         request.target = target;
@@ -42,43 +42,43 @@ protected:
         .config = config, .worlds = worlds, .sessions = sessions, .authorizer = *gate};
     WorldControl control{context};
     QueryControl queries{context};
-    HttpRoutes routes{control,
-                      queries,
-                      {.web_root = "/nonexistent",
-                       .allowed_origins = {"https://play.example.org"},
-                       .not_ready_reason =
-                           [this] {
-                               return context.draining
-                                          ? std::optional<std::string>("the server is going down")
-                                          : std::nullopt;
-                           },
-                       .failure_reason = [this] { return failure_reason; }}};
+    HttpRoutes routes{
+        control,
+        queries,
+        {.web_root = "/nonexistent",
+         .allowed_origins = {"https://play.example.org"},
+         .not_ready_reason =
+             [this] {
+                 return context.draining ? std::optional<std::string>("the server is shutting down")
+                                         : std::nullopt;
+             },
+         .failure_reason = [this] { return failure_reason; }}};
 };
 
 TEST_F(HttpRoutesTest, lists_worlds_and_scenes) {
-    const HttpResponse response = ask("GET", "/api/worlds");
+    const HttpResponse response = send("GET", "/api/worlds");
     EXPECT_EQ(response.status, 200);
     const auto json = nlohmann::json::parse(response.body);
     ASSERT_EQ(json.at("worlds").size(), 1u);
     EXPECT_EQ(json["worlds"][0].at("id"), "w1");
     EXPECT_EQ(json["worlds"][0].at("name"), "stack");
-    EXPECT_EQ(json["worlds"][0].at("clients"), 0) << "zeros are written";
+    EXPECT_EQ(json["worlds"][0].at("clients"), 0) << "zeros must be written";
     EXPECT_EQ(json.at("scenes").size(), scenes::catalog().size());
 }
 
 TEST_F(HttpRoutesTest, creates_and_deletes_worlds) {
     const HttpResponse made =
-        ask("POST", "/api/worlds", R"({"name": "two words", "sceneName": "dominoes"})");
+        send("POST", "/api/worlds", R"({"name": "two words", "sceneName": "dominoes"})");
     EXPECT_EQ(made.status, 201) << made.body;
-    EXPECT_EQ(ask("GET", "/api/worlds/two%20words").status, 200);
-    EXPECT_EQ(ask("GET", "/api/worlds/w2").status, 200);
+    EXPECT_EQ(send("GET", "/api/worlds/two%20words").status, 200);
+    EXPECT_EQ(send("GET", "/api/worlds/w2").status, 200);
     const HttpResponse third =
-        ask("POST", "/api/worlds", R"({"name": "third", "sceneName": "stack"})");
+        send("POST", "/api/worlds", R"({"name": "third", "sceneName": "stack"})");
     EXPECT_EQ(third.status, 429);
     EXPECT_EQ(code_of(third), "RESOURCE_EXHAUSTED");
-    EXPECT_EQ(ask("DELETE", "/api/worlds/w2").status, 200);
-    EXPECT_EQ(ask("DELETE", "/api/worlds/w2").status, 404);
-    EXPECT_EQ(code_of(ask("POST", "/api/worlds", R"({"sceneName": "stack"})")), "ALREADY_EXISTS");
+    EXPECT_EQ(send("DELETE", "/api/worlds/w2").status, 200);
+    EXPECT_EQ(send("DELETE", "/api/worlds/w2").status, 404);
+    EXPECT_EQ(code_of(send("POST", "/api/worlds", R"({"sceneName": "stack"})")), "ALREADY_EXISTS");
     EXPECT_EQ(worlds.list().size(), 1u);
 }
 
@@ -86,17 +86,17 @@ TEST_F(HttpRoutesTest, rejects_malformed_requests_with_a_message) {
     for (const char* body :
          {"", "{", "[]", R"({"sceneNome": "stack"})", R"({"sceneName": 5})", "{}",
           R"({"scene": {"bodies": [{"shapes": [{"sphere": {"radius": -1}}]}]}})"}) {
-        const HttpResponse response = ask("POST", "/api/worlds", body);
+        const HttpResponse response = send("POST", "/api/worlds", body);
         EXPECT_EQ(response.status, 400) << body << response.body;
         EXPECT_EQ(code_of(response), "INVALID_ARGUMENT") << body;
     }
-    // Never a file of the server's machine.
-    EXPECT_EQ(ask("POST", "/api/worlds", R"({"sceneName": "/etc/passwd"})").status, 404);
-    EXPECT_EQ(ask("GET", "/api/nothing").status, 404);
-    EXPECT_EQ(ask("GET", "/api/worlds/a/b").status, 404);
-    EXPECT_EQ(ask("GET", "/api/worlds/%zz").status, 400);
-    EXPECT_EQ(ask("GET", "/api/worlds/..").status, 400);
-    EXPECT_EQ(ask("PUT", "/api/worlds").status, 405);
+    // A name of a scene is never a path of a file on the server.
+    EXPECT_EQ(send("POST", "/api/worlds", R"({"sceneName": "/etc/passwd"})").status, 404);
+    EXPECT_EQ(send("GET", "/api/nothing").status, 404);
+    EXPECT_EQ(send("GET", "/api/worlds/a/b").status, 404);
+    EXPECT_EQ(send("GET", "/api/worlds/%zz").status, 400);
+    EXPECT_EQ(send("GET", "/api/worlds/..").status, 400);
+    EXPECT_EQ(send("PUT", "/api/worlds").status, 405);
     HttpRequest form{.method = "POST",
                      .target = "/api/worlds",
                      .host = {},
@@ -109,16 +109,16 @@ TEST_F(HttpRoutesTest, rejects_malformed_requests_with_a_message) {
 
 TEST_F(HttpRoutesTest, rejects_cross_origin_mutations) {
     const char* body = R"({"name": "x", "sceneName": "stack"})";
-    EXPECT_EQ(ask("POST", "/api/worlds", body, "http://elsewhere.example").status, 403);
-    EXPECT_EQ(ask("POST", "/api/worlds", body, "null").status, 403);
-    EXPECT_EQ(ask("DELETE", "/api/worlds/w1", "", "http://localhost:9999").status, 403);
+    EXPECT_EQ(send("POST", "/api/worlds", body, "http://elsewhere.example").status, 403);
+    EXPECT_EQ(send("POST", "/api/worlds", body, "null").status, 403);
+    EXPECT_EQ(send("DELETE", "/api/worlds/w1", "", "http://localhost:9999").status, 403);
     EXPECT_EQ(worlds.list().size(), 1u);
-    EXPECT_EQ(ask("POST", "/api/worlds", body, "http://localhost:8080").status, 201);
-    EXPECT_EQ(ask("DELETE", "/api/worlds/x", "", "https://play.example.org").status, 200);
+    EXPECT_EQ(send("POST", "/api/worlds", body, "http://localhost:8080").status, 201);
+    EXPECT_EQ(send("DELETE", "/api/worlds/x", "", "https://play.example.org").status, 200);
 }
 
 TEST_F(HttpRoutesTest, serves_queries_as_json) {
-    const HttpResponse hit = ask("POST", "/api/query/CastRays", R"({
+    const HttpResponse hit = send("POST", "/api/query/CastRays", R"({
         "rays": [{"origin": {"x": 0, "y": 50, "z": 0}, "motion": {"y": -100}},
                  {"origin": {"y": 50}, "motion": {"y": 1}}]})");
     EXPECT_EQ(hit.status, 200) << hit.body;
@@ -126,28 +126,29 @@ TEST_F(HttpRoutesTest, serves_queries_as_json) {
     ASSERT_EQ(json.at("rays").size(), 2u);
     ASSERT_EQ(json["rays"][0].at("hits").size(), 1u);
     const auto& first = json["rays"][0]["hits"][0];
-    EXPECT_GT(first.at("entity"), 1) << "the top of the stack, not the ground";
+    EXPECT_GT(first.at("entity"), 1)
+        << "the ray must hit the top of the stack instead of the ground";
     EXPECT_NEAR(first["point"].at("y").get<double>(), 50 - 100 * first.at("fraction").get<double>(),
                 1e-6);
-    EXPECT_EQ(json["rays"][1].at("hits").size(), 0u) << "an empty list is written";
+    EXPECT_EQ(json["rays"][1].at("hits").size(), 0u) << "empty lists must be written";
     const HttpResponse debug =
-        ask("POST", "/api/query/Debug", R"({"world": "stack", "bounds": true})");
+        send("POST", "/api/query/Debug", R"({"world": "stack", "bounds": true})");
     EXPECT_EQ(debug.status, 200) << debug.body;
     EXPECT_GE(nlohmann::json::parse(debug.body).at("bounds").size(), 10u);
     const std::string at_top = R"("position": {"y": 1}, "sphere": {"radius": 3})";
-    EXPECT_EQ(ask("POST", "/api/query/Overlap", "{\"shape\": {" + at_top + "}}").status, 200);
-    EXPECT_EQ(ask("POST", "/api/query/CastShapes",
-                  "{\"shapes\": [{\"shape\": {" + at_top + "}, \"motion\": {\"y\": 1}}]}")
+    EXPECT_EQ(send("POST", "/api/query/Overlap", "{\"shape\": {" + at_top + "}}").status, 200);
+    EXPECT_EQ(send("POST", "/api/query/CastShapes",
+                   "{\"shapes\": [{\"shape\": {" + at_top + "}, \"motion\": {\"y\": 1}}]}")
                   .status,
               200);
     EXPECT_EQ(
-        ask("POST", "/api/query/ClosestPoints", R"({"points": [{}], "maxDistance": 5})").status,
+        send("POST", "/api/query/ClosestPoints", R"({"points": [{}], "maxDistance": 5})").status,
         200);
 }
 
 TEST_F(HttpRoutesTest, returns_error_details_for_failed_queries) {
     const auto message_of = [&](const char* method, const char* body, int status) {
-        const HttpResponse response = ask("POST", std::string("/api/query/") + method, body);
+        const HttpResponse response = send("POST", std::string("/api/query/") + method, body);
         EXPECT_EQ(response.status, status) << response.body;
         return nlohmann::json::parse(response.body).at("message").get<std::string>();
     };
@@ -160,26 +161,26 @@ TEST_F(HttpRoutesTest, returns_error_details_for_failed_queries) {
     EXPECT_NE(message_of("Cast", "{}", 404).find("CastRays, CastShapes"), std::string::npos);
     worlds.find("stack")->stop();
     EXPECT_EQ(message_of("Debug", R"({"islands": true})", 503), "the world was closed");
-    EXPECT_EQ(ask("GET", "/api/query/Debug").status, 405);
-    EXPECT_EQ(ask("POST", "/api/query/Debug", "{}", "http://elsewhere.example").status, 403);
+    EXPECT_EQ(send("GET", "/api/query/Debug").status, 405);
+    EXPECT_EQ(send("POST", "/api/query/Debug", "{}", "http://elsewhere.example").status, 403);
 }
 
 TEST_F(HttpRoutesTest, health_reflects_server_state) {
     failure_reason = "a tick hangs";
-    EXPECT_EQ(ask("GET", "/healthz").status, 503);
-    EXPECT_EQ(ask("GET", "/healthz").body, "a tick hangs\n");
-    EXPECT_EQ(ask("GET", "/readyz").status, 503);
+    EXPECT_EQ(send("GET", "/healthz").status, 503);
+    EXPECT_EQ(send("GET", "/healthz").body, "a tick hangs\n");
+    EXPECT_EQ(send("GET", "/readyz").status, 503);
     failure_reason.reset();
-    EXPECT_EQ(ask("GET", "/healthz").status, 200);
-    EXPECT_EQ(ask("GET", "/readyz").status, 200);
+    EXPECT_EQ(send("GET", "/healthz").status, 200);
+    EXPECT_EQ(send("GET", "/readyz").status, 200);
     context.draining = true;
-    EXPECT_EQ(ask("GET", "/healthz").status, 200);
-    EXPECT_EQ(ask("GET", "/readyz").status, 503);
-    EXPECT_EQ(ask("POST", "/api/worlds", R"({"name": "x", "sceneName": "stack"})").status, 503);
+    EXPECT_EQ(send("GET", "/healthz").status, 200);
+    EXPECT_EQ(send("GET", "/readyz").status, 503);
+    EXPECT_EQ(send("POST", "/api/worlds", R"({"name": "x", "sceneName": "stack"})").status, 503);
 }
 
 TEST_F(HttpRoutesTest, play_requires_a_websocket_upgrade) {
-    EXPECT_EQ(ask("GET", "/play").status, 426);
+    EXPECT_EQ(send("GET", "/play").status, 426);
 }
 
 }  // namespace

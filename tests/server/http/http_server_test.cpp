@@ -9,8 +9,8 @@
 
 namespace jostle::server {
 
-// A timer that was due at the moment of stopping once began anew and kept the thread for ever. Its
-// period is 20 ms: these stops fall all around it.
+// Regression test: a timer that expired during stop() restarted itself and blocked the thread
+// forever. Its period is 20 ms; these stops cover all phases of it.
 TEST(HttpServerTest, stops_safely_during_housekeeping) {
     const Config config;
     SessionDirectory sessions(10);

@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// root/ with a viewer in it, beside a secret that no request may reach.
+// root/ contains a viewer. A secret file outside must not be accessible.
 class WebFilesTest : public testing::Test {
 protected:
     void SetUp() override {

@@ -125,7 +125,7 @@ TEST(Admission, allows_six_shape_kinds_and_lists_them_in_errors) {
     EXPECT_EQ(refusal_of(physics::Cone{1, 3}), "cone.half_length is 3; it must be from 0.05 to 2");
     EXPECT_NE(refusal_of(hull_of(2.5, 32)).find("is not within 2 m"), std::string::npos);
     EXPECT_NE(refusal_of(hull_of(0.04, 32)).find("must be from 0.05 to 2"), std::string::npos)
-        << "as big as a ball of 4 cm";
+        << "the hull has the size of a ball of 4 cm";
 }
 
 TEST(Admission, limits_explicit_mass) {
@@ -163,7 +163,7 @@ TEST(Admission, limits_bytes_per_second) {
 
 TEST(Admission, rejects_spectator_inputs) {
     Admission admission({}, true, start);
-    EXPECT_TRUE(admission.admit_message(10, start)) << "acks are fine";
+    EXPECT_TRUE(admission.admit_message(10, start)) << "spectators may send acknowledgements";
     EXPECT_EQ(error_of(admission.admit_input(ReleaseCommand{}, start)).code,
               ErrorCode::permission_denied);
 }

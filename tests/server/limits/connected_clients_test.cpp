@@ -24,24 +24,24 @@ ClientIdentity client(ClientId id) {
             .since = arrival};
 }
 
-// 60 messages of 250 bytes a second are 120 kbit/s, whenever one looks.
+// 60 messages of 250 bytes per second are 120 kbit/s at any time.
 TEST(ConnectedClientsTest, reports_the_rate_of_the_last_second) {
-    ConnectedClients records;
+    ConnectedClients connected_clients;
     const auto record = connected_clients.add(client(7));
     Clock::time_point now = arrival;
     for (int i = 1; i <= 600; i++) {
         now = arrival + i * 16667us;
         record->count_sent(250, now);
         if (i < 30) continue;
-        EXPECT_NEAR(records.status(now)[0].kbit_per_second, 120, 6) << i;
+        EXPECT_NEAR(connected_clients.status(now)[0].kbit_per_second, 120, 6) << i;
     }
-    // It is sent nothing any more: the rate falls to what it is.
-    EXPECT_LT(records.status(now + 60s)[0].kbit_per_second, 2);
-    EXPECT_NEAR(records.status(now + 60s)[0].connected_seconds, 70, 0.1);
+    // No more messages are sent, so the rate falls.
+    EXPECT_LT(connected_clients.status(now + 60s)[0].kbit_per_second, 2);
+    EXPECT_NEAR(connected_clients.status(now + 60s)[0].connected_seconds, 70, 0.1);
 }
 
 TEST(ConnectedClientsTest, lists_clients_by_id) {
-    ConnectedClients records;
+    ConnectedClients connected_clients;
     const auto nine = connected_clients.add(client(9)), two = connected_clients.add(client(2));
     nine->set_flow(14, 0.025);
     const auto sights = connected_clients.status(arrival + 3s);
@@ -51,17 +51,17 @@ TEST(ConnectedClientsTest, lists_clients_by_id) {
     EXPECT_EQ(sights[1].skipped, 14u);
     EXPECT_DOUBLE_EQ(sights[1].round_trip_ms, 25);
     connected_clients.remove(9);
-    EXPECT_EQ(records.status(arrival).size(), 1u);
+    EXPECT_EQ(connected_clients.status(arrival).size(), 1u);
 }
 
 TEST(ConnectedClientsTest, kick_stores_the_reason) {
-    ConnectedClients records;
+    ConnectedClients connected_clients;
     const auto record = connected_clients.add(client(3));
     EXPECT_FALSE(record->kicked());
-    EXPECT_TRUE(records.kick(3, "flooding").ok());
+    EXPECT_TRUE(connected_clients.kick(3, "flooding").ok());
     EXPECT_EQ(record->kicked(), "flooding");
     connected_clients.remove(3);
-    EXPECT_EQ(error_of(records.kick(3, "again")).code, ErrorCode::not_found);
+    EXPECT_EQ(error_of(connected_clients.kick(3, "again")).code, ErrorCode::not_found);
 }
 
 }  // namespace

@@ -16,13 +16,14 @@ using namespace std::chrono_literals;
 
 constexpr double rate_hz = 60;
 
-// A client behind buffers without end: a message takes `way_s` there, waits until those before it
-// were read, and is acknowledged as play.proto tells a client to. Time is in seconds.
+// A client behind unlimited buffers. A message takes `delay_s` to arrive, waits until the client
+// has read the previous messages, and is acknowledged according to play.proto. Times are in
+// seconds.
 class Reader {
 public:
-    // `read_s`: how long it takes to read one message that is begun at that time.
-    Reader(double way, std::function<double(double)> read_s, int divider = 1)
-        : way_s(way), flow_({}, rate_hz, divider), read_s_(std::move(read_s)) {}
+    // `read_s`: time to read a message whose reading starts at the given time.
+    Reader(double delay, std::function<double(double)> read_s, int divider = 1)
+        : delay_s(delay), flow_({}, rate_hz, divider), read_s_(std::move(read_s)) {}
 
     void play_until(double end_s) {
         for (; now_s() < end_s; tick_++) {
@@ -35,12 +36,12 @@ public:
     void send_others(int count) {
         for (int k = 0; k < count; k++) send_other();
     }
-    // Ages when they were read, in ms, of snapshots read between two times; sorted.
+    // Ages in ms, at the time of reading, of the snapshots read between two times; sorted.
     std::vector<double> ages_ms(double from_s, double until_s) const {
         std::vector<double> ages;
-        for (const Seen& view_time : seen_)
-            if (view_time.read_s >= from_s && view_time.read_s < until_s)
-                ages.push_back((view_time.read_s - view_time.sent_s) * 1000);
+        for (const ReadSnapshot& snapshot : snapshots_)
+            if (snapshot.read_s >= from_s && snapshot.read_s < until_s)
+                ages.push_back((snapshot.read_s - snapshot.sent_s) * 1000);
         std::ranges::sort(ages);
         return ages;
     }
@@ -54,11 +55,11 @@ public:
     const FlowControl& flow() const { return flow_; }
     double now_s() const { return tick_ / rate_hz; }
 
-    double way_s;  // there and back each
+    double delay_s;  // per direction
     int others_a_tick = 0;
 
 private:
-    struct Seen {
+    struct ReadSnapshot {
         double sent_s, read_s;
     };
     struct Ack {
@@ -70,27 +71,28 @@ private:
         return Clock::time_point{} + 1h + from_seconds(seconds);
     }
     double read_next() {
-        const double begun = std::max(now_s() + way_s, free_s_);
+        const double begun = std::max(now_s() + delay_s, free_s_);
         free_s_ = begun + read_s_(begun);
         return free_s_;
     }
     void send() {
         flow_.on_sent(tick_, at(now_s()));
-        seen_.push_back({now_s(), read_next()});
-        to_acknowledge_.push_back({.frame = tick_, .at_s = seen_.back().read_s});
+        snapshots_.push_back({now_s(), read_next()});
+        to_acknowledge_.push_back({.frame = tick_, .at_s = snapshots_.back().read_s});
     }
     void send_other() {
         flow_.on_other_sent();
         read_next();
     }
-    // The client acknowledges what it reads when the last time was 100 ms ago, or as soon as it is.
+    // The client acknowledges the messages that it read as soon as its last acknowledgement is 100
+    // ms old.
     void deliver_acks(double now) {
         while (!to_acknowledge_.empty()) {
             const double due = std::max(to_acknowledge_.front().at_s, last_ack_s_ + 0.1);
             if (due > now) break;
             Ack ack{};
             while (!to_acknowledge_.empty() && to_acknowledge_.front().at_s <= due) {
-                ack = {to_acknowledge_.front().frame, due + way_s,
+                ack = {to_acknowledge_.front().frame, due + delay_s,
                        due - to_acknowledge_.front().at_s};
                 to_acknowledge_.pop_front();
             }
@@ -109,7 +111,7 @@ private:
     std::uint32_t tick_ = 1;
     double free_s_ = 0, last_ack_s_ = -1;
     std::deque<Ack> to_acknowledge_, acks_;
-    std::vector<Seen> seen_;
+    std::vector<ReadSnapshot> snapshots_;
 };
 
 std::function<double(double)> messages_a_second(double rate) {
@@ -121,10 +123,10 @@ std::function<double(double)> at_once() {
 }
 
 TEST(FlowControl, sends_every_tick_at_any_latency) {
-    for (const double way_s : {0.0, 0.005, 0.05, 0.15}) {
-        Reader reader(way_s, at_once());
+    for (const double delay_s : {0.0, 0.005, 0.05, 0.15}) {
+        Reader reader(delay_s, at_once());
         reader.play_until(20);
-        EXPECT_EQ(reader.read_between(2, 18), 16 * 60) << way_s << " s of way";
+        EXPECT_EQ(reader.read_between(2, 18), 16 * 60) << delay_s << " s delay";
         EXPECT_EQ(reader.flow().rate_skipped(), 0u);
     }
 }
@@ -138,17 +140,17 @@ TEST(FlowControl, limits_unacknowledged_messages_to_the_window) {
         flow.on_sent(tick, now);
         sent++;
     }
-    EXPECT_EQ(sent, 4) << "more when the first are acknowledged";
+    EXPECT_EQ(sent, 4) << "the window must stay closed until an acknowledgement";
     EXPECT_EQ(flow.skipped(), 596u);
-    EXPECT_EQ(flow.round_trip_s(), 0) << "nothing was acknowledged yet";
+    EXPECT_EQ(flow.round_trip_s(), 0) << "there is no estimate before the first acknowledgement";
 }
 
-// The bound: in every ten seconds after the first five, 99 of 100 snapshots are read within 250 ms
-// and the time that one read takes.
+// The guaranteed bound: in every 10 s after the first 5 s, 99 of 100 snapshots are read within 250
+// ms plus the time of one read.
 TEST(FlowControl, bounds_snapshot_age_for_all_read_rates) {
     for (const double pace : {60.0, 55.0, 45.0, 30.0, 20.0, 12.0, 8.0, 5.0})
-        for (const double way_s : {0.0005, 0.04}) {
-            Reader reader(way_s, messages_a_second(pace));
+        for (const double delay_s : {0.0005, 0.04}) {
+            Reader reader(delay_s, messages_a_second(pace));
             reader.play_until(120);
             double worst_ms = 0;
             for (double from = 5; from < 110; from += 10)
@@ -156,13 +158,14 @@ TEST(FlowControl, bounds_snapshot_age_for_all_read_rates) {
             const int read = reader.read_between(5, 115);
             RecordProperty("worst_p99_ms_" + std::to_string(static_cast<int>(pace)),
                            std::to_string(worst_ms));
-            EXPECT_LE(worst_ms, 250 + 1000 / pace + 1000 * way_s) << pace << " a second, " << way_s;
+            EXPECT_LE(worst_ms, 250 + 1000 / pace + 1000 * delay_s)
+                << pace << " per second, " << delay_s;
             EXPECT_GE(read, 0.85 * std::min(pace, rate_hz) * 110)
-                << pace << " a second: most of what it can take, " << way_s;
+                << pace << " per second, delay " << delay_s;
         }
 }
 
-// The welcome and the entities come before the first snapshot, and a slow reader reads them first.
+// The Welcome and the entities precede the first snapshot, and a slow reader reads them first.
 TEST(FlowControl, earlier_messages_do_not_affect_the_round_trip_estimate) {
     for (const double pace : {20.0, 12.0, 8.0}) {
         Reader reader(0.0005, messages_a_second(pace));
@@ -184,12 +187,12 @@ TEST(FlowControl, bounds_snapshot_age_and_loss_with_jitter) {
 }
 
 TEST(FlowControl, counts_other_messages_in_the_window) {
-    // Twenty a second: each snapshot has another message beside it.
+    // 20 per second: each snapshot is accompanied by another message.
     Reader reader(0.0005, messages_a_second(100));
     reader.others_a_tick = 1;
     reader.play_until(60);
     EXPECT_LE(reader.age_p99_ms(5, 60), 260);
-    EXPECT_LE(reader.read_between(5, 60), 40 * 55) << "sixty of a hundred are others";
+    EXPECT_LE(reader.read_between(5, 60), 40 * 55) << "60 of 100 messages are not snapshots";
     EXPECT_GE(reader.read_between(5, 60), 28 * 55);
 }
 
@@ -198,11 +201,12 @@ TEST(FlowControl, recovers_within_three_seconds_when_a_reader_slows_down) {
     reader.play_until(60);
     EXPECT_EQ(reader.read_between(10, 20), 600);
     EXPECT_LE(reader.age_p99_ms(23, 40), 250 + 100);
-    EXPECT_GE(reader.read_between(44, 54), 590) << "and gets every tick when it can take them";
+    EXPECT_GE(reader.read_between(44, 54), 590)
+        << "the reader must receive every tick once it is fast enough";
 }
 
 TEST(FlowControl, one_second_stall_does_not_lower_the_rate) {
-    // At 10 s it reads nothing for a second.
+    // At 10 s the client reads nothing for 1 s.
     Reader reader(0.005, [](double t) { return t > 10 && t < 11 ? 11 - t : 0.0001; });
     reader.play_until(20);
     EXPECT_EQ(reader.flow().rate_skipped(), 0u);
@@ -210,18 +214,18 @@ TEST(FlowControl, one_second_stall_does_not_lower_the_rate) {
 }
 
 TEST(FlowControl, recovers_within_three_seconds_after_other_clients_join) {
-    // For a second everything takes 60 ms.
+    // For 1 s every read takes 60 ms.
     Reader reader(0.001, [](double t) { return t > 5 && t < 6 ? 0.06 : 0.0005; });
     reader.play_until(20);
-    EXPECT_GE(reader.read_between(9, 19), 597) << "all of them, three seconds later";
+    EXPECT_GE(reader.read_between(9, 19), 597) << "the reader must receive all snapshots after 3 s";
 }
 
 TEST(FlowControl, adapts_to_an_increased_round_trip_time) {
     Reader reader(0.01, at_once());
     reader.play_until(10);
-    reader.way_s = 0.13;
+    reader.delay_s = 0.13;
     reader.play_until(40);
-    EXPECT_EQ(reader.read_between(25, 39), 14 * 60) << "every tick again";
+    EXPECT_EQ(reader.read_between(25, 39), 14 * 60) << "the reader must receive every tick again";
 }
 
 TEST(FlowControl, respects_the_requested_divider) {
@@ -229,7 +233,7 @@ TEST(FlowControl, respects_the_requested_divider) {
     reader.play_until(10);
     EXPECT_EQ(reader.read_between(2, 8), 120);
     EXPECT_EQ(reader.flow().rate_skipped() + reader.flow().skipped(), 0u)
-        << "it is what it asked for";
+        << "the requested snapshot rate must not count as skipping";
 }
 
 TEST(FlowControl, ack_is_cumulative_and_invalid_acks_are_ignored) {
@@ -252,14 +256,14 @@ TEST(FlowControl, lost_snapshots_leave_the_window) {
     std::uint32_t tick = 1;
     for (; flow.may_send(tick, begin + tick * 16ms); ++tick)
         flow.on_sent(tick, begin + tick * 16ms);
-    EXPECT_EQ(flow.in_flight(), 4) << "nothing was acknowledged";
+    EXPECT_EQ(flow.in_flight(), 4) << "all sent snapshots must be in flight";
     flow.drop_sent_before(begin + 3 * 16ms);
     EXPECT_EQ(flow.in_flight(), 2);
     EXPECT_TRUE(flow.may_send(tick, begin + tick * 16ms));
     flow.drop_sent_before(begin + 1s);
     EXPECT_EQ(flow.in_flight(), 0);
     flow.on_ack(2, {}, begin + 1s);
-    EXPECT_EQ(flow.in_flight(), 0) << "an ack that comes late after all";
+    EXPECT_EQ(flow.in_flight(), 0) << "a late acknowledgement must have no effect";
 }
 
 }  // namespace

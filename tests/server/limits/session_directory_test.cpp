@@ -11,7 +11,7 @@ TEST(SessionDirectory, counts_clients_and_rejects_when_full) {
     const auto one = sessions.enter("w1", "192.0.2.1"), two = sessions.enter("w2", "192.0.2.2");
     ASSERT_TRUE(one.ok() && two.ok());
     EXPECT_NE(*one, *two);
-    EXPECT_NE(*one, 0u) << "0 is the scene";
+    EXPECT_NE(*one, 0u) << "id 0 is reserved for the scene";
     EXPECT_FALSE(sessions.enter("w1", "192.0.2.1").ok());
     EXPECT_EQ(sessions.clients(), 2);
     EXPECT_EQ(sessions.clients_in("w1"), 1);
@@ -19,7 +19,7 @@ TEST(SessionDirectory, counts_clients_and_rejects_when_full) {
     sessions.leave(*one);
     EXPECT_EQ(sessions.clients(), 1);
     EXPECT_EQ(sessions.clients_in("w1"), 0);
-    EXPECT_NE(*sessions.enter("w1", "192.0.2.1"), *one) << "ids are not used again";
+    EXPECT_NE(*sessions.enter("w1", "192.0.2.1"), *one) << "ids must not be reused";
 }
 
 TEST(SessionDirectory, limits_clients_per_address) {

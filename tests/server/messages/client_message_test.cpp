@@ -34,7 +34,7 @@ TEST(ClientMessage, decodes_each_kind_of_input) {
     spawn.mutable_shape()->mutable_capsule()->set_half_length(0.5);
     spawn.mutable_shape()->set_density(300);
     spawn.mutable_position()->set_y(2);
-    spawn.mutable_rotation()->set_z(2);  // not of unit length
+    spawn.mutable_rotation()->set_z(2);  // not a unit quaternion
     spawn.set_color(0x12345678);
     v1::ImpulseInput& push = *batch.add_inputs()->mutable_impulse();
     push.set_entity(3);
@@ -54,7 +54,7 @@ TEST(ClientMessage, decodes_each_kind_of_input) {
         if (k == 0) batch.add_inputs();
         batch.mutable_inputs(9)->mutable_control()->add_axes(k);
     }
-    batch.add_inputs();  // of no kind
+    batch.add_inputs();  // an input without a kind
 
     const auto decoded = decode_as<InputBatch>(message);
     EXPECT_EQ(decoded.first_sequence, 7u);
@@ -62,19 +62,20 @@ TEST(ClientMessage, decodes_each_kind_of_input) {
     EXPECT_EQ(decoded.ack->frame, 5u);
     ASSERT_EQ(decoded.inputs.size(), 11u);
     ASSERT_EQ(decoded.ticks.size(), 11u);
-    EXPECT_EQ(decoded.ticks[0], 0u) << "the next";
+    EXPECT_EQ(decoded.ticks[0], 0u) << "0 means the next tick";
     EXPECT_EQ(decoded.ticks[1], 70u);
     const auto& spawned = std::get<SpawnCommand>(*decoded.inputs[0]);
     EXPECT_EQ(spawned.shape.geometry, physics::Geometry(physics::Capsule{0.25, 0.5}));
     EXPECT_EQ(spawned.shape.density, 300);
-    EXPECT_EQ(spawned.shape.material, physics::Material{}) << "what is absent has its default";
+    EXPECT_EQ(spawned.shape.material, physics::Material{})
+        << "absent fields must have their defaults";
     EXPECT_EQ(spawned.pose.position, (physics::Vec3{0, 2, 0}));
     EXPECT_EQ(spawned.pose.rotation, (physics::Quat{0, 0, 1, 0}));
     EXPECT_EQ(spawned.color, 0x345678u);
     const auto& pushed = std::get<ImpulseCommand>(*decoded.inputs[1]);
     EXPECT_EQ(pushed.entity, 3u);
     EXPECT_EQ(pushed.impulse.x, -1);
-    EXPECT_FALSE(pushed.point) << "absent: the centre of mass";
+    EXPECT_FALSE(pushed.point) << "an absent point means the centre of mass";
     EXPECT_EQ(std::get<GrabCommand>(*decoded.inputs[2]).entity, 4u);
     EXPECT_EQ(std::get<DragCommand>(*decoded.inputs[3]).target.z, 6);
     EXPECT_TRUE(std::holds_alternative<ReleaseCommand>(*decoded.inputs[4]));
@@ -83,8 +84,8 @@ TEST(ClientMessage, decodes_each_kind_of_input) {
     EXPECT_EQ(std::get<PossessCommand>(*decoded.inputs[7]).entity, 9u);
     const physics::Controls& held = std::get<ControlCommand>(*decoded.inputs[8]).controls;
     EXPECT_EQ(held, (physics::Controls{.axes = {-1, 0.25}, .buttons = 5}));
-    EXPECT_FALSE(decoded.inputs[9].ok()) << "nine axes";
-    EXPECT_FALSE(decoded.inputs[10].ok()) << "one bad input refuses itself alone";
+    EXPECT_FALSE(decoded.inputs[9].ok()) << "nine axes must be rejected";
+    EXPECT_FALSE(decoded.inputs[10].ok()) << "an invalid input must not affect the others";
 }
 
 TEST(ClientMessage, rejects_malformed_messages) {
@@ -111,7 +112,7 @@ TEST(ClientMessage, rejects_inputs_with_non_finite_rotation) {
         spawn.mutable_shape()->mutable_sphere()->set_radius(1);
         spawn.mutable_rotation()->set_x(bad);
         const auto decoded = decode_as<InputBatch>(message);
-        // 1e-200 squared is zero: no rotation, which is fine.
+        // The square of 1e-200 is zero: the rotation is absent, which is valid.
         EXPECT_EQ(decoded.inputs[0].ok(), bad == 1e-200) << bad;
     }
 }

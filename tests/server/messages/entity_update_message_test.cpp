@@ -54,10 +54,10 @@ TEST(EntityUpdateMessage, contains_render_data) {
     shape.geometry = physics::Box{{1, 2, 3}};
     shape.pose.position = {0, 5, 0};
     box.shapes.push_back(shape);
-    const EntityList before{entity_with(2, physics::Box{}), entity_with(3, physics::Box{})};
+    const EntityList previous{entity_with(2, physics::Box{}), entity_with(3, physics::Box{})};
     GeometryTable table;
     const auto messages =
-        entity_update_messages(before, {std::make_shared<const EntityDescription>(box)}, table);
+        entity_update_messages(previous, {std::make_shared<const EntityDescription>(box)}, table);
     EXPECT_TRUE(messages.geometry.empty());
     ASSERT_EQ(messages.entity_updates.size(), 1u);
     const v1::EntityUpdate entity_update = parse(messages.entity_updates[0]).entity_update();
@@ -75,7 +75,7 @@ TEST(EntityUpdateMessage, contains_render_data) {
     EXPECT_EQ(entity_update.removed(1), 3u);
 }
 
-// For those who simulate: numbers that are as usual are not told.
+// Motion properties for clients that simulate. Default values are not sent.
 TEST(EntityUpdateMessage, contains_non_default_motion_properties) {
     EntityDescription plain = *entity_with(1, physics::Box{}),
                       odd = *entity_with(2, physics::Box{});
@@ -94,20 +94,20 @@ TEST(EntityUpdateMessage, contains_non_default_motion_properties) {
                                                  table);
     const v1::EntityUpdate entity_update = parse(messages.entity_updates[0]).entity_update();
     EXPECT_EQ(entity_update.added(0).ByteSizeLong(), 37u)
-        << "an id, a type, and a box of three numbers";
-    const v1::Entity& told = entity_update.added(1);
-    EXPECT_TRUE(told.jointed());
-    EXPECT_EQ(told.linear_damping(), 0.05);
-    EXPECT_EQ(told.angular_damping(), 0.2);
-    EXPECT_TRUE(told.has_gravity_scale());
-    EXPECT_EQ(told.gravity_scale(), 0);
-    EXPECT_TRUE(told.locks().x() && told.locks().turn_y() && !told.locks().turn_x());
-    EXPECT_EQ(told.shapes(0).density(), 100);
-    EXPECT_EQ(told.shapes(1).mass(), 7);
+        << "expected an id, a type and a box of three numbers";
+    const v1::Entity& sent = entity_update.added(1);
+    EXPECT_TRUE(sent.jointed());
+    EXPECT_EQ(sent.linear_damping(), 0.05);
+    EXPECT_EQ(sent.angular_damping(), 0.2);
+    EXPECT_TRUE(sent.has_gravity_scale());
+    EXPECT_EQ(sent.gravity_scale(), 0);
+    EXPECT_TRUE(sent.locks().x() && sent.locks().turn_y() && !sent.locks().turn_x());
+    EXPECT_EQ(sent.shapes(0).density(), 100);
+    EXPECT_EQ(sent.shapes(1).mass(), 7);
 }
 
 TEST(EntityUpdateMessage, sends_a_shared_mesh_once) {
-    const physics::Geometry mesh = mesh_of(100);  // 0.6 MB as bytes
+    const physics::Geometry mesh = mesh_of(100);  // 0.6 MB when serialized
     EntityList entities;
     for (EntityId id = 1; id <= 2000; id++) entities.push_back(entity_with(id, mesh));
     GeometryTable table;
@@ -122,7 +122,7 @@ TEST(EntityUpdateMessage, sends_a_shared_mesh_once) {
     }
     EXPECT_GT(messages.geometry[0]->messages.size(), 1u);
     for (const SharedBytes& entity_update : messages.entity_updates) bytes += entity_update->size();
-    EXPECT_LT(bytes, 900'000u) << "2,000 copies would be a gigabyte";
+    EXPECT_LT(bytes, 900'000u) << "2,000 copies would need about 1 GB";
     v1::Shape shape;
     ASSERT_TRUE(shape.ParseFromString(content));
     EXPECT_EQ(shape.mesh().vertices_size(), 101 * 101);
@@ -162,12 +162,12 @@ TEST(EntityUpdateMessage, splits_long_lists_into_bounded_messages) {
     GeometryTable table;
     const auto messages = entity_update_messages({}, entities, table);
     EXPECT_GT(messages.entity_updates.size(), 2u);
-    int told = 0;
+    int sent = 0;
     for (const SharedBytes& bytes : messages.entity_updates) {
         EXPECT_LE(bytes->size(), part_bytes_max + 1024);
-        told += parse(bytes).entity_update().added_size();
+        sent += parse(bytes).entity_update().added_size();
     }
-    EXPECT_EQ(told, 20'000);
+    EXPECT_EQ(sent, 20'000);
     EXPECT_TRUE(entity_update_messages(entities, entities, table).entity_updates.empty());
 }
 

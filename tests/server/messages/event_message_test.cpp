@@ -49,7 +49,7 @@ TEST(EventMessage, encodes_each_event_kind_in_its_field) {
     expect_contact(events.hits(0));
     ASSERT_EQ(events.contacts_ended_size(), 1);
     EXPECT_EQ(events.contacts_ended(0).entity_b(), 4u);
-    EXPECT_FALSE(events.contacts_ended(0).has_point()) << "they are apart";
+    EXPECT_FALSE(events.contacts_ended(0).has_point()) << "separated bodies have no contact point";
     EXPECT_EQ(events.contacts_ended(0).speed(), 0);
     ASSERT_EQ(events.triggers_entered_size(), 1);
     EXPECT_EQ(events.triggers_entered(0).trigger(), 11u);

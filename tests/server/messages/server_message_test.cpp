@@ -28,7 +28,8 @@ TEST(ServerMessage, snapshot_is_the_concatenation_of_its_pieces) {
         ASSERT_TRUE(message.has_snapshot());
         const v1::Snapshot& snapshot = message.snapshot();
         EXPECT_EQ(snapshot.frame(), 300u);
-        EXPECT_EQ(snapshot.baselines(), 1u) << "each one before the other";
+        EXPECT_EQ(snapshot.baselines(), 1u)
+            << "each baseline precedes the previous one by one frame";
         EXPECT_EQ(snapshot.packed(), std::string("\x01\x00\xff", 3));
         EXPECT_EQ(snapshot.crc(), 0xdeadbeef);
         EXPECT_EQ(snapshot.late_us(), -123456);
@@ -52,7 +53,7 @@ TEST(ServerMessage, minimal_snapshot_header_has_17_bytes) {
         return encode_snapshot_header({}, "", shared.size()).size() + shared.size();
     };
     EXPECT_EQ(size(with_body) - 1000, 17u);
-    EXPECT_EQ(size(encoded), 13u) << "nothing moved";
+    EXPECT_EQ(size(encoded), 13u) << "an unchanged frame has no body";
 }
 
 TEST(ServerMessage, statistics_are_outside_the_shared_piece) {
@@ -64,7 +65,7 @@ TEST(ServerMessage, statistics_are_outside_the_shared_piece) {
     EXPECT_EQ(message.snapshot().stats().tick(), 77u);
     EXPECT_EQ(message.snapshot().stats().clients(), 3u);
     EXPECT_EQ(message.snapshot().frame(), 77u);
-    EXPECT_FALSE(message.snapshot().has_client_update()) << "nothing to tell";
+    EXPECT_FALSE(message.snapshot().has_client_update()) << "an empty update must be omitted";
 }
 
 TEST(ServerMessage, channel_delta_and_crc_are_in_the_shared_piece) {
@@ -72,7 +73,7 @@ TEST(ServerMessage, channel_delta_and_crc_are_in_the_shared_piece) {
     const std::string without = encode_shared_snapshot(encoded);
     encoded.channels = {.bytes = {std::byte{0}, std::byte{255}}, .crc = 0xdeadbeef};
     const std::string shared = encode_shared_snapshot(encoded);
-    EXPECT_EQ(shared.substr(0, without.size()), without) << "all else has the bytes that it had";
+    EXPECT_EQ(shared.substr(0, without.size()), without) << "all other fields must be unchanged";
     const auto message = parse(encode_snapshot_header({}, "", shared.size()) + shared);
     EXPECT_EQ(message.snapshot().channels(), std::string("\x00\xff", 2));
     EXPECT_EQ(message.snapshot().channels_crc(), 0xdeadbeef);
@@ -101,8 +102,8 @@ TEST(ServerMessage, results_and_notices_preserve_code_and_text) {
                               .status = Error{ErrorCode::permission_denied, "not yours"},
                               .tick = 77,
                               .entity = 6};
-    const auto told = parse(encode_snapshot_header({.results = std::span(&refused, 1)}, "", 0));
-    const v1::InputResult& result = told.snapshot().client_update().results(0);
+    const auto message = parse(encode_snapshot_header({.results = std::span(&refused, 1)}, "", 0));
+    const v1::InputResult& result = message.snapshot().client_update().results(0);
     EXPECT_EQ(result.sequence(), 5u);
     EXPECT_EQ(result.code(), v1::INPUT_CODE_NOT_ALLOWED);
     EXPECT_EQ(result.tick(), 77u);

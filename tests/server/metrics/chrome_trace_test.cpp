@@ -24,13 +24,13 @@ TEST(ChromeTrace, writes_spans_as_events_in_microseconds_with_titles) {
 )");
 }
 
-// A world's name comes from a stranger.
+// A client chooses the name of a world.
 TEST(ChromeTrace, escapes_text) {
     const std::string trace = write_chrome_trace({.process = "a\"},\n\\{\x01", .rows = {}}, {});
     EXPECT_NE(trace.find(R"("name":"a\"},\u000a\\{\u0001"}})"), std::string::npos) << trace;
     EXPECT_NE(write_chrome_trace({}, {{.name = "x", .start_us = 1e300}}).find("\"ts\":0"),
               std::string::npos)
-        << "what no trace can show is 0, and the file stays readable";
+        << "an unrepresentable time must be written as 0";
 }
 
 }  // namespace jostle::server

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What Prometheus reads: every series that has fixed labels is there from the start, a world's come
-// and go with it, and no stranger makes one.
+// The metrics as Prometheus reads them: series with fixed labels exist from the start, the series
+// of a world exist as long as the world, and clients cannot create series.
 #include "server/metrics/metrics.h"
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ namespace {
 
 class MetricsTest : public testing::Test {
 protected:
-    // The value of a series as Prometheus reads it; -1: there is none.
+    // The value of a series as Prometheus reads it; -1: no such series.
     double value(const std::string& series) {
         std::istringstream lines(metrics_text(metrics));
         for (std::string line; std::getline(lines, line);)
@@ -84,19 +84,21 @@ TEST_F(MetricsTest, world_series_exist_while_held) {
         EXPECT_EQ(value("jostle_world_bodies" + label + "}"), 41);
         EXPECT_EQ(value("jostle_world_awake_bodies" + label + "}"), 0);
         EXPECT_EQ(value("jostle_late_ticks_total" + label + "}"), 3);
-        EXPECT_EQ(value("jostle_world_paused" + label + "}"), 1) << "the last one took no step";
+        EXPECT_EQ(value("jostle_world_paused" + label + "}"), 1)
+            << "the world did not step in the last tick";
         EXPECT_EQ(value("jostle_clients" + label + "}"), 1);
         EXPECT_EQ(value("jostle_tick_duration_seconds_count" + label + "}"), 2);
         EXPECT_EQ(value("jostle_tick_duration_seconds_bucket" + label + ",le=\"0.001\"}"), 1);
         EXPECT_NEAR(value("jostle_tick_duration_seconds_sum" + label + "}"), 0.0031, 1e-9);
-        // The step's own parts stay when the world goes: they are of all worlds.
+        // The times of the step stages cover all worlds and remain when a world is removed.
         EXPECT_DOUBLE_EQ(value("jostle_step_stage_seconds_total{stage=\"solve\"}"), 0.0015);
     }
-    EXPECT_FALSE(mentions("arena")) << "a deleted world leaves nothing behind";
+    EXPECT_FALSE(mentions("arena")) << "the series of a deleted world must be removed";
     EXPECT_DOUBLE_EQ(value("jostle_step_stage_seconds_total{stage=\"solve\"}"), 0.0015);
 }
 
-// A world is deleted and made anew under its name while clients of the old one still hold it.
+// A world is deleted and recreated under the same name while clients of the old world still hold
+// it.
 TEST_F(MetricsTest, reused_world_name_shares_series_until_last_release) {
     auto old_one = std::make_unique<WorldMetrics>(metrics, "arena");
     auto new_one = std::make_unique<WorldMetrics>(metrics, "arena");
@@ -115,7 +117,8 @@ TEST_F(MetricsTest, counts_calls_by_method_and_code_without_series_for_unknown_m
         return std::string("grpc_server_handled_total{grpc_code=\"") + code + "\",grpc_method=\"" +
                method + "\",grpc_service=\"" + service + "\"}";
     };
-    EXPECT_EQ(value(series("jostle.v1.PlayService", "Play", "OK")), 0) << "there from the start";
+    EXPECT_EQ(value(series("jostle.v1.PlayService", "Play", "OK")), 0)
+        << "the series must exist from the start";
     rpcs.handled("/jostle.v1.WorldService/ListWorlds", 0, 0.002);
     rpcs.handled("/jostle.v1.WorldService/ListWorlds", 5, 0.002);
     rpcs.handled("/jostle.v1.PlayService/Play", 1, 3600);
@@ -125,28 +128,30 @@ TEST_F(MetricsTest, counts_calls_by_method_and_code_without_series_for_unknown_m
     EXPECT_EQ(value(series("jostle.v1.WorldService", "ListWorlds", "NOT_FOUND")), 1);
     EXPECT_EQ(value(series("jostle.v1.PlayService", "Play", "CANCELLED")), 1);
     EXPECT_EQ(value(series("unknown", "unknown", "UNIMPLEMENTED")), 100);
-    EXPECT_EQ(value(series("unknown", "unknown", "UNKNOWN")), 1) << "no such code";
+    EXPECT_EQ(value(series("unknown", "unknown", "UNKNOWN")), 1)
+        << "an unknown status code counts as UNKNOWN";
     EXPECT_FALSE(mentions("evil"));
     EXPECT_EQ(value("grpc_server_handling_seconds_count{grpc_method=\"ListWorlds\",grpc_service="
                     "\"jostle.v1.WorldService\"}"),
               2);
     EXPECT_FALSE(mentions("grpc_server_handling_seconds_count{grpc_method=\"Play\""))
-        << "a stream lasts as long as a client stays";
+        << "streams have no duration metric";
 }
 
 TEST_F(MetricsTest, reports_current_process_metrics) {
-    const double before = value("process_open_fds");
+    const double previous = value("process_open_fds");
     const int fds[] = {dup(0), dup(0), dup(0)};
-    EXPECT_EQ(value("process_open_fds"), before + 3);
+    EXPECT_EQ(value("process_open_fds"), previous + 3);
     for (const int fd : fds) close(fd);
-    EXPECT_GE(value("process_max_fds"), before + 3);
+    EXPECT_GE(value("process_max_fds"), previous + 3);
     EXPECT_GT(value("process_resident_memory_bytes"), 1e6);
     EXPECT_GT(value("process_virtual_memory_bytes"), value("process_resident_memory_bytes"));
     EXPECT_NEAR(value("process_start_time_seconds"), static_cast<double>(time(nullptr)), 600);
     EXPECT_GE(value("process_cpu_seconds_total"), 0);
 }
 
-// promtool's rules, which it checks in scripts/observe-check: base units, counters end in _total.
+// The rules of promtool, which scripts/observe-check runs: base units, and the suffix _total for
+// counters.
 TEST_F(MetricsTest, names_and_help_follow_promtool_rules) {
     const WorldMetrics world(metrics, "arena");
     RpcMetrics rpcs(metrics);
@@ -164,14 +169,14 @@ TEST_F(MetricsTest, names_and_help_follow_promtool_rules) {
         EXPECT_TRUE(std::regex_match(family, name)) << family;
         if (kind == "HELP") {
             help_of = family;
-            EXPECT_GT(line.size(), 20 + family.size()) << "a help that helps: " << line;
+            EXPECT_GT(line.size(), 20 + family.size()) << "the help text is too short: " << line;
         } else {
             families++;
-            EXPECT_EQ(help_of, family) << "every family has a help";
+            EXPECT_EQ(help_of, family) << "every family must have a help text";
             EXPECT_EQ(type == "counter", family.ends_with("_total")) << family;
         }
     }
-    EXPECT_EQ(families, 31) << "those of the table, each with a series";
+    EXPECT_EQ(families, 31) << "every family of the table must have a series";
 }
 
 }  // namespace

@@ -12,7 +12,7 @@
 namespace jostle::server {
 namespace {
 
-// A process that is in tick 7 of the yard, and between two of the field, when that signal ends it.
+// Runs a process that a signal ends during tick 7 of "yard" and between two ticks of "field".
 void end_by(const std::string& path, int signal) {
     const pid_t child = fork();
     if (child == 0) {
@@ -27,7 +27,7 @@ void end_by(const std::string& path, int signal) {
     int status = 0;
     waitpid(child, &status, 0);
     EXPECT_TRUE(WIFSIGNALED(status));
-    EXPECT_EQ(WTERMSIG(status), signal) << "the process ends as it would have";
+    EXPECT_EQ(WTERMSIG(status), signal) << "the process must end with the same signal";
 }
 
 TEST(CrashMarkers, counts_crashes_in_the_running_tick_but_not_kills) {
@@ -60,7 +60,7 @@ TEST(CrashMarkers, crash_in_another_tick_resets_the_count) {
 
 TEST(CrashMarkers, replaces_an_invalid_file) {
     const test::TempFolder folder;
-    const std::string path = folder.write("marks", "not of ours");
+    const std::string path = folder.write("marks", "another format");
     EXPECT_EQ(CrashMarkers::open(path).value()->of("yard").crashes(), 0u);
     EXPECT_FALSE(CrashMarkers::open(folder / "no/such/folder").ok());
 }

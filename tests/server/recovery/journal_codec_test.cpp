@@ -24,7 +24,7 @@ HostedWorld sandbox() {
         {.scene = {.bodies_max = 400}, .bodies_owned_max = 30, .lag_compensation_ms_max = 250}, 1));
 }
 
-// As a client sends it: the shape by its message.
+// A hull as a client sends it: decoded from its message.
 SpawnCommand stone(test::Random& random) {
     std::vector<physics::Vec3> points;
     for (int k = 0; k < 14; k++) points.push_back(random.vector(0.4));
@@ -58,7 +58,7 @@ Action any_action(test::Random& random) {
     return actions[random.below(std::size(actions))];
 }
 
-// Four players for so many ticks; what they did, as it is kept.
+// Four players for `ticks` ticks. Returns their inputs as a journal segment.
 JournalSegment play(HostedWorld& world, std::uint32_t ticks) {
     world.enable_journal();
     test::Random random(77);
@@ -78,13 +78,13 @@ TEST(JournalCodec, replay_reproduces_the_world) {
     HostedWorld world = sandbox();
     const JournalSegment journal = play(world, 150);
     const std::string bytes = encode_journal(journal);
-    const auto kept = decode_journal(bytes);
-    ASSERT_TRUE(kept.ok()) << kept.error().message;
+    const auto decoded = decode_journal(bytes);
+    ASSERT_TRUE(decoded.ok()) << decoded.error().message;
 
     HostedWorld again = sandbox();
     std::size_t aimed = 0, missed = 0;
-    EXPECT_EQ(kept->paused_ticks, journal.paused_ticks);
-    for (const JournaledTick& tick : kept->ticks) {
+    EXPECT_EQ(decoded->paused_ticks, journal.paused_ticks);
+    for (const JournaledTick& tick : decoded->ticks) {
         for (const JournaledCommand& command : tick.commands) {
             again.replay(command);
             (command.action ? aimed : missed)++;
@@ -94,8 +94,8 @@ TEST(JournalCodec, replay_reproduces_the_world) {
     EXPECT_EQ(physics::state_hash(again.world()), physics::state_hash(world.world()));
     EXPECT_EQ(encode_host_state(again.host_state(150)), encode_host_state(world.host_state(150)));
     EXPECT_GT(aimed, 400u);
-    EXPECT_GT(missed, 10u) << "rays that met nothing count, too";
-    EXPECT_LT(bytes.size(), 600u * 200) << "two hundred bytes a command at most";
+    EXPECT_GT(missed, 10u) << "rays without a hit must be included";
+    EXPECT_LT(bytes.size(), 600u * 200) << "at most 200 bytes per command";
 }
 
 TEST(JournalCodec, rewind_is_a_separate_entry_absent_from_version_2) {
@@ -111,8 +111,8 @@ TEST(JournalCodec, rewind_is_a_separate_entry_absent_from_version_2) {
                            {.ticks = {}, .paused_ticks = {{8, 9}}, .rewind = Rewind{9, 3}})))
                   .code,
               ErrorCode::corrupt_data);
-    const char before[] = {2, 0, 1, 3, 4};  // no commands; ticks 3 and 4 stood still
-    const JournalSegment old = decode_journal({before, sizeof before}).value();
+    const char version_2[] = {2, 0, 1, 3, 4};  // no commands; ticks 3 and 4 were paused
+    const JournalSegment old = decode_journal({version_2, sizeof version_2}).value();
     EXPECT_EQ(old.paused_ticks, (std::vector<TickRange>{{3, 4}}));
     EXPECT_FALSE(old.rewind);
 }
@@ -138,7 +138,7 @@ TEST(JournalCodec, truncated_or_changed_bytes_are_rejected_or_read_within_bounds
         else
             EXPECT_EQ(journal.error().code, ErrorCode::corrupt_data);
     }
-    EXPECT_GT(read, 0) << "a flipped bit of a number is another number";
+    EXPECT_GT(read, 0) << "some flipped bits yield another valid number";
 }
 
 }  // namespace

@@ -23,11 +23,11 @@ TEST(AckedFrames, unacknowledged_frames_are_not_baselines) {
 TEST(AckedFrames, baselines_are_the_newest_acknowledged_frames) {
     AckedFrames frames;
     send(frames, 1, 10);
-    frames.on_ack(8, 0b1101);  // 7, 5 and 4, but not 6
+    frames.on_ack(8, 0b1101);  // 7, 5 and 4 are acknowledged, 6 is not
     EXPECT_EQ(frames.newest(), 8u);
     const wire::BaselineFrames baselines = frames.baselines_for(11);
     EXPECT_EQ(baselines.baseline, 8u);
-    EXPECT_EQ(baselines.baseline2, 5u) << "at least half as far back as the base: 6 was lost";
+    EXPECT_EQ(baselines.baseline2, 5u) << "frame 6 was lost";
     EXPECT_EQ(baselines.baseline3, 0u);
 }
 
@@ -39,7 +39,7 @@ TEST(AckedFrames, ignores_acks_of_unsent_frames) {
     frames.on_ack(5, 0);
     EXPECT_EQ(frames.newest(), 0u);
     frames.on_ack(35, 1u << 31);
-    EXPECT_EQ(frames.newest(), 3u) << "32 frames before";
+    EXPECT_EQ(frames.newest(), 3u) << "32 frames earlier";
 }
 
 TEST(AckedFrames, stream_acks_do_not_confirm_datagrams) {
@@ -47,9 +47,9 @@ TEST(AckedFrames, stream_acks_do_not_confirm_datagrams) {
     frames.on_sent(1, true);
     frames.on_sent(2, false);
     EXPECT_FALSE(frames.on_ack(2, 0));
-    EXPECT_EQ(frames.newest(), 2u) << "but it is a base";
+    EXPECT_EQ(frames.newest(), 2u) << "the frame must be available as a baseline";
     EXPECT_TRUE(frames.on_ack(2, 1));
-    EXPECT_FALSE(frames.on_ack(2, 1)) << "no news";
+    EXPECT_FALSE(frames.on_ack(2, 1)) << "a repeated acknowledgement must not count";
 }
 
 TEST(AckedFrames, frames_older_than_32_are_not_baselines) {
@@ -68,7 +68,8 @@ TEST(AckedFrames, reset_clears_all_baselines) {
     frames.on_ack(5, 0);
     frames.reset();
     frames.on_ack(5, 0);
-    EXPECT_EQ(frames.newest(), 0u) << "that ack is older than its complaint";
+    EXPECT_EQ(frames.newest(), 0u)
+        << "an acknowledgement from before the keyframe request must be ignored";
     frames.on_sent(6);
     frames.on_ack(6, 0);
     EXPECT_EQ(frames.newest(), 6u);

@@ -72,9 +72,10 @@ TEST(CellGrid, hysteresis_prevents_flicker_at_borders) {
         changes += next != now;
         now = next;
     }
-    EXPECT_EQ(changes, 0) << "3 m beyond are less than an eighth";
+    EXPECT_EQ(changes, 0) << "3 m beyond the border is less than one eighth of a cell";
     EXPECT_EQ(cell_of(grid, 37, 3), second);
-    EXPECT_EQ(cell_of(grid, 29, 3), second) << "and back only an eighth on this side";
+    EXPECT_EQ(cell_of(grid, 29, 3), second)
+        << "the entity returns only one eighth of a cell past the border";
     EXPECT_EQ(cell_of(grid, 27, 3), first);
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A client that sees a part of a world, without a network: what it would be sent, tick by tick, and
-// whether it knows the world then.
+// A client with an area of interest, without a network: the updates of each tick, and whether the
+// decoded state matches the world.
 #include "server/replication/interest_view.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ Clock::time_point at(std::uint32_t tick) {
     return Clock::time_point{} + 1h + from_seconds(tick / world_hz);
 }
 
-// Bodies on a square of 10 x 10 cells, 4 in each; each turns on the spot, or all stand.
+// Bodies on a square of 10 x 10 cells, 4 in each. Each rotates in place, or all are at rest.
 struct Field {
     explicit Field(bool moves_) : moves(moves_) {
         auto entities = std::make_shared<EntityList>();
@@ -58,7 +58,7 @@ struct Field {
     std::shared_ptr<const EntityList> list;
 };
 
-// Our bytes for the test: six numbers, then the packed cell.
+// Serialization for the test: six numbers, then the packed cell.
 std::string put_cell(const EncodedCell& cell) {
     const std::uint32_t head[] = {cell.id,
                                   cell.number,
@@ -72,7 +72,7 @@ std::string put_cell(const EncodedCell& cell) {
     return bytes;
 }
 
-// What it was sent, decoded.
+// A client that decodes its updates.
 struct TestView {
     explicit TestView(double bytes_per_second) : view(bytes_per_second) {}
 
@@ -108,7 +108,7 @@ struct TestView {
         auto& states = known[head[0]];
         const auto baseline = [&](std::uint32_t number) -> const wire::QuantizedFrame* {
             if (number == 0) return nullptr;
-            EXPECT_TRUE(states.contains(number)) << "a base that was never sent";
+            EXPECT_TRUE(states.contains(number)) << "the baseline was never sent";
             return states.contains(number) ? &states[number] : nullptr;
         };
         const auto packed = std::as_bytes(std::span(sent)).subspan(sizeof head);
@@ -118,7 +118,7 @@ struct TestView {
         EXPECT_EQ(wire::frame_crc(*content), head[5]);
         states[head[1]] = *std::move(content);
     }
-    std::size_t most_bytes_of_a_second() const {
+    std::size_t max_bytes_per_second() const {
         std::size_t most = 0, sum = 0;
         for (std::size_t k = 0; k < bytes_of_tick.size(); k++) {
             sum += bytes_of_tick[k];
@@ -137,41 +137,43 @@ struct TestView {
 
 TEST(InterestView, selects_only_cells_within_the_radius) {
     Field field(false);
-    TestView eyes(0);
-    eyes.view.set_interest({.x_m = 16, .z_m = 16, .radius_m = 50});
-    for (std::uint32_t tick = 1; tick < 60; tick++) eyes.tick(field, tick);
+    TestView client(0);
+    client.view.set_interest({.x_m = 16, .z_m = 16, .radius_m = 50});
+    for (std::uint32_t tick = 1; tick < 60; tick++) client.tick(field, tick);
     std::size_t expected = 0;
     for (int x = 0; x < 10; x++)
         for (int z = 0; z < 10; z++)
-            expected += eyes.feed.distance(CellGrid::id_of({x, z}), 16, 16) <= 50;
-    EXPECT_EQ(eyes.known.size(), expected);
-    EXPECT_EQ(expected, 6u) << "three along each edge, and one between";
-    for (const auto& [cell, times] : eyes.sent_at) EXPECT_EQ(times.size(), 1u) << "it stands";
+            expected += client.feed.distance(CellGrid::id_of({x, z}), 16, 16) <= 50;
+    EXPECT_EQ(client.known.size(), expected);
+    EXPECT_EQ(expected, 6u) << "three cells along each edge and one between them";
+    for (const auto& [cell, times] : client.sent_at)
+        EXPECT_EQ(times.size(), 1u) << "a cell at rest must be sent once";
 }
 
 TEST(InterestView, moving_focus_enters_and_leaves_cells) {
     Field field(true);
-    TestView eyes(0);
+    TestView client(0);
     for (std::uint32_t tick = 1; tick < 600; tick++) {
-        eyes.view.set_interest({.x_m = 0.5 * tick, .z_m = 16, .radius_m = 40});
-        eyes.tick(field, tick);
+        client.view.set_interest({.x_m = 0.5 * tick, .z_m = 16, .radius_m = 40});
+        client.tick(field, tick);
     }
-    for (const auto& [cell, states] : eyes.known)
-        EXPECT_LE(eyes.feed.distance(cell, 300, 16), 40 + cell_edge_m / 4);
-    EXPECT_GT(eyes.sent_at.size(), eyes.known.size() + 5) << "it saw others before";
+    for (const auto& [cell, states] : client.known)
+        EXPECT_LE(client.feed.distance(cell, 300, 16), 40 + cell_edge_m / 4);
+    EXPECT_GT(client.sent_at.size(), client.known.size() + 5)
+        << "other cells must have been sent earlier";
 }
 
 TEST(InterestView, sends_distant_cells_less_often) {
     Field field(true);
-    TestView eyes(0);
-    eyes.view.set_interest({.x_m = 16, .z_m = 16, .radius_m = 200});
-    for (std::uint32_t tick = 1; tick <= 240; tick++) eyes.tick(field, tick);
+    TestView client(0);
+    client.view.set_interest({.x_m = 16, .z_m = 16, .radius_m = 200});
+    for (std::uint32_t tick = 1; tick <= 240; tick++) client.tick(field, tick);
     const auto count = [&](int x) {
-        return static_cast<int>(eyes.sent_at[CellGrid::id_of({x, 0})].size());
+        return static_cast<int>(client.sent_at[CellGrid::id_of({x, 0})].size());
     };
     EXPECT_NEAR(count(0), 240, 3);
-    EXPECT_NEAR(count(4), 120, 3) << "112 m are more than half of the radius";
-    EXPECT_NEAR(count(6), 60, 3) << "176 m are more than three quarters";
+    EXPECT_NEAR(count(4), 120, 3) << "112 m is more than half of the radius";
+    EXPECT_NEAR(count(6), 60, 3) << "176 m is more than three quarters of the radius";
     EXPECT_EQ(count(7), 0);
 }
 
@@ -179,42 +181,43 @@ TEST(InterestView, respects_the_byte_budget_and_prefers_near_cells) {
     Field field(true);
     TestView all(0);
     for (std::uint32_t tick = 1; tick <= 300; tick++) all.tick(field, tick);
-    const std::size_t wants = all.most_bytes_of_a_second();
+    const std::size_t wants = all.max_bytes_per_second();
     const double rate = 0.3 * static_cast<double>(wants);
-    TestView eyes(rate);
-    eyes.view.set_interest({.x_m = 16, .z_m = 16});
-    for (std::uint32_t tick = 1; tick <= 900; tick++) eyes.tick(field, tick);
-    RecordProperty("bytes_of_worst_second", static_cast<int>(eyes.most_bytes_of_a_second()));
-    EXPECT_LE(static_cast<double>(eyes.most_bytes_of_a_second()), 1.05 * rate);
+    TestView client(rate);
+    client.view.set_interest({.x_m = 16, .z_m = 16});
+    for (std::uint32_t tick = 1; tick <= 900; tick++) client.tick(field, tick);
+    RecordProperty("bytes_of_worst_second", static_cast<int>(client.max_bytes_per_second()));
+    EXPECT_LE(static_cast<double>(client.max_bytes_per_second()), 1.05 * rate);
     std::size_t total = 0;
-    for (std::size_t k = 600; k < 900; k++) total += eyes.bytes_of_tick[k];
-    EXPECT_GE(static_cast<double>(total), 0.95 * 5 * rate) << "and used";
-    EXPECT_EQ(eyes.known.size(), 100u) << "it came to know all of the world";
+    for (std::size_t k = 600; k < 900; k++) total += client.bytes_of_tick[k];
+    EXPECT_GE(static_cast<double>(total), 0.95 * 5 * rate) << "the bandwidth must be used";
+    EXPECT_EQ(client.known.size(), 100u) << "the client must receive the complete world";
     const auto since = [&](int x, int z) {
-        const auto& times = eyes.sent_at[CellGrid::id_of({x, z})];
+        const auto& times = client.sent_at[CellGrid::id_of({x, z})];
         return std::ranges::count_if(times, [](auto tick) { return tick > 600; });
     };
-    EXPECT_GE(since(0, 0), 3 * since(9, 9)) << "near and far";
-    EXPECT_GE(since(9, 9), 5) << "but nothing is forgotten";
+    EXPECT_GE(since(0, 0), 3 * since(9, 9)) << "near cells must be sent more often";
+    EXPECT_GE(since(9, 9), 5) << "far cells must still be sent";
 }
 
 TEST(InterestView, entering_a_dense_area_does_not_starve_known_cells) {
     Field field(true);
-    TestView eyes(20'000);
-    eyes.view.set_interest({.x_m = 16, .z_m = 16, .radius_m = 20});
+    TestView client(20'000);
+    client.view.set_interest({.x_m = 16, .z_m = 16, .radius_m = 20});
     std::uint32_t tick = 1;
-    for (; tick <= 120; tick++) eyes.tick(field, tick);
-    const std::size_t before = eyes.sent_at[CellGrid::id_of({0, 0})].size();
-    eyes.view.set_interest({.x_m = 16, .z_m = 16, .radius_m = 1000});
-    for (; tick <= 180; tick++) eyes.tick(field, tick);
-    EXPECT_GE(eyes.sent_at[CellGrid::id_of({0, 0})].size() - before, 20u) << "of sixty";
-    for (; tick <= 1200; tick++) eyes.tick(field, tick);
-    EXPECT_EQ(eyes.known.size(), 100u);
+    for (; tick <= 120; tick++) client.tick(field, tick);
+    const std::size_t previous = client.sent_at[CellGrid::id_of({0, 0})].size();
+    client.view.set_interest({.x_m = 16, .z_m = 16, .radius_m = 1000});
+    for (; tick <= 180; tick++) client.tick(field, tick);
+    EXPECT_GE(client.sent_at[CellGrid::id_of({0, 0})].size() - previous, 20u)
+        << "at least 20 of 60 ticks";
+    for (; tick <= 1200; tick++) client.tick(field, tick);
+    EXPECT_EQ(client.known.size(), 100u);
 }
 
-// Somebody who flies leaves cells behind: they are forgotten, and clients are told.
+// An entity that flies leaves empty cells behind. They are removed, and clients are notified.
 TEST(CellSnapshotCache, removes_cells_that_stay_empty) {
-    TestView eyes(0);
+    TestView client(0);
     const auto fly = [&](std::uint32_t tick) {
         auto list = std::make_shared<EntityList>();
         auto flier = std::make_shared<EntityDescription>();
@@ -223,22 +226,22 @@ TEST(CellSnapshotCache, removes_cells_that_stay_empty) {
         auto frame = std::make_shared<Frame>();
         frame->tick = tick;
         frame->entity_list = list;
-        const auto cells = eyes.feed.cells(frame, [&] {
+        const auto cells = client.feed.cells(frame, [&] {
             return wire::QuantizedFrame{
                 .frame = tick,
                 .entities = {wire::quantize(1, {{1.0 * tick, 1, 0}, {0, 0, 0, 1}}, false, {})}};
         });
-        for (const auto& part : eyes.view.pending_cells(eyes.feed, *cells, tick, at(tick)))
-            eyes.view.on_sent(part, tick);
+        for (const auto& part : client.view.pending_cells(client.feed, *cells, tick, at(tick)))
+            client.view.on_sent(part, tick);
         return cells->size();
     };
     std::size_t most = 0, left = 0;
     for (std::uint32_t tick = 1; tick < 5000; tick++) {
         most = std::max(most, fly(tick));
-        left += eyes.view.take_left().size();
+        left += client.view.take_left().size();
     }
     EXPECT_LE(most, CellSnapshotCache::empty_ticks / cell_edge_m + 3);
-    EXPECT_GE(left, 140u) << "of 156 that it flew through";
+    EXPECT_GE(left, 140u) << "of 156 crossed cells";
 }
 
 TEST(CellSnapshotCache, clients_share_encoded_cells) {
@@ -248,7 +251,8 @@ TEST(CellSnapshotCache, clients_share_encoded_cells) {
     one.tick(field, 1);
     const auto cells = one.feed.cells(frame, [] { return wire::QuantizedFrame(); });
     const SharedBytes a = one.feed.encoding((*cells)[5], {}, wire::Codec::bits);
-    EXPECT_EQ(one.feed.encoding((*cells)[5], {}, wire::Codec::bits), a) << "not made again";
+    EXPECT_EQ(one.feed.encoding((*cells)[5], {}, wire::Codec::bits), a)
+        << "a cached encoding must be reused";
     EXPECT_NE(one.feed.encoding((*cells)[5], {}, wire::Codec::range), a);
 }
 

@@ -17,7 +17,7 @@
 namespace jostle::server {
 namespace {
 
-// Forty bodies that move evenly, one of them asleep.
+// Forty bodies that move uniformly; one of them sleeps.
 FramePtr frame_at(std::uint32_t tick) {
     auto frame = std::make_shared<Frame>();
     frame->tick = tick;
@@ -31,7 +31,7 @@ FramePtr frame_at(std::uint32_t tick) {
     return frame;
 }
 
-// Our bytes for the test: four numbers, then the packed frame.
+// Serialization for the test: four numbers, then the packed frame.
 std::string serialize(const EncodedSnapshot& s) {
     const std::uint32_t head[] = {s.frame, s.baselines.baseline, s.baselines.baseline2,
                                   s.baselines.baseline3, s.crc};
@@ -41,7 +41,7 @@ std::string serialize(const EncodedSnapshot& s) {
     return bytes;
 }
 
-// A client that decodes what it is sent and keeps its last 32 frames.
+// A client that decodes its snapshots and retains the last 32 frames.
 struct Receiver {
     void take(const std::string& bytes) {
         std::uint32_t head[5];
@@ -51,7 +51,7 @@ struct Receiver {
             for (const auto& frame : ring) {
                 if (frame.frame == number) return &frame;
             }
-            EXPECT_EQ(number, 0u) << "refers to a frame that was not sent";
+            EXPECT_EQ(number, 0u) << "the snapshot refers to a frame that was not sent";
             return nullptr;
         };
         baselines = {head[1], head[2], head[3]};
@@ -74,7 +74,7 @@ TEST(SnapshotCache, clients_with_equal_rate_share_one_encoding) {
         const FramePtr frame = frame_at(tick);
         const SharedBytes a = cache.encoding(frame, one.baselines_for(tick));
         const SharedBytes b = cache.encoding(frame, two.baselines_for(tick));
-        EXPECT_EQ(a, b) << "the same bytes, not equal ones";
+        EXPECT_EQ(a, b) << "clients with equal baselines must share the bytes";
         one.on_sent(tick);
         two.on_sent(tick);
     }
@@ -112,13 +112,13 @@ TEST(SnapshotCache, every_rate_decodes_to_the_server_state) {
     }
     for (int c = 0; c < 3; ++c) {
         EXPECT_EQ(receivers[c].baselines.baseline, receivers[c].ring.rbegin()[1].frame)
-            << "the last one sent";
+            << "the baseline must be the last sent frame";
         EXPECT_NE(receivers[c].baselines.baseline3, 0u);
     }
 }
 
-// Of 700 bodies a few move, rise and fall asleep, and blocks are shared from frame to frame: what a
-// client has is what the poses are, at every cadence, and past the end of the ring.
+// Of 700 bodies a few move, wake and fall asleep, and frames share blocks of poses. Decoded frames
+// match the poses at every snapshot rate, also beyond the end of the ring.
 TEST(SnapshotCache, mostly_resting_world_decodes_exactly) {
     SnapshotCache cache({}, serialize);
     const auto list = std::make_shared<const EntityList>();
@@ -178,7 +178,7 @@ TEST(SnapshotCache, reset_tracker_forces_a_keyframe) {
     baselines.on_sent(7);
     EXPECT_EQ(baselines.baselines_for(8), (wire::BaselineFrames{7, 6, 5}));
     EXPECT_EQ(baselines.baselines_for(1000), wire::BaselineFrames{})
-        << "too far apart to predict from";
+        << "the frames are too far apart for prediction";
     baselines.reset();
     EXPECT_EQ(baselines.baselines_for(8), wire::BaselineFrames{});
 }
@@ -200,14 +200,14 @@ TEST(SnapshotCache, resting_bodies_add_no_bytes) {
         cache.encoding(frame, baselines.baselines_for(tick));
         baselines.on_sent(tick);
     }
-    EXPECT_LE(packed, 8u) << "a thousand bodies that do not move";
+    EXPECT_LE(packed, 8u) << "1,000 bodies at rest must need at most 8 bytes";
 }
 
-// What a client that names kinds is sent of channels, frame by frame.
+// The channels that a client with subscriptions receives, frame by frame.
 struct ChannelPublisher {
-    wire::PackedChannels told;
+    wire::PackedChannels packed;
     SnapshotCache cache{{}, [this](const EncodedSnapshot& s) {
-                            told = s.channels;
+                            packed = s.channels;
                             return serialize(s);
                         }};
     std::map<std::uint32_t, FramePtr> frames;
@@ -216,7 +216,7 @@ struct ChannelPublisher {
         return {kind, 5, std::make_shared<const std::vector<std::int32_t>>(1, value)};
     }
     SharedBytes encode(std::uint32_t tick, wire::BaselineFrames baselines, std::uint64_t kinds) {
-        told = {};
+        packed = {};
         return cache.encoding(frames.at(tick), baselines, kinds);
     }
     void frame(std::uint32_t tick, Channels channels) {
@@ -225,60 +225,62 @@ struct ChannelPublisher {
         frame->channels = std::make_shared<const Channels>(std::move(channels));
         frames[tick] = std::move(frame);
     }
-    // The channels that a client has after it, that had `base` before.
+    // The channels of a client after this snapshot; `baseline` are its previous channels.
     wire::Channels decoded(const wire::Channels& baseline) const {
-        const auto channels = wire::decode_channels(told.bytes, told.crc, baseline);
+        const auto channels = wire::decode_channels(packed.bytes, packed.crc, baseline);
         EXPECT_TRUE(channels.ok());
         return channels.ok() ? *channels : wire::Channels{};
     }
 };
 
 TEST(SnapshotCache, keyframe_has_all_channels_and_delta_only_changed_ones) {
-    ChannelPublisher teller;
+    ChannelPublisher publisher;
     const auto channel = ChannelPublisher::channel;
-    const Channel unchanged_ticks = channel(0, 7);
-    teller.frame(1, {still, channel(1, 1)});
-    teller.frame(2, {still, channel(1, 2)});
-    teller.frame(3, {still, channel(1, 2)});
-    teller.frame(4, {channel(0, 7)});
-    teller.encode(1, {}, 3);
-    const wire::Channels first = teller.decoded({});
+    const Channel unchanged = channel(0, 7);
+    publisher.frame(1, {unchanged, channel(1, 1)});
+    publisher.frame(2, {unchanged, channel(1, 2)});
+    publisher.frame(3, {unchanged, channel(1, 2)});
+    publisher.frame(4, {channel(0, 7)});
+    publisher.encode(1, {}, 3);
+    const wire::Channels first = publisher.decoded({});
     ASSERT_EQ(first.size(), 2u);
-    teller.encode(2, {1, 0, 0}, 3);
-    EXPECT_LE(teller.told.bytes.size(), 3u) << "one number of one channel";
-    const wire::Channels second = teller.decoded(first);
+    publisher.encode(2, {1, 0, 0}, 3);
+    EXPECT_LE(publisher.packed.bytes.size(), 3u) << "expected one number of one channel";
+    const wire::Channels second = publisher.decoded(first);
     EXPECT_EQ(*second[1].values, std::vector<std::int32_t>{2});
-    teller.encode(3, {2, 1, 0}, 3);
-    EXPECT_TRUE(teller.told.bytes.empty()) << "other lists of the same content";
-    teller.encode(4, {2, 1, 0}, 3);
-    EXPECT_EQ(teller.decoded(second).size(), 1u) << "one ended";
-    teller.encode(4, {}, 3);
-    EXPECT_EQ(teller.decoded({}).size(), 1u);
+    publisher.encode(3, {2, 1, 0}, 3);
+    EXPECT_TRUE(publisher.packed.bytes.empty())
+        << "lists with equal content must not be sent again";
+    publisher.encode(4, {2, 1, 0}, 3);
+    EXPECT_EQ(publisher.decoded(second).size(), 1u) << "one channel has ended";
+    publisher.encode(4, {}, 3);
+    EXPECT_EQ(publisher.decoded({}).size(), 1u);
 }
 
 TEST(SnapshotCache, clients_with_equal_channel_kinds_share_bytes) {
-    ChannelPublisher teller;
+    ChannelPublisher publisher;
     const auto channel = ChannelPublisher::channel;
-    teller.frame(1, {channel(0, 1), channel(1, 1)});
-    teller.frame(2, {channel(0, 1), channel(1, 2)});
-    const SharedBytes both = teller.encode(1, {}, 3), none = teller.encode(1, {}, 0);
+    publisher.frame(1, {channel(0, 1), channel(1, 1)});
+    publisher.frame(2, {channel(0, 1), channel(1, 2)});
+    const SharedBytes both = publisher.encode(1, {}, 3), none = publisher.encode(1, {}, 0);
     EXPECT_NE(both, none);
-    EXPECT_EQ(teller.encode(1, {}, 3), both);
-    const SharedBytes first_only = teller.encode(2, {1, 0, 0}, 1);
-    EXPECT_EQ(first_only, teller.encode(2, {1, 0, 0}, 0)) << "nothing changed of what it named";
-    EXPECT_NE(first_only, teller.encode(2, {1, 0, 0}, 2));
-    EXPECT_EQ(teller.cache.encodings_made(), 2u) << "poses are packed once for all of them";
+    EXPECT_EQ(publisher.encode(1, {}, 3), both);
+    const SharedBytes first_only = publisher.encode(2, {1, 0, 0}, 1);
+    EXPECT_EQ(first_only, publisher.encode(2, {1, 0, 0}, 0))
+        << "the subscribed channels did not change";
+    EXPECT_NE(first_only, publisher.encode(2, {1, 0, 0}, 2));
+    EXPECT_EQ(publisher.cache.encodings_made(), 2u) << "poses must be packed once for all clients";
 }
 
 TEST(SnapshotCache, evicted_baseline_sends_all_channels) {
-    ChannelPublisher teller;
+    ChannelPublisher publisher;
     for (std::uint32_t tick = 1; tick < 2 + SnapshotCache::ring; ++tick) {
-        teller.frame(tick, {ChannelPublisher::channel(0, 7)});
-        teller.encode(tick, {}, 1);
+        publisher.frame(tick, {ChannelPublisher::channel(0, 7)});
+        publisher.encode(tick, {}, 1);
     }
-    teller.frame(60, {ChannelPublisher::channel(0, 7)});
-    teller.encode(60, {1, 0, 0}, 1);
-    EXPECT_EQ(teller.decoded({}).size(), 1u);
+    publisher.frame(60, {ChannelPublisher::channel(0, 7)});
+    publisher.encode(60, {1, 0, 0}, 1);
+    EXPECT_EQ(publisher.decoded({}).size(), 1u);
 }
 
 TEST(SnapshotCache, skips_and_resets_decode_to_the_server_state) {
@@ -293,13 +295,13 @@ TEST(SnapshotCache, skips_and_resets_decode_to_the_server_state) {
     };
     SnapshotCache cache({}, serialize);
     std::vector<Client> all(clients);
-    std::minstd_rand random(5);  // the same everywhere
+    std::minstd_rand random(5);  // deterministic
     for (std::uint32_t tick = 1; tick <= ticks; ++tick) {
         const FramePtr frame = frame_at(tick);
         const Clock::time_point now{tick * 16667us};
         for (std::uint32_t c = 0; c < clients; ++c) {
             Client& client = all[c];
-            // The higher its number, the more rarely a client finds time to acknowledge.
+            // The higher its number, the less often a client acknowledges.
             if (random() % (c + 1) == 0) {
                 for (const std::uint32_t acked : client.unacked) client.flow.on_ack(acked, {}, now);
                 client.unacked.clear();
@@ -314,8 +316,9 @@ TEST(SnapshotCache, skips_and_resets_decode_to_the_server_state) {
             client.received++;
         }
     }
-    EXPECT_EQ(all[0].received, static_cast<int>(ticks)) << "one that keeps up misses nothing";
-    EXPECT_GT(all[clients - 1].flow.skipped(), 0u) << "one that does not is spared";
+    EXPECT_EQ(all[0].received, static_cast<int>(ticks)) << "a fast client must receive every tick";
+    EXPECT_GT(all[clients - 1].flow.skipped(), 0u)
+        << "flow control must skip snapshots for a slow client";
     for (const Client& client : all) EXPECT_GT(client.received, 50);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What an operator may ask, of worlds that run and a client that plays in one.
+// Operator requests on running worlds with one connected client.
 #include "server/services/admin_control.h"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ protected:
         ASSERT_TRUE(worlds.create("arena", *scenes::find_scene("stack")).ok());
         ASSERT_TRUE(worlds.create("other", *scenes::find_scene("dominoes")).ok());
     }
-    // A client in "arena" that takes what it is sent.
+    // A client in "arena" that reads all messages.
     struct Player {
         explicit Player(PlayContext& context)
             : link(context,
@@ -125,10 +125,10 @@ TEST_F(AdminControlTest, pauses_steps_and_resumes_a_world) {
     EXPECT_FALSE(worlds.find("arena")->paused());
     pause.clear_world();
     EXPECT_EQ(error_of(control.set_paused(pause, paused)).code, ErrorCode::invalid_argument)
-        << "the first world is not a good guess";
+        << "the world must be named explicitly";
 }
 
-// What is exported is a scene as anybody's: it is read as strictly.
+// An exported scene is valid for the strict scene reader.
 TEST_F(AdminControlTest, exports_a_valid_scene) {
     v1::ExportWorldRequest request;
     v1::ExportWorldResponse response;
@@ -169,7 +169,7 @@ TEST_F(AdminControlTest, limits_concurrent_blocking_calls) {
             if (!status.ok() && status.error().code == ErrorCode::resource_exhausted) refused++;
         });
     for (std::thread& thread : waiting) thread.join();
-    EXPECT_GE(refused, 8) << "two worlds record at a time, and no more than four calls wait";
+    EXPECT_GE(refused, 8) << "at most two worlds record at a time and at most four calls wait";
 }
 
 TEST_F(AdminControlTest, drain_returns_client_count_and_is_idempotent) {

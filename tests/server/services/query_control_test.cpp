@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Questions to a real world that ticks: a table of known things, asked in each way the protocol
-// has.
+// Queries of a running world: a shelf with known entities, queried in every way of the protocol.
 #include "server/services/query_control.h"
 
 #include <gtest/gtest.h>
@@ -19,7 +18,7 @@ using test::error_of;
 
 namespace {
 
-// Entities 1 to 6. Nothing moves: what is dynamic hangs without weight.
+// Entities 1 to 6. Nothing moves; dynamic bodies have no gravity.
 constexpr const char* scene_json = R"({
   "name": "shelf",
   "world": {"gravity": {}},
@@ -53,7 +52,7 @@ protected:
         ray.mutable_motion()->set_y(motion.y);
         ray.mutable_motion()->set_z(motion.z);
     }
-    // Straight down from 10 m over everything that hangs at x = 0.
+    // A ray straight down from 10 m through all entities at x = 0.
     static v1::CastRaysRequest down(v1::HitMode mode = v1::HIT_MODE_CLOSEST) {
         v1::CastRaysRequest request;
         add_ray(request, {0, 10, 0}, {0, -20, 0});
@@ -85,7 +84,7 @@ using Ids = std::vector<EntityId>;
 
 TEST_F(QueryControlTest, ray_hits_box_top_at_the_expected_fraction) {
     v1::CastRaysRequest request;
-    add_ray(request, {0.5, 10, 0.25}, {0, -20, 0});  // beside the ball's top, over the box
+    add_ray(request, {0.5, 10, 0.25}, {0, -20, 0});  // misses the top of the ball and hits the box
     request.mutable_filter()->set_ignore(ball);
     const v1::CastRaysResponse response = cast(request);
     ASSERT_EQ(response.rays_size(), 1);
@@ -118,9 +117,10 @@ TEST_F(QueryControlTest, filter_ignores_entity_includes_triggers_and_selects_cat
     add_ray(sideways, {-20, 5, 0}, {20, 0, 0});
     EXPECT_EQ(entities(cast(sideways).rays(0)), Ids{left});
     sideways.mutable_filter()->set_categories(1);
-    EXPECT_EQ(entities(cast(sideways).rays(0)), Ids{right}) << "left is of category 4";
+    EXPECT_EQ(entities(cast(sideways).rays(0)), Ids{right}) << "left belongs to category 4";
     sideways.mutable_filter()->set_categories(0);
-    EXPECT_EQ(entities(cast(sideways).rays(0)), Ids{}) << "said, and none: not the same as absent";
+    EXPECT_EQ(entities(cast(sideways).rays(0)), Ids{})
+        << "explicitly empty categories must differ from absent ones";
 }
 
 TEST_F(QueryControlTest, returns_one_result_per_ray_and_entity_only_for_any_hit) {
@@ -132,11 +132,11 @@ TEST_F(QueryControlTest, returns_one_result_per_ray_and_entity_only_for_any_hit)
     ASSERT_EQ(response.rays(0).hits_size(), 1);
     EXPECT_NE(response.rays(0).hits(0).entity(), 0u);
     EXPECT_FALSE(response.rays(0).hits(0).has_point());
-    EXPECT_EQ(response.rays(1).hits_size(), 0) << "upwards is nothing";
+    EXPECT_EQ(response.rays(1).hits_size(), 0) << "there is nothing above";
     request.set_mode(v1::HIT_MODE_UNSPECIFIED);
     response = cast(request);
     EXPECT_EQ(entities(response.rays(2)), Ids{floor});
-    EXPECT_EQ(response.rays(2).hits(0).shape(), 1u) << "the second of the floor's shapes";
+    EXPECT_EQ(response.rays(2).hits(0).shape(), 1u) << "the second shape of the floor";
 }
 
 TEST_F(QueryControlTest, casts_a_sphere_onto_a_box) {
@@ -176,7 +176,8 @@ TEST_F(QueryControlTest, overlap_returns_entities_touching_a_shape_or_containing
     request.mutable_point()->set_y(-0.5);
     response.Clear();
     ASSERT_TRUE(queries.overlap(request, response).ok());
-    EXPECT_EQ(response.entities_size(), 1) << "in two shapes of one entity, named once";
+    EXPECT_EQ(response.entities_size(), 1)
+        << "an entity with two overlapping shapes must be listed once";
     request.clear_what();
     EXPECT_EQ(error_of(queries.overlap(request, response)).message, "give shape or point");
 }
@@ -194,7 +195,8 @@ TEST_F(QueryControlTest, returns_closest_point_with_distance_or_no_entity) {
     EXPECT_NEAR(response.points(0).distance(), 2.5, 1e-6);
     EXPECT_NEAR(response.points(0).point().y(), 6.5, 1e-6);
     EXPECT_EQ(response.points(1).entity(), box);
-    EXPECT_NEAR(response.points(1).distance(), -1, 1e-6) << "in the middle: a metre to get out";
+    EXPECT_NEAR(response.points(1).distance(), -1, 1e-6)
+        << "the point is inside, 1 m from the surface";
     EXPECT_EQ(response.points(2).entity(), 0u);
 }
 
@@ -205,7 +207,7 @@ TEST_F(QueryControlTest, debug_returns_only_requested_layers) {
     request.set_bounds(true);
     request.set_joints(true);
     ASSERT_TRUE(queries.debug(request, response).ok());
-    EXPECT_EQ(response.bounds_size(), 6) << "seven shapes, one of them a plane";
+    EXPECT_EQ(response.bounds_size(), 6) << "planes have no bounding box";
     ASSERT_EQ(response.joints_size(), 1);
     EXPECT_EQ(response.joints(0).entity_a(), left);
     EXPECT_EQ(response.joints(0).entity_b(), right);
@@ -223,7 +225,7 @@ TEST_F(QueryControlTest, debug_returns_only_requested_layers) {
     for (const v1::DebugIsland& island : response.islands())
         pair_is_there |=
             Ids(island.entities().begin(), island.entities().end()) == Ids{left, right};
-    EXPECT_TRUE(pair_is_there) << "a joint makes one island of two bodies";
+    EXPECT_TRUE(pair_is_there) << "a joint must connect two bodies to one island";
     EXPECT_EQ(response.bounds_size(), 0);
 }
 

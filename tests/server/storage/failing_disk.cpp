@@ -11,7 +11,7 @@ namespace {
 
 std::atomic<DiskFault> fault{DiskFault::none};
 
-// What SQLite allocates for an open file: this, and the real file after it.
+// State of an open file of SQLite: this struct, followed by the file of the default VFS.
 struct File {
     sqlite3_file base;
     sqlite3_io_methods methods;
@@ -45,7 +45,7 @@ int sync(sqlite3_file* file, int flags) {
     return fault == DiskFault::none ? real->pMethods->xSync(real, flags) : SQLITE_IOERR_FSYNC;
 }
 
-// Hands a method of the real file on.
+// Forwards a method to the real file.
 template <auto member, class... Arguments>
 int pass(sqlite3_file* file, Arguments... arguments) {
     sqlite3_file* const real = real_of(file);
@@ -61,7 +61,7 @@ int open(sqlite3_vfs* vfs, sqlite3_filename name, sqlite3_file* file, int flags,
     using Methods = sqlite3_io_methods;
     auto* const ours = reinterpret_cast<File*>(file);
     ours->methods = {};
-    ours->methods.iVersion = 1;  // no shared memory: the store locks its file for itself
+    ours->methods.iVersion = 1;  // no shared memory: the storage locks its file exclusively
     ours->methods.xClose = close;
     ours->methods.xRead = pass<&Methods::xRead>;
     ours->methods.xWrite = write;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A file system of SQLite's that fails when told to: an error, a full disk, or half of what is
-// written. One at a time, for tests.
+// A VFS for SQLite that fails on request: an I/O error, a full disk or a torn write. One fault at a
+// time, for tests.
 #pragma once
 
 #include <sqlite3.h>
@@ -12,15 +12,15 @@ namespace jostle::test {
 
 enum class DiskFault {
     none,
-    error,  // each write and sync fails
-    full,   // there is no space
-    torn,   // the next write puts down half of its bytes and fails, and so do those after it
-    slow,   // the next sync takes two and a half seconds, and then all is well
+    error,  // every write and sync fails
+    full,   // the disk is full
+    torn,   // the next write stores half of its bytes and fails; later writes fail as well
+    slow,   // the next sync takes 2.5 s; then the disk works again
 };
 
-// Registers it when first called. Its name is what sqlite3_open_v2 takes.
+// Registers the VFS on the first call. Returns its name for sqlite3_open_v2.
 const char* failing_disk();
-// From now on, for all files.
+// Sets the fault for all files from now on.
 void set_disk_fault(DiskFault fault);
 
 }  // namespace jostle::test

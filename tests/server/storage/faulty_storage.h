@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A store in memory that fails or takes its time when told to. Any thread tells it.
+// In-memory storage that fails or delays on request. Any thread may control it.
 #pragma once
 
 #include <atomic>
@@ -14,13 +14,13 @@
 
 namespace jostle::test {
 
-// Shared with the test that gives the store away.
+// Shared with the test, which gives up ownership of the storage.
 struct FaultyState {
-    std::atomic<int> delay_ms{0};  // of each write
+    std::atomic<int> delay_ms{0};  // per write
     std::mutex mutex;
-    std::optional<Error> error;  // of each write
+    std::optional<Error> error;  // returned by every write
     std::vector<server::StorageChange> written;
-    std::vector<std::size_t> groups;  // changes in each successful write
+    std::vector<std::size_t> groups;  // number of changes of each successful write
 
     void fail(std::optional<Error> with) {
         const std::lock_guard lock(mutex);
@@ -42,7 +42,7 @@ public:
         if (state_->error) return *state_->error;
         for (const server::StorageChange& change : changes)
             if (std::holds_alternative<server::DropWorld>(change))
-                return Error{ErrorCode::not_found, "there is no such world"};
+                return Error{ErrorCode::not_found, "the world does not exist"};
         state_->written.insert(state_->written.end(), changes.begin(), changes.end());
         state_->groups.push_back(changes.size());
         return {};
@@ -61,7 +61,7 @@ public:
     Result<std::optional<std::string>> note(const std::string&) override { return nothing(); }
 
 private:
-    static Error nothing() { return {ErrorCode::unavailable, "this store is only written to"}; }
+    static Error nothing() { return {ErrorCode::unavailable, "this storage is write-only"}; }
 
     std::shared_ptr<FaultyState> state_;
 };

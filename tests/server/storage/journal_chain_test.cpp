@@ -9,8 +9,9 @@ namespace {
 TEST(JournalChain, chain_depends_on_all_previous_entries) {
     const Chain one = next_chain({}, "spawn"), two = next_chain(one, "push");
     EXPECT_NE(one, next_chain({}, "spawm"));
-    EXPECT_NE(two, next_chain(next_chain({}, "push"), "spawn")) << "in another order";
-    EXPECT_NE(two, next_chain({}, "push")) << "with one left out";
+    EXPECT_NE(two, next_chain(next_chain({}, "push"), "spawn"))
+        << "another order must change the chain";
+    EXPECT_NE(two, next_chain({}, "push")) << "a missing entry must change the chain";
     EXPECT_EQ(two, next_chain(next_chain({}, "spawn"), "push"));
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Worlds and journals for tests of stores.
+// Worlds and journals for tests of storage.
 #pragma once
 
 #include <string>
@@ -15,7 +15,7 @@ inline server::StoredWorld stored_world(const std::string& id) {
     return {.id = id, .name = "The " + id, .epoch = 1, .engine = "1.2 fused", .settings = "scene"};
 }
 
-// Entries as a host makes them: each follows from the one before it.
+// Creates entries like a host: each entry follows the previous one.
 class JournalMaker {
 public:
     explicit JournalMaker(std::string world) : world_(std::move(world)) {}

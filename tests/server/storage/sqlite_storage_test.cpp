@@ -130,7 +130,7 @@ TEST(SqliteStorage, rejects_a_second_process) {
     const auto store = opened(folder / "worlds.db");
     ASSERT_TRUE(write(*store, {PutWorld{stored_world("sea")}}).ok());
     const pid_t child = fork();
-    if (child == 0)  // another process: locks are a process's own
+    if (child == 0)  // another process, because locks belong to a process
         _exit(error_of(SqliteStorage::open(folder / "worlds.db", {})).code ==
                       ErrorCode::failed_precondition
                   ? 0
@@ -147,10 +147,11 @@ TEST(SqliteStorage, rejects_foreign_files_by_name) {
     EXPECT_EQ(error_of(SqliteStorage::open(path, {})).message, path + ": file is not a database");
     EXPECT_EQ(error_of(SqliteStorage::open(folder / "no/such/folder.db", {})).code,
               ErrorCode::unavailable);
-    EXPECT_EQ(folder.read("notes.txt"), std::string(2000, 'n')) << "and are left as they are";
+    EXPECT_EQ(folder.read("notes.txt"), std::string(2000, 'n')) << "the file must not be modified";
     const std::string few = folder.write("few.txt", "to do");
     EXPECT_EQ(error_of(SqliteStorage::open(few, {})).message, few + ": file is not a database");
-    EXPECT_EQ(folder.read("few.txt"), "to do") << "also those that SQLite takes for empty";
+    EXPECT_EQ(folder.read("few.txt"), "to do")
+        << "a file that SQLite treats as empty must not be modified";
 
     sqlite3* other = nullptr;
     sqlite3_open((folder / "other.db").c_str(), &other);
@@ -212,8 +213,8 @@ TEST(SqliteStorage, truncated_journal_accepts_new_entries) {
     EXPECT_EQ(entries[1].data, "B");
 }
 
-// All that a store says of a history.
-bool says_all(WorldStorage& store, const std::string& id, bool& reported) {
+// Reads everything of a history. Returns whether it matches.
+bool reads_all(WorldStorage& store, const std::string& id, bool& reported) {
     const auto worlds = store.worlds();
     const auto ticks = store.checkpoint_ticks(id);
     reported = !worlds.ok() || !ticks.ok();
@@ -241,15 +242,15 @@ TEST(SqliteStorage, flipped_bytes_are_detected_or_harmless) {
         const std::string path = folder.write("flipped.db", bytes);
         const auto store = SqliteStorage::open(path, {});
         bool reported = !store.ok();
-        if (store.ok() && !says_all(**store, "sea", reported) && !reported) silent++;
+        if (store.ok() && !reads_all(**store, "sea", reported) && !reported) silent++;
         reports += reported ? 1 : 0;
     }
-    EXPECT_EQ(silent, 0) << "stores that said something else and did not report it";
+    EXPECT_EQ(silent, 0) << "databases with wrong content and no error";
     EXPECT_GT(reports, flips / 10);
     RecordProperty("reports", reports);
 }
 
-// A process that writes without end, and tells which entries are durable.
+// A process that writes continuously and reports which entries are durable.
 void write_without_end(const std::string& path, int to) {
     const auto store = opened(path, {.durability = Durability::process});
     JournalMaker journal("sea");

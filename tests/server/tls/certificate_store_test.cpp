@@ -66,12 +66,12 @@ TEST_F(CertificateStoreTest, applies_a_new_pair_at_the_next_poll) {
     const std::shared_ptr<const TlsMaterial> first = store->material();
     EXPECT_EQ(store->poll(now), Change::none);
     put(issue("two"));
-    EXPECT_EQ(store->poll(now + 900ms), Change::none) << "a look a second";
+    EXPECT_EQ(store->poll(now + 900ms), Change::none) << "the files are checked once per second";
     EXPECT_EQ(store->poll(now + 1s), Change::taken);
     EXPECT_EQ(store->material()->subject, "CN=two");
-    EXPECT_EQ(first->subject, "CN=one") << "who holds the old one keeps it";
+    EXPECT_EQ(first->subject, "CN=one") << "references to the old material must stay valid";
     put(issue("three"));
-    EXPECT_EQ(store->reload(now + 1s), Change::taken) << "or at once, when told";
+    EXPECT_EQ(store->reload(now + 1s), Change::taken) << "reload() must check at once";
     EXPECT_EQ(store->material()->subject, "CN=three");
 }
 
@@ -82,8 +82,9 @@ TEST_F(CertificateStoreTest, rejects_an_invalid_pair_once_and_retains_the_old_on
     put(issue("two"), one);
     EXPECT_EQ(store->poll(now += 1s), Change::refused);
     for (int i = 0; i < 120; ++i)
-        EXPECT_EQ(store->poll(now += 1s), Change::none) << "the same is not said again";
-    EXPECT_EQ(store->reload(now), Change::refused) << "but to whom asks";
+        EXPECT_EQ(store->poll(now += 1s), Change::none)
+            << "the same error must not be reported again";
+    EXPECT_EQ(store->reload(now), Change::refused) << "reload() must report the error";
     fs::remove(folder / "key.pem");
     EXPECT_EQ(store->poll(now += 1s), Change::refused);
     EXPECT_EQ(store->material()->subject, "CN=one");
@@ -109,7 +110,8 @@ TEST_F(CertificateStoreTest, polls_after_the_clock_is_set_back) {
     EXPECT_EQ(store->poll(now - 30min), Change::taken);
 }
 
-// Kubernetes: what the server reads are links into "..data", itself a link that is swapped.
+// Kubernetes: the files of the server are links into "..data", which is itself a link that
+// Kubernetes replaces.
 TEST_F(CertificateStoreTest, detects_a_swapped_symlink) {
     const auto put_version = [&](const std::string& version, const TestCertificate& certificate) {
         fs::create_directory(folder / version);
@@ -127,21 +129,21 @@ TEST_F(CertificateStoreTest, detects_a_swapped_symlink) {
     EXPECT_EQ(store->material()->subject, "CN=two");
 }
 
-// Readers beside fifty rotations, ten of them broken, never see anything but a good pair.
+// Concurrent readers see only valid pairs over fifty rotations, ten of which are invalid.
 TEST_F(CertificateStoreTest, retains_a_valid_pair_over_fifty_rotations) {
     TestCertificate last = issue("0");
     put(last);
     const auto store = open();
     std::atomic<bool> done = false;
-    std::atomic<int> looks = 0, broken = 0;
+    std::atomic<int> reads = 0, broken = 0;
     std::jthread reader([&] {
         const test::TempFolder own;
         while (!done) {
-            // A certificate and key of one pair at any moment.
-            const std::shared_ptr<const TlsMaterial> seen = store->material();
-            const std::string file = own.write("pair.pem", seen->key_pem + seen->chain_pem);
+            // the certificate and key must belong together at any time
+            const std::shared_ptr<const TlsMaterial> material = store->material();
+            const std::string file = own.write("pair.pem", material->key_pem + material->chain_pem);
             if (!read_tls_material({.certificate = file, .key = file}, now).ok()) ++broken;
-            ++looks;
+            ++reads;
         }
     });
     int refused = 0;
@@ -151,9 +153,9 @@ TEST_F(CertificateStoreTest, retains_a_valid_pair_over_fifty_rotations) {
             put(next);
             last = next;
         } else if (i % 10 == 0) {
-            put(next, last);  // the key was forgotten
+            put(next, last);  // the key was not replaced
         } else {
-            folder.write("chain.pem", next.pem().substr(0, 300));  // cut off
+            folder.write("chain.pem", next.pem().substr(0, 300));  // truncated
         }
         if (store->reload(now) == Change::refused) ++refused;
         EXPECT_EQ(store->material()->key_pem, last.key_pem()) << i;
@@ -163,7 +165,7 @@ TEST_F(CertificateStoreTest, retains_a_valid_pair_over_fifty_rotations) {
     reader.join();
     EXPECT_EQ(refused, 10);
     EXPECT_EQ(broken, 0);
-    EXPECT_GT(looks, 10);
+    EXPECT_GT(reads, 10);
 }
 
 }  // namespace

@@ -24,7 +24,7 @@ protected:
         if (!client_ca.empty()) files.client_ca = folder.write("client_ca.pem", client_ca);
         return read_tls_material(files, now);
     }
-    // The message without the folder; "" when it is good.
+    // The message without the folder; "" if the files are valid.
     std::string fault_of(const std::string& chain, const std::string& key,
                          const std::string& client_ca = {}) const {
         const Result<TlsMaterial> material = read(chain, key, client_ca);
@@ -48,7 +48,7 @@ TEST_F(TlsMaterialTest, returns_subject_and_expiry) {
     ASSERT_TRUE(material.ok()) << material.error().message;
     EXPECT_EQ(material->subject, "CN=localhost");
     EXPECT_NEAR(std::chrono::duration<double>(material->expires - now).count(), 7200, 5)
-        << "the first of the chain to expire";
+        << "the earliest expiry in the chain";
     EXPECT_EQ(material->chain_pem, leaf.pem() + middle.pem());
     EXPECT_EQ(material->client_ca_pem, root.pem());
     EXPECT_TRUE(material->warnings.empty());
@@ -58,9 +58,10 @@ TEST_F(TlsMaterialTest, accepts_partial_and_full_chains) {
     EXPECT_EQ(fault_of(leaf.pem(), leaf.key_pem()), "");
     EXPECT_EQ(fault_of(leaf.pem() + middle.pem() + root.pem(), leaf.key_pem()), "");
     const TestCertificate own = make_certificate({});
-    EXPECT_EQ(fault_of(own.pem(), own.key_pem()), "") << "signed by itself";
+    EXPECT_EQ(fault_of(own.pem(), own.key_pem()), "")
+        << "a self-signed certificate must be accepted";
     EXPECT_EQ(fault_of(leaf.key_pem() + leaf.pem(), leaf.key_pem() + leaf.pem()), "")
-        << "what else is in a file is passed over";
+        << "other PEM blocks must be ignored";
 }
 
 TEST_F(TlsMaterialTest, rejects_a_mismatched_key) {
@@ -79,7 +80,7 @@ TEST_F(TlsMaterialTest, rejects_a_broken_chain) {
         fault_of(leaf.pem() + stranger.pem(), leaf.key_pem()),
         "chain.pem: the chain is broken: the certificate of CN=localhost was not issued by the "
         "next certificate")
-        << "the name alone is not enough";
+        << "a matching issuer name is not sufficient";
     const TestCertificate forged = make_certificate({.name = "evil"}, &leaf);
     EXPECT_EQ(fault_of(forged.pem() + leaf.pem(), forged.key_pem()),
               "chain.pem: the certificate of CN=localhost is not a CA certificate");
@@ -106,7 +107,7 @@ TEST_F(TlsMaterialTest, accepts_a_certificate_without_expiry) {
     const TestCertificate endless = make_certificate({.ends_in_s = 250'000'000'000}, &root);
     const Result<TlsMaterial> material = read(endless.pem(), endless.key_pem());
     ASSERT_TRUE(material.ok()) << material.error().message;
-    EXPECT_EQ(material->expires, WallTime::max()) << "in the year 9948";
+    EXPECT_EQ(material->expires, WallTime::max()) << "the certificate expires in the year 9948";
 }
 
 TEST_F(TlsMaterialTest, files_that_are_none_are_named) {
@@ -120,7 +121,7 @@ TEST_F(TlsMaterialTest, files_that_are_none_are_named) {
     EXPECT_NE(fault_of(damaged, leaf.key_pem()), "");
     EXPECT_EQ(fault_of(leaf.pem() + middle.pem().substr(0, 200), leaf.key_pem()),
               "chain.pem: a certificate is damaged")
-        << "cut off in the middle";
+        << "the certificate is truncated";
     std::string many;
     for (int i = 0; i < 11; ++i) many += leaf.pem();
     EXPECT_EQ(fault_of(many, leaf.key_pem()),
@@ -164,7 +165,7 @@ TEST_F(TlsMaterialTest, warns_about_a_world_readable_key) {
     const TlsSettings files{.certificate = folder.write("chain.pem", leaf.pem()),
                             .key = folder.write("key.pem", leaf.key_pem())};
     chmod(files.key.c_str(), 0640);
-    EXPECT_TRUE(read_tls_material(files, now)->warnings.empty()) << "a group may";
+    EXPECT_TRUE(read_tls_material(files, now)->warnings.empty()) << "a group may read the key";
     chmod(files.key.c_str(), 0644);
     const Result<TlsMaterial> material = read_tls_material(files, now);
     ASSERT_TRUE(material.ok());

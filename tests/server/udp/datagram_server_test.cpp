@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Real sockets on the loopback device, and a client made of a seal.
+// Tests with real sockets on the loopback device and a client that uses a PacketCipher.
 #include "server/udp/datagram_server.h"
 
 #include <arpa/inet.h>
@@ -20,7 +20,7 @@ using datagram::PacketCipher;
 using datagram::Side;
 using test::wait_until;
 
-// A socket of its own, connected to the port.
+// A UDP socket that is connected to the port.
 class End {
 public:
     explicit End(std::uint16_t port) : descriptor_(socket(AF_INET, SOCK_DGRAM, 0)) {
@@ -38,10 +38,10 @@ public:
         ASSERT_EQ(::send(descriptor_, packet.data(), packet.size(), 0),
                   static_cast<ssize_t>(packet.size()));
     }
-    // Nothing: none came within that time.
+    // Returns nothing if no packet arrives in time.
     std::optional<std::string> receive(std::chrono::milliseconds timeout = 1000ms) const {
-        pollfd watched{.fd = descriptor_, .events = POLLIN, .revents = 0};
-        if (poll(&watched, 1, static_cast<int>(timeout.count())) != 1) return std::nullopt;
+        pollfd polled{.fd = descriptor_, .events = POLLIN, .revents = 0};
+        if (poll(&polled, 1, static_cast<int>(timeout.count())) != 1) return std::nullopt;
         std::string packet(2000, ' ');
         const ssize_t size = recv(descriptor_, packet.data(), packet.size(), 0);
         packet.resize(size < 0 ? 0 : static_cast<std::size_t>(size));
@@ -65,8 +65,8 @@ struct DatagramServerTest : testing::Test {
     }
     void TearDown() override { port.stop(); }
 
-    // Asks for a question by a packet, and answers it.
-    void be_known(const End& from) {
+    // Sends a packet, receives the path challenge and answers it.
+    void validate_path(const End& from) {
         from.send(client->close(message("")));
         const auto packet = from.receive();
         ASSERT_TRUE(packet);
@@ -76,7 +76,7 @@ struct DatagramServerTest : testing::Test {
         from.send(client->close(datagram::encode(
             datagram::PathResponse{std::get<datagram::PathChallenge>(content).token})));
     }
-    void say(std::string_view text) { path->send(std::span(&text, 1), Clock::now()); }
+    void send_message(std::string_view text) { path->send(std::span(&text, 1), Clock::now()); }
 
     DatagramServer port{{.host = "127.0.0.1", .port = 0}};
     std::shared_ptr<DatagramConnection> path;
@@ -88,18 +88,18 @@ struct DatagramServerTest : testing::Test {
 }  // namespace
 
 TEST_F(DatagramServerTest, sends_nothing_before_path_validation) {
-    say("lost");
+    send_message("lost");
     EXPECT_FALSE(path->is_open(Clock::now()));
     end->send(client->close(message("hello")));
     const auto first = end->receive();
     ASSERT_TRUE(first);
-    EXPECT_EQ(first->size(), 41u) << "a question, and no more than came";
+    EXPECT_EQ(first->size(), 41u) << "the challenge must not be larger than the received packet";
     EXPECT_FALSE(path->is_open(Clock::now()));
-    say("lost, too");
+    send_message("lost, too");
     EXPECT_FALSE(end->receive(100ms));
-    be_known(*end);
+    validate_path(*end);
     ASSERT_TRUE(wait_until([&] { return path->is_open(Clock::now()); }));
-    say("now");
+    send_message("now");
     const auto packet = end->receive();
     ASSERT_TRUE(packet);
     EXPECT_EQ(client->open(*packet)->content, message("now"));
@@ -129,29 +129,29 @@ TEST_F(DatagramServerTest, ignores_packets_without_the_key) {
     end->send("x");
     end->send(std::string(1400, 'x'));
     EXPECT_FALSE(end->receive(100ms));
-    be_known(*end);
+    validate_path(*end);
     EXPECT_TRUE(wait_until([&] { return path->is_open(Clock::now()); }));
-    EXPECT_EQ(path->take_messages().size(), 1u) << "of be_known() alone";
+    EXPECT_EQ(path->take_messages().size(), 1u) << "only the message of validate_path()";
 }
 
 TEST_F(DatagramServerTest, validates_a_new_address_before_migrating) {
-    be_known(*end);
+    validate_path(*end);
     ASSERT_TRUE(wait_until([&] { return path->is_open(Clock::now()); }));
     const End elsewhere(port.port());
     elsewhere.send(client->close(message("I am here now")));
-    ASSERT_TRUE(elsewhere.receive()) << "a question";
-    say("to the old place");
+    ASSERT_TRUE(elsewhere.receive()) << "the server must send a challenge";
+    send_message("to the old address");
     EXPECT_TRUE(end->receive());
     EXPECT_FALSE(elsewhere.receive(50ms));
-    be_known(elsewhere);
+    validate_path(elsewhere);
     EXPECT_TRUE(wait_until([&] {
-        say("where are you?");
+        send_message("where are you?");
         return elsewhere.receive(20ms).has_value();
     }));
 }
 
 TEST_F(DatagramServerTest, replayed_packet_from_another_address_does_not_migrate) {
-    be_known(*end);
+    validate_path(*end);
     ASSERT_TRUE(wait_until([&] { return path->is_open(Clock::now()); }));
     const std::string held_back = client->close(message("old"));
     end->send(client->close(message("new")));
@@ -159,22 +159,22 @@ TEST_F(DatagramServerTest, replayed_packet_from_another_address_does_not_migrate
     const End elsewhere(port.port());
     elsewhere.send(held_back);
     ASSERT_TRUE(wait_until([&] { return messages == 3; }));
-    EXPECT_FALSE(elsewhere.receive(100ms)) << "not even a question: a newer packet came before";
+    EXPECT_FALSE(elsewhere.receive(100ms)) << "a packet older than the newest one must be ignored";
 }
 
 TEST_F(DatagramServerTest, stops_sending_after_two_seconds_of_silence) {
-    be_known(*end);
+    validate_path(*end);
     ASSERT_TRUE(wait_until([&] { return path->is_open(Clock::now()); }));
     EXPECT_TRUE(path->is_open(Clock::now() + 1900ms));
     EXPECT_FALSE(path->is_open(Clock::now() + 2100ms));
 }
 
 TEST_F(DatagramServerTest, rechallenges_idle_clients) {
-    be_known(*end);
+    validate_path(*end);
     ASSERT_TRUE(wait_until([&] { return path->is_open(Clock::now()); }));
     std::this_thread::sleep_for(300ms);
     end->send(client->close(message("still there?")));
-    EXPECT_TRUE(end->receive()) << "the way back is open";
+    EXPECT_TRUE(end->receive()) << "the server must respond";
 }
 
 TEST_F(DatagramServerTest, bounds_unread_messages) {

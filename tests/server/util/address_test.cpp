@@ -22,7 +22,8 @@ TEST(Address, ipv4_counts_individually_and_ipv6_by_64_bit_prefix) {
     EXPECT_EQ(network_of("2001:db8:1:2:3:4:5:6"), "2001:db8:1:2::/64");
     EXPECT_EQ(network_of(six("2001:db8:1:2:ffff::1", 80)), "2001:db8:1:2::/64");
     EXPECT_EQ(network_of("::1"), "::/64");
-    EXPECT_EQ(network_of("::ffff:192.0.2.7"), "192.0.2.7") << "one person, two spellings";
+    EXPECT_EQ(network_of("::ffff:192.0.2.7"), "192.0.2.7")
+        << "both notations mean the same address";
     EXPECT_EQ(network_of("fe80::1%eth0"), "fe80::/64");
 }
 

@@ -11,7 +11,7 @@
 namespace jostle::server {
 namespace {
 
-// 20,000 calls in any order, beside a deque.
+// 20,000 calls in random order, compared with a deque.
 TEST(Fifo, behaves_like_a_deque) {
     test::Random random(3);
     Fifo<int> fifo;

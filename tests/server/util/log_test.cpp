@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The log as a program that reads it sees it: over a pipe.
+// The log as a reader of its pipe sees it.
 #include "server/util/log.h"
 
 #include <fcntl.h>
@@ -55,15 +55,15 @@ TEST_F(LogTest, json_lines_contain_time_level_and_message) {
 TEST_F(LogTest, logging_never_blocks_and_counts_dropped_lines) {
     start_log({.descriptor = ends_[1]});
     const auto began = std::chrono::steady_clock::now();
-    for (int i = 0; i < 20'000; i++) log_info("line {} of a pipe that nobody reads", i);
+    for (int i = 0; i < 20'000; i++) log_info("line {} of a pipe that is not read", i);
     const auto took = std::chrono::steady_clock::now() - began;
     EXPECT_LT(took, std::chrono::seconds(1));
     stop_log();
     EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(3))
-        << "nor does the end of the program";
+        << "stop_log() must not wait for the reader";
     EXPECT_GT(log_lines_dropped(), 5'000u);
-    EXPECT_NE(read_all().find(" of a pipe that nobody reads\n"), std::string::npos)
-        << "what had room was written";
+    EXPECT_NE(read_all().find(" of a pipe that is not read\n"), std::string::npos)
+        << "the lines that fit must be written";
 }
 
 TEST_F(LogTest, closed_reader_does_not_terminate_the_process) {

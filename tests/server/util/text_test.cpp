@@ -19,18 +19,18 @@ TEST(Text, escapes_invalid_utf8_only) {
                         "31m",
                         200),
               "\\xc2\\x9b31m")
-        << "a control of eight bits";
+        << "an 8-bit control character must be escaped";
     EXPECT_EQ(printable("a\u2028b\u202e", 200), "a\\xe2\\x80\\xa8b\\xe2\\x80\\xae")
-        << "a line's end and a turn of direction";
+        << "a line separator and a direction override must be escaped";
     EXPECT_EQ(printable("C:\\temp", 200), "C:\\\\temp");
 }
 
 TEST(Text, truncates_at_character_boundaries) {
-    EXPECT_EQ(clip_utf8("grün", 3), "gr") << "three bytes would end in the midst of a letter";
+    EXPECT_EQ(clip_utf8("grün", 3), "gr") << "3 bytes would end within a character";
     EXPECT_EQ(clip_utf8("grün", 4), "grü");
     EXPECT_EQ(clip_utf8("\xf0\x9f\x98\x80!", 3), "");
     EXPECT_EQ(clip_utf8("abc", 10), "abc");
-    EXPECT_EQ(printable("aaa\n", 4), "aaa") << "no half of an escape either";
+    EXPECT_EQ(printable("aaa\n", 4), "aaa") << "an escape sequence must not be truncated";
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ TEST(TokenBucket, allows_a_burst_then_the_refill_rate) {
     EXPECT_FALSE(bucket.take(1, now + 499ms));
     EXPECT_TRUE(bucket.take(1, now + 500ms));
     EXPECT_TRUE(bucket.take(10, now + 1h));
-    EXPECT_FALSE(bucket.take(1, now + 1h)) << "an hour fills it no further than its store";
+    EXPECT_FALSE(bucket.take(1, now + 1h)) << "the bucket must not exceed its capacity";
 }
 
 TEST(TokenBucket, take_succeeds_after_the_reported_wait) {

@@ -28,7 +28,7 @@ TEST(WatchedFile, bounded_read_never_blocks) {
     ASSERT_EQ(mkfifo((folder / "pipe").c_str(), 0600), 0);
     EXPECT_FALSE(read_bounded(folder / "pipe", 10).ok());
     EXPECT_FALSE(read_bounded("/dev/zero", 10).ok());
-    EXPECT_FALSE(read_bounded(folder / "", 10).ok()) << "a folder";
+    EXPECT_FALSE(read_bounded(folder / "", 10).ok()) << "a folder is not a file";
     EXPECT_FALSE(read_bounded(folder / "missing", 10).ok());
 }
 

@@ -20,10 +20,10 @@ TEST(WorkPool, rejects_work_when_the_queue_is_full) {
     }));
     began.get_future().wait();
     for (int i = 0; i < 3; i++) EXPECT_TRUE(pool.add([&] { done++; }));
-    EXPECT_FALSE(pool.add([&] { done++; })) << "three wait, one is being done";
+    EXPECT_FALSE(pool.add([&] { done++; })) << "three jobs wait and one runs";
     go_on.set_value();
     pool.stop();
-    EXPECT_EQ(done, 3) << "what was taken is done before the threads end";
+    EXPECT_EQ(done, 3) << "accepted jobs must finish before the threads end";
     EXPECT_FALSE(pool.add([] {}));
 }
 

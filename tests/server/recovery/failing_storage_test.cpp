@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A world at its own rate whose disk fails: it runs on, refuses what it could not keep, and goes on
-// keeping by itself.
+// A running world whose disk fails: it continues, rejects inputs that it cannot persist, and
+// resumes persisting by itself.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -28,7 +28,7 @@ class FailingStorage : public testing::TestWithParam<DiskFault> {
 protected:
     void TearDown() override { test::set_disk_fault(DiskFault::none); }
 
-    // One push every 5 ms for so long; until `done` says so.
+    // Sends an impulse every 5 ms until `done` returns true or the timeout passes.
     template <class Done>
     bool play(WorldHost& world, Clock::duration timeout, Done&& done) {
         for (const auto end = Clock::now() + timeout; Clock::now() < end;) {
@@ -39,9 +39,9 @@ protected:
                         .received = Clock::now()});
             std::this_thread::sleep_for(5ms);
             for (const InputResult& result : results_->take()) {
-                const bool unkept =
+                const bool not_persisted =
                     !result.status.ok() && result.status.error().code == ErrorCode::unavailable;
-                (unkept ? refused_ : told_).insert(result.sequence);
+                (not_persisted ? refused_ : applied_).insert(result.sequence);
             }
             if (done()) return true;
         }
@@ -50,7 +50,7 @@ protected:
 
     std::uint32_t sequence_ = 0;
     std::shared_ptr<ResultQueue> results_ = std::make_shared<ResultQueue>();
-    std::set<std::uint32_t> told_, refused_;
+    std::set<std::uint32_t> applied_, refused_;
 };
 
 TEST_P(FailingStorage, world_continues_running_and_persistence_recovers) {
@@ -62,43 +62,44 @@ TEST_P(FailingStorage, world_continues_running_and_persistence_recovers) {
             WorldArchive::open({.store = path}, limits, 1, nullptr, test::failing_disk()).value();
         WorldDirectory worlds({.limits = limits, .world_persistence = archive.get()}, 4, "test");
         const auto world = worlds.create("yard", *scenes::find_scene("stack")).value();
-        ASSERT_TRUE(play(*world, 20s, [&] { return told_.size() > 20; }));
+        ASSERT_TRUE(play(*world, 20s, [&] { return applied_.size() > 20; }));
         EXPECT_TRUE(refused_.empty());
 
         test::set_disk_fault(GetParam());
         ASSERT_TRUE(play(*world, 20s, [&] { return refused_.size() > 50; }))
-            << "who would not be kept is told so";
+            << "inputs that cannot be persisted must be rejected";
         EXPECT_TRUE(archive->failure_reason().has_value());
         const std::uint32_t tick = world->frame()->tick;
         EXPECT_TRUE(play(*world, 10s, [&] { return world->frame()->tick > tick + 20; }))
-            << "ticks do not wait for a disk";
+            << "ticks must not wait for the disk";
 
         if (GetParam() != DiskFault::slow) test::set_disk_fault(DiskFault::none);
-        const std::size_t before = told_.size();
-        const auto mended = Clock::now();
-        EXPECT_TRUE(play(*world, 20s, [&] { return told_.size() > before + 20; }))
-            << "it goes on by itself";
-        // A third of a second where the machine has nothing else to do.
-        RecordProperty("ms_until_kept_again", static_cast<int>(to_ms(Clock::now() - mended)));
+        const std::size_t previous = applied_.size();
+        const auto repaired = Clock::now();
+        EXPECT_TRUE(play(*world, 20s, [&] { return applied_.size() > previous + 20; }))
+            << "persistence must recover by itself";
+        // About 0.33 s on an idle machine.
+        RecordProperty("ms_until_persisted_again",
+                       static_cast<int>(to_ms(Clock::now() - repaired)));
         EXPECT_FALSE(archive->failure_reason().has_value());
-        world->forget();  // as when it is killed
+        world->forget();  // like a killed process
         worlds.stop_all();
         ASSERT_TRUE(archive->flush(5s));
     }
-    // What was told as applied is there, and what was refused is not.
-    for (const InputResult& result : results_->take()) told_.insert(result.sequence);
+    // Applied inputs are persisted; rejected inputs are not.
+    for (const InputResult& result : results_->take()) applied_.insert(result.sequence);
     auto store = SqliteStorage::open(path, {}).value();
     const StoredWorld stored = store->worlds().value().at(0);
     const auto record = decode_world_definition(stored.settings).value();
-    std::set<std::uint32_t> kept;
+    std::set<std::uint32_t> persisted;
     const auto collect = [&](const JournaledTick& tick) {
-        for (const JournaledCommand& command : tick.commands) kept.insert(command.sequence);
+        for (const JournaledCommand& command : tick.commands) persisted.insert(command.sequence);
         return true;
     };
     const auto found = recover_world(*store, stored, record, {.may_apply = collect}).value();
     EXPECT_TRUE(found.warnings.empty());
-    EXPECT_TRUE(std::ranges::includes(kept, told_));
-    for (const std::uint32_t sequence : refused_) EXPECT_FALSE(kept.contains(sequence));
+    EXPECT_TRUE(std::ranges::includes(persisted, applied_));
+    for (const std::uint32_t sequence : refused_) EXPECT_FALSE(persisted.contains(sequence));
 }
 
 std::string name_of_fault(const testing::TestParamInfo<DiskFault>& fault) {

@@ -26,13 +26,14 @@ HostLimits limits() {
     return {.scene = {.bodies_max = 400}, .bodies_owned_max = 30};
 }
 
-// What a server is to its worlds: an archive and a directory, ticked by hand.
+// The components of a server that own its worlds: an archive and a directory. The test calls the
+// ticks.
 class Process {
 public:
     explicit Process(std::string path, PersistenceSettings settings = {}) {
         settings.store = std::move(path);
         settings.level = "process";
-        auto opened = WorldArchive::open(settings, limits(), 1, [this] { told++; });
+        auto opened = WorldArchive::open(settings, limits(), 1, [this] { results_sent++; });
         archive = std::move(opened).value();
         hosts.limits = limits();
         hosts.own_thread = false;
@@ -46,7 +47,7 @@ public:
     std::shared_ptr<WorldHost> create(const std::string& name) {
         return worlds->create(name, *scenes::find_scene("stack")).value();
     }
-    // Two players for so many ticks; what they do follows from the tick.
+    // Two players for `ticks` ticks. Their inputs depend only on the tick.
     static void play(WorldHost& world, int ticks, const std::shared_ptr<ResultQueue>& reply) {
         for (int k = 0; k < ticks; k++) {
             const std::uint32_t tick = world.frame()->tick + 1;
@@ -67,25 +68,25 @@ public:
             world.tick(Clock::now());
         }
     }
-    // As when it is killed: what waits is written or not, and nobody says goodbye.
-    void die() {
+    // Ends like a killed process: pending writes may be lost and clients are not notified.
+    void kill() {
         for (const auto& world : worlds->list()) world->forget();
         worlds->stop_all();
         worlds.reset();
         archive.reset();
     }
 
-    std::atomic<int> told = 0;
+    std::atomic<int> results_sent = 0;
     std::unique_ptr<WorldArchive> archive;
     WorldHostSettings hosts;
     std::optional<WorldDirectory> worlds;
     std::vector<PreviousClient> previous_clients;
 };
 
-// Of a world that is ticked by hand; it takes no step for that.
+// The state hash of a world that the test ticks. The world does not step meanwhile.
 std::uint64_t hash_of(WorldHost& world) {
     std::uint64_t hash = 0;
-    world.pause("to be looked at");
+    world.pause("for inspection");
     std::jthread visitor([&] {
         world.between_ticks()
             .make([&](HostedWorld& hosted) { hash = state_hash(hosted.world()); })
@@ -98,12 +99,12 @@ std::uint64_t hash_of(WorldHost& world) {
     return hash;
 }
 
-struct Ended {
+struct RecoveredState {
     std::uint32_t tick = 0;
     std::uint64_t hash = 0;
 };
-// Of a world as it is in the store, gone on with to that tick.
-Ended persisted_worlds_in(const std::string& path, std::uint32_t tick) {
+// The state of a stored world after recovery up to a tick.
+RecoveredState persisted_worlds_in(const std::string& path, std::uint32_t tick) {
     auto store = SqliteStorage::open(path, {}).value();
     const StoredWorld stored = store->worlds().value().at(0);
     const WorldDefinition record = decode_world_definition(stored.settings).value();
@@ -115,7 +116,7 @@ Ended persisted_worlds_in(const std::string& path, std::uint32_t tick) {
 TEST(WorldArchive, world_is_bit_identical_after_three_killed_processes) {
     const test::TempFolder folder;
     const auto reply = std::make_shared<ResultQueue>();
-    // What it would have been without interruption.
+    // The same world without interruption.
     const auto alone = WorldHost::start("w1", "alone", *scenes::find_scene("stack"),
                                         {.limits = limits(), .own_thread = false})
                            .value();
@@ -125,14 +126,14 @@ TEST(WorldArchive, world_is_bit_identical_after_three_killed_processes) {
         ASSERT_NE(world, nullptr);
         EXPECT_EQ(world->frame()->tick, 1u + 50u * static_cast<unsigned>(life));
         if (life > 0) {
-            EXPECT_EQ(process.absent.size(), 2u) << "those who played may come back";
+            EXPECT_EQ(process.absent.size(), 2u) << "the players may resume";
             EXPECT_EQ(process.absent[0].last_sequence, world->frame()->tick);
         }
         Process::play(*world, 50, reply);
         Process::play(*alone, 50, std::make_shared<ResultQueue>());
         EXPECT_TRUE(process.archive->flush(5s));
-        EXPECT_EQ(reply->take().size(), 100u) << "each input is told of once";
-        process.die();
+        EXPECT_EQ(reply->take().size(), 100u) << "each input must have one result";
+        process.kill();
     }
     const std::uint32_t tick = alone->frame()->tick;
     EXPECT_EQ(persisted_worlds_in(folder / "worlds.db", tick).hash, hash_of(*alone));
@@ -163,13 +164,13 @@ TEST(WorldArchive, deleted_world_is_not_restored_and_client_ids_are_not_reused) 
         process.create("field");
         process.worlds->remove("yard");
         first = process.archive->first_client();
-        process.die();
+        process.kill();
     }
     Process process(folder / "worlds.db");
     EXPECT_EQ(process.worlds->find("yard"), nullptr);
     EXPECT_NE(process.worlds->find("field"), nullptr);
     EXPECT_GT(process.archive->first_client(), first + 1000);
-    EXPECT_EQ(process.create("yard")->id(), "w3-test") << "numbers go on";
+    EXPECT_EQ(process.create("yard")->id(), "w3-test") << "world numbers must continue";
 }
 
 TEST(WorldArchive, writes_periodic_checkpoints_and_retains_two) {
@@ -185,10 +186,11 @@ TEST(WorldArchive, writes_periodic_checkpoints_and_retains_two) {
     const auto ticks = copy->checkpoint_ticks(id).value();
     EXPECT_EQ(ticks.size(), 2u);
     EXPECT_GT(ticks.back(), 300u);
-    process.die();
+    process.kill();
     auto store = SqliteStorage::open(folder / "worlds.db", {}).value();
     EXPECT_EQ(store->checkpoint_ticks(id).value(), ticks);
-    EXPECT_GT(store->entries(id, 0, 1).error().message.size(), 0u) << "the first ones are gone";
+    EXPECT_GT(store->entries(id, 0, 1).error().message.size(), 0u)
+        << "the first entries must be trimmed";
 }
 
 TEST(WorldArchive, exports_a_past_tick_of_a_running_world) {
@@ -206,7 +208,8 @@ TEST(WorldArchive, exports_a_past_tick_of_a_running_world) {
               "tick 900 is not retained; the last retained tick is 41");
 }
 
-// Two players, 80 ticks, taken back to tick 41 and played on: ticks, ids and inputs count on.
+// Two players, 80 ticks, rewound to tick 41 and continued. Ticks, ids and input sequences continue
+// to increase.
 TEST(WorldArchive, rewind_preserves_the_history_in_between) {
     const test::TempFolder folder;
     const auto reply = std::make_shared<ResultQueue>();
@@ -228,13 +231,13 @@ TEST(WorldArchive, rewind_preserves_the_history_in_between) {
         first->resume();
         ASSERT_TRUE(process.archive->flush(5s));
         EXPECT_EQ(error_of(process.worlds->rewind(first, 900)).code, ErrorCode::not_found);
-        EXPECT_FALSE(first->stopped()) << "it goes on when that is not kept";
+        EXPECT_FALSE(first->stopped()) << "the world must continue if the tick is not retained";
 
-        std::vector<ClientId> told;
+        std::vector<ClientId> resumed_clients;
         process.worlds->on_replaced(
-            [&](const auto&, const std::vector<ClientId>& clients) { told = clients; });
+            [&](const auto&, const std::vector<ClientId>& clients) { resumed_clients = clients; });
         const auto again = process.worlds->rewind(first, back_to).value();
-        EXPECT_EQ(told, (std::vector<ClientId>{1, 2}));
+        EXPECT_EQ(resumed_clients, (std::vector<ClientId>{1, 2}));
         EXPECT_TRUE(first->was_replaced());
         EXPECT_EQ(process.worlds->find("yard"), again);
         EXPECT_EQ(again->id(), first->id());
@@ -242,13 +245,14 @@ TEST(WorldArchive, rewind_preserves_the_history_in_between) {
         EXPECT_EQ(hash_of(*again), then);
         again->resume();
         EXPECT_EQ(error_of(process.worlds->rewind(first, back_to)).code, ErrorCode::aborted)
-            << "of a host that runs no more";
+            << "a stopped host must be rejected";
 
         const auto late = std::make_shared<ResultQueue>();
         again->push({.client = 1, .sequence = played, .action = ReleaseCommand{}, .reply = late});
         again->tick(Clock::now());
         ASSERT_TRUE(process.archive->flush(5s));
-        EXPECT_FALSE(late->take().at(0).status.ok()) << "it was counted before";
+        EXPECT_FALSE(late->take().at(0).status.ok())
+            << "a sequence from before the rewind must be rejected";
         Process::play(*again, 30, reply);
         EXPECT_GT(again->frame()->entities.back().id, last_id);
         for (const auto& entity : again->frame()->entities)
@@ -257,15 +261,16 @@ TEST(WorldArchive, rewind_preserves_the_history_in_between) {
         at_the_end = hash_of(*again);
         again->resume();
         ASSERT_TRUE(process.archive->flush(5s));
-        // What was done in between is still there, and so one can come back to it.
+        // The undone history is still stored, so the world can return to it.
         const auto undone = process.worlds->rewind(again, newest).value();
         EXPECT_EQ(hash_of(*undone), later);
         undone->resume();
         const auto redone = process.worlds->rewind(undone, last_tick).value();
         EXPECT_EQ(hash_of(*redone), at_the_end);
-        process.die();
+        process.kill();
     }
-    // From the first checkpoint, through all three, as from the last.
+    // Recovery from the first checkpoint through all three rewinds gives the same state as recovery
+    // from the last one.
     auto store = SqliteStorage::open(folder / "worlds.db", {}).value();
     const StoredWorld stored = store->worlds().value().at(0);
     const WorldDefinition record = decode_world_definition(stored.settings).value();
@@ -299,7 +304,7 @@ TEST(WorldArchive, creates_a_world_from_a_past_tick_without_clients) {
         tick = what_if->frame()->tick;
         hash = hash_of(*what_if);
         ASSERT_TRUE(process.archive->flush(5s));
-        process.die();
+        process.kill();
     }
     EXPECT_EQ(persisted_worlds_in(folder / "worlds.db", tick).hash, hash);
     Process process(folder / "worlds.db");
@@ -316,7 +321,7 @@ TEST(WorldArchive, skips_commands_of_a_tick_that_crashed_twice) {
         id = world->id();
         Process::play(*world, 20, std::make_shared<ResultQueue>());
         ASSERT_TRUE(process.archive->flush(5s));
-        process.die();
+        process.kill();
     }
     {
         const auto marks = CrashMarkers::open(path + ".marks").value();
@@ -328,7 +333,7 @@ TEST(WorldArchive, skips_commands_of_a_tick_that_crashed_twice) {
     {
         Process process(path);
         EXPECT_EQ(process.worlds->find("yard")->frame()->tick, 21u);
-        process.die();
+        process.kill();
     }
     auto store = SqliteStorage::open(path, {}).value();
     const auto aside = store->note("aside " + id + " 15").value();
@@ -350,9 +355,9 @@ TEST(WorldArchive, falls_back_to_the_previous_checkpoint_when_one_is_corrupt) {
             ASSERT_TRUE(process.archive->flush(5s));
         }
         tick = world->frame()->tick;
-        process.die();
+        process.kill();
     }
-    const Ended whole = persisted_worlds_in(folder / "worlds.db", tick);
+    const RecoveredState whole = persisted_worlds_in(folder / "worlds.db", tick);
     EXPECT_EQ(whole.tick, tick);
     {
         auto store = SqliteStorage::open(folder / "worlds.db", {}).value();

@@ -27,11 +27,11 @@ namespace {
 using namespace accuracy;
 
 constexpr const char* footer = R"(
-Each row runs in a process of its own: an engine that crashes leaves a row that says so. Errors are
-taken at the end of each step against a closed form, or against the classical Runge-Kutta method at
-19200 steps a second. Impacts run from 16 starts a sixteenth of a step apart; their errors are
-averaged (root of the mean of squares). Time is processor time of the step calls alone, per
-simulated second, the least of up to four runs. Blown: a body is lost, or the engine complained.
+Each row runs in its own process; if an engine crashes, its row records the failure. Errors are
+measured at the end of each step, against a closed-form solution or the classical Runge-Kutta method
+at 19200 Hz. Impact scenes run from 16 initial states, 1/16 of a step apart; the reported error is
+the root mean square. The time is the CPU time of the step calls per simulated second, the lowest of
+up to four runs. A row fails if a body is lost or the engine reports an error.
 
 Examples:
   jostle-bench accuracy --scene j1,j2 --peers none
@@ -41,7 +41,8 @@ Examples:
   jostle-bench accuracy --scene c9-r100 --merge accuracy.json --json both.json
   jostle-bench accuracy --regression --compare-to bench/results/accuracy_short.json
 
-Exit status: 0 done, 1 a file could not be written or --compare-to found a fault, 2 wrong flags.)";
+Exit status: 0 success, 1 a file could not be read or written or --compare-to found a regression,
+2 invalid flags.)";
 
 struct Flags {
     std::vector<std::string> scenes = {"all"};
@@ -59,12 +60,13 @@ void print_row(const Row& row) {
                     row.engine.c_str(), row.mode.c_str(), row.rate_hz, row.error, row.second_error,
                     row.cpu_us_per_second);
     else
-        std::printf("%-10s %-8s %-18s %6g  blown: %s\n", row.scene.c_str(), row.engine.c_str(),
+        std::printf("%-10s %-8s %-18s %6g  failed: %s\n", row.scene.c_str(), row.engine.c_str(),
                     row.mode.c_str(), row.rate_hz, row.failed.c_str());
     std::fflush(stdout);
 }
 
-// All rates of one mode; ends when the engine lacks something or a rate took too long.
+// Runs all rates of one mode. Stops if the engine does not support the scene or a rate takes too
+// long.
 void run_mode(const Experiment& experiment, const EngineKind& kind, const std::string& mode,
               const Flags& flags, std::vector<Row>& rows) {
     for (const std::string& rate : flags.rates) {
@@ -79,7 +81,7 @@ void run_mode(const Experiment& experiment, const EngineKind& kind, const std::s
     }
 }
 
-// Of a file that --json or --csv wrote; says on stderr what is wrong with it.
+// Reads the rows of a file written by --json or --csv; reports errors on stderr.
 std::optional<std::vector<Row>> earlier_rows(const std::string& path) {
     std::vector<Row> rows;
     if (path.empty()) return rows;
@@ -95,7 +97,7 @@ std::optional<std::vector<Row>> earlier_rows(const std::string& path) {
     return rows;
 }
 
-// Those of which there are rows.
+// The experiments that have rows.
 std::vector<const Experiment*> reported(const std::vector<Row>& rows) {
     std::vector<const Experiment*> experiments;
     for (const Experiment& experiment : all_experiments())
@@ -109,7 +111,8 @@ std::vector<Row> run_rows(const Flags& flags, std::vector<Row> rows) {
     std::printf("%-10s %-8s %-18s %6s %11s %11s %12s\n", "scene", "engine", "mode", "rate", "error",
                 "second", "cpu us/s");
     for (const Experiment* experiment : selected_experiments(flags.scenes)) {
-        static_cast<void>(experiment->start(0));  // makes the reference, which children inherit
+        // computes the reference, which child processes inherit
+        static_cast<void>(experiment->start(0));
         for (const EngineKind* kind : selected_engines(flags.peers))
             for (const std::string& mode : selected_modes(*kind, flags.modes))
                 run_mode(*experiment, *kind, mode, flags, rows);
@@ -153,7 +156,7 @@ int run(const Flags& flags) {
         std::error_code refused;
         std::filesystem::create_directories(flags.plot, refused);
         if (refused) {
-            std::fprintf(stderr, "jostle-bench: cannot make the folder %s: %s\n",
+            std::fprintf(stderr, "jostle-bench: cannot create the folder %s: %s\n",
                          flags.plot.c_str(), refused.message().c_str());
             return 1;
         }
@@ -173,41 +176,62 @@ int run(const Flags& flags) {
 
 void add_accuracy(CLI::App& app, int& status) {
     CLI::App* command = app.add_subcommand(
-        "accuracy", "Run time against error, in Jostle and other engines, scene by scene.");
+        "accuracy", "Measure CPU time against error for Jostle and other engines");
     const auto flags = std::make_shared<Flags>();
-    command->add_option("--scene", flags->scenes, "By name, all, or none")
+    command
+        ->add_option("--scene", flags->scenes,
+                     "Run scenes by name; all or none; see below [default: all]")
+        ->type_name("NAME")
         ->delimiter(',')
-        ->capture_default_str()
-        ->check(CLI::Validator(check_experiment, "SCENE"));
-    command->add_option("--rates", flags->rates, "Steps a second")
+        ->check(CLI::Validator(check_experiment, ""));
+    command
+        ->add_option("--rates", flags->rates,
+                     "Step rates, in Hz [default: 30,60,120,240,480;\n"
+                     "at least 4, must divide 19200]")
+        ->type_name("HZ")
         ->delimiter(',')
-        ->capture_default_str()
-        ->check(CLI::Validator(check_rate, "HZ"));
-    command->add_option("--peers", flags->peers, "Beside Jostle: all that are built in, or none")
+        ->check(CLI::Validator(check_rate, ""));
+    command
+        ->add_option("--peers", flags->peers,
+                     "Run peer engines by name; all that are built in, or none\n[default: all]")
+        ->type_name("NAME")
         ->delimiter(',')
-        ->capture_default_str()
-        ->check(CLI::Validator(check_peer, "PEER"));
-    command->add_option("--modes", flags->modes, "all, default (each engine's own), or by name")
+        ->check(CLI::Validator(check_peer, ""));
+    command
+        ->add_option("--modes", flags->modes,
+                     "Run modes by name; all, or default (that of each engine)\n"
+                     "[default: all]")
+        ->type_name("NAME")
         ->delimiter(',')
-        ->capture_default_str()
-        ->check(CLI::Validator(check_mode, "MODE"));
-    command->add_option("--json", flags->json, "Writes rows, work and score here as JSON");
-    command->add_option("--csv", flags->csv, "Writes the rows here as CSV");
-    command->add_option("--plot", flags->plot, "Draws each scene into this folder as SVG");
-    command->add_option("--overview", flags->sheet, "Draws all scenes, small, into this SVG");
-    command->add_option("--tables", flags->tables,
-                        "Writes the tables of docs/records/accuracy.md anew, in this copy of it");
-    command->add_option("--merge", flags->add,
-                        "Reports on the rows of this JSON or CSV of before as well");
-    CLI::Option* regression = command->add_flag(
-        "--regression", flags->regression,
-        "Jostle alone, errors without times, at 30, 60 and 120 Hz on the scenes that take seconds");
+        ->check(CLI::Validator(check_mode, ""));
+    command->add_option("--json", flags->json, "Write rows, work and score as JSON")
+        ->type_name("FILE");
+    command->add_option("--csv", flags->csv, "Write the rows as CSV")->type_name("FILE");
+    command->add_option("--plot", flags->plot, "Write one SVG plot per scene to this directory")
+        ->type_name("DIR");
+    command->add_option("--overview", flags->sheet, "Write small plots of all scenes as one SVG")
+        ->type_name("FILE");
+    command
+        ->add_option("--tables", flags->tables,
+                     "Update the tables in this copy of docs/records/accuracy.md")
+        ->type_name("FILE");
+    command
+        ->add_option("--merge", flags->add,
+                     "Include the rows of an earlier result, JSON or CSV, in the report")
+        ->type_name("FILE");
+    CLI::Option* regression =
+        command->add_flag("--regression", flags->regression,
+                          "Measure the errors of Jostle only, at 30, 60 and 120 Hz, on the\n"
+                          "scenes that take seconds");
     CLI::Option* against =
         command
             ->add_option("--compare-to", flags->against,
-                         "Compares with this file; a figure worse by more than a third is a fault")
+                         "Compare with this file; a value that is worse by more than 1/3\n"
+                         "is a regression")
+            ->type_name("FILE")
             ->needs(regression);
-    command->add_flag("--update", flags->update, "Keeps today's figures in that file")
+    command
+        ->add_flag("--update", flags->update, "Write the measured values to the --compare-to file")
         ->needs(against);
     for (const char* other : {"--rates", "--peers", "--modes", "--json", "--csv", "--plot",
                               "--overview", "--tables", "--merge"})

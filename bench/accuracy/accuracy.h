@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// jostle-bench accuracy: run time against error, scene by scene, in Jostle and other engines.
+// jostle-bench accuracy: CPU time against error, scene by scene, for Jostle and other engines.
 #pragma once
 
 namespace CLI {
@@ -9,7 +9,7 @@ class App;
 
 namespace jostle::bench {
 
-// Adds the subcommand; running it sets the status that the program ends with.
+// Adds the subcommand; running it sets the exit status of the program.
 void add_accuracy(CLI::App& app, int& status);
 
 }  // namespace jostle::bench

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Bodies and joints for the scenes of the laboratory, and the arithmetic that engines share.
+// Bodies and joints for the scenes of the accuracy benchmark, and the arithmetic that engines
+// share.
 #pragma once
 
 #include <span>
@@ -13,44 +14,44 @@ namespace jostle::bench::accuracy {
 inline constexpr double g = 9.81;  // m/s^2
 inline constexpr Vec3 half_cube{0.5, 0.5, 0.5};
 
-// Of solids, about the centre of mass.
+// Moments of inertia of solids about the centre of mass.
 Vec3 box_inertia(double mass, Vec3 half_extents);
 Vec3 sphere_inertia(double mass, double radius);
 
-// Half extents of the box that has this inertia. An inertia whose largest moment is the sum of the
-// others belongs to a plate without thickness; the box is then 2 mm thick.
+// Half extents of the box with this inertia. If the largest moment is the sum of the others, the
+// body is an infinitely thin plate; the box is then 2 mm thick.
 Vec3 box_of_inertia(double mass, Vec3 inertia);
 
-// Bodies of such shapes, at rest, along the world's axes.
+// Bodies with these shapes, at rest and axis-aligned.
 Body solid_box(double mass, Vec3 half_extents, Vec3 position);
 Body solid_sphere(double mass, double radius, Vec3 position);
 Body solid_cylinder(double mass, double radius, double half_length, Vec3 position);
-// A convex solid of so many kg/m^3; its points are in the world. Its principal axes must be the
-// world's, as they are of what is symmetric about two of them.
+// A convex solid with a density in kg/m^3 and points in world coordinates. Its principal axes must
+// be the world's axes, which holds for solids with two planes of symmetry along them.
 Body solid_hull(double density, std::span<const Vec3> points);
 
-Body fixed_plane();  // z = 0, its inside below
+Body fixed_plane();  // the plane z = 0, solid below
 Body fixed_box(Vec3 half_extents, Vec3 position);
 
-// The same mass that meets nothing.
+// The same mass without collision.
 Body without_shape(Body body);
 
 Joint ball_at(int a, int b, Vec3 anchor);
 Joint hinge_at(int a, int b, Vec3 anchor, Vec3 axis = {0, 1, 0});
 
-// A rotation whose z axis is the given one.
+// A rotation that maps z to the given axis.
 Quat axes_along(Vec3 axis);
-Transform pose_of(const Scene& scene, int body);  // of the ground: none
+Transform pose_of(const Scene& scene, int body);  // of the ground: identity
 
-// The mass that a spring between the centres of two bodies moves.
+// Reduced mass of the two bodies of a spring.
 double reduced_mass(const Scene& scene, const Joint& joint);
 
-// What the others pull each body with, N.
+// Mutual attraction of the bodies, N per body.
 std::vector<Vec3> mutual_forces(std::span<const double> masses, std::span<const Vec3> at,
                                 double pull);
 
-// Of a turn of the whole scene about z.
-Vec3 azimuth(double angle);  // the unit vector that x becomes
+// Rotation of the scene about z by an angle.
+Vec3 azimuth(double angle);  // the image of x
 
 double kinetic_energy(const Body& body, Quat rotation, Vec3 velocity, Vec3 spin);
 Vec3 spin_momentum(const Body& body, Quat rotation, Vec3 spin);  // about the centre of mass

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What the laboratory asks of an engine. One file each: jostle_lab_engine, bullet_lab_engine and so
-// on. An engine is built once, for one scene in one mode, and used by one thread.
+// The interface of an engine in the accuracy benchmark. One file per engine:
+// jostle_accuracy_engine, bullet_accuracy_engine and so on. An engine is built once, for one scene
+// in one mode, and used by one thread.
 #pragma once
 
 #include <memory>
@@ -13,7 +14,7 @@
 
 namespace jostle::bench::accuracy {
 
-// Of the centre of mass and the principal axes; velocity and spin in world axes.
+// State of the centre of mass and the principal axes; velocity and spin in world axes.
 struct BodyState {
     Vec3 position;
     Quat rotation;
@@ -24,23 +25,26 @@ class Engine {
 public:
     virtual ~Engine() = default;
 
-    // Once, before all else. An error says what the scene has and the engine lacks; the row is left
-    // out then. Bodies never sleep, and nothing slows them down but Scene::damping.
+    // Builds the scene; called once, before all other functions. Returns an error if the engine
+    // does not support a feature of the scene; the row is then omitted. Bodies never sleep, and
+    // Scene::damping is the only damping.
     virtual Status build(const Scene& scene, const std::string& mode) = 0;
-    // By dt seconds, with the forces of Scene::central_pull and mutual_pull. This alone is timed.
+    // Steps by dt seconds, with the forces of Scene::central_pull and mutual_pull. Only this call
+    // is timed.
     virtual void step(double dt) = 0;
-    virtual BodyState state(int body) const = 0;             // of a fixed body nothing is said
+    virtual BodyState state(int body) const = 0;             // undefined for fixed bodies
     virtual void set_damping(double rate) = 0;               // 1/s, of all bodies
     virtual void set_velocity(int body, Vec3 velocity) = 0;  // of a driven body
-    // What the engine complained about since the start: the run is worth nothing. Empty: nothing.
+    // An error that the engine has reported since the start, which invalidates the run. Empty:
+    // none.
     virtual std::string failure() const { return {}; }
 };
 
 struct EngineKind {
     const char* name;
-    const char* about;                  // for --help: precision and what its modes mean
-    std::vector<std::string> modes;     // the default one first
-    std::unique_ptr<Engine> (*make)();  // null when this build was made without it
+    const char* about;                  // for --help: precision and meaning of the modes
+    std::vector<std::string> modes;     // the default mode first
+    std::unique_ptr<Engine> (*make)();  // null: not included in this build
 };
 
 }  // namespace jostle::bench::accuracy

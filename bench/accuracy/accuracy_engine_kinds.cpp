@@ -35,32 +35,33 @@ constexpr Maker make_box2d = nullptr;
 const std::vector<EngineKind>& kinds() {
     static const std::vector<EngineKind> all = {
         {"jostle",
-         "double outside, float in the inner loops; so many sub-steps, or as many as a tolerance "
+         "double precision, with float in the inner loops; subN: N sub-steps, tolX: a tolerance of "
+         "X "
          "in "
-         "metres asks for; sweeps as by default",
+         "metres; default continuous collision",
          {"sub8", "sub1", "sub4", "sub16", "tol1e-2", "tol1e-3"},
          make_jostle_engine},
         {"bullet",
-         "double precision; sequential impulses or nonlinear conjugate gradients with so many "
+         "double precision; sequential impulses or nonlinear conjugate gradients with N "
          "iterations, or Dantzig's direct solver; thin: contacts begin when "
          "shapes touch, and push apart without leaving velocity; mb: Featherstone's algorithm in "
          "joint coordinates, with an Euler step or RK4, for jointed bodies that touch nothing",
          {"si10", "si4", "si50", "si10-thin", "nncg10", "nncg50", "dantzig", "mb", "mb-rk4"},
          make_bullet},
         {"ode",
-         "double precision; QuickStep with so many iterations, or the direct step; friction as a "
+         "double precision; QuickStep with N iterations, or the direct step; friction as a "
          "pyramid",
          {"quick20", "quick50", "world"},
          make_ode},
         {"mujoco",
          "double precision; joint coordinates; Newton's method or conjugate gradients with an "
          "integrator; elliptic "
-         "cones; hard: constraints as stiff as two steps; restitution is no parameter of it",
+         "cones; hard: constraints as stiff as two steps; no restitution parameter",
          {"newton-euler", "newton-implicit", "newton-rk4", "newton-euler-hard", "newton-rk4-hard",
           "cg-euler-hard"},
          make_mujoco},
         {"box2d",
-         "single precision, planar scenes alone; so many velocity iterations and 3 for positions",
+         "single precision, planar scenes only; N velocity iterations and 3 position iterations",
          {"vel8", "vel4", "vel50"},
          make_box2d},
     };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The engines that the laboratory knows: Jostle first, then its peers.
+// The engines of the accuracy benchmark: Jostle first, then its peers.
 #pragma once
 
 #include <span>
@@ -12,10 +12,10 @@ namespace jostle::bench::accuracy {
 
 std::span<const EngineKind> engine_kinds();
 
-// Null when there is no such engine.
+// Returns null if there is no such engine.
 const EngineKind* find_engine_kind(std::string_view name);
 
-// Built with the project; the peers' are declared where they are built in.
+// Always built; the factories of peers are declared where they are built.
 std::unique_ptr<Engine> make_jostle_engine();
 
 }  // namespace jostle::bench::accuracy

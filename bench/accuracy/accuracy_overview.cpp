@@ -14,7 +14,7 @@ namespace {
 constexpr int columns = 4;
 constexpr double panel_width = 300, panel_height = 220, top_margin = 85;
 constexpr double inner_left = 48, inner_right = 230, inner_top = 30, inner_bottom = 180;
-constexpr double smallest_error = 1e-16;  // smaller errors are drawn there
+constexpr double smallest_error = 1e-16;  // smaller errors are drawn at this value
 constexpr const char* quiet = "#666";
 
 plots::SvgPoint at(const plots::LogAxis& x, const plots::LogAxis& y, const Row& row) {
@@ -28,7 +28,7 @@ std::vector<Row> of_engine(const std::vector<Row>& rows, const std::string& engi
     return found;
 }
 
-// Numbers at the ends of an axis, and lines at its decades.
+// Draws the limits of the axes and lines at decades.
 void draw_frame(plots::Svg& svg, const plots::LogAxis& x, const plots::LogAxis& y,
                 plots::SvgPoint corner) {
     const double left = corner.x + inner_left, right = corner.x + inner_right;
@@ -50,7 +50,7 @@ void draw_frame(plots::Svg& svg, const plots::LogAxis& x, const plots::LogAxis& 
              {.size = 9, .anchor = plots::TextAnchor::end, .color = quiet});
 }
 
-// Who reaches each tolerance with the least work, right of the panel.
+// Draws, right of the panel, the engine with the least work for each tolerance.
 void draw_least_work(plots::Svg& svg, const Experiment& experiment, const std::vector<Row>& rows,
                      const plots::LogAxis& y, std::vector<std::string>& engines,
                      plots::SvgPoint corner) {
@@ -120,10 +120,11 @@ std::string accuracy_overview(const std::vector<Row>& all) {
     plots::Svg svg(columns * panel_width, top_margin + std::max(lines, 1) * panel_height);
     svg.text({20, 24}, "Processor time (us per simulated second, right) against error (up)",
              {.size = 16, .bold = true});
-    svg.text({20, 44},
-             "Lines: each engine's best rows. Rings: nobody beats them. Right: least time for an "
-             "error, in the colour of who needs it.",
-             {.color = quiet});
+    svg.text(
+        {20, 44},
+        "Lines: Pareto set of each engine. Rings: overall Pareto set. Right: least time for an "
+        "error, in the colour of the engine.",
+        {.color = quiet});
     draw_legend(svg, engines, {20 + 150 * static_cast<double>(engines.size()), 68});
     for (std::size_t k = 0; k < shown.size(); k++) {
         std::vector<Row> rows;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// All scenes on one sheet, a small panel each: processor time against error.
+// Overview of all scenes in small panels: CPU time against error.
 #pragma once
 
 #include <string>
@@ -10,9 +10,9 @@
 
 namespace jostle::bench::accuracy {
 
-// The file's text. A panel has a line an engine, through those of its rows that none of its own
-// beats; rings around the rows that nobody beats; and a mark on the right for each tolerance, with
-// who reaches it with the least work.
+// SVG text. A panel has a line per engine through its Pareto-optimal rows, rings around the overall
+// Pareto set, and on the right a mark per tolerance with the engine that reaches it with the least
+// work.
 std::string accuracy_overview(const std::vector<Row>& rows);
 
 }  // namespace jostle::bench::accuracy

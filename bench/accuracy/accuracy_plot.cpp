@@ -11,7 +11,7 @@ namespace jostle::bench::accuracy {
 namespace {
 
 constexpr double width = 900, height = 640, left = 90, right = 870, top = 90, bottom = 580;
-constexpr double least_error = 1e-16;  // smaller errors are drawn there
+constexpr double least_error = 1e-16;  // smaller errors are drawn at this value
 
 struct Curve {
     std::string engine, mode;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// CPU time against error of one scene: a point a row, a curve a mode.
+// Plot of CPU time against error of one scene: one point per row, one curve per mode.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace jostle::bench::accuracy {
 
-// SVG text. `note` says where it was measured.
+// SVG text. `note` describes the machine.
 std::string plot_accuracy(const Experiment& experiment, const std::vector<Row>& rows,
                           const std::string& note);
 

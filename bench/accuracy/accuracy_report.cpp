@@ -43,7 +43,7 @@ std::string error_at_usual_rate(const std::vector<Row>& rows, const std::string&
     for (const Row& row : rows)
         if (row.scene == scene && row.engine == series.engine && row.mode == series.mode &&
             row.rate_hz == usual_hz)
-            return row.usable() ? format_text("%.3g", row.error) : "blown";
+            return row.usable() ? format_text("%.3g", row.error) : "failed";
     return "-";
 }
 
@@ -93,7 +93,7 @@ std::string scene_report(const Experiment& experiment, const std::vector<Row>& r
         text.back() = '\n';
     }
     for (const std::string& reason : reasons_of(rows, experiment.name))
-        text += "  left out: " + reason + "\n";
+        text += "  unsupported: " + reason + "\n";
     text += "  Pareto set:";
     for (const Row& row : pareto_set(rows, experiment.name))
         text += format_text(" %s %s (%.3g us/s, %.2g)", row.engine.c_str(), where(row).c_str(),
@@ -102,7 +102,7 @@ std::string scene_report(const Experiment& experiment, const std::vector<Row>& r
 }
 
 std::string score_report(const Score& score) {
-    if (score.comparisons.empty()) return "\nNo peer to compare with.\n";
+    if (score.comparisons.empty()) return "\nNo peers for comparison.\n";
     int behind = 0, far_behind = 0;
     std::string lines;
     for (const Comparison& comparison : score.comparisons) {
@@ -110,13 +110,13 @@ std::string score_report(const Score& score) {
         far_behind += comparison.ratio < 0.5;
         if (comparison.ratio >= 1) continue;
         const std::string peer = comparison.best_peer ? comparison.best_peer->engine : "";
-        lines += format_text("  %-10s %-8g %6.2f%s  ours %s, %s %s\n", comparison.scene.c_str(),
+        lines += format_text("  %-10s %-8g %6.2f%s  jostle %s, %s %s\n", comparison.scene.c_str(),
                              comparison.tolerance, comparison.ratio,
                              comparison.ratio < 0.5 ? " below 1/2" : "          ",
                              work_of(comparison.ours).c_str(), peer.c_str(),
                              work_of(comparison.best_peer).c_str());
     }
-    return format_text("\nWork of the best peer over ours, geometric mean of %zu: %.3g\n",
+    return format_text("\nWork of the best peer / work of Jostle, geometric mean of %zu: %.3g\n",
                        score.comparisons.size(), score.mean) +
            format_text("Behind in %d, below 1/2 in %d:\n", behind, far_behind) + lines;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What jostle-bench accuracy says of its rows, as text and as JSON.
+// Formats the results of jostle-bench accuracy as text and JSON.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -11,14 +11,14 @@
 
 namespace jostle::bench::accuracy {
 
-// Of one scene: the errors at 60 Hz and orders of every engine and mode, the least work for each
-// tolerance, the Pareto set.
+// Report of one scene: errors at 60 Hz and orders of all engines and modes, least work per
+// tolerance, Pareto set.
 std::string scene_report(const Experiment& experiment, const std::vector<Row>& rows);
 
-// The score, and the rows in which Jostle is behind.
+// The score, and the rows in which Jostle needs more work.
 std::string score_report(const Score& score);
 
-// The same figures for machines.
+// The same values as JSON.
 nlohmann::ordered_json work_json(const std::vector<Row>& rows);
 nlohmann::ordered_json score_json(const Score& score);
 

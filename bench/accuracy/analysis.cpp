@@ -29,7 +29,7 @@ std::vector<WorkError> work_errors(const std::vector<Row>& rows) {
     return all;
 }
 
-// Of several engines; `us` or all others.
+// The cheapest row of several engines: of `us` or of all others.
 std::optional<Row> cheapest(const std::vector<Row>& rows, const std::string& scene,
                             double tolerance, const std::string& us, bool ours) {
     std::vector<Row> candidates;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What rows say together: orders of convergence, the least work for an error, the rows that no
-// other beats, and one score against the peers. Arithmetic alone; tests make up the rows.
+// Analysis of rows: orders of convergence, least work for an error, the Pareto set, and a score
+// against the peers. Pure arithmetic; the tests use synthetic rows.
 #pragma once
 
 #include <optional>
@@ -24,22 +24,22 @@ std::vector<Order> observed_orders(const std::vector<Row>& rows, const std::stri
 std::optional<Row> least_work(const std::vector<Row>& rows, const std::string& scene,
                               const std::string& engine, double tolerance);
 
-// Rows of the scene that no other row beats in time and error at once, the cheapest first.
+// Pareto-optimal rows of the scene in time and error, the cheapest first.
 std::vector<Row> pareto_set(const std::vector<Row>& rows, const std::string& scene);
 
-// Least work of the best peer over ours, at one tolerance. 0.01 where only a peer reaches it, 100
-// where only we do.
+// Least work of the best peer divided by that of Jostle, at one tolerance. 0.01 if only a peer
+// reaches it, 100 if only Jostle does.
 struct Comparison {
     std::string scene;
     double tolerance = 0;
-    std::optional<Row> ours, best_peer;  // not both absent
+    std::optional<Row> ours, best_peer;  // at least one is present
     double ratio = 1;
 };
 struct Score {
     std::vector<Comparison> comparisons;
-    double mean = 1;  // geometric, of the ratios
+    double mean = 1;  // geometric mean of the ratios
 };
-// Scenes and tolerances that nobody reaches, or that no peer has rows for, are left out.
+// Scenes and tolerances that no engine reaches, or that no peer has rows for, are omitted.
 Score score_of(const std::vector<Row>& rows, const std::string& us);
 
 }  // namespace jostle::bench::accuracy

@@ -3,7 +3,7 @@
 
 namespace jostle::bench::accuracy {
 
-// Sliders first: a slider's body hangs on its rail rather than at the end of a loop.
+// Sliders first: the body of a slider is attached to its rail rather than to the end of a loop.
 BodyTree tree_of(const Scene& scene) {
     BodyTree tree;
     tree.nodes.resize(scene.bodies.size());

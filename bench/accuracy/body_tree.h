@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Who hangs on whom in a scene: what engines with joint coordinates build from.
+// The tree of joints of a scene, for engines with joint coordinates.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,8 @@
 
 namespace jostle::bench::accuracy {
 
-// Bodies hang in a tree by one joint each; the other joints close loops. A free body has none.
+// Each body is attached to the tree by one joint; the other joints close loops. A free body has no
+// joint.
 struct BodyTree {
     struct Node {
         int parent = ground;

@@ -16,7 +16,8 @@ float single(double value) {
     return static_cast<float>(value);
 }
 
-// The plane's x and y are the laboratory's x and z. A turn from x to y is one about -y.
+// The x and y axes of Box2D are the x and z axes of the scene. A rotation from x to y is one about
+// -y.
 b2Vec2 flat(Vec3 v) {
     return {single(v.x), single(v.z)};
 }
@@ -34,8 +35,8 @@ class Box2dAccuracyEngine final : public Engine {
 public:
     Status build(const Scene& scene, const std::string& mode) override {
         if (scene.central_pull > 0 || scene.mutual_pull > 0)
-            return Error{.message = "forces are not made in box2d"};
-        if (!scene.planar) return Error{.message = "box2d is planar"};
+            return Error{.message = "force laws are not implemented for box2d"};
+        if (!scene.planar) return Error{.message = "box2d supports planar scenes only"};
         iterations_ = std::stoi(mode.substr(3));
         world_.SetGravity(flat(scene.gravity));
         world_.SetAllowSleeping(false);
@@ -109,7 +110,7 @@ private:
             polygon.SetAsBox(1000, 10, {0, -10}, 0);
             fixture.shape = &polygon;
         } else {
-            return Error{.message = "box2d gets balls, boxes and planes"};
+            return Error{.message = "box2d supports balls, boxes and planes only"};
         }
         body.CreateFixture(&fixture);
         return {};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Box2D as a peer of the laboratory, for planar scenes: its y is the laboratory's z.
+// Box2D adapter of the accuracy benchmark, for planar scenes. Its y axis is the z axis of the
+// scene.
 #pragma once
 
 #include <memory>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Bullet in double precision. A library of its own, opened at run time
-// (bullet_accuracy_library.cpp): jostle-bench speed links Bullet in single precision, and both have
-// the same names.
+// Bullet in double precision. It is a separate library, loaded at run time
+// (bullet_accuracy_library.cpp), because jostle-bench speed links Bullet in single precision with
+// the same symbols.
 #include <btBulletDynamicsCommon.h>
 
 #include <BulletDynamics/ConstraintSolver/btNNCGConstraintSolver.h>
@@ -37,7 +37,7 @@ Transform pose_of(const Scene& scene, int body) {
     return body == ground ? Transform{} : scene.bodies[static_cast<std::size_t>(body)].pose;
 }
 
-// In the world; x, y and z are its axes.
+// A frame in the world with the axes x, y and z.
 btTransform frame_of(Vec3 origin, Vec3 x, Vec3 y, Vec3 z) {
     return btTransform(btMatrix3x3(x.x, y.x, z.x, x.y, y.y, z.y, x.z, y.z, z.z), vector(origin));
 }
@@ -62,7 +62,7 @@ struct ShapeMaker {
     std::unique_ptr<btCollisionShape> operator()(const HullPoints& hull) const {
         auto shape = std::make_unique<btConvexHullShape>();
         for (const Vec3 point : hull.points) shape->addPoint(vector(point));
-        shape->setMargin(0);  // it lies outside of a hull
+        shape->setMargin(0);  // the margin of a hull lies outside
         return shape;
     }
 };
@@ -131,7 +131,7 @@ public:
                 from(rigid.getAngularVelocity())};
     }
 
-    // Bullet's damping is the share that is lost in a second.
+    // Bullet's damping is the share lost per second.
     void set_damping(double rate) override {
         const double share = 1 - std::exp(-rate);
         for (const auto& body : bodies_) body->setDamping(share, share);
@@ -160,7 +160,7 @@ private:
                                                       shapes_.back().get(),
                                                       free ? vector(body.inertia) : btVector3());
         info.m_startWorldTransform = transform(body.pose);
-        info.m_friction = std::sqrt(scene.friction);  // Bullet multiplies the two
+        info.m_friction = std::sqrt(scene.friction);  // Bullet multiplies the two coefficients
         info.m_restitution = std::sqrt(scene.restitution);
         auto rigid = std::make_unique<btRigidBody>(info);
         rigid->setActivationState(DISABLE_DEACTIVATION);
@@ -189,7 +189,7 @@ private:
     }
 
     Status add_joint(const Scene& scene, const Joint& joint) {
-        if (joint.kind == JointKind::rod) return Error{.message = "bullet has no rods"};
+        if (joint.kind == JointKind::rod) return Error{.message = "bullet does not support rods"};
         auto constraint = make_constraint(scene, joint);
         world_->addConstraint(constraint.get(), true);
         constraints_.push_back(std::move(constraint));
@@ -208,7 +208,7 @@ private:
                 const btTransform along_z = frame_of(joint.anchor, across, third, joint.axis);
                 auto hinge =
                     std::make_unique<btHingeConstraint>(a, b, to_a * along_z, to_b * along_z);
-                // Bullet's hinge angle is that of a against b.
+                // Bullet's hinge angle is that of a relative to b.
                 if (joint.limit) hinge->setLimit(-joint.limit->upper, -joint.limit->lower);
                 if (joint.motor) motors_.emplace_back(hinge.get(), *joint.motor);
                 return hinge;
@@ -234,7 +234,7 @@ private:
         return std::make_unique<btPoint2PointConstraint>(a, b, to_a * anchor, to_b * end_b);
     }
 
-    // Along the line of the anchors at the start: all else is free.
+    // Along the line of the anchors at the start; all other axes are free.
     static std::unique_ptr<btTypedConstraint> make_spring(const Joint& joint, btRigidBody& a,
                                                           btRigidBody& b, const btTransform& to_a,
                                                           const btTransform& to_b) {
@@ -267,7 +267,7 @@ private:
     std::vector<std::size_t> driven_;
 };
 
-// Bodies of their own, or trees in joint coordinates: as the mode says.
+// Rigid bodies, or trees in joint coordinates, depending on the mode.
 class EitherBulletEngine final : public Engine {
 public:
     Status build(const Scene& scene, const std::string& mode) override {

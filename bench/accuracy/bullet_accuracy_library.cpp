@@ -11,8 +11,8 @@ namespace {
 
 using Maker = Engine* (*)();
 
-// Names are looked for in the library and what it needs first (RTLD_DEEPBIND): there Bullet is of
-// double precision, in this program of single.
+// RTLD_DEEPBIND resolves symbols in the library and its dependencies first, where Bullet has double
+// precision; in this program it has single precision.
 Maker open_library() {
     void* library = dlopen(JOSTLE_BULLET_ACCURACY, RTLD_NOW | RTLD_LOCAL | RTLD_DEEPBIND);
     void* maker = library ? dlsym(library, "make_bullet_accuracy_engine") : nullptr;

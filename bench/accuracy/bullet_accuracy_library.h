@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// Bullet as a peer of the laboratory. Its library is opened when the first engine is made.
+// Bullet adapter of the accuracy benchmark. Its library is loaded with the first engine.
 #pragma once
 
 #include <memory>
 
 #include "bench/accuracy/accuracy_engine.h"
 
-// What the library exports.
+// The function that the library exports.
 extern "C" jostle::bench::accuracy::Engine* make_bullet_accuracy_engine();
 
 namespace jostle::bench::accuracy {

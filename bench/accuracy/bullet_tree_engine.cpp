@@ -19,9 +19,9 @@
 namespace jostle::bench::accuracy {
 namespace {
 
-constexpr int iterations = 50;       // of what closes loops, and of motors
-constexpr double no_maximum = 1e30;  // Bullet's is 100 rad/s and 1000 N s
-constexpr int the_base = -1;         // Bullet's number for what all links hang on
+constexpr int iterations = 50;       // of loop constraints and motors
+constexpr double no_maximum = 1e30;  // Bullet's default is 100 rad/s and 1000 N s
+constexpr int the_base = -1;         // Bullet's index of the base
 
 btVector3 to_bullet(Vec3 v) {
     return {v.x, v.y, v.z};
@@ -39,7 +39,7 @@ Transform pose_in(const Scene& scene, int body) {
     return body == ground ? Transform{} : scene.bodies[static_cast<std::size_t>(body)].pose;
 }
 
-// Links are numbered so that parents come first.
+// Links are numbered so that parents precede their children.
 std::vector<int> parents_first(const BodyTree& tree) {
     std::vector<int> order;
     std::vector<bool> placed(tree.nodes.size());
@@ -57,13 +57,13 @@ std::vector<int> parents_first(const BodyTree& tree) {
 Status check(const Scene& scene, const BodyTree& tree) {
     for (const Body& body : scene.bodies)
         if (body.shape || body.motion != Motion::free)
-            return Error{.message = "bullet's trees are for bodies that touch nothing"};
+            return Error{.message = "bullet's trees support no contacts"};
     for (const BodyTree::Node& node : tree.nodes)
-        if (!node.joint) return Error{.message = "bullet's trees hold jointed bodies alone"};
+        if (!node.joint) return Error{.message = "bullet's trees support jointed bodies only"};
     for (const Joint& joint : scene.joints)
         if (joint.kind == JointKind::rod || joint.kind == JointKind::spring ||
             joint.misaligned_anchor_b)
-            return Error{.message = "bullet's trees have no rods, springs or torn joints"};
+            return Error{.message = "bullet's trees support no rods, springs or misaligned joints"};
     return {};
 }
 
@@ -102,7 +102,7 @@ public:
         for (std::size_t body = 0; body < scene.bodies.size(); body++)
             set_rate(scene, tree, static_cast<int>(body));
         world_->addMultiBody(tree_.get());
-        // Islands are made of colliders: without one nothing is constrained.
+        // Bullet builds islands from colliders: without a collider nothing is constrained.
         for (int link = the_base; link < links; link++) add_collider(link);
         for (std::size_t body = 0; body < scene.bodies.size(); body++)
             add_drives(*tree.nodes[body].joint, link_of_[body]);
@@ -136,10 +136,10 @@ public:
     }
 
     void set_damping(double rate) override { damping_ = rate; }
-    void set_velocity(int, Vec3) override {}  // no driven bodies are made
+    void set_velocity(int, Vec3) override {}  // no driven bodies are created
 
 private:
-    // Places and velocities of all links, in their own axes.
+    // Updates poses and velocities of all links, in their own axes.
     void refresh() const {
         btAlignedObjectArray<btQuaternion> rotations;
         btAlignedObjectArray<btVector3> origins;
@@ -180,7 +180,7 @@ private:
         }
     }
 
-    // The joint's own velocity: that of the body against what it hangs on.
+    // The joint's own velocity: that of the body relative to its parent.
     void set_rate(const Scene& scene, const BodyTree& tree, int body) {
         const BodyTree::Node& node = tree.nodes[static_cast<std::size_t>(body)];
         const Body& what = scene.bodies[static_cast<std::size_t>(body)];
@@ -228,7 +228,7 @@ private:
         add(std::move(motor));
     }
 
-    // A hinge that closes a loop of hinges in one plane needs to hold its point alone.
+    // A hinge that closes a planar loop of hinges needs only a point constraint.
     void close(const Scene& scene, const Joint& loop) {
         const auto link = [&](int body) {
             return body == ground ? the_base : link_of_[static_cast<std::size_t>(body)];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// C17: three bodies in the figure of eight, whose way is known; a rope and a cloth, of which a run
-// is compared with the same engine's finest.
+// C17: three bodies on the figure-eight orbit, whose trajectory is known; a rope and a cloth, which
+// are compared with the finest run of the same engine.
 #include <cmath>
 #include <utility>
 
@@ -19,7 +19,8 @@ using physics::pi;
 constexpr int suns = 3;
 
 // Chenciner and Montgomery, "A remarkable periodic solution of the three-body problem in the case
-// of equal masses", 2000; the numbers are Carles Simo's. Masses and the constant of gravity are 1.
+// of equal masses", 2000; the numbers are by Carles Simo. Masses and the gravitational constant are
+// 1.
 Scene figure_eight() {
     const Vec3 at{0.97000436, -0.24308753, 0}, velocity{-0.93240737, -0.86473146, 0};
     const Vec3 places[suns] = {at, -at, {}};
@@ -33,7 +34,7 @@ Scene figure_eight() {
     return scene;
 }
 
-// Of one of the three: the others' ways are the same, later.
+// Trajectory of one of the three bodies; those of the others are the same, time-shifted.
 Trajectory way_of_first(double seconds) {
     const Scene scene = figure_eight();
     const std::vector<double> masses(suns, 1);
@@ -107,8 +108,8 @@ ExperimentRun rope(double) {
 
 // --- a cloth ---
 
-// Points of 10 g at 5 cm, on springs to their neighbours along both edges; two corners are held by
-// springs as well. Springs of 400 N/m let it hang by a few centimetres.
+// Points of 10 g at 5 cm, on springs to their neighbours along both edges; springs also hold two
+// corners. With springs of 400 N/m it sags by a few centimetres.
 ExperimentRun cloth(double) {
     constexpr int side = 32;
     constexpr double pitch = 0.05, stiffness = 400, damping = 0.02;
@@ -141,8 +142,8 @@ ExperimentRun cloth(double) {
 std::vector<Experiment> chaos_experiments() {
     return {
         {.name = "c17-eight",
-         .about = "three bodies pull each other along a figure of eight for 5 s",
-         .measures = "distance of the first at the end, m; of the common centre, m",
+         .about = "three mutually attracting bodies on a figure-eight orbit, 5 s",
+         .measures = "position error of the first at the end, m; of the common centre, m",
          .tolerances = {0.1, 0.01, 0.001},
          .start = eight},
         {.name = "c17-rope",

@@ -21,10 +21,10 @@ bool has_no_second(const Experiment& experiment) {
 }
 
 const char* peer_of(const Comparison& comparison) {
-    return comparison.best_peer ? comparison.best_peer->engine.c_str() : "nobody";
+    return comparison.best_peer ? comparison.best_peer->engine.c_str() : "none";
 }
 
-// Bold when it failed; a star when it failed for another reason than the figure.
+// Bold if it failed; with a star if it failed for another reason than the value.
 std::string cell_of(const nlohmann::ordered_json& row) {
     if (row.contains("lacks")) return "-";
     if (!row.contains("figure")) return "**lost**";
@@ -102,7 +102,7 @@ bool replace_section(const std::string& path, const std::string& name, const std
     const std::size_t from = all.find(begin);
     const std::size_t to = from == all.npos ? all.npos : all.find(end, from);
     if (!in || to == all.npos) {
-        std::fprintf(stderr, "jostle-bench: %s has no section %s: put the lines\n%s%s\nthere\n",
+        std::fprintf(stderr, "jostle-bench: %s has no section %s; add the lines\n%s%s\n",
                      path.c_str(), name.c_str(), begin.c_str(), end.c_str());
         return false;
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// An experiment of the laboratory: a scene, how long it runs, what is measured and which errors are
-// asked for. Families of experiments are in files of their own; all_experiments() is their list.
+// An experiment of the accuracy benchmark: a scene, its duration, its error measures and
+// tolerances. Each family of experiments has its own file; all_experiments() lists them.
 #pragma once
 
 #include <functional>
@@ -19,7 +19,7 @@ struct Errors {
     double primary = 0, secondary = 0;
 };
 
-// Looks at the engine at the end of each step, t seconds after the start.
+// Samples the engine after each step, t seconds after the start.
 class Meter {
 public:
     virtual ~Meter() = default;
@@ -32,22 +32,23 @@ struct ExperimentRun {
     Scene scene;
     double seconds = 1;
     std::unique_ptr<Meter> meter;
-    double damping_ends = 0;  // s: Scene::damping is 0 from then on. 0: stays
+    double damping_ends = 0;  // s: Scene::damping becomes 0 at this time. 0: never
 };
 
 struct Experiment {
-    std::string name;      // j3-r100
+    std::string name;      // such as j3-r100
     std::string about;     // the scene
-    std::string measures;  // the two errors
-    // The errors for which the least CPU time is asked, coarse to fine.
+    std::string measures;  // the two error measures
+    // Errors for which the least CPU time is determined, coarse to fine.
     std::vector<double> tolerances;
-    // Starts, each a part of a step later than the one before; their errors are averaged.
+    // Number of starts, each a fraction of a step later than the previous one; their errors are
+    // averaged.
     int phases = 1;
-    double max_hz = 1920;  // beyond that it takes too long
-    // No truth is known: the primary error is the RMS distance, over all bodies at the end, from
-    // the same engine's run in the same mode at this rate. 0: the meter's error counts.
+    double max_hz = 1920;  // higher rates take too long
+    // Without a known solution: the primary error is the RMS distance, over all bodies at the end,
+    // from the same engine's run in the same mode at this rate. 0: the error of the meter is used.
     double finest_hz = 0;
-    // `shift`: seconds by which the start is late, less than a step.
+    // `shift`: delay of the start, s, less than a step.
     std::function<ExperimentRun(double shift)> start;
 };
 
@@ -55,7 +56,7 @@ struct Experiment {
 std::span<const Experiment> all_experiments();
 const Experiment* find_experiment(std::string_view name);  // null: none
 
-// The families, a file each.
+// The families, one file each.
 std::vector<Experiment> free_experiments();
 std::vector<Experiment> top_experiments();       // spinning and precessing bodies on joints
 std::vector<Experiment> pendulum_experiments();  // and chains
@@ -64,6 +65,6 @@ std::vector<Experiment> friction_experiments();
 std::vector<Experiment> impact_experiments();
 std::vector<Experiment> stack_experiments();
 std::vector<Experiment> pile_experiments();
-std::vector<Experiment> chaos_experiments();  // what neighbouring starts leave each other in
+std::vector<Experiment> chaos_experiments();  // chaotic scenes
 
 }  // namespace jostle::bench::accuracy

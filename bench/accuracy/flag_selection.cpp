@@ -35,7 +35,7 @@ std::string check_experiment(const std::string& name) {
     if (name == "all" || name == "none" || find_experiment(name)) return "";
     std::vector<std::string> known = {"all", "none"};
     for (const Experiment& experiment : all_experiments()) known.push_back(experiment.name);
-    return "there is no scene " + name + "; there are " + joined(known);
+    return "unknown scene " + name + "; must be one of " + joined(known);
 }
 
 std::string check_peer(const std::string& name) {
@@ -44,11 +44,11 @@ std::string check_peer(const std::string& name) {
     if (!kind || kind == &engine_kinds()[0]) {
         std::vector<std::string> known = {"all", "none"};
         for (const EngineKind& peer : engine_kinds().subspan(1)) known.push_back(peer.name);
-        return "there is no peer " + name + "; there are " + joined(known);
+        return "unknown peer " + name + "; must be one of " + joined(known);
     }
     if (kind->make) return "";
     return name + " is not built in: install its library (scripts/setup --with-peers), then run " +
-           "cmake and build anew";
+           "cmake and build again";
 }
 
 std::string check_mode(const std::string& name) {
@@ -58,14 +58,14 @@ std::string check_mode(const std::string& name) {
         if (contains(kind.modes, name)) return "";
         known.insert(known.end(), kind.modes.begin(), kind.modes.end());
     }
-    return "no engine has a mode " + name + "; there are " + joined(known);
+    return "unknown mode " + name + "; must be one of " + joined(known);
 }
 
 std::string check_rate(const std::string& text) {
     char* end = nullptr;
     const long rate = std::strtol(text.c_str(), &end, 10);
     if (*end == 0 && rate >= 4 && rate <= reference_hz && reference_hz % rate == 0) return "";
-    return text + " is no rate: a whole number of steps a second from 4 on that divides " +
+    return text + " is not a valid rate; must be an integer of at least 4 Hz that divides " +
            std::to_string(reference_hz);
 }
 
@@ -104,7 +104,7 @@ std::string engine_list() {
 }
 
 std::string experiment_list() {
-    std::string text = "Scenes, and their two errors:\n";
+    std::string text = "Scenes and their two errors:\n";
     for (const Experiment& experiment : all_experiments())
         text += "  " + experiment.name + ": " + experiment.about + "\n    " + experiment.measures +
                 "\n";

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What the flags of jostle-bench accuracy and stability name. A check returns nothing when the name
-// is right, else what is wrong: what CLI11 asks of a validator.
+// Values of the flags of jostle-bench accuracy and stability. A check returns an empty string for a
+// valid value, otherwise an error message, as CLI11 expects of a validator.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -17,12 +17,12 @@ bool contains(const std::vector<std::string>& list, const std::string& name);
 std::string check_experiment(const std::string& name);
 std::string check_peer(const std::string& name);
 std::string check_mode(const std::string& name);
-std::string check_rate(const std::string& text);  // must divide the reference's rate
+std::string check_rate(const std::string& text);  // must divide the reference rate
 
 std::vector<const Experiment*> selected_experiments(const std::vector<std::string>& chosen);
-// Jostle and the peers that are chosen and built in.
+// Jostle and the selected peers that are built in.
 std::vector<const EngineKind*> selected_engines(const std::vector<std::string>& peers);
-// Of the engine: all, its default, or those that are named.
+// Modes of the engine: all, its default, or the named ones.
 std::vector<std::string> selected_modes(const EngineKind& kind,
                                         const std::vector<std::string>& chosen);
 

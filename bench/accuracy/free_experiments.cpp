@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// F1 to F4: what moves freely, on a spring or in a field.
+// F1 to F4: free motion, springs and force fields.
 #include <cmath>
 #include <utility>
 
@@ -44,7 +44,7 @@ private:
     Rms distance_;
 };
 
-// The spring's other end is 10 m away along its line, so that its length is never zero.
+// The other end of the spring is 10 m away along its line, so that its length is never zero.
 ExperimentRun spring(double hertz) {
     const double stiffness = std::pow(2 * pi * hertz, 2);
     Scene scene{.name = "f2", .gravity = {}, .planar = true};
@@ -127,17 +127,17 @@ std::vector<Experiment> free_experiments() {
     return {
         {.name = "f1",
          .about = "free fall for 2 s",
-         .measures = "distance at the end, m; none",
+         .measures = "position error at the end, m; none",
          .tolerances = {0.1, 0.01, 1e-6},
          .start = free_fall},
         {.name = "f2-1",
          .about = "1 kg on a spring without damping, 1 Hz, 10 s",
-         .measures = "RMS distance, m; largest drift of energy",
+         .measures = "RMS position error, m; largest drift of energy",
          .tolerances = {0.1, 0.01, 0.001},
          .start = [](double) { return spring(1); }},
         {.name = "f2-100",
          .about = "the same, 100 Hz",
-         .measures = "RMS distance, m; largest drift of energy",
+         .measures = "RMS position error, m; largest drift of energy",
          .tolerances = {0.1, 0.01, 0.001},
          .start = [](double) { return spring(100); }},
         {.name = "f3",

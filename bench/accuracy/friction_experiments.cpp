@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// C1 to C4 and C16: one body that rolls, sticks or slides. Never along an axis of the world: a
+// C1 to C4 and C16: one body that rolls, sticks or slides. Never along a world axis, where a
 // friction pyramid would look like a cone.
 #include <cmath>
 #include <utility>
@@ -19,7 +19,7 @@ Vec3 flat(Vec3 v) {
     return {v.x, v.y, 0};
 }
 
-// Slides until the rim's speed is zero, at 2 v0 / (7 mu g); rolls at 5/7 v0 from then on.
+// Slides until the velocity of the contact point is zero, at 2 v0 / (7 mu g); then rolls at 5/7 v0.
 ExperimentRun roll(double) {
     const double speed = 5, friction = 0.3, seconds = 2;
     Scene scene{.name = "c1", .friction = friction};
@@ -79,15 +79,15 @@ ExperimentRun stop(double) {
     return {std::move(scene), 2, std::move(meter)};
 }
 
-// Steady rolling of a thin disk whose centre rests: Om^2 = 4 g / (R sin tilt). The spin lies along
-// the radius to the touching point, so that both that point and the centre are at rest.
+// Steady rolling of a thin disk whose centre rests: Om^2 = 4 g / (R sin tilt). The spin points
+// along the radius to the contact point, so both that point and the centre are at rest.
 ExperimentRun euler_disk(double) {
     const double radius = 0.1, half_height = 0.005, tilt = 20 * pi / 180;
     Scene scene{.name = "c16", .friction = 1};
     const double rate = std::sqrt(4 * g / (radius * std::sin(tilt)));
     const double height = radius * std::sin(tilt) + half_height * std::cos(tilt);
     Body disk = solid_cylinder(1, radius, half_height, {0, 0, height});
-    // The cylinder's y axis stands up, then leans towards +x: the lowest point is there.
+    // The cylinder's y axis is rotated upright, then tilted towards +x, where its lowest point is.
     disk.pose.rotation =
         physics::from_axis_angle({0, 1, 0}, tilt) * physics::from_axis_angle({1, 0, 0}, 0.5 * pi);
     disk.spin = Vec3{std::cos(tilt), 0, -std::sin(tilt)} * (-rate * std::sin(tilt));
@@ -105,8 +105,8 @@ ExperimentRun euler_disk(double) {
 std::vector<Experiment> friction_experiments() {
     return {
         {.name = "c1",
-         .about = "a sliding ball begins to roll, 2 s",
-         .measures = "distance at the end over the way; error of the speed over the speed",
+         .about = "a sliding ball starts to roll, 2 s",
+         .measures = "position error at the end / distance travelled; relative error of the speed",
          .tolerances = {0.01, 0.001, 1e-4},
          .start = roll},
         {.name = "c2",
@@ -116,12 +116,12 @@ std::vector<Experiment> friction_experiments() {
          .start = stick},
         {.name = "c3",
          .about = "a box slides down a slope for 2 s",
-         .measures = "distance at the end over the way; sink, m",
+         .measures = "position error at the end / distance travelled; sink, m",
          .tolerances = {0.01, 0.001, 1e-4},
          .start = slide},
         {.name = "c4",
          .about = "a sliding box stops",
-         .measures = "distance at the end over the way; sink, m",
+         .measures = "position error at the end / distance travelled; sink, m",
          .tolerances = {0.01, 0.001, 1e-4},
          .start = stop},
         {.name = "c16",

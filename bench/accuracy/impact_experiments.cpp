@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// C5 to C7 and C15: impacts. When in its step an impact falls decides its error, so each runs from
-// 16 starts.
+// C5 to C7 and C15: impacts. The time of an impact within its step determines its error, so each
+// experiment runs from 16 starts.
 #include <cmath>
 #include <utility>
 
@@ -26,8 +26,8 @@ Scene bouncing(double restitution, double late) {
     return scene;
 }
 
-// An apex is that of the parabola through the highest sample and its two neighbours: steps that
-// miss it do not count as an error.
+// An apex is that of the parabola through the highest sample and its two neighbours, so steps that
+// miss the apex do not count as errors.
 class ApexMeter final : public Meter {
 public:
     void sample(double, const Engine& engine) override {
@@ -84,7 +84,7 @@ ExperimentRun elastic_bounce(double shift) {
 
 // --- C6 and C7 ---
 
-// B's centre is one radius beside A's way, so the line of centres is 30 degrees off it.
+// B's centre is one radius off A's path, so the line of centres is 30 degrees off it.
 ExperimentRun billiard(double shift) {
     const double speed = 5, angle = 37 * pi / 180;
     const Vec3 along = azimuth(angle), aside = azimuth(angle + 0.5 * pi);
@@ -102,7 +102,7 @@ ExperimentRun billiard(double shift) {
     return {std::move(scene), 1, std::move(meter)};
 }
 
-// Four balls in a row touch; a fifth arrives at 1 m/s.
+// Four touching balls in a row; a fifth one arrives at 1 m/s.
 ExperimentRun cradle(double shift) {
     constexpr int count = 5;
     Scene scene{.name = "c7", .gravity = {}, .restitution = 1, .planar = true};
@@ -125,7 +125,7 @@ ExperimentRun cradle(double shift) {
 
 // --- C15 ---
 
-// At 15 steps a second it comes 13 m further in a step: later starts begin further away.
+// At 15 steps per second the bullet moves 13 m per step, so later starts begin further away.
 ExperimentRun bullet(double shift) {
     constexpr double speed = 200;
     Scene scene{.name = "c15", .gravity = {}, .continuous = true};
@@ -145,7 +145,7 @@ std::vector<Experiment> impact_experiments() {
     return {
         {.name = "c5-e0.8",
          .about = "a ball bounces with restitution 0.8 for 3 s",
-         .measures = "mean error of the first five apexes over their heights; deepest overlap, m",
+         .measures = "mean relative error of the first five apexes; deepest overlap, m",
          .tolerances = {0.05, 0.02, 0.005},
          .phases = phases,
          .start = bounce},
@@ -156,20 +156,20 @@ std::vector<Experiment> impact_experiments() {
          .phases = phases,
          .start = elastic_bounce},
         {.name = "c6",
-         .about = "a ball strikes another off its centre",
-         .measures = "errors of both velocities over the speed; error of the energy",
+         .about = "a ball hits another one off-centre",
+         .measures = "relative errors of both velocities; error of the energy",
          .tolerances = {0.1, 0.05, 0.02},
          .phases = phases,
          .start = billiard},
         {.name = "c7",
-         .about = "Newton's cradle: a ball strikes a row of four that touch",
+         .about = "Newton's cradle: a ball hits a row of four touching balls",
          .measures = "norm of the errors of all velocities, m/s; error of the energy",
          .tolerances = {0.5, 0.1, 0.01},
          .phases = phases,
          .start = cradle},
         {.name = "c15",
          .about = "a bullet of 200 m/s against a wall of 2 cm",
-         .measures = "1 where it passes, else 0; furthest past the near side, m",
+         .measures = "1 if it passes, else 0; largest distance past the near side, m",
          .tolerances = {0.01},
          .phases = phases,
          .start = bullet},

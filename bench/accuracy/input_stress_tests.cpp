@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// S22: numbers that no scene should have. Jostle refuses what is not finite, zero where it may not
-// be, or out of range; what it takes, it steps without harm to others. The peers have no such
-// promise and are not asked.
+// S22: invalid and extreme numbers. Jostle rejects numbers that are not finite, zero where zero is
+// invalid, or out of range; numbers that it accepts must not affect other bodies. The peers make no
+// such promise and are not tested.
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -28,7 +28,7 @@ struct Input {
     ShapeDef shape;
 };
 
-// Each is to be refused.
+// Inputs that must be rejected.
 std::vector<Input> refusable() {
     std::vector<Input> all;
     for (const double bad : {not_a_number, infinite, -infinite}) {
@@ -57,7 +57,7 @@ std::vector<Input> refusable() {
     return all;
 }
 
-// Each may be taken, and then harms nobody.
+// Inputs that may be accepted but must not affect other bodies.
 std::vector<Input> odd() {
     return {{.body = {.linear_velocity = {denormal, 0, 0}}},
             {.body = {.angular_velocity = {denormal, denormal, denormal}}},
@@ -79,7 +79,7 @@ int taken(World& world) {
     return count;
 }
 
-// A box that rests beside odd neighbours moves as if they were not there.
+// A resting box next to bodies with extreme values moves as if they were absent.
 bool harmless(const Input& input) {
     World world;
     const auto floor =
@@ -102,7 +102,7 @@ bool harmless(const Input& input) {
 }
 
 Verdict inputs(const EngineKind& kind, const std::string&) {
-    if (std::string(kind.name) != "jostle") return {.unsupported = "asked of jostle alone"};
+    if (std::string(kind.name) != "jostle") return {.unsupported = "tested with jostle only"};
     World world;
     int bad = taken(world);
     for (const Input& input : odd()) bad += !harmless(input);
@@ -113,8 +113,8 @@ Verdict inputs(const EngineKind& kind, const std::string&) {
 
 std::vector<StressTest> input_stress_tests() {
     return {{.id = "s22",
-             .about = "NaN, infinities, zeros and denormals where they do not belong",
-             .figure = "inputs that are taken and harm",
+             .about = "NaN, infinities, zeros and denormals as inputs",
+             .figure = "accepted inputs that affect other bodies",
              .limit = 1,
              .run = inputs}};
 }

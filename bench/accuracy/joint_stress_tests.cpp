@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// S6 to S8, S14, S16, S17 and S21: chains, loops, springs and joints that contradict each other.
+// S6 to S8, S14, S16, S17 and S21: chains, loops, springs and contradictory joints.
 #include <cmath>
 #include <utility>
 
@@ -20,7 +20,7 @@ std::function<Verdict(const EngineKind&, const std::string&)> runner(StressRun r
     };
 }
 
-// Primary: widest joint gap over a length.
+// Primary: widest joint gap divided by a length.
 class LooseMeter final : public Meter {
 public:
     LooseMeter(const Scene& scene, double length) : gaps_(scene), length_(length) {}
@@ -34,7 +34,7 @@ private:
 
 // --- S6 to S8 ---
 
-// Links of 0.2 m and 0.1 kg, the last a ball of 100 kg.
+// Links of 0.2 m and 0.1 kg; the last one is a ball of 100 kg.
 ExperimentRun hanging_chain(int count, double degrees, double seconds) {
     constexpr double link = 0.2;
     const double angle = degrees * pi / 180;
@@ -53,15 +53,15 @@ ExperimentRun hanging_chain(int count, double degrees, double seconds) {
 }
 
 StressTest chain(const char* id, int count, double degrees, double rate_hz, double seconds) {
-    // The end falls by what it hangs too high and by the gap that is allowed; a link weighs a
-    // thousandth of it and may get all of that energy.
+    // The end falls by its excess height and by the allowed gap; a link has a thousandth of its
+    // mass and may get all of that energy.
     const double height = 0.2 * count * (1 - std::cos(degrees * pi / 180)) + 0.05 * 0.2;
-    std::string about = std::to_string(count) + " links bear 100 kg";
+    std::string about = std::to_string(count) + " links carry 100 kg";
     if (degrees > 0) about += ", 1 degree off the vertical";
     return {.id = id,
             .about = about + ", " + std::to_string(static_cast<int>(rate_hz)) + " Hz, " +
                      std::to_string(static_cast<int>(seconds)) + " s",
-            .figure = "widest joint gap over a link",
+            .figure = "widest joint gap / link length",
             .limit = 0.05,
             .run = runner({.start = [=] { return hanging_chain(count, degrees, seconds); },
                            .rate_hz = rate_hz,
@@ -71,7 +71,8 @@ StressTest chain(const char* id, int count, double degrees, double rate_hz, doub
 
 // --- S14 ---
 
-// Chains of heavy ends at every rate. Bullet's conjugate gradients are known to fail here.
+// Chains with heavy ends at every rate. Bullet's conjugate gradients are known to fail in this
+// test.
 Verdict loaded_chains(const EngineKind& kind, const std::string& mode) {
     const bool bullet = std::string(kind.name) == "bullet";
     int blown = 0;
@@ -87,7 +88,7 @@ Verdict loaded_chains(const EngineKind& kind, const std::string& mode) {
 
 // --- S16 ---
 
-// Rods in parallel between the ground and one coupler: each after the second is redundant.
+// Parallel rods between the ground and one coupler: each one after the second is redundant.
 ExperimentRun parallel_cranks(int count) {
     const double angle = pi / 3, pitch = 0.5;
     const Vec3 down{std::sin(angle), 0, -std::cos(angle)};
@@ -157,7 +158,7 @@ ExperimentRun spring_chain() {
 
 // --- S21 ---
 
-// Highest speed in the second half, m/s. What is torn for ever may hold still anywhere.
+// Highest speed in the second half, m/s. Contradictory joints may rest in any pose.
 class CalmMeter final : public Meter {
 public:
     void sample(double t, const Engine& engine) override {
@@ -187,7 +188,7 @@ std::vector<StressTest> joint_stress_tests() {
                                    chain("s7", 200, 0, 240, 1), chain("s8", 1000, 0, 240, 1)};
     all.push_back({.id = "s14",
                    .about = "chains with 100 and 1000 times the mass at the end, 30 to 480 Hz",
-                   .figure = "runs of ten that are lost",
+                   .figure = "failed runs of ten",
                    .limit = 1,
                    .run = loaded_chains});
     for (const int count : {2, 6})
@@ -205,7 +206,7 @@ std::vector<StressTest> joint_stress_tests() {
                    .limit = 0.01,
                    .run = runner({.start = spring_chain, .speed_bound = 0.3, .limit = 0.01})});
     all.push_back({.id = "s21",
-                   .about = "a weld against a point 0.8 m away, 60 Hz, 100 s",
+                   .about = "a weld and a ball joint 0.8 m apart, 60 Hz, 100 s",
                    .figure = "highest speed in the second half, m/s and rad/s",
                    .limit = 0.1,
                    .run = runner({.start = torn_body, .limit = 0.1})});

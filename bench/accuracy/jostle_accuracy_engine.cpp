@@ -35,7 +35,7 @@ Result<physics::Geometry> geometry_of(const Shape& shape) {
 class JostleAccuracyEngine final : public Engine {
 public:
     Status build(const Scene& scene, const std::string& mode) override {
-        // subN: so many sub-steps; tolX: as many as keep to X metres in a second.
+        // subN: N sub-steps; tolX: a tolerance of X metres.
         physics::WorldDef def{.gravity = scene.gravity, .threads = 1, .sleeping = false};
         if (mode.starts_with("tol"))
             def.tolerance = std::stod(mode.substr(3));
@@ -80,8 +80,8 @@ public:
     std::string failure() const override { return failure_; }
 
 private:
-    // A force that is constant within a step is integrated exactly. Taken where the bodies are in
-    // the middle of the step it is of second order, as Jostle's own fields are.
+    // A force that is constant within a step is integrated exactly. Evaluated at the positions in
+    // the middle of the step it is second order, like Jostle's own fields.
     void pull_each_other(double dt) {
         std::vector<Vec3> at;
         std::vector<double> masses;
@@ -104,7 +104,7 @@ private:
                     .linear_velocity = body.velocity,
                     .angular_velocity = body.spin};
         if (body.motion == Motion::free) def.linear_damping = def.angular_damping = scene.damping;
-        // What stands for a body that meets nothing is as thin as it must be: never sweep it.
+        // The placeholder of a body without collision is as thin as possible; it must not be swept.
         def.continuous = body.shape.has_value();
         ShapeDef shape{.material = {.friction = scene.friction, .restitution = scene.restitution},
 
@@ -123,7 +123,7 @@ private:
         return {};
     }
 
-    // A body without a shape, made when the first joint asks for it.
+    // A body without a shape, created for the first joint that needs it.
     Result<BodyId> ground_body() {
         if (!ground_) {
             auto id = world_->create_body({.type = BodyType::static_body});

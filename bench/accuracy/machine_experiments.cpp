@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// J5 to J8: a motor with a slider, a motor with a limit, and what hangs between two points.
+// J5 to J8: a motor with a slider, a motor with a limit, and chains hanging between two points.
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -16,7 +16,8 @@ using physics::pi;
 
 // --- J5 ---
 
-// Crank 0.2 m at 10 rad/s, rod 0.6 m, a slider along x. The crank turns from x towards z, about -y.
+// Crank of 0.2 m at 10 rad/s, rod of 0.6 m, a slider along x. The crank rotates from x towards z,
+// about -y.
 ExperimentRun slider_crank(double) {
     constexpr double crank_length = 0.2, rod_length = 0.6, rate = 10;
     constexpr Vec3 axis{0, -1, 0};
@@ -70,7 +71,7 @@ private:
     Errors errors_;
 };
 
-// The limit comes before the motor reaches its speed.
+// The limit is reached before the motor reaches its speed.
 ExperimentRun motor_and_limit(double) {
     Scene scene{.name = "j6", .gravity = {}, .planar = true};
     const Body rod = without_shape(solid_box(1, {0.05, 0.05, 0.5}, {0, 0, 0.5}));
@@ -119,8 +120,8 @@ struct Hanging {
     JointKind joint;
 };
 
-// From a V, damped until it rests. The slowest motion of such a chain has about 3 rad/s, so that
-// twice as much is critical.
+// Starts from a V shape, damped until it rests. The slowest mode of such a chain has about 3 rad/s,
+// so twice as much is critical damping.
 ExperimentRun hanging(const Hanging& what) {
     Scene scene{.name = what.name, .damping = 6};
     const double half_length = 0.5 * what.length * what.links;
@@ -151,16 +152,16 @@ ExperimentRun hanging(const Hanging& what) {
 
 std::vector<Experiment> machine_experiments() {
     const std::vector<double> tolerances = {0.01, 0.001, 1e-4};
-    constexpr const char* sag = "error of the sag over the sag; widest joint gap over a link";
+    constexpr const char* sag = "relative error of the sag; widest joint gap / link length";
     return {
         {.name = "j5",
          .about = "a slider-crank at 10 rad/s for 3 s",
-         .measures = "RMS distance of the slider over the crank; widest joint gap, m",
+         .measures = "RMS position error of the slider / crank length; widest joint gap, m",
          .tolerances = tolerances,
          .start = slider_crank},
         {.name = "j6",
          .about = "a motor of 0.5 N m turns a rod against a limit",
-         .measures = "largest error of the spin over 2 rad/s; largest overshoot, rad",
+         .measures = "largest error of the spin / 2 rad/s; largest overshoot, rad",
          .tolerances = tolerances,
          .start = motor_and_limit},
         {.name = "j7",

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What several experiments measure alike.
+// Measurements shared by several experiments.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@ namespace jostle::bench::accuracy {
 
 using convergence::Rms;
 
-// How far the ends of joints are apart: at the anchors; of sliders and springs nothing is asked.
+// Distance between the ends of joints at the anchors; sliders and springs are ignored.
 class GapMeter {
 public:
     explicit GapMeter(const Scene& scene);
@@ -29,7 +29,7 @@ private:
     };
     struct Pair {
         End a, b;
-        double distance;  // what it should be
+        double distance;  // target
     };
     static Vec3 place(const Engine& engine, const End& end);
 
@@ -39,22 +39,22 @@ private:
 
 using PointInTime = std::function<Vec3(double t)>;
 
-// Primary: RMS distance of a body's centre from where it should be. Second: widest joint gap. Each
-// over a length.
+// Primary: RMS distance of a body's centre from its true position. Second: widest joint gap. Each
+// divided by a length.
 std::unique_ptr<Meter> track_meter(const Scene& scene, int body, PointInTime truth, double length,
                                    double gap_length);
 
-// Primary: how far the body is from where it should be at the end, over a length. Second: what the
-// last state says.
+// Primary: distance of the body from its true position at the end, divided by a length. Second:
+// computed from the last state.
 using LastError = std::function<Errors(double t, const Engine& engine)>;
 std::unique_ptr<Meter> last_meter(LastError error);
 
-// For what should stay: primary is the largest distance of any body from its start, second the same
-// in the horizontal plane. At the end, or at any time.
+// For scenes at rest: the primary error is the largest displacement of any body, the second one the
+// same in the horizontal plane. At the end, or at any time.
 enum class When { at_end, ever };
 std::unique_ptr<Meter> rest_meter(const Scene& scene, When when = When::at_end);
 
-// Energy of motion and of height.
+// Kinetic and potential energy.
 double energy(const Scene& scene, const Engine& engine);
 
 }  // namespace jostle::bench::accuracy

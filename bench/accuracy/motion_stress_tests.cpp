@@ -11,7 +11,7 @@
 namespace jostle::bench::accuracy {
 namespace {
 
-// An experiment at one rate, held to a limit.
+// An experiment at one rate with a limit on its error.
 StressTest experiment(const char* id, const char* name, double rate_hz, double limit,
                       double speed_bound) {
     const Experiment* found = find_experiment(name);
@@ -43,7 +43,7 @@ Verdict bullets(const EngineKind& kind, const std::string& mode) {
     return {.pass = passed == 0, .figure = passed};
 }
 
-// A thin disk turns on a pin along z for ten minutes.
+// A thin disk spins on a pin along z for ten minutes.
 class SpinMeter final : public Meter {
 public:
     explicit SpinMeter(Vec3 spin) : spin_(spin) {}
@@ -78,13 +78,13 @@ std::vector<StressTest> motion_stress_tests() {
                                    experiment("s15", "f5", 60, 0.1, 0)};
     all.push_back({.id = "s12",
                    .about = "bullets of 200 m/s against 2 cm, 16 starts at 15 to 1920 Hz",
-                   .figure = "bullets of 128 that pass",
+                   .figure = "bullets of 128 that tunnel",
                    .limit = 1,
                    .run = bullets});
     const StressRun disk{.start = fast_disk, .limit = 0.01};
     all.push_back({.id = "s19",
                    .about = "a thin disk at 1000 rad/s on a pin, 60 Hz, 600 s",
-                   .figure = "largest drift of the spin over the spin",
+                   .figure = "largest relative drift of the spin",
                    .limit = disk.limit,
                    .run = [disk](const EngineKind& kind, const std::string& mode) {
                        return run_stress(disk, kind, mode);

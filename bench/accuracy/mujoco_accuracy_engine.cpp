@@ -16,7 +16,8 @@
 namespace jostle::bench::accuracy {
 namespace {
 
-// MuJoCo ends the program on errors, and would write both kinds to a file in the working directory.
+// MuJoCo terminates the program on errors, and would write errors and warnings to a file in the
+// working directory.
 void end_on_error(const char* message) {
     std::fprintf(stderr, "jostle-bench: mujoco: %s\n", message);
     _exit(1);
@@ -27,8 +28,8 @@ Vec3 from(const mjtNum* v) {
     return {v[0], v[1], v[2]};
 }
 
-// The force laws of a scene, where MuJoCo asks for forces: in each stage of a step. Its hook knows
-// no world.
+// The force laws of a scene, for MuJoCo's force callback, which runs in each stage of a step and
+// has no reference to a world.
 thread_local double central_pull = 0, mutual_pull = 0;
 
 void pull_bodies(const mjModel* model, mjData* data) {
@@ -71,7 +72,7 @@ public:
         for (std::size_t k = 0; k < scene.bodies.size(); k++)
             bodies_.push_back(mj_name2id(model_, mjOBJ_BODY, ("b" + std::to_string(k)).c_str()));
         set_velocities(scene, tree);
-        int motor = 0;  // in the order of the bodies, as they are written
+        int motor = 0;  // in the order of the bodies in the file
         for (const BodyTree::Node& node : tree.nodes)
             if (node.joint && node.joint->motor) data_->ctrl[motor++] = node.joint->motor->speed;
         hard_ = mode.ends_with("-hard");
@@ -90,7 +91,7 @@ public:
     }
 
     BodyState state(int body) const override {
-        if (!fresh_) {  // a step leaves poses as they were when it began
+        if (!fresh_) {  // after a step, derived poses are those of its start
             mj_kinematics(model_, data_);
             mj_comPos(model_, data_);
             mj_comVel(model_, data_);
@@ -98,7 +99,7 @@ public:
         }
         const int id = bodies_[static_cast<std::size_t>(body)];
         const mjtNum* q = data_->xquat + 4 * id;
-        mjtNum velocity[6];  // spin first
+        mjtNum velocity[6];  // angular velocity first
         mj_objectVelocity(model_, data_, mjOBJ_BODY, id, velocity, 0);
         return {from(data_->xpos + 3 * id),
                 {q[1], q[2], q[3], q[0]},
@@ -111,9 +112,9 @@ public:
         mju_zero(data_->xfrc_applied, 6 * model_->nbody);
     }
 
-    void set_velocity(int, Vec3) override {}  // no driven bodies are made
+    void set_velocity(int, Vec3) override {}  // no driven bodies are created
 
-    // MuJoCo starts anew when a number is not finite.
+    // MuJoCo resets the state if a number is not finite.
     std::string failure() const override {
         for (const int warning :
              {mjWARN_BADQPOS, mjWARN_BADQVEL, mjWARN_BADQACC, mjWARN_CNSTRFULL, mjWARN_CONTACTFULL})
@@ -190,7 +191,7 @@ private:
 
     mjModel* model_ = nullptr;
     mjData* data_ = nullptr;
-    std::vector<int> bodies_;  // MuJoCo's numbers
+    std::vector<int> bodies_;  // MuJoCo's ids
     bool hard_ = false;
     double damping_ = 0;
     mutable bool fresh_ = false;

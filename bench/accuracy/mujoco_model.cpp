@@ -46,7 +46,7 @@ struct GeomText {
     std::string operator()(const physics::Box& box) const {
         return "type=\"box\" size=" + triple(box.half_extents);
     }
-    std::string operator()(const physics::Cylinder& c) const {  // MuJoCo's lie along z
+    std::string operator()(const physics::Cylinder& c) const {  // MuJoCo's cylinders are along z
         return "type=\"cylinder\" quat=\"0.70710678118654757 0.70710678118654757 0 0\" size=" +
                triple({c.radius, c.half_length, 0});
     }
@@ -134,7 +134,7 @@ private:
     const BodyTree& tree_;
 };
 
-// A hinge that closes a loop of hinges in one plane needs to hold its point alone.
+// A hinge that closes a planar loop of hinges needs only a point constraint.
 std::string loops_of(const Scene& scene, const BodyTree& tree) {
     std::string text = "<equality>\n";
     for (const Joint& loop : tree.loops) {
@@ -159,8 +159,8 @@ std::string springs_of(const Scene& scene) {
     return text + "</tendon>\n";
 }
 
-// A motor is a damper against the wanted speed that gives at most its torque. Weak ones are as firm
-// as an explicit integrator carries.
+// A motor is a damper towards the target speed with a limited torque. The gain of weak motors is
+// limited by the stability of the explicit integrator.
 constexpr double weak = 100;  // N m
 
 std::string motors_of(const BodyTree& tree) {
@@ -176,7 +176,7 @@ std::string motors_of(const BodyTree& tree) {
     return text + "</actuator>\n";
 }
 
-// Room for contacts and their rows; MuJoCo takes memory for the square of the rows.
+// Memory for contacts and their rows; MuJoCo allocates the square of the rows.
 std::string size_of(const Scene& scene) {
     std::size_t solids = 0;
     for (const Body& body : scene.bodies) solids += body.shape.has_value();
@@ -198,18 +198,18 @@ std::string option_of(const Scene& scene, const std::string& mode) {
 }  // namespace
 
 Result<std::string> mujoco_xml(const Scene& scene, const BodyTree& tree, const std::string& mode) {
-    if (scene.continuous) return Error{.message = "mujoco does not sweep"};
-    if (scene.restitution > 0) return Error{.message = "restitution is no parameter of mujoco"};
+    if (scene.continuous) return Error{.message = "mujoco has no continuous collision detection"};
+    if (scene.restitution > 0) return Error{.message = "mujoco has no restitution parameter"};
     for (const Joint& joint : scene.joints) {
-        if (joint.kind == JointKind::rod) return Error{.message = "mujoco has no rods"};
+        if (joint.kind == JointKind::rod) return Error{.message = "mujoco does not support rods"};
         if (joint.misaligned_anchor_b)
-            return Error{.message = "torn joints are not made in mujoco"};
+            return Error{.message = "misaligned joints are not implemented for mujoco"};
         if (joint.motor && joint.motor->max_torque > weak && mode.find("implicit") == mode.npos)
-            return Error{.message = "mujoco's strong motors ask for its implicit integrator"};
+            return Error{.message = "strong motors require mujoco's implicit integrator"};
     }
     for (const Body& body : scene.bodies)
         if (body.motion == Motion::kinematic)
-            return Error{.message = "mujoco's driven bodies are not made here"};
+            return Error{.message = "driven bodies are not implemented for mujoco"};
     std::string sites;
     for (std::size_t j = 0; j < scene.joints.size(); j++)
         if (scene.joints[j].kind == JointKind::spring && scene.joints[j].a == ground)

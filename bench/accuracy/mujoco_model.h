@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A scene of the laboratory as MuJoCo's XML.
+// Converts a scene of the accuracy benchmark to MuJoCo's XML.
 #pragma once
 
 #include <string>

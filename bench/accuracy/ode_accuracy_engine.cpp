@@ -15,7 +15,8 @@ namespace {
 
 constexpr int contacts_per_pair = 4;
 
-// The direct solver tells when it loses a pivot and goes on: what became of it the error shows.
+// The direct solver reports a lost pivot and continues; the error of the run shows the
+// consequences.
 void drop_message(int, const char*, va_list) {}
 
 struct OdeQuaternion {
@@ -46,7 +47,7 @@ struct GeomMaker {
     dGeomID operator()(const HullPoints&) const { return nullptr; }
 };
 
-// ODE's cylinders lie along z, the laboratory's along y.
+// ODE's cylinders are along z, those of the benchmark along y.
 Quat geom_rotation(const Body& body) {
     return std::holds_alternative<physics::Cylinder>(*body.shape)
                ? physics::from_axis_angle({1, 0, 0}, -0.5 * physics::pi)
@@ -58,7 +59,7 @@ public:
     OdeAccuracyEngine() {
         dInitODE2(0);
         dSetMessageHandler(drop_message);
-        dRandSetSeed(0);  // QuickStep shuffles its rows; each run shuffles alike
+        dRandSetSeed(0);  // QuickStep shuffles its rows; the seed makes runs repeatable
         world_ = dWorldCreate();
         space_ = dHashSpaceCreate(nullptr);
         contacts_ = dJointGroupCreate(0);
@@ -73,7 +74,7 @@ public:
     OdeAccuracyEngine& operator=(const OdeAccuracyEngine&) = delete;
 
     Status build(const Scene& scene, const std::string& mode) override {
-        if (scene.continuous) return Error{.message = "ode does not sweep"};
+        if (scene.continuous) return Error{.message = "ode has no continuous collision detection"};
         quick_ = mode.starts_with("quick");
         if (quick_) dWorldSetQuickStepNumIterations(world_, std::stoi(mode.substr(5)));
         const Vec3 gravity = scene.gravity;
@@ -88,7 +89,7 @@ public:
             if (auto status = add_body(body); !status) return status;
         for (const Joint& joint : scene.joints) {
             if (joint.misaligned_anchor_b)
-                return Error{.message = "torn joints are not made in ode"};
+                return Error{.message = "misaligned joints are not implemented for ode"};
             add_joint(joint);
         }
         return {};
@@ -158,7 +159,7 @@ private:
         dContact found[contacts_per_pair];
         const int count = dCollide(a, b, contacts_per_pair, &found[0].geom, sizeof(dContact));
         for (int k = 0; k < count; k++) {
-            found[k].surface.mode = dContactApprox1;  // or mu would be a force
+            found[k].surface.mode = dContactApprox1;  // otherwise mu is a force
             found[k].surface.mu = friction_;
             if (restitution_ > 0) {
                 found[k].surface.mode |= dContactBounce;
@@ -173,7 +174,7 @@ private:
         dGeomID geom = nullptr;
         if (body.shape) {
             geom = std::visit(GeomMaker{space_}, *body.shape);
-            if (!geom) return Error{.message = "ode's hulls do not meet each other"};
+            if (!geom) return Error{.message = "ode's hulls do not collide with each other"};
         }
         if (body.motion == Motion::fixed) {
             bodies_.push_back(nullptr);
@@ -238,7 +239,7 @@ private:
         }
     }
 
-    // ODE's hinge angle is that of a against b, but of b against the ground.
+    // ODE's hinge angle is that of a relative to b, but that of b relative to the ground.
     void add_hinge(const Joint& joint, dBodyID a, dBodyID b) {
         const Vec3 at = joint.anchor, axis = joint.axis;
         const dJointID id = dJointCreateHinge(world_, nullptr);
@@ -255,7 +256,7 @@ private:
         dJointSetHingeParam(id, dParamFMax, joint.motor->max_torque);
     }
 
-    // What depends on the step: a share of the velocity, and springs as the manual makes them.
+    // Parameters that depend on the step: velocity damping, and springs as described in the manual.
     void tune(double dt) {
         last_dt_ = dt;
         dWorldSetLinearDampingThreshold(world_, 0);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// ODE as a peer of the laboratory.
+// ODE adapter of the accuracy benchmark.
 #pragma once
 
 #include <memory>

@@ -19,7 +19,7 @@ Vec3 hanging(double angle) {
     return {std::sin(angle), 0, -std::cos(angle)};
 }
 
-// The body's z axis along the link; the upper end is at +z.
+// The body's z axis is along the link; the upper end is at +z.
 Body hung(Body body, double angle, Vec3 upper, double half_length) {
     body.pose = {upper + hanging(angle) * half_length, physics::from_axis_angle({0, 1, 0}, -angle)};
     return without_shape(std::move(body));
@@ -41,7 +41,7 @@ struct Link {
     double half_length;
 };
 
-// Links hung from each other and released at rest, all horizontal.
+// Links connected in a chain and released at rest, all horizontal.
 ExperimentRun chain(const std::string& name, const std::vector<Link>& links, JointKind kind,
                     double total_length, double gap_length) {
     Scene scene{.name = name, .planar = true};
@@ -76,8 +76,8 @@ ExperimentRun loaded_chain(const std::string& name, double ratio) {
     return chain(name, links, JointKind::ball, 2, 0.2);
 }
 
-// Two rods hang from the ground, a coupler between their lower ends. It only translates:
-// theta'' = -rate^2 sin(theta), rate^2 = (2 m d + mc) g / (2 Ip + mc).
+// Two rods on the ground, a coupler between their lower ends. The coupler only translates: theta''
+// = -rate^2 sin(theta), rate^2 = (2 m d + mc) g / (2 Ip + mc).
 ExperimentRun parallelogram(double) {
     const double angle = pi / 3, width = 1.5;
     const Vec3 right{width, 0, 0}, lower = hanging(angle);
@@ -114,21 +114,23 @@ std::vector<Experiment> pendulum_experiments() {
         const std::string angle = std::to_string(static_cast<int>(degrees));
         add(degrees == 90 ? "j1" : "j1-" + angle,
             "a rod on a hinge, released at " + angle + " degrees, 5 s",
-            "RMS distance, m; widest joint gap, m", {0.01, 0.001, 1e-5},
+            "RMS position error, m; widest joint gap, m", {0.01, 0.001, 1e-5},
             [degrees](double) { return pendulum(degrees); });
     }
     add("j2", "a double pendulum, released horizontal, 2 s",
-        "RMS distance of the second rod over 2 m; widest joint gap, m", {0.01, 0.001, 1e-5},
+        "RMS position error of the second rod / 2 m; widest joint gap, m", {0.01, 0.001, 1e-5},
         double_pendulum);
     for (const int ratio : {1, 100, 1000}) {
         const std::string name = "j3-r" + std::to_string(ratio);
         add(name,
-            "a chain of ten links, the last of " + std::to_string(ratio) + " times the mass, 2 s",
-            "RMS distance of the last link over 2 m; widest joint gap over a link",
+            "a chain of ten links, the last one with " + std::to_string(ratio) +
+                " times the mass, 2 s",
+            "RMS position error of the last link / 2 m; widest joint gap / link length",
             {0.1, 0.01, 0.001}, [name, ratio](double) { return loaded_chain(name, ratio); });
     }
-    add("j4", "a parallelogram of four hinges, three rows of which are redundant, 5 s",
-        "RMS distance of the coupler, m; widest joint gap, m", {0.01, 0.001, 1e-4}, parallelogram);
+    add("j4", "a parallelogram of four hinges with three redundant rows, 5 s",
+        "RMS position error of the coupler, m; widest joint gap, m", {0.01, 0.001, 1e-4},
+        parallelogram);
     return all;
 }
 

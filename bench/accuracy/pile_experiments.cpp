@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// C12 to C14: many bodies, of which sums are measured.
+// C12 to C14: many bodies, with aggregate error measures.
 #include <cmath>
 #include <random>
 #include <utility>
@@ -15,7 +15,8 @@ using physics::pi;
 
 constexpr double radius = 0.1;
 
-// The library's own distributions differ from one implementation to the next; this does not.
+// Unlike the distributions of the standard library, it generates the same numbers in every
+// implementation.
 class Jitter {
 public:
     explicit Jitter(unsigned seed) : engine_(seed) {}
@@ -175,7 +176,7 @@ std::vector<Experiment> pile_experiments() {
     return {
         {.name = "c12",
          .about = "216 balls without friction settle and spread for 5 s",
-         .measures = "mean of the deepest overlap over the radius; the deepest",
+         .measures = "mean of the deepest overlap / radius; the deepest",
          .tolerances = {0.1, 0.03, 0.01},
          .max_hz = 480,
          .start = settling},

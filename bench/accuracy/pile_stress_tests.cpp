@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// S18 and S20: a pile that is squeezed, and a pile of very unequal masses.
+// S18 and S20: a compressed pile, and a pile of very unequal masses.
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -16,7 +16,7 @@ namespace {
 
 constexpr double rate_hz = 60;
 
-// Uniform on 0 to 1, the same with every standard library.
+// Uniform in [0, 1), the same with every standard library.
 class Uniform {
 public:
     double operator()() { return static_cast<double>(engine_()) / 4294967296.0; }
@@ -27,9 +27,9 @@ private:
 
 // --- S18 ---
 
-// 200 cubes and balls of 0.2 m in a closed box, 1 m high, whose four walls come in until the solids
-// take 95 % of its volume, stay, and go back. Solids of one size do not pack as densely as that:
-// they must overlap, and may not be thrown about by it.
+// 200 cubes and balls of 0.2 m in a closed box, 1 m high. Its four walls move inwards until the
+// solids take 95 % of its volume, stay, and move back. Solids of one size do not pack that densely:
+// they must overlap without being thrown apart.
 constexpr int solids = 200;
 constexpr double half_size = 0.1, height = 1, wall = 0.25;
 constexpr double start_half = 0.95, wall_speed = 0.2;
@@ -122,7 +122,7 @@ public:
     explicit PenMeter(int balls) : at_(static_cast<std::size_t>(balls)) {}
 
     void sample(double t, const Engine& engine) override {
-        if (t < 9) return;  // it settles until then
+        if (t < 9) return;  // the pile settles until then
         for (std::size_t k = 0; k < at_.size(); k++) {
             at_[k] = engine.state(static_cast<int>(k)).position;
             const double side = std::max(std::abs(at_[k].x), std::abs(at_[k].y));
@@ -164,13 +164,13 @@ ExperimentRun unequal_masses() {
 std::vector<StressTest> pile_stress_tests() {
     const StressRun masses{.start = unequal_masses, .limit = 0.05};
     return {{.id = "s18",
-             .about = "200 solids squeezed to 95 % of the volume, then let go, 60 Hz",
+             .about = "200 solids compressed to 95 % of the volume, then released, 60 Hz",
              .figure = "highest speed, m/s; all come to rest inside",
              .limit = 10,
              .run = jam},
             {.id = "s20",
              .about = "a hundred balls of 1 g to 1000 t in a pen, 60 Hz, 10 s",
-             .figure = "deepest overlap of the last second over the radius",
+             .figure = "deepest overlap of the last second / radius",
              .limit = masses.limit,
              .run = [masses](const EngineKind& kind, const std::string& mode) {
                  return run_stress(masses, kind, mode);

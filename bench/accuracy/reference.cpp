@@ -19,7 +19,7 @@ std::size_t ticks_of(double seconds) {
     return static_cast<std::size_t>(std::llround(seconds * reference_hz));
 }
 
-// A x = b, A dense, symmetric and positive definite; b becomes x.
+// Solves A x = b with A dense, symmetric and positive definite; b becomes x.
 void solve(std::vector<double>& a, double* b, std::size_t n) {
     for (std::size_t p = 0; p < n; p++)
         for (std::size_t row = p + 1; row < n; row++) {
@@ -36,8 +36,8 @@ void solve(std::vector<double>& a, double* b, std::size_t n) {
 // Lagrange's equations of a planar chain in absolute angles t_j:
 //     sum_k A_jk cos(t_j - t_k) t_k'' + I_j t_j'' = -g G_j sin t_j - sum_k A_jk sin(t_j - t_k)
 //     t_k'^2
-// A_jk = sum_i m_i c_ij c_ik, G_j = sum_i m_i c_ij; c_ij is how far along link j the centre of link
-// i hangs.
+// with A_jk = sum_i m_i c_ij c_ik, G_j = sum_i m_i c_ij, and c_ij the distance along link j of the
+// centre of link i.
 class ChainEquations {
 public:
     explicit ChainEquations(const std::vector<ChainLink>& links)
@@ -119,7 +119,7 @@ double elliptic_k(double k) {
     return pi / (2 * a);
 }
 
-// The arithmetic-geometric mean gives the amplitude: Abramowitz and Stegun, 16.4.
+// Amplitude by the arithmetic-geometric mean: Abramowitz and Stegun, 16.4.
 double jacobi_cd(double u, double k) {
     constexpr int most = 16;
     double a[most + 1] = {1}, c[most + 1] = {k}, b = std::sqrt(1 - k * k);
@@ -161,7 +161,7 @@ Trajectory planar_chain(const std::vector<ChainLink>& links, double start_angle,
     return track;
 }
 
-// y: spin along the body's axes, then the quaternion x, y, z, w; q' = q * (spin, 0) / 2.
+// y: spin in the body's axes, then the quaternion x, y, z, w; q' = q * (spin, 0) / 2.
 Trajectory free_axis_y(Vec3 inertia, Vec3 spin, double seconds) {
     const auto rate = [&](const State& y, State& dy) {
         dy.resize(7);
@@ -182,7 +182,7 @@ Trajectory free_axis_y(Vec3 inertia, Vec3 spin, double seconds) {
 }
 
 // Each joint carries the same horizontal force H; the slope of link i is its distance from the
-// middle in links over H / weight. The span falls as that ratio falls: bisection.
+// middle, in links, divided by H / weight. The span decreases with that ratio: bisection.
 double catenary_sag(int links, double link_length, double span) {
     const auto sums = [&](double ratio) {
         double width = 0, depth = 0;

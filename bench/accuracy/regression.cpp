@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::array rates = {30.0, 60.0, 120.0};
 
-// They run at 1920 or 960 Hz as well, to have a truth.
+// They require runs at 1920 or 960 Hz as reference.
 constexpr std::array<std::string_view, 2> slow_scenes = {"c17-rope", "c17-cloth"};
 
 const Row* find_row(const std::vector<Row>& rows, const Row& like) {
@@ -31,7 +31,7 @@ bool has_scene(const std::vector<Row>& rows, const std::string& scene) {
                        [&](const Row& row) { return row.scene == scene; });
 }
 
-// Of one figure. Nothing when it is neither worse nor better by more than a third.
+// Compares one value. Adds nothing if it changed by at most a third.
 void compare(const Row& row, const char* name, double before, double after,
              std::vector<RegressionChange>& changes) {
     const double was = std::max(before, rounding), is = std::max(after, rounding);
@@ -42,7 +42,7 @@ void compare(const Row& row, const char* name, double before, double after,
     changes.push_back({row.scene, row.rate_hz, words, is > was});
 }
 
-// The second figure of some scenes is no error: how far something moves that must fall.
+// The second value of some scenes is not an error but the motion of a body that must fall.
 bool second_counts(const Row& row) {
     const Experiment* experiment = find_experiment(row.scene);
     return !experiment || !experiment->measures.starts_with("1 when it stands");
@@ -55,7 +55,7 @@ void compare_rows(const Row& before, const Row& after, std::vector<RegressionCha
             compare(after, "second error", before.second_error, after.second_error, changes);
     } else if (before.usable() != after.usable()) {
         changes.push_back({after.scene, after.rate_hz,
-                           after.usable() ? "blown before, not now" : "blown: " + after.failed,
+                           after.usable() ? "failed before, not now" : "failed: " + after.failed,
                            !after.usable()});
     }
 }
@@ -95,11 +95,11 @@ int print_changes(const std::vector<RegressionChange>& changes, std::size_t rows
         std::printf("%s: %s at %g Hz: %s\n", change.fault ? "WORSE" : "better",
                     change.scene.c_str(), change.rate_hz, change.words.c_str());
     }
-    std::printf("%zu rows, %d figures worse by more than a third, %d better\n", rows, faults,
+    std::printf("%zu rows, %d values worse by more than a third, %d better\n", rows, faults,
                 better);
     if (faults + better > 0)
         std::printf(
-            "If that is meant, keep the figures of now and say why in the commit:\n"
+            "If the change is intended, update the file and explain it in the commit message:\n"
             "  jostle-bench accuracy --regression --compare-to %s --update\n",
             file.c_str());
     return faults > 0 ? 1 : 0;
@@ -116,7 +116,8 @@ std::vector<Row> regression_rows(const std::vector<const Experiment*>& experimen
     std::vector<Row> rows;
     for (const Experiment* experiment : experiments) {
         if (!in_regression_set(*experiment)) continue;
-        static_cast<void>(experiment->start(0));  // makes the reference, which children inherit
+        // computes the reference, which child processes inherit
+        static_cast<void>(experiment->start(0));
         for (const double rate : rates) {
             show_progress(experiment->name + " " + std::to_string(static_cast<int>(rate)) + " Hz");
             rows.push_back(
@@ -134,11 +135,11 @@ std::vector<RegressionChange> changes_between(const std::vector<Row>& before,
         if (const Row* old = find_row(before, row))
             compare_rows(*old, row, changes);
         else
-            changes.push_back({row.scene, row.rate_hz, "has no figure of before", true});
+            changes.push_back({row.scene, row.rate_hz, "is not in the file", true});
     }
     for (const Row& row : before)
         if (!find_row(after, row) && (all || has_scene(after, row.scene)))
-            changes.push_back({row.scene, row.rate_hz, "is in the file alone", true});
+            changes.push_back({row.scene, row.rate_hz, "is only in the file", true});
     return changes;
 }
 
@@ -150,7 +151,7 @@ int run_regression(const std::vector<const Experiment*>& experiments, const std:
             before = read_rows(file);
         } catch (const nlohmann::json::exception& error) {
             std::fprintf(stderr,
-                         "jostle-bench: no rows in %s: %s\nMake the file with --update and all "
+                         "jostle-bench: no rows in %s: %s\nCreate the file with --update and all "
                          "scenes.\n",
                          file.c_str(), error.what());
             return 1;
@@ -161,7 +162,7 @@ int run_regression(const std::vector<const Experiment*>& experiments, const std:
         for (const Row& row : rows) print(row);
     if (file.empty()) return 0;
     if (!update) return print_changes(changes_between(before, rows, all), rows.size(), file);
-    // Scenes that did not run keep their rows, and their places.
+    // Scenes that did not run keep their rows and positions.
     std::vector<Row> rows_of_scene;
     for (const Experiment& experiment : all_experiments())
         for (const Row& row : has_scene(rows, experiment.name) ? rows : before)

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The short form of the laboratory, for tests: Jostle alone, in its default mode, on all scenes
-// that take seconds. Its errors have the same digits on every machine, so they are held against a
-// file of before: worse by more than a third is a fault.
+// The short accuracy benchmark, for tests: Jostle only, in its default mode, on all scenes that
+// take seconds. Its errors are bit-identical on every machine, so they are compared with a file: an
+// error that grows by more than a third is a regression.
 #pragma once
 
 #include <string>
@@ -12,28 +12,28 @@
 
 namespace jostle::bench::accuracy {
 
-// Whether the scene is cheap enough to belong to it.
+// Whether the scene is fast enough for the short benchmark.
 bool in_regression_set(const Experiment& experiment);
 
-// Errors alone: no time is taken. In a process each, as all rows.
+// Errors only, without times. Each row runs in its own process.
 std::vector<Row> regression_rows(const std::vector<const Experiment*>& experiments);
 
-// What a figure may be worse by before it is a fault, and below which it is rounding.
+// Ratio above which a value is a regression, and the value below which differences are rounding.
 inline constexpr double regression_ratio = 4.0 / 3;
 inline constexpr double rounding = 1e-9;
 
 struct RegressionChange {
     std::string scene;
     double rate_hz = 0;
-    std::string words;   // "error 0.01 -> 0.02 (2.0 times)"
-    bool fault = false;  // worse, or not comparable; else better by more than a third
+    std::string words;   // such as "error 0.01 -> 0.02 (2.0 times)"
+    bool fault = false;  // worse or not comparable; false: better by more than a third
 };
-// Rows of scenes that `after` has none of are not missed when `all` is false.
+// If `all` is false, scenes without rows in `after` are ignored.
 std::vector<RegressionChange> changes_between(const std::vector<Row>& before,
                                               const std::vector<Row>& after, bool all);
 
-// Runs the scenes and holds them against the file, or writes it anew. Exit status: 0 no fault, 1
-// faults, or the file cannot be read or written. Without a file it prints alone.
+// Runs the scenes and compares them with the file, or rewrites it. Exit status: 0 no regression, 1
+// regressions, or the file cannot be read or written. Without a file it only prints the rows.
 int run_regression(const std::vector<const Experiment*>& experiments, const std::string& file,
                    bool update);
 

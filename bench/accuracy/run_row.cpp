@@ -19,21 +19,21 @@ namespace jostle::bench::accuracy {
 namespace {
 
 constexpr double furthest = 1e5;        // m
-constexpr double short_run_max = 0.05;  // s of processor time: repeated
+constexpr double short_run_max = 0.05;  // s of CPU time: shorter runs are repeated
 constexpr double long_run = 0.4;        // s: longer runs are timed once
 constexpr int repetitions = 3;
-constexpr double longest = 20;  // s of processor time: one start that takes more is ended
+constexpr double longest = 20;  // s of CPU time: limit for one start
 
 long steps_of(const ExperimentRun& start, double rate_hz) {
     return std::llround(start.seconds * rate_hz);
 }
 
-// Steps after which damping ends; more than all when it stays.
+// Number of steps until damping ends; more than all steps if it never does.
 long damped_steps(const ExperimentRun& start, double rate_hz) {
     return start.damping_ends > 0 ? std::llround(start.damping_ends * rate_hz) : -1;
 }
 
-std::string blown(const Scene& scene, const Engine& engine) {
+std::string failure(const Scene& scene, const Engine& engine) {
     for (std::size_t k = 0; k < scene.bodies.size(); k++) {
         const double away = length(engine.state(static_cast<int>(k)).position);
         if (!(away < furthest)) return "a body is lost";
@@ -41,7 +41,7 @@ std::string blown(const Scene& scene, const Engine& engine) {
     return engine.failure();
 }
 
-// Steps alone, nothing is looked at: CPU seconds, or none when the engine refuses the scene.
+// Steps without sampling: CPU seconds, or nothing if the engine rejects the scene.
 double time_steps(const ExperimentRun& start, const EngineKind& kind, const std::string& mode,
                   double rate_hz) {
     const auto engine = kind.make();
@@ -65,11 +65,11 @@ double least_time(const ExperimentRun& start, const EngineKind& kind, const std:
 
 // The same run at the finest rate: RMS distance of the bodies at the end.
 double distance_from_finest(const Experiment& experiment, const EngineKind& kind,
-                            const std::string& mode, double rate_hz, std::string& blown) {
+                            const std::string& mode, double rate_hz, std::string& failure) {
     const auto here = run_once(experiment.start(0), kind, mode, rate_hz);
     const auto finest = run_once(experiment.start(0), kind, mode, experiment.finest_hz);
     if (!here || !finest || !here->failed.empty() || !finest->failed.empty()) {
-        blown = "the finest run is lost";
+        failure = "the finest run failed";
         return 0;
     }
     double sum = 0;
@@ -89,13 +89,13 @@ Result<Outcome> run_once(ExperimentRun start, const EngineKind& kind, const std:
     for (long k = 0; k < steps; k++) {
         if (k == damped) engine->set_damping(0);
         engine->step(1 / rate_hz);
-        if (auto why = blown(start.scene, *engine); !why.empty()) return Outcome{.failed = why};
+        if (auto why = failure(start.scene, *engine); !why.empty()) return Outcome{.failed = why};
         start.meter->sample(static_cast<double>(k + 1) / rate_hz, *engine);
         if (cpu_seconds() - began > longest) return Outcome{.failed = takes_too_long};
     }
     Outcome outcome{.errors = start.meter->errors()};
     if (!std::isfinite(outcome.errors.primary) || !std::isfinite(outcome.errors.secondary))
-        outcome.failed = "the error is no number";
+        outcome.failed = "the error is not finite";
     for (std::size_t k = 0; k < start.scene.bodies.size(); k++)
         outcome.last.push_back(engine->state(static_cast<int>(k)).position);
     return outcome;
@@ -128,7 +128,7 @@ Row run_row(const Experiment& experiment, const EngineKind& kind, const std::str
     return row;
 }
 
-// One step may take minutes in a direct solver: the system ends the process then.
+// A step of a direct solver may take minutes; the system then terminates the process.
 Row run_row_in_child(const Experiment& experiment, const EngineKind& kind, const std::string& mode,
                      double rate_hz, Timing timing) {
     const ChildResult answer = run_in_child([&] {
@@ -189,14 +189,14 @@ std::vector<Row> rows_from_csv(std::istream& in) {
     std::vector<Row> rows;
     std::string line;
     std::getline(in, line);
-    if (line != csv_heading()) throw std::runtime_error("the first line is not " + csv_heading());
+    if (line != csv_heading()) throw std::runtime_error("the first line must be " + csv_heading());
     while (std::getline(in, line)) {
         char scene[32], engine[32], mode[32], first[32];
         Row row;
         const int read =
             std::sscanf(line.c_str(), "%31[^,],%31[^,],%31[^,],%lf,%31[^,],%lf,%lf", scene, engine,
                         mode, &row.rate_hz, first, &row.second_error, &row.cpu_us_per_second);
-        if (read < 5) throw std::runtime_error("this is no row: " + line);
+        if (read < 5) throw std::runtime_error("invalid row: " + line);
         row.scene = scene, row.engine = engine, row.mode = mode;
         if (std::string(first) == "blown")
             row.failed = first;

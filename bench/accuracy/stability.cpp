@@ -22,14 +22,15 @@ namespace {
 using namespace accuracy;
 
 constexpr const char* footer = R"(
-A test passes when no body is lost, the engine complains of nothing, no body is ever twice as fast
-as its energy allows, and the figure is below the limit. Each runs in a process of its own.
+A test passes if no body is lost, the engine reports no error, no body ever exceeds twice the speed
+that its energy allows, and the measured value is below the limit. Each test runs in its own
+process.
 
 Examples:
   jostle-bench stability --peers none
   jostle-bench stability --scene s6,s9-j1 --peers bullet,ode --json stability.json
 
-Exit status: 0 done, whatever the verdicts; 1 a file could not be written; 2 wrong flags.)";
+Exit status: 0 all tests ran (passed or failed), 1 a file could not be written, 2 invalid flags.)";
 
 struct Flags {
     std::vector<std::string> scenes = {"all"};
@@ -45,12 +46,12 @@ std::string check_test(const std::string& id) {
         if (test.id == id) return "";
         known += ", " + test.id;
     }
-    return "there is no test " + id + "; there are " + known;
+    return "unknown test " + id + "; must be one of " + known;
 }
 
-constexpr rlim_t longest_s = 240;  // of processor time
+constexpr rlim_t longest_s = 240;  // of CPU time
 
-// In a process of its own; what comes back are the words of to_json().
+// Runs in its own process, which returns the text of to_json().
 nlohmann::ordered_json run_in_process(const StressTest& test, const EngineKind& kind,
                                       const std::string& mode) {
     const ChildResult answer = run_in_child([&] {
@@ -98,7 +99,7 @@ int run(const Flags& flags) {
 }
 
 std::string stress_test_list() {
-    std::string text = "Tests, and what is measured:\n";
+    std::string text = "Tests and their measured values:\n";
     for (const StressTest& test : all_stress_tests())
         text += "  " + test.id + ": " + test.about + "\n    " + test.figure + "\n";
     return text;
@@ -107,24 +108,31 @@ std::string stress_test_list() {
 }  // namespace
 
 void add_stability(CLI::App& app, int& status) {
-    CLI::App* command = app.add_subcommand(
-        "stability", "Scenes in which engines fail: whether Jostle and others do.");
+    CLI::App* command =
+        app.add_subcommand("stability", "Run stress tests in Jostle and other engines");
     const auto flags = std::make_shared<Flags>();
-    command->add_option("--scene", flags->scenes, "By id, or all")
+    command->add_option("--scene", flags->scenes, "Run tests by id; all; see below [default: all]")
+        ->type_name("ID")
         ->delimiter(',')
-        ->capture_default_str()
-        ->check(CLI::Validator(check_test, "TEST"));
-    command->add_option("--peers", flags->peers, "Beside Jostle: all that are built in, or none")
+        ->check(CLI::Validator(check_test, ""));
+    command
+        ->add_option("--peers", flags->peers,
+                     "Run peer engines by name; all that are built in, or none\n[default: all]")
+        ->type_name("NAME")
         ->delimiter(',')
-        ->capture_default_str()
-        ->check(CLI::Validator(check_peer, "PEER"));
-    command->add_option("--modes", flags->modes, "default (each engine's own), all, or by name")
+        ->check(CLI::Validator(check_peer, ""));
+    command
+        ->add_option("--modes", flags->modes,
+                     "Run modes by name; all, or default (that of each engine)\n"
+                     "[default: default]")
+        ->type_name("NAME")
         ->delimiter(',')
-        ->capture_default_str()
-        ->check(CLI::Validator(check_mode, "MODE"));
-    command->add_option("--json", flags->json, "Writes the rows here as JSON");
-    command->add_option("--tables", flags->tables,
-                        "Writes the table of docs/records/accuracy.md anew, in this copy of it");
+        ->check(CLI::Validator(check_mode, ""));
+    command->add_option("--json", flags->json, "Write the rows as JSON")->type_name("FILE");
+    command
+        ->add_option("--tables", flags->tables,
+                     "Update the table in this copy of docs/records/accuracy.md")
+        ->type_name("FILE");
     command->footer("\n" + stress_test_list() + "\n" + engine_list() + footer);
     command->callback([flags, &status] { status = run(*flags); });
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// jostle-bench stability: scenes in which engines fail, and whether they do.
+// jostle-bench stability: stress tests of Jostle and other engines.
 #pragma once
 
 namespace CLI {
@@ -9,7 +9,7 @@ class App;
 
 namespace jostle::bench {
 
-// Adds the subcommand; running it sets the status that the program ends with.
+// Adds the subcommand; running it sets the exit status of the program.
 void add_stability(CLI::App& app, int& status);
 
 }  // namespace jostle::bench

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// C8 to C11: what should stand, and twice what should fall.
+// C8 to C11: scenes that should stand, and two that should fall.
 #include <utility>
 
 #include "bench/accuracy/accuracy_bodies.h"
@@ -15,7 +15,7 @@ ExperimentRun standing(Scene scene, double seconds) {
     return {std::move(scene), seconds, std::move(meter)};
 }
 
-// Primary: 1 when nothing moved by a tenth of a metre, so that it still stands.
+// Primary: 1 if no body moved by 0.1 m, so the structure still stands.
 class FallMeter final : public Meter {
 public:
     explicit FallMeter(const Scene& scene) : moved_(rest_meter(scene)) {}
@@ -43,8 +43,8 @@ ExperimentRun loaded_box(double ratio) {
 }  // namespace
 
 std::vector<Experiment> stack_experiments() {
-    constexpr const char* moved = "largest move, m; the same in the horizontal plane, m";
-    constexpr const char* fell = "1 when it stands, 0 when it fell; largest move, m";
+    constexpr const char* moved = "largest displacement, m; the same in the horizontal plane, m";
+    constexpr const char* fell = "1 when it stands, 0 when it fell; largest displacement, m";
     std::vector<Experiment> all;
     const auto add = [&](const char* name, const char* about, const char* measures,
                          std::vector<double> tolerances,
@@ -57,9 +57,9 @@ std::vector<Experiment> stack_experiments() {
     };
     add("c8", "a stack of ten boxes stands for 5 s", moved, {0.1, 0.01, 0.001},
         [](double) { return standing(box_stack(10, half_cube, 1), 5); });
-    add("c9-r100", "a box bears one of 100 times its mass for 5 s", moved, {0.01, 0.001, 1e-4},
+    add("c9-r100", "a box carries one of 100 times its mass for 5 s", moved, {0.01, 0.001, 1e-4},
         [](double) { return loaded_box(100); });
-    add("c9-r1000", "a box bears one of 1000 times its mass for 5 s", moved, {0.01, 0.001, 1e-4},
+    add("c9-r1000", "a box carries one of 1000 times its mass for 5 s", moved, {0.01, 0.001, 1e-4},
         [](double) { return loaded_box(1000); });
     add("c10", "two cards lean against each other for 5 s, friction 0.6", moved,
         {0.01, 0.001, 1e-4}, [](double) { return standing(leaning_cards(0.6), 5); });

@@ -10,8 +10,8 @@ namespace {
 
 using physics::pi;
 
-// Between two angles of the semicircle. The wedge is built upright, where its principal axes are
-// the world's, and turned into its place.
+// A wedge between two angles of the semicircle. It is built upright, where its principal axes are
+// the world's axes, then rotated and moved.
 Body wedge(double from, double to, double inner_radius, double outer_radius) {
     const double half_angle = 0.5 * (to - from);
     std::vector<Vec3> corners;
@@ -36,7 +36,7 @@ Scene box_stack(int count, Vec3 half_extents, double mass) {
     return scene;
 }
 
-// The cards' inner upper edges meet over the origin; each stands on an edge.
+// The inner upper edges of the cards meet above the origin; each stands on an edge.
 Scene leaning_cards(double friction) {
     const double lean = 20 * pi / 180, half_height = 0.5, half_thickness = 0.01;
     Scene scene{.name = "cards", .friction = friction, .planar = true};

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// What stands on a plane: shared by the experiments and the stress tests.
+// Structures on a plane, shared by the experiments and the stress tests.
 #pragma once
 
 #include "bench/accuracy/accuracy_scene.h"
 
 namespace jostle::bench::accuracy {
 
-// Boxes on each other, friction 0.5; the lowest first, then the plane.
+// A stack of boxes with friction 0.5; the lowest one first, then the plane.
 Scene box_stack(int count, Vec3 half_extents, double mass);
 
 // Two cards that lean against each other, 20 degrees off the vertical.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// S1 to S5, S10 and S11: what stands on each other.
+// S1 to S5, S10 and S11: stacks.
 #include <cmath>
 #include <utility>
 
@@ -17,7 +17,7 @@ ExperimentRun resting(Scene scene, double seconds) {
     return {std::move(scene), seconds, std::move(meter)};
 }
 
-// Fell from the top, a body has this speed.
+// Speed of a body that fell from this height.
 double fall_speed(double height) {
     return std::sqrt(2 * g * height);
 }
@@ -31,7 +31,7 @@ StressTest stack(const char* id, int count, double rate_hz, double seconds, doub
             .about = std::to_string(count) + " boxes at " +
                      std::to_string(static_cast<int>(rate_hz)) + " Hz for " +
                      std::to_string(static_cast<int>(seconds)) + " s",
-            .figure = "largest move, m",
+            .figure = "largest displacement, m",
             .limit = limit,
             .run = [run](const EngineKind& kind, const std::string& mode) {
                 return run_stress(run, kind, mode);
@@ -50,8 +50,8 @@ StressTest ratio_of_1000() {
                         .speed_bound = fall_speed(2),
                         .limit = 0.01};
     return {.id = "s5",
-            .about = "a box bears one of 1000 times its mass, 60 Hz, 5 s",
-            .figure = "largest move at the end, m",
+            .about = "a box carries one of 1000 times its mass, 60 Hz, 5 s",
+            .figure = "largest displacement at the end, m",
             .limit = run.limit,
             .run = [run](const EngineKind& kind, const std::string& mode) {
                 return run_stress(run, kind, mode);
@@ -88,8 +88,8 @@ ExperimentRun overlapping() {
 StressTest overlap(const char* id, double rate_hz) {
     return {
         .id = id,
-        .about = "five boxes begin half in each other, " +
-                 std::to_string(static_cast<int>(rate_hz)) + " Hz, 3 s",
+        .about = "five boxes start half overlapping, " + std::to_string(static_cast<int>(rate_hz)) +
+                 " Hz, 3 s",
         .figure = "highest speed, m/s; the top stays below 4.6 m",
         .limit = 5,
         .run = [rate_hz](const EngineKind& kind, const std::string& mode) {
@@ -114,7 +114,7 @@ StressTest thin_plates() {
                         .limit = 0.05};
     return {.id = "s11",
             .about = "twenty plates of 1 cm, 60 Hz, 10 s",
-            .figure = "largest move, m",
+            .figure = "largest displacement, m",
             .limit = run.limit,
             .run = [run](const EngineKind& kind, const std::string& mode) {
                 return run_stress(run, kind, mode);

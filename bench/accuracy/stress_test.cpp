@@ -45,7 +45,7 @@ std::span<const StressTest> all_stress_tests() {
              {stack_stress_tests(), joint_stress_tests(), motion_stress_tests(),
               pile_stress_tests(), input_stress_tests()})
             tests.insert(tests.end(), family.begin(), family.end());
-        // s3b after s3, s10 after s9: by number, then by the rest.
+        // Sorted by number, then by suffix: s3b after s3, s10 after s9.
         std::stable_sort(tests.begin(), tests.end(), [](const auto& a, const auto& b) {
             return std::stoi(a.id.substr(1)) < std::stoi(b.id.substr(1));
         });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Stress tests of the laboratory: scenes in which engines fail, each with a figure and a limit.
+// Stress tests of the accuracy benchmark: scenes in which engines fail, each with a measured value
+// and a limit.
 #pragma once
 
 #include <functional>
@@ -16,15 +17,15 @@ namespace jostle::bench::accuracy {
 
 struct Verdict {
     bool pass = false;
-    std::optional<double> figure;  // passes when it is below the limit; none: the run was lost
-    std::string why;               // it fails, where the figure does not say it
-    std::string unsupported;       // what the engine does not have: not run
+    std::optional<double> figure;  // passes if it is below the limit; none: the run failed
+    std::string why;               // why it fails, if not because of the value
+    std::string unsupported;       // unsupported feature: the test was not run
 };
 
 struct StressTest {
-    std::string id;      // s6-tilt
+    std::string id;      // such as s6-tilt
     std::string about;   // the scene and the rate
-    std::string figure;  // what is measured, with its unit
+    std::string figure;  // the measured value with its unit
     double limit = 1;
     std::function<Verdict(const EngineKind&, const std::string& mode)> run;
 };
@@ -32,15 +33,15 @@ struct StressTest {
 // In the order of the specification.
 std::span<const StressTest> all_stress_tests();
 
-// The families, a file each.
+// The families, one file each.
 std::vector<StressTest> stack_stress_tests();
 std::vector<StressTest> joint_stress_tests();
 std::vector<StressTest> motion_stress_tests();
 std::vector<StressTest> pile_stress_tests();
-std::vector<StressTest> input_stress_tests();  // of Jostle alone
+std::vector<StressTest> input_stress_tests();  // Jostle only
 
-// A start at one rate: passes when no body is lost, no body is ever faster than twice the bound
-// (m/s; 0: no bound), and the figure is below the limit.
+// One start at one rate. Passes if no body is lost, no body exceeds twice the speed bound (m/s; 0:
+// no bound), and the value is below the limit.
 enum class Figure { primary, second };
 struct StressRun {
     std::function<ExperimentRun()> start;

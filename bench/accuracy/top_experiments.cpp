@@ -12,7 +12,7 @@ namespace {
 
 using physics::pi;
 
-// A centre that goes round on a cone.
+// A centre that moves on a cone.
 PointInTime on_cone(double arm, double tilt, double rate, double height_sign) {
     return [=](double t) {
         const Vec3 along = azimuth(rate * t) * std::sin(tilt);
@@ -51,7 +51,8 @@ ExperimentRun top_on_ball_joint(double) {
     return {std::move(scene), 5, std::move(meter)};
 }
 
-// The rings weigh a gram each: enough for engines that divide by mass, next to nothing for the top.
+// The rings have a mass of 1 g each: enough for engines that divide by mass, negligible for the
+// top.
 ExperimentRun top_in_gimbals(double) {
     const Top top = heavy_top();
     Scene scene{.name = "j9"};
@@ -64,7 +65,7 @@ ExperimentRun top_in_gimbals(double) {
     return {std::move(scene), 5, std::move(meter)};
 }
 
-// The rod turns as a whole about z: (Ip - Ia) cos(tilt) Om^2 = m g d.
+// The rod rotates as a whole about z: (Ip - Ia) cos(tilt) Om^2 = m g d.
 ExperimentRun conical_pendulum(double) {
     const double tilt = pi / 6, arm = 0.5;
     Scene scene{.name = "f6"};
@@ -84,7 +85,8 @@ ExperimentRun conical_pendulum(double) {
 }  // namespace
 
 std::vector<Experiment> top_experiments() {
-    constexpr const char* measures = "RMS distance over the arm; widest joint gap over the arm";
+    constexpr const char* measures =
+        "RMS position error / arm length; widest joint gap / arm length";
     return {
         {.name = "f5",
          .about = "a heavy top precesses on a ball joint for 5 s",

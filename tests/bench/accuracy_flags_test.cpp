@@ -86,7 +86,7 @@ TEST_F(AccuracyFlags, regression_run_stores_results_and_detects_regressions) {
     ASSERT_EQ(json["rows"].size(), 6u);  // two scenes, three rates
     EXPECT_FALSE(json["rows"][0].contains("cpu_us_per_second"));
     EXPECT_EQ(run("accuracy --regression --scene f1,j1" + against), 0) << output();
-    EXPECT_THAT(output(), HasSubstr("0 figures worse"));
+    EXPECT_THAT(output(), HasSubstr("0 values worse"));
 
     auto forged = json;  // as if j1 had been a hundred times better at 60 Hz
     forged["rows"][4]["error"] = json["rows"][4]["error"].get<double>() / 100;
@@ -160,7 +160,7 @@ TEST_F(AccuracyFlags, integrators_and_contact_models_write_rows) {
 
 TEST_F(AccuracyFlags, errors_list_the_accepted_names) {
     EXPECT_EQ(run("accuracy --scene q9"), 2);
-    EXPECT_THAT(output(), HasSubstr("there is no scene q9"));
+    EXPECT_THAT(output(), HasSubstr("unknown scene q9"));
     EXPECT_THAT(output(), HasSubstr("c5-e0.8"));
     EXPECT_EQ(run("accuracy --modes fast"), 2);
     EXPECT_THAT(output(), HasSubstr("sub8"));

@@ -111,15 +111,15 @@ TEST(BulletTrees, keep_joints_closed_and_converge_at_runge_kutta_order) {
     EXPECT_LT(row_of("j5", "bullet", 240, "mb").error, 0.01);         // a motor and a slider
     EXPECT_LT(row_of("j7", "bullet", 120, "mb").error, 0.05);         // damped to rest
     EXPECT_EQ(row_of("c8", "bullet", 60, "mb").unsupported,
-              "bullet's trees are for bodies that touch nothing");
+              "bullet's trees support no contacts");
     EXPECT_EQ(row_of("f2-1", "bullet", 60, "mb").unsupported,
-              "bullet's trees hold jointed bodies alone");
+              "bullet's trees support jointed bodies only");
 }
 
 TEST(Rows, report_unsupported_features) {
     if (!find_engine_kind("box2d")->make) GTEST_SKIP() << "not built in";
     const Row row = row_of("f1", "box2d", 60);
-    EXPECT_EQ(row.unsupported, "box2d is planar");
+    EXPECT_EQ(row.unsupported, "box2d supports planar scenes only");
     EXPECT_FALSE(row.usable());
 }
 
@@ -145,7 +145,7 @@ TEST(Stress, stack_stands_and_invalid_inputs_are_rejected) {
     EXPECT_TRUE(verdict_of("s1").pass);
     EXPECT_TRUE(verdict_of("s16").pass);
     const Verdict inputs = verdict_of("s22");
-    EXPECT_TRUE(inputs.pass) << inputs.figure.value_or(-1) << " inputs are taken";
+    EXPECT_TRUE(inputs.pass) << inputs.figure.value_or(-1) << " harmful inputs were accepted";
 }
 
 TEST(Stress, result_above_the_limit_fails) {

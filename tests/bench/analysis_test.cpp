@@ -100,7 +100,7 @@ TEST(Report, prints_errors_orders_work_and_failure_reasons) {
     const std::string text = scene_report(*find_experiment("j1"), rows);
     EXPECT_NE(text.find("30-60: 2.00"), std::string::npos) << text;
     EXPECT_NE(text.find("jostle 100 (m@60)"), std::string::npos);
-    EXPECT_NE(text.find("left out: no z"), std::string::npos);
+    EXPECT_NE(text.find("unsupported: no z"), std::string::npos);
 }
 
 TEST(Rows, round_trip_through_json) {
@@ -158,9 +158,10 @@ TEST(DocTables, replace_the_text_between_their_markers) {
 TEST(DocTables, contain_the_measured_values) {
     Row row = row_of("j1", "jostle", 60, 0.0015, 294.4);
     row.mode = "sub8";
-    EXPECT_NE(jostle_table({row}).find("| j1 | RMS distance, m; widest joint gap, m | 0.0015 | 0 | "
-                                       "294 |"),
-              std::string::npos)
+    EXPECT_NE(
+        jostle_table({row}).find("| j1 | RMS position error, m; widest joint gap, m | 0.0015 | 0 | "
+                                 "294 |"),
+        std::string::npos)
         << jostle_table({row});
     EXPECT_NE(score_table(score_of(synthetic_rows(), "jostle")).find("| j1 | 0.01 | 0.4 | peer |"),
               std::string::npos);

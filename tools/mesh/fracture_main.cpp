@@ -222,7 +222,7 @@ void add_solid(CLI::App& app, Flags& flags) {
         ->type_name("N")
         ->check(CLI::Range(1, 1024).description(""));
     app.add_option("--max-volume-error", flags.solid.decomposition.max_volume_error,
-                   "Allow this share of excess volume of the parts [default: 0.03; 0 to 10]")
+                   "Allow this share of excess volume in parts [default: 0.03; 0 to 10]")
         ->type_name("RATIO")
         ->check(CLI::Range(0.0, 10.0).description(""));
 }

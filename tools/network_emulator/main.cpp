@@ -71,7 +71,7 @@ int main(int argc, char** argv) {
         ->type_name("MS")
         ->check(range(1e5));
     app.add_option("--jitter-ms", settings.down.jitter_ms,
-                   "Add a uniformly distributed delay of up to MS [default: 0; 0 to 100000]")
+                   "Add a uniformly distributed delay up to MS [default: 0; 0 to 100000]")
         ->type_name("MS")
         ->check(range(1e5));
     app.add_option("--stall-interval-seconds", settings.down.stall_every_s,
@@ -92,7 +92,7 @@ int main(int argc, char** argv) {
             ->type_name("NAME")
             ->expected(2);
     app.add_option("--loss-percent", loss_percent,
-                   "Drop this percentage of packets in each direction [default: 0; 0 to 100]")
+                   "Drop this percentage of packets per direction [default: 0; 0 to 100]")
         ->type_name("PERCENT")
         ->needs(devices)
         ->check(range(100));

@@ -1,17 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
 // Embedded server: runs a Jostle server inside another program, creates a world in it over its own
-// API, and shuts it down.
+// API, and stops it.
 //
-// Shows: Config, check, run_server, the port file, WorldClient.
+// Shows: Config, check, ServerApp, WorldClient.
 // Run:   build/dev/bin/jostle-embed-server
-#include <unistd.h>
-
-#include <chrono>
-#include <csignal>
 #include <cstdio>
-#include <filesystem>
-#include <fstream>
 #include <string>
 #include <thread>
 
@@ -24,22 +18,8 @@ using namespace jostle;
 
 namespace {
 
-// The port of gRPC from a file such as {"grpc": 50051, "http": 8080}; 0 if the server has not
-// started within 10 s.
-int read_grpc_port(const std::filesystem::path& port_file) {
-    for (int k = 0; k < 1000; k++) {
-        int port = 0;
-        std::ifstream file(port_file);
-        std::string line;
-        if (std::getline(file, line) && std::sscanf(line.c_str(), "{\"grpc\": %d", &port) == 1)
-            return port;
-        std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    }
-    return 0;
-}
-
-int use_server(int port) {
-    client::WorldClient worlds("127.0.0.1:" + std::to_string(port));
+int create_and_list_worlds(int grpc_port) {
+    client::WorldClient worlds("127.0.0.1:" + std::to_string(grpc_port));
     v1::CreateWorldRequest request;
     request.set_name("arena");
     request.set_scene_name("stack");
@@ -58,8 +38,6 @@ int use_server(int port) {
 }  // namespace
 
 int main() {
-    const std::filesystem::path port_file = std::filesystem::temp_directory_path() /
-                                            ("jostle-ports-" + std::to_string(getpid()) + ".json");
     server::Config config;
     config.listen = "127.0.0.1:0";  // port 0: any free port
     config.http = "127.0.0.1:0";
@@ -69,14 +47,17 @@ int main() {
     server::check(config).expect();  // names the setting that is out of range
     server::start_log({.level = config.log_level});
 
-    int status = 1;
-    std::thread server([&] { status = server::run_server(config, port_file.string(), "1.0"); });
-    const int port = read_grpc_port(port_file);
-    const int used = port != 0 ? use_server(port) : 1;
-    std::raise(SIGTERM);  // the server disconnects its clients and returns
-    server.join();
+    auto app = server::ServerApp::start(config, {.version = "1.0", .handle_signals = false});
+    if (!app.ok()) {
+        std::fprintf(stderr, "cannot start: %s\n", app.error().message.c_str());
+        return 1;
+    }
+    std::thread serving([&] { (*app)->run(); });
+    const int status = create_and_list_worlds((*app)->ports().grpc);
+    (*app)->drain();  // disconnects the clients and makes run() return
+    serving.join();
+    (*app)->stop();
     server::stop_log();
-    std::filesystem::remove(port_file);
-    std::printf("the server ended with status %d\n", status);
-    return used != 0 ? used : status;
+    std::printf("the server has stopped\n");
+    return status;
 }

@@ -52,10 +52,13 @@ int main() {
         std::fprintf(stderr, "cannot start: %s\n", app.error().message.c_str());
         return 1;
     }
-    std::thread serving([&] { (*app)->run(); });
-    const int status = create_and_list_worlds((*app)->ports().grpc);
-    (*app)->drain();  // disconnects the clients and makes run() return
-    serving.join();
+    int status = 1;
+    std::thread user([&] {
+        status = create_and_list_worlds((*app)->ports().grpc);
+        (*app)->drain();  // disconnects the clients and makes run() return
+    });
+    (*app)->run();  // start(), run() and stop() belong to one thread
+    user.join();
     (*app)->stop();
     server::stop_log();
     std::printf("the server has stopped\n");

@@ -163,7 +163,7 @@ Status AdminControl::rewind_world(const v1::RewindWorldRequest& request,
     const auto rewound = context_.worlds.rewind(*world, request.tick());
     if (!rewound.ok()) return rewound.error();
     log_info("world {} was rewound to tick {} by an operator", (*rewound)->id(), request.tick());
-    response.set_tick((*rewound)->first_tick());
+    response.set_tick((*rewound)->properties().first_tick);
     return {};
 }
 

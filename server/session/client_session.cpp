@@ -381,11 +381,11 @@ void ClientSession::leave_world(std::optional<Clock::time_point> lost) {
         suspend(*lost);
     } else {
         if (resume_session_) context_.resume_registry.close(*resume_session_);
-        // In this order: whoever goes on with the world elsewhere looks who is there
-        // (put_in_place).
+        // The session ends first: a host that replaces this world reads the list of sessions.
         context_.sessions.leave(client_);
-        const std::shared_ptr<WorldHost> goes_on = context_.worlds.find(broadcast_->host().id());
-        (goes_on ? *goes_on : broadcast_->host())
+        const std::shared_ptr<WorldHost> current = context_.worlds.find(broadcast_->host().id());
+        (current ? *current : broadcast_->host())
+            .mailbox()
             .leave(client_, context_.config.client.retain_bodies_after_leave);
     }
     client_ = 0;

@@ -209,9 +209,9 @@ TEST(Continuous, rotating_thick_body_is_swept_like_a_thin_one) {
                     .position = {-1, 0, 0},
                     .restitution = 0.17,
                     .type = BodyType::static_body});
-        const TestBody thick{
+        const BuiltBody thick{
             .geometry = Sphere{0.5}, .position = {0.567, 0, 0}, .velocity = {-40, 0, 0}};
-        const TestBody thin{
+        const BuiltBody thin{
             .geometry = Box{{0.01, 1, 1}}, .position = {1.08, 0, 0}, .velocity = {1, 0, 0}};
         const BodyId first = add(world, ball_first ? thick : thin),
                      second = add(world, ball_first ? thin : thick);

@@ -14,7 +14,7 @@ using namespace physics;
 const Vec3 moments{0.1, 0.2, 0.28};  // kg m^2 of a box of 1 kg
 const Vec3 spin{0.01, 5, 0.01};      // rad/s
 
-TestBody wing_nut() {
+BuiltBody wing_nut() {
     // I = m/3 (hy^2 + hz^2, ...) solved for the half extents.
     const Vec3 h{square_root(0.57), square_root(0.27), square_root(0.03)};
     return {.geometry = Box{h}, .spin = spin, .density = 1 / (8 * h.x * h.y * h.z)};

@@ -131,8 +131,8 @@ TEST(Billiard, struck_ball_moves_along_the_line_of_centers) {
     for (const double hz : {30.0, 60.0, 120.0, 240.0})
         for (int phase = 0; phase < 8; phase++) {
             World world = make_world({.gravity = {}});
-            const TestBody ball{.geometry = Sphere{radius}, .friction = 0, .restitution = 1};
-            TestBody first = ball, second = ball;
+            const BuiltBody ball{.geometry = Sphere{radius}, .friction = 0, .restitution = 1};
+            BuiltBody first = ball, second = ball;
             first.velocity = along * 5;
             first.position = along * (-2 + 5 * phase / (8 * hz));
             second.position = aside * radius;
@@ -153,15 +153,15 @@ TEST(Billiard, struck_ball_moves_along_the_line_of_centers) {
 TEST(Billiard, break_conserves_energy_and_momentum) {
     for (const double hz : rates) {
         World world = make_world({.gravity = {}, .sleeping = false});
-        const TestBody ball{.geometry = Sphere{radius}, .friction = 0, .restitution = 1};
+        const BuiltBody ball{.geometry = Sphere{radius}, .friction = 0, .restitution = 1};
         std::vector<BodyId> balls;
         for (int row = 0; row < 5; row++)
             for (int k = 0; k <= row; k++) {
-                TestBody p = ball;
+                BuiltBody p = ball;
                 p.position = {0.2 * square_root(0.75) * row, 0, 0.2 * k - 0.1 * row};
                 balls.push_back(add(world, p));
             }
-        TestBody cue = ball;
+        BuiltBody cue = ball;
         cue.position = {-0.7, 0, 0.01};
         cue.velocity = {6, 0, 0};
         balls.push_back(add(world, cue));

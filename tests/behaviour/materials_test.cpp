@@ -12,7 +12,7 @@ namespace jostle::test {
 namespace {
 using namespace physics;
 
-BodyId add_with(World& world, const TestBody& part, const Material& material, Filter filter = {}) {
+BodyId add_with(World& world, const BuiltBody& part, const Material& material, Filter filter = {}) {
     return must(world.create_body({.type = part.type,
                                    .pose = {part.position, part.rotation},
                                    .linear_velocity = part.velocity,

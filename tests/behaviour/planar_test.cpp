@@ -100,8 +100,8 @@ TEST(Planar, falling_plank_lands_on_the_plate_below) {
         World world = flat_world();
         add_floor(world);
         const double thin = 0.05, tall = 0.4, lean = 0.3;
-        const TestBody plate{.geometry = Box{{1, 0.2, 1}}, .position = {0, 0.2, 0}, .friction = 1};
-        const TestBody plank{
+        const BuiltBody plate{.geometry = Box{{1, 0.2, 1}}, .position = {0, 0.2, 0}, .friction = 1};
+        const BuiltBody plank{
             .geometry = Box{{thin, tall, 1}},
             .position = {-0.3, 0.4 + tall * std::cos(lean) + thin * std::sin(lean), 0},
             .rotation = from_rotation_vector({0, 0, -lean}),

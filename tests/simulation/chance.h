@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What happens by chance: the tests' numbers, and a few questions more.
+// Random events: the generator of the tests with a few more functions.
 #pragma once
 
 #include <string>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// A client as ours are, on a line that may be bad: plays, leaves, comes again. Checks what it is
-// promised: each input has one answer, and what it decodes is the state of the server's world.
+// A well-behaved client on an impaired connection: it plays, leaves and connects again. It checks
+// the guarantees of the protocol: each input has one result, and the decoded state equals the
+// server's world.
 #pragma once
 
 #include <cstdint>
@@ -18,13 +19,13 @@
 
 namespace jostle::simulation {
 
-// What is told of a promise that was broken: ends the run.
+// Receives a description of a violated guarantee; ends the run.
 using FailureHandler = std::function<void(const std::string&)>;
 
-// Counted over a run.
+// Counts of a run.
 struct Tally {
     std::uint64_t connections = 0, snapshots = 0, inputs = 0, applied = 0, refused = 0;
-    std::uint64_t resumed = 0;  // connections in which a client was the one that it was
+    std::uint64_t resumed = 0;  // connections that resumed a session
     std::uint64_t spawned = 0, frames_compared = 0, hostile_messages = 0, faults = 0;
 };
 
@@ -32,15 +33,15 @@ class HonestClient {
 public:
     HonestClient(std::string name, std::uint64_t seed, Tally& tally, FailureHandler fail);
 
-    // The frame of a tick not long ago; null: not known any more.
+    // The frame of a recent tick; null: no longer stored.
     using FrameOf = std::function<server::FramePtr(std::uint32_t tick)>;
 
     void connect(std::shared_ptr<NetworkLine> line, Clock::time_point now);
-    // Hears, thinks and speaks.
+    // Receives messages, decides and sends messages.
     void act(Clock::time_point now, const FrameOf& frame_of);
-    void leave() { conversation_.leave(); }
+    void leave() { protocol_.leave(); }
     bool is_connected() const { return line_ != nullptr; }
-    bool has_left() const { return conversation_.leaving(); }
+    bool has_left() const { return protocol_.leaving(); }
 
 private:
     void on_welcome();
@@ -54,18 +55,19 @@ private:
     const std::string name_;
     Chance chance_;
     Tally& tally_;
-    const FailureHandler complain_;
-    client::PlayProtocol conversation_;
+    const FailureHandler fail_;
+    client::PlayProtocol protocol_;
     bots::Behaviour behaviour_;
     std::shared_ptr<NetworkLine> line_;
     Clock::time_point connected_at_{};
-    bool is_new_line_ = false;  // on which no Welcome has come
+    bool is_new_line_ = false;  // no Welcome was received on this connection
     std::uint64_t resumed_ = 0;
-    // Of this client of the server: sequences of inputs, and entities.
-    std::uint32_t last_sequence_ = 0, answered_ = 0, carried_over_ = 0;
-    std::uint64_t sends_ = 0;  // of all connections
-    std::set<std::uint32_t> spawns_asked_, spawned_;
-    std::map<std::uint32_t, std::uint64_t> unexplained_;  // entities of its own: since which act
+    // State of the present session: sequences of inputs, and entities.
+    std::uint32_t last_sequence_ = 0, last_result_ = 0, carried_over_ = 0;
+    std::uint64_t sends_ = 0;  // over all connections
+    std::set<std::uint32_t> pending_spawns_, spawned_;
+    // owned entities without a result, and the act since which they exist
+    std::map<std::uint32_t, std::uint64_t> unexplained_;
     std::uint64_t acts_ = 0;
     std::uint64_t snapshots_ = 0, decode_errors_ = 0;
 };

@@ -22,7 +22,7 @@ void HostileClient::act(Clock::time_point now) {
     if (kind_ != Kind::deaf)
         while (const std::optional<std::string> message = line_->receive(now))
             if (kind_ == Kind::liar) frame_++;
-    // The deaf one learns of its end only by what it sends.
+    // The deaf client detects the end of its connection only when it sends.
     if (line_->is_over() || (kind_ == Kind::deaf && line_->is_closed())) {
         line_ = nullptr;
         return;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Somebody who means harm, or whose program is broken: it knows the protocol, and how to break it.
+// A malicious or defective client. It knows the protocol and violates it.
 #pragma once
 
 #include <memory>
@@ -13,15 +13,15 @@ namespace jostle::simulation {
 
 class HostileClient {
 public:
-    // What it does; chosen by chance.
+    // The behaviour, chosen at random.
     enum class Kind {
-        garbage,  // bytes of no meaning
-        mutant,   // good messages with a few bits changed
-        flooder,  // good inputs, by the hundred, numbered as it likes
-        hoarder,  // spawns as much as it can in one place, and blows it up
+        garbage,  // random bytes
+        mutant,   // valid messages with a few changed bits
+        flooder,  // hundreds of valid inputs with arbitrary sequences
+        hoarder,  // spawns as much as possible at one position and explodes it
         deaf,     // never reads
-        liar,     // acknowledges what it never got, and asks for keyframes
-        silent,   // says Hello, or not even that
+        liar,     // acknowledges frames that it never received and requests keyframes
+        silent,   // sends at most a Hello
         count
     };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// jostle-simulation: whole servers in no time, from seeds.
+// jostle-simulation: complete simulated servers, seeded, faster than real time.
 #include <google/protobuf/stubs/logging.h>
 #include <spdlog/spdlog.h>
 #include <unistd.h>
@@ -18,14 +18,16 @@ using jostle::simulation::Simulation;
 using jostle::simulation::Tally;
 
 constexpr const char* footer = R"(
-Three honest clients and a hostile one play on lines that are slow and break, while the machine stands still now and then, worlds
-are paused and made anew and the process restarts. Checked all along: what honest clients decode is the world's state, bit by bit;
-each input is answered once, and what was spawned is there from the tick that the answer names; who leaves leaves nothing behind;
-memory does not grow.
+Three honest clients and a hostile one play over slow and breaking connections. Meanwhile the machine
+is suspended now and then, worlds are paused and recreated, and the server process restarts. Checks:
+- honest clients decode the exact state of the world;
+- each input has one result, and a spawned body exists from the tick of its result;
+- a client that leaves leaves nothing behind;
+- memory does not grow.
 
-A run that fails names its seed and tick: the same seed with --ticks up to there does the same again.
+A failure names its seed and tick. The same seed with --ticks up to that tick reproduces it.
 
-Exit status: 0 all held, 1 a promise was broken, 2 wrong flags.)";
+Exit status: 0 all guarantees held, 1 a guarantee was violated, 2 invalid flags.)";
 
 // Resident memory of this process in MB.
 double resident_mb() {
@@ -35,7 +37,7 @@ double resident_mb() {
     return resident * static_cast<double>(sysconf(_SC_PAGESIZE)) / 1e6;
 }
 
-// What the second half of a run may add to the first: pages that allocators keep.
+// Allowed growth in the second half of a run: memory that allocators retain.
 constexpr double growth_mb_max = 16;
 
 struct Flags {
@@ -62,44 +64,43 @@ int run(const Flags& flags) {
         std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
     const Tally& t = simulation.tally();
     const auto n = [](std::uint64_t x) { return static_cast<unsigned long long>(x); };
-    std::printf("seed %llu: %llu ticks in %.1f s, %.0f a minute; fingerprint %016llx\n",
+    std::printf("seed %llu: %llu ticks in %.1f s, %.0f per minute; fingerprint %016llx\n",
                 n(flags.seed), n(simulation.ticks()), seconds,
                 60 * static_cast<double>(simulation.ticks()) / seconds,
                 n(simulation.fingerprint()));
     std::printf(
         "  %llu connections (%llu resumed), %llu snapshots decoded, %llu of them compared; %llu "
-        "inputs, %llu "
-        "applied, %llu refused, %llu bodies spawned\n",
+        "inputs, %llu applied, %llu rejected, %llu bodies spawned\n",
         n(t.connections), n(t.resumed), n(t.snapshots), n(t.frames_compared), n(t.inputs),
         n(t.applied), n(t.refused), n(t.spawned));
-    std::printf("  %llu hostile messages, %llu faults; %.0f MB at half of it, %.0f MB at the end\n",
+    std::printf("  %llu hostile messages, %llu faults; %.0f MB at half time, %.0f MB at the end\n",
                 n(t.hostile_messages), n(t.faults), half_mb, resident_mb());
     if (!simulation.failure().empty()) {
-        std::printf("BROKEN: %s\n", simulation.failure().c_str());
+        std::printf("FAILED: %s\n", simulation.failure().c_str());
         return 1;
     }
     if (resident_mb() > half_mb + growth_mb_max) {
-        std::printf("BROKEN: memory grows\n");
+        std::printf("FAILED: memory grows\n");
         return 1;
     }
     if (!flags.twice) return 0;
     Simulation again(flags.seed);
     again.run(flags.ticks);
     if (again.fingerprint() == simulation.fingerprint()) return 0;
-    std::printf("BROKEN: the same seed did something else\n");
+    std::printf("FAILED: the same seed gave a different fingerprint\n");
     return 1;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-    CLI::App app{"Simulates whole servers with their clients, much faster than time passes."};
+    CLI::App app{"Simulate complete servers with their clients, much faster than real time."};
     Flags flags;
-    app.add_option("--seed", flags.seed, "Where chance begins")->capture_default_str();
-    app.add_option("--ticks", flags.ticks, "How long")
+    app.add_option("--seed", flags.seed, "Seed of the random numbers")->capture_default_str();
+    app.add_option("--ticks", flags.ticks, "Number of ticks")
         ->capture_default_str()
         ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000'000}));
-    app.add_flag("--twice", flags.twice, "Runs it again: the same seed must do the same");
+    app.add_flag("--twice", flags.twice, "Run twice; both runs must give the same fingerprint");
     app.footer(footer);
     try {
         app.parse(argc, argv);
@@ -107,6 +108,6 @@ int main(int argc, char** argv) {
         return app.exit(error) == 0 ? 0 : 2;
     }
     spdlog::set_level(spdlog::level::off);
-    google::protobuf::SetLogHandler(nullptr);  // hostile clients make it talk
+    google::protobuf::SetLogHandler(nullptr);  // hostile clients provoke messages
     return run(flags);
 }

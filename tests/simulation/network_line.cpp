@@ -7,9 +7,9 @@ namespace jostle::simulation {
 
 namespace {
 
-// What a client may have on its way up before it has to wait.
+// Maximum number of bytes in flight from a client; it waits beyond that.
 constexpr std::size_t up_max = 4 * Pipe::capacity;
-constexpr int messages_of_turn = 64;
+constexpr int messages_per_turn = 64;
 
 server::Peer peer(server::PlayContext& context, const std::string& name,
                   const std::string& address) {
@@ -32,8 +32,8 @@ Clock::time_point NetworkLine::arrival(Clock::time_point now) {
 }
 
 void NetworkLine::send(std::string bytes, Clock::time_point now) {
-    if (hung_up_ || over_ || up_.bytes() > up_max) return;
-    if (chance_.one_in(quality_.cuts_after)) return cut(now, "the line broke");
+    if (client_closed_ || over_ || up_.bytes() > up_max) return;
+    if (chance_.one_in(quality_.cuts_after)) return cut(now, "the connection broke");
     up_.put(std::move(bytes), arrival(now));
 }
 
@@ -45,8 +45,8 @@ std::optional<std::string> NetworkLine::receive(Clock::time_point now) {
 }
 
 void NetworkLine::close_by_client(Clock::time_point now) {
-    if (hung_up_) return;
-    hung_up_ = true;
+    if (client_closed_) return;
+    client_closed_ = true;
     if (!closed_) session_.on_peer_closed(now);
 }
 
@@ -63,7 +63,7 @@ void NetworkLine::serve(Clock::time_point now) {
 }
 
 void NetworkLine::deliver(Clock::time_point now) {
-    for (int i = 0; i < messages_of_turn && !hung_up_; i++) {
+    for (int i = 0; i < messages_per_turn && !client_closed_; i++) {
         const std::optional<std::string> message = up_.take(now);
         if (!message) return;
         if (!session_.end()) session_.receive(*message, now);
@@ -80,11 +80,11 @@ void NetworkLine::write(Clock::time_point now) {
             }
             return;
         }
-        if (hung_up_) continue;
+        if (client_closed_) continue;
         down_.put(out->concatenated(), arrival(now));
     }
     session_.wait_for_write(now);
-    // As the transports do with who takes nothing: nobody waits for the last word to be heard.
+    // As in the transports: the server does not wait for a client that does not read.
     if (session_.end()) {
         closed_ = true;
         end_ = *session_.end();

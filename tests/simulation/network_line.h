@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A connection of a simulated client: the server's end of the conversation, two pipes, and how good
-// the line is.
+// The connection of a simulated client: the server's session, two pipes and the network conditions.
 #pragma once
 
 #include <memory>
@@ -14,8 +13,9 @@
 namespace jostle::simulation {
 
 struct NetworkConditions {
-    Clock::duration delay = std::chrono::milliseconds(20);  // of one way, and up to as much again
-    double cuts_after = 1e9;  // messages, on average: then the connection breaks
+    // minimum per direction; the maximum is twice as long
+    Clock::duration delay = std::chrono::milliseconds(20);
+    double cuts_after = 1e9;  // mean number of messages until the connection breaks
 };
 
 class NetworkLine {
@@ -27,13 +27,13 @@ public:
     void send(std::string bytes, Clock::time_point now);
     std::optional<std::string> receive(Clock::time_point now);
     void close_by_client(Clock::time_point now);
-    // The server has ended it and all it said was heard, or it broke.
+    // The server ended the connection and all its messages were received, or the connection broke.
     bool is_over() const { return over_; }
     const Status& end_status() const { return end_; }
 
-    // --- the server's end, once a tick and when a frame came: as a transport would ---
+    // --- the server's end, called once per tick and after each frame, like a transport ---
     void serve(Clock::time_point now);
-    bool is_closed() const { return closed_; }  // may be forgotten by the server
+    bool is_closed() const { return closed_; }  // the server can remove it
 
 private:
     void deliver(Clock::time_point now);
@@ -45,7 +45,7 @@ private:
     const NetworkConditions quality_;
     server::ClientSession session_;
     Pipe up_, down_;
-    bool hung_up_ = false, closed_ = false, over_ = false;
+    bool client_closed_ = false, closed_ = false, over_ = false;
     Status end_;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// One direction of a connection in memory: messages arrive whole, in order and late, and what the
-// buffers hold is bounded, as with a TCP connection and HTTP/2 upon it.
+// One direction of an in-memory connection. Messages arrive complete, in order and delayed, and the
+// buffers are bounded, as in a TCP connection with HTTP/2.
 #pragma once
 
 #include <algorithm>
@@ -17,13 +17,13 @@ using server::Clock;
 
 class Pipe {
 public:
-    static constexpr std::size_t capacity = 64 * 1024;  // bytes, and one message more
+    static constexpr std::size_t capacity = 64 * 1024;  // bytes, plus one message
 
     bool is_full() const { return bytes_ >= capacity; }
     std::size_t bytes() const { return bytes_; }
 
     void put(std::string message, Clock::time_point due) {
-        // What comes later arrives later.
+        // Messages arrive in order.
         if (!messages_.empty()) due = std::max(due, messages_.back().due);
         bytes_ += message.size();
         messages_.push_back({std::move(message), due});

@@ -14,8 +14,8 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr double hz = 60;
-constexpr std::size_t frames_kept = 900;  // 15 s: longer than any line takes
-constexpr std::uint64_t day = 20'000;     // ticks; then everybody leaves
+constexpr std::size_t frames_retained = 900;  // 15 s: longer than any delay of a connection
+constexpr std::uint64_t cycle = 20'000;       // ticks; then all clients leave
 
 scenes::SceneDescription scene() {
     scenes::SceneDescription small = test::small_scene();
@@ -31,7 +31,7 @@ server::Config small_config() {
     config.client.bodies_owned_max = 4;
     config.auth.anonymous_role = "player";
     config.auth.audit_log = "/dev/null";
-    // They count by the real clock.
+    // quotas use the real clock
     for (double* rate : {&config.quota.creates_per_minute, &config.quota.joins_per_minute,
                          &config.quota.queries_per_second})
         *rate = 1e9;
@@ -40,7 +40,7 @@ server::Config small_config() {
 
 }  // namespace
 
-// A process, from start to end.
+// A server process, from start to end.
 struct Simulation::Server {
     explicit Server(server::Authorizer& opened) : authorizer(opened) {
         world = worlds.create("", scene()).value();
@@ -57,28 +57,28 @@ struct Simulation::Server {
         config.world.worlds_max};
     std::shared_ptr<server::WorldHost> world;
     server::PlayContext context{
-        .config = config, .worlds = worlds, .sessions = sessions, .authorizer = gate};
+        .config = config, .worlds = worlds, .sessions = sessions, .authorizer = authorizer};
 };
 
 Simulation::Simulation(std::uint64_t seed) : chance_(seed) {
     start_server();
-    for (ClientSlot& seat : seats_)
-        seat.again = now_ + std::chrono::milliseconds(chance_.below(3000));
+    for (ClientSlot& slot : slots_)
+        slot.again = now_ + std::chrono::milliseconds(chance_.below(3000));
     hostile_again_ = now_;
 }
 
 Simulation::~Simulation() {
     hostile_.reset();
-    for (ClientSlot& seat : seats_) seat.client.reset();
+    for (ClientSlot& slot : slots_) slot.client.reset();
     lines_.clear();
 }
 
 void Simulation::fail(const std::string& what) {
-    if (complaint_.empty()) complaint_ = "tick " + std::to_string(ticks_) + ": " + what;
+    if (failure_.empty()) failure_ = "tick " + std::to_string(ticks_) + ": " + what;
 }
 
 void Simulation::start_server() {
-    // Its log has a thread, so there is one for all.
+    // Its log has a thread, so all servers share one.
     static const std::unique_ptr<server::Authorizer> authorizer =
         server::Authorizer::open(small_config()).value();
     lines_.clear();
@@ -88,7 +88,7 @@ void Simulation::start_server() {
 }
 
 void Simulation::run(std::uint64_t ticks) {
-    for (const std::uint64_t end = ticks_ + ticks; ticks_ < end && complaint_.empty();) tick();
+    for (const std::uint64_t end = ticks_ + ticks; ticks_ < end && failure_.empty();) tick();
 }
 
 void Simulation::tick() {
@@ -98,13 +98,13 @@ void Simulation::tick() {
     server_->world->tick(now_);
     server::remove_expired_clients(server_->context, now_);
     frames_.push_back(server_->world->frame());
-    if (frames_.size() > frames_kept) frames_.pop_front();
+    if (frames_.size() > frames_retained) frames_.pop_front();
     serve_lines();
-    for (ClientSlot& seat : seats_) act_honest(seat);
+    for (ClientSlot& slot : slots_) act_honest(slot);
     act_hostile();
     serve_lines();
-    if (ticks_ % day == 0) night_ = true;
-    if (night_) restart_server();
+    if (ticks_ % cycle == 0) emptying_ = true;
+    if (emptying_) end_cycle();
 }
 
 server::FramePtr Simulation::frame_of(std::uint32_t tick) const {
@@ -113,10 +113,10 @@ server::FramePtr Simulation::frame_of(std::uint32_t tick) const {
     return found == frames_.end() ? nullptr : *found;
 }
 
-// ---- what goes wrong ----
+// ---- faults ----
 
 void Simulation::faults() {
-    if (chance_.one_in(5'000)) pause_of_machine();
+    if (chance_.one_in(5'000)) pause_machine();
     if (chance_.one_in(6'000) && resume_at_ == Clock::time_point{}) {
         tally_.faults++;
         server_->world->pause("a fault of the simulation");
@@ -127,7 +127,7 @@ void Simulation::faults() {
         resume_at_ = {};
     }
     if (chance_.one_in(30'000)) {
-        // The world is deleted under its clients, and one of the same scene takes its place.
+        // The world is deleted while clients play, and a new world of the same scene replaces it.
         tally_.faults++;
         server_->worlds.remove(server_->world->id());
         server_->world = server_->worlds.create("", scene()).value();
@@ -140,7 +140,7 @@ void Simulation::faults() {
         restart_at_ = now_ + 3s;
     }
     if (restart_at_ != Clock::time_point{} && now_ >= restart_at_) {
-        // Who is still there is told, and then the process ends.
+        // Connected clients are notified, then the process ends.
         server_->context.closing = true;
         serve_lines();
         for (const auto& line : lines_) line->close_by_client(now_);
@@ -149,13 +149,14 @@ void Simulation::faults() {
     }
 }
 
-// SIGSTOP, or a virtual machine that is moved: the server's clock goes on, and it does not.
-void Simulation::pause_of_machine() {
+// Simulates SIGSTOP or the migration of a virtual machine: the clock advances while the server is
+// suspended.
+void Simulation::pause_machine() {
     tally_.faults++;
     now_ += std::chrono::milliseconds(600 + chance_.below(15'000));
 }
 
-// ---- who plays ----
+// ---- clients ----
 
 std::shared_ptr<NetworkLine> Simulation::new_line(const std::string& name, bool is_honest) {
     NetworkConditions quality{.delay = std::chrono::milliseconds(1 + chance_.below(80))};
@@ -173,25 +174,25 @@ void Simulation::serve_lines() {
     std::erase_if(lines_, [](const auto& line) { return line->is_closed(); });
 }
 
-void Simulation::act_honest(ClientSlot& seat) {
-    if (!seat.client) {
-        if (night_ || now_ < seat.again) return;
-        seat.client = std::make_unique<HonestClient>(
+void Simulation::act_honest(ClientSlot& slot) {
+    if (!slot.client) {
+        if (emptying_ || now_ < slot.again) return;
+        slot.client = std::make_unique<HonestClient>(
             "honest", chance_.bits(), tally_, [this](const std::string& what) { fail(what); });
     }
-    HonestClient& client = *seat.client;
+    HonestClient& client = *slot.client;
     if (!client.is_connected()) {
         if (client.has_left()) {
-            seat.client.reset();
-            seat.again = now_ + std::chrono::milliseconds(chance_.below(8000));
+            slot.client.reset();
+            slot.again = now_ + std::chrono::milliseconds(chance_.below(8000));
             return;
         }
-        if (now_ < seat.again) return;
+        if (now_ < slot.again) return;
         client.connect(new_line("honest", true), now_);
     }
-    if (night_ || chance_.one_in(2'000)) client.leave();
+    if (emptying_ || chance_.one_in(2'000)) client.leave();
     client.act(now_, [this](std::uint32_t tick) { return frame_of(tick); });
-    if (!client.is_connected()) seat.again = now_ + std::chrono::milliseconds(chance_.below(2000));
+    if (!client.is_connected()) slot.again = now_ + std::chrono::milliseconds(chance_.below(2000));
 }
 
 void Simulation::act_hostile() {
@@ -199,41 +200,43 @@ void Simulation::act_hostile() {
         hostile_->act(now_);
         return;
     }
-    if (night_ || now_ < hostile_again_) return;
+    if (emptying_ || now_ < hostile_again_) return;
     hostile_ = std::make_unique<HostileClient>(chance_.bits(), tally_);
     hostile_->connect(new_line("hostile", false));
     hostile_again_ = now_ + std::chrono::milliseconds(chance_.below(1500));
 }
 
-// ---- what must be so when nobody is there ----
+// ---- requirements when no client is connected ----
 
 bool Simulation::all_clients_left() const {
-    return server_->context.resume_registry.lost() == 0 &&
+    return server_->context.resume_registry.disconnected() == 0 &&
            (!hostile_ || !hostile_->is_connected()) &&
-           std::ranges::all_of(seats_, [](const ClientSlot& seat) { return !seat.client; });
+           std::ranges::all_of(slots_, [](const ClientSlot& slot) { return !slot.client; });
 }
 
-void Simulation::restart_server() {
-    if (ticks_ % day == static_cast<std::uint64_t>(60 * 60)) fail("somebody does not leave");
+void Simulation::end_cycle() {
+    if (ticks_ % cycle == static_cast<std::uint64_t>(60 * 60))
+        fail("a client did not leave in time");
     if (!all_clients_left() || !lines_.empty() || restart_at_ != Clock::time_point{} ||
         resume_at_ != Clock::time_point{})
         return;
-    // The world hears of those who left with its next tick.
+    // The world processes the departures in its next tick.
     server_->world->tick(now_);
     check_no_leaks();
     frames_.clear();
-    night_ = false;
+    emptying_ = false;
 }
 
 void Simulation::check_no_leaks() {
     if (server_->sessions.clients() != 0)
-        fail(std::to_string(server_->sessions.clients()) + " clients are still counted");
-    if (const auto sights = server_->context.records.check(now_); !sights.empty())
-        fail("there is still a record of client " + std::to_string(sights.front().who.id));
+        fail(std::to_string(server_->sessions.clients()) +
+             " clients are still counted after all left");
+    if (const auto clients = server_->context.connected_clients.status(now_); !clients.empty())
+        fail("client " + std::to_string(clients.front().who.id) + " is still listed after it left");
     for (const auto& entity : *server_->world->frame()->entity_list)
         if (entity->owner != 0)
             fail("entity " + std::to_string(entity->id) + " of client " +
-                 std::to_string(entity->owner) + " is still there");
+                 std::to_string(entity->owner) + " still exists after the client left");
 }
 
 std::uint64_t Simulation::fingerprint() const {

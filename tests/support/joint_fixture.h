@@ -15,7 +15,7 @@ inline physics::BodyId anchor(physics::World& world, physics::Vec3 at = {}) {
 }
 
 // A body that does not fall asleep.
-inline physics::BodyId block(physics::World& world, TestBody part) {
+inline physics::BodyId block(physics::World& world, BuiltBody part) {
     part.sleep_allowed = false;
     return add(world, part);
 }

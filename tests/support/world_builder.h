@@ -35,7 +35,7 @@ inline void must(const physics::Status& status) {
 }
 
 // One body of one shape, with the few things that tests vary.
-struct TestBody {
+struct BuiltBody {
     physics::Geometry geometry = physics::Box{};
     physics::Vec3 position;
     physics::Quat rotation;
@@ -52,7 +52,7 @@ inline physics::World make_world(const physics::WorldDef& def = {}) {
     return must(physics::World::create(def));
 }
 
-inline physics::BodyId add(physics::World& world, const TestBody& part) {
+inline physics::BodyId add(physics::World& world, const BuiltBody& part) {
     return must(world.create_body({.type = part.type,
                                    .pose = {part.position, part.rotation},
                                    .linear_velocity = part.velocity,
@@ -73,7 +73,7 @@ inline physics::BodyId add_floor(physics::World& world, double friction = 0.5,
 }
 
 // A part that never moves.
-inline physics::BodyId add_static(physics::World& world, TestBody part) {
+inline physics::BodyId add_static(physics::World& world, BuiltBody part) {
     part.type = physics::BodyType::static_body;
     return add(world, part);
 }

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Kills a server again and again while bots play, and then reads its store: each input that a bot
-// was told of must be there, none twice, and the world must be what it would have been without a
-// single kill.
+// Kills a server repeatedly while bots play, and then reads its database: each input with a result
+// must be stored exactly once, and the world must equal the world of an uninterrupted replay.
 #include <grpcpp/create_channel.h>
 
 #include <CLI/CLI.hpp>
@@ -40,10 +39,10 @@ struct Plan {
     bool gently = false, rewinds = false, verbose = false;
 };
 
-// Which input of which client.
-using Numbered = std::pair<std::uint32_t, std::uint32_t>;
+// Client id and input sequence.
+using InputId = std::pair<std::uint32_t, std::uint32_t>;
 
-// One player: throws balls, pushes things and deletes them, and writes down what it is told.
+// One player: throws balls, pushes and deletes bodies, and records the results of its inputs.
 class Bot {
 public:
     Bot(client::Loop& loop, const std::string& target, unsigned seed)
@@ -53,22 +52,22 @@ public:
     void play() {
         const client::ClientStats stats = client_->stats();
         if (stats.connected && stats.client_id != id_) {
-            if (id_ != 0) strangers_++;
+            if (id_ != 0) new_sessions_++;
             id_ = stats.client_id;
         }
         for (const v1::InputResult& result : client_->take_results()) {
             if (result.code() == v1::INPUT_CODE_UNAVAILABLE)
                 refused_++;
             else
-                told_.emplace(id_, result.sequence());
+                results_.emplace(id_, result.sequence());
         }
         if (random_() % 4 != 0) return;
         client_->send(any_input());
     }
-    bool was_acknowledged() const { return !told_.empty(); }
+    bool was_acknowledged() const { return !results_.empty(); }
     bool is_connected() const { return client_->stats().connected; }
-    const std::set<Numbered>& told() const { return told_; }
-    int strangers() const { return strangers_; }
+    const std::set<InputId>& results() const { return results_; }
+    int new_sessions() const { return new_sessions_; }
     int refused() const { return refused_; }
     std::uint64_t resumed() const { return client_->stats().resumed; }
     std::string last_error() const { return client_->stats().last_error; }
@@ -100,37 +99,37 @@ private:
     std::mt19937 random_;
     std::shared_ptr<client::Client> client_;
     std::uint32_t id_ = 0;
-    std::set<Numbered> told_;
-    int strangers_ = 0, refused_ = 0;
+    std::set<InputId> results_;
+    int new_sessions_ = 0, refused_ = 0;
 };
 
-// What the store says in the end.
+// Results of the check of the database.
 struct Findings {
-    std::size_t told = 0, kept = 0, lost = 0, twice = 0, left = 0;
+    std::size_t results = 0, stored_inputs = 0, lost = 0, twice = 0, left = 0;
     int checkpoints = 0, other_hashes = 0;
     std::uint32_t ticks = 0;
     bool same_end = false;
-    std::vector<std::string> remarks;
+    std::vector<std::string> warnings;
 
     bool good() const {
         return lost == 0 && twice == 0 && left == 0 && other_hashes == 0 && same_end &&
-               remarks.empty();
+               warnings.empty();
     }
 };
 
-// How often each input is there; counts clients who left, too: none did.
-std::map<Numbered, int> inputs_in(server::WorldStorage& store, const std::string& world,
-                                  std::size_t& left) {
-    std::map<Numbered, int> kept;
+// Counts how often each input is stored, and the clients that left; no client leaves.
+std::map<InputId, int> inputs_in(server::WorldStorage& store, const std::string& world,
+                                 std::size_t& left) {
+    std::map<InputId, int> stored_inputs;
     for (std::uint64_t after = 0;;) {
         const auto entries = store.entries(world, after, 8 << 20).value();
-        if (entries.empty()) return kept;
+        if (entries.empty()) return stored_inputs;
         for (const server::JournalEntry& entry : entries) {
             const std::string data = server::decompress(entry.data, 1 << 28).value();
             const server::JournalSegment batch = server::decode_journal(data).value();
             for (const server::JournaledTick& tick : batch.ticks)
                 for (const server::JournaledCommand& command : tick.commands) {
-                    if (command.sequence != 0) kept[{command.client, command.sequence}]++;
+                    if (command.sequence != 0) stored_inputs[{command.client, command.sequence}]++;
                     if (command.action &&
                         std::holds_alternative<server::LeaveCommand>(*command.action))
                         left++;
@@ -145,13 +144,13 @@ Findings read_store(const std::string& path, const std::vector<std::unique_ptr<B
     const auto store = server::SqliteStorage::open(path, {}).value();
     const server::StoredWorld stored = store->worlds().value().at(0);
     const auto record = server::decode_world_definition(stored.settings).value();
-    const std::map<Numbered, int> kept = inputs_in(*store, stored.id, found.left);
-    found.kept = kept.size();
-    for (const auto& [input, times] : kept) found.twice += times > 1 ? 1 : 0;
+    const std::map<InputId, int> stored_inputs = inputs_in(*store, stored.id, found.left);
+    found.stored_inputs = stored_inputs.size();
+    for (const auto& [input, times] : stored_inputs) found.twice += times > 1 ? 1 : 0;
     for (const auto& bot : bots) {
-        found.told += bot->told().size();
-        for (const Numbered& input : bot->told())
-            if (!kept.contains(input)) {
+        found.results += bot->results().size();
+        for (const InputId& input : bot->results())
+            if (!stored_inputs.contains(input)) {
                 found.lost++;
                 std::printf("lost: input %u of client %u\n", input.second, input.first);
             }
@@ -176,7 +175,7 @@ Findings read_store(const std::string& path, const std::vector<std::unique_ptr<B
     found.ticks = whole.tick - ticks.back();
     found.same_end = whole.tick == newest.tick && physics::state_hash(whole.world.world()) ==
                                                       physics::state_hash(newest.world.world());
-    found.remarks = whole.remarks;
+    found.warnings = whole.warnings;
     return found;
 }
 
@@ -186,8 +185,8 @@ public:
 
     int run() {
         for (int tries = 0; tries < 20 && (!server_ || !server_->is_running()); tries++) {
-            // Below those that the system gives to who connects: to a server that is away, one of
-            // these would be connected with itself.
+            // Ports below the ephemeral range: while the server is down, a client that connects to
+            // an ephemeral port can connect to itself.
             port_ = static_cast<int>(20000 + random_() % 10000);
             start(port_, true);
         }
@@ -197,26 +196,28 @@ public:
                 std::make_unique<Bot>(loop_, target, plan_.seed * 1000 + static_cast<unsigned>(k)));
         if (!play_until(20s,
                         [&] { return all([](const Bot& bot) { return bot.was_acknowledged(); }); }))
-            return fail("not every bot could play at first");
+            return fail("not every bot received a result within 20 s");
         for (int kill = 1; kill <= plan_.kills; kill++) {
-            // Every fourth time while it may still be busy with what the kill before left.
+            // Every fourth kill comes early, while the server may still recover from the previous
+            // kill.
             const bool early = random_() % 4 == 0;
             play_for(std::chrono::milliseconds(early ? random_() % 120 : 300 + random_() % 900));
-            if (plan_.rewinds && !rewind()) return fail("the world was not taken back");
+            if (plan_.rewinds && !rewind()) return fail("the rewind failed");
             server_->signal(plan_.gently ? SIGTERM : SIGKILL);
             if (!play_until(20s, [&] { return !server_->is_running(); }))
-                return fail("the server was ended and runs on");
+                return fail("the server is still running after the signal");
             start(port_);
-            if (!server_->is_running()) return fail("the server did not come back");
+            if (!server_->is_running()) return fail("the server did not restart");
             if (isatty(fileno(stderr)) || kill % 20 == 0)
                 std::fprintf(stderr, "%d of %d kills\n", kill, plan_.kills);
         }
         if (!play_until(30s, [&] { return all([](const Bot& b) { return b.is_connected(); }); }))
-            return fail("not every bot came back in the end: " + errors());
+            return fail("not every bot reconnected within 30 s: " + errors());
         play_for(2s);
         server_->signal(SIGTERM);
         const auto status = server_->wait(20s);
-        if (!status || *status != 0) return fail("the server did not end in order");
+        if (!status || *status != 0)
+            return fail("the server did not exit with status 0 within 20 s");
         return report(read_store(store(), bots_));
     }
 
@@ -241,24 +242,24 @@ private:
         server_ = std::make_unique<bench::ServerProcess>(JOSTLE_SERVER, flags, wait);
         if (plan_.verbose) std::fputs(server_->log().c_str(), stderr);
     }
-    // To any tick that is kept; bots play on meanwhile. Half of the times the server is killed
-    // before they are all back.
+    // Rewinds to a random retained tick while the bots play. In half of the cases the server is
+    // killed before all bots have reconnected.
     bool rewind() {
         const auto channel = grpc::CreateChannel("127.0.0.1:" + std::to_string(port_),
                                                  grpc::InsecureChannelCredentials());
-        const auto ask = [](auto&& call) {
+        const auto call_with_deadline = [](auto&& call) {
             grpc::ClientContext context;
             context.set_wait_for_ready(true);
             context.set_deadline(std::chrono::system_clock::now() + 20s);
             return call(context);
         };
         v1::ListWorldsResponse worlds;
-        if (!ask([&](grpc::ClientContext& context) {
+        if (!call_with_deadline([&](grpc::ClientContext& context) {
                  return v1::WorldService::NewStub(channel)->ListWorlds(&context, {}, &worlds);
              }).ok())
             return false;
         const v1::WorldInfo& world = worlds.worlds(0);
-        // What nobody did anything in may be kept only a second later.
+        // A tick without inputs may be persisted up to one second later.
         const std::uint32_t last =
             std::max(world.oldest_restorable_tick(), std::max(world.tick(), 90u) - 90);
         v1::RewindWorldRequest request;
@@ -268,19 +269,19 @@ private:
                              (last - world.oldest_restorable_tick() + 1));
         grpc::Status status;
         std::atomic<bool> answered = false;
-        std::jthread asker([&] {
+        std::jthread rewinder([&] {
             v1::RewindWorldResponse response;
-            status = ask([&](grpc::ClientContext& context) {
+            status = call_with_deadline([&](grpc::ClientContext& context) {
                 return v1::AdminService::NewStub(channel)->RewindWorld(&context, request,
                                                                        &response);
             });
             answered = true;
         });
         play_until(25s, [&] { return answered.load(); });
-        asker.join();
+        rewinder.join();
         if (!status.ok())
-            std::fprintf(stderr, "to tick %u of %u to %u: %s\n", request.tick(),
-                         world.oldest_restorable_tick(), world.tick(),
+            std::fprintf(stderr, "rewind to tick %u failed (retained: %u to %u): %s\n",
+                         request.tick(), world.oldest_restorable_tick(), world.tick(),
                          status.error_message().c_str());
         if (random_() % 2 == 0)
             play_until(20s, [&] { return all([](const Bot& b) { return b.is_connected(); }); });
@@ -317,25 +318,26 @@ private:
         return 1;
     }
     int report(const Findings& found) {
-        int strangers = 0, refused = 0;
+        int new_sessions = 0, refused = 0;
         std::uint64_t resumed = 0;
         for (const auto& bot : bots_) {
-            strangers += bot->strangers();
+            new_sessions += bot->new_sessions();
             refused += bot->refused();
             resumed += bot->resumed();
         }
-        for (const std::string& remark : found.remarks) std::printf("%s\n", remark.c_str());
+        for (const std::string& warning : found.warnings) std::printf("%s\n", warning.c_str());
         std::printf(
             "%d kills, %d bots, %u ticks, %d checkpoints\n"
-            "inputs told of %zu, kept %zu, lost %zu, applied twice %zu, refused for want "
-            "of a store %d\n"
-            "came back as who they were %llu times, as somebody else %d, were taken for gone %zu\n"
-            "an uninterrupted replay: %d checkpoints of another hash, the end is %s\n",
-            plan_.kills, plan_.bots, found.ticks, found.checkpoints, found.told, found.kept,
-            found.lost, found.twice, refused, static_cast<unsigned long long>(resumed), strangers,
-            found.left, found.other_hashes, found.same_end ? "the same" : "ANOTHER");
-        const bool good = found.good() && strangers == 0;
-        std::printf("%s\n", good ? "nothing that was accepted is lost" : "FAILED");
+            "inputs with a result %zu, stored %zu, lost %zu, stored twice %zu, rejected by a "
+            "failed database %d\n"
+            "bots resumed %llu times, reconnected as a new client %d times, left %zu times\n"
+            "uninterrupted replay: %d checkpoints with another hash, the final state is %s\n",
+            plan_.kills, plan_.bots, found.ticks, found.checkpoints, found.results,
+            found.stored_inputs, found.lost, found.twice, refused,
+            static_cast<unsigned long long>(resumed), new_sessions, found.left, found.other_hashes,
+            found.same_end ? "equal" : "DIFFERENT");
+        const bool good = found.good() && new_sessions == 0;
+        std::printf("%s\n", good ? "no input was lost" : "FAILED");
         return good ? 0 : 1;
     }
 
@@ -353,18 +355,18 @@ private:
 
 int main(int argc, char** argv) {
     CLI::App app(
-        "Kills a server time and again while bots play; nothing that was accepted may be "
-        "lost.\nExit status: 0 nothing was, 1 something was, 2 wrong flags.");
+        "Kill a server repeatedly while bots play; no input with a result may be lost.\n"
+        "Exit status: 0 no input was lost, 1 the check failed, 2 invalid flags.");
     jostle::Plan plan;
-    app.add_option("--kills", plan.kills, "How often")->check(CLI::Range(0, 100000));
-    app.add_option("--bots", plan.bots, "How many play")->check(CLI::Range(1, 1000));
-    app.add_option("--seed", plan.seed, "Of the instants, and of what bots do");
-    app.add_option("--scene", plan.scene, "Where they play");
+    app.add_option("--kills", plan.kills, "Number of kills")->check(CLI::Range(0, 100000));
+    app.add_option("--bots", plan.bots, "Number of bots")->check(CLI::Range(1, 1000));
+    app.add_option("--seed", plan.seed, "Seed of the kill times and of the inputs");
+    app.add_option("--scene", plan.scene, "Scene of the world");
     app.add_option("--level", plan.level, "persistence.durability: process or machine");
-    app.add_option("--set", plan.settings, "KEY=VALUE, another setting of the server");
-    app.add_flag("--gently", plan.gently, "Ends it in order (SIGTERM) instead: an upgrade");
-    app.add_flag("--rewind", plan.rewinds, "Before each kill an operator takes the world back");
-    app.add_flag("--verbose", plan.verbose, "The server's log, too");
+    app.add_option("--set", plan.settings, "Additional setting of the server (KEY=VALUE)");
+    app.add_flag("--gently", plan.gently, "Stop the server with SIGTERM instead, as in an upgrade");
+    app.add_flag("--rewind", plan.rewinds, "Rewind the world before each kill");
+    app.add_flag("--verbose", plan.verbose, "Print the log of the server");
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Taking the wheel on the whole way: the real server, a module of its scene, two kinds of clients.
+// Controlling an entity end to end: the real server, a module of its scene and two kinds of
+// clients.
 #include <gtest/gtest.h>
 #include <signal.h>
 
@@ -28,14 +29,14 @@ v1::Input hold(std::initializer_list<int> axes) {
     return input;
 }
 
-// The result of the input of that number, in full.
+// The complete result of an input.
 v1::InputResult result_of(Player& player, std::uint32_t sequence) {
     EXPECT_TRUE(
         player.wait_until([&](const PlayState& s) { return s.results.contains(sequence); }));
-    return player.look([&](const PlayState& s) { return s.results.at(sequence); });
+    return player.with_state([&](const PlayState& s) { return s.results.at(sequence); });
 }
 
-// m from the y axis, as the newest snapshot has it.
+// Distance from the y axis in the newest snapshot, m.
 double distance_of(const PlayState& s, std::uint32_t entity) {
     for (const wire::EntityState& state : s.newest()->entities)
         if (state.id == entity)
@@ -54,7 +55,7 @@ TEST(Driving, only_the_controlling_client_steers_the_hovercraft) {
         player->hello();
         ASSERT_TRUE(player->wait_until([](const PlayState& s) { return s.snapshots > 0; }));
     }
-    const std::uint32_t craft = driver->look([](const PlayState& s) {
+    const std::uint32_t craft = driver->with_state([](const PlayState& s) {
         std::uint32_t found = 0;
         for (const auto& [id, entity] : s.entities) {
             EXPECT_EQ(entity.controllable(), entity.name() == "craft");
@@ -65,31 +66,32 @@ TEST(Driving, only_the_controlling_client_steers_the_hovercraft) {
     ASSERT_NE(craft, 0u);
 
     driver->send_inputs({hold({0, 1000}), possess(craft + 1), possess(craft)});
-    EXPECT_EQ(result_of(*driver, 1).code(), v1::INPUT_CODE_NOT_FOUND) << "drives nothing yet";
+    EXPECT_EQ(result_of(*driver, 1).code(), v1::INPUT_CODE_NOT_FOUND)
+        << "the client controls nothing yet";
     EXPECT_EQ(result_of(*driver, 2).message(), "nobody can drive that");
     EXPECT_EQ(result_of(*driver, 3).code(), v1::INPUT_CODE_APPLIED);
     other->send_inputs({possess(craft)});
     EXPECT_EQ(result_of(*other, 1).message(), "somebody else drives it");
 
-    // By itself it stays on a circle of 11 m; straight ahead at 7 m/s it leaves that.
+    // Without control it stays on a circle of 11 m; straight ahead at 7 m/s it leaves the circle.
     driver->send_inputs({hold({0, 1000})});
     EXPECT_EQ(result_of(*driver, 4).entity(), craft);
     bool left = false;
     for (int k = 0; k < 300 && !left; k++) {
-        driver->send_inputs({});  // snapshots are acknowledged by batches
+        driver->send_inputs({});  // batches acknowledge snapshots
         std::this_thread::sleep_for(20ms);
-        left = driver->look([&](const PlayState& s) { return distance_of(s, craft) > 16; });
+        left = driver->with_state([&](const PlayState& s) { return distance_of(s, craft) > 16; });
     }
     EXPECT_TRUE(left);
 
     driver->leave();
     ASSERT_TRUE(driver->wait_for_end());
-    for (std::uint32_t k = 2; k < 100; k++) {  // until the world has heard of it
+    for (std::uint32_t k = 2; k < 100; k++) {  // until the world has processed the departure
         other->send_inputs({possess(craft)});
         if (result_of(*other, k).code() == v1::INPUT_CODE_APPLIED) break;
         std::this_thread::sleep_for(20ms);
     }
-    other->look([](const PlayState& s) { EXPECT_EQ(s.count(v1::INPUT_CODE_APPLIED), 1u); });
+    other->with_state([](const PlayState& s) { EXPECT_EQ(s.count(v1::INPUT_CODE_APPLIED), 1u); });
     server.signal(SIGTERM);
     EXPECT_EQ(server.wait(10s), 0) << server.log();
 }

@@ -11,7 +11,7 @@ namespace jostle::test {
 
 namespace {
 
-// Each player has a connection of its own, as players on different machines have.
+// Each player has its own connection, like players on different machines.
 std::shared_ptr<grpc::Channel> connect(const std::string& address) {
     grpc::ChannelArguments arguments;
     arguments.SetInt(GRPC_ARG_USE_LOCAL_SUBCHANNEL_POOL, 1);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// `jostle-server --health` as a container's health check calls it: a second process beside the
-// server, and its exit status.
+// `jostle-server --health` as the health check of a container runs it: a second process, and its
+// exit status.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -15,7 +15,7 @@ using namespace std::chrono_literals;
 using testing::HasSubstr;
 using testing::StartsWith;
 
-// A probe of the doors that the server took; its whole patience is 3 s.
+// Probes the ports of a server. Its timeout is 3 s.
 struct Probe {
     explicit Probe(const ServerProcess& server)
         : process({"--health", "--listen", server.grpc_address(), "--http",
@@ -47,14 +47,14 @@ TEST(HealthFlag, exits_with_0_when_healthy_and_1_when_hung_or_stopped) {
     EXPECT_EQ(probe.status, 1) << probe.process.log();
 }
 
-// The server was started with --insecure; its probe need not know.
+// The server was started with --insecure; the probe does not need the flag.
 TEST(HealthFlag, probes_wildcard_listeners_without_an_exposure_check) {
     ServerProcess probe({"--health", "--listen", "0.0.0.0:1", "--http", "0.0.0.0:1"}, false);
     EXPECT_EQ(probe.wait(3s), 1);
     EXPECT_THAT(probe.log(), StartsWith("not healthy: gRPC on 127.0.0.1:1: "));
 }
 
-// The image's settings come by the environment alone; what is said on the command line wins.
+// The settings of the image come from the environment; the command line takes precedence.
 TEST(HealthFlag, server_and_probe_read_the_same_environment) {
     setenv("JOSTLE_LISTEN", "nonsense", 1);
     ServerProcess wrong({"--health"}, false);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// How the server starts, ends and treats those who do not behave; each test with a server of its
-// own.
+// Start, shutdown and misbehaving clients. Each test has its own server.
 #include <grpcpp/create_channel.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -40,21 +39,21 @@ std::unique_ptr<v1::WorldService::Stub> world_service(const ServerProcess& serve
         grpc::CreateChannel(server.grpc_address(), grpc::InsecureChannelCredentials()));
 }
 
-// Sends bytes to a port. What comes back is waited for half a second, or ten until it holds
-// `wanted`: a busy machine may need a while. Says whether it does.
-bool poke(int port, const std::string& bytes, const std::string& wanted = {}) {
+// Sends bytes to a port. Waits 0.5 s for a response, or up to 10 s until it contains `expected`,
+// because a loaded machine may need a while. Returns whether it does.
+bool request_raw(int port, const std::string& bytes, const std::string& expected = {}) {
     asio::io_context io;
     tcp::socket socket(io);
     boost::system::error_code error;
     socket.connect({asio::ip::address_v4::loopback(), static_cast<std::uint16_t>(port)}, error);
     asio::write(socket, asio::buffer(bytes), error);
     std::string answer;
-    if (wanted.empty())
+    if (expected.empty())
         asio::async_read(socket, asio::dynamic_buffer(answer), [](auto, auto) {});
     else
-        asio::async_read_until(socket, asio::dynamic_buffer(answer), wanted, [](auto, auto) {});
-    io.run_for(wanted.empty() ? 500ms : 10s);
-    return answer.find(wanted) != std::string::npos;
+        asio::async_read_until(socket, asio::dynamic_buffer(answer), expected, [](auto, auto) {});
+    io.run_for(expected.empty() ? 500ms : 10s);
+    return answer.find(expected) != std::string::npos;
 }
 
 TEST(Lifecycle, sigterm_notifies_clients_and_exits_with_0) {
@@ -71,10 +70,10 @@ TEST(Lifecycle, sigterm_notifies_clients_and_exits_with_0) {
         EXPECT_TRUE(player->wait_until([](const PlayState& s) {
             return !s.notices.empty() && s.notices[0].code() == v1::NOTICE_CODE_DRAINING;
         }));
-        EXPECT_FALSE(player->end()) << "clients are given time to leave";
+        EXPECT_FALSE(player->end()) << "clients must have time to leave";
     }
-    EXPECT_TRUE(poke(server.http_port(), "GET /readyz HTTP/1.1\r\nHost: x\r\n\r\n", "503"));
-    // Nobody leaves: the server ends both streams when its drain time, 5 s, is over.
+    EXPECT_TRUE(request_raw(server.http_port(), "GET /readyz HTTP/1.1\r\nHost: x\r\n\r\n", "503"));
+    // No client leaves: the server ends both streams after its drain timeout of 5 s.
     EXPECT_EQ(server.wait(9s), 0) << server.log();
     EXPECT_TRUE(grpc->wait_for_end());
     EXPECT_TRUE(grpc->end()->starts_with("14: ")) << *grpc->end();  // UNAVAILABLE
@@ -97,11 +96,11 @@ TEST(Lifecycle, exposes_metrics) {
     v1::GetWorldRequest nowhere;
     nowhere.set_world("nowhere");
     EXPECT_FALSE(world_service(server)->GetWorld(&unknown, nowhere, &world).ok());
-    // Connections are counted a few times a second.
+    // Connections are counted a few times per second.
     const auto has = [&](const char* line) {
         for (int tries = 0; tries < 20; tries++) {
-            if (poke(server.admin_port(),
-                     "GET /metrics HTTP/1.1\r\nHost: x\r\nConnection: close\r\n\r\n", line))
+            if (request_raw(server.admin_port(),
+                            "GET /metrics HTTP/1.1\r\nHost: x\r\nConnection: close\r\n\r\n", line))
                 return true;
             std::this_thread::sleep_for(std::chrono::milliseconds(50));
         }
@@ -126,7 +125,7 @@ TEST(Lifecycle, serves_health_check_and_watch) {
     using grpc::health::v1::HealthCheckResponse;
     ServerProcess server(free_ports({"--scene", "stack"}));
     ASSERT_TRUE(server.is_running());
-    const auto player = grpc_player(server.grpc_address());  // holds the drain up
+    const auto player = grpc_player(server.grpc_address());  // blocks the drain
     player->hello();
     ASSERT_TRUE(player->wait_until(has_snapshot));
     const auto health = grpc::health::v1::Health::NewStub(
@@ -152,7 +151,7 @@ TEST(Lifecycle, serves_health_check_and_watch) {
     ASSERT_TRUE(changes->Read(&response));
     EXPECT_EQ(response.status(), HealthCheckResponse::NOT_SERVING);
     player->leave();
-    EXPECT_EQ(server.wait(5s), 0) << "one that watches does not hold the server up";
+    EXPECT_EQ(server.wait(5s), 0) << "a Watch stream must not block the shutdown";
 }
 
 TEST(Lifecycle, exits_when_the_last_client_leaves_or_on_a_second_signal) {
@@ -184,13 +183,13 @@ TEST(Lifecycle, reports_a_port_in_use) {
     EXPECT_EQ(web.wait(10s), 1);
     EXPECT_NE(web.log().find("cannot listen on " + http), std::string::npos) << web.log();
     const std::string admin = "127.0.0.1:" + std::to_string(first.admin_port());
-    ServerProcess watched(free_ports({"--scene", "stack", "--admin", admin}));
-    EXPECT_EQ(watched.wait(10s), 1);
-    EXPECT_NE(watched.log().find("choose another with --admin HOST:PORT"), std::string::npos)
-        << watched.log();
-    ServerProcess unwatched(free_ports({"--scene", "stack", "--admin", ""}));
-    EXPECT_TRUE(unwatched.is_running()) << unwatched.log();
-    EXPECT_EQ(unwatched.admin_port(), 0) << "nothing listens for operators";
+    ServerProcess admin_taken(free_ports({"--scene", "stack", "--admin", admin}));
+    EXPECT_EQ(admin_taken.wait(10s), 1);
+    EXPECT_NE(admin_taken.log().find("choose another with --admin HOST:PORT"), std::string::npos)
+        << admin_taken.log();
+    ServerProcess without_admin(free_ports({"--scene", "stack", "--admin", ""}));
+    EXPECT_TRUE(without_admin.is_running()) << without_admin.log();
+    EXPECT_EQ(without_admin.admin_port(), 0) << "an empty address must disable the admin listener";
     EXPECT_TRUE(first.is_running());
 }
 
@@ -210,18 +209,21 @@ TEST(Lifecycle, survives_garbage_on_both_ports) {
     for (int i = 0; i < 10; ++i) {
         std::string bytes(1 + random() % 20000, '\0');
         for (char& c : bytes) c = static_cast<char>(random());
-        poke(server.grpc_port(), bytes);
-        poke(server.http_port(), bytes);
+        request_raw(server.grpc_port(), bytes);
+        request_raw(server.http_port(), bytes);
     }
-    EXPECT_TRUE(poke(server.http_port(),
-                     "GET / HTTP/1.1\r\nX: " + std::string(10000, 'x') + "\r\n\r\n", " 431 "));
-    EXPECT_TRUE(poke(server.http_port(),
-                     "POST /api/worlds HTTP/1.1\r\nContent-Length: 99999999\r\n\r\n", " 413 "));
-    // The parser of chunks ends a process with assertions when a last chunk comes in such pieces.
-    EXPECT_TRUE(poke(server.http_port(),
-                     "PUT / HTTP/1.1\r\nTransfer-Encoding: chunked\r\n\r\n0\r\n", " 411 "));
-    EXPECT_TRUE(poke(server.http_port(),
-                     "GET /../../etc/passwd HTTP/1.1\r\nHost: localhost\r\n\r\n", " 400 "));
+    EXPECT_TRUE(request_raw(server.http_port(),
+                            "GET / HTTP/1.1\r\nX: " + std::string(10000, 'x') + "\r\n\r\n",
+                            " 431 "));
+    EXPECT_TRUE(request_raw(server.http_port(),
+                            "POST /api/worlds HTTP/1.1\r\nContent-Length: 99999999\r\n\r\n",
+                            " 413 "));
+    // Regression test: the chunk parser aborted the process when the last chunk arrived in such
+    // pieces.
+    EXPECT_TRUE(request_raw(server.http_port(),
+                            "PUT / HTTP/1.1\r\nTransfer-Encoding: chunked\r\n\r\n0\r\n", " 411 "));
+    EXPECT_TRUE(request_raw(server.http_port(),
+                            "GET /../../etc/passwd HTTP/1.1\r\nHost: localhost\r\n\r\n", " 400 "));
     const auto player = grpc_player(server.grpc_address());
     player->hello();
     EXPECT_TRUE(player->wait_until(has_snapshot));
@@ -254,7 +256,7 @@ TEST(Lifecycle, disconnects_protocol_violators_with_a_notice) {
         c.misbehave(*player);
         ASSERT_TRUE(player->wait_for_end()) << c.what;
         EXPECT_TRUE(player->end()->starts_with(c.status)) << c.what << ": " << *player->end();
-        player->look([&](const PlayState& s) {
+        player->with_state([&](const PlayState& s) {
             ASSERT_FALSE(s.notices.empty()) << c.what;
             EXPECT_EQ(s.notices.back().code(), v1::NOTICE_CODE_REFUSED) << c.what;
             EXPECT_FALSE(s.notices.back().message().empty()) << c.what;
@@ -265,11 +267,11 @@ TEST(Lifecycle, disconnects_protocol_violators_with_a_notice) {
     lost->hello("nowhere");
     ASSERT_TRUE(lost->wait_for_end());
     EXPECT_EQ(*lost->end(), "1008");  // policy violation
-    EXPECT_EQ(lost->look([](const PlayState& s) { return s.notices.size(); }), 1u);
+    EXPECT_EQ(lost->with_state([](const PlayState& s) { return s.notices.size(); }), 1u);
     huge->hello(std::string(100000, 'x'));
     ASSERT_TRUE(huge->wait_for_end());
     EXPECT_EQ(*huge->end(), "1009");  // message too big
-    // A page from elsewhere does not get as far as a conversation.
+    // A cross-origin page must not get a stream.
     const auto stranger = websocket_player(server.http_port(), "http://elsewhere.example");
     EXPECT_TRUE(stranger->wait_for_end());
     EXPECT_TRUE(stranger->end()->starts_with("handshake")) << *stranger->end();
@@ -277,7 +279,7 @@ TEST(Lifecycle, disconnects_protocol_violators_with_a_notice) {
 }
 
 TEST(Lifecycle, stalled_client_does_not_affect_others) {
-    ServerProcess server(free_ports({"--scene", "pile"}));  // a thousand bodies that move
+    ServerProcess server(free_ports({"--scene", "pile"}));  // 1,000 moving bodies
     ASSERT_TRUE(server.is_running());
     const auto stalled_grpc = grpc_player(server.grpc_address());
     const auto stalled_browser = websocket_player(server.http_port());
@@ -288,17 +290,17 @@ TEST(Lifecycle, stalled_client_does_not_affect_others) {
     }
     stalled_grpc->stall();
     stalled_browser->stall();
-    const int before = good->look([](const PlayState& s) { return s.snapshots; });
+    const int previous = good->with_state([](const PlayState& s) { return s.snapshots; });
     const auto begin = std::chrono::steady_clock::now();
     while (std::chrono::steady_clock::now() < begin + 12s) {
         good->send_inputs({});
         std::this_thread::sleep_for(33ms);
     }
-    good->look([&](const PlayState& s) {
-        EXPECT_EQ(s.broken, 0) << s.first_broken;
-        EXPECT_GT(s.snapshots - before, 300) << "skipped " << s.skipped;
+    good->with_state([&](const PlayState& s) {
+        EXPECT_EQ(s.violations, 0) << s.first_violation;
+        EXPECT_GT(s.snapshots - previous, 300) << "skipped " << s.skipped;
     });
-    // Both were silent for longer than 10 s.
+    // Both sent nothing for more than 10 s.
     v1::GetWorldResponse world;
     grpc::ClientContext context;
     ASSERT_TRUE(world_service(server)->GetWorld(&context, {}, &world).ok());
@@ -348,10 +350,11 @@ TEST(Lifecycle, creates_joins_and_deletes_worlds) {
                again = grpc_player(joined.play_address());
     player->send(hello);
     ASSERT_TRUE(player->wait_until(has_snapshot));
-    EXPECT_EQ(player->look([](const PlayState& s) { return s.welcome.world_name(); }), "mine");
+    EXPECT_EQ(player->with_state([](const PlayState& s) { return s.welcome.world_name(); }),
+              "mine");
     again->send(hello);
     ASSERT_TRUE(again->wait_for_end());
-    EXPECT_TRUE(again->end()->starts_with("16: ")) << *again->end();  // a ticket is good once
+    EXPECT_TRUE(again->end()->starts_with("16: ")) << *again->end();  // a ticket is valid once
 
     v1::DeleteWorldRequest remove;
     v1::DeleteWorldResponse removed;

@@ -21,9 +21,9 @@ double age_ms(std::uint64_t server_time_us) {
     return (static_cast<double>(now) - static_cast<double>(server_time_us)) / 1000;
 }
 
-void PlayState::expect(bool promise, const std::string& what) {
-    if (promise) return;
-    if (broken++ == 0) first_broken = what;
+void PlayState::expect(bool holds, const std::string& what) {
+    if (holds) return;
+    if (violations++ == 0) first_violation = what;
 }
 
 std::size_t PlayState::count(v1::InputCode code) const {
@@ -33,16 +33,16 @@ std::size_t PlayState::count(v1::InputCode code) const {
 
 void PlayState::take(const v1::ServerMessage& message) {
     expect(welcomes == 1 || message.has_welcome() || message.has_notice(),
-           "the first message is neither a welcome nor a notice");
+           "the first message is neither a Welcome nor a Notice");
     switch (message.message_case()) {
         case v1::ServerMessage::kWelcome:
             welcomes++;
-            expect(welcomes == 1, "a second welcome");
+            expect(welcomes == 1, "a second Welcome");
             welcome = message.welcome();
             client_id = welcome.client_id();
             break;
         case v1::ServerMessage::kGeometry:
-            if (message.geometry().part() + 1 == message.geometry().parts())
+            if (message.geometry().chunk() + 1 == message.geometry().chunk_count())
                 geometry.insert(message.geometry().id());
             break;
         case v1::ServerMessage::kEntityUpdate:
@@ -67,35 +67,35 @@ void PlayState::take(const v1::EntityUpdate& entity_update) {
     entity_updates++;
     for (const std::uint32_t id : entity_update.removed()) {
         removed.insert(id);
-        expect(entities.erase(id) == 1, "a roster removes entity " + std::to_string(id) +
-                                            ", which the client never heard of");
+        expect(entities.erase(id) == 1,
+               "an EntityUpdate removes entity " + std::to_string(id) + ", which does not exist");
     }
     for (const v1::Entity& entity : entity_update.added()) {
         for (const v1::Shape& shape : entity.shapes())
             expect(!shape.has_geometry() || geometry.contains(shape.geometry()),
-                   "a roster names a geometry that was not told before");
+                   "an EntityUpdate refers to a geometry that was not sent");
         expect(entities.emplace(entity.id(), entity).second,
-               "a roster adds entity " + std::to_string(entity.id()) + " twice");
+               "an EntityUpdate adds entity " + std::to_string(entity.id()) + " twice");
     }
 }
 
 void PlayState::take(const v1::Events& happened) {
     const std::string name = "events of tick " + std::to_string(happened.tick());
-    expect(wants_events, name + ", which nobody asked for");
+    expect(wants_events, name + " without a subscription");
     expect(events.empty() || events.back().tick() < happened.tick(),
-           name + " do not come after those of earlier ticks");
-    expect(happened.tick() <= newest_frame, name + " come before a snapshot of that tick or later");
+           name + " are not newer than the last events");
+    expect(happened.tick() <= newest_frame, name + " precede the snapshot of that tick");
     v1::Events content = happened;
     content.clear_tick();
     content.clear_missed();
-    expect(content.ByteSizeLong() > 0, name + " in which nothing happened");
+    expect(content.ByteSizeLong() > 0, name + " are empty");
     events.push_back(happened);
 }
 
 void PlayState::take_results(const v1::ClientUpdate& own) {
     for (const v1::InputResult& result : own.results()) {
         expect(results.emplace(result.sequence(), result).second,
-               "input " + std::to_string(result.sequence()) + " was answered twice");
+               "input " + std::to_string(result.sequence()) + " has two results");
     }
 }
 
@@ -110,31 +110,32 @@ void PlayState::take(const v1::Snapshot& snapshot) {
     snapshot_bytes += snapshot.packed().size();
     keyframes += snapshot.baselines() == 0;
     stats += snapshot.has_stats();
-    if (const std::uint32_t told = snapshot.client_update().snapshots_skipped(); told != 0)
-        skipped = told;
-    if (const std::int32_t told = snapshot.client_update().input_margin_us(); told != 0)
-        input_margin_us = told;
+    if (const std::uint32_t value = snapshot.client_update().snapshots_skipped(); value != 0)
+        skipped = value;
+    if (const std::int32_t value = snapshot.client_update().input_margin_us(); value != 0)
+        input_margin_us = value;
     take_results(snapshot.client_update());
     expect(snapshot.frame() > newest_frame, name + " is not newer than the last one");
 
-    const auto base_of = [&](std::uint32_t frame) {
+    const auto baseline_of = [&](std::uint32_t frame) {
         const wire::QuantizedFrame* baseline = frame == 0 ? nullptr : find(frame);
         expect(frame == 0 || baseline != nullptr,
                name + " refers to frame " + std::to_string(frame) + ", which was never sent");
         return baseline;
     };
-    const auto told_bases = wire::decode_baseline_frames(snapshot.frame(), snapshot.baselines());
-    expect(told_bases.ok(), name + " names bases that cannot be");
-    if (!told_bases.ok()) return;
-    const wire::Baselines baselines{base_of(told_bases->baseline), base_of(told_bases->baseline2),
-                                    base_of(told_bases->baseline3)};
+    const auto baseline_ids = wire::decode_baseline_frames(snapshot.frame(), snapshot.baselines());
+    expect(baseline_ids.ok(), name + " has invalid baselines");
+    if (!baseline_ids.ok()) return;
+    const wire::Baselines baselines{baseline_of(baseline_ids->baseline),
+                                    baseline_of(baseline_ids->baseline2),
+                                    baseline_of(baseline_ids->baseline3)};
     const auto frame = welcome.cells() ? assemble_cells(snapshot, name)
                                        : decoded(name, snapshot.frame(), snapshot.packed(),
                                                  baselines, snapshot.crc());
     if (!frame) return;
     expect(std::ranges::all_of(frame->entities,
                                [&](const auto& entity) { return entities.contains(entity.id); }),
-           name + " holds an entity that no roster named");
+           name + " contains an entity that was not added");
 
     ages_ms.push_back(age_ms(due_us(snapshot)));
     crc_of[snapshot.frame()] = snapshot.crc();
@@ -156,30 +157,31 @@ std::optional<wire::QuantizedFrame> PlayState::decoded(const std::string& name,
                                     static_cast<wire::Codec>(std::max(1u, welcome.codec())));
     expect(frame.ok(), name + " cannot be decoded: " + (frame.ok() ? "" : frame.error().message));
     if (!frame.ok()) return std::nullopt;
-    expect(wire::frame_crc(*frame) == crc, name + " has another CRC than the server's");
+    expect(wire::frame_crc(*frame) == crc, name + " has a wrong CRC");
     return *std::move(frame);
 }
 
-// As WIRE.md tells of cells: all of them together, each entity once.
+// Combines all cells as defined in WIRE.md, each entity once.
 std::optional<wire::QuantizedFrame> PlayState::assemble_cells(const v1::Snapshot& snapshot,
                                                               const std::string& name) {
-    expect(snapshot.packed().empty(), name + " has cells and a frame");
+    expect(snapshot.packed().empty(), name + " has both cells and a frame");
     for (const std::uint32_t cell : snapshot.cells_left())
-        expect(cells.erase(cell) == 1, name + " leaves a cell that was never told");
+        expect(cells.erase(cell) == 1, name + " removes an unknown cell");
     for (const v1::CellUpdate& part : snapshot.cells()) {
         auto& states = cells[part.cell()];
         const std::string cell = name + ", cell " + std::to_string(part.cell());
-        const auto base_of = [&](std::uint32_t number) -> const wire::QuantizedFrame* {
-            expect(number == 0 || states.contains(number), cell + " refers to a state never sent");
+        const auto baseline_of = [&](std::uint32_t number) -> const wire::QuantizedFrame* {
+            expect(number == 0 || states.contains(number),
+                   cell + " refers to a state that was not sent");
             return number != 0 && states.contains(number) ? &states[number] : nullptr;
         };
-        const auto told = wire::decode_baseline_frames(part.number(), part.baselines());
-        expect(told.ok(), cell + " names bases that cannot be");
-        if (!told.ok()) return std::nullopt;
-        auto state =
-            decoded(cell, part.number(), part.packed(),
-                    {base_of(told->baseline), base_of(told->baseline2), base_of(told->baseline3)},
-                    part.crc());
+        const auto ids = wire::decode_baseline_frames(part.number(), part.baselines());
+        expect(ids.ok(), cell + " has invalid baselines");
+        if (!ids.ok()) return std::nullopt;
+        auto state = decoded(
+            cell, part.number(), part.packed(),
+            {baseline_of(ids->baseline), baseline_of(ids->baseline2), baseline_of(ids->baseline3)},
+            part.crc());
         if (!state) return std::nullopt;
         if (part.baselines() == 0) states.clear();
         states[part.number()] = *std::move(state);
@@ -191,8 +193,8 @@ std::optional<wire::QuantizedFrame> PlayState::assemble_cells(const v1::Snapshot
                 known == newest.end() || known->second.first < states.rbegin()->first)
                 newest[entity.id] = {states.rbegin()->first, entity};
     wire::QuantizedFrame frame{.frame = snapshot.frame(), .entities = {}};
-    for (const auto& [id, seen] : newest)
-        if (!removed.contains(id)) frame.entities.push_back(seen.second);
+    for (const auto& [id, entry] : newest)
+        if (!removed.contains(id)) frame.entities.push_back(entry.second);
     return frame;
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// What one client knows of its world, kept from ServerMessages as proto/WIRE.md tells a client to:
-// rosters, the last 32 decoded frames, the result of each input. Every promise of the protocol
-// that can be seen from here is checked as the messages come; what was broken is counted and the
-// first one kept in words. Used by the players of both transports.
+// The knowledge of one client about its world, built from ServerMessages according to
+// proto/WIRE.md: entities, the last 32 decoded frames and the result of each input. Each message is
+// checked against the guarantees of the protocol; violations are counted and the first one is
+// recorded. The players of both transports use it.
 #pragma once
 
 #include <chrono>
@@ -30,22 +30,22 @@ public:
     int welcomes = 0, entity_updates = 0, snapshots = 0, keyframes = 0, stats = 0, pongs = 0;
     std::size_t snapshot_bytes = 0;
     std::uint32_t newest_frame = 0;
-    std::uint32_t skipped = 0;                         // as the server tells
+    std::uint32_t skipped = 0;                         // as reported by the server
     std::int32_t input_margin_us = 0;                  // likewise
     std::vector<double> ages_ms;                       // of each snapshot when it was decoded
     std::map<std::uint32_t, std::uint32_t> crc_of;     // by frame
-    std::set<std::uint64_t> geometry;                  // told
-    std::map<std::uint32_t, v1::Entity> entities;      // as the rosters say
+    std::set<std::uint64_t> geometry;                  // received
+    std::map<std::uint32_t, v1::Entity> entities;      // from the EntityUpdates
     std::set<std::uint32_t> removed;                   // likewise
     std::map<std::uint32_t, v1::InputResult> results;  // by sequence
     std::vector<v1::Notice> notices;
-    // States of the cells in sight, by number: of a client that is told of parts of its world.
+    // States of the cells in the area of interest, by number; for clients with an area of interest.
     std::map<std::uint32_t, std::map<std::uint32_t, wire::QuantizedFrame>> cells;
-    bool wants_events = false;       // said so in its Hello
-    std::vector<v1::Events> events;  // in the order in which they came
+    bool wants_events = false;       // from its Hello
+    std::vector<v1::Events> events;  // in order of arrival
 
-    int broken = 0;
-    std::string first_broken;
+    int violations = 0;
+    std::string first_violation;
 
     std::size_t count(v1::InputCode code) const;
     const wire::QuantizedFrame* newest() const { return ring_.empty() ? nullptr : &ring_.back(); }
@@ -63,13 +63,12 @@ private:
                                                        const std::string& name);
     void take(const v1::Events& happened);
     const wire::QuantizedFrame* find(std::uint32_t frame) const;
-    void expect(bool promise, const std::string& what);
+    void expect(bool holds, const std::string& what);
 
     std::deque<wire::QuantizedFrame> ring_;
 };
 
-// The age of something that was due at that moment of the server's clock: both ends share this
-// machine's.
+// Time since `server_time_us` on the server's clock, ms. Server and client run on the same machine.
 double age_ms(std::uint64_t server_time_us);
 
 }  // namespace jostle::test

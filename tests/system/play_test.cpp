@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The whole of it: the real server, 20 players over gRPC and one over a WebSocket, 20 seconds of
-// play.
+// Acceptance test: the real server with 20 players over gRPC and one over WebSocket for 20 s.
 #include <gtest/gtest.h>
 #include <signal.h>
 
@@ -23,8 +22,8 @@ constexpr int grpc_players = 20;
 constexpr auto play_time = 20s;
 constexpr auto batch_period = 33ms;
 
-// What one player does in one batch: now and then a new box, else a push of something it knows, at
-// times a delete of one of its own. Seeded, so that a failure can be repeated.
+// The inputs of one batch: sometimes a new box, otherwise an impulse on a known body, sometimes a
+// delete of an own body. Seeded, so that a failure can be reproduced.
 std::vector<v1::Input> next_inputs(const PlayState& state, std::minstd_rand& random) {
     const auto pick = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
     std::vector<std::uint32_t> own, loose;
@@ -47,21 +46,23 @@ void play(Player& player, std::chrono::steady_clock::time_point end, unsigned se
     std::minstd_rand random(seed);
     auto next = std::chrono::steady_clock::now();
     while (next < end) {
-        player.send_inputs(player.look([&](const PlayState& s) { return next_inputs(s, random); }));
+        player.send_inputs(
+            player.with_state([&](const PlayState& s) { return next_inputs(s, random); }));
         next += batch_period;
         std::this_thread::sleep_until(next);
     }
 }
 
-// Everything a client can see of "each accepted input was applied exactly once".
+// Checks that each accepted input was applied exactly once, as far as a client can observe it.
 void check_inputs(const PlayState& state, const std::map<std::uint32_t, v1::Input>& sent,
                   const std::string& who) {
-    EXPECT_EQ(state.results.size(), sent.size()) << who << ": each input is answered once";
+    EXPECT_EQ(state.results.size(), sent.size()) << who << ": each input must have one result";
     std::set<std::uint32_t> spawned, deleted, owned;
     for (const auto& [sequence, result] : state.results) {
-        ASSERT_TRUE(sent.contains(sequence)) << who << ": nobody sent input " << sequence;
+        ASSERT_TRUE(sent.contains(sequence))
+            << who << ": a result for an unknown input " << sequence;
         const v1::Input& input = sent.at(sequence);
-        // Others delete bodies that this player is about to push; nothing else can be refused here.
+        // Other players delete bodies that this player pushes. No other rejection is possible.
         EXPECT_TRUE(result.code() == v1::INPUT_CODE_APPLIED ||
                     (input.has_impulse() && result.code() == v1::INPUT_CODE_NOT_FOUND) ||
                     (input.has_delete_() && deleted.contains(input.delete_().entity())))
@@ -79,7 +80,8 @@ void check_inputs(const PlayState& state, const std::map<std::uint32_t, v1::Inpu
         if (entity.owner() == state.client_id) owned.insert(id);
     }
     for (const std::uint32_t id : deleted) spawned.erase(id);
-    EXPECT_EQ(owned, spawned) << who << ": it owns what it spawned and did not delete";
+    EXPECT_EQ(owned, spawned)
+        << who << ": the player must own the bodies that it spawned and did not delete";
 }
 
 TEST(Play, twenty_bots_and_a_browser_play_for_twenty_seconds) {
@@ -106,10 +108,11 @@ TEST(Play, twenty_bots_and_a_browser_play_for_twenty_seconds) {
         EXPECT_TRUE(player->wait_until(
             [&](const PlayState& s) { return s.results.size() >= player->inputs_sent().size(); }));
     }
-    // Everyone has a frame from after the last result, so the rosters hold what the results say.
+    // All players have a snapshot newer than the last result, so their entities reflect all
+    // results.
     std::uint32_t last_tick = 0;
     for (const auto& player : players) {
-        player->look([&](const PlayState& s) {
+        player->with_state([&](const PlayState& s) {
             for (const auto& [sequence, result] : s.results)
                 last_tick = std::max(last_tick, result.tick());
         });
@@ -126,12 +129,12 @@ TEST(Play, twenty_bots_and_a_browser_play_for_twenty_seconds) {
     for (std::size_t i = 0; i < players.size(); ++i) {
         const std::string who = "player " + std::to_string(i);
         EXPECT_FALSE(players[i]->end()) << who << ": " << *players[i]->end();
-        players[i]->look([&](const PlayState& s) {
-            EXPECT_EQ(s.broken, 0) << who << ": " << s.first_broken;
+        players[i]->with_state([&](const PlayState& s) {
+            EXPECT_EQ(s.violations, 0) << who << ": " << s.first_violation;
             EXPECT_TRUE(s.notices.empty()) << who << ": " << s.notices[0].message();
             check_inputs(s, players[i]->inputs_sent(), who);
             EXPECT_GT(s.snapshots, 300) << who << " skipped " << s.skipped;
-            // Every client holds the same state for the same frame.
+            // Every client has the same state for the same frame.
             for (const auto& [frame, crc] : s.crc_of) {
                 EXPECT_EQ(crc_of.emplace(frame, crc).first->second, crc)
                     << who << " frame " << frame;

@@ -27,7 +27,7 @@ std::optional<std::string> Player::end() const {
 
 bool Player::wait_until(const std::function<bool(const PlayState&)>& condition,
                         std::chrono::milliseconds patience) const {
-    return poll([&] { return look(condition); }, patience);
+    return poll([&] { return with_state(condition); }, patience);
 }
 
 bool Player::wait_for_end(std::chrono::milliseconds patience) const {
@@ -56,7 +56,7 @@ void Player::send_inputs(std::vector<v1::Input> inputs) {
         *batch.add_inputs() = input;
         sent_[next_sequence_++] = std::move(input);
     }
-    batch.mutable_ack()->set_frame(look([](const PlayState& s) { return s.newest_frame; }));
+    batch.mutable_ack()->set_frame(with_state([](const PlayState& s) { return s.newest_frame; }));
     send(message);
 }
 

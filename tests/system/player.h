@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A client of the real server over one of its transports: sends messages, keeps a PlayState of what
-// comes back on a thread of its own, and remembers how the stream ended.
+// A client of the real server over one transport. It sends messages, receives on its own thread
+// into a PlayState, and records how the stream ended.
 #pragma once
 
 #include <chrono>
@@ -20,19 +20,19 @@ public:
     virtual ~Player() = default;
 
     virtual void send(const v1::ClientMessage& message) = 0;
-    // Stops reading what the server sends, as a program does that hangs.
+    // Stops reading, like a program that hangs.
     virtual void stall() = 0;
-    // The end of the stream in the transport's words ("OK", "RESOURCE_EXHAUSTED: ...", "1000");
-    // nothing while it runs.
+    // How the stream ended, in terms of the transport ("OK", "RESOURCE_EXHAUSTED: ...", "1000");
+    // nothing while it is open.
     std::optional<std::string> end() const;
 
-    // Reads the state while no message changes it.
+    // Reads the state under the lock.
     template <class Read>
-    auto look(const Read& read) const {
+    auto with_state(const Read& read) const {
         const std::lock_guard lock(mutex_);
         return read(state_);
     }
-    // False when it did not become true in time.
+    // Returns false on timeout.
     bool wait_until(const std::function<bool(const PlayState&)>& condition,
                     std::chrono::milliseconds patience = std::chrono::seconds(10)) const;
     bool wait_for_end(std::chrono::milliseconds patience = std::chrono::seconds(10)) const;
@@ -42,7 +42,7 @@ public:
     // Numbers the inputs, acknowledges the newest snapshot and sends all as one batch.
     void send_inputs(std::vector<v1::Input> inputs);
     void leave();
-    // By sequence; read it on the thread that sends.
+    // By sequence. Only for the thread that sends.
     const std::map<std::uint32_t, v1::Input>& inputs_sent() const { return sent_; }
 
 protected:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Questions and events on the whole way: the real server, over gRPC, WebSocket and HTTP.
+// Queries and events end to end: the real server over gRPC, WebSocket and HTTP.
 #include <grpcpp/create_channel.h>
 #include <grpcpp/generic/generic_stub.h>
 #include <grpcpp/support/byte_buffer.h>
@@ -35,19 +35,20 @@ protected:
         server.signal(SIGTERM);
         EXPECT_EQ(server.wait(10s), 0) << server.log();
     }
-    // Far from the stack, over the ground.
+    // Far from the stack, above the ground.
     static constexpr double x = 8, height = 3;
 
     ServerProcess server{{"--scene", "stack", "--listen", "127.0.0.1:0", "--http", "127.0.0.1:0"}};
 };
 
-// A ball is dropped, lands, and is deleted: what a client that asked for events must hear of it.
+// A ball falls, lands and is deleted. A client that subscribes to events must receive all of these
+// events.
 void drop_and_delete(Player& player, double x, double height) {
     player.hello({}, "listener", true);
     ASSERT_TRUE(player.wait_until([](const PlayState& s) { return s.snapshots > 0; }));
     player.send_inputs({spawn_ball(x, height + 0.5, 0)});
     ASSERT_TRUE(player.wait_until([](const PlayState& s) { return s.results.size() == 1; }));
-    const std::uint32_t ball = player.look([](const PlayState& s) {
+    const std::uint32_t ball = player.with_state([](const PlayState& s) {
         EXPECT_EQ(s.results.at(1).code(), v1::INPUT_CODE_APPLIED) << s.results.at(1).message();
         return s.results.at(1).entity();
     });
@@ -57,12 +58,12 @@ void drop_and_delete(Player& player, double x, double height) {
             if (c.entity_a() == ball || c.entity_b() == ball) found.push_back(c);
         return found;
     };
-    // Snapshots are acknowledged by batches alone; without, the window would close.
-    const auto wait_for = [&](const std::function<bool(const v1::Events&)>& wanted) {
+    // Only batches acknowledge snapshots; without them the window would close.
+    const auto wait_for = [&](const std::function<bool(const v1::Events&)>& is_expected) {
         for (int i = 0; i < 300; i++) {
             player.send_inputs({});
             if (player.wait_until(
-                    [&](const PlayState& s) { return std::ranges::any_of(s.events, wanted); },
+                    [&](const PlayState& s) { return std::ranges::any_of(s.events, is_expected); },
                     34ms))
                 return true;
         }
@@ -73,7 +74,7 @@ void drop_and_delete(Player& player, double x, double height) {
     player.send_inputs({remove_body(ball)});
     ASSERT_TRUE(
         wait_for([&](const v1::Events& e) { return !of_ball(e.contacts_ended()).empty(); }));
-    player.look([&](const PlayState& s) {
+    player.with_state([&](const PlayState& s) {
         std::vector<v1::ContactEvent> began, hits, ended;
         for (const v1::Events& tick : s.events) {
             EXPECT_EQ(tick.missed(), 0u);
@@ -83,11 +84,11 @@ void drop_and_delete(Player& player, double x, double height) {
         }
         const double speed = std::sqrt(2 * 9.81 * height);
         ASSERT_EQ(began.size(), 1u);
-        EXPECT_NEAR(began[0].speed(), speed, 0.03 * speed) << "one tick of fall is 0.16 m/s";
+        EXPECT_NEAR(began[0].speed(), speed, 0.03 * speed) << "one tick of free fall adds 0.16 m/s";
         EXPECT_NEAR(began[0].point().x(), x, 0.01);
         EXPECT_EQ(hits.size(), 1u);
-        EXPECT_EQ(ended.size(), 1u) << "named although it is gone";
-        EXPECT_EQ(s.broken, 0) << s.first_broken;
+        EXPECT_EQ(ended.size(), 1u) << "the contact must end although the ball was deleted";
+        EXPECT_EQ(s.violations, 0) << s.first_violation;
     });
 }
 
@@ -135,7 +136,7 @@ TEST_F(QueryAndEvents, client_library_queries_and_receives_events) {
     const auto ground = queries.cast_ray({x, 10, 0}, {0, -20, 0}, {.ignore = ball});
     ASSERT_TRUE(ground.ok() && ground->value);
     EXPECT_NE(ground->value->entity, ball);
-    EXPECT_FALSE(queries.cast_ray({x, 10, 0}, {0, 20, 0})->value) << "nothing is above";
+    EXPECT_FALSE(queries.cast_ray({x, 10, 0}, {0, 20, 0})->value) << "there is nothing above";
     EXPECT_EQ(queries.overlap({x, 0.5, 0})->value, std::vector{ball});
     v1::Shape probe;
     probe.mutable_sphere()->set_radius(0.1);
@@ -190,8 +191,8 @@ TEST_F(QueryAndEvents, http_serves_json_queries_and_health_lists_the_service) {
     EXPECT_EQ(refused.error_message(), "rays has 1001 entries; at most 1000 are allowed");
 }
 
-// A ServerReflectionRequest that lists services is field 7 with an empty text; the names stand in
-// the answer as they are.
+// A ServerReflectionRequest that lists services is field 7 with an empty string. The response
+// contains the names as plain text.
 TEST_F(QueryAndEvents, reflection_lists_the_service) {
     grpc::GenericStub stub(
         grpc::CreateChannel(server.grpc_address(), grpc::InsecureChannelCredentials()));

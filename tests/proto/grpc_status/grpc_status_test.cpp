@@ -7,12 +7,12 @@ namespace jostle {
 
 TEST(GrpcStatus, round_trips_every_error) {
     for (const GrpcCode& code : grpc_codes) {
-        const Status back = from_grpc(to_grpc(Error{code.ours, "why"}));
+        const Status back = from_grpc(to_grpc(Error{code.error_code, "why"}));
         ASSERT_FALSE(back.ok());
         EXPECT_EQ(back.error().message, "why");
         // Corrupt bytes are an invalid argument of their sender.
         EXPECT_EQ(back.error().code,
-                  code.ours == ErrorCode::corrupt_data ? ErrorCode::invalid_argument : code.ours);
+                  code.error_code == ErrorCode::corrupt_data ? ErrorCode::invalid_argument : code.error_code);
     }
     EXPECT_EQ(std::size(grpc_codes), static_cast<std::size_t>(ErrorCode::internal) + 1)
         << "one row per code";

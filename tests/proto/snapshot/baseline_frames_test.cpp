@@ -20,8 +20,8 @@ TEST(BaselineFrames, round_trips_every_baseline_set) {
             for (const std::uint32_t c : {0u, 1u, 2u, 7u, 254u}) {
                 const std::uint32_t frame = 0xffffff00;
                 BaselineFrames baselines;
-                if (a != 0) baselines.base = frame - a;
-                if (a != 0 && b != 0) baselines.baseline2 = baselines.base - b;
+                if (a != 0) baselines.baseline = frame - a;
+                if (a != 0 && b != 0) baselines.baseline2 = baselines.baseline - b;
                 if (baselines.baseline2 != 0 && c != 0)
                     baselines.baseline3 = baselines.baseline2 - c;
                 const auto back =

@@ -32,11 +32,11 @@ protected:
     template <class Done>
     bool play(WorldHost& world, Clock::duration timeout, Done&& done) {
         for (const auto end = Clock::now() + timeout; Clock::now() < end;) {
-            world.push({.client = 1,
-                        .sequence = ++sequence_,
-                        .action = ImpulseCommand{2, {0, 1, 0}, {}},
-                        .reply = results_,
-                        .received = Clock::now()});
+            world.mailbox().push({.client = 1,
+                                  .sequence = ++sequence_,
+                                  .action = ImpulseCommand{2, {0, 1, 0}, {}},
+                                  .reply = results_,
+                                  .received = Clock::now()});
             std::this_thread::sleep_for(5ms);
             for (const InputResult& result : results_->take()) {
                 const bool not_persisted =

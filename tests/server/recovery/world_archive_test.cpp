@@ -60,10 +60,10 @@ public:
                 const Action actions[] = {ball, ImpulseCommand{any, random.vector(20), {}},
                                           GrabCommand{any, random.vector(1)},
                                           DragCommand{random.vector(6)}, DeleteCommand{any}};
-                world.push({.client = client,
-                            .sequence = tick,
-                            .action = actions[random.below(5)],
-                            .reply = reply});
+                world.mailbox().push({.client = client,
+                                      .sequence = tick,
+                                      .action = actions[random.below(5)],
+                                      .reply = reply});
             }
             world.tick(Clock::now());
         }

@@ -91,7 +91,7 @@ TEST_F(ResumeTest, world_restart_removes_disconnected_clients_and_retains_connec
     SpawnCommand ball;
     ball.shape.geometry = physics::Sphere{0.3};
     ball.pose.position = {3, 9, 3};
-    world->push({.client = gone, .sequence = 1, .action = ball, .reply = nullptr});
+    world->mailbox().push({.client = gone, .sequence = 1, .action = ball, .reply = nullptr});
     run(player, 2);
     ASSERT_EQ(bodies_of(*world, here), 1);
     ASSERT_EQ(bodies_of(*world, gone), 1);

@@ -25,7 +25,7 @@ protected:
         Status result;
         std::atomic<bool> over{false};
         std::thread asker([&] {
-            result = visits.make(look);
+            result = visits.run(look);
             over = true;
         });
         while (!over) visits.run_pending(world);

@@ -66,9 +66,9 @@ protected:
 constexpr Controls right{.axes = {1}}, half{.axes = {0.5}};
 
 TEST_F(ControllerRegistryTest, forwards_controls_to_the_module) {
-    EXPECT_FALSE(drivers.control(world, 1, right)) << "drives nothing yet";
+    EXPECT_FALSE(controllers.control(world, 1, right)) << "drives nothing yet";
     EXPECT_EQ(complaint(1, one), "");
-    EXPECT_EQ(drivers.control(world, 1, right), one);
+    EXPECT_EQ(controllers.control(world, 1, right), one);
     EXPECT_EQ(held(one), 1);
     for (int k = 0; k < 60; k++) ASSERT_TRUE(world.step(1.0 / 60).ok());
     const double mass = world.body(one)->mass;
@@ -80,11 +80,11 @@ TEST_F(ControllerRegistryTest, one_client_drives_one_body_and_one_body_has_one_d
     EXPECT_EQ(complaint(1, one), "");
     EXPECT_EQ(complaint(2, one), "somebody else drives it");
     EXPECT_EQ(complaint(1, one), "") << "again";
-    EXPECT_EQ(drivers.control(world, 1, right), one);
+    EXPECT_EQ(controllers.control(world, 1, right), one);
     EXPECT_EQ(complaint(1, two), "");
     EXPECT_EQ(held(one), 0) << "let go of";
     EXPECT_EQ(complaint(2, one), "");
-    EXPECT_EQ(drivers.control(world, 2, half), one);
+    EXPECT_EQ(controllers.control(world, 2, half), one);
     EXPECT_EQ(held(one), 0.5);
 }
 
@@ -100,17 +100,17 @@ TEST_F(ControllerRegistryTest, leaving_releases_control) {
     controllers.control(world, 1, right);
     controllers.release(world, 1);
     EXPECT_EQ(held(one), 0);
-    EXPECT_FALSE(drivers.control(world, 1, right));
+    EXPECT_FALSE(controllers.control(world, 1, right));
 }
 
 TEST_F(ControllerRegistryTest, removed_body_has_no_controller) {
     ASSERT_EQ(complaint(1, one), "");
     ASSERT_EQ(complaint(2, two), "");
     controllers.release_body(world, one);
-    EXPECT_FALSE(drivers.control(world, 1, right));
-    EXPECT_TRUE(drivers.control(world, 2, right));
+    EXPECT_FALSE(controllers.control(world, 1, right));
+    EXPECT_TRUE(controllers.control(world, 2, right));
     rollers->balls.clear();
-    EXPECT_FALSE(drivers.control(world, 2, right)) << "the module let go of it";
+    EXPECT_FALSE(controllers.control(world, 2, right)) << "the module let go of it";
 }
 
 }  // namespace

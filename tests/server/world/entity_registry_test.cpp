@@ -78,11 +78,11 @@ TEST_F(EntityRegistryTest, find_living_ignores_removed_bodies) {
 TEST_F(EntityRegistryTest, list_changes_only_when_entities_are_added_or_removed) {
     const EntityId one = add(), two = add();
     const auto list = entities.list();
-    const auto places = entities.shape_owners();
+    const auto shape_owners = entities.shape_owners();
     ASSERT_EQ(list->size(), 2u);
     EXPECT_EQ(list->front()->id, one);
     EXPECT_EQ(list->back()->id, two);
-    EXPECT_EQ((*places)[list->back()->shapes.front().id.index].entity, two);
+    EXPECT_EQ((*shape_owners)[list->back()->shapes.front().id.index].entity, two);
     EXPECT_EQ(entities.list(), list);
     EXPECT_EQ(entities.shape_owners(), shape_owners);
     remove(one);

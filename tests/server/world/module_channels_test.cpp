@@ -40,7 +40,7 @@ TEST_F(ModuleChannelsTest, publishes_nothing_without_modules) {
 }
 
 TEST_F(ModuleChannelsTest, lists_module_kinds_by_full_name) {
-    add("second", {{"near", ChannelForm::points, 4}, {}}).watched = {7, 1};
+    add("second", {{"near", ChannelForm::points, 4}, {}}).observed_body = {7, 1};
     add("first");
     const Channels now = step();
     ASSERT_EQ(channels.kinds().size(), 4u);

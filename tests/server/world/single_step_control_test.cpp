@@ -34,7 +34,7 @@ TEST(SingleStepControlTest, paused_world_takes_only_requested_steps) {
     const double before = height();
     wait_for_ticks(10);
     EXPECT_EQ(height(), before) << "it ticks, and no time passes";
-    EXPECT_EQ(*host->single_step().take(7, 20s), 7);
+    EXPECT_EQ(*host->single_step().step(7, 20s), 7);
     const double after = height();
     EXPECT_LT(after, before - 7 * 6 / 2 * 9.81 / 3600) << "seven steps from rest fall so far";
     wait_for_ticks(10);
@@ -52,7 +52,7 @@ TEST(SingleStepControlTest, paused_world_rejects_inputs) {
     spawn.shape.geometry = physics::Sphere{0.1};
     const std::uint32_t tick = host->frame()->tick;
     while (host->frame()->tick < tick + 2) std::this_thread::sleep_for(1ms);
-    ASSERT_TRUE(host->push({.client = 1, .sequence = 1, .action = spawn, .reply = replies}));
+    ASSERT_TRUE(host->mailbox().push({.client = 1, .sequence = 1, .action = spawn, .reply = replies}));
     std::vector<InputResult> results;
     while (results.empty()) {
         results = replies->take();
@@ -60,21 +60,21 @@ TEST(SingleStepControlTest, paused_world_rejects_inputs) {
     }
     EXPECT_EQ(error_of(results[0].status).code, ErrorCode::resource_exhausted);
     EXPECT_NE(error_of(results[0].status).message.find("maintenance"), std::string::npos);
-    EXPECT_EQ(host->paused(), "maintenance");
+    EXPECT_EQ(host->lifecycle().paused(), "maintenance");
 }
 
 TEST(SingleStepControlTest, returns_the_reason_when_it_cannot_step) {
     SingleStepControl steps;
     // Nobody ticks: patience ends, and what was allowed is so no more.
-    EXPECT_EQ(*steps.take(3, 10ms), 0);
+    EXPECT_EQ(*steps.step(3, 10ms), 0);
     EXPECT_FALSE(steps.begin_step());
-    std::thread other([&] { EXPECT_EQ(*steps.take(4, 20s), 1); });
+    std::thread other([&] { EXPECT_EQ(*steps.step(4, 20s), 1); });
     while (!steps.begin_step()) std::this_thread::sleep_for(1ms);
-    EXPECT_EQ(error_of(steps.take(1, 1s)).code, ErrorCode::resource_exhausted);
+    EXPECT_EQ(error_of(steps.step(1, 1s)).code, ErrorCode::resource_exhausted);
     steps.end_tick();
     steps.close();
     other.join();
-    EXPECT_EQ(error_of(steps.take(1, 1s)).code, ErrorCode::aborted);
+    EXPECT_EQ(error_of(steps.step(1, 1s)).code, ErrorCode::aborted);
 }
 
 }  // namespace

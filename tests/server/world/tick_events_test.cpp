@@ -146,7 +146,7 @@ TEST(WorldHostEvents, frames_contain_the_newest_64_event_ticks_while_listened) {
     };
     ASSERT_TRUE(wait([&] { return host->frame()->tick > 20; }));
     EXPECT_EQ(host->frame()->events->count, 0u) << "nobody asked";
-    host->add_event_listener();
+    host->listeners().events++;
     ASSERT_TRUE(wait([&] { return host->frame()->events->count > 100; }));
     const FramePtr frame = host->frame();
     ASSERT_EQ(frame->events->ticks.size(), 64u);
@@ -156,7 +156,7 @@ TEST(WorldHostEvents, frames_contain_the_newest_64_event_ticks_while_listened) {
     EXPECT_NEAR(frame->events->ticks.back()->contacts.at(0).impulse,
                 9.81 * 1000 * 4.0 / 3 * std::numbers::pi * 0.125 / 240, 0.5)
         << "its weight over a tick";
-    host->remove_event_listener();
+    host->listeners().events--;
     EXPECT_TRUE(wait([&] { return host->frame()->events->ticks.empty(); }));
 }
 

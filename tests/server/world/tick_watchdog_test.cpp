@@ -51,7 +51,7 @@ TEST(TickWatchdog, interrupts_a_slow_step_and_pauses_the_world) {
     const std::uint32_t tick = slow->frame()->tick;
     EXPECT_TRUE(wait_until([&] { return slow->frame()->tick > tick + 5; }));
     EXPECT_TRUE(slow->frame()->paused.has_value());
-    EXPECT_FALSE(other->paused());
+    EXPECT_FALSE(other->lifecycle().paused());
     const auto began = Clock::now();
     slow->stop();
     EXPECT_LT(Clock::now() - began, 2s);
@@ -113,7 +113,7 @@ TEST(WorldHost, paused_world_sends_snapshots_and_rejects_inputs) {
     const auto before = host->frame();
     const auto replies = std::make_shared<ResultQueue>();
     ASSERT_TRUE(
-        host->push({.client = 1, .sequence = 1, .action = ExplodeCommand{}, .reply = replies}));
+        host->mailbox().push({.client = 1, .sequence = 1, .action = ExplodeCommand{}, .reply = replies}));
     std::vector<InputResult> results;
     ASSERT_TRUE(wait_until([&] {
         for (InputResult& result : replies->take()) results.push_back(std::move(result));

@@ -105,7 +105,7 @@ TEST(Methods, projected_gauss_seidel_respects_the_bounds) {
     EXPECT_NEAR(solution.x[1], 1.5, 1e-12);
     EXPECT_EQ(solution.residual, 0);
     EXPECT_EQ(solve(problem, Method::gauss).out_of_bounds, 1);
-    problem.right[0] = -3;  // it lifts off
+    problem.rhs[0] = -3;  // it lifts off
     solution = solve(problem, Method::projected_gauss_seidel);
     EXPECT_EQ(solution.x[0], 0);
     EXPECT_EQ(solution.x[1], 0);

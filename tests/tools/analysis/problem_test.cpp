@@ -33,7 +33,7 @@ TEST(Problem, stacked_boxes_load_the_boxes_below) {
     for (std::size_t k = 0; k < problem.count; k++) {
         if (system.rows[k].role != RowRole::normal) continue;
         bool names_high = false;
-        for (const RowJacobian& part : system.rows[k].parts)
+        for (const RowJacobian& part : system.rows[k].jacobians)
             names_high =
                 names_high ||
                 (part.body >= 0 && system.bodies[static_cast<std::size_t>(part.body)].id == high);

@@ -14,7 +14,7 @@ TEST(Svg, is_a_whole_file_of_what_was_drawn) {
     const SvgPoint points[] = {{1, 2}, {3.25, 4}};
     svg.polyline(points, "#123456");
     svg.text({5, 6}, "a < b & c", {.anchor = TextAnchor::middle, .bold = true});
-    for (int shape = 0; shape < 4; shape++) svg.mark({10, 10}, shape, "#000");
+    for (int shape = 0; shape < 4; shape++) svg.marker({10, 10}, shape, "#000");
     const std::string text = svg.str();
     for (const char* words : {"<svg xmlns", "viewBox=\"0 0 120.0 80.0\"", "1.0,2.0 3.2,4.0",
                               "#123456", "a &lt; b &amp; c", "middle", "</svg>"})

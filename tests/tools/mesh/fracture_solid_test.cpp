@@ -67,11 +67,11 @@ TEST(FractureSolid, preserves_the_volume_of_a_box_and_a_hull) {
 TEST(FractureSolid, fractures_a_concave_mesh_into_bonded_convex_parts) {
     const std::string obj = obj_of(test::l_shape());
     const FracturedSolid made = fracture_solid({.obj = obj}, {.count = 80}).value();
-    const double error = std::abs((volume_of(made.shape) + made.lost) / 3 - 1);
+    const double error = std::abs((volume_of(made.shape) + made.lost_volume) / 3 - 1);
     RecordProperty("volume_error", std::to_string(error * 1e15) + "e-15");
     EXPECT_GT(made.parts, 1u);
     EXPECT_LT(error, 1e-12);
-    EXPECT_LT(made.lost, 1e-6);
+    EXPECT_LT(made.lost_volume, 1e-6);
     EXPECT_EQ(largest_group(made.shape), made.shape.chunks.size());
 }
 
@@ -82,8 +82,8 @@ TEST(FractureSolid, fractures_a_ring_into_one_breakable_body) {
                                modules::SeedPattern::clustered, modules::SeedPattern::grid}) {
         const FracturedSolid made =
             fracture_solid({.obj = obj}, {.pattern = pattern, .count = 120}).value();
-        EXPECT_LT(std::abs((volume_of(made.shape) + made.lost) / made.volume - 1), 1e-12);
-        EXPECT_LT(made.lost, 1e-6 * made.volume) << static_cast<int>(pattern);
+        EXPECT_LT(std::abs((volume_of(made.shape) + made.lost_volume) / made.volume - 1), 1e-12);
+        EXPECT_LT(made.lost_volume, 1e-6 * made.volume) << static_cast<int>(pattern);
         EXPECT_EQ(largest_group(made.shape), made.shape.chunks.size()) << static_cast<int>(pattern);
         const auto bytes = modules::write_fracture(made.shape).value();
         const auto shape = modules::read_fracture(bytes);

@@ -25,7 +25,7 @@ using test::error_of;
 // Plays in a yard of boxes for 200 ticks and persists it in a database; every tenth tick throws a
 // ball. With `late` tick 125 throws one more.
 void play(const std::string& path, bool late) {
-    server::PersistenceSettings settings{.store = path,
+    server::PersistenceSettings settings{.database = path,
                                          .level = "process",
                                          .replay_seconds_max = 0.003,
                                          .history_retention_hours = 1};
@@ -108,7 +108,7 @@ TEST(PersistedWorld, replays_a_world_that_stopped_during_a_step) {
     const server::HostLimits limits{.scene = {.bodies_max = 5000, .work_per_second_max = 1e12}};
     for (int life = 0; life < 6; life++) {
         auto archive = server::WorldArchive::open(
-                           {.store = path, .level = "process", .history_retention_hours = 1},
+                           {.database = path, .level = "process", .history_retention_hours = 1},
                            limits, 1, nullptr)
                            .value();
         server::WorldDirectory worlds({.limits = limits, .keepers = archive.get()}, 4, "test");

@@ -18,8 +18,8 @@ using jostle::simulation::Simulation;
 using jostle::simulation::Tally;
 
 constexpr const char* footer = R"(
-Three honest clients and a hostile one play over slow and breaking connections. Meanwhile the machine
-is suspended now and then, worlds are paused and recreated, and the server process restarts. Checks:
+Three honest clients and a hostile one play over slow and breaking connections. Meanwhile the
+machine is suspended, worlds are paused and recreated, and the server process restarts. Checks:
 - honest clients decode the exact state of the world;
 - each input has one result, and a spawned body exists from the tick of its result;
 - a client that leaves leaves nothing behind;

@@ -5,8 +5,8 @@ Usage: run_shell_examples.py ROOT PROGRAMS [PAGE...]     PROGRAMS: folder of the
 A fence ```sh test is run; all of a page's run one after the other in one shell, which stops at the first command that fails.
 A fence ```text output after it shows lines of its output, in order; `...` stands for any text, and a line of `...` for any lines.
 
-A page runs in an empty folder that has links to the folders of the project, with the built programs first on PATH, and in a network of
-its own (Linux network namespace), so the default ports are free. Background jobs end with the page. Exit status: 0 all examples ran
+A page runs in an empty folder that has links to the folders of the project, with the built programs first on PATH and in
+build/dev/bin, and in a network of its own (Linux network namespace), so the default ports are free. Background jobs end with the page. Exit status: 0 all examples ran
 and printed what is shown, 1 not, 77 this machine does not allow network namespaces.
 """
 
@@ -77,6 +77,9 @@ def prepare(root, programs, folder):
     for name in LINKED:
         if (root / name).exists():
             (folder / name).symlink_to(root / name)
+    for preset in ("dev", "release"):
+        (folder / "build" / preset).mkdir(parents=True)
+        (folder / "build" / preset / "bin").symlink_to(programs)
     tools = folder / ".bin"
     tools.mkdir()
     # Debian's Python has the modules that scripts/setup installs; another one may come first on PATH.

@@ -27,7 +27,7 @@ DEBT = pathlib.Path("tests/tidy/english_debt.txt")
 COLUMNS = 120
 
 DOCUMENTS = ("README.md", "CHANGELOG.md", "CONTRIBUTING.md", "SECURITY.md", "CODE_OF_CONDUCT.md")
-SOURCES = ("base", "bench", "clients/bot", "clients/cpp", "modules", "physics/src", "scenes/src", "server", "tools")
+SOURCES = ("base", "bench", "clients/bot", "clients/cpp", "examples", "modules", "physics/src", "scenes/src", "server", "tools")
 FREE_RELATIVE = re.compile(
     r"(?:^|[.;:]\s+)((?:Who|What|Whom|Whoever|Whatever) (?!(?:is|are|does|do|did|was|were|can|should|happens|if)\b[^.]*\?)[\w']+)")
 STRING = re.compile(r'"((?:[^"\\\n]|\\.)*)"')
@@ -118,7 +118,7 @@ def checked_files(root):
         name = path.relative_to(root).as_posix()
         if not name.startswith("docs/records/") and name != "docs/glossary.md":
             files[name] = "document"
-    for path in [*sorted((root / "proto").rglob("*.md")), *sorted((root / "clients").glob("**/README.md"))]:
+    for path in [*sorted((root / "proto").rglob("*.md")), *sorted((root / "clients").glob("**/README.md")), *sorted((root / "examples").glob("*.md"))]:
         if "node_modules" not in path.parts:
             files[path.relative_to(root).as_posix()] = "document"
     for path in sorted((root / "proto" / "jostle").rglob("*.proto")):

@@ -1,6 +1,7 @@
-// Fails, naming the service, when a compose file is not what the published schema says (an unknown key is a fault), or when a service
-// is less confined than it should be: root written to, capabilities kept, memory without bound, ports beyond loopback, images whose tag
-// moves, a file that is mounted but not there.
+// Checks a compose file and names the service of each fault: violations of the published schema (an
+// unknown key is a fault), and missing confinement, such as a writable root, retained capabilities,
+// unlimited memory, ports beyond loopback, images without a fixed tag, or a mounted file that does
+// not exist.
 //
 // Usage: node check_compose.mjs COMPOSE_FILE
 import { existsSync, readFileSync } from "node:fs";
@@ -10,25 +11,26 @@ import Ajv from "ajv";
 import formats from "ajv-formats";
 import yaml from "js-yaml";
 
-// The published schema travels with a linter for such files. Ajv knows the draft by another address than the schema names.
+// The published schema is part of a linter for compose files. Ajv knows the JSON schema draft by
+// another URL than the schema.
 const linter = path.dirname(path.dirname(fileURLToPath(import.meta.resolve("dclint"))));
 const { $schema, ...schema } = JSON.parse(readFileSync(path.join(linter, "schemas", "compose.schema.json"), "utf8"));
 
 function faults_of_service(name, service, folder) {
-    const found = [], want = (good, what) => good || found.push(`${name}: ${what}`);
-    want(service.read_only === true, "its root can be written to");
-    want(service.cap_drop?.includes("ALL") && !service.cap_add, "keeps capabilities");
-    want(service.security_opt?.includes("no-new-privileges:true"), "may gain privileges");
-    want(!service.privileged && !service.network_mode && !service.pid, "shares the machine");
-    want(/^[1-9]\d*:/.test(service.user ?? ""), "names no user, or root");
-    want(service.mem_limit && service.pids_limit, "no bound of memory or processes");
-    want(/:(?!latest$)[^:]+$/.test(service.image ?? ""), `image ${service.image} has no tag, or one that moves`);
-    for (const port of service.ports ?? []) want(/^127\.0\.0\.1:/.test(port), `port ${port} is published beyond loopback`);
+    const found = [], require = (good, what) => good || found.push(`${name}: ${what}`);
+    require(service.read_only === true, "the root file system is writable");
+    require(service.cap_drop?.includes("ALL") && !service.cap_add, "capabilities are not dropped");
+    require(service.security_opt?.includes("no-new-privileges:true"), "no-new-privileges is not set");
+    require(!service.privileged && !service.network_mode && !service.pid, "shares a namespace with the host");
+    require(/^[1-9]\d*:/.test(service.user ?? ""), "user is missing or root");
+    require(service.mem_limit && service.pids_limit, "mem_limit or pids_limit is missing");
+    require(/:(?!latest$)[^:]+$/.test(service.image ?? ""), `image ${service.image} has no fixed tag`);
+    for (const port of service.ports ?? []) require(/^127\.0\.0\.1:/.test(port), `port ${port} is published beyond loopback`);
     for (const volume of service.volumes ?? []) {
         const [source, , mode] = volume.split(":");
         if (!source.startsWith(".")) continue;
-        want(mode === "ro", `${source} can be written to`);
-        want(existsSync(path.join(folder, source)), `${source} is not there`);
+        require(mode === "ro", `${source} is mounted writable`);
+        require(existsSync(path.join(folder, source)), `${source} does not exist`);
     }
     return found;
 }

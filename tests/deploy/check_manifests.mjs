@@ -1,5 +1,5 @@
-// Reads what `kubectl kustomize` printed and fails, naming object and field, when Kubernetes would refuse it, ignore a part of it, or
-// run something that is less confined or less patient than it should be.
+// Reads the output of `kubectl kustomize` and names the object and field of each fault: fields that
+// Kubernetes would reject or ignore, and pods with missing confinement or a too short grace period.
 //
 // Usage: kubectl kustomize FOLDER | node check_manifests.mjs
 import { readFileSync } from "node:fs";
@@ -18,7 +18,7 @@ async function faults_of_schema(object) {
     try {
         schemas = await schemas_of(model);
     } catch {
-        return [`${name_of(object)}: Kubernetes knows no ${object.apiVersion} ${object.kind}`];
+        return [`${name_of(object)}: unknown kind ${object.apiVersion} ${object.kind}`];
     }
     for (const schema of schemas.values()) ajv.addSchema(schema);
     const check = ajv.getSchema(model);
@@ -26,40 +26,41 @@ async function faults_of_schema(object) {
     return check.errors.map(e => `${name_of(object)}: ${e.instancePath || "/"} ${e.message} ${e.params.additionalProperty ?? ""}`.trimEnd());
 }
 
-// What the Pod Security Standard "restricted" wants of a pod, and besides a read-only root and bounds.
+// Requirements of the Pod Security Standard "restricted", a read-only root file system and resource
+// limits.
 function faults_of_confinement(where, pod) {
-    const found = [], want = (good, what) => good || found.push(`${where}: ${what}`);
+    const found = [], require = (good, what) => good || found.push(`${where}: ${what}`);
     const security = pod.securityContext ?? {};
-    want(security.runAsNonRoot === true && security.runAsUser > 0, "runs as root");
-    want(security.seccompProfile?.type === "RuntimeDefault", "no seccompProfile RuntimeDefault");
-    want(pod.automountServiceAccountToken === false, "gets a token of the cluster");
-    want(!pod.hostNetwork && !pod.hostPID && !pod.hostIPC, "shares a name space of its node");
-    for (const volume of pod.volumes ?? []) want(!volume.hostPath, `volume ${volume.name} is a folder of its node`);
+    require(security.runAsNonRoot === true && security.runAsUser > 0, "runs as root");
+    require(security.seccompProfile?.type === "RuntimeDefault", "no seccompProfile RuntimeDefault");
+    require(pod.automountServiceAccountToken === false, "automountServiceAccountToken is not false");
+    require(!pod.hostNetwork && !pod.hostPID && !pod.hostIPC, "shares a namespace with its node");
+    for (const volume of pod.volumes ?? []) require(!volume.hostPath, `volume ${volume.name} is a hostPath`);
     for (const container of pod.containers) {
         const own = container.securityContext ?? {};
-        want(own.allowPrivilegeEscalation === false, "allowPrivilegeEscalation is not false");
-        want(own.readOnlyRootFilesystem === true, "its root can be written to");
-        want(own.capabilities?.drop?.includes("ALL") && !own.capabilities.add, "keeps capabilities");
-        want(container.resources?.requests?.cpu && container.resources.limits?.memory, "no cpu requested, or no limit of memory");
-        want(!/(:latest|^[^:]+)$/.test(container.image), `image ${container.image} has no tag, or one that moves`);
+        require(own.allowPrivilegeEscalation === false, "allowPrivilegeEscalation is not false");
+        require(own.readOnlyRootFilesystem === true, "the root file system is writable");
+        require(own.capabilities?.drop?.includes("ALL") && !own.capabilities.add, "capabilities are not dropped");
+        require(container.resources?.requests?.cpu && container.resources.limits?.memory, "no CPU request or no memory limit");
+        require(!/(:latest|^[^:]+)$/.test(container.image), `image ${container.image} has no fixed tag`);
         for (const probe of ["startupProbe", "readinessProbe", "livenessProbe"])
-            want(container[probe]?.grpc || container[probe]?.exec, `no ${probe} of its own health service`);
+            require(container[probe]?.grpc || container[probe]?.exec, `no ${probe} with the gRPC health service or --health`);
     }
     return found;
 }
 
 const includes = (labels, selector) => Object.entries(selector ?? {}).every(([key, value]) => labels?.[key] === value);
 
-// Names and labels that lead from one object to another.
+// Names and labels by which objects refer to each other.
 function faults_of_references(objects) {
     const found = [], of_kind = kind => objects.filter(o => o.kind === kind);
     const sets = of_kind("StatefulSet"), labels = sets.map(s => s.spec.template.metadata.labels);
     const selects = (object, selector) => {
         if (!selector || !Object.keys(selector).length || !labels.some(l => includes(l, selector)))
-            found.push(`${name_of(object)}: selects no pod`);
+            found.push(`${name_of(object)}: the selector matches no pod`);
     };
     for (const kind of ["Service", "PodDisruptionBudget", "NetworkPolicy"]) {
-        if (!of_kind(kind).length) found.push(`there is no ${kind}`);
+        if (!of_kind(kind).length) found.push(`${kind} is missing`);
         for (const object of of_kind(kind)) {
             const spec = object.spec;
             selects(object, kind === "Service" ? spec.selector : (spec.selector ?? spec.podSelector)?.matchLabels);
@@ -82,22 +83,22 @@ function faults_of_references(objects) {
     return found;
 }
 
-// The server ends itself 3 s after its drain at the latest: who kills it must wait longer.
-function faults_of_patience(objects) {
+// The server exits at the latest 3 s after its drain timeout, so the grace period must be longer.
+function faults_of_grace_period(objects) {
     const settings = objects.find(o => o.kind === "ConfigMap" && o.data?.["jostle-server.toml"]);
     const drain = Number(/^drain_timeout_seconds = (\d+)/m.exec(settings?.data["jostle-server.toml"] ?? "")?.[1] ?? 5);
     return objects.filter(o => o.kind === "StatefulSet" && !(o.spec.template.spec.terminationGracePeriodSeconds >= drain + 4))
-        .map(o => `${name_of(o)}: terminationGracePeriodSeconds is less than drain_timeout_seconds (${drain}) and 4`);
+        .map(o => `${name_of(o)}: terminationGracePeriodSeconds is less than drain_timeout_seconds (${drain}) + 4`);
 }
 
 export async function faults(objects) {
     const found = [];
     for (const object of objects) found.push(...await faults_of_schema(object));
-    if (found.length) return found;  // what follows counts on the form
+    if (found.length) return found;  // the later checks require a valid form
     const sets = objects.filter(o => o.kind === "StatefulSet");
-    if (!sets.length) found.push("there is no StatefulSet");
+    if (!sets.length) found.push("StatefulSet is missing");
     for (const set of sets) found.push(...faults_of_confinement(name_of(set), set.spec.template.spec));
-    return [...found, ...faults_of_references(objects), ...faults_of_patience(objects)];
+    return [...found, ...faults_of_references(objects), ...faults_of_grace_period(objects)];
 }
 
 export const parse = text => yaml.loadAll(text).filter(object => object);

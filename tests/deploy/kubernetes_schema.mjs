@@ -1,5 +1,6 @@
-// JSON schemas of Kubernetes' objects with unknown fields forbidden. They come from Kubernetes' own client, whose models are generated
-// from the published OpenAPI description: a model lists its fields and their types, its declarations say which may be left out.
+// JSON schemas of Kubernetes objects that forbid unknown fields. They come from the official
+// JavaScript client, whose models are generated from the published OpenAPI description: a model
+// lists its fields and their types, and its declarations list the optional fields.
 import { readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import path from "node:path";
@@ -29,14 +30,14 @@ function schema_of_type(type, format) {
     }
 }
 
-// The schema of one model, and of all that it mentions.
-export async function schemas_of(name, known = new Map()) {
-    if (known.has(name)) return known;
+// The schemas of a model and of all models that it refers to.
+export async function schemas_of(name, schemas = new Map()) {
+    if (schemas.has(name)) return schemas;
     const file = path.join(models, `${name}.js`);
     const model = (await import(file))[name];
     const optional = new Set([...readFileSync(path.join(models, `${name}.d.ts`), "utf8").matchAll(/^ {4}'(.+?)'\?: /gm)].map(m => m[1]));
     const fields = model.getAttributeTypeMap();
-    known.set(name, {
+    schemas.set(name, {
         $id: name,
         type: "object",
         properties: Object.fromEntries(fields.map(f => [f.baseName, schema_of_type(f.type, f.format)])),
@@ -44,6 +45,6 @@ export async function schemas_of(name, known = new Map()) {
         additionalProperties: false,
     });
     for (const field of fields)
-        for (const [mentioned] of field.type.matchAll(/\b[A-Z]\w*V\d\w*|\bV\d\w*/g)) await schemas_of(mentioned, known);
-    return known;
+        for (const [mentioned] of field.type.matchAll(/\b[A-Z]\w*V\d\w*|\bV\d\w*/g)) await schemas_of(mentioned, schemas);
+    return schemas;
 }

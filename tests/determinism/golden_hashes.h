@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The golden hashes: what the state of each test scene hashes to as it runs, one line each, "scene
-// step hash". Every build type, compiler and machine must give these, with any number of threads
-// and any instruction set.
+// The golden hashes: state hashes of each test scene as it runs, one line each, "scene step hash".
+// Every build type, compiler and machine must give these hashes, with any number of threads and any
+// instruction set.
 #pragma once
 
 #include <algorithm>
@@ -14,10 +14,10 @@
 
 namespace jostle::test {
 
-constexpr int golden_steps = 400;  // of each scene
-constexpr int golden_pace = 100;   // steps from one hash to the next
+constexpr int golden_steps = 400;  // per scene
+constexpr int golden_pace = 100;   // steps between hashes
 
-// Of the named scenes, or of all when none is named.
+// Hashes of the named scenes, or of all scenes if none is named.
 inline std::vector<std::string> golden_lines(int threads = 1,
                                              const std::vector<std::string>& scenes = {},
                                              int steps = golden_steps) {
@@ -40,19 +40,20 @@ inline std::vector<std::string> golden_lines(int threads = 1,
     return lines;
 }
 
-// One of the ways to come to the same bits.
+// A combination of thread count and instruction set. All combinations give the same bits.
 struct GoldenConfiguration {
     int threads;
     physics::InstructionSet set;
 };
 
-inline std::string to_string(const GoldenConfiguration& way) {
-    return std::to_string(way.threads) + (way.threads == 1 ? " thread, " : " threads, ") +
-           physics::instruction_set_name(way.set);
+inline std::string to_string(const GoldenConfiguration& configuration) {
+    return std::to_string(configuration.threads) +
+           (configuration.threads == 1 ? " thread, " : " threads, ") +
+           physics::instruction_set_name(configuration.set);
 }
 
-// One thread and the set that this machine would choose, then one thread more and the next set, and
-// so on; the slowest, one float at a time, takes one turn only.
+// The first configuration has one thread and the default instruction set of this machine. Each
+// further one adds a thread and takes the next set. The slowest set, scalar code, is used once.
 inline std::vector<GoldenConfiguration> golden_configurations(int count) {
     const auto sets = physics::available_instruction_sets();
     const std::size_t fast = sets.size() > 1 ? sets.size() - 1 : 1;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// A changed hash is a changed result, down to the last bit. If it is meant: run
-// build/PRESET/bin/golden_hashes and say why in docs/design/format_changes.md. Other compilers and
-// CPUs: scripts/determinism-check.
+// A changed hash means that results changed in at least one bit. If the change is intended, run
+// build/PRESET/bin/golden_hashes and explain the change in docs/design/format_changes.md.
+// scripts/determinism-check covers other compilers and CPUs.
 #include "tests/determinism/golden_hashes.h"
 
 #include <gtest/gtest.h>
@@ -20,13 +20,13 @@ std::vector<std::string> golden() {
     return lines;
 }
 
-// One to four threads, and every instruction set that this machine has, in turn.
-// scripts/determinism-check goes on to eight.
+// One to four threads with all instruction sets of this machine in turn. scripts/determinism-check
+// covers up to eight threads.
 TEST(GoldenHashes, match_for_any_thread_count_and_instruction_set) {
     const physics::InstructionSet usual = physics::instruction_set();
-    for (const GoldenConfiguration& way : golden_configurations(4)) {
-        must(physics::use_instruction_set(way.set));
-        EXPECT_EQ(golden_lines(way.threads), golden()) << to_string(way);
+    for (const GoldenConfiguration& configuration : golden_configurations(4)) {
+        must(physics::use_instruction_set(configuration.set));
+        EXPECT_EQ(golden_lines(configuration.threads), golden()) << to_string(configuration);
     }
     must(physics::use_instruction_set(usual));
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// A story told to the predictor by its calls: bodies of every kind of shape, pushes, a hand, a
-// frame that disagrees, a car that somebody drives. Writes each call and what it answered as JSON,
-// so that a predictor in another program (clients/web/src/predictor_golden.test.ts) can be told the
-// same and be held to the same bits.
-//     predictor_golden > tests/determinism/predictor_golden.json
+// A sequence of calls of the predictor API: bodies with shapes of every kind, impulses, a grab, a
+// frame with a misprediction, and a controlled car. Writes each call and its results as JSON, so
+// that a predictor in another program (clients/web/src/predictor_golden.test.ts) can be tested with
+// the same calls and must give the same bits.
+// predictor_golden > tests/determinism/predictor_golden.json
 #include <cmath>
 #include <cstdio>
 #include <functional>
@@ -46,7 +46,7 @@ Numbers joined(std::initializer_list<Numbers> parts) {
 struct Body {
     uint32_t entity, type;
     double mass;
-    Numbers geometry;  // kind, place and sizes
+    Numbers geometry;  // kind, pose and sizes
     double x, y, z;
 };
 
@@ -96,28 +96,28 @@ void add_bodies() {
     }
 }
 
-// --- what happens ---
+// --- calls ---
 void send_frame(uint32_t number, double shift) {
-    Numbers told;
+    Numbers values;
     for (const Body& body : bodies())
         for (const double n : {double(body.entity), body.x + (body.entity == 2 ? shift : 0), body.y,
                                body.z, 0.0, 0.0, 0.0, 1.0, 0.0})
-            told.push_back(n);
-    put(told);
+            values.push_back(n);
+    put(values);
     const auto count = static_cast<uint32_t>(bodies().size());
     write_line("frame", {double(number), double(count),
                          double(jostle_predictor_frame(predictor, number, count))});
 }
 
-// The picture at a whole tick: what the solver says. Interpolated they are so far away that nothing
-// is walked.
+// The rendered frame at a whole tick: the result of the solver. The requested positions are so far
+// away that interpolation does not start.
 void expect(uint32_t tick) {
     const uint32_t count = jostle_predictor_predicted(predictor);
     const double* drawn = jostle_predictor_buffer(predictor, count);
-    Numbers asked;
+    Numbers values;
     for (uint32_t k = 0; k < count; k++)
-        for (const double n : {drawn[k], 1e6, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0}) asked.push_back(n);
-    put(asked);
+        for (const double n : {drawn[k], 1e6, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0}) values.push_back(n);
+    put(values);
     const double now_us = 1e9 + tick * 1e7;
     jostle_predictor_sample(predictor, tick, now_us, count);
     const double* poses = jostle_predictor_buffer(predictor, 8 * count);
@@ -159,7 +159,7 @@ void send_car_body() {
     write_line("set_shapes", {double(car), double(count), double(understood)});
 }
 
-// As a server tells of one that has driven for a second and a half.
+// The state that a server sends for a car that has driven for 1.5 s.
 void send_controlled_car(uint32_t tick) {
     using namespace jostle;
     physics::World world;
@@ -179,14 +179,14 @@ void send_controlled_car(uint32_t tick) {
     for (int k = 0; k < 90; k++) world.step(1.0 / 60).expect();
     const auto words = *modules::encode_controlled_entity(world, vehicles, chassis,
                                                           [](physics::BodyId) { return car; });
-    Numbers told;
-    for (const char letter : vehicles.tag()) told.push_back(letter);
-    for (const std::uint32_t word : words) told.push_back(word);
-    put(told);
+    Numbers values;
+    for (const char letter : vehicles.tag()) values.push_back(letter);
+    for (const std::uint32_t word : words) values.push_back(word);
+    put(values);
     const auto letters = static_cast<uint32_t>(vehicles.tag().size()),
                count = static_cast<uint32_t>(words.size());
     write_line("control", {double(car), double(tick), double(letters), double(count),
-                         double(jostle_predictor_control(predictor, car, tick, letters, count))});
+                           double(jostle_predictor_control(predictor, car, tick, letters, count))});
     const physics::Vec3 at = world.body(chassis)->pose.position;
     put({1, 0, -0.5, 0, 0, 0, 0, 1, 1, car, at.x, at.y, at.z, 0, 0, 0, 1, 0});
     write_line("frame", {double(tick), 2, double(jostle_predictor_frame(predictor, tick, 2))});
@@ -219,8 +219,8 @@ void write_predictor_trace() {
     write_line("follow", {2});
     send_frame(1, 0);
     expect(2);
-    push(1, 3, 2, 625, 0, 0);  // 5 m/s, into the other box
-    push_at(2, 4, 5);          // the capsule spins
+    push(1, 3, 2, 625, 0, 0);  // 5 m/s towards the other box
+    push_at(2, 4, 5);          // makes the capsule spin
     for (uint32_t tick = 10; tick <= 60; tick += 10) expect(tick);
     jostle_predictor_grab(predictor, 3, 61, 2, 1, 0.3, 0);
     write_line("grab", {3, 61, 2, 1, 0.3, 0});
@@ -229,10 +229,12 @@ void write_predictor_trace() {
     jostle_predictor_release(predictor, 34, 91);
     write_line("release", {34, 91});
     expect(100);
-    jostle_predictor_result(predictor, 34, 0, 0);  // it was refused: the hand still holds
+    // the input was rejected; the grab remains active
+    jostle_predictor_result(predictor, 34, 0, 0);
     write_line("result", {34, 0, 0});
     expect(110);
-    send_frame(100, 0.5);  // the server has them where they began, ours elsewhere
+    // the server has the bodies at their start positions, the predictor elsewhere
+    send_frame(100, 0.5);
     expect(120);
     expect(150);
     send_control();

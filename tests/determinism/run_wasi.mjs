@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Runs a WebAssembly program in Node: node run_wasi.mjs PROGRAM ARGUMENT... It may read and write below the current
-// folder, and nothing else.
+// Runs a WebAssembly program in Node: node run_wasi.mjs PROGRAM ARGUMENT... The program can only
+// access files below the current folder.
 import { readFile } from 'node:fs/promises';
 import { WASI } from 'node:wasi';
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// 600 steps have the same bits at 1, 2 and 4 threads, events included. Under the thread sanitizer,
-// which takes fifteen times as long and looks for something else, a quarter of them.
+// 600 steps give the same bits with 1, 2 and 4 threads, including events. The thread sanitizer is
+// about fifteen times slower and only looks for races, so it runs a quarter of the steps.
 #include <gtest/gtest.h>
 
 #include "tests/support/test_scenes.h"
@@ -44,7 +44,7 @@ TEST_P(Threads, do_not_change_results) {
     }
 }
 
-// Nor does trying, by the clock, which steps are worth sharing.
+// Measuring at run time which steps benefit from threads does not change results either.
 TEST_P(Threads, adaptive_threading_does_not_change_results) {
     World one = GetParam().make(1), tries = GetParam().make(2);
     use_thread_trials(true);
@@ -57,7 +57,7 @@ TEST_P(Threads, adaptive_threading_does_not_change_results) {
     EXPECT_EQ(state_hash(one), state_hash(tries)) << first_difference(one, tries).value_or("");
 }
 
-// Threads may be changed while a world runs: they are no part of its state.
+// The thread count can change while a world runs, because it is not part of its state.
 TEST_P(Threads, can_change_between_steps) {
     World steady = GetParam().make(1), changing = GetParam().make(1);
     for (int step = 0; step < steps / 3; step++) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What every broad phase must answer: as a loop over all boxes does.
+// Requirements of every broad phase: the same results as a loop over all boxes.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -14,7 +14,8 @@
 
 namespace jostle::test {
 
-// Inserts, moves, removes; after each round every question is compared with a loop over all boxes.
+// Inserts, moves and removes boxes. After each round, compares every query with a loop over all
+// boxes.
 inline void expect_matches_brute_force(std::unique_ptr<physics::BroadPhaseIndex> (*make)()) {
     using namespace physics;
     struct Item {
@@ -40,8 +41,8 @@ inline void expect_matches_brute_force(std::unique_ptr<physics::BroadPhaseIndex>
         }
         for (auto& [id, item] : items)
             if (random.below(3) == 0) {
-                const Vec3 way = random.vector(random.below(4) == 0 ? 30 : 0.5);
-                item.box = {item.box.low + way, item.box.high + way};
+                const Vec3 displacement = random.vector(random.below(4) == 0 ? 30 : 0.5);
+                item.box = {item.box.low + displacement, item.box.high + displacement};
                 index->move(item.handle, item.box);
             }
         for (auto it = items.begin(); it != items.end();)
@@ -51,7 +52,7 @@ inline void expect_matches_brute_force(std::unique_ptr<physics::BroadPhaseIndex>
             } else {
                 ++it;
             }
-        if (round % 4 != 1) index->flush();  // unsettled it is slower, not wrong
+        if (round % 4 != 1) index->flush();  // without flush() a query is slower but correct
         if (round % 2 == 0)
             copy->assign(*index);
         else
@@ -63,21 +64,21 @@ inline void expect_matches_brute_force(std::unique_ptr<physics::BroadPhaseIndex>
             copy->query(box, mask, found);
             std::sort(found.begin(), found.end());
             const Ray ray{random.vector(25), random.vector(40)};
-            std::vector<std::uint32_t> met, expected_met;
+            std::vector<std::uint32_t> hit, expected_hit;
             copy->cast_ray(ray.origin, ray.motion, mask, [&](std::uint32_t item, double limit) {
-                met.push_back(item);
+                hit.push_back(item);
                 return limit;
             });
-            std::sort(met.begin(), met.end());
-            met.erase(std::unique(met.begin(), met.end()), met.end());
+            std::sort(hit.begin(), hit.end());
+            hit.erase(std::unique(hit.begin(), hit.end()), hit.end());
             for (const auto& [id, item] : items) {
                 if ((item.category & mask) == 0) continue;
                 if (overlap(item.box, box)) expected.push_back(id);
                 if (ray_enters(item.box, ray.origin, ray.motion, 1) <= 1)
-                    expected_met.push_back(id);
+                    expected_hit.push_back(id);
             }
             ASSERT_EQ(found, expected) << "round " << round;
-            ASSERT_EQ(met, expected_met) << "round " << round;
+            ASSERT_EQ(hit, expected_hit) << "round " << round;
         }
     }
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Certificates for tests: an authority, what it issues, and what has expired.
+// Certificates for tests: an authority, issued certificates and expired ones.
 #pragma once
 
 #include <openssl/bio.h>
@@ -49,9 +49,10 @@ private:
 };
 
 struct CertificateDef {
-    std::string name = "localhost";  // common name; servers are good for localhost and 127.0.0.1
+    // common name; server certificates are valid for localhost and 127.0.0.1
+    std::string name = "localhost";
     bool authority = false;
-    std::string usage = "serverAuth";  // clientAuth for those of clients
+    std::string usage = "serverAuth";  // clientAuth for client certificates
     std::int64_t begins_in_s = -3600, ends_in_s = 86400;
 };
 
@@ -61,10 +62,10 @@ inline void add_extension(X509* certificate, X509* issuer, int kind, const std::
     const std::shared_ptr<X509_EXTENSION> extension(
         X509V3_EXT_conf_nid(nullptr, &context, kind, value.c_str()), X509_EXTENSION_free);
     if (!extension || X509_add_ext(certificate, extension.get(), -1) != 1)
-        throw std::runtime_error("OpenSSL does not take the extension " + value);
+        throw std::runtime_error("OpenSSL rejects the extension " + value);
 }
 
-// Signed by the issuer; without one, by itself.
+// Signed by the issuer, or self-signed without one.
 inline TestCertificate make_certificate(const CertificateDef& def,
                                         const TestCertificate* issuer = nullptr) {
     TestCertificate made{.x509 = {X509_new(), X509_free},
@@ -91,7 +92,7 @@ inline TestCertificate make_certificate(const CertificateDef& def,
         add_extension(x, signer, NID_subject_alt_name, "DNS:localhost,IP:127.0.0.1");
     }
     if (X509_sign(x, issuer->key.get(), EVP_sha256()) == 0)
-        throw std::runtime_error("OpenSSL does not sign the certificate");
+        throw std::runtime_error("OpenSSL cannot sign the certificate");
     return made;
 }
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// How far two convex shapes are apart, or how deep they overlap, by searching all directions: no
-// GJK, no separating-axis list, nothing shared with the library but its vector types.
+// Distance or penetration depth of two convex shapes by a search over all directions. Uses neither
+// GJK nor a list of separating axes, and shares only vector types with the library.
 //
 // For a unit direction n the slabs of both shapes along n leave the gap s(n) = min over b of n.x -
-// max over a of n.x. The signed distance of two convex shapes is the largest s(n) over all n:
-// positive, their distance; negative, minus the depth of the overlap. Every s(n) is a lower bound,
-// so a normal claimed by anyone can be checked by evaluating s there.
+// max over a of n.x. The signed distance of two convex shapes is the largest s(n) over all n: if
+// positive, their distance; if negative, minus the penetration depth. Every s(n) is a lower bound,
+// so the normal of any other method can be checked by evaluating s there.
 #pragma once
 
 #include <array>
@@ -59,7 +59,7 @@ struct OracleGap {
 
 namespace detail {
 
-// 1500 directions of a Fibonacci spiral: about 4 degrees from each to the next.
+// 1500 directions of a Fibonacci spiral, about 4 degrees apart.
 inline const std::vector<physics::Vec3>& directions() {
     static const std::vector<physics::Vec3> all = [] {
         std::vector<physics::Vec3> list;
@@ -74,8 +74,8 @@ inline const std::vector<physics::Vec3>& directions() {
     return all;
 }
 
-// Climbs s from n: a ring of trial directions that shrinks when none is better and turns each time,
-// so that a ridge cannot hide between them.
+// Maximizes s by hill climbing from n. Evaluates a ring of trial directions that shrinks if none is
+// better and rotates in every iteration, so that it does not miss a ridge between the directions.
 template <class Gap>
 OracleGap climb(const Gap& gap, physics::Vec3 n) {
     double best = gap(n), step = 0.06, turn = 0;
@@ -103,22 +103,22 @@ OracleGap climb(const Gap& gap, physics::Vec3 n) {
 
 }  // namespace detail
 
-// The largest gap(n) over all n. Good to about 1e-6 of the sizes.
+// The largest gap(n) over all n, accurate to about 1e-6 of the sizes.
 template <class Gap>
 OracleGap widest(const Gap& gap) {
     using physics::Vec3;
-    // The best few of all directions, each climbed: hills of s are as wide as the faces that make
-    // them.
+    // Hill climbing from the best few of all directions. The maxima of s are as wide as the faces
+    // that cause them.
     constexpr int starts = 10;
     std::array<OracleGap, starts> best;
     best.fill({-1e300, {}});
     for (const Vec3 n : detail::directions()) {
         const double s = gap(n);
         if (s <= best.back().distance) continue;
-        int place = starts - 1;
-        for (; place > 0 && best[static_cast<std::size_t>(place - 1)].distance < s; place--)
-            best[static_cast<std::size_t>(place)] = best[static_cast<std::size_t>(place - 1)];
-        best[static_cast<std::size_t>(place)] = {s, n};
+        int index = starts - 1;
+        for (; index > 0 && best[static_cast<std::size_t>(index - 1)].distance < s; index--)
+            best[static_cast<std::size_t>(index)] = best[static_cast<std::size_t>(index - 1)];
+        best[static_cast<std::size_t>(index)] = {s, n};
     }
     OracleGap result{-1e300, {}};
     for (const OracleGap& start : best) {
@@ -129,7 +129,7 @@ OracleGap widest(const Gap& gap) {
     return result;
 }
 
-// a is no plane.
+// a must not be a plane.
 inline OracleGap separation(const physics::Geometry& a, const physics::Transform& pose_a,
                             const physics::Geometry& b, const physics::Transform& pose_b) {
     using namespace physics;
@@ -174,8 +174,8 @@ inline physics::Vec3 nearest_point(const physics::Geometry& geometry,
     return apply(pose, d <= radius ? q : core + out * (radius / d));
 }
 
-// An upper bound of the distance, as slab_gap is a lower one: two points, each moved to the nearest
-// of the other shape in turn, come as near as the shapes do.
+// An upper bound of the distance, while slab_gap is a lower bound: alternating projections of two
+// points onto the other shape converge to the distance of the shapes.
 inline double distance_at_most(const physics::Geometry& a, const physics::Transform& pose_a,
                                const physics::Geometry& b, const physics::Transform& pose_b) {
     physics::Vec3 on_a = pose_a.position, on_b = pose_b.position;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A module of tests: counts steps and tells clients of a body the count. Falls silent, and tells
-// too much or less often, when it is set to.
+// A test module that counts steps and publishes the count for a body. It can stop publishing,
+// publish more values or publish less often.
 #pragma once
 
 #include <memory>
@@ -41,17 +41,17 @@ public:
     std::uint32_t count() const { return steps / every; }
 
     std::uint32_t steps = 0;
-    std::uint32_t every = 1;  // steps to a count
-    std::uint32_t until = 0;  // the count at which it falls silent; 0: never
+    std::uint32_t every = 1;  // steps per count
+    std::uint32_t until = 0;  // the count at which it stops publishing; 0: never
     physics::BodyId observed_body;
-    std::size_t padding = 0;                         // values after the count
-    std::vector<physics::ChannelKind> kinds = {{}};  // each tells the count
+    std::size_t padding = 0;                         // additional values after the count
+    std::vector<physics::ChannelKind> kinds = {{}};  // each publishes the count
 
 private:
     const std::string tag_;
 };
 
-// May be called by several tests of a program.
+// Several tests of a program may call this.
 inline void register_counter() {
     static const Status known =
         physics::register_module("counter", [] { return std::make_unique<Counter>(); });

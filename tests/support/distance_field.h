@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Signed distance of a point to a shape, from the textbook definitions: the ground truth of queries
-// and masses. Shares no code with the library beyond the vector types.
+// Signed distance of a point to a shape from textbook definitions: the reference for queries and
+// masses. Shares only vector types with the library.
 #pragma once
 
 #include <algorithm>
@@ -17,8 +17,8 @@
 
 namespace jostle::test {
 
-// The point of a triangle nearest to p: its inside when p stands over it, else the nearest of its
-// sides.
+// The point of a triangle nearest to p: the projection of p if it is inside, otherwise the nearest
+// point of a side.
 inline physics::Vec3 nearest_on_triangle(physics::Vec3 p, physics::Vec3 a, physics::Vec3 b,
                                          physics::Vec3 c) {
     using physics::Vec3;
@@ -39,7 +39,7 @@ inline physics::Vec3 nearest_on_triangle(physics::Vec3 p, physics::Vec3 a, physi
     return best;
 }
 
-// The point of the hull's border nearest to p.
+// The point of the surface of the hull nearest to p.
 inline physics::Vec3 nearest_on_border(const physics::ConvexHull& hull, physics::Vec3 p) {
     physics::Vec3 best;
     double nearest = 1e300;
@@ -54,8 +54,8 @@ inline physics::Vec3 nearest_on_border(const physics::ConvexHull& hull, physics:
     return best;
 }
 
-// The nearest point of a convex polygon in the half plane (r, y), corners in order: what turns
-// round the y axis is its outline.
+// The nearest point of a convex polygon in the half plane (r, y), with ordered vertices. It is the
+// outline of a solid of revolution about the y axis.
 struct Flat {
     double r, y;
 };
@@ -66,7 +66,7 @@ inline double distance_to_outline(const std::vector<Flat>& corners, Flat p, Flat
         const Flat a = corners[k], b = corners[(k + 1) % corners.size()];
         const double ur = b.r - a.r, uy = b.y - a.y, l2 = ur * ur + uy * uy;
         if (ur * (p.y - a.y) - uy * (p.r - a.r) < 0) inside = false;
-        if (a.r == 0 && b.r == 0) continue;  // the axis itself is no border
+        if (a.r == 0 && b.r == 0) continue;  // the axis is not a border
         const double t = std::clamp(((p.r - a.r) * ur + (p.y - a.y) * uy) / l2, 0.0, 1.0);
         const Flat q{a.r + t * ur, a.y + t * uy};
         const double d = std::hypot(p.r - q.r, p.y - q.y);
@@ -84,7 +84,7 @@ inline std::vector<Flat> outline_of(const physics::Cone& c) {
     return {{0, -c.half_length}, {c.radius, -c.half_length}, {0, c.half_length}};
 }
 
-// In the shape's own frame, m; negative inside.
+// In the local frame of the shape, m; negative inside.
 inline double signed_distance(const physics::Geometry& geometry, physics::Vec3 p) {
     using physics::Vec3;
     switch (physics::kind_of(geometry)) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What was wrong, of a call that a test expects to fail.
+// The error of a call that a test expects to fail.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -10,12 +10,12 @@
 namespace jostle::test {
 
 inline Error error_of(const Status& status) {
-    EXPECT_FALSE(status.ok()) << "an error was expected";
+    EXPECT_FALSE(status.ok()) << "expected an error";
     return status.ok() ? Error{} : status.error();
 }
 template <class T>
 Error error_of(const Result<T>& result) {
-    EXPECT_FALSE(result.ok()) << "an error was expected";
+    EXPECT_FALSE(result.ok()) << "expected an error";
     return result.ok() ? Error{} : result.error();
 }
 

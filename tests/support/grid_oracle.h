@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What the tools of the plane should answer, on points with small whole coordinates: there plain
-// integers are exact. Nothing is shared with the library but its vector type.
+// Reference results for the plane geometry functions, on points with small integer coordinates, for
+// which integer arithmetic is exact. Shares only a vector type with the library.
 #pragma once
 
 #include <algorithm>
@@ -48,16 +48,16 @@ inline GridPoint2 random_point(Random& random, std::uint64_t side) {
     return {x, static_cast<std::int64_t>(random.below(side))};
 }
 
-// By the foot of p on the line: it is p itself, and lies between the ends.
+// Uses the projection of p on the line: it equals p and lies between the ends.
 inline bool lies_on(GridPoint2 from, GridPoint2 to, GridPoint2 p) {
-    const GridPoint2 way = to - from, there = p - from;
-    const std::int64_t along = dot(way, there), l2 = dot(way, way);
+    const GridPoint2 segment = to - from, offset = p - from;
+    const std::int64_t along = dot(segment, offset), l2 = dot(segment, segment);
     if (l2 == 0) return p == from;
-    return along >= 0 && along <= l2 && along * along == l2 * dot(there, there);
+    return along >= 0 && along <= l2 && along * along == l2 * dot(offset, offset);
 }
 
-// How many points two segments share: 0, 1, or 2 for any more; and whether it is an inner one of
-// both.
+// Number of common points of two segments: 0, 1, or 2 for two or more. `inner`: the only common
+// point lies inside both.
 struct Shared {
     int count = 0;
     bool inner = false;
@@ -98,8 +98,8 @@ inline std::int64_t twice_area(std::span<const GridPoint2> polygon) {
     return sum;
 }
 
-// A simple polygon of up to `corners` corners, either way round: grown from a triangle by points
-// that bend one of its sides. On a small grid it is full of corners of 180 degrees and of narrow
+// A simple polygon of up to `corners` vertices in either orientation. It grows from a triangle by
+// points that bend one of its sides. On a small grid it has many vertices of 180 degrees and narrow
 // bays.
 inline std::vector<GridPoint2> random_polygon(Random& random, std::size_t corners,
                                               std::uint64_t side) {

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: MIT
 //
-// Two bodies and a joint between them, as the tests of joints want them.
+// Two bodies and a joint, for tests of joints.
 #pragma once
 
 #include "tests/support/world_builder.h"
 
 namespace jostle::test {
 
-// What a joint hangs from.
+// A static body to which a joint is attached.
 inline physics::BodyId anchor(physics::World& world, physics::Vec3 at = {}) {
     return add(world, {.geometry = physics::Sphere{0.05},
                        .position = at,
                        .type = physics::BodyType::static_body});
 }
 
-// A body that does not fall asleep.
+// A body that never sleeps.
 inline physics::BodyId block(physics::World& world, BuiltBody part) {
     part.sleep_allowed = false;
     return add(world, part);

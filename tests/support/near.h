@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Comparisons of vectors that say how far off they were.
+// Comparisons of vectors whose failure message contains the error.
 #pragma once
 
 #include <gtest/gtest.h>

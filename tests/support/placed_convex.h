@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A shape where a test wants it, as GJK and SAT see it. For tests that look into physics/src.
+// A transformed shape as GJK and SAT use it. For tests that include headers of physics/src.
 #pragma once
 
 #include "physics/src/geometry/support.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Seeded random numbers that are the same on every machine (SplitMix64; the standard distributions
-// are not).
+// Seeded random numbers (SplitMix64) that are equal on every machine, unlike the standard
+// distributions.
 #pragma once
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Convex shapes and rotations for differential tests: plain ones and those where the branches of a
-// narrow phase change.
+// Convex shapes and rotations for differential tests: general ones, and those at which the branches
+// of a narrow phase change.
 #pragma once
 
 #include <vector>
@@ -44,8 +44,8 @@ inline physics::Geometry random_geometry(physics::ShapeKind kind, Random& random
     return Sphere{};
 }
 
-// Rotations: any, right angles, or almost right angles: where the branches of a narrow phase
-// change.
+// General rotations, right angles and almost right angles. The branches of a narrow phase change at
+// the latter.
 inline physics::Quat random_rotation(Random& random) {
     using namespace physics;
     const auto style = random.below(3);

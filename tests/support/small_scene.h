@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A scene for servers whose worlds are not the matter: it costs next to nothing.
+// A cheap scene for tests of servers that do not depend on the world.
 #pragma once
 
 #include <utility>
@@ -9,7 +9,7 @@
 
 namespace jostle::test {
 
-// A floor, two boxes upon each other and a ball that falls.
+// A floor, a stack of two boxes and a falling ball.
 inline scenes::SceneDescription small_scene() {
     using namespace physics;
     scenes::SceneDescription scene{.name = "small"};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The step of tests that say nothing else of it.
+// The default time step of tests.
 #pragma once
 
 namespace jostle::test {

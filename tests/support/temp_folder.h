@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A folder for a test's files, gone with it.
+// A temporary folder that is removed with the test.
 #pragma once
 
 #include <sys/stat.h>
@@ -18,7 +18,8 @@ class TempFolder {
 public:
     TempFolder() {
         path_ = (std::filesystem::temp_directory_path() / "jostle-test-XXXXXX").string();
-        if (mkdtemp(path_.data()) == nullptr) throw std::runtime_error("no temporary folder");
+        if (mkdtemp(path_.data()) == nullptr)
+            throw std::runtime_error("cannot create a temporary folder");
     }
     ~TempFolder() {
         std::error_code ignored;
@@ -29,7 +30,7 @@ public:
 
     std::string operator/(const std::string& name) const { return path_ + "/" + name; }
 
-    // Replaces the file at once, readable by its owner alone.
+    // Replaces the file atomically; only its owner can read it.
     std::string write(const std::string& name, const std::string& text) const {
         const std::string aside = *this / (name + ".new"), target = *this / name;
         std::ofstream(aside, std::ios::binary) << text;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Small worlds with much going on, for tests that compare states bit by bit. They are kept apart
-// from the scene catalogue, so that a nicer demo does not change golden hashes.
+// Small worlds with many interactions for bit-exact comparisons. They are independent of the scene
+// catalogue, so that a change of a demo does not change golden hashes.
 #pragma once
 
 #include <string>
@@ -13,10 +13,10 @@
 
 namespace jostle::test {
 
-// What compares worlds of one and of several threads is to compare steps that are shared.
+// Tests that compare worlds with one and several threads must use threads in every step.
 inline const bool all_steps_are_shared = (physics::use_thread_trials(false), true);
 
-// 55 boxes that stand.
+// 55 boxes at rest.
 inline physics::World pyramid_scene(int threads = 1) {
     physics::World world = make_world({.threads = threads});
     add_floor(world);
@@ -26,8 +26,8 @@ inline physics::World pyramid_scene(int threads = 1) {
     return world;
 }
 
-// Islands of every tier side by side, which meet when the tall one is hit: 45 boxes upon each
-// other, a hundredfold load on five of them, a stack of three, and a ball on its way to the tower.
+// Islands of every size class, which merge when the tall one is hit: a tower of 45 boxes, a load of
+// 100 times the density on five boxes, a stack of three, and a ball that flies to the tower.
 inline physics::World towers_scene(int threads = 1) {
     using namespace physics;
     World world = make_world({.threads = threads});
@@ -66,19 +66,19 @@ inline physics::Geometry random_round_or_box(Random& random) {
     }
 }
 
-// 150 boxes, spheres and capsules rain into a walled yard.
+// 150 boxes, spheres and capsules fall into a walled yard.
 inline physics::World pile_scene(int threads = 1) {
     physics::World world = make_world({.threads = threads});
     add_floor(world);
     add_walls(world, 3);
     Random random(21);
     for (int i = 0; i < 150; i++) {
-        const physics::Vec3 place{random.in(-2, 2), 1 + 0.12 * i, random.in(-2, 2)};
+        const physics::Vec3 position{random.in(-2, 2), 1 + 0.12 * i, random.in(-2, 2)};
         const physics::Geometry geometry = random_round_or_box(random);
         const physics::Quat rotation = random.rotation();
         const double restitution = i % 4 == 0 ? 0.5 : 0;
         add(world, {.geometry = geometry,
-                    .position = place,
+                    .position = position,
                     .rotation = rotation,
                     .spin = random.vector(3),
                     .friction = random.in(0.1, 0.9),
@@ -87,8 +87,8 @@ inline physics::World pile_scene(int threads = 1) {
     return world;
 }
 
-// Stacks that fall asleep, balls that come and hit them, a ramp, a sweeping kinematic bar, a body
-// of three shapes, a damped one.
+// Sleeping stacks, balls that hit them, a ramp, a sweeping kinematic bar, a body with three shapes
+// and a damped one.
 inline physics::World yard_scene(int threads = 1) {
     using namespace physics;
     World world = make_world({.threads = threads});
@@ -127,9 +127,9 @@ inline physics::World yard_scene(int threads = 1) {
     return world;
 }
 
-// One of everything that the other scenes lack: a mesh with hills, hulls, cylinders, cones,
-// compounds, joints of every kind with a motor, a trigger, a conveyor, rolling friction, locks, a
-// category that passes through another, bullets.
+// Features that the other scenes lack: a hilly mesh, hulls, cylinders, cones, compounds, joints of
+// every kind with a motor, a trigger, a conveyor, rolling friction, locks, filter categories and
+// bullets.
 inline physics::World fair_scene(int threads = 1) {
     using namespace physics;
     World world = make_world({.threads = threads});
@@ -161,13 +161,13 @@ inline physics::World fair_scene(int threads = 1) {
                                                         {Sphere{0.2}, {{0, 0, 0.3}, {}}}}))};
     const Geometry kinds[] = {hull, Cylinder{0.3, 0.25}, Cone{0.35, 0.4}, jack, Sphere{0.3}};
     for (int i = 0; i < 60; i++) {
-        const Vec3 place{random.in(-6, 6), 1.5 + 0.25 * i, random.in(-6, 6)};
-        // One after the other: compilers differ in which argument of a call they work out first.
+        const Vec3 position{random.in(-6, 6), 1.5 + 0.25 * i, random.in(-6, 6)};
+        // Evaluated one by one, because compilers differ in the evaluation order of arguments.
         const double friction = random.in(0.2, 0.9);
         const Quat rotation = random.rotation();
         const Vec3 spin = random.vector(4);
         must(world.create_body(
-            {.pose = {place, rotation}, .angular_velocity = spin},
+            {.pose = {position, rotation}, .angular_velocity = spin},
             {.geometry = kinds[i % 5],
              .material = {.friction = friction,
                           .restitution = i % 3 == 0 ? 0.4 : 0,
@@ -230,8 +230,8 @@ inline physics::World fair_scene(int threads = 1) {
     return world;
 }
 
-// 310 chains of two links that swing through each other, of all kinds of joints with and without
-// limits, springs and motors: levels are long enough for threads to share them.
+// 310 chains of two links that swing through each other, with joints of all kinds, with and without
+// limits, springs and motors. The joint levels are long enough for several threads.
 inline physics::World chains_scene(int threads = 1) {
     using namespace physics;
     World world = make_world({.threads = threads});
@@ -239,7 +239,7 @@ inline physics::World chains_scene(int threads = 1) {
     const BodyId ceiling = add(
         world, {.geometry = Sphere{0.1}, .position = {0, 12, 0}, .type = BodyType::static_body});
     for (int i = 0; i < 310; i++) {
-        const bool plain = i < 260;  // balls, the rest one of everything
+        const bool plain = i < 260;  // ball joints; the other chains use all kinds
         const JointKind kinds[] = {
             BallJoint{},
             HingeJoint{.limit = {i % 2 == 0, -0.4, 0.6}, .motor = {i % 3 == 0, 2, 15}},
@@ -251,13 +251,13 @@ inline physics::World chains_scene(int threads = 1) {
             DistanceJoint{
                 .min_length = 0, .max_length = 2, .spring = {3, 0.1}, .rest_length = 0.3}};
         BodyId above = ceiling;
-        Vec3 place{i % 20 - 9.5, 0, i / 20 - 9.5};
-        Vec3 anchor = place;
+        Vec3 position{i % 20 - 9.5, 0, i / 20 - 9.5};
+        Vec3 anchor = position;
         for (int link = 0; link < 2; link++) {
-            place.y = -0.5 * link;
+            position.y = -0.5 * link;
             const Vec3 spin = random.vector(2);
             const BodyId body = must(world.create_body(
-                {.pose = {place + Vec3{0, 11.6, 0}, {}}, .angular_velocity = spin},
+                {.pose = {position + Vec3{0, 11.6, 0}, {}}, .angular_velocity = spin},
                 {.geometry = Capsule{0.06, 0.15}, .filter = {.mask = 0}}));
             must(world.create_joint(
                 {.body_a = above,
@@ -272,22 +272,23 @@ inline physics::World chains_scene(int threads = 1) {
     return world;
 }
 
-// A block of bodies of three kinds, some jointed to their neighbours, with a small one on it that
-// never sleeps: most of it is frozen, and what is done to it thaws some.
+// A block of bodies of three kinds, some with joints to their neighbours, and a small body on top
+// that never sleeps. Most of the block is frozen, and disturbances thaw parts of it.
 inline physics::World guarded_scene(int threads = 1) {
     using namespace physics;
     World world = make_world({.threads = threads});
     add_floor(world);
     for (int i = 0; i < 108; i++) {
-        const Vec3 place{i % 6 - 2.5, 0.5 + i / 36, i / 6 % 6 - 2.5};
+        const Vec3 position{i % 6 - 2.5, 0.5 + i / 36, i / 6 % 6 - 2.5};
         const bool on_top = i >= 72;
         if (on_top && i % 5 == 0)
-            add(world, {.geometry = Cylinder{0.5, 0.5}, .position = place});
+            add(world, {.geometry = Cylinder{0.5, 0.5}, .position = position});
         else if (on_top && i % 7 == 0)
-            must(world.create_body({.pose = {place, {}}}, {.geometry = Sphere{0.5},
-                                                           .material = {.rolling_friction = 0.1}}));
+            must(world.create_body(
+                {.pose = {position, {}}},
+                {.geometry = Sphere{0.5}, .material = {.rolling_friction = 0.1}}));
         else
-            add(world, {.position = place});
+            add(world, {.position = position});
         if (i % 6 != 3 || i % 4 == 0) continue;
         const std::vector<BodyId> bodies = world.bodies();
         const JointKind kinds[] = {FixedJoint{}, BallJoint{}, HingeJoint{}};
@@ -302,9 +303,9 @@ inline physics::World guarded_scene(int threads = 1) {
     return world;
 }
 
-// 225 stacks of three: so many small islands that they are dealt out among batches. A heavy ball
-// rolls through them, so that islands of different batches meet, a kinematic plough pushes some,
-// and a rope lies over others.
+// 225 stacks of three: enough small islands that the solver groups them into batches. A heavy ball
+// rolls through them, so that islands of different batches merge; a kinematic plough pushes some,
+// and a rope lies on others.
 inline physics::World village_scene(int threads = 1) {
     using namespace physics;
     World world = make_world({.threads = threads});
@@ -351,7 +352,7 @@ inline const std::vector<TestScene>& test_scenes() {
     return all;
 }
 
-// What callers do to a world while it runs: the same at the same step, whoever runs it.
+// Changes that callers make while a world runs, always at the same steps.
 inline void disturb(physics::World& world, int step) {
     using namespace physics;
     if (step == 120) add(world, {.position = {0.3, 12, 0.2}, .velocity = {0, -10, 0}});

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A login service for tests: keys of its own, the key set that a server reads, and tokens, good
-// ones and forged ones.
+// A login service for tests: its own keys, the key set that a server reads, and valid and forged
+// tokens.
 #pragma once
 
 #include <openssl/bn.h>
@@ -24,24 +24,24 @@ inline std::string to_base64url(std::string_view bytes) {
     static constexpr char digits[] =
         "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
     std::string text;
-    unsigned held = 0;
+    unsigned buffer = 0;
     int count = 0;
     for (const char c : bytes) {
-        held = held << 8 | static_cast<unsigned char>(c);
-        for (count += 8; count >= 6; count -= 6) text += digits[held >> (count - 6) & 63];
+        buffer = buffer << 8 | static_cast<unsigned char>(c);
+        for (count += 8; count >= 6; count -= 6) text += digits[buffer >> (count - 6) & 63];
     }
-    if (count > 0) text += digits[held << (6 - count) & 63];
+    if (count > 0) text += digits[buffer << (6 - count) & 63];
     return text;
 }
 
-// A private key on P-256.
+// A private key on the curve P-256.
 class SigningKey {
 public:
     SigningKey() : key_(EVP_EC_gen("P-256"), EVP_PKEY_free) {
-        if (!key_) throw std::runtime_error("OpenSSL makes no key");
+        if (!key_) throw std::runtime_error("OpenSSL cannot create a key");
     }
 
-    // r and s, 32 bytes each, as ES256 has it.
+    // r and s, 32 bytes each, in the format of ES256.
     std::string sign(std::string_view message) const {
         const std::shared_ptr<EVP_MD_CTX> context(EVP_MD_CTX_new(), EVP_MD_CTX_free);
         const auto* text = reinterpret_cast<const unsigned char*>(message.data());
@@ -50,7 +50,7 @@ public:
         if (EVP_DigestSignInit(context.get(), nullptr, EVP_sha256(), nullptr, key_.get()) != 1 ||
             EVP_DigestSign(context.get(), reinterpret_cast<unsigned char*>(der.data()), &size, text,
                            message.size()) != 1)
-            throw std::runtime_error("OpenSSL does not sign");
+            throw std::runtime_error("OpenSSL cannot sign");
         const auto* at = reinterpret_cast<const unsigned char*>(der.data());
         const std::shared_ptr<ECDSA_SIG> signature(
             d2i_ECDSA_SIG(nullptr, &at, static_cast<long>(size)), ECDSA_SIG_free);
@@ -58,7 +58,7 @@ public:
                number(ECDSA_SIG_get0_s(signature.get()));
     }
 
-    // The public half, as an entry of a key set.
+    // The public key as an entry of a key set.
     Json public_key(const std::string& id) const {
         return {{"kty", "EC"},
                 {"crv", "P-256"},
@@ -90,7 +90,7 @@ inline std::string key_set(const Json& keys) {
     return Json{{"keys", keys}}.dump();
 }
 
-// Header and claims as they are, signed by whatever signs.
+// Header and claims, signed by a function.
 template <class Sign>
 std::string assemble(const std::string& header, const std::string& claims, Sign sign) {
     const std::string text = to_base64url(header) + "." + to_base64url(claims);
@@ -107,7 +107,7 @@ struct LoginService {
     std::string published() const { return key_set(Json::array({key.public_key(key_id)})); }
 
     Json header() const { return {{"alg", "ES256"}, {"typ", "JWT"}, {"kid", key_id}}; }
-    // Good for an hour.
+    // Valid for one hour.
     static Json claims(const std::string& subject, const std::string& role,
                        std::chrono::system_clock::time_point now) {
         const std::int64_t seconds = std::chrono::system_clock::to_time_t(now);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Waits for what other threads do.
+// Waits for an effect of another thread.
 #pragma once
 
 #include <chrono>
@@ -9,7 +9,7 @@
 
 namespace jostle::test {
 
-// Whether it came true within 20 s.
+// Returns whether the condition became true within 20 s.
 inline bool wait_until(const std::function<bool()>& condition) {
     using namespace std::chrono_literals;
     using Clock = std::chrono::steady_clock;

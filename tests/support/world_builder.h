@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Worlds in one line: a floor, a body, some seconds. For tests; a refused call fails the test and
-// ends it.
+// Short functions that build worlds for tests: a floor, a body, some seconds. A rejected call ends
+// the test with a failure.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,7 @@
 
 namespace jostle::test {
 
-// What cannot be set up ends the test: by an exception, which names it, where there are exceptions.
+// Ends a test whose setup fails, by an exception with the reason where exceptions are available.
 [[noreturn]] inline void give_up(const std::string& why) {
 #if defined(__cpp_exceptions)
     throw std::runtime_error(why);
@@ -24,7 +24,7 @@ namespace jostle::test {
     std::abort();
 #endif
 }
-// The value, or an exception that gtest reports with the library's own message.
+// The value, or an exception whose message gtest reports.
 template <class T>
 T must(physics::Result<T> result) {
     if (!result.ok()) give_up(result.error().message);
@@ -34,7 +34,7 @@ inline void must(const physics::Status& status) {
     if (!status.ok()) give_up(status.error().message);
 }
 
-// One body of one shape, with the few things that tests vary.
+// A body with one shape and the properties that tests vary.
 struct BuiltBody {
     physics::Geometry geometry = physics::Box{};
     physics::Vec3 position;
@@ -72,7 +72,7 @@ inline physics::BodyId add_floor(physics::World& world, double friction = 0.5,
                        .type = physics::BodyType::static_body});
 }
 
-// A part that never moves.
+// A body that never moves.
 inline physics::BodyId add_static(physics::World& world, BuiltBody part) {
     part.type = physics::BodyType::static_body;
     return add(world, part);
@@ -93,8 +93,8 @@ inline physics::Vec3 velocity_of(const physics::World& world, physics::BodyId bo
     return state_of(world, body).linear_velocity;
 }
 
-// Gravity of 9.81 m/s^2 leaning by atan(slope) from straight down toward `azimuth` (radians from x
-// to z): the floor is then an incline, in a direction that no axis shares.
+// Gravity of 9.81 m/s^2 at the angle atan(slope) from straight down towards `azimuth` (rad, from x
+// to z). The floor is then an incline in a direction that no axis shares.
 inline physics::Vec3 leaning_gravity(double slope, double azimuth) {
     const double cosine = 1 / physics::square_root(1 + slope * slope);
     const physics::SinCos a = physics::sin_cos(azimuth);

@@ -75,8 +75,8 @@ protected:
         scene.modules = {
             {.tag = "counter",
              .settings = {{"every", 5}, {"until", until}},
-             .bodies = {{"watched", 1}}},
-            {.tag = "still", .settings = {{"every", 1e9}}, .bodies = {{"watched", 1}}}};
+             .bodies = {{"observed", 1}}},
+            {.tag = "still", .settings = {{"every", 1e9}}, .bodies = {{"observed", 1}}}};
         const auto world = worlds.create("", scene);
         ASSERT_TRUE(world.ok()) << world.error().message;
     }
@@ -109,7 +109,7 @@ TEST_F(GrpcServerTest, sends_channel_changes_and_current_values_to_late_joiners)
     const auto early = join();
     ASSERT_TRUE(wait_until([&] { return channel_value(*early, "counter").has_value(); }));
     const ChannelValue first = *channel_value(*early, "counter");
-    EXPECT_EQ(name_of(*early, first.entity), "watched");
+    EXPECT_EQ(name_of(*early, first.entity), "observed");
     ASSERT_TRUE(
         wait_until([&] { return channel_value(*early, "counter")->count > first.count + 3; }));
     EXPECT_EQ(channel_value(*early, "still")->count, 0u);

@@ -299,11 +299,11 @@ Status ClientSession::try_push_input(std::uint32_t sequence, const Result<Action
     if (!input.ok()) return Error{ErrorCode::invalid_argument, input.error().message};
     if (Status status = admission_->admit_input(*input, now); !status.ok()) return status;
     if (!broadcast_->host().mailbox().push({.client = client_,
-                                  .sequence = sequence,
-                                  .action = *input,
-                                  .reply = result_queue_,
-                                  .received = now,
-                                  .tick = tick}))
+                                            .sequence = sequence,
+                                            .action = *input,
+                                            .reply = result_queue_,
+                                            .received = now,
+                                            .tick = tick}))
         return Error{ErrorCode::resource_exhausted, "the world has too many inputs waiting"};
     return {};
 }

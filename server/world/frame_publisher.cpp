@@ -9,8 +9,7 @@
 namespace jostle::server {
 
 FramePublisher::FramePublisher(double hz, std::function<void(bool has_events)> on_frame)
-    : on_frame_(std::move(on_frame)),
-      tick_ms_(static_cast<std::size_t>(std::max(1.0, hz)), 0.0) {}
+    : on_frame_(std::move(on_frame)), tick_ms_(static_cast<std::size_t>(std::max(1.0, hz)), 0.0) {}
 
 FramePtr FramePublisher::frame() const {
     const std::lock_guard lock(mutex_);
@@ -44,7 +43,8 @@ void FramePublisher::measure(Frame& frame, Clock::time_point began) {
 }
 
 void FramePublisher::set_frame(FramePtr frame) {
-    has_new_events_ = frame->events->count != std::exchange(published_events_, frame->events->count);
+    has_new_events_ =
+        frame->events->count != std::exchange(published_events_, frame->events->count);
     FramePtr old;  // freed outside the lock
     const std::lock_guard lock(mutex_);
     old = std::exchange(frame_, std::move(frame));

@@ -42,7 +42,8 @@ void TickWatchdog::check(Clock::time_point now) {
         const Clock::duration took = now - *began;
         hung = hung || took > settings_.hung_after;
         // After a pause of ours the tick gets its time anew.
-        if (took <= settings_.step_max || now - looked > process_stall_min || world->lifecycle().paused())
+        if (took <= settings_.step_max || now - looked > process_stall_min ||
+            world->lifecycle().paused())
             continue;
         world->interrupt(fmt::format("a step took more than {:.1f} s", to_ms(took) / 1000));
     }

@@ -109,8 +109,8 @@ Result<std::shared_ptr<WorldHost>> WorldDirectory::create_from(const std::string
     then->release_all_clients();
     const std::size_t bodies = then->entities();
     auto host = create_with(name, owner, bodies, [&](WorldLabel label) {
-        return WorldHost::begin({std::move(label), world.properties().scene, *std::move(then), tick},
-                                settings_);
+        return WorldHost::begin(
+            {std::move(label), world.properties().scene, *std::move(then), tick}, settings_);
     });
     if (host.ok())
         log_info("world {} \"{}\" goes on from tick {} of world {} with {} bodies", (*host)->id(),
@@ -292,7 +292,8 @@ Result<WorldDirectory::Replacement> WorldDirectory::restart_failed_world(
             kept->paused = failed.lifecycle().paused();
             return start_replacement(*std::move(kept));
         }
-        auto host = WorldHost::start(failed.properties().label, failed.properties().scene, settings_);
+        auto host =
+            WorldHost::start(failed.properties().label, failed.properties().scene, settings_);
         if (!host.ok()) return host.error();
         return Replacement{*std::move(host), {}};
     });

@@ -237,9 +237,9 @@ void WorldHost::log_step_warnings() {
 
 std::shared_ptr<Frame> WorldHost::make_frame(Clock::time_point due, std::uint32_t late_ticks) {
     auto frame = std::make_shared<Frame>();
-    const auto late = std::chrono::duration_cast<std::chrono::microseconds>(
-                          due - properties_.due_time(tick_))
-                          .count();
+    const auto late =
+        std::chrono::duration_cast<std::chrono::microseconds>(due - properties_.due_time(tick_))
+            .count();
     frame->tick = tick_;
     frame->due = due;
     frame->late_us = std::abs(late) <= 1 ? 0 : late;  // 1 us is rounding

@@ -22,11 +22,11 @@ struct WorldLabel {
 struct WorldProperties {
     WorldLabel label;
     std::shared_ptr<const scenes::SceneDescription> scene;
-    double hz = 60;              // ticks per second
-    double work_per_second = 0;  // as scene_budget.h estimates it
-    physics::Vec3 gravity;       // m/s^2
-    int substeps = 0;            // of a step; 0: each island takes as many as it needs
-    Clock::time_point epoch;     // when tick 0 would have been due
+    double hz = 60;                // ticks per second
+    double work_per_second = 0;    // as scene_budget.h estimates it
+    physics::Vec3 gravity;         // m/s^2
+    int substeps = 0;              // of a step; 0: each island takes as many as it needs
+    Clock::time_point epoch;       // when tick 0 would have been due
     std::uint32_t first_tick = 1;  // the tick that the host started from
     // The channels that modules publish; a channel's kind is an index of this list.
     std::vector<physics::ChannelKind> channel_kinds;

@@ -6,9 +6,9 @@
 #include <type_traits>
 #include <variant>
 
+#include "jostle/base/check.h"
 #include "jostle/physics/joint_defs.h"
 #include "physics/src/constraint_graph/joint_memory.h"
-#include "jostle/base/check.h"
 
 namespace jostle::physics {
 namespace {

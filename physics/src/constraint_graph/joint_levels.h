@@ -12,8 +12,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "physics/src/constraint_graph/joint_constraint_wide.h"
 #include "jostle/base/check.h"
+#include "physics/src/constraint_graph/joint_constraint_wide.h"
 
 namespace jostle::physics {
 

@@ -10,9 +10,9 @@
 #include <cstdint>
 #include <vector>
 
+#include "jostle/base/check.h"
 #include "jostle/physics/vec3.h"
 #include "physics/src/constraint_graph/solver_tier.h"
-#include "jostle/base/check.h"
 
 namespace jostle::physics {
 

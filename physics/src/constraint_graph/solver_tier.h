@@ -10,9 +10,9 @@
 #include <array>
 #include <cstdint>
 
+#include "jostle/base/check.h"
 #include "jostle/physics/defs.h"
 #include "jostle/physics/limits.h"
-#include "jostle/base/check.h"
 
 namespace jostle::physics {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "physics/src/constraints/contact_settings.h"
 
-#include "jostle/physics/scalar.h"
 #include "jostle/base/check.h"
+#include "jostle/physics/scalar.h"
 #include "physics/src/foundation/tuning.h"
 
 namespace jostle::physics {

@@ -3,9 +3,9 @@
 
 #include <atomic>
 
+#include "jostle/base/check.h"
 #include "physics/src/constraint_graph/effective_mass.h"
 #include "physics/src/constraint_graph/wide_rows.h"
-#include "jostle/base/check.h"
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/state/contact_constraints.h"
 #include "physics/src/state/contact_modifiers.h"

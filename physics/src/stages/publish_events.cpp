@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "physics/src/constraint_graph/wide_rows.h"
 #include "jostle/base/check.h"
+#include "physics/src/constraint_graph/wide_rows.h"
 
 namespace jostle::physics {
 namespace {

@@ -61,8 +61,7 @@ TEST(ContactPasses, empty_lanes_refer_to_the_spare_bodies_of_their_task) {
     const auto& of_three = runs[0].colour->blocks[0];
     EXPECT_EQ(of_three.a[2], 1);
     for (int lane = 3; lane < 8; lane++) EXPECT_EQ(of_three.a[lane], several);
-    EXPECT_EQ(runs[1].colour->blocks[1].b[0], 2)
-        << "one by one: one lane, and seven empty ones";
+    EXPECT_EQ(runs[1].colour->blocks[1].b[0], 2) << "one by one: one lane, and seven empty ones";
     EXPECT_EQ(runs[1].colour->blocks[1].b[1], several);
     EXPECT_EQ(runs[2].single->blocks[0].b[7], single);
 }

@@ -108,7 +108,8 @@ TEST(ModuleState, restore_point_saves_the_same_bytes_as_its_world) {
     World world = pushed_world();
     run(world, 0.2);
     RestorePoint point;
-    EXPECT_EQ(point.save().error().code, ErrorCode::failed_precondition) << "nothing was captured yet";
+    EXPECT_EQ(point.save().error().code, ErrorCode::failed_precondition)
+        << "nothing was captured yet";
     point.capture(world);
     const std::vector<std::byte> then = save(world);
     run(world, 0.2);

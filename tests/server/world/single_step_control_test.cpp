@@ -52,7 +52,8 @@ TEST(SingleStepControlTest, paused_world_rejects_inputs) {
     spawn.shape.geometry = physics::Sphere{0.1};
     const std::uint32_t tick = host->frame()->tick;
     while (host->frame()->tick < tick + 2) std::this_thread::sleep_for(1ms);
-    ASSERT_TRUE(host->mailbox().push({.client = 1, .sequence = 1, .action = spawn, .reply = replies}));
+    ASSERT_TRUE(
+        host->mailbox().push({.client = 1, .sequence = 1, .action = spawn, .reply = replies}));
     std::vector<InputResult> results;
     while (results.empty()) {
         results = replies->take();

@@ -112,8 +112,8 @@ TEST(WorldHost, paused_world_sends_snapshots_and_rejects_inputs) {
     ASSERT_TRUE(wait_until([&] { return host->frame()->paused.has_value(); }));
     const auto before = host->frame();
     const auto replies = std::make_shared<ResultQueue>();
-    ASSERT_TRUE(
-        host->mailbox().push({.client = 1, .sequence = 1, .action = ExplodeCommand{}, .reply = replies}));
+    ASSERT_TRUE(host->mailbox().push(
+        {.client = 1, .sequence = 1, .action = ExplodeCommand{}, .reply = replies}));
     std::vector<InputResult> results;
     ASSERT_TRUE(wait_until([&] {
         for (InputResult& result : replies->take()) results.push_back(std::move(result));

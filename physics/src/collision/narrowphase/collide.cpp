@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "physics/src/collision/narrowphase/collide.h"
 
+#include "jostle/base/check.h"
 #include "physics/src/collision/narrowphase/collide_boxes.h"
 #include "physics/src/collision/narrowphase/collide_plane.h"
 #include "physics/src/collision/narrowphase/collide_round.h"
-#include "jostle/base/check.h"
 
 namespace jostle::physics {
 namespace {

@@ -6,8 +6,8 @@
 #include <set>
 #include <utility>
 
-#include "physics/src/constraints/direct/block_ldl.h"
 #include "jostle/base/check.h"
+#include "physics/src/constraints/direct/block_ldl.h"
 
 namespace jostle::physics {
 namespace {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // Converts the joint kinds to rows and free axes.
+#include "jostle/base/check.h"
 #include "physics/src/constraints/direct/direct_joint.h"
 #include "physics/src/constraints/joints/axes_layout.h"
-#include "jostle/base/check.h"
 
 namespace jostle::physics {
 namespace {

@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "jostle/base/check.h"
 #include "physics/src/constraints/direct/direct_group.h"
 #include "physics/src/constraints/direct/free_turn.h"
 #include "physics/src/constraints/free_motion.h"
-#include "jostle/base/check.h"
 #include "physics/src/foundation/tuning.h"
 
 namespace jostle::physics {

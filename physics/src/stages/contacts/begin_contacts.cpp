@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <tuple>
 
-#include "physics/src/constraints/write_manifold.h"
 #include "jostle/base/check.h"
+#include "physics/src/constraints/write_manifold.h"
 #include "physics/src/stages/contacts/call_contact_listeners.h"
 #include "physics/src/stages/step_scratch.h"
 #include "physics/src/state/contact_constraints.h"

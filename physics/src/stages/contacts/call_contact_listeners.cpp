@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "physics/src/stages/contacts/call_contact_listeners.h"
 
+#include "jostle/base/check.h"
 #include "jostle/physics/step_listener.h"
 #include "physics/src/constraint_graph/wide_rows.h"
-#include "jostle/base/check.h"
 #include "physics/src/state/contact_constraints.h"
 #include "physics/src/state/contact_modifiers.h"
 

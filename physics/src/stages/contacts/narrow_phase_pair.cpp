@@ -3,10 +3,10 @@
 
 #include <optional>
 
+#include "jostle/base/check.h"
 #include "physics/src/collision/narrowphase/collide.h"
 #include "physics/src/collision/narrowphase/collide_planar.h"
 #include "physics/src/constraints/write_manifold.h"
-#include "jostle/base/check.h"
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/stages/contacts/pair_motion.h"
 #include "physics/src/stages/contacts/predicted_pair.h"

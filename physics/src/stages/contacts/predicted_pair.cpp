@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "physics/src/stages/contacts/predicted_pair.h"
 
+#include "jostle/base/check.h"
 #include "physics/src/collision/narrowphase/time_of_impact.h"
 #include "physics/src/constraints/write_manifold.h"
-#include "jostle/base/check.h"
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/state/pair_size.h"
 

@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "physics/src/constraints/write_manifold.h"
 #include "jostle/base/check.h"
+#include "physics/src/constraints/write_manifold.h"
 #include "physics/src/foundation/prefetch.h"
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/stages/contacts/find_clusters.h"

@@ -7,10 +7,10 @@
 #include <utility>
 #include <vector>
 
+#include "jostle/base/check.h"
 #include "physics/src/collision/narrowphase/impact_points.h"
 #include "physics/src/collision/narrowphase/time_of_impact.h"
 #include "physics/src/constraints/impact.h"
-#include "jostle/base/check.h"
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/stages/contacts/call_contact_listeners.h"
 #include "physics/src/stages/contacts/find_clusters.h"

@@ -7,8 +7,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "physics/src/collision/broadphase/dynamic_tree.h"
 #include "jostle/base/check.h"
+#include "physics/src/collision/broadphase/dynamic_tree.h"
 
 namespace jostle::physics {
 

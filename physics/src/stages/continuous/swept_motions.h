@@ -8,8 +8,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "physics/src/collision/narrowphase/time_of_impact.h"
 #include "jostle/base/check.h"
+#include "physics/src/collision/narrowphase/time_of_impact.h"
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/stages/continuous/ccd_policy.h"
 #include "physics/src/stages/step_context.h"

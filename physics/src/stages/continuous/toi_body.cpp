@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "physics/src/constraints/free_motion.h"
 #include "jostle/base/check.h"
+#include "physics/src/constraints/free_motion.h"
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/state/contact_constraints.h"
 #include "physics/src/state/shape_proxy.h"

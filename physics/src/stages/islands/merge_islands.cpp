@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "physics/src/constraint_graph/wide_rows.h"
 #include "jostle/base/check.h"
+#include "physics/src/constraint_graph/wide_rows.h"
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/stages/islands/heavy_load.h"
 #include "physics/src/stages/step_scratch.h"

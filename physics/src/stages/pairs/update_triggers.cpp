@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "physics/src/collision/narrowphase/collide_composite.h"
 #include "jostle/base/check.h"
+#include "physics/src/collision/narrowphase/collide_composite.h"
 #include "physics/src/geometry/bounds.h"
 #include "physics/src/stages/step_scratch.h"
 #include "physics/src/state/shape_proxy.h"

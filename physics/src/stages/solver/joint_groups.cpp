@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <variant>
 
+#include "jostle/base/check.h"
 #include "physics/src/constraint_graph/joint_solver_preferences.h"
 #include "physics/src/constraints/joints/write_joint.h"
-#include "jostle/base/check.h"
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/stages/solver/error_trial.h"
 #include "physics/src/stages/solver/group_fields.h"

@@ -5,10 +5,10 @@
 #include <span>
 #include <utility>
 
+#include "jostle/base/check.h"
 #include "physics/src/constraint_graph/wide_rows.h"
 #include "physics/src/constraints/contact_passes.h"
 #include "physics/src/constraints/free_motion.h"
-#include "jostle/base/check.h"
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/stages/solver/apply_joint_impacts.h"
 #include "physics/src/stages/solver/error_trial.h"

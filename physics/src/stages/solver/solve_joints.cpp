@@ -6,10 +6,10 @@
 #include <cstdlib>
 #include <utility>
 
+#include "jostle/base/check.h"
 #include "physics/src/constraints/joints/gear_ends.h"
 #include "physics/src/constraints/joints/write_joint.h"
 #include "physics/src/constraints/kernels.h"
-#include "jostle/base/check.h"
 #include "physics/src/foundation/prefetch.h"
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/stages/solver/solve_joint_batches.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "physics/src/stages/solver/substep_hooks.h"
 
-#include "jostle/physics/step_listener.h"
 #include "jostle/base/check.h"
+#include "jostle/physics/step_listener.h"
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/stages/solver/solver_velocities.h"
 #include "physics/src/stages/step_scratch.h"

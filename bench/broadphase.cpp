@@ -40,27 +40,31 @@ const std::map<std::string, Moving> moving_names = {
     {"all", Moving::all}, {"few", Moving::few}, {"none", Moving::none}};
 
 constexpr const char* footer = R"(
-A broad phase finds the boxes that overlap. A world keeps a fat box for each body and tells the broad phase only when a
-body has left its own. One step here: move_all() of the fat boxes that were left, flush(), query() for each that moved;
-every pair found is counted once. Bodies fly straight at 0.5 to 3 m/s, 60 steps a second. All kinds replay the same
-recorded moves, turn by turn, from a copy of the same start.
+A broad phase finds the boxes that overlap. A world stores a fat box for each body and updates the
+broad phase only when a body leaves its fat box. One step of this benchmark: move_all() of the
+changed fat boxes, flush(), and a query() for each moved body; every pair is counted once. Bodies
+move straight at 0.5 to 3 m/s, at 60 steps per second. All kinds replay the same recorded moves in
+turn, from a copy of the same initial state.
 
 Arrangements:  pile   a cube filled to 60 %, sides of 0.8 to 1.2 m
                flat   one layer along x and z, 2 m apart, sides of 0.8 to 1.2 m
                sizes  a cube filled to 60 %, sides of 0.1 to 10 m
-Moving:        all, few (one in a hundred), none (nothing to move or to ask: what an idle world pays)
-Kinds:         tree (dynamic tree, what worlds use unless told), sweep (sort and sweep along x), grid (uniform grid);
-               octree (loose octree) and kdtree (k-d tree of space) are here to compare with: no world has them
+Moving:        all, few (1 in 100), none (no moves and no queries: the cost in an idle world)
+Kinds:         tree (dynamic tree, the default of a world), sweep (sort and sweep along x), grid
+               (uniform grid); octree (loose octree) and kdtree (k-d tree of space) exist for
+               comparison only: worlds do not support them
 
-Columns: moves (fat boxes left per step), pairs (found per step), then microseconds of one core per step and thousands of
-rays per second for each kind: medians over the repetitions, in processor time of the thread. A ray looks for the
-nearest box. The JSON file has the smallest and the largest repetition too, and the time to build.
+Columns: moves (changed fat boxes per step), pairs (found per step), then for each kind microseconds
+of one core per step and thousands of rays per second: medians over the repetitions, in CPU time of
+the thread. A ray searches the nearest box. The JSON file also contains the smallest and the largest
+repetition, and the build times.
 
 Examples:
   jostle-bench broadphase
-  jostle-bench broadphase --bodies 1000,10000 --arrangements flat --kinds tree,sweep --json flat.json
+  jostle-bench broadphase --bodies 1000,10000 --arrangements flat --kinds tree,sweep
 
-Exit status: 0 done, 1 the kinds found different pairs or hits, or the file could not be written, 2 wrong flags.)";
+Exit status: 0 success, 1 the kinds returned different pairs or hits, or the file could not be
+written, 2 invalid flags.)";
 
 struct Flags {
     std::vector<std::uint32_t> bodies = {100, 1000, 10000, 100000};
@@ -71,13 +75,14 @@ struct Flags {
     std::string json;
 };
 
-// What was found, so that kinds can be compared. The order in which a kind finds things is its own
-// business, so pairs are added up.
+// Results of the queries, to compare the kinds. The kinds return pairs in different orders, so
+// pairs are added up.
 struct QueryCounts {
     std::size_t pairs = 0;
-    std::uint64_t pair_sum = 0;  // over hashes of the pairs: equal counts of other pairs show
+    // of the hashes of the pairs; detects different pairs in equal numbers
+    std::uint64_t pair_sum = 0;
     std::size_t ray_hits = 0;
-    double ray_sum = 0;  // of the fractions, ray by ray: the same bits for the same hits
+    double ray_sum = 0;  // of the hit fractions, in ray order: equal hits give equal bits
 
     bool operator==(const QueryCounts&) const = default;
 };
@@ -91,8 +96,9 @@ std::uint64_t pair_hash(std::uint32_t a, std::uint32_t b) {
 // One kind in one cell of the table.
 struct Candidate {
     std::string name;
-    std::unique_ptr<BroadPhaseIndex> start;  // as built; each repetition replays a copy
-    std::vector<std::int32_t> handles;       // by body
+    // as built; each repetition replays the steps on a copy
+    std::unique_ptr<BroadPhaseIndex> start;
+    std::vector<std::int32_t> handles;  // by body
     std::vector<double> build_ms, step_us, rays_per_second;
     QueryCounts query_counts;
 };
@@ -113,7 +119,7 @@ void build(Candidate& candidate, const Workload& work) {
     candidate.start = std::move(index);
 }
 
-// A pair of two that moved is found from both sides and counted from the one with the larger
+// A pair of two moved bodies is found from both sides; it is counted from the side with the larger
 // number.
 void count_pairs(QueryCounts& query_counts, std::uint32_t body,
                  const std::vector<std::uint32_t>& found,
@@ -177,7 +183,7 @@ void repeat_once(Candidate& candidate, const Workload& work) {
     candidate.query_counts = query_counts;
 }
 
-// Kinds take turns, so that what else the machine does meets all of them.
+// The kinds take turns, so that other load on the machine affects all of them equally.
 bool measure_cell(const Cell& cell, const Workload& work, std::vector<Candidate>& candidates,
                   int repetitions) {
     for (int k = 0; k < repetitions; k++)
@@ -193,7 +199,8 @@ bool measure_cell(const Cell& cell, const Workload& work, std::vector<Candidate>
     for (const Candidate& c : candidates)
         same = same && c.query_counts == candidates[0].query_counts;
     if (same) return true;
-    std::fprintf(stderr, "jostle-bench: %s, %u bodies, moving %s: the kinds disagree\n",
+    std::fprintf(stderr,
+                 "jostle-bench: %s, %u bodies, moving %s: the kinds return different results\n",
                  cell.arrangement.c_str(), cell.bodies, cell.moving.c_str());
     for (const Candidate& c : candidates)
         std::fprintf(stderr, "  %-6s %zu pairs (sum %016llx), %zu rays hit (sum %.17g)\n",
@@ -283,20 +290,30 @@ CLI::IsMember one_of(const std::map<std::string, Value>& contains) {
 
 void add_broadphase(CLI::App& app, int& status) {
     CLI::App* command = app.add_subcommand(
-        "broadphase", "Compares broad phases: time per step and rays per second.");
+        "broadphase", "Compare broad phases by time per step and rays per second");
     const auto flags = std::make_shared<Flags>();
     const auto list = [&](const char* name, auto& values, const char* meaning) {
-        return command->add_option(name, values, meaning)->delimiter(',')->capture_default_str();
+        return command->add_option(name, values, meaning)->delimiter(',');
     };
-    list("--bodies", flags->bodies, "How many; several with commas")
-        ->check(CLI::Range(1u, 1000000u));
-    list("--arrangements", flags->arrangements, "How they stand")->check(one_of(arrangement_names));
-    list("--moving", flags->moving, "How many of them move")->check(one_of(moving_names));
-    list("--kinds", flags->kinds, "Which broad phases")->check(one_of(kind_names));
-    command->add_option("--repetitions", flags->repetitions, "Of which the median is shown")
-        ->capture_default_str()
-        ->check(CLI::Range(1, 1000));
-    command->add_option("--json", flags->json, "Writes the figures here as JSON");
+    list("--bodies", flags->bodies,
+         "Numbers of bodies [default: 100,1000,10000,100000;\n1 to 1000000]")
+        ->type_name("N")
+        ->check(CLI::Range(1u, 1000000u).description(""));
+    list("--arrangements", flags->arrangements, "Arrangements [default: pile,flat,sizes]")
+        ->type_name("NAME")
+        ->check(one_of(arrangement_names).description(""));
+    list("--moving", flags->moving, "Shares of moving bodies [default: all,few,none]")
+        ->type_name("NAME")
+        ->check(one_of(moving_names).description(""));
+    list("--kinds", flags->kinds, "Broad phases [default: tree,sweep,grid,octree,kdtree]")
+        ->type_name("NAME")
+        ->check(one_of(kind_names).description(""));
+    command
+        ->add_option("--repetitions", flags->repetitions,
+                     "Repeat N times; show the median [default: 5; 1 to 1000]")
+        ->type_name("N")
+        ->check(CLI::Range(1, 1000).description(""));
+    command->add_option("--json", flags->json, "Write the results as JSON")->type_name("FILE");
     command->footer(footer);
     command->callback([flags, &status] { status = run(*flags); });
 }

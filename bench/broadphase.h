@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// jostle-bench broadphase: the three broad phases side by side, doing the same work.
+// jostle-bench broadphase: runs the same workload on all broad phases.
 #pragma once
 
 namespace CLI {
@@ -9,7 +9,7 @@ class App;
 
 namespace jostle::bench {
 
-// Adds the subcommand; running it sets the status that the program ends with.
+// Adds the subcommand; running it sets the exit status of the program.
 void add_broadphase(CLI::App& app, int& status);
 
 }  // namespace jostle::bench

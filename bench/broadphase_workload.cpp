@@ -14,13 +14,13 @@ namespace {
 using namespace physics;
 
 constexpr double dt = 1.0 / 60;
-constexpr double filled = 0.6;  // of the volume: what boxes poured into a heap leave
+constexpr double filled = 0.6;  // share of the volume, as in a heap of boxes
 constexpr std::size_t ray_count = 1000;
 constexpr double ray_length_max = 100;  // m
 
 class Random {
 public:
-    // The engine's bits are fixed by the standard, the library's distributions are not.
+    // The standard defines the bits of the engine, but not those of the library's distributions.
     double in(double low, double high) {
         return low + (high - low) * static_cast<double>(engine_() >> 11) * 0x1p-53;
     }
@@ -42,9 +42,9 @@ private:
 };
 
 struct Body {
-    Vec3 at, half, velocity;
+    Vec3 center, half, velocity;
     Aabb fat;
-    Aabb tight() const { return {at - half, at + half}; }
+    Aabb tight() const { return {center - half, center + half}; }
 };
 
 Aabb enlarge_aabb(const Body& body) {
@@ -64,9 +64,9 @@ Vec3 random_half(Arrangement arrangement, Random& random) {
     return {half, half, half};
 }
 
-// On a lattice, each up to a quarter of the pitch off its place: like a heap it is evenly full, and
-// neighbours touch.
-std::vector<Body> place(Arrangement arrangement, std::uint32_t count, Random& random) {
+// Places boxes on a lattice, each displaced by up to a quarter of the pitch: the density is
+// uniform, as in a heap, and neighbours touch.
+std::vector<Body> place_bodies(Arrangement arrangement, std::uint32_t count, Random& random) {
     std::vector<Body> bodies(count);
     double volume = 0;
     for (Body& body : bodies) {
@@ -82,32 +82,32 @@ std::vector<Body> place(Arrangement arrangement, std::uint32_t count, Random& ra
         const double off = 0.25 * pitch;
         const Vec3 jitter =
             random.point_in({{-off, flat ? 0 : -off, -off}, {off, flat ? 0 : off, off}});
-        bodies[k].at =
+        bodies[k].center =
             Vec3{static_cast<double>(x), static_cast<double>(y), static_cast<double>(z)} * pitch +
             jitter;
     }
-    // A world that has lived for a while does not have its bodies in the order of their places.
+    // In a world that has run for a while, the order of the bodies does not follow their positions.
     for (std::size_t k = bodies.size(); k > 1; k--)
         std::swap(bodies[k - 1], bodies[random.below(k)]);
     return bodies;
 }
 
 Aabb room_of(const std::vector<Body>& bodies) {
-    Aabb room{bodies[0].at, bodies[0].at};
-    for (const Body& body : bodies) room = unite(room, {body.at, body.at});
+    Aabb room{bodies[0].center, bodies[0].center};
+    for (const Body& body : bodies) room = unite(room, {body.center, body.center});
     return room;
 }
 
-// Straight on, back at the walls: the density stays what it was.
+// Moves the body straight on and reflects it at the walls, which keeps the density constant.
 void advance(Body& body, const Aabb& room) {
-    body.at += body.velocity * dt;
+    body.center += body.velocity * dt;
     for (int k = 0; k < 3; k++)
-        if ((body.at[k] < room.low[k] && body.velocity[k] < 0) ||
-            (body.at[k] > room.high[k] && body.velocity[k] > 0))
+        if ((body.center[k] < room.low[k] && body.velocity[k] < 0) ||
+            (body.center[k] > room.high[k] && body.velocity[k] > 0))
             body.velocity[k] = -body.velocity[k];
 }
 
-// Enough for a clock to see; a step of 100,000 bodies is long enough by itself.
+// Enough steps for the resolution of the clock; a step of 100,000 bodies is long enough by itself.
 std::size_t step_count(Moving moving, std::uint32_t bodies) {
     if (moving == Moving::none) return 10000;
     return bodies <= 300 ? 300 : bodies <= 3000 ? 100 : bodies <= 30000 ? 20 : 5;
@@ -129,7 +129,7 @@ std::vector<BoxRay> random_rays(const Aabb& room, Random& random) {
 
 Workload generate_workload(Arrangement arrangement, Moving moving, std::uint32_t count) {
     Random random;
-    std::vector<Body> bodies = place(arrangement, count, random);
+    std::vector<Body> bodies = place_bodies(arrangement, count, random);
     Aabb room = room_of(bodies);
     const std::uint32_t movers = moving == Moving::all   ? count
                                  : moving == Moving::few ? std::max(1u, count / 100)
@@ -149,7 +149,8 @@ Workload generate_workload(Arrangement arrangement, Moving moving, std::uint32_t
             left(k);
         }
     };
-    // All fat boxes are of one age at first and would all be left in the same step.
+    // The fat boxes initially have the same age, and all bodies would leave theirs in the same
+    // step.
     for (int k = 0; k < 60; k++) step([](std::uint32_t) {});
 
     Workload work;

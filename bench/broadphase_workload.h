@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The work that jostle-bench broadphase gives to each broad phase: where boxes stand at the start
-// and which fat boxes change in which step. It is recorded before any clock runs, so that the time
-// measured is the broad phase's own, and so that all kinds do exactly the same.
+// The workload of jostle-bench broadphase: the initial boxes, and the fat boxes that change in each
+// step. It is recorded before the measurement, so that only the broad phase is timed and all kinds
+// do the same work.
 #pragma once
 
 #include <cstdint>
@@ -16,10 +16,10 @@ namespace jostle::bench {
 enum class Arrangement {
     pile,   // a cube filled to 60 %, sides of 0.8 to 1.2 m
     flat,   // one layer along x and z, 2 m apart, sides of 0.8 to 1.2 m
-    sizes,  // a cube filled to 60 %, sides of 0.1 to 10 m (as many of 0.1 to 1 as of 1 to 10)
+    sizes,  // a cube filled to 60 %, sides of 0.1 to 10 m (as many of 0.1 to 1 m as of 1 to 10 m)
 };
 
-enum class Moving { all, few, none };  // few: one in a hundred, at least one
+enum class Moving { all, few, none };  // few: one in 100, at least one
 
 struct Move {
     std::uint32_t body;
@@ -31,14 +31,14 @@ struct BoxRay {
 };
 
 struct Workload {
-    std::vector<physics::Aabb> fat;        // at the start, by body
-    std::vector<std::vector<Move>> steps;  // the fat boxes that bodies left, step by step
-    std::vector<physics::Aabb> tight;      // at the end, by body: what rays look for
-    std::vector<BoxRay> rays;  // from 1 m above into the middle of it, at most 100 m long
-    std::size_t moves = 0;     // of all steps together
+    std::vector<physics::Aabb> fat;        // initial boxes, by body
+    std::vector<std::vector<Move>> steps;  // fat boxes that bodies left, by step
+    std::vector<physics::Aabb> tight;      // at the end, by body: the targets of the rays
+    std::vector<BoxRay> rays;  // from 1 m above the bodies into their volume, at most 100 m long
+    std::size_t moves = 0;     // in all steps
 };
 
-// The same for the same arguments, on every machine.
+// Deterministic: equal arguments give the same workload on every machine.
 Workload generate_workload(Arrangement arrangement, Moving moving, std::uint32_t bodies);
 
 }  // namespace jostle::bench

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A scene of the catalogue as the frames that clients would get of it, one a tick: what codecs are
-// measured on and trained with.
+// A scene of the catalogue as the frames that a client would receive, one per tick: the input for
+// measuring and training codecs.
 #pragma once
 
 #include <string>
@@ -13,16 +13,16 @@
 namespace jostle::bench {
 
 struct CapturedScene {
-    std::vector<wire::QuantizedFrame> frames;  // 1, 2, ...
+    std::vector<wire::QuantizedFrame> frames;  // numbered from 1
     double hz = 60;
     double quantize_ns_per_body = 0;
 };
 
-// An error names the scene and what there is instead, or why its world stopped.
+// Errors: not_found with the list of scenes, or the error that stopped the world.
 Result<CapturedScene> capture_scene(const std::string& name, double seconds,
                                     const wire::QuantSpec& spec);
 
-// Bodies of `now` whose pose differs from that in `base`, which has the same bodies.
+// Number of bodies in `now` whose pose differs from that in `base`, which has the same bodies.
 std::size_t count_moving(const wire::QuantizedFrame& now, const wire::QuantizedFrame& base);
 
 }  // namespace jostle::bench

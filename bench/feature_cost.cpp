@@ -28,31 +28,33 @@ namespace {
 using namespace physics;
 
 constexpr const char* footer = R"(
-Two worlds of the same boxes, 10 columns by 10 of 10 upon each other, kept awake: one without the feature, one in which it
-is there and idle, a kilometre away. A step of the one, a step of the other, in turn, by the thread's processor time. Each
-round makes both worlds anew, elsewhere in memory, and does the same work again, so the least time of a step over all rounds
-is what it takes when nothing disturbs it. Shown is by how much the sum of those of the one exceeds that of the other, in
-percent, and the same for every other round alone, twice: how far those two lie apart is the noise. 'nothing' compares two
-equal worlds: what is not larger than that is not measured.
+Two worlds contain the same boxes, 10 x 10 stacks of 10, and never sleep. One world has no feature,
+the other one contains the feature, idle, 1 km away. The worlds step in turn; the CPU time of the
+thread is measured. Each round creates both worlds again, at other addresses, and repeats the same
+work; the shortest time of a step over all rounds is its undisturbed time. The result is the
+relative difference of the summed times, in percent, for all rounds and for each half of the rounds;
+the difference between the halves is the noise. 'nothing' compares two equal worlds: smaller
+differences than its result are not significant.
 
-Idle means:  continuous  sweeps are on, nobody is fast        joints     one joint between two bodies asleep
-             triggers    one trigger with nobody inside       events     one shape that reports its contacts, asleep
-             kinematics  one kinematic body that stands       meshes     a mesh of 200 triangles, a box asleep on it
-             listeners   one that does nothing, asked about   fields     wind in a box that holds nobody
-                         new contacts when there are some
-             mod-NAME    a module in which nothing is
+Features:  continuous  enabled, all bodies slow     joints     one joint between sleeping bodies
+           triggers    one empty trigger            events     one sleeping contact reporter
+           kinematics  one kinematic body at rest   meshes     200 triangles, a box asleep on them
+           listeners   one pre-solve listener       fields     wind in an empty box
+                       that does nothing
+           mod-NAME    a module without objects
 
 Examples:
   jostle-bench features
   jostle-bench features --feature joints,meshes --rounds 100
   jostle-bench features --max-percent 1 --json features.json
 
-Exit status: 0 done, 1 a feature costs more than --max-percent or the file could not be written, 2 wrong flags.)";
+Exit status: 0 success, 1 a feature costs more than --max-percent, or the file could not be written,
+2 invalid flags.)";
 
 struct Flags {
     int rounds = 40, steps = 60;
-    double max_percent = 0;         // percent; 0: whatever it is
-    std::vector<std::string> only;  // empty: all
+    double max_percent = 0;         // limit in percent; 0: none
+    std::vector<std::string> only;  // empty: all features
     std::string json;
 };
 
@@ -62,7 +64,7 @@ T must(Result<T> result) {
     return std::move(*result);
 }
 
-constexpr double far = 1000;  // m: where what is idle is
+constexpr double far = 1000;  // m: distance of the idle objects
 
 BodyId add(World& world, BodyType type, Vec3 position, const ShapeDef& shape) {
     return must(world.create_body({.type = type, .pose = {position, {}}}, shape));
@@ -106,7 +108,7 @@ void add_mesh(World& world) {
     add(world, BodyType::dynamic, {far, 3.5, 0}, {});
 }
 
-// One for all worlds: it keeps nothing.
+// One stateless listener for all worlds.
 struct IdleListener : StepListener {
     StepHooks hooks() const override { return {.pre_solve = true}; }
 };
@@ -120,7 +122,7 @@ void add_field(World& world) {
                              .region = Aabb{{far, 0, 0}, {far + 10, 10, 10}}}));
 }
 
-// There, and making nothing.
+// Adds the module without objects.
 template <class Module>
 void add_module(World& world) {
     world.add_module(std::make_unique<Module>()).expect();
@@ -128,7 +130,7 @@ void add_module(World& world) {
 
 struct Feature {
     const char* name;
-    void (*add)(World&);  // null: it is a flag of the world
+    void (*add)(World&);  // null: the feature is a flag of the world
 };
 constexpr Feature features[] = {{"nothing", nullptr},
                                 {"continuous", nullptr},
@@ -166,7 +168,7 @@ double time_step(World& world) {
     return cpu_seconds() - began;
 }
 
-// The least times of every step, of one kind of world.
+// The shortest time of each step, for one kind of world.
 class LeastTimes {
 public:
     explicit LeastTimes(int steps) : least_(static_cast<std::size_t>(steps), 1e300) {}
@@ -180,7 +182,7 @@ private:
     std::vector<double> least_;
 };
 
-// A world without and one with the feature.
+// The times of the worlds without and with the feature.
 struct Pair {
     LeastTimes without, with;
 
@@ -190,14 +192,14 @@ struct Pair {
 
 struct Row {
     const char* feature;
-    double percent = 0, low = 0, high = 0;  // of all rounds, of the two halves
+    double percent = 0, low = 0, high = 0;  // of all rounds; of the two halves
 };
 
 Row measure(const Feature& feature, const Flags& flags) {
     Pair all(flags.steps), odd(flags.steps), even(flags.steps);
     for (int round = 0; round < flags.rounds; round++) {
         show_progress(std::string(feature.name) + ", round " + std::to_string(round + 1));
-        // Who is made first, and goes first, changes.
+        // The order in which the worlds are created and stepped alternates.
         const bool first = round / 2 % 2 == 0;
         std::optional<World> without, with;
         if (first) without = make_world(nullptr);
@@ -223,7 +225,7 @@ int run(const Flags& flags) {
     if (!flags.json.empty() && !can_write(flags.json)) return 1;
     nlohmann::ordered_json rows = nlohmann::ordered_json::array();
     bool within = true;
-    std::printf("%-12s %8s %20s\n", "idle feature", "costs %", "(halves of rounds)");
+    std::printf("%-12s %8s %20s\n", "idle feature", "cost, %", "(halves of rounds)");
     for (const Feature& feature : features) {
         if (!flags.only.empty() && std::ranges::count(flags.only, feature.name) == 0) continue;
         const Row row = measure(feature, flags);
@@ -236,8 +238,9 @@ int run(const Flags& flags) {
                         {"high", rounded(row.high)}});
         if (flags.max_percent <= 0 || row.percent <= flags.max_percent) continue;
         within = false;
-        std::fprintf(stderr, "jostle-bench: %s costs %.2f %% idle, more than %.2f\n", row.feature,
-                     row.percent, flags.max_percent);
+        std::fprintf(stderr,
+                     "jostle-bench: idle feature %s costs %.2f %%; must be at most %.2f %%\n",
+                     row.feature, row.percent, flags.max_percent);
     }
     if (flags.json.empty()) return within ? 0 : 1;
     const nlohmann::ordered_json head = {{"benchmark", "features"},
@@ -252,24 +255,29 @@ int run(const Flags& flags) {
 
 void add_features(CLI::App& app, int& status) {
     CLI::App* command =
-        app.add_subcommand("features", "What features cost a world that does not use them.");
+        app.add_subcommand("features", "Measure the cost of idle features in a world");
     const auto flags = std::make_shared<Flags>();
-    std::vector<std::string> contains;
-    for (const Feature& feature : features) contains.push_back(feature.name);
-    command->add_option("--feature", flags->only, "These alone, with commas between; without: all")
+    std::vector<std::string> names;
+    for (const Feature& feature : features) names.push_back(feature.name);
+    command
+        ->add_option("--feature", flags->only, "Measure features by name; see below [default: all]")
+        ->type_name("NAME")
         ->delimiter(',')
-        ->check(CLI::IsMember(contains));
-    command->add_option("--rounds", flags->rounds, "How often both worlds are made and stepped")
-        ->capture_default_str()
-        ->check(CLI::Range(2, 100000));
-    command->add_option("--steps", flags->steps, "Steps in a round")
-        ->capture_default_str()
-        ->check(CLI::Range(1, 10000));
+        ->check(CLI::IsMember(names).description(""));
+    command
+        ->add_option("--rounds", flags->rounds,
+                     "Create and step both worlds N times [default: 40; 2 to 100000]")
+        ->type_name("N")
+        ->check(CLI::Range(2, 100000).description(""));
+    command->add_option("--steps", flags->steps, "Steps per round [default: 60; 1 to 10000]")
+        ->type_name("N")
+        ->check(CLI::Range(1, 10000).description(""));
     command
         ->add_option("--max-percent", flags->max_percent,
-                     "Percent: fails when a feature costs more")
-        ->check(CLI::Range(0.0, 1000.0));
-    command->add_option("--json", flags->json, "Writes the figures here as JSON");
+                     "Fail if a feature costs more [0 to 1000; 0: no limit]")
+        ->type_name("PERCENT")
+        ->check(CLI::Range(0.0, 1000.0).description(""));
+    command->add_option("--json", flags->json, "Write the results as JSON")->type_name("FILE");
     command->footer(footer);
     command->callback([flags, &status] { status = run(*flags); });
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// jostle-bench features: what a feature costs a world that does not use it.
+// jostle-bench features: the cost of a feature in a world that does not use it.
 #pragma once
 
 namespace CLI {
@@ -9,7 +9,7 @@ class App;
 
 namespace jostle::bench {
 
-// Adds the subcommand; running it sets the status that the program ends with.
+// Adds the subcommand; running it sets the exit status of the program.
 void add_features(CLI::App& app, int& status);
 
 }  // namespace jostle::bench

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// jostle-bench: one program, one file per subcommand. A subcommand adds its own flags and a
-// callback that leaves its exit status behind.
+// jostle-bench: one program with one file per subcommand. A subcommand adds its flags and a
+// callback that sets the exit status.
 #include <CLI/CLI.hpp>
 
 #include "bench/accuracy/accuracy.h"
@@ -25,7 +25,7 @@ Examples:
   jostle-bench accuracy --scene j1,c8 --peers none
   jostle-bench broadphase --help
   jostle-bench broadphase --bodies 1000 --moving all
-  jostle-bench features --max-ratio 1
+  jostle-bench features --max-percent 1
   jostle-bench integrators --field kepler
   jostle-bench persistence --bodies 5000
   jostle-bench modules
@@ -38,13 +38,13 @@ Examples:
   jostle-bench stream --clients 300
   jostle-bench threads --max-ratio 1.01
 
-Measure a release build (cmake --preset release): the others are several times slower.
-Exit status: 0 done, 1 a measurement failed or contradicts another, 2 wrong flags.)";
+Measure a release build (cmake --preset release): other builds are several times slower.
+Exit status: 0 success, 1 a measurement failed or results are inconsistent, 2 invalid flags.)";
 
 }  // namespace
 
 int main(int argc, char** argv) {
-    CLI::App app{"Measures parts of Jostle and prints tables; --json keeps the figures."};
+    CLI::App app{"Measure parts of Jostle and print tables; --json writes the results to a file"};
     int status = 0;
     app.require_subcommand(1);
     jostle::bench::add_accuracy(app, status);

@@ -14,7 +14,7 @@
 namespace jostle::bench {
 namespace {
 
-// "VmRSS:    1234 kB" in the kernel's own words; proc(5).
+// A line such as "VmRSS:    1234 kB"; see proc(5).
 double status_bytes(const char* field) {
     std::ifstream in("/proc/self/status");
     for (std::string word; in >> word;) {

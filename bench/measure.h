@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What every subcommand of jostle-bench needs to take a time and to say where it was taken.
+// Functions that the subcommands of jostle-bench share: time, memory, statistics and a description
+// of the machine.
 #pragma once
 
 #include <string>
@@ -8,14 +9,14 @@
 
 namespace jostle::bench {
 
-// Processor time of this thread in seconds: what else the machine does then matters less. Reading
-// it is a system call, so put it around milliseconds, not around microseconds.
+// CPU time of this thread in seconds, which is less affected by other load on the machine. Reading
+// it is a system call, so the measured work should take milliseconds.
 double cpu_seconds();
 
-// Time as it passes, in seconds: for work on several threads.
+// Wall-clock time in seconds, for work on several threads.
 double wall_seconds();
 
-// Processor time of this thread where one thread does the work, else time as it passes.
+// CPU time of this thread if one thread does the work, else wall-clock time.
 struct StepClock {
     int threads = 1;
 
@@ -23,26 +24,26 @@ struct StepClock {
     double seconds() const { return threads == 1 ? cpu_seconds() : wall_seconds(); }
 };
 
-// What this process holds in memory now, and the most that it ever held. Bytes; 0 when the system
-// does not tell.
+// Current and peak resident memory of this process in bytes; 0 if the system does not report it.
 double memory_bytes();
 double peak_memory_bytes();
 
-// Of several repetitions. The median is the figure; the other two say how much to trust it.
+// Statistics of repetitions: the median is the result, the other two show its reliability.
 struct Spread {
     double median = 0, low = 0, high = 0;
 };
 Spread spread_of(std::vector<double> values);
 
-// Of one value or more.
+// The vector must not be empty.
 double mean(const std::vector<double>& values);
 double percentile_99(std::vector<double> values);
 
-// The processor's model and the compiler: enough to read a result by, nothing that names a machine.
+// Processor model and compiler: enough to interpret a result, without identifying a machine.
 std::string cpu_model();
 std::string compiler();
 
-// Replaces the line on the terminal; nothing when the output goes elsewhere. Empty: clears it.
+// Replaces the progress line on the terminal; does nothing if the output is redirected. An empty
+// text clears the line.
 void show_progress(const std::string& text);
 
 }  // namespace jostle::bench

@@ -19,7 +19,7 @@ namespace {
 using namespace physics;
 using namespace modules;
 
-// Scenes are ours: a refused call is a fault of this file.
+// Throws if a call fails: the scenes are part of this file, so a failure is a bug in it.
 template <class T>
 T must(Result<T> result) {
     if (!result) throw std::runtime_error(result.error().message);
@@ -33,30 +33,30 @@ void add_floor(World& world) {
     must(world.create_body({.type = BodyType::static_body}, {.geometry = Plane{}}));
 }
 
-// Adds a module to a world and keeps it in sight.
+// Adds a module to a world and returns a reference to it.
 template <class M>
 M& add(World& world) {
     auto module = std::make_unique<M>();
-    M& there = *module;
+    M& added = *module;
     must(world.add_module(std::move(module)));
-    return there;
+    return added;
 }
 
-// Places in a square, `spacing` m apart.
-Vec3 in_square(int k, double spacing) {
+// Position k of a square grid with `spacing` m between neighbours.
+Vec3 grid_position(int k, double spacing) {
     constexpr int side = 16;
     return {spacing * (k % side), 0, spacing * (k / side)};
 }
 
-// Figures that wave on the floor, or lie there and twitch: none sleeps.
-class LoadMetrics final : public ModuleScene {
+// Ragdolls that wave on the floor, or lie and twitch; none sleeps.
+class RagdollScene final : public ModuleScene {
 public:
-    LoadMetrics(int count, RagdollMode mode) : ragdolls_(add<Ragdolls>(world_)) {
+    RagdollScene(int count, RagdollMode mode) : ragdolls_(add<Ragdolls>(world_)) {
         add_floor(world_);
         RagdollDef figure = human_figure();
         figure.sleep_allowed = false;
         for (int k = 0; k < count; k++) {
-            ids_.push_back(must(ragdolls_.add(world_, figure, {in_square(k, 2.5), {}})));
+            ids_.push_back(must(ragdolls_.add(world_, figure, {grid_position(k, 2.5), {}})));
             must(ragdolls_.set_mode(world_, ids_.back(), mode));
         }
     }
@@ -64,7 +64,7 @@ public:
         RagdollPose pose{.rotations = std::vector<Quat>(11)};
         pose.rotations[3] = from_axis_angle({0, 0, 1}, 0.6 * sin_cos(0.1 * k).sin);
         for (std::size_t i = 0; i < ids_.size(); i++) {
-            pose.root.position = in_square(static_cast<int>(i), 2.5);
+            pose.root.position = grid_position(static_cast<int>(i), 2.5);
             must(ragdolls_.set_pose(ids_[i], pose));
         }
         must(world_.step(1.0 / 60));
@@ -76,7 +76,7 @@ private:
     std::vector<RagdollId> ids_;
 };
 
-// 400 m of gentle hills in triangles of 2 m.
+// 400 m of gentle hills, as triangles of 2 m.
 Geometry hills() {
     constexpr std::uint32_t side = 201;
     std::vector<Vec3> vertices;
@@ -93,14 +93,14 @@ Geometry hills() {
     return Mesh{must(build_mesh(vertices, triangles))};
 }
 
-// Walk about on hills, each its own way round a circle.
+// Characters that walk on hills, each on its own circle.
 class Walkers final : public ModuleScene {
 public:
     explicit Walkers(int count) : characters_(add<Characters>(world_)) {
         must(world_.create_body({.type = BodyType::static_body}, {.geometry = hills()}));
         for (int k = 0; k < count; k++)
             ids_.push_back(
-                must(characters_.add(world_, {.feet = in_square(k, 4) + Vec3{0, 0.8, 0}})));
+                must(characters_.add(world_, {.feet = grid_position(k, 4) + Vec3{0, 0.8, 0}})));
     }
     void step(int k) override {
         for (std::size_t i = 0; i < ids_.size(); i++) {
@@ -117,7 +117,7 @@ private:
     std::vector<CharacterId> ids_;
 };
 
-// Saloons that go round in circles, on a plane or over hills.
+// Saloon cars that drive in circles, on a plane or on hills.
 template <bool over_hills, WheelCast cast>
 class Cars final : public ModuleScene {
 public:
@@ -128,7 +128,8 @@ public:
             add_floor(world_);
         for (int k = 0; k < count; k++) {
             const BodyId chassis = must(world_.create_body(
-                {.pose = {.position = in_square(k, 12) + Vec3{-90, over_hills ? 1.6 : 0.7, -90}},
+                {.pose = {.position =
+                              grid_position(k, 12) + Vec3{-90, over_hills ? 1.6 : 0.7, -90}},
                  .sleep_allowed = false},
                 {.geometry = Box{{0.8, 0.25, 2}}, .mass = 1500}));
             VehicleDef def = saloon({.chassis = chassis});
@@ -144,7 +145,7 @@ private:
     Vehicles& vehicles_;
 };
 
-// Crates that fly about in turbulent air, or float on two waves.
+// Crates that fly in turbulent air, or float on two waves.
 template <bool afloat>
 class Crates final : public ModuleScene {
 public:
@@ -155,7 +156,7 @@ public:
                                              {.amplitude = 0.1, .length = 6, .heading = 1}}};
         must(fields_.add(world_, field));
         for (int k = 0; k < count; k++)
-            must(world_.create_body({.pose = {.position = in_square(k, 2.5)},
+            must(world_.create_body({.pose = {.position = grid_position(k, 2.5)},
                                      .gravity_scale = afloat ? 1.0 : 0.0,
                                      .sleep_allowed = false},
                                     {.geometry = Box{{0.5, 0.3, 0.4}}, .density = 400}));
@@ -167,8 +168,8 @@ private:
     Fields& fields_;
 };
 
-// Walls of concrete, 4 m x 3 m, of 150 chunks: whole, beside a hundred crates that roll about; or a
-// heavy ball goes through each in its turn, one every 20 steps.
+// Concrete walls of 4 m x 3 m with 150 chunks each. Either they stay intact while 100 crates roll
+// near them, or a heavy ball breaks one after another, one every 20 steps.
 template <bool breaking>
 class Walls final : public ModuleScene {
 public:
@@ -178,16 +179,16 @@ public:
         FracturedShape wall = must(fracture_box(half, random_seeds(half, 150, 1)));
         anchor(wall, {0, -1, 0}, half.y - 1e-6);
         for (int k = 0; k < count; k++)
-            must(destruction_.add(world_, wall,
-                                  {.pose = {.position = in_square(k, 6) + Vec3{0, half.y, 0}}}));
+            must(destruction_.add(
+                world_, wall, {.pose = {.position = grid_position(k, 6) + Vec3{0, half.y, 0}}}));
         if (breaking) return;
         for (int k = 0; k < 100; k++)
-            must(world_.create_body(
-                {.pose = {.position = in_square(k, 6) + Vec3{0, 0.5, 2}}, .sleep_allowed = false},
-                {.geometry = Box{{0.4, 0.4, 0.4}}}));
+            must(world_.create_body({.pose = {.position = grid_position(k, 6) + Vec3{0, 0.5, 2}},
+                                     .sleep_allowed = false},
+                                    {.geometry = Box{{0.4, 0.4, 0.4}}}));
     }
     void step(int k) override {
-        if (breaking && k % 20 == 0) throw_at(in_square(k / 20, 6));
+        if (breaking && k % 20 == 0) throw_at(grid_position(k / 20, 6));
         must(world_.step(1.0 / 60));
     }
 
@@ -202,8 +203,8 @@ private:
     Destruction& destruction_;
 };
 
-// Lets go of all that many chunks at once, as the steps that are timed begin: stacks of boxes, or
-// a wall of Voronoi hulls, which meet or pass each other.
+// Releases `count` chunks at once at the start of the measurement: stacks of boxes, or a wall of
+// Voronoi hulls. With `passing`, the chunks do not collide with each other.
 template <bool hulls, bool passing = false>
 class Burst final : public ModuleScene {
 public:
@@ -235,7 +236,7 @@ std::unique_ptr<ModuleScene> make(int count) {
 
 template <RagdollMode mode>
 std::unique_ptr<ModuleScene> figures(int count) {
-    return std::make_unique<LoadMetrics>(count, mode);
+    return std::make_unique<RagdollScene>(count, mode);
 }
 
 constexpr ModuleCase cases[] = {

@@ -11,13 +11,13 @@ namespace jostle::bench {
 class ModuleScene {
 public:
     virtual ~ModuleScene() = default;
-    // What whoever drives the objects does, and one step of the world. k: from 0.
+    // Sets the controls of the objects and steps the world. k: index of the step, from 0.
     virtual void step(int k) = 0;
 };
 
 struct ModuleCase {
     const char* name;
-    int objects;  // unless asked for otherwise
+    int objects;  // default number of objects
     std::unique_ptr<ModuleScene> (*make)(int objects);
 };
 

@@ -14,17 +14,18 @@ namespace jostle::bench {
 namespace {
 
 constexpr const char* footer = R"(
-A case is a world with that many objects of one module. After a run-in of two simulated seconds each step is timed, in
-processor time of its thread; worlds have one thread. All that a step does counts, the solver's part, too.
+A case is a world with many objects of one module. After a warm-up of 120 steps (2 s), each step is
+timed in CPU time of its thread; worlds have one thread. The time covers the whole step, including
+the solver.
 
-Columns: objects; milliseconds of a step: mean, 99th percentile, worst; microseconds of the mean for each object; steps
-that took longer than 1/60 s.
+Columns: objects; milliseconds per step: mean, 99th percentile, worst; microseconds of the mean per
+object; steps that took longer than 1/60 s.
 
 Examples:
   jostle-bench modules
   jostle-bench modules --case ragdoll_powered --objects 200 --json modules.json
 
-Exit status: 0 done, 1 the file could not be written, 2 wrong flags.)";
+Exit status: 0 success, 1 the file could not be written, 2 invalid flags.)";
 
 struct Flags {
     std::vector<std::string> cases;
@@ -78,12 +79,11 @@ nlohmann::ordered_json to_json(const Row& row) {
 int run(const Flags& flags) {
     if (!flags.json.empty() && !can_write(flags.json)) return 1;
     std::printf("%-24s %8s %9s %9s %9s %12s %6s\n", "case", "objects", "ms mean", "p99", "worst",
-                "us an object", "late");
+                "us/object", "late");
     nlohmann::ordered_json rows = nlohmann::ordered_json::array();
     for (const ModuleCase& one : module_cases()) {
-        const auto& contains = flags.cases;
-        if (!contains.empty() &&
-            std::find(contains.begin(), contains.end(), one.name) == contains.end())
+        const auto& names = flags.cases;
+        if (!names.empty() && std::find(names.begin(), names.end(), one.name) == names.end())
             continue;
         const Row row = measure(one, flags);
         print(row);
@@ -94,9 +94,9 @@ int run(const Flags& flags) {
 }
 
 std::vector<std::string> case_names() {
-    std::vector<std::string> contains;
-    for (const ModuleCase& one : module_cases()) contains.emplace_back(one.name);
-    return contains;
+    std::vector<std::string> names;
+    for (const ModuleCase& one : module_cases()) names.emplace_back(one.name);
+    return names;
 }
 
 }  // namespace
@@ -104,17 +104,21 @@ std::vector<std::string> case_names() {
 void add_modules(CLI::App& app, int& status) {
     auto flags = std::make_shared<Flags>();
     CLI::App* command =
-        app.add_subcommand("modules", "What a step costs with many objects of a module");
+        app.add_subcommand("modules", "Measure the cost of a step with many objects of a module");
     command->footer(footer);
-    command->add_option("--case", flags->cases, "These alone")
+    command->add_option("--case", flags->cases, "Run cases by name [default: all]")
+        ->type_name("NAME")
         ->delimiter(',')
         ->check(CLI::IsMember(case_names()));
-    command->add_option("--objects", flags->objects, "Instead of the case's own number")
-        ->check(CLI::Range(1, 10000));
-    command->add_option("--steps", flags->steps, "That are timed")
-        ->check(CLI::Range(1, 1000000))
-        ->capture_default_str();
-    command->add_option("--json", flags->json, "Writes the rows here as JSON");
+    command
+        ->add_option("--objects", flags->objects,
+                     "Number of objects [default: that of the case; 1 to 10000]")
+        ->type_name("N")
+        ->check(CLI::Range(1, 10000).description(""));
+    command->add_option("--steps", flags->steps, "Timed steps [default: 600; 1 to 1000000]")
+        ->type_name("N")
+        ->check(CLI::Range(1, 1000000).description(""));
+    command->add_option("--json", flags->json, "Write the rows as JSON")->type_name("FILE");
     command->callback([flags, &status] { status = run(*flags); });
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// jostle-bench modules: what a step costs with many objects of a module.
+// jostle-bench modules: the cost of a step with many objects of a module.
 #pragma once
 
 namespace CLI {
@@ -9,7 +9,7 @@ class App;
 
 namespace jostle::bench {
 
-// Adds the subcommand; running it sets the status that the program ends with.
+// Adds the subcommand; running it sets the exit status of the program.
 void add_modules(CLI::App& app, int& status);
 
 }  // namespace jostle::bench

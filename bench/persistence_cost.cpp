@@ -18,18 +18,21 @@ namespace jostle::bench {
 namespace {
 
 constexpr const char* footer = R"(
-The scene: spheres, boxes and capsules poured between walls (scene d of 'speed' at 5000), 200 steps after the start, all awake. A
-checkpoint as a server takes it (docs/design/persistence.md).
+The scene: spheres, boxes and capsules poured between walls (for 5000 bodies scene d of 'speed'),
+200 steps after the start, all awake. The benchmark measures a checkpoint as the server creates it
+(docs/design/persistence.md).
 
-Columns, ms of processor time, median of the repetitions: moment (the tick's thread: RestorePoint::keep() and who owns what),
-encode (another thread: RestorePoint::save() with its hash, and zstd; save(), state_hash() and zstd by themselves beside), decode (unpack, load(),
-compare the hash); MB packed; and one step of the same world.
+Columns, ms of CPU time, median of the repetitions: capture (in the tick's thread:
+RestorePoint::capture() and the state of the host), encode (in another thread: RestorePoint::save()
+with its hash, and zstd; save(), state_hash() and zstd are also listed separately), decode
+(decompress, load() and compare the hash); one step of the same world; MB packed.
 
 Examples:
   jostle-bench persistence
   jostle-bench persistence --bodies 1000,20000 --json persistence.json
 
-Exit status: 0 done, 1 the world that came back differs, or the file could not be written, 2 wrong flags.)";
+Exit status: 0 success, 1 the restored world differs, or the file could not be written, 2 invalid
+flags.)";
 
 struct Flags {
     std::vector<int> bodies = {1000, 5000};
@@ -66,17 +69,17 @@ void repeat_once(server::HostedWorld& world, std::uint32_t tick, physics::Restor
         if (Status s = world.step(1.0 / 60, tick); !s.ok())
             throw std::runtime_error(s.error().message);
     });
-    server::CheckpointCopy moment{.tick = tick, .bodies = std::move(spare), .host_state = {}};
+    server::CheckpointCopy checkpoint{.tick = tick, .bodies = std::move(spare), .host_state = {}};
     time(times.checkpoint, [&] {
-        moment.host_state = world.host_state(tick);
-        moment.bodies.capture(world.world());
+        checkpoint.host_state = world.host_state(tick);
+        checkpoint.bodies.capture(world.world());
     });
-    server::CheckpointData host_state;
-    time(times.encode, [&] { host_state = must(server::encode_checkpoint(moment)); });
-    spare = std::move(moment.bodies);
+    server::CheckpointData encoded;
+    time(times.encode, [&] { encoded = must(server::encode_checkpoint(checkpoint)); });
+    spare = std::move(checkpoint.bodies);
     std::vector<std::byte> saved;
     time(times.save, [&] { saved = physics::save(world.world()); });
-    time(times.hash, [&] { times.same &= physics::state_hash(world.world()) == host_state.hash; });
+    time(times.hash, [&] { times.same &= physics::state_hash(world.world()) == encoded.hash; });
     time(times.pack, [&] {
         times.packed_mb =
             static_cast<double>(
@@ -85,7 +88,7 @@ void repeat_once(server::HostedWorld& world, std::uint32_t tick, physics::Restor
             1e6;
     });
     time(times.decode,
-         [&] { times.same &= server::decode_checkpoint(host_state.bytes, host_state.hash).ok(); });
+         [&] { times.same &= server::decode_checkpoint(encoded.bytes, encoded.hash).ok(); });
 }
 
 Times measure(int bodies, int repetitions) {
@@ -101,7 +104,7 @@ Times measure(int bodies, int repetitions) {
                     .first_step_seconds_max = 1e3};
     server::HostedWorld world = must(server::HostedWorld::create(scene, limits, 1));
     Times times;
-    physics::RestorePoint spare;  // its memory is used again, as a server does
+    physics::RestorePoint spare;  // its memory is reused, as in a server
     std::uint32_t tick = 1;
     for (int k = 0; k < 200; k++)
         if (Status s = world.step(1.0 / 60, ++tick); !s.ok())
@@ -114,14 +117,14 @@ int run(const Flags& flags) {
     if (!flags.json.empty() && !can_write(flags.json)) return 1;
     auto rows = nlohmann::ordered_json::array();
     bool same = true;
-    std::printf("bodies   moment   encode (save   hash   pack)  decode     step   MB packed\n");
+    std::printf("bodies  capture   encode (save   hash   pack)  decode     step   MB packed\n");
     for (const int bodies : flags.bodies) {
         const Times t = measure(bodies, flags.repetitions);
         same &= t.same;
         std::printf("%6d %8.2f %8.1f %6.1f %6.1f %6.1f %8.1f %8.2f %9.2f%s\n", bodies,
                     median(t.checkpoint), median(t.encode), median(t.save), median(t.hash),
                     median(t.pack), median(t.decode), median(t.step), t.packed_mb,
-                    t.same ? "" : "  ANOTHER WORLD CAME BACK");
+                    t.same ? "" : "  RESTORED WORLD DIFFERS");
         rows.push_back({{"bodies", bodies},
                         {"checkpoint_ms", rounded(median(t.checkpoint))},
                         {"encode_ms", rounded(median(t.encode))},
@@ -145,16 +148,20 @@ int run(const Flags& flags) {
 
 void add_persistence(CLI::App& app, int& status) {
     CLI::App* command =
-        app.add_subcommand("persistence", "What it costs to keep a world beyond its process.");
+        app.add_subcommand("persistence", "Measure the cost of saving and loading a world");
     const auto flags = std::make_shared<Flags>();
-    command->add_option("--bodies", flags->bodies, "How many, with commas between")
+    command
+        ->add_option("--bodies", flags->bodies,
+                     "Numbers of bodies [default: 1000,5000; 1 to 100000]")
+        ->type_name("N")
         ->delimiter(',')
-        ->capture_default_str()
-        ->check(CLI::Range(1, 100000));
-    command->add_option("--repetitions", flags->repetitions, "How often each is done")
-        ->capture_default_str()
-        ->check(CLI::Range(1, 10000));
-    command->add_option("--json", flags->json, "Writes the figures here as JSON");
+        ->check(CLI::Range(1, 100000).description(""));
+    command
+        ->add_option("--repetitions", flags->repetitions,
+                     "Repeat N times; show the median [default: 15; 1 to 10000]")
+        ->type_name("N")
+        ->check(CLI::Range(1, 10000).description(""));
+    command->add_option("--json", flags->json, "Write the results as JSON")->type_name("FILE");
     command->footer(footer);
     command->callback([flags, &status] { status = run(*flags); });
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// jostle-bench persistence: what it costs to keep a world beyond its process, and to have it back.
+// jostle-bench persistence: the cost of storing a world outside its process and loading it.
 #pragma once
 
 namespace CLI {
@@ -9,7 +9,7 @@ class App;
 
 namespace jostle::bench {
 
-// Adds the subcommand; running it sets the status that the program ends with.
+// Adds the subcommand; running it sets the exit status of the program.
 void add_persistence(CLI::App& app, int& status);
 
 }  // namespace jostle::bench

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The files in which subcommands leave their figures.
+// The result files of the subcommands.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -8,15 +8,16 @@
 
 namespace jostle::bench {
 
-// Four digits: what comes after is noise, and a result under version control should show no more.
+// Rounds to four significant digits: the digits after them are noise, which results under version
+// control should not contain.
 double rounded(double value);
 
-// Whether a file can be written there; says on stderr what is wrong. Ask before measuring for an
-// hour. Leaves an existing file as it is.
+// Returns whether the file can be written and reports an error on stderr. Call it before a long
+// measurement. Does not change an existing file.
 bool can_write(const std::string& path);
 
-// The head's fields and the rows, a row a line: results are under version control, where lines are
-// compared. Says on stderr what went wrong.
+// Writes the fields of the head and the rows, one row per line: results are under version control,
+// where lines are compared. Reports errors on stderr.
 bool write_result(const std::string& path, const nlohmann::ordered_json& head,
                   const nlohmann::ordered_json& rows);
 bool write_text(const std::string& path, const std::string& text);

@@ -21,22 +21,26 @@ using physics::RestorePoint;
 using physics::World;
 
 constexpr const char* footer = R"(
-A repetition: keep() the moment, play some steps that turn out wrong, restore() it. The point is warm: it held a moment
-before the first repetition. After each restore the world's hash is compared with that of the moment; a difference ends
-the run. Worlds have one thread.
+A repetition captures the state of the world, runs some steps that are to be reverted, and restores
+the state. The restore point is reused: it held a state before the first repetition. After each
+restore, the hash of the world is compared with that of the captured state; a difference ends the
+run. Worlds have one thread.
 
-Scenes:  pile    spheres, boxes and capsules poured between walls (scene d of 'speed' at 5000), 200 steps after the start
-         asleep  boxes on a floor, every one asleep, and nothing wakes them
-         woken   the same, and all are woken right after keep(): restore() puts them back to sleep
+Scenes:  pile    spheres, boxes and capsules poured between walls (for 5000 bodies scene d of
+                 'speed'), 200 steps after the start
+         asleep  boxes that sleep on a floor and are not woken
+         woken   the same boxes, all woken after the capture; the restore returns them to sleep
 
-Columns: bodies, contacts (touching), milliseconds of keep() and of restore(): median, smallest and largest of the
-repetitions in processor time of the thread; one step of the same world and save() + load() of bytes to compare with.
+Columns: bodies, touching contacts, milliseconds of capture() and of restore(): median, smallest and
+largest of the repetitions in CPU time of the thread; for comparison one step of the same world, and
+save() + load() of its bytes.
 
 Examples:
   jostle-bench rollback --bodies 5000
   jostle-bench rollback --bodies 1000,5000,20000 --scenes pile --json rollback.json
 
-Exit status: 0 done, 1 a restored world differs, or the file could not be written, 2 wrong flags.)";
+Exit status: 0 success, 1 a restored world differs, or the file could not be written, 2 invalid
+flags.)";
 
 struct Flags {
     std::vector<int> bodies = {5000};
@@ -53,7 +57,7 @@ struct Row {
     bool same = true;
 };
 
-// Scenes are ours: a refused call is a fault of this file.
+// Throws if a call fails: the scenes are part of this file, so a failure is a bug in it.
 template <class T>
 T must(physics::Result<T> result) {
     if (!result) throw std::runtime_error(result.error().message);
@@ -96,20 +100,20 @@ void wake_all(World& world) {
 }
 
 void repeat_once(Row& row, World& world, RestorePoint& point, int steps) {
-    const std::uint64_t moment = physics::state_hash(world);
+    const std::uint64_t hash_before = physics::state_hash(world);
     const double began = cpu_seconds();
     point.capture(world);
     const double saved = cpu_seconds();
     if (row.scene == "woken") wake_all(world);
-    const double played = cpu_seconds();
+    const double step_start = cpu_seconds();
     for (int k = 0; k < steps; k++) step(world);
-    const double wrong = cpu_seconds();
+    const double step_end = cpu_seconds();
     must(point.restore(world));
     const double restored = cpu_seconds();
     row.save_ms.push_back(1e3 * (saved - began));
-    row.step_ms.push_back(1e3 * (wrong - played) / steps);
-    row.restore_ms.push_back(1e3 * (restored - wrong));
-    row.same = row.same && physics::state_hash(world) == moment;
+    row.step_ms.push_back(1e3 * (step_end - step_start) / steps);
+    row.restore_ms.push_back(1e3 * (restored - step_end));
+    row.same = row.same && physics::state_hash(world) == hash_before;
 }
 
 void save_and_load(Row& row, const World& world) {
@@ -134,15 +138,15 @@ Row measure(const std::string& scene, int bodies, const Flags& flags) {
 
 void print_head() {
     std::printf("%-7s %7s %8s %24s %24s %8s %9s\n", "scene", "bodies", "contacts",
-                "keep ms (low to high)", "restore ms (low to high)", "step ms", "bytes ms");
+                "capture ms (low to high)", "restore ms (low to high)", "step ms", "bytes ms");
 }
 
 void print_row(const Row& row) {
-    const Spread keep = spread_of(row.save_ms), restore = spread_of(row.restore_ms);
+    const Spread capture = spread_of(row.save_ms), restore = spread_of(row.restore_ms);
     std::printf("%-7s %7d %8d %8.3f (%5.2f to %5.2f) %8.3f (%5.2f to %5.2f) %8.3f %9.1f\n",
-                row.scene.c_str(), row.bodies, row.contacts, keep.median, keep.low, keep.high,
-                restore.median, restore.low, restore.high, spread_of(row.step_ms).median,
-                spread_of(row.save_and_load_ms).median);
+                row.scene.c_str(), row.bodies, row.contacts, capture.median, capture.low,
+                capture.high, restore.median, restore.low, restore.high,
+                spread_of(row.step_ms).median, spread_of(row.save_and_load_ms).median);
     std::fflush(stdout);
 }
 
@@ -188,23 +192,27 @@ int run(const Flags& flags) {
 
 void add_rollback(CLI::App& app, int& status) {
     CLI::App* command = app.add_subcommand(
-        "rollback", "Times keeping a moment of a world in memory and going back to it.");
+        "rollback", "Measure the cost of capturing and restoring the state of a world");
     const auto flags = std::make_shared<Flags>();
-    command->add_option("--bodies", flags->bodies, "How many; several with commas")
+    command->add_option("--bodies", flags->bodies, "Numbers of bodies [default: 5000; 1 to 100000]")
+        ->type_name("N")
         ->delimiter(',')
-        ->capture_default_str()
-        ->check(CLI::Range(1, 100000));
-    command->add_option("--scenes", flags->scenes, "Which; several with commas")
+        ->check(CLI::Range(1, 100000).description(""));
+    command->add_option("--scenes", flags->scenes, "Scenes [default: pile,asleep,woken]")
+        ->type_name("NAME")
         ->delimiter(',')
-        ->capture_default_str()
-        ->check(CLI::IsMember({"pile", "asleep", "woken"}));
-    command->add_option("--steps", flags->steps, "Played between keep and restore")
-        ->capture_default_str()
-        ->check(CLI::Range(1, 10000));
-    command->add_option("--repetitions", flags->repetitions, "Of which the median is shown")
-        ->capture_default_str()
-        ->check(CLI::Range(1, 1000));
-    command->add_option("--json", flags->json, "Writes the figures here as JSON");
+        ->check(CLI::IsMember({"pile", "asleep", "woken"}).description(""));
+    command
+        ->add_option("--steps", flags->steps,
+                     "Steps between capture and restore [default: 8; 1 to 10000]")
+        ->type_name("N")
+        ->check(CLI::Range(1, 10000).description(""));
+    command
+        ->add_option("--repetitions", flags->repetitions,
+                     "Repeat N times; show the median [default: 20; 1 to 1000]")
+        ->type_name("N")
+        ->check(CLI::Range(1, 1000).description(""));
+    command->add_option("--json", flags->json, "Write the results as JSON")->type_name("FILE");
     command->footer(footer);
     command->callback([flags, &status] { status = run(*flags); });
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// jostle-bench rollback: what it costs to keep a moment of a world and to go back to it.
+// jostle-bench rollback: the cost of capturing the state of a world and restoring it.
 #pragma once
 
 namespace CLI {
@@ -9,7 +9,7 @@ class App;
 
 namespace jostle::bench {
 
-// Adds the subcommand; running it sets the status that the program ends with.
+// Adds the subcommand; running it sets the exit status of the program.
 void add_rollback(CLI::App& app, int& status);
 
 }  // namespace jostle::bench

@@ -21,32 +21,33 @@ namespace jostle::bench {
 namespace {
 
 constexpr const char* footer = R"(
-One world for each number of threads, and all of them step in turn, so that whatever else the machine does meets them
-alike; who goes first changes from step to step. Each round makes the worlds anew and does the same work again: the least
-time of a step over all rounds, as it passes on the clock, is what it takes when nothing disturbs it. Shown is the mean of
-those, and its share of that of the first number of threads. At the end all worlds must be the same to the last bit.
+One world per number of threads; the worlds step in turn, in an order that rotates from step to
+step, so that other load on the machine affects all of them equally. Each round creates the worlds
+again and repeats the same work; the shortest wall-clock time of a step over all rounds is its
+undisturbed time. The table contains the mean of these times, and its ratio to that of the first
+number of threads. At the end all worlds must be bit-identical.
 
 Examples:
   jostle-bench threads --scene a,c,e
   jostle-bench threads --threads 1,2,4,8 --rounds 5 --json threads.json
   jostle-bench threads --max-ratio 1.01
 
-Exit status: 0 done, 1 worlds differ, a scene takes a larger share than --max-ratio, or the file could not be written, 2
-wrong flags.)";
+Exit status: 0 success, 1 worlds differ, a ratio exceeds --max-ratio, or the file could not be
+written, 2 invalid flags.)";
 
 struct Flags {
     std::vector<std::string> scenes = {"all"};
     std::vector<int> threads = {1, 2};
-    int rounds = 3, steps = 0;  // 0: the scene's own
-    double max_ratio = 0;       // 0: whatever it is
+    int rounds = 3, steps = 0;  // 0: the scene's default
+    double max_ratio = 0;       // 0: no limit
     std::string json;
 };
 
-// The time of a step of a world asleep is less than what reading the clock takes.
+// A step of a sleeping world takes less time than reading the clock.
 constexpr int steps_per_reading_asleep = 100;
 constexpr int sleep_steps_max = 600;
 
-// A scene's world, with as many threads as it has when this is made.
+// The world of a scene, with the scene's number of threads at the time of construction.
 class TimedWorld {
 public:
     TimedWorld(const SpeedScene& speed_scene, const scenes::SceneDescription& scene)
@@ -131,25 +132,27 @@ void print_row(const Row& row) {
     std::fflush(stdout);
 }
 
-// Says what is wrong with it.
+// Reports errors on stderr.
 bool is_right(const Row& row, const Flags& flags) {
     const std::string name = std::string(row.scene->letter) + " " + row.scene->name;
     if (!row.same)
-        std::fprintf(stderr, "jostle-bench: %s: the worlds differ in the end\n", name.c_str());
+        std::fprintf(stderr, "jostle-bench: %s: the worlds differ at the end\n", name.c_str());
     bool within = true;
     for (std::size_t k = 1; k < row.ms.size(); k++) {
         const double share = row.ms[k] / row.ms.front();
         if (flags.max_ratio <= 0 || share <= flags.max_ratio) continue;
         within = false;
-        std::fprintf(stderr, "jostle-bench: %s: with %d threads a step takes %.3f of the time\n",
-                     name.c_str(), flags.threads[k], share);
+        std::fprintf(stderr,
+                     "jostle-bench: %s: with %d threads a step takes %.3f of the time; must be at "
+                     "most %.3f\n",
+                     name.c_str(), flags.threads[k], share, flags.max_ratio);
     }
     return row.same && within;
 }
 
 std::string check_scene(const std::string& name) {
     if (name == "all" || find_speed_scene(name)) return "";
-    return "there is no scene " + name + "; 'jostle-bench speed --help' lists them";
+    return "unknown scene " + name + "; 'jostle-bench speed --help' lists the scenes";
 }
 
 bool is_chosen(const SpeedScene& scene, const Flags& flags) {
@@ -190,25 +193,38 @@ int run(const Flags& flags) {
 }  // namespace
 
 void add_threads(CLI::App& app, int& status) {
-    CLI::App* command =
-        app.add_subcommand("threads", "What more threads do for a step of the scenes of 'speed'.");
+    CLI::App* command = app.add_subcommand(
+        "threads", "Measure the effect of threads on step times, on the scenes of 'speed'");
     const auto flags = std::make_shared<Flags>();
-    command->add_option("--scene", flags->scenes, "By letter or name, or all")
+    command
+        ->add_option("--scene", flags->scenes,
+                     "Run scenes by letter or name, or all [default: all]")
+        ->type_name("NAME")
         ->delimiter(',')
-        ->capture_default_str()
-        ->check(CLI::Validator(check_scene, "SCENE"));
-    command->add_option("--threads", flags->threads, "The first is what the others are compared to")
+        ->check(CLI::Validator(check_scene, ""));
+    command
+        ->add_option("--threads", flags->threads,
+                     "Numbers of threads; the first is the reference\n[default: 1,2; 1 to 64]")
+        ->type_name("N")
         ->delimiter(',')
-        ->capture_default_str()
-        ->check(CLI::Range(1, 64));
-    command->add_option("--rounds", flags->rounds, "Of which the least time of each step counts")
-        ->capture_default_str()
-        ->check(CLI::Range(1, 1000));
-    command->add_option("--steps", flags->steps, "Instead of the scene's own number")
-        ->check(CLI::Range(1, 1000000));
-    command->add_option("--max-ratio", flags->max_ratio, "Fails when a scene takes a larger share")
-        ->check(CLI::Range(0.0, 1000.0));
-    command->add_option("--json", flags->json, "Writes the figures here as JSON");
+        ->check(CLI::Range(1, 64).description(""));
+    command
+        ->add_option("--rounds", flags->rounds,
+                     "Repeat N times; use the shortest time of each step\n"
+                     "[default: 3; 1 to 1000]")
+        ->type_name("N")
+        ->check(CLI::Range(1, 1000).description(""));
+    command
+        ->add_option("--steps", flags->steps,
+                     "Steps per round [default: those of the scene; 1 to 1000000]")
+        ->type_name("N")
+        ->check(CLI::Range(1, 1000000).description(""));
+    command
+        ->add_option("--max-ratio", flags->max_ratio,
+                     "Fail if a ratio is larger [0 to 1000; 0: no limit]")
+        ->type_name("RATIO")
+        ->check(CLI::Range(0.0, 1000.0).description(""));
+    command->add_option("--json", flags->json, "Write the results as JSON")->type_name("FILE");
     command->footer(footer);
     command->callback([flags, &status] { status = run(*flags); });
 }

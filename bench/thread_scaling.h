@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// jostle-bench threads: what more threads do for a step of the laboratory's scenes.
+// jostle-bench threads: the effect of more threads on the step times of the scenes of 'speed'.
 #pragma once
 
 namespace CLI {
@@ -9,7 +9,7 @@ class App;
 
 namespace jostle::bench {
 
-// Adds the subcommand; running it sets the status that the program ends with.
+// Adds the subcommand; running it sets the exit status of the program.
 void add_threads(CLI::App& app, int& status);
 
 }  // namespace jostle::bench

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// train-start-models FOLDER: how codec 2's models begin, counted over scenes of the catalogue. It
-// wrote proto/snapshot/src/start_models.cpp and clients/web/src/start_models.ts, which are part of
-// the format: running it again, over scenes that move differently by now, makes another codec.
+// train-start-models FOLDER: computes the initial models of codec 2 from statistics over scenes of
+// the catalogue. It generated proto/snapshot/src/start_models.cpp and
+// clients/web/src/start_models.ts, which are part of the format: running it again, over scenes that
+// have changed since, produces a different codec.
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -19,15 +20,15 @@ using wire::Baselines;
 using wire::BitModel;
 using wire::FrameModels;
 
-// Not katamari: what codecs are compared by should be new to them.
+// Without katamari: the scene for comparing codecs should not be part of the training data.
 constexpr const char* scenes[] = {"pile",           "sandbox",    "ragdolls",
                                   "lab_player_901", "demolition", "race_track"};
 constexpr int ages[2][2] = {{1, 2}, {6, 3}};  // ticks to the base, for each table
 constexpr double seconds = 15;
 
-using Counts = std::vector<std::array<double, 2>>;  // zeros and ones, for each model
+using Counts = std::vector<std::array<double, 2>>;  // numbers of zeros and ones, for each model
 
-// Takes the place of an encoder.
+// Replaces an encoder and counts bits.
 struct Counter {
     static constexpr bool encoding = true;
 
@@ -53,7 +54,8 @@ void count(Counts& counts, const wire::QuantizedFrame& frame, const Baselines& b
     walk.survivors(to.surviving, none, to.survivors, wire::spacing_of(frame.frame, baselines));
 }
 
-// Nobody goes or comes in those scenes: here every half second a body in twenty does.
+// No entities appear or disappear in these scenes; this function removes one body in twenty,
+// alternating every half second.
 wire::QuantizedFrame with_absences(const wire::QuantizedFrame& frame) {
     wire::QuantizedFrame some{.frame = frame.frame, .entities = {}};
     for (const wire::EntityState& entity : frame.entities)
@@ -76,7 +78,7 @@ void count(Counts& counts, const std::vector<wire::QuantizedFrame>& frames, std:
             counts[i][bit] += (i < sections ? comings : stays)[i][bit];
 }
 
-// A character for each model (start_models.h).
+// One character per model (start_models.h).
 std::string letters(const Counts& counts) {
     static constexpr char alphabet[] =
         "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz!#$%&()*+,-./:;<=>";

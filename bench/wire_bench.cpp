@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// wire-bench: how many bits and how much time snapshots of the catalogue's scenes cost. Every frame
-// is decoded and compared with the original; a difference ends the run.
+// wire-bench: bits and time of snapshots of the catalogue's scenes. Every frame is decoded and
+// compared with the original; a difference ends the run.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <fstream>
@@ -16,14 +16,15 @@ namespace {
 using namespace jostle;
 
 constexpr const char* footer = R"(
-Columns: age (ticks from a frame to its base, and between its bases), moving (bodies per frame whose pose differs from the
-base), bytes (per frame, mean), bits (per moving body), encode, decode (ns of one core per moving body; the still ones are in it).
+Columns: age (ticks from a frame to its base, and between its bases), moving (bodies per frame whose
+pose differs from the base), bytes (per frame, mean), bits (per moving body), encode, decode (ns of
+one core per moving body, including the cost of bodies at rest).
 
 Examples:
   wire-bench
   wire-bench pile --seconds 20 --baseline-age 1 --baseline-age 6 --json wire.json
 
-Exit status: 0 done, 1 a frame did not come back or a scene failed, 2 wrong flags.)";
+Exit status: 0 success, 1 a decoded frame differs or a scene failed, 2 invalid flags.)";
 
 struct Flags {
     std::vector<std::string> scenes = {"sandbox", "pile", "pyramid", "dominoes", "billiards"};
@@ -33,13 +34,13 @@ struct Flags {
     std::string json;
 };
 
-struct LoadMetrics {
+struct CodecCost {
     double moving = 0, bytes = 0, bits = 0, encode_ns = 0, decode_ns = 0;
 };
 
-// Every age-th frame, as a client at that share of the world's rate gets them.
-std::optional<LoadMetrics> measure(const std::vector<wire::QuantizedFrame>& frames, std::size_t age,
-                                   wire::Codec codec) {
+// Uses every age-th frame, like a client with that share of the world's rate.
+std::optional<CodecCost> measure(const std::vector<wire::QuantizedFrame>& frames, std::size_t age,
+                                 wire::Codec codec) {
     double encoding = 0, decoding = 0;
     std::size_t bytes = 0, moving = 0, count = 0;
     for (std::size_t i = 3 * age; i < frames.size(); i += age) {
@@ -53,8 +54,9 @@ std::optional<LoadMetrics> measure(const std::vector<wire::QuantizedFrame>& fram
         decoding += bench::cpu_seconds() - encoded;
         encoding += encoded - began;
         if (!back.ok() || *back != frames[i]) {
-            std::fprintf(stderr, "wire-bench: frame %u did not come back: %s\n", frames[i].frame,
-                         back.ok() ? "another state" : back.error().message.c_str());
+            std::fprintf(
+                stderr, "wire-bench: frame %u: decoding failed: %s\n", frames[i].frame,
+                back.ok() ? "the frame differs from the original" : back.error().message.c_str());
             return std::nullopt;
         }
         bytes += packed.size();
@@ -63,11 +65,11 @@ std::optional<LoadMetrics> measure(const std::vector<wire::QuantizedFrame>& fram
     }
     const double per_frame = static_cast<double>(std::max<std::size_t>(count, 1));
     const double per_moving = static_cast<double>(std::max<std::size_t>(moving, 1));
-    return LoadMetrics{.moving = static_cast<double>(moving) / per_frame,
-                       .bytes = static_cast<double>(bytes) / per_frame,
-                       .bits = 8 * static_cast<double>(bytes) / per_moving,
-                       .encode_ns = encoding * 1e9 / per_moving,
-                       .decode_ns = decoding * 1e9 / per_moving};
+    return CodecCost{.moving = static_cast<double>(moving) / per_frame,
+                     .bytes = static_cast<double>(bytes) / per_frame,
+                     .bits = 8 * static_cast<double>(bytes) / per_moving,
+                     .encode_ns = encoding * 1e9 / per_moving,
+                     .decode_ns = decoding * 1e9 / per_moving};
 }
 
 int run(const Flags& flags) {
@@ -114,20 +116,24 @@ int run(const Flags& flags) {
 }  // namespace
 
 int main(int argc, char** argv) {
-    CLI::App app{"Measures snapshots: bits and time per moving body, over the catalogue's scenes."};
+    CLI::App app{
+        "Measure bits and time per moving body of the snapshots of the catalogue's scenes"};
     Flags flags;
-    app.add_option("scenes", flags.scenes, "Scenes by name")->capture_default_str();
-    app.add_option("--seconds", flags.seconds, "Simulated time of each scene")
-        ->capture_default_str()
-        ->check(CLI::Range(0.5, 600.0));
+    app.add_option("scenes", flags.scenes,
+                   "Scenes by name\n[default: sandbox pile pyramid dominoes billiards]")
+        ->type_name("NAME");
+    app.add_option("--seconds", flags.seconds,
+                   "Simulated seconds of each scene [default: 10; 0.5 to 600]")
+        ->type_name("SECONDS")
+        ->check(CLI::Range(0.5, 600.0).description(""));
     app.add_option("--baseline-age", flags.ages,
-                   "Ticks between a frame and its base; may be repeated")
-        ->capture_default_str()
-        ->check(CLI::Range(1, 60));
-    app.add_option("--codec", flags.codecs, "1 or 2; may be repeated")
-        ->capture_default_str()
-        ->check(CLI::Range(1, 2));
-    app.add_option("--json", flags.json, "Writes the figures here as JSON");
+                   "Ticks between a frame and its base; repeatable\n[default: 1 2 6; 1 to 60]")
+        ->type_name("TICKS")
+        ->check(CLI::Range(1, 60).description(""));
+    app.add_option("--codec", flags.codecs, "Codec; repeatable [default: 1 2; 1 or 2]")
+        ->type_name("CODEC")
+        ->check(CLI::Range(1, 2).description(""));
+    app.add_option("--json", flags.json, "Write the results as JSON")->type_name("FILE");
     app.footer(footer);
     try {
         app.parse(argc, argv);

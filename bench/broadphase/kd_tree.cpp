@@ -15,12 +15,13 @@ using physics::Vec3;
 namespace {
 
 constexpr double endless = std::numeric_limits<double>::infinity();
-constexpr std::size_t crowded_cell = 16;  // boxes in a cell that is divided, if that pays
+// boxes in a cell above which it is divided if that reduces the cost
+constexpr std::size_t crowded_cell = 16;
 constexpr int depth_max = 48;
-constexpr int bins = 16;          // planes between them are tried
-constexpr double plane_cost = 1;  // of passing a plane, in tests of a box
+constexpr int bins = 16;          // the planes between them are candidates
+constexpr double plane_cost = 1;  // of passing a plane, in box tests
 
-// Which sides of a plane a box is on: it may be on both.
+// Sides of a plane that the box overlaps; it may overlap both.
 bool is_below(const Aabb& box, int axis, double plane) {
     return box.low[axis] < plane;
 }
@@ -76,7 +77,7 @@ void KdTree::rebuild() {
     changes_ = 0;
     nodes_.assign(1, {.below = 0});
     if (cells_.empty()) cells_.emplace_back();
-    // Cells keep their memory from one tree to the next.
+    // Cells reuse their memory in the next tree.
     for (Cell& c : cells_) c.entries.clear();
     spare_.clear();
     for (auto k = static_cast<std::int32_t>(cells_.size()); k-- > 1;) spare_.push_back(k);
@@ -100,7 +101,7 @@ std::int32_t KdTree::new_cell(const Aabb& region) {
     return made;
 }
 
-// The plane between two of the bins that is cheapest to have; none if it costs less to test all.
+// The plane between two bins with the lowest cost; none if testing all boxes costs less.
 KdTree::Split KdTree::best_split(const Cell& c) const {
     Aabb bounds = c.entries[0].box;
     for (const Entry& e : c.entries) bounds = physics::unite(bounds, e.box);
@@ -190,7 +191,8 @@ void KdTree::remove_from(std::int32_t at, const Aabb& box, std::int32_t handle) 
     entries.pop_back();
 }
 
-// Down into what the old box or the new one reaches; what both reach keeps the entry.
+// Descends into the nodes that the old or the new box overlaps. Nodes that both overlap keep the
+// entry.
 void KdTree::replace(std::int32_t at, const Aabb& old, const Entry& e, int depth) {
     const Node n = node(at);
     if (n.axis < 0) {
@@ -230,7 +232,7 @@ void KdTree::cast_ray(Vec3 origin, Vec3 motion, std::uint32_t mask, const RayVis
     if (!nodes_.empty()) cast_below(0, {origin, motion, mask, &visit}, 0, 1, 1);
 }
 
-// Along the part from `from` to `to` of the ray, the nearer side of a plane first. Returns the new
+// Casts the part of the ray from `from` to `to`, the nearer side of a plane first. Returns the new
 // limit.
 double KdTree::cast_below(std::int32_t at, const Ray& ray, double from, double to,
                           double limit) const {
@@ -246,9 +248,9 @@ double KdTree::cast_below(std::int32_t at, const Ray& ray, double from, double t
     const double there = n.plane - ray.origin[n.axis], motion = ray.motion[n.axis];
     const std::int32_t near = there > 0 ? n.below : n.below + 1;
     const std::int32_t far = there > 0 ? n.below + 1 : n.below;
-    // Away from the plane, or along it.
+    // The ray moves away from the plane or parallel to it.
     if (motion == 0 || (motion > 0) != (there > 0)) return cast_below(near, ray, from, to, limit);
-    // Rounding must not lose what lies where the ray passes the plane.
+    // The padding keeps boxes that lie where the ray crosses the plane, despite rounding.
     constexpr double pad = 1e-9;
     const double pass = there / motion;
     if (pass > to + pad) return cast_below(near, ray, from, to, limit);
@@ -265,7 +267,7 @@ void KdTree::assign(const BroadPhaseIndex& other) {
     *this = static_cast<const KdTree&>(other);
 }
 
-// The parts of the cells in which something is, as far as it reaches.
+// The parts of the non-empty cells that their boxes cover.
 void KdTree::cells(std::vector<Aabb>& out) const {
     for (const Node& n : nodes_) {
         if (n.axis >= 0 || cell(n.below).entries.empty()) continue;

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
 // A k-d tree of space (Bentley, "Multidimensional binary search trees used for associative
-// searching", 1975), as ray tracers use it: planes across x, y or z divide space into cells, where
-// the areas of both sides times their boxes are least (MacDonald and Booth, "Heuristics for ray
-// tracing using space subdivision", 1990). A box is in every cell that it reaches into; a pair of
-// boxes is told in the one cell that holds the low corner of what they share.
+// searching", 1975), as ray tracers use it: planes across x, y or z divide space into cells where
+// the sum of (surface area x number of boxes) of both sides is lowest (MacDonald and Booth,
+// "Heuristics for ray tracing using space subdivision", 1990). A box is stored in every cell that
+// it overlaps. A pair of boxes is reported in the one cell that contains the low corner of their
+// intersection.
 //
-// A box that moves leaves its cells and enters others, and a cell that is crowded is divided. When
-// boxes have moved twice on average the tree is built anew.
+// A moved box leaves its cells and enters others, and a cell with too many boxes is divided. The
+// tree is rebuilt when boxes have moved twice on average.
 #pragma once
 
 #include "physics/src/collision/broadphase/broad_phase_index.h"
@@ -35,16 +36,18 @@ private:
         std::uint32_t item = 0, category = 0;
         std::int32_t handle = -1;  // -1: free
     };
-    // A plane with what is below it and what is not, or a cell.
+    // An inner node with a plane, or a leaf that refers to a cell.
     struct Node {
-        double plane = 0;         // m
-        int axis = -1;            // -1: a cell
-        std::int32_t below = -1;  // of the two nodes beside each other; of a cell its number
+        double plane = 0;  // m
+        int axis = -1;     // -1: a leaf
+        // inner node: index of the lower child, the upper one follows; leaf: index of the cell
+        std::int32_t below = -1;
     };
     struct Cell {
-        physics::Aabb region;             // endless where it has no neighbour
-        std::vector<Entry> entries;       // that reach into it
-        std::size_t split_threshold = 0;  // so many before a division is tried (again)
+        physics::Aabb region;        // infinite on sides without a neighbour
+        std::vector<Entry> entries;  // boxes that overlap the cell
+        // number of entries at which a division is attempted (again)
+        std::size_t split_threshold = 0;
     };
     struct Split {
         int axis = -1;
@@ -77,8 +80,8 @@ private:
     std::vector<std::int32_t> free_;
     std::vector<Node> nodes_;  // the first is the root
     std::vector<Cell> cells_;
-    std::vector<std::int32_t> spare_;  // cells that no node names
-    std::size_t changes_ = 0;          // since it was built
+    std::vector<std::int32_t> spare_;  // cells that no node refers to
+    std::size_t changes_ = 0;          // since the last rebuild
 };
 
 }  // namespace jostle::bench

@@ -11,9 +11,9 @@ using physics::Vec3;
 
 namespace {
 
-constexpr std::size_t crowded_cube = 16;  // boxes in a cube that is divided
+constexpr std::size_t crowded_cube = 16;  // boxes in a cube above which it is divided
 constexpr double side_min = 0x1p-6;       // m
-// A box fits while it is a little smaller than its cube: rounding of its centre takes less.
+// A box fits into a cube if it is slightly smaller; the margin covers the rounding of its centre.
 constexpr double fill = 0.999;
 
 Vec3 center_of(const Aabb& box) {
@@ -62,7 +62,7 @@ std::int32_t LooseOctree::new_cube(Vec3 low, double side, std::int32_t parent) {
     return i;
 }
 
-// Doubles the root, toward the box, until it belongs there.
+// Doubles the root toward the box until the box belongs in it.
 void LooseOctree::grow_root(const Aabb& box) {
     const Vec3 p = center_of(box);
     if (root_ == none) {
@@ -72,7 +72,7 @@ void LooseOctree::grow_root(const Aabb& box) {
     }
     while (!belongs(cube(root_), box)) {
         const Cube old = cube(root_);
-        int octant = 0;  // of the old root in the new
+        int octant = 0;  // of the old root in the new one
         Vec3 low = old.low;
         for (int k = 0; k < 3; k++)
             if (p[k] < old.low[k]) {
@@ -88,7 +88,7 @@ void LooseOctree::grow_root(const Aabb& box) {
     }
 }
 
-// The cube below into which the box goes; none where it is too large for it.
+// The child cube for the box; none if the box is too large for it.
 std::int32_t LooseOctree::child_for(std::int32_t at, const Aabb& box) {
     const double half = 0.5 * cube(at).side;
     if (half < side_min || longest_side(box) > fill * half) return none;
@@ -121,7 +121,7 @@ void LooseOctree::divide(std::int32_t at) {
     }
 }
 
-// `from` holds the box, and counts it already.
+// `from` contains the box and has already counted it.
 void LooseOctree::insert_into(const Entry& entry, std::int32_t from) {
     std::int32_t at = from;
     for (;;) {
@@ -134,7 +134,7 @@ void LooseOctree::insert_into(const Entry& entry, std::int32_t from) {
     add_to(at, entry);
 }
 
-// Leaves the counts alone.
+// Does not change the counts.
 void LooseOctree::remove_from(std::int32_t handle) {
     const Slot where = slot(handle);
     std::vector<Entry>& entries = cube(where.cube).entries;
@@ -163,7 +163,7 @@ void LooseOctree::remove(std::int32_t handle) {
     remove_from(handle);
     slot(handle) = {none, free_handle_};
     free_handle_ = handle;
-    // Cubes with nothing in them and below go.
+    // Frees the cubes that are now empty, including their descendants.
     while (at != none) {
         const std::int32_t parent = cube(at).parent;
         if (--cube(at).count == 0) {
@@ -182,13 +182,13 @@ void LooseOctree::move(std::int32_t handle, const Aabb& box) {
     const Slot where = slot(handle);
     Entry entry = cube(where.cube).entries[static_cast<std::size_t>(where.at)];
     if (belongs(cube(where.cube), box)) {
-        // It stays, even where it might go further down: that costs little, and saves much.
+        // The box stays in its cube, even if a child would fit: moving it down would gain little.
         cube(where.cube).entries[static_cast<std::size_t>(where.at)].box = box;
         return;
     }
     entry.box = box;
     remove_from(handle);
-    // Up to the first cube in which it belongs, and down from there.
+    // Ascends to the first cube that the box belongs in, then descends from there.
     std::int32_t at = where.cube;
     while (at != none && !belongs(cube(at), box)) {
         const std::int32_t parent = cube(at).parent;
@@ -239,7 +239,7 @@ double LooseOctree::cast_below(std::int32_t at, const Ray& ray, double limit) co
         double fraction;
         std::int32_t cube;
     };
-    std::array<Entered, 8> entered;  // by fraction
+    std::array<Entered, 8> entered;  // sorted by fraction
     std::size_t count = 0;
     for (const std::int32_t below : c.child) {
         if (below == none) continue;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // A loose octree (Ulrich, "Loose Octrees", Game Programming Gems, 2000): cubes that are halved in
-// each direction. A box belongs to one cube, that which holds its centre and is no smaller than its
-// longest side, so it reaches out of the cube by half the cube's side at most: cubes are looked
-// into as if they were twice as large. A cube is only divided when many boxes are in it.
+// each direction. A box belongs to the one cube that contains its centre and is no smaller than its
+// longest side. It therefore extends beyond the cube by at most half the cube's side, and queries
+// treat cubes as if they were twice as large. A cube is divided only when it contains many boxes.
 #pragma once
 
 #include <array>
@@ -37,14 +37,15 @@ private:
     struct Cube {
         physics::Vec3 low;
         double side = 0;             // m, a power of two
-        std::int32_t parent = none;  // next free cube when on the free list
-        std::int32_t count = 0;      // of boxes in it and below
-        bool divided = false;        // what fits into the cubes below is there
+        std::int32_t parent = none;  // the next free cube while on the free list
+        std::int32_t count = 0;      // of boxes in it and in its descendants
+        bool divided = false;        // boxes that fit into a child are stored there
         std::array<std::int32_t, 8> child{none, none, none, none, none, none, none, none};
         std::vector<Entry> entries;
     };
     struct Slot {
-        std::int32_t cube = none, at = 0;  // entries[at]; on the free list: the next free handle
+        // index in entries; on the free list: the next free handle
+        std::int32_t cube = none, at = 0;
     };
 
     Cube& cube(std::int32_t i) { return cubes_[static_cast<std::size_t>(i)]; }

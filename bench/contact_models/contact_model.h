@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// The three models of contact. Each is one file that can be read alone:
+// The three contact models. Each is one file that can be read on its own:
 //   penalty_model.cpp   springs: a force that grows with the overlap
-//   impulse_model.cpp   velocity constraints: impulses that forbid approach (sequential impulses)
-//   xpbd_model.cpp      positions: move things apart, and take the velocity from where they came
+//   impulse_model.cpp   velocity constraints: impulses that prevent approach (sequential impulses)
+//   xpbd_model.cpp      positions: separates overlapping bodies and derives the velocities
 #pragma once
 
 #include <memory>
@@ -27,7 +27,7 @@ struct ContactModelKind {
     std::unique_ptr<ContactModel> (*make)();
 };
 std::span<const ContactModelKind> contact_model_kinds();
-const ContactModelKind* find_contact_model(std::string_view name);  // null: none
+const ContactModelKind* find_contact_model(std::string_view name);  // null: there is none
 
 std::unique_ptr<ContactModel> make_penalty_model();
 std::unique_ptr<ContactModel> make_impulse_model();

@@ -17,29 +17,29 @@ namespace contact_models {
 namespace {
 
 constexpr std::array kinds = {
-    ContactModelKind{"penalty", "springs of 1e5 N/m and dampers, an explicit step",
+    ContactModelKind{"penalty", "springs of 1e5 N/m and dampers, explicit step",
                      make_penalty_model},
     ContactModelKind{"impulses",
-                     "velocity constraints: ten rounds of sequential impulses, warm started",
+                     "velocity constraints: ten iterations of sequential impulses, warm-started",
                      make_impulse_model},
-    ContactModelKind{"xpbd", "positions: ten sub-steps of one pass", make_xpbd_model},
+    ContactModelKind{"xpbd", "positions: ten sub-steps of one iteration", make_xpbd_model},
 };
-constexpr double long_enough = 0.01;  // s of processor time: a run is repeated until then
+constexpr double long_enough = 0.01;  // s of CPU time: a run is repeated until then
 
 constexpr const char* footer = R"(
-Sixteen balls drop 0.5 m on a plane and bounce (0.8), ten stand in a stack, one slides until
-friction (0.4) stops it: 2 s. Balls do not turn. All models find the same contacts.
-  overlap  deepest in the stack over the second second, mm
-  energy   error of the dropped balls' energy after the bounce over what it should be; RMS, each ball
-           a sixteenth of a step later than the one before
-  slide    error of the stopping distance over the distance
-  blown    a ball is faster than 25 m/s, or no number
+Sixteen balls drop 0.5 m on a plane and bounce (restitution 0.8), ten form a stack, one slides until
+friction (0.4) stops it; 2 s. Balls do not rotate. All models receive the same contacts.
+  overlap  deepest overlap in the stack during the last second, mm
+  energy   relative error of the dropped balls' energy after the bounce; RMS, each ball starts 1/16
+           of a step after the previous one
+  slide    relative error of the stopping distance
+  failed   a ball is faster than 25 m/s, or its velocity is not finite
 
 Examples:
   jostle-bench contact-models
-  jostle-bench contact-models --model penalty --rates 240,480,960,1920 --json contact-models.json
+  jostle-bench contact-models --model penalty --rates 240,480,960,1920
 
-Exit status: 0 done, 1 a file could not be written, 2 wrong flags.)";
+Exit status: 0 success, 1 a file could not be written, 2 invalid flags.)";
 
 struct Flags {
     std::vector<std::string> contact_models = {"all"};
@@ -51,14 +51,14 @@ std::string check_contact_model(const std::string& name) {
     std::string known = "all";
     if (name == "all" || find_contact_model(name)) return "";
     for (const ContactModelKind& kind : kinds) known += std::string(", ") + kind.name;
-    return "there is no model " + name + "; there are " + known;
+    return "unknown model " + name + "; must be one of " + known;
 }
 
 std::string check_rate_of_model(const std::string& text) {
     char* end = nullptr;
     const double rate = std::strtod(text.c_str(), &end);
     if (!text.empty() && *end == 0 && rate >= 4 && rate <= 100000) return "";
-    return text + " is no rate: steps a second from 4 to 100000";
+    return text + " is not a valid rate; must be 4 to 100000 Hz";
 }
 
 double time_of_run(const ContactModelKind& kind, double rate_hz) {
@@ -78,7 +78,7 @@ double time_of_run(const ContactModelKind& kind, double rate_hz) {
 
 void print_row(const ContactModelRow& row) {
     if (row.errors.failed)
-        std::printf("%-9s %6g  blown\n", row.model.c_str(), row.rate_hz);
+        std::printf("%-9s %6g  failed\n", row.model.c_str(), row.rate_hz);
     else
         std::printf("%-9s %6g %12.4g %11.4g %11.4g %11.4g\n", row.model.c_str(), row.rate_hz,
                     1000 * row.errors.overlap, row.errors.energy, row.errors.slide,
@@ -167,21 +167,23 @@ nlohmann::ordered_json to_json(const ContactModelRow& row) {
 
 void add_contact_models(CLI::App& app, int& status) {
     using namespace contact_models;
-    CLI::App* command = app.add_subcommand(
-        "contact-models",
-        "Penalty forces, velocity constraints and positions on one contact scene.");
+    CLI::App* command = app.add_subcommand("contact-models", "Compare contact models on one scene");
     const auto flags = std::make_shared<Flags>();
-    command->add_option("--model", flags->contact_models, "By name, or all")
+    command
+        ->add_option("--model", flags->contact_models,
+                     "Run models by name, or all; see below [default: all]")
+        ->type_name("NAME")
         ->delimiter(',')
-        ->capture_default_str()
-        ->check(CLI::Validator(check_contact_model, "MODEL"));
-    command->add_option("--rates", flags->rates, "Steps a second")
+        ->check(CLI::Validator(check_contact_model, ""));
+    command
+        ->add_option("--rates", flags->rates,
+                     "Step rates, in Hz\n[default: 30,60,120,240,480,960,1920; 4 to 100000]")
+        ->type_name("HZ")
         ->delimiter(',')
-        ->capture_default_str()
-        ->check(CLI::Validator(check_rate_of_model, "HZ"));
-    command->add_option("--json", flags->json, "Writes the rows here as JSON");
-    command->add_option("--csv", flags->csv, "Writes the rows here as CSV");
-    std::string list = "\nRoads:\n";
+        ->check(CLI::Validator(check_rate_of_model, ""));
+    command->add_option("--json", flags->json, "Write the rows as JSON")->type_name("FILE");
+    command->add_option("--csv", flags->csv, "Write the rows as CSV")->type_name("FILE");
+    std::string list = "\nModels:\n";
     for (const ContactModelKind& kind : kinds)
         list += std::string("  ") + kind.name + ": " + kind.about + "\n";
     command->footer(list + footer);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// jostle-bench contact_models: penalty forces, velocity constraints and positions on one contact
-// scene.
+// jostle-bench contact-models: penalty forces, velocity constraints and position corrections on one
+// contact scene.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -20,13 +20,13 @@ struct ContactModelRow {
     std::string model;
     double rate_hz = 0;
     SceneErrors errors;
-    double cpu_us_per_second = 0;  // per simulated second
+    double cpu_us_per_second = 0;  // CPU time per simulated second
 };
 ContactModelRow contact_model_row(const ContactModelKind& kind, double rate_hz);
 nlohmann::ordered_json to_json(const ContactModelRow& row);
 
 }  // namespace contact_models
 
-void add_contact_models(CLI::App& app, int& status);  // the exit status is left in `status`
+void add_contact_models(CLI::App& app, int& status);  // sets the exit status when run
 
 }  // namespace jostle::bench

@@ -12,8 +12,8 @@ namespace {
 
 constexpr double drop_height = 0.5;  // m, below the ball
 constexpr double bounce = 0.8;
-constexpr double slide_speed = 2, slide_friction = 0.4;  // m/s
-// Energies allow 6 m/s at the top of the stack; four times that is no physics.
+constexpr double slide_speed = 2, slide_friction = 0.4;  // m/s; coefficient
+// The available energy allows 6 m/s at the top of the stack; four times that is a failure.
 constexpr double fastest = 25;
 
 }  // namespace
@@ -68,8 +68,8 @@ double friction_of(const std::vector<Ball>& balls, const Contact& contact) {
                               : std::sqrt(b * balls[static_cast<std::size_t>(contact.a)].friction);
 }
 
-// The dropped balls are already so many sixteenths of a step on their way: when in its step an
-// impact falls decides its error.
+// The dropped balls start a multiple of 1/16 of a step apart: the error of an impact depends on its
+// time within the step.
 ContactScene::ContactScene(double dt)
     : dt_(dt), bounced_(static_cast<std::size_t>(dropped)), apex_(bounced_.size()) {
     for (int k = 0; k < dropped; k++) {
@@ -80,7 +80,7 @@ ContactScene::ContactScene(double dt)
              .restitution = bounce});
     }
     for (int k = 0; k < stacked; k++) balls.push_back({.position = {0, 0, radius * (1 + 2 * k)}});
-    const double azimuth = physics::pi / 6;  // along no axis
+    const double azimuth = physics::pi / 6;  // not along an axis
     balls.push_back({.position = {0, 5, radius},
                      .velocity = Vec3{std::cos(azimuth), std::sin(azimuth), 0} * slide_speed,
                      .friction = slide_friction});
@@ -94,7 +94,7 @@ void ContactScene::sample() {
         const Ball& ball = balls[k];
         const bool rises = ball.velocity.z > 0;
         if (rises) bounced_[k] = true;
-        // Of the first bounce: until it would have come down again.
+        // Only the first bounce counts: until the time when the ball would have landed again.
         const double flight = std::sqrt(2 * drop_height / gravity) * (1 + 2 * bounce);
         if (bounced_[k] && steps_ * dt_ < flight)
             apex_[k] = std::max(apex_[k], ball.position.z - radius);

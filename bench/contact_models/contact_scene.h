@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// One scene for all contact_models: sixteen balls drop on a plane, ten stand in a stack, one slides
-// until friction stops it. Balls do not turn: what is compared is how a contact is resolved, and
-// nothing else. SI units, z up, the plane is z = 0.
+// One scene for all contact models: sixteen balls drop on a plane, ten form a stack, one slides
+// until friction stops it. Balls do not rotate, so that only the contact resolution is compared. SI
+// units, z up, the plane is z = 0.
 #pragma once
 
 #include <vector>
@@ -15,7 +15,7 @@ using physics::Vec3;
 
 inline constexpr double gravity = 9.81;  // m/s^2, down
 inline constexpr double radius = 0.1;    // m, of every ball
-inline constexpr double mass = 1;        // kg, likewise
+inline constexpr double mass = 1;        // kg, of every ball
 
 struct Ball {
     Vec3 position, velocity;
@@ -25,46 +25,47 @@ struct Ball {
 
 inline constexpr int plane = -1;
 
-// Two balls, or a ball and the plane, that are closer than a margin.
+// Two balls, or a ball and the plane, closer than a margin.
 struct Contact {
     int a = plane, b = 0;
-    Vec3 normal;     // unit, from a to b
+    Vec3 normal;     // unit vector from a to b
     double gap = 0;  // m; negative: overlap
 };
-// In order of b, the plane first.
+// Ordered by b, the plane first.
 std::vector<Contact> find_contacts(const std::vector<Ball>& balls, double margin);
 
 // The plane does not move.
 Vec3 relative_velocity(const std::vector<Ball>& balls, const Contact& contact);
-// 1/kg: 1/m of one ball, or of both.
+// 1/kg: 1/m of one ball, or the sum of two.
 double inverse_masses(const Contact& contact);
-// Equal and opposite, N s, on b.
+// Applies an impulse in N s to b and the opposite one to a.
 void push(std::vector<Ball>& balls, const Contact& contact, Vec3 impulse);
-// The part of a vector that lies in the contact's plane.
+// The component of a vector in the contact plane.
 Vec3 along_surface(Vec3 v, const Contact& contact);
 
-// The balls' restitution and friction; of two balls their product's root.
+// Restitution and friction of the balls; for two balls the root of the product.
 double restitution_of(const std::vector<Ball>& balls, const Contact& contact);
 double friction_of(const std::vector<Ball>& balls, const Contact& contact);
 
 inline constexpr double scene_seconds = 2;
 
-// Of one run.
+// The errors of one run.
 struct SceneErrors {
-    double overlap = 0;   // m: deepest of the stack over the second second
-    double energy = 0;    // of the dropped balls after the bounce, by their apex: RMS error over it
-    double slide = 0;     // error of the stopping distance over the distance
-    bool failed = false;  // a ball is faster than it can have become, or no number
+    double overlap = 0;  // m: deepest overlap in the stack during the last second
+    // RMS of the relative energy error of the dropped balls after the bounce, from their apex
+    double energy = 0;
+    double slide = 0;     // relative error of the stopping distance
+    bool failed = false;  // a ball is faster than possible, or its velocity is not finite
 };
 
-// Makes the scene for a time step, looks at it after each, and tells the errors.
+// Creates the scene for a time step, samples it after each step and computes the errors.
 class ContactScene {
 public:
     explicit ContactScene(double dt);
 
     std::vector<Ball> balls;
 
-    void sample();  // after a step
+    void sample();  // call after each step
     SceneErrors errors() const;
 
 private:

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// Penalty forces. What overlaps is pushed apart by a spring and a damper:
-//     f = k * overlap - c * (velocity along the normal), never pulling.
-// Nothing is solved: each contact is looked at once, and that is all it costs. The price:
-// things sink until the spring bears them (m g / k), and an explicit step is stable only while it
-// is short against the fastest spring and the strongest damper: in a stack dt < sqrt(m / k) and dt
-// < m / (2 c), here 1.1 ms. Stiffer means smaller steps.
+// Penalty forces: a spring and a damper push overlapping bodies apart.
+//     f = k * overlap - c * (velocity along the normal), never attractive.
+// There is no solver; each contact is visited once, which is the whole cost. The drawbacks: bodies
+// sink until the spring carries them (m g / k), and an explicit step is stable only if it is short
+// relative to the stiffest spring and the strongest damper: in a stack dt < sqrt(m / k) and dt < m
+// / (2 c), in this scene 1.1 ms. Stiffer contacts require smaller steps.
 #include <algorithm>
 #include <cmath>
 
@@ -15,10 +15,10 @@
 namespace jostle::bench::contact_models {
 namespace {
 
-constexpr double stiffness = 1e5;  // N/m: the foot of a stack of ten sinks by 1 mm
+constexpr double stiffness = 1e5;  // N/m: the bottom of a stack of ten sinks by 1 mm
 
-// A spring with a damper gives back the share e of the speed when
-// c = 2 z sqrt(k m), z = -ln(e) / sqrt(pi^2 + ln(e)^2). At e = 0 it is critically damped.
+// A spring with a damper has restitution e if c = 2 z sqrt(k m), z = -ln(e) / sqrt(pi^2 + ln(e)^2).
+// For e = 0 it is critically damped.
 double damping_of(double restitution, double inverse_mass) {
     const double critical = 2 * std::sqrt(stiffness / inverse_mass);
     if (restitution <= 0) return critical;
@@ -30,7 +30,7 @@ class PenaltyModel final : public ContactModel {
 public:
     void step(std::vector<Ball>& balls, double dt) override {
         const std::vector<Contact> contacts = find_contacts(balls, 0);
-        // All forces from the state at the start of the step: their order does not matter.
+        // All forces come from the state at the start of the step, so their order does not matter.
         std::vector<Vec3> impulses;
         for (const Contact& contact : contacts) impulses.push_back(force(balls, contact, dt) * dt);
         for (std::size_t k = 0; k < contacts.size(); k++) push(balls, contacts[k], impulses[k]);
@@ -47,8 +47,8 @@ private:
         const double damping = damping_of(restitution_of(balls, contact), inverse_mass);
         const double normal =
             std::max(0.0, -stiffness * contact.gap - damping * dot(velocity, contact.normal));
-        // Coulomb: against the sliding, at most mu times the normal force, and no more than what
-        // stops it within the step.
+        // Coulomb friction: opposes sliding with at most mu times the normal force, and at most the
+        // force that stops the sliding within the step.
         const Vec3 sliding = along_surface(velocity, contact);
         const double speed = length(sliding);
         if (speed == 0) return contact.normal * normal;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Position-based dynamics with sub-steps (Macklin and others 2019; Mueller and others 2020, rigid
-// bodies). Move everything as if there were no contacts; then move what overlaps apart, by masses;
-// then take velocities from where things have come. Hard contacts have no compliance, so that XPBD
-// is PBD here. One pass in each of ten sub-steps does more than ten passes in one step: the error
-// falls with the square of the sub-step. Friction moves back what slid, restitution is a pass over
-// velocities. The price: taking velocities from positions loses energy, first order in the
-// sub-step.
+// Position-based dynamics with sub-steps (Macklin and others 2019; Müller and others 2020, rigid
+// bodies). Each sub-step integrates all bodies without contacts, separates overlapping bodies by
+// their masses, and derives the velocities from the displacements. Hard contacts have no
+// compliance, so XPBD equals PBD in this scene. One iteration in each of ten sub-steps is more
+// accurate than ten iterations in one step: the error falls with the square of the sub-step.
+// Friction reverts the sliding, restitution is a pass over the velocities. The drawback: deriving
+// velocities from positions loses energy, first order in the sub-step.
 #include <algorithm>
 #include <cmath>
 
@@ -43,36 +43,38 @@ private:
         for (const Touched& touch : touched) bounce(balls, touch, h);
     }
 
-    // One pass. Overlaps are looked at anew for each contact, since those before moved its balls.
+    // One iteration. Overlaps are recomputed for each contact, because earlier contacts have moved
+    // its balls.
     static std::vector<Touched> move_apart(std::vector<Ball>& balls,
                                            const std::vector<Vec3>& before) {
         std::vector<Touched> touched;
         for (const Contact& contact : find_contacts(balls, 0)) {
-            const Contact now = again(balls, contact);
+            const Contact now = updated(balls, contact);
             if (now.gap >= 0) continue;
             const double approach = -dot(relative_velocity(balls, now), now.normal);
             move(balls, now, now.normal * -now.gap);
-            // Static friction undoes all sliding of the sub-step, sliding friction mu times the
-            // normal correction of it.
-            const Vec3 slid = along_surface(moved(balls, before, now), now);
-            const double most = friction_of(balls, now) * -now.gap, size = length(slid);
-            move(balls, now, slid * (size > most ? -most / size : -1));
+            // Static friction reverts all sliding of the sub-step; sliding friction reverts mu
+            // times its normal correction.
+            const Vec3 slid = along_surface(relative_displacement(balls, before, now), now);
+            const double limit = friction_of(balls, now) * -now.gap, size = length(slid);
+            move(balls, now, slid * (size > limit ? -limit / size : -1));
             touched.push_back({now, approach, -now.gap});
         }
         return touched;
     }
 
-    // What pushed apart must not leave faster than restitution lets it.
+    // Limits the separation velocity to the value that restitution allows.
     static void bounce(std::vector<Ball>& balls, const Touched& touch, double h) {
         const double speed = dot(relative_velocity(balls, touch.contact), touch.contact.normal);
-        // Slower than two sub-steps of gravity it rests.
+        // A contact that approaches more slowly than gravity accelerates a body in two sub-steps
+        // rests.
         const bool rests = touch.approach < 2 * gravity * h;
         const double target = rests ? 0 : restitution_of(balls, touch.contact) * touch.approach;
         push(balls, touch.contact,
              touch.contact.normal * ((target - speed) / inverse_masses(touch.contact)));
     }
 
-    static Contact again(const std::vector<Ball>& balls, const Contact& contact) {
+    static Contact updated(const std::vector<Ball>& balls, const Contact& contact) {
         const Vec3 b = balls[static_cast<std::size_t>(contact.b)].position;
         if (contact.a == plane) return {plane, contact.b, {0, 0, 1}, b.z - radius};
         const Vec3 apart = b - balls[static_cast<std::size_t>(contact.a)].position;
@@ -81,20 +83,21 @@ private:
                 away - 2 * radius};
     }
 
-    // By so much in all, shared by masses.
+    // Moves the two balls apart by `by` in total, in proportion to their inverse masses.
     static void move(std::vector<Ball>& balls, const Contact& contact, Vec3 by) {
         const double share = contact.a == plane ? 1 : 0.5;
         balls[static_cast<std::size_t>(contact.b)].position += by * share;
         if (contact.a != plane) balls[static_cast<std::size_t>(contact.a)].position -= by * share;
     }
 
-    static Vec3 moved(const std::vector<Ball>& balls, const std::vector<Vec3>& before,
-                      const Contact& contact) {
-        const auto way = [&](int ball) {
+    static Vec3 relative_displacement(const std::vector<Ball>& balls,
+                                      const std::vector<Vec3>& before, const Contact& contact) {
+        const auto displacement = [&](int ball) {
             const auto k = static_cast<std::size_t>(ball);
             return balls[k].position - before[k];
         };
-        return contact.a == plane ? way(contact.b) : way(contact.b) - way(contact.a);
+        return contact.a == plane ? displacement(contact.b)
+                                  : displacement(contact.b) - displacement(contact.a);
     }
 };
 

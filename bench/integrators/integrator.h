@@ -5,7 +5,7 @@
 
 namespace jostle::bench::integrators {
 
-// A way to step a particle through a field.
+// A method that steps a particle through a field.
 class Integrator {
 public:
     virtual ~Integrator() = default;

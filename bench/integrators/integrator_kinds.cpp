@@ -15,8 +15,8 @@ constexpr std::array kinds = {
                    make_semi_implicit_euler},
     IntegratorKind{"implicit", "implicit Euler, by Newton's method", 1, make_implicit_euler},
     IntegratorKind{"verlet", "position Verlet (leapfrog)", 2, make_verlet},
-    IntegratorKind{"rk4", "the classical Runge-Kutta method", 4, make_runge_kutta},
-    IntegratorKind{"jostle", "a free body in a World of 8 sub-steps, pushed by a step listener", 2,
+    IntegratorKind{"rk4", "classical Runge-Kutta method", 4, make_runge_kutta},
+    IntegratorKind{"jostle", "a free body in a World of 8 sub-steps, driven by a step listener", 2,
                    make_world_integrator},
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The ways to step a particle: five of the textbooks, and Jostle's own.
+// The integrators: five textbook methods and Jostle's own.
 #pragma once
 
 #include <memory>
@@ -14,11 +14,11 @@ namespace jostle::bench::integrators {
 struct IntegratorKind {
     const char* name;
     const char* about;
-    double order;  // of its global error in smooth fields
+    double order;  // of the global error in smooth fields
     std::unique_ptr<Integrator> (*make)(const ParticleField& field);
 };
 
 std::span<const IntegratorKind> integrator_kinds();
-const IntegratorKind* find_integrator(std::string_view name);  // null: none
+const IntegratorKind* find_integrator(std::string_view name);  // null: there is none
 
 }  // namespace jostle::bench::integrators

@@ -11,8 +11,8 @@
 namespace jostle::bench::integrators {
 namespace {
 
-constexpr double furthest = 1e6;       // m
-constexpr double long_enough = 0.002;  // s of processor time: a run is repeated until then
+constexpr double distance_max = 1e6;       // m
+constexpr double run_seconds_min = 0.002;  // s of CPU time: a run is repeated until then
 
 long steps_of(const ParticleField& field, double rate_hz) {
     return std::lround(field.seconds * rate_hz);
@@ -22,7 +22,7 @@ double time_of_steps(const ParticleField& field, const IntegratorKind& kind, dou
     const long steps = steps_of(field, rate_hz);
     const double began = cpu_seconds();
     long done = 0;
-    while (done == 0 || cpu_seconds() - began < long_enough) {
+    while (done == 0 || cpu_seconds() - began < run_seconds_min) {
         const auto integrator = kind.make(field);
         ParticleState state = field.start;
         for (long k = 0; k < steps; k++)
@@ -44,7 +44,7 @@ IntegratorRow row_of(const ParticleField& field, const IntegratorKind& kind, dou
         error.add(
             length_squared(state.position - field.truth(static_cast<double>(k + 1) / rate_hz)));
         if (field.energy) drift = std::max(drift, std::abs(field.energy(state) / energy - 1));
-        if (!(length(state.position) < furthest)) break;
+        if (!(length(state.position) < distance_max)) break;
     }
     row.error = error.value();
     if (field.energy) row.energy_drift = drift;

@@ -15,13 +15,14 @@ namespace jostle::bench::integrators {
 struct IntegratorRow {
     std::string field, method;
     double rate_hz = 0;
-    double error = 0;                    // m: RMS distance from the truth over all steps
-    std::optional<double> order;         // from the rate before this one
-    std::optional<double> energy_drift;  // largest, over the energy at the start
-    double ns_per_step = 0;              // processor time
+    double error = 0;                    // m: RMS distance from the exact solution over all steps
+    std::optional<double> order;         // from the previous rate to this one
+    std::optional<double> energy_drift;  // largest drift relative to the initial energy
+    double ns_per_step = 0;              // CPU time
 };
 
-// Rates ascending. A motion that leaves 1e6 m ends there; its error is what it is by then.
+// Rates must ascend. A run ends when the particle is farther than 1e6 m from the origin; the error
+// covers the steps until then.
 std::vector<IntegratorRow> integrator_rows(const ParticleField& field, const IntegratorKind& kind,
                                            const std::vector<double>& rates);
 

@@ -17,19 +17,18 @@ namespace {
 using namespace integrators;
 
 constexpr const char* footer = R"(
-A particle moves for 2 s through a field whose motion is known in closed form. The error is the RMS
-distance from it over all steps. The order tells how fast the error falls: 1, half at twice the
-rate; 2, a quarter; 4, a sixteenth. The drift is the largest change of energy over the energy at the
-start; an energy that is positive and one that is negative (kepler) are both meant. Jostle's own row
-is a free body in a World that a step listener pushes in each of 8 sub-steps, with all that a step
-does besides.
+A particle moves for 2 s through a field with an exact solution. The error is the RMS distance from
+the exact solution over all steps. The order states how fast the error falls when the rate doubles:
+1, to 1/2; 2, to 1/4; 4, to 1/16. The energy drift is the largest change of the energy relative to
+the initial energy, which may be negative (kepler). Jostle's row is a free body in a World, driven
+by a step listener in each of 8 sub-steps, including all other work of a step.
 
 Examples:
   jostle-bench integrators
   jostle-bench integrators --field kepler --method verlet,rk4 --rates 120,240,480
   jostle-bench integrators --json integrators.json --csv integrators.csv
 
-Exit status: 0 done, 1 a file could not be written, 2 wrong flags.)";
+Exit status: 0 success, 1 a file could not be written, 2 invalid flags.)";
 
 struct Flags {
     std::vector<std::string> fields = {"all"}, methods = {"all"};
@@ -39,16 +38,16 @@ struct Flags {
 
 template <class Kinds>
 CLI::Validator one_of(const Kinds& kinds, const char* what) {
-    std::vector<std::string> contains = {"all"};
-    for (const auto& kind : kinds) contains.emplace_back(kind.name);
+    std::vector<std::string> names = {"all"};
+    for (const auto& kind : kinds) names.emplace_back(kind.name);
     return CLI::Validator(
-        [contains, what](std::string& text) -> std::string {
+        [names, what](std::string& text) -> std::string {
             std::string known;
-            for (const std::string& name : contains) {
+            for (const std::string& name : names) {
                 if (text == name) return "";
                 known += (known.empty() ? "" : ", ") + name;
             }
-            return std::string("there is no ") + what + " " + text + "; there are " + known;
+            return std::string("unknown ") + what + " " + text + "; must be one of " + known;
         },
         what);
 }
@@ -58,7 +57,7 @@ std::string check_rate_of_particle(const std::string& text) {
     const double rate = std::strtod(text.c_str(), &end);
     if (!text.empty() && *end == 0 && rate >= 4 && rate <= 100000 && std::round(rate) == rate)
         return "";
-    return text + " is no rate: a whole number of steps a second from 4 to 100000";
+    return text + " is not a valid rate; must be an integer from 4 to 100000 Hz";
 }
 
 bool chosen(const std::vector<std::string>& list, std::string_view name) {
@@ -124,7 +123,7 @@ std::string lists() {
     std::string text = "Fields:\n";
     for (const ParticleField& field : all_fields())
         text += "  " + field.name + ": " + field.about + "\n";
-    text += "Methods, and their order in smooth fields:\n";
+    text += "Methods and their order in smooth fields:\n";
     for (const IntegratorKind& kind : integrator_kinds())
         text += std::string("  ") + kind.name + ": " + kind.about + ", " +
                 std::to_string(static_cast<int>(kind.order)) + "\n";
@@ -134,23 +133,29 @@ std::string lists() {
 }  // namespace
 
 void add_integrators(CLI::App& app, int& status) {
-    CLI::App* command = app.add_subcommand(
-        "integrators", "Error, order and energy of ways to step a particle through a field.");
+    CLI::App* command =
+        app.add_subcommand("integrators", "Measure error, order and energy drift of integrators");
     const auto flags = std::make_shared<Flags>();
-    command->add_option("--field", flags->fields, "By name, or all")
+    command
+        ->add_option("--field", flags->fields,
+                     "Run fields by name, or all; see below [default: all]")
+        ->type_name("NAME")
         ->delimiter(',')
-        ->capture_default_str()
-        ->check(one_of(all_fields(), "field"));
-    command->add_option("--method", flags->methods, "By name, or all")
+        ->check(one_of(all_fields(), "field").description(""));
+    command
+        ->add_option("--method", flags->methods,
+                     "Run methods by name, or all; see below [default: all]")
+        ->type_name("NAME")
         ->delimiter(',')
-        ->capture_default_str()
-        ->check(one_of(integrator_kinds(), "method"));
-    command->add_option("--rates", flags->rates, "Steps a second")
+        ->check(one_of(integrator_kinds(), "method").description(""));
+    command
+        ->add_option("--rates", flags->rates,
+                     "Step rates, in Hz [default: 120,240,480,960; 4 to 100000]")
+        ->type_name("HZ")
         ->delimiter(',')
-        ->capture_default_str()
-        ->check(CLI::Validator(check_rate_of_particle, "HZ"));
-    command->add_option("--json", flags->json, "Writes the rows here as JSON");
-    command->add_option("--csv", flags->csv, "Writes the rows here as CSV");
+        ->check(CLI::Validator(check_rate_of_particle, ""));
+    command->add_option("--json", flags->json, "Write the rows as JSON")->type_name("FILE");
+    command->add_option("--csv", flags->csv, "Write the rows as CSV")->type_name("FILE");
     command->footer("\n" + lists() + footer);
     command->callback([flags, &status] { status = run(*flags); });
 }

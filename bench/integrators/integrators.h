@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// jostle-bench integrators: error, order and energy of ways to step a particle through a field.
+// jostle-bench integrators: error, order and energy drift of methods that step a particle through a
+// field.
 #pragma once
 
 namespace CLI {
@@ -9,6 +10,6 @@ class App;
 
 namespace jostle::bench {
 
-void add_integrators(CLI::App& app, int& status);  // the exit status is left in `status`
+void add_integrators(CLI::App& app, int& status);  // sets the exit status when run
 
 }  // namespace jostle::bench

@@ -76,7 +76,7 @@ ParticleField drag() {
 ParticleField moving_centre() {
     constexpr double w = 2 * pi, u = 3, b = 0.5, wide = b * w * w / (w * w - u * u), x0 = 0.3;
     return {.name = "moving",
-            .about = "a spring of 1 Hz to a centre that swings 0.5 m at 3 rad/s",
+            .about = "a spring of 1 Hz to a centre that oscillates by 0.5 m at 3 rad/s",
             .seconds = 2,
             .start = {{x0, 0, 0}, {}},
             .acceleration =

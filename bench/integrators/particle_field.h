@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Force fields F(p, v, t) on one particle of 1 kg, each with its motion in closed form.
+// Force fields F(p, v, t) on one particle of 1 kg, each with its exact solution.
 #pragma once
 
 #include <functional>
@@ -23,17 +23,17 @@ struct ParticleState {
 struct ParticleField {
     std::string name;
     std::string about;
-    double seconds = 1;  // of a run
+    double seconds = 1;  // duration of a run
     ParticleState start;
-    // m/s^2 at a place, with a velocity, at a time.
+    // Acceleration in m/s^2 at a position, velocity and time.
     std::function<Vec3(Vec3 position, Vec3 velocity, double t)> acceleration;
     std::function<Vec3(double t)> truth;  // m
-    // J/kg, of fields that keep it; else null.
+    // J/kg, for conservative fields; else null.
     std::function<double(const ParticleState&)> energy;
 };
 
-// Oscillator, Kepler's ellipse, fall with drag, a spring to a centre that moves.
+// Oscillator, Kepler ellipse, fall with drag, spring to a moving centre.
 std::span<const ParticleField> all_fields();
-const ParticleField* find_field(std::string_view name);  // null: none
+const ParticleField* find_field(std::string_view name);  // null: there is none
 
 }  // namespace jostle::bench::integrators

@@ -4,7 +4,7 @@
 namespace jostle::bench::integrators {
 namespace {
 
-// What all of the textbooks need: the field.
+// Base class of the textbook methods; refers to the field.
 class InField : public Integrator {
 public:
     explicit InField(const ParticleField& field) : field_(field) {}
@@ -21,14 +21,14 @@ class ExplicitEuler final : public InField {
 public:
     using InField::InField;
     void step(ParticleState& s, double t, double h) override {
-        const Vec3 pull = a(s.position, s.velocity, t);
+        const Vec3 acceleration = a(s.position, s.velocity, t);
         s.position += s.velocity * h;
-        s.velocity += pull * h;
+        s.velocity += acceleration * h;
     }
 };
 
-// The same with the new velocity in the first line: symplectic, so that the energy swings about
-// what it was instead of growing. Costs nothing more.
+// Like explicit Euler, but with the new velocity in the first equation: symplectic, so the energy
+// oscillates instead of growing, at no extra cost.
 class SemiImplicitEuler final : public InField {
 public:
     using InField::InField;
@@ -38,27 +38,27 @@ public:
     }
 };
 
-// Both from the new state: x = x0 + h v, v = v0 + h a(x, v, t + h), three equations in x that
-// Newton's method solves with differences for derivatives. Stable at any step, and loses energy.
+// Both equations use the new state: x = x0 + h v, v = v0 + h a(x, v, t + h), three equations in x
+// that Newton's method solves with finite differences. Stable for any step; loses energy.
 class ImplicitEuler final : public InField {
 public:
     using InField::InField;
     void step(ParticleState& s, double t, double h) override {
-        const auto missing = [&](Vec3 x) {
+        const auto residual = [&](Vec3 x) {
             const Vec3 v = (x - s.position) * (1 / h);
             return x - s.position - (s.velocity + a(x, v, t + h) * h) * h;
         };
-        constexpr double aside = 1e-6;  // m
+        constexpr double delta = 1e-6;  // m
         Vec3 x = s.position + s.velocity * h;
         for (int k = 0; k < 20; k++) {
-            const Vec3 r = missing(x);
-            const Vec3 d[3] = {(missing(x + Vec3{aside, 0, 0}) - r) * (1 / aside),
-                               (missing(x + Vec3{0, aside, 0}) - r) * (1 / aside),
-                               (missing(x + Vec3{0, 0, aside}) - r) * (1 / aside)};
-            const double whole = dot(d[0], cross(d[1], d[2]));  // Cramer's rule
+            const Vec3 r = residual(x);
+            const Vec3 d[3] = {(residual(x + Vec3{delta, 0, 0}) - r) * (1 / delta),
+                               (residual(x + Vec3{0, delta, 0}) - r) * (1 / delta),
+                               (residual(x + Vec3{0, 0, delta}) - r) * (1 / delta)};
+            const double determinant = dot(d[0], cross(d[1], d[2]));  // Cramer's rule
             const Vec3 move = Vec3{dot(r, cross(d[1], d[2])), dot(r, cross(d[2], d[0])),
                                    dot(r, cross(d[0], d[1]))} *
-                              (1 / whole);
+                              (1 / determinant);
             x -= move;
             if (length_squared(move) < 1e-28) break;
         }
@@ -67,9 +67,9 @@ public:
     }
 };
 
-// Position Verlet: half a step of position, a whole one of velocity with the force in the middle,
-// half a step of position. Symplectic and of second order. What drags is asked for at the velocity
-// in the middle, found from the one before.
+// Position Verlet: half a step of position, a whole step of velocity with the force at the
+// midpoint, half a step of position. Symplectic and of second order. Velocity-dependent forces use
+// the velocity at the midpoint, extrapolated from the old velocity.
 class Verlet final : public InField {
 public:
     using InField::InField;
@@ -82,7 +82,8 @@ public:
     }
 };
 
-// The classical Runge-Kutta method: four looks at the field, fourth order, loses a little energy.
+// The classical Runge-Kutta method: four evaluations of the field, fourth order, loses a little
+// energy.
 class RungeKutta final : public InField {
 public:
     using InField::InField;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Explicit, semi-implicit and implicit Euler, position Verlet, and the classical Runge-Kutta
-// method: a few lines each. The field outlives them.
+// method, in a few lines each. The field must outlive the integrators.
 #pragma once
 
 #include <memory>

@@ -15,8 +15,8 @@ public:
 
     physics::StepHooks hooks() const override { return {.substeps = true}; }
 
-    // The body is shown in the middle of the step, with the velocity of its start: half the push
-    // takes that to the middle as well.
+    // The context contains the position at the midpoint of the sub-step and the velocity at its
+    // start; half the impulse extrapolates the velocity to the midpoint.
     void before_substep(physics::SubstepContext& substep) override {
         if (!substep.contains(body_)) return;
         const physics::MovingBody now = substep.body(body_);
@@ -48,7 +48,7 @@ public:
     WorldIntegrator(const WorldIntegrator&) = delete;
     WorldIntegrator& operator=(const WorldIntegrator&) = delete;
 
-    // The world's own state goes on from step to step; the caller's is a copy.
+    // The world keeps its own state between steps; the caller receives a copy.
     void step(ParticleState& state, double, double dt) override {
         static_cast<void>(world_.step(dt));
         const auto now = *world_.body(body_);

@@ -7,8 +7,8 @@
 
 namespace jostle::bench::integrators {
 
-// One free body in a world of its own. A listener pushes it with the field's force, as any user's
-// would, where the step shows it the body: in the middle of the step.
+// One free body in its own world. A step listener applies the field's force like any user code, at
+// the midpoint position that each sub-step provides.
 std::unique_ptr<Integrator> make_world_integrator(const ParticleField& field);
 
 }  // namespace jostle::bench::integrators

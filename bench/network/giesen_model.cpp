@@ -9,9 +9,9 @@
 namespace jostle::bench {
 namespace {
 
-constexpr std::uint32_t certain = 1u << 15;  // probabilities are of 15 bits
+constexpr std::uint32_t certain = 1u << 15;  // probabilities have 15 bits
 
-// An interval of 32 bits that narrows; bytes leave it when both ends agree on them.
+// A 32-bit interval that narrows with each bit; bytes are emitted when both ends agree on them.
 class IntervalEncoder {
 public:
     void bit(bool value, std::uint32_t one) {
@@ -26,7 +26,7 @@ public:
             high_ = high_ << 8 | 0xff;
         }
     }
-    // The shortest number in the interval; zeros after it need no bytes.
+    // Emits the shortest number in the interval; trailing zeros are omitted.
     std::vector<std::byte> finish() {
         for (std::uint32_t low_bits = 0xffffff; low_bits != 0; low_bits >>= 8) {
             const std::uint64_t rounded =
@@ -49,7 +49,7 @@ private:
     std::uint32_t low_ = 0, high_ = 0xffffffffu;
 };
 
-// The mean of two that learn at an eighth and at a 128th of what is missing.
+// The mean of two probabilities that adapt by 1/8 and by 1/128 of the difference.
 struct TwoSpeeds {
     std::uint16_t quick = certain / 4, slow = certain / 4;
 
@@ -64,7 +64,7 @@ struct TwoSpeeds {
     }
 };
 
-// A number of `bits` bits, each against a model of those before it.
+// A number of `bits` bits; the model of each bit depends on the bits before it.
 template <unsigned bits>
 struct Tree {
     std::array<TwoSpeeds, (1u << bits)> models;
@@ -79,7 +79,8 @@ struct Tree {
     }
 };
 
-// The width of the magnitude + 1, the bit below its leading one, the rest raw; then the sign.
+// Codes the width of magnitude + 1, the bit below its leading one, the remaining bits raw, then the
+// sign.
 struct Difference {
     Tree<5> width;
     std::array<TwoSpeeds, 8> second;
@@ -117,7 +118,7 @@ struct Models {
     std::array<TwoSpeeds, 4> awake;
 };
 
-// What a cube did between the base and the frame.
+// Change of a cube from the base to the frame.
 struct Motion {
     bool changing = false;
     std::array<std::int64_t, 3> turn{}, step{};
@@ -132,7 +133,7 @@ struct GiesenCoder::State {
 
 namespace {
 
-// Which component is left out, and whether the largest of the others comes near to it.
+// The omitted component, and whether the largest remaining component is close to its size.
 std::size_t largest_context(const wire::EntityState& baseline, std::int32_t m) {
     std::size_t second = 0;
     for (std::size_t k = 1; k < 3; k++)
@@ -186,8 +187,8 @@ private:
                                                                before.turn[k] < 0);
     }
 
-    // The base's quaternion, its largest component guessed and turned over where need be, in the
-    // terms of the new largest.
+    // Codes the rotation relative to the base's quaternion, converted to the new largest component;
+    // the base's largest component is estimated and the sign flipped if necessary.
     void other_largest(const wire::EntityState& now, const wire::EntityState& baseline,
                        const Motion& before) {
         std::array<std::int64_t, 4> old{}, turn{};

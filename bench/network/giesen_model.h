@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// What Jostle's codecs are compared with: the model that Fabian Giesen published in 2015 for Glenn
-// Fiedler's data set of 901 cubes (github.com/rygorous/gaffer_net, its last version: 445 bytes a
-// frame there), written anew from his program. Its models go on from those of the base, so each
-// chain of bases has a state of its own; a server would keep one for each client that skips.
+// A reference for Jostle's codecs: the model that Fabian Giesen published in 2015 for Glenn
+// Fiedler's data set of 901 cubes (github.com/rygorous/gaffer_net, last version: 445 bytes per
+// frame for that data set), reimplemented from his program. Its models continue from those of the
+// base, so each chain of bases has its own state; a server would store one per client that skips
+// frames.
 //
-// Values are coded by an adaptive binary arithmetic coder against the base alone: whether the
-// rotation changed, which component is largest, differences of the three others in contexts of how
-// large they were the last time, whether the position changed, how its step differs from the last
-// one, and whether the cube is awake.
+// An adaptive binary arithmetic coder codes values relative to one base: whether the rotation
+// changed, which component is largest, the differences of the three others in contexts of their
+// last magnitude, whether the position changed, the difference of its step from the last one, and
+// whether the cube is awake.
 #pragma once
 
 #include <array>
@@ -23,12 +24,12 @@ namespace jostle::bench {
 
 class GiesenCoder {
 public:
-    // Of one frame after it was coded: what the next one in its chain needs. Null: nothing yet.
+    // State after a frame, required for the next frame in its chain. Null: the start of a chain.
     struct State;
     using StatePtr = std::shared_ptr<const State>;
 
-    // The entities are the same in both; cubes that are near to `player`, a position in the frame,
-    // have contexts of their own. `m` is the largest component of a rotation.
+    // Both frames must contain the same entities. `player` is an index in the frame; cubes near it
+    // have separate contexts. `m` is the maximum of a rotation component.
     GiesenCoder(std::size_t player, std::int32_t m) : player_(player), m_(m) {}
 
     struct Coded {

@@ -17,19 +17,23 @@ namespace jostle::bench {
 namespace {
 
 constexpr const char* network_footer = R"(
-Every tick of the scene katamari (901 cubes; a big one rolls about by itself and draws the small ones along) is encoded
-against the frame so many ticks before, and those as far before it. Frames of codec 1 and 2 are decoded and compared; a
-difference ends the run. Rotations are of 10 bits as the server's (M = 511) and of 9 bits as Giesen's (M = 255): compare
-rows of the same. His models go on from frame to frame along each chain of bases; ours begin anew with every frame.
+Every tick of the scene katamari (901 cubes; a large one rolls by itself and attracts the small
+ones) is encoded relative to the frame that is --baseline-age ticks older, and to the two frames
+before that one at the same distance. Frames of codec 1 and 2 are decoded and compared; a difference
+ends the run. Rotations have 10 bits as in the server (M = 511) and 9 bits as in Giesen's model
+(M = 255); compare rows with equal M. The models of giesen continue from frame to frame along each
+chain of bases; those of codec 2 are reset for every frame.
 
-Columns: base (ticks to the base), M, codec, bytes (per frame: mean and 99th percentile), kbit/s (packed bytes at 60 Hz),
-moving (cubes per frame whose pose differs from the base), encode and decode (us per frame, processor time).
+Columns: base (ticks to the base), M, codec, bytes (per frame: mean and 99th percentile), kbit/s (at
+60 Hz), moving (cubes per frame whose pose differs from the base), encode and decode (us of CPU time
+per frame).
 
 Examples:
   jostle-bench network
   jostle-bench network --seconds 20 --baseline-age 1 --json network.json
 
-Exit status: 0 done, 1 a frame did not come back, or the file could not be written, 2 wrong flags.)";
+Exit status: 0 success, 1 a decoded frame differs, or the file could not be written, 2 invalid
+flags.)";
 
 struct NetworkFlags {
     double seconds = 45;
@@ -42,12 +46,12 @@ struct Row {
     int baseline = 0, m = 0;
     double moving = 0, hz = 60;
     std::vector<double> bytes;
-    double encode_us = 0, decode_us = 0;  // per frame; decode 0: there is no decoder
+    double encode_us = 0, decode_us = 0;  // per frame; decode 0: no decoder
 };
 
 using Frames = std::vector<wire::QuantizedFrame>;
 
-// False: a frame did not come back.
+// Returns false if a decoded frame differs from the original.
 bool run_codec(Row& row, const Frames& frames, std::size_t age, const wire::QuantSpec& spec,
                wire::Codec codec) {
     for (std::size_t i = 3 * age; i < frames.size(); i++) {
@@ -67,7 +71,7 @@ bool run_codec(Row& row, const Frames& frames, std::size_t age, const wire::Quan
 }
 
 void run_giesen(Row& row, const Frames& frames, std::size_t age, const wire::QuantSpec& spec) {
-    // The player is the last body; the ground, which never moves, costs him next to nothing.
+    // The player is the last body. The ground never moves, so it costs next to nothing.
     const GiesenCoder coder(frames[0].entities.size() - 1, spec.rotation_component);
     std::deque<GiesenCoder::StatePtr> states(age);  // of the last frames
     for (std::size_t i = age; i < frames.size(); i++) {
@@ -112,7 +116,7 @@ double mean_moving(const Frames& frames, std::size_t age) {
     return static_cast<double>(moving) / static_cast<double>(frames.size() - 3 * age);
 }
 
-// The rows of one quantisation; false after a fault, which it told.
+// Measures the rows of one quantization; returns false after reporting an error.
 bool measure(nlohmann::ordered_json& rows, const NetworkFlags& flags, const wire::QuantSpec& spec) {
     show_progress("katamari");
     const auto recorded = capture_scene("katamari", flags.seconds, spec);
@@ -131,7 +135,8 @@ bool measure(nlohmann::ordered_json& rows, const NetworkFlags& flags, const wire
                 run_giesen(row, recorded->frames, age, spec);
             else if (!run_codec(row, recorded->frames, age, spec,
                                 row.codec == "1" ? wire::Codec::bits : wire::Codec::range)) {
-                std::fprintf(stderr, "jostle-bench: a frame of codec %s did not come back\n",
+                std::fprintf(stderr,
+                             "jostle-bench: codec %s: a decoded frame differs from the original\n",
                              codec);
                 return false;
             }
@@ -162,19 +167,21 @@ int run_network(const NetworkFlags& flags) {
 }  // namespace
 
 void add_network(CLI::App& app, int& status) {
-    CLI::App* command = app.add_subcommand(
-        "network", "Bytes and time of snapshots, by codec, of the scene katamari.");
+    CLI::App* command =
+        app.add_subcommand("network", "Measure bytes and time of snapshots by codec");
     const auto flags = std::make_shared<NetworkFlags>();
-    command->add_option("--seconds", flags->seconds, "Of the scene")
-        ->capture_default_str()
-        ->check(CLI::Range(1.0, 600.0));
+    command
+        ->add_option("--seconds", flags->seconds,
+                     "Simulated seconds of the scene [default: 45; 1 to 600]")
+        ->type_name("SECONDS")
+        ->check(CLI::Range(1.0, 600.0).description(""));
     command
         ->add_option("--baseline-age", flags->baselines,
-                     "Ticks between a frame and its base; with commas")
+                     "Ticks between a frame and its base [default: 1,6; 1 to 15]")
+        ->type_name("TICKS")
         ->delimiter(',')
-        ->capture_default_str()
-        ->check(CLI::Range(1, 15));
-    command->add_option("--json", flags->json, "Writes the figures here as JSON");
+        ->check(CLI::Range(1, 15).description(""));
+    command->add_option("--json", flags->json, "Write the results as JSON")->type_name("FILE");
     command->footer(network_footer);
     command->callback([flags, &status] { status = run_network(*flags); });
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// jostle-bench network: what snapshots of the scene katamari cost in bytes and time, by codec, and
-// beside them the model that Fabian Giesen published for cubes like these.
+// jostle-bench network: bytes and time of snapshots of the scene katamari by codec, compared with
+// the model that Fabian Giesen published for a similar data set of cubes.
 #pragma once
 
 namespace CLI {
@@ -10,7 +10,7 @@ class App;
 
 namespace jostle::bench {
 
-// Adds the subcommand; running it sets the status that the program ends with.
+// Adds the subcommand; running it sets the exit status of the program.
 void add_network(CLI::App& app, int& status);
 
 }  // namespace jostle::bench

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Another program of this project as a child process: jostle-server, and who talks to it. Used by
-// jostle-bench and by the tests of whole programs. One thread owns one of these.
+// A program of this project as a child process, such as jostle-server or a client. Used by
+// jostle-bench and by the tests of whole programs. A Program is used by one thread.
 #pragma once
 
 #include <sys/types.h>
@@ -15,16 +15,16 @@ namespace jostle::bench {
 
 class Program {
 public:
-    // Runs the file at `path`; what it writes, on both streams, is added to the file `log`.
+    // Runs the program at `path`; its stdout and stderr are appended to the file `log`.
     Program(const std::string& path, const std::vector<std::string>& flags, const std::string& log);
-    ~Program();  // kills what still runs
+    ~Program();  // kills the process if it still runs
     Program(const Program&) = delete;
     Program& operator=(const Program&) = delete;
 
     bool is_running();
     void signal(int number);
-    // The exit status (128 + n after signal n; 127: there is no such program), or nothing when it
-    // still runs then.
+    // Returns the exit status (128 + n after signal n; 127: the program does not exist), or nothing
+    // if the process still runs after the timeout.
     std::optional<int> wait(std::chrono::milliseconds timeout);
     std::string log() const;
     pid_t pid() const { return pid_; }
@@ -35,7 +35,7 @@ private:
     std::string log_;
 };
 
-// The whole of a file; empty when it cannot be read.
+// Returns the content of a file; empty if it cannot be read.
 std::string read_file(const std::string& path);
 
 }  // namespace jostle::bench

@@ -27,7 +27,8 @@ std::vector<std::string> with_ports(std::vector<std::string> flags, const std::s
 
 TemporaryFolder::TemporaryFolder()
     : path((std::filesystem::temp_directory_path() / "jostle-server-XXXXXX").string()) {
-    if (mkdtemp(path.data()) == nullptr) throw std::runtime_error("no temporary folder");
+    if (mkdtemp(path.data()) == nullptr)
+        throw std::runtime_error("cannot create a temporary folder");
 }
 
 TemporaryFolder::~TemporaryFolder() {
@@ -53,8 +54,8 @@ bool ServerProcess::read_ports() {
 
 double ServerProcess::cpu_seconds() const {
     const std::string text = read_file("/proc/" + std::to_string(program_.pid()) + "/stat");
-    // The name in brackets may hold anything; the fields after it are numbers. utime and stime are
-    // the 14th and 15th.
+    // The name in parentheses may contain any characters; the fields after it are numbers. utime
+    // and stime are the 14th and 15th fields.
     std::istringstream fields(text.substr(text.rfind(')') + 1));
     std::string skipped;
     for (int i = 3; i < 14; ++i) fields >> skipped;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A real jostle-server as a child process on free ports of the loopback device, with a folder of
-// its own for what it and those who talk to it write. Used by jostle-bench and by the tests.
+// A jostle-server as a child process on free ports of the loopback device, with its own folder for
+// the files of the server and its clients. Used by jostle-bench and by the tests.
 #pragma once
 
 #include <chrono>
@@ -13,9 +13,9 @@
 
 namespace jostle::bench {
 
-// Made before the server and gone after it, with all that is in it.
+// A temporary folder; the destructor removes it with its content.
 struct TemporaryFolder {
-    TemporaryFolder();  // throws when there can be none
+    TemporaryFolder();  // throws if the folder cannot be created
     ~TemporaryFolder();
     TemporaryFolder(const TemporaryFolder&) = delete;
     TemporaryFolder& operator=(const TemporaryFolder&) = delete;
@@ -25,8 +25,8 @@ struct TemporaryFolder {
 
 class ServerProcess {
 public:
-    // Starts the program at `path`; with `wait_for_ports` returns when its ports are bound, or when
-    // the program ended.
+    // Starts the program at `path`. With `wait_for_ports` it returns when the ports are bound, when
+    // the program has ended, or after 20 s.
     ServerProcess(const std::string& path, std::vector<std::string> flags, bool wait_for_ports);
 
     bool is_running() { return program_.is_running(); }
@@ -38,10 +38,10 @@ public:
     std::string file(const std::string& name) const { return folder_.path + "/" + name; }
 
     void signal(int number) { program_.signal(number); }
-    // As Program::wait.
+    // See Program::wait.
     std::optional<int> wait(std::chrono::milliseconds timeout) { return program_.wait(timeout); }
     std::string log() const { return program_.log(); }
-    double cpu_seconds() const;  // so far, user and system
+    double cpu_seconds() const;  // user and system time since the start
 
 private:
     bool read_ports();

@@ -40,8 +40,7 @@ Segment segment_of(const Sphere&, const Transform& pose) {
     return {pose.position, pose.position};
 }
 
-// From where one is nearest to the other to where that is. Ericson, "Real-Time Collision
-// Detection", 5.1.9.
+// The shortest vector from p to q. Ericson, "Real-Time Collision Detection", 5.1.9.
 Vec3 minimum_translation(const Segment& p, const Segment& q) {
     const Vec3 u = p.to - p.from, v = q.to - q.from, r = p.from - q.from;
     const double uu = dot(u, u), vv = dot(v, v), uv = dot(u, v), ur = dot(u, r), vr = dot(v, r);
@@ -60,21 +59,22 @@ double distance(const Segment& p, const Segment& q) {
     return length(minimum_translation(p, q));
 }
 
-// Of a point to a box around the origin: negative inside, then to the nearest face.
+// Distance of a point from a box around the origin; inside, the negative distance to the nearest
+// face.
 double distance(Vec3 point, const Box& box) {
     const Vec3 d = abs(point) - box.half_extents;
     const double inside = physics::minimum(0, physics::maximum(d.x, physics::maximum(d.y, d.z)));
     return length(max(d, {})) + inside;
 }
 
-// The smallest overlap of two shapes' projections over the axes given to it. Over all face normals
-// and all products of edges it is the overlap of two polytopes (separating axes).
+// The smallest overlap of two shapes' projections on the tested axes. Over all face normals and all
+// products of edges it is the overlap of two polytopes (separating axis theorem).
 struct SeparatingAxes {
     double least = std::numeric_limits<double>::infinity();
 
     void try_axis(Vec3 axis, Vec3 between, auto both_radii) {
         const double size = length(axis);
-        if (size < 1e-6) return;  // parallel edges; a face normal says the same
+        if (size < 1e-6) return;  // parallel edges; a face normal covers this axis
         axis = axis * (1 / size);
         least = physics::minimum(least, both_radii(axis) - physics::absolute(dot(axis, between)));
     }
@@ -102,7 +102,7 @@ double depth(const Box& a, const Transform& pose_a, const Box& b, const Transfor
     return tried.least;
 }
 
-// How deep a segment is in a box around the origin; zero or less when it misses.
+// Depth of a segment in a box around the origin; zero or less if they do not intersect.
 double depth_of_core(const Segment& core, const Box& box) {
     const Vec3 reach = (core.to - core.from) * 0.5, between = core.at(0.5);
     const auto both = [&](Vec3 along) {
@@ -116,8 +116,8 @@ double depth_of_core(const Segment& core, const Box& box) {
     return tried.least;
 }
 
-// The distance to a convex shape is a convex function along a line, so a ternary search finds its
-// least value.
+// The distance to a convex shape is a convex function along a line, so a ternary search finds the
+// minimum.
 double distance(const Segment& core, const Box& box) {
     double low = 0, high = 1;
     for (int k = 0; k < 60; k++) {
@@ -155,7 +155,7 @@ double depth(const Sphere& a, const Transform& pose_a, const Sphere& b, const Tr
     return a.radius + b.radius - length(pose_a.position - pose_b.position);
 }
 
-// Half the size of the upright box around a shape.
+// Half extents of the axis-aligned box around a shape.
 Vec3 reach_of(const Sphere& sphere, const Transform&) {
     return {sphere.radius, sphere.radius, sphere.radius};
 }
@@ -171,14 +171,14 @@ Vec3 reach_of(const Box& box, const Transform& pose) {
            abs(axes.z) * box.half_extents.z;
 }
 
-// Of a hull about its own origin, which may be off its middle.
+// Around the origin of the hull, which may differ from its centre.
 Vec3 reach_of(const Hull& hull, const Transform& pose) {
     Vec3 reach;
     for (const Vec3& v : hull.data->vertices) reach = max(reach, abs(rotate(pose.rotation, v)));
     return reach;
 }
 
-// The furthest along a direction, m.
+// Largest projection of the shape on a direction, m.
 double support(const Sphere& sphere, const Transform& pose, Vec3 n) {
     return dot(pose.position, n) + sphere.radius * length(n);
 }
@@ -200,7 +200,7 @@ double support(const Hull& hull, const Transform& pose, Vec3 n) {
     return dot(pose.position, n) + furthest;
 }
 
-// Normals of faces, from the shape outwards; those of a box, as a hull has them.
+// Outward normals of the faces; a box has the normals of the equivalent hull.
 std::vector<Vec3> face_normals(const auto& shape, const Transform& pose) {
     std::vector<Vec3> normals;
     if constexpr (std::is_same_v<std::decay_t<decltype(shape)>, Hull>)
@@ -213,7 +213,8 @@ std::vector<Vec3> face_normals(const auto& shape, const Transform& pose) {
     return normals;
 }
 
-// An edge, and the normals of the two faces beside it; without faces, any normal square to it.
+// An edge and the normals of its two adjacent faces. Without faces, any normal perpendicular to the
+// edge is possible.
 struct Edge {
     Vec3 from, along, left, right;
     bool has_faces = false;
@@ -236,9 +237,9 @@ std::vector<Edge> edges_of(const auto& shape, const Transform& pose) {
     return edges;
 }
 
-// Whether the normals of the one edge's faces and the other's, turned round, cross as arcs on the
-// sphere: else the two make no face of the Minkowski difference (Gregorius, "The separating axis
-// test between convex polyhedra", GDC 2013).
+// Tests whether the arcs between the face normals of the two edges, one of them negated, cross on
+// the sphere. Otherwise the edges form no face of the Minkowski difference (Gregorius, "The
+// separating axis test between convex polyhedra", GDC 2013).
 bool arcs_cross(const Edge& x, const Edge& y) {
     if (!x.has_faces || !y.has_faces) return true;
     const double a = -dot(y.left, x.along), b = -dot(y.right, x.along);
@@ -246,9 +247,9 @@ bool arcs_cross(const Edge& x, const Edge& y) {
     return a * b < 0 && c * d < 0 && a * d > 0;
 }
 
-// The overlap of two convex shapes is the least that their projections overlap over all directions
-// from a to b: at a normal of a face, square to two edges, or, of what is round, from its core to
-// where an edge is nearest.
+// The overlap of two convex shapes is the smallest overlap of their projections over all directions
+// from a to b. Candidates are the face normals, the products of edges, and, for round shapes, the
+// direction from the core to the nearest point of an edge.
 template <class A, class B>
 double min_overlap(const A& a, const Transform& pose_a, const B& b, const Transform& pose_b) {
     const auto overlap = [&](Vec3 n) { return support(a, pose_a, n) + support(b, pose_b, -n); };
@@ -275,8 +276,9 @@ double min_overlap(const A& a, const Transform& pose_a, const B& b, const Transf
         }
     if constexpr (requires { segment_of(a, pose_a); })
         for (const Edge& y : of_b) {
-            const Vec3 way = minimum_translation(segment_of(a, pose_a), {y.from, y.from + y.along});
-            if (length(way) > 0) try_one(normalized(way));
+            const Vec3 direction =
+                minimum_translation(segment_of(a, pose_a), {y.from, y.from + y.along});
+            if (length(direction) > 0) try_one(normalized(direction));
         }
     return least;
 }
@@ -286,7 +288,7 @@ double depth(const ConvexShape auto& shape, const Transform& pose, const Hull& h
     return min_overlap(shape, pose, hull, pose_of_hull);
 }
 
-// Whether a point in the plane of a triangle is in it.
+// Tests whether a point in the plane of a triangle is inside the triangle.
 bool is_within(Vec3 point, const std::array<Vec3, 3>& corners, Vec3 normal) {
     for (std::size_t k = 0; k < 3; k++) {
         const Vec3 from = corners[k], along = corners[(k + 1) % 3] - from;
@@ -295,7 +297,7 @@ bool is_within(Vec3 point, const std::array<Vec3, 3>& corners, Vec3 normal) {
     return true;
 }
 
-// Where the shape reaches furthest along a direction.
+// The point of the shape that is farthest along a direction.
 Vec3 furthest_point(const Sphere& sphere, const Transform& pose, Vec3 n) {
     return pose.position + n * sphere.radius;
 }
@@ -314,7 +316,7 @@ Vec3 furthest_point(const Hull& hull, const Transform& pose, Vec3 n) {
                                                  [&](const Vec3& v) { return dot(v, in_hull); }));
 }
 
-// Below the surface by more than this is on the other side of it, m.
+// Points deeper than this are considered to be on the other side of the surface, m.
 constexpr double deepest_in_mesh = 0.5;
 
 double depth(const ConvexShape auto& shape, const Transform& pose, const Mesh& mesh,
@@ -380,8 +382,8 @@ double penetration_depth(const Primitive& a, const Transform& pose_a, const Prim
     if (a.index() > b.index()) return penetration_depth(b, pose_b, a, pose_a);
     return std::visit(
         [&]<class A, class B>(const A& first, const B& second) {
-            // Only the order sphere, capsule, box, hull, mesh has a depth(); the others were turned
-            // round. Two meshes have none.
+            // Only the order sphere, capsule, box, hull, mesh has a depth(); other orders were
+            // swapped before. Two meshes have none.
             if constexpr (requires { depth(first, pose_a, second, pose_b); })
                 return depth(first, pose_a, second, pose_b);
             else
@@ -408,7 +410,8 @@ bool AccuracyCheck::joined(std::uint32_t a, std::uint32_t b) const {
     return std::binary_search(joined_.begin(), joined_.end(), pair_key(a, b));
 }
 
-// Sweeps along x. The few pieces that are not dynamic are large and are tried with everyone.
+// Sort and sweep along x. The few pieces that are not dynamic are large and are tested against all
+// others.
 Penetration AccuracyCheck::penetration(std::span<const Transform> poses) const {
     Penetration result;
     for (const Transform& pose : poses) result.lost += is_finite(pose) ? 0 : 1;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The accuracy check: how wrong the poses are that an engine leaves behind, by geometry alone and
-// the same for every engine. Penetration and joint drift; never inside a timing.
+// The accuracy check: measures the error of an engine's poses by geometry alone, equally for every
+// engine. It measures penetration and joint drift, and is never part of a timing.
 #pragma once
 
 #include <span>
@@ -11,34 +11,34 @@
 
 namespace jostle::bench {
 
-// How far one of two shapes must move for them to touch no more, m; zero or less when they do not
-// overlap. Exact for all pairs that are convex. Into a mesh: how far the deepest point towards a
-// triangle is below it.
+// Distance by which one of two shapes must move to separate them, m; zero or less if they do not
+// overlap. Exact for all pairs of convex shapes. For meshes: the depth of the shape's deepest point
+// below a triangle.
 double penetration_depth(const Primitive& a, const physics::Transform& pose_a, const Primitive& b,
                          const physics::Transform& pose_b);
 
 struct Penetration {
     double deepest = 0;  // m
-    double mean = 0;     // m, of the pairs that overlap
-    int pairs = 0;       // that overlap
+    double mean = 0;     // m, over the overlapping pairs
+    int pairs = 0;       // overlapping pairs
     int over_1cm = 0;    // of those
-    int lost = 0;        // bodies whose pose is not a number any more; they overlap nothing
+    int lost = 0;        // bodies whose pose is not finite; they are not tested
 };
 
-// Of one portable scene. Looks at each pair of which at least one is dynamic; two that a joint
-// connects are meant to overlap.
+// Checks the poses of one portable scene. It tests each pair with at least one dynamic body; pairs
+// that a joint connects are skipped, since they may overlap.
 class AccuracyCheck {
 public:
     explicit AccuracyCheck(const scenes::SceneDescription& scene);
 
     Penetration penetration(std::span<const physics::Transform> poses) const;
-    // m: furthest that the two ends of a joint are apart.
+    // m: largest distance between the two anchors of a joint.
     double joint_drift(std::span<const physics::Transform> poses) const;
 
 private:
     struct Ends {
         std::size_t a, b;
-        physics::Vec3 in_a, in_b;  // the anchor in the bodies' own frames
+        physics::Vec3 in_a, in_b;  // anchors in the frames of the bodies
     };
 
     bool joined(std::uint32_t a, std::uint32_t b) const;
@@ -49,9 +49,9 @@ private:
         Part part;
     };
 
-    std::vector<Piece> pieces_;  // of bodies that collide
+    std::vector<Piece> pieces_;  // of the bodies that collide
     std::vector<Ends> ends_;
-    std::vector<std::uint64_t> joined_;  // pairs, smaller index in the upper half; sorted
+    std::vector<std::uint64_t> joined_;  // pairs with the smaller index in the upper half; sorted
 };
 
 }  // namespace jostle::bench

@@ -49,7 +49,7 @@ std::unique_ptr<btCollisionShape> make_shape(const physics::Box& box) {
     return std::make_unique<btBoxShape>(vector(box.half_extents));
 }
 
-// Where a body's centre of mass is and how its principal axes are turned, in the body.
+// Centre of mass and principal axes of a body, in the body frame.
 struct Principal {
     btTransform frame;
     btVector3 inertia;
@@ -64,7 +64,7 @@ Principal principal_of(const SolidMass& solid) {
     return {btTransform(axes, vector(solid.center)), {inertia[0][0], inertia[1][1], inertia[2][2]}};
 }
 
-// In the world; its x, y and z axes are the columns.
+// A frame in world space whose columns are the x, y and z axes.
 btTransform world_frame(Vec3 origin, Vec3 x, Vec3 y, Vec3 z) {
     const btVector3 cx = vector(x), cy = vector(y), cz = vector(z);
     return btTransform(
@@ -88,7 +88,7 @@ std::unique_ptr<btTypedConstraint> make_constraint(const JointAxes& axes,
     if (const auto* jostle_hinge = std::get_if<physics::HingeJoint>(&kind)) {
         const btTransform frame = world_frame(axes.anchor, axes.x, axes.y, axes.z);
         auto hinge = std::make_unique<btHingeConstraint>(a, b, to_a * frame, to_b * frame);
-        // Bullet's hinge angle is that of a against b.
+        // Bullet's hinge angle is that of a relative to b.
         const physics::JointLimit& limit = jostle_hinge->limit;
         if (limit.enabled) hinge->setLimit(scalar(-limit.upper), scalar(-limit.lower));
         return hinge;
@@ -155,8 +155,8 @@ public:
     }
 
 private:
-    // Bodies of one geometry share a shape, as Bullet's manual asks for. A hull is told in the
-    // frame that all bodies of this shape have.
+    // Bodies with the same geometry share a shape, as Bullet's manual recommends. A hull is stored
+    // in the frame that all bodies with this shape have.
     btCollisionShape* shape_of(const Primitive& primitive, const btTransform& frame) {
         for (const auto& [known, shape] : shapes_)
             if (known == primitive) return shape.get();
@@ -189,7 +189,8 @@ private:
         return made.get();
     }
 
-    // One hull is told about its centre of mass; else parts that are off it make a compound.
+    // A single hull is stored relative to its centre of mass; other parts with an offset become a
+    // compound shape.
     btCollisionShape* shape_of(const std::vector<Part>& parts, const btTransform& frame) {
         const bool is_hull = std::holds_alternative<physics::Hull>(parts[0].shape);
         if (parts.size() == 1 && parts[0].pose == Transform{} &&
@@ -206,7 +207,7 @@ private:
     void add_body(const SceneBody& body, const SolidMass& solid, bool sleep) {
         const physics::BodyDef& def = body.body;
         const std::vector<Part> parts = parts_of(body);
-        // Of what has one primitive in its middle Bullet knows the axes.
+        // For a single centred primitive, the principal axes are those of the body.
         const bool is_plain = parts.size() == 1 && parts[0].pose == Transform{} &&
                               !std::holds_alternative<physics::Hull>(parts[0].shape);
         Principal principal{
@@ -217,7 +218,7 @@ private:
         btRigidBody::btRigidBodyConstructionInfo info(
             scalar(solid.mass), nullptr, shape_of(parts, principal.frame), principal.inertia);
         info.m_startWorldTransform = transform(def.pose) * principal.frame;
-        // Bullet multiplies the two.
+        // Bullet multiplies the friction of the two bodies.
         info.m_friction = scalar(std::sqrt(body.shapes[0].material.friction));
         info.m_restitution = 0;
         info.m_linearDamping = scalar(def.linear_damping);
@@ -240,9 +241,10 @@ private:
         bodies_.push_back(std::move(rigid));
     }
 
-    // Sweeps must be asked for: whoever would pass its own width in a step is swept.
+    // Bullet requires explicit continuous collision detection: enable it for bodies that move
+    // farther than their own width in a step.
     void sweep_if_fast(btRigidBody& rigid, const std::vector<Part>& parts, Vec3 velocity) const {
-        double radius = 0;  // of a ball inside
+        double radius = 0;  // of the inscribed ball
         if (const auto* sphere = std::get_if<physics::Sphere>(&parts[0].shape))
             radius = sphere->radius;
         if (const auto* box = std::get_if<physics::Box>(&parts[0].shape))
@@ -262,7 +264,7 @@ private:
     std::vector<std::pair<Primitive, std::unique_ptr<btCollisionShape>>> shapes_;
     std::vector<std::unique_ptr<btTriangleMesh>> meshes_;
     std::vector<std::unique_ptr<btCompoundShape>> compounds_;
-    std::vector<btTransform> frames_;  // of each body's centre of mass and axes, in the body
+    std::vector<btTransform> frames_;  // centre of mass and axes of each body, in the body frame
     std::vector<std::unique_ptr<btRigidBody>> bodies_;
     std::vector<btRigidBody*> driven_;  // kinematic
     std::vector<std::unique_ptr<btTypedConstraint>> constraints_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Bullet 3 behind the Engine interface. Only in builds that found its library.
+// The Engine adapter for Bullet 3. Built only if the library is installed.
 #pragma once
 
 #include <memory>

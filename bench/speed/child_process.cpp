@@ -16,7 +16,7 @@ void write_all(int file, const std::string& text) {
     for (std::size_t at = 0; at < text.size();) {
         const ssize_t wrote = write(file, text.data() + at, text.size() - at);
         if (wrote < 0 && errno == EINTR) continue;
-        if (wrote <= 0) _exit(1);  // the parent is gone
+        if (wrote <= 0) _exit(1);  // the parent has ended
         at += static_cast<std::size_t>(wrote);
     }
 }
@@ -32,7 +32,7 @@ std::string read_all(int file) {
     }
 }
 
-// _exit: what the parent has buffered or would clean up is the parent's business.
+// _exit skips the parent's buffers and destructors, which belong to the parent.
 [[noreturn]] void run_child(int out, const std::function<std::string()>& work) {
     try {
         write_all(out, work());
@@ -58,13 +58,13 @@ ChildResult child_result_of(std::string text, int status) {
 ChildResult run_in_child(const std::function<std::string()>& work) {
     int ends[2];
     if (pipe(ends) != 0) return {"", std::string("no pipe: ") + std::strerror(errno)};
-    std::fflush(nullptr);  // or the child would write it a second time
+    std::fflush(nullptr);  // otherwise the child would write the buffered output again
     const pid_t child = fork();
     if (child < 0) {
         const std::string why = std::strerror(errno);
         close(ends[0]);
         close(ends[1]);
-        return {"", "no child process: " + why};
+        return {"", "cannot start a child process: " + why};
     }
     if (child == 0) {
         close(ends[0]);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Work in a process of its own: the memory it takes is its own, and when it crashes the rest goes
-// on.
+// Runs work in a child process: its memory is measured separately, and a crash does not end the
+// program.
 #pragma once
 
 #include <functional>
@@ -10,11 +10,11 @@
 namespace jostle::bench {
 
 struct ChildResult {
-    std::string text;     // what the work returned
-    std::string failure;  // what ended it instead, in words; empty when it returned
+    std::string text;     // the result of the work
+    std::string failure;  // why the process ended without a result; empty on success
 };
 
-// Forks, runs the work in the child and waits for it. Only while this process has one thread.
+// Forks, runs the work in the child and waits for it. This process must have only one thread.
 ChildResult run_in_child(const std::function<std::string()>& work);
 
 }  // namespace jostle::bench

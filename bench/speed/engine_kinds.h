@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The engines that the laboratory knows.
+// The engines of jostle-bench speed.
 #pragma once
 
 #include <memory>
@@ -13,15 +13,15 @@ namespace jostle::bench {
 
 struct EngineKind {
     const char* name;
-    const char* settings;               // what differs from its defaults, for --help
-    int threads_max;                    // 1 when there is nothing to gain from more
-    std::unique_ptr<Engine> (*make)();  // null when this build was made without it
+    const char* settings;  // settings that differ from the engine's defaults, for --help
+    int threads_max;       // 1 if more threads have no effect
+    std::unique_ptr<Engine> (*make)();  // null: not included in this build
 };
 
 // Jostle first, then its peers.
 std::span<const EngineKind> engine_kinds();
 
-// Null when there is no such engine.
+// Returns null if there is no such engine.
 const EngineKind* find_engine_kind(std::string_view name);
 
 }  // namespace jostle::bench

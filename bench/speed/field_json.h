@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// From a row's one list of fields to JSON and back: the list calls one of these with each field's
-// name and value. An optional without a value is null.
+// Converts rows to JSON and back. The list of a row's fields calls one of these with the name and
+// value of each field. An optional without a value is null.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -31,7 +31,7 @@ struct FieldReader {
     }
     template <class Value>
     void operator()(const char* name, std::optional<Value>& value) const {
-        // Files of before a field was there are read as well.
+        // The field may be missing in files of earlier versions.
         const auto found = json.find(name);
         if (found != json.end() && !found->is_null()) value = found->template get<Value>();
     }

@@ -10,7 +10,7 @@
 namespace jostle::bench {
 namespace {
 
-// The one list of fields.
+// The list of fields, for reading and writing.
 template <class Row, class Field>
 void visit_fields(Row& row, Field&& field) {
     field("engine", row.engine);
@@ -46,7 +46,7 @@ GrowthRow measure_growth(GrowthRow row, const EngineKind& kind) {
     const StepClock clock{row.threads};
     const std::string label = std::to_string(row.bodies) + " bodies, " + row.engine + ", threads " +
                               std::to_string(row.threads);
-    step_many(*engine, clock, growth_steps_before, label + ": falling, step ");
+    step_many(*engine, clock, growth_steps_before, label + ": settling, step ");
     row.ms_mean = rounded(step_many(*engine, clock, growth_steps_timed, label + ": timing, step "));
     row.clock = clock.name();
     row.bytes_per_body = rounded((peak_memory_bytes() - before) / row.bodies);

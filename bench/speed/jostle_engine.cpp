@@ -20,7 +20,7 @@ public:
     }
 
     void step() override {
-        // Only a step length out of range is refused.
+        // step() fails only for a step length out of range.
         static_cast<void>(built_->world.step(step_seconds_));
     }
 
@@ -34,7 +34,8 @@ public:
     }
 
     int awake() const override {
-        const auto all = static_cast<int>(built_->bodies.size());  // not stepped yet: nobody knows
+        // before the first step the count is unknown
+        const auto all = static_cast<int>(built_->bodies.size());
         return built_->world.step_count() == 0 ? all : built_->world.profile().bodies_awake;
     }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Jostle behind the Engine interface.
+// The Engine adapter for Jostle.
 #pragma once
 
 #include <memory>

@@ -19,12 +19,13 @@ using scenes::SceneDescription;
 
 constexpr int sleep_steps_max = 600;
 constexpr double moving_speed = 0.05;  // m/s
-constexpr double moving_share = 0.05;  // of the dynamic bodies: fewer, and all is at rest
+// of the dynamic bodies; below it the scene counts as resting
+constexpr double moving_share = 0.05;
 constexpr int sleep_check_interval = 10;
-// A step of a world asleep takes less than reading the clock does.
+// A step of a sleeping world takes less time than reading the clock.
 constexpr int steps_per_reading_asleep = 20;
 
-// One engine with one scene in it.
+// One engine with one scene.
 class Run {
 public:
     Run(const RowRequest& request, const SceneDescription& scene, const char* doing)
@@ -44,7 +45,7 @@ public:
         return {};
     }
 
-    // What is not the engine's step comes before it: to be called outside of the timing.
+    // Work outside of the engine's step; call it before the timed section.
     void prepare(int step) {
         if (player_) {
             physics::Vec3 velocity = player_velocity(step * (1 / scene_.hz));
@@ -57,7 +58,8 @@ public:
     void check_sleep(int steps_done) {
         if (sleep_allowed() && !asleep_at_ && engine_->awake() == 0) asleep_at_ = steps_done;
     }
-    // Who is driven does not sleep: after so many steps it is let go.
+    // Driven bodies do not sleep. After the timed steps, the player is released so that the scene
+    // can fall asleep.
     void release_player(int steps_done) {
         if (!sleep_allowed() || !player_) return;
         for (int k = 1; k <= sleep_steps_max && !asleep_at_; k++) {
@@ -93,18 +95,18 @@ private:
     const SceneDescription& scene_;
     bool asleep_first_;
     std::optional<std::uint32_t> player_;
-    std::ptrdiff_t dynamic_;  // bodies
+    std::ptrdiff_t dynamic_;  // number of dynamic bodies
     std::unique_ptr<Engine> engine_;
     std::string label_;
     std::optional<int> asleep_at_;
     std::vector<Transform> poses_;
 };
 
-// Of each step, or of blocks of them: milliseconds divided by their length, and which stage took
-// most of the last of them.
+// Times of single steps or of blocks of steps: milliseconds per step, and the most expensive stage
+// of the last step of each.
 struct StepTimes {
     std::vector<double> ms;
-    std::vector<const char*> worst_stage;  // null: the engine does not say
+    std::vector<const char*> worst_stage;  // null: the engine does not report it
 };
 StepTimes time_steps(Run& run, const StepClock& clock, int steps, int block) {
     StepTimes times;
@@ -122,7 +124,7 @@ StepTimes time_steps(Run& run, const StepClock& clock, int steps, int block) {
     return times;
 }
 
-// The first step, in which all is found for the first time, counts where there is no other.
+// The first step, which creates all contacts, counts only if there is no other.
 void write_worst_step(SpeedRow& row, const StepTimes& times) {
     const std::size_t first = times.ms.size() > 1 ? 1 : 0;
     const auto worst = static_cast<std::size_t>(
@@ -132,7 +134,7 @@ void write_worst_step(SpeedRow& row, const StepTimes& times) {
     if (times.worst_stage[worst] != nullptr) row.worst_stage = times.worst_stage[worst];
 }
 
-// To a tenth of a millimetre: heights of 100 m are told apart as well as those of 1 m.
+// Rounded to 0.1 mm, so that heights of 1 m and 100 m are equally precise.
 double highest(const SceneDescription& scene, const std::vector<Transform>& poses) {
     double top = -std::numeric_limits<double>::infinity();
     for (std::size_t k = 0; k < poses.size(); k++)
@@ -151,7 +153,7 @@ std::optional<int> count_tunnelled(const SpeedScene& speed_scene, const SceneDes
     return count;
 }
 
-// Time while all moves and while it rests; of a block of steps its first counts.
+// Splits the times into moving and resting steps; the first step of a block decides.
 void split_by_motion(SpeedRow& row, const std::vector<double>& ms,
                      const std::vector<bool>& is_moving) {
     std::vector<double> moving, resting;
@@ -162,8 +164,8 @@ void split_by_motion(SpeedRow& row, const std::vector<double>& ms,
     if (!resting.empty()) row.ms_rest_mean = rounded(mean(resting));
 }
 
-// The second run of the same steps: every tenth step and the last are looked at. Says in which
-// steps all moved.
+// The second run of the same steps: checks every tenth step and the last. Returns for each step
+// whether the scene was moving.
 std::vector<bool> measure_accuracy(SpeedRow& row, const SceneDescription& scene, Run& run) {
     std::vector<bool> is_moving;
     const AccuracyCheck check(scene);
@@ -199,11 +201,11 @@ SpeedRow named_row(const RowRequest& request) {
 }
 
 struct TimedRun {
-    std::vector<double> ms;        // of each step, or block of steps
+    std::vector<double> ms;        // per step, or per block of steps
     std::vector<Transform> poses;  // at the end
 };
 
-// Fills in what the clock, the memory and the last poses say.
+// Fills in the times, the memory and the values of the final poses.
 physics::Result<TimedRun> run_timed(SpeedRow& row, const RowRequest& request,
                                     const SceneDescription& scene) {
     Run run(request, scene, "timing");
@@ -245,13 +247,13 @@ SpeedRow measure_row(const RowRequest& request) {
         return row;
     }
     if (!request.accuracy) return row;
-    Run again(request, scene, "accuracy");
-    if (auto status = again.start(); !status) {
+    Run second_run(request, scene, "accuracy");
+    if (auto status = second_run.start(); !status) {
         row.failed = status.error().message;
         return row;
     }
-    split_by_motion(row, timed->ms, measure_accuracy(row, scene, again));
-    row.repeats = again.poses() == timed->poses;
+    split_by_motion(row, timed->ms, measure_accuracy(row, scene, second_run));
+    row.repeats = second_run.poses() == timed->poses;
     return row;
 }
 

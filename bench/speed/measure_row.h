@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Fills one row of the speed table.
+// Measures one row of the speed table.
 #pragma once
 
 #include "bench/speed/engine_kinds.h"
@@ -11,15 +11,16 @@ namespace jostle::bench {
 
 struct RowRequest {
     const SpeedScene* scene = nullptr;
-    const EngineKind* engine = nullptr;  // built in
+    const EngineKind* engine = nullptr;  // must be built in
     int threads = 1;
-    int steps = 0;  // 0: as many as the scene has
+    int steps = 0;  // 0: the scene's default
     bool sleep = false;
     bool accuracy = true;
 };
 
-// Times the scene's steps and nothing else. Accuracy is checked in a second run of the same steps,
-// as that work would leave other data in the caches; that both runs end alike is checked.
+// Times only the steps of the scene. Accuracy is checked in a second run of the same steps, because
+// the check would change the content of the caches. The row records whether both runs end in the
+// same poses.
 SpeedRow measure_row(const RowRequest& request);
 
 // The same in a child process.

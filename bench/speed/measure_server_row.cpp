@@ -23,10 +23,10 @@ using nlohmann::json;
 using Flags = std::vector<std::string>;
 
 constexpr auto join_timeout = 30s;  // for all clients
-constexpr auto call_timeout = 30s;  // for a server that has a long step between two answers
+constexpr auto call_timeout = 30s;  // allows for a long step between two replies of the server
 constexpr auto poll_period = 50ms;
 constexpr double ramp_seconds = 1, seconds_without_end = 3600;
-// Nothing is spawned, so the scene stays what the other rows measure.
+// Clients spawn nothing, so that the scene equals that of the other rows.
 constexpr const char* usual_script = "push\n";
 
 std::string beside_this_program(const char* name) {
@@ -37,7 +37,7 @@ std::string beside_this_program(const char* name) {
 Status check_programs() {
     for (const char* name : {"jostle-server", "jostle-load", "jostlectl"})
         if (const std::string path = beside_this_program(name); !std::filesystem::exists(path))
-            return Error{ErrorCode::not_found, "there is no " + path + ": build " + name + ", too"};
+            return Error{ErrorCode::not_found, path + " not found; build the target " + name};
     return {};
 }
 
@@ -46,7 +46,7 @@ std::string last_line(std::string text) {
     return text.substr(text.rfind('\n') + 1);
 }
 
-// A server with one world, and those who talk to it. Members end in reverse order: clients first.
+// A server with one world, and its clients. Destructors run in reverse order: clients first.
 class Experiment {
 public:
     explicit Experiment(const ServerRequest& request)
@@ -64,7 +64,7 @@ private:
     Program start(const char* name, Flags flags) const {
         return Program(beside_this_program(name), flags, server_.file(std::string(name) + ".log"));
     }
-    Result<std::string> ask(Flags flags);
+    Result<std::string> run_jostlectl(Flags flags);
     Result<json> world();
     Program start_clients() const;
     Status wait_for_clients(Program& load);
@@ -81,10 +81,10 @@ Error ended(const std::string& what, const Program& program) {
     return {ErrorCode::internal, what + ": " + last_line(program.log())};
 }
 
-// --- questions to the server ---
+// --- requests to the server ---
 
-// What jostlectl answers.
-Result<std::string> Experiment::ask(Flags flags) {
+// Returns the output of jostlectl.
+Result<std::string> Experiment::run_jostlectl(Flags flags) {
     flags.insert(flags.begin(), {"--server", server_.grpc_address()});
     const std::string log = server_.file("answer");
     std::filesystem::remove(log);
@@ -96,7 +96,7 @@ Result<std::string> Experiment::ask(Flags flags) {
 }
 
 Result<json> Experiment::world() {
-    const auto answer = ask({"worlds", "--json"});
+    const auto answer = run_jostlectl({"worlds", "--json"});
     if (!answer) return answer.error();
     const json worlds = json::parse(*answer, nullptr, false);
     if (worlds.is_discarded() || worlds["worlds"].empty())
@@ -139,12 +139,12 @@ Status Experiment::wait_for_clients(Program& load) {
     return {};
 }
 
-// Lets the world go and records its ticks.
+// Resumes the world and records its ticks.
 Status Experiment::record() {
     Program profile =
         start("jostlectl", {"--server", server_.grpc_address(), "profile", world_,
                             server_.file("trace"), "--seconds", std::to_string(request_.seconds)});
-    if (const auto resumed = ask({"resume", world_}); !resumed) return resumed.error();
+    if (const auto resumed = run_jostlectl({"resume", world_}); !resumed) return resumed.error();
     if (profile.wait(call_timeout +
                      std::chrono::milliseconds(static_cast<int>(1000 * request_.seconds))) != 0)
         return ended("jostlectl profile", profile);
@@ -155,7 +155,7 @@ Status Experiment::record() {
     return {};
 }
 
-// --- the figures ---
+// --- results ---
 
 Status Experiment::fill_ticks(ServerRow& row) {
     const auto times = read_tick_times(read_file(server_.file("trace")));
@@ -177,9 +177,9 @@ Status Experiment::fill_ticks(ServerRow& row) {
 
 Status Experiment::fill_clients(ServerRow& row, Program& load) {
     load.signal(SIGTERM);
-    if (!load.wait(call_timeout)) return ended("jostle-load does not end", load);
+    if (!load.wait(call_timeout)) return ended("jostle-load did not end", load);
     const json report = json::parse(read_file(server_.file("load.json")), nullptr, false);
-    if (report.is_discarded()) return ended("jostle-load left no report", load);
+    if (report.is_discarded()) return ended("jostle-load wrote no report", load);
     row.connected = report.at("connected").get<int>();
     row.snapshots_per_second_per_client =
         rounded(report.at("snapshots_per_second_per_client").get<double>());
@@ -192,12 +192,13 @@ Status Experiment::fill_clients(ServerRow& row, Program& load) {
     return {};
 }
 
-// The world stands still until all clients are there, so that they see the scene from its start.
+// The world is paused until all clients have joined, so that the measurement covers the scene from
+// its start.
 Status Experiment::run(ServerRow& row) {
     if (server_.grpc_port() == 0)
         return Error{ErrorCode::unavailable,
                      "jostle-server did not start: " + last_line(server_.log())};
-    if (const auto paused = ask({"pause", world_}); !paused) return paused.error();
+    if (const auto paused = run_jostlectl({"pause", world_}); !paused) return paused.error();
     const auto hosted = world();
     if (!hosted) return hosted.error();
     row.bodies = hosted->at("bodies").get<int>();
@@ -222,7 +223,7 @@ ServerRow measure_server_row(const ServerRequest& request) {
         return row;
     }
     show_progress(row.name + ": a server with " + std::to_string(row.clients) + " clients");
-    // No folder, or JSON of another form than these programs write.
+    // The temporary folder could not be created, or the JSON of a program has an unexpected form.
     try {
         Experiment experiment(request);
         if (const Status status = experiment.run(row); !status) row.failed = status.error().message;

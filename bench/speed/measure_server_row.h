@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Fills one row of the server table: starts jostle-server, jostle-load and jostlectl, the programs
-// beside this one, and takes the figures from what they say.
+// Measures one row of the server table: starts jostle-server, jostle-load and jostlectl, which must
+// be in the directory of this program, and collects their reports.
 #pragma once
 
 #include <string>
@@ -15,8 +15,8 @@ struct ServerRequest {
     const SpeedScene* scene = nullptr;
     int threads = 1;  // of the world's step
     int clients = 20;
-    double seconds = 10;  // 1 to 30: as long as a server records
-    std::string script;   // what clients do, a file for jostle-load; empty: they push what is there
+    double seconds = 10;  // 1 to 30: the limit of a server's recording
+    std::string script;   // script file for jostle-load; empty: clients push bodies
 };
 
 ServerRow measure_server_row(const ServerRequest& request);

@@ -46,14 +46,14 @@ dMass ode_mass(const SolidMass& solid) {
     return mass;
 }
 
-// ODE's capsules lie along z, the scenes' along y.
+// ODE's capsules are along z, those of the scenes along y.
 Transform geom_pose(const Part& part) {
     if (!std::holds_alternative<physics::Capsule>(part.shape)) return part.pose;
     return {part.pose.position,
             part.pose.rotation * physics::from_axis_angle({1, 0, 0}, -0.5 * physics::pi)};
 }
 
-// ODE collides its convex shapes and meshes with some others only.
+// ODE's convex shapes and meshes do not collide with all other shapes.
 bool has_geom(const Part& part) {
     return !std::holds_alternative<physics::Hull>(part.shape) &&
            !std::holds_alternative<physics::Mesh>(part.shape);
@@ -63,7 +63,7 @@ class OdeEngine final : public Engine {
 public:
     OdeEngine() {
         dInitODE2(0);
-        dRandSetSeed(0);  // QuickStep shuffles its rows; each run shuffles alike
+        dRandSetSeed(0);  // QuickStep shuffles its rows; the seed makes runs repeatable
         world_ = dWorldCreate();
         space_ = dHashSpaceCreate(nullptr);
         contacts_ = dJointGroupCreate(0);
@@ -72,7 +72,7 @@ public:
     ~OdeEngine() override {
         dJointGroupDestroy(contacts_);
         for (const dGeomID geom : loose_geoms_) dGeomDestroy(geom);
-        dSpaceDestroy(space_);  // and the geoms in it
+        dSpaceDestroy(space_);  // including its geoms
         dWorldDestroy(world_);
         dCloseODE();
     }
@@ -93,15 +93,17 @@ public:
         if (!masses) return masses.error();
         for (std::size_t k = 0; k < scene.bodies.size(); k++) {
             if (!std::ranges::all_of(parts_of(scene.bodies[k]), has_geom))
-                return physics::Error{.message = "ode: hulls and meshes do not collide with all"};
+                return physics::Error{.message =
+                                          "ode: hulls and meshes do not collide with all shapes"};
             add_body(scene.bodies[k], (*masses)[k]);
         }
         for (const SceneJoint& joint : scene.joints) {
-            // Whom a joint keeps from colliding ODE knows by their bodies, and a static one has
+            // ODE identifies the pairs that a joint excludes by their bodies; static bodies have
             // none.
             for (const std::size_t end : {joint.body_a, joint.body_b})
                 if (is_static(scene.bodies[end]) && collides(scene.bodies[end]))
-                    return physics::Error{.message = "ode: a joint to a static body that collides"};
+                    return physics::Error{
+                        .message = "ode: joints to colliding static bodies are not supported"};
             add_joint(joint);
         }
         return {};
@@ -157,13 +159,13 @@ private:
         const int count = dCollide(a, b, contacts_per_pair, &found[0].geom, sizeof(dContact));
         const double pair_friction = physics::square_root(friction(a) * friction(b));
         for (int k = 0; k < count; k++) {
-            found[k].surface.mode = dContactApprox1;  // or mu would be a force
+            found[k].surface.mode = dContactApprox1;  // otherwise mu would be a force
             found[k].surface.mu = pair_friction;
             dJointAttach(dJointCreateContact(world_, contacts_, &found[k]), body_a, body_b);
         }
     }
 
-    // A static body is none at all in ODE, only geoms.
+    // In ODE a static body has geoms only, no dBody.
     void add_body(const SceneBody& body, const SolidMass& solid) {
         centers_.push_back(solid.center);
         bodies_.push_back(is_static(body) ? nullptr : add_moving(body, solid));
@@ -213,7 +215,7 @@ private:
         dBodySetQuaternion(id, OdeQuaternion(def.pose.rotation).values);
         dBodySetLinearVel(id, v.x, v.y, v.z);
         dBodySetAngularVel(id, w.x, w.y, w.z);
-        // A fraction of the velocity a step, where the scenes have one a second.
+        // ODE's damping is a fraction of the velocity per step; that of the scenes is per second.
         if (is_dynamic(body)) {
             dBodySetLinearDamping(id, def.linear_damping * step_seconds_);
             dBodySetAngularDamping(id, def.angular_damping * step_seconds_);
@@ -241,13 +243,13 @@ private:
         dJointSetHingeAnchor(hinge, at.x, at.y, at.z);
         dJointSetHingeAxis(hinge, axis.x, axis.y, axis.z);
         if (!limit.enabled) return;
-        // ODE's hinge angle is that of a against b.
+        // ODE's hinge angle is that of a relative to b.
         dJointSetHingeParam(hinge, dParamLoStop, -limit.upper);
         dJointSetHingeParam(hinge, dParamHiStop, -limit.lower);
     }
 
     // Euler angles: two swings, the first about a's own normal, then the twist about b's own axis.
-    // In this order the twist does not change where the arm points.
+    // In this order the twist does not change the direction of the arm.
     void add_swing_limits(dBodyID a, dBodyID b, const JointAxes& axes,
                           const physics::ConeTwistJoint& shoulder) {
         const dJointID motor = dJointCreateAMotor(world_, nullptr);
@@ -271,7 +273,7 @@ private:
     dJointGroupID contacts_ = nullptr;
     std::vector<dBodyID> bodies_;       // null: static
     std::vector<Vec3> centers_;         // of mass, in each body, m
-    std::vector<dGeomID> loose_geoms_;  // in no space: these collide with nothing
+    std::vector<dGeomID> loose_geoms_;  // in no space: without collision
 };
 
 }  // namespace

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The Open Dynamics Engine behind the Engine interface. Only in builds that found its library.
+// The Engine adapter for the Open Dynamics Engine. Built only if the library is installed.
 #pragma once
 
 #include <memory>

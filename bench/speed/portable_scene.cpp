@@ -15,9 +15,9 @@ using scenes::SceneBody;
 using scenes::SceneDescription;
 using scenes::SceneJoint;
 
-constexpr double together = 1e-9;  // m, and part of a turn
+constexpr double tolerance = 1e-9;  // m; for rotations the deviation of |w| from 1
 
-// What a body or joint is or has that is not portable; null when nothing.
+// The reason why a body or joint is not portable; null if it is portable.
 using Fault = const char*;
 
 bool is_mesh(const physics::ShapeDef& shape) {
@@ -29,27 +29,27 @@ Fault fault_of(const physics::ShapeDef& shape) {
     const ShapeKind kind = kind_of(shape.geometry);
     if (kind != ShapeKind::sphere && kind != ShapeKind::capsule && kind != ShapeKind::box &&
         kind != ShapeKind::hull && kind != ShapeKind::mesh)
-        return "is no sphere, capsule, box, hull or mesh";
-    if (shape.mass != 0) return "has a given mass; give it a density";
+        return "must be a sphere, capsule, box, hull or mesh";
+    if (shape.mass != 0) return "has a mass; must have a density instead";
     if (shape.trigger) return "is a trigger";
     if (shape.material != physics::Material{.friction = shape.material.friction})
-        return "has a material of more than friction";
+        return "has a material with more than friction";
     if (filter.mask != 0 && filter != physics::Filter{})
-        return "collides with some; let it collide with all, or with none by a mask of 0";
+        return "has a collision filter; must collide with all or, with a mask of 0, with none";
     return nullptr;
 }
 
 Fault fault_of(const SceneBody& body) {
     const BodyDef& def = body.body;
-    if (def.gravity_scale != 1) return "has a gravity of its own";
+    if (def.gravity_scale != 1) return "has a gravity scale";
     if (def.locks != 0) return "has locked axes";
-    if (def.mass != 0) return "has a given mass; give it a density";
-    if (!def.sleep_allowed) return "may not sleep";
+    if (def.mass != 0) return "has a mass; must have a density instead";
+    if (!def.sleep_allowed) return "does not allow sleeping";
     for (const physics::ShapeDef& shape : body.shapes) {
         if (const Fault fault = fault_of(shape)) return fault;
-        if (is_mesh(shape) && !is_static(body)) return "is a mesh that moves";
-        if (shape.material != body.shapes[0].material) return "has shapes of different friction";
-        if (shape.filter != body.shapes[0].filter) return "has shapes that collide differently";
+        if (is_mesh(shape) && !is_static(body)) return "is a mesh that is not static";
+        if (shape.material != body.shapes[0].material) return "has shapes with different friction";
+        if (shape.filter != body.shapes[0].filter) return "has shapes with different filters";
     }
     return nullptr;
 }
@@ -58,34 +58,36 @@ Fault fault_of_kind(const physics::JointKind& kind) {
     if (const auto* hinge = std::get_if<physics::HingeJoint>(&kind))
         return *hinge == physics::HingeJoint{.limit = hinge->limit}
                    ? nullptr
-                   : "is a hinge of more than limits";
+                   : "is a hinge with more than limits";
     if (const auto* shoulder = std::get_if<physics::ConeTwistJoint>(&kind))
         return shoulder->friction_torque == 0 && shoulder->twist.enabled
                    ? nullptr
-                   : "is a shoulder of more than limits, or without";
-    return std::holds_alternative<physics::BallJoint>(kind) ? nullptr
-                                                            : "is no ball, hinge or cone_twist";
+                   : "is a cone_twist joint with friction or without twist limits";
+    return std::holds_alternative<physics::BallJoint>(kind)
+               ? nullptr
+               : "must be a ball, hinge or cone_twist joint";
 }
 
 Fault fault_of(const SceneDescription& scene, const SceneJoint& joint) {
     const physics::JointDef& def = joint.joint;
-    if (joint.body_a == scenes::world_body) return "joins a body to the world";
-    if (def.collide_connected) return "lets its bodies collide";
-    if (def.break_force != 0 || def.break_torque != 0) return "breaks";
+    if (joint.body_a == scenes::world_body) return "connects a body to the world";
+    if (def.collide_connected) return "has collide_connected set";
+    if (def.break_force != 0 || def.break_torque != 0) return "is breakable";
     const Transform a = compose(scene.bodies[joint.body_a].body.pose, def.frame_a);
     const Transform b = compose(scene.bodies[joint.body_b].body.pose, def.frame_b);
-    if (length(a.position - b.position) > together) return "has ends that are apart at the start";
-    const bool turned = physics::absolute((conjugate(a.rotation) * b.rotation).w) < 1 - together;
+    if (length(a.position - b.position) > tolerance)
+        return "has anchors that are apart at the start";
+    const bool turned = physics::absolute((conjugate(a.rotation) * b.rotation).w) < 1 - tolerance;
     if (turned && !std::holds_alternative<physics::BallJoint>(def.kind))
-        return "has ends that are turned against each other at the start";
+        return "has misaligned frames at the start";
     return fault_of_kind(def.kind);
 }
 
 physics::Error not_portable(const char* list, std::size_t index, const std::string& name,
                             const std::string& fault) {
-    return {physics::ErrorCode::invalid_argument,
-            std::string(list) + "[" + std::to_string(index) + "] '" + name + "' " + fault +
-                "; other engines could not be given the same"};
+    return {physics::ErrorCode::invalid_argument, std::string(list) + "[" + std::to_string(index) +
+                                                      "] '" + name + "' " + fault +
+                                                      "; not supported by all engines"};
 }
 
 }  // namespace
@@ -93,7 +95,7 @@ physics::Error not_portable(const char* list, std::size_t index, const std::stri
 physics::Status check_portable(const SceneDescription& scene) {
     if (scene.world.planar)
         return physics::Error{physics::ErrorCode::invalid_argument,
-                              "world: is planar; other engines could not be given the same"};
+                              "world: is planar; not supported by all engines"};
     for (std::size_t i = 0; i < scene.bodies.size(); i++)
         if (const Fault fault = fault_of(scene.bodies[i]))
             return not_portable("bodies", i, scene.bodies[i].name, fault);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Portable: a scene that other engines can be given, and whose errors can be measured. Bodies of
-// spheres, capsules, boxes and hulls, meshes that stay, ball joints, hinges and shoulders. What
-// such a scene says is read here, in words that other engines share.
+// Portable scenes: all engines support them, and their errors can be measured. They contain bodies
+// of spheres, capsules, boxes and hulls, static meshes, ball joints, hinges and cone_twist joints.
+// The functions convert such a scene to terms that all engines share.
 #pragma once
 
 #include <variant>
@@ -13,10 +13,10 @@
 
 namespace jostle::bench {
 
-// Names the first body or joint that some engine could not be given, and why.
+// Errors name the first body or joint that some engine does not support, and the reason.
 physics::Status check_portable(const scenes::SceneDescription& scene);
 
-// The rest is about scenes that passed the check.
+// The following functions require a scene that passed the check.
 
 using Primitive =
     std::variant<physics::Sphere, physics::Capsule, physics::Box, physics::Hull, physics::Mesh>;
@@ -28,18 +28,19 @@ std::vector<Part> parts_of(const scenes::SceneBody& body);
 
 bool is_dynamic(const scenes::SceneBody& body);
 bool is_static(const scenes::SceneBody& body);
-bool collides(const scenes::SceneBody& body);  // with anything
+bool collides(const scenes::SceneBody& body);  // whether it collides with any body
 
-// Of the body as a solid, in its own frame; zero for what is not dynamic.
+// Mass properties of the body in its own frame; zero for bodies that are not dynamic.
 struct SolidMass {
     double mass = 0;        // kg
     physics::Vec3 center;   // m
     physics::Mat3 inertia;  // kg m^2 about the centre
 };
-// As Jostle finds them, by body: each engine gets the same.
+// As computed by Jostle, by body: each engine receives the same values.
 physics::Result<std::vector<SolidMass>> solid_masses(const scenes::SceneDescription& scene);
 
-// Where a joint is at the start, in the world. A hinge turns about z, a shoulder points along x.
+// Initial frame of a joint in world space. A hinge turns about z, a cone_twist joint points along
+// x.
 struct JointAxes {
     physics::Vec3 anchor, x, y, z;
 };

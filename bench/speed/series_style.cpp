@@ -6,9 +6,9 @@
 namespace jostle::bench {
 namespace {
 
-// Told apart by most color-blind readers as well (Okabe and Ito); marks differ besides.
+// Distinguishable for most color-blind readers (Okabe and Ito); the markers differ too.
 constexpr const char* colors[] = {"#0072b2", "#56b4e9", "#e69f00", "#009e73", "#cc79a7", "#d55e00"};
-// Those with a color of their own; the others take the colors that are left, in turn.
+// Series with a fixed color; the others take the remaining colors in turn.
 constexpr const char* known_series[] = {"jostle", "jostle, 2 threads", "bullet", "ode"};
 constexpr std::size_t others_from = std::size(known_series);
 constexpr std::size_t colors_for_others = std::size(colors) - others_from;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What all plots of jostle-bench share: a color and a mark for each series, a legend.
+// Style that all plots of jostle-bench share: a color and a marker per series, and a legend.
 #pragma once
 
 #include <string>
@@ -10,16 +10,16 @@
 
 namespace jostle::bench {
 
-// What a plot calls one engine at one number of threads.
+// Name of an engine with a number of threads in plots.
 std::string series_name(const std::string& engine, int threads);
 
-// Adds the name when it is new.
+// Returns the index of a name; appends it if it is new.
 std::size_t series_index(std::vector<std::string>& series, const std::string& name);
 
-// A series looks the same in every plot, whichever others there are.
+// A series has the same style in every plot, independent of the other series.
 struct SeriesStyle {
     const char* color;
-    int marker;  // of Svg::mark
+    int marker;  // of Svg::marker
 };
 SeriesStyle series_style(const std::vector<std::string>& series, std::size_t index);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// One line of the server table: a scene that a real server hosts for real clients, how long its
-// ticks took, how many were late, and what the clients got.
+// One row of the server table: a scene that jostle-server hosts for connected clients, the times of
+// its ticks, the late ticks, and the data that the clients received.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -14,23 +14,23 @@ struct ServerRow {
     std::string scene, name;  // letter and name
     int threads = 1;          // of the world's step
     int clients = 0;
-    double seconds = 0;                 // for how long
-    std::optional<std::string> failed;  // why there are no figures
+    double seconds = 0;                 // duration
+    std::optional<std::string> failed;  // the reason why there are no values
 
     int bodies = 0;
     double hz = 0;
     int ticks = 0;              // that ran
     int late_ticks = 0;         // that never ran: the world was late by more than it may catch up
-    double late_share = 0;      // of all that were due
-    int ticks_over_period = 0;  // that took longer than there is time between two
-    double ms_mean = 0, ms_p99 = 0, ms_worst = 0;  // of a tick: inputs, step, frame, answers
-    double begun_late_ms_worst = 0;                // from when a tick was due to when it began
-    // "holds": each tick took less than a period. "catches up": some took longer, none was given
-    // up. "late": some were.
+    double late_share = 0;      // of all due ticks
+    int ticks_over_period = 0;  // that took longer than the tick period
+    double ms_mean = 0, ms_p99 = 0, ms_worst = 0;  // of a tick: inputs, step, frame, replies
+    double begun_late_ms_worst = 0;                // from the due time of a tick to its start
+    // "holds": each tick took less than a period. "catches up": some took longer, but none was
+    // dropped. "late": some were dropped.
     std::string verdict;
 
-    // As jostle-load reports them: decoded snapshots, and their age when they were.
-    int connected = 0;  // to the end
+    // As reported by jostle-load: decoded snapshots and their age when decoded.
+    int connected = 0;  // at the end
     double snapshots_per_second_per_client = 0, kbit_per_second_per_client = 0;
     double age_ms_p50 = 0, age_ms_p99 = 0;
     int errors = 0;

@@ -22,34 +22,47 @@ namespace jostle::bench {
 namespace {
 
 constexpr const char* footer = R"(
-Common to all scenes: 60 steps a second, gravity 9.81 m/s^2, density 1000 kg/m^3, friction 0.5 of
-each pair, no bounce, damping 0.05 /s. Each row runs in a process of its own: its memory is its own,
-and an engine that crashes leaves a row that says so. Steps are timed alone, in processor time of
-the thread at one thread and in wall-clock time at more (column clock). A second run of the same
-steps is checked for accuracy every 10 steps, by the shapes' geometry and the same for all engines.
+All scenes have 60 steps per second, gravity 9.81 m/s^2, density 1000 kg/m^3, friction 0.5 for each
+pair, no restitution, and damping 0.05 /s. Each row runs in its own process, so that its memory is
+measured separately; if an engine crashes, its row records the failure. Only the steps are timed, in
+CPU time of the thread with one thread and in wall-clock time with more threads (column clock). A
+second run of the same steps checks the accuracy every 10 steps, from the geometry of the shapes and
+equally for all engines.
 
-Columns: ms_mean of a step, the same in the steps while a twentieth of the bodies moves (faster than
-5 cm/s) and while all rests; ms_p99, ms_worst without the first step, ms_first; deep_mm,
-mean_mm and >1cm: deepest overlap, mean overlap and pairs deeper than 1 cm at the end; peak_mm: deepest at any look; drift_mm and worst_mm: how far the
-two ends of a joint are apart, at the end and at worst; asleep: the step by which all slept; the
-player of scene e is let go after the last one, so its step comes later; awake and moving: bodies
-that do not sleep at the end, and those faster than 5 cm/s; top_m: highest centre at the end; tunnel:
-bodies behind the wall of scene i; MiB: peak of the process.
+Columns:
+  ms_mean                    of a step
+  moving, rest               ms_mean of the steps in which at least 5 % of the bodies are faster
+                             than 5 cm/s, and of the others
+  ms_p99, ms_worst           without the first step
+  ms_first                   of the first step
+  deep_mm, mean_mm, >1cm     at the end: deepest overlap, mean overlap, pairs deeper than 1 cm
+  peak_mm                    deepest overlap of all checks
+  drift_mm, worst_mm         distance between the two anchors of a joint: at the end, worst
+  asleep                     first step at which all bodies slept; the player of scene e is released
+                             after the last step, so the number may be larger than the steps
+  awake, moving              at the end: awake bodies, bodies faster than 5 cm/s
+  top_m                      highest centre at the end
+  tunnel                     bodies that passed the wall of scenes i and box_shot
+  MiB                        peak memory of the process
 
---growth pours scene d with other counts over a floor that grows with the count (0.02 m^2 a body),
-so that the pile stays as deep: 300 steps, then the mean of 60, and the memory a body takes.
+--growth measures scene d with other numbers of bodies on a floor of 0.02 m^2 per body, so that the
+depth of the pile is constant: 300 steps, then the mean of 60, and the memory per body.
 
---server measures no solver but a whole server: jostle-server hosts each scene, --clients real clients
-of jostle-load play in it over loopback, and jostlectl records its ticks from the moment in which the
-last has joined. The programs are those beside this one; --threads is the server's
-tick.physics_threads, and all else has the server's defaults. It stands here, and not in a subcommand
-of its own, as it takes the scenes, threads and files of the other rows. Columns: ticks that ran;
-late: ticks that never ran, as the world was late by more than it may catch up, and their share of all
-that were due; over: ticks that took longer than a period; ms of whole ticks (inputs, step, frame,
-answers); begun: how late a tick began at worst, ms; clients connected to the end; snapshots and kbit
-a second and client; age of a snapshot when its client has decoded it, ms; errors; processor time of
-the server, of one core. A scene holds its rate when no tick took longer than a period, and catches up
-when some did and none was given up; the exit status is 0 either way.
+--server measures a whole server: jostle-server hosts each scene, --clients clients of jostle-load
+play in it over loopback, and jostlectl records its ticks from the time when all clients have
+joined. The programs must be in the directory of jostle-bench. --threads sets
+tick.physics_threads; all other settings are the defaults of the server. Columns:
+  ticks, late, late%         ticks that ran; ticks that never ran because the world was late by more
+                             than it may catch up; their share of all due ticks
+  over                       ticks that took longer than a period
+  ms_mean, ms_p99, ms_worst  of whole ticks (inputs, step, frame, replies)
+  begun                      largest delay of the start of a tick, ms
+  clients                    connected at the end
+  snaps/s, kbit/s            received per client
+  age_p50, age_p99           age of a snapshot when its client has decoded it, ms
+  errors, cpu%               errors of the clients; CPU time of the server, percent of one core
+A world holds its rate if no tick took longer than a period, and catches up if some did and none was
+dropped. The exit status is 0 in all cases.
 
 Examples:
   jostle-bench speed --scene a,c --threads 1,2
@@ -57,9 +70,9 @@ Examples:
   jostle-bench speed --server --scene trees,washer --json server.json
   jostle-bench speed --growth 500,1000,2000 --peers bullet --plot growth.svg
 
-Exit status: 0 done, 1 a row failed or a file could not be written, 2 wrong flags.)";
+Exit status: 0 success, 1 a row failed or a file could not be written, 2 invalid flags.)";
 
-constexpr int clients_max = 250;  // that a server lets in from one address
+constexpr int clients_max = 250;  // the server's limit per address
 
 struct Flags {
     std::vector<std::string> scenes = {"all"};
@@ -70,13 +83,13 @@ struct Flags {
     int clients = 20;
     double seconds = 10;
     std::string script;
-    int steps = 0;  // 0: the scene's own
+    int steps = 0;  // 0: the scene's default
     std::string sleep = "off";
     bool no_accuracy = false;
     std::string json, plot;
 };
 
-// --- what the flags name ---
+// --- values of the flags ---
 
 std::string scene_names() {
     std::string contains = "all, moving";
@@ -92,20 +105,20 @@ std::string peer_names() {
     return contains;
 }
 
-// Empty when right, else what is wrong: what CLI11 asks of a check.
+// Returns an empty string for a valid value, otherwise an error message, as CLI11 expects.
 std::string check_scene(const std::string& name) {
     if (name == "all" || name == "moving" || find_speed_scene(name)) return "";
-    return "there is no scene " + name + "; there are " + scene_names();
+    return "unknown scene " + name + "; must be one of " + scene_names();
 }
 
 std::string check_peer(const std::string& name) {
     if (name == "all" || name == "none") return "";
     const EngineKind* kind = find_engine_kind(name);
     if (!kind || kind == &engine_kinds()[0])
-        return "there is no peer " + name + "; there are " + peer_names();
+        return "unknown peer " + name + "; must be one of " + peer_names();
     if (kind->make) return "";
     return name + " is not built in: install its library (scripts/setup --with-peers), then run " +
-           "cmake and build anew";
+           "cmake and build again";
 }
 
 bool contains(const std::vector<std::string>& list, const std::string& name) {
@@ -122,7 +135,7 @@ std::vector<const SpeedScene*> selected_scenes(const Flags& flags) {
     return chosen;
 }
 
-// Jostle at every number of threads, and each peer once.
+// Jostle with every number of threads, and each peer once.
 struct EngineConfiguration {
     const EngineKind* engine;
     int threads;
@@ -146,7 +159,7 @@ std::vector<std::string> missing_peers() {
     return absent;
 }
 
-// --- the run ---
+// --- runs ---
 
 std::string machine_note() {
     return cpu_model() + ", " + compiler();
@@ -171,7 +184,8 @@ void print_line(const std::string& line) {
     std::fflush(stdout);
 }
 
-// A table of rows, and then the files. 1 when a row failed or a file could not be written.
+// Collects the rows of a table and writes the files. The exit status is 1 if a row failed or a file
+// could not be written.
 template <class Row>
 struct Table {
     std::vector<Row> rows;
@@ -261,72 +275,92 @@ std::string scene_and_engine_list() {
     for (const SpeedScene& scene : speed_scenes())
         text += std::string("  ") + scene.letter + "  " + scene.name + ", " +
                 std::to_string(scene.steps) + " steps: " + about(scene) + "\n";
-    text += "\nEngines (peers run on one thread, whatever --threads says):\n";
+    text += "\nEngines (peers run on one thread, regardless of --threads):\n";
     for (const EngineKind& kind : engine_kinds())
         text += std::string("  ") + kind.name + (kind.make ? "" : " (not built in)") + ": " +
                 kind.settings + "\n";
     return text;
 }
 
-// Beside --server: what only it takes, and what says nothing about a server.
+// Adds the flags that require --server; excludes the flags that do not apply to a server.
 void add_server_flags(CLI::App& command, Flags& flags, std::initializer_list<CLI::Option*> others) {
-    CLI::Option* server = command.add_flag(
-        "--server", flags.server,
-        "Instead of the solver: a server with clients; scenes c and moving unless named");
+    CLI::Option* server = command.add_flag("--server", flags.server,
+                                           "Measure a server with clients instead of the engines\n"
+                                           "[default scenes: c and moving]");
     for (CLI::Option* other : others) server->excludes(other);
-    command.add_option("--clients", flags.clients, "Of the server")
-        ->capture_default_str()
-        ->check(CLI::Range(1, clients_max))
+    command
+        .add_option("--clients", flags.clients,
+                    "Connect N clients to the server [default: 20; 1 to 250]")
+        ->type_name("N")
+        ->check(CLI::Range(1, clients_max).description(""))
         ->needs(server);
-    command.add_option("--seconds", flags.seconds, "For how long each server is watched")
-        ->capture_default_str()
-        ->check(CLI::Range(1.0, 30.0))
+    command
+        .add_option("--seconds", flags.seconds,
+                    "Record each server for this time [default: 10; 1 to 30]")
+        ->type_name("SECONDS")
+        ->check(CLI::Range(1.0, 30.0).description(""))
         ->needs(server);
     command
         .add_option("--script", flags.script,
-                    "What clients do (jostle-bot --help has the format); they push things about")
-        ->check(CLI::ExistingFile)
+                    "Run this script in the clients; see jostle-bot --help\n"
+                    "[default: push bodies]")
+        ->type_name("FILE")
+        ->check(CLI::ExistingFile.description(""))
         ->needs(server);
 }
 
 }  // namespace
 
 void add_speed(CLI::App& app, int& status) {
-    CLI::App* command = app.add_subcommand(
-        "speed", "Jostle and other engines on the same scenes: time, error and memory.");
+    CLI::App* command =
+        app.add_subcommand("speed", "Measure time, error and memory of Jostle and other engines");
     const auto flags = std::make_shared<Flags>();
-    CLI::Option* scene = command->add_option("--scene", flags->scenes, "By letter or name, or all")
-                             ->delimiter(',')
-                             ->capture_default_str()
-                             ->check(CLI::Validator(check_scene, "SCENE"));
-    command->add_option("--threads", flags->threads, "For Jostle; several with commas")
+    CLI::Option* scene =
+        command
+            ->add_option("--scene", flags->scenes,
+                         "Run scenes by letter or name; all or moving; see below\n[default: all]")
+            ->type_name("NAME")
+            ->delimiter(',')
+            ->check(CLI::Validator(check_scene, ""));
+    command
+        ->add_option("--threads", flags->threads,
+                     "Run Jostle with these numbers of threads [default: 1; 1 to 64]")
+        ->type_name("N")
         ->delimiter(',')
-        ->capture_default_str()
-        ->check(CLI::Range(1, 64));
+        ->check(CLI::Range(1, 64).description(""));
     CLI::Option* peers =
         command
-            ->add_option("--peers", flags->peers, "Beside Jostle: all that are built in, or none")
+            ->add_option("--peers", flags->peers,
+                         "Run peer engines by name; all that are built in, or none\n"
+                         "[default: all]")
+            ->type_name("NAME")
             ->delimiter(',')
-            ->capture_default_str()
-            ->check(CLI::Validator(check_peer, "PEER"));
+            ->check(CLI::Validator(check_peer, ""));
     CLI::Option* steps =
-        command->add_option("--steps", flags->steps, "Instead of the scene's own number")
-            ->check(CLI::Range(1, 1000000));
+        command
+            ->add_option("--steps", flags->steps,
+                         "Steps per scene [default: those of the scene; 1 to 1000000]")
+            ->type_name("N")
+            ->check(CLI::Range(1, 1000000).description(""));
     CLI::Option* sleep =
-        command->add_option("--sleep", flags->sleep, "Whether bodies may sleep: on or off")
-            ->capture_default_str()
-            ->check(CLI::IsMember({"on", "off"}));
-    CLI::Option* no_accuracy =
-        command->add_flag("--no-accuracy", flags->no_accuracy, "Times only: no second run");
-    CLI::Option* growth = command
-                              ->add_option("--growth", flags->growth,
-                                           "Instead of scenes: piles of so many bodies each")
-                              ->delimiter(',')
-                              ->check(CLI::Range(1, 1000000))
-                              ->excludes(scene)
-                              ->excludes(steps);
-    command->add_option("--json", flags->json, "Writes the rows here as JSON");
-    CLI::Option* plot = command->add_option("--plot", flags->plot, "Draws them here as SVG");
+        command->add_option("--sleep", flags->sleep, "Enable sleeping: on or off [default: off]")
+            ->type_name("on|off")
+            ->check(CLI::IsMember({"on", "off"}).description(""));
+    CLI::Option* no_accuracy = command->add_flag("--no-accuracy", flags->no_accuracy,
+                                                 "Skip the second run, which checks the accuracy");
+    CLI::Option* growth =
+        command
+            ->add_option("--growth", flags->growth,
+                         "Measure piles with these numbers of bodies instead of scenes\n"
+                         "[1 to 1000000]")
+            ->type_name("N")
+            ->delimiter(',')
+            ->check(CLI::Range(1, 1000000).description(""))
+            ->excludes(scene)
+            ->excludes(steps);
+    command->add_option("--json", flags->json, "Write the rows as JSON")->type_name("FILE");
+    CLI::Option* plot =
+        command->add_option("--plot", flags->plot, "Draw the rows as SVG")->type_name("FILE");
     add_server_flags(*command, *flags, {peers, steps, sleep, no_accuracy, growth, plot});
     command->footer("\n" + scene_and_engine_list() + footer);
     command->callback([flags, scene, &status] {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// jostle-bench speed: Jostle and other engines on the same scenes, time and error side by side.
+// jostle-bench speed: time and error of Jostle and other engines on the same scenes.
 #pragma once
 
 namespace CLI {
@@ -9,7 +9,7 @@ class App;
 
 namespace jostle::bench {
 
-// Adds the subcommand; running it sets the status that the program ends with.
+// Adds the subcommand; running it sets the exit status of the program.
 void add_speed(CLI::App& app, int& status);
 
 }  // namespace jostle::bench

@@ -13,7 +13,7 @@ namespace {
 constexpr double width = 1100, left = 80, right = 1080, first_top = 90;
 constexpr double bars_bottom = 430, marks_top = 510, marks_bottom = 840, speed_height = 900;
 constexpr double growth_bottom = 430, growth_height = 490, growth_gap = 110;
-constexpr double error_floor_mm = 1e-3;  // smaller errors are drawn there
+constexpr double error_floor_mm = 1e-3;  // smaller errors are drawn at this value
 
 void draw_title(plots::Svg& svg, const std::string& title, const std::string& note) {
     svg.text({left, 28}, title, {.size = 17, .bold = true});
@@ -24,7 +24,7 @@ double error_mm(const SpeedRow& row) {
     return std::max(1e3 * row.error_m().value_or(0), error_floor_mm);
 }
 
-// The scenes and series that occur, in order of first occurrence.
+// The scenes and series in order of first occurrence.
 struct Groups {
     std::vector<std::string> scenes, series;
 };
@@ -49,9 +49,9 @@ void draw_bar(plots::Svg& svg, const SpeedRow& row, plots::SvgPoint top, double 
 
 void draw_bars(plots::Svg& svg, const std::vector<SpeedRow>& rows, Groups& groups) {
     std::vector<double> times;
-    // A bar as low as a power of ten still wants to be seen, hence the 0.9.
+    // The factor 0.9 keeps bars visible whose value is a power of ten.
     for (const SpeedRow& row : rows) times.insert(times.end(), {0.9 * row.ms_mean, row.ms_mean});
-    // Space above the highest bar for its label.
+    // Space for a label above the highest bar.
     const plots::LogAxis y = plots::log_axis_over(times, bars_bottom, first_top + 85);
     plots::draw_y_axis(svg, y, left, right, "ms per step (mean)");
     const double group_width = (right - left) / static_cast<double>(groups.scenes.size());
@@ -136,7 +136,7 @@ std::string plot_speed(const std::vector<SpeedRow>& all_rows, const std::string&
     const std::vector<SpeedRow> rows = without_failed(all_rows);
     Groups groups = groups_of(rows);
     plots::Svg svg(width, speed_height);
-    draw_title(svg, "Time and error of a step, scene by scene", note);
+    draw_title(svg, "Time and error of a step by scene", note);
     draw_legend(svg, groups.series, {right, 72});
     if (!rows.empty()) {
         draw_bars(svg, rows, groups);
@@ -152,7 +152,7 @@ std::string plot_growth(const std::vector<GrowthRow>& all_rows, const std::strin
     std::vector<std::string> series;
     for (const GrowthRow& row : rows) series_index(series, series_name(row.engine, row.threads));
     plots::Svg svg(width, growth_height);
-    draw_title(svg, "A pile that grows", note);
+    draw_title(svg, "Piles of increasing size", note);
     draw_legend(svg, series, {right, 72});
     if (rows.empty()) return svg.str();
     const double half = 0.5 * (right - left - growth_gap);

@@ -11,12 +11,12 @@
 
 namespace jostle::bench {
 
-// Above: a bar per scene and engine, milliseconds a step, with the error over it. Below: the same
-// rows as marks, time against error, named by the scene's letter. Failed rows are left out. The
-// note (machine, compiler) stands under the title.
+// Top: one bar per scene and engine, milliseconds per step, labelled with the error. Bottom: the
+// same rows as marks, time against error, labelled with the scene's letter. Failed rows are
+// omitted. The note (machine, compiler) is drawn below the title.
 std::string plot_speed(const std::vector<SpeedRow>& rows, const std::string& note);
 
-// Milliseconds a step and bytes a body over the number of bodies.
+// Milliseconds per step and bytes per body against the number of bodies.
 std::string plot_growth(const std::vector<GrowthRow>& rows, const std::string& note);
 
 }  // namespace jostle::bench

@@ -8,7 +8,7 @@
 namespace jostle::bench {
 namespace {
 
-// The one list of fields: written and read in this order.
+// The list of fields, written and read in this order.
 template <class Row, class Field>
 void visit_identity(Row& row, Field&& field) {
     field("scene", row.scene);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The catalogue's scenes that are measured, by letter or word, and what is done with each that a
-// scene does not say: how long it runs, who is driven, what counts as gone through a wall.
+// The measured scenes of the catalogue, by letter or word, with the settings that a scene does not
+// contain: the number of steps, the driven body, and the plane beyond which a body has tunnelled.
 #pragma once
 
 #include <cstdint>
@@ -16,27 +16,28 @@ namespace jostle::bench {
 struct SpeedScene {
     const char* letter;
     const char* name;       // in the catalogue
-    bool all_move = false;  // one of the twelve in which everything moves
+    bool all_move = false;  // one of the twelve scenes in which all bodies move
     int steps = 600;
-    bool sleeps = false;                       // sleep is on, whatever is asked for
-    bool asleep_first = false;                 // as well, and the clock starts when all sleep
-    std::optional<std::string_view> player;    // the body of this name is driven in a circle
-    std::optional<double> tunnelled_beyond_x;  // m: who ends there went through the wall
+    bool sleeps = false;        // sleeping is enabled regardless of --sleep
+    bool asleep_first = false;  // the same, and the measurement starts when all bodies sleep
+    std::optional<std::string_view> player;    // name of the body that is driven in a circle
+    std::optional<double> tunnelled_beyond_x;  // m: bodies beyond it at the end have tunnelled
 };
 
 std::span<const SpeedScene> speed_scenes();
 
-// By letter or name; null when there is no such scene.
+// By letter or name; null if there is no such scene.
 const SpeedScene* find_speed_scene(std::string_view letter_or_name);
 
-// From the catalogue.
+// Builds the scene from the catalogue.
 scenes::SceneDescription build(const SpeedScene& speed_scene);
 
-// Which of the scene's bodies is the player; nothing when none is.
+// Index of the player body; nothing if the scene has none.
 std::optional<std::uint32_t> player_of(const SpeedScene& speed_scene,
                                        const scenes::SceneDescription& scene);
 
-// Where the player is driven this long after the start: only x and z count, the fall stays its own.
+// Velocity of the player this long after the start. Only x and z apply; the player keeps its
+// vertical velocity.
 physics::Vec3 player_velocity(double seconds);
 
 }  // namespace jostle::bench

@@ -27,17 +27,17 @@ std::string count(const std::optional<int>& value) {
     return value ? std::to_string(*value) : nothing;
 }
 
-// Right-aligned in a column; a longer text pushes the rest to the right and stays whole.
+// Right-aligned in a column; longer text is not truncated and shifts the rest of the line.
 std::string cell(const std::string& text, int width) {
     return print(" %*s", width, text.c_str());
 }
 
-// What the reader must not miss, after the columns.
+// Warnings after the last column.
 std::string warnings(const SpeedRow& row) {
     std::string text;
     if (row.bodies_lost.value_or(0) > 0)
         text += "  " + std::to_string(*row.bodies_lost) + " bodies lost";
-    if (!row.repeats.value_or(true)) text += "  the second run ended elsewhere";
+    if (!row.repeats.value_or(true)) text += "  the second run differs";
     return text;
 }
 
@@ -45,7 +45,7 @@ std::string identity(const std::string& first, const std::string& engine, int th
     return print("%-30s %-7s %3d", first.c_str(), engine.c_str(), threads);
 }
 
-// With the rate after it, a sentence.
+// Followed by the rate.
 const char* verdict_text(const std::string& verdict) {
     if (verdict == "holds") return "holds ";
     return verdict == "late" ? "does not hold " : "catches up with ";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The tables of jostle-bench speed, as text: a heading, then a line for each row as it is measured.
+// The tables of jostle-bench speed as text: a heading, then one line per measured row.
 #pragma once
 
 #include <string>

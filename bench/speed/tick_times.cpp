@@ -11,18 +11,18 @@ using nlohmann::json;
 
 struct Tick {
     double ms = 0, begun_late_ms = 0;
-    int late = 0;  // since the world began
+    int late = 0;  // since the world was created
     bool stepped = false;
 };
 
-// What a tick does beside its step.
+// Whether a span is a stage of the step.
 bool is_stage(const std::string& name) {
     return name != "inputs" && name != "frame_and_answers";
 }
 
-// Each tick stands before its stages.
-void take_span(std::vector<Tick>& ticks, const json& span) {
-    if (span.at("ph") != "X") return;  // a title
+// In the trace, each tick precedes its stages.
+void add_span(std::vector<Tick>& ticks, const json& span) {
+    if (span.at("ph") != "X") return;  // metadata
     const std::string& name = span.at("name").get_ref<const std::string&>();
     if (name == "tick") {
         const json& details = span.at("args");
@@ -40,12 +40,13 @@ Result<TickTimes> read_tick_times(const std::string& trace) {
     std::vector<Tick> ticks;
     try {
         const json events = json::parse(trace).at("traceEvents");
-        for (const json& span : events) take_span(ticks, span);
+        for (const json& span : events) add_span(ticks, span);
     } catch (const json::exception& error) {
         return Error{ErrorCode::corrupt_data,
-                     std::string("the profile is no trace of ticks: ") + error.what()};
+                     std::string("the profile is not a trace of ticks: ") + error.what()};
     }
-    // Of a world that sleeps no stage runs: from the first step on each tick is one.
+    // Skips the ticks before the first step; in a sleeping world no stage runs, but its later ticks
+    // count.
     ticks.erase(ticks.begin(), std::find_if(ticks.begin(), ticks.end(),
                                             [](const Tick& tick) { return tick.stepped; }));
     TickTimes times;

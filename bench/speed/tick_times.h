@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// How long the ticks of a world took, and which were given up: read from the trace that a
-// server's profile is (jostlectl profile, /debug/profile).
+// Durations and drops of the ticks of a world, read from the trace that a server's profile contains
+// (jostlectl profile, /debug/profile).
 #pragma once
 
 #include <string>
@@ -12,12 +12,12 @@
 namespace jostle::bench {
 
 struct TickTimes {
-    std::vector<double> ms;    // of each tick: inputs, step, frame and answers
-    int late = 0;              // given up between the first and the last of these
-    double begun_late_ms = 0;  // how long after its due time a tick began, at worst
+    std::vector<double> ms;    // of each tick: inputs, step, frame and replies
+    int late = 0;              // ticks dropped between the first and the last of these
+    double begun_late_ms = 0;  // largest delay from the due time of a tick to its start
 };
 
-// From the first tick on that took a step: a world that is paused at first takes none.
+// Starts at the first tick with a step: a paused world takes none.
 Result<TickTimes> read_tick_times(const std::string& trace);
 
 }  // namespace jostle::bench

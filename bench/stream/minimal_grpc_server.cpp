@@ -48,9 +48,10 @@ private:
     grpc::AsyncGenericService service_;
     std::unique_ptr<grpc::ServerCompletionQueue> queue_;
     std::unique_ptr<grpc::Server> server_;
-    // Those that are over stay until the end: a benchmark has few.
+    // Finished streams are destroyed at the end; a benchmark has few.
     std::vector<std::unique_ptr<MinimalStream>> streams_;
-    std::size_t accepted_ = 0;  // the first so many of streams_, which are accepted in their order
+    // number of accepted streams, at the start of streams_; they are accepted in order
+    std::size_t accepted_ = 0;
     std::uint32_t frame_ = 0;
 };
 
@@ -72,7 +73,7 @@ void MinimalGrpcServer::request_call() {
     service_.RequestCall(&next.context, &next.stream, queue_.get(), queue_.get(), &next.accepted);
 }
 
-// Acks are read and not looked at.
+// Acks are read and ignored.
 void MinimalGrpcServer::handle(const CallTag& tag, bool ok) {
     MinimalStream& stream = *tag.stream;
     switch (tag.event) {
@@ -133,11 +134,12 @@ void MinimalGrpcServer::run(const std::atomic<bool>& stop) {
 }  // namespace
 
 Status serve_minimal_grpc(const MinimalServerOptions& options, const std::atomic<bool>& stop) {
-    // Debian builds absl with it on; it costs a tenth of all and finds nothing in a floor.
+    // Debian builds absl with deadlock detection; it costs a tenth of the CPU time and is not
+    // needed in this server.
     absl::SetMutexDeadlockDetectionMode(absl::OnDeadlockCycle::kIgnore);
-    MinimalGrpcServer floor(options);
-    if (Status listening = floor.listen(); !listening.ok()) return listening;
-    floor.run(stop);
+    MinimalGrpcServer server(options);
+    if (Status listening = server.listen(); !listening.ok()) return listening;
+    server.run(stop);
     return {};
 }
 

@@ -83,7 +83,7 @@ void MinimalRawServer::drop(int client) {
     std::erase(clients_, client);
 }
 
-// Acks are read and not looked at.
+// Acks are read and ignored.
 void MinimalRawServer::on_event(int descriptor) {
     if (descriptor == listener_) return accept_all();
     std::array<char, 4096> scratch;
@@ -102,7 +102,7 @@ void MinimalRawServer::send_to_all() {
         iovec{const_cast<char*>(message.shared.data()), message.shared.size()}};
     const msghdr whole{.msg_iov = pieces.data(), .msg_iovlen = pieces.size()};
     const auto clients = clients_;
-    // One that does not read is no client of a benchmark.
+    // A client whose buffer is full is dropped.
     for (const int client : clients)
         if (sendmsg(client, &whole, MSG_NOSIGNAL) !=
             static_cast<ssize_t>(head.size() + message.shared.size()))

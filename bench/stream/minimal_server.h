@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Servers that do nothing but send the same bytes to all who connect, at a steady rate: the least
-// that a stream costs over a transport, to compare jostle-server with. Each runs in a process of
-// its own, one thread for all its clients, so that its processor time is what it costs. Loopback
-// only.
+// Minimal servers: they send the same bytes to all clients at a constant rate and do nothing else.
+// Their cost is the lower bound for a stream over a transport, with which jostle-server is
+// compared. Each runs in its own process with one thread for all clients, so that the CPU time of
+// the process is the cost. Loopback only.
 #pragma once
 
 #include <atomic>
@@ -15,26 +15,27 @@
 namespace jostle::bench {
 
 struct MinimalServerOptions {
-    int bytes = 1000;       // of a message: the part that all clients share
-    double hz = 60;         // messages a second to each client
-    std::string port_file;  // is told the port, as jostle-server tells its own
+    int bytes = 1000;       // of the shared part of a message
+    double hz = 60;         // messages per second to each client
+    std::string port_file;  // the port is written to it, in the format of jostle-server
 };
 
-// Messages with their length, over bare sockets.
+// Length-prefixed messages over plain sockets.
 Status serve_minimal_raw(const MinimalServerOptions& options, const std::atomic<bool>& stop);
-// gRPC: a completion queue that ticks itself, raw byte buffers, the shared part a shared slice.
+// gRPC: one completion queue with a deadline as the tick, raw byte buffers, the shared part as a
+// shared slice.
 Status serve_minimal_grpc(const MinimalServerOptions& options, const std::atomic<bool>& stop);
 // WebSocket: Beast, the shared part in a buffer sequence.
 Status serve_minimal_websocket(const MinimalServerOptions& options, const std::atomic<bool>& stop);
 
-// The two parts of one message, as ours are: what a client has for itself goes first, and together
-// they are a ServerMessage with a snapshot.
+// The two parts of one message, as in jostle-server: the part for one client precedes the shared
+// part; together they are a ServerMessage with a snapshot.
 struct MinimalServerMessage {
     std::string head, shared;
 };
 MinimalServerMessage make_minimal_server_message(int bytes, std::uint32_t frame);
 
-// Written beside the file and renamed: who waits for it reads all of it.
+// Writes a temporary file and renames it, so that readers see the complete file.
 Status write_port_file(const std::string& port_file, int port);
 
 }  // namespace jostle::bench

@@ -20,7 +20,7 @@ using tcp = asio::ip::tcp;
 using ServerClock = std::chrono::steady_clock;
 using SharedMessage = std::shared_ptr<const MinimalServerMessage>;
 
-// Kept alive by the read that is always in flight.
+// The pending read keeps the session alive.
 class MinimalWebSocketSession : public std::enable_shared_from_this<MinimalWebSocketSession> {
 public:
     explicit MinimalWebSocketSession(tcp::socket socket) : socket_(std::move(socket)) {
@@ -52,7 +52,7 @@ public:
     }
 
 private:
-    // Acks are read and not looked at.
+    // Acks are read and ignored.
     void read() {
         socket_.async_read(incoming_,
                            [self = shared_from_this()](beast::error_code error, std::size_t) {

@@ -21,22 +21,27 @@ namespace jostle::bench {
 namespace {
 
 constexpr const char* footer = R"(
-Each row is a process that sends to sinks (jostle-load --passive) over loopback, sixty messages a second to each. A message costs
-what the process takes with all clients, less what it takes with one, for each snapshot that arrived: physics and encoding are
-not in it, acks that are read are. What did not send sixty a second, in three attempts, is not compared: something else
-has the processor, or that is the limit. The floors send the same bytes to all and do nothing else: raw over bare sockets, grpc-floor
-from a completion queue of gRPC, websocket-floor with Beast. grpc and websocket are jostle-server with a scene of bodies that only
-turn, as many as make a snapshot of --bytes; then the floors send as many bytes as it did. Rows are measured in turns; the
-median of the rounds is shown, and for ratios the median of each round's ratio.
+Each row is a server process that sends 60 messages per second over loopback to each passive client
+(as in jostle-load --passive). The cost of a message is the CPU time of the process with all clients
+minus that with one client, divided by the number of received snapshots: it excludes physics and
+encoding, and includes reading acks. A server that does not reach 60 messages per second in three
+attempts is not compared: other load uses the CPU, or the server is at its limit. The minimal
+servers send the same bytes to all clients and do nothing else: raw over plain sockets, grpc-floor
+with a gRPC completion queue, websocket-floor with Beast. grpc and websocket are jostle-server with
+a scene of rotating bodies whose snapshots have about --bytes bytes; the minimal servers then send
+as many bytes. Rows are measured in turn. The table contains the median of the rounds; ratios are
+the median of the ratios of each round.
 
 Examples:
   jostle-bench stream
-  jostle-bench stream --clients 300 --seconds 10 --rounds 5 --json stream.json)";
+  jostle-bench stream --clients 300 --seconds 10 --rounds 5 --json stream.json
+
+Exit status: 0 success, 1 a measurement failed or the file could not be written, 2 invalid flags.)";
 
 constexpr std::array kinds = {StreamKind::raw, StreamKind::grpc_minimal, StreamKind::grpc,
                               StreamKind::websocket_minimal, StreamKind::websocket};
 constexpr int fit_attempts = 3;
-constexpr double fits = 0.03;  // of the bytes that were asked for
+constexpr double bytes_tolerance = 0.03;  // relative deviation from the requested bytes
 constexpr double tick_rate_share_min = 0.97;
 constexpr int rate_attempts = 3;
 
@@ -62,21 +67,22 @@ int serve(const Flags& flags) {
     return 1;
 }
 
-// As many bodies as make snapshots of the bytes that were asked for; leaves the scene behind and
-// tells the bytes.
+// Finds the number of bodies that makes snapshots of the requested size. Writes the scene and
+// returns the size of its snapshots.
 Result<int> fit_scene(StreamRequest request, const std::string& path) {
     double bodies = request.bytes / 4.0, bytes = 0;
     request.scene = path;
     request.clients = 2;
     request.seconds = 1;
     for (int k = 0; k < fit_attempts; k++) {
-        show_progress("a scene with snapshots of " + std::to_string(request.bytes) + " bytes");
+        show_progress("fitting a scene with snapshots of " + std::to_string(request.bytes) +
+                      " bytes");
         if (Status written = write_turning_scene(path, static_cast<int>(bodies)); !written.ok())
             return written.error();
         const auto cost = measure_stream(StreamKind::websocket, request);
         if (!cost.ok()) return cost.error();
         bytes = cost->snapshot_bytes;
-        if (std::abs(bytes / request.bytes - 1) < fits) break;
+        if (std::abs(bytes / request.bytes - 1) < bytes_tolerance) break;
         if (k + 1 < fit_attempts) bodies *= request.bytes / std::max(1.0, bytes);
     }
     return static_cast<int>(bytes + 0.5);
@@ -94,7 +100,7 @@ double median_of(const std::vector<StreamCost>& costs, double StreamCost::*field
     return spread_of(values).median;
 }
 
-// Of the rounds in which both held their rate; nothing: there was none.
+// Over the rounds in which both servers sent at the full rate; nothing if there was none.
 std::optional<Spread> ratio_of(const Costs& costs, StreamKind kind) {
     const auto floor = minimal_server_of(kind);
     if (!floor) return std::nullopt;
@@ -118,7 +124,7 @@ std::string us_text(const std::vector<StreamCost>& rows) {
 
 void print(const Costs& costs) {
     std::printf("%-16s %8s %18s %14s %7s %6s %9s %7s %7s %8s\n", "", "us", "(low to high)",
-                "to the floor", "rate", "bytes", "messages", "age p50", "p99", "kB");
+                "/ minimal", "rate", "bytes", "messages", "age p50", "p99", "kB");
     for (const StreamKind kind : kinds) {
         const auto& rows = costs.at(kind);
         const auto ratio = ratio_of(costs, kind);
@@ -150,15 +156,17 @@ nlohmann::ordered_json rows_json(const Costs& costs) {
     return rows;
 }
 
-// A machine that does something else as well may keep a server from its rate, and what it sends
-// then costs more each: so it is asked again. What never held it is reported, and not compared.
+// Other load on the machine may keep a server from its full rate, which increases the cost per
+// message, so the measurement is repeated. A server that never reaches the rate is reported, but
+// not compared.
 Result<StreamCost> measure_at_full_rate(StreamKind kind, const StreamRequest& request) {
     for (int attempt = 1;; attempt++) {
         auto cost = measure_stream(kind, request);
         if (!cost.ok() || held_tick_rate(*cost)) return cost;
         show_progress("");
-        std::fprintf(stderr, "jostle-bench: %s sent %.1f a second, not 60%s\n", name_of(kind),
-                     cost->snapshots_per_second, attempt < rate_attempts ? ": once more" : "");
+        std::fprintf(stderr, "jostle-bench: %s sent %.1f messages/s instead of 60%s\n",
+                     name_of(kind), cost->snapshots_per_second,
+                     attempt < rate_attempts ? "; measuring again" : "");
         if (attempt == rate_attempts) return cost;
     }
 }
@@ -209,31 +217,40 @@ int measure(const Flags& flags) {
 
 void add_stream(CLI::App& app, int& status) {
     CLI::App* command = app.add_subcommand(
-        "stream",
-        "Times what a message to a client costs the server, beside servers that only send.");
+        "stream", "Measure the cost of a message, compared with minimal servers");
     const auto flags = std::make_shared<Flags>();
     StreamRequest& request = flags->request;
-    command->add_option("--clients", request.clients, "How many sinks")
-        ->capture_default_str()
-        ->check(CLI::Range(2, 5000));
-    command->add_option("--seconds", request.seconds, "For how long each row is measured")
-        ->capture_default_str()
-        ->check(CLI::Range(0.5, 600.0));
-    command->add_option("--rounds", flags->rounds, "How often")
-        ->capture_default_str()
-        ->check(CLI::Range(1, 100));
-    command->add_option("--bytes", request.bytes, "Of a snapshot")
-        ->capture_default_str()
-        ->check(CLI::Range(100, 100'000));
+    command
+        ->add_option("--clients", request.clients,
+                     "Connect N passive clients [default: 100; 2 to 5000]")
+        ->type_name("N")
+        ->check(CLI::Range(2, 5000).description(""));
+    command
+        ->add_option("--seconds", request.seconds,
+                     "Measure each row for this time [default: 5; 0.5 to 600]")
+        ->type_name("SECONDS")
+        ->check(CLI::Range(0.5, 600.0).description(""));
+    command
+        ->add_option("--rounds", flags->rounds, "Measure all rows N times [default: 3; 1 to 100]")
+        ->type_name("N")
+        ->check(CLI::Range(1, 100).description(""));
+    command
+        ->add_option("--bytes", request.bytes, "Size of a snapshot [default: 1000; 100 to 100000]")
+        ->type_name("BYTES")
+        ->check(CLI::Range(100, 100'000).description(""));
     command
         ->add_option("--ack-every", request.ack_every,
-                     "Snapshots that a sink acknowledges together; 0: as the server asks")
-        ->capture_default_str()
-        ->check(CLI::Range(0, 1000));
-    command->add_option("--set", request.server_settings,
-                        "KEY=VALUE: a setting of jostle-server; may be repeated");
-    command->add_option("--json", flags->json, "Writes the figures here as JSON");
-    // How it starts its floors; --admin is what a server is told besides.
+                     "Acknowledge every N snapshots; 0: the server's interval\n"
+                     "[default: 6; 0 to 1000]")
+        ->type_name("N")
+        ->check(CLI::Range(0, 1000).description(""));
+    command
+        ->add_option("--set", request.server_settings,
+                     "Set a configuration value of jostle-server; repeatable")
+        ->type_name("KEY=VALUE");
+    command->add_option("--json", flags->json, "Write the results as JSON")->type_name("FILE");
+    // The parent starts its minimal servers with these flags. ServerProcess passes --admin to each
+    // server.
     command->add_option("--serve", flags->serve)
         ->group("")
         ->check(CLI::IsMember({"raw", "grpc-floor", "websocket-floor"}));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// jostle-bench stream: what a message to a client costs jostle-server, beside servers that only
-// send.
+// jostle-bench stream: the cost of a message to a client in jostle-server, compared with minimal
+// servers that only send.
 #pragma once
 
 namespace CLI {
@@ -10,6 +10,6 @@ class App;
 
 namespace jostle::bench {
 
-void add_stream(CLI::App& app, int& status);  // the exit status is left in `status`
+void add_stream(CLI::App& app, int& status);  // sets the exit status when run
 
 }  // namespace jostle::bench

@@ -15,7 +15,7 @@
 namespace jostle::bench {
 namespace {
 
-constexpr double base_share = 0.5;  // of the time, for the run with one client
+constexpr double base_share = 0.5;  // share of the duration for the run with one client
 constexpr double settle_s = 0.7;
 
 std::string this_program() {
@@ -23,7 +23,7 @@ std::string this_program() {
     return std::filesystem::read_symlink("/proc/self/exe", none);
 }
 
-// ServerProcess names the file of ports itself.
+// ServerProcess adds --port-file.
 ServerProcess start_minimal_server(StreamKind kind, const StreamRequest& request) {
     return {this_program(),
             {"stream", "--serve", name_of(kind), "--bytes", std::to_string(request.bytes)},
@@ -60,7 +60,7 @@ load::Transport transport_of(StreamKind kind) {
     return load::Transport::websocket;
 }
 
-// VmRSS of another process, in kB; proc(5).
+// VmRSS of another process, in kB; see proc(5).
 double memory_kb(int pid) {
     std::ifstream in("/proc/" + std::to_string(pid) + "/status");
     for (std::string word; in >> word;) {
@@ -170,7 +170,7 @@ Status write_turning_scene(const std::string& path, int bodies) {
     }
     const nlohmann::json scene = {
         {"name", "turning"},
-        {"description", "Bodies that only turn."},
+        {"description", "Rotating bodies."},
         {"world", {{"gravity", {{"x", 0}, {"y", 0}, {"z", 0}}}, {"hz", 60}, {"substeps", 1}}},
         {"bodies", list}};
     return write_text(path, scene.dump()) ? Status()

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What one message of a stream costs a server. The processor time of the whole process with many
-// clients, less that with one client: so physics, encoding and whatever else does not grow with the
-// clients is not in it.
+// The cost of one message of a stream: the CPU time of the server process with many clients minus
+// that with one client. Physics, encoding and other work that does not grow with the clients is
+// therefore not included.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -20,31 +20,31 @@ struct StreamRequest {
     double seconds = 5;
     int ack_every = 6;
     std::vector<std::string> server_settings;  // KEY=VALUE for jostle-server
-    int bytes = 1000;                          // of a message, of floors
+    int bytes = 1000;                          // of a message, for minimal servers
     std::string scene;                         // of jostle-server, a file
 };
 
-// Who sends, and how. The order is that of the table: each kind after the floor it is compared
-// with.
+// Server and transport, in the order of the table: each kind follows the minimal server that it is
+// compared with.
 enum class StreamKind { raw, grpc_minimal, grpc, websocket_minimal, websocket };
 const char* name_of(StreamKind kind);
-// Its floor: what its cost is divided by.
+// The minimal server that the kind is compared with; nothing for minimal servers.
 std::optional<StreamKind> minimal_server_of(StreamKind kind);
 
 struct StreamCost {
-    double us_per_message = 0;         // of a snapshot: of what else was sent, its share
-    double single_client_percent = 0;  // of a core, with one client
-    double total_percent = 0;          // with all
-    double snapshots_per_second = 0, messages_per_second = 0;  // of a client
+    double us_per_message = 0;         // per snapshot, including a share of the other messages
+    double single_client_percent = 0;  // of one core, with one client
+    double total_percent = 0;          // of one core, with all clients
+    double snapshots_per_second = 0, messages_per_second = 0;  // per client
     double snapshot_bytes = 0;
-    double age_ms_p50 = 0, age_ms_p99 = 0;  // 0: of floors, which tell no time
-    double memory_kb_per_client = 0;        // of the server's process
+    double age_ms_p50 = 0, age_ms_p99 = 0;  // 0 for minimal servers, which send no time
+    double memory_kb_per_client = 0;        // of the server process
     double client_us_per_message = 0;
 };
 
 Result<StreamCost> measure_stream(StreamKind kind, const StreamRequest& request);
 
-// A scene of bodies that only turn: cheap to step, and all of them are in each snapshot.
+// Writes a scene of rotating bodies: cheap to step, and every snapshot contains all of them.
 Status write_turning_scene(const std::string& path, int bodies);
 
 nlohmann::ordered_json to_json(const StreamCost& cost);

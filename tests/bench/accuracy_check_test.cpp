@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The accuracy check against closed forms.
+// Compares the accuracy check with closed-form solutions.
 #include "bench/speed/accuracy_check.h"
 
 #include <gtest/gtest.h>
@@ -40,7 +40,7 @@ Transform at(Vec3 position, Quat rotation = {}) {
     return {position, rotation};
 }
 
-// The same wherever the pair stands, however it is turned and whoever is asked first.
+// Also checks that the depth is independent of the pose of the pair and of the order of the shapes.
 double depth(const Primitive& a, const Transform& pose_a, const Primitive& b,
              const Transform& pose_b) {
     const double here = penetration_depth(a, pose_a, b, pose_b);
@@ -67,7 +67,7 @@ Hull hull_of(const Box& box) {
     return Hull{*jostle::physics::build_hull(corners)};
 }
 
-// A hull with a box's corners is as deep as the box, in whatever is convex.
+// A hull with the corners of a box has the same depth as the box, against all convex shapes.
 TEST(AccuracyCheck, box_shaped_hulls_match_boxes) {
     jostle::test::Random random(5);
     const Box brick{{0.3, 0.25, 0.35}};
@@ -88,7 +88,7 @@ TEST(AccuracyCheck, box_shaped_hulls_match_boxes) {
     EXPECT_GT(overlapping, 50);
 }
 
-// Level ground of two triangles: what is 3 cm below it is, and what hovers or lies beside is not.
+// Level ground of two triangles: detects a shape 3 cm below it, but none above or outside of it.
 TEST(AccuracyCheck, measures_depth_below_a_mesh) {
     const Vec3 corners[] = {{-5, 0, -5}, {5, 0, -5}, {5, 0, 5}, {-5, 0, 5}};
     const std::array<std::uint32_t, 3> triangles[] = {{0, 2, 1}, {0, 3, 2}};
@@ -109,13 +109,13 @@ TEST(AccuracyCheck, measures_depth_below_a_mesh) {
 }
 
 TEST(AccuracyCheck, measures_a_box_on_its_edge) {
-    // Its half diagonal is sqrt(2)/2 and reaches 1 mm into the other's top at 0.5.
+    // Half the diagonal is sqrt(2)/2; the edge is 1 mm below the other box's top face at 0.5.
     const double height = 0.5 + std::sqrt(0.5) - 0.001;
     EXPECT_NEAR(depth(cube, at({}), cube, at({0.1, height, 0}, eighth_about_z)), 0.001, exact);
 }
 
 TEST(AccuracyCheck, measures_crossed_box_edges) {
-    // Two edges, one along z and one along x, cross over each other on the y axis.
+    // Two edges, one along z and one along x, cross on the y axis.
     const Quat eighth_about_x = from_axis_angle({1, 0, 0}, pi / 4);
     const double height = 2 * std::sqrt(0.5) - 0.001;
     EXPECT_NEAR(depth(cube, at({}, eighth_about_z), cube, at({0, height, 0}, eighth_about_x)),
@@ -149,18 +149,18 @@ TEST(AccuracyCheck, measures_lying_standing_and_leaning_capsules_on_a_box) {
     const Quat along_x = from_axis_angle({0, 0, 1}, pi / 2);
     EXPECT_NEAR(depth(rod, at({0.3, 0.698, 0}, along_x), cube, at({})), 0.002, exact);
     EXPECT_NEAR(depth(rod, at({0.3, 1.698, 0}), cube, at({})), 0.002, exact);
-    // At 45 degrees over the edge at (0.5, 0.5): the axis passes it at 0.19.
+    // At 45 degrees above the edge at (0.5, 0.5): the distance from the axis to the edge is 0.19.
     const double over = 0.5 + 0.19 * std::sqrt(0.5);
     EXPECT_NEAR(depth(rod, at({over, over, 0}, eighth_about_z), cube, at({})), 0.01, exact);
 }
 
 TEST(AccuracyCheck, measures_capsule_with_its_axis_inside_a_box) {
-    // Lying 0.1 below the top face: out by 0.1, and by its own radius.
+    // The axis is 0.1 below the top face; the depth is 0.1 plus the radius.
     const Quat along_x = from_axis_angle({0, 0, 1}, pi / 2);
     EXPECT_NEAR(depth(Capsule{0.2, 0.3}, at({0, 0.4, 0}, along_x), cube, at({})), 0.3, exact);
 }
 
-// How far a shape reaches from its centre along a unit vector.
+// Projected radius of a shape along a unit vector.
 double reach(const Primitive& shape, const Transform& pose, Vec3 along) {
     const Vec3 local = inverse_rotate(pose.rotation, along);
     if (const auto* sphere = std::get_if<Sphere>(&shape)) return sphere->radius;
@@ -169,8 +169,8 @@ double reach(const Primitive& shape, const Transform& pose, Vec3 along) {
     return dot(abs(local), std::get<Box>(shape).half_extents);
 }
 
-// The overlap is the least over all directions of the overlap of the projections; here the least
-// over many, refined: an independent way to the same number.
+// The overlap of two shapes is the smallest overlap of their projections over all directions. This
+// function searches many random directions and refines the best one, as an independent method.
 double least_projection(const Primitive& a, const Transform& pose_a, const Primitive& b,
                         const Transform& pose_b) {
     const Vec3 between = pose_b.position - pose_a.position;
@@ -206,15 +206,15 @@ TEST(AccuracyCheck, matches_a_brute_force_direction_search) {
     EXPECT_GT(overlapping, 200);
 }
 
-// Two spheres, each 4 mm deep in the floor and 20 mm in the other.
+// Two spheres, each 4 mm deep in the floor and 20 mm in the other sphere.
 struct ThreeBodies {
     scenes::SceneDescription scene;
     std::vector<Transform> poses;
 
     ThreeBodies() {
         scene.bodies = {scenes::fixed_box("floor", {0, -1, 0}, {10, 1, 10}),
-                        scenes::loose("left", {0, 0.496, 0}, Sphere{0.5}),
-                        scenes::loose("right", {0.98, 0.496, 0}, Sphere{0.5})};
+                        scenes::dynamic_body("left", {0, 0.496, 0}, Sphere{0.5}),
+                        scenes::dynamic_body("right", {0.98, 0.496, 0}, Sphere{0.5})};
         for (const scenes::SceneBody& body : scene.bodies) poses.push_back(body.body.pose);
     }
 };
@@ -236,7 +236,7 @@ TEST(AccuracyCheck, skips_jointed_pairs_and_measures_joint_drift) {
     EXPECT_NEAR(check.joint_drift(three.poses), 0, exact);
     three.poses[2].position += {0.003, 0, 0.004};
     EXPECT_NEAR(check.joint_drift(three.poses), 0.005, exact);
-    // A turn moves the anchor about the body's centre, 0.48 m away: a chord.
+    // A rotation moves the anchor around the body's centre, 0.48 m away; the distance is a chord.
     three.poses[2] = {three.scene.bodies[2].body.pose.position, from_axis_angle({0, 1, 0}, pi / 2)};
     EXPECT_NEAR(check.joint_drift(three.poses), 0.48 * std::sqrt(2), exact);
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// jostle-bench accuracy and stability: flags, files and exit status of the real program.
+// jostle-bench accuracy and stability as programs: flags, files and exit status.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -25,7 +25,7 @@ protected:
     ~AccuracyFlags() override { fs::remove_all(folder_); }
 
     std::string file(const char* name) const { return (folder_ / name).string(); }
-    // Exit status; output and messages go to out.txt.
+    // Returns the exit status; stdout and stderr are written to out.txt.
     int run(const std::string& arguments) const {
         const std::string command =
             std::string(JOSTLE_BENCH " ") + arguments + " > " + file("out.txt") + " 2>&1";
@@ -55,7 +55,7 @@ TEST_F(AccuracyFlags, accuracy_writes_rows_work_table_and_plots) {
     EXPECT_EQ(json["rows"][0]["mode"], "sub8");
     EXPECT_EQ(json["rows"][0]["rate_hz"], 30);
     EXPECT_GT(json["rows"][0]["cpu_us_per_second"], 0);
-    EXPECT_EQ(json["work"].size(), 6u);  // three tolerances a scene
+    EXPECT_EQ(json["work"].size(), 6u);  // three tolerances per scene
     EXPECT_THAT(read("a.csv"), HasSubstr("j1,jostle,sub1,60,"));
     EXPECT_THAT(read("plots/j1.svg"), HasSubstr("sub1"));
 }
@@ -88,7 +88,7 @@ TEST_F(AccuracyFlags, regression_run_stores_results_and_detects_regressions) {
     EXPECT_EQ(run("accuracy --regression --scene f1,j1" + against), 0) << output();
     EXPECT_THAT(output(), HasSubstr("0 values worse"));
 
-    auto forged = json;  // as if j1 had been a hundred times better at 60 Hz
+    auto forged = json;  // as if j1 had been 100 times better at 60 Hz
     forged["rows"][4]["error"] = json["rows"][4]["error"].get<double>() / 100;
     std::ofstream(file("short.json")) << forged;
     EXPECT_EQ(run("accuracy --regression --scene j1" + against), 1);
@@ -96,7 +96,7 @@ TEST_F(AccuracyFlags, regression_run_stores_results_and_detects_regressions) {
     EXPECT_THAT(output(), HasSubstr("(100.00 times)"));
     EXPECT_THAT(output(), HasSubstr("accuracy --regression --compare-to " + file("short.json") +
                                     " --update"));
-    // A part of the scenes leaves the other rows as they are.
+    // --update with some of the scenes does not change the other rows.
     ASSERT_EQ(run("accuracy --regression --scene j1" + against + " --update"), 0) << output();
     EXPECT_EQ(nlohmann::json::parse(read("short.json"))["rows"], json["rows"]);
 }
@@ -144,12 +144,12 @@ TEST_F(AccuracyFlags, integrators_and_contact_models_write_rows) {
     EXPECT_LT(contact_models["rows"][1]["slide_error"], 0.01);
     EXPECT_THAT(read("r.csv"), HasSubstr("penalty,60,blown"));
     const std::pair<const char*, const char*> wrong[] = {
-        {"integrators --field moon", "there is no field moon; there are all, oscillator"},
-        {"integrators --method euler", "there is no method euler; there are all, explicit"},
-        {"integrators --rates nan", "nan is no rate"},
-        {"integrators --rates 2.5", "2.5 is no rate"},
-        {"contact-models --model fast", "there is no model fast; there are all, penalty"},
-        {"contact-models --rates 0", "0 is no rate"}};
+        {"integrators --field moon", "unknown field moon; must be one of all, oscillator"},
+        {"integrators --method euler", "unknown method euler; must be one of all, explicit"},
+        {"integrators --rates nan", "nan is not a valid rate"},
+        {"integrators --rates 2.5", "2.5 is not a valid rate"},
+        {"contact-models --model fast", "unknown model fast; must be one of all, penalty"},
+        {"contact-models --rates 0", "0 is not a valid rate"}};
     for (const auto& [flags, why] : wrong) {
         EXPECT_EQ(run(flags), 2) << flags;
         EXPECT_THAT(output(), HasSubstr(why));

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Rows of the laboratory: a Jostle row of each family, and that every engine is given the same
-// scenes.
+// Rows of the accuracy benchmark: a Jostle row of each family, and equal scenes for all engines.
 #include <gtest/gtest.h>
 
 #include "bench/accuracy/accuracy_engine_kinds.h"
@@ -32,7 +31,7 @@ TEST_P(JostleRows, stay_within_their_error_limits) {
     EXPECT_GT(row.cpu_us_per_second, 0);
 }
 
-// Twice what the solver reached when the laboratory was built.
+// Twice the errors of the solver when the benchmark was written.
 INSTANTIATE_TEST_SUITE_P(Families, JostleRows,
                          testing::Values(Expected{"f1", 60, 1e-12}, Expected{"f3", 60, 0.05},
                                          Expected{"f4", 60, 1e-11}, Expected{"f6", 60, 0.2},
@@ -55,7 +54,8 @@ protected:
     }
 };
 
-// Symplectic Euler is first order, all others are better: 0.17 m of falling 2 s at 60 Hz.
+// Symplectic Euler is of first order, with an error of 0.17 m for a fall of 2 s at 60 Hz; all other
+// methods are more accurate.
 TEST_P(Engines, swing_a_pendulum_and_converge) {
     const Row slow = row_of("j1-5", GetParam(), 60), fast = row_of("j1-5", GetParam(), 240);
     ASSERT_TRUE(slow.usable() && fast.usable()) << slow.failed << slow.unsupported;
@@ -88,16 +88,17 @@ INSTANTIATE_TEST_SUITE_P(All, Engines,
                          testing::Values("jostle", "bullet", "ode", "mujoco", "box2d"),
                          [](const auto& test) { return std::string(test.param); });
 
-// A motor turns a rod against a limit: signs of angles and speeds differ between engines.
+// A motor turns a rod against a limit, because the signs of angles and speeds differ between
+// engines.
 TEST_P(Engines, rotate_in_the_expected_direction) {
     const Row row = row_of("j6", GetParam(), 480);
     if (!row.unsupported.empty()) GTEST_SKIP() << row.unsupported;
-    EXPECT_LT(row.error, 0.8) << "one sample late at the limit is 0.77";
+    EXPECT_LT(row.error, 0.8) << "a delay of one sample at the limit is an error of 0.77";
     EXPECT_LT(row.second_error, 0.05);
 }
 
-// Joint coordinates have no gaps; RK4 in them is of fourth order. The
-// pendulum's error is below 1e-5 at 30 Hz.
+// Joint coordinates have no gaps, and RK4 in them is of fourth order. The pendulum's error is below
+// 1e-5 at 30 Hz.
 TEST(BulletTrees, keep_joints_closed_and_converge_at_runge_kutta_order) {
     if (!find_engine_kind("bullet")->make) GTEST_SKIP() << "not built in";
     const Row slow = row_of("j1", "bullet", 30, "mb-rk4"),
@@ -110,8 +111,7 @@ TEST(BulletTrees, keep_joints_closed_and_converge_at_runge_kutta_order) {
     EXPECT_LT(row_of("j4", "bullet", 240, "mb").second_error, 1e-6);  // a loop
     EXPECT_LT(row_of("j5", "bullet", 240, "mb").error, 0.01);         // a motor and a slider
     EXPECT_LT(row_of("j7", "bullet", 120, "mb").error, 0.05);         // damped to rest
-    EXPECT_EQ(row_of("c8", "bullet", 60, "mb").unsupported,
-              "bullet's trees support no contacts");
+    EXPECT_EQ(row_of("c8", "bullet", 60, "mb").unsupported, "bullet's trees support no contacts");
     EXPECT_EQ(row_of("f2-1", "bullet", 60, "mb").unsupported,
               "bullet's trees support jointed bodies only");
 }

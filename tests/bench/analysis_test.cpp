@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What is made of rows, on rows that are made up.
+// The analysis of rows, with synthetic rows.
 #include "bench/accuracy/analysis.h"
 
 #include <gtest/gtest.h>
@@ -56,7 +56,7 @@ TEST(LeastWork, is_the_cheapest_row_within_tolerance) {
     EXPECT_EQ(least_work(synthetic_rows(), "j1", "peer", 0.01)->cpu_us_per_second, 40);
     EXPECT_FALSE(least_work(synthetic_rows(), "j1", "peer", 0.001));
     EXPECT_EQ(least_work(synthetic_rows(), "j1", "other", 1)->cpu_us_per_second,
-              400);  // not the lost one
+              400);  // the failed row does not count
 }
 
 TEST(ParetoSet, contains_rows_not_dominated_in_time_and_error) {
@@ -68,7 +68,8 @@ TEST(ParetoSet, contains_rows_not_dominated_in_time_and_error) {
     EXPECT_EQ(front[3].error, 1e-6);
 }
 
-// j1 asks for 0.01, 0.001 and 1e-5: 40/100, 400/200, and one that only a peer reaches.
+// The tolerances of j1 are 0.01, 0.001 and 1e-5: ratios of 40/100, 400/200, and one tolerance that
+// only a peer reaches.
 TEST(Score, is_the_geometric_mean_and_a_missing_result_counts_0_01) {
     const Score score = score_of(synthetic_rows(), "jostle");
     ASSERT_EQ(score.comparisons.size(), 3u);

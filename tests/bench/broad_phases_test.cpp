@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The broad phases that are there to compare with answer as all others do.
+// The broad phases of the benchmark return the same results as those of worlds.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -23,8 +23,8 @@ TEST(BenchBroadPhases, match_a_brute_force_loop) {
     expect_matches_brute_force(make<bench::KdTree>);
 }
 
-// Boxes on whole coordinates: sides that touch lie in the planes of cells. All move at once, as in
-// a step, and some come back to a tree that was empty.
+// Boxes with integer coordinates: touching sides lie in the planes of cells. All boxes move in one
+// call, as in a step, and some return to an empty tree.
 void expect_pairs_of_touching_boxes(std::unique_ptr<BroadPhaseIndex> (*make)()) {
     Random random(3);
     const auto index = make();
@@ -56,22 +56,22 @@ void expect_pairs_of_touching_boxes(std::unique_ptr<BroadPhaseIndex> (*make)()) 
                 std::sort(found.begin(), found.end());
                 for (std::uint32_t j = 0; j < boxes.size(); j++)
                     if (overlap(boxes[j], boxes[k])) expected.push_back(j);
-                ASSERT_EQ(found, expected) << "each once";
+                ASSERT_EQ(found, expected) << "each box must be found once";
             }
             for (int ray = 0; ray < 200; ray++) {
-                // Along planes and edges of boxes, and across.
+                // Rays along planes and edges of boxes, and across them.
                 const Vec3 from = box().low, motion = box().low;
-                std::vector<std::uint32_t> met;
+                std::vector<std::uint32_t> visited;
                 index->cast_ray(from, motion, 1, [&](std::uint32_t item, double limit) {
-                    met.push_back(item);
+                    visited.push_back(item);
                     return limit;
                 });
-                std::sort(met.begin(), met.end());
-                met.erase(std::unique(met.begin(), met.end()), met.end());
+                std::sort(visited.begin(), visited.end());
+                visited.erase(std::unique(visited.begin(), visited.end()), visited.end());
                 std::vector<std::uint32_t> expected;
                 for (std::uint32_t j = 0; j < boxes.size(); j++)
                     if (ray_enters(boxes[j], from, motion, 1) <= 1) expected.push_back(j);
-                ASSERT_EQ(met, expected);
+                ASSERT_EQ(visited, expected);
             }
             std::vector<Aabb> cells;
             index->cells(cells);

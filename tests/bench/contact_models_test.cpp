@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What each model to contact is known for, in numbers.
+// Known properties of each contact model, in numbers.
 #include "bench/contact_models/contact_models.h"
 
 #include <gtest/gtest.h>
@@ -21,7 +21,7 @@ TEST(Penalty, penetration_matches_the_spring_and_long_steps_are_unstable) {
     EXPECT_LT(fine.slide, 0.005);
 }
 
-// 0.5 mm are allowed. At 30 Hz ten rounds are too few for ten balls.
+// The allowed overlap is 0.5 mm. At 30 Hz ten iterations are not enough for ten balls.
 TEST(Impulses, leave_the_allowed_penetration) {
     for (const double rate : {60.0, 120.0, 480.0}) {
         const SceneErrors errors = errors_of("impulses", rate);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Every engine is given the same scene: small ones whose outcome physics says.
+// Runs every engine on small scenes with a known physical result.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -13,9 +13,9 @@ namespace {
 
 using namespace jostle::bench;
 using namespace jostle::physics;
+using jostle::scenes::dynamic_body;
 using jostle::scenes::fixed_box;
 using jostle::scenes::join;
-using jostle::scenes::loose;
 using jostle::scenes::SceneBody;
 using jostle::test::near;
 
@@ -29,16 +29,16 @@ protected:
     void run(int steps) {
         for (int k = 0; k < steps; k++) engine_->step();
     }
-    // Damped as the laboratory's scenes are.
+    // Adds a body with the damping of the benchmark scenes.
     SceneBody& add(SceneBody body) {
         body.body.linear_damping = body.body.angular_damping = 0.05;
         return scene_.bodies.emplace_back(std::move(body));
     }
     SceneBody& add(const Geometry& geometry, Vec3 position = {}, Quat rotation = {}) {
-        return add(loose("body", position, geometry, rotation));
+        return add(dynamic_body("body", position, geometry, rotation));
     }
     void add_floor() { add(fixed_box("floor", {0, -1, 0}, {50, 1, 50})); }
-    // A post on the floor and an arm that a joint holds at its side.
+    // A post on the floor and an arm that is attached to its side by a joint.
     void add_post_and_arm() {
         add_floor();
         add(Box{{1, 2, 1}}, {0, 2, 0});
@@ -79,7 +79,7 @@ TEST_P(EveryEngine, capsule_axis_is_y) {
     EXPECT_NEAR(engine_->pose(2).position.y, 1.25, 0.02);  // upright on its end
 }
 
-// The angle is that of the arm against the post: down is the lower limit.
+// The angle is that of the arm relative to the post: down is the lower limit.
 TEST_P(EveryEngine, hinge_stops_at_its_lower_limit) {
     add_post_and_arm();
     join(scene_, "elbow", 1, 2, {{1.1, 3, 0}, {}}, HingeJoint{.limit = {true, -0.5, 1}});
@@ -90,7 +90,7 @@ TEST_P(EveryEngine, hinge_stops_at_its_lower_limit) {
     EXPECT_NEAR(length(out), 0.5, 0.01);
 }
 
-// A shoulder that points sideways lets its arm fall by the swing and no further.
+// With a horizontal cone_twist joint, the arm falls by the swing limit and no further.
 TEST_P(EveryEngine, shoulder_swing_stops_at_its_cone) {
     add_post_and_arm();
     join(scene_, "shoulder", 1, 2, {{1.1, 3, 0}, from_axis_angle({1, 0, 0}, -pi / 2)},
@@ -125,7 +125,7 @@ TEST_P(EveryEngine, non_colliding_bodies_fall_through) {
     EXPECT_LT(engine_->pose(1).position.y, -1);
 }
 
-// In ODE a static body is none at all, and asking one for its velocity ended the program.
+// In ODE a static body has no dBody, and requesting its velocity crashed the program.
 TEST_P(EveryEngine, static_bodies_do_not_move) {
     add_floor();
     start(true);
@@ -155,7 +155,8 @@ TEST_P(EveryEngine, does_not_sleep_when_disabled) {
     EXPECT_GT(engine_->awake(), 0);
 }
 
-// What an engine could not be given is refused and named, not left out. Jostle takes every scene.
+// Engines reject scenes that they do not support, with an error that names the unsupported part.
+// Jostle accepts every scene.
 TEST_P(EveryEngine, rejects_scenes_that_are_not_portable) {
     add_floor();
     add(Cylinder{});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The real program: its flags, its files and its exit status.
+// jostle-bench speed, threads, rollback and features as programs: flags, files and exit status.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -24,7 +24,7 @@ protected:
     ~SpeedFlags() override { fs::remove_all(folder_); }
 
     std::string file(const char* name) const { return (folder_ / name).string(); }
-    // Exit status; output and messages go to out.txt.
+    // Returns the exit status; stdout and stderr are written to out.txt.
     int run(const std::string& arguments, const char* subcommand = "speed") const {
         const std::string command = std::string(JOSTLE_BENCH " ") + subcommand + " " + arguments +
                                     " > " + file("out.txt") + " 2>&1";
@@ -66,7 +66,7 @@ TEST_F(SpeedFlags, threads_compares_worlds_with_identical_results) {
     EXPECT_EQ(run("--scene a --steps 5 --max-ratio 0.0001", "threads"), 1);
     EXPECT_THAT(output(), HasSubstr("with 2 threads a step takes"));
     EXPECT_EQ(run("--scene nosuch", "threads"), 2);
-    EXPECT_THAT(output(), HasSubstr("there is no scene nosuch"));
+    EXPECT_THAT(output(), HasSubstr("unknown scene nosuch"));
 }
 
 TEST_F(SpeedFlags, growth_writes_growth_rows) {
@@ -89,7 +89,7 @@ TEST_F(SpeedFlags, server_row_counts_one_second_of_ticks_with_two_clients) {
     EXPECT_EQ(row["bodies"], 1001);
     EXPECT_EQ(row["connected"], 2);
     EXPECT_EQ(row["errors"], 0);
-    // All that were due but the few at either end of the second.
+    // All due ticks, except a few at both ends of the second.
     EXPECT_NEAR(row["ticks"].get<int>() + row["late_ticks"].get<int>(), 60, 10);
     EXPECT_GT(row["ms_mean"], 0);
     EXPECT_GE(row["ms_worst"], row["ms_p99"]);
@@ -121,7 +121,7 @@ TEST_F(SpeedFlags, rollback_restores_the_saved_state_and_writes_a_row_per_scene)
 
 TEST_F(SpeedFlags, features_measures_selected_features_and_enforces_the_limit) {
     const std::string two = "--feature nothing,joints --rounds 2 --steps 2 ";
-    ASSERT_EQ(run(two + "--max-ratio 1000 --json " + file("f.json"), "features"), 0) << output();
+    ASSERT_EQ(run(two + "--max-percent 1000 --json " + file("f.json"), "features"), 0) << output();
     EXPECT_THAT(output(), HasSubstr("joints"));
     const auto json = nlohmann::json::parse(read("f.json"));
     EXPECT_EQ(json["benchmark"], "features");
@@ -135,13 +135,13 @@ TEST_F(SpeedFlags, features_measures_selected_features_and_enforces_the_limit) {
 
 TEST_F(SpeedFlags, unknown_scene_error_lists_known_scenes) {
     EXPECT_EQ(run("--scene a,z"), 2);
-    EXPECT_THAT(output(), HasSubstr("there is no scene z"));
+    EXPECT_THAT(output(), HasSubstr("unknown scene z"));
     EXPECT_THAT(output(), HasSubstr("i or lab_bullets_1000"));
 }
 
 TEST_F(SpeedFlags, unknown_peer_error_lists_known_peers) {
     EXPECT_EQ(run("--peers havoc"), 2);
-    EXPECT_THAT(output(), HasSubstr("there is no peer havoc"));
+    EXPECT_THAT(output(), HasSubstr("unknown peer havoc"));
     EXPECT_THAT(output(), HasSubstr("bullet"));
     EXPECT_THAT(output(), HasSubstr("ode"));
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The orders that textbooks promise, in every field, and what becomes of the energy.
+// The textbook orders in every field, and the energy drift.
 #include <gtest/gtest.h>
 
 #include "bench/integrators/integrator_row.h"
@@ -11,7 +11,8 @@ using namespace jostle::bench::integrators;
 
 class Orders : public testing::TestWithParam<const char*> {};
 
-// An ellipse is rough near its focus: Euler's methods need shorter steps to show their order.
+// The field changes rapidly near the focus of the ellipse: Euler methods need shorter steps to show
+// their order.
 TEST_P(Orders, are_1_1_1_2_4_and_2_in_every_field) {
     const IntegratorKind& kind = *find_integrator(GetParam());
     for (const ParticleField& field : all_fields()) {
@@ -37,7 +38,7 @@ IntegratorRow of_oscillator(const char* method) {
     return integrator_rows(*find_field("oscillator"), *find_integrator(method), {240}).front();
 }
 
-// Ten thousand turns would tell the same: symplectic methods keep it, explicit Euler gains.
+// Two seconds suffice: symplectic methods conserve the energy, explicit Euler gains energy.
 TEST(Energy, is_conserved_by_symplectic_methods) {
     EXPECT_GT(*of_oscillator("explicit").energy_drift, 0.3);
     EXPECT_GT(*of_oscillator("implicit").energy_drift, 0.2);
@@ -48,7 +49,7 @@ TEST(Energy, is_conserved_by_symplectic_methods) {
         integrator_rows(*find_field("drag"), *find_integrator("rk4"), {240}).front().energy_drift);
 }
 
-// Position Verlet in each sub-step, with all the machinery of a world around.
+// A world computes position Verlet in each sub-step.
 TEST(Jostle, free_body_matches_verlet_at_eight_times_the_rate) {
     for (const ParticleField& field : all_fields()) {
         const auto ours = integrator_rows(field, *find_integrator("jostle"), {120});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Rows of the table: what they hold, that they survive JSON, and that a crash is a row.
+// Rows of the speed table: their content, the conversion to JSON and back, and the row of a crash.
 #include "bench/speed/measure_row.h"
 
 #include <gtest/gtest.h>
@@ -77,7 +77,7 @@ TEST(Rows, reports_the_step_at_which_all_bodies_sleep) {
     EXPECT_GT(*row.asleep_at_step, 20);
 }
 
-// 900 cubes lie about and a player pushes some: who is not pushed sleeps.
+// 900 cubes, some of which a player pushes; the others sleep.
 TEST(Rows, reports_awake_bodies_at_the_end) {
     const SpeedRow row = row_of("jostle", "e", 120, true);
     ASSERT_TRUE(row.awake_at_end && row.moving_at_end);

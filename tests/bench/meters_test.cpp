@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// An engine that knows the truth has no error: the meters of the experiments against motions in
-// closed form, and against motions that are wrong by a known amount.
+// Meters of the experiments: an engine with the exact solution has no error, and a motion with a
+// known deviation has that error.
 #include "bench/accuracy/meters.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ namespace {
 using namespace jostle::bench::accuracy;
 using jostle::physics::pi;
 
-// Where each body is at each time is told.
+// The state of a body as a function of time.
 using Motion3 = std::function<BodyState(int body, double t)>;
 
 class ScriptedEngine final : public Engine {
@@ -103,11 +103,11 @@ TEST(Meters, measures_stopping_distance_of_boxes) {
     EXPECT_NEAR(errors_of("c2", creeps).primary, 5e-3, 1e-12);
 }
 
-// Steps that miss an apex do not count: the parabola through three samples finds it.
+// Steps that miss an apex cause no error: the parabola through three samples determines it.
 TEST(Meters, measures_bounce_apexes) {
     const auto bounces = [](double keep) {
         return [keep](int, double t) {
-            double speed = 0, height = 1, left = t;  // of this flight, from its start
+            double speed = 0, height = 1, left = t;  // s of this flight since its start
             double flight = std::sqrt(2 / g);
             while (left > flight) {
                 left -= flight;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The laboratory's truth: closed forms against the Runge-Kutta method, and the figures that are
-// known from elsewhere.
+// The reference solutions of the accuracy benchmark: closed forms compared with the Runge-Kutta
+// method and with values from the literature.
 #include "bench/accuracy/reference.h"
 
 #include <gtest/gtest.h>
@@ -66,20 +66,19 @@ TEST(Parallelogram, rate_and_period_match_reference_values) {
     EXPECT_NEAR(pendulum_period(rate, pi / 3), 2.030384, 5e-7);
 }
 
-// A light last link hardly pulls: the chain of two is then the chain of one.
+// A light last link hardly affects the other one: the chain of two then equals the chain of one.
 TEST(Chain, massless_link_changes_nothing) {
     const Trajectory one = planar_chain({{1, 0.1, 1, 0.5}}, 1, 1, 0);
     const Trajectory two = planar_chain({{1, 0.1, 1, 0.5}, {1e-9, 1e-10, 1, 0.5}}, 1, 1, 0);
     EXPECT_LT(length(one.back() - two.back()), 1e-7);
 }
 
-// Small swings of two equal rods: sum of the two normal modes, by hand for point masses at the
-// ends: w^2 = g/l (2 -+ sqrt 2).
+// Small oscillations of two equal rods: a sum of the two normal modes, derived for point masses at
+// the ends: w^2 = g/l (2 -+ sqrt 2).
 TEST(Chain, two_point_masses_swing_in_the_slow_mode) {
     const double slow = std::sqrt(g * (2 - std::sqrt(2.0)));
     const std::vector<ChainLink> points = {{1, 0, 1, 1}, {1, 0, 1, 1}};
-    // Both at one small angle is 0.854 of the slow mode and 0.146 of the fast one, at the lower
-    // end.
+    // Equal small angles are 0.854 of the slow mode and 0.146 of the fast one, at the lower end.
     const double start = 1e-4, fast = std::sqrt(g * (2 + std::sqrt(2.0)));
     const Trajectory track = planar_chain(points, start, 2, 1);
     for (double t = 0; t <= 2; t += 0.1) {
@@ -92,7 +91,7 @@ TEST(Chain, two_point_masses_swing_in_the_slow_mode) {
 }
 
 // The spin about the middle axis changes its sign after 3.0838 s, and again after half a period of
-// Jacobi's functions, 2 K(k) / rate = 5.5634 s.
+// Jacobi's elliptic functions, 2 K(k) / rate = 5.5634 s.
 TEST(Tumble, half_period_matches_jacobi_functions) {
     const Vec3 inertia{0.1, 0.2, 0.28}, spin{0.01, 5, 0.01};
     const Vec3 l = scaled(inertia, spin);
@@ -121,7 +120,8 @@ TEST(Catenary, sag_matches_reference_values) {
     EXPECT_NEAR(catenary_sag(20, 0.5, 9.8), 0.8644919, 5e-8);
 }
 
-// Euler's equations about the fixed point, with the torque of the weight: where the centre is.
+// Integrates Euler's equations about the fixed point with the torque of the weight. Returns the
+// position of the centre.
 Vec3 top_after(const Body& body, Vec3 inertia_at_pivot, Vec3 arm, double seconds) {
     const Vec3 local_spin = inverse_rotate(body.pose.rotation, body.spin);
     const Quat q0 = body.pose.rotation;
@@ -167,7 +167,7 @@ TEST(ConicalPendulum, rotation_matches_the_closed_form) {
 TEST(Bodies, box_of_inertia_has_the_given_inertia) {
     const Vec3 half{0.3, 0.2, 0.1};
     EXPECT_LT(length(box_of_inertia(2, box_inertia(2, half)) - half), 1e-12);
-    // A plate without thickness becomes as thin as can be, and keeps its largest moment.
+    // An infinitely thin plate is replaced by a thin box with the same largest moment of inertia.
     const Vec3 plate = box_of_inertia(1, {0.05, 0.05, 0.1});
     EXPECT_DOUBLE_EQ(plate.z, jostle::physics::min_shape_size);
     EXPECT_NEAR(box_inertia(1, plate).z, 0.1, 1e-12);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What the short form of the laboratory takes for a fault, on rows that are made up.
+// The regressions that the short accuracy run reports, with synthetic rows.
 #include "bench/accuracy/regression.h"
 
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ Row short_row(const char* scene, double error, double second = 0, double rate_hz
     return {.scene = scene, .rate_hz = rate_hz, .error = error, .second_error = second};
 }
 
-Row blown_row(const char* scene) {
+Row failed_row(const char* scene) {
     Row row = short_row(scene, 0);
     row.failed = "a body is lost";
     return row;
@@ -60,9 +60,9 @@ TEST(Regression, secondary_errors_count_except_for_scenes_that_must_fall) {
 }
 
 TEST(Regression, new_failed_run_is_a_regression) {
-    EXPECT_EQ(faults_in(changes_between({short_row("j1", 1)}, {blown_row("j1")}, true)), 1);
-    EXPECT_EQ(faults_in(changes_between({blown_row("j1")}, {short_row("j1", 1)}, true)), 0);
-    EXPECT_TRUE(changes_between({blown_row("j1")}, {blown_row("j1")}, true).empty());
+    EXPECT_EQ(faults_in(changes_between({short_row("j1", 1)}, {failed_row("j1")}, true)), 1);
+    EXPECT_EQ(faults_in(changes_between({failed_row("j1")}, {short_row("j1", 1)}, true)), 0);
+    EXPECT_TRUE(changes_between({failed_row("j1")}, {failed_row("j1")}, true).empty());
 }
 
 TEST(Regression, unmatched_rows_are_regressions) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Which scenes are measured, and what is done with each. What is in them:
-// tests/scenes/bench_scenes_test.cpp.
+// The measured scenes and their settings. Their content: tests/scenes/bench_scenes_test.cpp.
 #include "bench/speed/speed_scenes.h"
 
 #include <gtest/gtest.h>
@@ -43,8 +42,8 @@ TEST(SpeedScenes, every_scene_is_in_the_catalogue_and_portable) {
     }
 }
 
-// Who starts inside another is pushed out, and how is not what is measured. The bones of a figure,
-// which joints hold beside each other, may; and the draws of the pile have some that do.
+// Engines resolve initial overlaps in different ways, which the benchmark does not measure.
+// Connected bones of a ragdoll may overlap, and the random placement of piles causes some overlaps.
 TEST(SpeedScenes, no_bodies_overlap_at_the_start) {
     for (const SpeedScene& speed_scene : speed_scenes()) {
         const SceneDescription scene = build(speed_scene);

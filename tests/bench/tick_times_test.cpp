@@ -8,7 +8,7 @@
 namespace jostle::bench {
 namespace {
 
-// As jostlectl writes it, in microseconds.
+// In the format of jostlectl, in microseconds.
 std::string tick(int duration, int begun_late, int late_ticks) {
     return R"({"ph":"X","name":"tick","ts":0,"dur":)" + std::to_string(duration) +
            R"(,"args":{"late_us":)" + std::to_string(begun_late) + R"(,"late_ticks":)" +

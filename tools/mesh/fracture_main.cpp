@@ -22,8 +22,8 @@ using namespace jostle::physics;
 constexpr const char* footer = R"(
 A destructible body breaks along surfaces that are computed in advance. This program generates seed
 points. The region of the solid that is closer to one seed than to all others becomes a chunk, a
-convex hull (Voronoi cell). Chunks that share a face are connected by a bond: a short beam with the
-area and the moments of the face. The strength of bonds is set where the solid is added to a world
+convex hull (Voronoi cell). Chunks that share a face are connected by a bond: a short beam with
+the cross-section of the face. The strength of bonds is set where the solid is added to a world
 (docs/guides/game_developer/destruction.md).
 
 Patterns:

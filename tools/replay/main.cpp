@@ -35,11 +35,11 @@ Examples:
   jostle-replay worlds.db --world yard --diff other.db
 
 Recordings are written by jostle-record. A truncated recording, after a crash or while it is
-written, is read up to its last complete record; the summary says so. Positions are in m, rotations
-are quaternions. A tick without a snapshot shows the preceding snapshot.
+written, is read up to its last complete record; the summary reports it. Positions are in m,
+rotations are quaternions. A tick without a snapshot shows the preceding snapshot.
 
-A database contains the persisted worlds of a server (persistence.database, docs/guides/operator/persist.md).
-Stop the server first, or copy its files. Replay is bit-identical: --verify compares each checkpoint
+A database contains the persisted worlds of a server (persistence.database,
+docs/guides/operator/persist.md). Stop the server first, or copy its files. Replay is bit-identical: --verify compares each checkpoint
 with the replayed world, and --diff names the first tick and field in which two databases differ.
 
 Exit status: 0 success, 1 --verify or --diff found a difference or the tick is not available,

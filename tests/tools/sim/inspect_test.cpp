@@ -102,7 +102,7 @@ TEST_F(Sim, rejects_an_unknown_body) {
         EXPECT_EQ(run(arguments), status) << arguments;
         EXPECT_THAT(output(), HasSubstr(why)) << arguments;
     };
-    refused("stack --inspect nobody", 2, "the scene has no body 'nobody'");
+    refused("stack --inspect missing", 2, "the scene has no body 'missing'");
     refused("stack --inspect 99", 2, "a number from 0 to 10");
     refused("stack --inspect ground", 1, "is not dynamic");
     refused("free_space --inspect 3 --at 0", 1, "touches nothing");

@@ -42,7 +42,7 @@ struct PathResponse {
 using Content = std::variant<Message, Fragment, PathChallenge, PathResponse>;
 
 /// Decodes the content of a packet. The result contains views into `content`. Returns corrupt_data
-/// if the content is malformed; the message says why.
+/// if the content is malformed; the message describes the fault.
 Result<Content> decode_content(std::string_view content);
 
 std::string encode(const PathChallenge& question);

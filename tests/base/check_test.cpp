@@ -9,7 +9,7 @@ namespace jostle::test {
 namespace {
 
 TEST(CheckDeathTest, message_contains_file_line_and_expression) {
-    EXPECT_DEATH(physics::assertion_failed("index < count", "store.cpp", 12),
+    EXPECT_DEATH(assertion_failed("index < count", "store.cpp", 12),
                  "store\\.cpp:12: assertion failed: index < count");
 }
 

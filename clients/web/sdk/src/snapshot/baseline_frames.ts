@@ -1,4 +1,5 @@
-// Baselines of a snapshot: the earlier frames that it is encoded against (WIRE.md, "A frame").
+// Baselines of a snapshot: the earlier frames that it is encoded against (WIRE.md, "Frame
+// encoding").
 
 import { DecodeError } from './frame_state.js';
 

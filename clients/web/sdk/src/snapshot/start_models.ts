@@ -1,4 +1,4 @@
-// Written by bench/train_start_models.cpp; part of the format (proto/WIRE.md, "How models begin").
+// Written by bench/train_start_models.cpp; part of the format (proto/WIRE.md, "Initial models").
 
 export const INITIAL_MODELS = [
   [

@@ -675,7 +675,7 @@ export const PossessInputSchema: GenMessage<PossessInput> = /*@__PURE__*/
 
 /**
  * Control state of the controlled entity, in effect until the next ControlInput. The module of the entity defines the
- * meaning of axes and buttons (docs/modules.md).
+ * meaning of axes and buttons (docs/guides/game_developer/modules.md).
  *
  * @generated from message jostle.v1.ControlInput
  */

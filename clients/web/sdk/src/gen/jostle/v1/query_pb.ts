@@ -1,7 +1,7 @@
 // Spatial queries of a running world. The server evaluates them against a copy that is at most a few ticks old; `tick`
 // is the tick of that copy. With `view_time` (lag compensation) it evaluates them against the poses of that time with
 // the current shapes. Entities that spawned later or are gone are not found. A view time older than the stored frames
-// is clamped to the oldest frame; `tick` and `view_time_clamped` then say so.
+// is clamped to the oldest frame; `tick` and `view_time_clamped` report it.
 //
 // The same methods are available over HTTP: POST /api/query/<Method> with the request in protobuf's JSON form.
 //

@@ -125,13 +125,13 @@ int train(const std::string& folder) {
     write(
         folder + "/start_models.cpp", tables,
         "// SPDX-License-Identifier: MIT\n//\n// Written by bench/train_start_models.cpp; part of "
-        "the format.\n#include \"wire/start_models.h\"\n\nnamespace jostle::wire {\n\nconst "
+        "the format.\n#include \"jostle/snapshot/start_models.h\"\n\nnamespace jostle::wire "
+        "{\n\nconst "
         "std::string_view start_model_letters[2] = {\n",
         "    \"%s\"\n", "    ,\n", "};\n\n}  // namespace jostle::wire\n");
     write(folder + "/start_models.ts", tables,
-          "// Written by bench/train_start_models.cpp; part of the format (proto/WIRE.md, \"How "
-          "models "
-          "begin\").\n\nexport const INITIAL_MODELS = [\n  [\n",
+          "// Written by bench/train_start_models.cpp; part of the format (proto/WIRE.md, "
+          "\"Initial models\").\n\nexport const INITIAL_MODELS = [\n  [\n",
           "    '%s',\n", "  ].join(''),\n  [\n", "  ].join(''),\n] as const;\n");
     return 0;
 }

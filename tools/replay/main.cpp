@@ -39,8 +39,9 @@ written, is read up to its last complete record; the summary reports it. Positio
 rotations are quaternions. A tick without a snapshot shows the preceding snapshot.
 
 A database contains the persisted worlds of a server (persistence.database,
-docs/guides/operator/persist.md). Stop the server first, or copy its files. Replay is bit-identical: --verify compares each checkpoint
-with the replayed world, and --diff names the first tick and field in which two databases differ.
+docs/guides/operator/persist.md). Stop the server first, or copy its files. Replay is bit-identical:
+--verify compares each checkpoint with the replayed world, and --diff names the first tick and field
+in which two databases differ.
 
 Exit status: 0 success, 1 --verify or --diff found a difference or the tick is not available,
 2 invalid flags or files.)";

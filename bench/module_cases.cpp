@@ -193,9 +193,9 @@ public:
     }
 
 private:
-    void throw_at(Vec3 foot) {
+    void throw_at(Vec3 target) {
         must(world_.create_body(
-            {.pose = {.position = foot + Vec3{0, 1.8, -3}}, .linear_velocity = {0, 1, 25}},
+            {.pose = {.position = target + Vec3{0, 1.8, -3}}, .linear_velocity = {0, 1, 25}},
             {.geometry = Sphere{0.3}, .density = 7800}));
     }
 

@@ -49,14 +49,14 @@ std::optional<CodecCost> measure(const std::vector<wire::QuantizedFrame>& frames
         const auto began = bench::cpu_seconds();
         const auto packed = wire::encode_frame(frames[i], baselines, {}, codec);
         const auto encoded = bench::cpu_seconds();
-        const auto back =
+        const auto decoded =
             wire::decode_frame(frames[i].frame, packed, baselines, {}, 1u << 20, codec);
         decoding += bench::cpu_seconds() - encoded;
         encoding += encoded - began;
-        if (!back.ok() || *back != frames[i]) {
-            std::fprintf(
-                stderr, "wire-bench: frame %u: decoding failed: %s\n", frames[i].frame,
-                back.ok() ? "the frame differs from the original" : back.error().message.c_str());
+        if (!decoded.ok() || *decoded != frames[i]) {
+            std::fprintf(stderr, "wire-bench: frame %u: decoding failed: %s\n", frames[i].frame,
+                         decoded.ok() ? "the frame differs from the original"
+                                      : decoded.error().message.c_str());
             return std::nullopt;
         }
         bytes += packed.size();

@@ -153,11 +153,11 @@ int run(const Flags& flags) {
     for (const std::string& path : {flags.json, flags.csv, flags.sheet, flags.tables})
         if (!path.empty() && !can_write(path)) return 1;
     if (!flags.plot.empty()) {
-        std::error_code refused;
-        std::filesystem::create_directories(flags.plot, refused);
-        if (refused) {
+        std::error_code error;
+        std::filesystem::create_directories(flags.plot, error);
+        if (error) {
             std::fprintf(stderr, "jostle-bench: cannot create the folder %s: %s\n",
-                         flags.plot.c_str(), refused.message().c_str());
+                         flags.plot.c_str(), error.message().c_str());
             return 1;
         }
     }

@@ -24,8 +24,8 @@ Vec3 box_inertia(double mass, Vec3 half_extents) {
 }
 
 Vec3 sphere_inertia(double mass, double radius) {
-    const double moment = 0.4 * mass * radius * radius;
-    return {moment, moment, moment};
+    const double inertia = 0.4 * mass * radius * radius;
+    return {inertia, inertia, inertia};
 }
 
 Vec3 box_of_inertia(double mass, Vec3 inertia) {
@@ -107,9 +107,10 @@ std::vector<Vec3> mutual_forces(std::span<const double> masses, std::span<const 
     std::vector<Vec3> forces(at.size());
     for (std::size_t a = 0; a < at.size(); a++)
         for (std::size_t b = 0; b < a; b++) {
-            const Vec3 apart = at[b] - at[a];
-            const double away = length(apart);
-            const Vec3 force = apart * (pull * masses[a] * masses[b] / (away * away * away));
+            const Vec3 offset = at[b] - at[a];
+            const double distance = length(offset);
+            const Vec3 force =
+                offset * (pull * masses[a] * masses[b] / (distance * distance * distance));
             forces[a] += force;
             forces[b] -= force;
         }

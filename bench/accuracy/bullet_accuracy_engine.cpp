@@ -114,8 +114,9 @@ public:
         if (pull_ > 0)
             for (const auto& body : bodies_) {
                 const btVector3 at = body->getCenterOfMassPosition();
-                const double away = at.length();
-                body->applyCentralForce(at * (-pull_ / (body->getInvMass() * away * away * away)));
+                const double distance = at.length();
+                body->applyCentralForce(
+                    at * (-pull_ / (body->getInvMass() * distance * distance * distance)));
             }
         if (mutual_pull_ > 0) pull_each_other();
         world_->stepSimulation(dt, 0);
@@ -147,8 +148,9 @@ private:
             for (const auto& b : bodies_) {
                 if (a == b) continue;
                 const btVector3 apart = b->getCenterOfMassPosition() - a->getCenterOfMassPosition();
-                const double away = apart.length(), masses = a->getMass() * b->getMass();
-                a->applyCentralForce(apart * (mutual_pull_ * masses / (away * away * away)));
+                const double distance = apart.length(), masses = a->getMass() * b->getMass();
+                a->applyCentralForce(apart *
+                                     (mutual_pull_ * masses / (distance * distance * distance)));
             }
     }
 

@@ -153,44 +153,46 @@ private:
 
     void add_link(const Scene& scene, const BodyTree& tree, int body, int link) {
         const BodyTree::Node& node = tree.nodes[static_cast<std::size_t>(body)];
-        const Body& what = scene.bodies[static_cast<std::size_t>(body)];
+        const Body& description = scene.bodies[static_cast<std::size_t>(body)];
         const Transform above = pose_in(scene, node.parent);
         const int parent =
             node.parent == ground ? the_base : link_of_[static_cast<std::size_t>(node.parent)];
-        const btVector3 inertia = to_bullet(what.inertia);
-        const btQuaternion turn = to_bullet(conjugate(what.pose.rotation) * above.rotation);
-        const btVector3 axis = to_bullet(inverse_rotate(what.pose.rotation, node.joint->axis));
+        const btVector3 inertia = to_bullet(description.inertia);
+        const btQuaternion turn = to_bullet(conjugate(description.pose.rotation) * above.rotation);
+        const btVector3 axis =
+            to_bullet(inverse_rotate(description.pose.rotation, node.joint->axis));
         const btVector3 to_pivot = to_bullet(apply_inverse(above, node.joint->anchor));
-        const btVector3 to_center = -to_bullet(apply_inverse(what.pose, node.joint->anchor));
+        const btVector3 to_center = -to_bullet(apply_inverse(description.pose, node.joint->anchor));
         switch (node.joint->kind) {
             case JointKind::hinge:
-                tree_->setupRevolute(link, what.mass, inertia, parent, turn, axis, to_pivot,
+                tree_->setupRevolute(link, description.mass, inertia, parent, turn, axis, to_pivot,
                                      to_center, true);
                 return;
             case JointKind::slider:
-                tree_->setupPrismatic(link, what.mass, inertia, parent, turn, axis, to_pivot,
+                tree_->setupPrismatic(link, description.mass, inertia, parent, turn, axis, to_pivot,
                                       to_center, true);
                 return;
             case JointKind::fixed:
-                tree_->setupFixed(link, what.mass, inertia, parent, turn, to_pivot, to_center);
+                tree_->setupFixed(link, description.mass, inertia, parent, turn, to_pivot,
+                                  to_center);
                 return;
             default:
-                tree_->setupSpherical(link, what.mass, inertia, parent, turn, to_pivot, to_center,
-                                      true);
+                tree_->setupSpherical(link, description.mass, inertia, parent, turn, to_pivot,
+                                      to_center, true);
         }
     }
 
     // The joint's own velocity: that of the body relative to its parent.
     void set_rate(const Scene& scene, const BodyTree& tree, int body) {
         const BodyTree::Node& node = tree.nodes[static_cast<std::size_t>(body)];
-        const Body& what = scene.bodies[static_cast<std::size_t>(body)];
-        Vec3 spin = what.spin, velocity = what.velocity;
+        const Body& description = scene.bodies[static_cast<std::size_t>(body)];
+        Vec3 spin = description.spin, velocity = description.velocity;
         if (node.parent != ground) {
             spin -= scene.bodies[static_cast<std::size_t>(node.parent)].spin;
             velocity -= scene.bodies[static_cast<std::size_t>(node.parent)].velocity;
         }
         const int link = link_of_[static_cast<std::size_t>(body)];
-        const Vec3 local = inverse_rotate(what.pose.rotation, spin);
+        const Vec3 local = inverse_rotate(description.pose.rotation, spin);
         const double ball[3] = {local.x, local.y, local.z};
         const double hinge[1] = {dot(node.joint->axis, spin)};
         const double slider[1] = {dot(node.joint->axis, velocity)};

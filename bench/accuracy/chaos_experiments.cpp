@@ -43,13 +43,13 @@ Trajectory way_of_first(double seconds) {
         for (int i = 0; i < 3; i++) y.push_back(body.pose.position[i]);
     for (const Body& body : scene.bodies)
         for (int i = 0; i < 3; i++) y.push_back(body.velocity[i]);
-    const auto place = [](const State& from, int k) {
+    const auto position_of = [](const State& from, int k) {
         const auto first = static_cast<std::size_t>(3 * k);
         return Vec3{from[first], from[first + 1], from[first + 2]};
     };
     const auto rate = [&](const State& now, State& dy) {
         std::vector<Vec3> at;
-        for (int k = 0; k < suns; k++) at.push_back(place(now, k));
+        for (int k = 0; k < suns; k++) at.push_back(position_of(now, k));
         const std::vector<Vec3> forces = mutual_forces(masses, at, 1);
         dy.assign(now.begin() + 3 * suns, now.end());
         for (const Vec3 force : forces)
@@ -58,7 +58,7 @@ Trajectory way_of_first(double seconds) {
     Trajectory track;
     const long ticks = std::lround(seconds * reference_hz);
     for (long k = 0; k <= ticks; k++) {
-        track.push_back(place(y, 0));
+        track.push_back(position_of(y, 0));
         runge_kutta_step(y, 1.0 / reference_hz, rate);
     }
     return track;
@@ -114,7 +114,7 @@ ExperimentRun cloth(double) {
     constexpr int side = 32;
     constexpr double pitch = 0.05, stiffness = 400, damping = 0.02;
     Scene scene{.name = "c17-cloth"};
-    const auto place = [](int i, int j) { return Vec3{pitch * i, pitch * j, 0}; };
+    const auto grid_position = [](int i, int j) { return Vec3{pitch * i, pitch * j, 0}; };
     const auto spring = [&](int a, int b, Vec3 from, Vec3 to) {
         scene.joints.push_back({.kind = JointKind::spring,
                                 .a = a,
@@ -128,11 +128,11 @@ ExperimentRun cloth(double) {
     for (int i = 0; i < side; i++)
         for (int j = 0; j < side; j++) {
             const int here = side * i + j;
-            scene.bodies.push_back(without_shape(solid_sphere(0.01, 0.01, place(i, j))));
-            if (i > 0) spring(here - side, here, place(i - 1, j), place(i, j));
-            if (j > 0) spring(here - 1, here, place(i, j - 1), place(i, j));
+            scene.bodies.push_back(without_shape(solid_sphere(0.01, 0.01, grid_position(i, j))));
+            if (i > 0) spring(here - side, here, grid_position(i - 1, j), grid_position(i, j));
+            if (j > 0) spring(here - 1, here, grid_position(i, j - 1), grid_position(i, j));
         }
-    for (const int j : {0, side - 1}) spring(ground, j, place(-1, j), place(0, j));
+    for (const int j : {0, side - 1}) spring(ground, j, grid_position(-1, j), grid_position(0, j));
     auto meter = std::make_unique<GapsMeter>(scene);
     return {std::move(scene), 2, std::move(meter)};
 }

@@ -27,11 +27,11 @@ ExperimentRun roll(double) {
     ball.velocity = heading * speed;
     scene.bodies = {ball, fixed_plane()};
     const double slides = 2 * speed / (7 * friction * g), rolling = 5.0 / 7 * speed;
-    const double way =
+    const double travelled =
         speed * slides - 0.5 * friction * g * slides * slides + rolling * (seconds - slides);
     auto meter = last_meter([=](double, const Engine& engine) {
         const BodyState now = engine.state(0);
-        return Errors{length(flat(now.position) - heading * way) / way,
+        return Errors{length(flat(now.position) - heading * travelled) / travelled,
                       length(flat(now.velocity) - heading * rolling) / rolling};
     });
     return {std::move(scene), seconds, std::move(meter)};
@@ -57,24 +57,24 @@ ExperimentRun stick(double) {
 ExperimentRun slide(double) {
     const double slope = std::atan(0.3), seconds = 2;
     const double acceleration = g * (std::sin(slope) - 0.2 * std::cos(slope));
-    const double way = 0.5 * acceleration * seconds * seconds;
+    const double travelled = 0.5 * acceleration * seconds * seconds;
     auto meter = last_meter([=](double t, const Engine& engine) {
         const Vec3 at = engine.state(0).position;
         const Vec3 truth = heading * (0.5 * acceleration * t * t);
-        return Errors{length(flat(at) - truth) / way, std::abs(at.z - 0.25)};
+        return Errors{length(flat(at) - truth) / travelled, std::abs(at.z - 0.25)};
     });
     return {tilted("c3", 0.2), seconds, std::move(meter)};
 }
 
 ExperimentRun stop(double) {
-    const double speed = 5, friction = 0.4, way = speed * speed / (2 * friction * g);
+    const double speed = 5, friction = 0.4, travelled = speed * speed / (2 * friction * g);
     Scene scene{.name = "c4", .friction = friction};
     Body box = solid_box(1, {0.5, 0.5, 0.05}, {0, 0, 0.05});
     box.velocity = heading * speed;
     scene.bodies = {box, fixed_plane()};
     auto meter = last_meter([=](double, const Engine& engine) {
         const Vec3 at = engine.state(0).position;
-        return Errors{length(flat(at) - heading * way) / way, std::abs(at.z - 0.05)};
+        return Errors{length(flat(at) - heading * travelled) / travelled, std::abs(at.z - 0.05)};
     });
     return {std::move(scene), 2, std::move(meter)};
 }

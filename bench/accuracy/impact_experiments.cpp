@@ -42,13 +42,13 @@ public:
         deepest_ = std::max(deepest_, -height);
     }
     Errors errors() const override {
-        constexpr std::size_t asked = 5;
+        constexpr std::size_t apex_count = 5;
         double sum = 0;
-        for (std::size_t n = 0; n < asked; n++) {
+        for (std::size_t n = 0; n < apex_count; n++) {
             const double truth = std::pow(0.64, static_cast<double>(n + 1));
             sum += std::abs((n < apexes_.size() ? apexes_[n] : 0) - truth) / truth;
         }
-        return {sum / static_cast<double>(asked), deepest_};
+        return {sum / static_cast<double>(apex_count), deepest_};
     }
 
 private:

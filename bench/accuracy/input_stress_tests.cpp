@@ -67,7 +67,7 @@ std::vector<Input> odd() {
             {.shape = {.material = {.friction = denormal, .restitution = denormal}}}};
 }
 
-int taken(World& world) {
+int accepted_count(World& world) {
     int count = 0;
     for (const Input& input : refusable()) count += world.create_body(input.body, input.shape).ok();
     for (const double bad : {not_a_number, infinite, 0.0, -1.0, denormal})
@@ -104,7 +104,7 @@ bool harmless(const Input& input) {
 Verdict inputs(const EngineKind& kind, const std::string&) {
     if (std::string(kind.name) != "jostle") return {.unsupported = "tested with jostle only"};
     World world;
-    int bad = taken(world);
+    int bad = accepted_count(world);
     for (const Input& input : odd()) bad += !harmless(input);
     return {.pass = bad == 0, .figure = static_cast<double>(bad)};
 }

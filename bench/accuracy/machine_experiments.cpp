@@ -122,30 +122,32 @@ struct Hanging {
 
 // Starts from a V shape, damped until it rests. The slowest mode of such a chain has about 3 rad/s,
 // so twice as much is critical damping.
-ExperimentRun hanging(const Hanging& what) {
-    Scene scene{.name = what.name, .damping = 6};
-    const double half_length = 0.5 * what.length * what.links;
-    const double along = 0.5 * what.span / half_length;  // cosine of the legs' slope
+ExperimentRun hanging(const Hanging& description) {
+    Scene scene{.name = description.name, .damping = 6};
+    const double half_length = 0.5 * description.length * description.links;
+    const double along = 0.5 * description.span / half_length;  // cosine of the legs' slope
     const double down = std::sqrt(1 - along * along);
     Vec3 from;
-    for (int k = 0; k < what.links; k++) {
-        const bool first_leg = k < what.links / 2;
+    for (int k = 0; k < description.links; k++) {
+        const bool first_leg = k < description.links / 2;
         const Vec3 direction{along, 0, first_leg ? -down : down};
         const double angle = std::atan2(first_leg ? down : -down, along);
-        Body link = without_shape(
-            solid_box(what.mass, what.half_extents, from + direction * (0.5 * what.length)));
+        Body link = without_shape(solid_box(description.mass, description.half_extents,
+                                            from + direction * (0.5 * description.length)));
         link.pose.rotation = physics::from_axis_angle({0, 1, 0}, angle);
         scene.bodies.push_back(std::move(link));
-        scene.joints.push_back({.kind = what.joint, .a = k - 1, .b = k, .anchor = from});
-        from += direction * what.length;
+        scene.joints.push_back({.kind = description.joint, .a = k - 1, .b = k, .anchor = from});
+        from += direction * description.length;
     }
-    Joint end{.kind = what.joint, .a = ground, .b = what.links - 1, .anchor = from};
+    Joint end{.kind = description.joint, .a = ground, .b = description.links - 1, .anchor = from};
     scene.joints.push_back(end);
-    const Joint lowest{.a = what.links / 2 - 1,
-                       .anchor = scene.joints[static_cast<std::size_t>(what.links) / 2].anchor};
+    const Joint lowest{
+        .a = description.links / 2 - 1,
+        .anchor = scene.joints[static_cast<std::size_t>(description.links) / 2].anchor};
     auto meter = std::make_unique<SagMeter>(
-        scene, lowest, catenary_sag(what.links, what.length, what.span), what.length);
-    return {std::move(scene), what.seconds, std::move(meter), what.damping_ends};
+        scene, lowest, catenary_sag(description.links, description.length, description.span),
+        description.length);
+    return {std::move(scene), description.seconds, std::move(meter), description.damping_ends};
 }
 
 }  // namespace

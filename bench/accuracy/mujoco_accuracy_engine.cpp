@@ -41,9 +41,10 @@ void pull_bodies(const mjModel* model, mjData* data) {
     }
     const std::vector<Vec3> mutual = mutual_forces(masses, at, mutual_pull);
     for (std::size_t k = 0; k < at.size(); k++) {
-        const double away = length(at[k]);
+        const double distance = length(at[k]);
         Vec3 sum = mutual[k];
-        if (central_pull > 0) sum -= at[k] * (central_pull * masses[k] / (away * away * away));
+        if (central_pull > 0)
+            sum -= at[k] * (central_pull * masses[k] / (distance * distance * distance));
         const mjtNum force[3] = {sum.x, sum.y, sum.z}, torque[3] = {0, 0, 0};
         const mjtNum point[3] = {at[k].x, at[k].y, at[k].z};
         mj_applyFT(model, data, force, torque, point, static_cast<int>(k) + 1, data->qfrc_passive);

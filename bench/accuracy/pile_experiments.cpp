@@ -54,9 +54,9 @@ public:
         for (std::size_t i = 0; i < at_.size(); i++) {
             deepest = std::max(deepest, radius - at_[i].z);
             for (std::size_t j = 0; j < i; j++) {
-                const double apart = length_squared(at_[i] - at_[j]);
-                if (apart < 4 * radius * radius)
-                    deepest = std::max(deepest, 2 * radius - std::sqrt(apart));
+                const double distance_squared = length_squared(at_[i] - at_[j]);
+                if (distance_squared < 4 * radius * radius)
+                    deepest = std::max(deepest, 2 * radius - std::sqrt(distance_squared));
             }
         }
         sum_ += deepest;

@@ -35,8 +35,8 @@ long damped_steps(const ExperimentRun& start, double rate_hz) {
 
 std::string failure(const Scene& scene, const Engine& engine) {
     for (std::size_t k = 0; k < scene.bodies.size(); k++) {
-        const double away = length(engine.state(static_cast<int>(k)).position);
-        if (!(away < furthest)) return "a body is lost";
+        const double distance = length(engine.state(static_cast<int>(k)).position);
+        if (!(distance < furthest)) return "a body is lost";
     }
     return engine.failure();
 }
@@ -66,16 +66,16 @@ double least_time(const ExperimentRun& start, const EngineKind& kind, const std:
 // The same run at the finest rate: RMS distance of the bodies at the end.
 double distance_from_finest(const Experiment& experiment, const EngineKind& kind,
                             const std::string& mode, double rate_hz, std::string& failure) {
-    const auto here = run_once(experiment.start(0), kind, mode, rate_hz);
+    const auto first_run = run_once(experiment.start(0), kind, mode, rate_hz);
     const auto finest = run_once(experiment.start(0), kind, mode, experiment.finest_hz);
-    if (!here || !finest || !here->failed.empty() || !finest->failed.empty()) {
+    if (!first_run || !finest || !first_run->failed.empty() || !finest->failed.empty()) {
         failure = "the finest run failed";
         return 0;
     }
     double sum = 0;
-    for (std::size_t k = 0; k < here->last.size(); k++)
-        sum += length_squared(here->last[k] - finest->last[k]);
-    return std::sqrt(sum / static_cast<double>(here->last.size()));
+    for (std::size_t k = 0; k < first_run->last.size(); k++)
+        sum += length_squared(first_run->last[k] - finest->last[k]);
+    return std::sqrt(sum / static_cast<double>(first_run->last.size()));
 }
 
 }  // namespace
@@ -89,7 +89,8 @@ Result<Outcome> run_once(ExperimentRun start, const EngineKind& kind, const std:
     for (long k = 0; k < steps; k++) {
         if (k == damped) engine->set_damping(0);
         engine->step(1 / rate_hz);
-        if (auto why = failure(start.scene, *engine); !why.empty()) return Outcome{.failed = why};
+        if (auto reason = failure(start.scene, *engine); !reason.empty())
+            return Outcome{.failed = reason};
         start.meter->sample(static_cast<double>(k + 1) / rate_hz, *engine);
         if (cpu_seconds() - began > longest) return Outcome{.failed = takes_too_long};
     }

@@ -106,10 +106,10 @@ KdTree::Split KdTree::best_split(const Cell& c) const {
     Aabb bounds = c.entries[0].box;
     for (const Entry& e : c.entries) bounds = physics::unite(bounds, e.box);
     bounds = {physics::max(bounds.low, c.region.low), physics::min(bounds.high, c.region.high)};
-    const double whole = physics::half_area(bounds);
+    const double whole_area = physics::half_area(bounds);
     double best = static_cast<double>(c.entries.size());
     Split split;
-    if (!(whole > 0)) return split;
+    if (!(whole_area > 0)) return split;
     for (int axis = 0; axis < 3; axis++) {
         const double low = bounds.low[axis], size = bounds.high[axis] - low;
         if (!(size > 0)) continue;
@@ -130,7 +130,7 @@ KdTree::Split KdTree::best_split(const Cell& c) const {
             left.high[axis] = right.low[axis] = plane;
             const double cost =
                 plane_cost +
-                (below * physics::half_area(left) + above * physics::half_area(right)) / whole;
+                (below * physics::half_area(left) + above * physics::half_area(right)) / whole_area;
             if (cost < best) {
                 best = cost;
                 split = {axis, plane};
@@ -196,8 +196,8 @@ void KdTree::remove_from(std::int32_t at, const Aabb& box, std::int32_t handle) 
 void KdTree::replace(std::int32_t at, const Aabb& old, const Entry& e, int depth) {
     const Node n = node(at);
     if (n.axis < 0) {
-        for (Entry& there : cell(n.below).entries)
-            if (there.handle == e.handle) there.box = e.box;
+        for (Entry& stored : cell(n.below).entries)
+            if (stored.handle == e.handle) stored.box = e.box;
         return;
     }
     const bool was[] = {is_below(old, n.axis, n.plane), is_above(old, n.axis, n.plane)};
@@ -245,14 +245,15 @@ double KdTree::cast_below(std::int32_t at, const Ray& ray, double from, double t
                 limit = (*ray.visit)(e.item, limit);
         return limit;
     }
-    const double there = n.plane - ray.origin[n.axis], motion = ray.motion[n.axis];
-    const std::int32_t near = there > 0 ? n.below : n.below + 1;
-    const std::int32_t far = there > 0 ? n.below + 1 : n.below;
+    const double plane_offset = n.plane - ray.origin[n.axis], motion = ray.motion[n.axis];
+    const std::int32_t near = plane_offset > 0 ? n.below : n.below + 1;
+    const std::int32_t far = plane_offset > 0 ? n.below + 1 : n.below;
     // The ray moves away from the plane or parallel to it.
-    if (motion == 0 || (motion > 0) != (there > 0)) return cast_below(near, ray, from, to, limit);
+    if (motion == 0 || (motion > 0) != (plane_offset > 0))
+        return cast_below(near, ray, from, to, limit);
     // The padding keeps boxes that lie where the ray crosses the plane, despite rounding.
     constexpr double pad = 1e-9;
-    const double pass = there / motion;
+    const double pass = plane_offset / motion;
     if (pass > to + pad) return cast_below(near, ray, from, to, limit);
     if (pass < from - pad) return cast_below(far, ray, from, to, limit);
     limit = cast_below(near, ray, from, minimum(to, pass + pad), limit);

@@ -24,7 +24,7 @@ constexpr std::array kinds = {
                      make_impulse_model},
     ContactModelKind{"xpbd", "positions: ten sub-steps of one iteration", make_xpbd_model},
 };
-constexpr double long_enough = 0.01;  // s of CPU time: a run is repeated until then
+constexpr double run_seconds_min = 0.01;  // s of CPU time: a run is repeated until then
 
 constexpr const char* footer = R"(
 Sixteen balls drop 0.5 m on a plane and bounce (restitution 0.8), ten form a stack, one slides until
@@ -64,7 +64,7 @@ std::string check_rate_of_model(const std::string& text) {
 double time_of_run(const ContactModelKind& kind, double rate_hz) {
     const long steps = std::lround(scene_seconds * rate_hz);
     double least = 0, spent = 0;
-    for (int run = 0; run == 0 || spent < long_enough; run++) {
+    for (int run = 0; run == 0 || spent < run_seconds_min; run++) {
         ContactScene scene(1 / rate_hz);
         const auto model = kind.make();
         const double before = cpu_seconds();

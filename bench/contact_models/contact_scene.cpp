@@ -25,12 +25,12 @@ std::vector<Contact> find_contacts(const std::vector<Ball>& balls, double margin
         const Vec3 at = balls[static_cast<std::size_t>(b)].position;
         if (at.z - radius < margin) found.push_back({plane, b, {0, 0, 1}, at.z - radius});
         for (int a = 0; a < b; a++) {
-            const Vec3 apart = at - balls[static_cast<std::size_t>(a)].position;
+            const Vec3 offset = at - balls[static_cast<std::size_t>(a)].position;
             const double reach = 2 * radius + margin;
-            if (length_squared(apart) >= reach * reach) continue;
-            const double away = length(apart);
-            const Vec3 normal = away > 0 ? apart * (1 / away) : Vec3{0, 0, 1};
-            found.push_back({a, b, normal, away - 2 * radius});
+            if (length_squared(offset) >= reach * reach) continue;
+            const double distance = length(offset);
+            const Vec3 normal = distance > 0 ? offset * (1 / distance) : Vec3{0, 0, 1};
+            found.push_back({a, b, normal, distance - 2 * radius});
         }
     }
     return found;

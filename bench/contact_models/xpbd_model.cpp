@@ -77,10 +77,10 @@ private:
     static Contact updated(const std::vector<Ball>& balls, const Contact& contact) {
         const Vec3 b = balls[static_cast<std::size_t>(contact.b)].position;
         if (contact.a == plane) return {plane, contact.b, {0, 0, 1}, b.z - radius};
-        const Vec3 apart = b - balls[static_cast<std::size_t>(contact.a)].position;
-        const double away = length(apart);
-        return {contact.a, contact.b, away > 0 ? apart * (1 / away) : Vec3{0, 0, 1},
-                away - 2 * radius};
+        const Vec3 offset = b - balls[static_cast<std::size_t>(contact.a)].position;
+        const double distance = length(offset);
+        return {contact.a, contact.b, distance > 0 ? offset * (1 / distance) : Vec3{0, 0, 1},
+                distance - 2 * radius};
     }
 
     // Moves the two balls apart by `by` in total, in proportion to their inverse masses.

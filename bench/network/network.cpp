@@ -60,12 +60,12 @@ bool run_codec(Row& row, const Frames& frames, std::size_t age, const wire::Quan
         const double began = cpu_seconds();
         const auto packed = wire::encode_frame(frames[i], baselines, spec, codec);
         const double encoded = cpu_seconds();
-        const auto back = wire::decode_frame(frames[i].frame, packed, baselines, spec,
-                                             wire::default_entities_max, codec);
+        const auto decoded = wire::decode_frame(frames[i].frame, packed, baselines, spec,
+                                                wire::default_entities_max, codec);
         row.decode_us += 1e6 * (cpu_seconds() - encoded);
         row.encode_us += 1e6 * (encoded - began);
         row.bytes.push_back(static_cast<double>(packed.size()));
-        if (!back.ok() || *back != frames[i]) return false;
+        if (!decoded.ok() || *decoded != frames[i]) return false;
     }
     return true;
 }

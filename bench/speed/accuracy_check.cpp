@@ -256,9 +256,9 @@ double min_overlap(const A& a, const Transform& pose_a, const B& b, const Transf
     Vec3 best = normalized(pose_b.position - pose_a.position);
     double least = overlap(best);
     const auto try_one = [&](Vec3 n) {
-        const double here = overlap(n);
-        if (here >= least) return false;
-        least = here;
+        const double value = overlap(n);
+        if (value >= least) return false;
+        least = value;
         best = n;
         return true;
     };

@@ -61,10 +61,10 @@ ChildResult run_in_child(const std::function<std::string()>& work) {
     std::fflush(nullptr);  // otherwise the child would write the buffered output again
     const pid_t child = fork();
     if (child < 0) {
-        const std::string why = std::strerror(errno);
+        const std::string reason = std::strerror(errno);
         close(ends[0]);
         close(ends[1]);
-        return {"", "cannot start a child process: " + why};
+        return {"", "cannot start a child process: " + reason};
     }
     if (child == 0) {
         close(ends[0]);

@@ -100,11 +100,11 @@ void MinimalRawServer::send_to_all() {
     std::array<iovec, 2> pieces{
         iovec{head.data(), head.size()},
         iovec{const_cast<char*>(message.shared.data()), message.shared.size()}};
-    const msghdr whole{.msg_iov = pieces.data(), .msg_iovlen = pieces.size()};
+    const msghdr message_header{.msg_iov = pieces.data(), .msg_iovlen = pieces.size()};
     const auto clients = clients_;
     // A client whose buffer is full is dropped.
     for (const int client : clients)
-        if (sendmsg(client, &whole, MSG_NOSIGNAL) !=
+        if (sendmsg(client, &message_header, MSG_NOSIGNAL) !=
             static_cast<ssize_t>(head.size() + message.shared.size()))
             drop(client);
 }

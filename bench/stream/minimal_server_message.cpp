@@ -28,11 +28,11 @@ MinimalServerMessage make_minimal_server_message(int bytes, std::uint32_t frame)
 }
 
 Status write_port_file(const std::string& port_file, int port) {
-    const std::string beside = port_file + ".new";
-    std::ofstream out(beside);
+    const std::string temporary = port_file + ".new";
+    std::ofstream out(temporary);
     out << "{\"grpc\": " << port << ", \"http\": " << port << ", \"admin\": 0}\n";
     out.close();
-    if (out && std::rename(beside.c_str(), port_file.c_str()) == 0) return {};
+    if (out && std::rename(temporary.c_str(), port_file.c_str()) == 0) return {};
     return invalid_argument("cannot write " + port_file);
 }
 

@@ -97,8 +97,8 @@ void Behaviour::wander(std::vector<v1::Input>& out, const client::WorldView& wor
     // A random direction, or back to the centre from outside the yard.
     const double angle = random(0, 6.283), speed = value("strength") * entity->second.mass();
     double x = std::cos(angle), z = std::sin(angle);
-    const double away = std::hypot(pose->position[0], pose->position[2]);
-    if (away > yard) x = -pose->position[0] / away, z = -pose->position[2] / away;
+    const double distance = std::hypot(pose->position[0], pose->position[2]);
+    if (distance > yard) x = -pose->position[0] / distance, z = -pose->position[2] / distance;
     v1::ImpulseInput& impulse = *out.emplace_back().mutable_impulse();
     impulse.set_entity(mine.front());
     set(*impulse.mutable_impulse(), x * speed, 0.2 * speed, z * speed);
@@ -111,11 +111,12 @@ void Behaviour::push(std::vector<v1::Input>& out, const client::WorldView& world
     if (entity == 0 || !pose) return;
     // Towards the centre, so that the yard does not empty.
     const double x = pose->position[0], z = pose->position[2];
-    const double away = std::max(0.5, std::hypot(x, z));
+    const double distance = std::max(0.5, std::hypot(x, z));
     const double strength = value("strength") * world.entities().at(entity).mass();
     v1::ImpulseInput& impulse = *out.emplace_back().mutable_impulse();
     impulse.set_entity(entity);
-    set(*impulse.mutable_impulse(), -x / away * strength, 0.4 * strength, -z / away * strength);
+    set(*impulse.mutable_impulse(), -x / distance * strength, 0.4 * strength,
+        -z / distance * strength);
 }
 
 bool Behaviour::make_room(std::vector<v1::Input>& out, const std::vector<std::uint32_t>& mine) {
@@ -232,9 +233,10 @@ void Behaviour::race(std::vector<v1::Input>& out, const client::WorldView& world
                              : std::hypot(x - last_position_[0], z - last_position_[2]) / since;
     last_position_ = pose->position;
     last_position_at_ = seconds;
-    const double away = std::max(1.0, std::hypot(x, z));
-    const double off = std::clamp((away - value("radius")) / course_correction_m, -1.0, 1.0);
-    const double course_x = z / away - off * x / away, course_z = -x / away - off * z / away;
+    const double distance = std::max(1.0, std::hypot(x, z));
+    const double off = std::clamp((distance - value("radius")) / course_correction_m, -1.0, 1.0);
+    const double course_x = z / distance - off * x / distance,
+                 course_z = -x / distance - off * z / distance;
     const auto& q = pose->rotation;
     const double ahead_x = -2 * (q[0] * q[2] + q[3] * q[1]),
                  ahead_z = -1 + 2 * (q[0] * q[0] + q[1] * q[1]);

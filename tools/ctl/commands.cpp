@@ -31,8 +31,8 @@ Outcome to_outcome(const Result<Response>& response, const CommandArguments& arg
     return {.text = arguments.json ? json_text(*response) : sentence + "\n"};
 }
 
-std::string count_text(std::uint32_t count, const std::string& thing) {
-    return std::to_string(count) + " " + thing + (count == 1 ? "" : "s");
+std::string count_text(std::uint32_t count, const std::string& noun) {
+    return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
 std::chrono::seconds whole_seconds(double seconds) {

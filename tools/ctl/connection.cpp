@@ -22,8 +22,8 @@ constexpr std::size_t file_bytes_max = 64u << 20;
 }  // namespace
 
 Result<std::string> read_file(const std::string& path) {
-    const auto failed = [&](const char* why) {
-        return invalid_argument("cannot read " + path + ": " + why);
+    const auto failed = [&](const char* reason) {
+        return invalid_argument("cannot read " + path + ": " + reason);
     };
     std::error_code ignored;
     std::ifstream file;

@@ -37,11 +37,11 @@ void Histogram::merge(const Histogram& other) {
 
 double Histogram::percentile(double p) const {
     if (count_ == 0) return 0;
-    const auto wanted = static_cast<std::uint64_t>(p / 100 * static_cast<double>(count_ - 1) + 0.5);
+    const auto rank = static_cast<std::uint64_t>(p / 100 * static_cast<double>(count_ - 1) + 0.5);
     std::uint64_t passed = 0;
     for (std::size_t k = 0; k < counts_.size(); k++) {
         passed += counts_[k];
-        if (passed > wanted) return std::min(bucket_center(k), static_cast<double>(max_));
+        if (passed > rank) return std::min(bucket_center(k), static_cast<double>(max_));
     }
     return static_cast<double>(max_);
 }

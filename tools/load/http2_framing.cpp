@@ -182,18 +182,19 @@ Status Http2Framing::take(Bytes bytes, Reader& reader) {
         partial_.clear();
         return take({reinterpret_cast<const std::uint8_t*>(all.data()), all.size()}, reader);
     }
-    const Result<std::size_t> taken = take_frames(bytes, reader);
-    if (!taken.ok()) return taken.error();
-    partial_.assign(reinterpret_cast<const char*>(bytes.data()) + *taken, bytes.size() - *taken);
+    const Result<std::size_t> consumed = take_frames(bytes, reader);
+    if (!consumed.ok()) return consumed.error();
+    partial_.assign(reinterpret_cast<const char*>(bytes.data()) + *consumed,
+                    bytes.size() - *consumed);
     if (waiting_bytes_ > waiting_bytes_max || out_.size() > outgoing_bytes_max)
         return Error{ErrorCode::resource_exhausted, "the server does not read the stream"};
     return {};
 }
 
 Result<std::size_t> Http2Framing::take_frames(Bytes bytes, Reader& reader) {
-    std::size_t taken = 0;
-    while (bytes.size() - taken >= head_size) {
-        const Bytes at = bytes.subspan(taken);
+    std::size_t consumed = 0;
+    while (bytes.size() - consumed >= head_size) {
+        const Bytes at = bytes.subspan(consumed);
         const Head head{.length = big_endian(at.first(3)),
                         .stream = big_endian(at.subspan(5, 4)) & 0x7fff'ffff,
                         .type = at[3],
@@ -203,9 +204,9 @@ Result<std::size_t> Http2Framing::take_frames(Bytes bytes, Reader& reader) {
         if (at.size() < head_size + head.length) break;
         if (Status s = on_frame(head, at.subspan(head_size, head.length), reader); !s.ok())
             return s.error();
-        taken += head_size + head.length;
+        consumed += head_size + head.length;
     }
-    return taken;
+    return consumed;
 }
 
 Status Http2Framing::on_frame(const Head& head, Bytes payload, Reader& reader) {

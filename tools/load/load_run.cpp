@@ -82,10 +82,10 @@ Report run_load(const LoadOptions& plan, ClientPool& pool, std::optional<int> se
 bool raise_socket_limit(int clients) {
     rlimit limit{};
     if (getrlimit(RLIMIT_NOFILE, &limit) != 0) return true;
-    const rlim_t wanted = static_cast<rlim_t>(clients) + reserved_descriptors;
-    if (limit.rlim_cur >= wanted) return true;
-    limit.rlim_cur = std::min(wanted, limit.rlim_max);
-    return setrlimit(RLIMIT_NOFILE, &limit) == 0 && limit.rlim_cur >= wanted;
+    const rlim_t required = static_cast<rlim_t>(clients) + reserved_descriptors;
+    if (limit.rlim_cur >= required) return true;
+    limit.rlim_cur = std::min(required, limit.rlim_max);
+    return setrlimit(RLIMIT_NOFILE, &limit) == 0 && limit.rlim_cur >= required;
 }
 
 }  // namespace jostle::load

@@ -102,11 +102,11 @@ void PassiveClient::tick(Clock::time_point now) {
 }
 
 std::string PassiveClient::why_closed() const {
-    std::string why = "the server closed the connection";
-    if (protocol_.joined()) return why;
-    why += " before its Welcome; check that --server is the port of ";
-    why += plan_.transport == Transport::websocket ? "HTTP" : "gRPC";
-    return why;
+    std::string reason = "the server closed the connection";
+    if (protocol_.joined()) return reason;
+    reason += " before its Welcome; check that --server is the port of ";
+    reason += plan_.transport == Transport::websocket ? "HTTP" : "gRPC";
+    return reason;
 }
 
 void PassiveClient::receive(std::span<std::uint8_t> scratch) {
@@ -169,9 +169,9 @@ void PassiveClient::update_epoll() {
     epoll_ctl(epoll_, EPOLL_CTL_MOD, socket_, &event);
 }
 
-void PassiveClient::end(const std::string& why) {
+void PassiveClient::end(const std::string& reason) {
     closed_ = true;
-    metrics_.add_error(protocol_.notice().empty() ? why : why + ": " + protocol_.notice());
+    metrics_.add_error(protocol_.notice().empty() ? reason : reason + ": " + protocol_.notice());
     if (socket_ >= 0) close(socket_);
     socket_ = -1;
 }

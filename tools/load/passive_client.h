@@ -50,7 +50,7 @@ private:
     void send_due(Clock::time_point now);
     void flush();
     void update_epoll();
-    void end(const std::string& why);
+    void end(const std::string& reason);
     bool is_backpressured() const;
 
     const LoadOptions& plan_;

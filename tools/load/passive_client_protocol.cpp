@@ -140,10 +140,11 @@ void PassiveClientProtocol::on_result(const v1::InputResult& result, Clock::time
     };
     metrics_.result_delay.add(us_since_sent(now));
     if (applied) {
-        const auto seen = std::find_if(arrived_.begin(), arrived_.end(),
-                                       [&](const Arrival& a) { return a.frame >= result.tick(); });
-        if (seen != arrived_.end())
-            metrics_.effect_delay.add(us_since_sent(seen->at));
+        const auto arrival = std::find_if(arrived_.begin(), arrived_.end(), [&](const Arrival& a) {
+            return a.frame >= result.tick();
+        });
+        if (arrival != arrived_.end())
+            metrics_.effect_delay.add(us_since_sent(arrival->at));
         else if (applied_.size() < sent_max)
             applied_.push_back({result.tick(), sent->at});
     }

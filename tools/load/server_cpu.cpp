@@ -42,14 +42,14 @@ std::optional<int> find_listener(const std::string& target) {
     auto inode = listening_inode("/proc/net/tcp", port);
     if (!inode) inode = listening_inode("/proc/net/tcp6", port);
     if (!inode) return std::nullopt;
-    const std::string wanted = "socket:[" + *inode + "]";
+    const std::string link_text = "socket:[" + *inode + "]";
     std::error_code error;
     for (const auto& process : fs::directory_iterator("/proc", error)) {
         const std::string pid = process.path().filename();
         if (pid.find_first_not_of("0123456789") != std::string::npos) continue;
         std::error_code denied;
         for (const auto& fd : fs::directory_iterator(process.path() / "fd", denied))
-            if (fs::read_symlink(fd.path(), denied) == wanted) return std::atoi(pid.c_str());
+            if (fs::read_symlink(fd.path(), denied) == link_text) return std::atoi(pid.c_str());
     }
     return std::nullopt;
 }

@@ -31,10 +31,10 @@ std::string_view chars_of(Bytes bytes) {
 
 // The error of a close frame: a two-byte code, then the reason.
 Error closed(Bytes payload) {
-    std::string why = "the server closed the WebSocket";
-    if (payload.size() >= 2) why += ", code " + std::to_string(number_of(payload.first(2)));
-    if (payload.size() > 2) why += ": " + std::string(chars_of(payload.subspan(2)));
-    return {ErrorCode::aborted, why};
+    std::string reason = "the server closed the WebSocket";
+    if (payload.size() >= 2) reason += ", code " + std::to_string(number_of(payload.first(2)));
+    if (payload.size() > 2) reason += ": " + std::string(chars_of(payload.subspan(2)));
+    return {ErrorCode::aborted, reason};
 }
 
 }  // namespace
@@ -75,18 +75,18 @@ Status WebSocketFraming::take(Bytes bytes, Reader& reader) {
         all += chars_of(bytes);
         bytes = {reinterpret_cast<const std::uint8_t*>(all.data()), all.size()};
     }
-    std::size_t taken = 0;
+    std::size_t consumed = 0;
     if (!open_) {
         const Result<std::size_t> answer = take_response(bytes);
         if (!answer.ok()) return answer.error();
-        taken = *answer;
+        consumed = *answer;
     }
     if (open_) {
-        const Result<std::size_t> frames = take_frames(bytes.subspan(taken), reader);
+        const Result<std::size_t> frames = take_frames(bytes.subspan(consumed), reader);
         if (!frames.ok()) return frames.error();
-        taken += *frames;
+        consumed += *frames;
     }
-    partial_ = chars_of(bytes.subspan(taken));
+    partial_ = chars_of(bytes.subspan(consumed));
     if (out_.size() > outgoing_bytes_max)
         return Error{ErrorCode::resource_exhausted, "the server does not read the stream"};
     return {};
@@ -132,16 +132,16 @@ Result<WebSocketFraming::Head> WebSocketFraming::read_head(Bytes bytes) {
 }
 
 Result<std::size_t> WebSocketFraming::take_frames(Bytes bytes, Reader& reader) {
-    std::size_t taken = 0;
+    std::size_t consumed = 0;
     for (;;) {
-        const Bytes at = bytes.subspan(taken);
+        const Bytes at = bytes.subspan(consumed);
         const Result<Head> head = read_head(at);
         if (!head.ok()) return head.error();
-        if (head->size == 0 || at.size() - head->size < head->payload) return taken;
+        if (head->size == 0 || at.size() - head->size < head->payload) return consumed;
         const auto payload = static_cast<std::size_t>(head->payload);
         if (Status s = on_frame(*head, at.subspan(head->size, payload), reader); !s.ok())
             return s.error();
-        taken += head->size + payload;
+        consumed += head->size + payload;
     }
 }
 

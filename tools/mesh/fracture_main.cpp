@@ -90,45 +90,45 @@ struct Summary {
     double volume = 0, volume_error = 0, smallest = 1e300, largest = 0, bond_area = 0;
 };
 
-Summary summary_of(const convert::FracturedSolid& made, std::size_t bytes) {
+Summary summary_of(const convert::FracturedSolid& solid, std::size_t bytes) {
     Summary sum{
-        .chunks = made.shape.chunks.size(), .bonds = made.shape.bonds.size(), .bytes = bytes};
-    for (const modules::FractureChunk& chunk : made.shape.chunks) {
+        .chunks = solid.shape.chunks.size(), .bonds = solid.shape.bonds.size(), .bytes = bytes};
+    for (const modules::FractureChunk& chunk : solid.shape.chunks) {
         sum.volume += chunk.volume;
         sum.smallest = std::min(sum.smallest, chunk.volume);
         sum.largest = std::max(sum.largest, chunk.volume);
         sum.anchored += chunk.anchored;
     }
-    for (const modules::FractureBond& bond : made.shape.bonds) sum.bond_area += bond.area;
-    sum.volume_error = (sum.volume + made.lost_volume) / made.volume - 1;
+    for (const modules::FractureBond& bond : solid.shape.bonds) sum.bond_area += bond.area;
+    sum.volume_error = (sum.volume + solid.lost_volume) / solid.volume - 1;
     return sum;
 }
 
-void print(FILE* out, const convert::FracturedSolid& made, const Summary& sum) {
+void print(FILE* out, const convert::FracturedSolid& solid, const Summary& sum) {
     std::fprintf(
         out,
         "parts      %zu, %.3g %% excess volume\nchunks     %zu, %.3g to %.3g m^3\nanchored   "
         "%zu\nbonds      %zu, %.6g m^2\nvolume     %.9g m^3, relative error %.2g\nsplinters  "
         "%.3g m^3 omitted\nbytes      %zu\n",
-        made.parts, 100 * made.max_volume_error, sum.chunks, sum.smallest, sum.largest,
-        sum.anchored, sum.bonds, sum.bond_area, sum.volume, sum.volume_error, made.lost_volume,
+        solid.parts, 100 * solid.max_volume_error, sum.chunks, sum.smallest, sum.largest,
+        sum.anchored, sum.bonds, sum.bond_area, sum.volume, sum.volume_error, solid.lost_volume,
         sum.bytes);
 }
 
-nlohmann::ordered_json to_json(const Flags& flags, const convert::FracturedSolid& made,
+nlohmann::ordered_json to_json(const Flags& flags, const convert::FracturedSolid& solid,
                                const Summary& sum) {
     return {{"pattern", flags.pattern},
             {"seed", flags.plan.seed},
             {"seeds", flags.plan.count},
-            {"parts", made.parts},
-            {"excess", made.max_volume_error},
+            {"parts", solid.parts},
+            {"excess", solid.max_volume_error},
             {"chunks", sum.chunks},
             {"anchored", sum.anchored},
             {"bonds", sum.bonds},
             {"bond_area_m2", sum.bond_area},
             {"volume_m3", sum.volume},
             {"volume_error", sum.volume_error},
-            {"lost_m3", made.lost_volume},
+            {"lost_m3", solid.lost_volume},
             {"smallest_m3", sum.smallest},
             {"largest_m3", sum.largest},
             {"bytes", sum.bytes}};
@@ -157,13 +157,13 @@ std::string scene_item(std::span<const std::byte> bytes) {
     return nlohmann::ordered_json{{"shape", text}}.dump() + "\n";
 }
 
-int report(const Flags& flags, const convert::FracturedSolid& made, std::size_t bytes) {
-    const Summary sum = summary_of(made, bytes);
-    const std::string text = to_json(flags, made, sum).dump(2) + "\n";
+int report(const Flags& flags, const convert::FracturedSolid& solid, std::size_t bytes) {
+    const Summary sum = summary_of(solid, bytes);
+    const std::string text = to_json(flags, solid, sum).dump(2) + "\n";
     if (flags.json == "-")
         std::fputs(text.c_str(), stdout);
     else
-        print(stdout, made, sum);
+        print(stdout, solid, sum);
     if (flags.json.empty() || flags.json == "-") return 0;
     return write_file(flags.json, text.data(), text.size()) ? 0
                                                             : fail("cannot write " + flags.json);
@@ -183,10 +183,10 @@ int run(Flags& flags) {
     if (!flags.center.empty()) flags.plan.center = points_of(flags.center)[0];
     const auto anchor =
         flags.anchor.empty() ? std::optional<Vec3>() : std::optional(sides.at(flags.anchor));
-    const auto made = convert::fracture_solid(flags.solid, flags.plan, anchor, show);
-    if (!made.ok())
-        return fail((flags.file.empty() ? "" : flags.file + ": ") + made.error().message);
-    const auto bytes = modules::write_fracture(made->shape);
+    const auto solid = convert::fracture_solid(flags.solid, flags.plan, anchor, show);
+    if (!solid.ok())
+        return fail((flags.file.empty() ? "" : flags.file + ": ") + solid.error().message);
+    const auto bytes = modules::write_fracture(solid->shape);
     if (!bytes.ok()) return fail(bytes.error().message);
     if (!flags.out.empty() &&
         !write_file(flags.out, reinterpret_cast<const char*>(bytes->data()), bytes->size()))
@@ -196,7 +196,7 @@ int run(Flags& flags) {
         if (!write_file(flags.scene, item.data(), item.size()))
             return fail("cannot write " + flags.scene);
     }
-    return report(flags, *made, bytes->size());
+    return report(flags, *solid, bytes->size());
 }
 
 void add_solid(CLI::App& app, Flags& flags) {

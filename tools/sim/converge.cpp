@@ -101,9 +101,9 @@ public:
         double minimum = trajectory->cpu_seconds;
         spent_ += minimum;
         for (int k = 0; k < 2 && minimum < short_run; k++)
-            if (auto again = simulate_trajectory(scene_, setting, samples_)) {
-                minimum = std::min(minimum, again->cpu_seconds);
-                spent_ += again->cpu_seconds;
+            if (auto repeated = simulate_trajectory(scene_, setting, samples_)) {
+                minimum = std::min(minimum, repeated->cpu_seconds);
+                spent_ += repeated->cpu_seconds;
             }
         return Run{setting, std::move(*trajectory), 1e6 * minimum / seconds_};
     }

@@ -96,7 +96,7 @@ std::vector<InspectedGroup> all_groups(const scenes::BuiltScene& built, const Na
                                        const InspectOptions& options) {
     struct Refused {
         BodyId body;
-        std::string why;
+        std::string reason;
     };
     std::vector<ConstraintSystem> systems;
     std::vector<Refused> refused;
@@ -122,7 +122,7 @@ std::vector<InspectedGroup> all_groups(const scenes::BuiltScene& built, const Na
     for (ConstraintSystem& system : systems)
         groups.push_back(group_of(std::move(system), names, options, full_report));
     for (const Refused& group : refused)
-        groups.push_back({.bodies = {names.of(group.body)}, .unavailable_reason = group.why});
+        groups.push_back({.bodies = {names.of(group.body)}, .unavailable_reason = group.reason});
     return groups;
 }
 
@@ -146,10 +146,10 @@ std::optional<int> InspectedGroup::free_motions() const {
 }
 
 const linear_systems::Solution* InspectedGroup::best() const {
-    const Method wanted =
+    const Method reference_method =
         problem.has_bounds() ? Method::projected_gauss_seidel : Method::minimum_norm;
     for (const linear_systems::Solution& solution : solutions)
-        if (solution.method == wanted && solution.failed.empty()) return &solution;
+        if (solution.method == reference_method && solution.failed.empty()) return &solution;
     return solutions.empty() ? nullptr : &solutions.front();
 }
 

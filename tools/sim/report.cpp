@@ -117,11 +117,11 @@ std::string to_text(const Report& r) {
     out += "stages, ms per step (mean):\n";
     for (int k = 0; k < stage_count; k++) {
         const std::string name = std::string("  ") + stage_name(static_cast<Stage>(k));
-        const char* why = r.stage_skipped[static_cast<std::size_t>(k)];
-        if (why == nullptr)
+        const char* reason = r.stage_skipped[static_cast<std::size_t>(k)];
+        if (reason == nullptr)
             line(out, name.c_str(), "%.4f", r.stage_ms_mean[static_cast<std::size_t>(k)]);
         else
-            add_text_line(out, name.c_str(), std::string("skipped: ") + why);
+            add_text_line(out, name.c_str(), std::string("skipped: ") + reason);
     }
     return out;
 }

@@ -21,8 +21,8 @@ std::string token_of(Kind kind, std::uint64_t token) {
     return content;
 }
 
-Error bad(const std::string& why) {
-    return {ErrorCode::corrupt_data, "invalid datagram content: " + why};
+Error bad(const std::string& reason) {
+    return {ErrorCode::corrupt_data, "invalid datagram content: " + reason};
 }
 
 Result<Content> decode_fragment(std::string_view bytes) {

@@ -80,9 +80,9 @@ std::optional<std::uint64_t> session_id_of(std::string_view packet) {
 Result<std::unique_ptr<PacketCipher>> PacketCipher::make(const Credentials& credentials,
                                                          Side side) {
     std::unique_ptr<PacketCipher> seal(new PacketCipher(credentials));
-    const bool ours = side == Side::server;
-    const auto out = key_for(credentials, ours ? to_client : to_server);
-    const auto in = key_for(credentials, ours ? to_server : to_client);
+    const bool is_server = side == Side::server;
+    const auto out = key_for(credentials, is_server ? to_client : to_server);
+    const auto in = key_for(credentials, is_server ? to_server : to_client);
     if (out) seal->out_ = cipher_with(*out, 1);
     if (in) seal->in_ = cipher_with(*in, 0);
     if (!seal->out_ || !seal->in_)

@@ -13,12 +13,12 @@ Reassembly::PartialMessage* Reassembly::find_or_add(const Fragment& part) {
     if (at != partial_.end() && at->number == part.message)
         return at->count == part.count ? &*at : nullptr;
     if (partial_.size() == partial_messages_max && at == partial_.begin()) return nullptr;
-    const auto made = partial_.insert(at, {.number = part.message,
-                                           .count = part.count,
-                                           .parts = std::vector<std::string>(part.count),
-                                           .missing = part.count});
-    if (partial_.size() <= partial_messages_max) return &*made;
-    const auto slot = made - partial_.begin();
+    const auto inserted = partial_.insert(at, {.number = part.message,
+                                               .count = part.count,
+                                               .parts = std::vector<std::string>(part.count),
+                                               .missing = part.count});
+    if (partial_.size() <= partial_messages_max) return &*inserted;
+    const auto slot = inserted - partial_.begin();
     partial_.erase(partial_.begin());
     return &partial_[static_cast<std::size_t>(slot - 1)];
 }
@@ -30,11 +30,11 @@ std::optional<std::string> Reassembly::add(const Fragment& part) {
     if (!slot.empty()) return std::nullopt;
     slot = part.bytes;
     if (--message->missing != 0) return std::nullopt;
-    std::string whole;
-    for (const std::string& bytes : message->parts) whole += bytes;
+    std::string assembled;
+    for (const std::string& bytes : message->parts) assembled += bytes;
     done_ = part.message;
     std::erase_if(partial_, [&](const PartialMessage& u) { return u.number <= *done_; });
-    return whole;
+    return assembled;
 }
 
 std::size_t Reassembly::bytes_held() const {

@@ -25,9 +25,9 @@ std::uint32_t encode_baseline_frames(std::uint32_t frame, const BaselineFrames& 
 }
 
 Result<BaselineFrames> decode_baseline_frames(std::uint32_t frame, std::uint32_t code) {
-    const auto refuse = [&](const char* why) {
+    const auto refuse = [&](const char* reason) {
         return Error{ErrorCode::corrupt_data, "frame " + std::to_string(frame) + ": baselines " +
-                                                  std::to_string(code) + why};
+                                                  std::to_string(code) + reason};
     };
     BaselineFrames baselines;
     if (code == 0) return baselines;

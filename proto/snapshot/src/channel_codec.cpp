@@ -77,11 +77,11 @@ struct Changed {
 std::vector<Changed> changed_channels(const Channels& now, const Channels& baseline,
                                       std::uint64_t kinds) {
     std::vector<Changed> changed;
-    const auto wanted = [&](const Changed& c) { return (kinds >> c.either().kind & 1) != 0; };
+    const auto is_selected = [&](const Changed& c) { return (kinds >> c.either().kind & 1) != 0; };
     auto b = baseline.begin();
     const auto ended_before = [&](const Key* key) {
         for (; b != baseline.end() && (!key || key_of(*b) < *key); ++b)
-            if (const Changed ended{nullptr, &*b}; wanted(ended)) changed.push_back(ended);
+            if (const Changed ended{nullptr, &*b}; is_selected(ended)) changed.push_back(ended);
     };
     for (const Channel& channel : now) {
         const Key key = key_of(channel);
@@ -89,7 +89,7 @@ std::vector<Changed> changed_channels(const Channels& now, const Channels& basel
         const bool known = b != baseline.end() && key_of(*b) == key;
         const Changed change{&channel, known ? &*b : nullptr};
         const bool same = known && (b->values == channel.values || *b->values == *channel.values);
-        if (!same && wanted(change)) changed.push_back(change);
+        if (!same && is_selected(change)) changed.push_back(change);
         if (known) ++b;
     }
     ended_before(nullptr);

@@ -42,8 +42,8 @@ WordChanges changes_between(std::span<const std::uint32_t> before,
 Result<std::vector<std::uint32_t>> apply_changes(std::span<const std::uint32_t> before,
                                                  std::size_t size, std::string_view changed,
                                                  std::string_view values) {
-    const auto wrong = [](const std::string& why) {
-        return Error{ErrorCode::corrupt_data, "controlled entity state: " + why};
+    const auto wrong = [](const std::string& reason) {
+        return Error{ErrorCode::corrupt_data, "controlled entity state: " + reason};
     };
     if (size > words_max)
         return wrong(std::to_string(size) + " words; at most " + std::to_string(words_max) +

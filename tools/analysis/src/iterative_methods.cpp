@@ -63,10 +63,10 @@ double relative_natural_residual(const Problem& problem, const SparseRows& rows,
                                  const std::vector<double>& x) {
     double sum = 0;
     for (std::size_t i = 0; i < problem.count; i++) {
-        const double own = problem.at(i, i);
-        if (!(own > 0)) continue;
-        const double wanted = x[i] + (problem.rhs[i] - rows.times(i, x)) / own;
-        const double left = own * (x[i] - bounded(problem, i, wanted, x));
+        const double diagonal = problem.at(i, i);
+        if (!(diagonal > 0)) continue;
+        const double updated = x[i] + (problem.rhs[i] - rows.times(i, x)) / diagonal;
+        const double left = diagonal * (x[i] - bounded(problem, i, updated, x));
         sum += left * left;
     }
     return relative(std::sqrt(sum), problem);
@@ -80,9 +80,9 @@ SolverResult sweep(const Problem& problem, bool within_bounds, const SolverLimit
     result.converged = false;
     while (static_cast<int>(result.residuals.size()) < limits.iterations_max) {
         for (std::size_t i = 0; i < problem.count; i++) {
-            const double own = problem.at(i, i);
-            if (!(own > 0)) continue;
-            const double now = result.x[i] + (problem.rhs[i] - rows.times(i, result.x)) / own;
+            const double diagonal = problem.at(i, i);
+            if (!(diagonal > 0)) continue;
+            const double now = result.x[i] + (problem.rhs[i] - rows.times(i, result.x)) / diagonal;
             result.x[i] = within_bounds ? bounded(problem, i, now, result.x) : now;
         }
         result.residuals.push_back(within_bounds

@@ -32,8 +32,8 @@ std::optional<std::string> host_of(const std::string& peer) {
     return host;
 }
 
-Error no_datagrams(const std::string& why) {
-    return {ErrorCode::unavailable, "datagrams are unavailable, using the stream: " + why};
+Error no_datagrams(const std::string& reason) {
+    return {ErrorCode::unavailable, "datagrams are unavailable, using the stream: " + reason};
 }
 
 }  // namespace

@@ -81,9 +81,9 @@ wire::QuantizedFrame merge_cells(std::vector<CellEntity> all, std::uint32_t numb
     });
     wire::QuantizedFrame frame{.frame = number, .entities = {}};
     frame.entities.reserve(all.size());
-    for (const CellEntity& seen : all)
-        if (frame.entities.empty() || frame.entities.back().id != seen.entity->id)
-            frame.entities.push_back(*seen.entity);
+    for (const CellEntity& candidate : all)
+        if (frame.entities.empty() || frame.entities.back().id != candidate.entity->id)
+            frame.entities.push_back(*candidate.entity);
     return frame;
 }
 

@@ -192,10 +192,10 @@ void PlayProtocol::set_datagrams(bool alive, bool timed_out) {
     stats_.datagrams = alive;
 }
 
-void PlayProtocol::datagrams_failed(const Error& why) {
+void PlayProtocol::datagrams_failed(const Error& reason) {
     ticket_.reset();
     stats_.datagrams = false;
-    stats_.last_error = why.message;
+    stats_.last_error = reason.message;
 }
 
 void PlayProtocol::on_snapshot(const v1::Snapshot& snapshot, Clock::time_point now) {

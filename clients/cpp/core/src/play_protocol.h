@@ -42,7 +42,7 @@ public:
     // Reports whether datagrams get through, or whether the attempt timed out.
     void set_datagrams(bool alive, bool timed_out);
     // Datagrams cannot be used; discards the credentials.
-    void datagrams_failed(const Error& why);
+    void datagrams_failed(const Error& reason);
 
     std::uint32_t send(v1::Input input);  // 0: too many inputs are queued
     // World time of the last rendered frame, or of the newest frame without rendering. Tick 0:

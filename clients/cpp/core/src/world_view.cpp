@@ -36,9 +36,10 @@ void WorldView::resume(const v1::Welcome& welcome) {
 }
 
 Status WorldView::apply(const v1::GeometryChunk& part) {
-    const auto failed = [&](const std::string& why) {
+    const auto failed = [&](const std::string& reason) {
         partial_geometry_ = {};
-        return Error{ErrorCode::corrupt_data, "geometry " + std::to_string(part.id()) + ": " + why};
+        return Error{ErrorCode::corrupt_data,
+                     "geometry " + std::to_string(part.id()) + ": " + reason};
     };
     if (part.chunk() == 0) partial_geometry_ = {.id = part.id(), .next = 0, .bytes = {}};
     if (part.id() != partial_geometry_.id || part.chunk() != partial_geometry_.next ||

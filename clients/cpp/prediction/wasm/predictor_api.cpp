@@ -22,7 +22,7 @@ using physics::Vec3;
 struct JostlePredictor {
     struct Known {
         BodyUpdate about;
-        bool asked = false;
+        bool requested = false;
         std::optional<std::vector<ShapeDef>> shapes;  // hulls and meshes are built once
     };
 
@@ -37,7 +37,7 @@ struct JostlePredictor {
 
     const std::optional<std::vector<ShapeDef>>& shapes_of(std::uint32_t entity) {
         Known& body = known.at(entity);
-        if (!std::exchange(body.asked, true)) {
+        if (!std::exchange(body.requested, true)) {
             jostle_predictor_request_shapes(this, entity);
             unusable += body.shapes ? 0 : 1;
         }
@@ -121,7 +121,7 @@ void jostle_predictor_remove_body(JostlePredictor* p, uint32_t entity) {
 uint32_t jostle_predictor_set_shapes(JostlePredictor* p, uint32_t entity, uint32_t count) {
     const auto body = p->known.find(entity);
     if (body == p->known.end() || !has(*p, count, 1)) return 0;
-    body->second.asked = true;
+    body->second.requested = true;
     body->second.shapes = decode_shapes(std::span(p->numbers).first(count));
     return body->second.shapes ? 1 : 0;
 }

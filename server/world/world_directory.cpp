@@ -172,8 +172,8 @@ std::vector<std::shared_ptr<WorldHost>> WorldDirectory::list() const {
 Result<HostedWorld> WorldDirectory::world_at(const WorldHost& world, std::uint32_t tick) const {
     if (!world.is_persisted())
         return Error{ErrorCode::failed_precondition,
-                     "the world is not kept, so only what it is now can be had; "
-                     "persistence.database says where worlds are kept"};
+                     "the world is not persisted, so only its current state is available; "
+                     "set persistence.database to persist worlds"};
     return built([&] { return settings_.world_persistence->world_at(world.id(), tick); });
 }
 

@@ -130,7 +130,7 @@ TEST_F(CtlTest, creates_a_world_from_an_exported_scene) {
 
 TEST_F(CtlTest, restores_and_rewinds_a_persisted_world) {
     EXPECT_EQ(run("rewind stack --to 1"), 1);
-    EXPECT_TRUE(complains("persistence.database says where worlds are kept")) << err;
+    EXPECT_TRUE(complains("set persistence.database to persist worlds")) << err;
     const ServerProcess kept{{"--scene", "stack", "--listen", "127.0.0.1:0", "--http",
                               "127.0.0.1:0", "--set", "persistence.database=" + file("worlds.db")}};
     const std::string at = kept.grpc_address();

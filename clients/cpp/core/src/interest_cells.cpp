@@ -60,7 +60,7 @@ Status InterestCells::apply(const v1::Snapshot& snapshot, const wire::QuantSpec&
     for (const std::uint32_t cell : snapshot.cells_left()) cells_.erase(cell);
     for (auto& [cell, state] : fresh) {
         States& states = cells_[cell];
-        // A cell without baselines restarts the history of its states.
+        // Only a cell without baselines may have an older number; it replaces the stored states.
         if (!states.empty() && state.frame <= states.back().frame) states.clear();
         states.push_back(std::move(state));
         if (states.size() > history_max) states.pop_front();

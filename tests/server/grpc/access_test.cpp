@@ -45,7 +45,7 @@ protected:
             config.quota.queries_per_second = config.quota.refused_logins_per_minute = 1e6;
         authorizer = *Authorizer::open(config);
         context.reset(new PlayContext{
-            .config = config, .worlds = worlds, .sessions = sessions, .authorizer = *gate});
+            .config = config, .worlds = worlds, .sessions = sessions, .authorizer = *authorizer});
         control = std::make_unique<WorldControl>(*context);
         queries = std::make_unique<QueryControl>(*context);
         admin = std::make_unique<AdminControl>(*context);
@@ -192,7 +192,7 @@ TEST_F(AccessTest, every_route_enforces_its_access_row) {
             make_worlds();
             const std::string token = token_of(user);
             request.authorization = token.empty() ? "" : "Bearer " + token;
-            const HttpResponse answer = routes.answer(request);
+            const HttpResponse answer = routes.handle(request);
             const bool owns = user.name == "dora" || user.is == Role::admin;
             const bool may = row.kind == CallKind::open ||
                              (user.is >= row.min_role && (row.scope != Scope::own_world || owns));

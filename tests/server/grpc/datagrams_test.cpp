@@ -145,7 +145,7 @@ TEST_F(DatagramsTest, predicts_the_controlled_entity_over_datagrams) {
         const auto now = client::Clock::now();
         predictor.sample(walker->input_position(now), static_cast<std::int64_t>(client::to_us(now)),
                          walker->interpolated(now));
-        return predictor.stats().drives >= 30;
+        return predictor.stats().control_updates >= 30;
     }));
     EXPECT_GT(walker->stats().datagram_snapshots, 60u);
     EXPECT_LT(predictor.stats().control_corrections, 10u) << "of 30, allowing for a loaded machine";

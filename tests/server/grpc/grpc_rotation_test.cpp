@@ -38,7 +38,7 @@ protected:
         config.quota.joins_per_minute = config.quota.queries_per_second = 1e6;
         authorizer = *Authorizer::open(config);
         context.reset(new PlayContext{
-            .config = config, .worlds = worlds, .sessions = sessions, .authorizer = *gate});
+            .config = config, .worlds = worlds, .sessions = sessions, .authorizer = *authorizer});
         control = std::make_unique<WorldControl>(*context);
         server = std::make_unique<GrpcServer>(
             *context, world_methods(*control, worlds), [] { return true; },

@@ -97,7 +97,7 @@ protected:
     WorldDirectory worlds{{.on_frame = [this](bool) { woken->wake(); }}, 4};
     const std::unique_ptr<Authorizer> authorizer = *Authorizer::open(config);
     PlayContext context{
-        .config = config, .worlds = worlds, .sessions = sessions, .authorizer = *gate};
+        .config = config, .worlds = worlds, .sessions = sessions, .authorizer = *authorizer};
     WorldControl control{context};
     QueryControl queries{context};
     GrpcServer server{context, methods(), [] { return true; }, {.port = 0}};

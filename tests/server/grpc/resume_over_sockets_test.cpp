@@ -36,7 +36,7 @@ public:
     int port() const { return relay_.port(); }
 
 private:
-    relay::TcpProxy relay_;
+    network_emulator::TcpProxy relay_;
     std::atomic<bool> stop_{false};
     std::thread thread_;
 };
@@ -69,7 +69,7 @@ protected:
     WorldDirectory worlds{{.on_frame = [this](bool) { woken->wake(); }}, 4};
     const std::unique_ptr<Authorizer> authorizer = *Authorizer::open(config);
     PlayContext context{
-        .config = config, .worlds = worlds, .sessions = sessions, .authorizer = *gate};
+        .config = config, .worlds = worlds, .sessions = sessions, .authorizer = *authorizer};
     GrpcServer server{context, {}, [] { return true; }, {.port = 0}};
     client::Loop loop;
 };
@@ -117,7 +117,7 @@ TEST_F(ResumeOverSocketsTest, destroyed_client_leaves_the_world) {
     ASSERT_TRUE(wait_until([&] { return player->stats().connected; }));
     player.reset();
     EXPECT_TRUE(wait_until([&] { return sessions.clients() == 0; }));
-    EXPECT_EQ(context.resume_registry.lost(), 0u);
+    EXPECT_EQ(context.resume_registry.disconnected(), 0u);
 }
 
 }  // namespace

@@ -76,7 +76,7 @@ protected:
     WorldDirectory worlds{{}, 4};
     const std::unique_ptr<Authorizer> authorizer = *Authorizer::open(config);
     PlayContext context{
-        .config = config, .worlds = worlds, .sessions = sessions, .authorizer = *gate};
+        .config = config, .worlds = worlds, .sessions = sessions, .authorizer = *authorizer};
     std::promise<void> go_on;
     std::shared_future<void> opened = go_on.get_future().share();
     std::atomic<int> waiting{0};

@@ -135,12 +135,12 @@ TEST_F(AdminRoutesTest, returns_errors_for_invalid_requests) {
 // Two threads, of which one may run profiles. A scrape is served while profiles run.
 TEST_F(AdminRoutesTest, profiles_do_not_block_scrapes_and_are_limited) {
     ASSERT_TRUE(worlds.create("b", *scenes::find_scene("stack")).ok());
-    HttpServer gateway(context, routes,
-                       {.host = "127.0.0.1",
-                        .port = 0,
-                        .metrics = &metrics.listener(Listener::admin),
-                        .work_queue_max = 1,
-                        .query_threads = 2});
+    HttpServer http_server(context, routes,
+                           {.host = "127.0.0.1",
+                            .port = 0,
+                            .metrics = &metrics.listener(Listener::admin),
+                            .work_queue_max = 1,
+                            .query_threads = 2});
     ASSERT_TRUE(http_server.start().ok());
     std::vector<std::thread> slow;
     std::atomic<int> served{0};

@@ -39,7 +39,7 @@ protected:
     WorldDirectory worlds{{}, 2};
     const std::unique_ptr<Authorizer> authorizer = *Authorizer::open(config);
     PlayContext context{
-        .config = config, .worlds = worlds, .sessions = sessions, .authorizer = *gate};
+        .config = config, .worlds = worlds, .sessions = sessions, .authorizer = *authorizer};
     WorldControl control{context};
     QueryControl queries{context};
     HttpRoutes routes{
@@ -104,7 +104,7 @@ TEST_F(HttpRoutesTest, rejects_malformed_requests_with_a_message) {
                      .content_type = "text/plain",
                      .if_none_match = {},
                      .body = "{}"};
-    EXPECT_EQ(routes.answer(form).status, 415);
+    EXPECT_EQ(routes.handle(form).status, 415);
 }
 
 TEST_F(HttpRoutesTest, rejects_cross_origin_mutations) {

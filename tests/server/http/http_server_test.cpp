@@ -17,7 +17,7 @@ TEST(HttpServerTest, stops_safely_during_housekeeping) {
     WorldDirectory worlds({}, 1);
     const std::unique_ptr<Authorizer> authorizer = *Authorizer::open(config);
     PlayContext context{
-        .config = config, .worlds = worlds, .sessions = sessions, .authorizer = *gate};
+        .config = config, .worlds = worlds, .sessions = sessions, .authorizer = *authorizer};
     WorldControl control(context);
     const QueryControl queries(context);
     const HttpRoutes routes(control, queries,
@@ -26,7 +26,7 @@ TEST(HttpServerTest, stops_safely_during_housekeeping) {
                              .not_ready_reason = [] { return std::optional<std::string>(); },
                              .failure_reason = [] { return std::nullopt; }});
     for (int i = 0; i < 60; i++) {
-        HttpServer gateway(context, routes, {.host = "127.0.0.1", .port = 0});
+        HttpServer http_server(context, routes, {.host = "127.0.0.1", .port = 0});
         ASSERT_TRUE(http_server.start().ok());
         EXPECT_GT(http_server.port(), 0);
         std::this_thread::sleep_for(std::chrono::microseconds(19'000 + 50 * i));

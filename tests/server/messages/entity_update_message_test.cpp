@@ -116,7 +116,7 @@ TEST(EntityUpdateMessage, sends_a_shared_mesh_once) {
     std::size_t bytes = 0;
     std::string content;
     for (const SharedBytes& part : messages.geometry[0]->messages) {
-        EXPECT_LE(part->size(), part_bytes_max + 64);
+        EXPECT_LE(part->size(), chunk_bytes_max + 64);
         bytes += part->size();
         content += parse(part).geometry().data();
     }
@@ -164,7 +164,7 @@ TEST(EntityUpdateMessage, splits_long_lists_into_bounded_messages) {
     EXPECT_GT(messages.entity_updates.size(), 2u);
     int sent = 0;
     for (const SharedBytes& bytes : messages.entity_updates) {
-        EXPECT_LE(bytes->size(), part_bytes_max + 1024);
+        EXPECT_LE(bytes->size(), chunk_bytes_max + 1024);
         sent += parse(bytes).entity_update().added_size();
     }
     EXPECT_EQ(sent, 20'000);

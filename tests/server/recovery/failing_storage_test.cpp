@@ -59,7 +59,8 @@ TEST_P(FailingStorage, world_continues_running_and_persistence_recovers) {
     const HostLimits limits{.scene = {.bodies_max = 400}};
     {
         auto archive =
-            WorldArchive::open({.store = path}, limits, 1, nullptr, test::failing_disk()).value();
+            WorldArchive::open({.database = path}, limits, 1, nullptr, test::failing_disk())
+                .value();
         WorldDirectory worlds({.limits = limits, .world_persistence = archive.get()}, 4, "test");
         const auto world = worlds.create("yard", *scenes::find_scene("stack")).value();
         ASSERT_TRUE(play(*world, 20s, [&] { return applied_.size() > 20; }));
@@ -82,7 +83,7 @@ TEST_P(FailingStorage, world_continues_running_and_persistence_recovers) {
         RecordProperty("ms_until_persisted_again",
                        static_cast<int>(to_ms(Clock::now() - repaired)));
         EXPECT_FALSE(archive->failure_reason().has_value());
-        world->forget();  // like a killed process
+        world->skip_final_checkpoint();  // like a killed process
         worlds.stop_all();
         ASSERT_TRUE(archive->flush(5s));
     }

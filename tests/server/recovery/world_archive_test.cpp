@@ -31,8 +31,8 @@ HostLimits limits() {
 class Process {
 public:
     explicit Process(std::string path, PersistenceSettings settings = {}) {
-        settings.store = std::move(path);
-        settings.level = "process";
+        settings.database = std::move(path);
+        settings.durability = "process";
         auto opened = WorldArchive::open(settings, limits(), 1, [this] { results_sent++; });
         archive = std::move(opened).value();
         hosts.limits = limits();
@@ -70,7 +70,7 @@ public:
     }
     // Ends like a killed process: pending writes may be lost and clients are not notified.
     void kill() {
-        for (const auto& world : worlds->list()) world->forget();
+        for (const auto& world : worlds->list()) world->skip_final_checkpoint();
         worlds->stop_all();
         worlds.reset();
         archive.reset();
@@ -89,7 +89,7 @@ std::uint64_t hash_of(WorldHost& world) {
     world.pause("for inspection");
     std::jthread visitor([&] {
         world.between_ticks()
-            .make([&](HostedWorld& hosted) { hash = state_hash(hosted.world()); })
+            .run([&](HostedWorld& hosted) { hash = state_hash(hosted.world()); })
             .expect();
     });
     while (hash == 0) {
@@ -126,8 +126,8 @@ TEST(WorldArchive, world_is_bit_identical_after_three_killed_processes) {
         ASSERT_NE(world, nullptr);
         EXPECT_EQ(world->frame()->tick, 1u + 50u * static_cast<unsigned>(life));
         if (life > 0) {
-            EXPECT_EQ(process.absent.size(), 2u) << "the players may resume";
-            EXPECT_EQ(process.absent[0].last_sequence, world->frame()->tick);
+            EXPECT_EQ(process.previous_clients.size(), 2u) << "the players may resume";
+            EXPECT_EQ(process.previous_clients[0].last_sequence, world->frame()->tick);
         }
         Process::play(*world, 50, reply);
         Process::play(*alone, 50, std::make_shared<ResultQueue>());
@@ -231,24 +231,26 @@ TEST(WorldArchive, rewind_preserves_the_history_in_between) {
         first->resume();
         ASSERT_TRUE(process.archive->flush(5s));
         EXPECT_EQ(error_of(process.worlds->rewind(first, 900)).code, ErrorCode::not_found);
-        EXPECT_FALSE(first->stopped()) << "the world must continue if the tick is not retained";
+        EXPECT_FALSE(first->lifecycle().stopped())
+            << "the world must continue if the tick is not retained";
 
         std::vector<ClientId> resumed_clients;
         process.worlds->on_replaced(
             [&](const auto&, const std::vector<ClientId>& clients) { resumed_clients = clients; });
         const auto again = process.worlds->rewind(first, back_to).value();
         EXPECT_EQ(resumed_clients, (std::vector<ClientId>{1, 2}));
-        EXPECT_TRUE(first->was_replaced());
+        EXPECT_TRUE(first->lifecycle().was_replaced());
         EXPECT_EQ(process.worlds->find("yard"), again);
         EXPECT_EQ(again->id(), first->id());
-        EXPECT_EQ(again->first_tick(), newest + 1);
+        EXPECT_EQ(again->properties().first_tick, newest + 1);
         EXPECT_EQ(hash_of(*again), then);
         again->resume();
         EXPECT_EQ(error_of(process.worlds->rewind(first, back_to)).code, ErrorCode::aborted)
             << "a stopped host must be rejected";
 
         const auto late = std::make_shared<ResultQueue>();
-        again->push({.client = 1, .sequence = played, .action = ReleaseCommand{}, .reply = late});
+        again->mailbox().push(
+            {.client = 1, .sequence = played, .action = ReleaseCommand{}, .reply = late});
         again->tick(Clock::now());
         ASSERT_TRUE(process.archive->flush(5s));
         EXPECT_FALSE(late->take().at(0).status.ok())
@@ -297,7 +299,7 @@ TEST(WorldArchive, creates_a_world_from_a_past_tick_without_clients) {
                   ErrorCode::already_exists);
         const auto what_if = process.worlds->create_from("what-if", *yard, 31, "ada").value();
         EXPECT_EQ(what_if->frame()->tick, 31u);
-        EXPECT_EQ(what_if->owner(), "ada");
+        EXPECT_EQ(what_if->properties().label.owner, "ada");
         EXPECT_TRUE(process.worlds->remove("yard"));
         Process::play(*what_if, 10, std::make_shared<ResultQueue>());
         id = what_if->id();

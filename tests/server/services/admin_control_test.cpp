@@ -47,7 +47,7 @@ protected:
         void listen() {
             while (const auto message = link.take_message(Clock::now())) {
                 v1::ServerMessage parsed;
-                ASSERT_TRUE(parsed.ParseFromString(message->head +
+                ASSERT_TRUE(parsed.ParseFromString(message->header +
                                                    (message->shared ? *message->shared : "")));
                 if (parsed.has_notice()) notice = parsed.notice().message();
             }
@@ -61,7 +61,7 @@ protected:
     WorldDirectory worlds{{}, 4};
     const std::unique_ptr<Authorizer> authorizer = *Authorizer::open(config);
     PlayContext context{
-        .config = config, .worlds = worlds, .sessions = sessions, .authorizer = *gate};
+        .config = config, .worlds = worlds, .sessions = sessions, .authorizer = *authorizer};
     AdminControl control{context};
 };
 
@@ -112,7 +112,7 @@ TEST_F(AdminControlTest, pauses_steps_and_resumes_a_world) {
     pause.set_world("arena");
     pause.set_paused(true);
     ASSERT_TRUE(control.set_paused(pause, paused).ok());
-    EXPECT_EQ(worlds.find("arena")->paused(), "by an operator");
+    EXPECT_EQ(worlds.find("arena")->lifecycle().paused(), "by an operator");
     ASSERT_TRUE(control.step_world(step, stepped).ok());
     EXPECT_EQ(stepped.steps_taken(), 5u);
     EXPECT_GT(stepped.tick(), paused.tick());
@@ -122,7 +122,7 @@ TEST_F(AdminControlTest, pauses_steps_and_resumes_a_world) {
     }
     pause.set_paused(false);
     ASSERT_TRUE(control.set_paused(pause, paused).ok());
-    EXPECT_FALSE(worlds.find("arena")->paused());
+    EXPECT_FALSE(worlds.find("arena")->lifecycle().paused());
     pause.clear_world();
     EXPECT_EQ(error_of(control.set_paused(pause, paused)).code, ErrorCode::invalid_argument)
         << "the world must be named explicitly";

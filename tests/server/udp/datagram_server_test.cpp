@@ -67,13 +67,13 @@ struct DatagramServerTest : testing::Test {
 
     // Sends a packet, receives the path challenge and answers it.
     void validate_path(const End& from) {
-        from.send(client->close(message("")));
+        from.send(client->encrypt(message("")));
         const auto packet = from.receive();
         ASSERT_TRUE(packet);
-        const auto question = client->open(*packet);
+        const auto question = client->decrypt(*packet);
         ASSERT_TRUE(question);
         const auto content = *datagram::decode_content(question->content);
-        from.send(client->close(datagram::encode(
+        from.send(client->encrypt(datagram::encode(
             datagram::PathResponse{std::get<datagram::PathChallenge>(content).token})));
     }
     void send_message(std::string_view text) { path->send(std::span(&text, 1), Clock::now()); }
@@ -90,7 +90,7 @@ struct DatagramServerTest : testing::Test {
 TEST_F(DatagramServerTest, sends_nothing_before_path_validation) {
     send_message("lost");
     EXPECT_FALSE(path->is_open(Clock::now()));
-    end->send(client->close(message("hello")));
+    end->send(client->encrypt(message("hello")));
     const auto first = end->receive();
     ASSERT_TRUE(first);
     EXPECT_EQ(first->size(), 41u) << "the challenge must not be larger than the received packet";
@@ -102,15 +102,15 @@ TEST_F(DatagramServerTest, sends_nothing_before_path_validation) {
     send_message("now");
     const auto packet = end->receive();
     ASSERT_TRUE(packet);
-    EXPECT_EQ(client->open(*packet)->content, message("now"));
+    EXPECT_EQ(client->decrypt(*packet)->content, message("now"));
 }
 
 TEST_F(DatagramServerTest, delivers_each_client_message_once_with_its_receive_time) {
-    const std::string packet = client->close(message("push"));
+    const std::string packet = client->encrypt(message("push"));
     end->send(packet);
     end->send(packet);
     ASSERT_TRUE(wait_until([&] { return messages == 1; }));
-    end->send(client->close(message("pull")));
+    end->send(client->encrypt(message("pull")));
     ASSERT_TRUE(wait_until([&] { return messages == 2; }));
     EXPECT_TRUE(path->has_messages());
     const auto mail = path->take_messages();
@@ -124,7 +124,7 @@ TEST_F(DatagramServerTest, delivers_each_client_message_once_with_its_receive_ti
 TEST_F(DatagramServerTest, ignores_packets_without_the_key) {
     datagram::Credentials guessed = path->credentials();
     guessed.key[0] ^= 1;
-    end->send((*PacketCipher::make(guessed, Side::client))->close(message("let me in")));
+    end->send((*PacketCipher::make(guessed, Side::client))->encrypt(message("let me in")));
     end->send(std::string(1200, 'x'));
     end->send("x");
     end->send(std::string(1400, 'x'));
@@ -138,7 +138,7 @@ TEST_F(DatagramServerTest, validates_a_new_address_before_migrating) {
     validate_path(*end);
     ASSERT_TRUE(wait_until([&] { return path->is_open(Clock::now()); }));
     const End elsewhere(port.port());
-    elsewhere.send(client->close(message("I am here now")));
+    elsewhere.send(client->encrypt(message("I am here now")));
     ASSERT_TRUE(elsewhere.receive()) << "the server must send a challenge";
     send_message("to the old address");
     EXPECT_TRUE(end->receive());
@@ -153,8 +153,8 @@ TEST_F(DatagramServerTest, validates_a_new_address_before_migrating) {
 TEST_F(DatagramServerTest, replayed_packet_from_another_address_does_not_migrate) {
     validate_path(*end);
     ASSERT_TRUE(wait_until([&] { return path->is_open(Clock::now()); }));
-    const std::string held_back = client->close(message("old"));
-    end->send(client->close(message("new")));
+    const std::string held_back = client->encrypt(message("old"));
+    end->send(client->encrypt(message("new")));
     ASSERT_TRUE(wait_until([&] { return messages == 2; }));
     const End elsewhere(port.port());
     elsewhere.send(held_back);
@@ -173,13 +173,13 @@ TEST_F(DatagramServerTest, rechallenges_idle_clients) {
     validate_path(*end);
     ASSERT_TRUE(wait_until([&] { return path->is_open(Clock::now()); }));
     std::this_thread::sleep_for(300ms);
-    end->send(client->close(message("still there?")));
+    end->send(client->encrypt(message("still there?")));
     EXPECT_TRUE(end->receive()) << "the server must respond";
 }
 
 TEST_F(DatagramServerTest, bounds_unread_messages) {
     for (std::size_t i = 0; i < DatagramConnection::received_max + 50; i++) {
-        end->send(client->close(message("x")));
+        end->send(client->encrypt(message("x")));
         if (i % 16 == 0) std::this_thread::sleep_for(1ms);
     }
     EXPECT_TRUE(
@@ -192,7 +192,7 @@ TEST_F(DatagramServerTest, removes_closed_connections) {
     EXPECT_EQ(port.connections(), 1u);
     port.close(*path);
     EXPECT_EQ(port.connections(), 0u);
-    end->send(client->close(message("hello")));
+    end->send(client->encrypt(message("hello")));
     EXPECT_FALSE(end->receive(100ms));
     EXPECT_EQ(messages, 0);
 }

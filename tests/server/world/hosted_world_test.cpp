@@ -181,7 +181,7 @@ TEST(HostedWorld, frame_contains_module_channels_by_entity) {
     EXPECT_TRUE(frame_after(0).channels->empty()) << "modules speak after a step";
     const Frame two = frame_after(2), three = frame_after(1), four = frame_after(1);
     ASSERT_EQ(two.channels->size(), 1u);
-    EXPECT_EQ(world.properties().channel_kinds[0].name, "counter");
+    EXPECT_EQ(world.channel_kinds()[0].name, "counter");
     const Channel& told = two.channels->front();
     EXPECT_EQ(told.entity, two.entities[3].id);
     EXPECT_EQ(*told.values, std::vector<std::int32_t>{1});

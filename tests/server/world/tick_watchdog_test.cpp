@@ -45,8 +45,8 @@ TEST(TickWatchdog, interrupts_a_slow_step_and_pauses_the_world) {
     const auto slow = *worlds.create("", heavy());
     const auto other = *worlds.create("", *scenes::find_scene("stack"));
     const TickWatchdog watch(worlds, {.step_max = 100ms});
-    ASSERT_TRUE(wait_until([&] { return slow->paused().has_value(); }));
-    EXPECT_EQ(slow->paused()->find("a step took more than "), 0u) << *slow->paused();
+    ASSERT_TRUE(wait_until([&] { return slow->lifecycle().paused().has_value(); }));
+    EXPECT_EQ(slow->lifecycle().paused()->find("a step took more than "), 0u) << *slow->lifecycle().paused();
     // It ticks on, without steps, and the other one never noticed.
     const std::uint32_t tick = slow->frame()->tick;
     EXPECT_TRUE(wait_until([&] { return slow->frame()->tick > tick + 5; }));
@@ -61,7 +61,7 @@ TEST(TickWatchdog, stops_a_world_during_a_long_step) {
     const auto slow = *WorldHost::start(
         "w1", "slow", heavy(),
         {.limits = {.scene = {.work_per_second_max = 1e12, .first_step_seconds_max = 600}}});
-    ASSERT_TRUE(wait_until([&] { return slow->tick_began().has_value(); }));
+    ASSERT_TRUE(wait_until([&] { return slow->lifecycle().tick_began().has_value(); }));
     std::this_thread::sleep_for(100ms);
     const auto began = Clock::now();
     slow->stop();
@@ -91,7 +91,7 @@ TEST(TickWatchdog, restarts_a_failed_world_and_gives_up_after_repeated_failures)
     WorldDirectory worlds(settings, 2, "aa");
     const auto first = *worlds.create("arena", *scenes::find_scene("stack"));
     EXPECT_EQ(first->id(), "w1-aa");
-    ASSERT_TRUE(wait_until([&] { return first->failed(); }));
+    ASSERT_TRUE(wait_until([&] { return first->lifecycle().failed(); }));
     worlds.restart_failed(Clock::now());
     const auto second = worlds.find("arena");
     ASSERT_TRUE(second);
@@ -99,7 +99,7 @@ TEST(TickWatchdog, restarts_a_failed_world_and_gives_up_after_repeated_failures)
     EXPECT_EQ(second->id(), "w1-aa");
     for (int i = 0; i < 3; i++) {
         const auto present = worlds.find("arena");
-        ASSERT_TRUE(!present || wait_until([&] { return present->failed(); }));
+        ASSERT_TRUE(!present || wait_until([&] { return present->lifecycle().failed(); }));
         worlds.restart_failed(Clock::now());
     }
     EXPECT_FALSE(worlds.find("arena")) << "after three times in a minute";

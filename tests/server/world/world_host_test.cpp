@@ -34,7 +34,7 @@ TEST(WorldHost, ticks_at_the_configured_rate) {
     // Ticks that were given up on a busy machine count as well: the schedule is what must hold.
     EXPECT_NEAR(last->tick - first + last->late_ticks, 60 * seconds, 3);
     host->stop();
-    EXPECT_TRUE(host->stopped());
+    EXPECT_TRUE(host->lifecycle().stopped());
     EXPECT_GE(frames, static_cast<int>(last->tick - first));
     EXPECT_EQ(host->frame()->tick, host->frame()->tick) << "the last frame stays readable";
 }
@@ -47,7 +47,7 @@ TEST(WorldHost, scheduled_inputs_wait_for_their_tick_and_report_margin) {
     const Clock::time_point start = Clock::time_point() + 5s;
     const auto period = std::chrono::duration_cast<Clock::duration>(1s / 60.0);
     const auto push = [&](std::uint32_t sequence, std::uint32_t tick, Clock::time_point received) {
-        ASSERT_TRUE(host->push({.client = 1,
+        ASSERT_TRUE(host->mailbox().push({.client = 1,
                                 .sequence = sequence,
                                 .action = ReleaseCommand{},
                                 .reply = queue,
@@ -79,7 +79,7 @@ TEST(WorldHost, ticks_manually_without_a_thread) {
     const auto host = *WorldHost::start("w1", "test", *scenes::find_scene("stack"), settings);
     EXPECT_EQ(host->frame()->tick, 1u);
     const auto queue = std::make_shared<ResultQueue>();
-    ASSERT_TRUE(host->push(
+    ASSERT_TRUE(host->mailbox().push(
         {.client = 1, .sequence = 1, .action = ImpulseCommand{.entity = 9999}, .reply = queue}));
     const Clock::time_point due = Clock::time_point() + 5s;
     host->tick(due);
@@ -115,7 +115,7 @@ TEST(WorldHost, applies_concurrent_commands_exactly_once) {
                                       .sequence = i,
                                       .action = spawn,
                                       .reply = queues[static_cast<std::size_t>(c)]};
-                while (!host->push(command)) std::this_thread::sleep_for(1ms);
+                while (!host->mailbox().push(command)) std::this_thread::sleep_for(1ms);
             }
         });
     }
@@ -154,10 +154,10 @@ TEST(WorldHost, failed_world_does_not_affect_others) {
     const auto scene = *scenes::find_scene("stack");
     const auto bad = *WorldHost::start("w1", "bad", scene, broken);
     const auto good = *WorldHost::start("w2", "good", scene, {});
-    EXPECT_TRUE(wait_until([&] { return bad->stopped(); }));
+    EXPECT_TRUE(wait_until([&] { return bad->lifecycle().stopped(); }));
     const std::uint32_t tick = good->frame()->tick;
     EXPECT_TRUE(wait_until([&] { return good->frame()->tick > tick + 5; }));
-    EXPECT_FALSE(good->stopped());
+    EXPECT_FALSE(good->lifecycle().stopped());
     EXPECT_NE(bad->frame(), nullptr) << "its last frame stays readable";
     bad->stop();
 }
@@ -229,7 +229,7 @@ TEST(WorldDirectory, enforces_the_total_budget) {
         "world first");
     worlds.remove("one");
     EXPECT_TRUE(worlds.create("three", stack).ok());
-    const double work = worlds.find("two")->work_per_second();
+    const double work = worlds.find("two")->properties().work_per_second;
     WorldDirectory few({.totals = {.work_per_second_max = 1.5 * work}}, 10);
     ASSERT_TRUE(few.create("one", stack).ok());
     EXPECT_NE(few.create("two", stack).error().message.find("would be more work"),

@@ -28,13 +28,13 @@ void put_at(std::string& file, std::size_t at, std::uint32_t value) {
 // As far as records go; then an index, if there is one.
 std::string with_crcs(std::string file) {
     std::size_t at = header_bytes;
-    while (file.size() >= at + head_bytes) {
+    while (file.size() >= at + record_header_bytes) {
         const auto length = get<std::uint32_t>(file, at);
-        if (length == 0 || length > file.size() - at - head_bytes) break;
-        put_at(
-            file, at + 4,
-            crc_of(std::string_view(file).substr(at + crc_from, head_bytes - crc_from + length)));
-        at += head_bytes + length;
+        if (length == 0 || length > file.size() - at - record_header_bytes) break;
+        put_at(file, at + 4,
+               crc_of(std::string_view(file).substr(at + crc_from,
+                                                    record_header_bytes - crc_from + length)));
+        at += record_header_bytes + length;
     }
     if (file.size() >= at + index_head_bytes + trailer_bytes && file.ends_with(end_magic))
         put_at(file, at + 4,

@@ -36,7 +36,7 @@ struct SmallServer {
          .own_thread = false},
         config.world.worlds_max};
     server::PlayContext context{
-        .config = config, .worlds = worlds, .sessions = sessions, .authorizer = gate};
+        .config = config, .worlds = worlds, .sessions = sessions, .authorizer = authorizer};
 
     server::Identity anybody() { return authorizer.identify({.address = "127.0.0.1"}).value(); }
 

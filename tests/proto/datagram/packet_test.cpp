@@ -72,7 +72,8 @@ TEST_F(PacketTest, rejects_wrong_sizes_and_keys) {
     EXPECT_FALSE(server->decrypt(""));
     EXPECT_FALSE(server->decrypt(std::string(packet_bytes_max + 1, 'x')));
     EXPECT_TRUE(server->decrypt(packet));
-    EXPECT_FALSE((*PacketCipher::make(credentials(8), Side::server))->decrypt(client->encrypt("a")));
+    EXPECT_FALSE(
+        (*PacketCipher::make(credentials(8), Side::server))->decrypt(client->encrypt("a")));
     EXPECT_EQ(client->encrypt(std::string(content_bytes_max, 'x')).size(), packet_bytes_max);
     EXPECT_EQ(client->encrypt(std::string(content_bytes_max + 1, 'x')), "");
 }

@@ -11,8 +11,9 @@ TEST(GrpcStatus, round_trips_every_error) {
         ASSERT_FALSE(back.ok());
         EXPECT_EQ(back.error().message, "why");
         // Corrupt bytes are an invalid argument of their sender.
-        EXPECT_EQ(back.error().code,
-                  code.error_code == ErrorCode::corrupt_data ? ErrorCode::invalid_argument : code.error_code);
+        EXPECT_EQ(back.error().code, code.error_code == ErrorCode::corrupt_data
+                                         ? ErrorCode::invalid_argument
+                                         : code.error_code);
     }
     EXPECT_EQ(std::size(grpc_codes), static_cast<std::size_t>(ErrorCode::internal) + 1)
         << "one row per code";

@@ -30,7 +30,7 @@ protected:
     WorldDirectory worlds{{}, 4};
     const std::unique_ptr<Authorizer> authorizer = *Authorizer::open(config);
     PlayContext context{
-        .config = config, .worlds = worlds, .sessions = sessions, .authorizer = *gate};
+        .config = config, .worlds = worlds, .sessions = sessions, .authorizer = *authorizer};
 };
 
 // One client: what it says goes straight to its link, what the link says to a PlayState.
@@ -136,7 +136,7 @@ TEST_F(ClientSessionTest, hello_returns_welcome_entity_update_and_keyframe) {
     EXPECT_EQ(client.state.entities.size(), worlds.find("")->frame()->entities.size());
     EXPECT_TRUE(client.listen_until([&] { return client.state.snapshots > 5; }));
     EXPECT_NE(client.newest_bases, 0u) << "later ones are deltas";
-    EXPECT_EQ(client.state.broken, 0) << client.state.first_broken;
+    EXPECT_EQ(client.state.violations, 0) << client.state.first_violation;
     EXPECT_EQ(sessions.clients(), 1);
 }
 
@@ -146,7 +146,7 @@ TEST_F(ClientSessionTest, negotiates_the_highest_common_codec) {
         TestClient client(context);
         client.hello([&](v1::Hello& hello) { hello.set_codec(theirs); });
         EXPECT_TRUE(client.listen_until([&] { return client.state.snapshots > 3; }));
-        EXPECT_EQ(client.state.broken, 0) << client.state.first_broken;
+        EXPECT_EQ(client.state.violations, 0) << client.state.first_violation;
         return client.state.welcome.codec();
     };
     EXPECT_EQ(welcomed(0, 2), 1u) << "who says nothing knows the first";
@@ -168,7 +168,7 @@ TEST_F(ClientSessionTest, clients_with_equal_rate_share_encoded_bytes) {
                   one.newest_shared == two.newest_shared;
         return shared > 5;
     }));
-    EXPECT_EQ(one.state.broken + two.state.broken, 0);
+    EXPECT_EQ(one.state.violations + two.state.violations, 0);
 }
 
 TEST_F(ClientSessionTest, applies_and_acknowledges_each_input_once) {
@@ -197,7 +197,7 @@ TEST_F(ClientSessionTest, applies_and_acknowledges_each_input_once) {
     EXPECT_EQ(results[6].code(), v1::INPUT_CODE_NOT_FOUND);
     EXPECT_EQ(results[7].code(), v1::INPUT_CODE_NOT_ALLOWED) << "the scene's";
     ASSERT_TRUE(client.listen_until([&] { return owned() == 1; }));
-    EXPECT_EQ(client.state.broken, 0) << client.state.first_broken;
+    EXPECT_EQ(client.state.violations, 0) << client.state.first_violation;
 }
 
 TEST_F(ClientSessionTest, applies_scheduled_input_at_its_tick_and_reports_margin) {
@@ -232,7 +232,7 @@ TEST_F(ClientSessionTest, removes_spawned_bodies_when_the_client_leaves) {
     EXPECT_TRUE(leaver.session.end() && leaver.session.end()->ok());
     EXPECT_EQ(sessions.clients(), 1);
     EXPECT_TRUE(stayer.listen_until([&] { return !stayer.state.entities.contains(body); }));
-    EXPECT_EQ(stayer.state.broken, 0) << stayer.state.first_broken;
+    EXPECT_EQ(stayer.state.violations, 0) << stayer.state.first_violation;
 }
 
 TEST_F(ClientSessionTest, spectator_receives_snapshots_and_cannot_send_inputs) {
@@ -253,7 +253,7 @@ TEST_F(ClientSessionTest, sends_at_most_one_window_without_acks) {
     EXPECT_EQ(client.state.welcome.ack_interval_ms(), 100u);
     client.ack(client.state.newest_frame);
     EXPECT_TRUE(client.listen_until([&] { return client.state.skipped > 0; }));
-    EXPECT_EQ(client.state.broken, 0) << client.state.first_broken;
+    EXPECT_EQ(client.state.violations, 0) << client.state.first_violation;
 }
 
 TEST_F(ClientSessionTest, sends_a_keyframe_on_request) {
@@ -266,7 +266,7 @@ TEST_F(ClientSessionTest, sends_a_keyframe_on_request) {
     ASSERT_TRUE(client.listen_until(
         [&, n = client.state.snapshots] { return client.state.snapshots > n + 3; }));
     EXPECT_EQ(client.state.keyframes, before + 1) << "one, then deltas again";
-    EXPECT_EQ(client.state.broken, 0) << client.state.first_broken;
+    EXPECT_EQ(client.state.violations, 0) << client.state.first_violation;
 }
 
 TEST_F(ClientSessionTest, rounds_requested_rate_down_to_a_divisor) {
@@ -513,8 +513,8 @@ TEST_F(EventsTest, reports_trigger_and_contact_events_once_and_in_order) {
     const auto& press = events.back().contacts(0);
     EXPECT_GT(press.impulse(), 0);
     EXPECT_NEAR(std::abs(press.normal().y()), 1, 1e-3);
-    EXPECT_EQ(client.state.broken + deaf.state.broken, 0)
-        << client.state.first_broken << deaf.state.first_broken;
+    EXPECT_EQ(client.state.violations + deaf.state.violations, 0)
+        << client.state.first_violation << deaf.state.first_violation;
 }
 
 TEST_F(EventsTest, slow_client_receives_the_count_of_missed_event_ticks) {
@@ -543,8 +543,8 @@ TEST_F(EventsTest, slow_client_receives_the_count_of_missed_event_ticks) {
         EXPECT_EQ(events[i].tick(), events[i - 1].tick() + 1);
     }
     for (const v1::Events& tick : quick.state.events) EXPECT_EQ(tick.missed(), 0u);
-    EXPECT_EQ(slow.state.broken + quick.state.broken, 0)
-        << slow.state.first_broken << quick.state.first_broken;
+    EXPECT_EQ(slow.state.violations + quick.state.violations, 0)
+        << slow.state.first_violation << quick.state.first_violation;
 }
 
 TEST_F(EventsTest, reduced_rate_client_receives_events_of_every_tick) {
@@ -558,7 +558,7 @@ TEST_F(EventsTest, reduced_rate_client_receives_events_of_every_tick) {
     ASSERT_TRUE(client.listen_until([&] { return events.size() > 40; }));
     for (const v1::Events& tick : events) EXPECT_EQ(tick.missed(), 0u);
     EXPECT_LT(client.state.snapshots, 20);
-    EXPECT_EQ(client.state.broken, 0) << client.state.first_broken;
+    EXPECT_EQ(client.state.violations, 0) << client.state.first_violation;
 }
 
 TEST_F(EventsTest, stops_copying_events_after_the_last_listener_leaves) {
@@ -620,7 +620,7 @@ TEST_F(InterestTest, sends_entities_within_interest_and_the_ground) {
     ASSERT_TRUE(client.listen_until([&] { return !balls(client).contains(0); }));
     ASSERT_TRUE(client.listen_until([&] { return balls(client).contains(31); }));
     EXPECT_FALSE(balls(client).contains(5));
-    EXPECT_EQ(client.state.broken, 0) << client.state.first_broken;
+    EXPECT_EQ(client.state.violations, 0) << client.state.first_violation;
 }
 
 TEST_F(InterestTest, byte_budget_limits_all_traffic) {
@@ -635,7 +635,7 @@ TEST_F(InterestTest, byte_budget_limits_all_traffic) {
     const double kbps = static_cast<double>(client.bytes_taken - before) * 8e-3 / seconds;
     EXPECT_LE(kbps, 42 + 40 * 0.05);
     EXPECT_GE(kbps, 20) << "forty balls that roll want more than that";
-    EXPECT_EQ(client.state.broken, 0) << client.state.first_broken;
+    EXPECT_EQ(client.state.violations, 0) << client.state.first_violation;
 }
 
 TEST_F(InterestTest, removes_entities_within_interest) {
@@ -653,7 +653,7 @@ TEST_F(InterestTest, removes_entities_within_interest) {
         ASSERT_TRUE(client.listen_until([&] { return client.state.snapshots > so_far + 5; }));
     }
     EXPECT_TRUE(client.state.notices.empty()) << client.state.notices[0].message();
-    EXPECT_EQ(client.state.broken, 0) << client.state.first_broken;
+    EXPECT_EQ(client.state.violations, 0) << client.state.first_violation;
 }
 
 TEST_F(InterestTest, resends_every_cell_as_keyframe_on_request) {
@@ -665,7 +665,7 @@ TEST_F(InterestTest, resends_every_cell_as_keyframe_on_request) {
     EXPECT_TRUE(client.listen_until([&] { return client.state.cells.size() >= 3; }))
         << "the ground's cell too, which does not move";
     EXPECT_TRUE(client.listen_until([&] { return balls(client).size() >= 7; }));
-    EXPECT_EQ(client.state.broken, 0) << client.state.first_broken;
+    EXPECT_EQ(client.state.violations, 0) << client.state.first_violation;
 }
 
 TEST_F(InterestTest, ignores_absent_interest_and_rejects_invalid_interest) {

@@ -47,7 +47,7 @@ struct Driver {
             if (!message.ParseFromString(bytes)) return;
             if (message.has_welcome()) predictor.begin(message.welcome());
             if (message.snapshot().has_controlled_entity())
-                driven_bytes += message.snapshot().driven().ByteSizeLong();
+                driven_bytes += message.snapshot().controlled_entity().ByteSizeLong();
         };
         run(60);
         for (const auto& [id, entity] : session.conversation.view().entities())
@@ -59,9 +59,9 @@ struct Driver {
         run(60);
     }
     void send(v1::Input input) {
-        input.set_tick(link.conversation.input_clock().tick(now_us()));
+        input.set_tick(session.conversation.input_clock().tick(now_us()));
         held.insert(input.tick());
-        predictor.add_input(link.conversation.send(input), input);
+        predictor.add_input(session.conversation.send(input), input);
     }
     void hold(double right, double ahead, std::uint32_t buttons = 0, double looks = 0) {
         v1::Input input;
@@ -72,15 +72,15 @@ struct Driver {
     }
     std::int64_t now_us() const { return static_cast<std::int64_t>(client::to_us(server.now)); }
     void run(int ticks) {
-        test::play(server, *world, {&link}, ticks, [this](int) { look(); });
+        test::play(server, *world, {&session}, ticks, [this](int) { look(); });
     }
     void look() {
         const FramePtr frame = world->frame();
         if (own != 0)
             truth[frame->tick] =
                 std::ranges::find(frame->entities, own, &EntityPose::id)->pose.position;
-        predictor.on_results(link.conversation.take_results());
-        predictor.on_frame(link.conversation.view());
+        predictor.on_results(session.conversation.take_results());
+        predictor.on_frame(session.conversation.view());
         const auto poses = session.draw();
         const double position = session.conversation.input_clock().position(now_us());
         RenderedPose picture{.position = position};
@@ -164,7 +164,7 @@ TEST(ToldDriven, predicted_car_matches_the_server_position) {
     EXPECT_GT(off.interpolated, 1500) << "a fifth of a second ago";
     EXPECT_LT(off.median, 2);
     EXPECT_LT(off.worst, 20) << "steered and braked, over hilly land";
-    EXPECT_GT(stats.drives, 80u);
+    EXPECT_GT(stats.control_updates, 80u);
     EXPECT_LE(stats.control_corrections, 2u);
     record("step_mm", driver.step_mm(first, driver.top_speed()));
     EXPECT_LT(driver.step_mm(first, driver.top_speed()), 20);
@@ -223,7 +223,7 @@ TEST(ToldDriven, predicts_character_movement_in_the_frame_of_the_input) {
         EXPECT_GT(off.interpolated, 500);
         EXPECT_LT(off.median, 2);
         EXPECT_LT(off.worst, 60);
-        EXPECT_GT(stats.drives, 50u);
+        EXPECT_GT(stats.control_updates, 50u);
     }
 }
 

@@ -94,8 +94,8 @@ Round shoot(bool attach_view_time, client::NetworkConditions each_way, double re
 }
 
 TEST(LagCompensation, hits_rendered_target_at_150_ms_latency_only_with_view_time) {
-    const client::NetworkConditions link{.delay_ms = 75};
-    const Round with = shoot(true, session), without = shoot(false, session);
+    const client::NetworkConditions network{.delay_ms = 75};
+    const Round with = shoot(true, network), without = shoot(false, network);
     EXPECT_EQ(with.shots, 16);
     EXPECT_EQ(with.hits, with.shots);
     EXPECT_EQ(with.clamped, 0);

@@ -35,7 +35,7 @@ TEST(ResumeRegistry, token_restores_suspended_state_once) {
     EXPECT_EQ(desk.claim("no token").status, ClaimStatus::unknown);
     EXPECT_EQ(desk.claim({}).status, ClaimStatus::unknown);
     const ResumeRegistry::Claim claim = desk.claim(resume_session->token);
-    ASSERT_EQ(claim.status, ClaimStatus::here);
+    ASSERT_EQ(claim.status, ClaimStatus::claimed);
     EXPECT_EQ(claim.client->client, 7u);
     EXPECT_EQ(claim.resume_session, resume_session);
     EXPECT_EQ(claim.until, start + 30s);
@@ -53,7 +53,7 @@ TEST(ResumeRegistry, claim_supersedes_the_old_session) {
     EXPECT_EQ(desk.claim(resume_session->token).status, ClaimStatus::pending);
     EXPECT_TRUE(resume_session->is_superseded);
     desk.suspend(*resume_session, lost(7), start + 30s);
-    EXPECT_EQ(desk.claim(resume_session->token).status, ClaimStatus::here);
+    EXPECT_EQ(desk.claim(resume_session->token).status, ClaimStatus::claimed);
     EXPECT_FALSE(resume_session->is_superseded) << "the new one keeps it";
 }
 

@@ -66,7 +66,7 @@ TEST_F(ResumeTest, resume_within_timeout_preserves_identity_and_bodies) {
     EXPECT_EQ(bodies_of(*world, id), 3);
     cut(player);
     EXPECT_EQ(server.context.resume_registry.disconnected(), 1u);
-    EXPECT_EQ(server.context.connected_clients.look(server.now).size(), 0u)
+    EXPECT_EQ(server.context.connected_clients.status(server.now).size(), 0u)
         << "he is not connected";
     run_alone(120);
     remove_expired_clients(server.context, server.now);
@@ -247,7 +247,7 @@ TEST_F(ResumeTest, resume_supersedes_a_session_not_yet_closed) {
     server.now += 50ms;
     const auto welcome = now_on.take_message(server.now);
     ASSERT_TRUE(welcome);
-    player.conversation.receive(welcome->head, server.now);
+    player.conversation.receive(welcome->header, server.now);
     EXPECT_EQ(player.conversation.stats().client_id, id);
     EXPECT_EQ(player.conversation.stats().resumed, 1u);
     EXPECT_EQ(bodies_of(*world, id), 1);
@@ -271,7 +271,7 @@ TEST_F(ResumeTest, rejects_foreign_resume_tokens) {
                               server.now);
         session.receive(hello.SerializeAsString(), server.now);
         v1::ServerMessage welcome;
-        ASSERT_TRUE(welcome.ParseFromString(link.take_message(server.now)->head));
+        ASSERT_TRUE(welcome.ParseFromString(session.take_message(server.now)->header));
         EXPECT_FALSE(welcome.welcome().resumed());
         EXPECT_NE(welcome.welcome().client_id(), id);
         session.on_peer_closed(server.now);
@@ -282,7 +282,7 @@ TEST_F(ResumeTest, rejects_foreign_resume_tokens) {
 // By a ticket he comes in once, and again as no more than he was.
 TEST_F(ResumeTest, ticketed_spectator_resumes_as_spectator) {
     const std::string ticket =
-        server.gate
+        server.authorizer
             ->issue_ticket({.subject = "ann", .role = Role::player, .anonymous = false},
                            world->id(), "127.0.0.1")
             .value();

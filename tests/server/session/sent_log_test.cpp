@@ -41,7 +41,7 @@ TEST(SentLog, resends_data_after_the_last_received_snapshot) {
     EXPECT_EQ(sequences(known), (Numbers{2, 3}));
     EXPECT_EQ(known.events, 6u);
     ASSERT_TRUE(known.list);
-    EXPECT_TRUE(known.gone.empty());
+    EXPECT_TRUE(known.removed.empty());
     EXPECT_EQ(sequences(log.known_at(10, *list_of({1, 2}))), (Numbers{1, 2, 3}));
     EXPECT_EQ(sequences(log.known_at(0, *list_of({1, 2}))), (Numbers{1, 2, 3}));
 }
@@ -55,11 +55,11 @@ TEST(SentLog, lists_entities_removed_since_the_last_received_snapshot) {
     const auto now = list_of({1, 4, 5});
     const SentLog::Known early = log.known_at(10, *now);
     EXPECT_EQ(early.list->size(), 2u);
-    EXPECT_EQ(early.gone, (Numbers{2, 3}))
+    EXPECT_EQ(early.removed, (Numbers{2, 3}))
         << "it may have heard of 3; 2 comes with the list as well";
     const SentLog::Known late = log.known_at(11, *now);
     EXPECT_EQ(late.list->size(), 4u);
-    EXPECT_TRUE(late.gone.empty()) << "what its list has is told by the next roster";
+    EXPECT_TRUE(late.removed.empty()) << "what its list has is told by the next roster";
 }
 
 TEST(SentLog, resends_unacknowledged_shapes) {
@@ -100,7 +100,7 @@ TEST(SentLog, preserves_unacknowledged_data_across_two_disconnects) {
     log.on_snapshot(11, {}, 0);
     log.roll_back_to(10);  // the first break; 2 is gone, and that was told and lost again
     log.on_list(list_of({1, 3}), 10);
-    EXPECT_EQ(log.known_at(10, *list_of({1, 3})).gone, Numbers{2});
+    EXPECT_EQ(log.known_at(10, *list_of({1, 3})).removed, Numbers{2});
     log.on_snapshot(20, {}, 0);
     EXPECT_EQ(log.known_at(20, *list_of({1, 3})).list->back()->id, 3u);
 }

@@ -37,7 +37,7 @@ struct TestServer {
          .own_thread = false},
         2};
     server::PlayContext context{
-        .config = config, .worlds = worlds, .sessions = sessions, .authorizer = *gate};
+        .config = config, .worlds = worlds, .sessions = sessions, .authorizer = *authorizer};
     server::Clock::time_point now = server::Clock::now();
 };
 
@@ -72,7 +72,7 @@ struct SessionHarness {
         while (const auto arrived = outgoing.take(server.now))
             session->receive(*arrived, server.now);
         while (const auto out = session->take_message(server.now)) {
-            std::string bytes = out->head + (out->shared ? *out->shared : "");
+            std::string bytes = out->header + (out->shared ? *out->shared : "");
             for (const server::SharedBytes& cell : out->cells) bytes += *cell;
             if (tamper) tamper(bytes);
             incoming.push(std::move(bytes), server.now);

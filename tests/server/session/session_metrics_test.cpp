@@ -42,7 +42,7 @@ protected:
              std::this_thread::sleep_for(5ms)) {
             while (const auto message = session.take_message(Clock::now())) {
                 v1::ServerMessage parsed;
-                parsed.ParseFromString(message->head + (message->shared ? *message->shared : ""));
+                parsed.ParseFromString(message->header + (message->shared ? *message->shared : ""));
                 if (!parsed.has_snapshot()) continue;
                 frame = parsed.snapshot().frame();
                 bytes += message->size();
@@ -55,7 +55,9 @@ protected:
         }
         return {frame, bytes};
     }
-    double clients() const { return worlds.find("arena")->watch().metrics()->clients().Value(); }
+    double clients() const {
+        return worlds.find("arena")->tick_metrics().metrics()->clients().Value();
+    }
 
     Config config;
     SessionDirectory sessions{4};
@@ -74,9 +76,9 @@ TEST_F(SessionMetricsTest, counts_snapshots_clients_and_inputs) {
     {
         ClientSession session(context, peer(), Clock::now());
         EXPECT_EQ(clients(), 0);
-        hello(link);
+        hello(session);
         EXPECT_EQ(clients(), 1);
-        const auto [frame, bytes] = listen(link, 300ms, true);
+        const auto [frame, bytes] = listen(session, 300ms, true);
         EXPECT_GT(snapshots, 3);
         EXPECT_EQ(metrics.snapshots_sent.Value(), snapshots);
         EXPECT_EQ(metrics.snapshot_bytes.Value(), static_cast<double>(bytes));
@@ -87,23 +89,23 @@ TEST_F(SessionMetricsTest, counts_snapshots_clients_and_inputs) {
         v1::Input& huge = *message.mutable_input()->add_inputs();
         huge.mutable_spawn()->mutable_shape()->mutable_sphere()->set_radius(1000);
         session.receive(message.SerializeAsString(), Clock::now());
-        listen(link, 200ms, true);
+        listen(session, 200ms, true);
         EXPECT_EQ(metrics.inputs[InputOutcome::not_found].Value(), 1);
         EXPECT_EQ(metrics.inputs[InputOutcome::applied].Value(), 1);
         EXPECT_EQ(metrics.inputs[InputOutcome::invalid].Value(), 1);
         EXPECT_EQ(metrics.inputs[InputOutcome::limit].Value(), 0);
-        const auto sights = context.connected_clients.look(Clock::now());
+        const auto sights = context.connected_clients.status(Clock::now());
         ASSERT_EQ(sights.size(), 1u);
         EXPECT_GT(sights[0].round_trip_ms, 0);
     }
     EXPECT_EQ(clients(), 0);
-    EXPECT_TRUE(context.connected_clients.look(Clock::now()).empty());
+    EXPECT_TRUE(context.connected_clients.status(Clock::now()).empty());
 }
 
 TEST_F(SessionMetricsTest, counts_skipped_snapshots_of_unacknowledging_clients) {
     ClientSession session(context, peer(), Clock::now());
-    hello(link);
-    listen(link, 400ms, false);
+    hello(session);
+    listen(session, 400ms, false);
     EXPECT_LE(snapshots, 5) << "the window";
     EXPECT_GT(metrics.snapshots_skipped[SkipReason::window].Value(), 5);
     // A transport that cannot write: frames come and go.
@@ -112,14 +114,14 @@ TEST_F(SessionMetricsTest, counts_skipped_snapshots_of_unacknowledging_clients) 
         session.wait_for_write(Clock::now());
         std::this_thread::sleep_for(5ms);
     }
-    listen(link, 50ms, false);
+    listen(session, 50ms, false);
     EXPECT_GT(metrics.snapshots_skipped[SkipReason::pending].Value(), 3);
 }
 
 TEST_F(SessionMetricsTest, counts_refusals_by_reason) {
     ClientSession session(context, peer(), Clock::now());
     session.receive("garbage", Clock::now());
-    EXPECT_TRUE(link.end());
+    EXPECT_TRUE(session.end());
     EXPECT_EQ(metrics.refusals[ErrorCode::invalid_argument].Value(), 1);
 }
 

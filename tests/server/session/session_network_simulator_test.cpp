@@ -18,7 +18,7 @@ using test::TestServer;
 
 Config with_link(const std::string& session, std::vector<std::string> worlds = {}) {
     Config config;
-    config.development = {link, std::move(worlds)};
+    config.development = {session, std::move(worlds)};
     EXPECT_TRUE(check(config).ok());
     return config;
 }
@@ -68,9 +68,9 @@ TEST(SessionNetworkSimulator, jitter_preserves_message_order) {
 
 TEST(SessionNetworkSimulator, applies_only_to_configured_worlds) {
     const std::string session = "delay=5";
-    EXPECT_TRUE(make_network_simulator({link, {}}, "yard", 1));
-    EXPECT_TRUE(make_network_simulator({link, {"lab", "yard"}}, "yard", 1));
-    EXPECT_FALSE(make_network_simulator({link, {"lab"}}, "yard", 1));
+    EXPECT_TRUE(make_network_simulator({session, {}}, "yard", 1));
+    EXPECT_TRUE(make_network_simulator({session, {"lab", "yard"}}, "yard", 1));
+    EXPECT_FALSE(make_network_simulator({session, {"lab"}}, "yard", 1));
     EXPECT_FALSE(make_network_simulator({"", {}}, "yard", 1)) << "off by itself";
 }
 
@@ -94,7 +94,7 @@ TEST(SessionNetworkSimulator, delivers_leave_message_before_disconnect) {
     player.exchange();
     player.session->on_peer_closed(server.now);
     EXPECT_EQ(server.sessions.clients(), 0);
-    EXPECT_EQ(server.context.resume_registry.lost(), 0u);
+    EXPECT_EQ(server.context.resume_registry.disconnected(), 0u);
 }
 
 }  // namespace

@@ -48,11 +48,11 @@ TEST(WorldHost, scheduled_inputs_wait_for_their_tick_and_report_margin) {
     const auto period = std::chrono::duration_cast<Clock::duration>(1s / 60.0);
     const auto push = [&](std::uint32_t sequence, std::uint32_t tick, Clock::time_point received) {
         ASSERT_TRUE(host->mailbox().push({.client = 1,
-                                .sequence = sequence,
-                                .action = ReleaseCommand{},
-                                .reply = queue,
-                                .received = received,
-                                .tick = tick}));
+                                          .sequence = sequence,
+                                          .action = ReleaseCommand{},
+                                          .reply = queue,
+                                          .received = received,
+                                          .tick = tick}));
     };
     push(1, 0, start - 4ms);         // the next tick, 2
     push(2, 4, start - 4ms);         // two later

@@ -26,13 +26,13 @@ using test::error_of;
 // ball. With `late` tick 125 throws one more.
 void play(const std::string& path, bool late) {
     server::PersistenceSettings settings{.database = path,
-                                         .level = "process",
+                                         .durability = "process",
                                          .replay_seconds_max = 0.003,
                                          .history_retention_hours = 1};
     const server::HostLimits limits{.scene = {.bodies_max = 400}};
     auto archive = server::WorldArchive::open(settings, limits, 1, nullptr).value();
-    server::WorldDirectory worlds({.limits = limits, .own_thread = false, .keepers = archive.get()},
-                                  4, "test");
+    server::WorldDirectory worlds(
+        {.limits = limits, .own_thread = false, .world_persistence = archive.get()}, 4, "test");
     const auto world = worlds.create("yard", *scenes::find_scene("stack")).value();
     std::uint32_t sequence = 0;
     for (std::uint32_t tick = 2; tick <= 201; tick++) {
@@ -107,11 +107,13 @@ TEST(PersistedWorld, replays_a_world_that_stopped_during_a_step) {
     const std::string path = folder / "worlds.db";
     const server::HostLimits limits{.scene = {.bodies_max = 5000, .work_per_second_max = 1e12}};
     for (int life = 0; life < 6; life++) {
-        auto archive = server::WorldArchive::open(
-                           {.database = path, .level = "process", .history_retention_hours = 1},
-                           limits, 1, nullptr)
-                           .value();
-        server::WorldDirectory worlds({.limits = limits, .keepers = archive.get()}, 4, "test");
+        auto archive =
+            server::WorldArchive::open(
+                {.database = path, .durability = "process", .history_retention_hours = 1}, limits,
+                1, nullptr)
+                .value();
+        server::WorldDirectory worlds({.limits = limits, .world_persistence = archive.get()}, 4,
+                                      "test");
         for (auto& kept : archive->take_worlds()) worlds.adopt(std::move(kept.start));
         auto world = worlds.find("");
         // Steps take most of a tick, so the world is usually in a step.

@@ -63,7 +63,7 @@ TEST_F(DatagramProtocolTest, acknowledges_each_snapshot_immediately_together_wit
     const auto ack = by_datagram();
     ASSERT_TRUE(ack && ack->has_ack());
     EXPECT_EQ(ack->ack().frame(), 8u);
-    EXPECT_EQ(ack->ack().before(), 0b110u) << "frames 6 and 5";
+    EXPECT_EQ(ack->ack().ack_bits(), 0b110u) << "frames 6 and 5";
     EXPECT_FALSE(by_datagram()) << "once";
     EXPECT_EQ(protocol.stats().datagram_snapshots, 3u);
 }

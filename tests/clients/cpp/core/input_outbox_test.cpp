@@ -113,17 +113,17 @@ TEST_F(InputOutboxTest, resends_only_lost_inputs_after_a_resume) {
     outbox.retain_until_confirmed(true);
     push(10);
     EXPECT_EQ(by_stream(), (Said{1, 10}));
-    for (const std::uint32_t sequence : {1u, 2u, 3u}) EXPECT_TRUE(outbox.answered(sequence, now));
+    for (const std::uint32_t sequence : {1u, 2u, 3u}) EXPECT_TRUE(outbox.on_result(sequence, now));
     outbox.resume_after(5, now);  // 4 and 5 arrived; their results are pending
     push(1);
     EXPECT_EQ(by_stream(), (Said{6, 6}));
     EXPECT_EQ(fresh, 11u) << "repeated inputs count once";
-    EXPECT_FALSE(outbox.answered(3, now))
+    EXPECT_FALSE(outbox.on_result(3, now))
         << "repeated result: the server does not know that it arrived";
-    EXPECT_TRUE(outbox.answered(4, now));
-    EXPECT_FALSE(outbox.answered(4, now));
+    EXPECT_TRUE(outbox.on_result(4, now));
+    EXPECT_FALSE(outbox.on_result(4, now));
     for (std::uint32_t sequence = 5; sequence <= 11; sequence++)
-        EXPECT_TRUE(outbox.answered(sequence, now));
+        EXPECT_TRUE(outbox.on_result(sequence, now));
     EXPECT_FALSE(outbox.has_unconfirmed());
 }
 
@@ -133,7 +133,7 @@ TEST_F(InputOutboxTest, resends_an_input_without_result_even_if_a_later_one_has_
     outbox.retain_until_confirmed(true);
     push(3);
     EXPECT_EQ(by_stream(), (Said{1, 3}));
-    EXPECT_TRUE(outbox.answered(3, now));
+    EXPECT_TRUE(outbox.on_result(3, now));
     outbox.resume_after(0, now);  // the server crashed before it persisted anything
     EXPECT_EQ(by_stream(), (Said{1, 3}));
 }

@@ -23,7 +23,8 @@ void add_cell(v1::Snapshot& snapshot, std::uint32_t cell, const wire::QuantizedF
     v1::CellUpdate& part = *snapshot.add_cells();
     part.set_cell(cell);
     part.set_number(now.frame);
-    if (base) part.set_baselines(wire::encode_baseline_frames(now.frame, {.base = base->frame}));
+    if (base)
+        part.set_baselines(wire::encode_baseline_frames(now.frame, {.baseline = base->frame}));
     const auto packed = wire::encode_frame(now, {base, nullptr, nullptr}, {});
     part.set_packed(packed.data(), packed.size());
     part.set_crc(wire::frame_crc(now));

@@ -44,7 +44,7 @@ struct Stream {
         v1::ServerMessage message;
         v1::Snapshot& s = *message.mutable_snapshot();
         s.set_frame(frame);
-        s.set_baselines(base ? wire::encode_baseline_frames(frame, {.base = base->frame}) : 0);
+        s.set_baselines(base ? wire::encode_baseline_frames(frame, {.baseline = base->frame}) : 0);
         s.set_packed(packed.data(), packed.size());
         s.set_crc(wire::frame_crc(quantized));
         return message;

@@ -27,7 +27,7 @@ v1::Snapshot snapshot(std::uint32_t number, std::uint32_t base, const Told& told
         wire::encode_frame(frame, {base != 0 ? &before : nullptr, nullptr, nullptr}, {});
     v1::Snapshot s;
     s.set_frame(number);
-    s.set_baselines(wire::encode_baseline_frames(number, {.base = base}));
+    s.set_baselines(wire::encode_baseline_frames(number, {.baseline = base}));
     s.set_packed(packed.data(), packed.size());
     s.set_crc(wire::frame_crc(frame));
     const wire::PackedChannels changed =
@@ -60,18 +60,18 @@ protected:
 
 // The controlled entity is delta-encoded; a state without a known baseline is rejected.
 TEST_F(WorldViewTest, requires_a_complete_controlled_entity_state_first) {
-    v1::Driven part;
+    v1::ControlledEntityState part;
     part.set_entity(5);
     part.set_tick(7);
     part.set_module("vehicle");
     part.set_words(2);
-    part.set_changed("\x02");
+    part.set_changed_mask("\x02");
     part.set_values(std::string("\x09\0\0\0", 4));
     EXPECT_EQ(view.apply(part).error().code, ErrorCode::failed_precondition);
     EXPECT_EQ(view.controlled_entity().entity, 0u);
-    v1::Driven whole = part;
+    v1::ControlledEntityState whole = part;
     whole.set_keyframe(true);
-    whole.set_changed("\x01");
+    whole.set_changed_mask("\x01");
     ASSERT_TRUE(view.apply(whole).ok());
     ASSERT_TRUE(view.apply(part).ok());
     EXPECT_EQ(view.controlled_entity().words, (std::vector<std::uint32_t>{9, 9}));
@@ -178,7 +178,7 @@ TEST_F(WorldViewTest, hides_entities_until_their_entity_update_arrives) {
         v1::Snapshot s;
         s.set_frame(frame.frame);
         s.set_baselines(
-            wire::encode_baseline_frames(frame.frame, {.base = base ? base->frame : 0}));
+            wire::encode_baseline_frames(frame.frame, {.baseline = base ? base->frame : 0}));
         s.set_packed(packed.data(), packed.size());
         s.set_crc(wire::frame_crc(frame));
         return s;

@@ -198,8 +198,8 @@ struct Yard {
             const std::int64_t due = view.times_of(told.snapshot).due_us;
             buffer.add(view.frame(), due, us);
             clock.on_frame(view.frame().frame, static_cast<double>(us - due), 55'000, us);
-            clock.on_margin(told.snapshot.own().input_sequence(),
-                            told.snapshot.own().input_margin_us());
+            clock.on_margin(told.snapshot.client_update().input_sequence(),
+                            told.snapshot.client_update().input_margin_us());
             predictor.on_results(told.results);
             predictor.on_frame(view);
         }

@@ -31,7 +31,7 @@ std::vector<std::uint64_t> record_places(const std::string& file) {
         places.push_back(at);
         const auto length = get<std::uint32_t>(file, at);
         if (length == 0) return places;
-        at += head_bytes + length;
+        at += record_header_bytes + length;
     }
 }
 

@@ -37,7 +37,7 @@ inline RecordedWorld record_world(int ticks, int ticks_between_keyframes) {
     server::WorldDirectory worlds{
         {.limits = {.scene = {.first_step_seconds_max = 100}}, .own_thread = false}, 1};
     server::PlayContext context{
-        .config = config, .worlds = worlds, .sessions = sessions, .authorizer = *gate};
+        .config = config, .worlds = worlds, .sessions = sessions, .authorizer = *authorizer};
     const std::shared_ptr<server::WorldHost> world =
         worlds.create("yard", test::small_scene()).value();
 
@@ -60,7 +60,9 @@ inline RecordedWorld record_world(int ticks, int ticks_between_keyframes) {
                           writer.add(bytes, to_us(when) - to_us(began)).expect();
                       }});
     bots::Behaviour thrower(
-        bots::parse_script("throw weight=1 period=0.2 speed=5 max_bodies=3", "script").value().front(),
+        bots::parse_script("throw weight=1 period=0.2 speed=5 max_bodies=3", "script")
+            .value()
+            .front(),
         7);
     protocol.begin(now);
     for (int tick = 1; tick <= ticks; tick++) {
@@ -73,7 +75,7 @@ inline RecordedWorld record_world(int ticks, int ticks_between_keyframes) {
         while (const auto said = protocol.take_message(now)) link.receive(*said, now);
         const std::uint64_t before = protocol.stats().snapshots;
         while (const auto heard = link.take_message(now))
-            protocol.receive(heard->head + (heard->shared ? *heard->shared : ""), now);
+            protocol.receive(heard->header + (heard->shared ? *heard->shared : ""), now);
         if (protocol.stats().snapshots == before) continue;
         const wire::QuantizedFrame& frame = protocol.view().frame();
         made.truth[frame.frame] = frame;

@@ -154,7 +154,7 @@ TEST_F(AccuracyFlags, integrators_and_contact_models_write_rows) {
         EXPECT_EQ(run(flags), 2) << flags;
         EXPECT_THAT(output(), HasSubstr(why));
     }
-    EXPECT_EQ(run("contact_models --csv /nowhere/r.csv"), 1);
+    EXPECT_EQ(run("contact-models --csv /nowhere/r.csv"), 1);
     EXPECT_EQ(run("integrators --json /nowhere/i.json"), 1);
 }
 

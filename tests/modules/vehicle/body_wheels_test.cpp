@@ -243,7 +243,7 @@ TEST(BodyWheels, rejects_body_wheels_on_two_wheelers) {
     def.cast = modules::WheelCast::body;
     const auto car = of.vehicles->add(of.world, def);
     ASSERT_FALSE(car.ok());
-    EXPECT_NE(car.error().message.find("balance.on"), std::string::npos);
+    EXPECT_NE(car.error().message.find("balance.enabled"), std::string::npos);
 }
 
 }  // namespace

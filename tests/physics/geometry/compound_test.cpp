@@ -23,7 +23,7 @@ TEST(Compound, error_names_the_invalid_child) {
     EXPECT_THAT(error_of({{Sphere{}, {}}, {Plane{}, {}}}), HasSubstr("children[1] is a plane"));
     EXPECT_THAT(error_of({{Sphere{-1}, {}}}), HasSubstr("children[0].radius is -1"));
     EXPECT_THAT(error_of({{Sphere{}, {.position = {1e5, 0, 0}}}}), HasSubstr("children[0].pose"));
-    EXPECT_THAT(error_of({{Sphere{}, {.rotation = {0, 0, 0, 0}}}}), HasSubstr("no rotation"));
+    EXPECT_THAT(error_of({{Sphere{}, {.rotation = {0, 0, 0, 0}}}}), HasSubstr("non-zero rotation"));
 }
 
 // A dumbbell: two balls of 0.5 m at both ends of a rod of 0.1 m, which lies along x.

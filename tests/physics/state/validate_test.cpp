@@ -140,18 +140,18 @@ TEST(Validate, reports_states_that_only_forged_bytes_contain) {
         {[](WorldState& w) { w.bodies.cold[1].inertia.x.x = 1e300; }, "inertia"},
         {[](WorldState& w) { w.bodies.cold[1].inertia.x.x = -1; }, "inertia"},
         {[](WorldState& w) { w.bodies.cold[1].inertia.y.y *= 5; }, "inertia"},
-        {[](WorldState& w) { w.bodies.cold[1].isotropic = true; }, "not even"},
+        {[](WorldState& w) { w.bodies.cold[1].isotropic = true; }, "not isotropic"},
         {[](WorldState& w) { w.bodies.cold[1].radius *= 0.1; }, "too large for its size"},
         {[](WorldState& w) { w.bodies.cold[1].inner_radius = -1; }, "radius"},
         {[](WorldState& w) { w.bodies.cold[1].radius = 1e30; }, "radius"},
         {[](WorldState& w) { w.bodies.cold[1].local_center.x = 1e30; }, "centre"},
         {[](WorldState& w) { w.bodies.cold[1].mass = 1e300; }, "mass"},
         {[](WorldState& w) { w.bodies.cold[0].mass = 1; }, "not dynamic"},
-        {[](WorldState& w) { w.bodies.awake[0].sleep_time = -1; }, "less than no time"},
-        {[](WorldState& w) { w.bodies.awake[0].center.y = 1e300; }, "too far out"},
-        {[](WorldState& w) { w.bodies.motion[1].travel = -1; }, "negative"},
-        {[](WorldState& w) { w.bodies.motion[1].travel = 1e300; }, "too far"},
-        {[](WorldState& w) { w.bodies.awake[0].v.x = 1e300; }, "faster than anything"},
+        {[](WorldState& w) { w.bodies.awake[0].sleep_time = -1; }, "negative time at rest"},
+        {[](WorldState& w) { w.bodies.awake[0].center.y = 1e300; }, "too far from the origin"},
+        {[](WorldState& w) { w.bodies.motion[1].travel = -1; }, "bound out of range"},
+        {[](WorldState& w) { w.bodies.motion[1].travel = 1e300; }, "bound out of range"},
+        {[](WorldState& w) { w.bodies.awake[0].v.x = 1e300; }, "velocity, force or displacement out of range"},
         {[](WorldState& w) { w.contacts.contacts[0].limit = 1e300; }, "limit out of range"},
         {[](WorldState& w) { w.shapes.shapes[1].geometry = Sphere{-1}; }, "radius is -1"},
         {[](WorldState& w) { w.shapes.shapes[1].pose.rotation.w = 3; }, "rotation"},
@@ -162,7 +162,7 @@ TEST(Validate, reports_states_that_only_forged_bytes_contain) {
              for (const std::uint32_t s : {1u, 2u}) w.shapes.shapes[s].moved = true;
              w.shapes.moved = {1, 1};
          },
-         "there twice"},
+         "or is listed twice"},
         // An island whose only body has gone to another one, without being on its list.
         {[](WorldState& w) {
              const std::uint32_t left = w.bodies.cold[2].island;
@@ -170,13 +170,13 @@ TEST(Validate, reports_states_that_only_forged_bytes_contain) {
              w.islands.ids.alive_flags()[left] = 0;
              w.islands.islands[left] = {};
          },
-         "on no island's list"},
-        {[](WorldState& w) { w.overload_level.level = 1; }, "strain is above 0 without a budget"},
+         "not on an island's list"},
+        {[](WorldState& w) { w.overload_level.level = 1; }, "overload_level is above 0 without a budget"},
         {[](WorldState& w) {
              w.def.step_budget = 100;
              w.overload_level.level = max_overload_level + 1;
          },
-         "strain is out of range"},
+         "overload_level is out of range"},
         {[](WorldState& w) { w.def.step_budget = -1; }, "step_budget is out of range"},
     };
     ASSERT_FALSE(find_fault(state_of(two_boxes())));

@@ -71,7 +71,7 @@ TEST_F(BadInput, rejects_invalid_world_defs) {
     refused({.tolerance = 1e-10}, "tolerance");
     refused({.tolerance = 1e-3, .substep_budget = -1}, "substep_budget");
     refused({.step_budget = -1}, "step_budget");
-    refused({.tolerance = 1e-3, .step_budget = 1000}, "leave one of them 0");
+    refused({.tolerance = 1e-3, .step_budget = 1000}, "set one of them to 0");
     refused({.substeps = 0}, "substeps");
     refused({.substeps = 65}, "substeps");
     refused({.joint_solver = static_cast<JointSolver>(3)},

@@ -26,9 +26,9 @@ TEST(ListenerCalls, listener_is_added_and_removed_once) {
     World world;
     StepListener listener;
     must(world.add_listener(listener));
-    EXPECT_THAT(world.add_listener(listener).error().message, HasSubstr("added already"));
+    EXPECT_THAT(world.add_listener(listener).error().message, HasSubstr("already been added"));
     must(world.remove_listener(listener));
-    EXPECT_THAT(world.remove_listener(listener).error().message, HasSubstr("was not added"));
+    EXPECT_THAT(world.remove_listener(listener).error().message, HasSubstr("is not registered"));
 }
 
 // Each number once, however many threads take part.
@@ -76,9 +76,9 @@ TEST(ListenerCalls, module_is_found_by_tag) {
     ASSERT_NE(world.module("crowd"), nullptr);
     EXPECT_EQ(world.module("crowds"), nullptr);
     EXPECT_THAT(world.add_module(std::make_unique<Named>("crowd")).error().message,
-                HasSubstr("has a module \"crowd\" already"));
+                HasSubstr("already has a module \"crowd\""));
     EXPECT_THAT(world.add_module(std::make_unique<Named>("Crowd!")).error().message,
-                HasSubstr("\"Crowd!\"; give 1 to 32 of a-z, 0-9 and _"));
+                HasSubstr("\"Crowd!\"; it must be 1 to 32 characters of a-z, 0-9 and _"));
     EXPECT_THAT(world.add_module(nullptr).error().message, HasSubstr("null"));
     EXPECT_THAT(world.remove_listener(*world.module("crowd")).error().message,
                 HasSubstr("remove_module"));

@@ -189,7 +189,7 @@ TEST(FrameCodec, rejects_quantization_that_would_overflow) {
                                 QuantSpec{512, -1}, QuantSpec{512, 16384}, QuantSpec{65537, 511}}) {
         const auto back = decode_frame(4, bytes, baselines, bad);
         ASSERT_FALSE(back.ok());
-        EXPECT_NE(back.error().message.find("quantisation"), std::string::npos)
+        EXPECT_NE(back.error().message.find("quantization"), std::string::npos)
             << back.error().message;
     }
 }

@@ -100,7 +100,7 @@ TEST(ClientMessage, rejects_malformed_messages) {
     v1::ClientMessage beyond;
     beyond.mutable_input()->set_first_sequence(0xffffffff);
     beyond.mutable_input()->add_inputs()->mutable_release();
-    EXPECT_NE(refusal_of(beyond).find("no numbers"), std::string::npos);
+    EXPECT_NE(refusal_of(beyond).find("leaves no sequence numbers"), std::string::npos);
 }
 
 TEST(ClientMessage, rejects_inputs_with_non_finite_rotation) {

@@ -90,7 +90,7 @@ TEST_F(CtlTest, lists_and_kicks_clients) {
     EXPECT_EQ(client["worldName"], "stack");
     EXPECT_GT(client["kbitPerSecond"], 0.1);
     EXPECT_GT(client["roundTripMs"], 0);
-    EXPECT_GT(client["seconds"], 0);
+    EXPECT_GT(client["connectedSeconds"], 0);
     EXPECT_TRUE(client.contains("snapshotsSkipped"));
     ASSERT_EQ(run("kick " + std::to_string(client["id"].get<int>()) + " --reason 'be kind'"), 0)
         << err;
@@ -107,7 +107,7 @@ TEST_F(CtlTest, pauses_lists_and_resumes_a_world) {
     ASSERT_EQ(run("worlds"), 0);
     EXPECT_TRUE(says("paused: a look")) << out;
     ASSERT_EQ(run("--json step stack 7"), 0) << err;
-    EXPECT_EQ(json()["taken"], 7);
+    EXPECT_EQ(json()["stepsTaken"], 7);
     ASSERT_EQ(run("resume stack"), 0) << err;
     ASSERT_EQ(run("worlds"), 0);
     EXPECT_TRUE(says("runs")) << out;

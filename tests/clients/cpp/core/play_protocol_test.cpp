@@ -113,7 +113,7 @@ TEST(PlayProtocol, rejects_an_out_of_range_quantization) {
     stream.hear(welcome);
     stream.hear(stream.snapshot(10, 1, nullptr));
     EXPECT_EQ(stream.protocol.stats().decode_errors, 1u);
-    EXPECT_NE(stream.protocol.stats().last_error.find("quantisation"), std::string::npos);
+    EXPECT_NE(stream.protocol.stats().last_error.find("quantization"), std::string::npos);
     EXPECT_FALSE(stream.protocol.view().pose_of(1));
 }
 

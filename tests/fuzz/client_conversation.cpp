@@ -56,7 +56,7 @@ private:
         const wire::QuantizedFrame& frame = conversation_.view().frame();
         if (frame.frame == before) return;
         frames_.push_back(frame);
-        if (frames_.size() > client::WorldView::ring) frames_.pop_front();
+        if (frames_.size() > client::WorldView::frame_history_max) frames_.pop_front();
     }
 
     const wire::QuantizedFrame* find(std::uint32_t number) const {

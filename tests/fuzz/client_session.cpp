@@ -50,7 +50,7 @@ public:
         tick(1);
         now_ += 1s;
         listen(0);
-        expect(state_.broken == 0, state_.first_broken);
+        expect(state_.violations == 0, state_.first_violation);
         link_.on_peer_closed(now_);
         expect(link_.end().has_value(), "who hangs up has ended the conversation");
         expect(!link_.take_message(now_), "nobody is there to be told");

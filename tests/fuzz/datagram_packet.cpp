@@ -16,10 +16,10 @@ namespace {
 using namespace datagram;
 
 constexpr std::size_t reassembly_bytes_max =
-    Reassembly::partial_messages_max * parts_max * part_bytes;
+    Reassembly::partial_messages_max * fragments_max * fragment_bytes;
 
-Ticket ticket() {
-    Ticket made{.id = 0x0807060504030201};
+Credentials ticket() {
+    Credentials made{.id = 0x0807060504030201};
     made.key.fill(7);
     return made;
 }
@@ -36,13 +36,13 @@ void receive(Bytes input) {
         }
         if (const auto* question = std::get_if<PathChallenge>(&*content))
             expect(encode(*question) == text_of(record.bytes), "a question has one form");
-        if (const auto* answer = std::get_if<Answer>(&*content))
+        if (const auto* answer = std::get_if<PathResponse>(&*content))
             expect(encode(*answer) == text_of(record.bytes), "an answer has one form");
         const auto* part = std::get_if<Fragment>(&*content);
         const auto whole = part ? reassembly.add(*part) : std::nullopt;
         if (whole)
-            expect(whole->size() > (part->count - 1u) * part_bytes &&
-                       whole->size() <= part->count * part_bytes,
+            expect(whole->size() > (part->count - 1u) * fragment_bytes &&
+                       whole->size() <= part->count * fragment_bytes,
                    "a message is as long as its parts");
         expect(reassembly.bytes_held() <= reassembly_bytes_max, "what waits is bounded");
     }
@@ -74,7 +74,7 @@ void split_and_reassemble(Bytes input) {
 void run(Bytes input) {
     static const std::unique_ptr<PacketCipher> server =
         PacketCipher::make(ticket(), Side::server).value();
-    expect(!server->open(text_of(input)), "what nobody sealed is not opened");
+    expect(!server->decrypt(text_of(input)), "what nobody sealed is not opened");
     receive(input);
     split_and_reassemble(input);
 }

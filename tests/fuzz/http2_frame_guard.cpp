@@ -33,7 +33,8 @@ Verdict run_guard(Bytes input, std::size_t piece) {
         verdict.accepted = allowed.ok();
         if (!allowed.ok()) verdict.why = allowed.error().message;
         at += bytes.size();
-        expect(guard.pause(now) < std::chrono::seconds(30), "a short input is paid for soon");
+        expect(guard.throttle_delay(now) < std::chrono::seconds(30),
+               "a short input is paid for soon");
     }
     // What was cut stays as it was when its piece was given.
     if (verdict.accepted) verdict.streams = guard.streams_opened();

@@ -32,7 +32,7 @@ bool is_too_large(const server::HttpRequest& request) {
 }
 
 struct Routes {
-    void answer(const server::HttpRequest& request) {
+    void handle(const server::HttpRequest& request) {
         const server::HttpResponse response = routes.handle(request);
         expect(response.status >= 200 && response.status < 600 && response.status != 500,
                "an answer has a status, and is no mistake of ours: " + response.body);

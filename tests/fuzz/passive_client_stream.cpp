@@ -33,8 +33,7 @@ std::unique_ptr<load::Framing> framing_of(std::uint8_t kind) {
 class PassiveClient final : private load::Framing::Reader {
 public:
     explicit PassiveClient(std::uint8_t kind)
-        : framing_(framing_of(kind)),
-          conversation_({.spectator = false, .decodes = true}, figures_) {
+        : framing_(framing_of(kind)), protocol_({.spectator = false, .decodes = true}, metrics_) {
         send_messages();
     }
 
@@ -51,23 +50,23 @@ private:
     void on_message(load::Bytes message) override {
         received += "\nmessage of " + std::to_string(message.size());
         now_ += 10ms;
-        conversation_.receive(message, now_);
-        framing_->used(message.size());
+        protocol_.receive(message, now_);
+        framing_->consume(message.size());
         send_messages();
     }
 
     void send_messages() {
-        conversation_.play({v1::Input()});
+        protocol_.play({v1::Input()});
         for (int k = 0; k < 8; k++) {
-            const auto message = conversation_.take_message(now_);
+            const auto message = protocol_.take_message(now_);
             if (!message) return;
             framing_->send(*message);
         }
     }
 
-    load::RagdollRow figures_;
+    load::LoadMetrics metrics_;
     std::unique_ptr<load::Framing> framing_;
-    load::PassiveClientProtocol conversation_;
+    load::PassiveClientProtocol protocol_;
     load::Clock::time_point now_ = load::Clock::time_point() + 1000s;
 };
 

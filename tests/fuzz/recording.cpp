@@ -56,10 +56,10 @@ void run(Bytes input) {
     expect(reader->end() <= file.size(), "records are within the file");
     const RecordingSummary summary = summarize(*reader);
     expect(summary.message_bytes <= file.size(), "messages are within the file");
-    const bool index_is_right = reader->walk() == reader->index();
+    const bool index_is_right = reader->rebuild_index() == reader->index();
     Playback all(*std::move(reader));
     const RecordingVerification found = check(all);
-    if (!found.faults.empty() || !index_is_right) {
+    if (!found.errors.empty() || !index_is_right) {
         static_cast<void>(all.seek(summary.first_tick));
         return static_cast<void>(all.seek(summary.last_tick));
     }

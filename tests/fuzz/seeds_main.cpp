@@ -212,10 +212,10 @@ std::string frames_of(const wire::GoldenSequence& golden, wire::Codec codec) {
     for (std::size_t i = 0; i < 8; i++) {
         const wire::GoldenFrame& g = golden.frames[i];
         const auto packed = encode_frame(
-            g.frame, {find(g.baseline), find(g.baseline2), find(g.baseline3)}, golden.spec, codec);
+            g.frame, {find(g.base), find(g.baseline2), find(g.baseline3)}, golden.spec, codec);
         std::string bytes(1, static_cast<char>(g.frame.frame - newest - 1));
         bytes.append(reinterpret_cast<const char*>(packed.data()), packed.size());
-        const int baselines = (g.baseline != 0) + (g.baseline2 != 0) + (g.baseline3 != 0);
+        const int baselines = (g.base != 0) + (g.baseline2 != 0) + (g.baseline3 != 0);
         const int kind = (0b010101 & ((1 << 2 * baselines) - 1)) | (codec == wire::Codec::range)
                                                                        << 7;
         out += record(static_cast<std::uint8_t>(kind), bytes);
@@ -544,7 +544,8 @@ void write_persisted(const fs::path& folder) {
         seeds.add(server::encode_journal({{journal.ticks.back()}, {}}));
     }
     seeds.add(server::encode_journal(journal));
-    seeds.add(server::encode_journal({.ticks = {}, .stood = {}, .rewind = server::Rewind{90, 30}}));
+    seeds.add(server::encode_journal(
+        {.ticks = {}, .paused_ticks = {}, .rewind = server::Rewind{90, 30}}));
     server::CheckpointCopy moment{
         .tick = tick, .bodies = {}, .host_state = world->host_state(tick)};
     moment.bodies.capture(world->world());
@@ -565,7 +566,7 @@ void write_datagrams(const fs::path& folder) {
     const auto contents = [](std::string_view message, std::uint32_t number) {
         return datagram::encode_message(std::span(&message, 1), number);
     };
-    seeds.add(client->close(contents(small, 1)[0]));
+    seeds.add(client->encrypt(contents(small, 1)[0]));
     seeds.add(record(0, contents(small, 1)[0]) +
               record(0, datagram::encode(datagram::PathChallenge{7})) +
               record(0, datagram::encode(datagram::PathResponse{7})));

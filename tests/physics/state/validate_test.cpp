@@ -151,7 +151,8 @@ TEST(Validate, reports_states_that_only_forged_bytes_contain) {
         {[](WorldState& w) { w.bodies.awake[0].center.y = 1e300; }, "too far from the origin"},
         {[](WorldState& w) { w.bodies.motion[1].travel = -1; }, "bound out of range"},
         {[](WorldState& w) { w.bodies.motion[1].travel = 1e300; }, "bound out of range"},
-        {[](WorldState& w) { w.bodies.awake[0].v.x = 1e300; }, "velocity, force or displacement out of range"},
+        {[](WorldState& w) { w.bodies.awake[0].v.x = 1e300; },
+         "velocity, force or displacement out of range"},
         {[](WorldState& w) { w.contacts.contacts[0].limit = 1e300; }, "limit out of range"},
         {[](WorldState& w) { w.shapes.shapes[1].geometry = Sphere{-1}; }, "radius is -1"},
         {[](WorldState& w) { w.shapes.shapes[1].pose.rotation.w = 3; }, "rotation"},
@@ -171,7 +172,8 @@ TEST(Validate, reports_states_that_only_forged_bytes_contain) {
              w.islands.islands[left] = {};
          },
          "not on an island's list"},
-        {[](WorldState& w) { w.overload_level.level = 1; }, "overload_level is above 0 without a budget"},
+        {[](WorldState& w) { w.overload_level.level = 1; },
+         "overload_level is above 0 without a budget"},
         {[](WorldState& w) {
              w.def.step_budget = 100;
              w.overload_level.level = max_overload_level + 1;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "examples/hovercraft/hovercraft.h"
+#include "hovercraft.h"
 
 #include <algorithm>
 #include <cmath>

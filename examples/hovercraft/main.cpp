@@ -8,7 +8,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "examples/hovercraft/hovercraft.h"
+#include "hovercraft.h"
 #include "jostle/physics/physics.h"
 
 using namespace jostle::physics;

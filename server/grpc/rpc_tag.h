@@ -11,7 +11,7 @@ namespace jostle::server {
 struct RpcTag {
     enum class Owner : std::uint8_t { play, call };
 
-    explicit RpcTag(Owner owner) : owner(owner) {}
+    explicit RpcTag(Owner of) : owner(of) {}
 
     const Owner owner;
 };

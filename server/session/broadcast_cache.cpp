@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "jostle/base/check.h"
 #include "server/messages/event_message.h"
 #include "server/messages/server_message.h"
 
@@ -10,7 +11,7 @@ namespace jostle::server {
 
 namespace {
 
-// Clients that lag by a few changes still share; what lags further is written for it alone.
+// Clients that lag by a few changes still share messages; a client that lags further gets its own.
 constexpr std::size_t entity_list_changes_retained = 16;
 
 SharedBytes share(std::string bytes) {
@@ -22,7 +23,9 @@ SharedBytes share(std::string bytes) {
 BroadcastCache::BroadcastCache(std::shared_ptr<WorldHost> host, double interest_cell_m)
     : host_(std::move(host)),
       snapshots_(wire::QuantSpec{}, encode_shared_snapshot),
-      cells_(interest_cell_m, wire::QuantSpec{}, encode_cell_field) {}
+      cells_(interest_cell_m, wire::QuantSpec{}, encode_cell_field) {
+    ASSERT(host_ != nullptr);
+}
 
 CellSnapshotCache::Cells BroadcastCache::cells_of(const FramePtr& frame) {
     return cells_.cells(frame, [&] { return snapshots_.quantized(frame); });
@@ -36,6 +39,7 @@ EntityUpdateMessages BroadcastCache::entity_update_for(const EntityList& entitie
 
 std::shared_ptr<const EntityUpdateMessages> BroadcastCache::entity_list_change(
     const std::shared_ptr<const EntityList>& from, const std::shared_ptr<const EntityList>& to) {
+    ASSERT(to != nullptr);
     const std::lock_guard lock(mutex_);
     for (const EntityListChange& change : entity_list_changes_) {
         if (change.from == from && change.to == to) return change.messages;
@@ -73,8 +77,9 @@ SharedBytes BroadcastCache::events(const std::shared_ptr<const TickEvents>& tick
 std::shared_ptr<BroadcastCache> BroadcastCaches::cache_for(const std::shared_ptr<WorldHost>& host,
                                                            double interest_cell_m) {
     const std::lock_guard lock(mutex_);
-    std::erase_if(feeds_, [](const auto& entry) { return entry.second.expired(); });
-    std::weak_ptr<BroadcastCache>& known = feeds_[host.get()];
+    ASSERT(host != nullptr);
+    std::erase_if(caches_, [](const auto& entry) { return entry.second.expired(); });
+    std::weak_ptr<BroadcastCache>& known = caches_[host.get()];
     std::shared_ptr<BroadcastCache> broadcast = known.lock();
     if (!broadcast) {
         broadcast = std::make_shared<BroadcastCache>(host, interest_cell_m);

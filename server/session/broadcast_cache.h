@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What all clients of one world are sent alike: its snapshots, its entity list changes and its
-// statistics, each made into bytes once and shared. Client links of several network threads use one
-// feed; any thread.
+// The data that all clients of one world share: snapshots, entity list changes, events and
+// statistics, each encoded once. Sessions of several network threads use one cache; any thread.
 #pragma once
 
 #include <cstdint>
@@ -30,21 +29,21 @@ public:
     // The cells of a frame, or of a newer one.
     CellSnapshotCache::Cells cells_of(const FramePtr& frame);
 
-    // The messages that take a client from one entity list to another; null `from`: it knows
-    // nothing yet.
+    // The messages that change a client's entity list from `from` to `to`; null `from`: the client
+    // has no entities.
     std::shared_ptr<const EntityUpdateMessages> entity_list_change(
         const std::shared_ptr<const EntityList>& from, const std::shared_ptr<const EntityList>& to);
-    // A field of a Snapshot.
-    // The messages that tell of these entities.
+    // The messages that add these entities.
     EntityUpdateMessages entity_update_for(const EntityList& entities);
+    // A field of a Snapshot.
     SharedBytes world_stats(const FramePtr& frame, std::uint32_t clients);
-    // The fields of an Events message that all who asked for events share.
+    // The shared fields of an Events message.
     SharedBytes events(const std::shared_ptr<const TickEvents>& tick);
 
 private:
     struct EntityListChange {
-        std::shared_ptr<const EntityList> from,
-            to;  // held, so that no other entity list can have their address
+        // Owned, so that no other entity list can have the same address.
+        std::shared_ptr<const EntityList> from, to;
         std::shared_ptr<const EntityUpdateMessages> messages;
     };
 
@@ -53,23 +52,23 @@ private:
     CellSnapshotCache cells_;
     std::mutex mutex_;
     GeometryTable geometry_;
-    std::vector<EntityListChange> entity_list_changes_;  // the newest few
-    std::deque<std::pair<std::shared_ptr<const TickEvents>, SharedBytes>> events_;  // likewise
+    std::vector<EntityListChange> entity_list_changes_;  // oldest first
+    std::deque<std::pair<std::shared_ptr<const TickEvents>, SharedBytes>> events_;
     FramePtr stats_frame_;
     std::uint32_t stats_clients_ = 0;
     SharedBytes stats_;
 };
 
-// The feed of each world that has clients. Any thread.
+// The cache of each world that has clients. Any thread.
 class BroadcastCaches {
 public:
-    // `interest_cell_m`: edge of the cells of a feed that is made.
+    // Creates the cache if there is none. `interest_cell_m`: edge of its interest cells, in m.
     std::shared_ptr<BroadcastCache> cache_for(const std::shared_ptr<WorldHost>& host,
                                               double interest_cell_m);
 
 private:
     std::mutex mutex_;
-    std::map<const WorldHost*, std::weak_ptr<BroadcastCache>> feeds_;
+    std::map<const WorldHost*, std::weak_ptr<BroadcastCache>> caches_;
 };
 
 }  // namespace jostle::server

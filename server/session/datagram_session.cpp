@@ -11,8 +11,9 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// Who acknowledges none of so much gets none of it: the way there is blocked, not the one back.
+// If the client acknowledges no datagram for this long, the path to the client is blocked.
 constexpr auto unacked_max = 1s;
+// Time without datagrams after a snapshot that did not fit.
 constexpr auto large_pause = 1s;
 
 }  // namespace
@@ -26,8 +27,8 @@ bool DatagramSession::carries(std::uint32_t tick, Clock::time_point now) {
            frames_.baselines_for(tick).baseline != 0;
 }
 
-void DatagramSession::on_ack(std::uint32_t frame, std::uint32_t before, Clock::time_point now) {
-    if (!frames_.on_ack(frame, before)) return;
+void DatagramSession::on_ack(std::uint32_t frame, std::uint32_t ack_bits, Clock::time_point now) {
+    if (!frames_.on_ack(frame, ack_bits)) return;
     unacked_since_.reset();
     if (frame < last_sent_) unacked_since_ = now;
 }
@@ -39,6 +40,8 @@ bool DatagramSession::fits(std::size_t bytes, Clock::time_point now) {
 }
 
 void DatagramSession::send(const OutMessage& snapshot, std::uint32_t frame, Clock::time_point now) {
+    ASSERT(frame > last_sent_);
+    ASSERT(snapshot.cells.empty());
     const std::string_view shared = snapshot.shared ? *snapshot.shared : std::string_view();
     const std::array pieces{std::string_view(snapshot.header), shared};
     connection_->send(pieces, now);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Who is at the other end, as the transport knows; what the gate is asked about a world.
+// The client as its transport knows it, and the world as the authorizer knows it.
 #pragma once
 
 #include <functional>
@@ -14,14 +14,14 @@ namespace jostle::server {
 struct Peer {
     std::string name;                   // for the log: "grpc:192.0.2.7:4711"
     std::string address;                // "192.0.2.7"
-    std::string call;                   // the row of the access table by which it came
-    Result<Identity> who = Identity{};  // an error: what it showed is not good
-    // Any thread: a datagram came that the link should take soon, by take_datagrams(). Empty: the
-    // transport takes none.
+    std::string call;                   // its row in the access table
+    Result<Identity> who = Identity{};  // an error: its credentials are invalid
+    // Called on any thread when a datagram arrived and the session should call take_datagrams()
+    // soon. Empty: the transport does not support datagrams.
     std::function<void()> wake = {};
 };
 
-// Valid as long as the host.
+// Refers to strings of the host.
 inline WorldTarget world_target(const WorldHost& host) {
     return {host.id(), host.name(), host.properties().label.owner};
 }

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 //
-// What all conversations of a server share: its settings, its worlds, who is connected, who may do
-// what, and what each world's clients are sent alike. Outlives them. Any thread.
+// State shared by all sessions of a server: settings, worlds, connected clients, authorization and
+// the broadcast cache of each world. Outlives all sessions. Any thread.
 #pragma once
 
 #include <atomic>
+#include <cstdint>
+#include <memory>
 #include <span>
+#include <string>
 
+#include "jostle/base/result.h"
 #include "server/auth/authorizer.h"
 #include "server/config/config.h"
 #include "server/limits/connected_clients.h"
@@ -24,27 +28,34 @@ struct PlayContext {
     WorldDirectory& worlds;
     SessionDirectory& sessions;
     Authorizer& authorizer;
-    Metrics* metrics = nullptr;           // null: nobody counts
-    RpcMetrics* rpc_metrics = nullptr;    // likewise
-    DatagramServer* datagrams = nullptr;  // null: all goes by streams
+    Metrics* metrics = nullptr;           // null: no counting
+    RpcMetrics* rpc_metrics = nullptr;    // null: no counting
+    DatagramServer* datagrams = nullptr;  // null: streams carry everything
     BroadcastCaches broadcast_caches{};
     ConnectedClients connected_clients{};
     ResumeRegistry resume_registry{};
-    std::atomic<bool> drain_requested{false};  // by an operator; the app begins it as on a signal
-    std::atomic<bool> draining{false};         // no new clients; those who play are told
-    std::atomic<bool> closing{false};          // the drain is over: every conversation ends
+    std::atomic<bool> drain_requested{false};  // by an operator; the app then starts the drain
+    std::atomic<bool> draining{false};         // reject new clients and notify connected ones
+    std::atomic<bool> closing{false};          // the drain is over: every session ends
 };
 
-// One that played when the process of before ended may come back until then; until it does it is
-// as one whose connection broke.
+// Assigns an id to a new client. If the server or the client's network is full, the disconnected
+// client that was suspended first leaves to make room. Errors: there is no such client.
+Result<ClientId> acquire_client_id(PlayContext& context, const WorldHost& world,
+                                   const std::string& address);
+
+// A disconnected client that was taken from the registry leaves the server and its world.
+void release_client(PlayContext& context, const DisconnectedClient& lost);
+
+// A client of an earlier process may resume until `until`. Until then it counts as disconnected.
 void expect_resume(PlayContext& context, const std::shared_ptr<WorldHost>& world, ClientId client,
                    std::uint32_t last_sequence, Clock::time_point until);
 
-// Those who played when a world was kept that goes on as another host: who is there still lets go
-// of what it held, and who is not has left.
+// `clients`: the clients of the persisted state from which another host continues a world. Those
+// that are still on the server release their grabs and controlled entities; the others leave.
 void reconcile_clients(PlayContext& context, WorldHost& world, std::span<const ClientId> clients);
 
-// Clients whose connection broke too long ago have left. Now and then; any thread.
+// Disconnected clients whose resume timeout is over leave. Call it periodically; any thread.
 void remove_expired_clients(PlayContext& context, Clock::time_point now);
 
 }  // namespace jostle::server

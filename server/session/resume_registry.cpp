@@ -5,11 +5,13 @@
 
 #include <utility>
 
+#include "jostle/base/check.h"
+
 namespace jostle::server {
 
 namespace {
 
-// Takes as long wherever they differ.
+// Takes the same time wherever the first difference is.
 bool are_equal(std::string_view a, std::string_view b) {
     if (a.size() != b.size()) return false;
     unsigned difference = 0;
@@ -26,6 +28,8 @@ void ResumeRegistry::use_secret(std::string secret) {
 }
 
 void ResumeRegistry::expect(DisconnectedClient client, Clock::time_point until) {
+    ASSERT(client.client != 0);
+    ASSERT(client.broadcast != nullptr);
     auto resume_session = std::make_shared<ResumeSession>();
     resume_session->client = client.client;
     const std::lock_guard lock(mutex_);
@@ -62,35 +66,36 @@ void ResumeRegistry::suspend(const ResumeSession& resume_session, DisconnectedCl
     const std::lock_guard lock(mutex_);
     const auto at = entries_.find(resume_session.client);
     if (at == entries_.end()) return;
+    ASSERT(!at->second.client);
     at->second.client = std::make_unique<DisconnectedClient>(std::move(client));
     at->second.until = until;
 }
 
-// From here on its seat is as any other.
+// The entry of a client of an earlier process. It becomes an ordinary entry with this token.
 ResumeRegistry::Entry* ResumeRegistry::find_expected(std::string_view token, WallTime now) {
     if (secret_.empty()) return nullptr;
     std::optional<ResumeToken> who = open_token(token, secret_, now);
     if (!who) return nullptr;
     const auto at = entries_.find(who->client);
     if (at == entries_.end()) return nullptr;
-    Entry& place = at->second;
-    if (!place.resume_session->token.empty() || !place.client) return nullptr;
-    DisconnectedClient& lost = *place.client;
+    Entry& entry = at->second;
+    if (!entry.resume_session->token.empty() || !entry.client) return nullptr;
+    DisconnectedClient& lost = *entry.client;
     if (lost.broadcast->host().id() != who->world) return nullptr;
-    place.resume_session->token = token;
+    entry.resume_session->token = token;
     lost.subject = std::move(who->subject);
     lost.by_ticket = who->by_ticket;
     lost.spectator = who->spectator;
-    return &place;
+    return &entry;
 }
 
-// All are compared, so that how long it takes tells nothing of which was close.
+// Compares all entries, so that the time reveals nothing about their tokens.
 ResumeRegistry::Claim ResumeRegistry::claim(std::string_view token, WallTime now) {
     const std::lock_guard lock(mutex_);
     if (token.empty()) return {};
     Entry* found = nullptr;
-    for (auto& [client, place] : entries_)
-        if (are_equal(place.resume_session->token, token)) found = &place;
+    for (auto& [client, entry] : entries_)
+        if (are_equal(entry.resume_session->token, token)) found = &entry;
     if (!found) found = find_expected(token, now);
     if (!found) return {};
     found->resume_session->is_superseded = !found->client;
@@ -107,12 +112,12 @@ std::vector<DisconnectedClient> ResumeRegistry::take_expired(Clock::time_point n
     std::vector<DisconnectedClient> expired;
     const std::lock_guard lock(mutex_);
     for (auto at = entries_.begin(); at != entries_.end();) {
-        Entry& place = at->second;
-        if (!place.client || now < place.until) {
+        Entry& entry = at->second;
+        if (!entry.client || now < entry.until) {
             ++at;
             continue;
         }
-        expired.push_back(*std::move(place.client));
+        expired.push_back(*std::move(entry.client));
         at = entries_.erase(at);
     }
     return expired;
@@ -122,9 +127,9 @@ std::optional<DisconnectedClient> ResumeRegistry::take_oldest(const std::string&
     const std::lock_guard lock(mutex_);
     auto oldest = entries_.end();
     for (auto at = entries_.begin(); at != entries_.end(); ++at) {
-        const Entry& place = at->second;
-        if (!place.client || (!network.empty() && place.client->network != network)) continue;
-        if (oldest == entries_.end() || place.until < oldest->second.until) oldest = at;
+        const Entry& entry = at->second;
+        if (!entry.client || (!network.empty() && entry.client->network != network)) continue;
+        if (oldest == entries_.end() || entry.until < oldest->second.until) oldest = at;
     }
     if (oldest == entries_.end()) return std::nullopt;
     std::optional<DisconnectedClient> client = std::move(*oldest->second.client);
@@ -135,7 +140,7 @@ std::optional<DisconnectedClient> ResumeRegistry::take_oldest(const std::string&
 std::size_t ResumeRegistry::disconnected() const {
     const std::lock_guard lock(mutex_);
     std::size_t count = 0;
-    for (const auto& [client, place] : entries_) count += place.client ? 1 : 0;
+    for (const auto& [client, entry] : entries_) count += entry.client ? 1 : 0;
     return count;
 }
 

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// Where clients come back whose connection broke. Each that said that it would has a seat here,
-// with a token that nobody else can guess. When its link breaks, what the link knew is left here
-// for a while: the client is lost, but has not left. A client that comes back before its old link
-// has noticed asks that link to give way. Any thread.
+// The sessions that can be resumed after their connection breaks. Each has an entry with a token
+// that no other client can guess. When the connection breaks, the registry retains the state of the
+// session until the resume timeout: the client is disconnected, but has not left. If a client
+// resumes before the server noticed that its old connection broke, the old session is marked as
+// superseded and ends. Any thread.
 //
-// Tokens are bytes of no meaning to clients: random ones, or, where worlds outlive the process,
-// sealed ones (resume_token.h), by which those come back who played when it ended.
+// Tokens are opaque to clients. They are random, or sealed (resume_token.h) if the world is
+// persisted, so that clients can resume after a restart of the server.
 #pragma once
 
 #include <array>
@@ -30,82 +31,88 @@
 
 namespace jostle::server {
 
-// What of a conversation outlives its connection.
+// The state of a session that outlives its connection.
 struct DisconnectedClient {
     ClientId client = 0;
     std::shared_ptr<BroadcastCache> broadcast;
-    std::string network, subject;  // whence it came, and whom its token named
-    bool by_ticket = false;        // how it came in
+    std::string network;  // util/address.h
+    std::string subject;  // from its token or ticket; empty: anonymous
+    bool by_ticket = false;
     bool spectator = false;
     std::shared_ptr<ResultQueue> result_queue;
-    std::vector<InputResult> results;      // not told yet
-    std::uint32_t last_sequence = 0;       // of the inputs that came
-    std::uint32_t persisted_sequence = 0;  // ... and were answered
-    // Of a stream that tells of all of the world; else it begins anew.
+    std::vector<InputResult> results;      // not sent yet
+    std::uint32_t last_sequence = 0;       // newest input received
+    std::uint32_t persisted_sequence = 0;  // newest input with a result
+    // The stream can continue after a snapshot that the client has; otherwise it starts again with
+    // a keyframe.
     bool stream_resumable = false;
     BaselineTracker baselines;
     SentLog sent;
     std::set<std::uint64_t> sent_geometry;
     std::uint64_t channel_kinds = 0;
 
-    // Its world was begun again: what it was told is of no use any longer.
-    void move_to(std::shared_ptr<BroadcastCache> again) {
-        broadcast = std::move(again);
+    // Another host continues the world: the snapshots that the client has are no longer baselines.
+    void move_to(std::shared_ptr<BroadcastCache> replacement) {
+        broadcast = std::move(replacement);
         stream_resumable = false;
         sent = {};
     }
 };
 
-// One client's; held by its link.
+// The entry of one client, shared with its session.
 struct ResumeSession {
     std::string token;
     ClientId client = 0;
-    std::atomic<bool> is_superseded{false};  // the client came back: the link gives way
+    std::atomic<bool> is_superseded{false};  // the client resumed elsewhere: the session ends
 };
 
 class ResumeRegistry {
 public:
     static constexpr std::size_t token_bytes = 16;
 
-    // Before anybody comes: tokens are sealed with it.
+    // The key for sealed tokens. Call it before the first client connects.
     void use_secret(std::string secret);
-    // One who played before this process began, at most until then.
+    // Adds a client of an earlier process, which may resume until `until`.
     void expect(DisconnectedClient client, Clock::time_point until);
-    // Null: the operating system gave no random bytes. `who`: for a token that outlives the process
-    // if it fits into one.
+    // Null: the operating system returned no random bytes. `who`: content of a sealed token; the
+    // token is random if `who` is null or too long.
     std::shared_ptr<ResumeSession> open(ClientId client, const ResumeToken* who = nullptr);
-    // The client is gone for good.
+    // The client left for good.
     void close(const ResumeSession& resume_session);
+    // The connection broke. The client may resume until `until`.
     void suspend(const ResumeSession& resume_session, DisconnectedClient client,
                  Clock::time_point until);
 
     enum class ClaimStatus { unknown, pending, claimed };
     struct Claim {
         ClaimStatus status = ClaimStatus::unknown;
-        std::shared_ptr<ResumeSession> resume_session;  // claimed
-        std::optional<DisconnectedClient> client;       // claimed
-        Clock::time_point until{};                      // claimed: when it would have left
+        // Set if claimed:
+        std::shared_ptr<ResumeSession> resume_session;
+        std::optional<DisconnectedClient> client;
+        Clock::time_point until{};  // end of the resume timeout
     };
-    // pending: its old link was told to give way; ask again in a moment.
+    // Takes the suspended client of a token. pending: its old session was marked as superseded; try
+    // again when it has ended.
     Claim claim(std::string_view token, WallTime now = std::chrono::system_clock::now());
 
-    // Those whose time is over: they have left.
+    // Takes the clients whose resume timeout is over.
     std::vector<DisconnectedClient> take_expired(Clock::time_point now);
-    // The one that was lost first, of that network if it is not empty: there is no room for it.
+    // Takes the client that was suspended first, to make room. `network`: only clients of this
+    // network; empty: all.
     std::optional<DisconnectedClient> take_oldest(const std::string& network);
     std::size_t disconnected() const;
 
 private:
     struct Entry {
         std::shared_ptr<ResumeSession> resume_session;
-        std::unique_ptr<DisconnectedClient> client;  // null: its link is there
+        std::unique_ptr<DisconnectedClient> client;  // null: it is connected
         Clock::time_point until{};
     };
 
     Entry* find_expected(std::string_view token, WallTime now);
 
     mutable std::mutex mutex_;
-    std::string secret_;  // empty: none
+    std::string secret_;  // empty: tokens are random
     std::map<ClientId, Entry> entries_;
 };
 

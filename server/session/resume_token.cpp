@@ -13,14 +13,14 @@
 namespace jostle::server {
 namespace {
 
-// What is sealed for one purpose is no token of another.
+// Part of the sealed bytes, so that other uses of the secret yield no valid tokens.
 constexpr std::string_view purpose = "jostle resume 1";
-using PacketCipher = std::array<unsigned char, 32>;
+using Seal = std::array<unsigned char, 32>;
 
-PacketCipher seal_of(std::string_view bytes, std::string_view secret) {
+Seal seal_of(std::string_view bytes, std::string_view secret) {
     std::string sealed(purpose);
     sealed += bytes;
-    PacketCipher seal{};
+    Seal seal{};
     unsigned size = 0;
     HMAC(EVP_sha256(), secret.data(), static_cast<int>(secret.size()),
          reinterpret_cast<const unsigned char*>(sealed.data()), sealed.size(), seal.data(), &size);
@@ -39,7 +39,7 @@ std::optional<std::string> seal_token(const ResumeToken& token, std::string_view
     to.number((token.by_ticket ? 1U : 0U) + (token.spectator ? 2U : 0U));
     to.number(static_cast<std::uint64_t>(expires));
     std::string sealed = to.take();
-    const PacketCipher seal = seal_of(sealed, secret);
+    const Seal seal = seal_of(sealed, secret);
     sealed.append(reinterpret_cast<const char*>(seal.data()), seal.size());
     if (sealed.size() > resume_token_bytes_max) return std::nullopt;
     return sealed;
@@ -47,9 +47,9 @@ std::optional<std::string> seal_token(const ResumeToken& token, std::string_view
 
 std::optional<ResumeToken> open_token(std::string_view sealed, std::string_view secret,
                                       WallTime now) {
-    if (sealed.size() <= sizeof(PacketCipher)) return std::nullopt;
-    const std::string_view bytes = sealed.substr(0, sealed.size() - sizeof(PacketCipher));
-    const PacketCipher seal = seal_of(bytes, secret);
+    if (sealed.size() <= sizeof(Seal)) return std::nullopt;
+    const std::string_view bytes = sealed.substr(0, sealed.size() - sizeof(Seal));
+    const Seal seal = seal_of(bytes, secret);
     if (CRYPTO_memcmp(seal.data(), sealed.data() + bytes.size(), seal.size()) != 0)
         return std::nullopt;
     ByteReader from(bytes);
@@ -57,9 +57,9 @@ std::optional<ResumeToken> open_token(std::string_view sealed, std::string_view 
     token.client = from.small();
     token.world = from.text();
     token.subject = from.text();
-    const std::uint64_t how = from.number();
-    token.by_ticket = (how & 1) != 0;
-    token.spectator = (how & 2) != 0;
+    const std::uint64_t flags = from.number();
+    token.by_ticket = (flags & 1) != 0;
+    token.spectator = (flags & 2) != 0;
     const std::uint64_t expires = from.number();
     if (!from.ok() || !from.at_end() || expires > wall_seconds_max) return std::nullopt;
     token.expires = WallTime(std::chrono::seconds(expires));

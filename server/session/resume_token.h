@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What a client comes back with to a server that was started anew: who it was, with a seal that
-// only the servers of one store can make. Of no meaning to clients. Pure functions; any thread.
+// Tokens with which clients resume after a restart of the server: the identity of the client,
+// sealed with a key that only the servers of one database have. Opaque to clients. Pure functions;
+// any thread.
 #pragma once
 
 #include <cstdint>
@@ -17,17 +18,17 @@ namespace jostle::server {
 struct ResumeToken {
     ClientId client = 0;
     std::string world;       // its id
-    std::string subject;     // whom its own token named
-    bool by_ticket = false;  // how it came in
+    std::string subject;     // from its own token or ticket; empty: anonymous
+    bool by_ticket = false;  // admitted by a ticket
     bool spectator = false;
     WallTime expires{};  // in whole seconds
 
     bool operator==(const ResumeToken&) const = default;
 };
 
-// HMAC-SHA256 over all of it. Nothing: it would be longer than clients may send back.
+// Seals with HMAC-SHA256. Nothing: the token would be longer than a Hello may contain.
 std::optional<std::string> seal_token(const ResumeToken& token, std::string_view secret);
-// Nothing: it was not made with that secret, was changed, or has expired.
+// Nothing: the token was sealed with another secret, was changed, or has expired.
 std::optional<ResumeToken> open_token(std::string_view sealed, std::string_view secret,
                                       WallTime now);
 

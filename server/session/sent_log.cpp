@@ -4,11 +4,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "jostle/base/check.h"
+
 namespace jostle::server {
 
 namespace {
 
-// A client that never acknowledges is held back long before.
+// Flow control stops a client without acknowledgements long before this number of snapshots.
 constexpr std::size_t sent_max = 2048;
 
 bool holds(const EntityList& list, EntityId entity) {
@@ -20,6 +22,7 @@ bool holds(const EntityList& list, EntityId entity) {
 }  // namespace
 
 void SentLog::on_list(std::shared_ptr<const EntityList> list, std::uint32_t after_frame) {
+    ASSERT(list != nullptr);
     lists_.push_back({std::move(list), after_frame});
 }
 
@@ -29,14 +32,14 @@ void SentLog::on_geometry(std::uint64_t id, std::uint32_t after_frame) {
 
 void SentLog::on_snapshot(std::uint32_t frame, std::span<const InputResult> results,
                           std::uint32_t events) {
+    ASSERT(sent_.empty() || frame >= sent_.back().frame);
     sent_.push_back({frame, {results.begin(), results.end()}, events});
     if (sent_.size() > sent_max) sent_.pop_front();
 }
 
 void SentLog::on_ack(std::uint32_t frame) {
-    // One that was never sent is no one's to acknowledge.
-    const auto is_it = [&](const Sent& sent) { return sent.frame == frame; };
-    if (frame <= acked_ || std::ranges::none_of(sent_, is_it)) return;
+    const auto is_frame = [&](const Sent& sent) { return sent.frame == frame; };
+    if (frame <= acked_ || std::ranges::none_of(sent_, is_frame)) return;
     acked_ = frame;
     while (sent_.front().frame < frame) sent_.pop_front();
     while (lists_.size() > 1 && lists_[1].after_frame < frame) lists_.pop_front();
@@ -58,14 +61,14 @@ SentLog::Known SentLog::known_at(std::uint32_t frame, const EntityList& now) con
             known.results.insert(known.results.end(), sent.results.begin(), sent.results.end());
     }
     if (!was_sent || frame < acked_) return known;
-    for (const SentList& told : lists_)
-        if (told.after_frame < frame) known.list = told.list;
+    for (const SentList& sent : lists_)
+        if (sent.after_frame < frame) known.list = sent.list;
     if (!known.list) return known;
-    // It has what of later lists came before the connection broke: of those who are no more by
-    // now, nobody else would tell.
-    for (const SentList& told : lists_) {
-        if (told.after_frame < frame) continue;
-        for (const auto& entity : *told.list)
+    // The client may have received later lists before the connection broke. Their removed entities
+    // are not part of the change from its list to the current one.
+    for (const SentList& sent : lists_) {
+        if (sent.after_frame < frame) continue;
+        for (const auto& entity : *sent.list)
             if (!holds(now, entity->id)) known.removed.push_back(entity->id);
     }
     std::ranges::sort(known.removed);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What one client was sent and may not have got, because it has not acknowledged it: when its
-// connection breaks and it comes back, it says which snapshot it has, and the stream goes on from
-// there. A link's own; one thread.
+// The data that one client was sent and has not acknowledged. A client that resumes names the
+// newest snapshot that it has, and the stream continues from there. Used on the session's thread.
 #pragma once
 
 #include <cstdint>
@@ -18,28 +17,29 @@ namespace jostle::server {
 
 class SentLog {
 public:
-    // Entities, or a large shape, that were told after the snapshot of that tick (0: the first).
+    // An entity list, or a large shape, that was sent after the snapshot of tick `after_frame`; 0:
+    // before the first snapshot.
     void on_list(std::shared_ptr<const EntityList> list, std::uint32_t after_frame);
     void on_geometry(std::uint64_t id, std::uint32_t after_frame);
-    // A snapshot, the results in it, and how many events had been told with it (RecentEvents).
+    // A snapshot, its results, and the number of ticks with events (RecentEvents) sent by then.
     void on_snapshot(std::uint32_t frame, std::span<const InputResult> results,
                      std::uint32_t events);
-    // The client has it, and all that was told before it.
+    // The client has the snapshot and everything sent before it. Ignores unknown frames.
     void on_ack(std::uint32_t frame);
 
-    // The client forgot the snapshots that were sent after that one.
+    // The client lost the snapshots sent after `frame`.
     void roll_back_to(std::uint32_t frame);
 
-    // Of a client that has that snapshot and may have some of what came after it.
+    // State of a client that has a snapshot, and may have some of the data sent after it.
     struct Known {
-        std::shared_ptr<const EntityList> list;  // it has this
-        std::vector<EntityId> removed;           // it may have these, which are no more
-        std::vector<InputResult> results;        // to be told again, in order
-        std::vector<std::uint64_t> geometry;     // likewise
-        std::uint32_t events = 0;
+        std::shared_ptr<const EntityList> list;  // the client has these entities
+        std::vector<EntityId> removed;           // removed entities that it may have in addition
+        std::vector<InputResult> results;        // to be sent again, in order
+        std::vector<std::uint64_t> geometry;     // ids of shapes to be sent again
+        std::uint32_t events = 0;                // number of ticks with events that it has
     };
-    // `now`: the list of today. Results alone when the frame was not sent or is older than an
-    // acknowledged one: then the list is null.
+    // `now`: the current entity list. If the frame was not sent, or is older than an acknowledged
+    // one, the list is null and only the results are valid.
     Known known_at(std::uint32_t frame, const EntityList& now) const;
 
 private:
@@ -58,8 +58,8 @@ private:
     };
 
     std::uint32_t acked_ = 0;
-    Fifo<Sent> sent_;       // rising, from the acknowledged one on
-    Fifo<SentList> lists_;  // in order; the first one is what the client has for certain
+    Fifo<Sent> sent_;       // ascending, from the acknowledged snapshot
+    Fifo<SentList> lists_;  // in order; the client has the first one
     Fifo<Shape> shapes_;    // in order
 };
 

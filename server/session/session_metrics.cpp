@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "jostle/base/check.h"
+
 namespace jostle::server {
 
 namespace {
@@ -22,6 +24,7 @@ InputOutcome outcome_of(const Status& status) {
 }
 
 void count_more(prometheus::Counter& counter, std::uint32_t total, std::uint32_t& counted) {
+    ASSERT(total >= counted);
     if (total != counted) counter.Increment(total - counted);
     counted = total;
 }
@@ -29,6 +32,7 @@ void count_more(prometheus::Counter& counter, std::uint32_t total, std::uint32_t
 }  // namespace
 
 void SessionMetrics::entered(ClientIdentity who, WorldHost& world) {
+    ASSERT(client_ == 0 && who.id != 0);
     client_ = who.id;
     who.subject = subject_;
     connected_client_ = context_.connected_clients.add(std::move(who));

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What is seen from outside of one conversation: it counts for the metrics and keeps the client's
-// record. A ClientSession has one and calls it on its own thread; without metrics only the record
-// is kept.
+// Metrics of one session, and its client's entry in ConnectedClients. Without metrics, only the
+// entry is updated. Used on the session's thread.
 #pragma once
 
 #include <cstdint>
@@ -24,10 +23,10 @@ class SessionMetrics {
 public:
     explicit SessionMetrics(PlayContext& context) : context_(context) {}
 
-    // Who was let in: the subject of its token; empty: nobody in particular.
+    // The subject of the admitted client; empty: anonymous.
     void set_subject(const std::string& subject) { subject_ = subject; }
     const std::string& subject() const { return subject_; }
-    // The client is in a world; `world` is held by the link until left().
+    // The client entered a world, which must exist until left().
     void entered(ClientIdentity who, WorldHost& world);
     void left();
     void refused(ErrorCode reason);
@@ -35,10 +34,10 @@ public:
     void answered(std::span<const InputResult> results);
     void sent(const OutMessage& message, Clock::time_point now);
     void sent_snapshot(std::size_t bytes);
-    // After each frame. `pending`: frames that came and went while a write was waited for.
+    // After each frame. `pending`: number of frames skipped because a write was pending.
     void on_frame(const FlowControl& flow, std::uint32_t pending);
 
-    // Why an operator wants the client gone; nothing: nobody does.
+    // Why an operator removed the client; nothing: it was not removed.
     std::optional<std::string> kicked() const;
 
 private:

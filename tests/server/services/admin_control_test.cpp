@@ -97,7 +97,7 @@ TEST_F(AdminControlTest, kicked_client_receives_the_reason_and_disconnects) {
     player.listen();
     ASSERT_TRUE(player.link.end());
     EXPECT_EQ(player.link.end()->error().code, ErrorCode::permission_denied);
-    EXPECT_EQ(player.notice, "you were removed: please be kind");
+    EXPECT_EQ(player.notice, "an operator removed the client: please be kind");
     EXPECT_EQ(error_of(control.kick(request, response)).code, ErrorCode::not_found);
 }
 

@@ -677,7 +677,7 @@ TEST_F(InterestTest, ignores_absent_interest_and_rejects_invalid_interest) {
     client.listen();
     ASSERT_EQ(client.state.notices.size(), 1u);
     EXPECT_EQ(client.state.notices[0].message(),
-              "an interest in a stream without one; name the first in the hello");
+              "interest: the stream has no area of interest; set hello.interest");
     TestClient other(context);
     other.hello([](v1::Hello& hello) { see(*hello.mutable_interest(), 0, -3); });
     other.listen();

@@ -95,7 +95,7 @@ TEST_F(CtlTest, lists_and_kicks_clients) {
     ASSERT_EQ(run("kick " + std::to_string(client["id"].get<int>()) + " --reason 'be kind'"), 0)
         << err;
     ASSERT_TRUE(player->wait_for_end());
-    EXPECT_EQ(*player->end(), "7: you were removed: be kind");  // PERMISSION_DENIED
+    EXPECT_EQ(*player->end(), "7: an operator removed the client: be kind");  // PERMISSION_DENIED
     EXPECT_EQ(run("kick 999"), 1);
     EXPECT_TRUE(complains("there is no client 999")) << err;
 }

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#include "server/session/cells_section.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "jostle/base/check.h"
+#include "server/messages/server_message.h"
+
+namespace jostle::server {
+
+namespace {
+
+constexpr double bytes_per_kbit = 125;
+// Entities per entity update of one cell, and the estimated size of one in bytes.
+constexpr std::size_t entities_per_update_max = 64, entity_bytes = 48;
+
+}  // namespace
+
+CellsSection::CellsSection(BroadcastCache& broadcast, EntityStream& entities, wire::Codec codec,
+                           const Hello& hello)
+    : broadcast_(broadcast),
+      entities_(entities),
+      codec_(codec),
+      view_(hello.max_kbps * bytes_per_kbit) {
+    if (hello.interest) view_.set_interest(*hello.interest);
+}
+
+void CellsSection::append(const FramePtr& frame, Clock::time_point now, SnapshotParts& parts) {
+    if (frame->entity_list != entities_.list()) update_list(frame->entity_list);
+    parts.has_poses = false;
+    has_pending_ = false;
+    CellSnapshotCache& cache = broadcast_.cells();
+    const CellSnapshotCache::Cells cells = broadcast_.cells_of(frame);
+    for (const auto& part : view_.pending_cells(cache, *cells, frame->tick, now)) {
+        if (part.new_members && !send_members(*part.state.content)) {
+            has_pending_ = true;
+            continue;
+        }
+        SharedBytes bytes = cache.encoding(part.state, part.baselines, codec_);
+        if (!view_.affords(bytes->size(), part.fresh)) {
+            has_pending_ = true;
+            if (part.fresh) continue;
+            break;
+        }
+        view_.spend(bytes->size(), part.fresh);
+        view_.on_sent(part, frame->tick);
+        parts.cells.push_back(std::move(bytes));
+    }
+    const std::vector<CellId> left = view_.take_left();
+    if (!left.empty()) parts.fields += encode_cells_left_field(left);
+}
+
+void CellsSection::on_sent(const OutMessage& snapshot) {
+    ASSERT(snapshot.shared != nullptr);
+    // append() charged the cells.
+    view_.spend(snapshot.header.size() + snapshot.shared->size(), false);
+}
+
+// Sends the entities of the cell that the client does not know, as far as the budget allows.
+// Returns true if the client knew all of them.
+bool CellsSection::send_members(const wire::QuantizedFrame& cell) {
+    EntityList fresh;
+    bool knew_all = true;
+    for (const wire::EntityState& entity : cell.entities) {
+        if (is_known(entity.id)) continue;
+        knew_all = false;
+        if (fresh.size() == entities_per_update_max ||
+            !view_.affords(fresh.size() * entity_bytes, true))
+            break;
+        const EntityList& list = *entities_.list();
+        const auto at = std::ranges::lower_bound(list, entity.id, {},
+                                                 [](const auto& known) { return known->id; });
+        if (at != list.end() && (*at)->id == entity.id) fresh.push_back(*at);
+    }
+    if (fresh.empty()) return knew_all;
+    const EntityUpdateMessages messages = broadcast_.entity_update_for(fresh);
+    entities_.send(messages);
+    for (const SharedBytes& update : messages.entity_updates) view_.spend(update->size(), true);
+    for (const auto& entity : fresh) {
+        if (known_.size() <= entity->id) known_.resize(entity->id + 1, false);
+        known_[entity->id] = true;
+    }
+    return knew_all;
+}
+
+// Sends the removal of entities that the client knows.
+void CellsSection::update_list(const std::shared_ptr<const EntityList>& list) {
+    ASSERT(list != nullptr);
+    if (entities_.list()) {
+        std::vector<EntityId> removed;
+        for (const EntityId id : broadcast_.entity_list_change(entities_.list(), list)->removed)
+            if (is_known(id)) removed.push_back(id);
+        entities_.send_removed(removed);
+        for (const EntityId id : removed) known_[id] = false;
+    }
+    entities_.set_list(list);
+}
+
+}  // namespace jostle::server

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+//
+// The interest cells of a client with an area of interest or a byte budget. They replace the poses
+// of the shared part. The client receives the entities of a cell first and the cell in a later
+// snapshot. Used on the session's thread.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "server/messages/client_message.h"
+#include "server/replication/interest_view.h"
+#include "server/session/broadcast_cache.h"
+#include "server/session/entity_stream.h"
+#include "server/session/snapshot_section.h"
+
+namespace jostle::server {
+
+class CellsSection final : public SnapshotSection {
+public:
+    CellsSection(BroadcastCache& broadcast, EntityStream& entities, wire::Codec codec,
+                 const Hello& hello);
+
+    // The budget did not suffice for all pending cells and entities.
+    bool has_changes(const Frame&) const override { return has_pending_; }
+    void append(const FramePtr& frame, Clock::time_point now, SnapshotParts& parts) override;
+    void on_sent(const OutMessage& snapshot) override;
+
+    void set_interest(const Interest& interest) { view_.set_interest(interest); }
+    // The client lost its state: each of its cells is sent as a keyframe.
+    void reset() { view_.reset(); }
+
+private:
+    void update_list(const std::shared_ptr<const EntityList>& list);
+    bool send_members(const wire::QuantizedFrame& cell);
+    bool is_known(EntityId entity) const { return entity < known_.size() && known_[entity]; }
+
+    BroadcastCache& broadcast_;
+    EntityStream& entities_;
+    const wire::Codec codec_;
+    InterestView view_;
+    std::vector<bool> known_;  // by entity id: the client was sent the entity
+    bool has_pending_ = false;
+};
+
+}  // namespace jostle::server

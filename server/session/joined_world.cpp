@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+#include "server/session/joined_world.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <cmath>
+#include <iterator>
+#include <utility>
+
+#include "jostle/base/check.h"
+#include "server/util/log.h"
+#include "server/util/text.h"
+
+namespace jostle::server {
+
+namespace {
+
+// Every n-th tick, for at most `wanted` snapshots per second; 0: every tick.
+int divider_of(double tick_hz, std::uint32_t wanted) {
+    if (wanted == 0 || wanted >= tick_hz) return 1;
+    return static_cast<int>(std::ceil(tick_hz / wanted));
+}
+
+// A client may acknowledge each snapshot with its own message, at any rate of the world.
+ClientLimits limits_with_acks(ClientLimits limits, double snapshot_hz) {
+    limits.messages_per_second += snapshot_hz;
+    return limits;
+}
+
+}  // namespace
+
+JoinedWorld::JoinedWorld(const Parts& parts, ClientId client,
+                         const std::shared_ptr<WorldHost>& world, const Hello& hello,
+                         DisconnectedClient* lost, Clock::time_point now)
+    : parts_(parts),
+      client_(client),
+      broadcast_(lost ? lost->broadcast
+                      : parts.context.broadcast_caches.cache_for(
+                            world, parts.context.config.stream.interest_cell_m)),
+      divider_(divider_of(host().hz(), hello.snapshot_hz)),
+      limits_(limits_with_acks(parts.context.config.client, host().hz() / divider_)),
+      inputs_(host().mailbox(),
+              {.client = client, .spectator = hello.spectator, .persisted = host().is_persisted()},
+              limits_, lost ? lost->result_queue : std::make_shared<ResultQueue>(), now),
+      snapshots_({.context = parts.context,
+                  .metrics = parts.metrics,
+                  .broadcast = *broadcast_,
+                  .inputs = inputs_,
+                  .outbox = parts.outbox,
+                  .sent_log = parts.resume.sent_log(),
+                  .client = client},
+                 hello, divider_),
+      flood_guard_(limits_.messages_per_second) {
+    ASSERT(!lost || lost->client == client);
+}
+
+void JoinedWorld::enter(const Hello& hello, DisconnectedClient* lost, Clock::time_point now) {
+    ASSERT(!has_entered_);
+    has_entered_ = true;
+    const FramePtr frame = snapshots_.on_enter();
+    const auto removed =
+        lost ? resume(*lost, hello.resume->frame, *frame->entity_list) : std::nullopt;
+    Welcome message = welcome(*frame, now);
+    message.resumed = lost != nullptr;
+    message.state_preserved = removed.has_value();
+    DatagramServer* const server = parts_.context.datagrams;
+    if (hello.datagrams && server && parts_.peer.wake && !snapshots_.has_cells())
+        datagrams_ = DatagramTransport::open(
+            *server,
+            {.host = host(), .inputs = inputs_, .snapshots = snapshots_, .client = client_},
+            parts_.peer.wake, message);
+    parts_.outbox.push_reply(encode_welcome(message));
+    if (removed && !removed->empty())
+        parts_.outbox.push_shared(std::make_shared<const std::string>(encode_removed(*removed)));
+    parts_.metrics.entered({.id = client_,
+                            .name = hello.name,
+                            .world_id = host().id(),
+                            .world_name = host().name(),
+                            .address = parts_.peer.name,
+                            .spectator = hello.spectator,
+                            .since = now},
+                           host());
+    log_info("client {} {} of {} {} world {}{}", client_, quoted(hello.name), parts_.peer.name,
+             lost ? "resumed in" : "joined", host().id(), hello.spectator ? " as a spectator" : "");
+}
+
+Welcome JoinedWorld::welcome(const Frame& frame, Clock::time_point now) const {
+    const WorldProperties& world = host().properties();
+    const Config& config = parts_.context.config;
+    return {.client = client_,
+            .world_id = host().id(),
+            .world_name = host().name(),
+            .tick = frame.tick,
+            .tick_hz = host().hz(),
+            .snapshot_hz = static_cast<std::uint32_t>(std::lround(host().hz() / divider_)),
+            .ack_interval_ms = static_cast<std::uint32_t>(config.stream.ack_interval_ms),
+            .quant = broadcast_->snapshots().spec(),
+            .server_time_us = to_us(now),
+            .epoch_us = to_us(world.epoch),
+            .gravity = world.gravity,
+            .substeps = world.substeps,
+            .channels = world.channel_kinds,
+            .codec = snapshots_.codec(),
+            .cells = snapshots_.has_cells(),
+            .resume_token = parts_.resume.token(),
+            .last_sequence = inputs_.confirmed(),
+            .resume_timeout_seconds =
+                parts_.resume.is_open() ? config.client.resume_timeout_seconds : 0};
+}
+
+// Returns the removed entities that the client may still have, if its stream continues after
+// `frame`; nothing: its stream starts again with a keyframe. `now`: the current entity list.
+std::optional<std::vector<EntityId>> JoinedWorld::resume(DisconnectedClient& lost,
+                                                         std::uint32_t frame,
+                                                         const EntityList& now) {
+    SentLog::Known known = lost.sent.known_at(frame, now);
+    std::vector<InputResult> results = std::move(known.results);
+    results.insert(results.end(), std::make_move_iterator(lost.results.begin()),
+                   std::make_move_iterator(lost.results.end()));
+    inputs_.resume(lost.last_sequence, lost.persisted_sequence, std::move(results));
+    if (!snapshots_.resume(lost, known, frame)) return std::nullopt;
+    return std::move(known.removed);
+}
+
+void JoinedWorld::leave(std::optional<Clock::time_point> suspended) {
+    if (std::exchange(has_left_, true)) return;
+    if (has_entered_) {
+        parts_.metrics.left();
+        snapshots_.on_leave();
+    }
+    if (suspended)
+        parts_.resume.suspend(suspended_state(), *suspended);
+    else
+        leave_for_good();
+    datagrams_.reset();
+}
+
+void JoinedWorld::leave_for_good() {
+    parts_.resume.close();
+    // The session ends before the command: a host that replaces this world reads the directory.
+    parts_.context.sessions.leave(client_);
+    const std::shared_ptr<WorldHost> current = parts_.context.worlds.find(host().id());
+    (current ? *current : host())
+        .mailbox()
+        .leave(client_, parts_.context.config.client.retain_bodies_after_leave);
+}
+
+DisconnectedClient JoinedWorld::suspended_state() {
+    inputs_.collect_results();
+    host().mailbox().disconnect(client_);
+    DisconnectedClient lost{.client = client_,
+                            .broadcast = broadcast_,
+                            .network = {},
+                            .subject = parts_.metrics.subject(),
+                            .result_queue = inputs_.queue(),
+                            .results = inputs_.take_results(),
+                            .last_sequence = inputs_.last_sequence(),
+                            .persisted_sequence = inputs_.persisted_sequence(),
+                            .baselines = {},
+                            .sent = {},
+                            .sent_geometry = {}};
+    snapshots_.suspend(lost);
+    return lost;
+}
+
+Status JoinedWorld::receive(const InputBatch& batch, Clock::time_point now) {
+    if (Status s = inputs_.receive(batch, snapshots_.last_frame(), now); !s.ok()) return s;
+    if (batch.ack) snapshots_.on_ack(*batch.ack, now);
+    return {};
+}
+
+FloodGuard::Verdict JoinedWorld::on_excess_message(Clock::time_point now) {
+    const FloodGuard::Verdict verdict = flood_guard_.on_excess(now);
+    if (verdict == FloodGuard::Verdict::notify)
+        parts_.outbox.push_reply(encode_notice(
+            NoticeKind::rate_limit,
+            fmt::format("messages are dropped: the client sends more than {:g} messages or {:g} "
+                        "bytes per second; put several inputs into one batch",
+                        limits_.messages_per_second, limits_.bytes_per_second)));
+    return verdict;
+}
+
+}  // namespace jostle::server

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#include "server/session/session_timeouts.h"
+
+#include <spdlog/fmt/fmt.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace jostle::server {
+
+void SessionTimeouts::on_datagram(Clock::time_point arrived) {
+    last_received_ = std::max(last_received_, arrived);
+}
+
+void SessionTimeouts::on_write_blocked(Clock::time_point now) {
+    if (!blocked_since_) blocked_since_ = now;
+}
+
+void SessionTimeouts::forgive_process_stall(Clock::time_point now) {
+    const Clock::duration pause = now - std::exchange(checked_, now);
+    if (pause <= process_stall_min) return;
+    begun_ += pause;
+    last_received_ = std::min(last_received_ + pause, now);
+    if (blocked_since_) blocked_since_ = std::min(*blocked_since_ + pause, now);
+}
+
+std::optional<Error> SessionTimeouts::hello_timeout(Clock::time_point now) const {
+    if (now - begun_ <= from_seconds(settings_.hello_timeout_seconds)) return std::nullopt;
+    return Error{ErrorCode::deadline_exceeded,
+                 fmt::format("no Hello arrived within {:g} s; the first message must be a Hello",
+                             settings_.hello_timeout_seconds)};
+}
+
+std::optional<Error> SessionTimeouts::client_timeout(Clock::time_point now) const {
+    if (now - last_received_ <= from_seconds(settings_.client_timeout_seconds)) return std::nullopt;
+    return Error{ErrorCode::deadline_exceeded,
+                 fmt::format("no message arrived for {:g} s; send an Ack or a Ping more often",
+                             settings_.client_timeout_seconds)};
+}
+
+std::optional<Error> SessionTimeouts::read_timeout(Clock::time_point now) const {
+    if (!blocked_since_ || now - *blocked_since_ <= from_seconds(settings_.client_timeout_seconds))
+        return std::nullopt;
+    return Error{ErrorCode::resource_exhausted,
+                 fmt::format("the client read nothing for {:g} s; read messages as they arrive",
+                             settings_.client_timeout_seconds)};
+}
+
+}  // namespace jostle::server

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+//
+// Timeouts of one session: no Hello, no messages, no reads. Time in which this process or its
+// machine was stalled does not count against the client. Used on the session's thread.
+#pragma once
+
+#include <optional>
+
+#include "jostle/base/result.h"
+#include "server/config/config.h"
+#include "server/util/clock.h"
+
+namespace jostle::server {
+
+class SessionTimeouts {
+public:
+    SessionTimeouts(const StreamSettings& settings, Clock::time_point now)
+        : settings_(settings), begun_(now), last_received_(now), checked_(now) {}
+
+    void on_received(Clock::time_point now) { last_received_ = now; }
+    // Datagrams are taken some time after they arrived, possibly after a newer stream message.
+    void on_datagram(Clock::time_point arrived);
+    void on_write_blocked(Clock::time_point now);
+    void on_writable() { blocked_since_.reset(); }
+
+    // Call before each check. If the previous call is more than process_stall_min ago, every
+    // timeout is extended by that time.
+    void forgive_process_stall(Clock::time_point now);
+
+    // Why the session ends now; nothing: it does not.
+    std::optional<Error> hello_timeout(Clock::time_point now) const;
+    std::optional<Error> client_timeout(Clock::time_point now) const;
+    std::optional<Error> read_timeout(Clock::time_point now) const;
+
+    Clock::duration age(Clock::time_point now) const { return now - begun_; }
+
+private:
+    const StreamSettings& settings_;
+    Clock::time_point begun_, last_received_, checked_;
+    std::optional<Clock::time_point> blocked_since_;  // nothing: the transport can write
+};
+
+}  // namespace jostle::server

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+//
+// Decides which frames become snapshots for one client, and counts the frames that were skipped
+// because a write was pending. The first snapshot is due at once. Used on the session's thread.
+#pragma once
+
+#include <cstdint>
+
+#include "server/config/config.h"
+#include "server/limits/flow_control.h"
+#include "server/util/clock.h"
+
+namespace jostle::server {
+
+class SnapshotSchedule {
+public:
+    // `hz`: ticks per second. `divider`: the client requested every divider-th tick.
+    SnapshotSchedule(const StreamSettings& settings, double hz, int divider)
+        : flow_(settings, hz, divider),
+          heartbeat_period_(from_seconds(1 / settings.heartbeats_per_second)) {}
+
+    // The world published a frame. Frames between two calls are skipped if a write is blocked.
+    void on_frame(std::uint32_t tick);
+    // Requests a snapshot of this tick. It becomes due if flow control permits it.
+    void request(std::uint32_t tick, Clock::time_point now);
+    bool is_due() const { return is_due_; }
+    bool heartbeat_due(Clock::time_point now) const {
+        return now - last_snapshot_ >= heartbeat_period_;
+    }
+    void on_sent(std::uint32_t tick, Clock::time_point now);
+    void set_write_blocked(bool blocked) { write_blocked_ = blocked; }
+
+    std::uint32_t last_frame() const { return last_frame_; }  // newest tick considered; 0: none
+    // Snapshots skipped because a write was pending, and for this or a full window.
+    std::uint32_t skipped_pending() const { return skipped_pending_; }
+    std::uint32_t skipped() const { return flow_.skipped() + skipped_pending_; }
+    FlowControl& flow() { return flow_; }
+    const FlowControl& flow() const { return flow_; }
+
+private:
+    FlowControl flow_;
+    const Clock::duration heartbeat_period_;
+    Clock::time_point last_snapshot_{};
+    std::uint32_t last_frame_ = 0;
+    std::uint32_t skipped_pending_ = 0;
+    bool is_due_ = true;
+    bool write_blocked_ = false;
+};
+
+}  // namespace jostle::server

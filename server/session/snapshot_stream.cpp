@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: MIT
+#include "server/session/snapshot_stream.h"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "jostle/base/check.h"
+#include "server/messages/server_message.h"
+
+namespace jostle::server {
+
+using namespace std::chrono_literals;
+
+namespace {
+
+// Requests for keyframes within this period are ignored: further keyframes only cost the client
+// its bandwidth.
+constexpr auto keyframe_period = 250ms;
+
+// The highest codec that both sides support.
+wire::Codec codec_for(const Hello& hello, const StreamSettings& settings) {
+    const auto highest = static_cast<std::uint32_t>(settings.codec);
+    return static_cast<wire::Codec>(std::clamp(hello.codec, 1u, highest));
+}
+
+}  // namespace
+
+SnapshotStream::SnapshotStream(const Parts& parts, const Hello& hello, int divider)
+    : parts_(parts),
+      codec_(codec_for(hello, parts.context.config.stream)),
+      entities_(parts.broadcast, baselines_, parts.outbox),
+      schedule_(parts.context.config.stream, parts.broadcast.host().hz(), divider),
+      sections_({.context = parts.context,
+                 .broadcast = parts.broadcast,
+                 .entities = entities_,
+                 .inputs = parts.inputs,
+                 .schedule = schedule_,
+                 .client = parts.client,
+                 .codec = codec_},
+                hello) {
+    ASSERT(divider >= 1);
+    if (!has_cells()) entities_.record_in(parts.sent_log);
+}
+
+FramePtr SnapshotStream::on_enter() {
+    WorldHost& host = parts_.broadcast.host();
+    sections_.on_enter(host.listeners());
+    FramePtr frame = host.frame();
+    events_at_entry_ = frame->events->count;
+    if (EventsSection* const events = sections_.events()) events->set_cursor(events_at_entry_);
+    return frame;
+}
+
+std::optional<OutMessage> SnapshotStream::take_message(Clock::time_point now) {
+    ASSERT(parts_.outbox.empty());
+    const FramePtr frame = parts_.broadcast.host().frame();
+    if (frame->tick != schedule_.last_frame()) on_frame(*frame, now);
+    schedule_.set_write_blocked(false);
+    const bool by_datagram = datagrams_ && datagrams_->carries(frame->tick, now);
+    if (!by_datagram && (!schedule_.is_due() || frame->tick <= newest_sent())) return std::nullopt;
+    // The snapshot follows in a later call, from the frame that is newest then.
+    if (!has_cells() && send_entity_list(frame)) {
+        if (std::optional<OutMessage> update = parts_.outbox.pop()) {
+            on_other_sent();
+            return update;
+        }
+    }
+    if (by_datagram) return make_reply(frame, now);
+    return make_snapshot(frame, now);
+}
+
+bool SnapshotStream::send_entity_list(const FramePtr& frame) {
+    if (frame->entity_list == entities_.list()) return false;
+    entities_.send_list(frame->entity_list);
+    return true;
+}
+
+void SnapshotStream::on_frame(const Frame& frame, Clock::time_point now) {
+    schedule_.on_frame(frame.tick);
+    parts_.inputs.collect_results();
+    if (!schedule_.is_due() && has_changes(frame, now)) schedule_.request(frame.tick, now);
+    parts_.metrics.on_frame(schedule_.flow(), schedule_.skipped_pending());
+}
+
+bool SnapshotStream::has_changes(const Frame& frame, Clock::time_point now) {
+    // A snapshot sent by datagram may be lost, so its changes count until it is acknowledged.
+    const bool by_datagram = datagrams_ && datagrams_->carries(frame.tick, now);
+    const std::uint32_t sent = by_datagram ? datagrams_->frames().newest() : baselines_.last();
+    return frame.changed_at > sent || sections_.has_changes(frame) || schedule_.heartbeat_due(now);
+}
+
+// By stream or by datagram.
+std::uint32_t SnapshotStream::newest_sent() const {
+    return datagrams_ ? std::max(baselines_.last(), datagrams_->frames().last_sent())
+                      : baselines_.last();
+}
+
+OutMessage SnapshotStream::make_snapshot(const FramePtr& frame, Clock::time_point now) {
+    if (datagrams_)
+        if (auto baselines = datagrams_->take_stream_baselines())
+            baselines_ = *std::move(baselines);
+    ASSERT(frame->tick > baselines_.last());
+    SnapshotParts parts;
+    sections_.append_optional(frame, now, parts);
+    sections_.client_update().append(frame, now, parts);
+    SharedBytes shared = parts_.broadcast.snapshots().encoding(
+        frame, baselines_.baselines_for(frame->tick), parts.channel_kinds,
+        parts.has_poses ? std::optional(codec_) : std::nullopt);
+    std::size_t shared_bytes = shared->size();
+    for (const SharedBytes& cell : parts.cells) shared_bytes += cell->size();
+    OutMessage message{encode_snapshot_header(parts.update, parts.fields, shared_bytes),
+                       std::move(shared), std::move(parts.cells)};
+    on_results_sent(frame->tick);
+    baselines_.on_sent(frame->tick);
+    if (datagrams_) datagrams_->on_sent_by_stream(frame->tick);
+    schedule_.on_sent(frame->tick, now);
+    sections_.on_sent(message);
+    parts_.metrics.sent_snapshot(message.size());
+    return message;
+}
+
+// Nothing: there is no data that must not be lost.
+std::optional<OutMessage> SnapshotStream::make_reply(const FramePtr& frame, Clock::time_point now) {
+    SnapshotParts parts;
+    sections_.append_optional(frame, now, parts);
+    ASSERT(parts.cells.empty());
+    if (parts.fields.empty() && parts_.inputs.results().empty()) return std::nullopt;
+    sections_.client_update().append(frame, now, parts);
+    OutMessage message{encode_snapshot_header(parts.update, parts.fields, 0), nullptr};
+    on_results_sent(frame->tick);
+    return message;
+}
+
+void SnapshotStream::on_results_sent(std::uint32_t tick) {
+    EventsSection* const events = sections_.events();
+    parts_.metrics.answered(parts_.inputs.results());
+    if (parts_.sent_log)
+        parts_.sent_log->on_snapshot(tick, parts_.inputs.results(),
+                                     events ? events->cursor() : events_at_entry_);
+    parts_.inputs.on_results_sent();
+}
+
+void SnapshotStream::on_ack(const Ack& ack, Clock::time_point now) {
+    schedule_.flow().on_ack(ack.frame, std::chrono::milliseconds(ack.ack_delay_ms), now);
+    if (parts_.sent_log) parts_.sent_log->on_ack(ack.frame);
+    if (datagrams_) datagrams_->on_ack(ack.frame, ack.ack_bits, now);
+    if (!ack.need_keyframe || now - keyframe_requested_ < keyframe_period) return;
+    keyframe_requested_ = now;
+    baselines_.reset();
+    if (datagrams_) datagrams_->frames().reset();
+    if (sections_.cells()) sections_.cells()->reset();
+}
+
+Status SnapshotStream::set_interest(const Interest& interest) {
+    if (!sections_.cells())
+        return Error{ErrorCode::failed_precondition,
+                     "interest: the stream has no area of interest; set hello.interest"};
+    sections_.cells()->set_interest(interest);
+    return {};
+}
+
+void SnapshotStream::use_datagrams(DatagramSession& datagrams) {
+    // Cells have baselines of their own, which clients do not acknowledge.
+    ASSERT(!has_cells());
+    datagrams_ = &datagrams;
+    sections_.client_update().report_received_inputs();
+    entities_.record_in(nullptr);
+}
+
+bool SnapshotStream::prepare_datagram(const FramePtr& frame, Clock::time_point now) {
+    ASSERT(datagrams_ != nullptr);
+    if (frame->tick != schedule_.last_frame()) {
+        schedule_.set_write_blocked(false);
+        on_frame(*frame, now);
+    }
+    if (!schedule_.is_due() || frame->tick <= datagrams_->frames().last_sent()) return false;
+    // The snapshot need not wait for the stream: clients skip entities that they do not know.
+    send_entity_list(frame);
+    return true;
+}
+
+SharedBytes SnapshotStream::encode(const FramePtr& frame, const wire::BaselineFrames& baselines) {
+    return parts_.broadcast.snapshots().encoding(frame, baselines, sections_.channel_kinds(),
+                                                 codec_);
+}
+
+void SnapshotStream::on_sent_by_datagram(const OutMessage& snapshot, std::uint32_t tick,
+                                         Clock::time_point now) {
+    schedule_.on_sent(tick, now);
+    parts_.metrics.sent(snapshot, now);
+    parts_.metrics.sent_snapshot(snapshot.size());
+}
+
+void SnapshotStream::suspend(DisconnectedClient& client) {
+    // Acknowledgements of datagrams and cells do not cover what the stream carried.
+    client.stream_resumable = !has_cells() && !datagrams_;
+    client.baselines = std::move(baselines_);
+    client.sent_geometry = entities_.take_geometry();
+    client.channel_kinds = sections_.channel_kinds();
+}
+
+bool SnapshotStream::resume(DisconnectedClient& lost, SentLog::Known& known, std::uint32_t frame) {
+    ASSERT(parts_.sent_log != nullptr);
+    if (has_cells() || !lost.stream_resumable || !known.list ||
+        sections_.channel_kinds() != lost.channel_kinds || !lost.baselines.roll_back_to(frame))
+        return false;
+    baselines_ = std::move(lost.baselines);
+    *parts_.sent_log = std::move(lost.sent);
+    parts_.sent_log->roll_back_to(frame);
+    for (const std::uint64_t id : known.geometry) lost.sent_geometry.erase(id);
+    entities_.resume(std::move(known.list), std::move(lost.sent_geometry));
+    if (EventsSection* const events = sections_.events()) events->set_cursor(known.events);
+    return true;
+}
+
+}  // namespace jostle::server

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include "server/session/snapshot_schedule.h"
+
+#include <gtest/gtest.h>
+
+namespace jostle::server {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr Clock::time_point start = Clock::time_point() + 1000s;
+
+TEST(SnapshotSchedule, the_first_snapshot_is_due_at_once) {
+    SnapshotSchedule schedule({}, 60, 1);
+    EXPECT_TRUE(schedule.is_due());
+    schedule.on_frame(100);
+    schedule.on_sent(100, start);
+    EXPECT_FALSE(schedule.is_due());
+    EXPECT_EQ(schedule.last_frame(), 100u);
+}
+
+TEST(SnapshotSchedule, requests_only_ticks_that_the_client_wants) {
+    SnapshotSchedule schedule({}, 60, 3);
+    schedule.on_frame(99);
+    schedule.on_sent(99, start);
+    schedule.request(100, start + 16ms);
+    EXPECT_FALSE(schedule.is_due());
+    schedule.request(102, start + 50ms);
+    EXPECT_TRUE(schedule.is_due());
+}
+
+TEST(SnapshotSchedule, counts_wanted_frames_that_pass_during_a_write) {
+    SnapshotSchedule schedule({}, 60, 3);
+    schedule.on_frame(99);
+    schedule.set_write_blocked(true);
+    schedule.on_frame(109);  // 102, 105 and 108 passed
+    EXPECT_EQ(schedule.skipped_pending(), 3u);
+    schedule.set_write_blocked(false);
+    schedule.on_frame(130);
+    EXPECT_EQ(schedule.skipped(), 3u);
+}
+
+TEST(SnapshotSchedule, heartbeat_is_due_four_times_per_second) {
+    SnapshotSchedule schedule({.heartbeats_per_second = 4}, 60, 1);
+    schedule.on_frame(1);
+    schedule.on_sent(1, start);
+    EXPECT_FALSE(schedule.heartbeat_due(start + 249ms));
+    EXPECT_TRUE(schedule.heartbeat_due(start + 250ms));
+}
+
+}  // namespace
+}  // namespace jostle::server

@@ -198,6 +198,17 @@ COVERED_BY = {
         (["behaviour/stack_stays_test.cpp", "behaviour/incline_test.cpp", "behaviour/kinematic_test.cpp",
           "physics/stages/islands/assign_batches_test.cpp"],
          "stacks, slopes and lifts; batches side by side"),
+    "stages/solver/gather_bodies.cpp":
+        (["physics/world/profile_test.cpp", "physics/stages/islands/assign_batches_test.cpp"], "how many bodies the solver takes, by tier"),
+    "stages/solver/integrate_gyroscopic.cpp":
+        (["behaviour/free_rotation_test.cpp", "behaviour/joints_test.cpp"], "tops and rods that rotate far in a step"),
+    "stages/solver/prepare_body.cpp":
+        (["behaviour/free_fall_test.cpp", "behaviour/joints_test.cpp"], "mass, damping and gravity of solved bodies"),
+    "stages/solver/schedule_tasks.cpp":
+        (["physics/stages/islands/assign_batches_test.cpp", "determinism/threads_test.cpp"],
+         "batches side by side; the same bits with 1, 2 and 4 threads"),
+    "stages/solver/solve_task.cpp":
+        (["behaviour/stack_stays_test.cpp", "behaviour/jointed_contacts_test.cpp"], "the order of the passes of a sub-step"),
     "stages/solver/solve_joint_batches.cpp":
         (["behaviour/jointed_contacts_test.cpp"], "its passes are those of any step in which jointed bodies touch"),
     "stages/solver/solve_joints.cpp":

@@ -154,6 +154,24 @@ COVERED_BY = {
         (["behaviour/continuous_test.cpp", "behaviour/fast_bodies_test.cpp"], "nothing passes through anything"),
     "stages/continuous/solve_continuous.cpp":
         (["behaviour/continuous_test.cpp", "behaviour/fast_bodies_test.cpp"], "nothing passes through anything"),
+    "stages/continuous/find_impacts.cpp":
+        (["behaviour/continuous_test.cpp", "behaviour/fast_bodies_test.cpp"], "the first of several bodies on a path is hit, from both sides"),
+    "stages/continuous/resolve_toi_impact.cpp":
+        (["behaviour/impacts_test.cpp", "behaviour/restitution_test.cpp", "behaviour/listeners_test.cpp"],
+         "momentum, energy and spin after an impact; listeners that disable one"),
+    "stages/continuous/start_toi_bodies.cpp":
+        (["physics/stages/continuous/find_sweep_candidates_test.cpp", "behaviour/fast_bodies_test.cpp"],
+         "which fast bodies are swept; a deflected body hits one that was not swept before"),
+    "stages/continuous/sweep_against.cpp":
+        (["behaviour/continuous_test.cpp", "behaviour/fast_bodies_test.cpp"], "every kind of shape at high speed against walls, and rods that come down on one end"),
+    "stages/continuous/toi_motion.cpp":
+        (["behaviour/restitution_test.cpp", "behaviour/fast_bodies_test.cpp"], "where and how fast falling bodies meet"),
+    "stages/continuous/toi_state.cpp":
+        (["physics/stages/continuous/toi_policy_test.cpp", "physics/stages/continuous/impact_queue_test.cpp"],
+         "their scene adds its TOI bodies by it"),
+    "stages/continuous/update_dependents.cpp":
+        (["physics/stages/continuous/find_sweep_candidates_test.cpp", "behaviour/impacts_test.cpp"],
+         "a deflected body hits a third one; rows of balls propagate an impact"),
     "stages/continuous/swept_motions.h":
         (["behaviour/continuous_test.cpp"], "bullets that meet, beads in their order"),
     "stages/finalize/finalize.cpp":
@@ -180,6 +198,17 @@ COVERED_BY = {
         (["behaviour/stack_stays_test.cpp", "behaviour/incline_test.cpp", "behaviour/kinematic_test.cpp",
           "physics/stages/islands/assign_batches_test.cpp"],
          "stacks, slopes and lifts; batches side by side"),
+    "stages/solver/gather_bodies.cpp":
+        (["physics/world/profile_test.cpp", "physics/stages/islands/assign_batches_test.cpp"], "how many bodies the solver takes, by tier"),
+    "stages/solver/integrate_gyroscopic.cpp":
+        (["behaviour/free_rotation_test.cpp", "behaviour/joints_test.cpp"], "tops and rods that rotate far in a step"),
+    "stages/solver/prepare_body.cpp":
+        (["behaviour/free_fall_test.cpp", "behaviour/joints_test.cpp"], "mass, damping and gravity of solved bodies"),
+    "stages/solver/schedule_tasks.cpp":
+        (["physics/stages/islands/assign_batches_test.cpp", "determinism/threads_test.cpp"],
+         "batches side by side; the same bits with 1, 2 and 4 threads"),
+    "stages/solver/solve_task.cpp":
+        (["behaviour/stack_stays_test.cpp", "behaviour/jointed_contacts_test.cpp"], "the order of the passes of a sub-step"),
     "stages/solver/solve_joint_batches.cpp":
         (["behaviour/jointed_contacts_test.cpp"], "its passes are those of any step in which jointed bodies touch"),
     "stages/solver/solve_joints.cpp":

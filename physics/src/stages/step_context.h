@@ -26,6 +26,7 @@ struct StepContext {
     double dt = 0;                                           // s
     std::array<ContactSettings, solved_set_count> contacts;  // indexed by index_of(ColourSetKey)
     Timer timer = {};                                        // per stage, for the profile
+    int stages_run = 0;  // stages whose first part ran or was skipped
 };
 
 }  // namespace jostle::physics

@@ -72,6 +72,8 @@ void set_contact_settings(StepContext& step) {
 template <Skipped (*kStage)(StepContext&)>
 void run(StepContext& step, Stage name) {
     StepProfile& profile = step.world.profile;
+    ASSERT(step.stages_run == static_cast<int>(name));  // the order of Stage
+    step.stages_run++;
     const auto index = static_cast<std::size_t>(name);
     profile.stage_skipped[index] = kStage(step);
     if (profile.stage_skipped[index] == ran) profile.stage_ms[index] = step.timer.lap_ms();
@@ -81,6 +83,7 @@ void run(StepContext& step, Stage name) {
 template <Skipped (*kStage)(StepContext&)>
 void run_second(StepContext& step, Stage name) {
     StepProfile& profile = step.world.profile;
+    ASSERT(step.stages_run > static_cast<int>(name));
     const auto index = static_cast<std::size_t>(name);
     if (kStage(step) != ran) return;
     profile.stage_skipped[index] = ran;
@@ -122,6 +125,7 @@ void step_world(WorldState& world, StepScratch& scratch, double dt) {
     step.thread_pool.finish();                     // completes the work started by finalize
     run<update_triggers>(step, Stage::update_triggers);  // trigger overlaps
     run<publish_events>(step, Stage::publish_events);    // sorts events for readers
+    ASSERT(step.stages_run == stage_count);
     ASSERT(world.wake_requests.empty());
     ASSERT(scratch.contacts.begins.empty());
     update_step_budget(world);

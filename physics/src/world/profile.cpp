@@ -15,10 +15,10 @@ const char* stage_name(Stage stage) {
             return "begin_contacts";
         case Stage::prepare_islands:
             return "prepare_islands";
-        case Stage::merge_islands:
-            return "merge_islands";
         case Stage::solve_constraints:
             return "solve_constraints";
+        case Stage::merge_islands:
+            return "merge_islands";
         case Stage::integrate_free:
             return "integrate_free";
         case Stage::finalize:

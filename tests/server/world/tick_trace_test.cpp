@@ -16,8 +16,11 @@ TEST(TickTrace, stages_are_adjacent_within_their_tick) {
                      .step_begun = zero + 100us,
                      .bodies_awake = 7,
                      .late_ticks = 3};
-    tick.stage_ms[0] = 0.2;  // update_pairs
-    tick.stage_ms[6] = 0.5;  // solve_constraints
+    const auto ms_of = [&](physics::Stage stage) -> double& {
+        return tick.stage_ms[static_cast<std::size_t>(stage)];
+    };
+    ms_of(physics::Stage::update_pairs) = 0.2;
+    ms_of(physics::Stage::solve_constraints) = 0.5;
     const std::string trace = tick_trace("arena", std::vector{tick});
     for (
         const char* line :

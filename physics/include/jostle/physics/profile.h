@@ -9,15 +9,16 @@
 
 namespace jostle::physics {
 
-/// The stages of a step. wake_bodies and solve_continuous run in two parts.
+/// The stages of a step in execution order. wake_bodies and solve_continuous run in two parts; their
+/// second parts run one after the other, before quarantine.
 enum class Stage {
     update_pairs,       ///< broad phase: finds new collider pairs
     update_contacts,    ///< narrow phase: updates manifolds
     wake_bodies,        ///< wakes disturbed bodies
     begin_contacts,     ///< adds new manifolds to the solver
     prepare_islands,    ///< chooses the sub-steps of each island
-    merge_islands,      ///< merges islands that started to touch
     solve_constraints,  ///< solves contacts and joints in sub-steps
+    merge_islands,      ///< merges islands that started to touch
     integrate_free,     ///< moves bodies without contacts and joints
     finalize,           ///< updates poses, bounding boxes and rest times
     solve_continuous,   ///< sweeps fast bodies

@@ -70,6 +70,16 @@ Speed speed_at(const WorldState& world, const ToiBody& t, double fraction, doubl
     return s;
 }
 
+bool is_supported(const WorldState& world, const BodyCold& cold) {
+    if (cold.set != BodySet::awake || cold.asleep_in_place || cold.first_joint != none) return true;
+    if (cold.constraints == 0) return false;
+    bool touching = false;
+    for_each_manifold(world.contacts, cold, [&](std::uint32_t contact) {
+        touching = touching || world.contacts.contacts[contact].touching;
+    });
+    return touching;
+}
+
 Vec3 gain_in_free_fall(const WorldState& world, const BodyCold& cold, double dt) {
     if (cold.type != BodyType::dynamic) return {};
     return scaled(world.def.gravity * (cold.gravity_scale * dt), free_directions(cold));

@@ -67,6 +67,8 @@ struct Speed {
 // The velocity at a fraction of the step, which must not precede the sweep.
 Speed speed_at(const WorldState& world, const ToiBody& t, double fraction, double dt);
 
+// Returns whether touching contacts, joints or sleep hold a body.
+bool is_supported(const WorldState& world, const BodyCold& cold);
 // Velocity change of a body by gravity in a step, m/s.
 Vec3 gain_in_free_fall(const WorldState& world, const BodyCold& cold, double dt);
 

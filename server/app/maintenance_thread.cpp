@@ -31,7 +31,7 @@ MaintenanceThread::~MaintenanceThread() {
 void MaintenanceThread::wait_for_signal() {
     signals_.async_wait([this](const boost::system::error_code& error, int) {
         if (error) return;
-        log_info("SIGHUP: keys and certificates are read again");
+        log_info("SIGHUP: reloading keys and certificates");
         authorizer_.reload();
         if (certificates_) certificates_->reload(std::chrono::system_clock::now());
         wait_for_signal();

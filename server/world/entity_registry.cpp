@@ -68,18 +68,19 @@ EntityId EntityRegistry::add(const physics::World& world, physics::BodyId body, 
 }
 
 Status EntityRegistry::restore(const physics::World& world, const SavedHostState& host_state) {
-    for (const SavedHostState::Entity& kept : host_state.entities) {
-        if (!world.contains(kept.body))
-            return Error{ErrorCode::corrupt_data, "entity " + std::to_string(kept.id) +
-                                                      " is kept, but the world lacks its body"};
-        std::shared_ptr<EntityDescription> description = describe(world, kept.body);
-        description->id = kept.id;
-        description->owner = kept.owner;
-        description->color = kept.color;
-        description->name = kept.name;
-        description->mass = kept.mass;
-        description->bounding_radius = kept.bounding_radius;
-        put(kept.id, {kept.body, std::move(description)});
+    for (const SavedHostState::Entity& saved : host_state.entities) {
+        if (!world.contains(saved.body))
+            return Error{ErrorCode::corrupt_data, "corrupt host state: entity " +
+                                                      std::to_string(saved.id) +
+                                                      " has no body in the saved world"};
+        std::shared_ptr<EntityDescription> description = describe(world, saved.body);
+        description->id = saved.id;
+        description->owner = saved.owner;
+        description->color = saved.color;
+        description->name = saved.name;
+        description->mass = saved.mass;
+        description->bounding_radius = saved.bounding_radius;
+        put(saved.id, {saved.body, std::move(description)});
     }
     next_id_ = host_state.next_id;
     return {};
@@ -89,9 +90,9 @@ void EntityRegistry::write(SavedHostState& host_state) const {
     host_state.next_id = next_id_;
     host_state.entities.reserve(entities_.size());
     for (const auto& [id, entity] : entities_) {
-        const EntityDescription& told = *entity.description;
+        const EntityDescription& d = *entity.description;
         host_state.entities.push_back(
-            {id, entity.body, told.owner, told.color, told.name, told.mass, told.bounding_radius});
+            {id, entity.body, d.owner, d.color, d.name, d.mass, d.bounding_radius});
     }
 }
 

@@ -16,7 +16,7 @@ FramePtr FramePublisher::frame() const {
     return frame_;
 }
 
-// Readers hold the list that they got, so each tick with events makes a new one.
+// Readers may hold the current list, so each tick with events makes a new one.
 void FramePublisher::record_events(std::optional<TickEvents> events) {
     if (listeners_.events.load() == 0) {
         if (!events_->ticks.empty())
@@ -33,7 +33,7 @@ void FramePublisher::record_events(std::optional<TickEvents> events) {
     events_ = std::move(recent);
 }
 
-// The whole tick, with commands and the copy: what is not measured cannot be seen to be too long.
+// Measures the whole tick with commands and copies, so that no slow part stays invisible.
 void FramePublisher::measure(Frame& frame, Clock::time_point began) {
     tick_ms_[next_] = to_ms(Clock::now() - began);
     next_ = (next_ + 1) % tick_ms_.size();

@@ -19,7 +19,7 @@ std::optional<BodyId> Grabs::drag(World& world, ClientId client, Vec3 target) {
     const auto at = held_.find(client);
     if (at == held_.end()) return std::nullopt;
     const Result<JointState> joint = world.joint(at->second.joint);
-    if (!joint.ok()) {  // it went with its body
+    if (!joint.ok()) {  // the joint was removed together with its body
         held_.erase(at);
         return std::nullopt;
     }
@@ -32,7 +32,7 @@ std::optional<BodyId> Grabs::drag(World& world, ClientId client, Vec3 target) {
 void Grabs::release(World& world, ClientId client) {
     const auto at = held_.find(client);
     if (at == held_.end()) return;
-    static_cast<void>(world.destroy_joint(at->second.joint).ok());  // it may have gone already
+    static_cast<void>(world.destroy_joint(at->second.joint).ok());  // it may be removed already
     held_.erase(at);
 }
 

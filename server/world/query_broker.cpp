@@ -5,7 +5,7 @@
 
 namespace jostle::server {
 
-bool QueryBroker::is_good(CopyLayers layers) const {
+bool QueryBroker::is_usable(CopyLayers layers) const {
     return frame_ && (frame_->layers & layers) == layers &&
            frame_->tick + age_ticks_max >= newest_tick_.load(std::memory_order_relaxed);
 }
@@ -19,8 +19,8 @@ void QueryBroker::request(CopyLayers layers, Clock::time_point now) {
 QueryFramePtr QueryBroker::acquire(CopyLayers layers) {
     request(layers, Clock::now());
     std::unique_lock lock(mutex_);
-    changed_.wait_for(lock, timeout, [&] { return closed_ || is_good(layers); });
-    return !closed_ && is_good(layers) ? frame_ : nullptr;
+    changed_.wait_for(lock, timeout, [&] { return closed_ || is_usable(layers); });
+    return !closed_ && is_usable(layers) ? frame_ : nullptr;
 }
 
 CopyLayers QueryBroker::begin_tick(std::uint32_t tick, Clock::time_point now) {
@@ -34,12 +34,12 @@ CopyLayers QueryBroker::begin_tick(std::uint32_t tick, Clock::time_point now) {
 }
 
 void QueryBroker::put(QueryFramePtr frame) {
-    const bool anything = frame != nullptr;
+    const bool has_frame = frame != nullptr;
     {
         const std::lock_guard lock(mutex_);
         frame_.swap(frame);
     }
-    if (anything) changed_.notify_all();
+    if (has_frame) changed_.notify_all();
 }
 
 void QueryBroker::close() {

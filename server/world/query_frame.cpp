@@ -9,13 +9,13 @@ using namespace physics;
 
 namespace {
 
-// Adds unless the list is full; then notes that there was more.
+// Appends the item, or marks the layer as truncated if the list is full.
 template <class Item>
-void add(std::vector<Item>& list, Item item, QueryFrame& frame, CopyLayers part) {
+void add(std::vector<Item>& list, Item item, QueryFrame& frame, CopyLayers layer) {
     if (list.size() < debug_items_max)
         list.push_back(std::move(item));
     else
-        frame.truncated |= part;
+        frame.truncated |= layer;
 }
 
 void add_contacts(QueryFrame& frame, const World& world) {
@@ -43,13 +43,13 @@ void add_islands(QueryFrame& frame, const World& world,
 void add_bounds(QueryFrame& frame, const World& world) {
     for (const auto& entity : *frame.entity_list)
         for (const ShapeState& shape : entity->shapes)
-            if (const auto box = world.bounds(shape.id); box.ok())  // a plane has none
+            if (const auto box = world.bounds(shape.id); box.ok())  // planes are unbounded
                 add(frame.bounds, *box, frame, copy_bounds);
 }
 
 Vec3 anchor_of(const World& world, BodyId body, const Transform& frame) {
     const auto state = world.body(body);
-    if (is_null(body)) return frame.position;  // in the world
+    if (is_null(body)) return frame.position;  // attached to the world
     return state.ok() ? apply(state->pose, frame.position) : Vec3{};
 }
 

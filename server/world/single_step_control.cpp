@@ -9,7 +9,7 @@ Result<int> SingleStepControl::step(int steps, Clock::duration timeout) {
     if (closed_) return Error{ErrorCode::aborted, "the world was closed"};
     if (requested_)
         return Error{ErrorCode::resource_exhausted,
-                     "somebody else steps this world; try again when they are done"};
+                     "another request is stepping this world; retry after it has ended"};
     allowed_ = steps;
     published_ = begun_ = 0;
     requested_ = true;

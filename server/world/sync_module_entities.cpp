@@ -25,7 +25,7 @@ void sync_module_entities(HostedState& state, std::vector<BodyState>& bodies) {
         return state.entities.find_living(body.id) != 0;
     };
     const auto known = static_cast<std::size_t>(std::ranges::count_if(bodies, is_known));
-    // First: a new body may have the index of one that is gone.
+    // Before the additions, because a new body may reuse the index of a removed one.
     if (known < state.entities.size()) forget_removed(state);
     if (known == bodies.size()) return;
     for (const BodyState& body : bodies)

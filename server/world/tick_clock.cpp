@@ -19,7 +19,7 @@ int TickClock::due(Clock::time_point now) {
             count++;
             continue;
         }
-        // Give up the oldest: the ticks that do run are the latest ones due.
+        // Skip the oldest, so that the ticks that run are the latest ones.
         next_++;
         late_++;
     }

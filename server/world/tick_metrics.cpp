@@ -32,7 +32,7 @@ void TickMetrics::profile_tick(const Frame& frame, const physics::StepProfile* p
                        .touching = frame.contacts,
                        .inputs = static_cast<int>(inputs),
                        .late_ticks = frame.late_ticks};
-    // Somebody may have begun to record in the middle of this tick.
+    // The recording started after the step of this tick began.
     if (step_begun_ < begun_) return;
     if (profile) record.stage_ms = profile->stage_ms;
     profiler_.put(record);

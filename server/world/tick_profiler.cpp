@@ -11,10 +11,10 @@ Result<std::vector<TickProfile>> TickProfiler::record(Clock::duration time) {
     if (closed_) return Error{ErrorCode::aborted, "the world was closed"};
     if (recording_)
         return Error{ErrorCode::resource_exhausted,
-                     "somebody else records this world's ticks; try again when they are done"};
+                     "another request is recording this world; retry after it has ended"};
     recording_ = true;
     ticks_.clear();
-    ticks_.reserve(ticks_max);  // here, so that the world's thread never waits for memory
+    ticks_.reserve(ticks_max);  // here, so that the tick thread never allocates
     requested_ = true;
     changed_.wait_until(lock, end, [&] { return closed_ || ticks_.size() >= ticks_max; });
     requested_ = false;

@@ -32,14 +32,14 @@ void add_tick(std::vector<TraceSpan>& spans, const TickProfile& tick, Clock::tim
                 {.name = name, .start_us = start, .duration_us = duration, .row = stages_row});
     };
     add("inputs", begun, step_begun - begun);
-    // The profile says how long each stage took, and they run one after the other.
+    // The profile holds durations; stages run one after the other.
     double at = step_begun;
     for (int i = 0; i < physics::stage_count; i++) {
         const double duration = 1000 * tick.stage_ms[static_cast<std::size_t>(i)];
         add(physics::stage_name(static_cast<physics::Stage>(i)), at, duration);
         at += duration;
     }
-    add("frame_and_answers", at, ended - at);
+    add("frame_and_results", at, ended - at);
 }
 
 }  // namespace

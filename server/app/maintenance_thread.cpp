@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "jostle/base/check.h"
 #include "server/app/service_manager.h"
 #include "server/util/log.h"
 
@@ -15,6 +16,7 @@ MaintenanceThread::MaintenanceThread(Authorizer& authorizer, CertificateStore* c
       certificates_(certificates),
       every_second_(std::move(every_second)),
       is_healthy_(std::move(is_healthy)) {
+    ASSERT(every_second_ && is_healthy_);
     thread_ = std::thread([this] {
         wait_for_signal();
         poll_files();

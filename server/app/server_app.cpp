@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "jostle/base/check.h"
 #include "server/app/frame_notifier.h"
 #include "server/app/listener_settings.h"
 #include "server/app/maintenance_thread.h"
@@ -198,6 +199,7 @@ Status ServerApp::Impl::start_listeners() {
     std::vector<CallMethod> methods = world_methods(*world_control_, *worlds_);
     std::ranges::move(query_methods(*query_control_, *worlds_), std::back_inserter(methods));
     std::ranges::move(admin_methods(*admin_control_, *worlds_), std::back_inserter(methods));
+    ASSERT(world_control_ && query_control_ && admin_control_ && http_routes_);
     grpc_.emplace(
         *context_, std::move(methods), [this] { return all_worlds_tick(); },
         grpc_settings(config_, metrics_, certificates_.get()));
@@ -219,6 +221,7 @@ Status ServerApp::Impl::start_listeners() {
 }
 
 void ServerApp::Impl::announce() {
+    ASSERT(grpc_ && http_ && ports_.grpc != 0 && ports_.http != 0);
     const std::string grpc_host = parse_host_port(config_.listen)->host;
     const std::string web = fmt::format(
         "{}:{}", reachable_host(parse_host_port(config_.http)->host, config_.advertised_host),

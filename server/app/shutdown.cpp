@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "server/app/shutdown.h"
 
+#include "jostle/base/check.h"
 #include "server/app/service_manager.h"
 #include "server/util/log.h"
 
@@ -47,6 +48,7 @@ void Shutdown::await_operator() {
 }
 
 void Shutdown::begin() {
+    ASSERT(!begun_ && grpc_ && http_server_ && context_);
     begun_ = true;
     log_info("draining: notifying {} clients", context_->sessions.clients());
     notify_stopping();

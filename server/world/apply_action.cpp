@@ -68,6 +68,7 @@ struct Apply {
                                     c.shape);
         if (!body.ok()) return from_solver(body.error());
         affected = state.entities.add(state.world, *body, client, c.color, {});
+        ASSERT(affected != 0);
         state.ownership.add(client, affected);
         return {};
     }
@@ -191,6 +192,7 @@ private:
     Result<const Entity*> dynamic_entity(EntityId id) const {
         const Entity* entity = state.entities.find(id);
         if (!entity) return no_such_entity(id);
+        ASSERT(entity->description);
         if (entity->description->type != BodyType::dynamic)
             return refused(ErrorCode::permission_denied,
                            "entity " + std::to_string(id) +

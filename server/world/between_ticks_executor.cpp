@@ -4,6 +4,8 @@
 #include <new>
 #include <string>
 
+#include "jostle/base/check.h"
+
 namespace jostle::server {
 
 Status BetweenTicksExecutor::run(const Task& task) {
@@ -12,6 +14,7 @@ Status BetweenTicksExecutor::run(const Task& task) {
     if (waiting_)
         return Error{ErrorCode::resource_exhausted,
                      "another request already waits for this world; retry in a second"};
+    ASSERT(task);
     waiting_ = &task;
     changed_.wait_for(lock, timeout, [&] { return closed_ || waiting_ != &task; });
     // The tick thread runs the task under the lock, so a task that still waits was not started.

@@ -10,13 +10,16 @@
 #include <optional>
 #include <utility>
 
+#include "jostle/base/check.h"
 #include "server/world/checkpoint_copy.h"
 
 namespace jostle::server {
 
 class CheckpointCopier {
 public:
-    explicit CheckpointCopier(std::function<CheckpointCopy()> copy) : copy_(std::move(copy)) {}
+    explicit CheckpointCopier(std::function<CheckpointCopy()> copy) : copy_(std::move(copy)) {
+        ASSERT(copy_);
+    }
 
     // Makes the copy unless it exists, or waits for the thread that makes it. The world may change
     // afterwards.

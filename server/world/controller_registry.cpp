@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "jostle/base/check.h"
+
 namespace jostle::server {
 
 using namespace physics;
@@ -32,6 +34,7 @@ Status ControllerRegistry::possess(World& world, ClientId client, BodyId body) {
     const auto at = controlled_.find(client);
     if (at != controlled_.end() && at->second == body) return {};
     release(world, client);
+    ASSERT(!is_null(body) && !controlled_.contains(client));
     controlled_[client] = body;
     return {};
 }
@@ -80,6 +83,7 @@ void ControllerRegistry::write(SavedHostState& host_state) const {
 }
 
 void ControllerRegistry::restore(const SavedHostState& host_state) {
+    ASSERT(controlled_.empty());
     for (const SavedHostState::Controlled& controlled : host_state.controlled_entities)
         controlled_[controlled.client] = controlled.body;
 }

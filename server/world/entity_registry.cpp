@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "jostle/base/check.h"
 #include "server/world/controller_registry.h"
 
 namespace jostle::server {
@@ -24,6 +25,7 @@ double bounding_radius_of(const physics::World& world, physics::ShapeId shape,
 
 std::shared_ptr<EntityDescription> EntityRegistry::describe(const physics::World& world,
                                                             physics::BodyId body) {
+    ASSERT(world.contains(body));
     const physics::BodyState state = *world.body(body);
     auto description = std::make_shared<EntityDescription>();
     description->type = state.type;
@@ -45,11 +47,13 @@ std::shared_ptr<EntityDescription> EntityRegistry::describe(const physics::World
 
 void EntityRegistry::put(EntityId id, Entity entity) {
     const physics::BodyId body = entity.body;
+    ASSERT(id != 0 && entity.description && !entities_.contains(id));
     entities_.emplace(id, std::move(entity));
     if (entity_of_body_.size() <= body.index) {
         entity_of_body_.resize(body.index + 1, 0);
         generation_of_body_.resize(body.index + 1, 0);
     }
+    ASSERT(entity_of_body_.size() == generation_of_body_.size());
     entity_of_body_[body.index] = id;
     generation_of_body_[body.index] = body.generation;
     list_ = nullptr;
@@ -63,11 +67,13 @@ EntityId EntityRegistry::add(const physics::World& world, physics::BodyId body, 
     description->owner = owner;
     description->color = color;
     description->name = std::move(name);
+    ASSERT(find_living(body) == 0);
     put(id, {body, std::move(description)});
     return id;
 }
 
 Status EntityRegistry::restore(const physics::World& world, const SavedHostState& host_state) {
+    ASSERT(entities_.empty());
     for (const SavedHostState::Entity& saved : host_state.entities) {
         if (!world.contains(saved.body))
             return Error{ErrorCode::corrupt_data, "corrupt host state: entity " +
@@ -88,6 +94,7 @@ Status EntityRegistry::restore(const physics::World& world, const SavedHostState
 
 void EntityRegistry::write(SavedHostState& host_state) const {
     host_state.next_id = next_id_;
+    ASSERT(host_state.entities.empty());
     host_state.entities.reserve(entities_.size());
     for (const auto& [id, entity] : entities_) {
         const EntityDescription& d = *entity.description;
@@ -99,6 +106,7 @@ void EntityRegistry::write(SavedHostState& host_state) const {
 void EntityRegistry::remove(EntityId id) {
     const auto at = entities_.find(id);
     if (at == entities_.end()) return;
+    ASSERT(at->second.body.index < entity_of_body_.size());
     entity_of_body_[at->second.body.index] = 0;
     removed_.emplace(at->second.body, id);
     entities_.erase(at);
@@ -131,6 +139,7 @@ const std::shared_ptr<const EntityList>& EntityRegistry::list() {
         auto list = std::make_shared<EntityList>();
         list->reserve(entities_.size());
         for (const auto& [id, entity] : entities_) list->push_back(entity.description);
+        ASSERT(list->size() == entities_.size());
         list_ = std::move(list);
     }
     return list_;

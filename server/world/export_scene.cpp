@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 
+#include "jostle/base/check.h"
 #include "jostle/physics/module.h"
 #include "jostle/physics/vec3.h"
 
@@ -96,6 +97,7 @@ private:
             joint.joint.kind = now.kind;
             joint.joint.solver = now.solver;
             // The bodies of an existing joint exist.
+            ASSERT(new_index_[joint.body_b]);
             if (joint.body_a != scenes::world_body) joint.body_a = *new_index_[joint.body_a];
             joint.body_b = *new_index_[joint.body_b];
             out_.scene.joints.push_back(std::move(joint));

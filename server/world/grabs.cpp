@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "server/world/grabs.h"
 
+#include "jostle/base/check.h"
 #include "jostle/modules/player_interaction.h"
 
 namespace jostle::server {
@@ -11,6 +12,7 @@ Status Grabs::grab(World& world, ClientId client, const BodyState& body, Vec3 po
     release(world, client);
     const Result<JointId> joint = world.create_joint(modules::make_grab_joint(body, point));
     if (!joint.ok()) return joint.error();
+    ASSERT(!held_.contains(client));
     held_[client] = {body.id, *joint};
     return {};
 }
@@ -50,6 +52,7 @@ void Grabs::write(SavedHostState& host_state) const {
 }
 
 void Grabs::restore(const SavedHostState& host_state) {
+    ASSERT(held_.empty());
     for (const SavedHostState::Held& held : host_state.held)
         held_[held.client] = {held.body, held.joint};
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "jostle/base/check.h"
 #include "server/world/resolve_aim.h"
 #include "server/world/sync_module_entities.h"
 
@@ -35,6 +36,8 @@ Result<HostedWorld> HostedWorld::create(const scenes::SceneDescription& scene,
     for (std::size_t i = 0; i < built->bodies.size(); i++)
         hosted.state_.entities.add(hosted.state_.world, built->bodies[i], 0, scene.bodies[i].color,
                                    scene.bodies[i].name);
+    ASSERT(built->bodies.size() == scene.bodies.size() &&
+           built->joints.size() == scene.joints.size());
     hosted.ids_ = {std::move(built->bodies), std::move(built->joints)};
     sync_module_entities(hosted.state_, hosted.bodies_);
     Result<ModuleChannels> channels = ModuleChannels::of(hosted.state_.world);
@@ -144,6 +147,7 @@ void HostedWorld::replay(const JournaledCommand& command) {
 }
 
 Status HostedWorld::step(double dt, std::uint32_t tick) {
+    ASSERT(dt > 0 && tick > 0);
     Status stepped = state_.world.step(dt);
     if (!stepped.ok()) return stepped;
     sync_module_entities(state_, bodies_);
@@ -162,7 +166,9 @@ std::vector<std::shared_ptr<const EntityDescription>> HostedWorld::newly_quarant
     std::vector<std::shared_ptr<const EntityDescription>> added;
     for (const BodyId body : state_.world.events().quarantined) {
         const EntityId id = state_.entities.entity_of(body);
-        if (quarantined_.insert(id).second) added.push_back(state_.entities.find(id)->description);
+        const Entity* const entity = state_.entities.find(id);
+        if (!entity) continue;  // a module destroyed the body in the same step
+        if (quarantined_.insert(id).second) added.push_back(entity->description);
     }
     return added;
 }
@@ -190,6 +196,7 @@ void HostedWorld::copy_poses(bool all) {
             poses.push_back({by_body[body.id.index], body.pose, body.awake});
         // Bodies are listed by index; a reused index belongs to a later entity.
         std::ranges::sort(poses, {}, &EntityPose::id);
+        ASSERT(poses.size() == state_.entities.size());
         poses_.assign(poses);
         index_of_body_.assign(by_body.size(), 0);
         std::size_t index = 0;
@@ -221,10 +228,12 @@ void HostedWorld::copy_into(Frame& frame) {
     bool moved = false;
     frame.entities = poses_.take(moved);
     frame.entity_list = entity_list_ = state_.entities.list();
+    ASSERT(frame.entities.size() == frame.entity_list->size());
     frame.previous_changed_at = changed_at_;
     if (moved || list_changed || published_channels_ != channels_.channels())
         changed_at_ = frame.tick;
     frame.changed_at = changed_at_;
+    ASSERT(frame.previous_changed_at <= frame.changed_at && frame.changed_at <= frame.tick);
     frame.channels = published_channels_ = channels_.channels();
     if (publishes_controlled_entities_) {
         auto controlled_entities = state_.controllers.controlled_states(

@@ -6,6 +6,8 @@
 #include <tuple>
 #include <utility>
 
+#include "jostle/base/check.h"
+
 namespace jostle::server {
 namespace {
 
@@ -60,6 +62,7 @@ Result<ModuleChannels> ModuleChannels::of(const physics::World& world) {
                      "the modules of the world declare " + std::to_string(made.kinds_.size()) +
                          " kinds of channels; a hosted world may have at most " +
                          std::to_string(channel_kinds_max)};
+    ASSERT(made.kinds_.size() <= channel_kinds_max);
     if (made.kinds_.size() < channel_kinds_max) {
         made.motion_ = static_cast<std::uint32_t>(made.kinds_.size());
         made.kinds_.push_back({.name = motion_kind});
@@ -69,6 +72,7 @@ Result<ModuleChannels> ModuleChannels::of(const physics::World& world) {
 
 std::vector<bool> ModuleChannels::due(const ModuleKinds& module, std::uint32_t tick) const {
     std::vector<bool> due(module.count);
+    ASSERT(tick > 0 && module.first + module.count <= kinds_.size());
     for (std::uint32_t k = 0; k < module.count; k++)
         due[k] = (tick - 1) % static_cast<std::uint32_t>(kinds_[module.first + k].divisor) == 0;
     return due;
@@ -78,6 +82,7 @@ void ModuleChannels::publish(const physics::World& world, std::uint32_t tick,
                              const physics::ChannelWriter::NameOf& name_of) {
     newly_oversized_.clear();
     if (modules_.empty() && !publishes_motion_ && channels_->empty()) return;
+    ASSERT(!next_);
     next_ = std::make_shared<Channels>();
     next_values_ = 0;
     for (const ModuleKinds& module : modules_) {
@@ -127,6 +132,7 @@ void ModuleChannels::add_motion(const physics::World& world,
 }
 
 void ModuleChannels::add(Channel channel) {
+    ASSERT(channel.values && channel.kind < kinds_.size());
     if (channel.values->size() > channel_values_max)
         return skip_oversized(channel, channel.values->size(), channel_values_max, " values");
     if (next_->size() == channels_max)
@@ -135,6 +141,7 @@ void ModuleChannels::add(Channel channel) {
         return skip_oversized(channel, next_values_ + channel.values->size(), frame_values_max,
                               " values in a world");
     next_values_ += channel.values->size();
+    ASSERT(next_values_ <= frame_values_max);
     const auto old = std::lower_bound(channels_->begin(), channels_->end(), channel, comes_before);
     if (old != channels_->end() && !comes_before(channel, *old) && *old->values == *channel.values)
         channel.values = old->values;
@@ -143,6 +150,7 @@ void ModuleChannels::add(Channel channel) {
 
 void ModuleChannels::skip_oversized(const Channel& channel, std::size_t size, std::size_t max,
                                     const char* noun) {
+    ASSERT(size > max);
     if (!warned_.insert(channel.kind).second) return;
     newly_oversized_.push_back(
         {kinds_[channel.kind].name, channel.entity,

@@ -11,6 +11,7 @@
 #include <memory>
 #include <vector>
 
+#include "jostle/base/check.h"
 #include "jostle/physics/world.h"
 #include "server/world/command.h"
 
@@ -34,9 +35,13 @@ public:
     std::size_t size() const { return size_; }
     bool empty() const { return size_ == 0; }
     const EntityPose& operator[](std::size_t i) const {
+        ASSERT(i < size_);
         return (*blocks_[i / block_size])[i % block_size];
     }
-    const EntityPose& back() const { return (*this)[size_ - 1]; }
+    const EntityPose& back() const {
+        ASSERT(!empty());
+        return (*this)[size_ - 1];
+    }
     const Blocks& blocks() const { return blocks_; }
 
     class Iterator {

@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "jostle/base/check.h"
+
 namespace jostle::server {
 
 bool QueryBroker::is_usable(CopyLayers layers) const {
@@ -11,6 +13,7 @@ bool QueryBroker::is_usable(CopyLayers layers) const {
 }
 
 void QueryBroker::request(CopyLayers layers, Clock::time_point now) {
+    ASSERT(layers < 1U << copy_layer_count);
     const Clock::rep until = (now + request_lifetime).time_since_epoch().count();
     for (std::size_t i = 0; i < requested_until_.size(); i++)
         if (layers >> i & 1) requested_until_[i].store(until, std::memory_order_relaxed);
@@ -24,6 +27,7 @@ QueryFramePtr QueryBroker::acquire(CopyLayers layers) {
 }
 
 CopyLayers QueryBroker::begin_tick(std::uint32_t tick, Clock::time_point now) {
+    ASSERT(tick >= newest_tick_.load(std::memory_order_relaxed));
     newest_tick_.store(tick, std::memory_order_relaxed);
     CopyLayers layers = 0;
     for (std::size_t i = 0; i < requested_until_.size(); i++)

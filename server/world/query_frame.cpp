@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "jostle/base/check.h"
+
 namespace jostle::server {
 
 using namespace physics;
@@ -34,6 +36,7 @@ void add_islands(QueryFrame& frame, const World& world,
         for (const BodyId body : bodies) island.entities.push_back(entity_of_body[body.index]);
         std::ranges::sort(island.entities);
         // The bodies of an island sleep and wake together.
+        ASSERT(!bodies.empty());
         const auto first = world.body(bodies.front());
         island.asleep = first.ok() && !first->awake;
         add(frame.islands, std::move(island), frame, copy_islands);
@@ -89,6 +92,7 @@ ShapeOwners shape_owners_in(const EntityList& entity_list) {
 
 void copy_layers(QueryFrame& frame, const World& world,
                  const std::vector<EntityId>& entity_of_body) {
+    ASSERT(frame.entity_list && frame.shape_owners);
     if (frame.layers & copy_shapes) frame.queries = world.query_frame();
     if (frame.layers & copy_contacts) add_contacts(frame, world);
     if (frame.layers & copy_islands) add_islands(frame, world, entity_of_body);

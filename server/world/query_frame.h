@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "jostle/base/check.h"
 #include "server/world/frame.h"
 
 namespace jostle::server {
@@ -57,7 +58,10 @@ struct QueryFrame {
     std::vector<DebugJoint> joints;
     CopyLayers truncated = 0;  // layers with more than debug_items_max items
 
-    ShapeOwner owner_of(physics::ShapeId shape) const { return (*shape_owners)[shape.index]; }
+    ShapeOwner owner_of(physics::ShapeId shape) const {
+        ASSERT(shape.index < shape_owners->size());
+        return (*shape_owners)[shape.index];
+    }
     // A null id if the entity does not exist.
     physics::BodyId body_of(EntityId entity) const;
 };

@@ -4,6 +4,7 @@
 #include <utility>
 #include <variant>
 
+#include "jostle/base/check.h"
 #include "server/world/rewind_view.h"
 
 namespace jostle::server {
@@ -42,6 +43,7 @@ Result<AimHit> cast_rewound(const HostedState& state, const RewindView& past, co
     Result<AimHit> hit =
         aim_hit_of(state, then->cast_ray({aim.origin, aim.motion}, filter_of(state, aim)));
     if (!hit.ok()) return hit;
+    ASSERT(past.pose_of(hit->entity) && state.entities.find(hit->entity));
     const Transform past_pose = *past.pose_of(hit->entity);
     const Transform pose = state.world.body(state.entities.find(hit->entity)->body)->pose;
     hit->point = apply(pose, apply_inverse(past_pose, hit->point));

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <chrono>
 
+#include "jostle/base/check.h"
+
 namespace jostle::server {
 
 using namespace physics;
@@ -46,6 +48,7 @@ private:
 Transform interpolate(const Transform& a, const Transform& b, double fraction,
                       double seconds_apart) {
     if (a == b) return a;
+    ASSERT(fraction >= 0 && fraction <= 1);
     if (length(b.position - a.position) > speed_max * seconds_apart) return a;
     const Quat &p = a.rotation, &q = b.rotation;
     const double along = p.x * q.x + p.y * q.y + p.z * q.z + p.w * q.w;

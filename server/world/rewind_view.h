@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "jostle/base/check.h"
 #include "jostle/physics/aabb.h"
 #include "jostle/physics/queries.h"
 #include "server/world/frame_ring.h"
@@ -19,7 +20,9 @@ namespace jostle::server {
 
 class RewindView {
 public:
-    explicit RewindView(RewindFrames frames) : frames_(std::move(frames)) {}
+    explicit RewindView(RewindFrames frames) : frames_(std::move(frames)) {
+        ASSERT(frames_.before && frames_.after && frames_.before->tick <= frames_.after->tick);
+    }
 
     std::uint32_t tick() const { return frames_.before->tick; }
     bool clamped() const { return frames_.clamped; }

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "jostle/base/check.h"
 #include "jostle/scenes/geometry_message_bytes.h"
 #include "server/util/clock.h"
 
@@ -122,6 +123,7 @@ Status check_description(const scenes::SceneDescription& scene, const SceneBudge
 
 Result<double> estimate_work(const scenes::SceneDescription& scene, const World& world,
                              const SceneBudget& budget) {
+    ASSERT(scene.hz > 0);
     const double passes = scene.hz * scene.world.substeps;
     std::size_t constant = scene.joints.size();  // work per pass that does not depend on pairs
     for (const scenes::SceneBody& body : scene.bodies)

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "jostle/base/check.h"
+
 namespace jostle::server {
 
 void ScheduledInputs::select_due(std::vector<Command>& batch, std::uint32_t tick,
@@ -23,6 +25,7 @@ void ScheduledInputs::select_due(std::vector<Command>& batch, std::uint32_t tick
         else if (Waiting& to = waiting_[remaining++]; &to != &w)
             to = std::move(w);
     }
+    ASSERT(remaining <= waiting_.size());
     waiting_.resize(remaining);
     for (Command& command : batch) {
         const std::uint32_t at = too_many ? tick : tick_of(command, tick, leave_commands);
@@ -31,6 +34,7 @@ void ScheduledInputs::select_due(std::vector<Command>& batch, std::uint32_t tick
         else
             waiting_.push_back({at, std::move(command)});
     }
+    ASSERT(waiting_.size() <= commands_max_);
     batch.swap(now_);
 }
 
@@ -42,6 +46,7 @@ std::uint32_t ScheduledInputs::tick_of(const Command& command, std::uint32_t tic
     std::uint32_t at = std::clamp(command.tick, tick, tick + ticks_max);
     for (const Waiting& w : waiting_)
         if (w.command.client == command.client) at = std::max(at, w.tick);
+    ASSERT(at >= tick);
     return at;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "server/world/single_step_control.h"
 
+#include "jostle/base/check.h"
+
 namespace jostle::server {
 
 Result<int> SingleStepControl::step(int steps, Clock::duration timeout) {
@@ -15,6 +17,7 @@ Result<int> SingleStepControl::step(int steps, Clock::duration timeout) {
     requested_ = true;
     taken_.wait_until(lock, end, [&] { return !requested_ || published_ == steps; });
     requested_ = false;
+    ASSERT(published_ >= 0 && published_ <= begun_ && begun_ <= steps);
     return published_;
 }
 
@@ -31,6 +34,7 @@ void SingleStepControl::end_tick() {
     if (!requested_.load(std::memory_order_relaxed)) return;
     {
         const std::lock_guard lock(mutex_);
+        ASSERT(published_ <= begun_);
         published_ = begun_;
         if (allowed_ > 0) return;
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "server/world/tick_metrics.h"
 
+#include "jostle/base/check.h"
+
 namespace jostle::server {
 
 TickMetrics::TickMetrics(Metrics* metrics, const std::string& world)
@@ -9,6 +11,7 @@ TickMetrics::TickMetrics(Metrics* metrics, const std::string& world)
 void TickMetrics::end_tick(const Frame& frame, const physics::StepProfile* profile,
                            std::size_t inputs) {
     const Clock::time_point now = Clock::now();
+    ASSERT(now >= begun_);
     if (metrics_) {
         TickSample count{.seconds = std::chrono::duration<double>(now - begun_).count(),
                          .bodies = frame.entities.size(),

@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "jostle/base/check.h"
+
 namespace jostle::server {
 
 Result<std::vector<TickProfile>> TickProfiler::record(Clock::duration time) {
@@ -18,6 +20,7 @@ Result<std::vector<TickProfile>> TickProfiler::record(Clock::duration time) {
     requested_ = true;
     changed_.wait_until(lock, end, [&] { return closed_ || ticks_.size() >= ticks_max; });
     requested_ = false;
+    ASSERT(recording_);
     recording_ = false;
     return std::exchange(ticks_, {});
 }
@@ -28,6 +31,7 @@ void TickProfiler::put(const TickProfile& tick) {
         const std::lock_guard lock(mutex_);
         if (!recording_ || ticks_.size() >= ticks_max) return;
         ticks_.push_back(tick);
+        ASSERT(ticks_.size() <= ticks_max);
         is_full = ticks_.size() >= ticks_max;
     }
     if (is_full) changed_.notify_all();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "server/world/tick_trace.h"
 
+#include "jostle/base/check.h"
 #include "server/metrics/chrome_trace.h"
 
 namespace jostle::server {
@@ -15,6 +16,7 @@ double us_between(Clock::time_point from, Clock::time_point to) {
 
 void add_tick(std::vector<TraceSpan>& spans, const TickProfile& tick, Clock::time_point zero) {
     const double begun = us_between(zero, tick.begun), ended = us_between(zero, tick.ended);
+    ASSERT(ended >= begun);
     const double step_begun = us_between(zero, tick.step_begun);
     spans.push_back({.name = "tick",
                      .start_us = begun,

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "jostle/base/check.h"
 #include "server/util/log.h"
 
 namespace jostle::server {
@@ -70,6 +71,7 @@ Result<std::shared_ptr<WorldHost>> WorldDirectory::create_with(const std::string
         if (Status s = check_name(name); !s.ok()) return s.error();
         if (Status s = check_totals(bodies, 0); !s.ok()) return s.error();
         number = next_++;
+        ASSERT(!worlds_.contains(number));
         worlds_.emplace(number, nullptr);  // reserved while the world is built without the lock
     }
     const std::string id = "w" + std::to_string(number) + (process_.empty() ? "" : "-" + process_);
@@ -89,6 +91,7 @@ Result<std::shared_ptr<WorldHost>> WorldDirectory::create_with(const std::string
         }
         return fits.error();
     }
+    ASSERT(worlds_.contains(number) && !worlds_.at(number));
     worlds_[number] = *host;
     return host;
 }
@@ -134,6 +137,7 @@ std::shared_ptr<WorldHost> WorldDirectory::adopt(WorldStart start) {
     const std::lock_guard lock(mutex_);
     if (!is_id || worlds_.contains(number)) number = next_;
     next_ = std::max(next_, number + 1);
+    ASSERT(!worlds_.contains(number));
     return worlds_[number] = WorldHost::start(std::move(start), settings_);
 }
 
@@ -237,6 +241,7 @@ bool WorldDirectory::replace(const std::shared_ptr<WorldHost>& stopped,
             replacement.host->stop();
             return false;
         }
+        ASSERT(replacement.host);
         at->second = replacement.host;
     }
     if (on_replaced_) on_replaced_(replacement.host, replacement.clients);
@@ -280,6 +285,7 @@ void WorldDirectory::restart(std::uint32_t number, const std::shared_ptr<WorldHo
             : Error{ErrorCode::resource_exhausted,
                     "it failed more than " + std::to_string(restarts_max) + " times in a minute"};
     before.push_back(now);
+    ASSERT(before.size() <= restarts_max + 1);
     if (replacement.ok()) {
         if (!replace(failed, *replacement)) return;
         if (settings_.metrics) settings_.metrics->world_restarts.Increment();

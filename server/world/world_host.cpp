@@ -14,6 +14,7 @@ namespace jostle::server {
 namespace {
 
 WorldProperties properties_of(WorldStart& start) {
+    ASSERT(start.scene && start.tick > 0);
     const scenes::SceneDescription& scene = *start.scene;
     return {.label = std::move(start.label),
             .scene = start.scene,
@@ -141,6 +142,7 @@ void WorldHost::run_tick(Clock::time_point due, std::uint32_t late_ticks) {
     tick_metrics_.begin_tick(began);
     if (checkpoint_copier_) std::exchange(checkpoint_copier_, nullptr)->finish();
     tick_++;
+    ASSERT(tick_ > properties_.first_tick);
     const std::optional<std::string> paused = lifecycle_.paused();
     const std::optional<Error> refusal = input_refusal(paused);
     apply_commands(refusal, due);
@@ -152,6 +154,7 @@ void WorldHost::run_tick(Clock::time_point due, std::uint32_t late_ticks) {
     const std::shared_ptr<Frame> frame = make_frame(due, late_ticks);
     frame->paused = paused;
     if (!stepped) frame->step_ms = 0;
+    ASSERT(frame->tick == tick_ && frame->entity_list);
     publisher_.measure(*frame, began);
     const bool sends_results = !world_journal_ || refusal;
     publish(frame, sends_results);
@@ -267,6 +270,7 @@ void WorldHost::serve_queries() {
 }
 
 CheckpointCopy WorldHost::checkpoint_copy() const {
+    ASSERT(world_journal_);
     CheckpointCopy copy{.tick = tick_,
                         .bodies = world_journal_->take_spare_restore_point(),
                         .host_state = world_.host_state(tick_)};
@@ -277,6 +281,7 @@ CheckpointCopy WorldHost::checkpoint_copy() const {
 void WorldHost::persist_published(double step_ms, bool results_sent) {
     if (std::exchange(step_interrupted_, false)) world_journal_->on_interrupted();
     const std::span<const Command> inputs = mailbox_.inputs();
+    ASSERT(results_.size() == inputs.size());
     std::vector<WaitingResult> results;
     for (std::size_t i = 0; !results_sent && i < inputs.size(); i++)
         if (inputs[i].reply) results.push_back({inputs[i].reply, std::move(results_[i])});
@@ -290,6 +295,7 @@ void WorldHost::hand_over_checkpoint() {
     world_journal_->write_checkpoint(tick_, copier);
     if (copier.use_count() == 1) return;          // the journal does not need it any more
     if (!settings_.own_thread) copier->finish();  // the caller of tick() may read the world
+    ASSERT(!checkpoint_copier_);
     checkpoint_copier_ = std::move(copier);
 }
 

@@ -124,7 +124,7 @@ struct Apply {
                                                  .falloff = 0,
                                                  .standoff = 0.3,
                                                  .points = 32,
-                                                 .most_speed = 2 * c.speed});
+                                                 .max_speed = 2 * c.speed});
         if (!pushes.ok()) return from_solver(pushes.error());
         if (auto* walls = dynamic_cast<modules::Destruction*>(state.world.module("destruction")))
             walls->break_near(state.world, c.center, blast_break_scale * c.radius * c.speed);

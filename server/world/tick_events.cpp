@@ -18,7 +18,7 @@ ContactEvent convert(const physics::ContactBegin& e, const EntityOfBody& entity_
             .b = entity_of(e.body_b),
             .point = e.point,
             .normal = e.normal,
-            .speed = e.approach};
+            .speed = e.approach_speed};
 }
 
 ContactEvent convert(const physics::ContactEnd& e, const EntityOfBody& entity_of) {
@@ -38,7 +38,7 @@ ContactEvent convert(const physics::ContactHit& e, const EntityOfBody& entity_of
             .b = entity_of(e.body_b),
             .point = e.point,
             .normal = e.normal,
-            .speed = e.approach};
+            .speed = e.approach_speed};
 }
 
 TriggerEvent convert(const physics::TriggerEvent& e, const EntityOfBody& entity_of) {

@@ -34,7 +34,7 @@ struct ReversedContact {
     physics::ShapeId other;
     physics::BodyId other_body;
     physics::Vec3 point, normal;  // from the chunk
-    double approach = 0;          // m/s
+    double approach_speed = 0;    // m/s
 };
 
 // State before the step of a body of a destructible, or of one near it.

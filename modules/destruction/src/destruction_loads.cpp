@@ -193,18 +193,18 @@ void Destruction::gather_contacts(const World& world, double dt) {
     const Events events = world.events();
     for (const ContactBegin& e : events.contacts_began)
         add_impact(world, dt, e.shape_a, e.shape_b, e.body_a, e.body_b, e.point, e.normal,
-                   e.approach);
+                   e.approach_speed);
     for (const ContactHit& e : events.hits)
         if (!is_impact(e.shape_a, e.shape_b))
             add_impact(world, dt, e.shape_a, e.shape_b, e.body_a, e.body_b, e.point, e.normal,
-                       e.approach);
+                       e.approach_speed);
     for (const ReversedContact& e : reversed_contacts_) {
         const Destructible& destructible = destructibles_[e.destructible];
         const ShapeId own = destructible.chunks[e.chunk].shape;
         if (!find_bonded_shape(own) || is_impact(own, e.other)) continue;
         add_impact(world, dt, own, e.other,
                    destructible.pieces[destructible.chunks[e.chunk].piece].body, e.other_body,
-                   e.point, e.normal, e.approach);
+                   e.point, e.normal, e.approach_speed);
     }
     for (const ContactStay& e : events.contacts) add_stay(world, e, dt);
     add_unreported_impacts(world, dt);

@@ -147,7 +147,7 @@ void Destruction::visit(StateVisitor& v) {
         v.field("other_body", again.other_body);
         bounded(v, "point", again.point, 1e9);
         unit_vector(v, "normal", again.normal);
-        bounded(v, "approach", again.approach, 0, 1e9);
+        bounded(v, "approach", again.approach_speed, 0, 1e9);
     });
     if (v.loading()) derived_ = false;
 }

@@ -51,7 +51,7 @@ public:
         mutual_pull_ = scene.mutual_pull;
         if (scene.central_pull == 0) return {};
         const physics::RadialField pull{
-            .strength = -scene.central_pull, .falloff = 2, .nearest = 1e-3, .per_mass = true};
+            .strength = -scene.central_pull, .falloff = 2, .min_distance = 1e-3, .per_mass = true};
         if (auto field = world_->create_field({.force = pull}); !field) return field.error();
         return {};
     }

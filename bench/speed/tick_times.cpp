@@ -17,7 +17,7 @@ struct Tick {
 
 // Whether a span is a stage of the step.
 bool is_stage(const std::string& name) {
-    return name != "inputs" && name != "frame_and_answers";
+    return name != "inputs" && name != "frame_and_results";
 }
 
 // In the trace, each tick precedes its stages.

@@ -119,9 +119,9 @@ SceneDescription machines() {
     const std::size_t rotor =
         add(scene, dynamic_body("rotor", {8, 3, 0}, Cylinder{0.8, 0.1}), 0x9b5de5);
     SixDofAxes gimbal;
-    gimbal.turn_x = {.free = true, .spring = {0.5, 0.1}};
-    gimbal.turn_y = {.free = true, .motor = {true, 12, 2000}};
-    gimbal.turn_z = {.free = true, .limit = {true, -0.6, 0.6}};
+    gimbal.rotation_x = {.free = true, .spring = {0.5, 0.1}};
+    gimbal.rotation_y = {.free = true, .motor = {true, 12, 2000}};
+    gimbal.rotation_z = {.free = true, .limit = {true, -0.6, 0.6}};
     join(scene, "gimbal", floor, rotor, {{8, 3, 0}, {}}, SixDofJoint{gimbal});
     scene.bodies[rotor].body.angular_velocity = {0.5, 0, 0.5};
 
@@ -131,7 +131,7 @@ SceneDescription machines() {
     SceneJoint hand{.name = "hand", .body_a = world_body, .body_b = held, .joint = {}};
     hand.joint.frame_a = {{8, 3, 6}, {}};
     hand.joint.frame_b = {{0.3, 0.2, 0}, {}};
-    hand.joint.kind = GrabJoint{.spring = {2, 0.3}, .max_force = 5000, .turn_damping = 1};
+    hand.joint.kind = GrabJoint{.spring = {2, 0.3}, .max_force = 5000, .angular_damping = 1};
     scene.joints.push_back(hand);
     return scene;
 }

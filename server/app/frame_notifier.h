@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Wakes the listeners when a world has published a frame. Worlds publish before the listeners exist
-// and while they are being closed, so the wake-up goes through this object. Any thread.
+// and while they close, so they wake the listeners through this object. Any thread.
 #pragma once
 
 #include <mutex>
@@ -13,7 +13,7 @@ namespace jostle::server {
 
 class FrameNotifier {
 public:
-    // Null: wake() skips it. Returns after a running wake() has ended.
+    // wake() skips a null listener. Returns after a running wake() has ended.
     void set_listeners(GrpcServer* grpc, HttpServer* http) {
         const std::lock_guard lock(mutex_);
         grpc_ = grpc;

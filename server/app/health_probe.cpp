@@ -33,7 +33,7 @@ namespace http = boost::beast::http;
 namespace health = grpc::health::v1;
 using asio::ip::tcp;
 
-// Supervisors give up on a probe after some seconds: its own answer says more than that.
+// Below the timeout of supervisors (3 s and more), so that the probe reports the cause itself.
 constexpr auto probe_timeout = std::chrono::milliseconds(2500);
 
 std::string text_of(const HostPort& address) {
@@ -47,8 +47,8 @@ Result<HostPort> reachable(const char* setting, const std::string& address) {
     if (!parsed.ok()) return parsed;
     if (parsed->port == 0)
         return Error{ErrorCode::invalid_argument,
-                     fmt::format("{} is {}: a free port was taken there; name the one that the "
-                                 "server wrote to its port file",
+                     fmt::format("{}: {} has port 0, which stands for any free port; set the port "
+                                 "that the server wrote to its port file",
                                  setting, address)};
     if (parsed->host == "0.0.0.0") parsed->host = "127.0.0.1";
     if (parsed->host == "::") parsed->host = "::1";
@@ -58,7 +58,8 @@ Result<HostPort> reachable(const char* setting, const std::string& address) {
 std::shared_ptr<grpc::ChannelCredentials> credentials(const std::string& certificates) {
     if (certificates.empty()) return grpc::InsecureChannelCredentials();
     grpc::experimental::TlsChannelCredentialsOptions options;
-    // gRPC wants roots even where it checks nothing by them, and an image may have none.
+    // gRPC requires root certificates even without verification, and a container image may have
+    // none.
     options.set_certificate_provider(
         std::make_shared<grpc::experimental::StaticDataCertificateProvider>(certificates));
     options.watch_root_certs();
@@ -69,11 +70,11 @@ std::shared_ptr<grpc::ChannelCredentials> credentials(const std::string& certifi
     return grpc::experimental::TlsCredentials(options);
 }
 
-// What is wrong with gRPC, or nothing.
+// Returns the failure of the gRPC health service, or nothing.
 std::optional<std::string> probe_grpc(const HealthTarget& target,
                                       std::chrono::milliseconds timeout) {
     grpc::ChannelArguments arguments;
-    arguments.SetInt(GRPC_ARG_ENABLE_HTTP_PROXY, 0);  // never by way of another machine
+    arguments.SetInt(GRPC_ARG_ENABLE_HTTP_PROXY, 0);  // the server runs on this machine
     const auto stub = health::Health::NewStub(grpc::CreateCustomChannel(
         text_of(target.grpc), credentials(target.certificates), arguments));
     grpc::ClientContext context;
@@ -97,7 +98,7 @@ asio::awaitable<http::status> get_healthz(Stream& stream, const std::string& hos
     co_return parser.get().result();
 }
 
-asio::awaitable<http::status> ask_http(asio::io_context& io, const HealthTarget& target) {
+asio::awaitable<http::status> request_healthz(asio::io_context& io, const HealthTarget& target) {
     tcp::resolver resolver(io);
     const auto addresses = co_await resolver.async_resolve(
         target.http.host, std::to_string(target.http.port), asio::use_awaitable);
@@ -115,19 +116,20 @@ asio::awaitable<http::status> ask_http(asio::io_context& io, const HealthTarget&
     co_return co_await get_healthz(stream, host);
 }
 
-// What is wrong with HTTP, or nothing.
+// Returns the failure of /healthz, or nothing.
 std::optional<std::string> probe_http(const HealthTarget& target,
                                       std::chrono::milliseconds timeout) {
     asio::io_context io;
-    std::optional<std::string> fault = "no answer in time";
-    asio::co_spawn(io, ask_http(io, target),
+    std::optional<std::string> fault = fmt::format("no response within {} ms", timeout.count());
+    asio::co_spawn(io, request_healthz(io, target),
                    [&](const std::exception_ptr& failure, http::status status) {
-                       // Asio's coroutines report a socket's error as an exception.
+                       // Asio coroutines report socket errors as exceptions.
                        try {
                            if (failure) std::rethrow_exception(failure);
                            fault.reset();
                            if (status != http::status::ok)
-                               fault = fmt::format("status {}", static_cast<unsigned>(status));
+                               fault = fmt::format("status {}; expected 200",
+                                                   static_cast<unsigned>(status));
                        } catch (const std::exception& error) {
                            fault = error.what();
                        }
@@ -148,8 +150,9 @@ Result<HealthTarget> health_target(const Config& config) {
     std::ifstream file(config.tls.certificate, std::ios::binary);
     target.certificates.assign(std::istreambuf_iterator<char>(file), {});
     if (target.certificates.empty())
-        return Error{ErrorCode::not_found,
-                     "tls.certificate: cannot read " + config.tls.certificate};
+        return Error{ErrorCode::not_found, "tls.certificate: cannot read " +
+                                               config.tls.certificate +
+                                               "; must be a readable PEM file"};
     return target;
 }
 
@@ -165,18 +168,18 @@ Result<std::string> probe_health(const HealthTarget& target, std::chrono::millis
         return Error{ErrorCode::unavailable, fmt::format("gRPC on {}: {}", grpc, *fault)};
     if (const auto fault = probe_http(target, left()))
         return Error{ErrorCode::unavailable, fmt::format("{}: {}", http, *fault)};
-    return fmt::format("gRPC on {} and {} serve", grpc, http);
+    return fmt::format("gRPC on {} and {} are serving", grpc, http);
 }
 
 int run_health_probe(const Config& config) {
     const Result<HealthTarget> target = health_target(config);
-    const Result<std::string> found =
+    const Result<std::string> result =
         target.ok() ? probe_health(*target, probe_timeout) : target.error();
-    if (found.ok())
-        std::printf("healthy: %s\n", found->c_str());
+    if (result.ok())
+        std::printf("healthy: %s\n", result->c_str());
     else
-        std::printf("not healthy: %s\n", found.error().message.c_str());
-    return found.ok() ? 0 : 1;
+        std::printf("not healthy: %s\n", result.error().message.c_str());
+    return result.ok() ? 0 : 1;
 }
 
 }  // namespace jostle::server

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// `jostle-server --health`: asks a server on this machine whether it serves, and answers with an
-// exit status. Containers, which have no shell and no curl, call it for their health check; so may
-// an operator. It asks both doors: gRPC's health service, and /healthz over HTTP. A process that
-// still answers one of them but not the other is not healthy.
+// `jostle-server --health`: checks whether the server on this machine is serving and returns an
+// exit status. Container images have neither a shell nor curl, so their health checks run this
+// probe. It calls both listeners: the gRPC health service and /healthz over HTTP. A server is
+// healthy only if both respond.
 #pragma once
 
 #include <chrono>
@@ -13,24 +13,24 @@
 
 namespace jostle::server {
 
-// Where to ask. A server that listens on all addresses is asked on loopback.
+// The addresses to probe. A server that listens on all addresses is probed on loopback.
 struct HealthTarget {
     HostPort grpc, http;
-    // The server's certificates as it presents them (PEM); empty: the doors speak no TLS. They are
-    // not checked: they name the server as others see it, not the loopback address, to start it
-    // anew would mend none of them, and nothing secret is sent.
+    // The certificate chain that the server presents (PEM); empty: no TLS. The probe does not
+    // verify it: the certificate names the public host and not the loopback address, a restart
+    // cannot repair a certificate, and the probe sends no secrets.
     std::string certificates;
 };
 
-// From settings that check() found good. Errors name the setting that leads to no port or to no
-// file.
+// Requires a configuration that passed check(). Errors name the setting that has no usable port or
+// no readable file.
 Result<HealthTarget> health_target(const Config& config);
 
-// What both doors said, in one line; an error says what the door that failed said. Takes no longer
-// than `patience`, and a moment.
+// Returns the state of both listeners in one line; an error holds the response of the listener that
+// failed. Takes at most `timeout` and a few milliseconds.
 Result<std::string> probe_health(const HealthTarget& target, std::chrono::milliseconds timeout);
 
-// Prints one line and returns the exit status within 3 s: 0 healthy, 1 not.
+// Prints one line and returns the exit status within 3 s: 0 healthy, 1 not healthy.
 int run_health_probe(const Config& config);
 
 }  // namespace jostle::server

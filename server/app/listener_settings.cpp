@@ -5,6 +5,8 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <utility>
 
 #include "server/config/exposure.h"
@@ -15,7 +17,7 @@ namespace jostle::server {
 
 namespace {
 
-// Connections need file descriptors, and HTTP, worlds and files take their share of them.
+// Each connection takes file descriptors; HTTP, worlds and files need the reserved ones.
 ConnectionTableLimits connection_limits(const ConnectionLimits& configured) {
     constexpr rlim_t reserved = 1200;
     constexpr rlim_t per_connection = 3;  // the client's socket and a pair of sockets to gRPC
@@ -107,7 +109,8 @@ void raise_descriptor_limit() {
     if (getrlimit(RLIMIT_NOFILE, &limit) != 0 || limit.rlim_cur == limit.rlim_max) return;
     limit.rlim_cur = limit.rlim_max;
     if (setrlimit(RLIMIT_NOFILE, &limit) != 0)
-        log_warn("cannot raise the limit of open files above {}", limit.rlim_cur);
+        log_warn("cannot raise the limit of open files to {}: {}", limit.rlim_max,
+                 std::strerror(errno));
 }
 
 std::filesystem::path find_web_root(const std::string& configured) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Translates the configuration into the settings of worlds and listeners, and asks the system for
-// what they need. Pure functions unless noted; main thread.
+// Translates the configuration into the settings of worlds and listeners, and acquires the system
+// resources that they need. Pure functions unless noted; main thread.
 #pragma once
 
 #include <filesystem>
@@ -26,16 +26,17 @@ GrpcSettings grpc_settings(const Config& config, Metrics& metrics,
                            const CertificateStore* certificates);
 HttpServerSettings http_settings(const Config& config, Metrics& metrics,
                                  const CertificateStore* certificates);
-// The operators' listener serves few small requests. Beyond this machine it requires a client
-// certificate if the configuration names an authority for them.
+// The admin listener serves few small requests. On addresses other than loopback it requires a
+// client certificate if the configuration sets tls.client_ca.
 HttpServerSettings admin_settings(const Config& config, Metrics& metrics,
                                   const CertificateStore* certificates);
 DatagramServerSettings datagram_settings(const Config& config, Metrics& metrics);
 
 // Raises the limit of open files of this process to the maximum that the system allows.
 void raise_descriptor_limit();
-// The folder of the viewer: as configured, or, if that does not exist from the current folder,
-// relative to the project in which the program was built or to the installation prefix.
+// The folder of the viewer: the configured path, or, if it does not exist relative to the current
+// folder, the same path in the source tree of the program or share/jostle/web of its installation
+// prefix.
 std::filesystem::path find_web_root(const std::string& configured);
 // The host name that clients use for a listener at `host`.
 std::string reachable_host(const std::string& host, const std::string& advertised_host);

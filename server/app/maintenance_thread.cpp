@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "jostle/base/check.h"
 #include "server/app/service_manager.h"
 #include "server/util/log.h"
 
@@ -15,6 +16,7 @@ MaintenanceThread::MaintenanceThread(Authorizer& authorizer, CertificateStore* c
       certificates_(certificates),
       every_second_(std::move(every_second)),
       is_healthy_(std::move(is_healthy)) {
+    ASSERT(every_second_ && is_healthy_);
     thread_ = std::thread([this] {
         wait_for_signal();
         poll_files();
@@ -31,7 +33,7 @@ MaintenanceThread::~MaintenanceThread() {
 void MaintenanceThread::wait_for_signal() {
     signals_.async_wait([this](const boost::system::error_code& error, int) {
         if (error) return;
-        log_info("SIGHUP: keys and certificates are read again");
+        log_info("SIGHUP: reloading keys and certificates");
         authorizer_.reload();
         if (certificates_) certificates_->reload(std::chrono::system_clock::now());
         wait_for_signal();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What is to be done now and then: looks every second whether keys and certificates have changed
-// and which clients will not come back any more, reads them at once on SIGHUP, and tells systemd
-// that the server is well while it is. Has a thread of its own for as long as it lives.
+// Periodic maintenance on a thread of its own. Each second it reloads changed keys and
+// certificates and calls `every_second`, which removes clients whose resume timeout expired. SIGHUP
+// reloads keys and certificates at once. While the server is healthy, it pings systemd's watchdog.
 #pragma once
 
 #include <boost/asio/io_context.hpp>
@@ -19,8 +19,8 @@ namespace jostle::server {
 
 class MaintenanceThread {
 public:
-    // Gate and certificates outlive it; null certificates: there are none. `every_second`,
-    // `is_healthy`: any thread.
+    // `authorizer` and `certificates` must outlive this object; null certificates: no TLS. The
+    // functions are called on the maintenance thread.
     MaintenanceThread(Authorizer& authorizer, CertificateStore* certificates,
                       std::function<void()> every_second, std::function<bool()> is_healthy);
     ~MaintenanceThread();

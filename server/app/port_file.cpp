@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "server/app/port_file.h"
 
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <fstream>
 
 namespace jostle::server {
@@ -17,7 +19,8 @@ Status write_port_file(const std::string& path, const Ports& ports) {
     out << "}\n";
     out.close();
     if (!out || std::rename(temporary.c_str(), path.c_str()) != 0)
-        return Error{ErrorCode::unavailable, "cannot write the port file " + path};
+        return Error{ErrorCode::unavailable,
+                     "cannot write the port file " + path + ": " + std::strerror(errno)};
     return {};
 }
 

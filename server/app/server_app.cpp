@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "jostle/base/check.h"
 #include "server/app/frame_notifier.h"
 #include "server/app/listener_settings.h"
 #include "server/app/maintenance_thread.h"
@@ -34,7 +35,8 @@ namespace {
 
 // Closing sockets, threads and worlds after the drain takes at most this long ...
 constexpr auto graceful_shutdown_max = std::chrono::milliseconds(2500);
-// ... of which writing the last checkpoints takes at most this. Without them the journal suffices.
+// ... of which writing the last checkpoints takes at most this. Recovery without them replays a
+// longer journal.
 constexpr auto flush_timeout = std::chrono::milliseconds(1800);
 
 std::vector<std::string> stage_names() {
@@ -52,8 +54,8 @@ std::string process_suffix() {
 
 }  // namespace
 
-// Members are declared in the order in which they start; each uses only those above it, and stop()
-// goes through them in reverse.
+// Members are declared in the order in which they start, and each uses only those above it. stop()
+// stops them in reverse order.
 class ServerApp::Impl {
 public:
     Impl(Config config, const Options& options)
@@ -82,7 +84,7 @@ private:
     bool all_worlds_tick() const { return watchdog_->all_worlds_tick(Clock::now()); }
     void refresh_metrics();
 
-    Shutdown shutdown_;  // first: it catches signals that arrive during the start
+    Shutdown shutdown_;  // first, because it catches signals that arrive during the start
     const Config config_;
     Metrics metrics_;
     RpcMetrics rpc_metrics_{metrics_};
@@ -197,6 +199,7 @@ Status ServerApp::Impl::start_listeners() {
     std::vector<CallMethod> methods = world_methods(*world_control_, *worlds_);
     std::ranges::move(query_methods(*query_control_, *worlds_), std::back_inserter(methods));
     std::ranges::move(admin_methods(*admin_control_, *worlds_), std::back_inserter(methods));
+    ASSERT(world_control_ && query_control_ && admin_control_ && http_routes_);
     grpc_.emplace(
         *context_, std::move(methods), [this] { return all_worlds_tick(); },
         grpc_settings(config_, metrics_, certificates_.get()));
@@ -218,6 +221,7 @@ Status ServerApp::Impl::start_listeners() {
 }
 
 void ServerApp::Impl::announce() {
+    ASSERT(grpc_ && http_ && ports_.grpc != 0 && ports_.http != 0);
     const std::string grpc_host = parse_host_port(config_.listen)->host;
     const std::string web = fmt::format(
         "{}:{}", reachable_host(parse_host_port(config_.http)->host, config_.advertised_host),
@@ -253,17 +257,17 @@ void ServerApp::Impl::stop() {
     if (admin_control_) admin_control_->stop();
     if (http_) http_->stop();
     if (grpc_) grpc_->stop();
-    if (admin_) admin_->stop();  // last, so that operators can watch the end
+    if (admin_) admin_->stop();  // the last listener, so that operators can observe the shutdown
     if (worlds_) worlds_->stop_all();
     if (archive_ && !archive_->flush(flush_timeout))
-        log_error("not everything was persisted: {}",
-                  archive_->failure_reason().value_or("the database is slow"));
+        log_error("cannot write the last checkpoints: {}",
+                  archive_->failure_reason().value_or("the database is too slow"));
 }
 
 std::optional<std::string> ServerApp::Impl::not_ready_reason() const {
     if (context_->draining) return "the server is shutting down";
     const auto failure = archive_ ? archive_->failure_reason() : std::nullopt;
-    if (failure) return "inputs are refused because they cannot be persisted: " + *failure;
+    if (failure) return "the server refuses inputs because it cannot persist them: " + *failure;
     return std::nullopt;
 }
 

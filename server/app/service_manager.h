@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Tells systemd how the server is, for units of Type=notify: ready, alive, going down. The protocol
-// is one datagram of lines to the socket in $NOTIFY_SOCKET (man sd_notify), so no library is
-// needed. Without that variable nobody asked, and every call does nothing. Any thread; no call
-// waits.
+// Reports the server's state to systemd, for units of Type=notify: ready, alive, stopping. The
+// protocol is one datagram of lines to the socket in $NOTIFY_SOCKET (man sd_notify), so no library
+// is needed. Without that variable every call does nothing. Any thread; no call blocks.
 #pragma once
 
 #include <chrono>
@@ -12,19 +11,19 @@
 
 namespace jostle::server {
 
-// Each returns whether a manager was told. What keeps one from being told is logged as a warning:
-// the server goes on, and systemd does what its unit says about silence.
+// Each returns whether the notification was sent. A failure is logged as a warning and the server
+// continues; systemd then applies the timeout of the unit.
 
-// Clients can connect now. `status` is the line that `systemctl status` shows.
+// Clients can connect. `status` is the line that `systemctl status` shows.
 bool notify_ready(std::string_view status);
 // A drain begins.
 bool notify_stopping();
-// Everything that should move does. Call it every watchdog_period(), from the thread that checks;
-// when it stays out, systemd kills the server and starts it anew.
+// The server is healthy. Call it every watchdog_period(); without it systemd kills the server and
+// restarts it.
 bool notify_watchdog();
 
-// How often the manager wants to hear notify_watchdog(): half of the time after which it kills.
-// Nothing when it does not, or when it watches another process.
+// The interval for notify_watchdog(): half of systemd's watchdog timeout. Nothing if the watchdog
+// is off or watches another process.
 std::optional<std::chrono::microseconds> watchdog_period();
 
 }  // namespace jostle::server

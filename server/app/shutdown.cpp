@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "server/app/shutdown.h"
 
+#include "jostle/base/check.h"
 #include "server/app/service_manager.h"
 #include "server/util/log.h"
 
@@ -47,8 +48,9 @@ void Shutdown::await_operator() {
 }
 
 void Shutdown::begin() {
+    ASSERT(!begun_ && grpc_ && http_server_ && context_);
     begun_ = true;
-    log_info("going down: telling {} clients", context_->sessions.clients());
+    log_info("draining: notifying {} clients", context_->sessions.clients());
     notify_stopping();
     context_->draining = true;
     grpc_->drain(drain_);
@@ -63,7 +65,7 @@ void Shutdown::wait_for_clients() {
     timer_.async_wait([this](const boost::system::error_code&) { wait_for_clients(); });
 }
 
-// What is still there is told that it is over, and given a moment to hear it.
+// Sends the remaining clients a final notice and waits until the listeners have flushed it.
 void Shutdown::finish() {
     context_->closing = true;
     wake();

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The end of a server: by a signal (SIGTERM, SIGINT) or an operator's word. Signals are caught from
-// the moment this exists, so that one that comes while worlds are still built is not lost. One
-// thread.
+// The drain of a server, started by a signal (SIGTERM, SIGINT) or an operator's Drain call. Signals
+// are caught from construction on, so that a signal during the start is not lost. One thread.
 #pragma once
 
 #include <boost/asio/io_context.hpp>
@@ -18,11 +17,11 @@ namespace jostle::server {
 
 class Shutdown {
 public:
-    // `handle_signals` false: only an operator or ServerApp::drain() begins it.
+    // `handle_signals` false: only an operator or ServerApp::drain() starts the drain.
     explicit Shutdown(bool handle_signals);
 
-    // Waits for the first of them, then gives clients `drain_timeout_seconds` to leave; a further
-    // signal ends the wait.
+    // Blocks until the drain starts, then until every client has left or `drain_timeout_seconds`
+    // have passed. Another signal ends the wait at once.
     void wait(double drain_timeout_seconds, GrpcServer& grpc, HttpServer& http_server,
               PlayContext& context);
 

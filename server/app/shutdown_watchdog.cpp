@@ -11,9 +11,11 @@ ShutdownWatchdog::ShutdownWatchdog(Clock::duration timeout)
     : thread_([this, timeout] {
           std::unique_lock lock(mutex_);
           if (ended_.wait_for(lock, timeout, [this] { return done_; })) return;
-          log_error("something did not end in time: exit at once");
+          log_error("shutdown took longer than {} ms; exit with status {}",
+                    std::chrono::duration_cast<std::chrono::milliseconds>(timeout).count(),
+                    exit_status);
           stop_log();
-          std::_Exit(status);
+          std::_Exit(exit_status);
       }) {}
 
 ShutdownWatchdog::~ShutdownWatchdog() {

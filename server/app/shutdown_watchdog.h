@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Ends the process when it has not ended by itself in time: whatever hangs, a supervisor is obeyed.
+// Ends the process if the shutdown takes longer than a timeout, so that a hanging thread cannot
+// block a supervisor.
 #pragma once
 
 #include <condition_variable>
@@ -13,11 +14,11 @@ namespace jostle::server {
 
 class ShutdownWatchdog {
 public:
-    static constexpr int status = 3;
+    static constexpr int exit_status = 3;
 
-    // From now on.
+    // The timeout starts now.
     explicit ShutdownWatchdog(Clock::duration timeout);
-    ~ShutdownWatchdog();  // in time
+    ~ShutdownWatchdog();  // cancels it
 
 private:
     std::mutex mutex_;

@@ -26,7 +26,7 @@ Status create_configured_worlds(const Config& config, WorldDirectory& worlds) {
         };
         const std::size_t equals = entry.find('=');
         const bool named = equals != std::string::npos;
-        if (named && worlds.find(entry.substr(0, equals))) continue;  // it was persisted
+        if (named && worlds.find(entry.substr(0, equals))) continue;  // resumed from the database
         const auto scene = scenes::load_scene(named ? entry.substr(equals + 1) : entry);
         if (!scene.ok()) return failed(scene.error());
         if (!named && worlds.find(scene->name)) continue;

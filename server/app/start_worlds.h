@@ -15,8 +15,8 @@ namespace jostle::server {
 // Resumes every persisted world; its clients may reconnect within resume_timeout_seconds.
 void resume_persisted_worlds(WorldArchive& archive, PlayContext& context);
 
-// Creates a world of each entry of Config::scenes ("pyramid", "my.json" or "arena=pyramid") whose
-// name no world has yet. Errors name the entry.
+// Creates a world for each entry of Config::scenes ("pyramid", "my.json" or "arena=pyramid") unless
+// a world of its name exists. Errors name the entry.
 Status create_configured_worlds(const Config& config, WorldDirectory& worlds);
 
 }  // namespace jostle::server

@@ -4,6 +4,8 @@
 #include <array>
 #include <string>
 
+#include "jostle/base/check.h"
+
 namespace jostle::server {
 
 namespace {
@@ -59,6 +61,7 @@ constexpr std::array<std::string_view, 2> not_files = {"/api", "/debug"};
 
 // Removes the next segment from a path with a leading '/' and returns it without the '/'.
 std::string_view take_segment(std::string_view& path) {
+    ASSERT(path.starts_with('/'));
     path.remove_prefix(1);
     const std::string_view part = path.substr(0, path.find('/'));
     path.remove_prefix(part.size());
@@ -87,6 +90,7 @@ bool may_be_file(std::string_view path) {
 std::string_view name_of(CallKind kind) {
     static constexpr std::array<std::string_view, 9> names = {
         "open", "read", "query", "join", "play", "inputs", "create", "delete", "admin"};
+    ASSERT(static_cast<std::size_t>(kind) < names.size());
     return names[static_cast<std::size_t>(kind)];
 }
 

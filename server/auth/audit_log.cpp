@@ -12,6 +12,7 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
+#include "jostle/base/check.h"
 #include "server/util/log.h"
 #include "server/util/text.h"
 
@@ -71,6 +72,7 @@ AuditLog::~AuditLog() {
         give_up_ = Clock::now() + 1s;
     }
     work_.notify_all();
+    ASSERT(thread_.joinable());
     thread_.join();
     ::close(file_);
 }
@@ -85,6 +87,7 @@ void AuditLog::record(const AuditEntry& entry) {
             return;
         }
         queue_.push_back(std::move(line));
+        ASSERT(queue_.size() <= queue_max);
     }
     work_.notify_one();
 }
@@ -141,6 +144,7 @@ bool AuditLog::wait_for_work(std::vector<std::string>& lines) {
         work_.wait(lock, [&] { return is_work() || unwritten_.any(); });
     }
     lines.swap(queue_);
+    ASSERT(queue_.empty() && lines.size() <= queue_max);
     writing_ = true;
     return !stop_ || ((!lines.empty() || unwritten_.any()) && Clock::now() < give_up_);
 }
@@ -161,9 +165,11 @@ void AuditLog::write_line(const std::string& line) {
 bool AuditLog::write_some(const std::string& line, std::size_t& offset) {
     pollfd ready{.fd = file_, .events = POLLOUT, .revents = 0};
     if (::poll(&ready, 1, 0) <= 0) return false;
+    ASSERT(offset < line.size());
     const std::size_t size = std::min(chunk_bytes, line.size() - offset);
     const ssize_t written = ::write(file_, line.data() + offset, size);
     if (written > 0) offset += static_cast<std::size_t>(written);
+    ASSERT(offset <= line.size());
     if (written < 0 && errno != EAGAIN && errno != EINTR) log_failure_once(errno);
     return written > 0;
 }
@@ -195,6 +201,7 @@ void AuditLog::switch_file() {
                   std::strerror(errno));
         return;
     }
+    ASSERT(file_ >= 0);
     ::close(std::exchange(file_, fresh));
 }
 

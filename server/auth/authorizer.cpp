@@ -5,6 +5,7 @@
 
 #include <optional>
 
+#include "jostle/base/check.h"
 #include "server/config/exposure.h"
 #include "server/util/address.h"
 
@@ -173,6 +174,7 @@ Result<Identity> Authorizer::identify(const PeerCredentials& caller, const Clock
 // address whose tokens are refused repeatedly must therefore wait, even with a valid token.
 Result<Identity> Authorizer::identify_token(const PeerCredentials& caller, const ClockPair& now) {
     const std::string network = network_of(caller.address);
+    ASSERT(!caller.bearer.empty());
     AuditEntry entry{.time = now.wall, .what = "login", .outcome = "refused"};
     entry.address = caller.address;
     const auto refuse = [&](Error error) {
@@ -202,6 +204,7 @@ Status Authorizer::admit(const Identity& who, const AccessRequest& request, cons
     }
     AuditEntry entry = entry_of(who, request, now);
     entry.outcome = status.ok() ? "granted" : "refused";
+    ASSERT(row || !status.ok());
     if (!status.ok()) {
         entry.reason = status.error().message;
         audit_refusal(entry, now);
@@ -290,6 +293,7 @@ Result<std::string_view> parse_bearer(std::string_view authorization) {
     for (std::size_t i = 0; has_scheme && i < scheme.size(); ++i)
         has_scheme = (authorization[i] | (scheme[i] == ' ' ? 0 : 0x20)) == scheme[i];
     if (!has_scheme) return unauthenticated("the Authorization header is not \"Bearer TOKEN\"");
+    ASSERT(authorization.size() > scheme.size());
     return authorization.substr(scheme.size());
 }
 

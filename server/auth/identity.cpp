@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "jostle/base/check.h"
+
 namespace jostle::server {
 
 namespace {
@@ -14,6 +16,7 @@ constexpr std::array<std::string_view, 5> role_names = {"none", "viewer", "playe
 }  // namespace
 
 std::string_view name_of(Role role) {
+    ASSERT(static_cast<std::size_t>(role) < role_names.size());
     return role_names[static_cast<std::size_t>(role)];
 }
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <optional>
 
+#include "jostle/base/check.h"
 #include "server/auth/base64url.h"
 #include "server/auth/strict_json.h"
 
@@ -31,6 +32,7 @@ struct Parts {
 std::optional<Parts> split(std::string_view token) {
     if (std::ranges::count(token, '.') != 2) return std::nullopt;
     const std::size_t first = token.find('.'), second = token.rfind('.');
+    ASSERT(first < second);
     return Parts{.header = token.substr(0, first),
                  .claims = token.substr(first + 1, second - first - 1),
                  .signature = token.substr(second + 1),
@@ -189,6 +191,7 @@ Result<Identity> verify_token(std::string_view token, const VerifyKeys& keys,
     if (Status s = check_times(*times, rules.leeway, now); !s.ok()) return s.error();
     if (Status s = check_parties(*claims, rules); !s.ok()) return s.error();
     Result<Identity> who = read_identity(*claims);
+    ASSERT(times->expires);
     if (who.ok()) who->expires = *times->expires + rules.leeway;
     return who;
 }

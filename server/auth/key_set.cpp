@@ -3,6 +3,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include "jostle/base/check.h"
 #include "server/auth/base64url.h"
 #include "server/auth/strict_json.h"
 #include "server/util/log.h"
@@ -67,6 +68,7 @@ Result<ParsedKeySet> read_key_set(std::string_view text) {
             out.warnings.push_back(fmt::format("key {} is skipped: {}", i + 1, fault));
             continue;
         }
+        ASSERT(point && string_member(key, "kid"));
         if (!out.keys.emplace(*string_member(key, "kid"), *point).second)
             return broken(fmt::format("key {} has the kid of an earlier key", i + 1));
     }
@@ -82,6 +84,7 @@ Result<std::unique_ptr<KeySet>> KeySet::open(std::string path) {
 
 std::shared_ptr<const VerifyKeys> KeySet::keys() const {
     const std::lock_guard lock(mutex_);
+    ASSERT(keys_);
     return keys_;
 }
 
@@ -114,6 +117,7 @@ Status KeySet::read() {
     auto keys = std::make_shared<const VerifyKeys>(std::move(read->keys));
     const std::lock_guard lock(mutex_);
     keys_ = std::move(keys);
+    ASSERT(!keys_->empty());
     return {};
 }
 

@@ -10,12 +10,14 @@
 #include <unordered_map>
 #include <utility>
 
+#include "jostle/base/check.h"
+
 namespace jostle::server {
 
 template <class Value>
 class LruMap {
 public:
-    explicit LruMap(std::size_t size_max) : size_max_(size_max) {}
+    explicit LruMap(std::size_t size_max) : size_max_(size_max) { ASSERT(size_max > 0); }
     LruMap(const LruMap&) = delete;  // index_ points into entries_
     LruMap& operator=(const LruMap&) = delete;
 
@@ -32,6 +34,7 @@ public:
         }
         entries_.emplace_front(std::string(key), make());
         index_.emplace(entries_.front().first, entries_.begin());
+        ASSERT(index_.size() == entries_.size() && entries_.size() <= size_max_);
         return entries_.front().second;
     }
 

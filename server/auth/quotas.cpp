@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <string>
 
+#include "jostle/base/check.h"
+
 namespace jostle::server {
 
 namespace {
@@ -83,6 +85,7 @@ Quotas::QuotaDecision Quotas::peek_locked(QuotaKind work, std::string_view subje
     Clock::duration wait = bucket_of(work, false, network, now).wait_for(1, now);
     if (!subject.empty())
         wait = std::max(wait, bucket_of(work, true, subject, now).wait_for(1, now));
+    ASSERT(wait >= Clock::duration::zero());
     return {wait == Clock::duration::zero(), wait};
 }
 

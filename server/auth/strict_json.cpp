@@ -4,6 +4,8 @@
 #include <set>
 #include <vector>
 
+#include "jostle/base/check.h"
+
 namespace jostle::server {
 
 namespace {
@@ -27,6 +29,7 @@ public:
     bool end_object() override { return leave(); }
     bool end_array() override { return leave(); }
     bool key(string_t& name) override {
+        ASSERT(!keys_.empty());
         return keys_.back().insert(name).second || refuse("an object has a duplicate key");
     }
     bool parse_error(std::size_t, const std::string&, const nlohmann::json::exception&) override {
@@ -43,6 +46,7 @@ private:
         return keys_.size() <= depth_max_ || refuse("it is nested too deeply");
     }
     bool leave() {
+        ASSERT(!keys_.empty());
         keys_.pop_back();
         return true;
     }

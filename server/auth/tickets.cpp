@@ -8,6 +8,8 @@
 #include <optional>
 #include <span>
 
+#include "jostle/base/check.h"
+
 namespace jostle::server {
 
 namespace {
@@ -65,6 +67,7 @@ Result<std::string> Tickets::issue(const Identity& who, const std::string& holde
                    .until = now + limits_.life,
                    .position = waiting_.insert(waiting_.end(), key),
                    .holder_position = own.insert(own.end(), key)};
+    ASSERT(waiting_.size() <= limits_.total_max && table_.size() == waiting_.size() + past_.size());
     return hex_of(key);
 }
 
@@ -88,6 +91,7 @@ std::size_t Tickets::waiting() const {
 void Tickets::sweep(Clock::time_point now) {
     while (!waiting_.empty()) {
         const auto oldest = table_.find(waiting_.front());
+        ASSERT(oldest != table_.end());
         if (oldest->second.until > now) break;
         retire(oldest, TicketStatus::expired, now);
     }
@@ -101,10 +105,12 @@ void Tickets::sweep(Clock::time_point now) {
 // guess.
 void Tickets::retire(Table::iterator at, TicketStatus ticket_status, Clock::time_point now) {
     Ticket& ticket = at->second;
+    ASSERT(ticket.ticket_status == TicketStatus::good);
     take_from_holder(ticket);
     past_.splice(past_.end(), waiting_, ticket.position);
     ticket.ticket_status = ticket_status;
     ticket.until = now + limits_.memory;
+    ASSERT(table_.size() == waiting_.size() + past_.size());
     if (past_.size() <= limits_.total_max) return;
     table_.erase(past_.front());
     past_.pop_front();
@@ -112,12 +118,14 @@ void Tickets::retire(Table::iterator at, TicketStatus ticket_status, Clock::time
 
 void Tickets::take_from_holder(const Ticket& ticket) {
     const auto holder = by_holder_.find(ticket.holder);
+    ASSERT(holder != by_holder_.end());
     holder->second.erase(ticket.holder_position);
     if (holder->second.empty()) by_holder_.erase(holder);
 }
 
 void Tickets::forget_oldest_of(const std::string& holder) {
     const auto at = table_.find(by_holder_.at(holder).front());
+    ASSERT(at != table_.end());
     waiting_.erase(at->second.position);
     take_from_holder(at->second);
     table_.erase(at);
@@ -137,6 +145,7 @@ bool Tickets::make_room_for(const std::string& holder, bool anonymous) {
     if (waiting_.size() < limits_.total_max) return true;
     const auto largest = std::ranges::max_element(
         by_holder_, {}, [](const auto& entry) { return entry.second.size(); });
+    ASSERT(largest != by_holder_.end());
     if (largest->second.size() > own + 1) {
         forget_oldest_of(std::string(largest->first));
     } else if (own > 0) {

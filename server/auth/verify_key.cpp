@@ -10,6 +10,7 @@
 
 #include <string>
 
+#include "jostle/base/check.h"
 #include "server/util/free_with.h"
 
 namespace jostle::server {
@@ -33,6 +34,7 @@ Number number_of(std::string_view bytes) {
 
 // Converts r and s in sequence to the DER structure that OpenSSL reads; empty: out of memory.
 std::string to_der(std::string_view raw) {
+    ASSERT(raw.size() == 2 * number_bytes);
     const Signature signature(ECDSA_SIG_new());
     Number r = number_of(raw.substr(0, number_bytes)), s = number_of(raw.substr(number_bytes));
     if (!signature || !r || !s) return {};
@@ -72,6 +74,7 @@ std::optional<VerifyKey> VerifyKey::from_point(std::string_view x, std::string_v
     if (x.size() != number_bytes || y.size() != number_bytes) return std::nullopt;
     std::string point = "\x04";  // uncompressed point: both coordinates follow
     point.append(x).append(y);
+    ASSERT(point.size() == 1 + 2 * number_bytes);
     const std::shared_ptr<EVP_PKEY> key(key_of_point(point), EVP_PKEY_free);
     const bool good = key && is_good(key.get());
     ERR_clear_error();  // OpenSSL has an error queue per thread that other code reads
@@ -81,6 +84,7 @@ std::optional<VerifyKey> VerifyKey::from_point(std::string_view x, std::string_v
 
 bool VerifyKey::verifies(std::string_view message, std::string_view signature) const {
     if (signature.size() != 2 * number_bytes) return false;
+    ASSERT(key_);
     const std::string der = to_der(signature);
     const DigestContext context(EVP_MD_CTX_new());
     const bool good =

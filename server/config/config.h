@@ -23,8 +23,8 @@ struct ClientLimits {
     int bodies_owned_max = 50;
     // false: bodies spawned by a client are removed when it leaves
     bool retain_bodies_after_leave = false;
-    // How long the session of a client is retained after its connection broke, if the client asked
-    // to resume; 0 disables resuming.
+    // How long the session of a client that can resume is retained after its connection broke; 0
+    // disables resuming.
     double resume_timeout_seconds = 30;
 };
 

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "grpc/health/v1/health.grpc.pb.h"
+#include "jostle/base/check.h"
 #include "server/grpc/health_methods.h"
 #include "server/grpc/library_setup.h"
 #include "server/grpc/reflection.h"
@@ -117,11 +118,13 @@ Status GrpcServer::start() {
                                                       builder.AddCompletionQueue()));
     server_ = builder.BuildAndStart();
     if (!server_) return Error{ErrorCode::unavailable, "cannot start the gRPC server"};
+    ASSERT(!shards_.empty());
     dispatcher_.start(shards_.front()->queue(), table_);
     for (const auto& shard : shards_)
         shard->start(shard == shards_.front() ? &dispatcher_ : nullptr);
     serving_ = true;
     probed_at_ = Clock::now().time_since_epoch().count();
+    ASSERT(!prober_.joinable());
     prober_ = std::thread([this] { probe_self(); });
     const Status relay_started = relay_.start([this](int descriptor) {
         grpc::experimental::ExternalConnectionAcceptor::NewConnectionParameters connection;
@@ -172,6 +175,7 @@ void GrpcServer::drain(Clock::duration timeout) {
     prober_wake_.notify_all();
     if (prober_.joinable()) prober_.join();
     acceptor_.stop();
+    ASSERT(!shutdown_.joinable());
     shutdown_ = std::thread([this, timeout] {
         // Notify health watchers first.
         std::this_thread::sleep_for(std::chrono::milliseconds(100));

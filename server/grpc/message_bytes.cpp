@@ -4,6 +4,8 @@
 #include <array>
 #include <vector>
 
+#include "jostle/base/check.h"
+
 namespace jostle::server {
 
 namespace {
@@ -11,6 +13,7 @@ namespace {
 // gRPC calls the deleter on the thread that releases the last reference; the count of a shared_ptr
 // may be changed on any thread.
 grpc::Slice share(const SharedBytes& bytes) {
+    ASSERT(bytes);
     auto* const owner = new SharedBytes(bytes);
     // gRPC's interface takes void* but never writes into a slice.
     void* const data = const_cast<char*>(bytes->data());
@@ -27,6 +30,7 @@ grpc::ByteBuffer to_byte_buffer(const OutMessage& message) {
         slices[count++] = grpc::Slice(message.header.data(), message.header.size());
     }
     if (message.shared && !message.shared->empty()) slices[count++] = share(message.shared);
+    ASSERT(count <= slices.size());
     if (message.cells.empty()) return grpc::ByteBuffer(slices.data(), count);
     std::vector<grpc::Slice> all(slices.begin(),
                                  slices.begin() + static_cast<std::ptrdiff_t>(count));

@@ -5,6 +5,8 @@
 #include <chrono>
 #include <utility>
 
+#include "jostle/base/check.h"
+
 namespace jostle::server {
 
 namespace {
@@ -30,6 +32,7 @@ PlayShard::~PlayShard() {
 }
 
 void PlayShard::start(UnaryDispatcher* dispatcher) {
+    ASSERT(!thread_.joinable());
     dispatcher_ = dispatcher;
     for (std::size_t i = 0; i < plays_requested; ++i) request_call();
     thread_ = std::thread([this] { run(); });
@@ -127,6 +130,7 @@ void PlayShard::run() {
 }
 
 void PlayShard::dispatch(RpcTag& tag, bool ok, Clock::time_point now) {
+    ASSERT(tag.owner != RpcTag::Owner::call || dispatcher_);
     if (tag.owner == RpcTag::Owner::call)
         dispatcher_->handle(tag, ok);
     else
@@ -134,6 +138,7 @@ void PlayShard::dispatch(RpcTag& tag, bool ok, Clock::time_point now) {
 }
 
 void PlayShard::handle(PlayTag& tag, bool ok, Clock::time_point now) {
+    ASSERT(tag.stream);
     PlayStream& stream = *tag.stream;
     if (stopping_)
         // no operation may be started on a queue that shuts down
@@ -143,6 +148,7 @@ void PlayShard::handle(PlayTag& tag, bool ok, Clock::time_point now) {
             const auto at =
                 std::find_if(waiting_.begin(), waiting_.end(),
                              [&](const auto& waiting) { return waiting.get() == &stream; });
+            ASSERT(at != waiting_.end());
             std::unique_ptr<PlayStream> owned = std::move(*at);
             waiting_.erase(at);
             if (!ok) return;  // the server is shutting down
@@ -180,6 +186,7 @@ void PlayShard::advance_all(Clock::time_point now) {
     const std::size_t count = streams_.size();
     if (count == 0) return;
     first_ = (first_ + 1) % count;
+    ASSERT(first_ < count);
     for (std::size_t i = 0; i < count; ++i) streams_[(first_ + i) % count]->advance(now);
 }
 

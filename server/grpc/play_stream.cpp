@@ -6,6 +6,7 @@
 #include <optional>
 #include <utility>
 
+#include "jostle/base/check.h"
 #include "jostle/grpc_status/grpc_status.h"
 #include "server/grpc/caller_identity.h"
 #include "server/grpc/message_bytes.h"
@@ -31,7 +32,9 @@ PlayStream::~PlayStream() {
 
 void PlayStream::begin(PlayContext& context, const ConnectionTable& connections,
                        std::function<void()> wake, Clock::time_point now) {
+    ASSERT(!session_);
     connection_ = connections.of(context_.peer());
+    ASSERT(connection_);
     network_ = network_of(connection_->address);
     connection_->calls_accepted++;
     connection_->calls++;
@@ -48,6 +51,7 @@ void PlayStream::begin(PlayContext& context, const ConnectionTable& connections,
 }
 
 void PlayStream::start_read() {
+    ASSERT(!reading_);
     reading_ = true;
     stream_.Read(&incoming_, &read_);
 }
@@ -64,6 +68,7 @@ void PlayStream::guarded(Clock::time_point now, const Work& work) {
 }
 
 void PlayStream::on_read(bool ok, Clock::time_point now) {
+    ASSERT(session_ && reading_);
     reading_ = false;
     guarded(now, [&] {
         if (!ok) {
@@ -81,6 +86,7 @@ void PlayStream::on_read(bool ok, Clock::time_point now) {
 }
 
 void PlayStream::on_wrote(bool ok, Clock::time_point now) {
+    ASSERT(session_ && writing_);
     writing_ = false;
     // A write fails only if the connection was closed; the pending read then fails as well.
     if (!ok) session_->on_peer_closed(now);
@@ -116,6 +122,7 @@ void PlayStream::advance(Clock::time_point now) {
         return;
     }
     if (const std::optional<Status>& end = session_->end()) {
+        ASSERT(!writing_ && !finishing_);
         finishing_ = true;
         const grpc::Status status = to_grpc(*end);
         if (metrics_) metrics_->handled(play_path, status.error_code(), 0);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "jostle/base/check.h"
 #include "server/grpc/caller_identity.h"
 #include "server/grpc/message_bytes.h"
 #include "server/grpc/rich_status.h"
@@ -82,6 +83,7 @@ UnaryDispatcher::~UnaryDispatcher() {
 
 void UnaryDispatcher::start(grpc::ServerCompletionQueue& queue,
                             const ConnectionTable& connections) {
+    ASSERT(!queue_);
     queue_ = &queue;
     connections_ = &connections;
     due_ = Clock::now() + dispatcher_housekeeping_period;
@@ -98,6 +100,7 @@ void UnaryDispatcher::stop() {
 }
 
 void UnaryDispatcher::request_call() {
+    ASSERT(queue_);
     calls_.push_back(std::make_unique<Call>());
     Call& call = *calls_.back();
     call.context.AsyncNotifyWhenDone(&call.done);
@@ -108,6 +111,7 @@ void UnaryDispatcher::request_call() {
 void UnaryDispatcher::handle(RpcTag& any, bool ok) {
     Tag& tag = static_cast<Tag&>(any);
     Call& call = *tag.call;
+    ASSERT(any.owner == RpcTag::Owner::call);
     switch (tag.event) {
         case Tag::Event::accepted:
             // Not ok: the server is shutting down; such a call gets no other event.
@@ -140,6 +144,7 @@ void UnaryDispatcher::handle(RpcTag& any, bool ok) {
 
 void UnaryDispatcher::forget(Call& call) {
     if (call.begun) {
+        ASSERT(open_ > 0 && open_streams_ <= open_);
         open_--;
         call.connection->calls--;
         call.connection->unary_calls--;
@@ -169,6 +174,7 @@ Status UnaryDispatcher::authorize(Call& call) const {
 }
 
 CallContext UnaryDispatcher::context_of(const Call& call) const {
+    ASSERT(call.method && call.connection);
     return {.authorizer = authorizer_,
             .call = std::string_view(call.method->path).substr(1),
             .who = call.who,
@@ -178,6 +184,7 @@ CallContext UnaryDispatcher::context_of(const Call& call) const {
 }
 
 void UnaryDispatcher::begin(Call& call) {
+    ASSERT(!call.begun);
     call.begun = true;
     call.since = Clock::now();
     call.connection = connections_->of(call.context.peer());
@@ -206,6 +213,7 @@ void UnaryDispatcher::on_read(Call& call, bool ok) {
         if (call.method->work == CallWork::stream) return finish(call, {});
         return finish(call, Error{ErrorCode::invalid_argument, "the request is missing"});
     }
+    ASSERT(call.method);
     const std::size_t size = call.incoming.Length();
     call.connection->consumed += size;
     if (size > call.method->request_bytes_max)
@@ -220,6 +228,7 @@ void UnaryDispatcher::on_read(Call& call, bool ok) {
 
 void UnaryDispatcher::enqueue(Call& call) {
     // Quick responses are small.
+    ASSERT(call.has_request && !call.finishing);
     if (unsent_bytes_ > limits_.response_bytes_max && call.method->work != CallWork::quick)
         return finish(call, too_much("too many responses wait for clients that do not read"));
     if (!pool_of(*call.method).add([this, &call] { respond(call); }))
@@ -257,6 +266,7 @@ void UnaryDispatcher::respond(Call& call) {
     }
     call.request.clear();
     if (!status.ok()) return finish(call, status);
+    ASSERT(bytes && call.unsent == 0);
     call.unsent = static_cast<double>(bytes->size());
     unsent_bytes_.fetch_add(call.unsent);
     call.start_waiting();
@@ -277,6 +287,7 @@ void UnaryDispatcher::on_wrote(Call& call, bool ok) {
 void UnaryDispatcher::finish(Call& call, const Status& status) {
     call.finishing = true;
     call.start_waiting();
+    ASSERT(call.method);
     const grpc::Status rich = to_rich_status(status);
     count(call, rich.error_code());
     call.stream.Finish(rich, &call.finished);
@@ -286,6 +297,7 @@ void UnaryDispatcher::finish(Call& call, const Status& status) {
 void UnaryDispatcher::count(const Call& call, grpc::StatusCode code) const {
     if (!metrics_) return;
     const double seconds = std::chrono::duration<double>(Clock::now() - call.since).count();
+    ASSERT(seconds >= 0);
     metrics_->handled(call.context.method(), code, seconds);
 }
 
@@ -304,6 +316,7 @@ void UnaryDispatcher::notify_watches() {
         if (const Status s = call.method->run(context, call.request, now); !s.ok()) {
             finish(call, s);
         } else if (!call.last_sent || *call.last_sent != *now) {
+            ASSERT(now);
             call.last_sent = now;
             call.writing = true;
             call.start_waiting();

@@ -9,6 +9,7 @@
 #include <csignal>
 #include <new>
 
+#include "jostle/base/check.h"
 #include "server/tls/peer_certificate.h"
 
 namespace jostle::server {
@@ -39,7 +40,9 @@ ClientSocket::State state_of_errno(ClientSocket::State retry_state) {
 }  // namespace
 
 ClientSocket::ClientSocket(int descriptor, SSL_CTX* tls)
-    : descriptor_(descriptor), tls_(tls_on(descriptor, tls)) {}
+    : descriptor_(descriptor), tls_(tls_on(descriptor, tls)) {
+    ASSERT(descriptor >= 0);
+}
 
 ClientSocket::~ClientSocket() {
     ::close(descriptor_);
@@ -53,6 +56,7 @@ void ClientSocket::block_broken_pipe_signal() {
 }
 
 ClientSocket::State ClientSocket::state_of(int result) {
+    ASSERT(tls_);
     switch (SSL_get_error(tls_.get(), result)) {
         case SSL_ERROR_NONE:
             return State::open;
@@ -87,6 +91,7 @@ ClientSocket::IoResult ClientSocket::read(std::span<std::uint8_t> buffer) {
         const int result = SSL_read_ex(tls_.get(), buffer.data(), buffer.size(), &count);
         return {result == 1 ? State::open : state_of(result), count};
     }
+    ASSERT(!buffer.empty());
     const ssize_t count = ::recv(descriptor_, buffer.data(), buffer.size(), 0);
     if (count < 0) return {state_of_errno(State::wants_read), 0};
     received_ += static_cast<std::uint64_t>(count);

@@ -14,6 +14,7 @@
 #include <cstring>
 #include <utility>
 
+#include "jostle/base/check.h"
 #include "server/util/log.h"
 #include "server/util/socket_options.h"
 
@@ -76,10 +77,12 @@ Status ConnectionAcceptor::listen(const std::string& host, std::uint16_t port) {
     set_epoll_events(wake_, EPOLLIN, EPOLL_CTL_ADD);
     set_epoll_events(listener_, EPOLLIN, EPOLL_CTL_ADD);
     port_ = port_of(listener_);
+    ASSERT(port_ != 0);
     return {};
 }
 
 void ConnectionAcceptor::start(Handler handler) {
+    ASSERT(listener_ >= 0 && !thread_.joinable());
     handler_ = std::move(handler);
     thread_ = std::thread([this] { run(); });
 }
@@ -97,6 +100,7 @@ bool ConnectionAcceptor::is_listening(Clock::time_point now) const {
 }
 
 void ConnectionAcceptor::set_epoll_events(int descriptor, std::uint32_t events, int how) const {
+    ASSERT(epoll_ >= 0 && descriptor >= 0);
     epoll_event event{.events = events, .data = {.fd = descriptor}};
     epoll_ctl(epoll_, how, descriptor, &event);
 }
@@ -165,6 +169,7 @@ void ConnectionAcceptor::accept_one(int descriptor, const sockaddr_storage& peer
     auto socket = std::make_unique<ClientSocket>(descriptor, tls ? tls->native_handle() : nullptr);
     const std::shared_ptr<Connection> connection = table_.admit(peer);
     if (!tls) return hand_off(std::move(socket), connection);
+    ASSERT(!pending_handshakes_.contains(descriptor));
     pending_handshakes_[descriptor] = {std::move(socket), connection, now + handshake_max};
     set_epoll_events(descriptor, EPOLLIN, EPOLL_CTL_ADD);
 }
@@ -199,6 +204,7 @@ void ConnectionAcceptor::continue_handshake(int descriptor) {
 void ConnectionAcceptor::hand_off(std::unique_ptr<ClientSocket> socket,
                                   const std::shared_ptr<Connection>& connection) {
     try {
+        ASSERT(socket && connection);
         handler_(std::move(socket), connection);
     } catch (...) {
         table_.remove(*connection);
@@ -224,6 +230,7 @@ void ConnectionAcceptor::drop_timed_out(Clock::time_point now) {
 }
 
 void ConnectionAcceptor::log_refusals(Clock::time_point now) {
+    ASSERT(refused_ >= refused_logged_);
     if (refused_ == refused_logged_ || now - logged_at_ < log_period) return;
     log_warn(
         "gRPC: refused {} connections: {} are open, a limit in total or per address is reached, or "

@@ -15,6 +15,7 @@
 #include <exception>
 #include <utility>
 
+#include "jostle/base/check.h"
 #include "server/grpc_proxy/http2_frame_guard.h"
 #include "server/util/log.h"
 
@@ -106,6 +107,7 @@ ConnectionRelay::~ConnectionRelay() {
 }
 
 Status ConnectionRelay::start(Handler handler) {
+    ASSERT(handler && !thread_.joinable());
     handler_ = std::move(handler);
     epoll_ = epoll_create1(EPOLL_CLOEXEC);
     wake_ = eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
@@ -120,6 +122,7 @@ Status ConnectionRelay::start(Handler handler) {
 
 void ConnectionRelay::add(std::unique_ptr<ClientSocket> client,
                           std::shared_ptr<Connection> connection) {
+    ASSERT(client && connection);
     auto stream = std::make_unique<Stream>(std::move(client), std::move(connection), Clock::now());
     {
         const std::lock_guard lock(mutex_);
@@ -184,6 +187,7 @@ void ConnectionRelay::add_new(Clock::time_point now) {
     for (auto& owned : accepted) {
         Stream& stream = *owned;
         streams_.emplace(&stream, std::move(owned));
+        ASSERT(!stream.is_dead && stream.grpc < 0);
         stream.deadline = now + limits_.preface_timeout;
         guarded(stream, [&] {
             // The client may have sent data already, and TLS may have buffered it.
@@ -206,6 +210,7 @@ void ConnectionRelay::guarded(Stream& stream, const Work& work) {
 
 void ConnectionRelay::on_event(End& end, std::uint32_t events, Clock::time_point now) {
     Stream& stream = *end.stream;
+    ASSERT(end.is_registered);
     if (stream.is_dead) return;
     if (end.is_client) {
         on_client_event(stream, events, now);
@@ -243,6 +248,7 @@ void ConnectionRelay::read_client(Stream& stream, Clock::time_point now) {
     stream.read_wants_write = false;
     const auto [state, count] = stream.client->read(up_);
     const std::uint64_t received = stream.client->received();
+    ASSERT(received >= stream.received);
     const double fresh = static_cast<double>(received - std::exchange(stream.received, received));
     stream.unread += fresh;
     buffered_total_ += fresh;
@@ -256,6 +262,7 @@ void ConnectionRelay::read_client(Stream& stream, Clock::time_point now) {
     if (count == 0 || stream.discards_input) return;
     if (stream.unread > limits_.buffered_bytes_max) measure(stream, now);
     if (stream.unread > limits_.buffered_bytes_max) return drop_largest_buffer(stream, now);
+    ASSERT(count <= up_.size());
     const std::span<const std::uint8_t> bytes(up_.data(), count);
     if (const Status allowed = stream.guard.take(bytes, now); !allowed.ok()) {
         if (stream.guard.has_preface()) return drop(stream, allowed.error().message, now);
@@ -264,6 +271,7 @@ void ConnectionRelay::read_client(Stream& stream, Clock::time_point now) {
         return close(stream);
     }
     const std::uint64_t opened = stream.guard.streams_opened();
+    ASSERT(opened >= stream.opened);
     const double streams = static_cast<double>(opened - std::exchange(stream.opened, opened));
     stream.backlog += streams;
     backlog_total_ += streams;
@@ -276,6 +284,7 @@ void ConnectionRelay::to_grpc(Stream& stream, std::span<const std::uint8_t> byte
     if (stream.discards_input) return;
     stream.for_grpc.insert(stream.for_grpc.end(), bytes.begin(), bytes.end());
     if (stream.grpc >= 0 || !stream.guard.has_preface()) return;
+    ASSERT(!stream.is_queued);
     stream.is_queued = true;
     waiting_.push_back(&stream);
 }
@@ -289,6 +298,7 @@ void ConnectionRelay::open_waiting(Clock::time_point now) {
         if (is_there && !openings_.take(1, now)) return;
         waiting_.pop_front();
         if (!is_there) continue;
+        ASSERT(stream->grpc < 0);
         stream->is_queued = false;
         guarded(*stream, [&] {
             open_grpc(*stream);
@@ -316,6 +326,7 @@ void ConnectionRelay::open_grpc(Stream& stream) {
         close_if_open(pair[1]);
         return close(stream);
     }
+    ASSERT(stream.grpc < 0 && pair[0] >= 0);
     stream.grpc = pair[0];
     stream.deadline = {};
     handler_(pair[1]);
@@ -324,6 +335,7 @@ void ConnectionRelay::open_grpc(Stream& stream) {
 void ConnectionRelay::flush_to_grpc(Stream& stream) {
     std::vector<std::uint8_t>& waiting = stream.for_grpc;
     const std::size_t sent = send_to_grpc(stream, waiting);
+    ASSERT(sent <= waiting.size());
     waiting.erase(waiting.begin(), waiting.begin() + static_cast<std::ptrdiff_t>(sent));
     if (stream.discards_input) waiting.clear();
     if (!waiting.empty()) return;
@@ -355,6 +367,7 @@ bool ConnectionRelay::write_client(Stream& stream, std::span<const std::uint8_t>
             stream.write_wants_read = state == ClientSocket::State::wants_read;
             break;
         }
+        ASSERT(count <= bytes.size());
         bytes = bytes.subspan(count);
     }
     stream.for_client.assign(bytes.begin(), bytes.end());
@@ -414,9 +427,11 @@ void ConnectionRelay::measure(Stream& stream, Clock::time_point now) const {
         stream.connection->calls_accepted.load(std::memory_order_relaxed);
     const auto calls =
         static_cast<double>(stream.connection->calls.load(std::memory_order_relaxed));
+    ASSERT(consumed >= stream.consumed);
     stream.unread -= static_cast<double>(consumed - std::exchange(stream.consumed, consumed)) +
                      seconds * (slack_bytes_per_second + slack_of_call * calls);
     stream.unread = std::max(0.0, stream.unread);
+    ASSERT(accepted >= stream.accepted);
     stream.backlog -= static_cast<double>(accepted - std::exchange(stream.accepted, accepted)) +
                       seconds * streams_tolerated_per_second;
     stream.backlog = std::max(0.0, stream.backlog);
@@ -436,6 +451,7 @@ void ConnectionRelay::sweep(Clock::time_point now) {
         backlog_total_ += stream->backlog;
         if (!largest || stream->unread > largest->unread) largest = stream;
     }
+    ASSERT(buffered_total_ >= 0 && backlog_total_ >= 0);
     if (buffered_total_ > limits_.buffered_total_max && largest) {
         buffered_total_ -= largest->unread;
         drop(*largest,
@@ -469,6 +485,7 @@ void ConnectionRelay::close(Stream& stream) {
 // event closed.
 void ConnectionRelay::delete_closed() {
     for (Stream* stream : dead_) {
+        ASSERT(stream->is_dead && streams_.contains(stream));
         table_.remove(*stream->connection);
         close_if_open(stream->grpc);
         streams_.erase(stream);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "jostle/base/check.h"
 #include "server/util/address.h"
 
 namespace jostle::server {
@@ -47,8 +48,10 @@ std::shared_ptr<Connection> ConnectionTable::admit(const sockaddr_storage& peer)
 void ConnectionTable::remove(const Connection& connection) {
     const std::lock_guard lock(mutex_);
     const auto count = of_network_.find(connection.network);
+    ASSERT(count != of_network_.end() && count->second > 0);
     if (--count->second == 0) of_network_.erase(count);
     connections_.erase(connection.grpc_name());
+    ASSERT(of_network_.size() <= connections_.size());
 }
 
 void ConnectionTable::penalize(const Connection& connection, Clock::time_point now) {

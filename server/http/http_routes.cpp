@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "jostle/base/check.h"
 #include "jostle/v1/query.pb.h"
 #include "jostle/v1/world.pb.h"
 #include "server/auth/allowed_hosts.h"
@@ -177,6 +178,7 @@ Result<HttpRoutes::RequestContext> HttpRoutes::authorize(const HttpRequest& requ
 
 // The world of a query is known only after its body was read.
 Status HttpRoutes::authorize_world(const RequestContext& context, const std::string& world) const {
+    ASSERT(context.row);
     const std::shared_ptr<WorldHost> host = worlds_.find(world);
     const WorldTarget target = host ? world_target(*host) : WorldTarget{};
     return worlds_.authorizer().admit(context.who, {context.row->call, target, context.address});

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "jostle/base/check.h"
 #include "server/http/http_session.h"
 #include "server/http/websocket_session.h"
 #include "server/tls/tls_contexts.h"
@@ -109,6 +110,7 @@ Status HttpServer::Impl::listen() {
     if (!error) acceptor.listen(asio::socket_base::max_listen_connections, error);
     if (error) return failure("listen on", error);
     bound_port = acceptor.local_endpoint().port();
+    ASSERT(bound_port != 0);
     return {};
 }
 
@@ -202,6 +204,7 @@ void HttpServer::Impl::advance_all() {
     const std::size_t count = remove_closed(play_sessions);
     if (count == 0) return;
     first = (first + 1) % count;
+    ASSERT(first < count);
     for (std::size_t i = 0; i < count; ++i) {
         // advance() only starts operations, so no session starts or ends during the loop.
         if (const auto session = play_sessions[(first + i) % count].lock()) session->advance(now);
@@ -258,6 +261,7 @@ Status HttpServer::start() {
     if (Status s = impl_->listen(); !s.ok()) return s;
     impl_->accept();
     impl_->schedule_housekeeping();
+    ASSERT(!impl_->thread.joinable());
     impl_->thread = std::thread([impl = impl_.get()] { impl->run(); });
     return {};
 }

@@ -9,6 +9,7 @@
 #include <exception>
 #include <utility>
 
+#include "jostle/base/check.h"
 #include "server/util/address.h"
 #include "server/util/log.h"
 
@@ -107,12 +108,14 @@ bool HttpSession::reserve_body(std::size_t bytes) {
     const auto size = static_cast<double>(bytes);
     if (services_.body_bytes + size > services_.settings.bodies_bytes_max) return false;
     services_.body_bytes += size;
+    ASSERT(reserved_ == 0);
     reserved_ = size;
     return true;
 }
 
 void HttpSession::release_body() {
     services_.body_bytes -= std::exchange(reserved_, 0);
+    ASSERT(services_.body_bytes >= 0);
 }
 
 void HttpSession::read_body() {
@@ -137,6 +140,7 @@ HttpRequest HttpSession::request_of_peer() const {
 
 void HttpSession::handle_request() {
     HttpRequest request = request_of_peer();
+    ASSERT(!idle_since_);
     switch (services_.routes.work_of(request)) {
         case HttpWork::immediate:
             return write(services_.routes.handle(request));
@@ -178,7 +182,9 @@ void HttpSession::handle_on(WorkPool& pool, HttpRequest request) {
 }
 
 void HttpSession::write(const HttpResponse& response) {
+    ASSERT(parser_);
     const auto& request = parser_->get();
+    ASSERT(response.status >= 100 && response.status < 600);
     head_only_ = request.method() == http::verb::head;
     response_ = Response(static_cast<http::status>(response.status), 11);
     response_.keep_alive(!closing_ && parser_->is_done() && request.keep_alive());

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "jostle/base/check.h"
+
 namespace jostle::server {
 
 namespace {
@@ -27,9 +29,11 @@ std::optional<std::string> percent_decode(std::string_view text) {
         if (i + 2 >= text.size()) return std::nullopt;
         const int high = hex_digit(text[i + 1]), low = hex_digit(text[i + 2]);
         if (high < 0 || low < 0) return std::nullopt;
+        ASSERT(high < 16 && low < 16);
         decoded += static_cast<char>(high * 16 + low);
         i += 2;
     }
+    ASSERT(decoded.size() <= text.size());
     return decoded;
 }
 

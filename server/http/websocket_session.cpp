@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "jostle/base/check.h"
 #include "server/http/beast_request.h"
 #include "server/util/socket_options.h"
 #include "server/util/text.h"
@@ -87,6 +88,7 @@ void WebSocketSession::start(const Request& upgrade) {
 
 void WebSocketSession::on_accepted(beast::error_code error) {
     if (error || !socket_) return;  // the socket closes with the last reference to this session
+    ASSERT(!session_);
     session_.emplace(
         context_,
         Peer{.name = peer_,
@@ -156,6 +158,7 @@ void WebSocketSession::advance(Clock::time_point now) {
 }
 
 void WebSocketSession::write() {
+    ASSERT(writing_);
     const auto wrote = [self = shared_from_this()](beast::error_code error, std::size_t) {
         self->on_wrote(error);
     };
@@ -168,6 +171,7 @@ void WebSocketSession::write() {
 }
 
 void WebSocketSession::close(const Status& end, Clock::time_point now) {
+    ASSERT(!closing_since_ && !writing_);
     closing_since_ = now;
     socket_->async_close(reason_of(end), [self = shared_from_this()](beast::error_code) {});
 }

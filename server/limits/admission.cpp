@@ -3,6 +3,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include "jostle/base/check.h"
 #include "jostle/physics/hull.h"
 
 namespace jostle::server {
@@ -35,6 +36,7 @@ Status check_point(const char* what, Vec3 p) {
 }
 
 Status check_length(const char* what, Vec3 v, double limit) {
+    ASSERT(limit >= 0);
     const double size = length(v);
     if (within(size, 0, limit)) return {};
     return invalid_argument(
@@ -42,6 +44,7 @@ Status check_length(const char* what, Vec3 v, double limit) {
 }
 
 Status check_number(const char* what, double x, double low, double high) {
+    ASSERT(low <= high);
     if (within(x, low, high)) return {};
     return invalid_argument(
         fmt::format("{} is {:g}; it must be from {:g} to {:g}", what, x, low, high));

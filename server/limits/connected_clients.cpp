@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "jostle/base/check.h"
+
 namespace jostle::server {
 
 namespace {
@@ -66,6 +68,7 @@ std::shared_ptr<ConnectedClient> ConnectedClients::add(ClientIdentity who) {
     const ClientId client = who.id;
     auto entry = std::make_shared<ConnectedClient>(std::move(who));
     const std::lock_guard lock(mutex_);
+    ASSERT(client != 0);
     clients_[client] = entry;
     return entry;
 }
@@ -80,6 +83,7 @@ std::vector<ClientStatus> ConnectedClients::status(Clock::time_point now) const 
     std::vector<ClientStatus> statuses;
     statuses.reserve(clients_.size());
     for (const auto& [client, entry] : clients_) statuses.push_back(entry->status(now));
+    ASSERT(statuses.size() == clients_.size());
     return statuses;
 }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "jostle/base/check.h"
+
 namespace jostle::server {
 namespace {
 
@@ -45,6 +47,7 @@ int FlowControl::window() const {
     const double window_s = rtt_min_s_ + settings_.ack_interval_ms / 1000.0 + slack_s;
     const double rate = limited_ ? std::min(rate_, delivered_rate_) : rate_;
     const int by_rate = static_cast<int>(std::lround(rate * window_s));
+    ASSERT(settings_.ack_window_max >= window_min);
     return std::clamp(std::min(by_rate, window_learned_), window_min, settings_.ack_window_max);
 }
 
@@ -69,6 +72,7 @@ void FlowControl::on_sent(std::uint32_t frame, Clock::time_point now) {
     const bool alone = sent_snapshots_.empty() && (others_ == 0 || probing_);
     sent_snapshots_.push_back({frame, now, others_ + 1, alone});
     in_flight_ += others_ + 1;
+    ASSERT(in_flight_ > 0);
     others_ = 0;
     // Keeps an even pace; a delay of less than one step does not shift later snapshots.
     const Clock::duration step = from_seconds(1 / rate_);
@@ -89,6 +93,7 @@ void FlowControl::on_ack(std::uint32_t frame, Clock::duration ack_delay, Clock::
         delivered += flight->messages;
     sent_snapshots_.pop_front(static_cast<std::size_t>(at + 1 - sent_snapshots_.begin()));
     in_flight_ -= delivered;
+    ASSERT(in_flight_ >= 0 && (in_flight_ == 0) == sent_snapshots_.empty());
     if (sent_snapshots_.empty()) probing_ = false;
 
     window_learned_ = std::min(window_learned_ + delivered, settings_.ack_window_max);
@@ -99,6 +104,7 @@ void FlowControl::drop_sent_before(Clock::time_point sent) {
     while (!sent_snapshots_.empty() && sent_snapshots_.front().at < sent) {
         in_flight_ -= sent_snapshots_.front().messages;
         sent_snapshots_.pop_front();
+        ASSERT(in_flight_ >= 0);
     }
     if (sent_snapshots_.empty()) probing_ = false;
 }
@@ -113,6 +119,7 @@ void FlowControl::update_queue_estimate(const SentSnapshot& flight, double rtt, 
     const double queue_s = rtt - rtt_min_s_;
     round_.queue_s = round_.acks == 0 ? queue_s : std::min(round_.queue_s, queue_s);
     round_.acks++;
+    ASSERT(delivered > 0);
     round_.delivered += delivered;
     if (now - round_.begun >= round_length && round_.acks >= round_acks) end_round(now);
 }
@@ -127,6 +134,7 @@ void FlowControl::update_round_trip(const SentSnapshot& flight, double rtt, Cloc
 }
 
 void FlowControl::end_round(Clock::time_point now) {
+    ASSERT(now > round_.begun && round_.acks >= round_acks);
     delivered_rate_ = round_.delivered / seconds(now - round_.begun);
     if (round_.queue_s > std::max(queue_max_s, queue_max_messages / delivered_rate_))
         slow_down(now);
@@ -149,6 +157,7 @@ void FlowControl::slow_down(Clock::time_point now) {
     limited_ = true;
     lowered_ = now;
     rate_ = std::max(rate_min, below_delivered * std::min(rate_, delivered_rate_));
+    ASSERT(rate_ >= rate_min);
     // By then the client has read everything in flight except for one round trip's worth.
     const double drain_s = in_flight_ / std::max(delivered_rate_, rate_min) - rtt_min_s_;
     next_send_ = now + from_seconds(std::max(0.0, drain_s));
@@ -159,6 +168,7 @@ void FlowControl::slow_down(Clock::time_point now) {
 void FlowControl::speed_up() {
     limited_ = rate_ < full_rate_ || delivered_rate_ < full_share * full_rate_;
     rate_ = std::min(full_rate_, rate_ * (raised_ ? next_raise : first_raise));
+    ASSERT(rate_ > 0 && rate_ <= full_rate_);
     raised_ = limited_;
 }
 

@@ -3,12 +3,15 @@
 
 #include <utility>
 
+#include "jostle/base/check.h"
+
 namespace jostle::server {
 
 namespace {
 
 void decrement(std::map<std::string, int>& counts, const std::string& key) {
     const auto at = counts.find(key);
+    ASSERT(at != counts.end() && at->second > 0);
     if (--at->second == 0) counts.erase(at);
 }
 
@@ -23,6 +26,7 @@ void SessionDirectory::use_ids(ClientId first, std::function<void(ClientId next)
 void SessionDirectory::restore_client(ClientId client, const std::string& world_id,
                                       const std::string& network) {
     const std::lock_guard lock(mutex_);
+    ASSERT(client != 0);
     if (!sessions_.try_emplace(client, Session{world_id, network}).second) return;
     of_world_[world_id]++;
     of_network_[network]++;
@@ -39,6 +43,7 @@ Result<ClientId> SessionDirectory::enter(const std::string& world_id, const std:
                                                         std::to_string(per_network_max_) +
                                                         " clients, the maximum"};
     const ClientId client = next_++;
+    ASSERT(client != 0);
     sessions_[client] = {world_id, network};
     of_world_[world_id]++;
     of_network_[network]++;
@@ -53,6 +58,7 @@ void SessionDirectory::leave(ClientId client) {
     decrement(of_world_, at->second.world);
     decrement(of_network_, at->second.network);
     sessions_.erase(at);
+    ASSERT(of_world_.size() <= sessions_.size() && of_network_.size() <= sessions_.size());
 }
 
 bool SessionDirectory::has(ClientId client) const {

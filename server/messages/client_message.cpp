@@ -7,6 +7,7 @@
 #include <cmath>
 #include <utility>
 
+#include "jostle/base/check.h"
 #include "jostle/scenes/shape_message.h"
 #include "jostle/v1/play.pb.h"
 #include "server/limits/admission.h"
@@ -206,6 +207,7 @@ Result<ClientMessage> decode(const v1::InputBatch& batch) {
     for (const v1::Input& input : batch.inputs()) {
         decoded.inputs.push_back(action_of(input));
         decoded.ticks.push_back(input.tick());
+        ASSERT(decoded.inputs.size() == decoded.ticks.size());
     }
     return ClientMessage{std::move(decoded)};
 }

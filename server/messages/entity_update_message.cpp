@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "jostle/base/check.h"
 #include "jostle/scenes/locks_message.h"
 #include "jostle/scenes/shape_message.h"
 #include "jostle/v1/play.pb.h"
@@ -65,6 +66,7 @@ public:
         v1::Entity& to = *entity_update().add_added();
         to.set_id(entity.id);
         to.set_type(to_message(entity.type));
+        ASSERT(entity.id != 0);
         const bool even = has_one_density(entity);
         for (const physics::ShapeState& shape : entity.shapes)
             write(*to.add_shapes(), shape, !even);
@@ -82,6 +84,7 @@ public:
     }
     EntityUpdateMessages take() {
         flush();
+        ASSERT(bytes_ == 0);
         return std::move(out_);
     }
 
@@ -108,6 +111,7 @@ private:
     void count(std::size_t bytes) {
         bytes_ += bytes;
         if (bytes_ >= chunk_bytes_max) flush();
+        ASSERT(bytes_ < chunk_bytes_max);
     }
     void flush() {
         if (bytes_ == 0) return;

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "jostle/base/check.h"
 #include "jostle/scenes/geometry_message_bytes.h"
 #include "jostle/scenes/shape_message.h"
 #include "jostle/v1/play.pb.h"
@@ -45,6 +46,7 @@ std::shared_ptr<const LargeGeometry> GeometryTable::find_or_add(const physics::G
     v1::Shape shape;
     scenes::write_geometry(shape, geometry, {});
     std::shared_ptr<const LargeGeometry> made = find_or_add(shape.SerializeAsString());
+    ASSERT(address && made);
     by_address_.emplace(address, Known{geometry, made});
     return made;
 }
@@ -52,6 +54,7 @@ std::shared_ptr<const LargeGeometry> GeometryTable::find_or_add(const physics::G
 // Contents with the same hash get consecutive ids, so that a shape crafted to collide never
 // replaces another one.
 std::shared_ptr<const LargeGeometry> GeometryTable::find_or_add(std::string bytes) {
+    ASSERT(!bytes.empty());
     std::uint64_t id = hash_of(bytes);
     for (auto known = by_id_.find(id); known != by_id_.end(); known = by_id_.find(++id))
         if (known->second.bytes == bytes) return known->second.geometry;

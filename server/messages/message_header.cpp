@@ -7,6 +7,8 @@
 #include <array>
 #include <cstdint>
 
+#include "jostle/base/check.h"
+
 namespace jostle::server {
 
 using google::protobuf::internal::WireFormatLite;
@@ -21,6 +23,7 @@ std::string encode_header(int field_number, std::string_view own, std::size_t sh
         static_cast<std::uint32_t>(own.size() + shared_bytes), end);
     std::string header(reinterpret_cast<const char*>(bytes.data()),
                        static_cast<std::size_t>(end - bytes.data()));
+    ASSERT(header.size() >= 2 && header.size() <= bytes.size());
     header += own;
     return header;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "server/messages/server_message.h"
 
+#include "jostle/base/check.h"
 #include "jostle/snapshot/word_changes.h"
 #include "jostle/v1/play.pb.h"
 #include "server/messages/message_header.h"
@@ -75,6 +76,7 @@ std::string encode_welcome(const Welcome& from) {
     welcome.set_epoch_us(from.epoch_us);
     welcome.set_cells(from.cells);
     write_vector(*welcome.mutable_gravity(), from.gravity);
+    ASSERT(from.substeps >= 0);
     welcome.set_substeps(static_cast<std::uint32_t>(from.substeps));
     for (const physics::ChannelKind& kind : from.channels) {
         v1::ChannelKind& to = *welcome.add_channels();
@@ -102,6 +104,7 @@ std::string encode_geometry_chunk(const GeometryChunk& from) {
     v1::ServerMessage message;
     v1::GeometryChunk& chunk = *message.mutable_geometry();
     chunk.set_id(from.id);
+    ASSERT(from.chunk < from.chunk_count);
     chunk.set_chunk(from.chunk);
     chunk.set_chunk_count(from.chunk_count);
     chunk.set_data(from.data.data(), from.data.size());
@@ -139,6 +142,7 @@ std::string encode_notice(NoticeKind kind, const std::string& text) {
 
 std::string encode_shared_snapshot(const EncodedSnapshot& encoded) {
     v1::Snapshot snapshot;
+    ASSERT(encoded.baselines.baseline <= encoded.frame);
     snapshot.set_frame(encoded.frame);
     snapshot.set_baselines(wire::encode_baseline_frames(encoded.frame, encoded.baselines));
     snapshot.set_packed(encoded.packed.data(), encoded.packed.size());
@@ -171,6 +175,7 @@ std::string encode_controlled_entity_field(const ControlledEntityState& state, s
 std::string encode_cell_field(const EncodedCell& from) {
     v1::Snapshot fields;
     v1::CellUpdate& cell = *fields.add_cells();
+    ASSERT(from.baselines.baseline <= from.number);
     cell.set_cell(from.id);
     cell.set_number(from.number);
     cell.set_baselines(wire::encode_baseline_frames(from.number, from.baselines));

@@ -4,6 +4,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "jostle/base/check.h"
+
 namespace jostle::server {
 
 namespace {
@@ -76,6 +78,7 @@ std::string write_chrome_trace(const TraceRows& titles, const std::vector<TraceS
         out += ",\n";
     }
     // the comma after the last entry; at least one title is always written
+    ASSERT(out.ends_with(",\n"));
     out.resize(out.size() - 2);
     out += "\n]}\n";
     return out;

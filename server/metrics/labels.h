@@ -34,7 +34,7 @@ enum class ConnectionRefusal {
     address_limit,  // the address has its maximum of connections
     handshake,      // the TLS handshake failed
     busy,           // too many requests wait for a thread
-    penalty,        // the address attacked the server a moment ago
+    penalty,        // the address attacked the server recently
     attack,         // it sent frames that no regular client sends
 };
 constexpr auto names_of(ConnectionRefusal) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "server/metrics/metrics.h"
 
+#include "jostle/base/check.h"
+
 namespace jostle::server {
 
 Metrics::Metrics(const std::string& version, const std::vector<std::string>& stage_names)
@@ -24,6 +26,7 @@ Metrics::Histograms Metrics::histograms(const char* name, const char* help) {
 }
 
 ListenerMetrics Metrics::make_listener(Listener which) {
+    ASSERT(static_cast<std::size_t>(which) < names_of(Listener{}).size());
     const std::string name(names_of(Listener{})[static_cast<std::size_t>(which)]);
     ListenerMetrics made{.open = connections.Add({{"listener", name}}), .refused_by = {}};
     for (std::size_t i = 0; i < made.refused_by.size(); i++)

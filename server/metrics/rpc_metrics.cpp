@@ -3,6 +3,8 @@
 
 #include <array>
 
+#include "jostle/base/check.h"
+
 namespace jostle::server {
 
 namespace {
@@ -42,6 +44,7 @@ RpcMetrics::RpcMetrics(Metrics& metrics) : metrics_(metrics) {
 void RpcMetrics::add(const std::string& path, Kind kind) {
     const std::lock_guard lock(mutex_);
     const std::size_t slash = path.rfind('/');
+    ASSERT(path.starts_with('/') && slash > 0);
     Method& method = methods_[path];
     method.service = path.substr(1, slash - 1);
     method.name = path.substr(slash + 1);
@@ -52,6 +55,7 @@ void RpcMetrics::add(const std::string& path, Kind kind) {
 }
 
 prometheus::Counter& RpcMetrics::counter_of(Method& method, int code) {
+    ASSERT(code >= 0 && code < static_cast<int>(code_names.size()));
     prometheus::Counter*& counter = method.by_code[code];
     if (!counter)
         counter = &metrics_.rpcs_handled.Add(
@@ -66,6 +70,7 @@ void RpcMetrics::handled(std::string_view path, int code, double seconds) {
     const std::lock_guard lock(mutex_);
     auto at = methods_.find(path);
     if (at == methods_.end()) at = methods_.find("");
+    ASSERT(at != methods_.end());
     counter_of(at->second, is_known_code ? code : unknown_code).Increment();
     if (at->second.seconds) at->second.seconds->Observe(seconds);
 }

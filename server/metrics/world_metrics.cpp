@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "jostle/base/check.h"
+
 namespace jostle::server {
 
 namespace {
@@ -34,6 +36,7 @@ WorldMetrics::Series WorldMetrics::acquire_series() {
 WorldMetrics::~WorldMetrics() {
     const std::lock_guard lock(metrics_.world_holders.mutex);
     const auto at = metrics_.world_holders.count.find(world_);
+    ASSERT(at != metrics_.world_holders.count.end() && at->second > 0);
     if (--at->second > 0) return;
     metrics_.world_holders.count.erase(at);
     metrics_.tick_seconds.Remove(series_.tick_seconds);
@@ -46,6 +49,7 @@ WorldMetrics::~WorldMetrics() {
 }
 
 void WorldMetrics::count_tick(const TickSample& tick) {
+    ASSERT(tick.seconds >= 0);
     series_.tick_seconds->Observe(tick.seconds);
     const std::size_t stages = std::min(tick.stage_ms.size(), metrics_.stages.size());
     for (std::size_t i = 0; i < stages; i++)
@@ -55,6 +59,7 @@ void WorldMetrics::count_tick(const TickSample& tick) {
     series_.queue_depth->Set(static_cast<double>(tick.queued));
     series_.paused->Set(tick.stage_ms.empty() ? 1 : 0);
     if (tick.late_ticks != late_counted_) {
+        ASSERT(tick.late_ticks > late_counted_);
         series_.late_ticks->Increment(tick.late_ticks - late_counted_);
         late_counted_ = tick.late_ticks;
     }

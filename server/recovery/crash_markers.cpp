@@ -10,6 +10,8 @@
 #include <csignal>
 #include <cstring>
 
+#include "jostle/base/check.h"
+
 namespace jostle::server {
 
 struct CrashMarkers::File {
@@ -79,6 +81,7 @@ CrashMarker CrashMarkers::of(const std::string& world) {
         if (!unused && slot.world[0] == '\0') unused = &slot;
     }
     if (!unused) return {};
+    ASSERT(world.size() < sizeof unused->world);
     std::memcpy(unused->world, world.c_str(), world.size() + 1);
     unused->tick = unused->crashes = 0;
     return CrashMarker(unused);

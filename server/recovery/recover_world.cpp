@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "jostle/base/check.h"
 #include "server/recovery/checkpoint_data.h"
 #include "server/storage/compression.h"
 
@@ -120,6 +121,7 @@ private:
         while (world.tick < entry.last_tick) {
             if (options_.last_tick && world.tick >= *options_.last_tick) return false;
             const std::uint32_t now = ++world.tick;
+            ASSERT(now <= entry.last_tick);
             while (paused_ticks != segment->paused_ticks.end() && paused_ticks->last < now)
                 ++paused_ticks;
             const bool paused =
@@ -129,6 +131,7 @@ private:
             const JournaledTick& done = busy ? *tick++ : empty_tick;
             replay(world.world, {now, done.commands}, paused);
         }
+        ASSERT(world.tick == entry.last_tick);
         world.sequence = entry.sequence;
         world.chain = entry.chain;
         return true;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "jostle/base/check.h"
 #include "server/recovery/checkpoint_data.h"
 #include "server/storage/compression.h"
 #include "server/storage/journal_chain.h"
@@ -36,6 +37,7 @@ CheckpointWriter::~CheckpointWriter() {
 void CheckpointWriter::push(Job job) {
     {
         const std::lock_guard lock(mutex_);
+        ASSERT(job && !ends_);
         jobs_.push_back(std::move(job));
     }
     changed_.notify_all();
@@ -58,6 +60,7 @@ void CheckpointWriter::run() {
             job = std::move(jobs_.front());
             jobs_.pop_front();
             busy_ = true;
+            ASSERT(job);
         }
         job();
     }
@@ -78,6 +81,7 @@ StoredWorldJournal::StoredWorldJournal(std::string world, double hz,
       position_(position) {
     // The times of checkpoints of an earlier process are unknown: they are retained as if taken
     // now.
+    ASSERT(std::ranges::is_sorted(position.checkpoints));
     for (const std::uint32_t tick : position.checkpoints)
         checkpoints_taken_.push_back({tick, Clock::now()});
 }
@@ -101,6 +105,7 @@ void StoredWorldJournal::append(ExecutedTick tick) {
         first_ = tick.tick;
         pending_results_ = std::make_shared<PendingResults>();
     }
+    ASSERT(tick.tick > last_ && first_ <= tick.tick);
     last_ = tick.tick;
     if (!tick.steps) {
         if (!segment_.paused_ticks.empty() && segment_.paused_ticks.back().last + 1 == tick.tick)
@@ -110,6 +115,7 @@ void StoredWorldJournal::append(ExecutedTick tick) {
     }
     const bool urgent = !tick.commands.empty();
     if (urgent) {
+        ASSERT(segment_.ticks.empty() || segment_.ticks.back().tick < tick.tick);
         segment_.ticks.push_back({tick.tick, std::move(tick.commands)});
         changed_ = true;
     }
@@ -118,6 +124,7 @@ void StoredWorldJournal::append(ExecutedTick tick) {
 
 void StoredWorldJournal::on_published(double step_ms, std::vector<WaitingResult> results) {
     mark_.end();
+    ASSERT(step_ms >= 0 && pending_results_);
     replay_ms_ += step_ms;
     if (results.empty()) return;
     bool safe = false;
@@ -146,6 +153,7 @@ void StoredWorldJournal::flush() {
                        .first_tick = first_,
                        .last_tick = last_,
                        .data = compress(encode_journal(segment_))};
+    ASSERT(first_ <= last_);
     const Chain chain = entry.chain = next_chain(position_.chain, entry.data);
     const bool pushed = writer_.push(
         AppendEntry{world_, std::move(entry)},
@@ -187,6 +195,7 @@ void StoredWorldJournal::write_checkpoint(std::uint32_t tick,
                                           std::shared_ptr<CheckpointCopier> copier) {
     flush();
     if (first_ != 0) return;  // the journal does not reach the checkpoint
+    ASSERT(tick >= last_);
     const TakenCheckpoint taken{tick, Clock::now()};
     const std::uint64_t sequence = position_.sequence;
     replay_ms_ = 0;
@@ -240,12 +249,14 @@ void StoredWorldJournal::trim_old(TakenCheckpoint newest) {
     std::uint32_t oldest = 0;
     {
         const std::lock_guard lock(mutex_);
+        ASSERT(checkpoints_taken_.empty() || checkpoints_taken_.back().tick <= newest.tick);
         checkpoints_taken_.push_back(newest);
         const auto since = newest.at - from_seconds(3600 * settings_.history_retention_hours);
         while (checkpoints_taken_.size() > retained_checkpoints && checkpoints_taken_[1].at < since)
             checkpoints_taken_.pop_front();
         if (settings_.history_retention_hours == 0)
             while (checkpoints_taken_.size() > retained_checkpoints) checkpoints_taken_.pop_front();
+        ASSERT(!checkpoints_taken_.empty());
         oldest = checkpoints_taken_.front().tick;
     }
     writer_.push(Trim{world_, oldest}, nullptr);

@@ -8,6 +8,7 @@
 #include <map>
 #include <utility>
 
+#include "jostle/base/check.h"
 #include "server/recovery/checkpoint_data.h"
 #include "server/recovery/journal_codec.h"
 #include "server/recovery/world_storage_copy.h"
@@ -137,15 +138,18 @@ Status WorldArchive::read_notes(WorldStorage& storage) {
     if (secret_.size() != secret_bytes || first_client_ > 0xffffffff - 2 * ids_per_reservation)
         return Error{ErrorCode::corrupt_data, "a note is out of range"};
     reserved_ = first_client_ + ids_per_reservation;
+    ASSERT(reserved_ > first_client_);
     const StorageChange changes[] = {PutNote{secret_note, secret_}, clients_note_of(reserved_)};
     return storage.write(changes);
 }
 
 void WorldArchive::on_client(ClientId next) {
+    ASSERT(writer_);
     ClientId reserved = reserved_;
     if (next + ids_per_reservation / 4 < reserved || reserved > 0xffffffff - ids_per_reservation)
         return;
     const ClientId more = reserved + ids_per_reservation;
+    ASSERT(more > reserved);
     if (reserved_.compare_exchange_strong(reserved, more) &&
         !writer_->push(clients_note_of(more), nullptr))
         reserved_ = reserved;
@@ -212,6 +216,7 @@ Result<PersistedWorld> WorldArchive::load_world(WorldStorage& storage, const Sto
     std::erase_if(*ticks, [&](std::uint32_t tick) { return tick >= found->tick; });
     ticks->insert(ticks->begin(), found->tick);
     std::ranges::reverse(*ticks);
+    ASSERT(std::ranges::is_sorted(*ticks));
     const JournalPosition position{.epoch = now.epoch,
                                    .sequence = found->sequence,
                                    .chain = found->chain,
@@ -267,6 +272,7 @@ void WorldArchive::quarantine_tick(const StoredWorld& stored, const JournaledTic
 
 std::shared_ptr<WorldJournal> WorldArchive::make_journal(const WorldStart& start,
                                                          const JournalPosition& position) {
+    ASSERT(writer_ && checkpoints_ && marks_);
     return std::make_shared<StoredWorldJournal>(start.label.id, start.scene->hz, position, *writer_,
                                                 *checkpoints_, marks_->of(start.label.id),
                                                 journal_settings_);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "jostle/base/check.h"
+
 namespace jostle::server {
 
 Result<std::unique_ptr<WorldStorageCopy>> WorldStorageCopy::of(WorldStorage& storage,
@@ -17,6 +19,7 @@ Result<std::unique_ptr<WorldStorageCopy>> WorldStorageCopy::of(WorldStorage& sto
     const auto at = std::ranges::find(*all, id, &StoredWorld::id);
     if (at == all->end()) return Error{ErrorCode::not_found, "world " + id + " is not persisted"};
     copy->world_ = *at;
+    ASSERT(copy->world_.id == id);
     const Result<std::vector<std::uint32_t>> ticks = storage.checkpoint_ticks(id);
     if (!ticks.ok()) return ticks.error();
     for (const std::uint32_t tick : *ticks) {

@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "server/replication/acked_frames.h"
 
+#include "jostle/base/check.h"
+
 namespace jostle::server {
 
 void AckedFrames::on_sent(std::uint32_t frame, bool by_datagram) {
     if (frame <= last_sent_) return;
     last_sent_ = frame;
+    ASSERT(sent_.empty() || sent_.back().frame < frame);
     sent_.push_back({frame, by_datagram});
     if (sent_.size() > BaselineTracker::client_frames_max) sent_.pop_front();
+    ASSERT(sent_.size() <= BaselineTracker::client_frames_max);
 }
 
 bool AckedFrames::on_ack(std::uint32_t frame, std::uint32_t ack_bits) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "server/replication/baseline_tracker.h"
 
+#include "jostle/base/check.h"
+
 namespace jostle::server {
 namespace {
 
@@ -13,6 +15,7 @@ wire::BaselineFrames BaselineTracker::baselines_for(std::uint32_t frame) const {
     wire::BaselineFrames baselines;
     if (sent_.empty() || frame - sent_.back() > oldest_baseline_age) return baselines;
     baselines.baseline = sent_.back();
+    ASSERT(baselines.baseline <= frame);
     // The newest sent frame that precedes `newer` by at least half of dt1.
     const std::uint32_t apart = (frame - baselines.baseline + 1) / 2;
     const auto older = [&](std::uint32_t newer) -> std::uint32_t {
@@ -21,6 +24,7 @@ wire::BaselineFrames BaselineTracker::baselines_for(std::uint32_t frame) const {
         return 0;
     };
     baselines.baseline2 = older(baselines.baseline);
+    ASSERT(baselines.baseline2 <= baselines.baseline);
     if (baselines.baseline2 != 0) baselines.baseline3 = older(baselines.baseline2);
     return baselines;
 }
@@ -33,8 +37,10 @@ bool BaselineTracker::roll_back_to(std::uint32_t frame) {
 }
 
 void BaselineTracker::on_sent(std::uint32_t frame) {
+    ASSERT(sent_.empty() || sent_.back() < frame);
     sent_.push_back(frame);
     if (sent_.size() > client_frames_max) sent_.pop_front();
+    ASSERT(sent_.size() <= client_frames_max);
 }
 
 }  // namespace jostle::server

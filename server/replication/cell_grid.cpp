@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "jostle/base/check.h"
+
 namespace jostle::server {
 namespace {
 
@@ -30,6 +32,7 @@ CellId CellGrid::id_of(CellCoordinates coordinates) {
 }
 
 CellCoordinates CellGrid::coordinates_of(CellId cell) {
+    ASSERT(cell != everywhere);
     const auto part = [](std::uint32_t bits) { return static_cast<int>(bits) - coordinate_max; };
     return {part((cell - 1) >> 16), part((cell - 1) & 0xffff)};
 }
@@ -69,6 +72,7 @@ CellGrid::Cells CellGrid::split(const wire::QuantizedFrame& frame, const EntityL
         to.frame = frame.frame;
         to.entities.push_back(entity);
     }
+    ASSERT(next_.size() == frame.entities.size());
     known_.swap(next_);
     return cells;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "jostle/base/check.h"
 #include "jostle/snapshot/frame_codec.h"
 
 namespace jostle::server {
@@ -21,6 +22,7 @@ CellSnapshotCache::Cells CellSnapshotCache::cells(
         if (!now.contains(id)) now[id].frame = frame->tick;
     for (auto& [id, content] : now) add(id, std::move(content), frame->tick);
     std::erase_if(histories_, [&](const auto& entry) {
+        ASSERT(!entry.second.states.empty());
         const CellState& newest = entry.second.states.back();
         return newest.content->entities.empty() && frame->tick - newest.number > empty_ticks;
     });
@@ -29,6 +31,7 @@ CellSnapshotCache::Cells CellSnapshotCache::cells(
     for (const auto& [id, history] : histories_) cells->push_back(history.states.back());
     tick_ = frame->tick;
     cells_ = std::move(cells);
+    ASSERT(cells_->size() == histories_.size());
     return cells_;
 }
 
@@ -42,11 +45,13 @@ void CellSnapshotCache::add(CellId cell, wire::QuantizedFrame content, std::uint
         !history.states.empty() &&
         std::ranges::equal(history.states.back().content->entities, content.entities, {},
                            &wire::EntityState::id, &wire::EntityState::id);
+    ASSERT(history.states.empty() || history.states.back().number < tick);
     const std::uint32_t members = same_members ? history.states.back().members : tick;
     history.states.push_back({cell, tick, members,
                               std::make_shared<const wire::QuantizedFrame>(std::move(content)),
                               crc});
     if (history.states.size() > states_retained) history.states.pop_front();
+    ASSERT(history.states.size() <= states_retained);
     history.encodings.clear();
 }
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "jostle/base/check.h"
+
 namespace jostle::server {
 namespace {
 
@@ -46,6 +48,7 @@ void InterestView::spend(std::size_t bytes, bool fresh) {
 }
 
 std::uint32_t InterestView::interval(double distance_m) const {
+    ASSERT(distance_m >= 0);
     if (distance_m <= 0.5 * interest_.radius_m) return 1;
     return distance_m <= 0.75 * interest_.radius_m ? 2 : 4;
 }
@@ -72,6 +75,7 @@ std::vector<InterestView::PendingCell> InterestView::pending_cells(
             known_.erase(known);
             continue;
         }
+        ASSERT(tick >= known->second.sent_tick);
         const std::uint32_t waited = tick - known->second.sent_tick;
         if (cell.number == known->second.states.last() || waited < interval(distance)) continue;
         const double near = 1 + distance / cache.interest_cell_m();
@@ -89,6 +93,7 @@ std::vector<InterestView::PendingCell> InterestView::pending_cells(
     std::vector<PendingCell> parts;
     parts.reserve(ranked.size());
     for (Ranked& entry : ranked) parts.push_back(std::move(entry.part));
+    ASSERT(parts.size() == ranked.size());
     return parts;
 }
 
@@ -99,6 +104,7 @@ void InterestView::reset() {
 void InterestView::on_sent(const PendingCell& part, std::uint32_t tick) {
     Known& known = known_[part.state.id];
     known.states.on_sent(part.state.number);
+    ASSERT(tick >= known.sent_tick);
     known.sent_tick = tick;
     known.members = part.state.members;
 }

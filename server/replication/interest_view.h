@@ -16,6 +16,7 @@
 #include <utility>
 #include <vector>
 
+#include "jostle/base/check.h"
 #include "server/replication/baseline_tracker.h"
 #include "server/replication/cell_snapshot_cache.h"
 #include "server/util/clock.h"
@@ -30,7 +31,9 @@ struct Interest {
 class InterestView {
 public:
     // `bytes_per_second`: 0 for no limit.
-    explicit InterestView(double bytes_per_second) : rate_(bytes_per_second) {}
+    explicit InterestView(double bytes_per_second) : rate_(bytes_per_second) {
+        ASSERT(bytes_per_second >= 0);
+    }
 
     void set_interest(const Interest& interest) { interest_ = interest; }
     const Interest& interest() const { return interest_; }

@@ -6,6 +6,7 @@
 #include <span>
 #include <utility>
 
+#include "jostle/base/check.h"
 #include "jostle/snapshot/quantize.h"
 
 namespace jostle::server {
@@ -56,6 +57,7 @@ SnapshotCache::Entry& SnapshotCache::entry_of(const FramePtr& frame) {
     quantize(entry, newest, std::move(oldest));
     entry.channels = channels_of(*frame);
     if (entries_.size() > ring) entries_.erase(std::next(entries_.begin()));
+    ASSERT(entries_.size() <= ring && entries_.contains(frame->tick));
     return entry;
 }
 
@@ -79,6 +81,7 @@ void SnapshotCache::quantize(Entry& entry, const Entry* previous, Entry oldest) 
     entry.quantized.entities.resize(frame.entities.size());
     entry.block_crcs.resize(frame.entities.size() / PoseList::block_size);
     entry.block_rests.resize(blocks.size());
+    ASSERT(entry.block_rests.size() == blocks.size());
     bool changed = !previous;
     for (std::size_t b = 0; b < blocks.size(); b++) {
         const bool known = previous && previous->frame->entities.blocks()[b] == blocks[b];
@@ -98,6 +101,7 @@ void SnapshotCache::quantize(Entry& entry, const Entry* previous, Entry oldest) 
         entry.block_rests[b] = std::ranges::all_of(to, &wire::EntityState::at_rest);
         if (b < entry.block_crcs.size()) entry.block_crcs[b] = wire::block_crc(to);
     }
+    ASSERT(changed || previous);
     entry.crc = changed ? wire::frame_crc(entry.quantized, entry.block_crcs) : previous->crc;
 }
 
@@ -109,6 +113,7 @@ std::vector<wire::UnchangedRun> SnapshotCache::unchanged_runs(const Entry& entry
     const auto &blocks = entry.frame->entities.blocks(),
                &previous = baseline.frame->entities.blocks();
     if (blocks.size() != previous.size()) return runs;
+    ASSERT(entry.block_rests.size() == blocks.size());
     for (std::size_t b = 0; b < blocks.size(); b++) {
         if (blocks[b] != previous[b] || !entry.block_rests[b]) continue;
         const std::size_t begin = b * PoseList::block_size, end = begin + blocks[b]->size();
@@ -124,6 +129,7 @@ SharedBytes SnapshotCache::encoding(const FramePtr& frame, wire::BaselineFrames 
                                     std::uint64_t kinds, std::optional<wire::Codec> poses) {
     const std::lock_guard lock(mutex_);
     Entry& entry = entry_of(frame);
+    ASSERT(entry.frame->tick == frame->tick);
     // Each baseline is usable only with the previous one, in descending order.
     const Entry* baseline = baselines.baseline < frame->tick ? find(baselines.baseline) : nullptr;
     const Entry* baseline2 =

@@ -3,6 +3,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include "jostle/base/check.h"
 #include "jostle/scenes/scene_file.h"
 #include "jostle/v1/admin.pb.h"
 #include "server/util/log.h"
@@ -39,7 +40,10 @@ class WaitSlot {
 public:
     explicit WaitSlot(std::atomic<int>& count)
         : count_(count), admitted_(count.fetch_add(1) < AdminControl::waiting_max) {}
-    ~WaitSlot() { count_--; }
+    ~WaitSlot() {
+        ASSERT(count_ > 0);
+        count_--;
+    }
     WaitSlot(const WaitSlot&) = delete;
     WaitSlot& operator=(const WaitSlot&) = delete;
 
@@ -129,6 +133,7 @@ Status AdminControl::step_world(const v1::StepWorldRequest& request,
         (*world)->single_step().step(steps, from_seconds(steps / (*world)->hz() + step_timeout_s));
     if (!taken.ok()) return taken.error();
     response.set_tick((*world)->frame()->tick);
+    ASSERT(*taken >= 0 && *taken <= steps);
     response.set_steps_taken(static_cast<std::uint32_t>(*taken));
     return {};
 }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "jostle/base/check.h"
 #include "jostle/physics/limits.h"
 #include "jostle/scenes/shape_message.h"
 #include "jostle/v1/query.pb.h"
@@ -96,6 +97,7 @@ physics::QueryFilter read_filter(const v1::QueryFilter& message, const QueryFram
 template <class PhysicsHit>
 void write_hit(v1::Hit& to, const PhysicsHit& from, const QueryFrame& frame) {
     const ShapeOwner owner = frame.owner_of(from.shape);
+    ASSERT(owner.entity != 0);
     to.set_entity(owner.entity);
     to.set_shape(owner.number);
     to.set_fraction(from.fraction);

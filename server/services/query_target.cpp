@@ -6,6 +6,7 @@
 #include <memory>
 #include <utility>
 
+#include "jostle/base/check.h"
 #include "jostle/v1/common.pb.h"
 
 namespace jostle::server {
@@ -53,6 +54,7 @@ Result<QueryTarget> query_target(const WorldDirectory& worlds, const std::string
     if (!world.ok()) return world.error();
     const Result<QueryFramePtr> frame = frame_of(**world, copy_shapes);
     if (!frame.ok()) return frame.error();
+    ASSERT((*frame)->queries);
     QueryTarget now{.frame = *frame, .queries = *(*frame)->queries, .tick = (*frame)->tick};
     if (!view_time) return now;
     const RewindView past(

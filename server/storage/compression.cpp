@@ -7,6 +7,7 @@
 #include <memory>
 #include <new>
 
+#include "jostle/base/check.h"
 #include "server/util/free_with.h"
 
 namespace jostle::server {
@@ -41,12 +42,14 @@ std::string compress(std::span<const std::string_view> pieces) {
             const std::size_t left = ZSTD_compressStream2(context.get(), &out, &in, end);
             // The buffers are large enough: the only possible error is lack of memory.
             if (ZSTD_isError(left)) throw std::bad_alloc();
+            ASSERT(out.pos <= chunk.size());
             packed.append(chunk.data(), out.pos);
             if (end == ZSTD_e_end ? left == 0 : in.pos == in.size) return;
         }
     };
     for (const std::string_view piece : pieces) feed(piece, ZSTD_e_continue);
     feed({}, ZSTD_e_end);
+    ASSERT(!packed.empty());
     return packed;
 }
 

@@ -8,6 +8,8 @@
 #include <cerrno>
 #include <cstring>
 
+#include "jostle/base/check.h"
+
 namespace jostle::server {
 namespace {
 
@@ -63,12 +65,14 @@ Status create_file(const std::string& path, bool create) {
 
 SqliteStatement& SqliteStatement::bind(int index, std::string_view bytes) {
     // Bind an empty blob rather than NULL.
+    ASSERT(statement_ && index > 0);
     sqlite3_bind_blob64(statement_.get(), index, bytes.empty() ? "" : bytes.data(), bytes.size(),
                         SQLITE_STATIC);
     return *this;
 }
 
 SqliteStatement& SqliteStatement::bind(int index, std::uint64_t number) {
+    ASSERT(statement_ && index > 0);
     sqlite3_bind_int64(statement_.get(), index, static_cast<sqlite3_int64>(number));
     return *this;
 }
@@ -79,6 +83,7 @@ void SqliteStatement::reset() {
 }
 
 Result<bool> SqliteStatement::step() {
+    ASSERT(statement_);
     const int code = sqlite3_step(statement_.get());
     if (code == SQLITE_ROW) return true;
     if (code == SQLITE_DONE) {
@@ -100,6 +105,7 @@ Status SqliteStatement::run() {
 std::string_view SqliteStatement::bytes(int column) const {
     const void* const data = sqlite3_column_blob(statement_.get(), column);
     const int size = sqlite3_column_bytes(statement_.get(), column);
+    ASSERT(size >= 0);
     if (data == nullptr) return {};
     return {static_cast<const char*>(data), static_cast<std::size_t>(size)};
 }
@@ -121,11 +127,13 @@ Result<SqliteDatabase> SqliteDatabase::open(const std::string& path, const char*
 }
 
 Status SqliteDatabase::execute(const char* statements) {
+    ASSERT(handle_);
     if (sqlite3_exec(handle_.get(), statements, nullptr, nullptr, nullptr) == SQLITE_OK) return {};
     return error_of(handle_.get());
 }
 
 Result<SqliteStatement> SqliteDatabase::prepare(std::string_view statement) {
+    ASSERT(handle_);
     sqlite3_stmt* prepared = nullptr;
     if (sqlite3_prepare_v3(handle_.get(), statement.data(), static_cast<int>(statement.size()),
                            SQLITE_PREPARE_PERSISTENT, &prepared, nullptr) != SQLITE_OK)

@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "jostle/base/check.h"
 #include "server/storage/journal_chain.h"
 #include "server/storage/sqlite_database.h"
 
@@ -413,6 +414,7 @@ Result<std::vector<JournalEntry>> SqliteStorage::entries(const std::string& worl
                          name_of(world, e) + " does not match the chain of the previous entry"});
         previous_chain = e.chain;
         after = e.sequence;
+        ASSERT(after == e.sequence);
         found.push_back(std::move(e));
     }
 }

@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "jostle/base/check.h"
+
 namespace jostle::server {
 namespace {
 
@@ -33,6 +35,7 @@ StorageWriter::~StorageWriter() {
     }
     changed_.notify_all();
     thread_.join();
+    ASSERT(queue_.empty() && bytes_ == 0);
 }
 
 bool StorageWriter::push(StorageChange change, Done done) {
@@ -43,6 +46,7 @@ bool StorageWriter::push(StorageChange change, Done done) {
         bytes_ += bytes;
         pushed_++;
         queue_.push_back({std::move(change), std::move(done), bytes});
+        ASSERT(bytes_ <= settings_.bytes_max && pushed_ > finished_);
     }
     changed_.notify_all();
     return true;
@@ -51,6 +55,7 @@ bool StorageWriter::push(StorageChange change, Done done) {
 bool StorageWriter::flush(Clock::duration timeout) {
     std::unique_lock lock(mutex_);
     const std::uint64_t all = pushed_;
+    ASSERT(finished_ <= all);
     return changed_.wait_for(lock, timeout, [&] { return finished_ >= all; });
 }
 
@@ -59,6 +64,7 @@ bool StorageWriter::run_on_writer(const std::function<void(WorldStorage& storage
     const Clock::time_point until = Clock::now() + timeout;
     std::unique_lock lock(mutex_);
     if (!changed_.wait_until(lock, until, [&] { return !task_; })) return false;
+    ASSERT(!task_running_);
     task_ = &function;
     changed_.notify_all();
     const auto is_over = [&] { return task_ != &function; };
@@ -94,6 +100,7 @@ void StorageWriter::run() {
             std::unique_lock lock(mutex_);
             changed_.wait(lock, [&] { return !queue_.empty() || last_try_ || task_; });
             if (queue_.empty() && task_) {
+                ASSERT(!task_running_);
                 task_running_ = true;
                 lock.unlock();
                 (*task_)(*storage_);
@@ -105,6 +112,7 @@ void StorageWriter::run() {
             }
             if (queue_.empty()) return;
             group.swap(queue_);
+            ASSERT(queue_.empty() && !group.empty());
         }
         write(group);
     }
@@ -127,6 +135,7 @@ void StorageWriter::write(std::deque<Waiting>& group) {
     const std::lock_guard lock(mutex_);
     bytes_ -= bytes;
     finished_ += group.size();
+    ASSERT(finished_ <= pushed_);
     changed_.notify_all();
 }
 
@@ -137,6 +146,7 @@ void StorageWriter::try_write(std::deque<Waiting>& group) {
         const std::lock_guard lock(mutex_);
         writing_since_ = Clock::now();
     }
+    ASSERT(!group.empty());
     std::vector<StorageChange> changes;
     for (Waiting& waiting : group) changes.push_back(std::move(waiting.change));
     Status result = storage_->write(changes);
@@ -149,6 +159,7 @@ void StorageWriter::try_write(std::deque<Waiting>& group) {
             results[finished] = result;
         }
     }
+    ASSERT(changes.size() == group.size() && finished <= group.size());
     for (std::size_t k = 0; k < changes.size(); k++) group[k].change = std::move(changes[k]);
 
     std::size_t bytes = 0;
@@ -165,6 +176,7 @@ void StorageWriter::try_write(std::deque<Waiting>& group) {
         failure_ = result.error().message;
     bytes_ -= bytes;
     finished_ += finished;
+    ASSERT(finished_ <= pushed_);
     changed_.notify_all();
 }
 

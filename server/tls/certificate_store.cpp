@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "server/tls/certificate_store.h"
 
+#include "jostle/base/check.h"
 #include "server/util/log.h"
 
 namespace jostle::server {
@@ -23,6 +24,7 @@ Result<std::unique_ptr<CertificateStore>> CertificateStore::open(TlsSettings fil
 
 std::shared_ptr<const TlsMaterial> CertificateStore::material() const {
     const std::lock_guard lock(mutex_);
+    ASSERT(material_);
     return material_;
 }
 
@@ -72,6 +74,7 @@ CertificateStore::Change CertificateStore::read_and_log(WallTime now) {
     if (stamps() != stamps_) return Change::none;
     const bool already_logged = status.error().message == refusal_ && stamps_ == previous_stamps;
     refusal_ = status.error().message;
+    ASSERT(!refusal_.empty());
     if (already_logged) return Change::none;
     log_error("{}; the previous certificate stays in force", refusal_);
     return Change::refused;

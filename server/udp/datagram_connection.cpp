@@ -8,6 +8,8 @@
 #include <cstring>
 #include <utility>
 
+#include "jostle/base/check.h"
+
 namespace jostle::server {
 
 namespace {
@@ -93,6 +95,7 @@ bool DatagramConnection::take_packet(std::string_view packet, const DatagramAddr
     if (!decoded || received_.size() == received_max) return false;
     message = decoded->bytes;
     received_.push_back({message, now});
+    ASSERT(received_.size() <= received_max);
     has_messages_.store(true, std::memory_order_release);
     return true;
 }
@@ -119,6 +122,7 @@ void DatagramConnection::validate_address(const datagram::Content& content,
         if (!token) return;
         pending_challenge_ = {from, *token};
     }
+    ASSERT(pending_challenge_);
     send_challenge(from, pending_challenge_->token, now);
 }
 
@@ -131,6 +135,7 @@ void DatagramConnection::send_challenge(const DatagramAddress& where, std::uint6
 // Packets that the kernel does not accept are lost, as on the network.
 void DatagramConnection::transmit(std::span<const std::string> packets, const DatagramAddress& to,
                                   Clock::time_point now) {
+    ASSERT(packets.size() <= datagram::fragments_max);
     DatagramAddress address = to;
     std::array<mmsghdr, datagram::fragments_max> messages{};
     std::array<iovec, datagram::fragments_max> pieces{};

@@ -14,6 +14,7 @@
 #include <utility>
 #include <vector>
 
+#include "jostle/base/check.h"
 #include "server/util/log.h"
 #include "server/util/socket_options.h"
 
@@ -66,6 +67,7 @@ Status DatagramServer::start() {
     wake_ = eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
     if (wake_ < 0) return failed(std::strerror(errno));
     port_ = bound_port(socket_);
+    ASSERT(port_ != 0 && !thread_.joinable());
     thread_ = std::thread([this] { run(); });
     return {};
 }
@@ -78,6 +80,7 @@ void DatagramServer::stop() {
 
 Result<std::shared_ptr<DatagramConnection>> DatagramServer::open(
     std::function<void(std::string_view)> on_message) {
+    ASSERT(on_message);
     datagram::Credentials credentials;
     if (getentropy(&credentials.id, sizeof credentials.id) != 0 ||
         getentropy(credentials.key.data(), credentials.key.size()) != 0)
@@ -109,6 +112,7 @@ std::shared_ptr<DatagramConnection> DatagramServer::find(std::uint64_t credentia
 }
 
 void DatagramServer::run() {
+    ASSERT(socket_ >= 0 && wake_ >= 0);
     std::array<pollfd, 2> watched{pollfd{.fd = socket_, .events = POLLIN, .revents = 0},
                                   pollfd{.fd = wake_, .events = POLLIN, .revents = 0}};
     while (!stopping_) {
@@ -144,8 +148,10 @@ void DatagramServer::receive_packets() {
             recvmmsg(socket_, messages.data(), receive_batch_size, MSG_DONTWAIT, nullptr);
         if (taken <= 0) return;
         count = static_cast<std::size_t>(taken);
+        ASSERT(count <= receive_batch_size);
         const Clock::time_point now = Clock::now();
         for (std::size_t k = 0; k < count; k++) {
+            ASSERT(messages[k].msg_len <= bytes[k].size());
             const std::string_view packet(bytes[k].data(), messages[k].msg_len);
             from[k].size = messages[k].msg_hdr.msg_namelen;
             const auto credentials = datagram::session_id_of(packet);

@@ -7,6 +7,8 @@
 #include <cstring>
 #include <optional>
 
+#include "jostle/base/check.h"
+
 namespace jostle::server {
 
 namespace {
@@ -27,6 +29,7 @@ std::optional<in_addr> ipv4_of(const sockaddr_storage& address) {
 
 std::string text_of(int family, const void* address) {
     char text[INET6_ADDRSTRLEN] = {};
+    ASSERT(family == AF_INET || family == AF_INET6);
     return inet_ntop(family, address, text, sizeof text) ? text : "unknown";
 }
 

@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "jostle/base/check.h"
+
 namespace jostle::server {
 
 template <class T>
@@ -21,6 +23,7 @@ public:
         const std::lock_guard lock(mutex_);
         if (items_.size() >= capacity_) return false;
         items_.push_back(std::move(item));
+        ASSERT(items_.size() <= capacity_);
         return true;
     }
 
@@ -30,6 +33,7 @@ public:
         out.clear();
         const std::lock_guard lock(mutex_);
         items_.swap(out);
+        ASSERT(out.size() <= capacity_);
     }
 
     std::size_t size() const {

@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "jostle/base/check.h"
+
 namespace jostle::server {
 
 template <class T>
@@ -16,10 +18,22 @@ class Fifo {
 public:
     bool empty() const { return first_ == items_.size(); }
     std::size_t size() const { return items_.size() - first_; }
-    T& front() { return items_[first_]; }
-    const T& front() const { return items_[first_]; }
-    const T& back() const { return items_.back(); }
-    const T& operator[](std::size_t index) const { return items_[first_ + index]; }
+    T& front() {
+        ASSERT(!empty());
+        return items_[first_];
+    }
+    const T& front() const {
+        ASSERT(!empty());
+        return items_[first_];
+    }
+    const T& back() const {
+        ASSERT(!empty());
+        return items_.back();
+    }
+    const T& operator[](std::size_t index) const {
+        ASSERT(index < size());
+        return items_[first_ + index];
+    }
     auto begin() { return items_.begin() + offset(); }
     auto end() { return items_.end(); }
     auto begin() const { return items_.begin() + offset(); }
@@ -28,8 +42,12 @@ public:
     auto rend() const { return items_.rend() - offset(); }
 
     void push_back(T item) { items_.push_back(std::move(item)); }
-    void pop_back() { items_.pop_back(); }
+    void pop_back() {
+        ASSERT(!empty());
+        items_.pop_back();
+    }
     void pop_front(std::size_t count = 1) {
+        ASSERT(count <= size());
         for (; count > 0; count--) items_[first_++] = T();  // releases what the item held at once
         if (empty())
             clear();

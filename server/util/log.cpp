@@ -11,6 +11,7 @@
 #include <csignal>
 #include <memory>
 
+#include "jostle/base/check.h"
 #include "server/util/text.h"
 
 namespace jostle::server {
@@ -74,6 +75,7 @@ private:
     }
     void report_drops(spdlog::log_clock::time_point at) {
         const std::uint64_t now = dropped_;
+        ASSERT(now >= reported_drops_);
         if (now == reported_drops_) return;
         if (write(line(at, "warning",
                        fmt::format("dropped {} lines of this log", now - reported_drops_))))
@@ -88,6 +90,7 @@ private:
             if (wrote < 0 && errno == EINTR) continue;
             if (wrote <= 0) return false;
             done += static_cast<std::size_t>(wrote);
+            ASSERT(done <= text.size());
         }
         return true;
     }
@@ -118,6 +121,7 @@ void start_log(const LogSettings& settings) {
 void stop_log() {
     const auto pool = spdlog::thread_pool();
     if (!pool) return;
+    ASSERT(writer);
     writer->close_soon();
     overruns_at_stop = pool->overrun_counter();
     // Threads that still log do so without a queue; the last holder of the pool drains it.

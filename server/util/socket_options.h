@@ -9,11 +9,13 @@
 
 #include <chrono>
 
+#include "jostle/base/check.h"
 #include "server/util/clock.h"
 
 namespace jostle::server {
 
 inline void set_socket_option(int descriptor, int level, int name, int value) {
+    ASSERT(descriptor >= 0);
     setsockopt(descriptor, level, name, &value, sizeof value);
 }
 

@@ -3,6 +3,8 @@
 
 #include <cstdint>
 
+#include "jostle/base/check.h"
+
 namespace jostle::server {
 
 namespace {
@@ -15,6 +17,7 @@ bool is_continuation(unsigned char c) {
 // forms, no surrogates, nothing above U+10FFFF).
 std::size_t character_at(std::string_view text) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+    ASSERT(!text.empty());
     const unsigned char lead = byte(0);
     if (lead < 0x80) return 1;
     const std::size_t size = lead >= 0xf0 ? 4 : lead >= 0xe0 ? 3 : 2;
@@ -33,6 +36,7 @@ std::size_t character_at(std::string_view text) {
 bool is_control(std::string_view character) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(character[i]); };
     const auto within = [](unsigned char c, int low, int high) { return low <= c && c <= high; };
+    ASSERT(!character.empty());
     if (character.size() == 1) return byte(0) < 0x20 || byte(0) == 0x7f;
     if (character.size() == 2) return byte(0) == 0xc2 && byte(1) < 0xa0;
     if (character.size() != 3 || byte(0) != 0xe2) return false;
@@ -66,6 +70,7 @@ std::string_view clip_utf8(std::string_view text, std::size_t bytes_max) {
     std::size_t end = bytes_max;
     while (end > 0 && bytes_max - end < 4 && is_continuation(static_cast<unsigned char>(text[end])))
         end--;
+    ASSERT(end <= bytes_max);
     return text.substr(0, end);
 }
 
@@ -78,6 +83,7 @@ std::string printable(std::string_view text, std::size_t bytes_max) {
         const std::string piece = plain ? std::string(character) : escaped(character);
         if (out.size() + piece.size() > bytes_max) break;
         out += piece;
+        ASSERT(out.size() <= bytes_max);
         text.remove_prefix(character.size());
     }
     return out;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "jostle/base/check.h"
 #include "server/util/clock.h"
 
 namespace jostle::server {
@@ -15,11 +16,14 @@ public:
     TokenBucket(double per_second, Clock::time_point now)
         : TokenBucket(per_second, per_second, now) {}
     TokenBucket(double per_second, double burst, Clock::time_point now)
-        : rate_(per_second), burst_(burst), tokens_(burst), last_(now) {}
+        : rate_(per_second), burst_(burst), tokens_(burst), last_(now) {
+        ASSERT(per_second >= 0 && burst >= 0);
+    }
 
     // Takes `amount` and returns true, or takes nothing and returns false if there are too few
     // tokens.
     bool take(double amount, Clock::time_point now) {
+        ASSERT(amount >= 0);
         refill(now);
         if (tokens_ < amount) return false;
         tokens_ -= amount;
@@ -28,6 +32,7 @@ public:
 
     // Takes `amount` even if there are too few tokens; the debt is refilled later.
     void spend(double amount, Clock::time_point now) {
+        ASSERT(amount >= 0);
         refill(now);
         tokens_ -= amount;
     }

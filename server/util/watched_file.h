@@ -14,6 +14,7 @@
 #include <cstring>
 #include <string>
 
+#include "jostle/base/check.h"
 #include "jostle/base/result.h"
 
 namespace jostle::server {
@@ -63,6 +64,7 @@ inline Result<std::string> read_bounded(const std::string& path, std::size_t byt
         if (got < 0) return failed(std::strerror(errno));
         if (got == 0) break;
         size += static_cast<std::size_t>(got);
+        ASSERT(size <= text.size());
     }
     if (size > bytes_max)
         return failed("it is longer than " + std::to_string(bytes_max) + " bytes");

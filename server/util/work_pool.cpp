@@ -7,11 +7,13 @@
 #include <exception>
 #include <utility>
 
+#include "jostle/base/check.h"
 #include "server/util/log.h"
 
 namespace jostle::server {
 
 WorkPool::WorkPool(int threads, std::size_t queue_max, int niceness) : queue_max_(queue_max) {
+    ASSERT(threads > 0 && queue_max > 0);
     for (int i = 0; i < threads; i++) threads_.emplace_back([this, niceness] { run(niceness); });
 }
 
@@ -20,10 +22,12 @@ WorkPool::~WorkPool() {
 }
 
 bool WorkPool::add(std::function<void()> work) {
+    ASSERT(work);
     {
         const std::lock_guard lock(mutex_);
         if (stopping_ || queue_.size() >= queue_max_) return false;
         queue_.push_back(std::move(work));
+        ASSERT(queue_.size() <= queue_max_);
     }
     changed_.notify_one();
     return true;
@@ -47,6 +51,7 @@ void WorkPool::run(int niceness) {
         changed_.wait(lock, [this] { return stopping_ || !queue_.empty(); });
         if (queue_.empty()) return;
         const std::function<void()> work = std::move(queue_.front());
+        ASSERT(work);
         queue_.pop_front();
         lock.unlock();
         try {

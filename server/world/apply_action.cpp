@@ -5,6 +5,7 @@
 #include <utility>
 #include <variant>
 
+#include "jostle/base/check.h"
 #include "jostle/modules/blast.h"
 #include "jostle/modules/destruction.h"
 #include "jostle/modules/player_interaction.h"
@@ -15,59 +16,65 @@ using namespace physics;
 
 namespace {
 
-// N s/m^2 for each m/s: a crate of a metre and 1000 kg/m^3 gets about that speed.
+// Impulse per area and blast speed (N s/m^2 per m/s): a crate of 1 m and 1000 kg/m^3 reaches about
+// the blast speed.
 constexpr double blast_strength = 1000;
-// m for each m of its radius and m/s: so near, walls that can break do.
-constexpr double blast_breaks = 1.0 / 60;
-// Shapes that overlap a body that is to be spawned. Bodies in one place make pairs with the square
-// of their number.
-constexpr std::size_t crowd_max = 40;
+// Breaking distance per blast radius and blast speed (m per m and m/s). Breakable walls within it
+// break.
+constexpr double blast_break_scale = 1.0 / 60;
+// Limit of shapes that overlap a spawned body. The number of pairs grows with the square of the
+// bodies in one place.
+constexpr std::size_t spawn_overlaps_max = 40;
 
 Error refused(ErrorCode code, std::string message) {
     return {code, std::move(message)};
 }
 
 Error no_such_entity(EntityId id) {
-    return refused(ErrorCode::not_found, "there is no entity " + std::to_string(id));
+    return refused(ErrorCode::not_found, "entity " + std::to_string(id) + " does not exist");
 }
 
-// What the solver says no to is an input with wrong numbers.
+// The solver rejects only invalid numbers.
 Status from_solver(const Status& status) {
     return status.ok() ? status : refused(ErrorCode::invalid_argument, status.error().message);
 }
 
-// One kind of action each; a kind without one does not compile.
+// One overload per kind of action; a kind without one does not compile.
 struct Apply {
     HostedState& state;
     ClientId client;
-    EntityId& about;
+    EntityId& affected;
 
     Status operator()(const SpawnCommand& c) const {
         if (static_cast<int>(state.entities.size()) >= state.limits.scene.bodies_max)
             return refused(ErrorCode::resource_exhausted,
-                           "the world is full: it holds " +
-                               std::to_string(state.limits.scene.bodies_max) + " bodies");
-        if (is_crowded(c))
+                           "the world has " + std::to_string(state.entities.size()) +
+                               " bodies; world.bodies_max allows " +
+                               std::to_string(state.limits.scene.bodies_max));
+        if (has_too_many_overlaps(c))
             return refused(ErrorCode::resource_exhausted,
-                           "more than " + std::to_string(crowd_max) +
-                               " shapes are in that place; spawn it somewhere else");
+                           "more than " + std::to_string(spawn_overlaps_max) +
+                               " shapes overlap the spawned body; spawn it elsewhere");
         if (state.ownership.count(client) >= state.limits.bodies_owned_max)
             return refused(ErrorCode::resource_exhausted,
-                           "you own " + std::to_string(state.limits.bodies_owned_max) +
-                               " bodies, the most allowed; delete some first");
+                           "the client owns " + std::to_string(state.ownership.count(client)) +
+                               " bodies; client.bodies_owned_max allows " +
+                               std::to_string(state.limits.bodies_owned_max) +
+                               "; delete a body first");
         const Result<BodyId> body =
             state.world.create_body(BodyDef{.pose = c.pose,
                                             .linear_velocity = c.linear_velocity,
                                             .angular_velocity = c.angular_velocity},
                                     c.shape);
         if (!body.ok()) return from_solver(body.error());
-        about = state.entities.add(state.world, *body, client, c.color, {});
-        state.ownership.add(client, about);
+        affected = state.entities.add(state.world, *body, client, c.color, {});
+        ASSERT(affected != 0);
+        state.ownership.add(client, affected);
         return {};
     }
 
     Status operator()(const ImpulseCommand& c) const {
-        about = c.entity;
+        affected = c.entity;
         const Result<const Entity*> entity = dynamic_entity(c.entity);
         if (!entity.ok()) return entity.error();
         return from_solver(modules::apply_player_impulse(
@@ -75,7 +82,7 @@ struct Apply {
     }
 
     Status operator()(const GrabCommand& c) const {
-        about = c.entity;
+        affected = c.entity;
         const Result<const Entity*> entity = dynamic_entity(c.entity);
         if (!entity.ok()) return entity.error();
         return from_solver(
@@ -84,8 +91,10 @@ struct Apply {
 
     Status operator()(const DragCommand& c) const {
         const std::optional<BodyId> body = state.grabs.drag(state.world, client, c.target);
-        if (!body) return refused(ErrorCode::not_found, "you hold nothing; grab an entity first");
-        about = state.entities.entity_of(*body);
+        if (!body)
+            return refused(ErrorCode::not_found,
+                           "the client has not grabbed an entity; send a grab input first");
+        affected = state.entities.entity_of(*body);
         return {};
     }
 
@@ -95,16 +104,18 @@ struct Apply {
     }
 
     Status operator()(const DeleteCommand& c) const {
-        about = c.entity;
+        affected = c.entity;
         if (!state.entities.find(c.entity)) return no_such_entity(c.entity);
         if (!state.ownership.owns(client, c.entity))
             return refused(ErrorCode::permission_denied,
-                           "entity " + std::to_string(c.entity) + " is not yours");
+                           "entity " + std::to_string(c.entity) +
+                               " is not owned by this client; only its owner can delete it");
         remove(c.entity);
         return {};
     }
 
-    // What a wall hides gets nothing. A click lies on a surface, so the blast stands off a little.
+    // Walls shield bodies from the blast. The centre of a click lies on a surface, so the blast has
+    // a standoff.
     Status operator()(const ExplodeCommand& c) const {
         const auto pushes =
             modules::compute_blast(state.world, {.center = c.center,
@@ -113,10 +124,10 @@ struct Apply {
                                                  .falloff = 0,
                                                  .standoff = 0.3,
                                                  .points = 32,
-                                                 .most_speed = 2 * c.speed});
+                                                 .max_speed = 2 * c.speed});
         if (!pushes.ok()) return from_solver(pushes.error());
         if (auto* walls = dynamic_cast<modules::Destruction*>(state.world.module("destruction")))
-            walls->break_near(state.world, c.center, blast_breaks * c.radius * c.speed);
+            walls->break_near(state.world, c.center, blast_break_scale * c.radius * c.speed);
         Status status;
         for (const modules::BlastImpulse& p : *pushes) {
             const Status pushed = modules::apply_limited_impulse(
@@ -127,7 +138,7 @@ struct Apply {
     }
 
     Status operator()(const PossessCommand& c) const {
-        about = c.entity;
+        affected = c.entity;
         if (c.entity == 0) {
             state.controllers.release(state.world, client);
             return {};
@@ -141,8 +152,9 @@ struct Apply {
         const std::optional<BodyId> body =
             state.controllers.control(state.world, client, c.controls);
         if (!body)
-            return refused(ErrorCode::not_found, "you drive nothing; possess an entity first");
-        about = state.entities.entity_of(*body);
+            return refused(ErrorCode::not_found,
+                           "the client controls no entity; send a possess input first");
+        affected = state.entities.entity_of(*body);
         return {};
     }
 
@@ -162,25 +174,29 @@ struct Apply {
     }
 
 private:
-    bool is_crowded(const SpawnCommand& c) const {
+    bool has_too_many_overlaps(const SpawnCommand& c) const {
         const auto shapes =
             state.world.queries().overlap_shape(c.shape.geometry, compose(c.pose, c.shape.pose));
-        return shapes.ok() && shapes->size() > crowd_max;
+        return shapes.ok() && shapes->size() > spawn_overlaps_max;
     }
 
     void remove(EntityId id) const {
         const BodyId body = state.entities.find(id)->body;
         forget_entity(state, id);
-        // The registry and the world agree, so the body is there.
-        static_cast<void>(state.world.destroy_body(body).ok());
+        // The registry and the world agree, so the body exists.
+        const bool destroyed = state.world.destroy_body(body).ok();
+        ASSERT(destroyed);
+        static_cast<void>(destroyed);
     }
 
     Result<const Entity*> dynamic_entity(EntityId id) const {
         const Entity* entity = state.entities.find(id);
         if (!entity) return no_such_entity(id);
+        ASSERT(entity->description);
         if (entity->description->type != BodyType::dynamic)
             return refused(ErrorCode::permission_denied,
-                           "entity " + std::to_string(id) + " is not dynamic; it cannot be moved");
+                           "entity " + std::to_string(id) +
+                               " is not dynamic; only dynamic entities can be pushed or grabbed");
         return entity;
     }
 };
@@ -195,8 +211,8 @@ void forget_entity(HostedState& state, EntityId id) {
     state.entities.remove(id);
 }
 
-Status apply_action(HostedState& state, ClientId client, const Action& action, EntityId& about) {
-    return std::visit(Apply{state, client, about}, action);
+Status apply_action(HostedState& state, ClientId client, const Action& action, EntityId& affected) {
+    return std::visit(Apply{state, client, affected}, action);
 }
 
 }  // namespace jostle::server

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What an action does to a world: the only place where one becomes a World call. On the thread that
-// owns the world.
+// Applies the actions of clients to a world. Only this file turns an action into World calls. On
+// the thread that owns the world.
 #pragma once
 
 #include "jostle/base/result.h"
@@ -16,12 +16,12 @@
 namespace jostle::server {
 
 struct HostLimits {
-    SceneBudget scene;                     // its bodies_max is of the whole world, later, too
+    SceneBudget scene;                     // its bodies_max also limits spawned bodies
     int bodies_owned_max = 50;             // of one client
-    double lag_compensation_ms_max = 400;  // how long ago a client may have seen what it aims at
+    double lag_compensation_ms_max = 400;  // age limit of an aim's view time
 };
 
-// All that an action may change.
+// The state that actions change.
 struct HostedState {
     physics::World world;
     HostLimits limits;
@@ -31,10 +31,11 @@ struct HostedState {
     ControllerRegistry controllers;
 };
 
-// `about` becomes the entity that the action is about, if any, also when it is refused.
-Status apply_action(HostedState& state, ClientId client, const Action& action, EntityId& about);
+// Sets `affected` to the entity that the action names or creates, if any, also on error.
+Status apply_action(HostedState& state, ClientId client, const Action& action, EntityId& affected);
 
-// The entity's body is gone, or will be: whoever held or owned it does so no longer.
+// Removes an existing entity together with its owner, grabs and controlling client. The body stays;
+// the caller destroys it, or a module has done so.
 void forget_entity(HostedState& state, EntityId id);
 
 }  // namespace jostle::server

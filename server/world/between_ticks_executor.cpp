@@ -2,6 +2,9 @@
 #include "server/world/between_ticks_executor.h"
 
 #include <new>
+#include <string>
+
+#include "jostle/base/check.h"
 
 namespace jostle::server {
 
@@ -10,17 +13,20 @@ Status BetweenTicksExecutor::run(const Task& task) {
     if (closed_) return Error{ErrorCode::aborted, "the world was closed"};
     if (waiting_)
         return Error{ErrorCode::resource_exhausted,
-                     "somebody else looks at this world; try again in a moment"};
+                     "another request already waits for this world; retry in a second"};
+    ASSERT(task);
     waiting_ = &task;
     changed_.wait_for(lock, timeout, [&] { return closed_ || waiting_ != &task; });
-    // The world's thread takes it under the lock: what is still here was not begun.
+    // The tick thread runs the task under the lock, so a task that still waits was not started.
     if (waiting_ != &task) {
         if (!failed_) return {};
-        return Error{ErrorCode::resource_exhausted, "there is no memory to look at this world"};
+        return Error{ErrorCode::resource_exhausted, "out of memory while copying the world"};
     }
     waiting_ = nullptr;
     if (closed_) return Error{ErrorCode::aborted, "the world was closed"};
-    return Error{ErrorCode::deadline_exceeded, "the world's tick has not ended for 5 s"};
+    return Error{ErrorCode::deadline_exceeded,
+                 "the tick of the world did not end within " +
+                     std::to_string(std::chrono::seconds(timeout).count()) + " s"};
 }
 
 void BetweenTicksExecutor::run_pending(HostedWorld& world) {
@@ -28,7 +34,7 @@ void BetweenTicksExecutor::run_pending(HostedWorld& world) {
     {
         const std::lock_guard lock(mutex_);
         if (!waiting_) return;
-        // What a visitor lacks is not the world's fault.
+        // A task that runs out of memory must not end the world.
         try {
             (*waiting_)(world);
             failed_ = false;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Somebody looks at a whole world, between two of its ticks and on its own thread: to export it.
-// The one who asks waits; the world is held up for as long as the look takes, so looks copy and
-// leave the rest to the asker. One at a time.
+// Runs a task on a world between two ticks, on the tick thread; a scene export is one. The caller
+// waits for the task and the task delays the next tick, so tasks copy and the caller does the rest.
+// One task at a time.
 #pragma once
 
 #include <atomic>
@@ -20,23 +20,23 @@ class HostedWorld;
 class BetweenTicksExecutor {
 public:
     using Task = std::function<void(HostedWorld&)>;
-    // A tick may take long; one that takes longer is hung.
+    // Longer than any tick of a world that does not hang.
     static constexpr auto timeout = std::chrono::seconds(5);
 
-    // Any thread: returns when the visit is over. Errors: somebody else visits, the world ended or
-    // does not come to a tick's end.
+    // Any thread: returns after the task ran. Errors: another task waits, the world was closed, its
+    // tick did not end in time, or the task ran out of memory.
     Status run(const Task& task);
 
-    // The world's thread, between two ticks.
+    // The tick thread, between two ticks.
     void run_pending(HostedWorld& world);
-    // Any thread: the world ends.
+    // Any thread: releases a waiting run() with an error; later calls fail at once.
     void close();
 
 private:
     std::atomic<const Task*> waiting_{nullptr};
     std::mutex mutex_;
     std::condition_variable changed_;
-    bool failed_ = false;  // the last visit
+    bool failed_ = false;  // the last task ran out of memory
     bool closed_ = false;
 };
 

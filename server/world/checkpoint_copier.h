@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A world as it is between two ticks, copied by who comes first: whoever wants it, on a thread of
-// his own while the world waits for its next tick, or the world before it goes on. Any thread.
+// Makes one copy of a world between two ticks. The thread that needs it first makes it: the reader,
+// while the world waits for its next tick, or the tick thread before its next tick. Any thread.
 #pragma once
 
 #include <functional>
@@ -10,20 +10,24 @@
 #include <optional>
 #include <utility>
 
+#include "jostle/base/check.h"
 #include "server/world/checkpoint_copy.h"
 
 namespace jostle::server {
 
 class CheckpointCopier {
 public:
-    explicit CheckpointCopier(std::function<CheckpointCopy()> copy) : copy_(std::move(copy)) {}
+    explicit CheckpointCopier(std::function<CheckpointCopy()> copy) : copy_(std::move(copy)) {
+        ASSERT(copy_);
+    }
 
-    // Copies, or waits for who does; what it is copied of may change afterwards.
+    // Makes the copy unless it exists, or waits for the thread that makes it. The world may change
+    // afterwards.
     void finish() {
         const std::lock_guard lock(mutex_);
         copy_now();
     }
-    // Once. Nothing: there was no memory for it.
+    // Call it once. Nothing: the copy ran out of memory.
     std::optional<CheckpointCopy> take() {
         const std::lock_guard lock(mutex_);
         copy_now();
@@ -41,7 +45,7 @@ private:
     }
 
     std::mutex mutex_;
-    std::function<CheckpointCopy()> copy_;  // empty: it was called
+    std::function<CheckpointCopy()> copy_;  // empty after its call
     std::optional<CheckpointCopy> copy_result_;
 };
 

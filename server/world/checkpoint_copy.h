@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A world after a tick, taken in between two.
+// The complete state of a world after a tick.
 #pragma once
 
 #include <cstdint>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Everything anyone may ask of a world, as plain values. Made by protocol/client_message, checked
-// by session/admission, queued, and turned into World calls by host/apply_action and nowhere else.
-// A new kind is a command here, a case in client_message.cpp, its limits in admission.cpp and what
-// it does in apply_action.cpp; where one of them lacks, the compiler says so.
+// The inputs of clients as plain values. messages/client_message decodes them, limits/admission
+// checks them, CommandMailbox queues them, and only world/apply_action turns them into World calls.
+// A new kind needs a command here and a case in each of client_message.cpp, admission.cpp and
+// apply_action.cpp; the compiler reports a missing one.
 #pragma once
 
 #include <cstdint>
@@ -19,21 +19,21 @@
 
 namespace jostle::server {
 
-using EntityId = std::uint32_t;  // never reused in a world; 0 is none
-using ClientId = std::uint32_t;  // 0 is the scene
+using EntityId = std::uint32_t;  // never reused in a world; 0: none
+using ClientId = std::uint32_t;  // 0: the scene
 
-// The world as a client saw it when it acted: so far on the way from a tick to the next.
+// The rendered time for which a client aimed: between a tick and the next one.
 struct ViewTime {
     std::uint32_t tick = 0;
     double fraction = 0;  // 0 to 1
 
     bool operator==(const ViewTime&) const = default;
 };
-// What a client points at: the first thing that the ray meets.
+// A ray whose first hit is the target of an input.
 struct Aim {
     physics::Vec3 origin, motion;            // world; m
-    EntityId ignore = 0;                     // an entity that the ray goes through; 0: none
-    std::optional<ViewTime> view_time = {};  // nothing: as the world is when the input is applied
+    EntityId ignore = 0;                     // an entity that the ray passes through; 0: none
+    std::optional<ViewTime> view_time = {};  // nothing: the time at which the input is applied
 };
 
 struct SpawnCommand {
@@ -41,8 +41,8 @@ struct SpawnCommand {
     physics::Transform pose;
     physics::Vec3 linear_velocity, angular_velocity;
     std::optional<std::uint32_t> color;  // 0xRRGGBB
-    // The jostle.v1.Shape that the shape was read from: read again it gives the same to the bit.
-    // Empty: it was not.
+    // The encoded jostle.v1.Shape from which the shape was decoded; decoding it again yields a
+    // bit-identical shape. Empty: the shape was not decoded from a message.
     std::string shape_bytes = {};
 };
 struct ImpulseCommand {
@@ -70,36 +70,36 @@ struct ExplodeCommand {
     std::optional<Aim> aim = {};  // in place of the centre
 };
 struct PossessCommand {
-    EntityId entity = 0;  // 0: lets go
+    EntityId entity = 0;  // 0: release the controlled entity
 };
 struct ControlCommand {
     physics::Controls controls;
 };
-// The client is gone: lets go, and takes its bodies along unless they are to be kept. Carries no
-// sequence.
+// The client left: releases its grab and its controlled entity, and deletes its bodies unless they
+// are retained. Has no sequence number.
 struct LeaveCommand {
     bool retain_bodies = false;
 };
 
-// The client's connection broke, and it may come back: its hand lets go, and what it drives is as
-// if it held nothing. Carries no sequence.
+// The client's connection broke and the client may resume: releases its grab and sets neutral
+// controls on its controlled entity. Has no sequence number.
 struct DisconnectCommand {};
 
 using Action = std::variant<SpawnCommand, ImpulseCommand, GrabCommand, DragCommand, ReleaseCommand,
                             DeleteCommand, ExplodeCommand, PossessCommand, ControlCommand,
                             LeaveCommand, DisconnectCommand>;
 
-// What became of one input.
+// The outcome of one input.
 struct InputResult {
     std::uint32_t sequence = 0;
     Status status;           // ok: applied. Errors are invalid_argument (a number out of range),
                              // not_found, permission_denied or resource_exhausted
     std::uint32_t tick = 0;  // in which it was applied
-    EntityId entity = 0;     // which one it was about, if any; of a refused one, too
-    // us that it came before the tick it was meant for was due; negative: after. Nothing: no world
-    // saw it.
+    EntityId entity = 0;     // the affected entity, if any; set for refused inputs, too
+    // The input margin in us: the due time of the input's tick minus its time of arrival. Nothing:
+    // the input did not reach a world.
     std::optional<std::int64_t> margin_us = {};
-    // It named a moment of which no frame was left, and was judged by the oldest one.
+    // The view time was older than the oldest frame of the history, which was used instead.
     bool view_time_clamped = false;
 };
 
@@ -107,11 +107,11 @@ class ResultQueue;
 
 struct Command {
     ClientId client = 0;
-    std::uint32_t sequence = 0;  // rises by one or more per client, from 1
+    std::uint32_t sequence = 0;  // per client, from 1, strictly increasing
     Action action;
-    std::shared_ptr<ResultQueue> reply;  // null: nobody waits for the result
+    std::shared_ptr<ResultQueue> reply;  // null: the result is discarded
     Clock::time_point received{};
-    std::uint32_t tick = 0;  // which it is meant for, if that is still to come; 0: the next
+    std::uint32_t tick = 0;  // scheduled tick; 0 or a past tick: the next one
 };
 
 }  // namespace jostle::server

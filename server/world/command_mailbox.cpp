@@ -18,7 +18,7 @@ void CommandMailbox::push_leave(Command command) {
     leave_commands_.push_back(std::move(command));
 }
 
-// Leave commands are taken first: whatever a leaving client sent before is in the queue by then.
+// Takes leave commands first: the earlier inputs of those clients are in the queue by then.
 void CommandMailbox::take_due(std::uint32_t tick) {
     taken_leave_commands_.clear();
     {

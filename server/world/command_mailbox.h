@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The commands of clients on their way into a world. Any thread puts them in; the tick thread takes
-// those that are due. Commands come out in arrival order, leave commands after the inputs that the
-// same client sent before.
+// The queue of commands into a world. Any thread pushes commands; the tick thread takes those that
+// are due. Commands come out in order of arrival, and leave commands after the earlier inputs of
+// the same client.
 #pragma once
 
 #include <cstdint>
@@ -23,8 +23,8 @@ public:
 
     // Any thread. False: the queue is full and the command was not taken.
     bool push(Command command) { return commands_.push(std::move(command)); }
-    // Any thread; never waits and is never refused. The client left for good, or its connection
-    // broke and it may reconnect.
+    // Any thread; these never block and never fail. The client left, or its connection broke and it
+    // may resume.
     void leave(ClientId client, bool retain_bodies);
     void disconnect(ClientId client);
 

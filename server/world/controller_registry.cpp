@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "jostle/base/check.h"
+
 namespace jostle::server {
 
 using namespace physics;
@@ -23,15 +25,16 @@ bool is_controllable(const World& world, BodyId body) {
 
 Status ControllerRegistry::possess(World& world, ClientId client, BodyId body) {
     if (controlling_module(world, body) == nullptr)
-        return Error{ErrorCode::permission_denied, "nobody can drive that"};
-    const auto drives = [&](const auto& entry) {
+        return Error{ErrorCode::permission_denied, "the entity is not controllable"};
+    const auto is_other_client = [&](const auto& entry) {
         return entry.second == body && entry.first != client;
     };
-    if (std::ranges::any_of(controlled_, drives))
-        return Error{ErrorCode::permission_denied, "somebody else drives it"};
+    if (std::ranges::any_of(controlled_, is_other_client))
+        return Error{ErrorCode::permission_denied, "another client controls the entity"};
     const auto at = controlled_.find(client);
     if (at != controlled_.end() && at->second == body) return {};
     release(world, client);
+    ASSERT(!is_null(body) && !controlled_.contains(client));
     controlled_[client] = body;
     return {};
 }
@@ -41,7 +44,7 @@ std::optional<BodyId> ControllerRegistry::control(World& world, ClientId client,
     const auto at = controlled_.find(client);
     if (at == controlled_.end()) return std::nullopt;
     Module* const module = controlling_module(world, at->second);
-    if (module == nullptr) {  // it let go of the body
+    if (module == nullptr) {  // no module controls the body any longer
         controlled_.erase(at);
         return std::nullopt;
     }
@@ -80,6 +83,7 @@ void ControllerRegistry::write(SavedHostState& host_state) const {
 }
 
 void ControllerRegistry::restore(const SavedHostState& host_state) {
+    ASSERT(controlled_.empty());
     for (const SavedHostState::Controlled& controlled : host_state.controlled_entities)
         controlled_[controlled.client] = controlled.body;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Who drives what: at most one body a client, and one client a body. What a driver holds is the
-// state of the body's module. Owned by HostedWorld; one thread.
+// The controlled entities of clients: at most one body per client and one client per body. The
+// controls themselves are state of the body's module. Owned by HostedWorld; one thread.
 #pragma once
 
 #include <map>
@@ -18,17 +18,17 @@ namespace jostle::server {
 
 class ControllerRegistry {
 public:
-    // Lets go of what the client drove. Refused: no module lets anybody drive the body
-    // (permission_denied), or somebody else does.
+    // Releases the body that the client controlled before. permission_denied: no module controls
+    // the body, or another client does.
     Status possess(physics::World& world, ClientId client, physics::BodyId body);
-    // The body that follows; nothing when the client drives none.
+    // Returns the controlled body; nothing if the client controls none.
     std::optional<physics::BodyId> control(physics::World& world, ClientId client,
                                            const physics::Controls& controls);
-    // The body's controls are as if nobody held them.
+    // Sets neutral controls and frees the body for other clients.
     void release(physics::World& world, ClientId client);
     void release_body(physics::World& world, physics::BodyId body);
 
-    // What is driven, for clients that foresee it.
+    // The module state of each controlled entity, for clients that predict it.
     std::vector<ControlledEntityState> controlled_states(
         physics::World& world, const modules::BodyNameLookup& name_of) const;
 
@@ -39,7 +39,7 @@ private:
     std::map<ClientId, physics::BodyId> controlled_;
 };
 
-// The module that lets somebody drive the body; null: none.
+// The module that controls the body; null: none.
 physics::Module* controlling_module(physics::World& world, physics::BodyId body);
 bool is_controllable(const physics::World& world, physics::BodyId body);
 

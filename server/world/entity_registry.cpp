@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "jostle/base/check.h"
 #include "server/world/controller_registry.h"
 
 namespace jostle::server {
@@ -24,6 +25,7 @@ double bounding_radius_of(const physics::World& world, physics::ShapeId shape,
 
 std::shared_ptr<EntityDescription> EntityRegistry::describe(const physics::World& world,
                                                             physics::BodyId body) {
+    ASSERT(world.contains(body));
     const physics::BodyState state = *world.body(body);
     auto description = std::make_shared<EntityDescription>();
     description->type = state.type;
@@ -45,11 +47,13 @@ std::shared_ptr<EntityDescription> EntityRegistry::describe(const physics::World
 
 void EntityRegistry::put(EntityId id, Entity entity) {
     const physics::BodyId body = entity.body;
+    ASSERT(id != 0 && entity.description && !entities_.contains(id));
     entities_.emplace(id, std::move(entity));
     if (entity_of_body_.size() <= body.index) {
         entity_of_body_.resize(body.index + 1, 0);
         generation_of_body_.resize(body.index + 1, 0);
     }
+    ASSERT(entity_of_body_.size() == generation_of_body_.size());
     entity_of_body_[body.index] = id;
     generation_of_body_[body.index] = body.generation;
     list_ = nullptr;
@@ -63,23 +67,26 @@ EntityId EntityRegistry::add(const physics::World& world, physics::BodyId body, 
     description->owner = owner;
     description->color = color;
     description->name = std::move(name);
+    ASSERT(find_living(body) == 0);
     put(id, {body, std::move(description)});
     return id;
 }
 
 Status EntityRegistry::restore(const physics::World& world, const SavedHostState& host_state) {
-    for (const SavedHostState::Entity& kept : host_state.entities) {
-        if (!world.contains(kept.body))
-            return Error{ErrorCode::corrupt_data, "entity " + std::to_string(kept.id) +
-                                                      " is kept, but the world lacks its body"};
-        std::shared_ptr<EntityDescription> description = describe(world, kept.body);
-        description->id = kept.id;
-        description->owner = kept.owner;
-        description->color = kept.color;
-        description->name = kept.name;
-        description->mass = kept.mass;
-        description->bounding_radius = kept.bounding_radius;
-        put(kept.id, {kept.body, std::move(description)});
+    ASSERT(entities_.empty());
+    for (const SavedHostState::Entity& saved : host_state.entities) {
+        if (!world.contains(saved.body))
+            return Error{ErrorCode::corrupt_data, "corrupt host state: entity " +
+                                                      std::to_string(saved.id) +
+                                                      " has no body in the saved world"};
+        std::shared_ptr<EntityDescription> description = describe(world, saved.body);
+        description->id = saved.id;
+        description->owner = saved.owner;
+        description->color = saved.color;
+        description->name = saved.name;
+        description->mass = saved.mass;
+        description->bounding_radius = saved.bounding_radius;
+        put(saved.id, {saved.body, std::move(description)});
     }
     next_id_ = host_state.next_id;
     return {};
@@ -87,17 +94,19 @@ Status EntityRegistry::restore(const physics::World& world, const SavedHostState
 
 void EntityRegistry::write(SavedHostState& host_state) const {
     host_state.next_id = next_id_;
+    ASSERT(host_state.entities.empty());
     host_state.entities.reserve(entities_.size());
     for (const auto& [id, entity] : entities_) {
-        const EntityDescription& told = *entity.description;
+        const EntityDescription& d = *entity.description;
         host_state.entities.push_back(
-            {id, entity.body, told.owner, told.color, told.name, told.mass, told.bounding_radius});
+            {id, entity.body, d.owner, d.color, d.name, d.mass, d.bounding_radius});
     }
 }
 
 void EntityRegistry::remove(EntityId id) {
     const auto at = entities_.find(id);
     if (at == entities_.end()) return;
+    ASSERT(at->second.body.index < entity_of_body_.size());
     entity_of_body_[at->second.body.index] = 0;
     removed_.emplace(at->second.body, id);
     entities_.erase(at);
@@ -130,6 +139,7 @@ const std::shared_ptr<const EntityList>& EntityRegistry::list() {
         auto list = std::make_shared<EntityList>();
         list->reserve(entities_.size());
         for (const auto& [id, entity] : entities_) list->push_back(entity.description);
+        ASSERT(list->size() == entities_.size());
         list_ = std::move(list);
     }
     return list_;

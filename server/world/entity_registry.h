@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Which entities a world has: an id that is never reused for each body, and what clients are told
-// of it. Also which entity a body is, for as long as an event may name the body. Owned by
+// The entities of a world: each body has an id that is never reused and the description that
+// clients receive. Also maps bodies to entities for as long as an event may name the body. Owned by
 // HostedWorld; one thread.
 #pragma once
 
@@ -27,48 +27,47 @@ struct Entity {
 
 class EntityRegistry {
 public:
-    // Describes a body of the world as it is now.
+    // Adds a body of the world; its description is a copy of its current state.
     EntityId add(const physics::World& world, physics::BodyId body, ClientId owner,
                  std::optional<std::uint32_t> color, std::string name);
-    // As write() told, in a registry in which there is nothing yet. corrupt_data: of a body that
-    // the world does not have.
+    // Restores the state that write() stored, into an empty registry. corrupt_data: an entity's
+    // body does not exist in the world.
     Status restore(const physics::World& world, const SavedHostState& host_state);
     void write(SavedHostState& host_state) const;
-    // Ids that another one gave are not given again.
+    // Never assigns ids that `other` has assigned.
     void skip_ids_of(const EntityRegistry& other) { next_id_ = std::max(next_id_, other.next_id_); }
-    // One that is there. Its body can still be looked up until the step after the next has begun.
+    // entity_of() finds a removed body until the step after the next one begins.
     void remove(EntityId id);
-    // The world stepped: its events name bodies that were there before, and no older ones.
+    // After each step of the world, whose events name only bodies that existed before it.
     void on_step();
 
-    // Null when there is none.
+    // Null: the entity does not exist.
     const Entity* find(EntityId id) const;
-    // Of a body that lives, or that was removed since the step before the last.
+    // For a living body, or one that was removed since the step before the last.
     EntityId entity_of(physics::BodyId body) const;
-    // Of a body that lives; 0 for any other id, whatever it holds.
+    // For a living body; 0 for every other id.
     EntityId find_living(physics::BodyId body) const;
     const std::vector<EntityId>& by_body() const { return entity_of_body_; }  // by index; 0: none
-    const std::map<EntityId, Entity>& all() const { return entities_; }       // in rising order
+    const std::map<EntityId, Entity>& all() const { return entities_; }       // ascending
     std::size_t size() const { return entities_.size(); }
 
-    // The same pointers until an entity comes or goes.
+    // Equal pointers until an entity is added or removed.
     const std::shared_ptr<const EntityList>& list();
     const std::shared_ptr<const ShapeOwners>& shape_owners();
 
 private:
-    // Of a body of the world.
     static std::shared_ptr<EntityDescription> describe(const physics::World& world,
                                                        physics::BodyId body);
     void put(EntityId id, Entity entity);
 
     EntityId next_id_ = 1;
     std::map<EntityId, Entity> entities_;
-    std::vector<EntityId> entity_of_body_;           // by index
-    std::vector<std::uint32_t> generation_of_body_;  // likewise: of the body that the entity is
+    std::vector<EntityId> entity_of_body_;           // by index of the body; 0: none
+    std::vector<std::uint32_t> generation_of_body_;  // likewise: of the entity's body
     // Bodies that were removed since the last step, and those that its events may still name.
     std::map<physics::BodyId, EntityId> removed_, removed_before_step_;
-    std::shared_ptr<const EntityList> list_;           // null: changed since it was asked for
-    std::shared_ptr<const ShapeOwners> shape_owners_;  // of that list; null: not asked for yet
+    std::shared_ptr<const EntityList> list_;           // null: changed since the last list()
+    std::shared_ptr<const ShapeOwners> shape_owners_;  // of that list; null: not computed yet
 };
 
 }  // namespace jostle::server

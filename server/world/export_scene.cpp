@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 
+#include "jostle/base/check.h"
 #include "jostle/physics/module.h"
 #include "jostle/physics/vec3.h"
 
@@ -16,23 +17,23 @@ using scenes::SceneDescription;
 
 namespace {
 
-// `said`: what a body does not tell of itself, such as its damping.
-SceneBody body_now(const World& world, BodyId id, SceneBody said) {
+// `scene_body` holds the properties that BodyState lacks, such as damping.
+SceneBody export_body(const World& world, BodyId id, SceneBody scene_body) {
     const BodyState state = *world.body(id);
-    said.body.type = state.type;
-    said.body.pose = state.pose;
-    // A body is made without shapes, and the velocities of its points stay as it gets them: what is
-    // said of its velocity is that of its origin.
-    said.body.linear_velocity =
+    scene_body.body.type = state.type;
+    scene_body.body.pose = state.pose;
+    // A definition holds the velocity of the origin, because the body is created without shapes and
+    // gets its centre of mass later.
+    scene_body.body.linear_velocity =
         state.linear_velocity + cross(state.angular_velocity, state.pose.position - state.center);
-    said.body.angular_velocity = state.angular_velocity;
-    said.body.sleep_allowed = state.sleep_allowed;
-    said.body.locks = state.locks;
-    said.body.user_data = state.user_data;
-    said.shapes.clear();
+    scene_body.body.angular_velocity = state.angular_velocity;
+    scene_body.body.sleep_allowed = state.sleep_allowed;
+    scene_body.body.locks = state.locks;
+    scene_body.body.user_data = state.user_data;
+    scene_body.shapes.clear();
     for (const ShapeId shape : world.shapes_of(id))
-        said.shapes.push_back(def_of(*world.shape(shape)));
-    return said;
+        scene_body.shapes.push_back(def_of(*world.shape(shape)));
+    return scene_body;
 }
 
 class Exporter {
@@ -52,10 +53,12 @@ public:
         add_spawned_bodies();
         add_joints();
         for (const scenes::SceneModule& module : origin_.modules) add_module(module);
-        say("bodies of modules", made_by_modules_, "they are made anew with them");
-        say("joints that are not the scene's", world_.joints().size() - out_.scene.joints.size(),
-            "what clients hold is let go");
-        say("modules", modules_begun_anew_, "bodies that they know changed: they begin anew");
+        report_omitted("module bodies", module_bodies_, "their modules create them again");
+        report_omitted("joints", world_.joints().size() - out_.scene.joints.size(),
+                       "they are grabs of clients");
+        report_omitted("module states", reset_modules_,
+                       "bodies that they refer to changed, so the modules start from their initial "
+                       "state");
         return std::move(out_);
     }
 
@@ -65,7 +68,7 @@ private:
         for (std::size_t i = 0; i < ids_.bodies.size(); i++) {
             if (!world_.contains(ids_.bodies[i])) continue;
             new_index_[i] = out_.scene.bodies.size();
-            out_.scene.bodies.push_back(body_now(world_, ids_.bodies[i], origin_.bodies[i]));
+            out_.scene.bodies.push_back(export_body(world_, ids_.bodies[i], origin_.bodies[i]));
         }
     }
 
@@ -75,14 +78,14 @@ private:
         for (const auto& [id, entity] : state_.entities.all()) {
             if (std::ranges::binary_search(known, entity.body)) continue;
             if (entity.description->owner == 0) {
-                made_by_modules_++;
+                module_bodies_++;
                 continue;
             }
-            out_.scene.bodies.push_back(body_now(world_, entity.body,
-                                                 {.name = entity.description->name,
-                                                  .body = {},
-                                                  .shapes = {},
-                                                  .color = entity.description->color}));
+            out_.scene.bodies.push_back(export_body(world_, entity.body,
+                                                    {.name = entity.description->name,
+                                                     .body = {},
+                                                     .shapes = {},
+                                                     .color = entity.description->color}));
         }
     }
 
@@ -93,17 +96,18 @@ private:
             const JointDef now = world_.joint(ids_.joints[i])->def;
             joint.joint.kind = now.kind;
             joint.joint.solver = now.solver;
-            // A joint goes with its bodies: those of one that is there are there.
+            // The bodies of an existing joint exist.
+            ASSERT(new_index_[joint.body_b]);
             if (joint.body_a != scenes::world_body) joint.body_a = *new_index_[joint.body_a];
             joint.body_b = *new_index_[joint.body_b];
             out_.scene.joints.push_back(std::move(joint));
         }
     }
 
-    // Ids in a module's state are those of this world: the same again only where all that the scene
-    // made is still there and nothing stands before it.
+    // A module's state refers to bodies and joints by id. The exported scene yields the same ids
+    // only if every body and joint of the original scene still exists and no module created bodies.
     bool ids_are_preserved() const {
-        return made_by_modules_ == 0 && out_.scene.joints.size() == origin_.joints.size() &&
+        return module_bodies_ == 0 && out_.scene.joints.size() == origin_.joints.size() &&
                std::ranges::all_of(new_index_, [](const auto& index) { return index.has_value(); });
     }
 
@@ -111,19 +115,20 @@ private:
         Module* const running = world_.module(module.tag);
         if (!running) return;
         for (auto& [name, body] : module.bodies) {
-            if (!new_index_[body]) return say("modules", 1, "the body \"" + name + "\" is gone");
+            if (!new_index_[body])
+                return report_omitted("modules", 1, "body \"" + name + "\" no longer exists");
             body = *new_index_[body];
         }
         module.state.clear();
         if (ids_are_preserved())
             module.state = save_module(*running);
         else
-            modules_begun_anew_++;
+            reset_modules_++;
         out_.scene.modules.push_back(std::move(module));
     }
 
-    void say(const std::string& what, std::size_t count, const std::string& why) {
-        if (count > 0) out_.omitted.push_back(std::to_string(count) + " " + what + ": " + why);
+    void report_omitted(const std::string& noun, std::size_t count, const std::string& reason) {
+        if (count > 0) out_.omitted.push_back(std::to_string(count) + " " + noun + ": " + reason);
     }
 
     HostedState& state_;
@@ -131,8 +136,8 @@ private:
     const SceneDescription& origin_;
     const SceneIds& ids_;
     ExportedScene out_;
-    std::vector<std::optional<std::size_t>> new_index_;  // of each body of the scene; none: gone
-    std::size_t made_by_modules_ = 0, modules_begun_anew_ = 0;
+    std::vector<std::optional<std::size_t>> new_index_;  // per body of the scene; nothing: removed
+    std::size_t module_bodies_ = 0, reset_modules_ = 0;
 };
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A hosted world as a scene that can be hosted again: what its scene said, as it is now. On the
-// thread that owns the world.
+// Exports a hosted world as a scene that can be hosted again: its original scene with the current
+// state. On the thread that owns the world.
 #pragma once
 
 #include <string>
@@ -12,7 +12,7 @@
 
 namespace jostle::server {
 
-// What the bodies and joints of the scene became when it was built: in its order.
+// The ids of the bodies and joints that were built from the scene, in its order.
 struct SceneIds {
     std::vector<physics::BodyId> bodies;
     std::vector<physics::JointId> joints;
@@ -20,11 +20,11 @@ struct SceneIds {
 
 struct ExportedScene {
     scenes::SceneDescription scene;
-    std::vector<std::string> omitted;  // what a scene cannot say, each as a sentence
+    std::vector<std::string> omitted;  // parts that a scene cannot represent, one sentence each
 };
 
-// `origin`: the scene that the world was made of. Bodies that are gone and joints that broke are
-// left out; what clients spawned is there. Impulses and sleep are no part of a scene.
+// `origin`: the scene that the world was built from. Removed bodies and broken joints are skipped;
+// bodies that clients spawned are included. Accumulated impulses and sleep are not part of a scene.
 ExportedScene export_scene(HostedState& state, const scenes::SceneDescription& origin,
                            const SceneIds& ids);
 

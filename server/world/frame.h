@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The only way out of a world: an immutable copy of what clients may see, made once per tick and
-// shared.
+// The output of a world: an immutable copy of the state that clients may see, made once per tick
+// and shared by all threads.
 #pragma once
 
 #include <memory>
@@ -17,7 +17,7 @@
 
 namespace jostle::server {
 
-// What an entity is: said once, when it appears.
+// The constant properties of an entity, which clients receive once, when it appears.
 struct EntityDescription {
     EntityId id = 0;
     physics::BodyType type = physics::BodyType::dynamic;
@@ -26,48 +26,48 @@ struct EntityDescription {
     std::optional<std::uint32_t> color;
     std::string name;
     double mass = 0;            // kg
-    bool controllable = false;  // a module lets somebody drive it
+    bool controllable = false;  // clients can possess it
     bool jointed = false;
     double linear_damping = 0, angular_damping = 0, gravity_scale = 1;
     physics::AxisLocks locks = 0;
-    double bounding_radius = 0;  // m from its origin to its furthest corner; infinite for planes
+    double bounding_radius = 0;  // m from its origin to its farthest corner; infinite for planes
 };
 
-// In rising order of id. A new one is made only when something appears or goes, so equal pointers
-// mean equal entity lists.
+// In ascending order of id. A new list is made only when an entity appears or disappears, so equal
+// pointers mean equal entity lists.
 using EntityList = std::vector<std::shared_ptr<const EntityDescription>>;
 
-// What somebody drives, as jostle/modules/controlled_entity_state.h tells it.
+// The module state of a controlled entity, encoded by jostle/modules/controlled_entity_state.h.
 struct ControlledEntityState {
     ClientId client = 0;
     EntityId entity = 0;
-    std::string module;  // its tag
+    std::string module;  // tag
     std::vector<std::uint32_t> words;
 };
 
 struct Frame {
     std::uint32_t tick = 0;  // from 1
     Clock::time_point due;   // when the tick was due
-    // The same beside the world's epoch and the tick's number: how much was left out since.
+    // Due time minus the ideal due time, which follows from the world's epoch and the tick number:
+    // the total time of skipped ticks.
     std::int64_t late_us = 0;
-    PoseList entities;  // as in the entity list
-    // The newest tick, this one included, in which a client could see something change: a pose, who
-    // is awake, the entity list, a channel. And the newest one before that, as of the tick before:
-    // until then what the frame before shows was as it is there.
+    PoseList entities;  // same order as entity_list
+    // The newest tick, this one included, that changed a pose, an awake flag, the entity list or a
+    // channel; and that value as of the previous frame.
     std::uint32_t changed_at = 0, previous_changed_at = 0;
     std::shared_ptr<const EntityList> entity_list;
-    // Never null; empty unless a client asked for events.
+    // Never null; empty unless a client subscribed to events.
     std::shared_ptr<const RecentEvents> events;
-    // What modules tell clients; null: nothing. One that says the same as in the frame before has
-    // the same values.
+    // The channels of modules; null: none. A channel that did not change shares its values with the
+    // previous frame.
     std::shared_ptr<const Channels> channels;
-    // Of this tick, while a client is there who simulates; null: nothing is driven.
+    // Of this tick, while a client predicts; null: no entity is controlled.
     std::shared_ptr<const std::vector<ControlledEntityState>> controlled_entities;
     int awake = 0, contacts = 0;
-    double step_ms = 0;                        // of this tick: the solver alone
+    double step_ms = 0;                        // of this tick, solver only
     double tick_ms_mean = 0, tick_ms_max = 0;  // of whole ticks, over the last second
-    std::optional<std::string> paused;         // why the world does not step
-    std::uint32_t late_ticks = 0;              // since the world began
+    std::optional<std::string> paused;         // the reason; nothing: the world is not paused
+    std::uint32_t late_ticks = 0;              // skipped since the start of the world
 };
 
 using FramePtr = std::shared_ptr<const Frame>;

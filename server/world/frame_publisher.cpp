@@ -6,6 +6,8 @@
 #include <optional>
 #include <utility>
 
+#include "jostle/base/check.h"
+
 namespace jostle::server {
 
 FramePublisher::FramePublisher(double hz, std::function<void(bool has_events)> on_frame)
@@ -16,7 +18,7 @@ FramePtr FramePublisher::frame() const {
     return frame_;
 }
 
-// Readers hold the list that they got, so each tick with events makes a new one.
+// Readers may hold the current list, so each tick with events makes a new one.
 void FramePublisher::record_events(std::optional<TickEvents> events) {
     if (listeners_.events.load() == 0) {
         if (!events_->ticks.empty())
@@ -30,11 +32,13 @@ void FramePublisher::record_events(std::optional<TickEvents> events) {
     recent->count = events_->count + 1;
     recent->ticks.assign(old.begin() + static_cast<std::ptrdiff_t>(dropped), old.end());
     recent->ticks.push_back(std::make_shared<const TickEvents>(*std::move(events)));
+    ASSERT(recent->ticks.size() <= RecentEvents::ticks_max);
     events_ = std::move(recent);
 }
 
-// The whole tick, with commands and the copy: what is not measured cannot be seen to be too long.
+// Measures the whole tick with commands and copies, so that no slow part stays invisible.
 void FramePublisher::measure(Frame& frame, Clock::time_point began) {
+    ASSERT(next_ < tick_ms_.size());
     tick_ms_[next_] = to_ms(Clock::now() - began);
     next_ = (next_ + 1) % tick_ms_.size();
     frame.tick_ms_mean = std::accumulate(tick_ms_.begin(), tick_ms_.end(), 0.0) /
@@ -43,6 +47,7 @@ void FramePublisher::measure(Frame& frame, Clock::time_point began) {
 }
 
 void FramePublisher::set_frame(FramePtr frame) {
+    ASSERT(frame && frame->events);
     has_new_events_ =
         frame->events->count != std::exchange(published_events_, frame->events->count);
     FramePtr old;  // freed outside the lock

@@ -2,7 +2,7 @@
 //
 // The outgoing side of a world: the newest frame, the events of the newest ticks, tick times, and
 // the number of clients that need optional parts of a frame. The tick thread publishes; any thread
-// reads frames and counts itself in and out as a listener.
+// reads frames and increments or decrements the numbers of listeners.
 #pragma once
 
 #include <atomic>
@@ -24,8 +24,8 @@ struct FrameListeners {
 
 class FramePublisher {
 public:
-    // `on_frame`: called on the tick thread after each frame, with whether anything happened in it;
-    // must only wake another thread.
+    // `on_frame`: called on the tick thread after each frame; `has_events`: the frame has changes,
+    // events or input results. It must only wake another thread.
     FramePublisher(double hz, std::function<void(bool has_events)> on_frame);
 
     // Any thread: the newest frame; the first one exists before the first tick.
@@ -40,7 +40,7 @@ public:
     void measure(Frame& frame, Clock::time_point began);
     // Replaces the newest frame.
     void set_frame(FramePtr frame);
-    // Wakes the listeners. `changed`: the frame differs from the one before or answers an input.
+    // Wakes the listeners. `changed`: the frame differs from the previous one or has input results.
     void notify(bool changed);
 
 private:

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The newest frames of a world, for who asks what was where a moment ago: clients see the world as
-// it was, and aim at that. The world's thread puts; any thread looks. What is looked at stays for
-// as long as it is held.
+// The newest frames of a world, for lag compensation: clients render the world as it was some time
+// ago and aim at that. The tick thread puts frames; any thread reads them. Readers share the
+// ownership of the frames that they got.
 #pragma once
 
 #include <cstddef>
@@ -15,20 +15,20 @@
 
 namespace jostle::server {
 
-// A moment of a world's past, between two of its frames.
+// A time in the past of a world, between two of its frames.
 struct RewindFrames {
-    FramePtr before, after;  // the same when nothing is between them
-    double fraction = 0;     // of the way from `before` to `after`, 0 to 1
-    bool clamped = false;    // a moment before it was asked for, of which no frame is left
+    FramePtr before, after;  // equal for a time exactly at a frame
+    double fraction = 0;     // from `before` to `after`, 0 to 1
+    bool clamped = false;    // the requested time is older than the oldest frame, which is used
 };
 
 class FrameRing {
 public:
-    // As many as are in so many ms of a world of that rate, and at least the newest one.
+    // Holds the frames of `history_ms` at a rate of `hz`, and at least the newest one.
     FrameRing(double history_ms, double hz);
 
     void put(FramePtr frame);
-    // What is later than the newest frame is as it is there. Nothing before the first frame.
+    // A time after the newest frame yields the newest frame. Nothing: no frame was put yet.
     std::optional<RewindFrames> at(const ViewTime& view_time) const;
 
     std::size_t frames_max() const { return frames_max_; }
@@ -36,7 +36,7 @@ public:
 private:
     const std::size_t frames_max_;
     mutable std::mutex mutex_;
-    std::deque<FramePtr> frames_;  // one a tick
+    std::deque<FramePtr> frames_;  // one per tick, consecutive ticks
 };
 
 }  // namespace jostle::server

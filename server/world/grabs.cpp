@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "server/world/grabs.h"
 
+#include "jostle/base/check.h"
 #include "jostle/modules/player_interaction.h"
 
 namespace jostle::server {
@@ -11,6 +12,7 @@ Status Grabs::grab(World& world, ClientId client, const BodyState& body, Vec3 po
     release(world, client);
     const Result<JointId> joint = world.create_joint(modules::make_grab_joint(body, point));
     if (!joint.ok()) return joint.error();
+    ASSERT(!held_.contains(client));
     held_[client] = {body.id, *joint};
     return {};
 }
@@ -19,7 +21,7 @@ std::optional<BodyId> Grabs::drag(World& world, ClientId client, Vec3 target) {
     const auto at = held_.find(client);
     if (at == held_.end()) return std::nullopt;
     const Result<JointState> joint = world.joint(at->second.joint);
-    if (!joint.ok()) {  // it went with its body
+    if (!joint.ok()) {  // the joint was removed together with its body
         held_.erase(at);
         return std::nullopt;
     }
@@ -32,7 +34,7 @@ std::optional<BodyId> Grabs::drag(World& world, ClientId client, Vec3 target) {
 void Grabs::release(World& world, ClientId client) {
     const auto at = held_.find(client);
     if (at == held_.end()) return;
-    static_cast<void>(world.destroy_joint(at->second.joint).ok());  // it may have gone already
+    static_cast<void>(world.destroy_joint(at->second.joint).ok());  // it may be removed already
     held_.erase(at);
 }
 
@@ -50,6 +52,7 @@ void Grabs::write(SavedHostState& host_state) const {
 }
 
 void Grabs::restore(const SavedHostState& host_state) {
+    ASSERT(held_.empty());
     for (const SavedHostState::Held& held : host_state.held)
         held_[held.client] = {held.body, held.joint};
 }

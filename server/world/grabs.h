@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Who holds what: at most one body a client, by a joint that pulls it as a hand would. Owned by
-// HostedWorld; one thread. The joints are the world's, so they are part of its state.
+// The grabs of clients: at most one body per client, pulled by a grab joint. The joints belong to
+// the world, so they are part of its state. Owned by HostedWorld; one thread.
 #pragma once
 
 #include <map>
@@ -15,15 +15,15 @@ namespace jostle::server {
 
 class Grabs {
 public:
-    // Takes hold of the body, which is dynamic, at a point of the world, and lets go of what the
-    // client held.
+    // Grabs a dynamic body at a point in world coordinates and releases the client's previous grab.
     physics::Status grab(physics::World& world, ClientId client, const physics::BodyState& body,
                          physics::Vec3 point);
-    // Pulls what is held towards a point of the world. The body; nothing when nothing is held.
+    // Sets the target of the grab in world coordinates. Returns the grabbed body; nothing if the
+    // client has no grab.
     std::optional<physics::BodyId> drag(physics::World& world, ClientId client,
                                         physics::Vec3 target);
     void release(physics::World& world, ClientId client);
-    // Everyone lets go of the body.
+    // Releases the grabs of all clients on the body.
     void release_body(physics::World& world, physics::BodyId body);
 
     void write(SavedHostState& host_state) const;

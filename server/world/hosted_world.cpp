@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "jostle/base/check.h"
 #include "server/world/resolve_aim.h"
 #include "server/world/sync_module_entities.h"
 
@@ -15,16 +16,16 @@ using namespace physics;
 Result<HostedWorld> HostedWorld::create(const scenes::SceneDescription& scene,
                                         const HostLimits& limits, int threads) {
     if (Status s = check_description(scene, limits.scene); !s.ok()) return s.error();
-    if (scene.modules.size() > scenes::modules_max)  // WIRE.md promises clients so
-        return Error{ErrorCode::invalid_argument,
-                     "the scene has " + std::to_string(scene.modules.size()) +
-                         " modules; a server hosts " + std::to_string(scenes::modules_max) +
-                         " in a world"};
+    if (scene.modules.size() > scenes::modules_max)  // a limit of the protocol
+        return Error{ErrorCode::invalid_argument, "the scene has " +
+                                                      std::to_string(scene.modules.size()) +
+                                                      " modules; a hosted world may have at most " +
+                                                      std::to_string(scenes::modules_max)};
     Result<scenes::BuiltScene> built = scenes::build_scene(scene);
     if (!built.ok()) return built.error();
     const Result<double> work = estimate_work(scene, built->world, limits.scene);
     if (!work.ok()) return work.error();
-    // Then it is built anew: what is hosted begins at its beginning.
+    // The check takes a step, so the hosted world is built again.
     if (Status s = check_first_step(scene, std::move(built->world), limits.scene); !s.ok())
         return s.error();
     built = scenes::build_scene(scene);
@@ -35,6 +36,8 @@ Result<HostedWorld> HostedWorld::create(const scenes::SceneDescription& scene,
     for (std::size_t i = 0; i < built->bodies.size(); i++)
         hosted.state_.entities.add(hosted.state_.world, built->bodies[i], 0, scene.bodies[i].color,
                                    scene.bodies[i].name);
+    ASSERT(built->bodies.size() == scene.bodies.size() &&
+           built->joints.size() == scene.joints.size());
     hosted.ids_ = {std::move(built->bodies), std::move(built->joints)};
     sync_module_entities(hosted.state_, hosted.bodies_);
     Result<ModuleChannels> channels = ModuleChannels::of(hosted.state_.world);
@@ -97,7 +100,8 @@ Status HostedWorld::accept_sequence(ClientId client, std::uint32_t sequence) {
     std::uint32_t& last = last_sequences_[client];
     if (sequence <= last)
         return Error{ErrorCode::invalid_argument, "input " + std::to_string(sequence) +
-                                                      " does not come after input " +
+                                                      " is not greater than the client's last "
+                                                      "input " +
                                                       std::to_string(last)};
     last = sequence;
     return {};
@@ -106,16 +110,16 @@ Status HostedWorld::accept_sequence(ClientId client, std::uint32_t sequence) {
 InputResult HostedWorld::apply(const Command& command, std::uint32_t tick) {
     InputResult result{.sequence = command.sequence, .tick = tick};
     const bool is_leave = std::holds_alternative<LeaveCommand>(command.action);
-    const bool counts = !is_leave && !std::holds_alternative<DisconnectCommand>(command.action);
-    if (counts) result.status = accept_sequence(command.client, command.sequence);
-    if (result.status.ok()) result.status = act(command, result);
-    // The client is gone, and with it what its inputs are counted from.
+    const bool has_sequence =
+        !is_leave && !std::holds_alternative<DisconnectCommand>(command.action);
+    if (has_sequence) result.status = accept_sequence(command.client, command.sequence);
+    if (result.status.ok()) result.status = apply_and_record(command, result);
     if (is_leave) last_sequences_.erase(command.client);
     return result;
 }
 
-// One that is refused is kept, too: refused again it does what it did.
-Status HostedWorld::act(const Command& command, InputResult& result) {
+// The journal also records refused actions, because they may have side effects.
+Status HostedWorld::apply_and_record(const Command& command, InputResult& result) {
     Action aimed;
     const Action* action = &command.action;
     Status status;
@@ -137,11 +141,13 @@ void HostedWorld::replay(const JournaledCommand& command) {
         last_sequences_.erase(command.client);
     else if (!has || !std::holds_alternative<DisconnectCommand>(*command.action))
         last_sequences_[command.client] = command.sequence;
-    EntityId about = 0;
-    if (has) static_cast<void>(apply_action(state_, command.client, *command.action, about).ok());
+    EntityId affected = 0;
+    if (has)
+        static_cast<void>(apply_action(state_, command.client, *command.action, affected).ok());
 }
 
 Status HostedWorld::step(double dt, std::uint32_t tick) {
+    ASSERT(dt > 0 && tick > 0);
     Status stepped = state_.world.step(dt);
     if (!stepped.ok()) return stepped;
     sync_module_entities(state_, bodies_);
@@ -157,12 +163,14 @@ std::optional<TickEvents> HostedWorld::events_of_step(std::uint32_t tick) const 
 }
 
 std::vector<std::shared_ptr<const EntityDescription>> HostedWorld::newly_quarantined() {
-    std::vector<std::shared_ptr<const EntityDescription>> fresh;
+    std::vector<std::shared_ptr<const EntityDescription>> added;
     for (const BodyId body : state_.world.events().quarantined) {
         const EntityId id = state_.entities.entity_of(body);
-        if (quarantined_.insert(id).second) fresh.push_back(state_.entities.find(id)->description);
+        const Entity* const entity = state_.entities.find(id);
+        if (!entity) continue;  // a module destroyed the body in the same step
+        if (quarantined_.insert(id).second) added.push_back(entity->description);
     }
-    return fresh;
+    return added;
 }
 
 QueryFramePtr HostedWorld::query_frame(std::uint32_t tick, CopyLayers layers) {
@@ -175,7 +183,8 @@ QueryFramePtr HostedWorld::query_frame(std::uint32_t tick, CopyLayers layers) {
     return frame;
 }
 
-// What neither is awake nor was so in the last frame has not moved, unless a call says so.
+// A body that neither is awake nor was awake in the last frame has not moved, unless the static
+// revision of the world changed.
 void HostedWorld::copy_poses(bool all) {
     const World& world = state_.world;
     const auto& by_body = state_.entities.by_body();
@@ -185,13 +194,14 @@ void HostedWorld::copy_poses(bool all) {
         poses.reserve(bodies_.size());
         for (const BodyState& body : bodies_)
             poses.push_back({by_body[body.id.index], body.pose, body.awake});
-        // Bodies come by index; an index that was used again holds a later entity.
+        // Bodies are listed by index; a reused index belongs to a later entity.
         std::ranges::sort(poses, {}, &EntityPose::id);
+        ASSERT(poses.size() == state_.entities.size());
         poses_.assign(poses);
         index_of_body_.assign(by_body.size(), 0);
-        std::size_t place = 0;
+        std::size_t index = 0;
         for (const auto& [id, entity] : state_.entities.all())
-            index_of_body_[entity.body.index] = place++;
+            index_of_body_[entity.body.index] = index++;
         return;
     }
     for (const BodyId id : awake_)
@@ -218,10 +228,12 @@ void HostedWorld::copy_into(Frame& frame) {
     bool moved = false;
     frame.entities = poses_.take(moved);
     frame.entity_list = entity_list_ = state_.entities.list();
+    ASSERT(frame.entities.size() == frame.entity_list->size());
     frame.previous_changed_at = changed_at_;
     if (moved || list_changed || published_channels_ != channels_.channels())
         changed_at_ = frame.tick;
     frame.changed_at = changed_at_;
+    ASSERT(frame.previous_changed_at <= frame.changed_at && frame.changed_at <= frame.tick);
     frame.channels = published_channels_ = channels_.channels();
     if (publishes_controlled_entities_) {
         auto controlled_entities = state_.controllers.controlled_states(

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A hosted world: inputs go in, each at most once, and what clients may see comes out, as frames,
-// events and copies to ask. Owned by one thread (host/world_host).
+// A hosted world: applies each input at most once and produces frames, events and query frames.
+// Owned by one thread (world/world_host).
 #pragma once
 
 #include <map>
@@ -31,61 +31,63 @@ public:
     static Result<HostedWorld> create(const scenes::SceneDescription& scene,
                                       const HostLimits& limits, int threads);
 
-    // One that goes on as the kept one would have: `world` is its world, to the bit. corrupt_data:
-    // the two do not belong together.
+    // A world that continues bit-identically to the saved one; `world` holds its bodies.
+    // corrupt_data: the host state does not match the world.
     static Result<HostedWorld> restore(physics::World world, const SavedHostState& host_state,
                                        const HostLimits& limits, double hz, double work_per_second);
-    // All but the bodies; `tick` is the last one that was stepped.
+    // The state beyond the bodies after `tick`, the last step.
     SavedHostState host_state(std::uint32_t tick) const;
 
-    // Takes the place of a later one: ids that were given and inputs that were counted stay so.
+    // Replaces `later`, a later state of the same world: keeps its sequence numbers and never
+    // assigns its entity ids again.
     void continue_from(const HostedWorld& later);
-    // All clients are gone, and their bodies stay.
+    // Removes all clients and retains their bodies.
     void release_all_clients();
     // Before its first tick in this process.
     void set_limits(const HostLimits& limits);
 
-    // Applies an input at most once: a sequence that is not above the client's last one is refused.
+    // Applies an input at most once: refuses a sequence that does not exceed the client's last one.
     InputResult apply(const Command& command, std::uint32_t tick);
-    // From now on what is applied is kept for take_journal().
+    // apply() records commands for take_journal() from now on.
     void enable_journal() { journal_enabled_ = true; }
-    // What was applied since it was last asked.
+    // Returns the commands that were applied since the previous call.
     std::vector<JournaledCommand> take_journal() { return std::exchange(journal_, {}); }
-    // As apply() did, of a world that is as it was then.
+    // Repeats a recorded apply() on a world with the state of that time.
     void replay(const JournaledCommand& command);
-    // Pulls what is held, then steps, and asks modules what they tell of that tick, from 1.
-    // `aborted`: it took too long and was told to end.
+    // Steps the world and publishes the module channels of `tick`, which starts at 1. aborted:
+    // stop_stepping() was called.
     Status step(double dt, std::uint32_t tick = 1);
-    // Whether its frames say how bodies move (module_channels.h).
+    // Whether frames carry the velocities of bodies (module_channels.h).
     void publish_motion(bool wanted) { channels_.publish_motion(wanted); }
-    // Whether they say what is driven.
+    // Whether frames carry the states of controlled entities.
     void publish_controlled_entities(bool wanted) { publishes_controlled_entities_ = wanted; }
     // Any thread: physics::World::stop_stepping().
     void stop_stepping() { state_.world.stop_stepping(); }
     void resume_stepping() { state_.world.resume_stepping(); }
-    // Fills what a world knows of a frame; the host adds times. `frame.tick` is set.
+    // Fills the fields of a frame that depend on the world; WorldHost adds times. `frame.tick` must
+    // be set.
     void copy_into(Frame& frame);
-    // What happened in the last step; nothing when nothing did. Before the next command.
+    // The events of the last step; nothing if there were none. Before the next command.
     std::optional<TickEvents> events_of_step(std::uint32_t tick) const;
-    // Those whose state stopped being a number in the last step and that were not told before.
+    // Entities whose state became non-finite in the last step, each reported once.
     std::vector<std::shared_ptr<const EntityDescription>> newly_quarantined();
-    // What modules tell, for as long as the world is there.
+    // The channels of modules; constant.
     const std::vector<physics::ChannelKind>& channel_kinds() const { return channels_.kinds(); }
-    // Kinds whose channels of the last step were too large for clients, each told once.
+    // Kinds whose channels of the last step exceeded a limit, each reported once.
     const std::vector<ModuleChannels::OversizedChannel>& newly_oversized() const {
         return channels_.newly_oversized();
     }
     QueryFramePtr query_frame(std::uint32_t tick, CopyLayers layers);
-    // As it is now; `origin` is the scene that it was created of.
+    // The current state; `origin` is the scene from which the world was created.
     ExportedScene exported(const scenes::SceneDescription& origin) {
         return export_scene(state_, origin, ids_);
     }
 
     const physics::World& world() const { return state_.world; }
     std::size_t entities() const { return state_.entities.size(); }
-    // Where its frames go, for what clients saw. Any thread.
+    // The newest frames, for lag compensation. Any thread.
     FrameRing& frame_history() const { return *frame_history_; }
-    // As estimated when it was created (scene_budget.h).
+    // The estimate of its creation (scene_budget.h).
     double work_per_second() const { return work_per_second_; }
 
 private:
@@ -93,9 +95,10 @@ private:
         : state_(std::move(state)),
           hz_(hz),
           frame_history_(std::make_shared<FrameRing>(state_.limits.lag_compensation_ms_max, hz)) {}
-    Status act(const Command& command, InputResult& result);
-
+    Status apply_and_record(const Command& command, InputResult& result);
     Status accept_sequence(ClientId client, std::uint32_t sequence);
+    // `all`: every pose; otherwise those of bodies that are or were awake.
+    void copy_poses(bool all);
 
     HostedState state_;
     double hz_;
@@ -105,15 +108,14 @@ private:
     ModuleChannels channels_;
     bool publishes_controlled_entities_ = false;
     std::map<ClientId, std::uint32_t> last_sequences_;  // of the inputs of each client
-    std::set<EntityId> quarantined_;                    // told
+    std::set<EntityId> quarantined_;                    // reported
     bool journal_enabled_ = false;
     std::vector<JournaledCommand> journal_;
-    void copy_poses(bool all);
 
     std::vector<physics::BodyState> bodies_;  // reused from tick to tick
-    // As of the last frame.
+    // State of the last frame.
     PoseEditor poses_;
-    std::vector<std::size_t> index_of_body_;  // in the entity list, by index of the body
+    std::vector<std::size_t> index_of_body_;  // index in the entity list, by index of the body
     std::vector<physics::BodyId> awake_;
     std::uint64_t static_revision_ = 0;
     std::shared_ptr<const EntityList> entity_list_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A command as it was applied to a world: applied again to the world as it was before, it does the
-// same.
+// A command as it was applied to a world. Replaying it on the previous state of the world yields
+// the same next state.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +15,8 @@ namespace jostle::server {
 struct JournaledCommand {
     ClientId client = 0;
     std::uint32_t sequence = 0;
-    std::optional<Action>
-        action;  // without an aim; nothing: it aimed at nothing, and is only counted
+    // Its aim is resolved. Nothing: the aim hit nothing, so only the sequence number counts.
+    std::optional<Action> action;
 };
 struct JournaledTick {
     std::uint32_t tick = 0;

@@ -6,6 +6,8 @@
 #include <tuple>
 #include <utility>
 
+#include "jostle/base/check.h"
+
 namespace jostle::server {
 namespace {
 
@@ -13,26 +15,27 @@ bool comes_before(const Channel& a, const Channel& b) {
     return std::tie(a.kind, a.entity) < std::tie(b.kind, b.entity);
 }
 
-constexpr std::size_t longest_name = 32;
+constexpr std::size_t name_length_max = 32;
 
 bool is_name(const std::string& name) {
     const auto fits = [](char c) {
         return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
     };
-    return name.size() <= longest_name && std::all_of(name.begin(), name.end(), fits);
+    return name.size() <= name_length_max && std::all_of(name.begin(), name.end(), fits);
 }
 
 Error bad_kind(const std::string& tag, const physics::ChannelKind& kind, const std::string& why) {
     return {ErrorCode::invalid_argument,
-            "module \"" + tag + "\": the channel \"" + kind.name + "\" " + why};
+            "module \"" + tag + "\": channel \"" + kind.name + "\" " + why};
 }
 
 Result<physics::ChannelKind> full_kind(const std::string& tag, physics::ChannelKind kind) {
     if (!is_name(kind.name))
-        return bad_kind(tag, kind, "is named by other than 1 to 32 of a-z, 0-9 and _");
+        return bad_kind(tag, kind,
+                        "has an invalid name; must have at most 32 characters of a-z, 0-9 and _");
     if (kind.divisor < 1 || kind.divisor > 255)
         return bad_kind(tag, kind,
-                        "is told every " + std::to_string(kind.divisor) + " steps; give 1 to 255");
+                        "has the divisor " + std::to_string(kind.divisor) + "; must be 1 to 255");
     kind.name = kind.name.empty() ? tag : tag + "." + kind.name;
     return kind;
 }
@@ -42,22 +45,24 @@ Result<physics::ChannelKind> full_kind(const std::string& tag, physics::ChannelK
 Result<ModuleChannels> ModuleChannels::of(const physics::World& world) {
     ModuleChannels made;
     for (const std::string& tag : world.modules()) {
-        ModuleKinds told{tag, static_cast<std::uint32_t>(made.kinds_.size()), 0};
+        ModuleKinds module{tag, static_cast<std::uint32_t>(made.kinds_.size()), 0};
         for (physics::ChannelKind& kind : world.module(tag)->channels()) {
             Result<physics::ChannelKind> full = full_kind(tag, std::move(kind));
             if (!full.ok()) return full.error();
             for (const physics::ChannelKind& known : made.kinds_)
-                if (known.name == full->name) return bad_kind(tag, *full, "is there twice");
+                if (known.name == full->name)
+                    return bad_kind(tag, *full, "is declared twice; names must be unique");
             made.kinds_.push_back(*std::move(full));
-            told.count++;
+            module.count++;
         }
-        if (told.count > 0) made.modules_.push_back(std::move(told));
+        if (module.count > 0) made.modules_.push_back(std::move(module));
     }
     if (made.kinds_.size() > channel_kinds_max)
         return Error{ErrorCode::resource_exhausted,
-                     "the modules of the world have " + std::to_string(made.kinds_.size()) +
-                         " kinds of channels; a server hosts " + std::to_string(channel_kinds_max) +
-                         " in a world"};
+                     "the modules of the world declare " + std::to_string(made.kinds_.size()) +
+                         " kinds of channels; a hosted world may have at most " +
+                         std::to_string(channel_kinds_max)};
+    ASSERT(made.kinds_.size() <= channel_kinds_max);
     if (made.kinds_.size() < channel_kinds_max) {
         made.motion_ = static_cast<std::uint32_t>(made.kinds_.size());
         made.kinds_.push_back({.name = motion_kind});
@@ -67,6 +72,7 @@ Result<ModuleChannels> ModuleChannels::of(const physics::World& world) {
 
 std::vector<bool> ModuleChannels::due(const ModuleKinds& module, std::uint32_t tick) const {
     std::vector<bool> due(module.count);
+    ASSERT(tick > 0 && module.first + module.count <= kinds_.size());
     for (std::uint32_t k = 0; k < module.count; k++)
         due[k] = (tick - 1) % static_cast<std::uint32_t>(kinds_[module.first + k].divisor) == 0;
     return due;
@@ -76,11 +82,12 @@ void ModuleChannels::publish(const physics::World& world, std::uint32_t tick,
                              const physics::ChannelWriter::NameOf& name_of) {
     newly_oversized_.clear();
     if (modules_.empty() && !publishes_motion_ && channels_->empty()) return;
+    ASSERT(!next_);
     next_ = std::make_shared<Channels>();
     next_values_ = 0;
     for (const ModuleKinds& module : modules_) {
         const std::vector<bool> now = due(module, tick);
-        // Between its ticks a kind stays as it was told, also of an entity that has gone since.
+        // Between its ticks a kind keeps its last values, even those of entities removed since.
         for (const Channel& channel : *channels_)
             if (channel.kind >= module.first && channel.kind < module.first + module.count &&
                 !now[channel.kind - module.first])
@@ -99,17 +106,17 @@ void ModuleChannels::publish(const physics::World& world, std::uint32_t tick,
         return a.kind == b.kind && a.entity == b.entity;
     };
     next_->erase(std::unique(next_->begin(), next_->end(), same), next_->end());
-    // A list that says nothing new is the old one.
-    const auto says_the_same = [](const Channel& a, const Channel& b) {
+    // An unchanged list keeps its pointer.
+    const auto is_unchanged = [](const Channel& a, const Channel& b) {
         return a.kind == b.kind && a.entity == b.entity && a.values == b.values;
     };
-    if (!std::ranges::equal(*next_, *channels_, says_the_same)) channels_ = std::move(next_);
+    if (!std::ranges::equal(*next_, *channels_, is_unchanged)) channels_ = std::move(next_);
     next_ = nullptr;
 }
 
 void ModuleChannels::add_motion(const physics::World& world,
                                 const physics::ChannelWriter::NameOf& name_of) {
-    constexpr double most = 1 << 30;
+    constexpr double value_max = 1 << 30;
     world.copy_awake_bodies(bodies_);
     for (const physics::BodyState& body : bodies_) {
         if (body.type == physics::BodyType::static_body) continue;
@@ -118,13 +125,14 @@ void ModuleChannels::add_motion(const physics::World& world,
         for (const physics::Vec3& v : {body.linear_velocity, body.angular_velocity})
             for (int k = 0; k < 3; k++)
                 values->push_back(static_cast<std::int32_t>(
-                    std::lround(std::clamp(v[k] * velocity_units, -most, most))));
+                    std::lround(std::clamp(v[k] * velocity_units, -value_max, value_max))));
         if (const EntityId entity = name_of(body.id); entity != 0)
             add({*motion_, entity, std::move(values)});
     }
 }
 
 void ModuleChannels::add(Channel channel) {
+    ASSERT(channel.values && channel.kind < kinds_.size());
     if (channel.values->size() > channel_values_max)
         return skip_oversized(channel, channel.values->size(), channel_values_max, " values");
     if (next_->size() == channels_max)
@@ -133,18 +141,20 @@ void ModuleChannels::add(Channel channel) {
         return skip_oversized(channel, next_values_ + channel.values->size(), frame_values_max,
                               " values in a world");
     next_values_ += channel.values->size();
+    ASSERT(next_values_ <= frame_values_max);
     const auto old = std::lower_bound(channels_->begin(), channels_->end(), channel, comes_before);
     if (old != channels_->end() && !comes_before(channel, *old) && *old->values == *channel.values)
         channel.values = old->values;
     next_->push_back(std::move(channel));
 }
 
-void ModuleChannels::skip_oversized(const Channel& channel, std::size_t size, std::size_t most,
+void ModuleChannels::skip_oversized(const Channel& channel, std::size_t size, std::size_t max,
                                     const char* noun) {
+    ASSERT(size > max);
     if (!warned_.insert(channel.kind).second) return;
     newly_oversized_.push_back(
         {kinds_[channel.kind].name, channel.entity,
-         std::to_string(size) + noun + "; clients are sent " + std::to_string(most) + " at most"});
+         std::to_string(size) + noun + "; at most " + std::to_string(max) + " are sent"});
 }
 
 }  // namespace jostle::server

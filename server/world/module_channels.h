@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What the modules of a world tell clients, tick by tick, and how its bodies move while somebody
-// asks. A channel that says what it said before
-// keeps the same values, so that who compares frames compares pointers. Owned by HostedWorld; one
-// thread.
+// The channels that the modules of a world publish per tick, and the velocities of its bodies while
+// a client subscribes to them. An unchanged channel keeps its values pointer, so that comparing
+// frames means comparing pointers. Owned by HostedWorld; one thread.
 #pragma once
 
 #include <cstddef>
@@ -21,39 +20,39 @@
 
 namespace jostle::server {
 
-// Clients hold every channel of every frame that may be a base: what one world tells is bounded.
-inline constexpr std::size_t channel_kinds_max = 64;  // of a world
-inline constexpr std::size_t channels_max = 4096;     // of a frame
-inline constexpr std::size_t channel_values_max = 16 * 1024;
-inline constexpr std::size_t frame_values_max = 256 * 1024;
+// Clients hold the channels of every frame that can be a baseline, so their size has limits.
+inline constexpr std::size_t channel_kinds_max = 64;          // of a world
+inline constexpr std::size_t channels_max = 4096;             // of a frame
+inline constexpr std::size_t channel_values_max = 16 * 1024;  // of a channel
+inline constexpr std::size_t frame_values_max = 256 * 1024;   // of a frame
 
-// Beside those of modules: how bodies move that are awake and not static, for clients that
-// simulate. Six numbers each: the velocity of the centre of mass and the spin, in 1/128 m/s and
-// 1/128 rad/s.
+// The channel of velocities, in addition to those of modules: for clients that simulate, six values
+// per awake body that is not static: the velocity of the centre of mass in 1/128 m/s and the
+// angular velocity in 1/128 rad/s.
 inline constexpr const char* motion_kind = "jostle.motion";
 inline constexpr double velocity_units = 128;
 
 using ChannelValues = std::shared_ptr<const std::vector<std::int32_t>>;
 
 struct Channel {
-    std::uint32_t kind = 0;  // place in the world's list of kinds
-    EntityId entity = 0;     // 0: of the module itself
+    std::uint32_t kind = 0;  // index in the world's list of kinds
+    EntityId entity = 0;     // 0: the module itself
     ChannelValues values;    // never null
 };
-// In rising order of kind and entity, each once.
+// In ascending order of kind and entity, without duplicates.
 using Channels = std::vector<Channel>;
 
 class ModuleChannels {
 public:
-    // The kinds of the world's modules, in their order, each under its full name; then the motion
-    // of bodies, if there is room for another kind.
+    // The kinds of the world's modules in module order, with full names (TAG.NAME), and the kind
+    // `jostle.motion` if the limit allows another kind. Errors name the module and the channel.
     static Result<ModuleChannels> of(const physics::World& world);
     ModuleChannels() = default;
 
     const std::vector<physics::ChannelKind>& kinds() const { return kinds_; }
-    // Whether what is published next has the motion of bodies, too.
+    // Whether publish() includes `jostle.motion`.
     void publish_motion(bool wanted) { publishes_motion_ = wanted; }
-    // After a step: asks each module for the kinds that are due. Too large ones are left out.
+    // After a step: publishes the kinds of each module that are due. Skips oversized channels.
     void publish(const physics::World& world, std::uint32_t tick,
                  const physics::ChannelWriter::NameOf& name_of);
     // Never null.
@@ -62,9 +61,9 @@ public:
     struct OversizedChannel {
         std::string kind;
         EntityId entity = 0;
-        std::string what;  // how large, and what is the most
+        std::string reason;  // the size and the limit
     };
-    // What the last publish() left out, each kind told once.
+    // The channels that the last publish() skipped, each kind reported once.
     const std::vector<OversizedChannel>& newly_oversized() const { return newly_oversized_; }
 
 private:
@@ -73,24 +72,24 @@ private:
         std::uint32_t first = 0, count = 0;  // of kinds_
     };
 
-    // Whether a kind is told in that tick: the first one, and so on.
+    // For each kind of the module, whether it is published in this tick.
     std::vector<bool> due(const ModuleKinds& module, std::uint32_t tick) const;
     void add_motion(const physics::World& world, const physics::ChannelWriter::NameOf& name_of);
-    // Keeps the values that say the same as before.
+    // Reuses the previous values if they are equal.
     void add(Channel channel);
-    void skip_oversized(const Channel& channel, std::size_t size, std::size_t most,
+    void skip_oversized(const Channel& channel, std::size_t size, std::size_t max,
                         const char* noun);
 
     std::vector<physics::ChannelKind> kinds_;
     std::vector<ModuleKinds> modules_;
-    std::optional<std::uint32_t> motion_;  // its kind
+    std::optional<std::uint32_t> motion_;  // the kind of `jostle.motion`
     bool publishes_motion_ = false;
-    std::vector<physics::BodyState> bodies_;  // memory of add_motion()
+    std::vector<physics::BodyState> bodies_;  // reused by add_motion()
     std::shared_ptr<const Channels> channels_ = std::make_shared<const Channels>();
     std::shared_ptr<Channels> next_;
     std::size_t next_values_ = 0;
     std::vector<OversizedChannel> newly_oversized_;
-    std::set<std::uint32_t> warned_;  // kinds of whom newly_oversized() told
+    std::set<std::uint32_t> warned_;  // kinds that newly_oversized() has reported
 };
 
 }  // namespace jostle::server

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Which client owns which entities: what it spawned, and may delete. The scene's belong to nobody.
-// Owned by HostedWorld; one thread.
+// The entities that each client owns: it spawned them and may delete them. Entities of the scene
+// have no owner. Owned by HostedWorld; one thread.
 #pragma once
 
 #include <map>
@@ -16,14 +16,14 @@ namespace jostle::server {
 class Ownership {
 public:
     void add(ClientId client, EntityId entity) { owned_[client].insert(entity); }
-    // The entity is gone. One that nobody owns is fine.
+    // The entity was removed; it may have no owner.
     void remove(EntityId entity);
-    // The client is gone: what it still owned is nobody's.
+    // The client left; its remaining entities have no owner.
     void forget(ClientId client) { owned_.erase(client); }
 
     bool owns(ClientId client, EntityId entity) const;
     int count(ClientId client) const;
-    std::vector<EntityId> owned_by(ClientId client) const;  // in rising order
+    std::vector<EntityId> owned_by(ClientId client) const;  // ascending
 
     void write(SavedHostState& host_state) const;
     void restore(const SavedHostState& host_state);

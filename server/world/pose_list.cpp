@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "jostle/base/check.h"
+
 namespace jostle::server {
 
 PoseList::PoseList(const std::vector<EntityPose>& poses) : size_(poses.size()) {
@@ -21,6 +23,7 @@ void PoseEditor::assign(const std::vector<EntityPose>& poses) {
 }
 
 void PoseEditor::set(std::size_t index, const physics::Transform& pose, bool awake) {
+    ASSERT(open_.size() == list_.blocks_.size());
     const EntityPose& old = list_[index];
     if (old.awake == awake && old.pose == pose) return;
     const std::size_t block = index / PoseList::block_size;

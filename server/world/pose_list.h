@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Where all entities of a world are, in rising order of id: an immutable list in blocks, so that a
-// tick in which little moves makes few new blocks and shares the others with the tick before. Equal
-// block pointers mean equal poses. A list is a value: any thread may keep a copy. A PoseEditor is
-// one thread's.
+// The poses of all entities of a world in ascending order of id: an immutable list of blocks, so
+// that a tick with few changes makes few new blocks and shares the others with the previous tick.
+// Equal block pointers mean equal poses. A list is a value, and any thread may hold a copy. A
+// PoseEditor belongs to one thread.
 #pragma once
 
 #include <cstddef>
@@ -11,6 +11,7 @@
 #include <memory>
 #include <vector>
 
+#include "jostle/base/check.h"
 #include "jostle/physics/world.h"
 #include "server/world/command.h"
 
@@ -25,18 +26,22 @@ struct EntityPose {
 class PoseList {
 public:
     static constexpr std::size_t block_size = 128;
-    using Block = std::vector<EntityPose>;  // full, but for the last one
+    using Block = std::vector<EntityPose>;  // block_size poses; the last block may have fewer
     using Blocks = std::vector<std::shared_ptr<const Block>>;
 
     PoseList() = default;
-    PoseList(const std::vector<EntityPose>& poses);  // in rising order of id
+    PoseList(const std::vector<EntityPose>& poses);  // in ascending order of id
 
     std::size_t size() const { return size_; }
     bool empty() const { return size_ == 0; }
     const EntityPose& operator[](std::size_t i) const {
+        ASSERT(i < size_);
         return (*blocks_[i / block_size])[i % block_size];
     }
-    const EntityPose& back() const { return (*this)[size_ - 1]; }
+    const EntityPose& back() const {
+        ASSERT(!empty());
+        return (*this)[size_ - 1];
+    }
     const Blocks& blocks() const { return blocks_; }
 
     class Iterator {
@@ -75,19 +80,20 @@ private:
     std::size_t size_ = 0;
 };
 
-// Makes the next list of the one before.
+// Derives each list from the previous one.
 class PoseEditor {
 public:
-    // All anew.
+    // Replaces the whole list.
     void assign(const std::vector<EntityPose>& poses);
-    // The entity at that place; nothing happens when it is as it was.
+    // Sets the pose at `index`; an equal pose changes nothing.
     void set(std::size_t index, const physics::Transform& pose, bool awake);
-    // The list with all that was set; `changed` says whether it differs from the last one taken.
+    // Returns the list; `changed`: it differs from the list of the previous take().
     const PoseList& take(bool& changed);
 
 private:
     PoseList list_;
-    std::vector<std::shared_ptr<PoseList::Block>> open_;  // of list_.blocks_: not yet shared
+    // Per block of list_: its copy that no reader shares yet; null: not changed.
+    std::vector<std::shared_ptr<PoseList::Block>> open_;
     bool changed_ = false;
 };
 

@@ -3,14 +3,17 @@
 
 #include <utility>
 
+#include "jostle/base/check.h"
+
 namespace jostle::server {
 
-bool QueryBroker::is_good(CopyLayers layers) const {
+bool QueryBroker::is_usable(CopyLayers layers) const {
     return frame_ && (frame_->layers & layers) == layers &&
            frame_->tick + age_ticks_max >= newest_tick_.load(std::memory_order_relaxed);
 }
 
 void QueryBroker::request(CopyLayers layers, Clock::time_point now) {
+    ASSERT(layers < 1U << copy_layer_count);
     const Clock::rep until = (now + request_lifetime).time_since_epoch().count();
     for (std::size_t i = 0; i < requested_until_.size(); i++)
         if (layers >> i & 1) requested_until_[i].store(until, std::memory_order_relaxed);
@@ -19,11 +22,12 @@ void QueryBroker::request(CopyLayers layers, Clock::time_point now) {
 QueryFramePtr QueryBroker::acquire(CopyLayers layers) {
     request(layers, Clock::now());
     std::unique_lock lock(mutex_);
-    changed_.wait_for(lock, timeout, [&] { return closed_ || is_good(layers); });
-    return !closed_ && is_good(layers) ? frame_ : nullptr;
+    changed_.wait_for(lock, timeout, [&] { return closed_ || is_usable(layers); });
+    return !closed_ && is_usable(layers) ? frame_ : nullptr;
 }
 
 CopyLayers QueryBroker::begin_tick(std::uint32_t tick, Clock::time_point now) {
+    ASSERT(tick >= newest_tick_.load(std::memory_order_relaxed));
     newest_tick_.store(tick, std::memory_order_relaxed);
     CopyLayers layers = 0;
     for (std::size_t i = 0; i < requested_until_.size(); i++)
@@ -34,12 +38,12 @@ CopyLayers QueryBroker::begin_tick(std::uint32_t tick, Clock::time_point now) {
 }
 
 void QueryBroker::put(QueryFramePtr frame) {
-    const bool anything = frame != nullptr;
+    const bool has_frame = frame != nullptr;
     {
         const std::lock_guard lock(mutex_);
         frame_.swap(frame);
     }
-    if (anything) changed_.notify_all();
+    if (has_frame) changed_.notify_all();
 }
 
 void QueryBroker::close() {

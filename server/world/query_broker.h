@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Where those who ask and the world's thread meet. A question marks interest; while there is any,
-// the world's thread leaves a copy with each tick, and for a second after the last question none is
-// made any more. The world's thread never waits here: the lock is held for as long as a pointer
-// takes to change hands, and copies are freed outside of it.
+// Passes query frames from the tick thread to the threads that run queries. A request marks layers
+// as wanted for one second; while layers are wanted, the tick thread puts a query frame in each
+// tick. The tick thread never blocks here: the lock is held only for the swap of a pointer, and
+// frames are freed outside it.
 #pragma once
 
 #include <array>
@@ -20,28 +20,27 @@ namespace jostle::server {
 
 class QueryBroker {
 public:
-    static constexpr std::uint32_t age_ticks_max = 3;  // of a copy that is good enough
+    static constexpr std::uint32_t age_ticks_max = 3;  // of a frame that acquire() returns
     static constexpr auto timeout = std::chrono::milliseconds(250);
-    static constexpr auto request_lifetime =
-        std::chrono::seconds(1);  // how long a question keeps it up
+    static constexpr auto request_lifetime = std::chrono::seconds(1);
 
-    // Any thread: a copy with at least these parts. Null: the world left none in time, or is
-    // closed.
+    // Any thread: a frame with at least these layers. Null: the tick thread put none in time, or
+    // the broker is closed.
     QueryFramePtr acquire(CopyLayers layers);
-    // Any thread: the same interest, without waiting.
+    // Any thread: requests the layers without waiting.
     void request(CopyLayers layers, Clock::time_point now);
 
-    // The world's thread, once per tick: what is asked for. When nothing is, the last copy is
-    // dropped.
+    // The tick thread, once per tick: returns the wanted layers. Drops the last frame if there are
+    // none.
     CopyLayers begin_tick(std::uint32_t tick, Clock::time_point now);
     void put(QueryFramePtr frame);
-    // Any thread: nobody waits any longer, and nobody is answered.
+    // Any thread: waiting and later acquire() calls return null.
     void close();
 
 private:
-    bool is_good(CopyLayers layers) const;  // under the lock
+    bool is_usable(CopyLayers layers) const;  // under the lock
 
-    std::array<std::atomic<Clock::rep>, copy_layer_count> requested_until_{};  // of each part
+    std::array<std::atomic<Clock::rep>, copy_layer_count> requested_until_{};  // per layer
     std::atomic<std::uint32_t> newest_tick_{0};
     std::mutex mutex_;
     std::condition_variable changed_;

@@ -3,19 +3,21 @@
 
 #include <algorithm>
 
+#include "jostle/base/check.h"
+
 namespace jostle::server {
 
 using namespace physics;
 
 namespace {
 
-// Adds unless the list is full; then notes that there was more.
+// Appends the item, or marks the layer as truncated if the list is full.
 template <class Item>
-void add(std::vector<Item>& list, Item item, QueryFrame& frame, CopyLayers part) {
+void add(std::vector<Item>& list, Item item, QueryFrame& frame, CopyLayers layer) {
     if (list.size() < debug_items_max)
         list.push_back(std::move(item));
     else
-        frame.truncated |= part;
+        frame.truncated |= layer;
 }
 
 void add_contacts(QueryFrame& frame, const World& world) {
@@ -34,6 +36,7 @@ void add_islands(QueryFrame& frame, const World& world,
         for (const BodyId body : bodies) island.entities.push_back(entity_of_body[body.index]);
         std::ranges::sort(island.entities);
         // The bodies of an island sleep and wake together.
+        ASSERT(!bodies.empty());
         const auto first = world.body(bodies.front());
         island.asleep = first.ok() && !first->awake;
         add(frame.islands, std::move(island), frame, copy_islands);
@@ -43,13 +46,13 @@ void add_islands(QueryFrame& frame, const World& world,
 void add_bounds(QueryFrame& frame, const World& world) {
     for (const auto& entity : *frame.entity_list)
         for (const ShapeState& shape : entity->shapes)
-            if (const auto box = world.bounds(shape.id); box.ok())  // a plane has none
+            if (const auto box = world.bounds(shape.id); box.ok())  // planes are unbounded
                 add(frame.bounds, *box, frame, copy_bounds);
 }
 
 Vec3 anchor_of(const World& world, BodyId body, const Transform& frame) {
     const auto state = world.body(body);
-    if (is_null(body)) return frame.position;  // in the world
+    if (is_null(body)) return frame.position;  // attached to the world
     return state.ok() ? apply(state->pose, frame.position) : Vec3{};
 }
 
@@ -89,6 +92,7 @@ ShapeOwners shape_owners_in(const EntityList& entity_list) {
 
 void copy_layers(QueryFrame& frame, const World& world,
                  const std::vector<EntityId>& entity_of_body) {
+    ASSERT(frame.entity_list && frame.shape_owners);
     if (frame.layers & copy_shapes) frame.queries = world.query_frame();
     if (frame.layers & copy_contacts) add_contacts(frame, world);
     if (frame.layers & copy_islands) add_islands(frame, world, entity_of_body);

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A copy of a world that questions are answered from, on any thread, while the world ticks on.
-// Made by the world's thread while somebody asks (host/query_broker), with only those parts that
-// were asked for.
+// A copy of a world for queries on any thread while the world continues to tick. The tick thread
+// makes it on request (world/query_broker), with the requested layers only.
 #pragma once
 
 #include <memory>
@@ -10,18 +9,19 @@
 #include <string>
 #include <vector>
 
+#include "jostle/base/check.h"
 #include "server/world/frame.h"
 
 namespace jostle::server {
 
-// Bits: what of a world is copied.
+// The parts of a world in a copy, as bits.
 using CopyLayers = std::uint32_t;
-inline constexpr CopyLayers copy_shapes = 1;  // what rays, casts, overlaps and distances need
+inline constexpr CopyLayers copy_shapes = 1;  // for ray casts, shape casts, overlaps and distances
 inline constexpr CopyLayers copy_contacts = 2, copy_islands = 4, copy_bounds = 8, copy_joints = 16,
                             copy_broad_phase = 32;
 inline constexpr int copy_layer_count = 6;
 
-inline constexpr std::size_t debug_items_max = 20000;  // of a kind
+inline constexpr std::size_t debug_items_max = 20000;  // per layer
 
 struct DebugContact {
     physics::Vec3 point, normal;
@@ -29,7 +29,7 @@ struct DebugContact {
     bool touching = false;
 };
 struct DebugIsland {
-    std::vector<EntityId> entities;  // rising
+    std::vector<EntityId> entities;  // ascending
     bool asleep = false;
 };
 struct DebugJoint {
@@ -38,7 +38,7 @@ struct DebugJoint {
     const char* kind = "";
 };
 
-// Which entity a shape belongs to, and which of its shapes it is.
+// The entity of a shape and the shape's index within the entity.
 struct ShapeOwner {
     EntityId entity = 0;
     std::uint32_t number = 0;
@@ -49,17 +49,20 @@ struct QueryFrame {
     std::uint32_t tick = 0;
     CopyLayers layers = 0;
     std::shared_ptr<const EntityList> entity_list;
-    std::shared_ptr<const ShapeOwners> shape_owners;  // shared like the entity list, and as long
+    std::shared_ptr<const ShapeOwners> shape_owners;  // of entity_list
     std::optional<physics::Queries> queries;          // with copy_shapes
 
     std::vector<DebugContact> contacts;
     std::vector<DebugIsland> islands;
     std::vector<physics::Aabb> bounds, cells;
     std::vector<DebugJoint> joints;
-    CopyLayers truncated = 0;  // of which kinds there was more than debug_items_max
+    CopyLayers truncated = 0;  // layers with more than debug_items_max items
 
-    ShapeOwner owner_of(physics::ShapeId shape) const { return (*shape_owners)[shape.index]; }
-    // A null id when there is no such entity.
+    ShapeOwner owner_of(physics::ShapeId shape) const {
+        ASSERT(shape.index < shape_owners->size());
+        return (*shape_owners)[shape.index];
+    }
+    // A null id if the entity does not exist.
     physics::BodyId body_of(EntityId entity) const;
 };
 
@@ -67,8 +70,8 @@ using QueryFramePtr = std::shared_ptr<const QueryFrame>;
 
 ShapeOwners shape_owners_in(const EntityList& entity_list);
 
-// Fills what the parts ask for; entity list and places are set. `entity_of_body`: by index of the
-// body.
+// Fills `frame.layers`; the entity list and the shape owners must be set. `entity_of_body` is
+// indexed by body index.
 void copy_layers(QueryFrame& frame, const physics::World& world,
                  const std::vector<EntityId>& entity_of_body);
 

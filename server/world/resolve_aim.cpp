@@ -4,6 +4,7 @@
 #include <utility>
 #include <variant>
 
+#include "jostle/base/check.h"
 #include "server/world/rewind_view.h"
 
 namespace jostle::server {
@@ -14,7 +15,7 @@ namespace {
 
 struct AimHit {
     EntityId entity = 0;
-    Vec3 point;  // as it is now
+    Vec3 point;  // world; at the current pose of the entity
 };
 
 QueryFilter filter_of(const HostedState& state, const Aim& aim) {
@@ -22,30 +23,31 @@ QueryFilter filter_of(const HostedState& state, const Aim& aim) {
     return {.ignore = ignored ? ignored->body : BodyId{}};
 }
 
-Result<AimHit> met(const HostedState& state, const Result<std::optional<RayHit>>& hit) {
+Result<AimHit> aim_hit_of(const HostedState& state, const Result<std::optional<RayHit>>& hit) {
     if (!hit.ok()) return hit.error();
-    if (!*hit) return Error{ErrorCode::not_found, "the ray of the aim meets nothing"};
+    if (!*hit) return Error{ErrorCode::not_found, "the ray of the aim hits no shape"};
     return AimHit{state.entities.entity_of((*hit)->body), (*hit)->point};
 }
 
 Result<AimHit> cast_now(const HostedState& state, const Aim& aim) {
-    return met(state,
-               state.world.queries().cast_ray({aim.origin, aim.motion}, filter_of(state, aim)));
+    return aim_hit_of(
+        state, state.world.queries().cast_ray({aim.origin, aim.motion}, filter_of(state, aim)));
 }
 
-// The point moved with its body since.
+// The hit point is transformed to the current pose of its body.
 Result<AimHit> cast_rewound(const HostedState& state, const RewindView& past, const EntityList& now,
                             const Aim& aim) {
     const Result<Queries> then = state.world.queries().with_shapes_at(
         past.shapes(now, along_segment(aim.origin, aim.motion)));
     if (!then.ok()) return then.error();
-    Result<AimHit> found =
-        met(state, then->cast_ray({aim.origin, aim.motion}, filter_of(state, aim)));
-    if (!found.ok()) return found;
-    const Transform was = *past.pose_of(found->entity);
-    const Transform is = state.world.body(state.entities.find(found->entity)->body)->pose;
-    found->point = apply(is, apply_inverse(was, found->point));
-    return found;
+    Result<AimHit> hit =
+        aim_hit_of(state, then->cast_ray({aim.origin, aim.motion}, filter_of(state, aim)));
+    if (!hit.ok()) return hit;
+    ASSERT(past.pose_of(hit->entity) && state.entities.find(hit->entity));
+    const Transform past_pose = *past.pose_of(hit->entity);
+    const Transform pose = state.world.body(state.entities.find(hit->entity)->body)->pose;
+    hit->point = apply(pose, apply_inverse(past_pose, hit->point));
+    return hit;
 }
 
 const std::optional<Aim>* aim_of(const Action& action) {
@@ -55,15 +57,15 @@ const std::optional<Aim>* aim_of(const Action& action) {
     return nullptr;
 }
 
-void point_at(Action& action, const AimHit& met) {
+void set_target(Action& action, const AimHit& hit) {
     if (auto* impulse = std::get_if<ImpulseCommand>(&action)) {
-        impulse->entity = met.entity;
-        impulse->point = met.point;
+        impulse->entity = hit.entity;
+        impulse->point = hit.point;
     } else if (auto* grab = std::get_if<GrabCommand>(&action)) {
-        grab->entity = met.entity;
-        grab->point = met.point;
+        grab->entity = hit.entity;
+        grab->point = hit.point;
     } else if (auto* explode = std::get_if<ExplodeCommand>(&action)) {
-        explode->center = met.point;
+        explode->center = hit.point;
     }
 }
 
@@ -78,18 +80,18 @@ Status resolve_aim(const HostedState& state, const FrameRing& past, const Entity
                    Action& action, InputResult& result) {
     const std::optional<Aim>* aim = aim_of(action);
     if (!aim || !*aim) return {};
-    Result<AimHit> found = AimHit{};
-    const auto then = (*aim)->view_time ? past.at(*(*aim)->view_time) : std::nullopt;
-    if (then) {
-        const RewindView view(*then);
+    Result<AimHit> hit = AimHit{};
+    const auto frames = (*aim)->view_time ? past.at(*(*aim)->view_time) : std::nullopt;
+    if (frames) {
+        const RewindView view(*frames);
         result.view_time_clamped = view.clamped();
-        found = cast_rewound(state, view, now, **aim);
+        hit = cast_rewound(state, view, now, **aim);
     } else {
-        found = cast_now(state, **aim);
+        hit = cast_now(state, **aim);
     }
-    if (!found.ok()) return found.error();
-    result.entity = found->entity;
-    point_at(action, *found);
+    if (!hit.ok()) return hit.error();
+    result.entity = hit->entity;
+    set_target(action, *hit);
     return {};
 }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// An action that points along a ray becomes one on the entity and the point that the ray meets: as
-// the client saw them, brought to where they are now. On the thread that owns the world.
+// Resolves the aim of an action: casts its ray against the world at the client's view time and
+// replaces the aim by the hit entity and the hit point at its current pose. On the thread that owns
+// the world.
 #pragma once
 
 #include "server/world/apply_action.h"
@@ -11,8 +12,8 @@ namespace jostle::server {
 
 bool has_aim(const Action& action);
 
-// Fills entity and point, or centre, of an action with an aim; any other is left as it is. The
-// result gets the entity, and whether the moment was clamped. not_found: the ray meets nothing.
+// Sets the entity and point, or the centre, of an action with an aim; does nothing without an aim.
+// Sets the entity and view_time_clamped of the result. not_found: the ray hits no shape.
 Status resolve_aim(const HostedState& state, const FrameRing& past, const EntityList& now,
                    Action& action, InputResult& result);
 

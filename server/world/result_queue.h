@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Where the results of one client's inputs wait until its connection takes them. The world's
-// thread puts, the client's network thread takes. Bounded by what the client has in flight: each
-// accepted input yields one result.
+// The queue of input results for one client. The tick thread puts them, and the client's network
+// thread takes them. The number of inputs in flight bounds its size, because each accepted input
+// yields one result.
 #pragma once
 
 #include <mutex>

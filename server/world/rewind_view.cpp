@@ -4,13 +4,15 @@
 #include <algorithm>
 #include <chrono>
 
+#include "jostle/base/check.h"
+
 namespace jostle::server {
 
 using namespace physics;
 
 namespace {
 
-constexpr double fastest = 100;  // m/s; as the clients' interpolation has it
+constexpr double speed_max = 100;  // m/s; same value as the clients' interpolation
 
 const EntityPose* find(const PoseList& poses, EntityId entity) {
     std::size_t low = 0, high = poses.size();
@@ -24,15 +26,14 @@ const EntityPose* find(const PoseList& poses, EntityId entity) {
     return low < poses.size() && poses[low].id == entity ? &poses[low] : nullptr;
 }
 
-double seconds_between(const RewindFrames& checkpoint_copy) {
-    return std::chrono::duration<double>(checkpoint_copy.after->due - checkpoint_copy.before->due)
-        .count();
+double seconds_between(const RewindFrames& frames) {
+    return std::chrono::duration<double>(frames.after->due - frames.before->due).count();
 }
 
-// Walks one list beside another that rises as well.
-class Beside {
+// Finds entities whose ids are requested in ascending order, in one pass over the list.
+class AscendingSearch {
 public:
-    explicit Beside(const PoseList& poses) : at_(poses.begin()), end_(poses.end()) {}
+    explicit AscendingSearch(const PoseList& poses) : at_(poses.begin()), end_(poses.end()) {}
     const EntityPose* find(EntityId entity) {
         while (!(at_ == end_) && at_->id < entity) ++at_;
         return !(at_ == end_) && at_->id == entity ? &*at_ : nullptr;
@@ -47,7 +48,8 @@ private:
 Transform interpolate(const Transform& a, const Transform& b, double fraction,
                       double seconds_apart) {
     if (a == b) return a;
-    if (length(b.position - a.position) > fastest * seconds_apart) return a;
+    ASSERT(fraction >= 0 && fraction <= 1);
+    if (length(b.position - a.position) > speed_max * seconds_apart) return a;
     const Quat &p = a.rotation, &q = b.rotation;
     const double along = p.x * q.x + p.y * q.y + p.z * q.z + p.w * q.w;
     const double sign = along < 0 ? -1 : 1, rest = 1 - fraction;
@@ -57,26 +59,26 @@ Transform interpolate(const Transform& a, const Transform& b, double fraction,
 }
 
 std::optional<Transform> RewindView::pose_of(EntityId entity) const {
-    const EntityPose* after = find(moment_.after->entities, entity);
+    const EntityPose* after = find(frames_.after->entities, entity);
     if (!after) return std::nullopt;
-    const EntityPose* before = find(moment_.before->entities, entity);
-    if (!before || moment_.before == moment_.after) return after->pose;
-    return interpolate(before->pose, after->pose, moment_.fraction, seconds_between(moment_));
+    const EntityPose* before = find(frames_.before->entities, entity);
+    if (!before || frames_.before == frames_.after) return after->pose;
+    return interpolate(before->pose, after->pose, frames_.fraction, seconds_between(frames_));
 }
 
-// A body that is new stands where it appears.
+// A body that appeared in the later frame has that frame's pose.
 std::vector<ShapePlacement> RewindView::shapes(const EntityList& now,
                                                const CandidateFilter& candidate_filter) const {
     std::vector<ShapePlacement> placements;
-    const bool same = moment_.before == moment_.after;
-    const double seconds = seconds_between(moment_);
-    Beside before(moment_.before->entities), after(moment_.after->entities);
+    const bool same = frames_.before == frames_.after;
+    const double seconds = seconds_between(frames_);
+    AscendingSearch before(frames_.before->entities), after(frames_.after->entities);
     for (const auto& entity : now) {
         const EntityPose* to = after.find(entity->id);
         if (!to) continue;
         const EntityPose* from = same ? nullptr : before.find(entity->id);
         const Transform pose =
-            from ? interpolate(from->pose, to->pose, moment_.fraction, seconds) : to->pose;
+            from ? interpolate(from->pose, to->pose, frames_.fraction, seconds) : to->pose;
         if (!candidate_filter(pose.position, entity->bounding_radius)) continue;
         for (const ShapeState& shape : entity->shapes)
             placements.push_back({shape.id, compose(pose, shape.pose)});
@@ -89,7 +91,7 @@ RewindView::CandidateFilter along_segment(Vec3 origin, Vec3 motion) {
     return [=](Vec3 center, double radius) {
         const Vec3 to = center - origin;
         const double nearest = std::clamp(dot(to, motion) / size, 0.0, 1.0);
-        const double bounding_radius = radius * 1.000001 + 1e-6;  // rounding
+        const double bounding_radius = radius * 1.000001 + 1e-6;  // margin for rounding
         return length_squared(to - motion * nearest) <= bounding_radius * bounding_radius;
     };
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Where everything was at a moment of the past, as a client saw it: between two frames, along the
-// shorter way. Shapes are those of now; what came later is not there, and neither is what is gone
-// by now. Nothing is rewound: poses are read from frames and asked about with the solver's own
-// queries. Any thread.
+// The poses of entities at a time in the past, as a client rendered them: interpolated between two
+// frames along the shorter rotation. Shapes are the current ones; entities that appeared later or
+// were removed since are missing. The world itself is not rewound: queries run on the poses of the
+// frames. Any thread.
 #pragma once
 
 #include <functional>
@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "jostle/base/check.h"
 #include "jostle/physics/aabb.h"
 #include "jostle/physics/queries.h"
 #include "server/world/frame_ring.h"
@@ -19,30 +20,32 @@ namespace jostle::server {
 
 class RewindView {
 public:
-    explicit RewindView(RewindFrames checkpoint_copy) : moment_(std::move(checkpoint_copy)) {}
+    explicit RewindView(RewindFrames frames) : frames_(std::move(frames)) {
+        ASSERT(frames_.before && frames_.after && frames_.before->tick <= frames_.after->tick);
+    }
 
-    std::uint32_t tick() const { return moment_.before->tick; }
-    bool clamped() const { return moment_.clamped; }
+    std::uint32_t tick() const { return frames_.before->tick; }
+    bool clamped() const { return frames_.clamped; }
 
-    // Nothing when the entity was not there.
+    // Nothing: the entity did not exist.
     std::optional<physics::Transform> pose_of(EntityId entity) const;
 
-    // Shapes of entities of `now`, where they were, of those that may be met: by a ball around an
-    // entity, whose radius is infinite for planes.
+    // The past placements of the shapes of the entities in `now` that pass the filter. The filter
+    // gets the bounding sphere of an entity; its radius is infinite for planes.
     using CandidateFilter = std::function<bool(physics::Vec3 center, double radius)>;
     std::vector<physics::ShapePlacement> shapes(const EntityList& now,
                                                 const CandidateFilter& candidate_filter) const;
 
 private:
-    RewindFrames moment_;
+    RewindFrames frames_;
 };
 
-// For RewindView::shapes(): whether a ball meets the segment, or the box.
+// Filters for RewindView::shapes(): the sphere overlaps the segment, or the box.
 RewindView::CandidateFilter along_segment(physics::Vec3 origin, physics::Vec3 motion);
 RewindView::CandidateFilter within_box(const physics::Aabb& box);
 
-// Between two poses of a body, as clients blend them: a leap that 100 m/s do not explain is seen
-// when it is over.
+// Interpolates two poses of a body like the clients do. A jump faster than 100 m/s is a teleport
+// and yields `a`.
 physics::Transform interpolate(const physics::Transform& a, const physics::Transform& b,
                                double fraction, double seconds_apart);
 

@@ -11,8 +11,7 @@ namespace {
 constexpr std::uint64_t host_state_version = 1;
 constexpr std::uint32_t no_color = 0xffffffff;  // colours have 24 bits
 
-// One function says what an image consists of; it is written with one of these and read with the
-// other.
+// visit() lists the fields once; the writer and the reader are its visitors.
 struct HostStateWriter {
     ByteWriter to;
 
@@ -35,8 +34,8 @@ struct HostStateReader {
     void operator()(double& value) { value = from.real(); }
     void operator()(std::string& value) { value = from.text(); }
     void operator()(std::optional<std::uint32_t>& value) {
-        const std::uint32_t told = from.small();
-        value = told == no_color ? std::nullopt : std::optional(told);
+        const std::uint32_t color = from.small();
+        value = color == no_color ? std::nullopt : std::optional(color);
     }
     template <class Item, class Each>
     void list(std::vector<Item>& items, Each&& each) {
@@ -51,8 +50,8 @@ void visit_id(Visitor& v, Id& id) {
     v(id.generation);
 }
 
-template <class Visitor, class Image>
-void visit(Visitor& v, Image& host_state) {
+template <class Visitor, class HostState>
+void visit(Visitor& v, HostState& host_state) {
     v(host_state.tick);
     v(host_state.next_id);
     v.list(host_state.entities, [&](auto& e) {
@@ -77,8 +76,8 @@ void visit(Visitor& v, Image& host_state) {
     v.list(host_state.scene_joints, [&](auto& id) { visit_id(v, id); });
 }
 
-Error not_a_host_state(const std::string& why) {
-    return {ErrorCode::corrupt_data, "what is kept of entities and owners " + why};
+Error corrupt_host_state(const std::string& fault) {
+    return {ErrorCode::corrupt_data, "corrupt host state: " + fault};
 }
 
 }  // namespace
@@ -105,16 +104,18 @@ std::string encode_host_state(const SavedHostState& host_state) {
 Result<SavedHostState> decode_host_state(std::string_view bytes) {
     HostStateReader reader{ByteReader(bytes)};
     if (const std::uint64_t version = reader.from.number(); version != host_state_version)
-        return not_a_host_state("is of version " + std::to_string(version) +
-                                "; this server reads " + std::to_string(host_state_version));
+        return corrupt_host_state("version " + std::to_string(version) + "; this server reads " +
+                                  std::to_string(host_state_version));
     SavedHostState host_state;
     visit(reader, host_state);
-    if (!reader.from.ok()) return not_a_host_state("ends too early");
-    if (!reader.from.at_end()) return not_a_host_state("goes on after its end");
+    if (!reader.from.ok()) return corrupt_host_state("truncated");
+    if (!reader.from.at_end()) return corrupt_host_state("trailing bytes");
     EntityId last = 0;
     for (const SavedHostState::Entity& entity : host_state.entities) {
         if (entity.id <= last || entity.id >= host_state.next_id)
-            return not_a_host_state("has entity " + std::to_string(entity.id) + " out of order");
+            return corrupt_host_state("entity " + std::to_string(entity.id) +
+                                      " is out of order; ids must ascend from 1 and be below " +
+                                      std::to_string(host_state.next_id));
         last = entity.id;
     }
     return host_state;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What a hosted world is beside its bodies: who is which entity, who owns, holds and drives what,
-// and how far each client's inputs have been counted. With the world's own bytes it is all that the
-// next tick depends on, but for inputs that have not been applied.
+// The state of a hosted world beyond its bodies: entities, owners, grabs, controlled entities and
+// the last sequence number of each client. Together with the saved world it determines the next
+// tick, except for inputs that were not applied yet.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +25,7 @@ struct SavedHostState {
         ClientId owner = 0;
         std::optional<std::uint32_t> color;
         std::string name;
-        double mass = 0, bounding_radius = 0;  // as clients were told
+        double mass = 0, bounding_radius = 0;  // as in its EntityDescription
     };
     struct Held {
         ClientId client = 0;
@@ -47,7 +47,7 @@ struct SavedHostState {
 
     std::uint32_t tick = 0;
     EntityId next_id = 1;
-    std::vector<Entity> entities;  // in rising order of id
+    std::vector<Entity> entities;  // in ascending order of id
     std::vector<Owned> owned;
     std::vector<Held> held;
     std::vector<Controlled> controlled_entities;
@@ -57,11 +57,11 @@ struct SavedHostState {
     std::vector<physics::JointId> scene_joints;
 };
 
-// Who played, and the last of the inputs of each that were counted.
+// The clients of the world, each with the sequence number of its last processed input (0: none).
 std::map<ClientId, std::uint32_t> clients_of(const SavedHostState& host_state);
 
 std::string encode_host_state(const SavedHostState& host_state);
-// corrupt_data: the bytes are not such an image.
+// corrupt_data: the bytes are not an encoded host state.
 Result<SavedHostState> decode_host_state(std::string_view bytes);
 
 }  // namespace jostle::server

@@ -12,6 +12,7 @@
 #include <utility>
 #include <vector>
 
+#include "jostle/base/check.h"
 #include "jostle/scenes/geometry_message_bytes.h"
 #include "server/util/clock.h"
 
@@ -38,15 +39,15 @@ Status check_geometry_size(const scenes::SceneDescription& scene, const SceneBud
             bytes += size;
             if (bytes > budget.geometry_bytes_max)
                 return too_much(
-                    fmt::format("the shapes of the scene take more than {:.0f} bytes to tell a "
-                                "client about; scene.geometry_bytes_max allows no more",
-                                budget.geometry_bytes_max));
+                    fmt::format("the geometry of the scene needs more than {:.0f} bytes in "
+                                "messages to each client; scene.geometry_bytes_max allows {:.0f}",
+                                budget.geometry_bytes_max, budget.geometry_bytes_max));
         }
         if (own > budget.body_geometry_bytes_max)
             return too_much(
-                fmt::format("bodies[{}] \"{}\" has shapes of {:.0f} bytes; "
-                            "scene.body_geometry_bytes_max allows "
-                            "{}; make them one mesh or compound",
+                fmt::format("bodies[{}] \"{}\" has {:.0f} bytes of shapes; "
+                            "scene.body_geometry_bytes_max allows {}; merge them into one mesh or "
+                            "compound",
                             i, scene.bodies[i].name, own, budget.body_geometry_bytes_max));
     }
     return {};
@@ -60,9 +61,9 @@ Status check_joints(const scenes::SceneDescription& scene, const SceneBudget& bu
     for (const scenes::SceneJoint& joint : scene.joints)
         if (++of_pair[std::minmax(joint.body_a, joint.body_b)] > budget.joints_per_pair_max)
             return too_much(
-                fmt::format("joint \"{}\" is one of more than {} between the same two bodies; "
-                            "scene.joints_per_pair_max allows no more",
-                            joint.name, budget.joints_per_pair_max));
+                fmt::format("joint \"{}\": more than {} joints connect the same two bodies; "
+                            "scene.joints_per_pair_max allows {}",
+                            joint.name, budget.joints_per_pair_max, budget.joints_per_pair_max));
     return {};
 }
 
@@ -90,8 +91,8 @@ std::vector<BoxedShape> boxed_shapes(const World& world, std::size_t& unbounded)
     return boxed;
 }
 
-// By sorting along x and sweeping; ends where there are more than `most`.
-std::size_t count_pairs(const World& world, std::size_t most) {
+// Sorts along x and sweeps; stops soon after `max` pairs.
+std::size_t count_pairs(const World& world, std::size_t max) {
     std::size_t planes = 0;
     std::vector<BoxedShape> boxed = boxed_shapes(world, planes);
     std::ranges::sort(boxed, {}, [](const BoxedShape& s) { return s.box.low.x; });
@@ -105,7 +106,7 @@ std::size_t count_pairs(const World& world, std::size_t most) {
                 may_collide(boxed[i].filter, boxed[k].filter))
                 pairs++;
         }
-        if (pairs > most) break;
+        if (pairs > max) break;
     }
     return pairs;
 }
@@ -122,17 +123,20 @@ Status check_description(const scenes::SceneDescription& scene, const SceneBudge
 
 Result<double> estimate_work(const scenes::SceneDescription& scene, const World& world,
                              const SceneBudget& budget) {
+    ASSERT(scene.hz > 0);
     const double passes = scene.hz * scene.world.substeps;
-    std::size_t fixed = scene.joints.size();
+    std::size_t constant = scene.joints.size();  // work per pass that does not depend on pairs
     for (const scenes::SceneBody& body : scene.bodies)
-        if (body.body.type == BodyType::dynamic) fixed++;
-    const double most = budget.work_per_second_max / passes - static_cast<double>(fixed);
-    const std::size_t pairs = most > 0 ? count_pairs(world, static_cast<std::size_t>(most)) : 0;
-    if (static_cast<double>(pairs) <= most) return passes * static_cast<double>(fixed + pairs);
+        if (body.body.type == BodyType::dynamic) constant++;
+    const double pairs_max = budget.work_per_second_max / passes - static_cast<double>(constant);
+    const std::size_t pairs =
+        pairs_max > 0 ? count_pairs(world, static_cast<std::size_t>(pairs_max)) : 0;
+    if (static_cast<double>(pairs) <= pairs_max)
+        return passes * static_cast<double>(constant + pairs);
     return too_much(fmt::format(
-        "{:g} Hz x {} sub-steps x ({} moving bodies and joints + {}{} overlapping pairs) is too "
-        "much work for a second; scene.work_per_second_max allows {:g}",
-        scene.hz, scene.world.substeps, fixed, pairs > 0 ? "over " : "", pairs,
+        "the work of {:g} Hz x {} sub-steps x ({} moving bodies and joints + {}{} overlapping "
+        "pairs) per second is too high; scene.work_per_second_max allows {:g}",
+        scene.hz, scene.world.substeps, constant, pairs > 0 ? "at least " : "", pairs,
         budget.work_per_second_max));
 }
 
@@ -141,7 +145,7 @@ Status check_first_step(const scenes::SceneDescription& scene, World world,
     std::mutex mutex;
     std::condition_variable done;
     bool stepped = false;
-    std::thread alarm([&] {
+    std::thread timer([&] {
         std::unique_lock lock(mutex);
         if (!done.wait_for(lock, from_seconds(budget.first_step_seconds_max),
                            [&] { return stepped; }))
@@ -153,12 +157,12 @@ Status check_first_step(const scenes::SceneDescription& scene, World world,
         stepped = true;
     }
     done.notify_all();
-    alarm.join();
+    timer.join();
     if (step.ok() || step.error().code != ErrorCode::aborted) return {};
     return too_much(fmt::format(
-        "the first step of the scene takes more than {:g} s; scene.first_step_seconds_max allows "
-        "no more",
-        budget.first_step_seconds_max));
+        "the first step of the scene takes longer than {:g} s; scene.first_step_seconds_max allows "
+        "{:g} s",
+        budget.first_step_seconds_max, budget.first_step_seconds_max));
 }
 
 }  // namespace jostle::server

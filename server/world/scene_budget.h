@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// May this scene be hosted? A few bytes can ask for a world that takes minutes for a step, or for
-// one of which each client must be told a gigabyte. Pure functions; any thread.
+// Decides whether a server hosts a scene. A scene file of a few bytes can describe a world whose
+// steps take minutes, or whose geometry is a gigabyte for each client. Pure functions; any thread.
 #pragma once
 
 #include <cstddef>
@@ -14,24 +14,25 @@ namespace jostle::server {
 struct SceneBudget {
     int bodies_max = 20000;
     int joints_max = 20000;
-    int joints_per_pair_max = 64;         // of the same two bodies: they are solved one by one
-    double geometry_bytes_max = 32e6;     // of what clients are told about shapes, each kept once
-    int body_geometry_bytes_max = 65536;  // of the small shapes of one body
-    // Solver visits a second: rate x sub-steps x (moving bodies + joints + pairs of shapes whose
-    // boxes overlap). A core makes some tens of millions.
+    int joints_per_pair_max = 64;         // between the same two bodies; solved sequentially
+    double geometry_bytes_max = 32e6;     // encoded geometry for a client; shared geometry once
+    int body_geometry_bytes_max = 65536;  // encoded inline geometry of one body
+    // Constraint visits of the solver per second: rate x sub-steps x (moving bodies + joints +
+    // pairs of shapes with overlapping bounding boxes). One core performs some 10 million.
     double work_per_second_max = 2e8;
-    // What the estimate does not see (triangles and compounds in one place, a joint net that is
-    // solved at once) shows in the first step.
+    // Limits the costs that the estimate lacks: overlapping meshes and compounds, and joint groups
+    // that a direct solver solves.
     double first_step_seconds_max = 0.5;
 };
 
-// Of the description, before it is built. An error names the figure, the limit and its setting.
+// Checks the description before the world is built. Errors name the value, the limit and its
+// setting.
 Status check_description(const scenes::SceneDescription& scene, const SceneBudget& budget);
-// Of the world that was built of it, before its first step, whose time goes with the pairs. Solver
-// visits a second.
+// Estimates the constraint visits per second of the built world, before its first step. Errors as
+// above.
 Result<double> estimate_work(const scenes::SceneDescription& scene, const physics::World& world,
                              const SceneBudget& budget);
-// Steps a world that is thrown away.
+// Measures one step of a temporary world. Errors as above.
 Status check_first_step(const scenes::SceneDescription& scene, physics::World world,
                         const SceneBudget& budget);
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Inputs that came before the tick they are meant for (Command::tick). A client that names ticks
-// foresees what its inputs do, so they wait here until then: at most 16 ticks. Those of one client
-// keep their order. The world's thread alone.
+// Inputs that arrived before their scheduled tick (Command::tick). A client that predicts schedules
+// its inputs, which wait here for at most 16 ticks. The inputs of one client keep their order. Tick
+// thread only.
 #pragma once
 
 #include <cstddef>
@@ -18,11 +18,11 @@ class ScheduledInputs {
 public:
     static constexpr std::uint32_t ticks_max = 16;
 
-    // When more than this wait, all that wait are taken at once.
+    // If more than `commands_max` commands wait, all of them become due at once.
     explicit ScheduledInputs(std::size_t commands_max) : commands_max_(commands_max) {}
 
-    // Leaves in the batch what is for this tick, in order of arrival: what waited for it, then what
-    // is new. What those who leave had sent is for this tick, whatever it says.
+    // Replaces the batch by the inputs that are due in this tick: waiting inputs first, then new
+    // ones, each in order of arrival. All inputs of leaving clients are due.
     void select_due(std::vector<Command>& batch, std::uint32_t tick,
                     std::span<const Command> leave_commands);
 
@@ -36,7 +36,7 @@ private:
 
     std::size_t commands_max_;
     std::vector<Waiting> waiting_;  // in order of arrival
-    std::vector<Command> now_;      // of select_due(), kept for its memory
+    std::vector<Command> now_;      // reused by select_due()
 };
 
 }  // namespace jostle::server

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "server/world/single_step_control.h"
 
+#include "jostle/base/check.h"
+
 namespace jostle::server {
 
 Result<int> SingleStepControl::step(int steps, Clock::duration timeout) {
@@ -9,12 +11,13 @@ Result<int> SingleStepControl::step(int steps, Clock::duration timeout) {
     if (closed_) return Error{ErrorCode::aborted, "the world was closed"};
     if (requested_)
         return Error{ErrorCode::resource_exhausted,
-                     "somebody else steps this world; try again when they are done"};
+                     "another request is stepping this world; retry after it has ended"};
     allowed_ = steps;
     published_ = begun_ = 0;
     requested_ = true;
     taken_.wait_until(lock, end, [&] { return !requested_ || published_ == steps; });
     requested_ = false;
+    ASSERT(published_ >= 0 && published_ <= begun_ && begun_ <= steps);
     return published_;
 }
 
@@ -31,6 +34,7 @@ void SingleStepControl::end_tick() {
     if (!requested_.load(std::memory_order_relaxed)) return;
     {
         const std::lock_guard lock(mutex_);
+        ASSERT(published_ <= begun_);
         published_ = begun_;
         if (allowed_ > 0) return;
     }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Steps that a paused world takes because somebody allows them: to look at what happens, one by
-// one.
+// Single steps of a paused world, for debugging.
 #pragma once
 
 #include <atomic>
@@ -15,25 +14,27 @@ namespace jostle::server {
 
 class SingleStepControl {
 public:
-    // Any thread: lets a paused world take so many steps, and waits until frames show them, or for
-    // `patience`. How many were taken. Errors: somebody else steps it, or the world ended.
+    // Any thread: lets a paused world take `steps` steps and waits until their frames are
+    // published, or for `timeout`. Returns the number of published steps. Errors: another request
+    // is stepping the world (resource_exhausted), or the world was closed (aborted).
     Result<int> step(int steps, Clock::duration timeout);
 
-    // The thread of a paused world, in each tick: whether it takes a step all the same; and when
-    // the tick's frame is out.
+    // The tick thread of a paused world, in each tick: whether the world takes a step.
     bool begin_step();
+    // After the frame of the tick was published.
     void end_tick();
-    // Any thread: the world ends or goes on by itself, and nobody waits for it any longer.
+    // Any thread: ends a waiting step() because the world resumed.
     void cancel();
+    // Any thread: likewise because the world ends; later calls of step() fail.
     void close();
 
 private:
     std::atomic<bool> requested_{false};
     std::mutex mutex_;
     std::condition_variable taken_;
-    int allowed_ = 0;    // that may still be taken
-    int published_ = 0;  // of those that were: whose frames are out
-    int begun_ = 0;      // ... or not yet
+    int allowed_ = 0;    // steps still to take
+    int begun_ = 0;      // steps taken
+    int published_ = 0;  // steps taken whose frames are published
     bool closed_ = false;
 };
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "jostle/base/check.h"
+
 namespace jostle::server {
 
 using namespace physics;
@@ -25,11 +27,13 @@ void sync_module_entities(HostedState& state, std::vector<BodyState>& bodies) {
         return state.entities.find_living(body.id) != 0;
     };
     const auto known = static_cast<std::size_t>(std::ranges::count_if(bodies, is_known));
-    // First: a new body may have the index of one that is gone.
+    // Before the additions, because a new body may reuse the index of a removed one.
+    ASSERT(known <= bodies.size() && known <= state.entities.size());
     if (known < state.entities.size()) forget_removed(state);
     if (known == bodies.size()) return;
     for (const BodyState& body : bodies)
         if (!is_known(body)) state.entities.add(state.world, body.id, 0, std::nullopt, {});
+    ASSERT(state.entities.size() == bodies.size());
 }
 
 }  // namespace jostle::server

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Modules may make and remove bodies: the entities of a world follow. Nothing to do in a world
-// without modules, where only actions do so.
+// Adds and removes the entities of bodies that modules created or destroyed. Does nothing in a
+// world without modules, where only actions create and destroy bodies.
 #pragma once
 
 #include <vector>
@@ -10,8 +10,8 @@
 
 namespace jostle::server {
 
-// Before anything else is asked of the entities: after the scene was built and after each step.
-// What a module made is an entity of the scene without a name. `bodies` is scratch.
+// Call it after the scene was built and after each step, before any other use of the entities. A
+// body of a module becomes an entity without name and owner. `bodies` is scratch memory.
 void sync_module_entities(HostedState& state, std::vector<physics::BodyState>& bodies);
 
 }  // namespace jostle::server

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "server/world/tick_clock.h"
 
+#include "jostle/base/check.h"
+
 namespace jostle::server {
 
 TickClock::TickClock(Clock::time_point start, double hz, int catch_up_ticks_max)
@@ -19,10 +21,11 @@ int TickClock::due(Clock::time_point now) {
             count++;
             continue;
         }
-        // Give up the oldest: the ticks that do run are the latest ones due.
+        // Skip the oldest, so that the ticks that run are the latest ones.
         next_++;
         late_++;
     }
+    ASSERT(count >= 0 && count <= catch_up_ticks_max_);
     return count;
 }
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// When the next tick is due. Deadlines are start + n * period, so they do not drift however late a
-// tick begins.
+// The schedule of ticks. Tick n is due at start + n * period, so late ticks cause no drift.
 //
-// When late: up to catch_up_ticks_max ticks are run at once; what is later than that is given up:
-// the schedule moves forward and the ticks that never ran are counted as late.
+// After a delay, up to catch_up_ticks_max due ticks run at once. Older ones are skipped and counted
+// as late ticks.
 #pragma once
 
 #include <cstdint>
@@ -18,9 +17,9 @@ public:
     TickClock(Clock::time_point start, double hz, int catch_up_ticks_max);
 
     Clock::time_point next_due() const;
-    // How many ticks to run now, 0 to catch_up_ticks_max; each is then taken with begin_tick().
+    // The number of ticks to run now, 0 to catch_up_ticks_max. Call begin_tick() for each of them.
     int due(Clock::time_point now);
-    // When the tick that begins now was due.
+    // Returns the time at which the tick was due.
     Clock::time_point begin_tick();
 
     std::uint32_t late_ticks() const { return late_; }

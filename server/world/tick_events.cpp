@@ -12,13 +12,13 @@ using physics::Events;
 
 namespace {
 
-// One event between bodies as one between entities.
+// Converts an event between bodies to an event between entities.
 ContactEvent convert(const physics::ContactBegin& e, const EntityOfBody& entity_of) {
     return {.a = entity_of(e.body_a),
             .b = entity_of(e.body_b),
             .point = e.point,
             .normal = e.normal,
-            .speed = e.approach};
+            .speed = e.approach_speed};
 }
 
 ContactEvent convert(const physics::ContactEnd& e, const EntityOfBody& entity_of) {
@@ -38,7 +38,7 @@ ContactEvent convert(const physics::ContactHit& e, const EntityOfBody& entity_of
             .b = entity_of(e.body_b),
             .point = e.point,
             .normal = e.normal,
-            .speed = e.approach};
+            .speed = e.approach_speed};
 }
 
 TriggerEvent convert(const physics::TriggerEvent& e, const EntityOfBody& entity_of) {
@@ -53,7 +53,7 @@ EntityId convert(physics::BodyId body, const EntityOfBody& entity_of) {
     return entity_of(body);
 }
 
-// Lists are sorted by these.
+// The sort keys of the lists.
 auto order_of(const ContactEvent& e) {
     return std::pair(e.a, e.b);
 }
@@ -67,11 +67,11 @@ auto order_of(EntityId entity) {
     return entity;
 }
 
-// Where the solver lists a kind of event, and where a tick keeps it.
-template <class Theirs, class Ours>
+// The lists of a kind of event in physics::Events and in TickEvents.
+template <class Source, class Copy>
 struct Kind {
-    std::span<const Theirs> Events::*theirs;
-    std::vector<Ours> TickEvents::*ours;
+    std::span<const Source> Events::*source;
+    std::vector<Copy> TickEvents::*copy;
 };
 
 constexpr std::tuple kinds{
@@ -88,13 +88,13 @@ constexpr std::tuple kinds{
 };
 static_assert(std::tuple_size_v<decltype(kinds)> == TickEvents::kinds);
 
-template <class Theirs, class Ours>
-std::vector<Ours> copy(std::span<const Theirs> events, const EntityOfBody& entity_of) {
-    std::vector<Ours> out;
+template <class Source, class Copy>
+std::vector<Copy> copy_list(std::span<const Source> events, const EntityOfBody& entity_of) {
+    std::vector<Copy> out;
     out.reserve(events.size());
-    for (const Theirs& event : events) out.push_back(convert(event, entity_of));
-    // Stable: pairs of shapes of the same two entities stay in the world's order.
-    std::ranges::stable_sort(out, {}, [](const Ours& event) { return order_of(event); });
+    for (const Source& event : events) out.push_back(convert(event, entity_of));
+    // Stable, so that shape pairs of the same two entities retain the order of the world.
+    std::ranges::stable_sort(out, {}, [](const Copy& event) { return order_of(event); });
     return out;
 }
 
@@ -104,9 +104,9 @@ std::optional<TickEvents> copy_events(const Events& events, std::uint32_t tick,
                                       const EntityOfBody& entity_of) {
     TickEvents out{.tick = tick};
     bool any = false;
-    const auto copy_kind = [&]<class Theirs, class Ours>(const Kind<Theirs, Ours>& kind) {
-        out.*kind.ours = copy<Theirs, Ours>(events.*kind.theirs, entity_of);
-        any = any || !(events.*kind.theirs).empty();
+    const auto copy_kind = [&]<class Source, class Copy>(const Kind<Source, Copy>& kind) {
+        out.*kind.copy = copy_list<Source, Copy>(events.*kind.source, entity_of);
+        any = any || !(events.*kind.source).empty();
     };
     std::apply([&](const auto&... kind) { (copy_kind(kind), ...); }, kinds);
     if (!any) return std::nullopt;

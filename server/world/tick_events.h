@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What happened in one tick, between entities: an immutable copy of the world's events, made only
-// while a client of that world asks for them. Each list is sorted by the entities. A pair of
-// entities that touches with several shapes is listed once per pair of shapes.
+// The events of one tick between entities: an immutable copy of the world's events, made only while
+// a client subscribes to events. Each list is sorted by entity. Two entities that touch with
+// several shapes are listed once per shape pair.
 #pragma once
 
 #include <cstddef>
@@ -19,9 +19,9 @@ namespace jostle::server {
 
 struct ContactEvent {
     EntityId a = 0, b = 0;
-    physics::Vec3 point, normal;  // m, world; unit, from a to b. Not of ends
-    double speed = 0;             // m/s of approach: of begins and hits
-    double impulse = 0;           // N s over the tick: of contacts that press
+    physics::Vec3 point, normal;  // m, world; unit, from a to b. Not set for contacts_ended
+    double speed = 0;             // m/s, approach speed; only contacts_began and hits
+    double impulse = 0;           // N s over the tick; only contacts
 };
 
 struct TriggerEvent {
@@ -33,8 +33,8 @@ struct JointBreakEvent {
     double force = 0, torque = 0;  // N, N m
 };
 
-// The names are those of physics::Events and of the Events message. A new kind is a list here, a
-// row in tick_events.cpp and a row in protocol/event_message.cpp.
+// The names equal those of physics::Events and of the Events message. A new kind needs a list here,
+// a row in tick_events.cpp and a row in messages/event_message.cpp.
 struct TickEvents {
     static constexpr std::size_t kinds = 10;
 
@@ -45,8 +45,8 @@ struct TickEvents {
     std::vector<EntityId> fell_asleep, woke;
 };
 
-// The newest ticks in which something happened, oldest first. Ticks are counted from the world's
-// beginning, so that a reader knows how many it has missed: ticks.back() has number `count`.
+// The newest ticks with events, oldest first. `count` is the number of ticks with events since the
+// start of the world and the number of ticks.back(), so a reader can compute how many it missed.
 struct RecentEvents {
     static constexpr std::size_t ticks_max = 64;
 
@@ -56,7 +56,8 @@ struct RecentEvents {
 
 using EntityOfBody = std::function<EntityId(physics::BodyId)>;
 
-// Nothing when nothing happened. Quarantined bodies are the operator's, not the clients'.
+// Nothing: the step had no events. Quarantined bodies are not copied; they are logged for
+// operators.
 std::optional<TickEvents> copy_events(const physics::Events& events, std::uint32_t tick,
                                       const EntityOfBody& entity_of);
 

@@ -6,6 +6,7 @@
 #include <exception>
 #include <utility>
 
+#include "jostle/base/check.h"
 #include "server/world/tick_clock.h"
 
 namespace jostle::server {
@@ -21,6 +22,7 @@ TickLoop::~TickLoop() = default;
 
 void TickLoop::start(const Settings& settings, Clock::time_point epoch, Tick tick,
                      std::function<bool()> stopped, std::function<void(const char*)> on_error) {
+    ASSERT(!thread_.joinable() && tick && stopped);
     tick_ = std::move(tick);
     stopped_ = std::move(stopped);
     on_error_ = std::move(on_error);

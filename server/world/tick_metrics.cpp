@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "server/world/tick_metrics.h"
 
+#include "jostle/base/check.h"
+
 namespace jostle::server {
 
 TickMetrics::TickMetrics(Metrics* metrics, const std::string& world)
@@ -9,6 +11,7 @@ TickMetrics::TickMetrics(Metrics* metrics, const std::string& world)
 void TickMetrics::end_tick(const Frame& frame, const physics::StepProfile* profile,
                            std::size_t inputs) {
     const Clock::time_point now = Clock::now();
+    ASSERT(now >= begun_);
     if (metrics_) {
         TickSample count{.seconds = std::chrono::duration<double>(now - begun_).count(),
                          .bodies = frame.entities.size(),
@@ -32,7 +35,7 @@ void TickMetrics::profile_tick(const Frame& frame, const physics::StepProfile* p
                        .touching = frame.contacts,
                        .inputs = static_cast<int>(inputs),
                        .late_ticks = frame.late_ticks};
-    // Somebody may have begun to record in the middle of this tick.
+    // The recording started after the step of this tick began.
     if (step_begun_ < begun_) return;
     if (profile) record.stage_ms = profile->stage_ms;
     profiler_.put(record);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What is seen from outside of a world's ticks: each is counted for the metrics, and recorded for
-// whoever profiles. The world's thread calls it at the ends of a tick; what that costs is measured
-// in tests/server/world/tick_metrics_test.cpp.
+// Measures the ticks of a world: counts each tick in the metrics and records it while a profile is
+// requested. The tick thread calls it at the start and the end of a tick;
+// tests/server/world/tick_metrics_test.cpp measures its cost.
 #pragma once
 
 #include <memory>
@@ -17,20 +17,20 @@ namespace jostle::server {
 
 class TickMetrics {
 public:
-    // Without metrics nothing is counted; recording works all the same.
+    // Null metrics: only recording works.
     TickMetrics(Metrics* metrics, const std::string& world);
 
     // Any thread.
     Result<std::vector<TickProfile>> record(Clock::duration time) { return profiler_.record(time); }
     void close() { profiler_.close(); }
-    WorldMetrics* metrics() { return metrics_.get(); }  // null: nobody counts
+    WorldMetrics* metrics() { return metrics_.get(); }  // null: no metrics
 
-    // The world's thread, in this order.
+    // The tick thread, in this order.
     void begin_tick(Clock::time_point now) { begun_ = now; }
     void begin_step() {
         if (profiler_.is_requested()) step_begun_ = Clock::now();
     }
-    // `profile`: of the step; null when the tick took none.
+    // `profile`: of the step; null: the tick took no step.
     void end_tick(const Frame& frame, const physics::StepProfile* profile, std::size_t inputs);
 
 private:

@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "jostle/base/check.h"
+
 namespace jostle::server {
 
 Result<std::vector<TickProfile>> TickProfiler::record(Clock::duration time) {
@@ -11,13 +13,14 @@ Result<std::vector<TickProfile>> TickProfiler::record(Clock::duration time) {
     if (closed_) return Error{ErrorCode::aborted, "the world was closed"};
     if (recording_)
         return Error{ErrorCode::resource_exhausted,
-                     "somebody else records this world's ticks; try again when they are done"};
+                     "another request is recording this world; retry after it has ended"};
     recording_ = true;
     ticks_.clear();
-    ticks_.reserve(ticks_max);  // here, so that the world's thread never waits for memory
+    ticks_.reserve(ticks_max);  // here, so that the tick thread never allocates
     requested_ = true;
     changed_.wait_until(lock, end, [&] { return closed_ || ticks_.size() >= ticks_max; });
     requested_ = false;
+    ASSERT(recording_);
     recording_ = false;
     return std::exchange(ticks_, {});
 }
@@ -28,6 +31,7 @@ void TickProfiler::put(const TickProfile& tick) {
         const std::lock_guard lock(mutex_);
         if (!recording_ || ticks_.size() >= ticks_max) return;
         ticks_.push_back(tick);
+        ASSERT(ticks_.size() <= ticks_max);
         is_full = ticks_.size() >= ticks_max;
     }
     if (is_full) changed_.notify_all();

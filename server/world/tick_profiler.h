@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Records the ticks of a world for somebody who asks where its time goes. While nobody does, a tick
-// pays one look at a flag. One recording at a time: it holds memory and is about one machine.
+// Records the ticks of a world on request, for profiling. Without a request a tick only reads a
+// flag. One recording at a time, because each holds memory.
 #pragma once
 
 #include <array>
@@ -17,29 +17,30 @@
 
 namespace jostle::server {
 
-// One tick, as its thread saw it.
+// The times of one tick.
 struct TickProfile {
     std::uint32_t tick = 0;
     Clock::time_point due, begun, ended;
     Clock::time_point step_begun;  // after the inputs
-    // Milliseconds, in the order in which they ran; all 0: the tick took no step.
+    // Milliseconds per stage, in order of execution; all 0: the tick took no step.
     std::array<double, physics::stage_count> stage_ms{};
     int bodies_awake = 0, touching = 0, inputs = 0;
-    std::uint32_t late_ticks = 0;  // that were given up since the world began
+    std::uint32_t late_ticks = 0;  // skipped since the start of the world
 };
 
 class TickProfiler {
 public:
-    static constexpr std::size_t ticks_max = 4000;  // of one recording: 30 s at 120 Hz and some
+    static constexpr std::size_t ticks_max = 4000;  // per recording: at least 30 s at 120 Hz
 
-    // Any thread: waits for so long and gives what was recorded; less when ticks_max were or the
-    // world ended. Errors: somebody else records (resource_exhausted).
+    // Any thread: records for `time` and returns the ticks. Returns earlier after ticks_max ticks
+    // or at the end of the world. Errors: another request is recording (resource_exhausted), or the
+    // world was closed (aborted).
     Result<std::vector<TickProfile>> record(Clock::duration time);
 
-    // The world's thread.
+    // The tick thread.
     bool is_requested() const { return requested_.load(std::memory_order_relaxed); }
     void put(const TickProfile& tick);
-    // Any thread: nothing will come any more.
+    // Any thread: ends a recording; later ones fail.
     void close();
 
 private:

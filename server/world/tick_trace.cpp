@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "server/world/tick_trace.h"
 
+#include "jostle/base/check.h"
 #include "server/metrics/chrome_trace.h"
 
 namespace jostle::server {
@@ -15,6 +16,7 @@ double us_between(Clock::time_point from, Clock::time_point to) {
 
 void add_tick(std::vector<TraceSpan>& spans, const TickProfile& tick, Clock::time_point zero) {
     const double begun = us_between(zero, tick.begun), ended = us_between(zero, tick.ended);
+    ASSERT(ended >= begun);
     const double step_begun = us_between(zero, tick.step_begun);
     spans.push_back({.name = "tick",
                      .start_us = begun,
@@ -32,14 +34,14 @@ void add_tick(std::vector<TraceSpan>& spans, const TickProfile& tick, Clock::tim
                 {.name = name, .start_us = start, .duration_us = duration, .row = stages_row});
     };
     add("inputs", begun, step_begun - begun);
-    // The profile says how long each stage took, and they run one after the other.
+    // The profile holds durations; stages run one after the other.
     double at = step_begun;
     for (int i = 0; i < physics::stage_count; i++) {
         const double duration = 1000 * tick.stage_ms[static_cast<std::size_t>(i)];
         add(physics::stage_name(static_cast<physics::Stage>(i)), at, duration);
         at += duration;
     }
-    add("frame_and_answers", at, ended - at);
+    add("frame_and_results", at, ended - at);
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Recorded ticks as a trace to look at: a row of ticks, and below it what each spent its time on,
-// stage by stage. A pure function.
+// Converts recorded ticks to a trace with a row of ticks and a row of their stages. A pure
+// function.
 #pragma once
 
 #include <span>
@@ -11,7 +11,7 @@
 
 namespace jostle::server {
 
-// JSON in Chrome's format; time 0 is the first tick's beginning.
+// JSON in Chrome's trace format; time 0 is the start of the first tick.
 std::string tick_trace(const std::string& world, std::span<const TickProfile> ticks);
 
 }  // namespace jostle::server

@@ -29,25 +29,25 @@ TickWatchdog::~TickWatchdog() {
 }
 
 bool TickWatchdog::all_worlds_tick(Clock::time_point now) const {
-    const Clock::time_point looked{Clock::duration(checked_at_.load())};
-    return !hung_ && now - looked < settings_.hung_after;
+    const Clock::time_point checked_at{Clock::duration(checked_at_.load())};
+    return !hung_ && now - checked_at < settings_.hung_after;
 }
 
 void TickWatchdog::check(Clock::time_point now) {
-    const Clock::time_point looked{Clock::duration(checked_at_.load())};
+    const Clock::time_point checked_at{Clock::duration(checked_at_.load())};
     bool hung = false;
     for (const auto& world : worlds_.list()) {
         const auto began = world->lifecycle().tick_began();
         if (!began || world->lifecycle().stopped()) continue;
         const Clock::duration took = now - *began;
         hung = hung || took > settings_.hung_after;
-        // After a pause of ours the tick gets its time anew.
-        if (took <= settings_.step_max || now - looked > process_stall_min ||
+        // After a stall of the process the running tick gets the full time again.
+        if (took <= settings_.step_max || now - checked_at > process_stall_min ||
             world->lifecycle().paused())
             continue;
-        world->interrupt(fmt::format("a step took more than {:.1f} s", to_ms(took) / 1000));
+        world->interrupt(fmt::format("a step took longer than {:.1f} s", to_ms(took) / 1000));
     }
-    hung_ = hung && now - looked <= process_stall_min;
+    hung_ = hung && now - checked_at <= process_stall_min;
     checked_at_ = now.time_since_epoch().count();
     worlds_.restart_failed(now);
 }

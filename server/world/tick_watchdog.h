@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Sees to it that no world holds up the others or hides that it hangs: a step that takes too long
-// is interrupted and its world paused, a world that an error ended is started anew, and health asks
-// here whether every world still ticks. Has a thread of its own.
+// Watches the ticks of all worlds on a thread of its own. It interrupts steps that take too long
+// and pauses their worlds, restarts worlds that an error ended, and reports to the health check
+// whether every world ticks.
 #pragma once
 
 #include <atomic>
@@ -16,19 +16,19 @@ namespace jostle::server {
 
 class TickWatchdog {
 public:
-    // Both limits are of one tick. The directory outlives the watch.
+    // Times since the start of a tick.
     struct Settings {
-        Clock::duration step_max = std::chrono::seconds(2);  // then it is interrupted
-        Clock::duration hung_after = std::chrono::milliseconds(1500);
+        Clock::duration step_max = std::chrono::seconds(2);            // interrupt the step
+        Clock::duration hung_after = std::chrono::milliseconds(1500);  // report a hang
     };
+    // `worlds` must outlive this object.
     TickWatchdog(WorldDirectory& worlds, Settings settings);
     ~TickWatchdog();
 
-    // Any thread: false while a tick runs for too long. Of a watch that itself does not get to
-    // look, as well.
+    // Any thread: false while a tick hangs, or if the watchdog thread itself does not run.
     bool all_worlds_tick(Clock::time_point now) const;
 
-    // What the thread does every now and then.
+    // One round of the thread, which runs every 100 ms. Public for tests.
     void check(Clock::time_point now);
 
 private:

@@ -1,20 +1,23 @@
 // SPDX-License-Identifier: MIT
 #include "server/world/world_directory.h"
 
+#include <spdlog/fmt/fmt.h>
+
 #include <algorithm>
 #include <charconv>
 
+#include "jostle/base/check.h"
 #include "server/util/log.h"
 
 namespace jostle::server {
 
 namespace {
 
-constexpr std::size_t restarts_max = 3;  // within restart_span; after that it is given up
+constexpr std::size_t restarts_max = 3;  // within restart_span; the next failure closes the world
 constexpr auto restart_span = std::chrono::minutes(1);
 
-// "w" and digits, or these and "-" and more: as a name it would hide the world that has, or will
-// have, that id.
+// "w" and digits, optionally followed by "-" and more. Such a name could hide the world with that
+// id.
 bool looks_like_id(const std::string& name) {
     if (name.size() < 2 || name[0] != 'w') return false;
     const std::size_t end = name.find_first_not_of("0123456789", 1);
@@ -23,25 +26,30 @@ bool looks_like_id(const std::string& name) {
 
 Status check_name(const std::string& name) {
     if (name.empty() || name.size() > 64)
-        return Error{ErrorCode::invalid_argument, "a world's name has 1 to 64 bytes"};
+        return Error{ErrorCode::invalid_argument, "the name of the world has " +
+                                                      std::to_string(name.size()) +
+                                                      " bytes; must have 1 to 64"};
     if (looks_like_id(name))
         return Error{ErrorCode::invalid_argument,
-                     "\"" + name + "\" is how ids look; choose another name"};
+                     "the name \"" + name +
+                         "\" has the form of a world id (wN or wN-...); choose "
+                         "another name"};
     return {};
 }
 
 Error name_taken(const std::string& name) {
-    return {ErrorCode::already_exists, "there is a world \"" + name + "\" already"};
+    return {ErrorCode::already_exists,
+            "a world named \"" + name + "\" exists; choose another name or delete it first"};
 }
 
-// Memory may not suffice: that refuses this world and ends nothing else.
+// Running out of memory fails the creation of this world only.
 template <class Work>
 auto built(Work work) -> decltype(work()) {
     try {
         return work();
     } catch (const std::exception& error) {
         return Error{ErrorCode::resource_exhausted,
-                     std::string("the world cannot be built: ") + error.what()};
+                     std::string("cannot build the world: ") + error.what()};
     }
 }
 
@@ -57,20 +65,21 @@ Result<std::shared_ptr<WorldHost>> WorldDirectory::create_with(const std::string
         if (!name.empty() && find_locked(name)) return name_taken(name);
         if (static_cast<int>(worlds_.size()) >= worlds_max_)
             return Error{ErrorCode::resource_exhausted,
-                         "the server holds " + std::to_string(worlds_max_) +
-                             " worlds, the most allowed; delete one first"};
+                         "the server has " + std::to_string(worlds_.size()) +
+                             " worlds; world.worlds_max allows " + std::to_string(worlds_max_) +
+                             "; delete a world first"};
         if (Status s = check_name(name); !s.ok()) return s.error();
         if (Status s = check_totals(bodies, 0); !s.ok()) return s.error();
         number = next_++;
-        worlds_.emplace(number,
-                        nullptr);  // holds the place while the world is built without the lock
+        ASSERT(!worlds_.contains(number));
+        worlds_.emplace(number, nullptr);  // reserved while the world is built without the lock
     }
     const std::string id = "w" + std::to_string(number) + (process_.empty() ? "" : "-" + process_);
     const Result<std::shared_ptr<WorldHost>> host = built([&] {
         return start(WorldLabel{id, name, owner});
     });
     const std::lock_guard lock(mutex_);
-    // Another call may have taken the name, or the room, meanwhile.
+    // Another call may have taken the name or reached a limit meanwhile.
     Status fits = host.ok() ? check_totals(0, (*host)->properties().work_per_second) : host.error();
     if (fits.ok() && find_locked(name)) fits = name_taken(name);
     if (!fits.ok()) {
@@ -82,14 +91,15 @@ Result<std::shared_ptr<WorldHost>> WorldDirectory::create_with(const std::string
         }
         return fits.error();
     }
+    ASSERT(worlds_.contains(number) && !worlds_.at(number));
     worlds_[number] = *host;
     return host;
 }
 
-Result<std::shared_ptr<WorldHost>> WorldDirectory::create(const std::string& wanted,
+Result<std::shared_ptr<WorldHost>> WorldDirectory::create(const std::string& requested_name,
                                                           const scenes::SceneDescription& scene,
                                                           const std::string& owner) {
-    const std::string name = wanted.empty() ? scene.name : wanted;
+    const std::string name = requested_name.empty() ? scene.name : requested_name;
     auto host = create_with(name, owner, scene.bodies.size(), [&](WorldLabel label) {
         return WorldHost::start(std::move(label),
                                 std::make_shared<const scenes::SceneDescription>(scene), settings_);
@@ -104,16 +114,16 @@ Result<std::shared_ptr<WorldHost>> WorldDirectory::create_from(const std::string
                                                                const WorldHost& world,
                                                                std::uint32_t tick,
                                                                const std::string& owner) {
-    Result<HostedWorld> then = world_at(world, tick);
-    if (!then.ok()) return then.error();
-    then->release_all_clients();
-    const std::size_t bodies = then->entities();
+    Result<HostedWorld> past = world_at(world, tick);
+    if (!past.ok()) return past.error();
+    past->release_all_clients();
+    const std::size_t bodies = past->entities();
     auto host = create_with(name, owner, bodies, [&](WorldLabel label) {
         return WorldHost::begin(
-            {std::move(label), world.properties().scene, *std::move(then), tick}, settings_);
+            {std::move(label), world.properties().scene, *std::move(past), tick}, settings_);
     });
     if (host.ok())
-        log_info("world {} \"{}\" goes on from tick {} of world {} with {} bodies", (*host)->id(),
+        log_info("world {} \"{}\" continues from tick {} of world {} with {} bodies", (*host)->id(),
                  name, tick, world.id(), bodies);
     return host;
 }
@@ -127,10 +137,10 @@ std::shared_ptr<WorldHost> WorldDirectory::adopt(WorldStart start) {
     const std::lock_guard lock(mutex_);
     if (!is_id || worlds_.contains(number)) number = next_;
     next_ = std::max(next_, number + 1);
+    ASSERT(!worlds_.contains(number));
     return worlds_[number] = WorldHost::start(std::move(start), settings_);
 }
 
-// With what is about to be added to what there is.
 Status WorldDirectory::check_totals(std::size_t bodies, double work) const {
     for (const auto& [number, world] : worlds_) {
         if (!world) continue;
@@ -145,8 +155,10 @@ Status WorldDirectory::check_totals(std::size_t bodies, double work) const {
                          std::to_string(totals.bodies_max) + "; delete a world first"};
     if (work > totals.work_per_second_max)
         return Error{ErrorCode::resource_exhausted,
-                     "all worlds together would be more work than "
-                     "scene.work_total_per_second_max allows; delete a world first"};
+                     fmt::format("all worlds together would need {:.3g} units of work per second; "
+                                 "scene.work_total_per_second_max allows {:.3g}; delete a world "
+                                 "first",
+                                 work, totals.work_per_second_max)};
     return {};
 }
 
@@ -178,56 +190,61 @@ Result<HostedWorld> WorldDirectory::world_at(const WorldHost& world, std::uint32
 }
 
 Result<ExportedScene> WorldDirectory::scene_at(const WorldHost& world, std::uint32_t tick) const {
-    Result<HostedWorld> then = world_at(world, tick);
-    if (!then.ok()) return then.error();
-    return then->exported(*world.properties().scene);
+    Result<HostedWorld> past = world_at(world, tick);
+    if (!past.ok()) return past.error();
+    return past->exported(*world.properties().scene);
 }
 
 Result<std::shared_ptr<WorldHost>> WorldDirectory::rewind(const std::shared_ptr<WorldHost>& world,
                                                           std::uint32_t tick) {
-    Result<HostedWorld> then = world_at(*world, tick);  // the world runs on meanwhile
-    if (!then.ok()) return then.error();
+    Result<HostedWorld> past = world_at(*world, tick);  // the world ticks meanwhile
+    if (!past.ok()) return past.error();
     if (!world->stop_for_replacement())
-        return Error{ErrorCode::aborted, "the world was stopped, or is taken back already"};
-    Status done;
-    Result<Replacement> again = built([&]() -> Result<Replacement> {
+        return Error{ErrorCode::aborted,
+                     "the world was stopped or is being rewound by another request"};
+    Status rewound;
+    Result<Replacement> replacement = built([&]() -> Result<Replacement> {
         Result<WorldStart> start =
-            settings_.world_persistence->rewind(world->id(), tick, *std::move(then));
+            settings_.world_persistence->rewind(world->id(), tick, *std::move(past));
         if (!start.ok()) return start.error();
         start->paused = world->lifecycle().paused();
         return start_replacement(*std::move(start));
     });
-    if (!again.ok()) {
-        done = again.error();
-        again = restart_failed_world(*world);
+    if (!replacement.ok()) {
+        rewound = replacement.error();
+        replacement = restart_failed_world(*world);
     }
-    if (!again.ok()) {
+    if (!replacement.ok()) {
         const std::lock_guard lock(mutex_);
         std::erase_if(worlds_, [&](const auto& entry) { return entry.second == world; });
-        log_error("world {} \"{}\" is given up; what is kept of it stays in the store: {}",
-                  world->id(), world->name(), again.error().message);
-        return again.error();
+        log_error(
+            "world {} \"{}\" is closed because it cannot be restarted; it remains in the "
+            "database: {}",
+            world->id(), world->name(), replacement.error().message);
+        return replacement.error();
     }
-    if (!replace(world, *again))
+    if (!replace(world, *replacement))
         return Error{ErrorCode::not_found, "the world was deleted meanwhile"};
-    if (!done.ok()) return done.error();
-    log_info("world {} \"{}\" is as it was after tick {}", world->id(), world->name(), tick);
-    return again->host;
+    if (!rewound.ok()) return rewound.error();
+    log_info("world {} \"{}\" was rewound to tick {}", world->id(), world->name(), tick);
+    return replacement->host;
 }
 
-bool WorldDirectory::replace(const std::shared_ptr<WorldHost>& stopped, const Replacement& again) {
+bool WorldDirectory::replace(const std::shared_ptr<WorldHost>& stopped,
+                             const Replacement& replacement) {
     {
         const std::lock_guard lock(mutex_);
         const auto at = std::ranges::find_if(
             worlds_, [&](const auto& entry) { return entry.second == stopped; });
         if (at == worlds_.end()) {
-            again.host->skip_final_checkpoint();
-            again.host->stop();
+            replacement.host->skip_final_checkpoint();
+            replacement.host->stop();
             return false;
         }
-        at->second = again.host;
+        ASSERT(replacement.host);
+        at->second = replacement.host;
     }
-    if (on_replaced_) on_replaced_(again.host, again.clients);
+    if (on_replaced_) on_replaced_(replacement.host, replacement.clients);
     return true;
 }
 
@@ -262,16 +279,18 @@ void WorldDirectory::restart(std::uint32_t number, const std::shared_ptr<WorldHo
     std::vector<Clock::time_point>& before = restarts_[number];
     std::erase_if(before, [&](Clock::time_point at) { return at + restart_span <= now; });
     failed->stop();
-    const Result<Replacement> again =
-        before.size() < restarts_max ? restart_failed_world(*failed)
-                                     : Error{ErrorCode::resource_exhausted, "it ended too often"};
+    const Result<Replacement> replacement =
+        before.size() < restarts_max
+            ? restart_failed_world(*failed)
+            : Error{ErrorCode::resource_exhausted,
+                    "it failed more than " + std::to_string(restarts_max) + " times in a minute"};
     before.push_back(now);
-    if (again.ok()) {
-        if (!replace(failed, *again)) return;
+    ASSERT(before.size() <= restarts_max + 1);
+    if (replacement.ok()) {
+        if (!replace(failed, *replacement)) return;
         if (settings_.metrics) settings_.metrics->world_restarts.Increment();
-        log_warn("world {} \"{}\" {}", failed->id(), failed->name(),
-                 failed->is_persisted() ? "goes on from what was kept of it"
-                                        : "was started anew from its scene");
+        log_warn("world {} \"{}\" was restarted from its {}", failed->id(), failed->name(),
+                 failed->is_persisted() ? "last persisted tick" : "scene");
         return;
     }
     const std::lock_guard lock(mutex_);
@@ -279,18 +298,18 @@ void WorldDirectory::restart(std::uint32_t number, const std::shared_ptr<WorldHo
     if (at == worlds_.end() || at->second != failed) return;  // deleted meanwhile
     worlds_.erase(at);
     restarts_.erase(number);
-    log_error("world {} \"{}\" is given up: {}", failed->id(), failed->name(),
-              again.error().message);
+    log_error("world {} \"{}\" is closed because it cannot be restarted: {}", failed->id(),
+              failed->name(), replacement.error().message);
 }
 
 Result<WorldDirectory::Replacement> WorldDirectory::restart_failed_world(
     const WorldHost& failed) const {
     return built([&]() -> Result<Replacement> {
         if (failed.is_persisted()) {
-            Result<WorldStart> kept = settings_.world_persistence->reload(failed.id());
-            if (!kept.ok()) return kept.error();
-            kept->paused = failed.lifecycle().paused();
-            return start_replacement(*std::move(kept));
+            Result<WorldStart> start = settings_.world_persistence->reload(failed.id());
+            if (!start.ok()) return start.error();
+            start->paused = failed.lifecycle().paused();
+            return start_replacement(*std::move(start));
         }
         auto host =
             WorldHost::start(failed.properties().label, failed.properties().scene, settings_);
@@ -300,11 +319,11 @@ Result<WorldDirectory::Replacement> WorldDirectory::restart_failed_world(
 }
 
 WorldDirectory::Replacement WorldDirectory::start_replacement(WorldStart start) const {
-    Replacement again;
+    Replacement replacement;
     for (const auto& [client, sequence] : clients_of(start.world.host_state(start.tick)))
-        again.clients.push_back(client);
-    again.host = WorldHost::start(std::move(start), settings_);
-    return again;
+        replacement.clients.push_back(client);
+    replacement.host = WorldHost::start(std::move(start), settings_);
+    return replacement;
 }
 
 void WorldDirectory::stop_all() {

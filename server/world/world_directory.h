@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The worlds of this process: create, find, list, retire. Any thread.
+// The worlds of this process: create, find, list, rewind, restart and remove. Any thread.
 #pragma once
 
 #include <functional>
@@ -16,46 +16,48 @@ namespace jostle::server {
 
 class WorldDirectory {
 public:
-    // `process`: a word of letters and digits that tells this process's worlds from those of others
-    // behind the same address; it is the end of their ids.
+    // `process`: letters and digits at the end of world ids, which distinguish the worlds of this
+    // process from those of other processes behind the same address.
     WorldDirectory(WorldHostSettings settings, int worlds_max, std::string process = {})
         : settings_(std::move(settings)), worlds_max_(worlds_max), process_(std::move(process)) {}
     ~WorldDirectory() { stop_all(); }
 
-    // A world of that scene; an empty name takes the scene's. Errors: the name is taken or
-    // looks like an id, the directory is full, the scene cannot be built.
-    // `owner`: the subject of whoever creates it; empty: the server itself.
+    // Creates a world from a scene; an empty name stands for the name of the scene. `owner`: the
+    // subject of the creator; empty: the server itself. Errors: the name is taken or has the form
+    // of an id, a limit is reached, or the scene cannot be built.
     Result<std::shared_ptr<WorldHost>> create(const std::string& name,
                                               const scenes::SceneDescription& scene,
                                               const std::string& owner = {});
-    // By id or name; empty: the first. Null when there is none.
+    // An empty key finds the oldest world. Null: not found.
     std::shared_ptr<WorldHost> find(const std::string& id_or_name) const;
-    // One that begins as that world was after that tick, with nobody in it. Takes as long as all
-    // that was done since the checkpoint before it. Errors: as of create() and world_at().
+    // Creates a world that starts from the state of another world after `tick`, without clients.
+    // Replays the ticks since the previous checkpoint on the calling thread. Errors: those of
+    // create() and scene_at().
     Result<std::shared_ptr<WorldHost>> create_from(const std::string& name, const WorldHost& world,
                                                    std::uint32_t tick,
                                                    const std::string& owner = {});
-    // Before any other: a world that goes on.
+    // Starts a persisted world under its id. Call it before any other function.
     std::shared_ptr<WorldHost> adopt(WorldStart start);
     std::vector<std::shared_ptr<WorldHost>> list() const;  // in order of creation
-    // The world as it was after that tick. Takes as long as all that was done since the checkpoint
-    // before it. Errors: worlds are not kept here, or that tick is not.
+    // Exports the state of the world after `tick`. Replays the ticks since the previous checkpoint.
+    // Errors: the world is not persisted, or the tick is not in its history.
     Result<ExportedScene> scene_at(const WorldHost& world, std::uint32_t tick) const;
-    // The world becomes what it was after that tick: another host, under the same id, goes on with
-    // it. Ticks, ids of entities and inputs are counted on. Errors: as of scene_at(), and then the
-    // world goes on as it is.
+    // Replaces the world by its state after `tick`, in a new host with the same id. Tick numbers,
+    // entity ids and input sequences continue. Errors: those of scene_at(); the world then
+    // continues unchanged.
     Result<std::shared_ptr<WorldHost>> rewind(const std::shared_ptr<WorldHost>& world,
                                               std::uint32_t tick);
-    // Called when another host goes on with a world, and who played when that was kept. Set before
-    // any world is there.
+    // `callback` is called when a new host replaces a world, with the clients of its saved state.
+    // Set it before the first world.
     using OnReplaced = std::function<void(const std::shared_ptr<WorldHost>& world,
                                           const std::vector<ClientId>& clients)>;
-    void on_replaced(OnReplaced told) { on_replaced_ = std::move(told); }
-    // Stops the world; its clients notice. Null when there is none.
+    void on_replaced(OnReplaced callback) { on_replaced_ = std::move(callback); }
+    // Stops and forgets the world; its sessions end. Null: not found.
     std::shared_ptr<WorldHost> remove(const std::string& id_or_name);
     void stop_all();
-    // In the place of worlds that an error ended come new ones of the same scene, id and name. One
-    // that ends three times in a minute is given up. To be called now and then, from one thread.
+    // Replaces each world that an error ended by a new one with the same scene, id and name.
+    // Removes a world that fails a fourth time within a minute. Call it periodically from one
+    // thread.
     void restart_failed(Clock::time_point now);
 
 private:
@@ -66,7 +68,7 @@ private:
         std::vector<ClientId> clients;
     };
 
-    // `start` makes a host for that label, without the lock.
+    // `start` makes a host for a label; it is called without the lock.
     template <class Start>
     Result<std::shared_ptr<WorldHost>> create_with(const std::string& name,
                                                    const std::string& owner, std::size_t bodies,
@@ -74,8 +76,9 @@ private:
     Result<Replacement> restart_failed_world(const WorldHost& failed) const;
     Replacement start_replacement(WorldStart start) const;
     Result<HostedWorld> world_at(const WorldHost& world, std::uint32_t tick) const;
-    // In the place of one that was stopped. False: that was deleted meanwhile.
-    bool replace(const std::shared_ptr<WorldHost>& stopped, const Replacement& again);
+    // False: the stopped world was deleted meanwhile.
+    bool replace(const std::shared_ptr<WorldHost>& stopped, const Replacement& replacement);
+    // Checks the limits of all worlds plus `bodies` and `work`. Under the lock.
     Status check_totals(std::size_t bodies, double work) const;
     void restart(std::uint32_t number, const std::shared_ptr<WorldHost>& failed,
                  Clock::time_point now);
@@ -87,7 +90,7 @@ private:
     mutable std::mutex mutex_;
     std::map<std::uint32_t, std::shared_ptr<WorldHost>> worlds_;  // by number, "w1" is 1
     std::uint32_t next_ = 1;
-    std::map<std::uint32_t, std::vector<Clock::time_point>> restarts_;  // by number, the newest
+    std::map<std::uint32_t, std::vector<Clock::time_point>> restarts_;  // by number; times
 };
 
 }  // namespace jostle::server

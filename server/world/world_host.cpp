@@ -14,6 +14,7 @@ namespace jostle::server {
 namespace {
 
 WorldProperties properties_of(WorldStart& start) {
+    ASSERT(start.scene && start.tick > 0);
     const scenes::SceneDescription& scene = *start.scene;
     return {.label = std::move(start.label),
             .scene = start.scene,
@@ -67,7 +68,7 @@ WorldHost::WorldHost(WorldStart start, const WorldHostSettings& settings)
     publisher_.set_frame(std::move(first));
     if (world_journal_) world_.enable_journal();
     if (!settings_.own_thread) return;
-    // The first tick is the world as it was built; the loop counts from there.
+    // The first tick is the world as it was built; the loop continues from there.
     loop_.start(
         {.hz = properties_.hz, .catch_up_ticks_max = settings_.catch_up_ticks_max},
         properties_.due_time(tick_),
@@ -76,7 +77,7 @@ WorldHost::WorldHost(WorldStart start, const WorldHostSettings& settings)
         // Out of memory, for example: this world ends, its clients are notified and the other
         // worlds continue.
         [this](const char* what) {
-            log_error("world {} \"{}\" ends: {}", id(), name(), what);
+            log_error("world {} \"{}\" failed: {}", id(), name(), what);
             lifecycle_.set_failed();
             cancel_waiters();
             lifecycle_.end_tick();
@@ -141,6 +142,7 @@ void WorldHost::run_tick(Clock::time_point due, std::uint32_t late_ticks) {
     tick_metrics_.begin_tick(began);
     if (checkpoint_copier_) std::exchange(checkpoint_copier_, nullptr)->finish();
     tick_++;
+    ASSERT(tick_ > properties_.first_tick);
     const std::optional<std::string> paused = lifecycle_.paused();
     const std::optional<Error> refusal = input_refusal(paused);
     apply_commands(refusal, due);
@@ -152,11 +154,12 @@ void WorldHost::run_tick(Clock::time_point due, std::uint32_t late_ticks) {
     const std::shared_ptr<Frame> frame = make_frame(due, late_ticks);
     frame->paused = paused;
     if (!stepped) frame->step_ms = 0;
+    ASSERT(frame->tick == tick_ && frame->entity_list);
     publisher_.measure(*frame, began);
     const bool sends_results = !world_journal_ || refusal;
     publish(frame, sends_results);
     if (world_journal_) persist_published(frame->step_ms, sends_results);
-    serve_queries();  // after the frame: players come first
+    serve_queries();  // after the frame, which has priority
     single_step_.end_tick();
     between_ticks_.run_pending(world_);
     tick_metrics_.end_tick(*frame, stepped ? &world_.world().profile() : nullptr,
@@ -170,7 +173,7 @@ std::optional<Error> WorldHost::input_refusal(const std::optional<std::string>& 
     if (!world_journal_) return std::nullopt;
     const std::optional<std::string> failure = world_journal_->failure_reason();
     if (!failure) return std::nullopt;
-    return Error{ErrorCode::unavailable, "nothing can be kept now, try again: " + *failure};
+    return Error{ErrorCode::unavailable, "the input cannot be persisted, retry later: " + *failure};
 }
 
 void WorldHost::apply_commands(const std::optional<Error>& refusal, Clock::time_point due) {
@@ -201,8 +204,8 @@ bool WorldHost::step(bool allowed) {
     world_.publish_motion(listeners.motion.load() > 0);
     world_.publish_controlled_entities(listeners.controlled_entities.load() > 0);
     world_.resume_stepping();
-    // interrupt() pauses before it stops: a thread that resumed stepping just after it sees the
-    // pause. The journal has a step there.
+    // interrupt() pauses before it stops the step, so resuming here just after it still sees the
+    // pause. The journal already contains a step for this tick.
     const bool ends = lifecycle_.stopped();
     if (ends || (lifecycle_.paused() && !allowed)) {
         (ends ? step_aborted_ : step_interrupted_) = true;
@@ -215,11 +218,11 @@ bool WorldHost::step(bool allowed) {
         return true;
     } else if (stepped.error().code == ErrorCode::aborted) {
         (lifecycle_.stopped() ? step_aborted_ : step_interrupted_) = true;
-        log_error("world {} \"{}\": a step was stopped and the world is paused: {}", id(), name(),
+        log_error("world {} \"{}\": step interrupted and world paused: {}", id(), name(),
                   lifecycle_.paused().value_or("the world is being closed"));
     } else if (!step_refused_) {
         step_refused_ = true;  // logged once; the world no longer moves but still serves clients
-        log_error("world {}: step refused: {}", id(), stepped.error().message);
+        log_error("world {} \"{}\": step failed: {}", id(), name(), stepped.error().message);
     }
     return false;
 }
@@ -227,12 +230,13 @@ bool WorldHost::step(bool allowed) {
 void WorldHost::log_step_warnings() {
     for (const auto& entity : world_.newly_quarantined())
         log_warn(
-            "world {}: the state of entity {} \"{}\" stopped being a number; it was put back to "
-            "where it was, at rest",
+            "world {}: the state of entity {} \"{}\" became non-finite; the entity was reset to "
+            "its "
+            "last finite pose at rest",
             id(), entity->id, entity->name);
-    for (const auto& [kind, entity, what] : world_.newly_oversized())
-        log_warn("world {}: channel \"{}\" of entity {} has {}, so it is skipped in such ticks",
-                 id(), kind, entity, what);
+    for (const auto& [kind, entity, reason] : world_.newly_oversized())
+        log_warn("world {}: skipped channel \"{}\" of entity {} with {}", id(), kind, entity,
+                 reason);
 }
 
 std::shared_ptr<Frame> WorldHost::make_frame(Clock::time_point due, std::uint32_t late_ticks) {
@@ -249,7 +253,7 @@ std::shared_ptr<Frame> WorldHost::make_frame(Clock::time_point due, std::uint32_
     return frame;
 }
 
-// Results follow the frame: a client that learns of a spawned body finds it in the frame.
+// Results follow the frame, so that a client finds a spawned body in the frame.
 void WorldHost::publish(const std::shared_ptr<Frame>& frame, bool sends_results) {
     const std::span<const Command> inputs = mailbox_.inputs();
     ASSERT(results_.size() == inputs.size());
@@ -266,6 +270,7 @@ void WorldHost::serve_queries() {
 }
 
 CheckpointCopy WorldHost::checkpoint_copy() const {
+    ASSERT(world_journal_);
     CheckpointCopy copy{.tick = tick_,
                         .bodies = world_journal_->take_spare_restore_point(),
                         .host_state = world_.host_state(tick_)};
@@ -276,19 +281,21 @@ CheckpointCopy WorldHost::checkpoint_copy() const {
 void WorldHost::persist_published(double step_ms, bool results_sent) {
     if (std::exchange(step_interrupted_, false)) world_journal_->on_interrupted();
     const std::span<const Command> inputs = mailbox_.inputs();
+    ASSERT(results_.size() == inputs.size());
     std::vector<WaitingResult> results;
     for (std::size_t i = 0; !results_sent && i < inputs.size(); i++)
         if (inputs[i].reply) results.push_back({inputs[i].reply, std::move(results_[i])});
     world_journal_->on_published(step_ms, std::move(results));
 }
 
-// The last thing in a tick: until the next one begins, other threads may read the world.
+// The last part of a tick: other threads may read the world until the next tick begins.
 void WorldHost::hand_over_checkpoint() {
     if (!world_journal_ || step_aborted_ || !world_journal_->wants_checkpoint()) return;
     auto copier = std::make_shared<CheckpointCopier>([this] { return checkpoint_copy(); });
     world_journal_->write_checkpoint(tick_, copier);
-    if (copier.use_count() == 1) return;          // the journal does not need it any longer
+    if (copier.use_count() == 1) return;          // the journal does not need it any more
     if (!settings_.own_thread) copier->finish();  // the caller of tick() may read the world
+    ASSERT(!checkpoint_copier_);
     checkpoint_copier_ = std::move(copier);
 }
 

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// One world on one thread: drain commands, apply, step, publish, at a fixed rate. Commands come in
-// through a bounded mailbox, frames go out as immutable values; no other thread touches the world.
-// A world without a thread of its own is driven by tick(), for tests and simulations.
+// One world on one thread, which takes commands, applies them, steps and publishes a frame at a
+// fixed rate. Commands enter through a bounded mailbox and frames leave as immutable values; no
+// other thread accesses the world. A world without a thread of its own ticks by calls of tick(),
+// for tests and simulations.
 #pragma once
 
 #include <atomic>
@@ -30,7 +31,7 @@ namespace jostle::server {
 // Limits of all worlds of a process together.
 struct TotalLimits {
     int bodies_max = 50000;
-    double work_per_second_max = 4e8;  // as scene_budget.h estimates it
+    double work_per_second_max = 4e8;  // estimate of scene_budget.h
 };
 
 struct WorldHostSettings {
@@ -39,10 +40,9 @@ struct WorldHostSettings {
     int command_queue_max = 8192;
     int catch_up_ticks_max = 4;
     int physics_threads = 1;
-    bool own_thread = true;                         // false: it ticks only when tick() is called
+    bool own_thread = true;                         // false: the world ticks only in tick()
     WorldPersistence* world_persistence = nullptr;  // null: worlds end with the process
-    // Called on the tick thread after each frame, with whether anything happened in it; must only
-    // wake another thread.
+    // See FramePublisher.
     std::function<void(bool has_events)> on_frame;
     Metrics* metrics = nullptr;  // null: no metrics
 };
@@ -54,13 +54,13 @@ struct WorldStart {
     HostedWorld world;
     std::uint32_t tick = 1;
     std::shared_ptr<WorldJournal> world_journal = nullptr;  // null: not persisted
-    std::optional<std::string> paused = {};                 // why
+    std::optional<std::string> paused = {};                 // the reason; nothing: not paused
 };
 
 class WorldHost {
 public:
-    // Builds the world on the calling thread, then starts its own. Errors: the scene is invalid or
-    // exceeds a limit.
+    // Builds the world on the calling thread, then starts the tick thread. Errors: the scene is
+    // invalid or exceeds a limit.
     static Result<std::shared_ptr<WorldHost>> start(
         WorldLabel label, std::shared_ptr<const scenes::SceneDescription> scene,
         const WorldHostSettings& settings);
@@ -71,7 +71,7 @@ public:
                      std::make_shared<const scenes::SceneDescription>(scene), settings);
     }
     static std::shared_ptr<WorldHost> start(WorldStart start, const WorldHostSettings& settings);
-    // The same for a world that the persistence of the process does not know yet.
+    // Likewise for a world that is not in the database yet.
     static Result<std::shared_ptr<WorldHost>> begin(WorldStart start,
                                                     const WorldHostSettings& settings);
     ~WorldHost();
@@ -81,14 +81,14 @@ public:
     const std::string& name() const { return properties_.label.name; }
     double hz() const { return properties_.hz; }
 
-    // Any thread: the ways in and out.
+    // Any thread: input and output.
     CommandMailbox& mailbox() { return mailbox_; }
     FramePtr frame() const { return publisher_.frame(); }
     FrameListeners& listeners() { return publisher_.listeners(); }
     // The newest frames, for lag compensation.
     const FrameRing& frame_history() const { return world_.frame_history(); }
-    // A copy of the world for queries, at most a few ticks old. Waits for the next one; null when
-    // none came in time. Without a thread of its own: a copy of the current state.
+    // A copy of the world for queries, at most a few ticks old. Waits for the next one; null: none
+    // arrived in time. Without a thread of its own: a copy of the current state.
     QueryFramePtr query_frame(CopyLayers layers);
 
     // Any thread: pausing, stepping and watching the world.
@@ -103,17 +103,17 @@ public:
     // Releases every thread that waits for this world; later waits return at once.
     void cancel_waiters();
 
-    // Any thread: whether inputs survive the process, and the oldest tick that can be restored (0:
-    // none).
+    // Any thread: whether the world is in the database, and the oldest tick that can be restored
+    // (0: none).
     bool is_persisted() const { return world_journal_ != nullptr; }
     std::uint32_t oldest_restorable_tick() const {
         return world_journal_ ? world_journal_->oldest_tick() : 0;
     }
 
-    // Ends the thread, also during a long step; the last frame stays readable.
+    // Ends the thread, also during a long step; the last frame remains readable.
     void stop();
-    // stop() of a world that another host continues: its clients should reconnect. False: it was
-    // stopped already.
+    // stop() for a world that another host continues; its clients should reconnect. False: the
+    // world was stopped already.
     bool stop_for_replacement();
     // Any thread: stop() writes no checkpoint.
     void skip_final_checkpoint() { skips_final_checkpoint_.store(true); }
@@ -128,13 +128,13 @@ private:
     void apply_commands(const std::optional<Error>& refusal, Clock::time_point due);
     InputResult execute(const Command& command, const std::optional<Error>& refusal,
                         Clock::time_point due);
-    // `allowed`: also when the world is paused. False: it took no step.
+    // `allowed`: step even if the world is paused. False: the world took no step.
     bool step(bool allowed);
     void log_step_warnings();
     std::shared_ptr<Frame> make_frame(Clock::time_point due, std::uint32_t late_ticks);
     // Publishes the frame, then sends the results of its inputs unless the journal sends them.
     void publish(const std::shared_ptr<Frame>& frame, bool sends_results);
-    // Hands the results of this tick, and now and then a checkpoint, to the journal.
+    // Passes the step time and unsent results of this tick to the journal.
     void persist_published(double step_ms, bool results_sent);
     CheckpointCopy checkpoint_copy() const;
     void hand_over_checkpoint();
@@ -146,12 +146,12 @@ private:
     CommandMailbox mailbox_;
     FramePublisher publisher_;
 
-    // The tick thread's own.
+    // Owned by the tick thread.
     HostedWorld world_;
     std::uint32_t tick_ = 0;
     std::vector<InputResult> results_;  // of the mailbox's inputs, one each
     bool step_refused_ = false, step_interrupted_ = false;
-    bool step_aborted_ = false;  // the last step, by the world's end
+    bool step_aborted_ = false;  // the end of the world aborted the last step
 
     const std::shared_ptr<WorldJournal> world_journal_;    // null: not persisted
     std::shared_ptr<CheckpointCopier> checkpoint_copier_;  // of the previous tick; null: none

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Whether a world runs, is paused or has ended, and how it ended. Any thread reads it; WorldHost
-// changes it. No flag is ever cleared but the pause.
+// The state of a world: running, paused, stopped, failed or replaced. Any thread reads it;
+// WorldHost changes it. Only the pause can be cleared.
 #pragma once
 
 #include <atomic>
@@ -49,7 +49,7 @@ public:
         stopped_.store(true);
     }
 
-    // When the running tick began; nothing between two ticks.
+    // The start of the running tick; nothing between two ticks.
     std::optional<Clock::time_point> tick_began() const {
         const Clock::rep began = tick_began_.load(std::memory_order_relaxed);
         if (began == 0) return std::nullopt;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Who keeps what happens in a world, so that it outlives the process. The world hands over and goes
-// on; nothing here may wait.
+// The interfaces for the persistence of worlds, which server/recovery implements. The tick thread
+// calls WorldJournal and continues at once, so none of its functions may block.
 #pragma once
 
 #include <cstdint>
@@ -23,57 +23,58 @@ struct WaitingResult {
 
 struct ExecutedTick {
     std::uint32_t tick = 0;
-    bool steps = true;                       // false: the world stands still
-    std::vector<JournaledCommand> commands;  // in the order in which they were applied
+    bool steps = true;                       // false: the tick took no step
+    std::vector<JournaledCommand> commands;  // in order of application
 };
 
-// Of one world. On its thread, but for trouble().
+// The journal of one world. On its tick thread unless noted.
 class WorldJournal {
 public:
     virtual ~WorldJournal() = default;
 
-    // Any thread: why nothing can be promised to outlive the process now; nothing: it can.
+    // Any thread: why inputs cannot be persisted at present; nothing: they can.
     virtual std::optional<std::string> failure_reason() const = 0;
-    // Any thread: the world can be had as it was after this tick and later ones.
+    // Any thread: the oldest tick that can be restored.
     virtual std::uint32_t oldest_tick() const = 0;
-    // Each tick once, in order, when its commands have been applied and before its step.
+    // Each tick once, in order, after its commands were applied and before its step.
     virtual void append(ExecutedTick tick) = 0;
-    // Its frame is out. `step_ms`: what it takes to do it again; the results are to be told when
-    // the tick is safe.
+    // After the frame of the tick was published. `step_ms`: the cost of replaying the step. The
+    // journal sends the results when the tick is durable.
     virtual void on_published(double step_ms, std::vector<WaitingResult> results) = 0;
-    // A step was cut short: what it came to cannot be computed again.
+    // A step was interrupted, so a replay cannot reproduce its state.
     virtual void on_interrupted() = 0;
-    // Whether the world as it is after this tick should be handed over.
+    // Whether the state after this tick shall be written.
     virtual bool wants_checkpoint() const = 0;
-    virtual void write_checkpoint(std::uint32_t tick,
-                                  std::shared_ptr<CheckpointCopier> checkpoint_copy) = 0;
-    // Any thread: one that was used before, if there is one: it takes a quarter of the time.
+    virtual void write_checkpoint(std::uint32_t tick, std::shared_ptr<CheckpointCopier> copier) = 0;
+    // Any thread: a used restore point, whose capture takes a quarter of the time of a new one; a
+    // new one if there is none.
     virtual physics::RestorePoint take_spare_restore_point() = 0;
-    // The world will not go on in this process: its last moment; nothing when its last step was cut
-    // short by that, and is to be done again as a whole.
+    // The world ends in this process; the copy has its last state. Nothing: the last step was
+    // aborted and will be replayed completely.
     virtual void end(std::optional<CheckpointCopy> checkpoint_copy) = 0;
 };
 
 class HostedWorld;
 struct WorldStart;
 
-// Of all worlds of a process. Any thread.
+// The database of all worlds of a process. Any thread; these functions may block.
 class WorldPersistence {
 public:
     virtual ~WorldPersistence() = default;
 
-    // Before its first tick; when it returns the world itself is kept. unavailable: it cannot be.
+    // Before the first tick of a world: creates its journal and persists its definition and first
+    // checkpoint. unavailable: the database cannot be written.
     virtual Status open(WorldStart& start) = 0;
-    // The world was stopped and is forgotten.
+    // Deletes a stopped world.
     virtual void drop(const std::string& id) = 0;
-    // The world as it was after that tick. not_found: that is not kept.
+    // The state of the world after `tick`. not_found: the tick is not in the history.
     virtual Result<HostedWorld> world_at(const std::string& id, std::uint32_t tick) = 0;
-    // A world that was stopped, or that an error ended, as it was last kept.
+    // The last persisted state of a world that was stopped or failed.
     virtual Result<WorldStart> reload(const std::string& id) = 0;
-    // The same, but in its next tick it becomes `then`, which is what world_at() gave of that tick:
-    // ticks, ids and inputs are counted on, and what was done in between is kept.
+    // Like reload(), but the world continues from `past`, the result of world_at() for `tick`. Tick
+    // numbers, entity ids and input sequences continue, and the history in between is retained.
     virtual Result<WorldStart> rewind(const std::string& id, std::uint32_t tick,
-                                      HostedWorld then) = 0;
+                                      HostedWorld past) = 0;
 };
 
 }  // namespace jostle::server

@@ -23,10 +23,10 @@ struct WorldProperties {
     WorldLabel label;
     std::shared_ptr<const scenes::SceneDescription> scene;
     double hz = 60;                // ticks per second
-    double work_per_second = 0;    // as scene_budget.h estimates it
+    double work_per_second = 0;    // estimate of scene_budget.h
     physics::Vec3 gravity;         // m/s^2
-    int substeps = 0;              // of a step; 0: each island takes as many as it needs
-    Clock::time_point epoch;       // when tick 0 would have been due
+    int substeps = 0;              // per step; 0: chosen per island by the tolerance
+    Clock::time_point epoch;       // due time of tick 0
     std::uint32_t first_tick = 1;  // the tick that the host started from
     // The channels that modules publish; a channel's kind is an index of this list.
     std::vector<physics::ChannelKind> channel_kinds;

@@ -153,7 +153,8 @@ TEST(SixDof, three_free_rotations_equal_a_ball_joint) {
     const double ball = energy_after(BallJoint{}, ball_error);
     const JointAxis free{.free = true};
     const double six = energy_after(
-        SixDofJoint{SixDofAxes{.turn_x = free, .turn_y = free, .turn_z = free}}, free_error);
+        SixDofJoint{SixDofAxes{.rotation_x = free, .rotation_y = free, .rotation_z = free}},
+        free_error);
     EXPECT_NEAR(six, ball, 1e-3);
     EXPECT_NEAR(free_error, ball_error, 1e-4);
 }
@@ -165,7 +166,8 @@ TEST(SixDof, one_free_rotation_equals_a_hinge) {
         World world = make_world({.gravity = {}});
         const BodyId rotor = block(world, {});
         SixDofAxes axes;
-        JointAxis& turn = axis == 0 ? axes.turn_x : (axis == 1 ? axes.turn_y : axes.turn_z);
+        JointAxis& turn =
+            axis == 0 ? axes.rotation_x : (axis == 1 ? axes.rotation_y : axes.rotation_z);
         turn = {.free = true, .motor = {true, 2, 1e6}};
         const JointId joint = join(world, bare_anchor(world), rotor, SixDofJoint{axes});
         run(world, 1);
@@ -198,8 +200,8 @@ TEST(SixDof, two_free_rotations_equal_a_universal_joint) {
     join(world, bare_anchor(world), out, HingeJoint{}, {rotate(lean, {0.5, 0, 0}), lean * along_x},
          {{}, along_x});
     const JointAxis free{.free = true};
-    join(world, in, out, SixDofJoint{SixDofAxes{.turn_y = free, .turn_z = free}}, {{0.5, 0, 0}, {}},
-         {{-0.5, 0, 0}, {}});
+    join(world, in, out, SixDofJoint{SixDofAxes{.rotation_y = free, .rotation_z = free}},
+         {{0.5, 0, 0}, {}}, {{-0.5, 0, 0}, {}});
     double slow = 9, fast = 0;
     run(world, 1);
     for (int i = 0; i < 300; i++) {
@@ -234,7 +236,8 @@ TEST(Wheel, suspension_oscillates_at_its_frequency) {
     World world = make_world({.gravity = {}});
     const BodyId wheel =
         block(world, {.geometry = Cylinder{0.3, 0.1}, .position = {0, 0.1, 0}, .spin = {0, 0, 30}});
-    join(world, bare_anchor(world), wheel, WheelJoint{.suspension = {2, 0}, .ride = -0.05});
+    join(world, bare_anchor(world), wheel,
+         WheelJoint{.suspension = {2, 0}, .suspension_target = -0.05});
     EXPECT_NEAR(period_of(world, 8, [&] { return position_of(world, wheel).y + 0.05; }), 0.5,
                 0.005);
     EXPECT_NEAR(state_of(world, wheel).angular_velocity.z, 30, 0.01);
@@ -316,8 +319,8 @@ TEST(AxisJoints, continue_identically_after_load) {
          {{1, 0, 0}, along_x}, {{-1, 0, 0}, along_x});
     SixDofAxes axes;
     axes.z = {.free = true, .limit = {true, -0.2, 0.2}};
-    axes.turn_x = {.free = true, .spring = {3, 0.2}, .spring_at = 0.4};
-    axes.turn_z = {.free = true, .motor = {true, 2, 10}, .friction = 1};
+    axes.rotation_x = {.free = true, .spring = {3, 0.2}, .spring_target = 0.4};
+    axes.rotation_z = {.free = true, .motor = {true, 2, 10}, .friction = 1};
     join(world, b, c, SixDofJoint{axes}, {{1, 0, 0}, {}}, {{-1, 0, 0}, {}});
     join(world, c, d, WheelJoint{.suspension = {4, 0.3}, .steering = 0.2, .motor = {true, 5, 30}},
          {{1, 0, 0}, {}}, {{-1, 0, 0}, {}});

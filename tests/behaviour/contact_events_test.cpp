@@ -26,7 +26,7 @@ TEST(ContactEvents, landing_and_lifting_a_ball_reports_begin_and_end) {
             EXPECT_EQ(ball_first ? c.body_b : c.body_a, floor);
             EXPECT_TRUE(near(c.normal, {0, ball_first ? -1.0 : 1.0, 0}, 1e-6));
             EXPECT_TRUE(near(c.point, {2, 0, 3}, 0.1));
-            EXPECT_NEAR(c.approach, square_root(2 * 9.81 * 1.0), 0.3);  // fell 1 m
+            EXPECT_NEAR(c.approach_speed, square_root(2 * 9.81 * 1.0), 0.3);  // fell 1 m
             EXPECT_EQ(must(world.shape(c.shape_a)).body, c.body_a);
         }
         ended += static_cast<int>(world.events().contacts_ended.size());
@@ -106,7 +106,7 @@ TEST(ContactEvents, events_of_a_pile_are_sorted_and_alternate) {
             }
             ASSERT_EQ(open[key]++, 0);
             ASSERT_NEAR(length(c.normal), 1, 1e-6);
-            ASSERT_GE(c.approach, 0);
+            ASSERT_GE(c.approach_speed, 0);
             const Vec3 a = position_of(world, c.body_a), b = position_of(world, c.body_b);
             if (kind_of(must(world.shape(c.shape_a)).geometry) == ShapeKind::sphere &&
                 kind_of(must(world.shape(c.shape_b)).geometry) == ShapeKind::sphere) {

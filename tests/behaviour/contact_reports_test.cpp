@@ -59,7 +59,7 @@ TEST(ContactReports, hits_are_reported_above_the_hit_speed) {
         EXPECT_EQ(begins, 1);
         ASSERT_EQ(hits.size(), height > 0.5 ? 1u : 0u);
         if (hits.empty()) continue;
-        EXPECT_NEAR(hits[0].approach, std::sqrt(2 * 9.81 * height), 0.2);
+        EXPECT_NEAR(hits[0].approach_speed, std::sqrt(2 * 9.81 * height), 0.2);
         EXPECT_TRUE(hits[0].body_a == ball || hits[0].body_b == ball);
         EXPECT_TRUE(near(hits[0].point, {0, 0, 0}, 0.05));
     }

@@ -61,7 +61,7 @@ TEST(Grab, angular_damping_is_a_rate) {
     World world = make_world({.gravity = {}});
     const BodyId ball =
         add(world, {.geometry = Sphere{0.5}, .spin = {0, 3, 0}, .sleep_allowed = false});
-    grab(world, ball, {}, {.spring = {5, 1}, .turn_damping = 0.5});
+    grab(world, ball, {}, {.spring = {5, 1}, .angular_damping = 0.5});
     run(world, 2);
     EXPECT_NEAR(state_of(world, ball).angular_velocity.y, 3 * std::exp(-1.0), 0.005);
 }
@@ -88,7 +88,7 @@ GrabJoint hand_of(const World& world, BodyId body, Vec3 target) {
     return {.target = target,
             .spring = {5, 1},
             .max_force = state_of(world, body).mass * 200,
-            .turn_damping = 4};
+            .angular_damping = 4};
 }
 
 TEST(Grab, moves_any_mass_to_the_target_and_stops) {

@@ -83,7 +83,8 @@ TEST(Drive, axis_spring_respects_its_maximum_torque) {
         const BodyId body = ball_body(world);
         const double inertia = state_of(world, body).inertia.z.z;
         SixDofJoint six;
-        six.axes->turn_z = {.free = true, .spring = {5, 1}, .spring_at = 3, .spring_most = inertia};
+        six.axes->rotation_z = {
+            .free = true, .spring = {5, 1}, .spring_target = 3, .spring_max_force = inertia};
         const HingeJoint about{.spring = {5, 1}, .spring_angle = 3, .spring_max_torque = inertia};
         const JointId joint = join_to_world(world, body, hinge ? JointKind(about) : JointKind(six));
         run(world, 1);

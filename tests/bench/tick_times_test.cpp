@@ -24,7 +24,7 @@ std::string trace_of(const std::string& spans) {
 }
 
 TEST(TickTimes, start_at_the_first_step_and_include_sleeping_ticks) {
-    const std::string paused = tick(90, 70, 5) + stage("inputs") + stage("frame_and_answers");
+    const std::string paused = tick(90, 70, 5) + stage("inputs") + stage("frame_and_results");
     const std::string first = tick(4000, 100, 5) + stage("inputs") + stage("solve_constraints");
     const std::string late = tick(80000, 2500, 8) + stage("update_pairs");
     const std::string asleep = tick(50, 200, 9) + stage("inputs");

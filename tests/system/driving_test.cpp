@@ -68,10 +68,10 @@ TEST(Driving, only_the_controlling_client_steers_the_hovercraft) {
     driver->send_inputs({hold({0, 1000}), possess(craft + 1), possess(craft)});
     EXPECT_EQ(result_of(*driver, 1).code(), v1::INPUT_CODE_NOT_FOUND)
         << "the client controls nothing yet";
-    EXPECT_EQ(result_of(*driver, 2).message(), "nobody can drive that");
+    EXPECT_EQ(result_of(*driver, 2).message(), "the entity is not controllable");
     EXPECT_EQ(result_of(*driver, 3).code(), v1::INPUT_CODE_APPLIED);
     other->send_inputs({possess(craft)});
-    EXPECT_EQ(result_of(*other, 1).message(), "somebody else drives it");
+    EXPECT_EQ(result_of(*other, 1).message(), "another client controls the entity");
 
     // Without control it stays on a circle of 11 m; straight ahead at 7 m/s it leaves the circle.
     driver->send_inputs({hold({0, 1000})});

@@ -148,7 +148,8 @@ Status check_character_data(const std::string& name, const CharacterData& r) {
 void Characters::visit(StateVisitor& v) {
     std::vector<CharacterData>& records = store_->characters;
     v.all("characters", records, [&](CharacterData& record) { visit_character_data(v, record); });
-    if (v.loading() && records.size() > most) v.fail("characters", "has more than 4096 elements");
+    if (v.loading() && records.size() > characters_max)
+        v.fail("characters", "has more than 4096 elements");
 }
 
 bool Characters::visit_controlled_entity(World& world, BodyId body, StateVisitor& v) {
@@ -166,7 +167,7 @@ bool Characters::visit_controlled_entity(World& world, BodyId body, StateVisitor
     const bool rigid = read.kind == CharacterKind::rigid;
     if (state->type != (rigid ? BodyType::dynamic : BodyType::kinematic)) return false;
     if (known == nullptr) {
-        if (records.size() >= most) return false;
+        if (records.size() >= characters_max) return false;
         read.generation = 1;
         known = &records.emplace_back();
     } else {
@@ -187,7 +188,7 @@ Status Characters::configure(World& world, const ModuleSettings& settings) {
         Result<CharacterData> record = character_data_for(world, name, body, numbers);
         if (!record.ok()) return record.error();
         if (Status s = check_character_data(name, *record); !s.ok()) return s;
-        if (store_->characters.size() == most)
+        if (store_->characters.size() == characters_max)
             return unknown_character(name, "exceeds the limit of 4096 characters");
         if (record->kind == CharacterKind::rigid) {
             if (Status s = world.set_locks(body, character_detail::upright); !s.ok()) return s;

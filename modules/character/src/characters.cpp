@@ -65,9 +65,9 @@ Result<CharacterId> Characters::add(World& world, const CharacterDef& def) {
     std::vector<CharacterData>& records = store_->characters;
     std::size_t index = 0;
     while (index < records.size() && records[index].alive) index++;
-    if (index == most)
+    if (index == characters_max)
         return Error{ErrorCode::resource_exhausted, "the world already has the maximum of " +
-                                                        std::to_string(most) +
+                                                        std::to_string(characters_max) +
                                                         " characters; remove one first"};
     CharacterData record = character_data_of(def);
     const Result<BodyId> body = make_body(world, record, def);

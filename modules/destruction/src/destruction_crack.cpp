@@ -5,14 +5,13 @@
 #include <algorithm>
 #include <limits>
 
-#include "jostle/modules/destruction.h"
 #include "modules/destruction/src/bond_network.h"
-#include "modules/destruction/src/destruction_impact.h"
+#include "modules/destruction/src/destruction_data.h"
+#include "modules/destruction/src/destruction_steps.h"
 
-namespace jostle::modules {
+namespace jostle::modules::destruction_detail {
 
 using namespace physics;
-using namespace destruction_detail;
 
 namespace {
 
@@ -30,11 +29,12 @@ struct Unknowns {
     std::uint32_t count = 0;
 };
 
+enum class SolveResult : std::uint8_t { held, broke, no_time };
+
 }  // namespace
 
 // Groups connected by intact bonds, in order of their lowest chunk.
-std::vector<Group> Destruction::connected_groups(const Destructible& destructible,
-                                                 const Group& group) {
+std::vector<Group> connected_groups(const Destructible& destructible, const Group& group) {
     std::vector<std::uint32_t> part(destructible.chunks.size(), no_piece);
     std::vector<std::vector<std::uint32_t>> near(destructible.chunks.size());
     for (const std::uint32_t k : group.bonds) {
@@ -72,7 +72,6 @@ namespace {
 
 // Anchored chunks have no unknowns. In a group without anchors, the first chunk is held: the loads
 // are balanced, so its support transmits no force.
-template <class Chunk>
 Unknowns unknowns_of(const std::vector<Chunk>& chunks, const Group& group) {
     Unknowns unknowns{std::vector<std::uint32_t>(chunks.size(), fixed_unknown), 0};
     const bool held = std::any_of(group.chunks.begin(), group.chunks.end(),
@@ -83,7 +82,6 @@ Unknowns unknowns_of(const std::vector<Chunk>& chunks, const Group& group) {
     return unknowns;
 }
 
-template <class Destructible>
 std::vector<Beam> beams_of(const Destructible& destructible, const Group& group,
                            const Unknowns& unknowns) {
     std::vector<Beam> beams;
@@ -102,7 +100,6 @@ std::vector<Beam> beams_of(const Destructible& destructible, const Group& group,
 
 // In a free group, inertia balances the loads (d'Alembert): each chunk adds minus its mass times
 // the acceleration of the group at that point. Gravity acts uniformly and cancels.
-template <class Destructible>
 void add_inertia(const Destructible& destructible, const Group& group, Vec3 spin,
                  std::vector<ChunkLoad>& chunk_loads) {
     double mass = 0;
@@ -133,13 +130,10 @@ void add_inertia(const Destructible& destructible, const Group& group, Vec3 spin
     }
 }
 
-}  // namespace
-
 // Load of each bond of the group as a fraction of its strength.
-std::vector<double> Destruction::loads_of(const Destructible& destructible, const Group& group,
-                                          const BlockFactor& factor,
-                                          std::span<const ChunkLoad> contact_loads, Vec3 spin,
-                                          Vec3 gravity) {
+std::vector<double> loads_of(const Destructible& destructible, const Group& group,
+                             const BlockFactor& factor, std::span<const ChunkLoad> contact_loads,
+                             Vec3 spin, Vec3 gravity) {
     const Unknowns unknowns = unknowns_of(destructible.chunks, group);
     std::vector<ChunkLoad> chunk_loads(contact_loads.begin(), contact_loads.end());
     const bool held = std::any_of(group.chunks.begin(), group.chunks.end(),
@@ -166,13 +160,12 @@ std::vector<double> Destruction::loads_of(const Destructible& destructible, cons
 
 // Evaluates a group and breaks the worst bonds. `cached` is the piece whose factor belongs to the
 // group.
-Destruction::SolveResult Destruction::solve_group(Destructible& destructible, const Group& group,
-                                                  Piece* cached,
-                                                  std::span<const ChunkLoad> chunk_loads, Vec3 spin,
-                                                  Vec3 gravity, double& energy) {
+SolveResult solve_group(DestructionState& state, Destructible& destructible, const Group& group,
+                        Piece* cached, std::span<const ChunkLoad> chunk_loads, Vec3 spin,
+                        Vec3 gravity, double& energy) {
     std::shared_ptr<const BlockFactor> factor = cached ? cached->factor : nullptr;
     const bool dissipated_energy = cached && cached->solved;
-    if (!dissipated_energy && work_left_ <= 0) return SolveResult::no_time;
+    if (!dissipated_energy && state.work_left <= 0) return SolveResult::no_time;
     if (!factor) {
         const Unknowns unknowns = unknowns_of(destructible.chunks, group);
         factor = std::make_shared<BlockFactor>(stiffness_of(beams_of(destructible, group, unknowns),
@@ -180,11 +173,11 @@ Destruction::SolveResult Destruction::solve_group(Destructible& destructible, co
         if (cached) cached->factor = factor;
     }
     if (cached) cached->solved = true;
-    if (!dissipated_energy) work_left_ -= static_cast<std::int64_t>(factor->work());
+    if (!dissipated_energy) state.work_left -= static_cast<std::int64_t>(factor->work());
     const std::vector<double> loads =
         loads_of(destructible, group, *factor, chunk_loads, spin, gravity);
     const double worst = loads.empty() ? 0 : *std::max_element(loads.begin(), loads.end());
-    if (cached) max_load_ratio_ = worst;
+    if (cached) state.max_load_ratio = worst;
     const double limit = maximum(1, same_round_load_ratio * worst);
     std::vector<std::size_t> order;
     for (std::size_t k = 0; k < loads.size(); k++)
@@ -205,17 +198,16 @@ Destruction::SolveResult Destruction::solve_group(Destructible& destructible, co
 
 // Repeats in rounds: groups that separated in one round are evaluated one by one in the next.
 // Returns false if there was no work budget to begin.
-bool Destruction::break_bonds(Destructible& destructible, Piece& piece,
-                              std::span<const ChunkLoad> chunk_loads, Vec3 spin, Vec3 gravity,
-                              double& energy) {
+bool break_bonds(DestructionState& state, Destructible& destructible, Piece& piece,
+                 std::span<const ChunkLoad> chunk_loads, Vec3 spin, Vec3 gravity, double& energy) {
     std::vector<Group> groups = {{piece.chunks, piece.bonds}};
-    for (int round = 0; round < limits_.rounds && !groups.empty(); round++) {
+    for (int round = 0; round < state.limits.rounds && !groups.empty(); round++) {
         std::vector<Group> next;
         for (const Group& group : groups) {
             if (group.bonds.empty()) continue;
             const SolveResult result =
-                solve_group(destructible, group, round == 0 ? &piece : nullptr, chunk_loads, spin,
-                            gravity, energy);
+                solve_group(state, destructible, group, round == 0 ? &piece : nullptr, chunk_loads,
+                            spin, gravity, energy);
             if (result == SolveResult::no_time) return round > 0;
             if (result == SolveResult::held) continue;
             piece.split_pending = true;
@@ -228,9 +220,9 @@ bool Destruction::break_bonds(Destructible& destructible, Piece& piece,
 }
 
 // Evaluates the bonds if the loads changed enough.
-void Destruction::break_bonds_if_loaded(const World& world, std::uint32_t w, std::uint32_t p,
-                                        std::span<ChunkContact> chunk_contacts) {
-    Destructible& destructible = destructibles_[w];
+void break_bonds_if_loaded(DestructionState& state, const World& world, std::uint32_t w,
+                           std::uint32_t p, std::span<ChunkContact> chunk_contacts) {
+    Destructible& destructible = state.destructibles[w];
     Piece& piece = destructible.pieces[p];
     if (piece.split_pending) return;
     const Result<BodyState> body = world.body(piece.body);
@@ -238,9 +230,9 @@ void Destruction::break_bonds_if_loaded(const World& world, std::uint32_t w, std
     const Quat back = conjugate(body->pose.rotation);
     const Vec3 spin = piece.anchored ? Vec3{} : rotate(back, body->angular_velocity);
     const double spin2 = length_squared(spin);
-    if (chunk_loads_.size() < destructible.chunks.size())
-        chunk_loads_.resize(destructible.chunks.size());
-    const std::span<ChunkLoad> chunk_loads(chunk_loads_.data(), destructible.chunks.size());
+    if (state.chunk_loads.size() < destructible.chunks.size())
+        state.chunk_loads.resize(destructible.chunks.size());
+    const std::span<ChunkLoad> chunk_loads(state.chunk_loads.data(), destructible.chunks.size());
     for (const std::uint32_t c : piece.chunks) chunk_loads[c] = {};
     double energy = 0, mass = 0, change = 0, previous = 0, sum = spin2;
     for (const ChunkContact& chunk_contact : chunk_contacts) {
@@ -271,12 +263,12 @@ void Destruction::break_bonds_if_loaded(const World& world, std::uint32_t w, std
     if (piece.loads_pending) energy = piece.energy;
     const bool hit = energy > 0;
     double left = hit ? energy : std::numeric_limits<double>::max();
-    const bool evaluated =
-        break_bonds(destructible, piece, chunk_loads, spin, rotate(back, world.gravity()), left);
+    const bool evaluated = break_bonds(state, destructible, piece, chunk_loads, spin,
+                                       rotate(back, world.gravity()), left);
     for (ChunkContact& chunk_contact : chunk_contacts)
         if (hit && evaluated && chunk_contact.impact && !piece.loads_pending) {
             chunk_contact.dissipated_energy = (energy - left) * (chunk_contact.energy / energy);
-            chunk_contact.load_ratio = piece.split_pending ? max_load_ratio_ : 0;
+            chunk_contact.load_ratio = piece.split_pending ? state.max_load_ratio : 0;
         }
     for (const std::uint32_t c : piece.chunks) {
         destructible.chunks[c].force = chunk_loads[c].force;
@@ -289,50 +281,51 @@ void Destruction::break_bonds_if_loaded(const World& world, std::uint32_t w, std
     piece.spin2 = spin2;
 }
 
-void Destruction::break_all_bonds(const World& world) {
-    work_left_ = limits_.work_per_step;
+}  // namespace
+
+void break_all_bonds(DestructionState& state, const World& world) {
+    state.work_left = state.limits.work_per_step;
     std::size_t next = 0;
-    for (std::uint32_t w = 0; w < destructibles_.size(); w++)
-        for (std::uint32_t p = 0; p < destructibles_[w].pieces.size(); p++) {
+    for (std::uint32_t w = 0; w < state.destructibles.size(); w++)
+        for (std::uint32_t p = 0; p < state.destructibles[w].pieces.size(); p++) {
             const std::size_t first = next;
-            while (next < chunk_contacts_.size() && chunk_contacts_[next].destructible == w &&
-                   destructibles_[w].chunks[chunk_contacts_[next].chunk].piece == p)
+            while (next < state.chunk_contacts.size() &&
+                   state.chunk_contacts[next].destructible == w &&
+                   state.destructibles[w].chunks[state.chunk_contacts[next].chunk].piece == p)
                 next++;
-            const Piece& piece = destructibles_[w].pieces[p];
+            const Piece& piece = state.destructibles[w].pieces[p];
             if (piece.chunks.size() < 2) continue;
             if (next == first && !piece.loaded && !piece.solve_pending && !piece.loads_pending &&
                 piece.anchored)
                 continue;
-            break_bonds_if_loaded(world, w, p,
-                                  std::span(chunk_contacts_).subspan(first, next - first));
+            break_bonds_if_loaded(state, world, w, p,
+                                  std::span(state.chunk_contacts).subspan(first, next - first));
         }
 }
 
-Result<double> Destruction::max_load_ratio(const World& world, DestructibleId id) const {
-    const Destructible* destructible = find(id);
-    if (!destructible) return unknown(id);
+double max_load_ratio(const World& world, const Destructible& destructible) {
     double worst = 0;
-    for (const Piece& piece : destructible->pieces) {
+    for (const Piece& piece : destructible.pieces) {
         const Result<BodyState> body = world.body(piece.body);
         if (!body.ok() || !piece.anchored) continue;
         Group all{piece.chunks, {}};
-        std::vector<bool> in_piece(destructible->chunks.size());
+        std::vector<bool> in_piece(destructible.chunks.size());
         for (const std::uint32_t c : piece.chunks) in_piece[c] = true;
-        for (std::uint32_t k = 0; k < destructible->bonds.size(); k++)
-            if (in_piece[destructible->bonds[k].face.a] && in_piece[destructible->bonds[k].face.b])
+        for (std::uint32_t k = 0; k < destructible.bonds.size(); k++)
+            if (in_piece[destructible.bonds[k].face.a] && in_piece[destructible.bonds[k].face.b])
                 all.bonds.push_back(k);
         const Vec3 gravity = inverse_rotate(body->pose.rotation, world.gravity());
-        for (const Group& group : connected_groups(*destructible, all)) {
-            const Unknowns unknowns = unknowns_of(destructible->chunks, group);
-            const BlockFactor factor(stiffness_of(beams_of(*destructible, group, unknowns),
-                                                  unknowns.count, destructible->material));
+        for (const Group& group : connected_groups(destructible, all)) {
+            const Unknowns unknowns = unknowns_of(destructible.chunks, group);
+            const BlockFactor factor(stiffness_of(beams_of(destructible, group, unknowns),
+                                                  unknowns.count, destructible.material));
             for (const double load :
-                 loads_of(*destructible, group, factor,
-                          std::vector<ChunkLoad>(destructible->chunks.size()), {}, gravity))
+                 loads_of(destructible, group, factor,
+                          std::vector<ChunkLoad>(destructible.chunks.size()), {}, gravity))
                 worst = maximum(worst, load);
         }
     }
     return worst;
 }
 
-}  // namespace jostle::modules
+}  // namespace jostle::modules::destruction_detail

@@ -4,16 +4,15 @@
 // impulse is reversed on both bodies.
 #include <algorithm>
 
-#include "jostle/modules/destruction.h"
 #include "modules/destruction/src/bond_network.h"
 #include "modules/destruction/src/contact_motion.h"
-#include "modules/destruction/src/destruction_impact.h"
+#include "modules/destruction/src/destruction_data.h"
+#include "modules/destruction/src/destruction_steps.h"
 #include "modules/destruction/src/impulse_reversal.h"
 
-namespace jostle::modules {
+namespace jostle::modules::destruction_detail {
 
 using namespace physics;
-using namespace destruction_detail;
 
 namespace {
 
@@ -23,35 +22,24 @@ bool precedes(const PreStepState& stored, BodyId id) {
     return stored.state.id < id;
 }
 
-}  // namespace
-
-// Stores the states before the step of pieces and of the bodies that touch them, and updates chunks
-// that pass through their destructible.
-void Destruction::before_step(World& world, double dt) {
-    rebuild_derived_state();
-    passing_bodies_.clear();
-    reversed_bodies_.clear();
-    pre_step_states_.clear();
-    for (const ReversedContact& again : reversed_contacts_)
-        if (const Result<BodyState> body = world.body(again.other_body); body.ok())
-            reversed_bodies_.push_back(*body);
-    for (std::uint32_t w = 0; w < destructibles_.size(); w++)
-        for (Piece& piece : destructibles_[w].pieces) {
-            if (piece.passing_time > 0) {
-                passing_bodies_.emplace_back(piece.body, w);
-                piece.passing_time = maximum(0, piece.passing_time - dt);
-            }
-            if (!bonded_shapes_.empty()) store_pre_step_state(world, w, piece);
-        }
+// Stores the state before the first contact of this step.
+void store_pre_step_state(DestructionState& state, const World& world, std::uint32_t destructible,
+                          BodyId body) {
+    const auto at = std::lower_bound(state.pre_step_states.begin(), state.pre_step_states.end(),
+                                     body, precedes);
+    if (at != state.pre_step_states.end() && at->state.id == body) return;
+    const Result<BodyState> stored = world.body(body);
+    if (stored.ok() && stored->mass > 0) state.pre_step_states.insert(at, {*stored, destructible});
 }
 
-void Destruction::store_pre_step_state(const World& world, std::uint32_t destructible,
-                                       Piece& piece) {
-    store_pre_step_state(world, destructible, piece.body);
+void store_pre_step_state(DestructionState& state, const World& world, std::uint32_t destructible,
+                          Piece& piece) {
+    store_pre_step_state(state, world, destructible, piece.body);
     if (piece.chunks.size() < 2) return;
     if (const Result<std::vector<ContactInfo>> near = world.contacts_of(piece.body); near.ok())
         for (const ContactInfo& c : *near)
-            store_pre_step_state(world, destructible, c.body_a == piece.body ? c.body_b : c.body_a);
+            store_pre_step_state(state, world, destructible,
+                                 c.body_a == piece.body ? c.body_b : c.body_a);
     if (piece.anchored) return;
     const Result<BodyState> body = world.body(piece.body);
     if (!body.ok()) return;
@@ -59,78 +47,33 @@ void Destruction::store_pre_step_state(const World& world, std::uint32_t destruc
     piece.angular = body->angular_velocity;
 }
 
-void Destruction::pre_solve(PreSolve& pair) {
-    if (const BondedShape* at = find_bonded_shape(pair.shape_a))
-        store_pre_step_state(pair.world, at->destructible, pair.body_b);
-    if (const BondedShape* at = find_bonded_shape(pair.shape_b))
-        store_pre_step_state(pair.world, at->destructible, pair.body_a);
-    for (const auto& [body, destructible] : passing_bodies_) {
-        if (pair.body_a != body && pair.body_b != body) continue;
-        const BodyId other = pair.body_a == body ? pair.body_b : pair.body_a;
-        for (const Piece& piece : destructibles_[destructible].pieces)
-            if (piece.body == other) pair.enabled = false;
-    }
+const PreStepState* find_pre_step_state(const DestructionState& state, BodyId body) {
+    const auto at = std::lower_bound(state.pre_step_states.begin(), state.pre_step_states.end(),
+                                     body, precedes);
+    return at != state.pre_step_states.end() && at->state.id == body ? &*at : nullptr;
 }
 
-// Stores the state before the first contact of this step.
-void Destruction::store_pre_step_state(const World& world, std::uint32_t destructible,
-                                       BodyId body) {
-    const auto at =
-        std::lower_bound(pre_step_states_.begin(), pre_step_states_.end(), body, precedes);
-    if (at != pre_step_states_.end() && at->state.id == body) return;
-    const Result<BodyState> state = world.body(body);
-    if (state.ok() && state->mass > 0) pre_step_states_.insert(at, {*state, destructible});
-}
-
-const BodyState* Destruction::pre_step_body(BodyId body) const {
-    for (const BodyState& state : reversed_bodies_)
-        if (state.id == body) return &state;
-    const PreStepState* stored = find_pre_step_state(body);
+const BodyState* pre_step_body(const DestructionState& state, BodyId body) {
+    for (const BodyState& reversed : state.reversed_bodies)
+        if (reversed.id == body) return &reversed;
+    const PreStepState* stored = find_pre_step_state(state, body);
     return stored ? &stored->state : nullptr;
 }
 
-const PreStepState* Destruction::find_pre_step_state(BodyId body) const {
-    const auto at =
-        std::lower_bound(pre_step_states_.begin(), pre_step_states_.end(), body, precedes);
-    return at != pre_step_states_.end() && at->state.id == body ? &*at : nullptr;
-}
-
-// Starts the passing time of chunks that were struck and separated.
-void Destruction::start_passing() {
-    for (const ReversedContact& again : reversed_contacts_) {
-        Destructible& destructible = destructibles_[again.destructible];
-        const std::uint32_t at = destructible.chunks[again.chunk].piece;
-        if (at >= destructible.pieces.size()) continue;
-        Piece& piece = destructible.pieces[at];
-        if (!piece.anchored && piece.chunks.size() == 1) piece.passing_time = passing_seconds;
-    }
-}
-
-// The fraction 1 - 1 / load_ratio of the impulse exceeded the strength of the bonds. It is reversed
-// on both bodies at the contact point, which conserves momentum.
-void Destruction::reverse_excess_impulses(World& world, double dt) {
-    reversed_contacts_.clear();
-    merge_mutual_impacts();
-    for (std::size_t first = 0; first < chunk_contacts_.size();) {
-        std::size_t end = first + 1;
-        while (end < chunk_contacts_.size() &&
-               &piece_of(chunk_contacts_[end]) == &piece_of(chunk_contacts_[first]))
-            end++;
-        limit_grounded_pieces(world, std::span(chunk_contacts_).subspan(first, end - first), dt);
-        first = end;
-    }
-    reverse_impacts(world, dt);
+const Piece& piece_of(const DestructionState& state, const ChunkContact& chunk_contact) {
+    const Destructible& destructible = state.destructibles[chunk_contact.destructible];
+    return destructible.pieces[destructible.chunks[chunk_contact.chunk].piece];
 }
 
 // For two breaking bodies, the weaker one determines the load that both bear; both dissipate
 // energy.
-void Destruction::merge_mutual_impacts() {
-    for (std::size_t k = 0; k < chunk_contacts_.size(); k++) {
-        ChunkContact& chunk_contact = chunk_contacts_[k];
+void merge_mutual_impacts(DestructionState& state) {
+    for (std::size_t k = 0; k < state.chunk_contacts.size(); k++) {
+        ChunkContact& chunk_contact = state.chunk_contacts[k];
         if (!chunk_contact.mutual || !chunk_contact.impact || !(chunk_contact.load_ratio > 1))
             continue;
         for (std::size_t i = 0; i < k; i++) {
-            ChunkContact& other = chunk_contacts_[i];
+            ChunkContact& other = state.chunk_contacts[i];
             if (other.own != chunk_contact.other || other.other != chunk_contact.own ||
                 !(other.load_ratio > 1))
                 continue;
@@ -143,15 +86,10 @@ void Destruction::merge_mutual_impacts() {
     }
 }
 
-const Destruction::Piece& Destruction::piece_of(const ChunkContact& chunk_contact) const {
-    const Destructible& destructible = destructibles_[chunk_contact.destructible];
-    return destructible.pieces[destructible.chunks[chunk_contact.chunk].piece];
-}
-
 // For a piece that also touches a static body, the sources of its velocity change are unknown. It
 // retains the fraction of the change that its bonds bear; the ground takes the rest.
-void Destruction::limit_grounded_pieces(World& world, std::span<ChunkContact> chunk_contacts,
-                                        double dt) {
+void limit_grounded_pieces(DestructionState& state, World& world,
+                           std::span<ChunkContact> chunk_contacts, double dt) {
     double worst = 0;
     bool free = true;
     for (const ChunkContact& chunk_contact : chunk_contacts) {
@@ -161,7 +99,7 @@ void Destruction::limit_grounded_pieces(World& world, std::span<ChunkContact> ch
     }
     if (free || !(worst > 1)) return;
     for (ChunkContact& chunk_contact : chunk_contacts) chunk_contact.grounded = true;
-    const Piece& piece = piece_of(chunk_contacts[0]);
+    const Piece& piece = piece_of(state, chunk_contacts[0]);
     const Result<BodyState> body = world.body(piece.body);
     if (!body.ok() || body->type != BodyType::dynamic) return;
     const double share = 1 - 1 / worst;
@@ -175,7 +113,7 @@ void Destruction::limit_grounded_pieces(World& world, std::span<ChunkContact> ch
 
 // Remaining approach speed after the dissipation of the bonds, E = (v0^2 - v^2) / (2 inv).
 // Negative: the bodies separate.
-double Destruction::remaining_speed(const ChunkContact& chunk_contact) {
+double remaining_speed(const ChunkContact& chunk_contact) {
     const double undamped =
         chunk_contact.approach -
         (chunk_contact.approach + chunk_contact.separation_speed) / chunk_contact.load_ratio;
@@ -188,10 +126,11 @@ double Destruction::remaining_speed(const ChunkContact& chunk_contact) {
 // Approach speed to restore. A body that was deflected within the step hit with a speed that it did
 // not have before. Limiting the speed along any normal to the initial one prevents an increase of
 // energy.
-double Destruction::restored_speed(const World& world, const ChunkContact& chunk_contact) const {
+double restored_speed(const DestructionState& state, const World& world,
+                      const ChunkContact& chunk_contact) {
     const double speed = remaining_speed(chunk_contact);
-    const BodyState* before = pre_step_body(chunk_contact.other_body);
-    const Piece& piece = piece_of(chunk_contact);
+    const BodyState* before = pre_step_body(state, chunk_contact.other_body);
+    const Piece& piece = piece_of(state, chunk_contact);
     const Result<BodyState> own = world.body(piece.body);
     if (!before || !own.ok()) return speed;
     const Vec3 initial_velocity = velocity_at(*before, chunk_contact.point) - piece.linear -
@@ -201,13 +140,14 @@ double Destruction::restored_speed(const World& world, const ChunkContact& chunk
 
 // Adds a body in contact, with its velocity before the step. A body without a stored state uses its
 // current velocity, so nothing is restored to it.
-std::size_t Destruction::add_reversal_body(const World& world, std::vector<ReversalBody>& bodies,
-                                           BodyId id, const Piece* piece, double dt) const {
+std::size_t add_reversal_body(const DestructionState& state, const World& world,
+                              std::vector<ReversalBody>& bodies, BodyId id, const Piece* piece,
+                              double dt) {
     std::size_t at = 0;
     while (at < bodies.size() && bodies[at].state.id != id) at++;
     if (at == bodies.size()) {
         const BodyState now = *world.body(id);
-        const BodyState* before = pre_step_body(id);
+        const BodyState* before = pre_step_body(state, id);
         bodies.push_back({now, (before ? *before : now).linear_velocity,
                           (before ? *before : now).angular_velocity,
                           before ? world.gravity() * dt : Vec3{}});
@@ -222,11 +162,11 @@ std::size_t Destruction::add_reversal_body(const World& world, std::vector<Rever
 
 // Adds other bodies of a destructible, or near it, that gained energy in this step. That energy
 // came from the striking body and must not be restored to it as well.
-void Destruction::add_nearby_bodies(const World& world, std::uint32_t destructible, double dt,
-                                    std::vector<ReversalBody>& bodies,
-                                    std::vector<std::size_t>& added) const {
+void add_nearby_bodies(const DestructionState& state, const World& world,
+                       std::uint32_t destructible, double dt, std::vector<ReversalBody>& bodies,
+                       std::vector<std::size_t>& added) {
     const std::size_t known = bodies.size();
-    for (const PreStepState& stored : pre_step_states_) {
+    for (const PreStepState& stored : state.pre_step_states) {
         if (stored.destructible != destructible) continue;
         const auto same = [&](const ReversalBody& candidate) {
             return candidate.state.id == stored.state.id;
@@ -245,14 +185,14 @@ void Destruction::add_nearby_bodies(const World& world, std::uint32_t destructib
 
 // Pairs of bodies that share an energy budget: the bodies of a destructible, and of destructibles
 // that touch each other.
-BodyPairs Destruction::shared_energy_pairs(const World& world, double dt,
-                                           std::vector<ReversalBody>& bodies) const {
+BodyPairs shared_energy_pairs(const DestructionState& state, const World& world, double dt,
+                              std::vector<ReversalBody>& bodies) {
     BodyPairs links;
     // Destructible, and one of its bodies
     std::vector<std::pair<std::uint32_t, std::size_t>> wholes;
     std::vector<std::size_t> added;
     const auto link = [&](std::size_t body, BodyId touched) {
-        const PreStepState* stored = find_pre_step_state(touched);
+        const PreStepState* stored = find_pre_step_state(state, touched);
         if (!stored) return;
         const auto known = std::find_if(wholes.begin(), wholes.end(), [&](const auto& entry) {
             return entry.first == stored->destructible;
@@ -260,15 +200,15 @@ BodyPairs Destruction::shared_energy_pairs(const World& world, double dt,
         if (known != wholes.end()) return void(links.emplace_back(known->second, body));
         wholes.emplace_back(stored->destructible, body);
         added.clear();
-        add_nearby_bodies(world, stored->destructible, dt, bodies, added);
+        add_nearby_bodies(state, world, stored->destructible, dt, bodies, added);
         for (const std::size_t k : added) links.emplace_back(body, k);
     };
     for (std::size_t k = 0; k < bodies.size(); k++) {
         const BodyId id = bodies[k].state.id;
         link(k, id);
-        for (const ChunkContact& chunk_contact : chunk_contacts_) {
-            if (chunk_contact.other_body == id) link(k, piece_of(chunk_contact).body);
-            if (piece_of(chunk_contact).body == id) link(k, chunk_contact.other_body);
+        for (const ChunkContact& chunk_contact : state.chunk_contacts) {
+            if (chunk_contact.other_body == id) link(k, piece_of(state, chunk_contact).body);
+            if (piece_of(state, chunk_contact).body == id) link(k, chunk_contact.other_body);
         }
         const Result<std::vector<ContactInfo>> contacts = world.contacts_of(id);
         if (!contacts.ok()) continue;
@@ -278,21 +218,21 @@ BodyPairs Destruction::shared_energy_pairs(const World& world, double dt,
 }
 
 // Solves all reversals at once, then applies each impulse to both bodies at its point.
-void Destruction::reverse_impacts(World& world, double dt) {
+void reverse_impacts(DestructionState& state, World& world, double dt) {
     std::vector<ReversalBody> bodies;
     std::vector<ImpulseReversal> all;
-    for (const ChunkContact& chunk_contact : chunk_contacts_) {
+    for (const ChunkContact& chunk_contact : state.chunk_contacts) {
         if (!chunk_contact.impact || !(chunk_contact.load_ratio > 1)) continue;
-        const Piece& piece = piece_of(chunk_contact);
+        const Piece& piece = piece_of(state, chunk_contact);
         if (!world.contains(piece.body) || !world.contains(chunk_contact.other_body)) continue;
-        const double speed = restored_speed(world, chunk_contact);
+        const double speed = restored_speed(state, world, chunk_contact);
         if (speed > 0)
-            reversed_contacts_.push_back({chunk_contact.destructible, chunk_contact.chunk,
-                                          chunk_contact.other, chunk_contact.other_body,
-                                          chunk_contact.point, -chunk_contact.normal, speed});
+            state.reversed_contacts.push_back({chunk_contact.destructible, chunk_contact.chunk,
+                                               chunk_contact.other, chunk_contact.other_body,
+                                               chunk_contact.point, -chunk_contact.normal, speed});
         if (chunk_contact.is_duplicate) continue;
-        const std::size_t own = add_reversal_body(world, bodies, piece.body, &piece, dt),
-                          other = add_reversal_body(world, bodies, chunk_contact.other_body,
+        const std::size_t own = add_reversal_body(state, world, bodies, piece.body, &piece, dt),
+                          other = add_reversal_body(state, world, bodies, chunk_contact.other_body,
                                                     nullptr, dt);
         all.push_back({.point = chunk_contact.point,
                        .normal = chunk_contact.normal,
@@ -309,7 +249,7 @@ void Destruction::reverse_impacts(World& world, double dt) {
                        .dissipated_energy = chunk_contact.dissipated_energy});
     }
     if (all.empty()) return;
-    const BodyPairs links = shared_energy_pairs(world, dt, bodies);
+    const BodyPairs links = shared_energy_pairs(state, world, dt, bodies);
     reverse_impulses(bodies, all, links);
     for (const ImpulseReversal& one : all) {
         if (!(one.impulse > 0)) continue;
@@ -321,4 +261,68 @@ void Destruction::reverse_impacts(World& world, double dt) {
     }
 }
 
-}  // namespace jostle::modules
+}  // namespace
+
+// Stores the states before the step of pieces and of the bodies that touch them, and updates chunks
+// that pass through their destructible.
+void store_pre_step_states(DestructionState& state, const World& world, double dt) {
+    rebuild_derived_state(state);
+    state.passing_bodies.clear();
+    state.reversed_bodies.clear();
+    state.pre_step_states.clear();
+    for (const ReversedContact& again : state.reversed_contacts)
+        if (const Result<BodyState> body = world.body(again.other_body); body.ok())
+            state.reversed_bodies.push_back(*body);
+    for (std::uint32_t w = 0; w < state.destructibles.size(); w++)
+        for (Piece& piece : state.destructibles[w].pieces) {
+            if (piece.passing_time > 0) {
+                state.passing_bodies.emplace_back(piece.body, w);
+                piece.passing_time = maximum(0, piece.passing_time - dt);
+            }
+            if (!state.bonded_shapes.empty()) store_pre_step_state(state, world, w, piece);
+        }
+}
+
+void on_pre_solve(DestructionState& state, PreSolve& pair) {
+    if (const BondedShape* at = find_bonded_shape(state, pair.shape_a))
+        store_pre_step_state(state, pair.world, at->destructible, pair.body_b);
+    if (const BondedShape* at = find_bonded_shape(state, pair.shape_b))
+        store_pre_step_state(state, pair.world, at->destructible, pair.body_a);
+    for (const auto& [body, destructible] : state.passing_bodies) {
+        if (pair.body_a != body && pair.body_b != body) continue;
+        const BodyId other = pair.body_a == body ? pair.body_b : pair.body_a;
+        for (const Piece& piece : state.destructibles[destructible].pieces)
+            if (piece.body == other) pair.enabled = false;
+    }
+}
+
+// The fraction 1 - 1 / load_ratio of the impulse exceeded the strength of the bonds. It is reversed
+// on both bodies at the contact point, which conserves momentum.
+void reverse_excess_impulses(DestructionState& state, World& world, double dt) {
+    state.reversed_contacts.clear();
+    merge_mutual_impacts(state);
+    for (std::size_t first = 0; first < state.chunk_contacts.size();) {
+        std::size_t end = first + 1;
+        while (end < state.chunk_contacts.size() &&
+               &piece_of(state, state.chunk_contacts[end]) ==
+                   &piece_of(state, state.chunk_contacts[first]))
+            end++;
+        limit_grounded_pieces(state, world,
+                              std::span(state.chunk_contacts).subspan(first, end - first), dt);
+        first = end;
+    }
+    reverse_impacts(state, world, dt);
+}
+
+// Starts the passing time of chunks that were struck and separated.
+void start_passing(DestructionState& state) {
+    for (const ReversedContact& again : state.reversed_contacts) {
+        Destructible& destructible = state.destructibles[again.destructible];
+        const std::uint32_t at = destructible.chunks[again.chunk].piece;
+        if (at >= destructible.pieces.size()) continue;
+        Piece& piece = destructible.pieces[at];
+        if (!piece.anchored && piece.chunks.size() == 1) piece.passing_time = passing_seconds;
+    }
+}
+
+}  // namespace jostle::modules::destruction_detail

@@ -4,26 +4,26 @@
 // The affected chunks are lost; the rest continues.
 #include <algorithm>
 
-#include "jostle/modules/destruction.h"
-#include "modules/destruction/src/destruction_impact.h"
+#include "modules/destruction/src/destruction_data.h"
+#include "modules/destruction/src/destruction_steps.h"
 
-namespace jostle::modules {
+namespace jostle::modules::destruction_detail {
 
 using namespace physics;
-using namespace destruction_detail;
 
 // Removes pieces without a body. Their chunks then belong to no piece, and bonds to them are
 // inactive.
-void Destruction::drop_lost_bodies(const World& world) {
-    for (Destructible& destructible : destructibles_)
+void drop_lost_bodies(DestructionState& state, const World& world) {
+    for (Destructible& destructible : state.destructibles)
         if (std::erase_if(destructible.pieces,
                           [&](const Piece& piece) { return !world.contains(piece.body); }) > 0)
-            derived_ = false;
+            state.derived = false;
 }
 
 // Removes chunks whose shape no longer belongs to the body, before the piece is split. The
 // remaining chunks may be disconnected.
-void Destruction::drop_lost_chunks(const World& world, Destructible& destructible, Piece& piece) {
+void drop_lost_chunks(DestructionState& state, const World& world, Destructible& destructible,
+                      Piece& piece) {
     const auto is_lost = [&](std::uint32_t c) {
         const Result<ShapeState> shape = world.shape(destructible.chunks[c].shape);
         return !shape.ok() || shape->body != piece.body;
@@ -33,7 +33,7 @@ void Destruction::drop_lost_chunks(const World& world, Destructible& destructibl
     if (std::erase_if(piece.chunks, [&](std::uint32_t c) { return lost[c]; }) == 0) return;
     for (Bond& bond : destructible.bonds)
         bond.broken = bond.broken || lost[bond.face.a] || lost[bond.face.b];
-    derived_ = false;
+    state.derived = false;
 }
 
-}  // namespace jostle::modules
+}  // namespace jostle::modules::destruction_detail

@@ -4,14 +4,13 @@
 // points in the original body, so mass and momentum are conserved.
 #include <algorithm>
 
-#include "jostle/modules/destruction.h"
 #include "modules/destruction/src/bond_network.h"
-#include "modules/destruction/src/destruction_impact.h"
+#include "modules/destruction/src/destruction_data.h"
+#include "modules/destruction/src/destruction_steps.h"
 
-namespace jostle::modules {
+namespace jostle::modules::destruction_detail {
 
 using namespace physics;
-using namespace destruction_detail;
 
 namespace {
 
@@ -28,13 +27,11 @@ ShapeDef shifted(const ShapeState& shape, Vec3 by, bool bonded) {
     return def;
 }
 
-template <class Destructible>
 bool is_anchored(const Destructible& destructible, const Group& group) {
     return std::any_of(group.chunks.begin(), group.chunks.end(),
                        [&](std::uint32_t c) { return destructible.chunks[c].anchored; });
 }
 
-template <class Destructible>
 Vec3 center_of(const Destructible& destructible, const Group& group) {
     double mass = 0;
     Vec3 sum;
@@ -45,18 +42,45 @@ Vec3 center_of(const Destructible& destructible, const Group& group) {
     return sum / mass;
 }
 
-}  // namespace
-
-bool Destruction::is_passing_debris(const Destructible& destructible, const Group& group) const {
+bool is_passing_debris(const DestructionState& state, const Destructible& destructible,
+                       const Group& group) {
     return group.chunks.size() == 1 && !is_anchored(destructible, group) &&
            destructible.chunks[group.chunks[0]].mass <
-               destructible.density * limits_.passing_volume;
+               destructible.density * state.limits.passing_volume;
+}
+
+// Removes the shapes of the leaving groups from the original body.
+void remove_detached_shapes(World& world, Destructible& destructible, Piece& piece,
+                            std::span<const Group> leaving) {
+    std::size_t removed = 0;
+    for (const Group& group : leaving) removed += group.chunks.size();
+    std::vector<ShapeDef> defs;
+    std::vector<std::uint32_t> owners;
+    std::vector<ShapeId> remaining;
+    for (const std::uint32_t c : piece.chunks) remaining.push_back(destructible.chunks[c].shape);
+    std::sort(remaining.begin(), remaining.end());
+    if (removed <= removed_one_by_one_max) {
+        for (const ShapeId shape : world.shapes_of(piece.body))
+            if (!std::binary_search(remaining.begin(), remaining.end(), shape))
+                static_cast<void>(world.destroy_shape(shape).ok());
+        return;
+    }
+    for (const std::uint32_t c : piece.chunks) {
+        const Result<ShapeState> shape = world.shape(destructible.chunks[c].shape);
+        if (!shape.ok() || shape->body != piece.body) continue;
+        defs.push_back(shifted(*shape, {}, piece.chunks.size() > 1));
+        owners.push_back(c);
+    }
+    const Result<std::vector<ShapeId>> shapes = world.set_shapes(piece.body, defs);
+    if (!shapes.ok()) return;
+    for (std::size_t k = 0; k < owners.size(); k++)
+        destructible.chunks[owners[k]].shape = (*shapes)[k];
 }
 
 // Creates bodies for the leaving groups, then removes their shapes from the original body. On
 // failure, nothing changes.
-Status Destruction::detach_groups(World& world, Destructible& destructible, std::size_t p,
-                                  std::span<const Group> leaving, const Group& staying) {
+Status detach_groups(DestructionState& state, World& world, Destructible& destructible,
+                     std::size_t p, std::span<const Group> leaving, const Group& staying) {
     const BodyId old = destructible.pieces[p].body;
     const Result<BodyState> body = world.body(old);
     if (!body.ok()) return body.error();
@@ -80,7 +104,7 @@ Status Destruction::detach_groups(World& world, Destructible& destructible, std:
                              "a shape of a chunk belongs to another body"};
             def.shapes.push_back(shifted(*shape, origin - piece.origin, group.chunks.size() > 1));
             Filter& filter = def.shapes.back().filter;
-            if (filter.group != 0 || !is_passing_debris(destructible, group)) continue;
+            if (filter.group != 0 || !is_passing_debris(state, destructible, group)) continue;
             filter.group = passing_group;
             def.body.continuous = false;
         }
@@ -109,42 +133,15 @@ Status Destruction::detach_groups(World& world, Destructible& destructible, std:
     remove_detached_shapes(world, destructible, rest, leaving);
     destructible.pieces.insert(destructible.pieces.end(), std::make_move_iterator(made.begin()),
                                std::make_move_iterator(made.end()));
-    derived_ = false;
+    state.derived = false;
     return {};
-}
-
-// Removes the shapes of the leaving groups from the original body.
-void Destruction::remove_detached_shapes(World& world, Destructible& destructible, Piece& piece,
-                                         std::span<const Group> leaving) {
-    std::size_t removed = 0;
-    for (const Group& group : leaving) removed += group.chunks.size();
-    std::vector<ShapeDef> defs;
-    std::vector<std::uint32_t> owners;
-    std::vector<ShapeId> remaining;
-    for (const std::uint32_t c : piece.chunks) remaining.push_back(destructible.chunks[c].shape);
-    std::sort(remaining.begin(), remaining.end());
-    if (removed <= removed_one_by_one_max) {
-        for (const ShapeId shape : world.shapes_of(piece.body))
-            if (!std::binary_search(remaining.begin(), remaining.end(), shape))
-                static_cast<void>(world.destroy_shape(shape).ok());
-        return;
-    }
-    for (const std::uint32_t c : piece.chunks) {
-        const Result<ShapeState> shape = world.shape(destructible.chunks[c].shape);
-        if (!shape.ok() || shape->body != piece.body) continue;
-        defs.push_back(shifted(*shape, {}, piece.chunks.size() > 1));
-        owners.push_back(c);
-    }
-    const Result<std::vector<ShapeId>> shapes = world.set_shapes(piece.body, defs);
-    if (!shapes.ok()) return;
-    for (std::size_t k = 0; k < owners.size(); k++)
-        destructible.chunks[owners[k]].shape = (*shapes)[k];
 }
 
 // The largest group keeps the body; in an anchored piece, the largest anchored group. At most
 // `limit` other groups leave. Returns the number of groups that left.
-int Destruction::split(World& world, Destructible& destructible, std::size_t p, int limit) {
-    drop_lost_chunks(world, destructible, destructible.pieces[p]);
+int split(DestructionState& state, World& world, Destructible& destructible, std::size_t p,
+          int limit) {
+    drop_lost_chunks(state, world, destructible, destructible.pieces[p]);
     if (destructible.pieces[p].chunks.empty()) return 0;
     std::vector<Group> groups;
     {
@@ -177,13 +174,13 @@ int Destruction::split(World& world, Destructible& destructible, std::size_t p, 
     // If a split fails, for example because the world has no room for more bodies, the piece stays
     // as it is.
     const bool parted =
-        leaving.empty() || detach_groups(world, destructible, p, leaving, staying).ok();
+        leaving.empty() || detach_groups(state, world, destructible, p, leaving, staying).ok();
     Piece& rest = destructible.pieces[p];
     rest.split_pending = parted && !all;
     rest.solve_pending = true;
     rest.solved = false;
     rest.factor.reset();
-    derived_ = false;
+    state.derived = false;
     if (parted && rest.anchored && !is_anchored(destructible, staying)) {
         static_cast<void>(world.set_type(rest.body, BodyType::dynamic).ok());
         rest.anchored = false;
@@ -191,45 +188,35 @@ int Destruction::split(World& world, Destructible& destructible, std::size_t p, 
     return static_cast<int>(leaving.size());
 }
 
-void Destruction::split_all_pieces(World& world) {
-    int limit = limits_.pieces_per_step;
-    for (Destructible& destructible : destructibles_) {
+}  // namespace
+
+void split_all_pieces(DestructionState& state, World& world) {
+    int limit = state.limits.pieces_per_step;
+    for (Destructible& destructible : state.destructibles) {
         const std::size_t count = destructible.pieces.size();  // new pieces are connected already
         for (std::size_t p = 0; p < count && limit > 0; p++)
-            if (destructible.pieces[p].split_pending) limit -= split(world, destructible, p, limit);
+            if (destructible.pieces[p].split_pending)
+                limit -= split(state, world, destructible, p, limit);
         std::erase_if(destructible.pieces, [](const Piece& piece) { return piece.chunks.empty(); });
     }
 }
 
-void Destruction::drop_debris(World& world, double dt) {
-    if (!(limits_.debris_life > 0)) return;
-    for (Destructible& destructible : destructibles_) {
+void drop_debris(DestructionState& state, World& world, double dt) {
+    if (!(state.limits.debris_life > 0)) return;
+    for (Destructible& destructible : state.destructibles) {
         const std::size_t count = destructible.pieces.size();
         std::erase_if(destructible.pieces, [&](Piece& piece) {
             if (piece.anchored || piece.chunks.size() != 1) return false;
             if (destructible.chunks[piece.chunks[0]].mass >=
-                destructible.density * limits_.debris_volume)
+                destructible.density * state.limits.debris_volume)
                 return false;
             piece.age += dt;
-            if (piece.age < limits_.debris_life) return false;
+            if (piece.age < state.limits.debris_life) return false;
             static_cast<void>(world.destroy_body(piece.body).ok());
             return true;
         });
-        derived_ = derived_ && destructible.pieces.size() == count;
+        state.derived = state.derived && destructible.pieces.size() == count;
     }
 }
 
-void Destruction::after_step(World& world, double dt) {
-    drop_lost_bodies(world);
-    rebuild_derived_state();
-    update_gravity(world);
-    gather_contacts(world, dt);
-    break_all_bonds(world);
-    reverse_excess_impulses(world, dt);
-    split_all_pieces(world);
-    rebuild_derived_state();
-    start_passing();
-    drop_debris(world, dt);
-}
-
-}  // namespace jostle::modules
+}  // namespace jostle::modules::destruction_detail

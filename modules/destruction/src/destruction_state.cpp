@@ -6,9 +6,9 @@
 #include "jostle/modules/destruction.h"
 #include "jostle/modules/fracture_file.h"
 #include "jostle/modules/settings.h"
-#include "modules/destruction/src/bond_network.h"
 #include "modules/destruction/src/destruction_checks.h"
-#include "modules/destruction/src/destruction_impact.h"
+#include "modules/destruction/src/destruction_data.h"
+#include "modules/destruction/src/destruction_steps.h"
 
 namespace jostle::modules {
 
@@ -17,7 +17,7 @@ using namespace destruction_detail;
 
 namespace {
 
-constexpr double load_max = 1e30;  // N, N m
+constexpr double saved_load_max = 1e30;  // N, N m
 
 void unit_vector(StateVisitor& v, std::string_view name, Vec3& value) {
     v.field(name, value);
@@ -48,49 +48,8 @@ void visit_material(StateVisitor& v, BondMaterial& m) {
     bounded(v, "contact_time", m.contact_time, 1e-5, 1);
 }
 
-}  // namespace
-
-void Destruction::visit(StateVisitor& v, Destructible& destructible) {
-    v.field("alive", destructible.alive);
-    v.field("generation", destructible.generation);
-    visit_material(v, destructible.material);
-    bounded(v, "density", destructible.density, 0, 1e6);
-    v.all("chunks", destructible.chunks, [&](Chunk& chunk) {
-        bounded(v, "center", chunk.center, coordinate_max);
-        bounded(v, "mass", chunk.mass, mass_min, mass_max);
-        bounded(v, "inertia_x", chunk.inertia.x, inertia_max);
-        bounded(v, "inertia_y", chunk.inertia.y, inertia_max);
-        bounded(v, "inertia_z", chunk.inertia.z, inertia_max);
-        v.field("shape", chunk.shape);
-        v.field("anchored", chunk.anchored);
-        bounded(v, "force", chunk.force, load_max);
-        bounded(v, "torque", chunk.torque, load_max);
-    });
-    v.all("bonds", destructible.bonds, [&](Bond& bond) {
-        visit_bond(v, bond.face);
-        v.field("broken", bond.broken);
-    });
-    v.all("pieces", destructible.pieces, [&](Piece& piece) {
-        v.field("body", piece.body);
-        bounded(v, "origin", piece.origin, coordinate_max);
-        v.all("chunks", piece.chunks, [&](std::uint32_t& chunk) { v.field("chunk", chunk); });
-        v.field("anchored", piece.anchored);
-        v.field("check", piece.solve_pending);
-        v.field("solved", piece.solved);
-        v.field("loaded", piece.loaded);
-        v.field("carried", piece.loads_pending);
-        v.field("cut", piece.split_pending);
-        bounded(v, "spin2", piece.spin2, 0, 1e13);
-        bounded(v, "energy", piece.energy, 0, load_max);
-        bounded(v, "age", piece.age, 0, 1e7);
-        bounded(v, "knocked", piece.passing_time, 0, 1);
-        if (v.loading()) piece.factor.reset();
-    });
-    if (v.loading()) check_destructible(v, destructible);
-}
-
 // Checks the consistency of loaded fields. Each chunk is in one piece, or in none if it was lost.
-void Destruction::check_destructible(StateVisitor& v, const Destructible& destructible) {
+void check_destructible(StateVisitor& v, const Destructible& destructible) {
     if (destructible.alive == destructible.chunks.empty())
         v.fail("chunks", "must be present exactly if the destructible is alive");
     if (destructible.chunks.size() > chunks_max) v.fail("chunks", "has too many elements");
@@ -119,43 +78,89 @@ void Destruction::check_destructible(StateVisitor& v, const Destructible& destru
     }
 }
 
-void Destruction::visit_limits(StateVisitor& v) {
-    std::int32_t rounds = limits_.rounds, pieces = limits_.pieces_per_step;
-    v.field("rounds", rounds);
-    v.field("pieces_per_step", pieces);
-    v.field("work_per_step", limits_.work_per_step);
-    v.field("debris_life", limits_.debris_life);
-    v.field("debris_volume", limits_.debris_volume);
-    v.field("passing_volume", limits_.passing_volume);
-    if (!v.loading()) return;
-    limits_.rounds = rounds;
-    limits_.pieces_per_step = pieces;
-    if (const Status s = check_limits(limits_); !s.ok()) v.fail("limits", s.error().message);
+void visit_destructible(StateVisitor& v, Destructible& destructible) {
+    v.field("alive", destructible.alive);
+    v.field("generation", destructible.generation);
+    visit_material(v, destructible.material);
+    bounded(v, "density", destructible.density, 0, 1e6);
+    v.all("chunks", destructible.chunks, [&](Chunk& chunk) {
+        bounded(v, "center", chunk.center, coordinate_max);
+        bounded(v, "mass", chunk.mass, mass_min, mass_max);
+        bounded(v, "inertia_x", chunk.inertia.x, inertia_max);
+        bounded(v, "inertia_y", chunk.inertia.y, inertia_max);
+        bounded(v, "inertia_z", chunk.inertia.z, inertia_max);
+        v.field("shape", chunk.shape);
+        v.field("anchored", chunk.anchored);
+        bounded(v, "force", chunk.force, saved_load_max);
+        bounded(v, "torque", chunk.torque, saved_load_max);
+    });
+    v.all("bonds", destructible.bonds, [&](Bond& bond) {
+        visit_bond(v, bond.face);
+        v.field("broken", bond.broken);
+    });
+    v.all("pieces", destructible.pieces, [&](Piece& piece) {
+        v.field("body", piece.body);
+        bounded(v, "origin", piece.origin, coordinate_max);
+        v.all("chunks", piece.chunks, [&](std::uint32_t& chunk) { v.field("chunk", chunk); });
+        v.field("anchored", piece.anchored);
+        v.field("check", piece.solve_pending);
+        v.field("solved", piece.solved);
+        v.field("loaded", piece.loaded);
+        v.field("carried", piece.loads_pending);
+        v.field("cut", piece.split_pending);
+        bounded(v, "spin2", piece.spin2, 0, 1e13);
+        bounded(v, "energy", piece.energy, 0, saved_load_max);
+        bounded(v, "age", piece.age, 0, 1e7);
+        bounded(v, "knocked", piece.passing_time, 0, 1);
+        if (v.loading()) piece.factor.reset();
+    });
+    if (v.loading()) check_destructible(v, destructible);
 }
 
-void Destruction::visit(StateVisitor& v) {
-    visit_limits(v);
-    bounded(v, "gravity", gravity_, 1e5);
-    v.all("wholes", destructibles_, [&](Destructible& destructible) { visit(v, destructible); });
-    v.all("again", reversed_contacts_, [&](ReversedContact& again) {
+void visit_limits(StateVisitor& v, DestructionLimits& limits) {
+    std::int32_t rounds = limits.rounds, pieces = limits.pieces_per_step;
+    v.field("rounds", rounds);
+    v.field("pieces_per_step", pieces);
+    v.field("work_per_step", limits.work_per_step);
+    v.field("debris_life", limits.debris_life);
+    v.field("debris_volume", limits.debris_volume);
+    v.field("passing_volume", limits.passing_volume);
+    if (!v.loading()) return;
+    limits.rounds = rounds;
+    limits.pieces_per_step = pieces;
+    if (const Status s = check_limits(limits); !s.ok()) v.fail("limits", s.error().message);
+}
+
+}  // namespace
+
+void destruction_detail::visit_state(StateVisitor& v, DestructionState& state) {
+    visit_limits(v, state.limits);
+    bounded(v, "gravity", state.gravity, 1e5);
+    v.all("wholes", state.destructibles,
+          [&](Destructible& destructible) { visit_destructible(v, destructible); });
+    v.all("again", state.reversed_contacts, [&](ReversedContact& again) {
         v.field("whole", again.destructible);
         v.field("chunk", again.chunk);
-        if (v.loading() && (again.destructible >= destructibles_.size() ||
-                            again.chunk >= destructibles_[again.destructible].chunks.size()))
+        if (v.loading() && (again.destructible >= state.destructibles.size() ||
+                            again.chunk >= state.destructibles[again.destructible].chunks.size()))
             v.fail("chunk", "does not exist");
         v.field("other", again.other);
         v.field("other_body", again.other_body);
         bounded(v, "point", again.point, 1e9);
         unit_vector(v, "normal", again.normal);
-        bounded(v, "approach", again.approach, 0, 1e9);
+        bounded(v, "approach", again.approach_speed, 0, 1e9);
     });
-    if (v.loading()) derived_ = false;
+    if (v.loading()) state.derived = false;
+}
+
+void Destruction::visit(StateVisitor& v) {
+    visit_state(v, *state_);
 }
 
 void Destruction::publish(const World&, ChannelWriter& channels) const {
     const auto count = [&](std::size_t value) { channels.value(static_cast<std::int32_t>(value)); };
     if (size() == 0 || !channels.begin(0)) return;
-    for (const Destructible& destructible : destructibles_) {
+    for (const Destructible& destructible : state_->destructibles) {
         if (!destructible.alive) continue;
         count(destructible.pieces.size());
         count(static_cast<std::size_t>(std::count_if(destructible.bonds.begin(),
@@ -171,7 +176,7 @@ Status Destruction::configure(World& world, const ModuleSettings& given) {
     Vec3 foot;
     std::span<const std::byte> file;
     DestructibleDef def;
-    DestructionLimits limits = limits_;
+    DestructionLimits limits = state_->limits;
     SettingsReader settings(given);
     settings.bytes("shape", file);
     settings.number("count", count, 0, 100);

@@ -14,6 +14,9 @@
 
 namespace jostle::modules::destruction_detail {
 
+// Pairs of indices of bodies.
+using BodyPairs = std::vector<std::pair<std::size_t, std::size_t>>;
+
 // A body after the step, and its velocity before.
 struct ReversalBody {
     physics::BodyState state;

@@ -86,10 +86,10 @@ private:
 // World::apply_impulse().
 double allowed_impulse_share(const Explosion& e, const BlastImpulse& push, double mass) {
     constexpr double most_impulse = 1e11;  // N s, N m s
-    const double most_speed = e.most_speed > 0 ? e.most_speed : limits::max_speed;
+    const double max_speed = e.max_speed > 0 ? e.max_speed : limits::max_speed;
     const double impulse = length(push.impulse), turn = length(push.angular_impulse);
     double share = 1;
-    if (impulse > most_speed * mass) share = most_speed * mass / impulse;
+    if (impulse > max_speed * mass) share = max_speed * mass / impulse;
     if (impulse * share > most_impulse) share = most_impulse / impulse;
     if (turn * share > most_impulse) share = most_impulse / turn;
     return share;

@@ -17,8 +17,8 @@ namespace {
 
 constexpr double rudder_rate = 2.5;           // 1/s, in units of full deflection
 constexpr double reverse_thrust_share = 0.5;  // of the forward thrust
-constexpr double screw_offset_max = 8;        // m
-// The keel force acts at both ends: at this fraction of the screw's distance, fore and aft.
+constexpr double propeller_offset_max = 8;    // m
+// The keel force acts at both ends: at this fraction of the propeller's distance, fore and aft.
 constexpr double keel_half_length_ratio = 0.7;
 
 struct Range {
@@ -28,7 +28,7 @@ struct Range {
 };
 constexpr Range ranges[] = {{"thrust", &BoatDef::thrust, 0, 1e7},
                             {"top_speed", &BoatDef::top_speed, 0.1, 100},
-                            {"rudder_most", &BoatDef::rudder_most, 0, 1.2},
+                            {"rudder_most", &BoatDef::max_rudder_angle, 0, 1.2},
                             {"keel", &BoatDef::keel, 0, 1e6}};
 
 Error invalid(std::string message) {
@@ -39,8 +39,8 @@ Status check(const World& world, const BoatDef& def) {
     const Result<BodyState> hull = world.body(def.hull);
     if (!hull.ok()) return invalid("hull is not a body");
     if (hull->type != BodyType::dynamic) return invalid("hull is not a dynamic body");
-    if (!is_finite(def.screw) || length(def.screw) > screw_offset_max)
-        return invalid("screw is out of range; it must be within 8 m of the hull's origin");
+    if (!is_finite(def.propeller) || length(def.propeller) > propeller_offset_max)
+        return invalid("propeller is out of range; it must be within 8 m of the hull's origin");
     for (const Range& range : ranges)
         if (!(def.*range.value >= range.low && def.*range.value <= range.high))
             return invalid(std::string(range.name) + " is out of range");
@@ -56,7 +56,7 @@ Vec3 thrust_of(const BoatDef& def, const MovingBody& hull, double throttle, doub
     const double slip = clamp(1 - (throttle < 0 ? -along : along) / def.top_speed, 0, 1);
     const double force = def.thrust * throttle * slip * (throttle < 0 ? reverse_thrust_share : 1);
     // Pushing the stern to the left turns the bow to the right.
-    const SinCos turn = sin_cos(rudder * def.rudder_most);
+    const SinCos turn = sin_cos(rudder * def.max_rudder_angle);
     return rotate(hull.pose.rotation, {-turn.sin, 0, -turn.cos}) * (force * h);
 }
 
@@ -85,7 +85,7 @@ Boats::Boat* Boats::find(BodyId hull) {
 Status Boats::add(const World& world, const BoatDef& def) {
     if (Status good = check(world, def); !good.ok()) return good;
     if (find(def.hull) != nullptr) return invalid("hull is already a boat");
-    if (boats_.size() == most)
+    if (boats_.size() == boats_max)
         return Error{ErrorCode::resource_exhausted,
                      "the world already has the maximum of 256 boats; remove one first"};
     boats_.push_back({.def = def});
@@ -105,29 +105,29 @@ Status Boats::steer(World& world, BodyId hull, double throttle, double rudder) {
 std::vector<Boats::State> Boats::states() const {
     std::vector<State> states;
     for (const Boat& boat : boats_)
-        states.push_back({boat.def.hull, boat.throttle, boat.rudder, boat.wet});
+        states.push_back({boat.def.hull, boat.throttle, boat.rudder, boat.in_water});
     return states;
 }
 
 void Boats::visit(StateVisitor& v) {
     v.all("boats", boats_, [&](Boat& boat) {
         v.field("hull", boat.def.hull);
-        bounded(v, "screw", boat.def.screw, screw_offset_max);
+        bounded(v, "screw", boat.def.propeller, propeller_offset_max);
         for (const Range& range : ranges)
             bounded(v, range.name, boat.def.*range.value, range.low, range.high);
         bounded(v, "throttle", boat.throttle, -1, 1);
         bounded(v, "rudder_target", boat.rudder_target, -1, 1);
         bounded(v, "rudder", boat.rudder, -1, 1);
-        v.field("wet", boat.wet);
+        v.field("wet", boat.in_water);
     });
-    if (v.loading() && boats_.size() > most) v.fail("boats", "has more than 256 elements");
+    if (v.loading() && boats_.size() > boats_max) v.fail("boats", "has more than 256 elements");
 }
 
 Status Boats::configure(World& world, const ModuleSettings& given) {
     BoatDef def;
     SettingsReader settings(given);
-    settings.number("screw_y", def.screw.y, -5, 5);
-    settings.number("screw_z", def.screw.z, -5, 5);
+    settings.number("screw_y", def.propeller.y, -5, 5);
+    settings.number("screw_z", def.propeller.z, -5, 5);
     for (const Range& range : ranges)
         settings.number(range.name, def.*range.value, range.low, range.high);
     for (const auto& [name, body] : given.bodies) settings.body(name, def.hull);
@@ -171,33 +171,34 @@ bool Boats::in_water(const SubstepContext& substep, Vec3 point) const {
 void Boats::before_substep(SubstepContext& substep) {
     for (Boat& boat : boats_) {
         if (!substep.contains(boat.def.hull)) continue;
-        if (substep.index() == 0) boat.wet = false;
+        if (substep.index() == 0) boat.in_water = false;
         const MovingBody hull = substep.body(boat.def.hull);
-        const Vec3 screw = apply(hull.pose, boat.def.screw);
-        if (!in_water(substep, screw)) continue;
-        boat.wet = true;
+        const Vec3 propeller = apply(hull.pose, boat.def.propeller);
+        if (!in_water(substep, propeller)) continue;
+        boat.in_water = true;
         for (const double end : {-keel_half_length_ratio, keel_half_length_ratio}) {
             const Vec3 at =
-                hull.center + rotate(hull.pose.rotation, {0, 0, end * boat.def.screw.z});
+                hull.center + rotate(hull.pose.rotation, {0, 0, end * boat.def.propeller.z});
             substep.add_impulse(
                 hull.id, keel_of(boat.def, hull, substep.velocity_at(hull.id, at), substep.h()),
                 at);
         }
         if (boat.throttle != 0)
-            substep.add_impulse(
-                hull.id, thrust_of(boat.def, hull, boat.throttle, boat.rudder, substep.h()), screw);
+            substep.add_impulse(hull.id,
+                                thrust_of(boat.def, hull, boat.throttle, boat.rudder, substep.h()),
+                                propeller);
     }
 }
 
 void Boats::publish(const World&, ChannelWriter& channels) const {
     for (const Boat& boat : boats_) {
         if (!channels.begin(0, boat.def.hull)) continue;
-        const Vec3 screw = boat.def.screw;
-        for (const double x : {screw.x, screw.y, screw.z})
-            channels.quantized(x, -screw_offset_max, screw_offset_max, 16);
+        const Vec3 propeller = boat.def.propeller;
+        for (const double x : {propeller.x, propeller.y, propeller.z})
+            channels.quantized(x, -propeller_offset_max, propeller_offset_max, 16);
         channels.quantized(boat.throttle, -1, 1, 8);
         channels.quantized(boat.rudder, -1, 1, 8);
-        channels.value(boat.wet ? 1 : 0);
+        channels.value(boat.in_water ? 1 : 0);
     }
 }
 

@@ -60,7 +60,7 @@ public:
         vector("central.point", central.point, limits::max_coordinate);
         range("central.strength", central.strength, -1e12, 1e12);
         range("central.falloff", central.falloff, 0, 4);
-        range("central.nearest", central.nearest, 1e-6, 1e6);
+        range("central.min_distance", central.min_distance, 1e-6, 1e6);
     }
     void operator()(const Turbulence& t) {
         vector("turbulence.wind", t.wind, limits::max_speed);
@@ -124,7 +124,7 @@ Status check(const Explosion& e) {
     checker.range("explosion.falloff", e.falloff, 0, 4);
     checker.range("explosion.standoff", e.standoff, 0, 100);
     checker.range("explosion.points", e.points, 6, 1024);
-    checker.range("explosion.most_speed", e.most_speed, 0, limits::max_speed);
+    checker.range("explosion.max_speed", e.max_speed, 0, limits::max_speed);
     return checker.status();
 }
 

@@ -86,7 +86,7 @@ Central read_central(SettingsReader& reader) {
     read_vector(reader, "central_point", central.point, limits::max_coordinate);
     reader.number("central_strength", central.strength, -1e12, 1e12);
     read_count(reader, "central_falloff", central.falloff, 0, 4);
-    reader.number("central_nearest", central.nearest, 1e-6, 1e6);
+    reader.number("central_nearest", central.min_distance, 1e-6, 1e6);
     reader.flag("central_per_mass", central.per_mass);
     return central;
 }
@@ -102,7 +102,7 @@ Charge read_charge(SettingsReader& reader) {
     read_count(reader, "blast_falloff", e.falloff, 0, 4);
     reader.flag("blast_fade", e.fade);
     reader.number("blast_standoff", e.standoff, 0, 100);
-    reader.number("blast_most_speed", e.most_speed, 0, limits::max_speed);
+    reader.number("blast_most_speed", e.max_speed, 0, limits::max_speed);
     return charge;
 }
 

@@ -63,7 +63,7 @@ struct VisitLaw {
         v.field("point", central.point);
         v.field("strength", central.strength);
         v.field("falloff", central.falloff);
-        v.field("nearest", central.nearest);
+        v.field("nearest", central.min_distance);
         v.field("per_mass", central.per_mass);
     }
     void operator()(Turbulence& t) const {
@@ -107,7 +107,7 @@ void visit_explosion(StateVisitor& v, Explosion& e) {
     v.field("standoff", e.standoff);
     v.field("points", e.points);
     v.field("mask", e.mask);
-    v.field("most_speed", e.most_speed);
+    v.field("most_speed", e.max_speed);
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ double to_power(double x, std::uint32_t n) {
 // Acceleration of a body of the given mass at a distance, m/s^2.
 double pull_of(const Central& central, double distance, double mass) {
     const double force =
-        central.strength / to_power(maximum(distance, central.nearest), central.falloff);
+        central.strength / to_power(maximum(distance, central.min_distance), central.falloff);
     return central.per_mass ? force : force / mass;
 }
 

@@ -16,7 +16,7 @@ constexpr double impulse_reach_max = 2;                          // m
 // soft enough to drag without shaking
 constexpr JointSpring grab_spring{.hertz = 5, .damping_ratio = 1};
 constexpr double acceleration_max = 200;  // m/s^2, limits the force of a grab
-constexpr double turn_damping = 4;  // 1/s: damps the spin of a grabbed body about the grab point
+constexpr double angular_damping = 4;  // 1/s: damps the spin of a grabbed body about the grab point
 
 Vec3 capped(Vec3 now, Vec3 before, double cap) {
     const double most = std::max(cap, length(before)), size = length(now);
@@ -56,7 +56,7 @@ JointDef make_grab_joint(const BodyState& body, Vec3 point) {
             .kind = GrabJoint{.target = point,
                               .spring = grab_spring,
                               .max_force = body.mass * acceleration_max,
-                              .turn_damping = turn_damping}};
+                              .angular_damping = angular_damping}};
 }
 
 }  // namespace jostle::modules

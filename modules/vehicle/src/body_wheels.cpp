@@ -44,22 +44,22 @@ WheelJoint joint_of(const Wheel& wheel, const WheelRuntime& run, const BodyState
     WheelJoint joint;
     joint.suspension = {.hertz = rate / (2 * pi),
                         .damping_ratio = 0.5 * run.damping * inverse_mass / rate};
-    joint.ride = -suspension.longest - suspension.preload / run.stiffness;
-    joint.travel = {true, -suspension.longest, -suspension.shortest};
+    joint.suspension_target = -suspension.max_length - suspension.preload / run.stiffness;
+    joint.travel = {true, -suspension.max_length, -suspension.min_length};
     return joint;
 }
 
 // Compression of the spring under its design load.
 double sag_of(const Wheel& wheel, double gravity) {
     const double w = 2 * pi * wheel.suspension.frequency;
-    return clamp(gravity / (w * w), 0, wheel.suspension.longest - wheel.suspension.shortest);
+    return clamp(gravity / (w * w), 0, wheel.suspension.max_length - wheel.suspension.min_length);
 }
 
 Status make_wheel_body(World& world, const BodyState& chassis, const Filter& filter,
                        std::size_t index, Car& car) {
     const Wheel& wheel = car.def.wheels[index];
     const double pressed = sag_of(wheel, length(world.gravity()));
-    const Vec3 hub = wheel.attachment + wheel.down * (wheel.suspension.longest - pressed);
+    const Vec3 hub = wheel.attachment + wheel.down * (wheel.suspension.max_length - pressed);
     BodyDef body{.pose = {apply(chassis.pose, hub), chassis.pose.rotation}};
     body.linear_velocity = chassis.linear_velocity +
                            cross(chassis.angular_velocity, body.pose.position - chassis.center);
@@ -150,7 +150,7 @@ void apply_anti_roll_bars(SubstepContext& substep, const MovingBody& chassis, co
         const Vec3 hub = apply(chassis.pose, wheel.attachment),
                    down = rotate(chassis.pose.rotation, wheel.down);
         pressed[k] =
-            wheel.suspension.longest - dot(substep.body(car.bodies[k].body).center - hub, down);
+            wheel.suspension.max_length - dot(substep.body(car.bodies[k].body).center - hub, down);
     }
     for (std::uint32_t k = 0; k < car.bodies.size(); k++) {
         const BodyId body = car.bodies[k].body;
@@ -194,7 +194,7 @@ void steer_and_brake(World& world, Car& car) {
         if (now == nullptr) continue;
         const Wheel& wheel = car.def.wheels[k];
         WheelJoint next = *now;
-        next.steering = -car.steering * wheel.steering_most;
+        next.steering = -car.steering * wheel.max_steering_angle;
         next.friction_torque = brake_torque(car, k) +
                                wheel.tyre.rolling_resistance * car.wheels[k].load * wheel.radius;
         static_cast<void>(world.set_joint(car.bodies[k].joint, next));
@@ -249,7 +249,7 @@ void update_wheel_state(const World& world, double dt, Car& car) {
             run.load = run.forward = run.lateral = 0;
             continue;
         }
-        run.travel = maximum(joint->travel + wheel.suspension.longest, 0);
+        run.travel = maximum(joint->travel + wheel.suspension.max_length, 0);
         const Vec3 axle = rotate(body->pose.rotation, wheel.axle);
         run.spin = clamp(-dot(body->angular_velocity - chassis->angular_velocity, axle), -1e5, 1e5);
         run.angle += run.spin * dt;

@@ -162,7 +162,7 @@ struct Contacts {
 // rad, the largest steering angle of any wheel.
 inline double full_lock(const VehicleDef& def) {
     double most = 0.01;
-    for (const Wheel& wheel : def.wheels) most = physics::maximum(most, wheel.steering_most);
+    for (const Wheel& wheel : def.wheels) most = physics::maximum(most, wheel.max_steering_angle);
     return most;
 }
 

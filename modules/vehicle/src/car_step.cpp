@@ -93,7 +93,7 @@ bool touch(const SubstepContext& substep, const ChassisFrame& frame, std::uint32
     const Vec3 plane = ground.point + ground.velocity * frame.time;
     // Length of the suspension at which the wheel touches the plane.
     const double length = (dot(hub - plane, normal) - ground.reach) / facing;
-    contact.pressed = wheel.suspension.longest - length;
+    contact.pressed = wheel.suspension.max_length - length;
     if (contact.pressed <= 0) return false;
 
     contact.wheel = index;

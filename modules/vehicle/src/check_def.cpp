@@ -53,10 +53,10 @@ void check_tyre(const Tyre& tyre, Check& check) {
 }
 
 void check_suspension(const Suspension& suspension, Check& check) {
-    check.number("suspension.shortest", suspension.shortest, -10, 10);
-    check.number("suspension.longest", suspension.longest, -10, 10);
-    check.that(suspension.longest - suspension.shortest >= 1e-3,
-               "suspension.longest must be at least 0.001 m more than suspension.shortest");
+    check.number("suspension.min_length", suspension.min_length, -10, 10);
+    check.number("suspension.max_length", suspension.max_length, -10, 10);
+    check.that(suspension.max_length - suspension.min_length >= 1e-3,
+               "suspension.max_length must be at least 0.001 m more than suspension.min_length");
     check.number("suspension.frequency", suspension.frequency, 0.1, 100);
     check.number("suspension.damping", suspension.damping, 0, 10);
     check.number("suspension.preload", suspension.preload, 0, 1e7);
@@ -75,7 +75,7 @@ void check_wheel(const Wheel& wheel, Check& check) {
     check.number("width", wheel.width, 0.01, 10);
     check.number("inertia", wheel.inertia, 0.001, 1e5);
     check.number("mass", wheel.mass, 0.01, 1e6);
-    check.number("steering_most", wheel.steering_most, -1.4, 1.4);
+    check.number("max_steering_angle", wheel.max_steering_angle, -1.4, 1.4);
     check.number("drive_share", wheel.drive_share, 0, 1);
     check.number("brake_torque", wheel.brake_torque, 0, 1e7);
     check.number("hand_brake_torque", wheel.hand_brake_torque, 0, 1e7);

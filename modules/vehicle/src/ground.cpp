@@ -84,11 +84,11 @@ struct Chassis {
 WheelSweep sweep_of(const Chassis& chassis, const Wheel& wheel, Vec3 axle) {
     const Quat turn = chassis.pose.rotation;
     const Vec3 hub = apply(chassis.pose, wheel.attachment), down = rotate(turn, wheel.down);
-    const double first = wheel.suspension.shortest - cast_start_offset * wheel.radius;
+    const double first = wheel.suspension.min_length - cast_start_offset * wheel.radius;
     // Extends the cast by the distance that the chassis may fall in the step.
     const Vec3 v = chassis.v + cross(chassis.w, hub - chassis.center);
     const double fall = maximum(0, dot(v, down)) * chassis.dt + 0.01 * wheel.radius;
-    return {hub + down * first, down * (wheel.suspension.longest - first + fall), down,
+    return {hub + down * first, down * (wheel.suspension.max_length - first + fall), down,
             rotate(turn, axle)};
 }
 

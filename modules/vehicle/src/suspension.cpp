@@ -71,7 +71,7 @@ Row make_row(const Car& car, const ChassisFrame& frame, const Contact& contact, 
     const Suspension& suspension = car.def.wheels[contact.wheel].suspension;
     double stiffness = wheel.stiffness, damping = wheel.damping;
     double push = suspension.preload + stiffness * contact.pressed;
-    const double too_far = contact.pressed - (suspension.longest - suspension.shortest);
+    const double too_far = contact.pressed - (suspension.max_length - suspension.min_length);
     if (too_far > 0) {
         const double stop = stop_stiffness_ratio * wheel.stiffness;
         push += stop * too_far;

@@ -41,13 +41,13 @@ Status read(const ModuleSettings& given, SceneCars& cars) {
     settings.number("height", cars.saloon.height, -10, 10);
     settings.number("radius", wheel.radius, 0.02, 10);
     settings.number("width", wheel.width, 0.01, 10);
-    settings.number("shortest", wheel.suspension.shortest, -10, 10);
-    settings.number("longest", wheel.suspension.longest, -10, 10);
+    settings.number("shortest", wheel.suspension.min_length, -10, 10);
+    settings.number("longest", wheel.suspension.max_length, -10, 10);
     settings.number("frequency", wheel.suspension.frequency, 0.1, 100);
     settings.number("damping", wheel.suspension.damping, 0, 10);
     settings.number("friction", wheel.tyre.friction, 0, 10);
     settings.number("front_drive", cars.saloon.front_drive, 0, 1);
-    settings.number("steering_most", cars.saloon.steering_most, 0, 1.4);
+    settings.number("steering_most", cars.saloon.max_steering_angle, 0, 1.4);
     settings.number("anti_roll", cars.saloon.anti_roll, 0, 1e7);
     settings.number("power_scale", cars.power, 0, 100);
     settings.number("cast", cars.cast, 0, 3);
@@ -79,7 +79,7 @@ VehicleDef make_of(const SceneCars& cars, BodyId chassis) {
                        .wheel_base = of.wheel_base,
                        .height = of.height,
                        .wheel = of.wheel,
-                       .steering_most = of.steering_most});
+                       .max_steering_angle = of.max_steering_angle});
 }
 
 VehicleDef def_of(const SceneCars& cars, BodyId chassis) {
@@ -97,7 +97,7 @@ void publish_wheel(const Wheel& wheel, const WheelRuntime& run, double angle,
                    ChannelWriter& channels) {
     channels.quantized(wheel.radius, 0, 2, 8);
     channels.quantized(wheel.width, 0, 1, 8);
-    const Vec3 center = wheel.attachment + wheel.down * (wheel.suspension.longest - run.travel);
+    const Vec3 center = wheel.attachment + wheel.down * (wheel.suspension.max_length - run.travel);
     for (const double x : {center.x, center.y, center.z}) channels.quantized(x, -8, 8, 16);
     const double limit = run.friction * run.load;
     const bool slides =
@@ -116,8 +116,8 @@ VehicleDef saloon(const SaloonDef& def) {
         const bool front = k < 2, left = k % 2 == 0;
         Wheel wheel = def.wheel;
         wheel.attachment = {(left ? -0.5 : 0.5) * def.track, def.height,
-                            def.middle + (front ? -0.5 : 0.5) * def.wheel_base};
-        wheel.steering_most = front ? def.steering_most : 0;
+                            def.center_z + (front ? -0.5 : 0.5) * def.wheel_base};
+        wheel.max_steering_angle = front ? def.max_steering_angle : 0;
         wheel.drive_share = 0.5 * (front ? def.front_drive : 1 - def.front_drive);
         wheel.hand_brake_torque = front ? 0 : def.hand_brake_torque;
         made.wheels.push_back(wheel);
@@ -135,7 +135,7 @@ VehicleDef tracked(const TrackedDef& def) {
         const double along = static_cast<double>(k % wheels) / (wheels - 1) - 0.5;
         Wheel wheel = def.wheel;
         wheel.attachment = {(left ? -0.5 : 0.5) * def.gauge, def.height,
-                            def.middle + along * def.length};
+                            def.center_z + along * def.length};
         wheel.drive_share = 0.5 / wheels;
         wheel.steering_brake = left ? -def.steering_brake : def.steering_brake;
         if (def.steering_ratio > 0)
@@ -154,8 +154,8 @@ VehicleDef motorcycle(const MotorcycleDef& def) {
     VehicleDef made{.chassis = def.chassis};
     for (const bool front : {true, false}) {
         Wheel wheel = def.wheel;
-        wheel.attachment = {0, def.height, def.middle + (front ? -0.5 : 0.5) * def.wheel_base};
-        wheel.steering_most = front ? def.steering_most : 0;
+        wheel.attachment = {0, def.height, def.center_z + (front ? -0.5 : 0.5) * def.wheel_base};
+        wheel.max_steering_angle = front ? def.max_steering_angle : 0;
         wheel.drive_share = front ? 0 : 1;
         wheel.crown = minimum(0.5 * wheel.width, wheel.radius);
         made.wheels.push_back(wheel);
@@ -236,7 +236,7 @@ void Vehicles::publish(const World&, ChannelWriter& channels) const {
         channels.quantized(car.engine_speed / car.def.engine.max_speed, 0, 1, 8);
         for (std::size_t k = 0; k < car.wheels.size(); k++)
             publish_wheel(car.def.wheels[k], car.wheels[k],
-                          car.steering * car.def.wheels[k].steering_most, channels);
+                          car.steering * car.def.wheels[k].max_steering_angle, channels);
     }
 }
 

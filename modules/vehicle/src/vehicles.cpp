@@ -32,7 +32,7 @@ bool by_id(const Car& car, CarId id) {
 
 // rad, positive to the right.
 double angle_of(const Car& car, std::size_t wheel) {
-    return car.steering * car.def.wheels[wheel].steering_most;
+    return car.steering * car.def.wheels[wheel].max_steering_angle;
 }
 
 void steer(Car& car, double dt) {

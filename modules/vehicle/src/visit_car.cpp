@@ -20,8 +20,8 @@ void visit_tyre(StateVisitor& v, Tyre& tyre) {
 }
 
 void visit_suspension(StateVisitor& v, Suspension& suspension) {
-    v.field("shortest", suspension.shortest);
-    v.field("longest", suspension.longest);
+    v.field("shortest", suspension.min_length);
+    v.field("longest", suspension.max_length);
     v.field("frequency", suspension.frequency);
     v.field("damping", suspension.damping);
     v.field("preload", suspension.preload);
@@ -37,7 +37,7 @@ void visit_wheel(StateVisitor& v, Wheel& wheel) {
     v.field("mass", wheel.mass);
     visit_suspension(v, wheel.suspension);
     visit_tyre(v, wheel.tyre);
-    v.field("steering_most", wheel.steering_most);
+    v.field("steering_most", wheel.max_steering_angle);
     v.field("drive_share", wheel.drive_share);
     v.field("brake_torque", wheel.brake_torque);
     v.field("hand_brake_torque", wheel.hand_brake_torque);

@@ -70,8 +70,8 @@ const char* word_of_role(RowRole role) {
     switch (role) {
         case RowRole::point:
             return "point";
-        case RowRole::turn:
-            return "turn";
+        case RowRole::rotation:
+            return "rotation";
         case RowRole::distance:
             return "distance";
         case RowRole::limit:
@@ -100,8 +100,8 @@ double rate_now(const ConstraintRow& row, const std::vector<SystemBody>& bodies)
     double rate = 0;
     for (int p = 0; p < row.jacobian_count; p++) {
         const SystemBody& body = bodies[body_index(row.jacobians[p].body)];
-        rate +=
-            dot(row.jacobians[p].linear, body.velocity) + dot(row.jacobians[p].angular, body.spin);
+        rate += dot(row.jacobians[p].linear, body.linear_velocity) +
+                dot(row.jacobians[p].angular, body.angular_velocity);
     }
     return rate;
 }
@@ -110,8 +110,8 @@ double rate_by_forces(const ConstraintRow& row, const std::vector<SystemBody>& b
     double rate = 0;
     for (int p = 0; p < row.jacobian_count; p++) {
         const SystemBody& body = bodies[body_index(row.jacobians[p].body)];
-        rate += dot(row.jacobians[p].linear, body.free_velocity) +
-                dot(row.jacobians[p].angular, body.free_spin);
+        rate += dot(row.jacobians[p].linear, body.free_linear_velocity) +
+                dot(row.jacobians[p].angular, body.free_angular_velocity);
     }
     return rate;
 }

@@ -478,7 +478,7 @@ void visit_fields(V& v, RadialField& radial) {
     visit(v, "center", radial.center);
     v.field("strength", radial.strength);
     v.field("falloff", radial.falloff);
-    v.field("nearest", radial.nearest);
+    v.field("nearest", radial.min_distance);
     v.field("per_mass", radial.per_mass);
 }
 template <class V>
@@ -489,7 +489,7 @@ void visit_fields(V& v, VortexField& vortex) {
     v.field("pull", vortex.pull);
     v.field("lift", vortex.lift);
     v.field("falloff", vortex.falloff);
-    v.field("nearest", vortex.nearest);
+    v.field("nearest", vortex.min_distance);
     v.field("per_mass", vortex.per_mass);
 }
 template <class V>

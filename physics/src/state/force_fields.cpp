@@ -105,7 +105,7 @@ struct Pushed {
     }
     template <class Field>
     double strength_at(const Field& field, double strength, double r) const {
-        const double force = strength / to_power(maximum(r, field.nearest), field.falloff);
+        const double force = strength / to_power(maximum(r, field.min_distance), field.falloff);
         return field.per_mass ? force * cold.mass : force;
     }
 };
@@ -212,7 +212,7 @@ struct CheckForce {
         return all_of({check_vector("radial.center", radial.center, limits::max_coordinate),
                        check_range("radial.strength", radial.strength, -most, most),
                        check_range("radial.falloff", radial.falloff, 0, 4),
-                       check_range("radial.nearest", radial.nearest, 1e-6, most)});
+                       check_range("radial.min_distance", radial.min_distance, 1e-6, most)});
     }
     Status operator()(const VortexField& vortex) const {
         return all_of({check_vector("vortex.center", vortex.center, limits::max_coordinate),
@@ -221,7 +221,7 @@ struct CheckForce {
                        check_range("vortex.pull", vortex.pull, -most, most),
                        check_range("vortex.lift", vortex.lift, -most, most),
                        check_range("vortex.falloff", vortex.falloff, 0, 4),
-                       check_range("vortex.nearest", vortex.nearest, 1e-6, most)});
+                       check_range("vortex.min_distance", vortex.min_distance, 1e-6, most)});
     }
     Status operator()(const BuoyancyField& fluid) const {
         return all_of({check_solid(planar, "buoyancy"), check_unit("buoyancy.normal", fluid.normal),

@@ -88,8 +88,8 @@ SystemBody system_body(const WorldState& world, std::uint32_t index,
                     .moves = cold.type == BodyType::dynamic,
                     .inverse_inertia = diagonal({0, 0, 0})};
     if (cold.type != BodyType::static_body) {
-        body.velocity = body.free_velocity = warm.v;
-        body.spin = body.free_spin = warm.w;
+        body.linear_velocity = body.free_linear_velocity = warm.v;
+        body.angular_velocity = body.free_angular_velocity = warm.w;
     }
     if (!body.moves) return body;
     body.inverse_mass = free_directions(cold) * cold.inverse_mass;
@@ -103,8 +103,8 @@ SystemBody system_body(const WorldState& world, std::uint32_t index,
         // Angular momentum, world.
         warm.axes * (cold.inertia * transposed_times(warm.axes, warm.w));
     const Vec3 torque = warm.torque + push.torque - cross(warm.w, momentum);
-    body.free_velocity = warm.v * damping_factor(cold.linear_damping, h) + acceleration * h;
-    body.free_spin =
+    body.free_linear_velocity = warm.v * damping_factor(cold.linear_damping, h) + acceleration * h;
+    body.free_angular_velocity =
         warm.w * damping_factor(cold.angular_damping, h) + body.inverse_inertia * torque * h;
     return body;
 }

@@ -165,10 +165,10 @@ TEST(Blast, respects_mask_radius_and_speed_limit) {
     World world = test::make_world({.gravity = {}});
     const BodyId plate = add_plate(world, 5);
     Explosion explosion = even(1e6);
-    explosion.most_speed = 20;
+    explosion.max_speed = 20;
     EXPECT_NEAR(length(push_on(world, explosion, plate).impulse),
                 20 * test::state_of(world, plate).mass, 1e-6);
-    explosion.most_speed = 0;
+    explosion.max_speed = 0;
     explosion.strength = 1e9;
     test::must(explode(world, explosion));
     EXPECT_LE(length(test::velocity_of(world, plate)), 1e4 * (1 + 1e-12))

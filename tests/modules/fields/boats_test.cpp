@@ -46,7 +46,7 @@ TEST(Boats, stays_at_rest_until_driven) {
     const Vec3 at = harbour.state().center;
     EXPECT_NEAR(at.x, 0, 1e-6);
     EXPECT_NEAR(at.z, 0, 1e-6);
-    EXPECT_TRUE(harbour.boats->states()[0].wet);
+    EXPECT_TRUE(harbour.boats->states()[0].in_water);
 }
 
 // The thrust equals the drag of the wetted front: F (1 - v / v_top) = rho c A v^2 / 2.
@@ -86,11 +86,11 @@ TEST(Boats, turns_towards_its_rudder_and_opposite_in_reverse) {
     EXPECT_GT(harbour.state().linear_velocity.z, 0.5);
 }
 
-TEST(Boats, screw_out_of_the_water_gives_no_thrust) {
+TEST(Boats, propeller_out_of_the_water_gives_no_thrust) {
     Harbour harbour({}, 30);
     test::must(harbour.boats->steer(harbour.world, harbour.hull, 1, 1));
     test::run(harbour.world, 1);
-    EXPECT_FALSE(harbour.boats->states()[0].wet);
+    EXPECT_FALSE(harbour.boats->states()[0].in_water);
     EXPECT_EQ(harbour.state().linear_velocity.z, 0);
     EXPECT_EQ(harbour.state().angular_velocity, Vec3{});
 }
@@ -111,8 +111,8 @@ TEST(Boats, rejects_numbers_out_of_range_and_names_the_field) {
     EXPECT_EQ(message({.hull = harbour.hull}), "hull is already a boat");
     EXPECT_EQ(message({}), "hull is not a body");
     const BodyId other = test::add(harbour.world, {.position = {9, 0, 0}});
-    EXPECT_EQ(message({.hull = other, .screw = {0, 0, 9}}),
-              "screw is out of range; it must be within 8 m of the hull's origin");
+    EXPECT_EQ(message({.hull = other, .propeller = {0, 0, 9}}),
+              "propeller is out of range; it must be within 8 m of the hull's origin");
     EXPECT_EQ(message({.hull = other, .thrust = -1}), "thrust is out of range");
     EXPECT_FALSE(harbour.boats->steer(harbour.world, harbour.hull, 2, 0).ok());
 }

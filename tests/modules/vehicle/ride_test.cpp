@@ -89,7 +89,7 @@ TEST(Ride, braking_load_transfer_matches_the_pitch_moment) {
     for (auto& wheel : def.wheels) {
         wheel.tyre.friction = 0.36;      // 0.6 combined with the ground's 1
         wheel.suspension.frequency = 4;  // stiff, because the formula assumes no pitch
-        wheel.suspension.longest = 0.36;
+        wheel.suspension.max_length = 0.36;
     }
     of.add(def);
     coast(of);

@@ -21,8 +21,8 @@ TEST(Vehicles, rejects_invalid_definitions_and_names_the_field) {
     EXPECT_EQ(add_error([](VehicleDef& def) { def.wheels[2].radius = 0; }),
               "wheels[2].radius is 0; it must be from 0.02 to 10");
     EXPECT_EQ(
-        add_error([](VehicleDef& def) { def.wheels[1].suspension.longest = 0; }),
-        "wheels[1].suspension.longest must be at least 0.001 m more than suspension.shortest");
+        add_error([](VehicleDef& def) { def.wheels[1].suspension.max_length = 0; }),
+        "wheels[1].suspension.max_length must be at least 0.001 m more than suspension.min_length");
     EXPECT_EQ(add_error([](VehicleDef& def) { def.wheels.clear(); }),
               "wheels is 0; it must be from 1 to 16");
     EXPECT_EQ(add_error([](VehicleDef& def) { def.wheels[2].drive_share = 0.1; }),
@@ -146,8 +146,8 @@ TEST(Vehicles, scene_settings_create_saloons) {
     EXPECT_EQ(error_of(wrong.configure(of.world, {.numbers = {{"longest", 0.05}},
                                                   .bodies = {{"car", of.chassis}}}))
                   .message,
-              "car: wheels[0].suspension.longest must be at least 0.001 m more than "
-              "suspension.shortest");
+              "car: wheels[0].suspension.max_length must be at least 0.001 m more than "
+              "suspension.min_length");
 }
 
 TEST(Vehicles, scene_settings_create_tanks_and_motorcycles) {

@@ -14,9 +14,9 @@ ConstraintSystem carts() {
         if (mass > 0) body.inverse_mass = Vec3{1, 1, 1} * (1 / mass);
         s.bodies.push_back(body);
     }
-    s.bodies[0].velocity = {3, 0, 0};
-    s.bodies[0].free_velocity = {2, 0, 0};
-    s.bodies[2].velocity = s.bodies[2].free_velocity = {-1, 0, 0};
+    s.bodies[0].linear_velocity = {3, 0, 0};
+    s.bodies[0].free_linear_velocity = {2, 0, 0};
+    s.bodies[2].linear_velocity = s.bodies[2].free_linear_velocity = {-1, 0, 0};
     const auto join = [&](int a, int b) {
         s.rows.push_back(
             {.jacobians = {{a, {-1, 0, 0}, {}}, {b, {1, 0, 0}, {}}}, .jacobian_count = 2});
@@ -55,7 +55,7 @@ TEST(SystemMatrix, softness_of_a_block_is_proportional_to_it) {
 }
 
 TEST(SystemMatrix, names_contain_role_and_direction) {
-    EXPECT_EQ(name_of({.role = RowRole::turn, .axis = 1}), "turn y");
+    EXPECT_EQ(name_of({.role = RowRole::rotation, .axis = 1}), "rotation y");
     EXPECT_EQ(name_of({.role = RowRole::motor, .axis = 2}), "motor z");
     EXPECT_EQ(name_of({.role = RowRole::gear}), "gear");
     EXPECT_EQ(name_of({.role = RowRole::normal, .point = 2}), "normal of point 2");

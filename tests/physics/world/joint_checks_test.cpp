@@ -48,7 +48,7 @@ TEST(JointChecks, errors_name_the_field_by_its_path) {
         {SliderJoint{.friction_force = nan}, "slider.friction_force"},
         {SixDofJoint{SixDofAxes{.y = {.free = true, .motor = {true, 1, -1}}}},
          "six_dof.y.motor.most"},
-        {SixDofJoint{SixDofAxes{.turn_z = {.free = true, .limit = {true, -4, 4}}}},
+        {SixDofJoint{SixDofAxes{.rotation_z = {.free = true, .limit = {true, -4, 4}}}},
          "six_dof.turn_z.limit.lower"},
         {SixDofJoint{SixDofAxes{.x = {.friction = 1}}}, "six_dof.x is locked"},
         {WheelJoint{.suspension = {.hertz = -1}}, "wheel.suspension.hertz"},

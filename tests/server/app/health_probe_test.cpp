@@ -35,7 +35,7 @@ using testing::StartsWith;
 namespace asio = boost::asio;
 using asio::ip::tcp;
 
-// Both doors of a server without worlds.
+// Both listeners of a server without worlds.
 class FakeServer {
 public:
     FakeServer() {
@@ -129,7 +129,7 @@ TEST(HealthProbe, is_healthy_when_grpc_and_http_serve) {
     const Result<std::string> found = probe_health(target, 2s);
     ASSERT_TRUE(found.ok()) << found.error().message;
     EXPECT_EQ(*found, "gRPC on " + text(target.grpc) + " and http://" + text(target.http) +
-                          "/healthz serve");
+                          "/healthz are serving");
 }
 
 TEST(HealthProbe, is_unhealthy_when_ticks_hang_or_server_drains) {
@@ -142,7 +142,7 @@ TEST(HealthProbe, is_unhealthy_when_ticks_hang_or_server_drains) {
 }
 
 TEST(HealthProbe, closed_port_fails_immediately) {
-    HealthTarget target = FakeServer().target();  // it was there, and is gone
+    HealthTarget target = FakeServer().target();  // stopped again
     const auto began = Clock::now();
     EXPECT_THAT(error_of(target), HasSubstr("gRPC on " + text(target.grpc)));
     EXPECT_LT(Clock::now() - began, 1s);
@@ -153,7 +153,7 @@ TEST(HealthProbe, closed_port_fails_immediately) {
                 HasSubstr("http://" + text(target.http) + "/healthz: Connection refused"));
 }
 
-// As a process that is stopped or hangs: the kernel still takes the connection.
+// Like a process that is stopped or hangs: the kernel still accepts the connection.
 TEST(HealthProbe, unresponsive_port_fails_after_the_timeout) {
     const FakeServer doors;
     const Answer mute("");
@@ -190,11 +190,11 @@ TEST(HealthProbe, probes_wildcard_listeners_on_loopback) {
     EXPECT_EQ(text(target->http), "::1:8080");
 
     config.http = "127.0.0.1:0";
-    EXPECT_THAT(health_target(config).error().message, HasSubstr("http is 127.0.0.1:0"));
+    EXPECT_THAT(health_target(config).error().message, HasSubstr("http: 127.0.0.1:0 has port 0"));
     config.http = "127.0.0.1:8080";
     config.tls.certificate = "/nowhere/tls.crt";
     EXPECT_EQ(health_target(config).error().message,
-              "tls.certificate: cannot read /nowhere/tls.crt");
+              "tls.certificate: cannot read /nowhere/tls.crt; must be a readable PEM file");
 }
 
 // gRPC's health service, serving.
@@ -206,8 +206,8 @@ class Serving final : public grpc::health::v1::Health::Service {
     }
 };
 
-// The certificate is signed by nobody that is known, and has expired: to start the server anew, as
-// who probes it would, mends neither.
+// The certificate is self-signed and has expired. A restart of the server, which a failed probe
+// causes, would repair neither.
 TEST(HealthProbe, probes_tls_listeners) {
     const test::TestCertificate certificate =
         test::make_certificate({.name = "play.example.org", .ends_in_s = -10});
@@ -232,7 +232,7 @@ TEST(HealthProbe, probes_tls_listeners) {
     ASSERT_TRUE(found.ok()) << found.error().message;
     EXPECT_THAT(*found, HasSubstr("https://" + text(http.address())));
 
-    // The same doors asked in plain text.
+    // The same listeners probed in plain text.
     HealthTarget plain = target;
     plain.certificates.clear();
     EXPECT_THAT(error_of(plain), HasSubstr("gRPC on"));

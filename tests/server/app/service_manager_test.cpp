@@ -40,7 +40,7 @@ public:
     Manager(const Manager&) = delete;
     Manager& operator=(const Manager&) = delete;
 
-    // The next datagram; empty when there is none.
+    // The next datagram; empty if none has arrived.
     std::string heard() const {
         char bytes[4096];
         const ssize_t size = recv(socket_, bytes, sizeof bytes, MSG_DONTWAIT);
@@ -64,7 +64,7 @@ TEST(ServiceManager, sends_one_datagram_per_call_to_a_path_socket) {
     EXPECT_TRUE(notify_stopping());
     EXPECT_EQ(manager.heard(), "READY=1\nSTATUS=2 worlds");
     EXPECT_EQ(manager.heard(), "WATCHDOG=1");
-    EXPECT_EQ(manager.heard(), "STOPPING=1\nSTATUS=going down");
+    EXPECT_EQ(manager.heard(), "STOPPING=1\nSTATUS=shutting down");
     EXPECT_EQ(manager.heard(), "");
 }
 
@@ -87,7 +87,7 @@ TEST(ServiceManager, sends_nothing_without_a_notify_socket) {
     EXPECT_FALSE(notify_stopping());
 }
 
-// A name that fits into no address, one of another kind, and one that nobody listens on.
+// A name that is too long, one without a name, one of another family, and one without a listener.
 TEST(ServiceManager, ignores_an_unreachable_manager) {
     const std::string too_long = "/" + std::string(200, 'x');
     for (const char* name : {too_long.c_str(), "@", "vsock:2:1234", "/nobody/here"}) {
@@ -97,13 +97,12 @@ TEST(ServiceManager, ignores_an_unreachable_manager) {
     unsetenv("NOTIFY_SOCKET");
 }
 
-// A manager whose queue is full (it hangs, and 10 datagrams or so wait) does not hold up the
-// caller.
+// A manager that hangs with a full queue (about 10 datagrams) does not block the caller.
 TEST(ServiceManager, does_not_block_on_a_full_socket) {
     const Manager manager(of_this_process("@jostle-notify-"));
-    bool told = true;
-    for (int i = 0; i < 10'000 && told; i++) told = notify_watchdog();
-    EXPECT_FALSE(told);
+    bool sent = true;
+    for (int i = 0; i < 10'000 && sent; i++) sent = notify_watchdog();
+    EXPECT_FALSE(sent);
 }
 
 struct Watchdog {

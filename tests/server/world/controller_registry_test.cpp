@@ -78,7 +78,7 @@ TEST_F(ControllerRegistryTest, forwards_controls_to_the_module) {
 
 TEST_F(ControllerRegistryTest, one_client_drives_one_body_and_one_body_has_one_driver) {
     EXPECT_EQ(complaint(1, one), "");
-    EXPECT_EQ(complaint(2, one), "somebody else drives it");
+    EXPECT_EQ(complaint(2, one), "another client controls the entity");
     EXPECT_EQ(complaint(1, one), "") << "again";
     EXPECT_EQ(controllers.control(world, 1, right), one);
     EXPECT_EQ(complaint(1, two), "");
@@ -92,7 +92,7 @@ TEST_F(ControllerRegistryTest, rejects_uncontrollable_bodies) {
     const BodyId other = add();
     EXPECT_FALSE(is_controllable(world, other));
     EXPECT_TRUE(is_controllable(world, one));
-    EXPECT_EQ(complaint(1, other), "nobody can drive that");
+    EXPECT_EQ(complaint(1, other), "the entity is not controllable");
 }
 
 TEST_F(ControllerRegistryTest, leaving_releases_control) {

@@ -55,10 +55,10 @@ TEST(ExportScene, round_trips_every_small_scene) {
         ASSERT_TRUE(built.ok()) << name << ": " << built.error().message;
         const physics::WorldSummary was = hosted.world.world().summary(),
                                     is = built->world.summary();
-        // What a module made it makes anew, as the export says.
+        // Modules create their bodies again, as the export reports.
         if (was.bodies > static_cast<int>(hosted.scene.bodies.size())) {
-            EXPECT_TRUE(std::ranges::any_of(exported.omitted, [](const std::string& what) {
-                return what.find("made anew") != std::string::npos;
+            EXPECT_TRUE(std::ranges::any_of(exported.omitted, [](const std::string& sentence) {
+                return sentence.find("create them again") != std::string::npos;
             })) << name;
             continue;
         }
@@ -106,7 +106,7 @@ TEST(ExportScene, omits_grabs_and_reports_it) {
     hosted.apply(GrabCommand{ball, {5, 20, 0}});
     const ExportedScene exported = hosted.world.exported(hosted.scene);
     ASSERT_EQ(exported.omitted.size(), 1u);
-    EXPECT_NE(exported.omitted[0].find("what clients hold"), std::string::npos)
+    EXPECT_NE(exported.omitted[0].find("grabs of clients"), std::string::npos)
         << exported.omitted[0];
     EXPECT_TRUE(scenes::build_scene(exported.scene).ok());
 }

@@ -164,7 +164,8 @@ TEST(HostedWorld, rejects_worlds_with_too_many_channel_kinds) {
     scene.modules.resize(65);
     const auto world = HostedWorld::create(scene, {}, 1);
     ASSERT_FALSE(world.ok());
-    EXPECT_EQ(world.error().message, "the scene has 65 modules; a server hosts 64 in a world");
+    EXPECT_EQ(world.error().message,
+              "the scene has 65 modules; a hosted world may have at most 64");
 }
 
 TEST(HostedWorld, frame_contains_module_channels_by_entity) {
@@ -251,7 +252,7 @@ TEST(HostedWorld, rejects_spawns_in_crowded_locations) {
     }
     EXPECT_EQ(spawned, 41);
     EXPECT_EQ(last.status.error().message,
-              "more than 40 shapes are in that place; spawn it somewhere else");
+              "more than 40 shapes overlap the spawned body; spawn it elsewhere");
 }
 
 }  // namespace

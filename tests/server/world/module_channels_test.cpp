@@ -98,12 +98,11 @@ TEST_F(ModuleChannelsTest, skips_oversized_channels_and_reports_them_once) {
         ASSERT_EQ(channels.newly_oversized().size(), k == 0 ? 1u : 0u);
         if (k == 0) {
             EXPECT_EQ(channels.newly_oversized()[0].kind, "large");
-            EXPECT_EQ(channels.newly_oversized()[0].what,
-                      "16385 values; clients are sent 16384 at most");
+            EXPECT_EQ(channels.newly_oversized()[0].reason, "16385 values; at most 16384 are sent");
         }
     }
     large.padding = 0;
-    EXPECT_EQ(step().size(), 2u) << "it is left out in those ticks only";
+    EXPECT_EQ(step().size(), 2u) << "only oversized ticks are skipped";
 }
 
 TEST_F(ModuleChannelsTest, rejects_duplicate_kind_names) {
@@ -116,12 +115,13 @@ TEST_F(ModuleChannelsTest, rejects_duplicate_kind_names) {
         return made.ok() ? "" : made.error().message;
     };
     EXPECT_THAT(refused({{"a"}, {"a"}}),
-                HasSubstr("module \"m\": the channel \"m.a\" is there twice"));
-    EXPECT_THAT(refused({{"A"}}), HasSubstr("is named by other than"));
-    EXPECT_THAT(refused({{"a", ChannelForm::seed, 0}}), HasSubstr("every 0 steps; give 1 to 255"));
+                HasSubstr("module \"m\": channel \"m.a\" is declared twice"));
+    EXPECT_THAT(refused({{"A"}}), HasSubstr("channel \"A\" has an invalid name"));
+    EXPECT_THAT(refused({{"a", ChannelForm::seed, 0}}),
+                HasSubstr("has the divisor 0; must be 1 to 255"));
     std::vector<ChannelKind> many;
     for (int k = 0; k < 65; k++) many.push_back({"k" + std::to_string(k)});
-    EXPECT_THAT(refused(many), HasSubstr("have 65 kinds of channels; a server hosts 64"));
+    EXPECT_THAT(refused(many), HasSubstr("declare 65 kinds of channels; a hosted world may have"));
 }
 
 }  // namespace

@@ -97,7 +97,8 @@ TEST(SavedHostState, does_not_reapply_processed_inputs) {
     run.go_on(5);
     Play copy = run.copied();
     const InputResult again = copy.world.apply(inputs_of(5, 9).front(), 6);
-    EXPECT_EQ(error_of(again.status).message, "input 5 does not come after input 5");
+    EXPECT_EQ(error_of(again.status).message,
+              "input 5 is not greater than the client's last input 5");
 }
 
 TEST(SavedHostState, rejects_state_of_another_world) {
@@ -105,7 +106,7 @@ TEST(SavedHostState, rejects_state_of_another_world) {
     const Error error = error_of(HostedWorld::restore(
         std::move(*physics::World::create({})), run.world.host_state(0), Play::limits(), 60, 0));
     EXPECT_EQ(error.code, ErrorCode::corrupt_data);
-    EXPECT_EQ(error.message, "entity 1 is kept, but the world lacks its body");
+    EXPECT_EQ(error.message, "corrupt host state: entity 1 has no body in the saved world");
 }
 
 TEST(SavedHostState, bytes_that_are_cut_or_changed_are_refused_or_read_within_bounds) {
@@ -115,7 +116,7 @@ TEST(SavedHostState, bytes_that_are_cut_or_changed_are_refused_or_read_within_bo
     for (std::size_t size = 0; size < whole.size(); size++)
         EXPECT_EQ(error_of(decode_host_state(whole.substr(0, size))).code, ErrorCode::corrupt_data);
     EXPECT_EQ(error_of(decode_host_state(whole + "x")).message,
-              "what is kept of entities and owners goes on after its end");
+              "corrupt host state: trailing bytes");
     test::Random random(4);
     for (int k = 0; k < 2000; k++) {
         std::string bytes = whole;

@@ -63,8 +63,8 @@ TEST(SceneBudget, rejects_60000_joints_on_one_body_pair) {
     scenes::SceneDescription scene = boxes(2, {1, 0, 0});
     for (int i = 0; i < 100; i++) scene.joints.push_back({.name = "pin", .body_b = 1});
     EXPECT_EQ(refusal_of(scene),
-              "joint \"pin\" is one of more than 64 between the same two bodies; "
-              "scene.joints_per_pair_max allows no more");
+              "joint \"pin\": more than 64 joints connect the same two bodies; "
+              "scene.joints_per_pair_max allows 64");
     scene.joints.resize(60'000, scene.joints[0]);
     EXPECT_EQ(refusal_of(scene), "the scene has 60000 joints; scene.joints_max allows 20000");
 }
@@ -80,7 +80,7 @@ TEST(SceneBudget, counts_shared_geometry_once_and_small_shapes_per_body) {
     scene.bodies[7].name = "city";
     scene.bodies[7].shapes.assign(5000, {.geometry = physics::Box{}});
     const std::string why = refusal_of(scene);
-    EXPECT_EQ(why.find("bodies[7] \"city\" has shapes of"), 0u) << why;
+    EXPECT_TRUE(why.starts_with("bodies[7] \"city\" has ")) << why;
 }
 
 // One pair as the broad phase sees it, a million as the narrow phase does.
@@ -92,8 +92,8 @@ TEST(SceneBudget, first_step_time_catches_underestimated_scenes) {
     for (scenes::SceneBody& body : scene.bodies) body.shapes[0].geometry = cluster;
     const auto began = std::chrono::steady_clock::now();
     EXPECT_EQ(refusal_of(scene, {.first_step_seconds_max = 0.1}),
-              "the first step of the scene takes more than 0.1 s; scene.first_step_seconds_max "
-              "allows no more");
+              "the first step of the scene takes longer than 0.1 s; scene.first_step_seconds_max "
+              "allows 0.1 s");
     EXPECT_LT(std::chrono::steady_clock::now() - began, std::chrono::seconds(5));
 }
 

@@ -29,7 +29,7 @@ TEST(TickTrace, stages_are_adjacent_within_their_tick) {
          R"("touching":0,"late_ticks":3})", R"("name":"inputs","ts":0,"dur":100})",
          R"("name":"update_pairs","ts":100,"dur":200})",
          R"("name":"solve_constraints","ts":300,"dur":500})",
-         R"("name":"frame_and_answers","ts":800,"dur":100})"})
+         R"("name":"frame_and_results","ts":800,"dur":100})"})
         EXPECT_NE(trace.find(line), std::string::npos) << line << "\n" << trace;
     EXPECT_EQ(trace.find("wake_bodies"), std::string::npos)
         << "a stage that did not run is not there";

@@ -46,7 +46,7 @@ TEST(TickWatchdog, interrupts_a_slow_step_and_pauses_the_world) {
     const auto other = *worlds.create("", *scenes::find_scene("stack"));
     const TickWatchdog watch(worlds, {.step_max = 100ms});
     ASSERT_TRUE(wait_until([&] { return slow->lifecycle().paused().has_value(); }));
-    EXPECT_EQ(slow->lifecycle().paused()->find("a step took more than "), 0u)
+    EXPECT_EQ(slow->lifecycle().paused()->find("a step took longer than "), 0u)
         << *slow->lifecycle().paused();
     // It ticks on, without steps, and the other one never noticed.
     const std::uint32_t tick = slow->frame()->tick;

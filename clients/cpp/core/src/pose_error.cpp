@@ -46,8 +46,8 @@ double correction_spin(const BodySpeed& body_speed) {
     return std::max(correction_spin_min, correction_speed_ratio * body_speed.spin);
 }
 
-double remaining_error(double error, double most_speed, double seconds) {
-    return std::max(error * std::exp2(-seconds / half_life_s), error - most_speed * seconds);
+double remaining_error(double error, double max_speed, double seconds) {
+    return std::max(error * std::exp2(-seconds / half_life_s), error - max_speed * seconds);
 }
 
 }  // namespace

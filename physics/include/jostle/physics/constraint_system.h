@@ -45,7 +45,7 @@ struct ConstraintSystemOptions {
 /// The purpose of a constraint row.
 enum class RowRole : std::uint8_t {
     point,     ///< constrains a point along an axis
-    turn,      ///< constrains the rotation about an axis
+    rotation,  ///< constrains the rotation about an axis
     distance,  ///< constrains a distance, as a rod
     limit,     ///< limit of an angle or a length
     spring,    ///< spring of a joint
@@ -104,8 +104,9 @@ struct SystemBody {
     bool moves = false;    ///< true for dynamic bodies; otherwise the inverse masses are zero
     Vec3 inverse_mass;     ///< 1/kg, along the world axes; zero along locked axes
     Mat3 inverse_inertia;  ///< 1/(kg m^2), world
-    Vec3 velocity, spin;   ///< current, m/s and rad/s
-    Vec3 free_velocity, free_spin;  ///< after h under forces alone, m/s and rad/s
+    Vec3 linear_velocity, angular_velocity;  ///< current, m/s and rad/s
+    /// After h under forces alone, m/s and rad/s.
+    Vec3 free_linear_velocity, free_angular_velocity;
 };
 
 /// The constraint rows of a connected group of bodies and their linear system.

@@ -14,11 +14,11 @@ namespace jostle::physics {
 /// Two shapes started to touch. Also reported for a bounce within a step; the shapes then separate
 /// in the next step.
 struct ContactBegin {
-    ShapeId shape_a, shape_b;  ///< the shapes; normal points from a to b
-    BodyId body_a, body_b;     ///< their bodies
-    Vec3 point;                ///< m, world, mean of the contact points
-    Vec3 normal;               ///< unit vector from a to b
-    double approach = 0;       ///< m/s, at the start of the step or at a bounce within it; >= 0
+    ShapeId shape_a, shape_b;   ///< the shapes; normal points from a to b
+    BodyId body_a, body_b;      ///< their bodies
+    Vec3 point;                 ///< m, world, mean of the contact points
+    Vec3 normal;                ///< unit vector from a to b
+    double approach_speed = 0;  ///< m/s, at the start of the step or at a bounce within it; >= 0
 };
 
 /// Two shapes stopped touching, or a call moved, changed or destroyed one of them. The ids of
@@ -45,11 +45,11 @@ struct ContactStay {
 
 /// Two shapes that collided at WorldDef::hit_speed or faster.
 struct ContactHit {
-    ShapeId shape_a, shape_b;  ///< the shapes; normal points from a to b
-    BodyId body_a, body_b;     ///< their bodies
-    Vec3 point;                ///< m, world
-    Vec3 normal;               ///< unit vector from a to b
-    double approach = 0;       ///< m/s, at the start of the step or at an impact within it
+    ShapeId shape_a, shape_b;   ///< the shapes; normal points from a to b
+    BodyId body_a, body_b;      ///< their bodies
+    Vec3 point;                 ///< m, world
+    Vec3 normal;                ///< unit vector from a to b
+    double approach_speed = 0;  ///< m/s, at the start of the step or at an impact within it
 };
 
 /// A shape that is inside a trigger, entered it, or left it. Destroying the shape or the trigger

@@ -31,29 +31,30 @@ struct UniformWind {
     bool operator==(const UniformWind&) const = default;
 };
 
-/// A central force away from a point: F = strength / max(r, nearest)^falloff. The strength is in N,
-/// or in m/s^2 and multiplied by the mass if `per_mass` is set (at r = 1 m).
+/// A central force away from a point: F = strength / max(r, min_distance)^falloff. The strength is
+/// in N, or in m/s^2 and multiplied by the mass if `per_mass` is set (at r = 1 m).
 struct RadialField {
-    Vec3 center = {};       ///< m, each component within 1e7
-    double strength = 0;    ///< -1e12 to 1e12; > 0 pushes away, < 0 pulls
-    int falloff = 2;        ///< exponent, 0 to 4
-    double nearest = 0.1;   ///< m, 1e-6 to 1e12; the force is constant within this radius
-    bool per_mass = false;  ///< whether the strength is an acceleration
+    Vec3 center = {};           ///< m, each component within 1e7
+    double strength = 0;        ///< -1e12 to 1e12; > 0 pushes away, < 0 pulls
+    int falloff = 2;            ///< exponent, 0 to 4
+    double min_distance = 0.1;  ///< m, 1e-6 to 1e12; the force is constant within this radius
+    bool per_mass = false;      ///< whether the strength is an acceleration
 
     bool operator==(const RadialField&) const = default;
 };
 
 /// A vortex about an axis, by the right-hand rule: the tangential force is strength / max(r,
-/// nearest)^falloff. `pull` and `lift` give the forces towards and along the axis by the same law.
+/// min_distance)^falloff. `pull` and `lift` give the forces towards and along the axis by the same
+/// law.
 struct VortexField {
-    Vec3 center = {};       ///< m, a point on the axis; each component within 1e7
-    Vec3 axis = {0, 1, 0};  ///< unit vector
-    double strength = 0;    ///< -1e12 to 1e12, of the tangential force
-    double pull = 0;        ///< -1e12 to 1e12; > 0: towards the axis
-    double lift = 0;        ///< -1e12 to 1e12; > 0: along the axis
-    int falloff = 1;        ///< exponent, 0 to 4
-    double nearest = 0.1;   ///< m, 1e-6 to 1e12; the force is constant within this radius
-    bool per_mass = false;  ///< whether the strengths are accelerations
+    Vec3 center = {};           ///< m, a point on the axis; each component within 1e7
+    Vec3 axis = {0, 1, 0};      ///< unit vector
+    double strength = 0;        ///< -1e12 to 1e12, of the tangential force
+    double pull = 0;            ///< -1e12 to 1e12; > 0: towards the axis
+    double lift = 0;            ///< -1e12 to 1e12; > 0: along the axis
+    int falloff = 1;            ///< exponent, 0 to 4
+    double min_distance = 0.1;  ///< m, 1e-6 to 1e12; the force is constant within this radius
+    bool per_mass = false;      ///< whether the strengths are accelerations
 
     bool operator==(const VortexField&) const = default;
 };

@@ -58,7 +58,7 @@ struct LinearMotor {
 struct AxisMotor {
     bool enabled = false;  ///< if false, the motor exerts no force or torque
     double speed = 0;      ///< target speed of b relative to a, m/s or rad/s, within 1e4
-    double most = 0;       ///< maximum force or torque, N or N m, 0 to 1e12
+    double max_force = 0;  ///< N, or N m for a rotation; 0 to 1e12
 
     bool operator==(const AxisMotor&) const = default;
 };
@@ -163,14 +163,14 @@ struct SliderJoint {
 /// One of the six relative degrees of freedom of two frames. Locked unless `free` is set. A locked
 /// axis has no limit, spring, motor or friction.
 struct JointAxis {
-    bool free = false;        ///< whether the axis is free
-    JointLimit limit = {};    ///< m or rad
-    JointSpring spring = {};  ///< pulls the coordinate towards spring_at if hertz > 0
-    double spring_at = 0;     ///< rest position of the spring, m or rad
-    AxisMotor motor = {};     ///< drives the coordinate
-    double friction = 0;      ///< N or N m, resists motion along or about the axis; 0 to 1e12
-    /// Maximum force or torque of the spring, N or N m, 0 to 1e12; 0: unlimited.
-    double spring_most = 0;
+    bool free = false;         ///< whether the axis is free
+    JointLimit limit = {};     ///< m or rad
+    JointSpring spring = {};   ///< pulls the coordinate towards spring_target if hertz > 0
+    double spring_target = 0;  ///< rest position of the spring, m or rad
+    AxisMotor motor = {};      ///< drives the coordinate
+    double friction = 0;       ///< N or N m, resists motion along or about the axis; 0 to 1e12
+    /// Maximum force of the spring, N, or N m for a rotation; 0 to 1e12; 0: unlimited.
+    double spring_max_force = 0;
 
     bool operator==(const JointAxis&) const = default;
 };
@@ -184,8 +184,8 @@ struct JointAxis {
 /// single free rotation is therefore unbounded, and each of two free rotations is about an axis of
 /// its own body, as in a universal joint. A free middle rotation stays within -pi/2..pi/2.
 struct SixDofAxes {
-    JointAxis x, y, z;                 ///< translations, m, within 1e6
-    JointAxis turn_x, turn_y, turn_z;  ///< rotations, rad, within -pi..pi
+    JointAxis x, y, z;                             ///< translations, m, within 1e6
+    JointAxis rotation_x, rotation_y, rotation_z;  ///< rotations, rad, within -pi..pi
 
     bool operator==(const SixDofAxes&) const = default;
 };
@@ -199,9 +199,9 @@ struct SixDofJoint {
 /// Wheel joint: the wheel b moves along the y axis of a's frame (suspension), is steered about that
 /// axis, and spins about the z axis of b's frame, which stays perpendicular to it.
 struct WheelJoint {
-    JointSpring suspension = {};  ///< pulls the travel towards `ride` if hertz > 0
+    JointSpring suspension = {};  ///< pulls the travel towards suspension_target if hertz > 0
     /// Rest position of the suspension spring, m along the suspension, within 1e6.
-    double ride = 0;
+    double suspension_target = 0;
     JointLimit travel = {};  ///< m along the suspension, within -1e6..1e6
     double steering = 0;  ///< rad, within -pi..pi; held at this angle unless free_steering is set
     bool free_steering = false;      ///< whether the wheel steers freely, as a castor
@@ -214,10 +214,10 @@ struct WheelJoint {
 
 /// Grab joint: pulls the origin of b's frame to a target, usually with the world as body a.
 struct GrabJoint {
-    Vec3 target = {};         ///< m, in a's frame; each component within 1e6
-    JointSpring spring = {};  ///< 0 Hz: no pull
-    double max_force = 1e15;  ///< N, 0 to 1e15
-    double turn_damping = 0;  ///< 1/s, 0 to 1e6: damping of b's rotation relative to a
+    Vec3 target = {};            ///< m, in a's frame; each component within 1e6
+    JointSpring spring = {};     ///< 0 Hz: no pull
+    double max_force = 1e15;     ///< N, 0 to 1e15
+    double angular_damping = 0;  ///< 1/s, 0 to 1e6: damping of b's rotation relative to a
 
     bool operator==(const GrabJoint&) const = default;
 };

@@ -20,7 +20,7 @@
 //     v.drive(name, x)                          a RotationDrive, none before version 12
 //     v.vector(name, x, limit)                  the magnitude of each component is at most limit
 //     v.flag(name, x)
-//     v.points(name, x, least, most, limit)     least to most vectors, adjacent ones distinct
+//     v.points(name, x, min, max, limit)        min to max vectors, adjacent ones distinct
 //     v.limit(name, x, low, high)
 //     v.spring(name, x)
 //     v.motor(name, x)                          a JointMotor, LinearMotor or AxisMotor
@@ -50,7 +50,7 @@ void visit_motor(auto& v, auto& motor) {
     else if constexpr (requires { motor.max_force; })
         v.number("max_force", motor.max_force, 0, 1e12);
     else
-        v.number("most", motor.most, 0, 1e12);
+        v.number("most", motor.max_force, 0, 1e12);
 }
 /// Visits the fields of a spring.
 void visit_spring(auto& v, auto& spring) {
@@ -63,10 +63,10 @@ void visit_axis(auto& v, auto& axis, double low, double high) {
     v.flag("free", axis.free);
     v.limit("limit", axis.limit, low, high);
     v.spring("spring", axis.spring);
-    v.number("spring_at", axis.spring_at, low, high);
+    v.number("spring_at", axis.spring_target, low, high);
     v.motor("motor", axis.motor);
     v.number("friction", axis.friction, 0, 1e12);
-    v.later("spring_most", axis.spring_most, 0, 1e12, 16);
+    v.later("spring_most", axis.spring_max_force, 0, 1e12, 16);
 }
 
 /// Fields of one joint kind: `name` and visit(v, joint). The order of the fields is that of saved
@@ -161,9 +161,9 @@ struct JointFields<SixDofJoint> {
         v.axis("x", six.axes->x, -1e6, 1e6);
         v.axis("y", six.axes->y, -1e6, 1e6);
         v.axis("z", six.axes->z, -1e6, 1e6);
-        v.axis("turn_x", six.axes->turn_x, -pi, pi);
-        v.axis("turn_y", six.axes->turn_y, -pi, pi);
-        v.axis("turn_z", six.axes->turn_z, -pi, pi);
+        v.axis("turn_x", six.axes->rotation_x, -pi, pi);
+        v.axis("turn_y", six.axes->rotation_y, -pi, pi);
+        v.axis("turn_z", six.axes->rotation_z, -pi, pi);
     }
 };
 
@@ -172,7 +172,7 @@ struct JointFields<WheelJoint> {
     static constexpr const char* name = "wheel";
     static void visit(auto& v, auto& wheel) {
         v.spring("suspension", wheel.suspension);
-        v.number("ride", wheel.ride, -1e6, 1e6);
+        v.number("ride", wheel.suspension_target, -1e6, 1e6);
         v.limit("travel", wheel.travel, -1e6, 1e6);
         v.number("steering", wheel.steering, -pi, pi);
         v.flag("free_steering", wheel.free_steering);
@@ -189,7 +189,7 @@ struct JointFields<GrabJoint> {
         v.vector("target", grab.target, 1e6);
         v.spring("spring", grab.spring);
         v.number("max_force", grab.max_force, 0, 1e15);
-        v.number("turn_damping", grab.turn_damping, 0, 1e6);
+        v.number("turn_damping", grab.angular_damping, 0, 1e6);
     }
 };
 

@@ -37,8 +37,8 @@ bool does_something(const JointAxis& axis) {
 FreeAxis make_free_axis(AxisKind kind, const JointAxis& axis, int slot) {
     FreeAxis free_axis{.kind = kind, .slot = slot};
     limit(free_axis, axis.limit);
-    spring(free_axis, axis.spring, axis.spring_at);
-    actuation(free_axis, axis.motor.enabled, axis.motor.speed, axis.motor.most, axis.friction);
+    spring(free_axis, axis.spring, axis.spring_target);
+    actuation(free_axis, axis.motor.enabled, axis.motor.speed, axis.motor.max_force, axis.friction);
     return free_axis;
 }
 
@@ -177,8 +177,8 @@ void set_up_kind(DirectJoint& j, const auto& kind, const DirectEnd& a, const Dir
 bool supported(const SixDofAxes& axes) {
     bool something = false;
     for (const JointAxis* axis :
-         {&axes.x, &axes.y, &axes.z, &axes.turn_x, &axes.turn_y, &axes.turn_z}) {
-        if (axis->spring_most > 0) return false;
+         {&axes.x, &axes.y, &axes.z, &axes.rotation_x, &axes.rotation_y, &axes.rotation_z}) {
+        if (axis->spring_max_force > 0) return false;
         something |= !axis->free || does_something(*axis);
     }
     return something;

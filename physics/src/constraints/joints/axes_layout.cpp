@@ -38,23 +38,23 @@ AxesLayout layout_of(const SliderJoint& slider) {
     layout.axes[2] = {.free = true,
                       .limit = slider.limit,
                       .spring = slider.spring,
-                      .spring_at = slider.spring_travel,
+                      .spring_target = slider.spring_travel,
                       .motor = {slider.motor.enabled, slider.motor.speed, slider.motor.max_force},
                       .friction = slider.friction_force,
-                      .spring_most = slider.spring_max_force};
+                      .spring_max_force = slider.spring_max_force};
     layout.slots[2] = 0;
     return layout;
 }
 
 int middle_turn(const SixDofAxes& axes) {
-    if (!axes.turn_y.free) return 1;
-    if (!axes.turn_z.free) return 2;
-    return axes.turn_x.free ? 1 : 0;
+    if (!axes.rotation_y.free) return 1;
+    if (!axes.rotation_z.free) return 2;
+    return axes.rotation_x.free ? 1 : 0;
 }
 
 AxesLayout layout_of(const SixDofJoint& six) {
-    const JointAxis* axes[] = {&six.axes->x,      &six.axes->y,      &six.axes->z,
-                               &six.axes->turn_x, &six.axes->turn_y, &six.axes->turn_z};
+    const JointAxis* axes[] = {&six.axes->x,          &six.axes->y,          &six.axes->z,
+                               &six.axes->rotation_x, &six.axes->rotation_y, &six.axes->rotation_z};
     const int first = (middle_turn(*six.axes) + 2) % 3;
     AxesLayout layout;
     layout.turn_a = layout.turn_b = cycled(first);
@@ -74,8 +74,10 @@ AxesLayout layout_of(const WheelJoint& wheel) {
     const Quat upright{0, 0, half, half};
     layout.turn_a = upright;
     layout.turn_b = upright;
-    layout.axes[0] = {
-        .free = true, .limit = wheel.travel, .spring = wheel.suspension, .spring_at = wheel.ride};
+    layout.axes[0] = {.free = true,
+                      .limit = wheel.travel,
+                      .spring = wheel.suspension,
+                      .spring_target = wheel.suspension_target};
     layout.slots[0] = 0;
     if (wheel.free_steering)
         layout.axes[3] = {.free = true, .limit = wheel.steering_limit};
@@ -106,7 +108,7 @@ AxesLayout layout_at(const PathJoint& path, const PathPoint& path_point) {
     layout.axes[0] = {.free = true,
                       .limit = limit,
                       .spring = path.spring,
-                      .spring_at = path.spring_travel - path_point.travel,
+                      .spring_target = path.spring_travel - path_point.travel,
                       .motor = {path.motor.enabled, path.motor.speed, path.motor.max_force},
                       .friction = path.friction_force};
     layout.slots[0] = 0;

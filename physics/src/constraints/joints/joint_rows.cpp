@@ -130,7 +130,7 @@ struct JointRowWriter {
     }
     void operator()(const HingeJoint& kind) {
         const Mat3 fa = to_matrix(a.frame), fb = to_matrix(b.frame);
-        const JointRow axis = about(RowRole::turn, 2, fa.z);
+        const JointRow axis = about(RowRole::rotation, 2, fa.z);
         const double angle = hinge_angle(a.frame, b.frame);
         spring(axis, kind.spring, angle - kind.spring_angle, kind.spring_max_torque);
         motor(axis, kind.motor.enabled, kind.motor.speed, kind.motor.max_torque);
@@ -138,7 +138,7 @@ struct JointRowWriter {
         const Vec3 off = cross(fa.z, fb.z);
         for (int k = 0; k < 2; k++) {
             const Vec3 across = k == 0 ? fa.x : fa.y;
-            JointRow& row = add(about(RowRole::turn, k, across));
+            JointRow& row = add(about(RowRole::rotation, k, across));
             row.error = dot(off, across);
             row.block = blocks;
         }
@@ -160,7 +160,7 @@ struct JointRowWriter {
         hold_points();
     }
     void operator()(const FixedJoint& kind) {
-        hold_turns(RowRole::turn, turn_between(a.frame, b.frame), kind.angular, 1e300);
+        hold_turns(RowRole::rotation, turn_between(a.frame, b.frame), kind.angular, 1e300);
         hold_points(kind.linear);
     }
     void operator()(const DistanceJoint& kind) {
@@ -193,10 +193,10 @@ struct JointRowWriter {
         add(row);
     }
     void operator()(const GrabJoint& kind) {
-        if (kind.turn_damping > 0) {
+        if (kind.angular_damping > 0) {
             for (int k = 0; k < 3; k++) {
                 JointRow& row = add(about(RowRole::friction, k, axes_of_world[k]));
-                row.damper = kind.turn_damping;
+                row.damper = kind.angular_damping;
                 row.block = blocks;
             }
             blocks++;
@@ -225,7 +225,7 @@ struct JointRowWriter {
         const Vec3 rates[] = {turns.first, turns.middle, turns.last};
         const double values[] = {angles.first, angles.middle, angles.last};
         const auto row_of = [&](int k) {
-            if (k >= 3) return about(RowRole::turn, own[k], rates[k - 3]);
+            if (k >= 3) return about(RowRole::rotation, own[k], rates[k - 3]);
             // Rates along a's axes are those of b's point in a's frame, so a's arm extends to that
             // point.
             return along(RowRole::point, own[k], rotate(frame_a, axes_of_world[k]), origin + gap,
@@ -248,8 +248,8 @@ struct JointRowWriter {
             const JointRow row = row_of(k);
             const double value = value_of(k);
             friction(row, axis.friction);
-            spring(row, axis.spring, value - axis.spring_at, axis.spring_most);
-            motor(row, axis.motor.enabled, axis.motor.speed, axis.motor.most);
+            spring(row, axis.spring, value - axis.spring_target, axis.spring_max_force);
+            motor(row, axis.motor.enabled, axis.motor.speed, axis.motor.max_force);
             limits(row, axis.limit, value);
         }
     }

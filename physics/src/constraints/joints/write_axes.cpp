@@ -34,11 +34,11 @@ std::uint32_t write_axis(const JointAxis& axis, const double* impulses, double h
     lane.put(to.lower, stored(limited, impulses[AxisImpulses::lower]));
     lane.put(to.upper, stored(limited, impulses[AxisImpulses::upper]));
     lane.put(to.soft, sprung ? spring_or(axis.spring, h, {}) : switched_off);
-    lane.put(to.spring_at, axis.spring_at);
-    lane.put(to.spring_most, strongest(axis.spring_most, h));
+    lane.put(to.spring_at, axis.spring_target);
+    lane.put(to.spring_most, strongest(axis.spring_max_force, h));
     lane.put(to.spring, stored(sprung, impulses[AxisImpulses::spring_impulse]));
     lane.put(to.motor_speed, axis.motor.speed);
-    lane.put(to.motor_most, driven ? axis.motor.most * h : 0);
+    lane.put(to.motor_most, driven ? axis.motor.max_force * h : 0);
     lane.put(to.motor, stored(driven, impulses[AxisImpulses::motor]));
     lane.put(to.friction_most, friction_limit ? axis.friction * h : 0);
     lane.put(to.friction, stored(friction_limit, impulses[AxisImpulses::friction]));

@@ -83,8 +83,8 @@ struct JointWriteContext {
     void operator()(const GrabJoint& kind) {
         lane.put(t.point_soft, spring_or(kind.spring, h, switched_off));
         lane.put(t.motor_most, minimum(kind.max_force * h, 1e30));
-        const bool damped = kind.turn_damping > 0;
-        lane.put(t.spring_soft, damped ? damper(kind.turn_damping, h) : switched_off);
+        const bool damped = kind.angular_damping > 0;
+        lane.put(t.spring_soft, damped ? damper(kind.angular_damping, h) : switched_off);
         if (damped) uses |= uses_spring;
     }
     void operator()(const DistanceJoint& kind) {

@@ -27,15 +27,15 @@ ContactBegin begin_event(WorldState& world, const Contact& c) {
             .body_b = body_id(world, c.body_b),
             .point = point,
             .normal = normal,
-            .approach = maximum(0, -dot(normal, vb - va))};
+            .approach_speed = maximum(0, -dot(normal, vb - va))};
 }
 
 void report_begin(WorldState& world, const Contact& c) {
     const ContactBegin begin = begin_event(world, c);
     world.events.contacts_began.push_back(begin);
-    if (begin.approach >= world.def.hit_speed)
+    if (begin.approach_speed >= world.def.hit_speed)
         world.events.hits.push_back({begin.shape_a, begin.shape_b, begin.body_a, begin.body_b,
-                                     begin.point, begin.normal, begin.approach});
+                                     begin.point, begin.normal, begin.approach_speed});
 }
 
 void toggle_touch(WorldState& world, std::uint32_t contact) {

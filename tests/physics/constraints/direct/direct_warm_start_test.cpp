@@ -22,12 +22,12 @@ DirectGroup askew(const JointKind& kind) {
     return group;
 }
 
-JointKind with_axes(bool turn_x, bool turn_z, bool slides) {
+JointKind with_axes(bool rotation_x, bool rotation_z, bool slides) {
     SixDofJoint six;
     six.axes->x.free = slides;
     six.axes->x.limit = {slides, -1, 1};
-    six.axes->turn_x.free = turn_x;
-    six.axes->turn_z.free = turn_z;
+    six.axes->rotation_x.free = rotation_x;
+    six.axes->rotation_z.free = rotation_z;
     return six;
 }
 

@@ -235,7 +235,7 @@ TEST(FreeAxis, universal_joint_matches_the_cardan_equation) {
     group.joints.push_back(end);
     // Pins across the shafts: a's along y, b's in the plane of the bend.
     SixDofAxes axes;
-    axes.turn_x.free = axes.turn_z.free = true;
+    axes.rotation_x.free = axes.rotation_z.free = true;
     DirectJoint cross_joint;
     cross_joint.a = 1;
     cross_joint.b = 2;

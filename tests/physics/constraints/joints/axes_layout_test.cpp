@@ -47,11 +47,11 @@ TEST(AxesLayout, six_dof_puts_a_locked_rotation_in_the_middle) {
         SixDofAxes axes;
         int middle;
     } cases[] = {{{}, 1},
-                 {{.turn_x = free, .turn_z = free}, 1},
-                 {{.turn_x = free, .turn_y = free}, 2},
-                 {{.turn_y = free}, 2},
-                 {{.turn_y = free, .turn_z = free}, 0},
-                 {{.turn_x = free, .turn_y = free, .turn_z = free}, 1}};
+                 {{.rotation_x = free, .rotation_z = free}, 1},
+                 {{.rotation_x = free, .rotation_y = free}, 2},
+                 {{.rotation_y = free}, 2},
+                 {{.rotation_y = free, .rotation_z = free}, 0},
+                 {{.rotation_x = free, .rotation_y = free, .rotation_z = free}, 1}};
     for (const auto& [axes, middle] : cases) {
         EXPECT_EQ(middle_turn(axes), middle);
         const AxesLayout layout = layout_of(SixDofJoint{axes});

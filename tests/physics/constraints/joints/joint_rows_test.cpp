@@ -14,16 +14,16 @@ using namespace physics;
 
 SixDofJoint universal() {
     SixDofJoint six;
-    six.axes->turn_x = {.free = true, .motor = {true, 0.4, 50}};
-    six.axes->turn_z = {.free = true, .spring = {1, 0.5}, .spring_at = 0.2};
+    six.axes->rotation_x = {.free = true, .motor = {true, 0.4, 50}};
+    six.axes->rotation_z = {.free = true, .spring = {1, 0.5}, .spring_target = 0.2};
     return six;
 }
 SixDofJoint all_free() {
     SixDofJoint six;
     six.axes->x = {.free = true, .limit = {true, 0.3, 1}};
-    six.axes->y = {.free = true, .spring = {0.8, 0.1}, .spring_at = 0.1};
-    six.axes->turn_x = {.free = true, .limit = {true, 0.3, 1}};
-    six.axes->turn_y = {.free = true, .friction = 0.5};
+    six.axes->y = {.free = true, .spring = {0.8, 0.1}, .spring_target = 0.1};
+    six.axes->rotation_x = {.free = true, .limit = {true, 0.3, 1}};
+    six.axes->rotation_y = {.free = true, .friction = 0.5};
     return six;
 }
 
@@ -55,8 +55,9 @@ std::vector<Case> cases() {
         {"slider", SliderJoint{.motor = {true, 0.4, 100}}, 6},
         {"universal joint", universal(), 6},
         {"free axes beyond", all_free(), 6},
-        {"wheel", WheelJoint{.suspension = {2, 0.5}, .ride = 0.1, .motor = {true, 3, 20}}, 6},
-        {"grab", GrabJoint{.target = {0.1, 0.2, 0}, .spring = {1, 0.5}, .turn_damping = 2}, 6},
+        {"wheel",
+         WheelJoint{.suspension = {2, 0.5}, .suspension_target = 0.1, .motor = {true, 3, 20}}, 6},
+        {"grab", GrabJoint{.target = {0.1, 0.2, 0}, .spring = {1, 0.5}, .angular_damping = 2}, 6},
         {"path",
          PathJoint{.points = {{-2, 0, 0}, {-1, 0.3, 0}, {0, 0, 0}, {1, 0, 0.2}},
                    .motor = {true, 0.01, 1e4}},
@@ -188,7 +189,7 @@ TEST(JointRows, impulses_match_a_step) {
         const std::vector<double> x = swept(s);
         must(pair.world.step(dt));
         for (std::size_t k = 0; k < s.bodies.size(); k++) {
-            Vec3 v = s.bodies[k].free_velocity, w = s.bodies[k].free_spin;
+            Vec3 v = s.bodies[k].free_linear_velocity, w = s.bodies[k].free_angular_velocity;
             for (std::size_t i = 0; i < x.size(); i++)
                 for (int p = 0; p < s.rows[i].jacobian_count; p++) {
                     const RowJacobian& part = s.rows[i].jacobians[p];

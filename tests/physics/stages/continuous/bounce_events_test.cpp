@@ -29,7 +29,7 @@ TEST(BounceEvents, each_bounce_of_a_slow_ball_reports_begin_and_end) {
             EXPECT_EQ(c.body_b, floor);
             EXPECT_TRUE(near(c.normal, {0, -1, 0}, 1e-9));
             EXPECT_TRUE(near(c.point, {0, 0, 0}, 1e-3));
-            EXPECT_NEAR(c.approach, square_root(2 * 9.81 * 0.1), 5e-3);
+            EXPECT_NEAR(c.approach_speed, square_root(2 * 9.81 * 0.1), 5e-3);
             begun++, open++;
         }
         EXPECT_GE(open, 0);
@@ -44,12 +44,12 @@ TEST(BounceEvents, reports_each_bounce_once_in_order) {
     const ShapeId one{1, 1}, two{2, 1}, three{3, 1};
     std::vector<ContactBegin> bounces(3);
     bounces[0].shape_a = two, bounces[0].shape_b = three;
-    bounces[1].shape_a = one, bounces[1].shape_b = three, bounces[1].approach = 5;
-    bounces[2].shape_a = one, bounces[2].shape_b = three, bounces[2].approach = 7;
+    bounces[1].shape_a = one, bounces[1].shape_b = three, bounces[1].approach_speed = 5;
+    bounces[2].shape_a = one, bounces[2].shape_b = three, bounces[2].approach_speed = 7;
     report_bounces(events, bounces);
     ASSERT_EQ(events.contacts_began.size(), 2u);
     EXPECT_EQ(events.contacts_began[0].shape_a, one);
-    EXPECT_EQ(events.contacts_began[0].approach, 5);
+    EXPECT_EQ(events.contacts_began[0].approach_speed, 5);
     EXPECT_EQ(events.contacts_began[1].shape_a, two);
     EXPECT_TRUE(events.contacts_ended.empty()) << "with the next step";
     events.begin_step();

@@ -19,8 +19,8 @@ constexpr double pull = 4 * pi * pi;  // m^3/s^2: a circle of 1 m takes a second
 double drift_of_dumbbell(int substeps) {
     World world = make_world({.gravity = {}, .substeps = substeps});
     must(world.create_field(
-        {.force =
-             RadialField{.strength = -pull, .falloff = 2, .nearest = 1e-3, .per_mass = true}}));
+        {.force = RadialField{
+             .strength = -pull, .falloff = 2, .min_distance = 1e-3, .per_mass = true}}));
     const BodyId a =
         add(world, {.geometry = Sphere{0.1}, .position = {1, 0, 0}, .velocity = {0, 5.5, 0}});
     const BodyId b =

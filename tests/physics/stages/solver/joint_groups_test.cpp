@@ -197,9 +197,9 @@ TEST(JointGroups, skip_rows_that_locked_axes_satisfy) {
     World world = make_world({.gravity = {0, -9.81, 0}, .planar = true});
     BodyId last{};
     SixDofJoint turns;
-    turns.axes->turn_y.free = turns.axes->turn_z.free = true;
-    turns.axes->turn_y.motor = {true, 3, 10};
-    turns.axes->turn_z.limit = {true, -0.5, 0.5};
+    turns.axes->rotation_y.free = turns.axes->rotation_z.free = true;
+    turns.axes->rotation_y.motor = {true, 3, 10};
+    turns.axes->rotation_z.limit = {true, -0.5, 0.5};
     const JointKind kinds[] = {HingeJoint{}, turns, turns, BallJoint{}, turns};
     double mass = 0;
     int k = 0;

@@ -123,13 +123,13 @@ struct CharacterStore;
 /// Module that owns the characters of a world. Tag: "character".
 class Characters : public physics::Module {
 public:
-    static constexpr std::size_t most = 4096;  ///< maximum number of characters in a world
+    static constexpr std::size_t characters_max = 4096;  ///< maximum number in a world
 
     Characters();
     ~Characters() override;
 
     /// Creates a character and its body. The error names the invalid argument; the code is
-    /// resource_exhausted if there are `most` characters already.
+    /// resource_exhausted if there are characters_max characters already.
     physics::Result<CharacterId> add(physics::World& world, const CharacterDef& def);
     /// Removes a character and its body. Like all calls with an id, it returns not_found if the
     /// character does not exist.

@@ -52,7 +52,7 @@ private:
 void bounded(physics::StateVisitor& v, std::string_view name, double& value, double low,
              double high);
 
-/// Visits a vector of a module's state. Loading fails if a component is not from -most to most.
-void bounded(physics::StateVisitor& v, std::string_view name, physics::Vec3& value, double most);
+/// Visits a vector of a module's state. Loading fails if a component is not from -max to max.
+void bounded(physics::StateVisitor& v, std::string_view name, physics::Vec3& value, double max);
 
 }  // namespace jostle::modules

@@ -27,8 +27,6 @@
 #include <compare>
 #include <cstdint>
 #include <memory>
-#include <span>
-#include <utility>
 #include <vector>
 
 #include "jostle/modules/fractured_shape.h"
@@ -38,18 +36,8 @@
 namespace jostle::modules {
 
 namespace destruction_detail {
-class BlockFactor;
-struct ReversedContact;
-struct Group;
-struct ReversalBody;
-struct PreStepState;
-using BodyPairs = std::vector<std::pair<std::size_t, std::size_t>>;
-struct ChunkContact;
-/// Load on a chunk: acts at its centre of mass, in the frame of the destructible.
-struct ChunkLoad {
-    physics::Vec3 force, torque;  ///< N, N m
-};
-}  // namespace destruction_detail
+struct DestructionState;
+}
 
 /// Material of bonds. The defaults are those of weak concrete.
 struct BondMaterial {
@@ -131,7 +119,7 @@ public:
 
     /// Replaces the limits. invalid_argument names the one that is out of range.
     physics::Status set_limits(const DestructionLimits& limits);
-    const DestructionLimits& limits() const { return limits_; }
+    const DestructionLimits& limits() const;
 
     /// Creates a destructible: one body, static if a chunk is anchored. On failure, nothing is
     /// created. invalid_argument names the chunk or bond that is invalid.
@@ -150,7 +138,7 @@ public:
     std::size_t break_near(const physics::World& world, physics::Vec3 center, double radius);
 
     /// Returns false after removal.
-    bool contains(DestructibleId id) const { return find(id) != nullptr; }
+    bool contains(DestructibleId id) const;
     /// Number of destructibles.
     std::size_t size() const;
     /// Bodies of all pieces.
@@ -162,161 +150,7 @@ public:
     physics::Result<double> max_load_ratio(const physics::World& world, DestructibleId id) const;
 
 private:
-    struct Chunk {
-        physics::Vec3 center;  ///< in the frame of the destructible, as the following members
-        double mass = 0;
-        physics::Mat3 inertia;
-        physics::ShapeId shape;
-        bool anchored = false;
-        physics::Vec3 force, torque;  ///< of contacts, when its bonds were last evaluated
-        std::uint32_t piece = 0;      ///< derived
-    };
-    struct Bond {
-        FractureBond face;
-        bool broken = false;
-    };
-    /// A connected group of chunks: one body, whose axes are those of the destructible.
-    struct Piece {
-        physics::BodyId body;
-        physics::Vec3 origin;  ///< of the body, in the frame of the destructible
-        std::vector<std::uint32_t> chunks;
-        bool anchored = false;
-        bool solve_pending = true;   ///< must be evaluated, regardless of its loads
-        bool solved = false;         ///< its factor was computed and counted as work
-        bool loaded = false;         ///< by contacts, when last evaluated
-        bool loads_pending = false;  ///< its chunks hold loads whose evaluation was deferred
-        bool split_pending = false;  ///< bonds broke: it must be split
-        double spin2 = 0;            ///< rad^2/s^2, squared angular speed when last evaluated
-        double energy = 0;           ///< J, of the impacts whose loads are deferred
-        double age = 0;              ///< s, of a loose single chunk
-        double passing_time = 0;     ///< s, remaining time without collisions with its destructible
-
-        physics::Vec3 linear, angular;  ///< m/s, rad/s: before the step
-
-        /// Derived: intact bonds inside the piece, and the factor of its stiffness matrix.
-        std::vector<std::uint32_t> bonds;
-        std::shared_ptr<const destruction_detail::BlockFactor> factor;
-    };
-    struct Destructible {
-        bool alive = false;
-        std::uint32_t generation = 0;
-        BondMaterial material;
-        double density = 0;
-        std::vector<Chunk> chunks;
-        std::vector<Bond> bonds;
-        std::vector<Piece> pieces;
-    };
-    struct BondedShape {  ///< a shape with bonds
-        physics::ShapeId shape;
-        std::uint32_t destructible = 0, chunk = 0;
-    };
-    enum class SolveResult : std::uint8_t { held, broke, no_time };
-
-    const Destructible* find(DestructibleId id) const;
-    Destructible* find(DestructibleId id);
-    static physics::Error unknown(DestructibleId id);
-    std::size_t break_near(const physics::World& world, Destructible& destructible,
-                           physics::Vec3 center, double radius);
-    static void visit(physics::StateVisitor& v, Destructible& destructible);
-    void visit_limits(physics::StateVisitor& v);
-    static void check_destructible(physics::StateVisitor& v, const Destructible& destructible);
-
-    // destruction_loads.cpp: loads from contacts.
-    void rebuild_derived_state();
-    void update_gravity(const physics::World& world);
-    void gather_contacts(const physics::World& world, double dt);
-    void add_impact(const physics::World& world, double dt, physics::ShapeId a, physics::ShapeId b,
-                    physics::BodyId body_a, physics::BodyId body_b, physics::Vec3 point,
-                    physics::Vec3 normal, double approach);
-    void add_stay(const physics::World& world, const physics::ContactStay& stay, double dt);
-    void add_unreported_impacts(const physics::World& world, double dt);
-    double pre_step_approach_speed(const physics::ContactStay& stay) const;
-    void distribute_impacts();
-    const BondedShape* find_bonded_shape(physics::ShapeId shape) const;
-    bool is_impact(physics::ShapeId a, physics::ShapeId b) const;
-
-    // destruction_crack.cpp: breaking of bonds.
-    void break_all_bonds(const physics::World& world);
-    void break_bonds_if_loaded(const physics::World& world, std::uint32_t destructible,
-                               std::uint32_t piece,
-                               std::span<destruction_detail::ChunkContact> chunk_contacts);
-    bool break_bonds(Destructible& destructible, Piece& piece,
-                     std::span<const destruction_detail::ChunkLoad> chunk_loads, physics::Vec3 spin,
-                     physics::Vec3 gravity, double& energy);
-    SolveResult solve_group(Destructible& destructible, const destruction_detail::Group& group,
-                            Piece* cached,
-                            std::span<const destruction_detail::ChunkLoad> chunk_loads,
-                            physics::Vec3 spin, physics::Vec3 gravity, double& energy);
-    static std::vector<double> loads_of(const Destructible& destructible,
-                                        const destruction_detail::Group& group,
-                                        const destruction_detail::BlockFactor& factor,
-                                        std::span<const destruction_detail::ChunkLoad> chunk_loads,
-                                        physics::Vec3 spin, physics::Vec3 gravity);
-    static std::vector<destruction_detail::Group> connected_groups(
-        const Destructible& destructible, const destruction_detail::Group& group);
-
-    // destruction_losses.cpp: bodies and shapes destroyed by others.
-    void drop_lost_bodies(const physics::World& world);
-    void drop_lost_chunks(const physics::World& world, Destructible& destructible, Piece& piece);
-
-    // destruction_split.cpp: separation of pieces.
-    void split_all_pieces(physics::World& world);
-    int split(physics::World& world, Destructible& destructible, std::size_t piece, int most);
-    bool is_passing_debris(const Destructible& destructible,
-                           const destruction_detail::Group& group) const;
-    physics::Status detach_groups(physics::World& world, Destructible& destructible,
-                                  std::size_t piece,
-                                  std::span<const destruction_detail::Group> leaving,
-                                  const destruction_detail::Group& staying);
-    static void remove_detached_shapes(physics::World& world, Destructible& destructible,
-                                       Piece& piece,
-                                       std::span<const destruction_detail::Group> leaving);
-    void reverse_excess_impulses(physics::World& world, double dt);
-    void merge_mutual_impacts();
-    void start_passing();
-    void store_pre_step_state(const physics::World& world, std::uint32_t destructible,
-                              Piece& piece);
-    void store_pre_step_state(const physics::World& world, std::uint32_t destructible,
-                              physics::BodyId body);
-    const physics::BodyState* pre_step_body(physics::BodyId body) const;
-    const destruction_detail::PreStepState* find_pre_step_state(physics::BodyId body) const;
-    void limit_grounded_pieces(physics::World& world,
-                               std::span<destruction_detail::ChunkContact> chunk_contacts,
-                               double dt);
-    static double remaining_speed(const destruction_detail::ChunkContact& chunk_contact);
-    double restored_speed(const physics::World& world,
-                          const destruction_detail::ChunkContact& chunk_contact) const;
-    std::size_t add_reversal_body(const physics::World& world,
-                                  std::vector<destruction_detail::ReversalBody>& bodies,
-                                  physics::BodyId id, const Piece* piece, double dt) const;
-    void add_nearby_bodies(const physics::World& world, std::uint32_t destructible, double dt,
-                           std::vector<destruction_detail::ReversalBody>& bodies,
-                           std::vector<std::size_t>& added) const;
-    destruction_detail::BodyPairs shared_energy_pairs(
-        const physics::World& world, double dt,
-        std::vector<destruction_detail::ReversalBody>& bodies) const;
-    void reverse_impacts(physics::World& world, double dt);
-    const Piece& piece_of(const destruction_detail::ChunkContact& chunk_contact) const;
-    void drop_debris(physics::World& world, double dt);
-
-    DestructionLimits limits_;
-    physics::Vec3 gravity_;  ///< at the last evaluation of all pieces
-    std::vector<Destructible> destructibles_;
-    std::vector<destruction_detail::ReversedContact> reversed_contacts_;
-
-    // Derived, or valid for one step.
-    bool derived_ = false;
-    std::vector<BondedShape> bonded_shapes_;  ///< sorted by shape
-    std::vector<destruction_detail::ChunkContact> chunk_contacts_;
-    std::vector<destruction_detail::ChunkLoad> chunk_loads_;  ///< by chunk; valid for one piece
-    /// Bodies, and indices of destructibles.
-    std::vector<std::pair<physics::BodyId, std::uint32_t>> passing_bodies_;
-    /// State before the step of bodies with reversed impulses.
-    std::vector<physics::BodyState> reversed_bodies_;
-    // Pieces and bodies in contact with them, sorted by body.
-    std::vector<destruction_detail::PreStepState> pre_step_states_;
-    std::int64_t work_left_ = 0;
-    double max_load_ratio_ = 0;  ///< of the last evaluated piece, before bonds broke
+    std::unique_ptr<destruction_detail::DestructionState> state_;
 };
 
 }  // namespace jostle::modules

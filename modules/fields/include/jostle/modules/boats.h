@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Boats: bodies with a propeller (screw) and a rudder at the stern, controlled by a driver or by
+// Boats: bodies with a propeller and a rudder at the stern, controlled by a driver or by
 // steer(). The water comes from the world's "fields" module (Waves), which also provides buoyancy.
 // A propeller outside the water produces no thrust. The keel resists sideways motion.
 //
@@ -23,11 +23,11 @@ namespace jostle::modules {
 struct BoatDef {
     physics::BodyId hull = {};  ///< a dynamic body that is not already a boat
     /// m, propeller position in the hull frame, at most 8 m from its origin
-    physics::Vec3 screw = {0, -0.4, 2.4};
+    physics::Vec3 propeller = {0, -0.4, 2.4};
     double thrust = 7000;  ///< N at standstill, 0 to 1e7; half of it astern
     /// m/s through still water at which the thrust reaches zero, 0.1 to 100
     double top_speed = 12;
-    double rudder_most = 0.4;  ///< rad, largest deflection of the thrust, 0 to 1.2
+    double max_rudder_angle = 0.4;  ///< rad, largest deflection of the thrust, 0 to 1.2
     /// Lateral keel force coefficient, N per (m/s)^2, 0 to 1e6: the force is keel * speed *
     /// sideways speed.
     double keel = 1500;
@@ -37,7 +37,7 @@ struct BoatDef {
 class Boats final : public physics::Module {
 public:
     /// Maximum number of boats in a world.
-    static constexpr std::size_t most = 256;
+    static constexpr std::size_t boats_max = 256;
 
     /// State of one boat.
     struct State {
@@ -46,11 +46,11 @@ public:
         double throttle = 0;  ///< -1 to 1, requested thrust
         /// -1 to 1, positive to the right: current deflection, which approaches the requested one
         double rudder = 0;
-        bool wet = false;  ///< true if the propeller was in water in the last step
+        bool in_water = false;  ///< true if the propeller was in water in the last step
     };
 
     /// Adds a boat. Returns invalid_argument, naming the field, if the definition is invalid, and
-    /// resource_exhausted if there are `most` boats already.
+    /// resource_exhausted if there are boats_max boats already.
     physics::Status add(const physics::World& world, const BoatDef& def);
     /// Sets throttle and rudder, each -1 to 1, until the next call. Wakes the hull. Returns
     /// not_found if the body is not a boat.
@@ -85,7 +85,7 @@ private:
     struct Boat {
         BoatDef def;
         double throttle = 0, rudder_target = 0, rudder = 0;
-        bool wet = false;
+        bool in_water = false;
     };
     const Boat* find(physics::BodyId hull) const;
     Boat* find(physics::BodyId hull);

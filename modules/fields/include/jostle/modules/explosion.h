@@ -39,7 +39,7 @@ struct Explosion {
     /// Affects bodies with a shape that has a category in the mask.
     std::uint32_t mask = 0xffffffff;
     /// Maximum velocity change of a body, m/s, 0 to 1e4; 0 means 1e4.
-    double most_speed = 0;
+    double max_speed = 0;
 
     bool operator==(const Explosion&) const = default;
 };

@@ -16,16 +16,16 @@
 
 namespace jostle::modules {
 
-/// Attraction to a body or to a fixed point. The force is F = strength / max(r, nearest)^falloff,
-/// in N, or an acceleration in m/s^2 if per_mass is set. There is no reaction on the attracting
-/// body. When it has moved 0.25 m, it wakes the bodies that it accelerates noticeably (by more than
-/// 0.05 m/s^2).
+/// Attraction to a body or to a fixed point. The force is F = strength / max(r,
+/// min_distance)^falloff, in N, or an acceleration in m/s^2 if per_mass is set. There is no
+/// reaction on the attracting body. When it has moved 0.25 m, it wakes the bodies that it
+/// accelerates noticeably (by more than 0.05 m/s^2).
 struct Central {
     physics::BodyId body = {};  ///< null attracts to `point`; a destroyed body has no effect
     physics::Vec3 point = {};   ///< m; with a body, an offset from its centre of mass in world axes
     double strength = 100;      ///< within 1e12; negative repels
     std::uint32_t falloff = 2;  ///< exponent of the decay with distance, 0 to 4
-    double nearest = 0.5;       ///< m, 1e-6 to 1e6: the force is constant within this distance
+    double min_distance = 0.5;  ///< m, 1e-6 to 1e6: the force is constant within this distance
     bool per_mass = false;      ///< if true, the law gives an acceleration, m/s^2
 
     bool operator==(const Central&) const = default;

@@ -61,7 +61,8 @@ struct Tyre {
 /// Suspension of a wheel.
 struct Suspension {
     /// Distance from the attachment to the wheel's centre, m: fully compressed and fully extended.
-    double shortest = 0.1, longest = 0.45;  ///< -10 to 10; longest at least 1 mm more than shortest
+    /// -10 to 10; max_length at least 1 mm more than min_length.
+    double min_length = 0.1, max_length = 0.45;
     /// Natural frequency of the mass that rests on this wheel: stiffness = mass (2 pi frequency)^2.
     double frequency = 1.5;  ///< Hz, 0.1 to 100
     double damping = 0.3;    ///< damping ratio, 0 to 10
@@ -81,7 +82,8 @@ struct Wheel {
     double mass = 20;
     Suspension suspension = {};
     Tyre tyre = {};
-    double steering_most = 0;  ///< rad at full lock, -1.4 to 1.4; negative steers the opposite way
+    double max_steering_angle =
+        0;  ///< rad at full lock, -1.4 to 1.4; negative steers the opposite way
     /// Fraction of the gearbox torque, 0 to 1; all wheels must sum to 0 or 1.
     double drive_share = 0;
     double brake_torque = 1500;    ///< N m at full brake, 0 to 1e7
@@ -206,10 +208,10 @@ struct SaloonDef {
     BodyId chassis = {};
     double track = 1.6, wheel_base = 2.7;  ///< m
     double height = 0;                     ///< m, height of the attachments in the chassis frame
-    double middle = 0;                ///< m, z of the middle between the axles in the chassis frame
+    double center_z = 0;              ///< m, z of the middle between the axles in the chassis frame
     double front_drive = 0;           ///< drive share of the front axle, 0 to 1
     Wheel wheel = {};                 ///< template of all four wheels
-    double steering_most = 0.6;       ///< rad, of the front wheels
+    double max_steering_angle = 0.6;  ///< rad, of the front wheels
     double hand_brake_torque = 3000;  ///< N m, per rear wheel
     double anti_roll = 8'000;         ///< N/m, per axle
 };
@@ -223,7 +225,7 @@ struct TrackedDef {
     BodyId chassis = {};
     double gauge = 2, length = 3;     ///< m, between the tracks, and between the outermost wheels
     std::uint32_t wheels = 5;         ///< per side, 2 to 8
-    double height = 0, middle = 0;    ///< m, as in SaloonDef
+    double height = 0, center_z = 0;  ///< m, as in SaloonDef
     Wheel wheel = {};                 ///< template of all wheels
     double steering_ratio = 0.03;     ///< SteeringDrive::ratio
     double steering_torque = 20'000;  ///< N m, SteeringDrive::torque
@@ -235,9 +237,9 @@ VehicleDef tracked(const TrackedDef& def);
 /// Parameters of a motorcycle: a front wheel and a driven rear wheel.
 struct MotorcycleDef {
     BodyId chassis = {};
-    double wheel_base = 1.5, height = 0, middle = 0;  ///< m
-    Wheel wheel = {};            ///< template of both wheels; its tread becomes round
-    double steering_most = 0.6;  ///< rad, of the front wheel
+    double wheel_base = 1.5, height = 0, center_z = 0;  ///< m
+    Wheel wheel = {};                 ///< template of both wheels; its tread becomes round
+    double max_steering_angle = 0.6;  ///< rad, of the front wheel
 };
 /// Returns the definition of a motorcycle.
 VehicleDef motorcycle(const MotorcycleDef& def);

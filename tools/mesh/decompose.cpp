@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: MIT
 //
-// jostle-convert: converts a closed mesh to a dynamic body of convex hulls.
-#include <CLI/CLI.hpp>
+// jostle-mesh decompose: converts a closed mesh to a dynamic body of convex hulls.
 #include <cstdio>
 #include <fstream>
-#include <iostream>
 #include <iterator>
+#include <memory>
 
 #include "jostle/modules/convex_decomposition.h"
 #include "jostle/physics/compound.h"
 #include "jostle/scenes/scene_file.h"
+#include "tools/mesh/commands.h"
 #include "tools/mesh/obj_file.h"
 
+namespace jostle::mesh {
 namespace {
 
-using namespace jostle;
-using namespace jostle::physics;
+using namespace physics;
 
 constexpr const char* footer = R"(
 The mesh must be closed: every edge has a triangle on each side. It is cut into parts, and each part
@@ -26,9 +26,9 @@ their largest distance from the mesh.
 The scene contains a ground plane and the body above it.
 
 Examples:
-  jostle-convert teapot.obj --scene teapot.json
-  jostle-convert teapot.obj --max-hulls 64 --max-volume-error 0.01
-  jostle-convert chair.obj --scale 0.01 --scene chair.json && jostle-sim chair.json --seconds 3
+  jostle-mesh decompose teapot.obj --scene teapot.json
+  jostle-mesh decompose teapot.obj --max-hulls 64 --max-volume-error 0.01
+  jostle-mesh decompose chair.obj --scale 0.01 --scene chair.json
 
 Exit status: 0 success, 1 the mesh is not a solid or a file cannot be read or written, 2 invalid
 flags.)";
@@ -40,7 +40,7 @@ struct Flags {
 };
 
 int fail(const std::string& what) {
-    std::fprintf(stderr, "jostle-convert: %s\n", what.c_str());
+    std::fprintf(stderr, "jostle-mesh: %s\n", what.c_str());
     return 1;
 }
 
@@ -69,7 +69,7 @@ int run(const Flags& flags) {
     std::ifstream in(flags.file, std::ios::binary);
     if (!in) return fail("cannot read " + flags.file);
     const std::string text((std::istreambuf_iterator<char>(in)), {});
-    Result<convert::ObjMesh> mesh = convert::read_obj(text);
+    Result<ObjMesh> mesh = read_obj(text);
     if (!mesh.ok()) return fail(flags.file + ": " + mesh.error().message);
     for (Vec3& p : mesh->vertices) p = p * flags.scale;
     const auto parts = decomposition::decompose(mesh->vertices, mesh->indices, flags.options);
@@ -88,40 +88,43 @@ int run(const Flags& flags) {
 
 }  // namespace
 
-int main(int argc, char** argv) {
-    CLI::App app{"Decompose a closed mesh into convex hulls, for a dynamic body."};
-    Flags flags;
-    app.footer(footer);
-    app.add_option("FILE", flags.file, "Wavefront OBJ file")
+void add_decompose(CLI::App& app, int& status) {
+    CLI::App& command = *app.add_subcommand(
+        "decompose", "Decompose a closed mesh into convex hulls, for a dynamic body");
+    const auto flags = std::make_shared<Flags>();
+    command.footer(footer);
+    command.add_option("FILE", flags->file, "Wavefront OBJ file")
         ->type_name("")
         ->required()
         ->check(CLI::ExistingFile.description(""));
-    app.add_option("--max-hulls", flags.options.hulls_max,
-                   "Create at most N hulls [default: 32; 1 to 1024]")
+    command
+        .add_option("--max-hulls", flags->options.hulls_max,
+                    "Create at most N hulls [default: 32; 1 to 1024]")
         ->type_name("N")
         ->check(CLI::Range(1, 1024).description(""));
-    app.add_option("--max-volume-error", flags.options.max_volume_error,
-                   "Allow this share of excess volume [default: 0.03; 0 to 10]")
+    command
+        .add_option("--max-volume-error", flags->options.max_volume_error,
+                    "Allow this share of excess volume [default: 0.03; 0 to 10]")
         ->type_name("RATIO")
         ->check(CLI::Range(0.0, 10.0).description(""));
-    app.add_option("--planes-per-axis", flags.options.planes_per_axis,
-                   "Try N cuts across each axis of a part [default: 15; 1 to 127]")
+    command
+        .add_option("--planes-per-axis", flags->options.planes_per_axis,
+                    "Try N cuts across each axis of a part [default: 15; 1 to 127]")
         ->type_name("N")
         ->check(CLI::Range(1, 127).description(""));
-    app.add_option("--scale", flags.scale,
-                   "Scale the mesh by FACTOR metres per unit [default: 1; 1e-6 to 1e6]")
+    command
+        .add_option("--scale", flags->scale,
+                    "Scale the mesh by FACTOR metres per unit [default: 1; 1e-6 to 1e6]")
         ->type_name("FACTOR")
         ->check(CLI::Range(1e-6, 1e6).description(""));
-    app.add_option("--density", flags.density,
-                   "Density of the body in kg/m^3 [default: 1000; 0.001 to 1e6]")
+    command
+        .add_option("--density", flags->density,
+                    "Density of the body in kg/m^3 [default: 1000; 0.001 to 1e6]")
         ->type_name("DENSITY")
         ->check(CLI::Range(1e-3, 1e6).description(""));
-    app.add_option("--scene", flags.scene, "Write a scene with the body to FILE")
+    command.add_option("--scene", flags->scene, "Write a scene with the body to FILE")
         ->type_name("FILE");
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& e) {
-        return app.exit(e) == 0 ? 0 : 2;
-    }
-    return run(flags);
+    command.callback([flags, &status] { status = run(*flags); });
 }
+
+}  // namespace jostle::mesh

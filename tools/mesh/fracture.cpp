@@ -1,23 +1,25 @@
 // SPDX-License-Identifier: MIT
 //
-// jostle-fracture: cuts a solid into chunks with bonds, in advance.
+// jostle-mesh fracture: cuts a solid into chunks with bonds, in advance.
 #include <unistd.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <fstream>
 #include <iterator>
 #include <map>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <span>
 
+#include "jostle/base/base64.h"
 #include "jostle/modules/fracture_file.h"
+#include "tools/mesh/commands.h"
 #include "tools/mesh/fracture_solid.h"
 
+namespace jostle::mesh {
 namespace {
 
-using namespace jostle;
-using namespace jostle::physics;
+using namespace physics;
 
 constexpr const char* footer = R"(
 A destructible body breaks along surfaces that are computed in advance. This program generates seed
@@ -32,7 +34,7 @@ Patterns:
   grid       regular blocks, like masonry
   clustered  small chunks near --center, large ones elsewhere
 
-A mesh must be closed, as for jostle-convert. A mesh that is not convex is decomposed into convex
+A mesh must be closed, as for jostle-mesh decompose. A mesh that is not convex is decomposed into convex
 parts first (--max-hulls, --max-volume-error). The same seeds cut each part, and bonds connect the
 parts where they touch. The number of chunks is then larger than the number of seeds.
 
@@ -43,10 +45,10 @@ to an anchored chunk do not move.
   "modules": [{"destruction": {"fractured": [ ]}}]
 
 Examples:
-  jostle-fracture --box 4 3 0.3 --chunks 200 --anchor -y --out wall.fracture
-  jostle-fracture --box 2 1.2 0.01 --pattern radial --center 0.3 0.1 0 --out window.fracture
-  jostle-fracture statue.obj --scale 0.01 --chunks 500 --anchor -y --out statue.fracture --json -
-  jostle-fracture --hull 0 0 0  1 0 0  0 1 0  0 0 1 --chunks 20 --out corner.fracture
+  jostle-mesh fracture --box 4 3 0.3 --chunks 200 --anchor -y --out wall.fracture
+  jostle-mesh fracture --box 2 1.2 0.01 --pattern radial --center 0.3 0.1 0 --out window.fracture
+  jostle-mesh fracture statue.obj --scale 0.01 --chunks 500 --anchor -y --out statue.fracture --json -
+  jostle-mesh fracture --hull 0 0 0  1 0 0  0 1 0  0 0 1 --chunks 20 --out corner.fracture
 
 Exit status: 0 success, 1 the solid cannot be cut or a file cannot be read or written, 2 invalid
 flags.)";
@@ -63,12 +65,12 @@ const std::map<std::string, Vec3> sides = {{"-x", {-1, 0, 0}}, {"+x", {1, 0, 0}}
 struct Flags {
     std::string file, pattern = "uniform", anchor, out, scene, json;
     std::vector<double> box, hull, center;
-    convert::Solid solid;
+    Solid solid;
     modules::SeedPatternOptions plan;
 };
 
 int fail(const std::string& what) {
-    std::fprintf(stderr, "jostle-fracture: %s\n", what.c_str());
+    std::fprintf(stderr, "jostle-mesh: %s\n", what.c_str());
     return 1;
 }
 
@@ -90,7 +92,7 @@ struct Summary {
     double volume = 0, volume_error = 0, smallest = 1e300, largest = 0, bond_area = 0;
 };
 
-Summary summary_of(const convert::FracturedSolid& solid, std::size_t bytes) {
+Summary summary_of(const FracturedSolid& solid, std::size_t bytes) {
     Summary sum{
         .chunks = solid.shape.chunks.size(), .bonds = solid.shape.bonds.size(), .bytes = bytes};
     for (const modules::FractureChunk& chunk : solid.shape.chunks) {
@@ -104,7 +106,7 @@ Summary summary_of(const convert::FracturedSolid& solid, std::size_t bytes) {
     return sum;
 }
 
-void print(FILE* out, const convert::FracturedSolid& solid, const Summary& sum) {
+void print(FILE* out, const FracturedSolid& solid, const Summary& sum) {
     std::fprintf(
         out,
         "parts      %zu, %.3g %% excess volume\nchunks     %zu, %.3g to %.3g m^3\nanchored   "
@@ -115,7 +117,7 @@ void print(FILE* out, const convert::FracturedSolid& solid, const Summary& sum) 
         sum.bytes);
 }
 
-nlohmann::ordered_json to_json(const Flags& flags, const convert::FracturedSolid& solid,
+nlohmann::ordered_json to_json(const Flags& flags, const FracturedSolid& solid,
                                const Summary& sum) {
     return {{"pattern", flags.pattern},
             {"seed", flags.plan.seed},
@@ -143,21 +145,10 @@ bool write_file(const std::string& path, const char* data, std::size_t size) {
 
 // An item of "fractured" for a scene file, without position and material.
 std::string scene_item(std::span<const std::byte> bytes) {
-    static constexpr char digits[] =
-        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    for (std::size_t k = 0; k < bytes.size(); k += 3) {
-        const std::size_t left = std::min<std::size_t>(3, bytes.size() - k);
-        unsigned three = 0;
-        for (std::size_t i = 0; i < 3; i++)
-            three = three << 8 | (i < left ? std::to_integer<unsigned>(bytes[k + i]) : 0);
-        for (std::size_t i = 0; i < 4; i++)
-            text += i <= left ? digits[three >> (18 - 6 * i) & 63] : '=';
-    }
-    return nlohmann::ordered_json{{"shape", text}}.dump() + "\n";
+    return nlohmann::ordered_json{{"shape", encode_base64(bytes)}}.dump() + "\n";
 }
 
-int report(const Flags& flags, const convert::FracturedSolid& solid, std::size_t bytes) {
+int report(const Flags& flags, const FracturedSolid& solid, std::size_t bytes) {
     const Summary sum = summary_of(solid, bytes);
     const std::string text = to_json(flags, solid, sum).dump(2) + "\n";
     if (flags.json == "-")
@@ -183,7 +174,7 @@ int run(Flags& flags) {
     if (!flags.center.empty()) flags.plan.center = points_of(flags.center)[0];
     const auto anchor =
         flags.anchor.empty() ? std::optional<Vec3>() : std::optional(sides.at(flags.anchor));
-    const auto solid = convert::fracture_solid(flags.solid, flags.plan, anchor, show);
+    const auto solid = fracture_solid(flags.solid, flags.plan, anchor, show);
     if (!solid.ok())
         return fail((flags.file.empty() ? "" : flags.file + ": ") + solid.error().message);
     const auto bytes = modules::write_fracture(solid->shape);
@@ -254,33 +245,39 @@ void add_plan(CLI::App& app, Flags& flags) {
         ->check(CLI::Range(0.001, 1.0).description(""));
 }
 
+// CLI11 checks the number of values, but not that it is a multiple of three.
+void check_hull(const Flags& flags) {
+    if (flags.hull.size() % 3 != 0)
+        throw CLI::ValidationError("--hull", "the number of values must be a multiple of three");
+}
+
 }  // namespace
 
-int main(int argc, char** argv) {
-    CLI::App app{"Cut a solid into chunks with bonds, for destructible bodies."};
-    Flags flags;
-    app.footer(footer);
-    add_solid(app, flags);
-    add_plan(app, flags);
+void add_fracture(CLI::App& app, int& status) {
+    CLI::App& command = *app.add_subcommand(
+        "fracture", "Cut a solid into chunks with bonds, for destructible bodies");
+    const auto flags = std::make_shared<Flags>();
+    command.footer(footer);
+    add_solid(command, *flags);
+    add_plan(command, *flags);
     std::vector<std::string> names;
     for (const auto& [name, side] : sides) names.push_back(name);
-    app.add_option("--anchor", flags.anchor,
-                   "Anchor the chunks on SIDE: -x, +x, -y, +y, -z or +z [default: none]")
+    command
+        .add_option("--anchor", flags->anchor,
+                    "Anchor the chunks on SIDE: -x, +x, -y, +y, -z or +z [default: none]")
         ->type_name("SIDE")
         ->check(CLI::IsMember(names).description(""));
-    app.add_option("--out", flags.out, "Write the fracture file to FILE")->type_name("FILE");
-    app.add_option("--scene", flags.scene, "Write an item of a scene file to FILE")
+    command.add_option("--out", flags->out, "Write the fracture file to FILE")->type_name("FILE");
+    command.add_option("--scene", flags->scene, "Write an item of a scene file to FILE")
         ->type_name("FILE");
-    app.add_option("--json", flags.json,
-                   "Write the summary to FILE as JSON; \"-\" replaces the table")
+    command
+        .add_option("--json", flags->json,
+                    "Write the summary to FILE as JSON; \"-\" replaces the table")
         ->type_name("FILE");
-    try {
-        app.parse(argc, argv);
-        if (flags.hull.size() % 3 != 0)
-            throw CLI::ValidationError("--hull",
-                                       "the number of values must be a multiple of three");
-    } catch (const CLI::ParseError& e) {
-        return app.exit(e) == 0 ? 0 : 2;
-    }
-    return run(flags);
+    command.callback([flags, &status] {
+        check_hull(*flags);
+        status = run(*flags);
+    });
 }
+
+}  // namespace jostle::mesh

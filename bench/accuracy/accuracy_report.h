@@ -18,6 +18,10 @@ std::string scene_report(const Experiment& experiment, const std::vector<Row>& r
 // The score, and the rows in which Jostle needs more work.
 std::string score_report(const Score& score);
 
+// The scenes as CSV. Columns: scene, description, error and second_error (the measures of these
+// columns of the rows, with units), tolerances (separated by spaces).
+std::string scenes_csv(const std::vector<const Experiment*>& experiments);
+
 // The same values as JSON.
 nlohmann::ordered_json work_json(const std::vector<Row>& rows);
 nlohmann::ordered_json score_json(const Score& score);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physics/src/stages/solver/solve_constraints.h"
+#include "physics/src/stages/stages.h"
 
 #include <algorithm>
 #include <span>
@@ -13,7 +13,6 @@
 #include "physics/src/stages/solver/apply_joint_impacts.h"
 #include "physics/src/stages/solver/error_trial.h"
 #include "physics/src/stages/solver/joint_groups.h"
-#include "physics/src/stages/solver/solve_joint_batches.h"
 #include "physics/src/stages/solver/solve_joints.h"
 #include "physics/src/stages/solver/substep_hooks.h"
 #include "physics/src/stages/step_scratch.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/accuracy/accuracy.h"
+#include "bench/subcommands.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -11,7 +11,6 @@
 #include <vector>
 
 #include "bench/accuracy/accuracy_report.h"
-#include "bench/accuracy/doc_tables.h"
 #include "bench/accuracy/flag_selection.h"
 #include "bench/accuracy/regression.h"
 #include "bench/accuracy/run_row.h"

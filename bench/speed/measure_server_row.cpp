@@ -13,7 +13,6 @@
 #include "bench/measure.h"
 #include "bench/processes/server_process.h"
 #include "bench/result_file.h"
-#include "bench/speed/tick_times.h"
 
 namespace jostle::bench {
 namespace {

@@ -11,7 +11,6 @@
 #include <stdexcept>
 
 #include "bench/accuracy/accuracy_report.h"
-#include "bench/accuracy/doc_tables.h"
 
 namespace {
 

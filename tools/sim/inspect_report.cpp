@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tools/sim/inspect_report.h"
+#include "tools/sim/report.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>

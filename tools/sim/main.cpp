@@ -12,11 +12,8 @@
 #include "jostle/scenes/catalog.h"
 #include "jostle/scenes/scene_file.h"
 #include "tools/sim/converge.h"
-#include "tools/sim/convergence_report.h"
-#include "tools/sim/inspect_report.h"
 #include "tools/sim/progress.h"
 #include "tools/sim/report.h"
-#include "tools/sim/substep_report.h"
 #include "tools/sim/trace.h"
 
 namespace {

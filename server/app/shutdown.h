@@ -8,11 +8,15 @@
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/signal_set.hpp>
 #include <boost/asio/steady_timer.hpp>
+#include <condition_variable>
 #include <csignal>
+#include <mutex>
+#include <thread>
 
 #include "server/grpc/grpc_server.h"
 #include "server/http/http_server.h"
 #include "server/session/play_context.h"
+#include "server/util/clock.h"
 
 namespace jostle::server {
 
@@ -43,6 +47,22 @@ private:
     boost::asio::steady_timer timer_{io_}, operator_timer_{io_};
     bool begun_ = false;
     Clock::time_point deadline_{};
+};
+
+// Ends the process when it has not ended by itself in time: whatever hangs, a supervisor is obeyed.
+class ShutdownWatchdog {
+public:
+    static constexpr int status = 3;
+
+    // From now on.
+    explicit ShutdownWatchdog(Clock::duration timeout);
+    ~ShutdownWatchdog();  // in time
+
+private:
+    std::mutex mutex_;
+    std::condition_variable ended_;
+    bool done_ = false;
+    std::thread thread_;
 };
 
 }  // namespace jostle::server

@@ -10,9 +10,8 @@
 #include <utility>
 
 #include "grpc/health/v1/health.grpc.pb.h"
-#include "server/grpc/health_methods.h"
 #include "server/grpc/library_setup.h"
-#include "server/grpc/reflection.h"
+#include "server/grpc/service_methods.h"
 
 namespace jostle::server {
 

@@ -4,19 +4,7 @@
 // callback that sets the exit status.
 #include <CLI/CLI.hpp>
 
-#include "bench/accuracy/accuracy.h"
-#include "bench/accuracy/stability.h"
-#include "bench/broadphase.h"
-#include "bench/contact_models/contact_models.h"
-#include "bench/feature_cost.h"
-#include "bench/integrators/integrators.h"
-#include "bench/modules.h"
-#include "bench/network/network.h"
-#include "bench/persistence_cost.h"
-#include "bench/rollback.h"
-#include "bench/speed/speed.h"
-#include "bench/stream/stream.h"
-#include "bench/thread_scaling.h"
+#include "bench/subcommands.h"
 
 namespace {
 

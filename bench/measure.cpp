@@ -9,7 +9,7 @@
 #include <fstream>
 #include <numeric>
 
-#include "jostle/analysis/thread_time.h"
+#include "jostle/analysis/work_error.h"
 
 namespace jostle::bench {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/modules.h"
+#include "bench/subcommands.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>

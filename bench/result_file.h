@@ -22,4 +22,8 @@ bool write_result(const std::string& path, const nlohmann::ordered_json& head,
                   const nlohmann::ordered_json& rows);
 bool write_text(const std::string& path, const std::string& text);
 
+// Formats rows as CSV: a line of column names, in the order in which the rows first use them, and a
+// line per row. Missing values and null are empty fields.
+std::string csv_text(const nlohmann::ordered_json& rows);
+
 }  // namespace jostle::bench

@@ -44,7 +44,7 @@ install(FILES ${PROJECT_BINARY_DIR}/jostleConfig.cmake ${PROJECT_BINARY_DIR}/jos
     DESTINATION ${jostle_cmake_dir} COMPONENT dev)
 
 if(JOSTLE_SERVER AND JOSTLE_RPC)
-    install(TARGETS jostle-server jostlectl jostle-bot jostle-load jostle-record jostle-replay jostle-sim jostle-convert jostle-fracture jostle-bench COMPONENT programs)
+    install(TARGETS jostle-server jostlectl jostle-bot jostle-load jostle-record jostle-replay jostle-sim jostle-mesh jostle-bench COMPONENT programs)
     install(DIRECTORY ${PROJECT_SOURCE_DIR}/clients/web/dist/ DESTINATION ${CMAKE_INSTALL_DATADIR}/jostle/web COMPONENT programs)
     install(DIRECTORY ${PROJECT_SOURCE_DIR}/clients/bot/scripts DESTINATION ${CMAKE_INSTALL_DATADIR}/jostle COMPONENT programs)
     install(FILES ${PROJECT_SOURCE_DIR}/server/jostle-server.toml ${PROJECT_SOURCE_DIR}/deploy/systemd/jostle-server.default

@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: MIT
-#include "bench/accuracy/accuracy.h"
+#include "bench/subcommands.h"
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "bench/accuracy/accuracy_overview.h"
-#include "bench/accuracy/accuracy_plot.h"
 #include "bench/accuracy/accuracy_report.h"
-#include "bench/accuracy/doc_tables.h"
 #include "bench/accuracy/flag_selection.h"
 #include "bench/accuracy/regression.h"
 #include "bench/accuracy/run_row.h"
@@ -35,9 +31,10 @@ up to four runs. A row fails if a body is lost or the engine reports an error.
 
 Examples:
   jostle-bench accuracy --scene j1,j2 --peers none
-  jostle-bench accuracy --scene all --rates 30,60,120 --json accuracy.json --plot plots
+  jostle-bench accuracy --scene all --rates 30,60,120 --csv accuracy.csv --scenes-csv scenes.csv
+  tools/analysis/plot.py accuracy accuracy.csv scenes.csv -o accuracy.svg
   jostle-bench accuracy --scene c8 --modes default --peers bullet,ode
-  jostle-bench accuracy --scene none --merge accuracy.csv --overview accuracy.svg
+  jostle-bench accuracy --scene none --merge accuracy.csv --json accuracy.json
   jostle-bench accuracy --scene c9-r100 --merge accuracy.json --json both.json
   jostle-bench accuracy --regression --compare-to bench/results/accuracy_short.json
 
@@ -49,7 +46,7 @@ struct Flags {
     std::vector<std::string> rates = {"30", "60", "120", "240", "480"};
     std::vector<std::string> peers = {"all"};
     std::vector<std::string> modes = {"all"};
-    std::string json, csv, plot, sheet, tables, add, against;
+    std::string json, csv, scenes_csv, tables, add, against;
     bool regression = false, update = false;
 };
 
@@ -136,12 +133,8 @@ bool write_files(const Flags& flags, const std::vector<Row>& rows, const Score& 
             if (row.unsupported.empty()) text += csv_line(row) + "\n";
         done = write_text(flags.csv, text) && done;
     }
-    if (!flags.plot.empty())
-        for (const Experiment* experiment : reported(rows))
-            done = write_text(flags.plot + "/" + experiment->name + ".svg",
-                              plot_accuracy(*experiment, rows, cpu_model() + ", " + compiler())) &&
-                   done;
-    if (!flags.sheet.empty()) done = write_text(flags.sheet, accuracy_overview(rows)) && done;
+    if (!flags.scenes_csv.empty())
+        done = write_text(flags.scenes_csv, scenes_csv(reported(rows))) && done;
     if (flags.tables.empty()) return done;
     return replace_section(flags.tables, "jostle at 60 Hz", jostle_table(rows)) &&
            replace_section(flags.tables, "score", score_table(score)) && done;
@@ -150,17 +143,8 @@ bool write_files(const Flags& flags, const std::vector<Row>& rows, const Score& 
 int run(const Flags& flags) {
     if (flags.regression)
         return run_regression(selected_experiments(flags.scenes), flags.against, flags.update);
-    for (const std::string& path : {flags.json, flags.csv, flags.sheet, flags.tables})
+    for (const std::string& path : {flags.json, flags.csv, flags.scenes_csv, flags.tables})
         if (!path.empty() && !can_write(path)) return 1;
-    if (!flags.plot.empty()) {
-        std::error_code error;
-        std::filesystem::create_directories(flags.plot, error);
-        if (error) {
-            std::fprintf(stderr, "jostle-bench: cannot create the folder %s: %s\n",
-                         flags.plot.c_str(), error.message().c_str());
-            return 1;
-        }
-    }
     auto earlier = earlier_rows(flags.add);
     if (!earlier) return 1;
     if (contains(flags.peers, "all")) print_missing_peers();
@@ -207,9 +191,9 @@ void add_accuracy(CLI::App& app, int& status) {
     command->add_option("--json", flags->json, "Write rows, work and score as JSON")
         ->type_name("FILE");
     command->add_option("--csv", flags->csv, "Write the rows as CSV")->type_name("FILE");
-    command->add_option("--plot", flags->plot, "Write one SVG plot per scene to this directory")
-        ->type_name("DIR");
-    command->add_option("--overview", flags->sheet, "Write small plots of all scenes as one SVG")
+    command
+        ->add_option("--scenes-csv", flags->scenes_csv,
+                     "Write the scenes, their error measures and tolerances as CSV")
         ->type_name("FILE");
     command
         ->add_option("--tables", flags->tables,
@@ -233,8 +217,8 @@ void add_accuracy(CLI::App& app, int& status) {
     command
         ->add_flag("--update", flags->update, "Write the measured values to the --compare-to file")
         ->needs(against);
-    for (const char* other : {"--rates", "--peers", "--modes", "--json", "--csv", "--plot",
-                              "--overview", "--tables", "--merge"})
+    for (const char* other : {"--rates", "--peers", "--modes", "--json", "--csv", "--scenes-csv",
+                              "--tables", "--merge"})
         regression->excludes(command->get_option(other));
     command->footer("\n" + experiment_list() + "\n" + engine_list() + footer);
     command->callback([flags, &status] { status = run(*flags); });

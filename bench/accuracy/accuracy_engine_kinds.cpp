@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "bench/accuracy/accuracy_engine_kinds.h"
 
-#include "bench/accuracy/box2d_accuracy_engine.h"
 #include "bench/accuracy/bullet_accuracy_library.h"
-#include "bench/accuracy/mujoco_accuracy_engine.h"
-#include "bench/accuracy/ode_accuracy_engine.h"
 
 namespace jostle::bench::accuracy {
 namespace {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "bench/accuracy/accuracy_report.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -119,6 +120,23 @@ std::string score_report(const Score& score) {
     return format_text("\nWork of the best peer / work of Jostle, geometric mean of %zu: %.3g\n",
                        score.comparisons.size(), score.mean) +
            format_text("Behind in %d, below 1/2 in %d:\n", behind, far_behind) + lines;
+}
+
+std::string scenes_csv(const std::vector<const Experiment*>& experiments) {
+    nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+    for (const Experiment* experiment : experiments) {
+        const std::string& measures = experiment->measures;
+        const std::size_t end = std::min(measures.find("; "), measures.size());
+        std::string tolerances;
+        for (const double tolerance : experiment->tolerances)
+            tolerances += format_text(tolerances.empty() ? "%g" : " %g", tolerance);
+        rows.push_back({{"scene", experiment->name},
+                        {"description", experiment->about},
+                        {"error", measures.substr(0, end)},
+                        {"second_error", measures.substr(std::min(end + 2, measures.size()))},
+                        {"tolerances", tolerances}});
+    }
+    return csv_text(rows);
 }
 
 nlohmann::ordered_json work_json(const std::vector<Row>& rows) {

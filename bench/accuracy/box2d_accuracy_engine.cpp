@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/accuracy/box2d_accuracy_engine.h"
+#include "bench/accuracy/accuracy_engine_kinds.h"
 
 #include <box2d/box2d.h>
 

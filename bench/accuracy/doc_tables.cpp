@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/accuracy/doc_tables.h"
+#include "bench/accuracy/accuracy_report.h"
 
 #include <cstdio>
 #include <fstream>

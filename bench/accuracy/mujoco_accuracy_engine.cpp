@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/accuracy/mujoco_accuracy_engine.h"
+#include "bench/accuracy/accuracy_engine_kinds.h"
 
 #include <mujoco/mujoco.h>
 #include <unistd.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/accuracy/ode_accuracy_engine.h"
+#include "bench/accuracy/accuracy_engine_kinds.h"
 
 #include <ode/ode.h>
 

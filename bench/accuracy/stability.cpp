@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/accuracy/stability.h"
+#include "bench/subcommands.h"
 
 #include <sys/resource.h>
 
@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "bench/accuracy/doc_tables.h"
+#include "bench/accuracy/accuracy_report.h"
 #include "bench/accuracy/flag_selection.h"
 #include "bench/accuracy/stress_test.h"
 #include "bench/measure.h"

@@ -11,6 +11,7 @@
 
 #include "bench/measure.h"
 #include "bench/result_file.h"
+#include "bench/subcommands.h"
 
 namespace jostle::bench {
 namespace contact_models {

@@ -1,20 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
-// jostle-bench contact-models: penalty forces, velocity constraints and position corrections on one
-// contact scene.
+// Rows of jostle-bench contact-models: penalty forces, velocity constraints and position
+// corrections on one contact scene.
 #pragma once
 
 #include <nlohmann/json.hpp>
 
 #include "bench/contact_models/contact_model.h"
 
-namespace CLI {
-class App;
-}
-
-namespace jostle::bench {
-
-namespace contact_models {
+namespace jostle::bench::contact_models {
 
 struct ContactModelRow {
     std::string model;
@@ -25,8 +19,4 @@ struct ContactModelRow {
 ContactModelRow contact_model_row(const ContactModelKind& kind, double rate_hz);
 nlohmann::ordered_json to_json(const ContactModelRow& row);
 
-}  // namespace contact_models
-
-void add_contact_models(CLI::App& app, int& status);  // sets the exit status when run
-
-}  // namespace jostle::bench
+}  // namespace jostle::bench::contact_models

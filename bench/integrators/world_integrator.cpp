@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/integrators/world_integrator.h"
+#include "bench/integrators/integrator_kinds.h"
 
 #include "jostle/physics/step_listener.h"
 #include "jostle/physics/world.h"

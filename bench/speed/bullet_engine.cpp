@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/speed/bullet_engine.h"
+#include "bench/speed/engine_kinds.h"
 
 #include <btBulletDynamicsCommon.h>
 

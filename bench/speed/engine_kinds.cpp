@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "bench/speed/engine_kinds.h"
 
-#include "bench/speed/bullet_engine.h"
-#include "bench/speed/jostle_engine.h"
-#include "bench/speed/ode_engine.h"
-
 namespace jostle::bench {
 namespace {
 

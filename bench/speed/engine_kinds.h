@@ -24,4 +24,13 @@ std::span<const EngineKind> engine_kinds();
 // Returns null if there is no such engine.
 const EngineKind* find_engine_kind(std::string_view name);
 
+// The Engine adapter for Jostle.
+std::unique_ptr<Engine> make_jostle_engine();
+
+// The Engine adapter for Bullet 3. Built only if the library is installed.
+std::unique_ptr<Engine> make_bullet_engine();
+
+// The Engine adapter for the Open Dynamics Engine. Built only if the library is installed.
+std::unique_ptr<Engine> make_ode_engine();
+
 }  // namespace jostle::bench

@@ -13,14 +13,13 @@
 #include "bench/measure.h"
 #include "bench/processes/server_process.h"
 #include "bench/result_file.h"
-#include "bench/speed/tick_times.h"
 
 namespace jostle::bench {
 namespace {
 
 using namespace std::chrono_literals;
 using nlohmann::json;
-using Flags = std::vector<std::string>;
+using Arguments = std::vector<std::string>;
 
 constexpr auto join_timeout = 30s;  // for all clients
 constexpr auto call_timeout = 30s;  // allows for a long step between two replies of the server
@@ -61,10 +60,10 @@ public:
     Status run(ServerRow& row);
 
 private:
-    Program start(const char* name, Flags flags) const {
+    Program start(const char* name, Arguments flags) const {
         return Program(beside_this_program(name), flags, server_.file(std::string(name) + ".log"));
     }
-    Result<std::string> run_jostlectl(Flags flags);
+    Result<std::string> run_jostlectl(Arguments flags);
     Result<json> world();
     Program start_clients() const;
     Status wait_for_clients(Program& load);
@@ -84,7 +83,7 @@ Error ended(const std::string& what, const Program& program) {
 // --- requests to the server ---
 
 // Returns the output of jostlectl.
-Result<std::string> Experiment::run_jostlectl(Flags flags) {
+Result<std::string> Experiment::run_jostlectl(Arguments flags) {
     flags.insert(flags.begin(), {"--server", server_.grpc_address()});
     const std::string log = server_.file("answer");
     std::filesystem::remove(log);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/speed/ode_engine.h"
+#include "bench/speed/engine_kinds.h"
 
 #include <ode/ode.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/speed/speed.h"
+#include "bench/subcommands.h"
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
@@ -13,7 +13,6 @@
 #include "bench/speed/growth.h"
 #include "bench/speed/measure_row.h"
 #include "bench/speed/measure_server_row.h"
-#include "bench/speed/speed_plot.h"
 #include "bench/speed/speed_scenes.h"
 #include "bench/speed/speed_table.h"
 #include "jostle/scenes/catalog.h"
@@ -66,7 +65,8 @@ dropped. The exit status is 0 in all cases.
 
 Examples:
   jostle-bench speed --scene a,c --threads 1,2
-  jostle-bench speed --scene all --json speed.json --plot speed.svg
+  jostle-bench speed --scene all --json speed.json --csv speed.csv
+  tools/analysis/plot.py speed speed.csv -o speed.svg
   jostle-bench speed --server --scene trees,washer --json server.json
   jostle-bench speed --growth 500,1000,2000 --peers bullet --plot growth.svg
 
@@ -86,7 +86,7 @@ struct Flags {
     int steps = 0;  // 0: the scene's default
     std::string sleep = "off";
     bool no_accuracy = false;
-    std::string json, plot;
+    std::string json, csv;
 };
 
 // --- values of the flags ---
@@ -161,15 +161,11 @@ std::vector<std::string> missing_peers() {
 
 // --- runs ---
 
-std::string machine_note() {
-    return cpu_model() + ", " + compiler();
-}
-
 bool write_files(const Flags& flags, const nlohmann::ordered_json& head,
-                 const nlohmann::ordered_json& rows, const std::string& plot) {
+                 const nlohmann::ordered_json& rows) {
     const bool json_done = flags.json.empty() || write_result(flags.json, head, rows);
-    const bool plot_done = flags.plot.empty() || write_text(flags.plot, plot);
-    return json_done && plot_done;
+    const bool csv_done = flags.csv.empty() || write_text(flags.csv, csv_text(rows));
+    return json_done && csv_done;
 }
 
 nlohmann::ordered_json result_header(const char* benchmark) {
@@ -188,13 +184,11 @@ void print_line(const std::string& line) {
 // could not be written.
 template <class Row>
 struct Table {
-    std::vector<Row> rows;
     nlohmann::ordered_json json = nlohmann::ordered_json::array();
     bool failed = false;
 
     void add(const Row& row, const std::string& line) {
         print_line(line);
-        rows.push_back(row);
         json.push_back(to_json(row));
         failed = failed || row.failed;
     }
@@ -215,9 +209,7 @@ int run_scenes(const Flags& flags) {
         }
     nlohmann::ordered_json head = result_header("speed");
     head["sleep"] = flags.sleep;
-    const bool written =
-        write_files(flags, head, table.json, plot_speed(table.rows, machine_note()));
-    return written && !table.failed ? 0 : 1;
+    return write_files(flags, head, table.json) && !table.failed ? 0 : 1;
 }
 
 int run_growth(const Flags& flags) {
@@ -232,9 +224,7 @@ int run_growth(const Flags& flags) {
     nlohmann::ordered_json head = result_header("speed growth");
     head["steps_before"] = growth_steps_before;
     head["steps_timed"] = growth_steps_timed;
-    const bool written =
-        write_files(flags, head, table.json, plot_growth(table.rows, machine_note()));
-    return written && !table.failed ? 0 : 1;
+    return write_files(flags, head, table.json) && !table.failed ? 0 : 1;
 }
 
 int run_server(const Flags& flags) {
@@ -251,11 +241,11 @@ int run_server(const Flags& flags) {
         }
     nlohmann::ordered_json head = result_header("speed server");
     head.erase("peers_not_built_in");
-    return write_files(flags, head, table.json, "") && !table.failed ? 0 : 1;
+    return write_files(flags, head, table.json) && !table.failed ? 0 : 1;
 }
 
 int run(const Flags& flags) {
-    for (const std::string& path : {flags.json, flags.plot})
+    for (const std::string& path : {flags.json, flags.csv})
         if (!path.empty() && !can_write(path)) return 1;
     if (flags.server) return run_server(flags);
     if (contains(flags.peers, "all"))
@@ -359,9 +349,8 @@ void add_speed(CLI::App& app, int& status) {
             ->excludes(scene)
             ->excludes(steps);
     command->add_option("--json", flags->json, "Write the rows as JSON")->type_name("FILE");
-    CLI::Option* plot =
-        command->add_option("--plot", flags->plot, "Draw the rows as SVG")->type_name("FILE");
-    add_server_flags(*command, *flags, {peers, steps, sleep, no_accuracy, growth, plot});
+    command->add_option("--csv", flags->csv, "Write the rows as CSV")->type_name("FILE");
+    add_server_flags(*command, *flags, {peers, steps, sleep, no_accuracy, growth});
     command->footer("\n" + scene_and_engine_list() + footer);
     command->callback([flags, scene, &status] {
         if (flags->server && scene->count() == 0) flags->scenes = {"c", "moving"};

@@ -44,7 +44,7 @@ struct SpeedRow {
     std::optional<int> tunnelled;
     double rss_mib = 0;  // peak of the process, including the scene
 
-    // The error in the plot: the larger of deepest overlap and joint drift at the end, m.
+    // The larger of deepest overlap and joint drift at the end, m.
     std::optional<double> error_m() const;
 };
 

@@ -6,7 +6,6 @@
 
 #include "jostle/physics/hull.h"
 #include "jostle/physics/mesh.h"
-#include "scenes/src/bench_ragdoll.h"
 #include "scenes/src/bench_scene_parts.h"
 #include "scenes/src/scene_helpers.h"
 

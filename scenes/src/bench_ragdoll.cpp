@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "scenes/src/bench_ragdoll.h"
+#include "scenes/src/bench_scene_parts.h"
 
 #include "scenes/src/scene_helpers.h"
 

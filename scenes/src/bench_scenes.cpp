@@ -3,7 +3,6 @@
 
 #include <cmath>
 
-#include "scenes/src/bench_ragdoll.h"
 #include "scenes/src/bench_scene_parts.h"
 #include "scenes/src/scene_helpers.h"
 

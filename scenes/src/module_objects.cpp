@@ -90,9 +90,9 @@ public:
         for (int k = 0; k < type.field_count(); k++)
             if (type.field(k)->type() == FieldDescriptor::TYPE_BYTES &&
                 m.GetReflection()->GetString(m, type.field(k)).empty())
-                in_.report_error(
-                    path + "." + type.field(k)->name(),
-                    "is missing; it must be the contents of a file created by jostle-fracture");
+                in_.report_error(path + "." + type.field(k)->name(),
+                                 "is missing; it must be the contents of a file created by "
+                                 "jostle-mesh fracture");
     }
 
 private:

@@ -6,24 +6,23 @@
 #include <algorithm>
 #include <atomic>
 #include <iterator>
+#include <mutex>
 #include <optional>
 #include <random>
 #include <utility>
 #include <vector>
 
 #include "jostle/base/check.h"
-#include "server/app/frame_notifier.h"
 #include "server/app/listener_settings.h"
 #include "server/app/maintenance_thread.h"
 #include "server/app/service_manager.h"
 #include "server/app/shutdown.h"
-#include "server/app/shutdown_watchdog.h"
 #include "server/app/start_worlds.h"
-#include "server/grpc/admin_methods.h"
-#include "server/grpc/query_methods.h"
-#include "server/grpc/world_methods.h"
+#include "server/grpc/grpc_server.h"
+#include "server/grpc/service_methods.h"
 #include "server/http/admin_routes.h"
 #include "server/http/http_routes.h"
+#include "server/http/http_server.h"
 #include "server/services/query_control.h"
 #include "server/services/world_control.h"
 #include "server/util/log.h"
@@ -51,6 +50,28 @@ std::string process_suffix() {
     std::random_device random;
     return fmt::format("{:08x}", static_cast<std::uint32_t>(random()));
 }
+
+// Wakes the listeners when a world has published a frame. Worlds publish before the listeners exist
+// and while they close, so they wake the listeners through this object. Any thread.
+class FrameNotifier {
+public:
+    // wake() skips a null listener. Returns after a running wake() has ended.
+    void set_listeners(GrpcServer* grpc, HttpServer* http) {
+        const std::lock_guard lock(mutex_);
+        grpc_ = grpc;
+        http_ = http;
+    }
+    void wake() {
+        const std::lock_guard lock(mutex_);
+        if (grpc_) grpc_->wake();
+        if (http_) http_->wake();
+    }
+
+private:
+    std::mutex mutex_;
+    GrpcServer* grpc_ = nullptr;
+    HttpServer* http_ = nullptr;
+};
 
 }  // namespace
 

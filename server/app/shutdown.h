@@ -7,11 +7,15 @@
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/signal_set.hpp>
 #include <boost/asio/steady_timer.hpp>
+#include <condition_variable>
 #include <csignal>
+#include <mutex>
+#include <thread>
 
 #include "server/grpc/grpc_server.h"
 #include "server/http/http_server.h"
 #include "server/session/play_context.h"
+#include "server/util/clock.h"
 
 namespace jostle::server {
 
@@ -42,6 +46,23 @@ private:
     boost::asio::steady_timer timer_{io_}, operator_timer_{io_};
     bool begun_ = false;
     Clock::time_point deadline_{};
+};
+
+// Ends the process if the shutdown takes longer than a timeout, so that a hanging thread cannot
+// block a supervisor.
+class ShutdownWatchdog {
+public:
+    static constexpr int exit_status = 3;
+
+    // The timeout starts now.
+    explicit ShutdownWatchdog(Clock::duration timeout);
+    ~ShutdownWatchdog();  // cancels it
+
+private:
+    std::mutex mutex_;
+    std::condition_variable ended_;
+    bool done_ = false;
+    std::thread thread_;
 };
 
 }  // namespace jostle::server

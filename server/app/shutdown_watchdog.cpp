@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "server/app/shutdown_watchdog.h"
+#include "server/app/shutdown.h"
 
 #include <cstdlib>
 

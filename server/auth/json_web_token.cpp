@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "jostle/base/check.h"
-#include "server/auth/base64url.h"
+#include "jostle/base/base64.h"
 #include "server/auth/strict_json.h"
 
 namespace jostle::server {
@@ -40,8 +40,8 @@ std::optional<Parts> split(std::string_view token) {
 }
 
 Result<json> read_object(std::string_view encoded, const std::string& what) {
-    const std::optional<std::string> text = from_base64url(encoded);
-    if (!text) return refused("the token's " + what + " is not base64url");
+    const Result<std::string> text = decode_base64<std::string>(encoded, Base64::url);
+    if (!text.ok()) return refused("the token's " + what + " is not base64url");
     Result<json> object = parse_strict_json(*text, token_depth_max);
     if (!object.ok())
         return refused("the token's " + what + " cannot be parsed: " + object.error().message);
@@ -172,8 +172,8 @@ Result<json> read_signed(std::string_view token, const VerifyKeys& keys) {
     if (!header.ok()) return header.error();
     const Result<const VerifyKey*> key = choose_key(*header, keys);
     if (!key.ok()) return key.error();
-    const std::optional<std::string> signature = from_base64url(parts->signature);
-    if (!signature || signature->size() != 64)
+    const Result<std::string> signature = decode_base64<std::string>(parts->signature, Base64::url);
+    if (!signature.ok() || signature->size() != 64)
         return refused("the token's signature is not 64 bytes of base64url");
     if (!(*key)->verifies(parts->signed_text, *signature))
         return refused("the token's signature does not match its key");

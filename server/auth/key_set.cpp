@@ -4,7 +4,7 @@
 #include <spdlog/fmt/fmt.h>
 
 #include "jostle/base/check.h"
-#include "server/auth/base64url.h"
+#include "jostle/base/base64.h"
 #include "server/auth/strict_json.h"
 #include "server/util/log.h"
 
@@ -45,8 +45,10 @@ std::string rejection_reason(const json& key) {
 std::optional<VerifyKey> point_of(const json& key) {
     const std::string *x = string_member(key, "x"), *y = string_member(key, "y");
     if (!x || !y) return std::nullopt;
-    const std::optional<std::string> x_bytes = from_base64url(*x), y_bytes = from_base64url(*y);
-    return x_bytes && y_bytes ? VerifyKey::from_point(*x_bytes, *y_bytes) : std::nullopt;
+    const Result<std::string> x_bytes = decode_base64<std::string>(*x, Base64::url),
+                              y_bytes = decode_base64<std::string>(*y, Base64::url);
+    if (!x_bytes.ok() || !y_bytes.ok()) return std::nullopt;
+    return VerifyKey::from_point(*x_bytes, *y_bytes);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "server/grpc/query_methods.h"
+#include "server/grpc/service_methods.h"
 
 #include <algorithm>
 #include <mutex>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "server/grpc/world_methods.h"
+#include "server/grpc/service_methods.h"
 
 #include "jostle/v1/world.pb.h"
 

@@ -5,12 +5,12 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <string_view>
 
 #include "jostle/base/check.h"
 #include "jostle/v1/query.pb.h"
 #include "jostle/v1/world.pb.h"
 #include "server/auth/allowed_hosts.h"
-#include "server/http/http_status.h"
 #include "server/session/peer.h"
 
 namespace jostle::server {
@@ -19,6 +19,34 @@ namespace {
 
 constexpr std::string_view worlds_path = "/api/worlds";
 constexpr std::string_view query_path = "/api/query/";
+
+// Maps errors to HTTP status codes, with the names of the corresponding gRPC codes.
+struct HttpCode {
+    ErrorCode error_code;
+    int status;
+    std::string_view name;
+};
+
+constexpr HttpCode http_codes[] = {
+    {ErrorCode::invalid_argument, 400, "INVALID_ARGUMENT"},
+    {ErrorCode::corrupt_data, 400, "INVALID_ARGUMENT"},
+    {ErrorCode::not_found, 404, "NOT_FOUND"},
+    {ErrorCode::failed_precondition, 409, "FAILED_PRECONDITION"},
+    {ErrorCode::already_exists, 409, "ALREADY_EXISTS"},
+    {ErrorCode::permission_denied, 403, "PERMISSION_DENIED"},
+    {ErrorCode::unauthenticated, 401, "UNAUTHENTICATED"},
+    {ErrorCode::resource_exhausted, 429, "RESOURCE_EXHAUSTED"},
+    {ErrorCode::deadline_exceeded, 504, "DEADLINE_EXCEEDED"},
+    {ErrorCode::aborted, 409, "ABORTED"},
+    {ErrorCode::unavailable, 503, "UNAVAILABLE"},
+    {ErrorCode::internal, 500, "INTERNAL"},
+};
+
+constexpr HttpCode http_code_of(ErrorCode error) {
+    for (const HttpCode& code : http_codes)
+        if (code.error_code == error) return code;
+    return {ErrorCode::internal, 500, "INTERNAL"};
+}
 
 HttpResponse json(int status, std::string body) {
     HttpResponse response;

@@ -11,7 +11,7 @@
 #include "jostle/scenes/shape_message.h"
 #include "jostle/v1/play.pb.h"
 #include "server/limits/admission.h"
-#include "server/messages/vector_message.h"
+#include "server/messages/message_parts.h"
 
 namespace jostle::server {
 

@@ -4,8 +4,7 @@
 #include <tuple>
 
 #include "jostle/v1/play.pb.h"
-#include "server/messages/message_header.h"
-#include "server/messages/vector_message.h"
+#include "server/messages/message_parts.h"
 
 namespace jostle::server {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "server/messages/message_header.h"
+#include "server/messages/message_parts.h"
 
 #include <google/protobuf/io/coded_stream.h>
 #include <google/protobuf/wire_format_lite.h>

@@ -6,7 +6,6 @@
 #include <sstream>
 
 #include "server/metrics/metrics.h"
-#include "server/metrics/process_metrics.h"
 
 namespace jostle::server {
 

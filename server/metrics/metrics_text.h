@@ -15,4 +15,8 @@ inline constexpr std::string_view metrics_content_type = "text/plain; version=0.
 // Includes the current process metrics. Any thread, one call at a time.
 std::string metrics_text(Metrics& metrics);
 
+// Reads /proc/self into `metrics`: process metrics with the conventional Prometheus names. Values
+// that cannot be read remain unchanged.
+void read_process_metrics(Metrics& metrics);
+
 }  // namespace jostle::server

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "server/metrics/process_metrics.h"
+#include "server/metrics/metrics_text.h"
 
 #include <sys/resource.h>
 #include <unistd.h>

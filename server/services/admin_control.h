@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// AdminService without a transport, used by gRPC (grpc/admin_methods.h) and by the admin port. The
-// transport authorizes the calls. Any thread. step_world(), export_world(), rewind_world() and
+// AdminService without a transport, used by gRPC (grpc/admin_methods.cpp) and by the admin port.
+// The transport authorizes the calls. Any thread. step_world(), export_world(), rewind_world() and
 // profile() wait for a world and block the thread for up to half a minute, so only a few of them
 // run at a time.
 #pragma once

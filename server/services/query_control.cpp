@@ -9,7 +9,7 @@
 #include "jostle/physics/limits.h"
 #include "jostle/scenes/shape_message.h"
 #include "jostle/v1/query.pb.h"
-#include "server/messages/vector_message.h"
+#include "server/messages/message_parts.h"
 #include "server/services/query_target.h"
 
 namespace jostle::server {

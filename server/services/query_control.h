@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// QueryService without a transport, used by gRPC (grpc/query_methods.h) and by /api/query over
+// QueryService without a transport, used by gRPC (grpc/query_methods.cpp) and by /api/query over
 // HTTP. Any thread; each call may wait up to 250 ms for a copy of the world, and never blocks the
 // world.
 #pragma once

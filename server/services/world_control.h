@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// WorldService without a transport, used by gRPC (grpc/world_methods.h) and by /api/worlds over
+// WorldService without a transport, used by gRPC (grpc/world_methods.cpp) and by /api/worlds over
 // HTTP. Any thread; create() blocks until the world is built.
 #pragma once
 

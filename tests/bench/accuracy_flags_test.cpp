@@ -41,10 +41,11 @@ protected:
     fs::path folder_;
 };
 
-TEST_F(AccuracyFlags, accuracy_writes_rows_work_table_and_plots) {
-    ASSERT_EQ(run("accuracy --scene f1,j1 --rates 30,60 --peers none --modes sub1,default --json " +
-                  file("a.json") + " --csv " + file("a.csv") + " --plot " + file("plots")),
-              0)
+TEST_F(AccuracyFlags, accuracy_writes_rows_scenes_and_work_table) {
+    ASSERT_EQ(
+        run("accuracy --scene f1,j1 --rates 30,60 --peers none --modes sub1,default --json " +
+            file("a.json") + " --csv " + file("a.csv") + " --scenes-csv " + file("scenes.csv")),
+        0)
         << output();
     EXPECT_THAT(output(), HasSubstr("order between rates"));
     EXPECT_THAT(output(), HasSubstr("Pareto set"));
@@ -57,7 +58,9 @@ TEST_F(AccuracyFlags, accuracy_writes_rows_work_table_and_plots) {
     EXPECT_GT(json["rows"][0]["cpu_us_per_second"], 0);
     EXPECT_EQ(json["work"].size(), 6u);  // three tolerances per scene
     EXPECT_THAT(read("a.csv"), HasSubstr("j1,jostle,sub1,60,"));
-    EXPECT_THAT(read("plots/j1.svg"), HasSubstr("sub1"));
+    EXPECT_THAT(read("scenes.csv"), HasSubstr("scene,description,error,second_error,tolerances\n"));
+    EXPECT_THAT(read("scenes.csv"),
+                HasSubstr("\"position error at the end, m\",none,0.1 0.01 1e-06\n"));
 }
 
 TEST_F(AccuracyFlags, accuracy_merges_earlier_rows) {

@@ -10,10 +10,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "bench/accuracy/accuracy_overview.h"
-#include "bench/accuracy/accuracy_plot.h"
 #include "bench/accuracy/accuracy_report.h"
-#include "bench/accuracy/doc_tables.h"
 
 namespace {
 
@@ -113,13 +110,6 @@ TEST(Rows, round_trip_through_json) {
     EXPECT_EQ(csv_line(synthetic_rows().back()), "j1,other,m,30,blown,,");
 }
 
-std::size_t times_in(const std::string& text, const std::string& part) {
-    std::size_t times = 0;
-    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
-        times++;
-    return times;
-}
-
 TEST(Rows, round_trip_through_csv) {
     std::string text = csv_heading() + "\n";
     for (const Row& row : synthetic_rows()) text += csv_line(row) + "\n";
@@ -133,16 +123,12 @@ TEST(Rows, round_trip_through_csv) {
     EXPECT_THROW(rows_from_csv(other), std::runtime_error);
 }
 
-TEST(Overview, draws_one_panel_per_scene_with_pareto_rows_and_least_work) {
-    std::vector<Row> rows = synthetic_rows();
-    rows.push_back(row_of("f1", "jostle", 60, 0, 10));
-    const std::string svg = accuracy_overview(rows);
-    EXPECT_NE(svg.find(">j1<"), std::string::npos);
-    EXPECT_NE(svg.find(">f1<"), std::string::npos);
-    EXPECT_EQ(svg.find(">j2<"), std::string::npos);
-    EXPECT_EQ(times_in(svg, "r=\"8\""), 5u);         // four of j1, one of f1
-    EXPECT_NE(svg.find(">40<"), std::string::npos);  // us/s for 0.01
-    EXPECT_NE(accuracy_overview({}).find("</svg>"), std::string::npos);
+TEST(ScenesCsv, has_measures_and_tolerances) {
+    EXPECT_EQ(scenes_csv({find_experiment("f1")}),
+              "scene,description,error,second_error,tolerances\n"
+              "f1," +
+                  find_experiment("f1")->about +
+                  ",\"position error at the end, m\",none,0.1 0.01 1e-06\n");
 }
 
 TEST(DocTables, replace_the_text_between_their_markers) {
@@ -195,14 +181,6 @@ TEST(DocTables, contain_the_measured_values) {
                   "| s1 | 0.1 | 0.0035 | **0.11** | **0.05 *** | **lost** | - |"),
               std::string::npos)
         << stability_table(verdicts);
-}
-
-TEST(Plot, draws_one_mark_per_row_and_one_curve_per_mode) {
-    const std::string svg = plot_accuracy(*find_experiment("j1"), synthetic_rows(), "a machine");
-    EXPECT_EQ(times_in(svg, "<polyline"), 3u);
-    EXPECT_EQ(times_in(svg, "r=\"8\""), 4u);  // the Pareto set
-    EXPECT_NE(svg.find("least work for 0.01: 40, peer"), std::string::npos);
-    EXPECT_NE(svg.find("CPU time, us per simulated second"), std::string::npos);
 }
 
 }  // namespace

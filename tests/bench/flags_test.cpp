@@ -40,9 +40,9 @@ protected:
     fs::path folder_;
 };
 
-TEST_F(SpeedFlags, writes_table_json_and_plot) {
+TEST_F(SpeedFlags, writes_table_json_and_csv) {
     ASSERT_EQ(run("--scene lab_pyramid_465 --threads 1,2 --peers none --steps 3 --json " +
-                  file("r.json") + " --plot " + file("r.svg")),
+                  file("r.json") + " --csv " + file("r.csv")),
               0)
         << output();
     EXPECT_THAT(output(), HasSubstr("ms_mean"));
@@ -53,7 +53,9 @@ TEST_F(SpeedFlags, writes_table_json_and_plot) {
     EXPECT_EQ(json["rows"][0]["clock"], "cpu");
     EXPECT_EQ(json["rows"][1]["threads"], 2);
     EXPECT_EQ(json["rows"][1]["clock"], "wall");
-    EXPECT_THAT(read("r.svg"), HasSubstr("a lab_pyramid_465"));
+    const std::string csv = read("r.csv");
+    EXPECT_TRUE(csv.starts_with("scene,name,engine,threads,steps,failed,bodies,ms_mean,")) << csv;
+    EXPECT_THAT(csv, HasSubstr("\na,lab_pyramid_465,jostle,2,3,,466,"));
 }
 
 TEST_F(SpeedFlags, threads_compares_worlds_with_identical_results) {

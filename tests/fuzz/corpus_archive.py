@@ -1,4 +1,9 @@
+#!/usr/bin/env python3
 """Packs and unpacks the committed fuzz corpora, one archive per target: corpus/TARGET.tar.zst.
+
+Usage: corpus_archive.py ARCHIVE FILE...
+Adds files with descriptive names, which must have an extension, to an archive. An entry of the same
+name is replaced. Exit status: 0 success, 1 a file cannot be read or written, 2 invalid arguments.
 
 scripts/fuzz imports this module. An archive is a USTAR archive of regular files, without folders,
 compressed by the zstd command. Packing is reproducible: entries are sorted by name, time and owner
@@ -12,6 +17,7 @@ import os
 import pathlib
 import shutil
 import subprocess
+import sys
 import tarfile
 import tempfile
 
@@ -122,3 +128,28 @@ def damaged(archive, reason):
 def shown(path):
     """As a path to type: relative to the working directory."""
     return os.path.relpath(path)
+
+
+def main(arguments):
+    if len(arguments) < 2 or "--help" in arguments:
+        print("\n".join(__doc__.splitlines()[2:5]), file=sys.stdout if "--help" in arguments else sys.stderr)
+        return 0 if "--help" in arguments else 2
+    archive, files = arguments[0], [pathlib.Path(name) for name in arguments[1:]]
+    for file in files:
+        if not file.suffix:
+            print(f"corpus_archive.py: {file}: the name needs an extension, which marks inputs with "
+                  "descriptive names", file=sys.stderr)
+            return 2
+    try:
+        entries = read(archive)
+        entries.update((file.name, read_file(file)) for file in files)
+        changed = pack(entries, archive)
+    except ArchiveError as error:
+        print(f"corpus_archive.py: {error}", file=sys.stderr)
+        return 1
+    print(f"{shown(archive)}: {'wrote' if changed else 'unchanged:'} {len(entries)} inputs")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

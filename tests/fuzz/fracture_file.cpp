@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Files of jostle-fracture, whatever follows their head: refused with a reason, or a shape that a
-// world takes, breaks and steps with, and that is written as it was read.
+// Files of jostle-mesh fracture, whatever follows their head: refused with a reason, or a shape
+// that a world takes, breaks and steps with, and that is written as it was read.
 #include "jostle/modules/fracture_file.h"
 
 #include <cstring>

@@ -12,26 +12,19 @@
 #include <chrono>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <stdexcept>
 #include <string>
 #include <string_view>
+
+#include "jostle/base/base64.h"
 
 namespace jostle::test {
 
 using Json = nlohmann::json;
 
 inline std::string to_base64url(std::string_view bytes) {
-    static constexpr char digits[] =
-        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-_";
-    std::string text;
-    unsigned buffer = 0;
-    int count = 0;
-    for (const char c : bytes) {
-        buffer = buffer << 8 | static_cast<unsigned char>(c);
-        for (count += 8; count >= 6; count -= 6) text += digits[buffer >> (count - 6) & 63];
-    }
-    if (count > 0) text += digits[buffer << (6 - count) & 63];
-    return text;
+    return encode_base64(std::as_bytes(std::span(bytes)), Base64::url);
 }
 
 // A private key on the curve P-256.

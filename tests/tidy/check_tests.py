@@ -112,8 +112,6 @@ COVERED_BY = {
         (["behaviour/planar_test.cpp"], "discs, beams and pyramids in planar worlds against closed forms"),
     "geometry/def_checks.cpp":
         (["physics/world/checks_test.cpp", "physics/state/validate_test.cpp"], "what calls and saved worlds may not hold"),
-    "state/overload_state.h":
-        (["physics/stages/update_step_budget_test.cpp"], "worlds that climb all levels, and what each leaves out"),
     "state/validate_numbers.cpp":
         (["physics/state/validate_test.cpp"], "each kind of number, forged and named"),
     "foundation/threads.h":
@@ -225,8 +223,6 @@ COVERED_BY = {
         (["behaviour/listeners_test.cpp"], "answers are kept as long as a manifold and forgotten with it"),
     "state/contact_store.h":
         (["physics/state/contact_graph_test.cpp"], "its lists and keys are walked there"),
-    "state/field_store.h":
-        (["physics/world/fields_test.cpp"], "fields are created, changed, destroyed and listed"),
     "state/force_fields.cpp":
         (["behaviour/force_fields_test.cpp"], "each kind against a closed form"),
     "state/impulse_scale.cpp":
@@ -238,8 +234,6 @@ COVERED_BY = {
          "added, removed, in their order before and after a load"),
     "state/shape_store.h":
         (["physics/state/shape_proxy_test.cpp"], "two lines: planes, and a shape where its body takes it"),
-    "state/wake_requests.h":
-        (["physics/state/wake_test.cpp"], "one line, and the order of requests"),
     "state/world_access.h":
         (["physics/state/wake_test.cpp"], "tests reach a world's stores by nothing else"),
     "state/world_state.h":

@@ -7,7 +7,7 @@
 
 #include "tools/mesh/obj_file.h"
 
-namespace jostle::convert {
+namespace jostle::mesh {
 
 using namespace physics;
 
@@ -87,4 +87,4 @@ Result<FracturedSolid> fracture_solid(const Solid& solid, const modules::SeedPat
     return result;
 }
 
-}  // namespace jostle::convert
+}  // namespace jostle::mesh

@@ -11,7 +11,7 @@
 #include "jostle/modules/fractured_shape.h"
 #include "jostle/modules/seed_patterns.h"
 
-namespace jostle::convert {
+namespace jostle::mesh {
 
 // Exactly one of obj, box and points is set.
 struct Solid {
@@ -36,4 +36,4 @@ physics::Result<FracturedSolid> fracture_solid(const Solid& solid,
                                                std::optional<physics::Vec3> anchor = {},
                                                const modules::FractureProgress& progress = {});
 
-}  // namespace jostle::convert
+}  // namespace jostle::mesh

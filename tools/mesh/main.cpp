@@ -1,127 +1,34 @@
 // SPDX-License-Identifier: MIT
 //
-// jostle-convert: converts a closed mesh to a dynamic body of convex hulls.
-#include <CLI/CLI.hpp>
-#include <cstdio>
-#include <fstream>
-#include <iostream>
-#include <iterator>
-
-#include "jostle/modules/convex_decomposition.h"
-#include "jostle/physics/compound.h"
-#include "jostle/scenes/scene_file.h"
-#include "tools/mesh/obj_file.h"
+// jostle-mesh: prepares closed meshes for scenes, as convex hulls or as breakable chunks.
+#include "tools/mesh/commands.h"
 
 namespace {
 
-using namespace jostle;
-using namespace jostle::physics;
-
 constexpr const char* footer = R"(
-The mesh must be closed: every edge has a triangle on each side. It is cut into parts, and each part
-is replaced by its convex hull, until the excess volume of the hulls is at most --max-volume-error
-or there are --max-hulls of them. The output lists the number of hulls, their excess volume, and
-their largest distance from the mesh.
-
-The scene contains a ground plane and the body above it.
+Meshes are Wavefront OBJ files. A mesh must be closed: every edge has a triangle on each side.
 
 Examples:
-  jostle-convert teapot.obj --scene teapot.json
-  jostle-convert teapot.obj --max-hulls 64 --max-volume-error 0.01
-  jostle-convert chair.obj --scale 0.01 --scene chair.json && jostle-sim chair.json --seconds 3
+  jostle-mesh decompose teapot.obj --scene teapot.json && jostle-sim teapot.json --seconds 3
+  jostle-mesh fracture statue.obj --chunks 500 --anchor -y --out statue.fracture
+  jostle-mesh fracture --help
 
 Exit status: 0 success, 1 the mesh is not a solid or a file cannot be read or written, 2 invalid
 flags.)";
 
-struct Flags {
-    std::string file, scene;
-    decomposition::Options options;
-    double scale = 1, density = 1000;
-};
-
-int fail(const std::string& what) {
-    std::fprintf(stderr, "jostle-convert: %s\n", what.c_str());
-    return 1;
-}
-
-// The body falls onto the ground from its own height.
-scenes::SceneDescription scene_of(const decomposition::Decomposition& parts, double density) {
-    std::vector<CompoundChild> children;
-    Aabb bounds = parts.parts.front()->bounds;
-    for (const auto& part : parts.parts) {
-        children.push_back({Hull{part}, {}});
-        bounds = {min(bounds.low, part->bounds.low), max(bounds.high, part->bounds.high)};
-    }
-    const double height = bounds.high.y - bounds.low.y;
-    scenes::SceneDescription scene;
-    scene.name = "converted";
-    scene.bodies.push_back({.name = "ground",
-                            .body = {.type = BodyType::static_body},
-                            .shapes = {{.geometry = Plane{}}}});
-    scene.bodies.push_back({.name = "body",
-                            .body = {.pose = {.position = {0, height - bounds.low.y, 0}}},
-                            .shapes = {{.geometry = Compound{*build_compound(std::move(children))},
-                                        .density = density}}});
-    return scene;
-}
-
-int run(const Flags& flags) {
-    std::ifstream in(flags.file, std::ios::binary);
-    if (!in) return fail("cannot read " + flags.file);
-    const std::string text((std::istreambuf_iterator<char>(in)), {});
-    Result<convert::ObjMesh> mesh = convert::read_obj(text);
-    if (!mesh.ok()) return fail(flags.file + ": " + mesh.error().message);
-    for (Vec3& p : mesh->vertices) p = p * flags.scale;
-    const auto parts = decomposition::decompose(mesh->vertices, mesh->indices, flags.options);
-    if (!parts.ok()) return fail(flags.file + ": " + parts.error().message);
-    std::printf(
-        "triangles  %zu\nvolume     %.6g m^3\nhulls      %zu\nexcess     %.3g %% of the volume\n"
-        "distance   %.3g m from the mesh (maximum)\n",
-        mesh->indices.size() / 3, parts->mesh_volume, parts->parts.size(),
-        100 * parts->max_volume_error, parts->max_distance);
-    if (flags.scene.empty()) return 0;
-    std::ofstream out(flags.scene, std::ios::binary);
-    out << scenes::write_scene_json(scene_of(*parts, flags.density));
-    out.close();
-    return out ? 0 : fail("cannot write " + flags.scene);
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
-    CLI::App app{"Decompose a closed mesh into convex hulls, for a dynamic body."};
-    Flags flags;
+    CLI::App app{"Prepare meshes for scenes: decompose them into convex hulls, or fracture them."};
+    app.require_subcommand(1);
     app.footer(footer);
-    app.add_option("FILE", flags.file, "Wavefront OBJ file")
-        ->type_name("")
-        ->required()
-        ->check(CLI::ExistingFile.description(""));
-    app.add_option("--max-hulls", flags.options.hulls_max,
-                   "Create at most N hulls [default: 32; 1 to 1024]")
-        ->type_name("N")
-        ->check(CLI::Range(1, 1024).description(""));
-    app.add_option("--max-volume-error", flags.options.max_volume_error,
-                   "Allow this share of excess volume [default: 0.03; 0 to 10]")
-        ->type_name("RATIO")
-        ->check(CLI::Range(0.0, 10.0).description(""));
-    app.add_option("--planes-per-axis", flags.options.planes_per_axis,
-                   "Try N cuts across each axis of a part [default: 15; 1 to 127]")
-        ->type_name("N")
-        ->check(CLI::Range(1, 127).description(""));
-    app.add_option("--scale", flags.scale,
-                   "Scale the mesh by FACTOR metres per unit [default: 1; 1e-6 to 1e6]")
-        ->type_name("FACTOR")
-        ->check(CLI::Range(1e-6, 1e6).description(""));
-    app.add_option("--density", flags.density,
-                   "Density of the body in kg/m^3 [default: 1000; 0.001 to 1e6]")
-        ->type_name("DENSITY")
-        ->check(CLI::Range(1e-3, 1e6).description(""));
-    app.add_option("--scene", flags.scene, "Write a scene with the body to FILE")
-        ->type_name("FILE");
+    int status = 0;
+    jostle::mesh::add_decompose(app, status);
+    jostle::mesh::add_fracture(app, status);
     try {
         app.parse(argc, argv);
-    } catch (const CLI::ParseError& e) {
-        return app.exit(e) == 0 ? 0 : 2;
+    } catch (const CLI::ParseError& error) {
+        return app.exit(error) == 0 ? 0 : 2;
     }
-    return run(flags);
+    return status;
 }

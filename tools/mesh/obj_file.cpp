@@ -4,7 +4,7 @@
 #include <charconv>
 #include <cmath>
 
-namespace jostle::convert {
+namespace jostle::mesh {
 namespace {
 
 using namespace physics;
@@ -97,4 +97,4 @@ Result<ObjMesh> read_obj(std::string_view text) {
     return mesh;
 }
 
-}  // namespace jostle::convert
+}  // namespace jostle::mesh

@@ -12,7 +12,7 @@
 #include "jostle/physics/result.h"
 #include "jostle/physics/vec3.h"
 
-namespace jostle::convert {
+namespace jostle::mesh {
 
 struct ObjMesh {
     std::vector<physics::Vec3> vertices;
@@ -23,4 +23,4 @@ struct ObjMesh {
 // contain the line.
 physics::Result<ObjMesh> read_obj(std::string_view text);
 
-}  // namespace jostle::convert
+}  // namespace jostle::mesh

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tools/sim/convergence_report.h"
+#include "tools/sim/report.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>

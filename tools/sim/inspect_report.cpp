@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tools/sim/inspect_report.h"
+#include "tools/sim/report.h"
 
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -293,6 +293,18 @@ std::string to_json(const Inspection& found) {
     const json all = {
         {"scene", found.scene}, {"step", found.step}, {"seconds", found.time}, {"groups", groups}};
     return all.dump() + "\n";
+}
+
+std::string residuals_csv(const Inspection& found) {
+    std::string text = "scene,step,group,method,converged,iteration,residual\n";
+    for (std::size_t group = 0; group < found.groups.size(); group++)
+        for (const Solution& solution : found.groups[group].solutions)
+            for (std::size_t k = 0; k < solution.residuals.size(); k++)
+                text += format_text("%s,%llu,%zu,%s,%d,%zu,%.6g\n", found.scene.c_str(),
+                                    static_cast<unsigned long long>(found.step), group,
+                                    name_of(solution.method), solution.converged ? 1 : 0, k + 1,
+                                    solution.residuals[k]);
+    return text;
 }
 
 }  // namespace jostle::sim

@@ -12,12 +12,8 @@
 #include "jostle/scenes/catalog.h"
 #include "jostle/scenes/scene_file.h"
 #include "tools/sim/converge.h"
-#include "tools/sim/convergence_report.h"
-#include "tools/sim/inspect_plot.h"
-#include "tools/sim/inspect_report.h"
 #include "tools/sim/progress.h"
 #include "tools/sim/report.h"
-#include "tools/sim/substep_report.h"
 #include "tools/sim/trace.h"
 
 namespace {
@@ -33,6 +29,8 @@ Examples:
   jostle-sim my_scene.json --converge --seconds 3 --tolerance 0.01,0.001 --json converge.json
   jostle-sim machines --inspect --at 120
   jostle-sim my_scene.json --inspect door --at 0 --json rows.json
+  jostle-sim stack --inspect --csv residuals.csv
+  tools/analysis/plot.py residuals residuals.csv -o residuals.svg
 
 The trace has a header and one row per tick and dynamic or kinematic body: tick, body (index in the
 scene), name, position px py pz (m), rotation qx qy qz qw, velocity vx vy vz (m/s), angular velocity
@@ -69,7 +67,7 @@ struct Flags {
     std::vector<int> substep_counts;
     double finest_hz = 1920, scale = 0, budget = 120;
     std::string inspect;  // empty: not requested
-    std::string plot;
+    std::string csv;
     std::uint64_t at = 60;
     double position_correction = 0;
     int iterations = 1000;
@@ -177,7 +175,7 @@ void add_inspect_flags(CLI::App& app, Flags& flags) {
                       ->type_name("N")
                       ->check(CLI::Range(1, 1000000).description("")));
     requires_mode(
-        app.add_option("--plot", flags.plot, "Plot the residual per iteration to FILE as SVG")
+        app.add_option("--csv", flags.csv, "Write the residual per iteration to FILE as CSV")
             ->type_name("FILE"));
     requires_mode(app.add_flag("--solver-softness", flags.solver_softness,
                                "Use the softness of the solver's sweeps instead of rigid rows"));
@@ -325,7 +323,7 @@ int run_converge(const jostle::scenes::SceneDescription& scene, const Flags& fla
 
 int run_inspect(const jostle::scenes::SceneDescription& scene, jostle::scenes::BuiltScene& built,
                 const Flags& flags) {
-    for (const std::string& path : {flags.json, flags.plot})
+    for (const std::string& path : {flags.json, flags.csv})
         if (!can_write(path)) return fail(1, "cannot write " + path);
     World& world = built.world;
     if (world.step_count() > flags.at)
@@ -351,12 +349,8 @@ int run_inspect(const jostle::scenes::SceneDescription& scene, jostle::scenes::B
     std::fputs(to_text(*found).c_str(), stdout);
     if (!flags.json.empty())
         if (!write_text(flags.json, to_json(*found))) return fail(1, "cannot write " + flags.json);
-    if (flags.plot.empty()) return 0;
-    if (found->groups.size() != 1 || !found->groups[0].unavailable_reason.empty())
-        return fail(1, "--plot draws one group; select one of its bodies");
-    const std::string title = found->scene + " after step " + std::to_string(found->step);
-    if (!write_text(flags.plot, plot_residuals(found->groups[0], title)))
-        return fail(1, "cannot write " + flags.plot);
+    if (!flags.csv.empty() && !write_text(flags.csv, residuals_csv(*found)))
+        return fail(1, "cannot write " + flags.csv);
     return 0;
 }
 

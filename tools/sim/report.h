@@ -8,6 +8,8 @@
 #include <vector>
 
 #include "jostle/physics/physics.h"
+#include "tools/sim/converge.h"
+#include "tools/sim/inspect.h"
 
 namespace jostle::sim {
 
@@ -53,5 +55,26 @@ private:
 
 std::string to_text(const Report& report);
 std::string to_json(const Report& report);
+
+// Formats the result of jostle-sim --converge: a table with a verdict, or JSON.
+std::string to_text(const Convergence& found);
+std::string to_json(const Convergence& found);
+
+// Formats the result of jostle-sim --inspect: tables, JSON or CSV.
+
+std::string to_text(const Inspection& found);
+std::string to_json(const Inspection& found);
+
+// The residual of the iterative methods after each iteration, one row each. Columns: scene, step
+// (of the world), group (index), method, converged (1 or 0, of the method), iteration (from 1),
+// residual (relative to b).
+std::string residuals_csv(const Inspection& found);
+
+// Sub-steps of the islands and their estimated errors.
+
+// One line per number of sub-steps, then the islands with the largest errors. Reports if there are
+// no islands.
+std::string to_text(const std::vector<physics::IslandSubsteps>& island_substeps);
+std::string to_json(const std::vector<physics::IslandSubsteps>& island_substeps);
 
 }  // namespace jostle::sim

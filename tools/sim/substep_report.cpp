@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "tools/sim/substep_report.h"
+#include "tools/sim/report.h"
 
 #include <algorithm>
 #include <map>

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <utility>
 
-#include "jostle/analysis/thread_time.h"
 #include "jostle/analysis/work_error.h"
 
 namespace jostle::sim {

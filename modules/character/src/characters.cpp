@@ -4,10 +4,9 @@
 #include <algorithm>
 
 #include "modules/character/src/character_data.h"
+#include "modules/character/src/character_steps.h"
 #include "modules/character/src/check_character.h"
-#include "modules/character/src/rigid_step.h"
 #include "modules/character/src/steering.h"
-#include "modules/character/src/sweep_step.h"
 
 namespace jostle::modules {
 

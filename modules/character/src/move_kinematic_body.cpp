@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "modules/character/src/move_kinematic_body.h"
+#include "modules/character/src/sweep_parts.h"
 
 #include "modules/character/src/steering.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "modules/character/src/pre_push_states.h"
+#include "modules/character/src/sweep_parts.h"
 
 namespace jostle::modules::character_detail {
 

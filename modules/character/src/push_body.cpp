@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "modules/character/src/push_body.h"
+#include "modules/character/src/sweep_parts.h"
 
 namespace jostle::modules::character_detail {
 using namespace physics;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "modules/character/src/rigid_step.h"
+#include "modules/character/src/character_steps.h"
 
 #include "modules/character/src/footing.h"
 #include "modules/character/src/steering.h"

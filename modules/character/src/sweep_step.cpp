@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "modules/character/src/sweep_step.h"
+#include "modules/character/src/character_steps.h"
 
-#include "modules/character/src/climb.h"
 #include "modules/character/src/footing.h"
-#include "modules/character/src/move_kinematic_body.h"
 #include "modules/character/src/nearest_velocity.h"
-#include "modules/character/src/pre_push_states.h"
-#include "modules/character/src/push_body.h"
 #include "modules/character/src/steering.h"
+#include "modules/character/src/sweep_parts.h"
 
 namespace jostle::modules::character_detail {
 namespace {

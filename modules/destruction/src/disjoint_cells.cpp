@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "modules/destruction/src/disjoint_cells.h"
-
-#include "modules/destruction/src/voronoi_cell.h"
+#include "modules/destruction/src/fracture_cells.h"
 
 namespace jostle::modules::destruction_detail {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "modules/destruction/src/face_contact.h"
+#include "modules/destruction/src/fracture_cells.h"
 
 namespace jostle::modules::destruction_detail {
 

@@ -5,10 +5,6 @@
 #include <string>
 #include <utility>
 
-#include "modules/destruction/src/face_contact.h"
-#include "modules/destruction/src/section.h"
-#include "modules/destruction/src/voronoi_cell.h"
-
 namespace jostle::modules::destruction_detail {
 
 using namespace physics;

@@ -209,13 +209,13 @@ Status check_head(std::span<const std::byte> bytes) {
     if (bytes.size() > fracture_bytes_max) return damaged("file is larger than 256 MiB");
     if (bytes.size() < fracture_header_bytes + 8 ||
         std::memcmp(bytes.data(), magic, sizeof magic) != 0)
-        return damaged("not a fracture file; create one with jostle-fracture");
+        return damaged("not a fracture file; create one with jostle-mesh fracture");
     Reader head(bytes.subspan(sizeof magic));
     const auto version = head.bits<std::uint32_t>();
     if (version != fracture_version)
         return damaged("unsupported version " + std::to_string(version) +
                        "; this program reads version " + std::to_string(fracture_version) +
-                       "; create the file again with jostle-fracture");
+                       "; create the file again with jostle-mesh fracture");
     if (head.bits<std::uint64_t>() != fracture_checksum(bytes.subspan(fracture_header_bytes)))
         return damaged("checksum mismatch: the file is corrupt or truncated");
     return {};

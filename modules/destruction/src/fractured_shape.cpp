@@ -4,7 +4,6 @@
 #include <string>
 
 #include "modules/destruction/src/convex_cell.h"
-#include "modules/destruction/src/disjoint_cells.h"
 #include "modules/destruction/src/fracture_cells.h"
 #include "modules/destruction/src/next_uniform.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "modules/destruction/src/section.h"
+#include "modules/destruction/src/fracture_cells.h"
 
 namespace jostle::modules::destruction_detail {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "modules/destruction/src/voronoi_cell.h"
+#include "modules/destruction/src/fracture_cells.h"
 
 #include <algorithm>
 #include <string>

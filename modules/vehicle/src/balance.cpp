@@ -19,7 +19,7 @@
 // speed, the term b v delta' / L moves the foot. At high speed, t is longer than a fall; then the
 // front wheel is steered to the slip angle at which its tyre provides its share of a immediately,
 // and the rear wheel follows. To lean to the right, it first steers to the left.
-#include "modules/vehicle/src/balance.h"
+#include "modules/vehicle/src/car_parts.h"
 
 namespace jostle::modules::vehicle_detail {
 

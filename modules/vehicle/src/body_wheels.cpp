@@ -5,11 +5,10 @@
 // the drive line did not cause. The clutch therefore responds to the inertia of the whole car after
 // about 60 ms of contact, and only to that of the wheel in the air or on ice. Its effect in a
 // sub-step never exceeds what the wheel can take.
-#include "modules/vehicle/src/body_wheels.h"
+#include "modules/vehicle/src/car_parts.h"
 
-#include "modules/vehicle/src/aerodynamic_impulse.h"
+#include "modules/vehicle/src/car_math.h"
 #include "modules/vehicle/src/drive_line.h"
-#include "modules/vehicle/src/rotation_between.h"
 
 namespace jostle::modules::vehicle_detail {
 

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "modules/vehicle/src/car_step.h"
+#include "modules/vehicle/src/car_parts.h"
 
-#include "modules/vehicle/src/aerodynamic_impulse.h"
-#include "modules/vehicle/src/balance.h"
+#include "modules/vehicle/src/car_math.h"
 #include "modules/vehicle/src/drive_line.h"
-#include "modules/vehicle/src/suspension.h"
 #include "modules/vehicle/src/tyre.h"
 
 namespace jostle::modules::vehicle_detail {

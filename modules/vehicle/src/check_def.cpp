@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "modules/vehicle/src/check_def.h"
+#include "modules/vehicle/src/car_state.h"
 
 #include <cstdio>
 

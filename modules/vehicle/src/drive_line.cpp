@@ -12,7 +12,7 @@
 // positive definite for all states.
 #include "modules/vehicle/src/drive_line.h"
 
-#include "modules/vehicle/src/balance.h"
+#include "modules/vehicle/src/car_parts.h"
 #include "modules/vehicle/src/small_linear_system.h"
 
 namespace jostle::modules::vehicle_detail {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "modules/vehicle/src/gearbox.h"
+#include "modules/vehicle/src/car_parts.h"
 
 #include "modules/vehicle/src/drive_line.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "modules/vehicle/src/ground.h"
+#include "modules/vehicle/src/car_parts.h"
 
-#include "modules/vehicle/src/rotation_between.h"
+#include "modules/vehicle/src/car_math.h"
 
 namespace jostle::modules::vehicle_detail {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "modules/vehicle/src/make_car.h"
+#include "modules/vehicle/src/car_parts.h"
 
 #include "modules/vehicle/src/small_linear_system.h"
 

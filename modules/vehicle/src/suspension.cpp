@@ -11,7 +11,7 @@
 // the spring is damped out. The scheme is stable for theta >= 1/2 or z < 2, and theta reaches 1/2
 // at z = 2. For one row, x' = x + h v' and v' = (v - h k x W) / (1 + theta z^2) have the
 // determinant 1 / D and the trace 1 + 1 / D - z^2 / D with D = 1 + theta z^2.
-#include "modules/vehicle/src/suspension.h"
+#include "modules/vehicle/src/car_parts.h"
 
 #include "modules/vehicle/src/small_linear_system.h"
 

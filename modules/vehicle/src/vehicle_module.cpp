@@ -6,9 +6,8 @@
 #include "jostle/modules/settings.h"
 #include "jostle/modules/vehicle.h"
 #include "jostle/physics/world.h"
-#include "modules/vehicle/src/check_def.h"
-#include "modules/vehicle/src/pilot.h"
-#include "modules/vehicle/src/visit_car.h"
+#include "modules/vehicle/src/car_parts.h"
+#include "modules/vehicle/src/car_state.h"
 
 namespace jostle::modules {
 

@@ -4,14 +4,8 @@
 #include <algorithm>
 
 #include "jostle/physics/world.h"
-#include "modules/vehicle/src/balance.h"
-#include "modules/vehicle/src/body_wheels.h"
-#include "modules/vehicle/src/car_step.h"
-#include "modules/vehicle/src/check_def.h"
-#include "modules/vehicle/src/gearbox.h"
-#include "modules/vehicle/src/ground.h"
-#include "modules/vehicle/src/make_car.h"
-#include "modules/vehicle/src/pilot.h"
+#include "modules/vehicle/src/car_parts.h"
+#include "modules/vehicle/src/car_state.h"
 
 namespace jostle::modules {
 

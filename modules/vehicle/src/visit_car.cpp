@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "modules/vehicle/src/visit_car.h"
-
-#include "modules/vehicle/src/check_def.h"
+#include "modules/vehicle/src/car_state.h"
 
 namespace jostle::modules::vehicle_detail {
 

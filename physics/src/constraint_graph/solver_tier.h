@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Solver effort for an island: its sub-steps per step and its sweeps over the points of a manifold.
-// A rule chooses the tier from the properties of the island (stages/islands/prepare_islands.h).
+// A rule chooses the tier from the properties of the island (prepare_islands in stages/stages.h).
 // Each tier has its own colour sets, so all bodies connected by contacts or joints have the same
 // tier.
 #pragma once
@@ -39,7 +39,7 @@ inline constexpr std::size_t index_of(SolverTier tier) {
 // The islands of a tier are distributed over this many batches, each island in one batch. Threads
 // solve batches in parallel without waiting for each other. In a larger island they share the
 // colours. In a world with a tolerance a batch is a sub-step level: its islands take
-// substeps_per_level sub-steps (stages/islands/choose_substep_levels.h).
+// substeps_per_level sub-steps (choose_substep_levels in stages/islands/island_stages.h).
 inline constexpr int batch_count = 4;
 inline constexpr std::array<int, batch_count> substeps_per_level = {2, 6, 16, 48};
 inline constexpr std::uint8_t initial_substep_level = 2;  // for an island without history
@@ -74,7 +74,7 @@ inline bool controls_error(const WorldDef& world) {
 }
 // Sub-steps of the islands of a set. With a tolerance, slender, tall and heavy islands start
 // higher: a stack with too few sub-steps sways with growing amplitude, and comparing two steps does
-// not reveal that in advance (six sub-steps hold 33 layers; see prepare_islands.h about walls).
+// not reveal that in advance (six sub-steps hold 33 layers; see prepare_islands about walls).
 // `halved`: half the sub-steps, but at least two. It does not apply to slender, tall or heavy
 // islands, which need them to stand, nor with a tolerance.
 inline int substeps_of(ColourSetKey set, const WorldDef& world, bool halved = false) {

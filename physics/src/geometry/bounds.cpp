@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physics/src/geometry/bounds.h"
+#include "physics/src/geometry/shape_measures.h"
 
 #include "jostle/base/check.h"
 #include "jostle/physics/compound.h"

@@ -5,10 +5,9 @@
 #include "physics/src/foundation/byte_stream.h"
 #include "physics/src/foundation/hash.h"
 #include "physics/src/foundation/messages.h"
-#include "physics/src/geometry/bounds.h"
 #include "physics/src/geometry/bvh.h"
 #include "physics/src/geometry/geometry_checks.h"
-#include "physics/src/geometry/inner_radius.h"
+#include "physics/src/geometry/shape_measures.h"
 
 namespace jostle::physics {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physics/src/geometry/def_checks.h"
+#include "physics/src/geometry/geometry_checks.h"
 
 #include "jostle/physics/limits.h"
 #include "physics/src/foundation/messages.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physics/src/geometry/displacement.h"
+#include "physics/src/geometry/shape_measures.h"
 
 #include <algorithm>
 #include <array>

@@ -3,6 +3,7 @@
 // Range checks of geometry and of scalar and vector arguments.
 #pragma once
 
+#include "jostle/physics/defs.h"
 #include "jostle/physics/geometry.h"
 #include "jostle/physics/result.h"
 
@@ -17,5 +18,12 @@ inline bool is_within(Vec3 value, double limit) {
     return size.x <= limit && size.y <= limit && size.z <= limit;
 }
 Status check_vector(const char* name, Vec3 value, double limit);
+
+// Checks of values that occur both in arguments and in saved worlds. Each returns an Error that
+// names the argument, its value and its range.
+Status check_mass(double mass);  // 0 means no explicit mass
+// Checks that the pose is finite and the rotation is not zero.
+Status check_pose(const char* name, const Transform& pose);
+Status check_material(const Material& material);
 
 }  // namespace jostle::physics

@@ -12,7 +12,6 @@
 #include "physics/src/foundation/messages.h"
 #include "physics/src/geometry/hull_lanes.h"
 #include "physics/src/geometry/hull_topology.h"
-#include "physics/src/geometry/polyhedron_mass.h"
 
 namespace jostle::physics {
 namespace {

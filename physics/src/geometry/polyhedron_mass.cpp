@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physics/src/geometry/polyhedron_mass.h"
+#include "physics/src/geometry/hull_builder.h"
 
 namespace jostle::physics {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physics/src/geometry/projected_area.h"
+#include "physics/src/geometry/shape_measures.h"
 
 #include "jostle/physics/compound.h"
 #include "jostle/physics/hull.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physics/src/stages/publish_events.h"
+#include "physics/src/stages/stages.h"
 
 #include <algorithm>
 

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The whole step. step_world.cpp reads from top to bottom, one call per stage. The header of each
-// stage documents what it reads, what it writes, and what it leaves in scratch for which later
-// stage.
+// The whole step. step_world.cpp reads from top to bottom, one call per stage. stages.h
+// documents what each reads, what it writes, and what it leaves in scratch for which later stage.
 #pragma once
 
 #include "physics/src/stages/step_scratch.h"

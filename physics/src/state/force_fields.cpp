@@ -4,9 +4,8 @@
 #include "jostle/base/check.h"
 #include "jostle/physics/limits.h"
 #include "physics/src/foundation/messages.h"
-#include "physics/src/geometry/displacement.h"
 #include "physics/src/geometry/geometry_checks.h"
-#include "physics/src/geometry/projected_area.h"
+#include "physics/src/geometry/shape_measures.h"
 
 namespace jostle::physics {
 namespace {

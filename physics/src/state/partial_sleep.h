@@ -3,8 +3,8 @@
 // Partial sleep: a part of an island sleeps while the rest of it moves. A body that sleeps in place
 // remains in the awake set but is not solved. It acts like a static body on its moving neighbours,
 // and contacts between bodies that sleep in place are in a separate colour set. A disturbance wakes
-// the body (stages/sleep/wake_bodies.h). Bodies connected by joints fall asleep and wake together,
-// so no joint connects a moving and a sleeping body.
+// the body (stages/sleep/wake_bodies.cpp). Bodies connected by joints fall asleep and wake
+// together, so no joint connects a moving and a sleeping body.
 #pragma once
 
 #include <cstdint>

@@ -6,7 +6,7 @@
 #include "jostle/base/check.h"
 #include "physics/src/collision/broadphase/fat_box.h"
 #include "physics/src/foundation/tuning.h"
-#include "physics/src/geometry/bounds.h"
+#include "physics/src/geometry/shape_measures.h"
 #include "physics/src/state/force_fields.h"
 
 namespace jostle::physics {

@@ -6,7 +6,6 @@
 #include "jostle/physics/limits.h"
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/state/force_fields.h"
-#include "physics/src/state/validate_numbers.h"
 
 namespace jostle::physics {
 namespace {

@@ -15,4 +15,9 @@ namespace jostle::physics {
 // serialization/derive.h.
 std::optional<std::string> find_fault(const WorldState& world);
 
+// Checks that each number of a world is one that calls of World and steps can produce. Others, such
+// as a mass without a shape or a negative time at rest, come from forged bytes. Called by
+// find_fault before the stores are compared. Returns the first number out of range, or nullopt.
+std::optional<std::string> find_number_fault(const WorldState& world);
+
 }  // namespace jostle::physics

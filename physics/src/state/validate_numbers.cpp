@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "physics/src/state/validate_numbers.h"
+#include "physics/src/state/validate.h"
 
 #include "jostle/physics/limits.h"
 #include "physics/src/foundation/tuning.h"
-#include "physics/src/geometry/def_checks.h"
+#include "physics/src/geometry/geometry_checks.h"
 
 namespace jostle::physics {
 namespace {

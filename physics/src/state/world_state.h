@@ -4,28 +4,107 @@
 // in this folder, the stages in stages/.
 #pragma once
 
+#include <compare>
+#include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "jostle/base/check.h"
 #include "jostle/physics/defs.h"
+#include "jostle/physics/force_fields.h"
 #include "jostle/physics/profile.h"
 #include "physics/src/constraint_graph/constraint_graph.h"
+#include "physics/src/foundation/id_pool.h"
 #include "physics/src/foundation/thread_pool.h"
 #include "physics/src/foundation/threading_trial.h"
+#include "physics/src/foundation/tuning.h"
 #include "physics/src/state/body_store.h"
 #include "physics/src/state/contact_store.h"
 #include "physics/src/state/event_store.h"
-#include "physics/src/state/field_store.h"
-#include "physics/src/state/graph_scratch.h"
 #include "physics/src/state/island_store.h"
 #include "physics/src/state/joint_store.h"
 #include "physics/src/state/listener_store.h"
-#include "physics/src/state/overload_state.h"
 #include "physics/src/state/shape_store.h"
-#include "physics/src/state/trigger_store.h"
-#include "physics/src/state/wake_requests.h"
 
 namespace jostle::physics {
+
+// Shapes inside triggers, as of the last step.
+struct Inside {
+    std::uint32_t trigger = 0, shape = 0;
+
+    auto operator<=>(const Inside&) const = default;
+};
+
+struct TriggerStore {
+    std::vector<Inside> inside;  // ascending
+    // New or moved triggers, which are tested even if nothing moves.
+    std::vector<std::uint32_t> fresh;
+};
+
+// The force fields of a world.
+struct FieldStore {
+    IdPool ids;
+    std::vector<FieldDef> fields;       // by index
+    std::vector<std::uint32_t> active;  // indices of existing fields, ascending; derived
+
+    bool empty() const { return active.empty(); }
+
+    void derive_active() {
+        active.clear();
+        for (std::uint32_t i = 0; i < ids.size(); i++)
+            if (ids.alive(i)) active.push_back(i);
+    }
+};
+
+// Overload level of a world with a step budget (WorldDef::step_budget): the measures that reduce
+// the work of a step. Each level includes the previous ones. The level is part of the state. It
+// changes after a step, depending on the counted work of that step, never on a clock
+// (update_step_budget). Without a budget it is 0 and has no effect.
+struct OverloadState {
+    std::uint8_t level = 0;  // 0 to max_overload_level
+    std::uint8_t easy = 0;   // consecutive steps cheap enough for the next lower level
+};
+
+// Level 1: manifolds are reused over more motion.
+inline bool reuses_manifolds_longer(const OverloadState& overload_level) {
+    return overload_level.level >= 1;
+}
+// Level 2: impacts between moving bodies are left to the contact solver. Sweeps against static and
+// kinematic bodies remain, so no body passes through them.
+inline bool leaves_impacts_to_contacts(const OverloadState& overload_level) {
+    return overload_level.level >= 2;
+}
+// Level 3: islands take half of their sub-steps if that leaves at least two; slender, tall and
+// heavily loaded islands, which would collapse, are exempt.
+inline bool halves_substeps(const OverloadState& overload_level) {
+    return overload_level.level >= 3;
+}
+
+// Wake requests. Stages file them; they are applied at two points of the step in order of bodies,
+// so that the result does not depend on the order of discovery (stages/sleep/wake_bodies.cpp). Not
+// part of the state: empty after a step.
+struct WakeRequest {
+    std::uint32_t body = 0xffffffff;  // a body that sleeps, with its island or in place
+    double mass = 0;                  // kg of its surroundings that wake with it
+    // Only its load changed: it soon sleeps again if it still rests.
+    bool briefly = false;
+    auto operator<=>(const WakeRequest&) const = default;
+};
+using WakeRequests = std::vector<WakeRequest>;
+
+// Returns the mass that a momentum in kg m/s would move at the speed gentle_speed, kg.
+inline double mass_to_wake(double momentum) {
+    return momentum / tuning::gentle_speed;
+}
+
+// Scratch memory for traversals of connected bodies, reused between traversals. Not part of the
+// state.
+struct GraphScratch {
+    std::vector<std::uint8_t> visited, seen_jointed;  // by body; zero between uses
+    std::vector<std::uint8_t> visited_jointed;        // by body
+    std::vector<std::uint32_t> jointed;               // bodies
+    std::vector<std::uint32_t> stack;
+};
 
 // Everything that the next step depends on, and data derived from it. A copy of this struct is a
 // copy of the world (serialization/restore_point.cpp).

@@ -9,7 +9,7 @@
 #include "jostle/physics/defs.h"
 #include "jostle/physics/ids.h"
 #include "jostle/physics/result.h"
-#include "physics/src/geometry/def_checks.h"
+#include "physics/src/geometry/geometry_checks.h"
 #include "physics/src/state/world_state.h"
 
 namespace jostle::physics {

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "jostle/physics/world.h"
-#include "physics/src/geometry/bounds.h"
+#include "physics/src/geometry/shape_measures.h"
 #include "physics/src/state/contact_constraints.h"
 #include "physics/src/world/checks.h"
 #include "physics/src/world/contact_view.h"

@@ -2,10 +2,9 @@
 #include "physics/src/world/mass.h"
 
 #include "jostle/base/check.h"
-#include "physics/src/geometry/bounds.h"
-#include "physics/src/geometry/inner_radius.h"
 #include "physics/src/geometry/mass_properties.h"
 #include "physics/src/geometry/outline.h"
+#include "physics/src/geometry/shape_measures.h"
 #include "physics/src/state/shape_proxy.h"
 
 namespace jostle::physics {

@@ -7,7 +7,7 @@
 
 #include "jostle/physics/world.h"
 #include "physics/src/collision/broadphase/dynamic_tree.h"
-#include "physics/src/geometry/bounds.h"
+#include "physics/src/geometry/shape_measures.h"
 #include "physics/src/state/world_state.h"
 #include "physics/src/world/checks.h"
 

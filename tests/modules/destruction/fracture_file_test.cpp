@@ -54,12 +54,12 @@ TEST(FractureFile, round_trip_is_bit_identical) {
 TEST(FractureFile, errors_name_the_invalid_field) {
     const FracturedShape shape = split_box({1, 1, 1}, 2, 1, 1).value();
     const std::vector<std::byte> valid = bytes_of(shape);
-    EXPECT_EQ(error_of({}), "not a fracture file; create one with jostle-fracture");
+    EXPECT_EQ(error_of({}), "not a fracture file; create one with jostle-mesh fracture");
     std::vector<std::byte> bytes = valid;
     bytes[8] = std::byte{7};
     EXPECT_EQ(error_of(bytes),
               "unsupported version 7; this program reads version 1; create the file again with "
-              "jostle-fracture");
+              "jostle-mesh fracture");
     bytes = valid;
     bytes.back() ^= std::byte{1};
     EXPECT_EQ(error_of(bytes), "checksum mismatch: the file is corrupt or truncated");

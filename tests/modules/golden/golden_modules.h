@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Golden channels of modules, each from a small world after some steps. The files
-// proto/golden_modules/TAG.bin are also read by the renderers of clients/web: u32 number of
-// channels; for each u32 kind (index in Module::channels()), u32 entity, u32 number of values, and
-// the values as i32; little endian. The name of a body is its index + 1, in the order of creation.
+// Golden channels of modules, each from a small world after some steps. The
+// renderers of clients/web also read the file proto/golden_modules.txt. A line is a channel: the
+// module, the kind (index in Module::channels()), the entity and the values, separated by spaces.
+// The name of a body is its index + 1, in the order of creation.
 #pragma once
 
 #include <string>
@@ -27,22 +27,6 @@ struct GoldenModule {
     std::string tag;
     Channels channels;
 };
-
-// The contents of a file.
-inline std::vector<std::byte> file_bytes(const Channels& channels) {
-    std::vector<std::byte> bytes;
-    const auto u32 = [&](std::size_t value) {
-        for (int shift = 0; shift < 32; shift += 8)
-            bytes.push_back(static_cast<std::byte>(value >> shift & 0xff));
-    };
-    u32(channels.size());
-    for (const auto& [kind, entity, values] : channels) {
-        for (const std::size_t head : {std::size_t{kind}, std::size_t{entity}, values.size()})
-            u32(head);
-        for (const std::int32_t value : values) u32(static_cast<std::uint32_t>(value));
-    }
-    return bytes;
-}
 
 template <class M>
 M& add_to(World& world) {
@@ -156,6 +140,14 @@ inline std::vector<GoldenModule> golden_modules() {
             {"fields", golden_fields()},
             {"ragdoll", golden_ragdoll()},
             {"vehicle", golden_vehicle()}};
+}
+
+// A line of the file.
+inline std::string line_of(const std::string& tag, const ChannelWriter::Channel& channel) {
+    std::string line =
+        tag + " " + std::to_string(channel.kind) + " " + std::to_string(channel.entity);
+    for (const std::int32_t value : channel.values) line += " " + std::to_string(value);
+    return line;
 }
 
 }  // namespace jostle::modules

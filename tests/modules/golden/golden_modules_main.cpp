@@ -1,27 +1,22 @@
 // SPDX-License-Identifier: MIT
 //
-// golden_modules FOLDER: writes the channels of each module in its golden world to FOLDER/TAG.bin.
+// golden_modules FILE: writes the channels of each module in its golden world to FILE.
 #include <cstdio>
 #include <fstream>
 
 #include "tests/modules/golden/golden_modules.h"
 
 int main(int argc, char** argv) {
+    using namespace jostle::modules;
     if (argc != 2) {
-        std::fprintf(stderr, "usage: golden_modules FOLDER (usually proto/golden_modules)\n");
+        std::fprintf(stderr, "usage: golden_modules FILE (usually proto/golden_modules.txt)\n");
         return 2;
     }
-    for (const auto& [tag, channels] : jostle::modules::golden_modules()) {
-        const std::vector<std::byte> bytes = jostle::modules::file_bytes(channels);
-        const std::string path = std::string(argv[1]) + "/" + tag + ".bin";
-        std::ofstream out(path, std::ios::binary);
-        out.write(reinterpret_cast<const char*>(bytes.data()),
-                  static_cast<std::streamsize>(bytes.size()));
-        if (!out) {
-            std::fprintf(stderr, "cannot write %s\n", path.c_str());
-            return 1;
-        }
-        std::printf("%s: %zu bytes\n", path.c_str(), bytes.size());
-    }
-    return 0;
+    std::ofstream out(argv[1]);
+    for (const GoldenModule& module : golden_modules())
+        for (const auto& channel : module.channels) out << line_of(module.tag, channel) << "\n";
+    out.close();
+    if (out) return 0;
+    std::fprintf(stderr, "cannot write %s\n", argv[1]);
+    return 1;
 }

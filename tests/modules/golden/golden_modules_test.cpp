@@ -1,44 +1,49 @@
 // SPDX-License-Identifier: MIT
 //
 // The committed golden channels equal the current output of the modules. clients/web reads the same
-// files.
+// file.
 #include "tests/modules/golden/golden_modules.h"
 
 #include <gtest/gtest.h>
 
 #include <cstdlib>
-#include <cstring>
 #include <fstream>
-#include <iterator>
-#include <string_view>
+#include <sstream>
 
 namespace jostle::modules {
 namespace {
 
-// A file consists of 32-bit integers.
-std::vector<std::int32_t> numbers_of(std::string_view bytes) {
-    std::vector<std::int32_t> numbers(bytes.size() / 4);
-    std::memcpy(numbers.data(), bytes.data(), numbers.size() * 4);
-    return numbers;
+// The module of a line, and its numbers.
+struct Line {
+    std::string tag;
+    std::vector<std::int64_t> numbers;
+};
+Line parse(const std::string& text) {
+    std::istringstream in(text);
+    Line line;
+    in >> line.tag;
+    for (std::int64_t number; in >> number;) line.numbers.push_back(number);
+    return line;
 }
 
-TEST(GoldenModules, committed_files_match_current_module_output) {
+TEST(GoldenModules, committed_file_matches_current_module_output) {
     // A portable build rounds differently, so quantized values may differ by one step.
     const std::int64_t tolerance = arithmetic() == Arithmetic::fused ? 0 : 1;
-    for (const GoldenModule& module : golden_modules()) {
-        std::ifstream in(GOLDEN_FOLDER "/" + module.tag + ".bin", std::ios::binary);
-        ASSERT_TRUE(in) << module.tag;
-        const std::string text((std::istreambuf_iterator<char>(in)), {});
-        const std::vector<std::byte> bytes = file_bytes(module.channels);
-        ASSERT_EQ(text.size(), bytes.size()) << module.tag;
-        const auto golden = numbers_of(text);
-        const auto current =
-            numbers_of({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
-        for (std::size_t i = 0; i < golden.size(); i++)
-            ASSERT_LE(std::abs(std::int64_t{current[i]} - golden[i]), tolerance)
-                << module.tag << " number " << i << ": " << current[i] << ", not " << golden[i]
-                << "; if the change is intended, run golden_modules proto/golden_modules";
-    }
+    const std::string hint = "; if the change is intended, run golden_modules " GOLDEN_FILE;
+    std::ifstream in(GOLDEN_FILE);
+    std::string text;
+    for (const GoldenModule& module : golden_modules())
+        for (const auto& channel : module.channels) {
+            ASSERT_TRUE(std::getline(in, text)) << module.tag << hint;
+            const Line golden = parse(text), current = parse(line_of(module.tag, channel));
+            ASSERT_EQ(golden.tag, current.tag) << hint;
+            ASSERT_EQ(golden.numbers.size(), current.numbers.size()) << text << hint;
+            for (std::size_t i = 0; i < golden.numbers.size(); i++)
+                ASSERT_LE(std::abs(current.numbers[i] - golden.numbers[i]), tolerance)
+                    << module.tag << " number " << i << ": " << current.numbers[i] << ", not "
+                    << golden.numbers[i] << hint;
+        }
+    EXPECT_FALSE(std::getline(in, text)) << text << hint;
 }
 
 // Lengths according to the layouts in the headers, for a boat, three characters, two walls, two

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Boxes are as tight as the shapes' furthest points, in any pose.
-#include "physics/src/geometry/bounds.h"
+#include "physics/src/geometry/shape_measures.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 //
 // What lies below a plane: closed forms, a sum over cells, and the two sides of a cut, which are
 // the whole.
-#include "physics/src/geometry/displacement.h"
+#include "physics/src/geometry/shape_measures.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // A ball of the inner radius fits inside, and no larger one at the same place.
-#include "physics/src/geometry/inner_radius.h"
+#include "physics/src/geometry/shape_measures.h"
 
 #include <gtest/gtest.h>
 

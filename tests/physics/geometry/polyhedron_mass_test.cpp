@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Volume, centre and inertia of polyhedra against closed forms, wherever they stand.
-#include "physics/src/geometry/polyhedron_mass.h"
+#include "physics/src/geometry/hull_builder.h"
 
 #include <gtest/gtest.h>
 

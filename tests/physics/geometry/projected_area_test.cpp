@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Shadows: closed forms, and against a count of rays that hit.
-#include "physics/src/geometry/projected_area.h"
+#include "physics/src/geometry/shape_measures.h"
 
 #include <gtest/gtest.h>
 

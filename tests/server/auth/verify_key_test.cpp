@@ -3,14 +3,14 @@
 
 #include <gtest/gtest.h>
 
-#include "server/auth/base64url.h"
+#include "jostle/base/base64.h"
 #include "tests/support/tokens.h"
 
 namespace jostle::server {
 namespace {
 
 std::string bytes_of(const char* base64url) {
-    return from_base64url(base64url).value();
+    return decode_base64<std::string>(base64url, Base64::url).value();
 }
 
 // The key, text and signature of RFC 7515, appendix A.3.

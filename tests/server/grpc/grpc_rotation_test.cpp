@@ -10,7 +10,7 @@
 #include "jostle/client/world_client.h"
 #include "jostle/scenes/catalog.h"
 #include "server/grpc/grpc_server.h"
-#include "server/grpc/world_methods.h"
+#include "server/grpc/service_methods.h"
 #include "server/services/world_control.h"
 #include "tests/support/certificates.h"
 #include "tests/support/temp_folder.h"

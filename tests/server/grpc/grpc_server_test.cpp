@@ -12,8 +12,7 @@
 
 #include "jostle/client/client.h"
 #include "jostle/scenes/catalog.h"
-#include "server/grpc/query_methods.h"
-#include "server/grpc/world_methods.h"
+#include "server/grpc/service_methods.h"
 #include "server/services/query_control.h"
 #include "server/services/world_control.h"
 #include "tests/support/counter.h"

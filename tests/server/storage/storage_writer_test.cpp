@@ -3,10 +3,16 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <chrono>
 #include <memory>
+#include <mutex>
+#include <optional>
 #include <string>
+#include <thread>
+#include <vector>
 
-#include "tests/server/storage/faulty_storage.h"
+#include "server/storage/world_storage.h"
 #include "tests/server/storage/journals.h"
 #include "tests/support/wait_until.h"
 
@@ -14,10 +20,59 @@ namespace jostle::server {
 namespace {
 
 using namespace std::chrono_literals;
-using test::FaultyState;
-using test::FaultyStorage;
 using test::JournalMaker;
 using test::wait_until;
+
+// In-memory storage that fails or delays on request. Any thread may control it.
+// Shared with the test, which gives up ownership of the storage.
+struct FaultyState {
+    std::atomic<int> delay_ms{0};  // per write
+    std::mutex mutex;
+    std::optional<Error> error;  // returned by every write
+    std::vector<StorageChange> written;
+    std::vector<std::size_t> groups;  // number of changes of each successful write
+
+    void fail(std::optional<Error> with) {
+        const std::lock_guard lock(mutex);
+        error = std::move(with);
+    }
+    std::size_t size() {
+        const std::lock_guard lock(mutex);
+        return written.size();
+    }
+};
+
+class FaultyStorage : public WorldStorage {
+public:
+    explicit FaultyStorage(std::shared_ptr<FaultyState> state) : state_(std::move(state)) {}
+
+    Status write(std::span<const StorageChange> changes) override {
+        std::this_thread::sleep_for(std::chrono::milliseconds(state_->delay_ms.load()));
+        const std::lock_guard lock(state_->mutex);
+        if (state_->error) return *state_->error;
+        for (const StorageChange& change : changes)
+            if (std::holds_alternative<DropWorld>(change))
+                return Error{ErrorCode::not_found, "the world does not exist"};
+        state_->written.insert(state_->written.end(), changes.begin(), changes.end());
+        state_->groups.push_back(changes.size());
+        return {};
+    }
+    Result<std::vector<StoredWorld>> worlds() override { return nothing(); }
+    Result<std::vector<std::uint32_t>> checkpoint_ticks(const std::string&) override {
+        return nothing();
+    }
+    Result<Checkpoint> checkpoint(const std::string&, std::uint32_t) override { return nothing(); }
+    Result<std::vector<JournalEntry>> entries(const std::string&, std::uint64_t,
+                                              std::size_t) override {
+        return nothing();
+    }
+    Result<std::optional<std::string>> note(const std::string&) override { return nothing(); }
+
+private:
+    static Error nothing() { return {ErrorCode::unavailable, "this storage is write-only"}; }
+
+    std::shared_ptr<FaultyState> state_;
+};
 
 // A writer over a storage that can fail on request.
 struct WriterFixture {

@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include "jostle/analysis/thread_time.h"
-
 namespace {
 
 using namespace jostle::convergence;

@@ -11,7 +11,7 @@
 #include "jostle/modules/fracture_file.h"
 #include "tests/modules/convex_decomposition/solids.h"
 
-namespace jostle::convert {
+namespace jostle::mesh {
 namespace {
 
 using namespace physics;
@@ -110,4 +110,4 @@ TEST(FractureSolid, reports_invalid_solids) {
 }
 
 }  // namespace
-}  // namespace jostle::convert
+}  // namespace jostle::mesh

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace jostle::convert {
+namespace jostle::mesh {
 namespace {
 
 TEST(ObjFile, triangulates_faces_and_supports_negative_indices) {
@@ -34,4 +34,4 @@ TEST(ObjFile, errors_name_the_line) {
 }
 
 }  // namespace
-}  // namespace jostle::convert
+}  // namespace jostle::mesh

@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/tools/sim/sim_program.h"
 
 namespace {
@@ -51,7 +53,7 @@ TEST_F(Sim, inspects_a_linkage_with_three_redundant_rows) {
 // Ten boxes of 1000 kg: the impulse of the lowest one on the ground in a sub-step.
 TEST_F(Sim, inspects_the_weight_of_a_stack) {
     ASSERT_EQ(run("stack --inspect --at 120 --iterations 4000 --json " + file("r.json") +
-                  " --plot " + file("p.svg")),
+                  " --csv " + file("r.csv")),
               0)
         << output();
     const auto json = report();
@@ -68,10 +70,13 @@ TEST_F(Sim, inspects_the_weight_of_a_stack) {
     EXPECT_NEAR(impulse / group["h"].get<double>(), weight, 2e-3 * weight);
     EXPECT_EQ(group["rank"], 60);
     EXPECT_TRUE(group["free_motions"].is_null());
-    const std::string picture = read(file("p.svg"));
-    EXPECT_THAT(picture, StartsWith("<svg"));
-    EXPECT_THAT(picture, HasSubstr("projected Gauss-Seidel"));
-    EXPECT_THAT(picture, HasSubstr("<polyline"));
+    const std::string csv = read(file("r.csv"));
+    EXPECT_THAT(csv, StartsWith("scene,step,group,method,converged,iteration,residual\n"));
+    EXPECT_THAT(csv, HasSubstr("\nstack,120,0,projected Gauss-Seidel,1,1,"));
+    std::size_t lines = 1;  // the names of the columns
+    for (const auto& line : group["methods"])
+        if (line.contains("residuals")) lines += line["residuals"].size();
+    EXPECT_EQ(static_cast<std::size_t>(std::count(csv.begin(), csv.end(), '\n')), lines);
 }
 
 TEST_F(Sim, lists_all_groups_of_a_scene) {
@@ -107,12 +112,12 @@ TEST_F(Sim, rejects_an_unknown_body) {
     refused("stack --inspect ground", 1, "is not dynamic");
     refused("free_space --inspect 3 --at 0", 1, "touches nothing");
     refused("pyramid --inspect 5", 1, "more than 1500 rows");
-    refused("machines --inspect --plot " + file("p.svg"), 1, "--plot draws one group");
     refused("stack --at 3", 2, "--inspect");
     refused("stack --inspect --position-correction 2", 2, "2 is not a number from 0 to 1");
     refused("stack --inspect --converge", 2, "--converge");
     refused("stack --inspect --seconds 3", 2, "--seconds");
     refused("stack --inspect --json /nowhere/r.json", 1, "cannot write /nowhere/r.json");
+    refused("stack --inspect --csv /nowhere/r.csv", 1, "cannot write /nowhere/r.csv");
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "jostle/analysis/thread_time.h"
+#include "jostle/analysis/work_error.h"
 #include "tools/analysis/src/solvers.h"
 
 namespace jostle::linear_systems {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "jostle/analysis/work_error.h"
 
+#include <time.h>
+
 #include <algorithm>
 #include <numeric>
 
@@ -29,6 +31,12 @@ std::optional<std::size_t> least_work(std::span<const WorkError> runs, double to
     for (std::size_t k = 0; k < runs.size(); k++)
         if (runs[k].error <= tolerance && (!best || runs[k].work < runs[*best].work)) best = k;
     return best;
+}
+
+double thread_seconds() {
+    timespec t{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &t);
+    return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
 }  // namespace jostle::convergence

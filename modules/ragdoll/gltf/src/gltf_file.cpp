@@ -6,8 +6,8 @@
 #include <cstring>
 #include <utility>
 
+#include "jostle/base/base64.h"
 #include "jostle/physics/scalar.h"
-#include "modules/ragdoll/gltf/src/base64.h"
 
 namespace jostle::modules::gltf {
 
@@ -175,8 +175,9 @@ Status File::load_buffers(const GltfBufferReader& outside) {
             const std::size_t comma = text.find(";base64,");
             if (comma == std::string::npos)
                 return uri.make_error("is a data URI that is not base64");
-            auto decoded = from_base64(std::string_view(text).substr(comma + 8));
-            if (!decoded) return uri.make_error("is not valid base64");
+            auto decoded = decode_base64(std::string_view(text).substr(comma + 8));
+            if (!decoded.ok())
+                return uri.make_error("is not valid base64: " + decoded.error().message);
             bytes = std::move(*decoded);
         } else {
             if (!outside)

@@ -2,9 +2,7 @@
 #include "physics/src/collision/narrowphase/collide.h"
 
 #include "jostle/base/check.h"
-#include "physics/src/collision/narrowphase/collide_boxes.h"
-#include "physics/src/collision/narrowphase/collide_plane.h"
-#include "physics/src/collision/narrowphase/collide_round.h"
+#include "physics/src/collision/narrowphase/collide_pairs.h"
 
 namespace jostle::physics {
 namespace {

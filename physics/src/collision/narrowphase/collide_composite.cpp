@@ -6,8 +6,8 @@
 #include "jostle/physics/compound.h"
 #include "physics/src/collision/narrowphase/collide.h"
 #include "physics/src/collision/narrowphase/collide_surface.h"
-#include "physics/src/geometry/bounds.h"
 #include "physics/src/geometry/bvh.h"
+#include "physics/src/geometry/shape_measures.h"
 
 namespace jostle::physics {
 namespace {

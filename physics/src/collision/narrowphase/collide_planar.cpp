@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physics/src/collision/narrowphase/collide_planar.h"
+#include "physics/src/collision/narrowphase/collide_pairs.h"
 
 #include "physics/src/geometry/outline.h"
 

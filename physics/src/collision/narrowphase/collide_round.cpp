@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physics/src/collision/narrowphase/collide_round.h"
+#include "physics/src/collision/narrowphase/collide_pairs.h"
 
 #include "physics/src/collision/narrowphase/segments.h"
 #include "physics/src/foundation/tuning.h"

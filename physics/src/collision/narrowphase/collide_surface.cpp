@@ -6,10 +6,10 @@
 
 #include "physics/src/collision/narrowphase/collide_convex.h"
 #include "physics/src/collision/narrowphase/gjk.h"
-#include "physics/src/collision/narrowphase/nearest_on_triangle.h"
+#include "physics/src/collision/narrowphase/triangle.h"
 #include "physics/src/foundation/tuning.h"
-#include "physics/src/geometry/bounds.h"
 #include "physics/src/geometry/hull_lanes.h"
+#include "physics/src/geometry/shape_measures.h"
 
 namespace jostle::physics {
 namespace {

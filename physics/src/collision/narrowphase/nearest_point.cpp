@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "physics/src/collision/narrowphase/nearest_point.h"
+#include "physics/src/collision/narrowphase/shape_distance.h"
 
 #include "jostle/physics/compound.h"
-#include "physics/src/collision/narrowphase/shape_distance.h"
-#include "physics/src/geometry/bounds.h"
 #include "physics/src/geometry/bvh.h"
+#include "physics/src/geometry/shape_measures.h"
 #include "physics/src/geometry/surface.h"
 
 namespace jostle::physics {

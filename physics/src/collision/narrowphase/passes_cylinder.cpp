@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physics/src/collision/narrowphase/passes_cylinder.h"
+#include "physics/src/collision/narrowphase/triangle.h"
 
 #include "physics/src/foundation/uninitialized_array.h"
 

@@ -13,14 +13,13 @@
 
 #include "physics/src/collision/narrowphase/collide_surface.h"
 #include "physics/src/collision/narrowphase/gjk.h"
-#include "physics/src/collision/narrowphase/nearest_on_triangle.h"
-#include "physics/src/collision/narrowphase/passes_cylinder.h"
 #include "physics/src/collision/narrowphase/sweep_cup.h"
 #include "physics/src/collision/narrowphase/sweep_lanes.h"
+#include "physics/src/collision/narrowphase/triangle.h"
 #include "physics/src/foundation/tuning.h"
-#include "physics/src/geometry/bounds.h"
 #include "physics/src/geometry/grid_lanes.h"
 #include "physics/src/geometry/ray.h"
+#include "physics/src/geometry/shape_measures.h"
 #include "physics/src/geometry/surface.h"
 
 namespace jostle::physics {

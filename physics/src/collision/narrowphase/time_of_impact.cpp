@@ -6,8 +6,8 @@
 #include "physics/src/collision/narrowphase/gjk.h"
 #include "physics/src/collision/narrowphase/segments.h"
 #include "physics/src/foundation/tuning.h"
-#include "physics/src/geometry/bounds.h"
 #include "physics/src/geometry/bvh.h"
+#include "physics/src/geometry/shape_measures.h"
 #include "physics/src/geometry/surface.h"
 
 namespace jostle::physics {

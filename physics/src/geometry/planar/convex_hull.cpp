@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "physics/src/geometry/planar/convex_hull.h"
+#include "physics/src/geometry/planar/planar_checks.h"
 
 #include <algorithm>
 
 #include "jostle/physics/planar.h"
-#include "physics/src/geometry/planar/planar_checks.h"
 
 namespace jostle::physics::planar {
 namespace {

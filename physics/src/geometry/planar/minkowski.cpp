@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "jostle/physics/planar.h"
-#include "physics/src/geometry/planar/convex_hull.h"
 #include "physics/src/geometry/planar/planar_checks.h"
 
 namespace jostle::physics::planar {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "physics/src/geometry/planar/polygon.h"
+#include "physics/src/geometry/planar/planar_checks.h"
 
 #include <algorithm>
 
 #include "physics/src/foundation/messages.h"
-#include "physics/src/geometry/planar/planar_checks.h"
 
 namespace jostle::physics::planar {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "physics/src/foundation/messages.h"
 #include "physics/src/geometry/geometry_checks.h"
-#include "physics/src/geometry/planar/polygon.h"
+#include "physics/src/geometry/planar/planar_checks.h"
 
 namespace jostle::physics::planar {
 namespace {

@@ -2,7 +2,6 @@
 #include <utility>
 
 #include "jostle/physics/planar.h"
-#include "physics/src/geometry/planar/convex_hull.h"
 #include "physics/src/geometry/planar/planar_checks.h"
 
 namespace jostle::physics::planar {

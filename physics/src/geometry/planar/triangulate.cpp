@@ -2,7 +2,7 @@
 #include <algorithm>
 
 #include "physics/src/foundation/messages.h"
-#include "physics/src/geometry/planar/polygon.h"
+#include "physics/src/geometry/planar/planar_checks.h"
 
 namespace jostle::physics::planar {
 namespace {

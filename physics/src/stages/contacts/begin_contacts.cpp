@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physics/src/stages/contacts/begin_contacts.h"
+#include "physics/src/stages/stages.h"
 
 #include <algorithm>
 #include <tuple>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "physics/src/stages/contacts/narrow_phase_pair.h"
+#include "physics/src/stages/contacts/contact_stages.h"
 
 #include <optional>
 
 #include "jostle/base/check.h"
 #include "physics/src/collision/narrowphase/collide.h"
-#include "physics/src/collision/narrowphase/collide_planar.h"
+#include "physics/src/collision/narrowphase/collide_pairs.h"
 #include "physics/src/constraints/write_manifold.h"
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/stages/contacts/pair_motion.h"

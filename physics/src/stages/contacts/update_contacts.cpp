@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "physics/src/stages/contacts/update_contacts.h"
+#include "physics/src/stages/stages.h"
 
 #include <cstddef>
 
 #include "physics/src/foundation/prefetch.h"
 #include "physics/src/foundation/tuning.h"
-#include "physics/src/stages/contacts/narrow_phase_pair.h"
-#include "physics/src/stages/contacts/select_pairs.h"
-#include "physics/src/stages/contacts/update_touching.h"
+#include "physics/src/stages/contacts/contact_stages.h"
 #include "physics/src/stages/step_scratch.h"
 
 namespace jostle::physics {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physics/src/stages/contacts/update_touching.h"
+#include "physics/src/stages/contacts/contact_stages.h"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physics/src/stages/finalize/integrate_free.h"
+#include "physics/src/stages/stages.h"
 
 #include <algorithm>
 #include <span>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physics/src/stages/islands/assign_batches.h"
+#include "physics/src/stages/islands/island_stages.h"
 
 #include <algorithm>
 #include <array>

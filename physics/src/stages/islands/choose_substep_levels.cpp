@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physics/src/stages/islands/choose_substep_levels.h"
+#include "physics/src/stages/islands/island_stages.h"
 
 #include <algorithm>
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physics/src/stages/islands/heavy_load.h"
+#include "physics/src/stages/islands/island_stages.h"
 
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/state/contact_constraints.h"

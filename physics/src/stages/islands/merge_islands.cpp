@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-#include "physics/src/stages/islands/merge_islands.h"
+#include "physics/src/stages/stages.h"
 
 #include <algorithm>
 
 #include "jostle/base/check.h"
 #include "physics/src/constraint_graph/wide_rows.h"
 #include "physics/src/foundation/tuning.h"
-#include "physics/src/stages/islands/heavy_load.h"
+#include "physics/src/stages/islands/island_stages.h"
 #include "physics/src/stages/step_scratch.h"
 #include "physics/src/state/contact_constraints.h"
 #include "physics/src/state/contact_graph.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physics/src/stages/islands/prepare_islands.h"
+#include "physics/src/stages/stages.h"
 
 #include <algorithm>
 #include <optional>
@@ -8,10 +8,7 @@
 #include "jostle/base/check.h"
 #include "physics/src/foundation/size_scale.h"
 #include "physics/src/foundation/tuning.h"
-#include "physics/src/stages/islands/assign_batches.h"
-#include "physics/src/stages/islands/choose_substep_levels.h"
-#include "physics/src/stages/islands/heavy_load.h"
-#include "physics/src/stages/islands/sort_constraints.h"
+#include "physics/src/stages/islands/island_stages.h"
 #include "physics/src/stages/step_scratch.h"
 #include "physics/src/state/contact_constraints.h"
 #include "physics/src/state/island_tiers.h"

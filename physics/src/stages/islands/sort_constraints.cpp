@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physics/src/stages/islands/sort_constraints.h"
+#include "physics/src/stages/islands/island_stages.h"
 
 #include "physics/src/state/contact_constraints.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physics/src/stages/pairs/update_pairs.h"
+#include "physics/src/stages/stages.h"
 
 #include <algorithm>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "physics/src/stages/pairs/update_triggers.h"
+#include "physics/src/stages/stages.h"
 
 #include <algorithm>
 
 #include "jostle/base/check.h"
 #include "physics/src/collision/narrowphase/collide_composite.h"
-#include "physics/src/geometry/bounds.h"
+#include "physics/src/geometry/shape_measures.h"
 #include "physics/src/stages/step_scratch.h"
 #include "physics/src/state/shape_proxy.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physics/src/stages/sleep/update_sleep.h"
+#include "physics/src/stages/stages.h"
 
 #include "jostle/base/check.h"
 #include "physics/src/foundation/tuning.h"

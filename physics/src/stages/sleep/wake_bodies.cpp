@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physics/src/stages/sleep/wake_bodies.h"
+#include "physics/src/stages/stages.h"
 
 #include "physics/src/stages/sleep/put_parts_to_sleep.h"
 #include "physics/src/state/wake.h"

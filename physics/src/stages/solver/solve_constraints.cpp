@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physics/src/stages/solver/solve_constraints.h"
+#include "physics/src/stages/stages.h"
 
 #include <algorithm>
 

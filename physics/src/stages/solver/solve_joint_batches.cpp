@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physics/src/stages/solver/solve_joint_batches.h"
+#include "physics/src/stages/solver/solve_joints.h"
 
 #include "physics/src/constraints/joints/write_joint.h"
 #include "physics/src/constraints/kernels.h"

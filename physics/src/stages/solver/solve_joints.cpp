@@ -12,7 +12,6 @@
 #include "physics/src/constraints/kernels.h"
 #include "physics/src/foundation/prefetch.h"
 #include "physics/src/foundation/tuning.h"
-#include "physics/src/stages/solver/solve_joint_batches.h"
 #include "physics/src/stages/step_scratch.h"
 #include "physics/src/state/joint_graph.h"
 

@@ -10,22 +10,10 @@
 #include <string>
 #include <vector>
 
+#include "jostle/base/base64.h"
 #include "jostle/modules/ragdoll_gltf.h"
 
 namespace jostle::modules {
-
-inline std::string base64(const std::string& bytes) {
-    constexpr char digits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string text;
-    for (std::size_t k = 0; k < bytes.size(); k += 3) {
-        unsigned bits = 0;
-        for (std::size_t i = k; i < k + 3; i++)
-            bits = bits << 8 | (i < bytes.size() ? static_cast<unsigned char>(bytes[i]) : 0u);
-        for (std::size_t i = 0; i < 4; i++)
-            text += k + i <= bytes.size() ? digits[bits >> (18 - 6 * i) & 63] : '=';
-    }
-    return text;
-}
 
 inline std::vector<std::byte> bytes_of(const std::string& text) {
     const auto* from = reinterpret_cast<const std::byte*>(text.data());
@@ -59,8 +47,9 @@ public:
 
     std::vector<std::byte> gltf() const {
         nlohmann::json all = json;
-        all["buffers"] = {{{"byteLength", buffer.size()},
-                           {"uri", "data:application/octet-stream;base64," + base64(buffer)}}};
+        all["buffers"] = {
+            {{"byteLength", buffer.size()},
+             {"uri", "data:application/octet-stream;base64," + encode_base64(bytes_of(buffer))}}};
         return bytes_of(all.dump());
     }
     std::vector<std::byte> glb() const {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Outlines in the plane touch in one point or two, all of them in the plane.
-#include "physics/src/collision/narrowphase/collide_planar.h"
+#include "physics/src/collision/narrowphase/collide_pairs.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physics/src/collision/narrowphase/nearest_on_triangle.h"
+#include "physics/src/collision/narrowphase/triangle.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Cylinders that pass triangles, against the distances of GJK along the way.
-#include "physics/src/collision/narrowphase/passes_cylinder.h"
+#include "physics/src/collision/narrowphase/triangle.h"
 
 #include <gtest/gtest.h>
 

@@ -12,7 +12,7 @@
 #include "jostle/physics/mesh.h"
 #include "physics/src/collision/narrowphase/collide_composite.h"
 #include "physics/src/collision/narrowphase/time_of_impact.h"
-#include "physics/src/geometry/bounds.h"
+#include "physics/src/geometry/shape_measures.h"
 #include "tests/support/random_shapes.h"
 
 namespace jostle::test {

@@ -2,7 +2,7 @@
 //
 // Hulls by both methods, against a test of each point by itself: a corner is what no triangle and
 // no segment of the others holds.
-#include "physics/src/geometry/planar/convex_hull.h"
+#include "physics/src/geometry/planar/planar_checks.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Which polygons are simple, which way round they run, and their areas.
-#include "physics/src/geometry/planar/polygon.h"
+#include "physics/src/geometry/planar/planar_checks.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

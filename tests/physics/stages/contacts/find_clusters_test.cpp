@@ -8,7 +8,7 @@
 
 #include <algorithm>
 
-#include "physics/src/stages/pairs/update_pairs.h"
+#include "physics/src/stages/stages.h"
 #include "physics/src/stages/step_scratch.h"
 #include "physics/src/state/world_access.h"
 #include "tests/support/world_builder.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Which pairs the narrow phase looks at.
-#include "physics/src/stages/contacts/select_pairs.h"
+#include "physics/src/stages/contacts/contact_stages.h"
 
 #include <gtest/gtest.h>
 

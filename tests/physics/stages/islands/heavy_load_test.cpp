@@ -3,7 +3,7 @@
 // What comes to lie on what is a hundred times lighter has its sub-steps in the next step, not at
 // the next look at all islands; what has firm ground, too, or is no heavier than that, does not ask
 // for them.
-#include "physics/src/stages/islands/heavy_load.h"
+#include "physics/src/stages/islands/island_stages.h"
 
 #include <gtest/gtest.h>
 

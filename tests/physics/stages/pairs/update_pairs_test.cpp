@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Which shapes become pairs.
-#include "physics/src/stages/pairs/update_pairs.h"
+#include "physics/src/stages/stages.h"
 
 #include <gtest/gtest.h>
 

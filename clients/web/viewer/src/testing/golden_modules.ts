@@ -6,15 +6,13 @@ import type { ChannelData } from '../module_renderers/module_renderer';
 
 /** The channels of one kind, which is an index in the module's channels(). */
 export function goldenModule(tag: string, kind = 0): ChannelData[] {
-  const bytes = readFileSync(new URL(`../../../../../proto/golden_modules/${tag}.bin`, import.meta.url));
-  let at = 0;
-  const i32 = () => bytes.readInt32LE((at += 4) - 4);
-  const channels = Array.from({ length: i32() }, () => {
-    const [ofKind, entity, length] = [i32(), i32(), i32()];
-    return { ofKind, entity: entity!, values: Int32Array.from({ length: length! }, i32), seconds: 0 };
+  const text = readFileSync(new URL('../../../../../proto/golden_modules.txt', import.meta.url), 'utf8');
+  const lines = text.trimEnd().split('\n').filter((line) => line.startsWith(`${tag} ${kind} `));
+  expect(lines).not.toEqual([]);
+  return lines.map((line) => {
+    const [entity, ...values] = line.split(' ').slice(2).map(Number);
+    return { entity: entity!, values: Int32Array.from(values), seconds: 0 };
   });
-  expect(at).toBe(bytes.length);
-  return channels.filter(({ ofKind }) => ofKind === kind).map(({ entity, values, seconds }) => ({ entity, values, seconds }));
 }
 
 /** Values that a reader must reject: truncated ones, and one too many. */

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// File format of a fractured shape. jostle-fracture writes such files; scenes load them.
+// File format of a fractured shape. jostle-mesh fracture writes such files; scenes load them.
 //
 // Little endian. "JFRACT" 0d 0a, u32 version (1), u64 checksum of all that follows (FNV-1a), u32
 // number of chunks, u32 number of bonds; then the chunks, then the bonds.

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Work-error analysis: observed order of convergence, Pareto-optimal runs, and the cheapest run
-// within a tolerance. Used by jostle-bench and jostle-sim.
+// within a tolerance; and the CPU time of a thread, the usual measure of work. Used by jostle-bench
+// and jostle-sim.
 #pragma once
 
 #include <cmath>
@@ -28,6 +29,10 @@ std::vector<std::size_t> pareto_set(std::span<const WorkError> runs);
 /// Returns the index of the cheapest run whose error is at most the tolerance; of equal ones the
 /// first.
 std::optional<std::size_t> least_work(std::span<const WorkError> runs, double tolerance);
+
+/// CPU time of this thread in seconds, which other load on the machine affects less than wall time.
+/// It is a system call: measure intervals of milliseconds, not of microseconds.
+double thread_seconds();
 
 /// Root mean square.
 struct Rms {

@@ -1001,7 +1001,7 @@ export const DestructionModuleSchema: GenMessage<DestructionModule> = /*@__PURE_
  */
 export type FracturedBody = Message<"jostle.v1.FracturedBody"> & {
   /**
-   * fracture file of jostle-fracture; base64 in JSON. jostle-fracture --scene writes the whole item
+   * fracture file of jostle-mesh fracture; base64 in JSON. Its --scene writes the whole item
    *
    * @generated from field: bytes shape = 1;
    */

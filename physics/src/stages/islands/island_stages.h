@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+//
+// The parts of prepare_islands. merge_islands also raises islands to the heavy tier.
+#pragma once
+
+#include <span>
+
+#include "physics/src/stages/step_context.h"
+#include "physics/src/state/world_state.h"
+
+namespace jostle::physics {
+
+// Distributes the islands of a tier over batches so that threads get equal work. Islands are moved
+// whole, with all islands coupled to them by manifolds, and only when the batches have become
+// unequal. The result depends only on the world, so it is the same for any number of threads.
+//
+// Reads: awake bodies with their numbers of contacts and joints. Writes: Island::colour_set, and
+// with it the colours of contacts.
+void assign_batches(StepContext& step);
+
+// With a tolerance (WorldDef::tolerance), chooses the number of sub-steps of each island: the
+// smallest of substeps_per_level that keeps its error, as measured by stages/solver/error_trial.h,
+// within the tolerance. Levels rise immediately and fall with a delay, because contacts move
+// between sets.
+//
+// With a budget (WorldDef::substep_budget) the requested sub-steps are reduced: the island whose
+// error would be the smallest at a lower level gives way first. An island's level then no longer
+// depends on that island alone.
+//
+// Reads: Island::error. Writes: Island::error, Island::colour_set, contacts, impulses. Leaves in
+// scratch, for the solver: which colour sets have an island of unknown error.
+void choose_substep_levels(StepContext& step);
+
+// Restores the order of lanes. As contacts begin and end, the lanes of a colour lose their order.
+// Each thread that shares the colours would then load bodies from the caches of other threads.
+//
+// Reads and writes: the slots of contacts in the constraint graph.
+//
+// Sorts the contacts of large colour sets by their bodies if many are out of order.
+void sort_constraints(StepContext& step);
+
+// Heavy bodies on light ones: their islands get SolverTier::heavy.
+//
+// Returns whether a body of the island rests only on bodies that are a hundred times lighter.
+bool has_heavy_load(WorldState& world, const Island& island, Vec3 up);
+
+// `bodies`: bodies that have begun to touch a much lighter body. Those that rest on nothing else
+// raise their islands to that tier immediately; until the next update of all islands they would
+// sink.
+void raise_to_heavy_tier(WorldState& world, std::span<const std::uint32_t> bodies);
+
+}  // namespace jostle::physics

@@ -1,16 +1,14 @@
 #!/usr/bin/env python3
 """Checks the English of everything that users read.
 
-Usage: check_english.py ROOT [--lines FILE... | --update]
+Usage: check_english.py ROOT [FILE...]
 Checked are README.md, CHANGELOG.md, CONTRIBUTING.md, SECURITY.md and docs/ (without records/), the comments of public headers and
 .proto files, and strings of four words or more in the sources of programs and libraries: help texts, errors and log lines.
 
 Faults are words that docs/glossary_banned.txt lists, sentences that begin with a free relative clause ("Who simulates ..."), lines of
 documents, public headers and .proto files over 120 columns, and, if codespell is installed, misspellings.
 
-tests/tidy/english_debt.txt lists files that are not clean yet, each with its number of faults. It can only shrink: a file that has more
-faults fails, and so does one that has fewer until `--update` writes the lower number. All other files have none.
---lines prints every fault of the given files.
+Without FILE, all of them are checked.
 """
 
 import bisect
@@ -23,7 +21,6 @@ import sys
 HERE = pathlib.Path(__file__).resolve().parent
 BANNED = HERE.parents[1] / "docs" / "glossary_banned.txt"
 SPELLING = HERE / "codespell_words.txt"
-DEBT = pathlib.Path("tests/tidy/english_debt.txt")
 COLUMNS = 120
 
 DOCUMENTS = ("README.md", "CHANGELOG.md", "CONTRIBUTING.md", "SECURITY.md", "CODE_OF_CONDUCT.md")
@@ -152,61 +149,27 @@ def misspellings(root, files):
     return [line for line in run.stdout.splitlines() if "==>" in line]
 
 
-def read_debt(root):
-    path = root / DEBT
-    lines = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
-    return {name: int(count) for name, count in (line.split() for line in lines if line.strip() and not line.startswith("#"))}
-
-
-def write_debt(root, debt):
-    head = ("# Files whose English is not clean yet, each with its number of faults (check_english.py --lines ROOT FILE prints them).\n"
-            "# The list only shrinks: check_english.py ROOT --update lowers the numbers and drops clean files.\n")
-    (root / DEBT).write_text(head + "".join(f"{name} {count}\n" for name, count in sorted(debt.items())), encoding="utf-8")
-
-
 def main():
-    arguments = [argument for argument in sys.argv[1:] if not argument.startswith("--")]
-    if not arguments:
+    if len(sys.argv) < 2:
         print(next(line for line in __doc__.splitlines() if line.startswith("Usage")), file=sys.stderr)
         return 2
-    root, words = pathlib.Path(arguments[0]).resolve(), banned_words()
+    root, words = pathlib.Path(sys.argv[1]).resolve(), banned_words()
     files = checked_files(root)
-    if "--lines" in sys.argv:
-        for name in arguments[1:]:
-            for line, message in faults_of_file(root, name, files.get(name, "source"), words):
-                print(f"{name}:{line}: {message}")
-        return 0
-    faults = {name: faults_of_file(root, name, kind, words) for name, kind in files.items()}
-    debt = read_debt(root)
-    if "--update" in sys.argv:
-        debt = {name: min(allowed, len(faults[name])) for name, allowed in debt.items() if faults.get(name)}
-        write_debt(root, debt)
-    if "--init" in sys.argv:
-        debt = {name: len(found) for name, found in faults.items() if found}
-        write_debt(root, debt)
-    failed = 0
-    for name, found in faults.items():
-        allowed = debt.get(name, 0)
-        if len(found) > allowed:
-            failed += 1
-            print(f"{name}: {len(found)} faults, {allowed} are listed in {DEBT}:")
-            for line, message in found[:20]:
-                print(f"  {name}:{line}: {message}")
-        elif len(found) < allowed:
-            failed += 1
-            print(f"{name}: {len(found)} faults, but {DEBT} lists {allowed}: run check_english.py {arguments[0]} --update")
-    for name in sorted(set(debt) - set(faults)):
-        failed += 1
-        print(f"{name} is gone, but {DEBT} lists it: run check_english.py {arguments[0]} --update")
+    if sys.argv[2:]:
+        files = {name: files.get(name, "source") for name in sys.argv[2:]}
+    faults = 0
+    for name, kind in files.items():
+        for line, message in faults_of_file(root, name, kind, words):
+            faults += 1
+            print(f"{name}:{line}: {message}")
     spelling = misspellings(root, files)
     if spelling is None:
-        print("skipped: the spelling, for codespell is not installed (scripts/setup installs it)")
+        print("skipped: the spelling, because codespell is not installed (scripts/setup installs it)")
     for line in spelling or []:
-        failed += 1
+        faults += 1
         print(line)
-    listed = sum(debt.values())
-    print(f"english: {len(files)} files, {failed} with new faults; {listed} old faults in {len(debt)} files are left")
-    return 1 if failed else 0
+    print(f"english: {len(files)} files, {faults} faults")
+    return 1 if faults else 0
 
 
 if __name__ == "__main__":

@@ -11,7 +11,6 @@ namespace jostle::client {
 namespace {
 
 constexpr std::size_t frames_max = 64;
-constexpr double extrapolation_max_us = 50'000;
 // After a longer gap without rendering, errors are discarded: nothing was displayed that could
 // jump.
 constexpr std::int64_t sample_gap_max_us = 250'000;

@@ -10,6 +10,7 @@
 namespace jostle::client {
 
 inline constexpr double teleport_speed_m_s = 100;
+inline constexpr double extrapolation_max_us = 50'000;  // rendered beyond the newest frame
 
 inline double distance(const wire::Pose& a, const wire::Pose& b) {
     return std::hypot(b.position[0] - a.position[0], b.position[1] - a.position[1],

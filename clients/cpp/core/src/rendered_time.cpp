@@ -4,11 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "clients/cpp/core/src/pose_blend.h"
+
 namespace jostle::client {
 namespace {
 
 constexpr std::int64_t rendering_timeout_us = 1'000'000;
-constexpr double extrapolation_max_us = 50'000;  // as in InterpolationBuffer
 
 }  // namespace
 

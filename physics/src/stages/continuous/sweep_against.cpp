@@ -17,7 +17,7 @@ namespace {
 
 // The approach that makes a touch an impact. The path of a gyroscopic body may approach although
 // its velocities do not. Such an impact has no impulse, but a new sweep starts from there.
-enum class Approach : std::uint8_t { by_velocity_or_path, by_velocity, at_bouncing_speed };
+enum class ApproachTest : std::uint8_t { by_velocity_or_path, by_velocity, at_bouncing_speed };
 
 // A shape of the TOI body and the other shape on their paths.
 struct SweptPair {
@@ -70,13 +70,13 @@ private:
         bool touches = hit.at_start;
         if (hit.fraction < t_.fraction)
             touches |= !record(pair, hit.fraction, points_at(pair, hit.fraction),
-                               far_ ? Approach::by_velocity_or_path : Approach::by_velocity);
+                               far_ ? ApproachTest::by_velocity_or_path : ApproachTest::by_velocity);
         // Shapes that touch at the start of the sweep and bounce do so immediately.
         if (hit.at_start && pair.bounces && !pair.held &&
             continues_impact_chain(state_, t_, pair.own, other_)) {
             const std::vector<ImpactPoint> points = points_at(pair, pair.from);
             if ((points.size() == 1 || !deflected_) &&
-                record(pair, pair.from, points, Approach::at_bouncing_speed))
+                record(pair, pair.from, points, ApproachTest::at_bouncing_speed))
                 touches = false;
         }
         return touches;
@@ -100,10 +100,10 @@ private:
             bool touches = hit.at_start;
             if (hit.fraction < t_.fraction)
                 touches |= !record(pair, hit.fraction, points_along(pair.a, pair.b, hit),
-                                   Approach::by_velocity_or_path);
+                                   ApproachTest::by_velocity_or_path);
             if (!touches) return;
         }
-        record(pair, pair.from, points_at(pair, pair.from), Approach::by_velocity);
+        record(pair, pair.from, points_at(pair, pair.from), ApproachTest::by_velocity);
     }
 
     std::vector<ImpactPoint> points_at(const SweptPair& pair, double fraction) const {
@@ -113,7 +113,7 @@ private:
     // Records an impact, unless an earlier or harder one is known. Returns false if the shapes do
     // not approach at that time.
     bool record(const SweptPair& pair, double fraction, const std::vector<ImpactPoint>& points,
-                Approach approach) {
+                ApproachTest approach) {
         if (fraction > t_.fraction) return true;
         const std::optional<double> closing = closing_speed(points, fraction, approach);
         if (!closing) return false;
@@ -131,12 +131,12 @@ private:
     // The highest closing speed of the points at a fraction of the step, m/s. Empty if they do not
     // approach.
     std::optional<double> closing_speed(const std::vector<ImpactPoint>& points, double fraction,
-                                        Approach approach) const {
+                                        ApproachTest approach) const {
         const Vec3 center_a = center_at(t_.sweep, fraction), center_b = center_at(path_, fraction);
         const Speed speed_a = speed_of(state_, t_.body, fraction),
                     speed_b = speed_of(state_, other_body_, fraction);
         const double least =
-            approach == Approach::at_bouncing_speed ? tuning::touching_impact_speed : 1e-3;  // m/s
+            approach == ApproachTest::at_bouncing_speed ? tuning::touching_impact_speed : 1e-3;  // m/s
         bool closes = false;
         double most = 0;
         for (const ImpactPoint& p : points) {
@@ -146,7 +146,7 @@ private:
                                       (t_.sweep.translation + cross(t_.sweep.rotation_vector, ra));
             most = maximum(most, -dot(u, p.normal));
             closes |= dot(u, p.normal) < -least;
-            closes |= approach == Approach::by_velocity_or_path &&
+            closes |= approach == ApproachTest::by_velocity_or_path &&
                       dot(displacement, p.normal) < -least * state_.step.dt;
         }
         if (!closes) return std::nullopt;

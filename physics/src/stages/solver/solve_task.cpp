@@ -13,7 +13,7 @@
 #include "physics/src/stages/solver/error_trial.h"
 #include "physics/src/stages/solver/integrate_gyroscopic.h"
 #include "physics/src/stages/solver/prepare_body.h"
-#include "physics/src/stages/solver/solve_joint_batches.h"
+#include "physics/src/stages/solver/solve_joints.h"
 #include "physics/src/stages/solver/solve_joints.h"
 #include "physics/src/stages/solver/substep_hooks.h"
 #include "physics/src/stages/step_scratch.h"

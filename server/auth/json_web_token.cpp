@@ -5,8 +5,8 @@
 #include <array>
 #include <optional>
 
-#include "jostle/base/check.h"
 #include "jostle/base/base64.h"
+#include "jostle/base/check.h"
 #include "server/auth/strict_json.h"
 
 namespace jostle::server {

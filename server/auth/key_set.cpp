@@ -3,8 +3,8 @@
 
 #include <spdlog/fmt/fmt.h>
 
-#include "jostle/base/check.h"
 #include "jostle/base/base64.h"
+#include "jostle/base/check.h"
 #include "server/auth/strict_json.h"
 #include "server/util/log.h"
 

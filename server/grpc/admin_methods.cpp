@@ -7,7 +7,7 @@ namespace jostle::server {
 
 namespace {
 
-constexpr std::size_t request_bytes_max = 4096;
+constexpr std::size_t admin_request_bytes_max = 4096;
 
 std::string path_of(const char* name) {
     return std::string("/jostle.v1.AdminService/") + name;
@@ -20,7 +20,7 @@ template <class Request, class Response>
 CallMethod server_call(AdminControl& control, const char* name, Audit audit,
                        Status (AdminControl::*handle)(const Request&, Response&)) {
     return unary_method<Request, Response>(
-        path_of(name), CallWork::quick, request_bytes_max,
+        path_of(name), CallWork::quick, admin_request_bytes_max,
         [&control, handle, audit](const CallContext& context, const Request& request,
                                   Response& response) {
             Status done = (control.*handle)(request, response);
@@ -36,7 +36,7 @@ CallMethod world_call(AdminControl& control, const WorldDirectory& worlds, const
                       CallWork work, Audit audit,
                       Status (AdminControl::*handle)(const Request&, Response&)) {
     return world_method<Request, Response>(
-        path_of(name), work, request_bytes_max, worlds,
+        path_of(name), work, admin_request_bytes_max, worlds,
         [&control, handle, audit](const CallContext& context, const Request& request,
                                   Response& response) {
             Status done = (control.*handle)(request, response);

@@ -17,7 +17,7 @@ using google::protobuf::FileDescriptor;
 
 namespace {
 
-constexpr std::size_t request_bytes_max = 4096;
+constexpr std::size_t reflection_request_bytes_max = 4096;
 
 void add_with_imports(const FileDescriptor& file, std::set<const FileDescriptor*>& added,
                       reflection::FileDescriptorResponse& out) {
@@ -78,7 +78,7 @@ std::vector<CallMethod> reflection_methods(std::vector<std::string> services) {
             unary_method<reflection::ServerReflectionRequest, reflection::ServerReflectionResponse>(
                 std::string("/grpc.reflection.") + version +
                     ".ServerReflection/ServerReflectionInfo",
-                CallWork::stream, request_bytes_max, run));
+                CallWork::stream, reflection_request_bytes_max, run));
     return methods;
 }
 

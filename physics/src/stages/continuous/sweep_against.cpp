@@ -69,8 +69,9 @@ private:
                                      : time_of_impact(pair.a, pair.b, pair.from, gap_, t_.fraction);
         bool touches = hit.at_start;
         if (hit.fraction < t_.fraction)
-            touches |= !record(pair, hit.fraction, points_at(pair, hit.fraction),
-                               far_ ? ApproachTest::by_velocity_or_path : ApproachTest::by_velocity);
+            touches |=
+                !record(pair, hit.fraction, points_at(pair, hit.fraction),
+                        far_ ? ApproachTest::by_velocity_or_path : ApproachTest::by_velocity);
         // Shapes that touch at the start of the sweep and bounce do so immediately.
         if (hit.at_start && pair.bounces && !pair.held &&
             continues_impact_chain(state_, t_, pair.own, other_)) {
@@ -135,8 +136,9 @@ private:
         const Vec3 center_a = center_at(t_.sweep, fraction), center_b = center_at(path_, fraction);
         const Speed speed_a = speed_of(state_, t_.body, fraction),
                     speed_b = speed_of(state_, other_body_, fraction);
-        const double least =
-            approach == ApproachTest::at_bouncing_speed ? tuning::touching_impact_speed : 1e-3;  // m/s
+        const double least = approach == ApproachTest::at_bouncing_speed
+                                 ? tuning::touching_impact_speed
+                                 : 1e-3;  // m/s
         bool closes = false;
         double most = 0;
         for (const ImpactPoint& p : points) {

@@ -14,7 +14,6 @@
 #include "physics/src/stages/solver/integrate_gyroscopic.h"
 #include "physics/src/stages/solver/prepare_body.h"
 #include "physics/src/stages/solver/solve_joints.h"
-#include "physics/src/stages/solver/solve_joints.h"
 #include "physics/src/stages/solver/substep_hooks.h"
 #include "physics/src/stages/step_scratch.h"
 

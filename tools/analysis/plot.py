@@ -231,6 +231,7 @@ def accuracy(plt, options):
         axes.set_title(name, loc="left", fontweight="bold", fontsize=10)
         axes.set_ylabel(scenes.get(name, {}).get("error", "error (unit of the scene)").replace(" / ", "\n/ "), fontsize=7)
         axes.tick_params(labelsize=7)
+        axes.minorticks_off()
     figure.supxlabel(US_PER_SECOND)
     return figure, [*handles_of(styles), ring_handle()], "Work-precision diagrams (Pareto-optimal runs of each engine)"
 

@@ -19,7 +19,7 @@ kinds:
                panel per scene. With the file of --scenes-csv, axes state the measure of the error
                and dotted lines mark the tolerances. With --scene, one diagram with all modes.
   speed        time and error of `jostle-bench speed --csv`: bars per scene and engine
-  growth       time and memory of `jostle-bench speed --growth N,... --csv` over the number of bodies
+  growth       time and memory of `jostle-bench speed --growth N,... --csv` by number of bodies
   integrators  work-precision diagrams of `jostle-bench integrators --csv`, one panel per field
   residuals    residual per iteration of `jostle-sim SCENE --inspect BODY --csv`
 
@@ -231,6 +231,7 @@ def accuracy(plt, options):
         axes.set_title(name, loc="left", fontweight="bold", fontsize=10)
         axes.set_ylabel(scenes.get(name, {}).get("error", "error (unit of the scene)").replace(" / ", "\n/ "), fontsize=7)
         axes.tick_params(labelsize=7)
+        axes.minorticks_off()
     figure.supxlabel(US_PER_SECOND)
     return figure, [*handles_of(styles), ring_handle()], "Work-precision diagrams (Pareto-optimal runs of each engine)"
 

@@ -13,14 +13,15 @@ namespace {
 
 using physics::pi;
 
-constexpr double radius = 0.1;
+constexpr double impact_ball_radius = 0.1;
 constexpr int phases = 16;
 
 // --- C5 ---
 
 Scene bouncing(double restitution, double late) {
     Scene scene{.name = "c5", .restitution = restitution, .planar = true};
-    Body ball = solid_sphere(1, radius, {0, 0, 1 + radius - 0.5 * g * late * late});
+    Body ball =
+        solid_sphere(1, impact_ball_radius, {0, 0, 1 + impact_ball_radius - 0.5 * g * late * late});
     ball.velocity = {0, 0, -g * late};
     scene.bodies = {ball, fixed_plane()};
     return scene;
@@ -31,7 +32,7 @@ Scene bouncing(double restitution, double late) {
 class ApexMeter final : public Meter {
 public:
     void sample(double, const Engine& engine) override {
-        const double height = engine.state(0).position.z - radius;
+        const double height = engine.state(0).position.z - impact_ball_radius;
         if (heights_ >= 2 && last_ > before_ && last_ >= height) {
             const double bend = before_ - 2 * last_ + height, rise = 0.5 * (height - before_);
             apexes_.push_back(bend < 0 ? last_ - 0.5 * rise * rise / bend : last_);
@@ -61,7 +62,7 @@ class BounceEnergyMeter final : public Meter {
 public:
     explicit BounceEnergyMeter(const Scene& scene) : scene_(scene) {}
     void sample(double, const Engine& engine) override {
-        last_ = energy(scene_, engine) / (g * (1 + radius)) - 1;
+        last_ = energy(scene_, engine) / (g * (1 + impact_ball_radius)) - 1;
         error_.add(last_ * last_);
     }
     Errors errors() const override { return {error_.value(), std::abs(last_)}; }
@@ -89,9 +90,9 @@ ExperimentRun billiard(double shift) {
     const double speed = 5, angle = 37 * pi / 180;
     const Vec3 along = azimuth(angle), aside = azimuth(angle + 0.5 * pi);
     Scene scene{.name = "c6", .gravity = {}, .restitution = 1};
-    Body a = solid_sphere(1, radius, along * (-2 + speed * shift));
+    Body a = solid_sphere(1, impact_ball_radius, along * (-2 + speed * shift));
     a.velocity = along * speed;
-    scene.bodies = {a, solid_sphere(1, radius, aside * radius)};
+    scene.bodies = {a, solid_sphere(1, impact_ball_radius, aside * impact_ball_radius)};
     const Vec3 normal = along * std::cos(pi / 6) + aside * std::sin(pi / 6);
     const Vec3 of_b = normal * (speed * std::cos(pi / 6)), of_a = along * speed - of_b;
     auto meter = last_meter([=](double, const Engine& engine) {
@@ -106,11 +107,12 @@ ExperimentRun billiard(double shift) {
 ExperimentRun cradle(double shift) {
     constexpr int count = 5;
     Scene scene{.name = "c7", .gravity = {}, .restitution = 1, .planar = true};
-    Body first = solid_sphere(1, radius, {-0.5 - 2 * radius + shift, 0, 0});
+    Body first = solid_sphere(1, impact_ball_radius, {-0.5 - 2 * impact_ball_radius + shift, 0, 0});
     first.velocity = {1, 0, 0};
     scene.bodies = {first};
     for (int k = 0; k < count - 1; k++)
-        scene.bodies.push_back(solid_sphere(1, radius, {2 * radius * k, 0, 0}));
+        scene.bodies.push_back(
+            solid_sphere(1, impact_ball_radius, {2 * impact_ball_radius * k, 0, 0}));
     auto meter = last_meter([](double, const Engine& engine) {
         double squares = 0, motion = 0;
         for (int k = 0; k < count; k++) {

@@ -13,7 +13,7 @@ namespace {
 
 using physics::pi;
 
-constexpr double radius = 0.1;
+constexpr double pile_ball_radius = 0.1;
 
 // Unlike the distributions of the standard library, it generates the same numbers in every
 // implementation.
@@ -37,7 +37,8 @@ Scene lattice_of_balls(double restitution, double height) {
         for (int j = 0; j < 6; j++)
             for (int k = 0; k < 6; k++) {
                 const double x = 0.21 * i + jitter(1e-3), y = 0.21 * j + jitter(1e-3);
-                scene.bodies.push_back(solid_sphere(10, radius, {x, y, 0.101 + 0.21 * k + height}));
+                scene.bodies.push_back(
+                    solid_sphere(10, pile_ball_radius, {x, y, 0.101 + 0.21 * k + height}));
             }
     scene.bodies.push_back(fixed_plane());
     return scene;
@@ -52,18 +53,20 @@ public:
             at_[k] = engine.state(static_cast<int>(k)).position;
         double deepest = 0;
         for (std::size_t i = 0; i < at_.size(); i++) {
-            deepest = std::max(deepest, radius - at_[i].z);
+            deepest = std::max(deepest, pile_ball_radius - at_[i].z);
             for (std::size_t j = 0; j < i; j++) {
                 const double distance_squared = length_squared(at_[i] - at_[j]);
-                if (distance_squared < 4 * radius * radius)
-                    deepest = std::max(deepest, 2 * radius - std::sqrt(distance_squared));
+                if (distance_squared < 4 * pile_ball_radius * pile_ball_radius)
+                    deepest = std::max(deepest, 2 * pile_ball_radius - std::sqrt(distance_squared));
             }
         }
         sum_ += deepest;
         most_ = std::max(most_, deepest);
         count_++;
     }
-    Errors errors() const override { return {sum_ / count_ / radius, most_ / radius}; }
+    Errors errors() const override {
+        return {sum_ / count_ / pile_ball_radius, most_ / pile_ball_radius};
+    }
 
 private:
     std::vector<Vec3> at_;

@@ -30,6 +30,7 @@ CASES = [
     ("check_english.py", "docs/a.md", "word " * 30 + "\n", "docs/a.md:1: 150 columns; wrap at 120"),
     ("check_english.py", "server/app/a.cpp", 'auto text = "the server asks for a token";\n', 'server/app/a.cpp:1: "asks"; use: request'),
     ("check_english.py", "proto/jostle/v1/a.proto", "// The roster of a world.\n", 'proto/jostle/v1/a.proto:1: "roster"; use: entity update'),
+    ("check_version.py", "clients/web/sdk/package.json", '{ "version": "9.9.9" }\n', "clients/web/sdk/package.json: version 9.9.9"),
     ("check_tests.py", "physics/src/state/lonely.cpp", "// SPDX-License-Identifier: MIT\n",
      "physics/src/state/lonely.cpp: no test. Write tests/physics/state/lonely_test.cpp"),
     ("check_tests.py", "tests/physics/foundation/prefetch_test.cpp", "// SPDX-License-Identifier: MIT\n",

@@ -24,12 +24,6 @@ Part box_hull(Vec3 low, Vec3 high) {
     return build_hull(points).value();
 }
 
-double volume_of(const FracturedShape& shape) {
-    double sum = 0;
-    for (const FractureChunk& chunk : shape.chunks) sum += chunk.volume;
-    return sum;
-}
-
 // Number of chunks connected with the first one.
 std::size_t reached(const FracturedShape& shape) {
     std::vector<std::size_t> group(shape.chunks.size());

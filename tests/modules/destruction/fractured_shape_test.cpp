@@ -5,16 +5,13 @@
 
 #include <cmath>
 
+#include "tests/modules/destruction/walls.h"
+
 namespace jostle::modules {
 namespace {
 
 using namespace physics;
 
-double volume_of(const FracturedShape& shape) {
-    double sum = 0;
-    for (const FractureChunk& chunk : shape.chunks) sum += chunk.volume;
-    return sum;
-}
 Vec3 first_moment(const FracturedShape& shape) {
     Vec3 sum;
     for (const FractureChunk& chunk : shape.chunks) sum += chunk.center * chunk.volume;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// A world with the Destruction module, and a wall to break.
+// A world with the Destruction module, a wall to break, and measures of fractured shapes.
 #pragma once
 
 #include <memory>
@@ -12,6 +12,12 @@ namespace jostle::modules {
 // Registration allows worlds with the module to be loaded.
 inline const bool registered =
     physics::register_module("destruction", [] { return std::make_unique<Destruction>(); }).ok();
+
+inline double volume_of(const FracturedShape& shape) {
+    double sum = 0;
+    for (const FractureChunk& chunk : shape.chunks) sum += chunk.volume;
+    return sum;
+}
 
 struct Stage {
     physics::World world;

@@ -8,7 +8,7 @@
 namespace jostle::server {
 namespace {
 
-std::string fault_of(const std::string& text) {
+std::string strict_json_fault(const std::string& text) {
     const auto read = parse_strict_json(text, 4);
     return read.ok() ? "" : read.error().message;
 }
@@ -20,22 +20,23 @@ TEST(StrictJson, parses_one_value) {
 }
 
 TEST(StrictJson, rejects_duplicate_keys_at_any_depth) {
-    EXPECT_EQ(fault_of(R"({"a": 1, "b": 2, "a": 3})"), "an object has a duplicate key");
-    EXPECT_EQ(fault_of(R"([{"x": {"a": 1, "\u0061": 2}}])"), "an object has a duplicate key")
+    EXPECT_EQ(strict_json_fault(R"({"a": 1, "b": 2, "a": 3})"), "an object has a duplicate key");
+    EXPECT_EQ(strict_json_fault(R"([{"x": {"a": 1, "\u0061": 2}}])"),
+              "an object has a duplicate key")
         << "escapes are another spelling of the same key";
-    EXPECT_EQ(fault_of(R"({"a": {"a": {"a": 1}}, "b": {"a": 1}})"), "");
+    EXPECT_EQ(strict_json_fault(R"({"a": {"a": {"a": 1}}, "b": {"a": 1}})"), "");
 }
 
 TEST(StrictJson, rejects_excessive_nesting) {
-    EXPECT_EQ(fault_of("[[[[1]]]]"), "");
-    EXPECT_EQ(fault_of("[[[[[1]]]]]"), "it is nested too deeply");
-    EXPECT_EQ(fault_of(std::string(100000, '[')), "it is nested too deeply");
+    EXPECT_EQ(strict_json_fault("[[[[1]]]]"), "");
+    EXPECT_EQ(strict_json_fault("[[[[[1]]]]]"), "it is nested too deeply");
+    EXPECT_EQ(strict_json_fault(std::string(100000, '[')), "it is nested too deeply");
 }
 
 TEST(StrictJson, rejects_malformed_json_and_trailing_data) {
     for (const char* text : {"", "{", "{} {}", "{\"a\": 1,}", "'a'", "{\"a\": NaN}", "\"\xff\"",
                              "{\"a\": 1} x", "\xef\xbb\xbf{", "/* no */ {}"}) {
-        EXPECT_EQ(fault_of(text), "it is not valid JSON") << text;
+        EXPECT_EQ(strict_json_fault(text), "it is not valid JSON") << text;
     }
 }
 

@@ -107,7 +107,7 @@ struct TestClient {
     std::uint32_t newest_bases = 0;
 };
 
-v1::Input ball(double radius) {
+v1::Input spawn_ball(double radius) {
     v1::Input input;
     input.mutable_spawn()->mutable_shape()->mutable_sphere()->set_radius(radius);
     input.mutable_spawn()->mutable_position()->set_y(20);
@@ -174,8 +174,8 @@ TEST_F(ClientSessionTest, clients_with_equal_rate_share_encoded_bytes) {
 TEST_F(ClientSessionTest, applies_and_acknowledges_each_input_once) {
     TestClient client(context);
     client.hello();
-    client.inputs(1, {ball(0.3), ball(0.2)});
-    client.inputs(2, {ball(0.2), ball(99), {}});  // 2 again, then two that cannot be
+    client.inputs(1, {spawn_ball(0.3), spawn_ball(0.2)});
+    client.inputs(2, {spawn_ball(0.2), spawn_ball(99), {}});  // 2 again, then two that cannot be
     ASSERT_TRUE(client.listen_until([&] { return client.state.results.size() == 4; }));
     auto& results = client.state.results;
     EXPECT_EQ(results[1].code(), v1::INPUT_CODE_APPLIED);
@@ -204,7 +204,7 @@ TEST_F(ClientSessionTest, applies_scheduled_input_at_its_tick_and_reports_margin
     TestClient client(context);
     client.hello();
     ASSERT_TRUE(client.listen_until([&] { return client.state.snapshots > 5; }));
-    v1::Input early = ball(0.2);
+    v1::Input early = spawn_ball(0.2);
     const FramePtr now = worlds.find("")->frame();
     const std::uint32_t tick = now->tick + 8;
     early.set_tick(tick);
@@ -222,7 +222,7 @@ TEST_F(ClientSessionTest, removes_spawned_bodies_when_the_client_leaves) {
     TestClient leaver(context), stayer(context);
     leaver.hello();
     stayer.hello();
-    leaver.inputs(1, {ball(0.3)});
+    leaver.inputs(1, {spawn_ball(0.3)});
     ASSERT_TRUE(leaver.listen_until([&] { return leaver.state.results.size() == 1; }));
     const std::uint32_t body = leaver.state.results[1].entity();
     ASSERT_TRUE(stayer.listen_until([&] { return stayer.state.entities.contains(body); }));
@@ -238,7 +238,7 @@ TEST_F(ClientSessionTest, removes_spawned_bodies_when_the_client_leaves) {
 TEST_F(ClientSessionTest, spectator_receives_snapshots_and_cannot_send_inputs) {
     TestClient client(context);
     client.hello([](v1::Hello& hello) { hello.set_spectator(true); });
-    client.inputs(1, {ball(0.3)});
+    client.inputs(1, {spawn_ball(0.3)});
     ASSERT_TRUE(client.listen_until([&] { return client.state.results.size() == 1; }));
     EXPECT_EQ(client.state.results[1].code(), v1::INPUT_CODE_NOT_ALLOWED);
     EXPECT_GT(client.state.snapshots, 0);
@@ -644,7 +644,7 @@ TEST_F(InterestTest, removes_entities_within_interest) {
     ASSERT_TRUE(client.listen_until([&] { return balls(client).size() >= 7; }));
     std::uint32_t sequence = 1;
     for (int round = 0; round < 3; round++) {
-        client.inputs(sequence++, {ball(0.3)});
+        client.inputs(sequence++, {spawn_ball(0.3)});
         ASSERT_TRUE(client.listen_until([&] { return client.state.entities.size() == 9; }));
         const std::uint32_t spawned = client.state.entities.rbegin()->first;
         client.inputs(sequence++, {removal(spawned)});
@@ -694,7 +694,7 @@ TEST_F(ClientSessionTest, rejects_disallowed_shapes_and_lists_allowed_ones) {
     mesh.mutable_spawn()->mutable_shape()->mutable_mesh();
     for (int i = 0; i < 40; i++)
         points.mutable_spawn()->mutable_shape()->mutable_hull()->add_points();
-    v1::Input cone = ball(1);
+    v1::Input cone = spawn_ball(1);
     cone.mutable_spawn()->mutable_shape()->mutable_cone()->set_radius(0.3);
     cone.mutable_spawn()->mutable_shape()->mutable_cone()->set_half_length(0.4);
     client.inputs(1, {mesh, points, cone});

@@ -3,13 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/server/session/session_start.h"
+
 namespace jostle::server {
 namespace {
 
 using namespace std::chrono_literals;
 using Verdict = FloodGuard::Verdict;
-
-constexpr Clock::time_point start = Clock::time_point() + 1000s;
 
 TEST(FloodGuard, notifies_at_most_once_per_second) {
     FloodGuard guard(10);

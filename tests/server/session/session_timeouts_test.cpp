@@ -3,12 +3,12 @@
 
 #include <gtest/gtest.h>
 
+#include "tests/server/session/session_start.h"
+
 namespace jostle::server {
 namespace {
 
 using namespace std::chrono_literals;
-
-constexpr Clock::time_point start = Clock::time_point() + 1000s;
 
 class SessionTimeoutsTest : public testing::Test {
 protected:

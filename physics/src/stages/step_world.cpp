@@ -29,7 +29,7 @@ namespace {
 StepContext begin_step(WorldState& world, StepScratch& scratch, double dt) {
     world.events.begin_step();
     world.thread_pool->set_single_threaded(
-        !world.threading_trial.shares(world.thread_usage.step_ms));
+        !world.thread_choice.shares_step(world.thread_usage.work));
     if (world.thread_usage.solver_tasks > 1) world.thread_pool->wake();
     world.profile = {};
     world.profile.overload_level = world.overload_level.level;
@@ -132,7 +132,7 @@ void step_world(WorldState& world, StepScratch& scratch, double dt) {
     world.steps++;
     world.time += dt;
     add_up_times(world.profile);
-    world.thread_usage = {world.profile.step_ms, world.profile.solver_tasks};
+    world.thread_usage = {world.profile.work, world.profile.solver_tasks};
 }
 
 }  // namespace jostle::physics

@@ -10,8 +10,8 @@
 #include "jostle/physics/defs.h"
 #include "jostle/physics/profile.h"
 #include "physics/src/constraint_graph/constraint_graph.h"
+#include "physics/src/foundation/thread_choice.h"
 #include "physics/src/foundation/thread_pool.h"
-#include "physics/src/foundation/threading_trial.h"
 #include "physics/src/state/body_store.h"
 #include "physics/src/state/contact_store.h"
 #include "physics/src/state/event_store.h"
@@ -49,7 +49,7 @@ struct WorldStores {
 // Thread usage of the last step. It affects the distribution of work in the next step, never its
 // result.
 struct ThreadUsage {
-    double step_ms = 0;
+    std::int64_t work = 0;  // StepProfile::work
     int solver_tasks = 0;
 };
 
@@ -65,7 +65,7 @@ struct WorldState : WorldStores {
     std::vector<std::uint32_t> changed_pairs;
     GraphScratch scratch;
     std::unique_ptr<ThreadPool> thread_pool;
-    ThreadingTrial threading_trial;
+    ThreadChoice thread_choice;
     ThreadUsage thread_usage;
 };
 

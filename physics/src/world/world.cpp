@@ -146,7 +146,7 @@ Status World::set_threads(int threads) {
     if (threads == state_->def.threads) return {};
     state_->def.threads = threads;
     state_->thread_pool = std::make_unique<ThreadPool>(threads);
-    state_->threading_trial = {};
+    state_->thread_choice = {};
     state_->thread_usage = {};
     return {};
 }

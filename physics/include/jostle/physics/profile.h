@@ -9,8 +9,8 @@
 
 namespace jostle::physics {
 
-/// The stages of a step in execution order. wake_bodies and solve_continuous run in two parts; their
-/// second parts run one after the other, before quarantine.
+/// The stages of a step in execution order. wake_bodies and solve_continuous run in two parts;
+/// their second parts run one after the other, before quarantine.
 enum class Stage {
     update_pairs,       ///< broad phase: finds new collider pairs
     update_contacts,    ///< narrow phase: updates manifolds

@@ -127,6 +127,9 @@ void step_world(WorldState& world, StepScratch& scratch, double dt) {
     run<publish_events>(step, Stage::publish_events);    // sorts events for readers
     ASSERT(step.stages_run == stage_count);
     ASSERT(world.wake_requests.empty());
+    ASSERT(world.bodies.asleep_in_place <= world.bodies.awake.size());
+    ASSERT(world.bodies.awake.size() + world.bodies.statics.size() <=
+           world.bodies.ids.alive_count());
     ASSERT(scratch.contacts.begins.empty());
     update_step_budget(world);
     world.steps++;

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 
+#include "jostle/base/check.h"
 #include "jostle/physics/defs.h"
 
 namespace jostle::physics {
@@ -19,6 +20,7 @@ struct OverloadState {
 
 // Level 1: manifolds are reused over more motion.
 inline bool reuses_manifolds_longer(const OverloadState& overload_level) {
+    ASSERT(overload_level.level <= max_overload_level);
     return overload_level.level >= 1;
 }
 // Level 2: impacts between moving bodies are left to the contact solver. Sweeps against static and

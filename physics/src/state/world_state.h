@@ -76,11 +76,14 @@ inline int substeps_of(ColourSetKey set, const WorldStores& world) {
 
 inline BodyWarm& warm_of(WorldState& world, std::uint32_t body) {
     ASSERT(body < world.bodies.cold.size());
+    ASSERT(world.bodies.ids.alive(body));
     const BodyCold& cold = world.bodies.cold[body];
     switch (cold.set) {
         case BodySet::static_set:
+            ASSERT(cold.at < world.bodies.statics.size());
             return world.bodies.statics[cold.at];
         case BodySet::awake:
+            ASSERT(cold.at < world.bodies.awake.size());
             return world.bodies.awake[cold.at];
         case BodySet::sleeping:
             break;

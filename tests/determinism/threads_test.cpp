@@ -44,17 +44,17 @@ TEST_P(Threads, do_not_change_results) {
     }
 }
 
-// Measuring at run time which steps benefit from threads does not change results either.
-TEST_P(Threads, adaptive_threading_does_not_change_results) {
-    World one = GetParam().make(1), tries = GetParam().make(2);
-    use_thread_trials(true);
+// Choosing the threads of a step by the work of the previous one does not change results either.
+TEST_P(Threads, choice_of_threads_does_not_change_results) {
+    World one = GetParam().make(1), two = GetParam().make(2);
+    share_short_steps(false);
     for (int step = 0; step < steps / 3; step++)
-        for (World* world : {&one, &tries}) {
+        for (World* world : {&one, &two}) {
             disturb(*world, step);
             must(world->step(1.0 / 60));
         }
-    use_thread_trials(false);
-    EXPECT_EQ(state_hash(one), state_hash(tries)) << first_difference(one, tries).value_or("");
+    share_short_steps(true);
+    EXPECT_EQ(state_hash(one), state_hash(two)) << first_difference(one, two).value_or("");
 }
 
 // The thread count can change while a world runs, because it is not part of its state.

@@ -7,14 +7,14 @@
 #include <string>
 #include <vector>
 
-#include "jostle/physics/thread_trials.h"
+#include "jostle/physics/thread_use.h"
 #include "tests/support/random.h"
 #include "tests/support/world_builder.h"
 
 namespace jostle::test {
 
 // Tests that compare worlds with one and several threads must use threads in every step.
-inline const bool all_steps_are_shared = (physics::use_thread_trials(false), true);
+inline const bool all_steps_are_shared = (physics::share_short_steps(true), true);
 
 // 55 boxes at rest.
 inline physics::World pyramid_scene(int threads = 1) {

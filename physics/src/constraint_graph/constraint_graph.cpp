@@ -12,6 +12,7 @@ namespace jostle::physics {
 namespace {
 
 void clear_lane(const ContactLaneRef& lane_ref) {
+    ASSERT(lane_ref.lane >= 0 && lane_ref.lane < block_lanes);
     ContactConstraintWide& block = *lane_ref.block;
     const int lane = lane_ref.lane;
     for (int row = 0; row < rolling_rows; row++) float_at(*lane_ref.rolling, row, lane) = 0;
@@ -65,6 +66,9 @@ void shrink(GraphColour& colour) {
 }
 
 void remove_block(GraphColour& colour) {
+    ASSERT(!colour.blocks.empty() && colour.metas.size() == colour.blocks.size());
+    ASSERT(colour.restitutions.size() == colour.blocks.size() &&
+           colour.rollings.size() == colour.blocks.size());
     colour.blocks.pop_back();
     colour.metas.pop_back();
     colour.restitutions.pop_back();
@@ -80,6 +84,7 @@ std::pair<int, int> colours_of(PairKind kind) {
 
 // Sort key: twice the mean index of the dynamic bodies.
 std::int32_t body_order(const GraphColour& colour, int slot) {
+    ASSERT(slot >= 0 && slot < colour.contacts);
     const ContactConstraintWide& block = colour.blocks[static_cast<std::size_t>(slot / 8)];
     const std::int32_t a = block.a[slot % 8], b = block.b[slot % 8];
     return b > 0 ? a + b : 2 * a;
@@ -130,6 +135,7 @@ std::uint32_t remove_contact(ConstraintGraph& graph, ColourSetKey key, int numbe
     }
     clear_lane(last);
     colour.contacts--;
+    ASSERT(colour.contacts >= 0);
     graph.sets[index_of(key)].contacts--;
     ASSERT(graph.sets[index_of(key)].contacts >= 0);
     if (last.lane == 0) {
@@ -173,6 +179,7 @@ SavedContact save_contact(const ContactLaneRef& lane_ref) {
 }
 
 void restore_contact(const ContactLaneRef& lane_ref, const SavedContact& saved) {
+    ASSERT(saved.restitution >= 0 && saved.moved >= 0);
     ContactConstraintWideMeta& meta = *lane_ref.meta;
     const int lane = lane_ref.lane;
     ASSERT(meta.contact[lane] == saved.contact);
@@ -217,6 +224,7 @@ void sort_contacts(GraphColour& colour, int number) {
 }
 
 void add_block(GraphColour& colour) {
+    ASSERT(colour.metas.size() == colour.blocks.size());
     colour.blocks.emplace_back();
     colour.metas.emplace_back();
     colour.restitutions.emplace_back();

@@ -14,6 +14,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "jostle/base/check.h"
 #include "physics/src/constraint_graph/wide_rows.h"
 
 namespace jostle::physics {
@@ -86,6 +87,7 @@ struct alignas(64) ContactConstraintWideMeta {
     }
     bool has(LaneFlag flag, int lane) const { return (bits(flag) >> lane & 1) != 0; }
     void set(LaneFlag flag, int lane, bool on) {
+        ASSERT(lane >= 0 && lane < block_lanes);
         const auto bit = static_cast<std::uint8_t>(1u << lane);
         std::uint8_t& byte = bits(flag);
         byte = static_cast<std::uint8_t>(on ? byte | bit : byte & ~bit);

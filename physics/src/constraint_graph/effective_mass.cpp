@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "physics/src/constraint_graph/effective_mass.h"
 
+#include "jostle/base/check.h"
 #include "jostle/physics/scalar.h"
+#include "physics/src/math/is_unit.h"
 
 namespace jostle::physics {
 
@@ -10,11 +12,13 @@ void write_effective_mass(const ContactLaneRef& lane_ref, const ContactFrame& fr
     ContactConstraintWide& block = *lane_ref.block;
     const int lane = lane_ref.lane;
     const auto [n, t1, arm_a, arm_b] = frame;
+    ASSERT(is_unit(n, 1e-4) && absolute(dot(n, t1)) < 1e-4);
     const Vec3 t2 = cross(n, t1);
     const auto both = [&](Vec3 ja, Vec3 jb, Vec3 ka, Vec3 kb) {
         return dot(ja, a.angular * ka) + dot(jb, b.angular * kb);
     };
     const Vec3 mass = a.linear + b.linear;
+    ASSERT(mass.x >= 0 && mass.y >= 0 && mass.z >= 0);
     const auto along = [&](Vec3 u, Vec3 v) { return dot(scaled(mass, u), v); };
     // Rows of the normals: (arm x n), t1, t2. Rows of friction: arm x t. Row of torsion: n.
     const Vec3 na = cross(arm_a, n), nb = cross(arm_b, n);
@@ -56,6 +60,7 @@ void rewrite_effective_mass(const ContactLaneRef& lane_ref, const InverseMass& a
     // Contact stiffness is proportional to the mass of the bodies. The part of the impulse beyond
     // the mean would jump with the mass, so the mean is adjusted to preserve the load.
     const float stiffer = old_mass / block.g[0][lane];
+    ASSERT(stiffer > 0);
     for (int k = 0; k < 4; k++)
         block.mean_impulse[k][lane] =
             block.lambda[k][lane] - stiffer * (block.lambda[k][lane] - block.mean_impulse[k][lane]);

@@ -111,8 +111,10 @@ void assign_levels(JointLevels& levels, std::size_t bodies) {
         JointConstraintWideMeta& meta = levels.metas[static_cast<std::size_t>(lane / 8)];
         ASSERT(meta.count < 8);
         joint.block = lane / 8;
+        ASSERT(lane % 8 == meta.count);
         joint.lane = meta.count;
         meta.joint[meta.count] = joint.joint;
+        ASSERT(joint.a != joint.b);
         meta.a[meta.count] = joint.a;
         meta.b[meta.count] = joint.b;
         meta.count++;

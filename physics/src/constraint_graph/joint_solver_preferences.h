@@ -9,6 +9,7 @@
 #include <optional>
 #include <span>
 
+#include "jostle/base/check.h"
 #include "jostle/physics/joint_solver.h"
 #include "physics/src/foundation/tuning.h"
 
@@ -41,6 +42,7 @@ inline std::int64_t direct_budget(std::size_t joints_of_world) {
 // `budget`: direct_budget(), or 0 for groups without a request.
 inline std::int64_t max_work(std::int64_t cubes, std::size_t joints, std::int64_t budget) {
     const std::int64_t affordable = tuning::direct_work * cubes;
+    ASSERT(cubes >= 0 && budget >= 0);
     const std::int64_t granted = budget * static_cast<std::int64_t>(joints);
     return granted > affordable ? granted : affordable;
 }

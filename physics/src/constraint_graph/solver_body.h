@@ -65,6 +65,7 @@ public:
     }
 
     void resize(std::size_t count) {  // includes the dummy body 0
+        ASSERT(count > 0);
         all_.resize(spare + count);
         std::fill(all_.begin(), all_.begin() + spare + 1, SolverBody{});
     }

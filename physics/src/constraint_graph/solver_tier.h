@@ -66,6 +66,7 @@ inline int substeps_of(SolverTier tier, const WorldDef& world) {
     ASSERT(tier != SolverTier::asleep && world.substeps >= 1);
     constexpr std::array<int, tier_count> halves = {1, 2, 2, 2, 4, 8};
     const int most = tier == SolverTier::pile && world.sleeping ? 3 : halves[index_of(tier)];
+    ASSERT(most >= 1);
     return (world.substeps * most + 1) / 2;
 }
 

@@ -14,6 +14,8 @@ namespace {
 void run_blocks(ContactPass pass, GraphColour& colour, int c, int begin, int end,
                 const ContactTask& task) {
     if (begin >= end) return;
+    ASSERT(begin >= 0 && end <= static_cast<int>(colour.blocks.size()) &&
+           colour.metas.size() == colour.blocks.size());
     pass({colour.blocks.data(), colour.metas.data(), colour.restitutions.data(),
           colour.rollings.data(), begin, end, pair_kind_of(c), is_single(c), is_overflow(c)},
          task.bodies, task.set);
@@ -24,6 +26,7 @@ void run_blocks(ContactPass pass, GraphColour& colour, int c, int begin, int end
 void run(ContactPass pass, const ContactTask& task) {
     for (const ColourRun& run : task.runs) {
         const int total = run.blocks + run.singles;
+        ASSERT(total > 0 && run.colour != nullptr && (run.singles == 0 || run.single != nullptr));
         const auto share = [&](int blocks, int at) {
             return at == total ? blocks : static_cast<int>(std::int64_t{at} * blocks / total) & ~1;
         };
@@ -45,6 +48,7 @@ void run(ContactPass pass, const ContactTask& task) {
 // of an overflow list.
 void point_unused_lanes(GraphColour& colour, int c, std::int32_t body) {
     if (colour.blocks.empty()) return;
+    ASSERT(body < 0);
     const auto point = [body](ContactConstraintWide& block, int used) {
         for (int lane = used; lane < 8; lane++) block.a[lane] = block.b[lane] = body;
     };
@@ -89,6 +93,7 @@ void list_runs(ConstraintGraph& graph, std::size_t first, std::size_t last,
                 run.singles = static_cast<int>(run.single->blocks.size());
             }
             if (run.blocks + run.singles == 0) continue;
+            ASSERT(!run.shared || !is_overflow(c));
             runs.push_back(run);
             point_unused_lanes(colour, c, SolverBodies::spare_index(first, false));
             if (run.singles > 0)

@@ -29,6 +29,7 @@ ContactSettings contact_settings(double dt, int substeps, SolverTier tier, int s
                                                          : tuning::contact_damping_ratio;
     const double h = dt / substeps, omega = 2 * pi * stiffness * stiff_as / dt;
     const double a1 = 2 * damping + h * omega, a2 = h * omega * a1;
+    ASSERT(h > 0 && omega > 0 && a1 > 0);
     const auto f = [](double x) { return static_cast<float>(x); };
     return {.substeps = substeps,
             .soft_sweeps = tuning::manifold_sweeps,

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "jostle/base/check.h"
 #include "physics/src/foundation/tuning.h"
 
 namespace jostle::physics {
@@ -13,6 +14,7 @@ Vec3 acceleration_of(const BodyWarm& warm, const BodyCold& cold, Vec3 gravity) {
 }
 
 double damping_factor(double damping, double dt) {
+    ASSERT(damping >= 0);
     const double c = damping * dt;
     return c < 1 ? (1 - 0.5 * c) / (1 + 0.5 * c) : 1 / (1 + c);
 }
@@ -40,6 +42,7 @@ EulerStep euler_step(const Bend& bend, Vec3 w, double dt) {
     const int parts =
         estimated_parts >= 1 ? static_cast<int>(minimum(estimated_parts, 4000)) + 1 : 1;
     const double h = dt / parts;
+    ASSERT(parts >= 1);
     EulerStep result{.rotation = {}, .w = w};
     for (int part = 0; part < parts; part++) {
         const Vec3 begin = result.w;
@@ -82,6 +85,7 @@ Vec3 rotation_vector_between(Quat from, Quat to, Vec3 expected) {
     const Quat rotation = to * conjugate(from);
     const Vec3 v{rotation.x, rotation.y, rotation.z};
     const double l = length(v);
+    ASSERT(!(l > 1 + 1e-6));
     const Vec3 axis = l > 1e-12 ? v * (1 / l) : normalized(expected);
     const double angle = 2 * arc_tangent(l, rotation.w), round = 2 * pi;
     return axis * (angle + round * std::floor((dot(expected, axis) - angle) / round + 0.5));
@@ -99,6 +103,7 @@ namespace {
 // locked one.
 FreeSpin locked_spin(const BodyWarm& warm, const BodyCold& cold, double dt) {
     const Vec3 w = warm.w + world_inverse_inertia(warm, cold) * warm.torque * dt;
+    ASSERT(cold.type == BodyType::dynamic);
     if (w == Vec3{} && warm.w == Vec3{}) return {warm.rotation, w};
     const Vec3 mean = (warm.w + w) * 0.5;
     return {normalized(from_rotation_vector(mean * dt) * warm.rotation), w};
@@ -118,6 +123,7 @@ FreeSpin free_spin(const BodyWarm& warm, const BodyCold& cold, double dt) {
     if (warm.w == Vec3{} && warm.torque == Vec3{}) return {warm.rotation, {}};
     // Half of the torque before the free rotation, half after it.
     const double half = 0.5 * dt;
+    ASSERT(!cold.isotropic && dt > 0);
     const Vec3 start = transposed_times(warm.axes, warm.w) +
                        cold.inverse_inertia * transposed_times(warm.axes, warm.torque) * half;
     const EulerStep step = euler_step(cold, start, dt);
@@ -137,6 +143,7 @@ FreeMotion free_motion(const BodyWarm& warm, const BodyCold& cold, Vec3 gravity,
                                  : normalized(from_rotation_vector(warm.w * dt) * warm.rotation),
                 warm.v, warm.w};
     const Vec3 v1 = (warm.v + acceleration_of(warm, cold, gravity) * dt);
+    ASSERT(cold.type == BodyType::dynamic && dt > 0);
     const FreeSpin spin = free_spin(warm, cold, dt);
     if (cold.linear_damping == 0 && cold.angular_damping == 0)
         return {(warm.v + v1) * (0.5 * dt), spin.rotation, v1, spin.w};

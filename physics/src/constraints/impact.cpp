@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "physics/src/constraints/impact.h"
 
+#include "jostle/base/check.h"
 #include "physics/src/foundation/tuning.h"
+#include "physics/src/math/is_unit.h"
 
 namespace jostle::physics {
 namespace {
@@ -23,12 +25,14 @@ public:
         : a_(a), b_(b), points_(points), states_(points.size()) {
         for (std::size_t k = 0; k < points.size(); k++) {
             PointState& s = states_[k];
+            ASSERT(is_unit(points[k].normal, 1e-4));
             s.arm_a = points[k].position - a.center;
             s.arm_b = points[k].position - b.center;
             s.speed = (b.v + cross(b.w, s.arm_b)) - (a.v + cross(a.w, s.arm_a));
         }
         // Column by column: the velocity change at j from a unit impulse at k.
         responses_.resize(points.size() * points.size());
+        ASSERT(!points.empty());
         const Vec3 mass = a.inverse_mass + b.inverse_mass, unit[3]{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
         for (std::size_t k = 0; k < points.size(); k++)
             for (int i = 0; i < 3; i++) {
@@ -52,6 +56,7 @@ public:
         const double old_impulse = load.normal;
         load.normal = maximum(0, old_impulse - (dot(relative(k), n) - load.target) / response_n);
         push(k, n * (load.normal - old_impulse));
+        ASSERT(load.normal >= 0);
         rub(k, load, friction * load.normal);
         return length(states_[k].speed - before_all);
     }
@@ -81,6 +86,7 @@ private:
     void rub(std::size_t k, Load& load, double most) {
         const Vec3 n = points_[k].normal, u = relative(k), slip = u - n * dot(u, n);
         const double speed = length(slip);
+        ASSERT(most >= 0);
         if (speed < 1e-12) return;
         const Vec3 along = slip * (1 / speed);
         const double response_t = response(k, along);
@@ -120,6 +126,7 @@ private:
 HardestPoint resolve_impact(ImpactBody& a, ImpactBody& b, std::span<const ImpactPoint> points,
                             double restitution, double friction) {
     Impulses impulses(a, b, points);
+    ASSERT(restitution >= 0 && restitution <= 1 && friction >= 0);
     std::vector<Load> loads(points.size());
     HardestPoint hardest;
     for (std::size_t k = 0; k < points.size(); k++) {
@@ -140,6 +147,7 @@ HardestPoint resolve_impact(ImpactBody& a, ImpactBody& b, std::span<const Impact
         rubbed += load.friction;
     }
     hardest.friction_impulse = length(rubbed);
+    ASSERT(hardest.normal_impulse >= 0);
     return hardest;
 }
 

@@ -5,6 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "jostle/base/check.h"
+
 namespace jostle::physics {
 namespace {
 
@@ -99,6 +101,7 @@ const char* instruction_set_name(InstructionSet set) {
 
 std::span<const InstructionSet> available_instruction_sets() {
     static const std::vector<InstructionSet> sets = find_available();
+    ASSERT(!sets.empty());
     return sets;
 }
 

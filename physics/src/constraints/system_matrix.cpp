@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "physics/src/constraints/system_matrix.h"
 
+#include "jostle/base/check.h"
+
 namespace jostle::physics {
 namespace {
 
 std::size_t body_index(int body) {
+    ASSERT(body >= 0);
     return static_cast<std::size_t>(body);
 }
 
@@ -28,6 +31,7 @@ void add_responses(ConstraintSystem& system) {
     for (std::size_t k = 0; k < count; k++)
         for (int p = 0; p < system.rows[k].jacobian_count; p++) {
             const RowJacobian& row_jacobian = system.rows[k].jacobians[p];
+            ASSERT(body_index(row_jacobian.body) < system.bodies.size());
             if (system.bodies[body_index(row_jacobian.body)].moves)
                 uses[body_index(row_jacobian.body)].push_back({k, &row_jacobian});
         }
@@ -52,8 +56,10 @@ void add_softness(ConstraintSystem& system, std::size_t k) {
     const ConstraintRow& row = system.rows[k];
     double* own = &system.matrix[k * count];
     if (row.softness == 0) return;
+    ASSERT(row.softness > 0 && system.matrix.size() == count * count);
     if (row.block >= 0) {
         const double share = row.softness / own[k];
+        ASSERT(own[k] > 0);
         for (std::size_t j = k; j-- > 0 && system.rows[j].block == row.block;)
             system.matrix[j * count + k] = own[j] += share * own[j];
     }
@@ -145,6 +151,7 @@ std::string name_of(const ConstraintRow& row) {
         return name + " of point " + std::to_string(row.point);
     }
     constexpr const char* axes[] = {" x", " y", " z"};
+    ASSERT(row.axis < 3);
     return row.axis < 0 ? name : name + axes[row.axis];
 }
 

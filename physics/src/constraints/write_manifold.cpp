@@ -7,6 +7,7 @@
 #include "physics/src/constraint_graph/effective_mass.h"
 #include "physics/src/constraint_graph/wide_rows.h"
 #include "physics/src/foundation/tuning.h"
+#include "physics/src/math/is_unit.h"
 #include "physics/src/state/contact_constraints.h"
 #include "physics/src/state/contact_modifiers.h"
 #include "physics/src/state/pair_size.h"
@@ -28,6 +29,7 @@ PreviousImpulses previous_impulses(const ContactConstraintWide& block, const Rol
     const Vec3 n = get_lane(block.normal, lane), t1 = get_lane(block.tangent, lane),
                t2 = cross(n, t1);
     const Vec3 arm = get_lane(block.arm_a, lane);
+    ASSERT(is_unit(n, 1e-4) && is_unit(t1, 1e-4));
     c.roll = t1 * double{rolling.roll[0][lane]} + t2 * double{rolling.roll[1][lane]};
     c.friction = t1 * double{block.friction[0][lane]} + t2 * double{block.friction[1][lane]};
     for (int i = 0; i < 4; i++) {
@@ -53,6 +55,7 @@ Loads redistribute_loads(const PreviousImpulses& old, const Manifold& m, Vec3 ce
                          bool even) {
     Loads loads;
     bool consumed[4] = {}, assigned[4] = {};
+    ASSERT(old.count <= 4 && m.count >= 1 && reach >= 0);
     const auto distance2 = [&](int i, int j) {
         return length_squared(old.point[j] - (m.point[i] - center));
     };
@@ -109,6 +112,7 @@ SupportExtent support_extent(const Manifold& m, bool rim, double scale) {
     }
     for (int i = 0; i < m.count; i++)
         if (f.bearing[i]) f.centre += m.point[i] * (1.0 / f.count);
+    ASSERT(f.count >= 1);
     return f;
 }
 
@@ -141,6 +145,7 @@ void write_rolling(const ContactLaneRef& lane_ref, const Material& ma, const Mat
                t1 = get_lane(lane_ref.block->tangent, lane);
     const Vec3 t2 = cross(n, t1);
     rolling.surface[0][lane] = as_float(dot(surface, t1));
+    ASSERT(is_unit(n, 1e-4) && is_unit(t1, 1e-4));
     rolling.surface[1][lane] = as_float(dot(surface, t2));
     rolling.rolling[lane] = as_float(maximum(ma.rolling_friction, mb.rolling_friction));
     rolling.torsional_friction[lane] =
@@ -201,6 +206,7 @@ void write_manifold(WorldState& world, const Contact& contact, const Manifold& m
     const SupportExtent support =
         support_extent(m, has_rim(world, contact), scale_of_pair(world.bodies, contact));
     const Vec3 centre = support.centre;
+    ASSERT(support.count >= 1 && is_unit(m.normal, 1e-5));
     const Vec3 n = m.normal;
     const Vec3 t1 = world.def.planar
                         ? Vec3{-n.y, n.x, 0}
@@ -213,6 +219,7 @@ void write_manifold(WorldState& world, const Contact& contact, const Manifold& m
 
     const BodyCold &ca = world.bodies.cold[contact.body_a], &cb = world.bodies.cold[contact.body_b];
     const double size = size_of_pair(ca, cb);
+    ASSERT(ca.type == BodyType::dynamic && size > 0);
     const double reach =
         minimum(tuning::match_distance * size_scale(size), tuning::match_fraction * size);
     const Loads loads =
@@ -241,6 +248,7 @@ void write_manifold(WorldState& world, const Contact& contact, const Manifold& m
     const Material& mb = world.shapes.shapes[contact.shape_b].material;
     const ContactModifier modifier = modifier_of(world, contact);
     if (!modifier.enabled) disable(block, lane);
+    ASSERT(modifier.friction >= 0 && modifier.restitution >= 0);
     block.mu[lane] = as_float(modifier.friction);
     write_rolling(lane_ref, ma, mb, modifier.surface_velocity, old.roll);
     ContactConstraintWideMeta& meta = *lane_ref.meta;
@@ -249,6 +257,7 @@ void write_manifold(WorldState& world, const Contact& contact, const Manifold& m
     put_bit(meta.bits(LaneFlag::bounces), lane, meta.restitution[lane] > 0);
     put_bit(meta.bits(LaneFlag::rolls), lane, has_rolling(*lane_ref.rolling, lane));
     put_bit(meta.bits(LaneFlag::needs_rebuild), lane, false);
+    ASSERT(meta.contact[lane] < world.contacts.contacts.size());
 }
 
 }  // namespace jostle::physics

@@ -7,6 +7,7 @@
 // smaller body.
 #pragma once
 
+#include "jostle/base/check.h"
 #include "jostle/physics/scalar.h"
 #include "jostle/physics/vec3.h"
 #include "physics/src/foundation/tuning.h"
@@ -30,6 +31,7 @@ inline double gravity_ratio_squared(Vec3 gravity) {
 // Returns the factor for speeds.
 inline double speed_scale(double size, double gravity_ratio_squared) {
     if (size <= 0) return 1;
+    ASSERT(gravity_ratio_squared > 0);
     constexpr double low_rate = 1 / tuning::min_usual_size, high_rate = 1 / tuning::max_usual_size;
     const double low = size * low_rate, high = size * high_rate;
     const double fourth =

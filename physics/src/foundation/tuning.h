@@ -337,11 +337,9 @@ inline constexpr int joint_grain = 8;  // blocks of joints
 // With fewer blocks in a run of joints, waking another thread costs more than solving them.
 inline constexpr int shared_joint_blocks = 32;
 inline constexpr int contact_grain = 8;  // blocks of contacts
-// Longer steps use all threads without a trial: they always gain, and a trial would delay one. A
-// smaller gain in a trial is noise. Pause between trials in steps: initial and maximum.
-inline constexpr double long_step_ms = 2;
-inline constexpr double trial_gain = 0.95;
-inline constexpr int first_trial_pause = 8, longest_trial_pause = 512;
+// All threads take part in a step if the last step had at least this work (StepProfile::work, about
+// 0.1 us each). TODO(threshold)
+inline constexpr std::int64_t shared_work = 10'000, still_shared_work = 7'500;
 // A solver task of at most this many bodies and contacts runs on one thread.
 inline constexpr unsigned light_task = 4000;
 // From this many moves on, the trees are updated on another thread. Fewer moves take less time than

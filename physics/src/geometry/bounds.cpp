@@ -19,6 +19,7 @@ Vec3 disc_reach(Vec3 y, double radius) {
 // Bounding box of a transformed local box. Not tight, but cheap for many points.
 Aabb turned(const TransformedShape& shape, const Aabb& local) {
     const Vec3 middle = (local.low + local.high) * 0.5, half = (local.high - local.low) * 0.5;
+    ASSERT(half.x >= 0 && half.y >= 0 && half.z >= 0);
     const Vec3 center = shape.position + shape.axes * middle;
     const Vec3 reach =
         abs(shape.axes.x) * half.x + abs(shape.axes.y) * half.y + abs(shape.axes.z) * half.z;
@@ -27,6 +28,7 @@ Aabb turned(const TransformedShape& shape, const Aabb& local) {
 
 Aabb bounds_of_points(const TransformedShape& shape, const std::vector<Vec3>& points) {
     Aabb box{{1e300, 1e300, 1e300}, {-1e300, -1e300, -1e300}};
+    ASSERT(!points.empty());
     for (const Vec3 p : points) {
         const Vec3 q = shape.axes * p;
         box = unite(box, {q, q});
@@ -43,6 +45,7 @@ double furthest_corner(const Aabb& box) {
 
 Aabb bounds_of(const TransformedShape& shape) {
     Vec3 reach;
+    ASSERT(shape.geometry != nullptr);
     switch (kind_of(*shape.geometry)) {
         case ShapeKind::sphere: {
             const double r = std::get<Sphere>(*shape.geometry).radius;

@@ -7,6 +7,7 @@
 
 #include <cstdint>
 
+#include "jostle/base/check.h"
 #include "jostle/physics/aabb.h"
 
 #if defined(__SSE2__)
@@ -65,6 +66,7 @@ struct BoxLanes {
     Float4 low[3], high[3];
 
     void put(int lane, const Aabb& box) {
+        ASSERT(lane >= 0 && lane < 4);
         for (int k = 0; k < 3; k++) {
             low[k][lane] = float_below(box.low[k]);
             high[k][lane] = float_above(box.high[k]);
@@ -72,6 +74,7 @@ struct BoxLanes {
     }
     // An empty box, which nothing overlaps and no ray hits.
     void put_empty(int lane) {
+        ASSERT(lane >= 0 && lane < 4);
         for (int k = 0; k < 3; k++) {
             low[k][lane] = static_cast<float>(lanes_far);
             high[k][lane] = -static_cast<float>(lanes_far);

@@ -5,6 +5,8 @@
 #include <array>
 #include <numeric>
 
+#include "jostle/base/check.h"
+
 namespace jostle::physics {
 namespace {
 
@@ -45,6 +47,7 @@ Bvh::Bvh(std::span<const Aabb> boxes) {
     split(binary, 0, boxes, 1);
     nodes_.reserve(binary.size());
     collapse(binary, 0, boxes, 1);
+    ASSERT(height_ <= max_height);
     nodes_.shrink_to_fit();
     items_ = {};
 }
@@ -52,6 +55,7 @@ Bvh::Bvh(std::span<const Aabb> boxes) {
 void Bvh::split(std::vector<BinaryNode>& binary, std::uint32_t index, std::span<const Aabb> boxes,
                 int depth) {
     const std::uint32_t first = binary[index].first, count = binary[index].count;
+    ASSERT(count > 0 && first + count <= boxes.size() && depth <= max_height);
     const auto begin = items_.begin() + first, end = begin + count;
     Aabb box = empty_box(), centers = empty_box();
     for (auto it = begin; it != end; ++it) {
@@ -112,6 +116,7 @@ void Bvh::split(std::vector<BinaryNode>& binary, std::uint32_t index, std::span<
         });
     }
     const auto left_count = static_cast<std::uint32_t>(middle - begin);
+    ASSERT(left_count > 0 && left_count < count);
     const auto left = static_cast<std::uint32_t>(binary.size());
     binary.push_back({.box = {}, .first = first, .count = left_count});
     binary.push_back({.box = {}, .first = first + left_count, .count = count - left_count});
@@ -132,6 +137,7 @@ void Bvh::collapse(const std::vector<BinaryNode>& binary, std::uint32_t index,
     for (int k = 0; k < 4; k++) node.boxes.put_empty(k);
     const BinaryNode& source = binary[index];
     node.leaf = source.count > 0;
+    ASSERT(source.count <= leaf_items);
     if (node.leaf) {
         for (std::uint32_t k = 0; k < source.count; k++) {
             node.child[k] = items_[source.first + k];
@@ -157,6 +163,7 @@ void Bvh::collapse(const std::vector<BinaryNode>& binary, std::uint32_t index,
     }
     for (int k = 0; k < count; k++) {
         nodes_[at].boxes.put(k, binary[children[k]].box);
+        ASSERT(children[k] < binary.size());
         nodes_[at].child[k] = static_cast<std::uint32_t>(nodes_.size());
         collapse(binary, children[k], boxes, depth + 1);
     }

@@ -13,6 +13,7 @@
 #include <span>
 #include <vector>
 
+#include "jostle/base/check.h"
 #include "physics/src/geometry/box_lanes.h"
 
 namespace jostle::physics {
@@ -44,6 +45,7 @@ public:
             // Push in reverse order, so that the first child is on top.
             while (lanes != 0) {
                 const int last = std::bit_width(lanes) - 1;
+                ASSERT(last < 4 && top < stack_size);
                 stack[top++] = n.child[last];
                 lanes &= ~(1u << last);
             }
@@ -75,6 +77,7 @@ public:
             Float4 key;
             unsigned lanes = test(n.boxes, n.leaf, key);
             int order[4], count = 0;
+            ASSERT(lanes < 16 && top + 4 <= stack_size);
             for (; lanes != 0; lanes &= lanes - 1) {
                 const int lane = std::countr_zero(lanes);
                 int at = count++;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "jostle/physics/compound.h"
+#include "jostle/base/check.h"
 
 #include "jostle/physics/hull.h"
 #include "physics/src/foundation/byte_stream.h"
@@ -64,6 +65,7 @@ Result<std::shared_ptr<const CompoundShape>> build_compound(std::vector<Compound
     }
     compound->children = std::move(children);
     compound->tree = std::make_shared<const Bvh>(boxes);
+    ASSERT(boxes.size() == compound->children.size() && compound->inner_radius < 1e300);
     compound->content_hash = hasher.value;
     return std::shared_ptr<const CompoundShape>(std::move(compound));
 }

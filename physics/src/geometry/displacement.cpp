@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <array>
 
+#include "jostle/base/check.h"
 #include "jostle/physics/compound.h"
 #include "jostle/physics/hull.h"
 #include "physics/src/geometry/mass_properties.h"
 #include "physics/src/geometry/support.h"
+#include "physics/src/math/is_unit.h"
 
 namespace jostle::physics {
 namespace {
@@ -22,6 +24,7 @@ struct HalfSpace {
 // Spherical cap (Weisstein, "Spherical Cap", MathWorld).
 Displacement cap_of_sphere(double r, const HalfSpace& below) {
     const double depth = below.offset + r;
+    ASSERT(depth >= 0 && depth <= 2 * r);
     const double volume = pi * depth * depth * (3 * r - depth) / 3;
     const double lack = 2 * r - depth;
     return {volume, below.normal * (-0.75 * lack * lack / (3 * r - depth))};
@@ -40,6 +43,7 @@ public:
     template <class CornerAt>
     void add_face(std::size_t count, CornerAt&& corner_at) {
         corners_ = 0;
+        ASSERT(count >= 3);
         Vec3 from = corner_at(count - 1);
         double height = below_.height(from);
         for (std::size_t k = 0; k < count; k++) {
@@ -140,6 +144,7 @@ public:
         // Positions at which the plane starts and stops to cut the discs. The slices are smooth in
         // between.
         const double n = below_.normal.y, s2 = across_ * across_, d = below_.offset;
+        ASSERT(piece.from <= piece.to);
         std::array<double, 5> ends{piece.from, piece.to, piece.to, piece.to, piece.to};
         std::size_t count = 2;
         const auto add_end = [&](double y) {
@@ -154,6 +159,7 @@ public:
             if (q != 0) add_end(c / q);
         }
         std::sort(ends.begin(), ends.end());  // unused entries are at the end
+        ASSERT(count <= ends.size());
         for (std::size_t k = 0; k + 1 < count; k++) integrate(piece, ends[k], ends[k + 1]);
     }
     Displacement result() const {
@@ -167,6 +173,7 @@ private:
     // polynomials.
     void integrate(const RoundPiece& piece, double from, double to) {
         const double middle = 0.5 * (from + to), half = 0.5 * (to - from);
+        ASSERT(from <= to);
         for (std::size_t k = 0; k < nodes.size(); k++)
             for (const double t : {-nodes[k], nodes[k]}) {
                 const double y = middle + half * (0.5 * t * (3 - t * t));
@@ -228,6 +235,7 @@ Displacement cut_compound(const CompoundShape& compound, const HalfSpace& below)
 
 Displacement displacement(const Geometry& geometry, Vec3 normal, double offset) {
     const HalfSpace below{normal, offset};
+    ASSERT(is_unit(normal, 1e-5));
     if (const auto* compound = std::get_if<Compound>(&geometry))
         return cut_compound(*compound->data, below);
     if (!is_convex(kind_of(geometry))) return {};

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "jostle/base/check.h"
 #include "physics/src/geometry/box_lanes.h"
 #include "physics/src/geometry/surface.h"
 
@@ -17,6 +18,7 @@ template <class Visit>
 void visit_cell(const HeightGrid& grid, std::uint32_t column, std::uint32_t row, Visit&& visit) {
     const std::uint32_t cell = row * (grid.columns - 1) + column;
     if (is_hole(grid, cell)) return;
+    ASSERT(column + 1 < grid.columns && row + 1 < grid.rows);
     const Vec3 near = sample(grid, column, row), far = sample(grid, column + 1, row + 1);
     visit(SurfaceTriangle{{near, far, sample(grid, column + 1, row)}, cell * 2});
     visit(SurfaceTriangle{{near, sample(grid, column, row + 1), far}, cell * 2 + 1});
@@ -35,6 +37,7 @@ public:
     // Selects a row. Rows may be selected in any order.
     void begin_row(std::uint32_t row) {
         const double z = sample(grid_, 0, row).z;
+        ASSERT(row + 1 < grid_.rows);
         boxes_.low[2] = splat4(float_below(z - rounding * absolute(z)));
         boxes_.high[2] = splat4(float_above(z + grid_.spacing_z + rounding * absolute(z)));
         near_ = &grid_.heights[std::size_t{row} * grid_.columns];
@@ -80,6 +83,7 @@ void nearest_cell_first(const HeightGrid& grid, const Aabb& box, Vec3 first, Tes
     const CellRange cells = cells_under(grid, box);
     if (cells.column_begin == cells.column_end) return;
     const CellRange under = cells_under(grid, {first, first});
+    ASSERT(cells.column_begin < cells.column_end && cells.row_begin < cells.row_end);
     const std::uint32_t column =
         std::clamp(under.column_begin, cells.column_begin, cells.column_end - 1);
     const std::uint32_t row = std::clamp(under.row_begin, cells.row_begin, cells.row_end - 1);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "jostle/physics/height_field.h"
+#include "jostle/base/check.h"
 
 #include "physics/src/foundation/byte_stream.h"
 #include "physics/src/foundation/hash.h"
@@ -80,6 +81,7 @@ Result<std::shared_ptr<const HeightGrid>> build_height_field(HeightGrid grid) {
     const double x = 0.5 * (grid.columns - 1) * grid.spacing_x;
     const double z = 0.5 * (grid.rows - 1) * grid.spacing_z;
     grid.bounds = {{-x, low, -z}, {x, high, z}};
+    ASSERT(low <= high && x > 0 && z > 0);
     grid.content_hash = hash_of(grid);
     return std::shared_ptr<const HeightGrid>(std::make_shared<HeightGrid>(std::move(grid)));
 }

@@ -7,11 +7,13 @@
 #include <algorithm>
 #include <map>
 
+#include "jostle/base/check.h"
 #include "physics/src/foundation/byte_stream.h"
 #include "physics/src/foundation/hash.h"
 #include "physics/src/foundation/messages.h"
 #include "physics/src/geometry/hull_lanes.h"
 #include "physics/src/geometry/hull_topology.h"
+#include "physics/src/math/is_unit.h"
 
 namespace jostle::physics {
 namespace {
@@ -37,6 +39,7 @@ public:
     std::optional<std::vector<std::vector<std::uint32_t>>> run() {
         find_neighbours();
         region_.assign(triangles_.size(), no_index);
+        ASSERT(across_.size() == triangles_.size());
         // Start with large triangles, whose planes are the most accurate.
         std::vector<std::uint32_t> order(triangles_.size());
         for (std::uint32_t i = 0; i < order.size(); i++) order[i] = i;
@@ -73,6 +76,7 @@ private:
     std::optional<std::vector<std::uint32_t>> grow(std::uint32_t seed) {
         const Vec3 normal = normalized(normal_of(points_, triangles_[seed]));
         const double offset = dot(normal, points_[triangles_[seed][0]]);
+        ASSERT(region_[seed] == no_index);
         std::vector<std::uint32_t> members{seed};
         region_[seed] = seed;
         for (std::size_t k = 0; k < members.size(); k++)
@@ -95,6 +99,7 @@ private:
                     if (!next.emplace(triangles_[t][e], triangles_[t][(e + 1) % 3]).second)
                         return std::nullopt;
         std::vector<std::uint32_t> loop;
+        ASSERT(!next.empty());
         std::uint32_t at = next.begin()->first;
         do {
             loop.push_back(at);
@@ -141,6 +146,7 @@ Result<std::shared_ptr<const ConvexHull>> assemble_hull(
     auto hull = std::make_shared<ConvexHull>();
     hull->vertices = std::move(vertices);
     const auto& v = hull->vertices;
+    ASSERT(!v.empty() && v.size() <= max_hull_vertices);
     Vec3 middle;
     hull->bounds = {v[0], v[0]};
     for (const Vec3 p : v) {
@@ -156,6 +162,7 @@ Result<std::shared_ptr<const ConvexHull>> assemble_hull(
             sum += cross(v[loop[k]] - middle, v[loop[(k + 1) % loop.size()]] - middle);
         if (!(length(sum) > 0)) return hull_error("a face has no area");
         face.normal = sum / length(sum);
+        ASSERT(is_unit(face.normal) && loop.size() >= 3);
         face.offset = -1e300;
         for (const Vec3 p : v) face.offset = maximum(face.offset, dot(face.normal, p));
         hull->face_vertices.insert(hull->face_vertices.end(), loop.begin(), loop.end());
@@ -182,6 +189,7 @@ Result<std::shared_ptr<const ConvexHull>> assemble_hull(
     const PolyhedronMass mass = polyhedron_mass(*hull);
     if (!(mass.volume > 0)) return hull_error("it has no volume");
     hull->volume = mass.volume;
+    ASSERT(hull->edges.size() >= 6 && hull->faces.size() >= 4);
     hull->center = mass.center;
     hull->unit_inertia = mass.inertia;
     hull->inner_radius = 1e300;
@@ -202,6 +210,7 @@ Result<std::shared_ptr<const ConvexHull>> hull_of_loops(
     for (const auto& loop : loops) used.insert(used.end(), loop.begin(), loop.end());
     std::sort(used.begin(), used.end());
     used.erase(std::unique(used.begin(), used.end()), used.end());
+    ASSERT(used.empty() || used.back() < retained.size());
     if (used.size() > max_hull_vertices)
         return hull_error("it has " + std::to_string(used.size()) + " vertices; at most " +
                           std::to_string(max_hull_vertices) + " are allowed: simplify the shape");
@@ -272,6 +281,7 @@ Result<std::shared_ptr<const ConvexHull>> build_hull(std::span<const Vec3> point
         retained.push_back(points[index]);
     }
     const auto triangles = hull_triangles(grid);
+    ASSERT(grid.size() == retained.size());
     if (!triangles) return hull_error("its points lie in one plane; it has no volume");
     auto loops = FaceMerger(retained, *triangles, merge_fraction * size).run();
     if (loops) drop_edge_vertices(*loops, retained.size());

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "jostle/base/check.h"
+
 namespace jostle::physics {
 namespace {
 
@@ -75,6 +77,7 @@ Four most_of_arc(const ArcLanes& arc, std::size_t at, const BallLanes& ball) {
 }
 
 void put(DirectionLanes& lanes, std::size_t lane, Vec3 v) {
+    ASSERT(lane < 8);
     lanes.x[lane] = static_cast<float>(v.x);
     lanes.y[lane] = static_cast<float>(v.y);
     lanes.z[lane] = static_cast<float>(v.z);
@@ -89,6 +92,7 @@ constexpr std::size_t blocks(std::size_t count, std::size_t lanes) {
 
 HullLanes lanes_of(const ConvexHull& hull) {
     HullLanes lanes;
+    ASSERT(!hull.vertices.empty() && !hull.faces.empty() && !hull.edges.empty());
     lanes.vertices.resize(blocks(hull.vertices.size(), 4));
     for (std::size_t k = 0; k < 4 * lanes.vertices.size(); k++) {
         const Vec3 v = hull.vertices[std::min(k, hull.vertices.size() - 1)];
@@ -128,6 +132,7 @@ std::size_t furthest_vertex(const HullLanes& lanes, Vec3 d) {
         here += splat(4.0);
     }
     int best = 0;
+    ASSERT(!lanes.vertices.empty());
     const auto block = [&](int lane) { return at[lane / 2][lane % 2]; };
     const auto reach = [&](int lane) { return most[lane / 2][lane % 2]; };
     for (int k = 1; k < 4; k++)

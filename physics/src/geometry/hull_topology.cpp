@@ -7,6 +7,8 @@
 
 #include <algorithm>
 
+#include "jostle/base/check.h"
+
 namespace jostle::physics {
 namespace {
 
@@ -44,6 +46,7 @@ private:
     // Six times the signed volume of (a, b, c, p): positive if p is above the face (a, b, c).
     Wide volume(std::uint32_t a, std::uint32_t b, std::uint32_t c, std::uint32_t p) const {
         const GridPoint &o = points_[a], &q = points_[b], &r = points_[c], &s = points_[p];
+        ASSERT(a != b && b != c && c != a);
         const std::int64_t ux = q.x - o.x, uy = q.y - o.y, uz = q.z - o.z;
         const std::int64_t vx = r.x - o.x, vy = r.y - o.y, vz = r.z - o.z;
         const std::int64_t wx = s.x - o.x, wy = s.y - o.y, wz = s.z - o.z;
@@ -93,6 +96,7 @@ private:
         }
         if (d == no_index) return false;
         if (volume(a, b, c, d) > 0) std::swap(b, c);  // d is below (a, b, c) now
+        ASSERT(volume(a, b, c, d) < 0 && faces_.empty());
         faces_.push_back({.corner = {a, b, c}, .across = {1, 2, 3}, .above = {}});
         faces_.push_back({.corner = {b, a, d}, .across = {0, 3, 2}, .above = {}});
         faces_.push_back({.corner = {c, b, d}, .across = {0, 1, 3}, .above = {}});
@@ -137,6 +141,7 @@ private:
         }
         // The visible faces are connected. Exactly coplanar neighbours remain.
         visible_.assign(1, start);
+        ASSERT(top != no_index && faces_[start].alive && !faces_[start].seen);
         faces_[start].seen = true;
         for (std::size_t k = 0; k < visible_.size(); k++)
             for (int e = 0; e < 3; e++) {
@@ -155,10 +160,12 @@ private:
         for (std::size_t k = 1; k < rim_.size(); k++) {
             std::size_t next = k;
             while (rim_[next].from != rim_[k - 1].to) next++;
+            ASSERT(next < rim_.size());
             std::swap(rim_[k], rim_[next]);
         }
         const auto first_new = static_cast<std::uint32_t>(faces_.size());
         const auto count = static_cast<std::uint32_t>(rim_.size());
+        ASSERT(count >= 3 && rim_.back().to == rim_.front().from);
         for (std::uint32_t k = 0; k < count; k++) {
             const Rim& r = rim_[k];
             const std::uint32_t previous = first_new + (k + count - 1) % count;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "physics/src/geometry/mass_properties.h"
 
+#include "jostle/base/check.h"
 #include "jostle/physics/compound.h"
 #include "jostle/physics/hull.h"
 
@@ -60,6 +61,7 @@ MassProperties mass_of_compound(const CompoundShape& compound, double density) {
 // Inertia of a point mass m at offset d: m (|d|^2 1 - d d^T).
 Mat3 offset_inertia(double m, Vec3 d) {
     const double d2 = length_squared(d);
+    ASSERT(m >= 0);
     return Mat3{{d2 - d.x * d.x, -d.x * d.y, -d.x * d.z},
                 {-d.y * d.x, d2 - d.y * d.y, -d.y * d.z},
                 {-d.z * d.x, -d.z * d.y, d2 - d.z * d.z}} *
@@ -69,6 +71,7 @@ Mat3 offset_inertia(double m, Vec3 d) {
 }  // namespace
 
 MassProperties mass_of(const Geometry& geometry, double density) {
+    ASSERT(density >= 0);
     switch (kind_of(geometry)) {
         case ShapeKind::sphere:
             return mass_of_sphere(std::get<Sphere>(geometry), density);
@@ -104,6 +107,7 @@ MassProperties combined(const MassProperties& a, const MassProperties& b) {
     if (a.mass == 0) return b;
     if (b.mass == 0) return a;
     const double mass = a.mass + b.mass;
+    ASSERT(a.mass > 0 && b.mass > 0);
     const Vec3 center = (a.center * a.mass + b.center * b.mass) / mass;
     return {mass, center,
             a.inertia + b.inertia + offset_inertia(a.mass, a.center - center) +

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 
+#include "jostle/base/check.h"
 #include "jostle/physics/mesh.h"
 #include "physics/src/foundation/byte_stream.h"
 #include "physics/src/foundation/hash.h"
@@ -55,6 +56,7 @@ void find_neighbours(TriangleMesh& mesh) {
                std::tie(y.low, y.high, y.triangle, y.edge);
     });
     mesh.neighbours.assign(mesh.triangles.size(), {no_triangle, no_triangle, no_triangle});
+    ASSERT(sides.size() == 3 * mesh.triangles.size());
     for (std::size_t k = 0; k < sides.size();) {
         std::size_t end = k + 1;
         while (end < sides.size() && sides[end].low == sides[k].low &&
@@ -117,6 +119,7 @@ Result<std::shared_ptr<const TriangleMesh>> build_mesh(
     if (mesh->triangles.empty()) return mesh_error("all its triangles are degenerate");
     find_neighbours(*mesh);
     mesh->tree = std::make_shared<const Bvh>(boxes);
+    ASSERT(boxes.size() == mesh->triangles.size() && mesh->neighbours.size() == boxes.size());
     mesh->content_hash = hash_of(*mesh);
     return std::shared_ptr<const TriangleMesh>(std::move(mesh));
 }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "jostle/base/check.h"
+
 namespace jostle::physics {
 namespace {
 
@@ -16,6 +18,7 @@ int hull_of(std::vector<Vec3>& points, Vec3* out) {
     std::sort(points.begin(), points.end(),
               [](Vec3 a, Vec3 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
     std::vector<Vec3> chain(2 * points.size());
+    ASSERT(points.size() >= 3);
     std::size_t n = 0;
     const auto add = [&](Vec3 p, std::size_t least) {
         // The last point equals the first.
@@ -27,6 +30,7 @@ int hull_of(std::vector<Vec3>& points, Vec3* out) {
     for (std::size_t k = points.size() - 1; k-- > 0;) add(points[k], upper);
     n--;  // the last point equals the first
     const auto count = static_cast<int>(std::min(n, max_hull_vertices));
+    ASSERT(count >= 1);
     for (int k = 0; k < count; k++) out[k] = chain[static_cast<std::size_t>(k)];
     return count;
 }
@@ -43,6 +47,7 @@ MassProperties mass_of_polygon(const Outline& outline, double density) {
         second += c * (dot(p, p) + dot(p, q) + dot(q, q)) / 12;
     }
     const Vec3 center = moment / area;
+    ASSERT(area > 0);
     const double about_center = density * (second - area * dot(center, center));
     return {density * area, center, diagonal({about_center, about_center, about_center})};
 }

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "physics/src/geometry/hull_builder.h"
 
+#include "jostle/base/check.h"
+
 namespace jostle::physics {
 
 PolyhedronMass polyhedron_mass(const ConvexHull& hull) {
     const Vec3 origin = hull.vertices[0];
+    ASSERT(hull.faces.size() >= 4);
     double volume = 0;
     Vec3 moment;
     // Integrals of x x, y y, z z, x y, y z, z x.

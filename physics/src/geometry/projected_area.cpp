@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "physics/src/geometry/shape_measures.h"
 
+#include "jostle/base/check.h"
 #include "jostle/physics/compound.h"
 #include "jostle/physics/hull.h"
+#include "physics/src/math/is_unit.h"
 
 namespace jostle::physics {
 namespace {
@@ -43,6 +45,7 @@ double area_of_hull(const ConvexHull& hull, Vec3 d) {
 }  // namespace
 
 double projected_area(const Geometry& geometry, Vec3 d) {
+    ASSERT(is_unit(d, 1e-5));
     if (const auto* sphere = std::get_if<Sphere>(&geometry))
         return pi * sphere->radius * sphere->radius;
     if (const auto* capsule = std::get_if<Capsule>(&geometry))

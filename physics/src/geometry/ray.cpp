@@ -3,9 +3,11 @@
 // Each kind is solved in the shape's local frame with the ray o + t m, 0 <= t <= 1.
 #include "physics/src/geometry/ray.h"
 
+#include "jostle/base/check.h"
 #include "jostle/physics/compound.h"
 #include "jostle/physics/hull.h"
 #include "physics/src/geometry/surface.h"
+#include "physics/src/math/is_unit.h"
 
 namespace jostle::physics {
 namespace {
@@ -25,6 +27,7 @@ Hit cast_at_sphere(Vec3 o, Vec3 m, Vec3 center, double radius) {
     if (b >= 0 || discriminant < 0) return {};
     // c / (-b + sqrt) instead of (-b - sqrt) / a: no cancellation for far origins.
     const double t = c / (-b + square_root(discriminant));
+    ASSERT(t >= 0);
     if (t > 1) return {};
     return ShapeRayHit{t, normalized(d + m * t)};
 }
@@ -69,11 +72,13 @@ Hit cast_at_box(Vec3 o, Vec3 m, Vec3 h) {
     if (enter < 0 || axis < 0) return from_inside(m);
     Vec3 normal;
     normal[axis] = m[axis] > 0 ? -1 : 1;
+    ASSERT(enter <= 1);
     return ShapeRayHit{enter, normal};
 }
 
 Hit cast_at_plane(Vec3 o, Vec3 m, Vec3 normal) {
     const double height = dot(o, normal), climb = dot(m, normal);
+    ASSERT(is_unit(normal));
     if (height <= 0) return from_inside(m);
     if (climb >= 0 || height > -climb) return {};
     return ShapeRayHit{height / -climb, normal};
@@ -194,6 +199,7 @@ Hit cast_at_surface(Vec3 o, Vec3 m, const Geometry& surface) {
     const double spacing = along == 0 ? grid.spacing_x : grid.spacing_z;
     const double extent = absolute(m[along]);
     const double step = extent > 0 ? minimum(1, spacing / extent) : 1;
+    ASSERT(step > 0 && start >= 0);
     for (double from = start; from < 1 && !(best && best->fraction < from); from += step) {
         const Vec3 p = o + m * from, q = o + m * minimum(1, from + step);
         for_each_triangle(grid, grow({min(p, q), max(p, q)}, 1e-9 * (1 + length(p))),
@@ -232,6 +238,7 @@ std::optional<ShapeRayHit> cast_at_triangle(Vec3 o, Vec3 m, const Vec3 corner[3]
     const double t = dot(v, q) * scale;
     if (t < 0 || t > 1) return {};
     const Vec3 n = normalized(cross(u, v));
+    ASSERT(is_unit(n));
     return ShapeRayHit{t, dot(n, m) > 0 ? -n : n};
 }
 
@@ -270,6 +277,7 @@ std::optional<ShapeRayHit> cast_ray(const TransformedShape& shape, Vec3 origin, 
             break;
     }
     if (hit) hit->normal = shape.axes * hit->normal;
+    ASSERT(!hit || (hit->fraction >= 0 && hit->fraction <= 1));
     return hit;
 }
 

@@ -14,6 +14,7 @@ double signed_size(double d, double h) {
 
 // The point of the disc |p| = r in the xz plane along d; its centre if d is vertical.
 Vec3 on_disc(Vec3 d, double r) {
+    ASSERT(r >= 0);
     const double l2 = d.x * d.x + d.z * d.z;
     if (l2 < 1e-300) return {};
     const double s = r / square_root(l2);
@@ -54,6 +55,7 @@ Vec3 local_support(const Convex& s, Vec3 d) {
 
 Convex convex_of(const TransformedShape& shape, Vec3 origin) {
     Convex c{.position = shape.position - origin, .axes = shape.axes, .size = {}};
+    ASSERT(is_convex(kind_of(*shape.geometry)));
     switch (kind_of(*shape.geometry)) {
         case ShapeKind::sphere:
             c.radius = std::get<Sphere>(*shape.geometry).radius;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "physics/src/geometry/surface.h"
 
+#include "jostle/base/check.h"
+
 namespace jostle::physics {
 namespace {
 
@@ -9,6 +11,7 @@ namespace {
 // Half 1 has 00, 01, 11: the side to the previous column, the side to the next row, the diagonal.
 std::uint32_t across(const HeightGrid& grid, std::uint32_t index, int k) {
     const std::uint32_t columns = grid.columns - 1, rows = grid.rows - 1;
+    ASSERT(k >= 0 && k < 3 && index < 2 * columns * rows);
     const std::uint32_t cell = index / 2, c = cell % columns, r = cell / columns;
     if (index % 2 == 0) {
         if (k == 0) return index + 1;
@@ -32,6 +35,8 @@ std::uint32_t neighbour_of(const Geometry& surface, std::uint32_t index, int k) 
 
 SurfaceTriangle triangle_of(const TriangleMesh& mesh, std::uint32_t index) {
     const auto& t = mesh.triangles[index];
+    ASSERT(t[0] < mesh.vertices.size() && t[1] < mesh.vertices.size() &&
+           t[2] < mesh.vertices.size());
     return {{mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]}, index};
 }
 
@@ -49,6 +54,7 @@ SurfaceTriangle triangle_of(const Geometry& surface, std::uint32_t index) {
 }
 
 SurfaceEdge edge_of(const Geometry& surface, const SurfaceTriangle& t, int k) {
+    ASSERT(k >= 0 && k < 3);
     const std::uint32_t other = neighbour_of(surface, t.index, k);
     if (other == no_triangle) return {};
     const SurfaceTriangle n = triangle_of(surface, other);
@@ -66,6 +72,7 @@ SurfaceEdge edge_of(const Geometry& surface, const SurfaceTriangle& t, int k) {
     // Neighbours may have the opposite winding. Orient the normal so that the two faces form one
     // sheet: seen along the edge, the far corner lies away from this triangle.
     const Vec3 own = normal_of(t);
+    ASSERT(reach >= 0 && other != t.index);
     const Vec3 off = (far - from) - along * dot(far - from, along);
     Vec3 normal = normalized(cross(off, along));
     if (length_squared(cross(off, along)) == 0) normal = own;

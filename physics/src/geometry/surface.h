@@ -6,6 +6,7 @@
 
 #include <cstdint>
 
+#include "jostle/base/check.h"
 #include "jostle/physics/aabb.h"
 #include "jostle/physics/height_field.h"
 #include "jostle/physics/mesh.h"
@@ -43,6 +44,7 @@ SurfaceTriangle triangle_of(const Geometry& surface, std::uint32_t index);
 SurfaceEdge edge_of(const Geometry& surface, const SurfaceTriangle& triangle, int k);
 
 inline bool is_hole(const HeightGrid& grid, std::size_t cell) {
+    ASSERT(grid.holes.empty() || cell < grid.holes.size());
     return !grid.holes.empty() && grid.holes[cell] != 0;
 }
 
@@ -59,6 +61,7 @@ void for_each_triangle(const TriangleMesh& mesh, const Aabb& box, Visit&& visit)
 }
 
 inline Vec3 sample(const HeightGrid& grid, std::uint32_t column, std::uint32_t row) {
+    ASSERT(column < grid.columns && row < grid.rows);
     return {(column - 0.5 * (grid.columns - 1)) * grid.spacing_x,
             grid.heights[std::size_t{row} * grid.columns + column],
             (row - 0.5 * (grid.rows - 1)) * grid.spacing_z};

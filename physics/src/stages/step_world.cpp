@@ -16,7 +16,7 @@ namespace {
 StepContext begin_step(WorldState& world, StepScratch& scratch, double dt) {
     world.events.begin_step();
     world.thread_pool->set_single_threaded(
-        !world.threading_trial.shares(world.thread_usage.step_ms));
+        !world.thread_choice.shares_step(world.thread_usage.work));
     if (world.thread_usage.solver_tasks > 1) world.thread_pool->wake();
     world.profile = {};
     world.profile.overload_level = world.overload_level.level;
@@ -114,12 +114,15 @@ void step_world(WorldState& world, StepScratch& scratch, double dt) {
     run<publish_events>(step, Stage::publish_events);    // sorts events for readers
     ASSERT(step.stages_run == stage_count);
     ASSERT(world.wake_requests.empty());
+    ASSERT(world.bodies.asleep_in_place <= world.bodies.awake.size());
+    ASSERT(world.bodies.awake.size() + world.bodies.statics.size() <=
+           world.bodies.ids.alive_count());
     ASSERT(scratch.contacts.begins.empty());
     update_step_budget(world);
     world.steps++;
     world.time += dt;
     add_up_times(world.profile);
-    world.thread_usage = {world.profile.step_ms, world.profile.solver_tasks};
+    world.thread_usage = {world.profile.work, world.profile.solver_tasks};
 }
 
 }  // namespace jostle::physics

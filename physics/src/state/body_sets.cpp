@@ -9,6 +9,7 @@ namespace jostle::physics {
 void enter_static(WorldState& world, const BodyWarm& warm) {
     BodyCold& cold = world.bodies.cold[warm.body];
     ASSERT(cold.type == BodyType::static_body);
+    ASSERT(cold.island == none && cold.constraints == 0);
     cold.set = BodySet::static_set;
     cold.at = static_cast<std::uint32_t>(world.bodies.statics.size());
     world.bodies.statics.push_back(warm);
@@ -39,6 +40,7 @@ void leave_set(WorldState& world, std::uint32_t body) {
             });
     }
     set.pop_back();
+    ASSERT(hole >= set.size() || world.bodies.cold[set[hole].body].at == hole);
 }
 
 }  // namespace jostle::physics

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "jostle/base/check.h"
 #include "jostle/physics/defs.h"
 #include "jostle/physics/mat3.h"
 #include "physics/src/foundation/flat_array.h"
@@ -99,6 +100,7 @@ inline Transform pose_of(const BodyWarm& warm, const BodyCold& cold) {
 
 // Computes the inverses of mass and inertia.
 inline void invert_mass(BodyCold& cold) {
+    ASSERT(cold.mass >= 0);
     cold.inverse_mass = cold.mass > 0 ? 1 / cold.mass : 0;
     const double spin = cold.inertia.x.x;
     if (!cold.isotropic)
@@ -128,6 +130,7 @@ inline Mat3 world_inverse_inertia(const BodyWarm& warm, const BodyCold& cold) {
         return warm.axes * cold.inverse_inertia * transpose(warm.axes);
     }
     if ((cold.locks & turns) == turns || cold.inverse_mass == 0) return diagonal({0, 0, 0});
+    ASSERT(!cold.isotropic);
     const Vec3 free = free_rotations(cold);
     Mat3 remaining = warm.axes * cold.inertia * transpose(warm.axes);
     remaining = {scaled(remaining.x, free) * free.x, scaled(remaining.y, free) * free.y,

@@ -27,6 +27,7 @@ bool ChannelWriter::begin(std::size_t kind, BodyId body) {
 
 void ChannelWriter::value(std::int32_t value) {
     if (!skipping_) channels_.back().values.push_back(value);
+    ASSERT(skipping_ || !channels_.empty());
 }
 
 void ChannelWriter::f32(float number) {

@@ -29,8 +29,10 @@ bool reports_stays(const WorldState& world, const Contact& contact) {
 }  // namespace
 
 ColourSetKey set_of_contact(const WorldState& world, const Contact& contact) {
+    ASSERT(is_dynamic(world, contact.body_a));
     const BodyCold &a = world.bodies.cold[contact.body_a], &b = world.bodies.cold[contact.body_b];
     if (a.asleep_in_place && (b.asleep_in_place || b.type != BodyType::dynamic)) return asleep_set;
+    ASSERT(world.islands.ids.alive(a.island));
     return world.islands.islands[a.island].colour_set;
 }
 
@@ -48,6 +50,7 @@ void add_contact(WorldState& world, std::uint32_t index, bool single) {
     int c =
         solved ? free_colour(a.colours | (two ? b.colours : 0), kind) : asleep_colour(kind, index);
     if (!is_overflow(c)) {
+        ASSERT(!solved || ((a.colours | (two ? b.colours : 0)) >> c & 1) == 0);
         if (solved) a.colours |= 1ull << c;
         if (solved && two) b.colours |= 1ull << c;
         if (single) c += single_colours;
@@ -64,11 +67,15 @@ void add_contact(WorldState& world, std::uint32_t index, bool single) {
 void remove_contact(WorldState& world, std::uint32_t index) {
     Contact& contact = world.contacts.contacts[index];
     ASSERT(contact.colour >= 0);
+    ASSERT(world.contacts.ids.alive(index));
     const int c = contact.colour;
     BodyCold& a = world.bodies.cold[contact.body_a];
     BodyCold& b = world.bodies.cold[contact.body_b];
     const bool two = pair_kind_of(c) == PairKind::dynamic;
+    ASSERT(two == (b.type == BodyType::dynamic));
     if (!is_overflow(c) && contact.colour_set != asleep_set) {
+        ASSERT((a.colours >> mask_bit(c) & 1) != 0 &&
+               (!two || (b.colours >> mask_bit(c) & 1) != 0));
         a.colours &= ~(1ull << mask_bit(c));
         if (two) b.colours &= ~(1ull << mask_bit(c));
     }
@@ -77,6 +84,7 @@ void remove_contact(WorldState& world, std::uint32_t index) {
     if (two) b.constraints--;
     const std::uint32_t moved = remove_contact(world.graph, contact.colour_set, c, contact.slot);
     if (moved != no_contact) world.contacts.contacts[moved].slot = contact.slot;
+    ASSERT(moved != index);
     contact.colour = -1;
     contact.slot = 0;
 }
@@ -86,6 +94,7 @@ SavedContact save_contact(const WorldState& world, std::uint32_t index) {
 }
 
 void restore_contact(WorldState& world, const SavedContact& saved) {
+    ASSERT(world.contacts.ids.alive(saved.contact));
     add_contact(world, saved.contact, is_single_point(saved));
     const Contact& contact = world.contacts.contacts[saved.contact];
     const ContactLaneRef lane_ref = lane_ref_of(world, contact);

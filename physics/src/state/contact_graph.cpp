@@ -18,6 +18,7 @@ namespace {
 void link_edge(ContactStore& store, std::uint32_t contact, unsigned side, BodyCold& body) {
     const std::uint32_t edge = contact * 2 + side;
     Contact& c = store.contacts[contact];
+    ASSERT(side < 2 && c.next[side] == none && c.prev[side] == none);
     c.prev[side] = none;
     c.next[side] = body.first_edge;
     if (body.first_edge != none)
@@ -27,7 +28,11 @@ void link_edge(ContactStore& store, std::uint32_t contact, unsigned side, BodyCo
 
 void unlink_edge(ContactStore& store, std::uint32_t contact, unsigned side, BodyCold& body) {
     Contact& c = store.contacts[contact];
+    ASSERT(side < 2 && body.first_edge != none);
     const std::uint32_t next = c.next[side], prev = c.prev[side];
+    ASSERT(next == none || store.contacts[next / 2].prev[next % 2] == contact * 2 + side);
+    ASSERT(prev == none ? body.first_edge == contact * 2 + side
+                        : store.contacts[prev / 2].next[prev % 2] == contact * 2 + side);
     if (next != none) store.contacts[next / 2].prev[next % 2] = prev;
     if (prev != none)
         store.contacts[prev / 2].next[prev % 2] = next;
@@ -38,6 +43,7 @@ void unlink_edge(ContactStore& store, std::uint32_t contact, unsigned side, Body
 std::uint32_t new_contact(WorldState& world, std::uint32_t shape_a, std::uint32_t shape_b) {
     ContactStore& store = world.contacts;
     const std::uint32_t index = store.ids.take();
+    ASSERT(index <= store.contacts.size());
     if (index == store.contacts.size()) store.contacts.emplace_back();
     Contact& c = store.contacts[index];
     c = Contact{.shape_a = shape_a,
@@ -45,12 +51,14 @@ std::uint32_t new_contact(WorldState& world, std::uint32_t shape_a, std::uint32_
                 .body_a = world.shapes.shapes[shape_a].body,
                 .body_b = world.shapes.shapes[shape_b].body};
     ASSERT(is_dynamic(world, c.body_a));
+    ASSERT(c.body_a != c.body_b);
     link_edge(store, index, 0, world.bodies.cold[c.body_a]);
     link_edge(store, index, 1, world.bodies.cold[c.body_b]);
     return index;
 }
 
 void unlink_child(ContactStore& store, std::uint32_t child) {
+    ASSERT(store.contacts[child].parent != none);
     std::uint32_t* at = &store.contacts[store.contacts[child].parent].first_child;
     while (*at != child) {
         ASSERT(*at != none);
@@ -70,6 +78,7 @@ std::uint32_t create_contact(WorldState& world, std::uint32_t shape_a, std::uint
         is_composite(kind_of(world.shapes.shapes[shape_b].geometry));
     ASSERT(!store.pairs.contains(pair_key(shape_a, shape_b)));
     store.pairs.insert(pair_key(shape_a, shape_b));
+    ASSERT(store.pairs.size() <= store.ids.alive_count());
     add_separation_bound(world, index, -1);
     return index;
 }
@@ -120,12 +129,14 @@ void destroy_contact(WorldState& world, std::uint32_t contact, std::vector<Conta
 void end_touch_of_pair(WorldState& world, std::uint32_t pair, std::vector<ContactEnd>& ended) {
     Contact& c = world.contacts.contacts[pair];
     ASSERT(world.contacts.ids.alive(pair) && c.parent == none);
+    ASSERT(c.composite || c.touching_children == 0);
     if (!c.touching || c.touching_children > 0) return;
     c.touching = false;
     report_end(world, c, ended);
 }
 
 void report_end(const WorldState& world, const Contact& c, std::vector<ContactEnd>& ended) {
+    ASSERT(c.parent == none);
     ended.push_back({shape_id(world, c.shape_a), shape_id(world, c.shape_b),
                      body_id(world, c.body_a), body_id(world, c.body_b)});
 }
@@ -152,8 +163,10 @@ namespace {
 void record_lost_load(WorldState& world, std::uint32_t body) {
     const BodyCold& cold = world.bodies.cold[body];
     if (cold.island == none || cold.constraints == 0) return;
+    ASSERT(world.islands.ids.alive(cold.island));
     Island& island = world.islands.islands[cold.island];
     island.remaining_load *= clamp(1 - cold.mass / island.mass, 0, 1);
+    ASSERT(island.remaining_load >= 0 && island.remaining_load <= 1);
     world.islands.some_lost = true;
 }
 
@@ -180,6 +193,7 @@ namespace {
 
 void note_masses(WorldState& world, const Contact& c) {
     const double a = world.bodies.cold[c.body_a].mass, b = world.bodies.cold[c.body_b].mass;
+    ASSERT(a > 0 && b > 0);
     if (maximum(a, b) >= tuning::heavy_ratio * minimum(a, b))
         world.islands.islands[world.bodies.cold[c.body_a].island].uneven = true;
 }
@@ -192,6 +206,7 @@ void begin_touch(WorldState& world, std::uint32_t contact) {
     c.touching = true;
     if (is_dynamic(world, c.body_b)) note_masses(world, c);
     if (c.parent != none) world.contacts.contacts[c.parent].touching_children++;
+    ASSERT(world.bodies.cold[c.body_a].island != none);
     if (is_dynamic(world, c.body_b))
         join_islands(world, world.bodies.cold[c.body_a].island, world.bodies.cold[c.body_b].island);
 }

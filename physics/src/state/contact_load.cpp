@@ -3,6 +3,7 @@
 
 #include "jostle/base/check.h"
 #include "physics/src/constraint_graph/wide_rows.h"
+#include "physics/src/math/is_unit.h"
 #include "physics/src/state/contact_constraints.h"
 
 namespace jostle::physics {
@@ -13,8 +14,10 @@ Vec3 load_of(const WorldState& world, const Contact& contact) {
     const ContactConstraintWide& block = *lane_ref.block;
     const int lane = lane_ref.lane;
     double normal_sum = 0;
+    ASSERT(block.lambda[0][lane] >= 0);
     for (const auto& lambda : block.lambda) normal_sum += double{lambda[lane]};
     const Vec3 normal = normal_of(lane_ref);
+    ASSERT(is_unit(normal, 1e-4));
     const Vec3 t1 = get_lane(block.tangent, lane);
     const Vec3 impulse = normal * normal_sum + t1 * double{block.friction[0][lane]} +
                          cross(normal, t1) * double{block.friction[1][lane]};

@@ -39,6 +39,8 @@ ContactModifier modifier_of(const WorldState& world, const Contact& contact) {
 }
 
 void set_modifier(WorldState& world, const ContactModifier& modifier) {
+    ASSERT(world.contacts.ids.alive(modifier.contact));
+    ASSERT(modifier.friction >= 0 && modifier.restitution >= 0);
     ASSERT(!world.contacts.contacts[modifier.contact].has_modifier);
     world.contacts.modifiers.insert(find_modifier(world, modifier.contact), modifier);
     world.contacts.contacts[modifier.contact].has_modifier = true;
@@ -46,11 +48,13 @@ void set_modifier(WorldState& world, const ContactModifier& modifier) {
 
 void clear_modifier(WorldState& world, std::uint32_t contact) {
     if (!world.contacts.contacts[contact].has_modifier) return;
+    ASSERT(find_modifier(world, contact)->contact == contact);
     world.contacts.modifiers.erase(find_modifier(world, contact));
     world.contacts.contacts[contact].has_modifier = false;
 }
 
 bool pass_through(const WorldState& world, const Contact& pair) {
+    ASSERT(pair.composite || pair.first_child == none);
     if (!pair.composite) return pair.has_modifier && !modifier_of(world, pair).enabled;
     for (std::uint32_t p = pair.first_child; p != none; p = world.contacts.contacts[p].next_child)
         if (!pass_through(world, world.contacts.contacts[p])) return false;

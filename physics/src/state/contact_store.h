@@ -91,6 +91,7 @@ struct ContactStore {
 };
 
 inline std::uint64_t pair_key(std::uint32_t shape_a, std::uint32_t shape_b) {
+    ASSERT(shape_a != shape_b);
     const std::uint64_t low = shape_a < shape_b ? shape_a : shape_b;
     const std::uint64_t high = shape_a < shape_b ? shape_b : shape_a;
     return low << 32 | high;

@@ -11,6 +11,7 @@ namespace jostle::physics {
 namespace {
 
 double to_power(double x, int n) {
+    ASSERT(n >= 0);
     double power = 1;
     for (int k = 0; k < n; k++) power *= x;
     return power;
@@ -45,6 +46,7 @@ struct Pushed {
         const double speed = length(u);
         if (!(speed > 1e-9) || density == 0 || coefficient == 0) return;
         const double area = share * area_of(*this, u * (1 / speed));
+        ASSERT(area >= 0);
         const double k = 0.5 * density * coefficient * area * cold.inverse_mass;
         const Vec3 change = u * (1 - 1 / (1 + k * speed * h));
         now.v += change;
@@ -67,6 +69,7 @@ struct Pushed {
     void operator()(const VortexField& vortex) {
         const Vec3 from = now.center - vortex.center;
         const Vec3 out = from - vortex.axis * dot(from, vortex.axis);
+        ASSERT(absolute(length_squared(vortex.axis) - 1) < 1e-5);
         const double r = length(out);
         sum.force += vortex.axis * strength_at(vortex, vortex.lift, r);
         if (!(r > 0)) return;
@@ -85,6 +88,7 @@ struct Pushed {
             total += displacement(*shape.geometry, normal, 1e30).volume;
         });
         if (!(below > 0)) return;
+        ASSERT(below <= total * (1 + 1e-6));
         const double displaced = fluid.density * below;  // kg
         push(world.def.gravity * -displaced, moment * (1 / below));
         drag(fluid.flow, fluid.density, fluid.drag, below / total, shown_area);

@@ -16,6 +16,7 @@ void stiffen(const ContactLaneRef& lane_ref, float stiffer, bool even) {
     ContactConstraintWide& block = *lane_ref.block;
     const int lane = lane_ref.lane;
     float lambda_sum = 0, mean_impulse_sum = 0, points = 0;
+    ASSERT(stiffer > 0);
     for (int k = 0; k < 4; k++) {
         // The first point always exists.
         if (k > 0 && block.gap[k][lane] > 0.5f * no_point) continue;
@@ -59,6 +60,7 @@ void clear_negative_mean_impulse(const ContactLaneRef& lane_ref) {
 }
 
 void scale_joints(WorldState& world, std::uint32_t body, double scale) {
+    ASSERT(scale > 0);
     for_each_joint(world.joints, world.bodies.cold[body], [&](std::uint32_t index) {
         Joint& j = world.joints.joints[index];
         // Each joint once: at its first dynamic body.

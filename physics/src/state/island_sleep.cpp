@@ -42,6 +42,7 @@ std::vector<std::uint32_t> bodies_staying_asleep(WorldState& world,
 
 // Factor by which the overload level makes the island's sub-steps longer.
 double lengthening(const WorldState& world, const Island& island) {
+    ASSERT(island.colour_set != asleep_set);
     return static_cast<double>(substeps_of(island.colour_set, world.def)) /
            substeps_of(island.colour_set, world);
 }
@@ -55,6 +56,7 @@ void wake_island(WorldState& world, std::uint32_t island_index, std::vector<Body
     island.asleep = false;
     const std::vector<BodyWarm> sleepers = std::move(island.sleepers);
     const std::vector<SavedContact> manifolds = std::move(island.manifolds);
+    ASSERT(island.dt >= 0 && island.bodies > 0);
     island.sleepers = {};
     island.manifolds = {};
     for (const BodyWarm& warm : sleepers) enter_awake(world, warm);
@@ -67,6 +69,7 @@ void wake_island(WorldState& world, std::uint32_t island_index, std::vector<Body
     const double scale = island.dt > 0 && world.last_dt > 0
                              ? world.last_dt * lengthening(world, island) / island.dt
                              : 1;
+    ASSERT(scale > 0);
     island.dt = 0;
     if (scale != 1)
         for (const BodyWarm& warm : sleepers) scale_joints(world, warm.body, scale);
@@ -110,6 +113,7 @@ void put_island_to_sleep(WorldState& world, std::uint32_t island_index,
                          std::vector<ContactEnd>& ended) {
     Island& island = world.islands.islands[island_index];
     ASSERT(!island.asleep && island.sleepers.empty());
+    ASSERT(island.manifolds.empty() && island.bodies > 0);
     island.sleepers.reserve(island.bodies);
     island.manifolds.reserve(manifolds_of(world, island_index));
     // Save manifolds first, while the hot indices are valid. Each contact is visited at its body a,
@@ -155,6 +159,7 @@ void put_island_to_sleep(WorldState& world, std::uint32_t island_index,
         BodyWarm warm = world.bodies.awake[cold.at];
         warm.v = warm.w = {};
         ASSERT(!cold.asleep_in_place && cold.constraints == 0);
+        ASSERT(cold.colours == 0 && warm.body == body);
         leave_set(world, body);
         cold.set = BodySet::sleeping;
         cold.at = static_cast<std::uint32_t>(island.sleepers.size());
@@ -164,6 +169,7 @@ void put_island_to_sleep(WorldState& world, std::uint32_t island_index,
     ASSERT(island.sleepers.size() == island.bodies);
     island.asleep = true;
     island.dt = world.last_dt * lengthening(world, island);
+    ASSERT(island.dt >= 0);
 }
 
 }  // namespace jostle::physics

@@ -28,6 +28,7 @@ struct Rescale {
 
 void rescale(WorldState& world, const Contact& c, Rescale by) {
     if (by.scale == 1 && !by.even) return;
+    ASSERT(by.scale > 0);
     const ContactLaneRef lane_ref = lane_ref_of(world, c);
     scale_impulses(lane_ref, by.scale, by.even);
     if (controls_error(world.def)) clear_negative_mean_impulse(lane_ref);
@@ -116,6 +117,7 @@ CoupledIslands::CoupledIslands(const WorldState& world) : first_(world.islands.i
         start_[first_[i] + 1]++;
     }
     for (std::uint32_t i = 0; i < count; i++) start_[i + 1] += start_[i];
+    ASSERT(start_.back() == count);
     members_.resize(count);
     std::vector<std::uint32_t> next = start_;
     for (std::uint32_t i = 0; i < count; i++) members_[next[first_[i]]++] = i;
@@ -127,6 +129,7 @@ void move_to_set(WorldState& world, std::span<const std::uint32_t> islands, Colo
     if (from == to) return;
     const bool other_tier = from.tier != to.tier;
     const double scale = static_cast<double>(substeps_of(from, world)) / substeps_of(to, world);
+    ASSERT(scale > 0 && from != asleep_set);
     // Update all islands first, because the set of a contact depends on the sets of its bodies.
     std::int64_t contacts = 0;  // contacts of two dynamic bodies count twice
     for (const std::uint32_t i : islands) {
@@ -139,6 +142,7 @@ void move_to_set(WorldState& world, std::span<const std::uint32_t> islands, Colo
     }
     const std::int32_t in_from = world.graph.sets[index_of(from)].contacts;
     const std::int32_t in_to = world.graph.sets[index_of(to)].contacts;
+    ASSERT(in_from >= 0 && in_to >= 0);
     const Rescale by{static_cast<float>(scale), other_tier && to.tier > SolverTier::pile};
     const bool swap = contacts > in_from && 2 * in_to < in_from;
     if (swap) swap_sets(world, from, to, [&](const Contact& c) { rescale(world, c, by); });
@@ -154,6 +158,7 @@ void move_to_set(WorldState& world, std::span<const std::uint32_t> islands, Colo
 
 void scale_warm_start(WorldState& world, const Island& island, float scale) {
     ASSERT(!island.asleep);
+    ASSERT(scale > 0);
     for (std::uint32_t body = island.first; body != none;
          body = world.bodies.cold[body].island_next)
         for_each_manifold(world.contacts, world.bodies.cold[body], [&](std::uint32_t index) {
@@ -179,6 +184,7 @@ void match_sets(WorldState& world, std::uint32_t a, std::uint32_t b) {
     const bool a_yields = alike ? ia.bodies < ib.bodies : tier_a < tier_b;
     ColourSetKey to = a_yields ? ib.colour_set : ia.colour_set;
     if (controls_error(world.def)) to.batch = std::max(ia.colour_set.batch, ib.colour_set.batch);
+    ASSERT(to.tier != SolverTier::asleep);
     for (const std::uint32_t island : {a, b})
         if (world.islands.islands[island].colour_set != to)
             move_to_set(world, coupled_islands(world, island), to);

@@ -24,6 +24,7 @@ void add_to_island(WorldState& world, std::uint32_t island_index, std::uint32_t 
     BodyCold& cold = world.bodies.cold[body];
     ASSERT(world.islands.ids.alive(island_index));
     ASSERT(cold.island == none && cold.type == BodyType::dynamic);
+    ASSERT((island.first == none) == (island.bodies == 0));
     cold.island = island_index;
     cold.island_prev = island.last;
     cold.island_next = none;
@@ -41,6 +42,7 @@ void remove_from_island(WorldState& world, std::uint32_t body) {
     BodyCold& cold = world.bodies.cold[body];
     const std::uint32_t index = cold.island;
     ASSERT(index != none);
+    ASSERT(world.islands.ids.alive(index));
     Island& island = world.islands.islands[index];
     if (cold.island_prev != none)
         world.bodies.cold[cold.island_prev].island_next = cold.island_next;
@@ -76,6 +78,7 @@ void join_islands(WorldState& world, std::uint32_t a, std::uint32_t b) {
     match_sets(world, a, b);
     const Island &ia = world.islands.islands[a], &ib = world.islands.islands[b];
     ASSERT(!ia.asleep && !ib.asleep);
+    ASSERT(ia.bodies > 0 && ib.bodies > 0);
     ASSERT(ia.colour_set == ib.colour_set);
     if (ia.bodies < ib.bodies || (ia.bodies == ib.bodies && b < a)) std::swap(a, b);
     Island& into = world.islands.islands[a];
@@ -86,6 +89,7 @@ void join_islands(WorldState& world, std::uint32_t a, std::uint32_t b) {
     world.bodies.cold[from.first].island_prev = into.last;
     into.last = from.last;
     into.bodies += from.bodies;
+    ASSERT(into.bodies <= world.bodies.awake.size());
     into.too_dense_for = -1;
     into.may_be_split = into.may_be_split || from.may_be_split;
     into.uneven = into.uneven || from.uneven;

@@ -12,6 +12,7 @@ namespace {
 
 void attach_joint_edge(JointStore& store, std::uint32_t joint, unsigned side, BodyCold& body) {
     Joint& j = store.joints[joint];
+    ASSERT(side < 2 && j.next[side] == none && j.prev[side] == none);
     j.prev[side] = none;
     j.next[side] = body.first_joint;
     if (body.first_joint != none)
@@ -22,6 +23,9 @@ void attach_joint_edge(JointStore& store, std::uint32_t joint, unsigned side, Bo
 void detach_joint_edge(JointStore& store, std::uint32_t joint, unsigned side, BodyCold& body) {
     const std::uint32_t next = store.joints[joint].next[side],
                         prev = store.joints[joint].prev[side];
+    ASSERT(next == none || store.joints[next / 2].prev[next % 2] == joint * 2 + side);
+    ASSERT(prev == none ? body.first_joint == joint * 2 + side
+                        : store.joints[prev / 2].next[prev % 2] == joint * 2 + side);
     if (next != none) store.joints[next / 2].prev[next % 2] = prev;
     if (prev != none)
         store.joints[prev / 2].next[prev % 2] = next;
@@ -40,6 +44,7 @@ void reset_density(WorldState& world, std::uint32_t joint) {
 
 void attach_joint(WorldState& world, std::uint32_t joint) {
     const Joint& j = world.joints.joints[joint];
+    ASSERT(world.joints.ids.alive(joint) && j.body_b != none);
     ASSERT(j.body_a != j.body_b);
     ASSERT(is_dynamic(world, j.body_a) || is_dynamic(world, j.body_b));
     if (j.body_a != none) attach_joint_edge(world.joints, joint, 0, world.bodies.cold[j.body_a]);
@@ -70,6 +75,7 @@ void destroy_joint(WorldState& world, std::uint32_t joint) {
 }
 
 bool joined_without_contact(const WorldState& world, std::uint32_t a, std::uint32_t b) {
+    ASSERT(a != b);
     if (world.bodies.cold[a].first_joint == none || world.bodies.cold[b].first_joint == none)
         return false;
     bool joined = false;
@@ -81,6 +87,7 @@ bool joined_without_contact(const WorldState& world, std::uint32_t a, std::uint3
 }
 
 std::uint32_t find_carrier(const WorldState& world, const Joint& gear, int end) {
+    ASSERT(end == 0 || end == 1);
     if (std::holds_alternative<PulleyJoint>(gear.kind)) return none;
     const bool slides = end == 1 && std::holds_alternative<RackJoint>(gear.kind);
     const std::uint32_t body = end == 0 ? gear.body_a : gear.body_b;
@@ -108,6 +115,7 @@ std::uint32_t find_carrier(const WorldState& world, const Joint& gear, int end) 
 JointedBodies jointed_with(WorldState& world, std::uint32_t body) {
     std::vector<std::uint32_t>& found = world.scratch.jointed;
     found.assign(1, body);
+    ASSERT(is_dynamic(world, body) || world.bodies.cold[body].first_joint == none);
     if (world.bodies.cold[body].first_joint == none) return {found, false};
     std::vector<std::uint8_t>& seen = world.scratch.seen_jointed;
     seen.resize(world.bodies.cold.size(), 0);

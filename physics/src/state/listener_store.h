@@ -38,6 +38,7 @@ struct ListenerStore {
         return nullptr;
     }
     void add(StepListener& listener) {
+        ASSERT(!contains(listener));
         order.push_back({&listener, listener.hooks()});
         derive_active_hooks();
     }
@@ -52,6 +53,7 @@ struct ListenerStore {
         derive_active_hooks();
     }
     void add(std::unique_ptr<Module> module) {
+        ASSERT(module != nullptr);
         add(static_cast<StepListener&>(*module));
         modules.push_back(std::move(module));
     }
@@ -72,6 +74,7 @@ struct ListenerStore {
             order[positions[k]] = {modules[k].get(), modules[k]->hooks()};
     }
     void remove_module(std::string_view tag) {
+        ASSERT(module(tag) != nullptr);
         remove(*module(tag));
         std::erase_if(modules, [&](const auto& module) { return module->tag() == tag; });
     }

@@ -24,6 +24,7 @@ void for_each_manifold(WorldState& world, std::uint32_t body, Visit&& visit) {
 void move_to_own_set(WorldState& world, std::uint32_t contact) {
     const Contact& c = world.contacts.contacts[contact];
     const ColourSetKey target = set_of_contact(world, c);
+    ASSERT(world.contacts.ids.alive(contact) && c.colour >= 0);
     if (target != c.colour_set) move_contact(world, contact);
     if (target != asleep_set) rewrite_effective_mass(world, c);
 }
@@ -38,6 +39,7 @@ void hold_still(WorldState& world, std::uint32_t body) {
     warm.v = warm.w = {};
     world.bodies.motion[body].bound = world.bodies.motion[body].travel;
     world.bodies.asleep_in_place++;
+    ASSERT(world.bodies.asleep_in_place <= world.bodies.awake.size());
 }
 
 void sleep_in_place(WorldState& world, std::span<const std::uint32_t> bodies) {
@@ -64,6 +66,7 @@ namespace {
 void wake_jointed(WorldState& world, std::uint32_t body, double sleep_time,
                   std::vector<BodyId>& woke) {
     if (!world.bodies.cold[body].asleep_in_place) return;
+    ASSERT(sleep_time >= 0);
     for (const std::uint32_t part : jointed_with(world, body).bodies) {
         wake_in_place(world, part);
         BodyWarm& warm = warm_of(world, part);
@@ -85,6 +88,7 @@ void wake_briefly(WorldState& world, std::uint32_t body, std::vector<BodyId>& wo
 
 void wake_around(WorldState& world, std::uint32_t body, double mass, std::vector<BodyId>& woke) {
     ASSERT(mass >= 0);
+    ASSERT(is_dynamic(world, body));
     std::vector<std::uint32_t> visited{body};
     auto& seen = world.scratch.visited;
     seen.resize(world.bodies.cold.size(), 0);

@@ -3,6 +3,7 @@
 
 #include "jostle/base/check.h"
 #include "physics/src/foundation/tuning.h"
+#include "physics/src/math/is_unit.h"
 #include "physics/src/state/contact_store.h"
 #include "physics/src/state/pair_size.h"
 
@@ -12,6 +13,8 @@ void set_separation_bound(SeparationBound& w, Vec3 apart, Vec3 direction, double
                           const MotionBound& a, const MotionBound& b) {
     w.directed = direction != Vec3{};
     const Vec3 retained = w.directed ? direction : apart;
+    ASSERT(!w.directed || is_unit(direction));
+    ASSERT(a.turned <= a.travel && b.turned <= b.travel);
     for (int k = 0; k < 3; k++) w.apart[k] = static_cast<float>(retained[k]);
     w.budget = slack + a.turned + b.turned - (w.directed ? dot(direction_of(w), apart) : 0);
 }
@@ -19,6 +22,7 @@ void set_separation_bound(SeparationBound& w, Vec3 apart, Vec3 direction, double
 void add_separation_bound(WorldState& world, std::uint32_t contact, double slack, Vec3 direction) {
     Contact& c = world.contacts.contacts[contact];
     ASSERT(world.contacts.ids.alive(contact) && c.parent == none && c.colour < 0);
+    ASSERT(world.contacts.bounds.size() < world.contacts.contacts.size() || c.has_bound);
     c.dormant = false;
     if (c.has_bound) return;  // it was dormant: retains its position and limit
     c.has_bound = true;
@@ -35,6 +39,7 @@ void add_separation_bound(WorldState& world, std::uint32_t contact, double slack
 
 void resume_separation_bound(WorldState& world, std::uint32_t contact) {
     Contact& c = world.contacts.contacts[contact];
+    ASSERT(world.contacts.ids.alive(contact) && c.parent == none && c.colour < 0);
     c.dormant = false;
     if (c.has_bound) return;
     c.has_bound = true;
@@ -82,6 +87,7 @@ bool bound_by_spheres(const WorldState& world, SeparationBound& w, double dt) {
     const double slack = distance - a.radius - b.radius - tuning::speculative_margin * scale -
                          tuning::slack_reserve * scale;
     if (slack <= 0) return false;
+    ASSERT(distance > 0);
     const Vec3 direction = apart * (1 / distance);
     if (slack + dt * dot(direction, wb.v - wa.v) <= 0) return false;
     const MotionBound &ra = world.bodies.motion[w.body_a], &rb = world.bodies.motion[w.body_b];

@@ -7,6 +7,7 @@
 #include "physics/src/collision/broadphase/fat_box.h"
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/geometry/shape_measures.h"
+#include "physics/src/math/is_unit.h"
 #include "physics/src/state/force_fields.h"
 
 namespace jostle::physics {
@@ -14,6 +15,7 @@ namespace {
 
 // The index that contains the shape's box.
 BroadPhaseIndex& index_of(WorldState& world, const ShapeRecord& shape) {
+    ASSERT(shape.body < world.bodies.cold.size() && !is_plane(shape));
     const bool fixed = world.bodies.cold[shape.body].type == BodyType::static_body;
     return fixed ? *world.shapes.statics : *world.shapes.moving;
 }
@@ -28,6 +30,7 @@ void derive_shape_pose(const BodyCold& cold, ShapeRecord& shape) {
 
 void buffer_move(WorldState& world, std::uint32_t index) {
     ShapeRecord& shape = world.shapes.shapes[index];
+    ASSERT(world.shapes.ids.alive(index));
     if (shape.trigger) world.triggers.fresh.push_back(index);
     if (shape.moved) return;
     shape.moved = true;
@@ -36,12 +39,14 @@ void buffer_move(WorldState& world, std::uint32_t index) {
 
 void create_proxy(WorldState& world, std::uint32_t index) {
     ShapeRecord& shape = world.shapes.shapes[index];
+    ASSERT(world.shapes.ids.alive(index));
     if (is_plane(shape)) {
         auto& planes = world.shapes.planes;
         planes.insert(std::lower_bound(planes.begin(), planes.end(), index), index);
     } else {
         ASSERT(shape.leaf < 0);
         shape.leaf = index_of(world, shape).insert(shape.fat, index, shape.filter.category);
+        ASSERT(shape.leaf >= 0);
     }
     world.shapes.reporters += shape.report_stays ? 1 : 0;
     if (shape.trigger) {
@@ -97,6 +102,7 @@ void enlarge_proxy(WorldState& world, std::uint32_t index, const BodyWarm& warm,
     enlarge_aabb(world, index, warm, dt);
     const ShapeRecord& shape = world.shapes.shapes[index];
     if (shape.leaf >= 0) index_of(world, shape).move(shape.leaf, shape.fat);
+    ASSERT(is_plane(shape) || contains(shape.fat, bounds_of(transformed_shape(shape, warm))));
     buffer_move(world, index);
 }
 
@@ -122,6 +128,7 @@ bool fits_fat_aabb(const ShapeRecord& shape, const BodyWarm& warm, double radius
 bool reaches_plane(const WorldState& world, const ShapeRecord& plane, const Aabb& box) {
     const TransformedShape p = transformed_shape(plane, warm_of(world, plane.body));
     const Vec3 n = p.axes * std::get<Plane>(plane.geometry).normal;
+    ASSERT(is_unit(n));
     const Vec3 lowest{n.x > 0 ? box.low.x : box.high.x, n.y > 0 ? box.low.y : box.high.y,
                       n.z > 0 ? box.low.z : box.high.z};
     return dot(lowest - p.position, n) <= 0;
@@ -132,6 +139,7 @@ void update_motion_bound(WorldState& world, std::uint32_t body, double dt) {
     const BodyWarm& warm = warm_of(world, body);
     MotionBound& motion = world.bodies.motion[body];
     ASSERT(dt > 0);
+    ASSERT(motion.travel >= 0 && motion.turned <= motion.travel);
     // 1.5 times the current speed, and twice the contribution of gravity and forces.
     const double speed = length(warm.v) + length(warm.w) * cold.radius;
     double acceleration = length(world.def.gravity) * absolute(cold.gravity_scale) +

@@ -25,6 +25,7 @@ void apply_wake_requests(WorldState& world, std::vector<BodyId>& woke) {
         return cold.set != BodySet::sleeping && !cold.asleep_in_place;
     });
     std::sort(requests.begin(), requests.end());
+    ASSERT(requests.empty() || requests.back().body < world.bodies.cold.size());
     std::vector<std::uint32_t> islands;
     for (const WakeRequest& r : requests)
         if (world.bodies.cold[r.body].set == BodySet::sleeping)

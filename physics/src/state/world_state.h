@@ -15,8 +15,8 @@
 #include "jostle/physics/profile.h"
 #include "physics/src/constraint_graph/constraint_graph.h"
 #include "physics/src/foundation/id_pool.h"
+#include "physics/src/foundation/thread_choice.h"
 #include "physics/src/foundation/thread_pool.h"
-#include "physics/src/foundation/threading_trial.h"
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/state/body_store.h"
 #include "physics/src/state/contact_store.h"
@@ -67,6 +67,7 @@ struct OverloadState {
 
 // Level 1: manifolds are reused over more motion.
 inline bool reuses_manifolds_longer(const OverloadState& overload_level) {
+    ASSERT(overload_level.level <= max_overload_level);
     return overload_level.level >= 1;
 }
 // Level 2: impacts between moving bodies are left to the contact solver. Sweeps against static and
@@ -128,7 +129,7 @@ struct WorldStores {
 // Thread usage of the last step. It affects the distribution of work in the next step, never its
 // result.
 struct ThreadUsage {
-    double step_ms = 0;
+    std::int64_t work = 0;  // StepProfile::work
     int solver_tasks = 0;
 };
 
@@ -144,7 +145,7 @@ struct WorldState : WorldStores {
     std::vector<std::uint32_t> changed_pairs;
     GraphScratch scratch;
     std::unique_ptr<ThreadPool> thread_pool;
-    ThreadingTrial threading_trial;
+    ThreadChoice thread_choice;
     ThreadUsage thread_usage;
 };
 
@@ -155,11 +156,14 @@ inline int substeps_of(ColourSetKey set, const WorldStores& world) {
 
 inline BodyWarm& warm_of(WorldState& world, std::uint32_t body) {
     ASSERT(body < world.bodies.cold.size());
+    ASSERT(world.bodies.ids.alive(body));
     const BodyCold& cold = world.bodies.cold[body];
     switch (cold.set) {
         case BodySet::static_set:
+            ASSERT(cold.at < world.bodies.statics.size());
             return world.bodies.statics[cold.at];
         case BodySet::awake:
+            ASSERT(cold.at < world.bodies.awake.size());
             return world.bodies.awake[cold.at];
         case BodySet::sleeping:
             break;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string>
 
+#include "jostle/base/check.h"
 #include "jostle/physics/world.h"
 #include "physics/src/state/body_sets.h"
 #include "physics/src/state/contact_graph.h"
@@ -20,6 +21,7 @@ namespace {
 BodyState state_of_body(const WorldState& world, std::uint32_t index) {
     const BodyCold& cold = world.bodies.cold[index];
     const BodyWarm& warm = warm_of(world, index);
+    ASSERT(warm.body == index);
     return {.id = body_id(world, index),
             .type = cold.type,
             .pose = pose_of(warm, cold),
@@ -49,6 +51,7 @@ void remove_body(WorldState& world, std::uint32_t body) {
         s = next;
     }
     if (cold.island != none) remove_from_island(world, body);
+    ASSERT(cold.first_edge == none && cold.constraints == 0);
     leave_set(world, body);
     cold = BodyCold{};
     world.bodies.motion[body] = {};
@@ -62,6 +65,7 @@ Result<BodyId> World::create_body(const BodyDef& def) {
     if (Status s = check_body_in(world, def); !s.ok()) return s.error();
     constexpr AxisLocks out_of_plane = lock_z | lock_rotation_x | lock_rotation_y;
     const std::uint32_t index = world.bodies.ids.take();
+    ASSERT(world.bodies.motion.size() == world.bodies.cold.size());
     if (index == world.bodies.cold.size()) {
         world.bodies.cold.emplace_back();
         world.bodies.motion.emplace_back();
@@ -89,6 +93,7 @@ Result<BodyId> World::create_body(const BodyDef& def) {
     else
         enter_awake(world, warm);
     if (def.type == BodyType::dynamic) add_to_island(world, create_island(world), index);
+    ASSERT(is_dynamic(world, index) == (world.bodies.cold[index].island != none));
     update_motion_bound(world, index, expected_dt(world));
     return body_id(world, index);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "physics/src/world/body_change.h"
 
+#include "jostle/base/check.h"
 #include "physics/src/state/shape_proxy.h"
 #include "physics/src/state/wake.h"
 #include "physics/src/world/checks.h"
@@ -9,6 +10,7 @@ namespace jostle::physics {
 
 BodyWarm& wake_to_change(WorldState& world, std::uint32_t body) {
     wake_body(world, body);
+    ASSERT(world.bodies.cold[body].set != BodySet::sleeping);
     return warm_of(world, body);
 }
 

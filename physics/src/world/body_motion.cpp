@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Motion of bodies: poses, velocities, forces and impulses.
+#include "jostle/base/check.h"
 #include "jostle/physics/limits.h"
 #include "jostle/physics/world.h"
 #include "physics/src/state/contact_graph.h"
@@ -21,6 +22,7 @@ Status World::set_pose(BodyId body, const Transform& pose) {
     BodyWarm& warm = wake_to_change(world, body.index);
     // A teleport, not a motion: the contacts at the old pose do not apply at the new one.
     destroy_contacts_of(world, body.index, world.events.pending.ended);
+    ASSERT(warm.body == body.index);
     warm.rotation = unit(pose.rotation);
     warm.axes = to_matrix(warm.rotation);
     warm.center = pose.position + warm.axes * world.bodies.cold[body.index].local_center;
@@ -73,6 +75,7 @@ Status World::move_to(BodyId body, const Transform& pose, double dt) {
     const Quat q = unit(pose.rotation) * conjugate(warm.rotation);
     const Vec3 axis{q.x, q.y, q.z};
     const double l = length(axis), sign = q.w < 0 ? -1 : 1;  // the shorter rotation
+    ASSERT(l <= 1 + 1e-9);
     const Vec3 turn = l > 1e-15 ? axis * (2 * sign * arc_tangent(l, q.w * sign) / l) : Vec3{};
     const Vec3 displacement =
         pose.position - warm.center;  // kinematic bodies rotate about their origin

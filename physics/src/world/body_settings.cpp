@@ -3,6 +3,7 @@
 // Changes of body properties: type, mass, locks, damping, sleep.
 #include <string>
 
+#include "jostle/base/check.h"
 #include "jostle/physics/world.h"
 #include "physics/src/state/body_sets.h"
 #include "physics/src/state/contact_graph.h"
@@ -51,6 +52,7 @@ void change_type(WorldState& world, std::uint32_t body, BodyType type) {
         remove_from_island(world, body);
     }
     BodyWarm warm = warm_of(world, body);
+    ASSERT(warm.body == body && cold.first_edge == none);
     leave_set(world, body);
     cold.type = type;
     warm.force = warm.torque = {};
@@ -63,6 +65,7 @@ void change_type(WorldState& world, std::uint32_t body, BodyType type) {
     }
     if (type == BodyType::dynamic) add_to_island(world, create_island(world), body);
     update_mass(world, body);
+    ASSERT((type == BodyType::dynamic) == (cold.island != none));
     obey_locks(cold, warm_of(world, body));
     after_move(world, body);
     for (std::uint32_t s = cold.first_shape; s != none; s = world.shapes.shapes[s].next)
@@ -121,6 +124,7 @@ Status World::set_awake(BodyId body, bool awake) {
         return Error{ErrorCode::failed_precondition,
                      "sleeping is disabled in this world (WorldDef::sleeping is false)"};
     const std::uint32_t first = world.bodies.cold[body.index].island;
+    ASSERT(world.islands.ids.alive(first));
     if (world.islands.islands[first].asleep) return {};
     if (world.islands.islands[first].may_be_split) split_island(world, first);
     const std::uint32_t island = world.bodies.cold[body.index].island;
@@ -131,6 +135,7 @@ Status World::set_awake(BodyId body, bool awake) {
         wake_in_place(world, b);
     }
     put_island_to_sleep(world, island, world.events.pending.ended);
+    ASSERT(world.bodies.cold[body.index].set == BodySet::sleeping);
     world.static_revision++;  // the body may have been woken and moved before
     return {};
 }

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "jostle/base/check.h"
+#include "physics/src/math/is_unit.h"
 #include "physics/src/state/contact_constraints.h"
 
 namespace jostle::physics {
@@ -16,9 +18,11 @@ void fill_points(ContactInfo& info, Vec3 center, Row&& row) {
         return Vec3{double{row(first)}, double{row(first + 1)}, double{row(first + 2)}};
     };
     info.normal = vec(normal);
+    ASSERT(is_unit(info.normal, 1e-4));
     const Vec3 t1 = vec(tangent), t2 = cross(info.normal, t1), middle = center + vec(arm);
     for (int k = 0; k < 4; k++) {
         if (row(gap + k) > 0.5f * no_point) continue;
+        ASSERT(info.count < 4);
         info.point[info.count] = middle + t1 * double{row(x + k)} + t2 * double{row(y + k)};
         info.gap[info.count] = double{row(gap + k)};
         info.impulse[info.count] = double{row(lambda + k)};
@@ -42,6 +46,7 @@ ContactInfo info_of(const WorldState& world, std::uint32_t index) {
 ContactInfo solved_contact(const WorldState& world, std::uint32_t contact) {
     const Contact& c = world.contacts.contacts[contact];
     const ContactLaneRef lane_ref = lane_ref_of(world, c);
+    ASSERT(lane_ref.meta->contact[lane_ref.lane] == contact);
     ContactInfo info = info_of(world, contact);
     fill_points(info, warm_of(world, c.body_a).center,
                 [&](int row) { return float_at(*lane_ref.block, row, lane_ref.lane); });

@@ -5,6 +5,7 @@
 #include <array>
 #include <string_view>
 
+#include "jostle/base/check.h"
 #include "jostle/physics/joint_fields.h"
 #include "jostle/physics/world.h"
 #include "physics/src/constraints/joints/angles.h"
@@ -99,6 +100,7 @@ Result<JointId> World::create_joint(const JointDef& def) {
     j.user_data = def.user_data;
     j.solver = def.solver;
     attach_joint(world, index);
+    ASSERT(world.bodies.cold[b].first_joint / 2 == index);
     return joint_id(world, index);
 }
 
@@ -165,6 +167,7 @@ Result<JointState> World::joint(JointId id) const {
         state.travel = length(a.position - pulley->point_a) +
                        pulley->ratio * length(b.position - pulley->point_b);
     if (const auto* path = std::get_if<PathJoint>(&j.kind)) {
+        ASSERT(j.memory.size() == memory_of(j.kind));
         const PathPoint path_point =
             j.memory[PathMemory::found] == 0
                 ? nearest_path_point(*path, state.offset)

@@ -3,6 +3,7 @@
 // Creation, destruction, replacement, change and reading of shapes.
 #include <string>
 
+#include "jostle/base/check.h"
 #include "jostle/physics/world.h"
 #include "physics/src/state/contact_graph.h"
 #include "physics/src/state/shape_proxy.h"
@@ -20,6 +21,7 @@ std::uint32_t add_record(WorldState& world, std::uint32_t body, const ShapeDef& 
     BodyCold& cold = world.bodies.cold[body];
     const std::uint32_t index = world.shapes.ids.take();
     if (index == world.shapes.shapes.size()) world.shapes.shapes.emplace_back();
+    ASSERT((cold.first_shape == none) == (cold.last_shape == none));
     ShapeRecord& shape = world.shapes.shapes[index];
     shape = ShapeRecord{.geometry = stored(def.geometry),
                         .pose = {def.pose.position, unit(def.pose.rotation)},
@@ -40,6 +42,7 @@ std::uint32_t add_record(WorldState& world, std::uint32_t body, const ShapeDef& 
 }
 
 void free_record(WorldState& world, std::uint32_t shape) {
+    ASSERT(world.shapes.ids.alive(shape));
     destroy_proxy(world, shape);
     world.shapes.shapes[shape] = ShapeRecord{};
     world.shapes.ids.release(shape);
@@ -78,6 +81,7 @@ Status World::destroy_shape(ShapeId id) {
     std::uint32_t previous = none;
     for (std::uint32_t s = cold.first_shape; s != id.index; s = world.shapes.shapes[s].next)
         previous = s;
+    ASSERT(previous == none || world.shapes.shapes[previous].next == id.index);
     const std::uint32_t next = world.shapes.shapes[id.index].next;
     (previous == none ? cold.first_shape : world.shapes.shapes[previous].next) = next;
     if (cold.last_shape == id.index) cold.last_shape = previous;
@@ -110,6 +114,7 @@ Result<std::vector<ShapeId>> World::set_shapes(BodyId body, std::span<const Shap
     update_mass(world, body.index);
     after_move(world, body.index);
     for (const ShapeId& shape : created) create_proxy(world, shape.index);
+    ASSERT(created.size() == defs.size());
     return created;
 }
 

@@ -2,6 +2,7 @@
 //
 // World: checks arguments, changes state, runs the step.
 #include "jostle/physics/world.h"
+#include "jostle/base/check.h"
 
 #include "jostle/physics/limits.h"
 #include "physics/src/foundation/fp_mode.h"
@@ -40,6 +41,7 @@ namespace {
 class SteppingScope {
 public:
     SteppingScope(ListenerStore& listeners, World& world) : listeners_(listeners) {
+        ASSERT(listeners.stepping == nullptr);
         listeners_.stepping = &world;
     }
     ~SteppingScope() { listeners_.stepping = nullptr; }
@@ -72,6 +74,7 @@ Status World::step(double dt) {
 }
 void World::parallel_for(int count, int grain,
                          const std::function<void(int first, int last)>& function) const {
+    ASSERT(count >= 0 && grain >= 1);
     ThreadPool& thread_pool = *state_->thread_pool;
     if (thread_pool.size() > 1 && count >= 4 * grain) thread_pool.wake();
     thread_pool.run(count, grain, function);
@@ -146,7 +149,7 @@ Status World::set_threads(int threads) {
     if (threads == state_->def.threads) return {};
     state_->def.threads = threads;
     state_->thread_pool = std::make_unique<ThreadPool>(threads);
-    state_->threading_trial = {};
+    state_->thread_choice = {};
     state_->thread_usage = {};
     return {};
 }

@@ -188,8 +188,8 @@ struct WorldDef {
     /// - Level 3: islands take half of their sub-steps, except slender, tall and heavily loaded
     ///   islands.
     std::int64_t step_budget = 0;
-    /// Threads per step, 1 to 64. Results are bit-identical for any number. Steps shorter than 2 ms
-    /// use several threads only if a trial shows a speed-up (thread_trials.h).
+    /// Threads per step, 1 to 64. Results are bit-identical for any number. A step after one with
+    /// little work (StepProfile::work) uses one thread (thread_use.h).
     int threads = 1;
     bool sleeping = true;    ///< whether resting bodies fall asleep and leave the step
     bool continuous = true;  ///< whether fast bodies are swept (BodyDef::continuous)

@@ -33,7 +33,7 @@
 #include "jostle/physics/serialization.h"
 #include "jostle/physics/state_visitor.h"
 #include "jostle/physics/step_listener.h"
-#include "jostle/physics/thread_trials.h"
+#include "jostle/physics/thread_use.h"
 #include "jostle/physics/transform.h"
 #include "jostle/physics/vec2.h"
 #include "jostle/physics/vec3.h"

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "jostle/base/check.h"
+
 namespace jostle::physics {
 
 DynamicTree::Box DynamicTree::bounds_of(Child child) const {
@@ -16,6 +18,7 @@ std::uint32_t DynamicTree::categories_of(Child child) const {
 }
 
 void DynamicTree::set_parent(Child child, std::int32_t parent) {
+    ASSERT(child != none && (parent == null_node || !is_leaf(parent)));
     (is_leaf(child) ? at(handle_of(child)).parent : above(child).parent) = parent;
 }
 
@@ -26,12 +29,14 @@ std::int32_t DynamicTree::allocate_node() {
         return static_cast<std::int32_t>(nodes_.size() - 1);
     }
     const std::int32_t i = free_node_;
+    ASSERT(static_cast<std::size_t>(i) < nodes_.size() && above_.size() == nodes_.size());
     free_node_ = above(i).parent;
     above(i) = {};
     return i;
 }
 
 void DynamicTree::release_node(std::int32_t i) {
+    ASSERT(i >= 0 && i != free_node_);
     above(i).parent = free_node_;
     free_node_ = i;
 }
@@ -43,9 +48,11 @@ std::int32_t DynamicTree::add(const Aabb& box, std::uint32_t item, std::uint32_t
         leaf = static_cast<std::int32_t>(leaves_.size() - 1);
     } else {
         free_leaf_ = at(leaf).parent;
+        ASSERT(!at(leaf).used);
     }
     at(leaf) = {box, item, category, null_node, true};
     leaf_count_++;
+    ASSERT(static_cast<std::size_t>(leaf_count_) <= leaves_.size());
     return leaf;
 }
 
@@ -56,6 +63,7 @@ std::int32_t DynamicTree::insert(const Aabb& box, std::uint32_t item, std::uint3
 }
 
 void DynamicTree::remove(std::int32_t leaf) {
+    ASSERT(at(leaf).used && leaf_count_ > 0);
     unlink(leaf);
     at(leaf).used = false;
     at(leaf).parent = free_leaf_;
@@ -64,6 +72,7 @@ void DynamicTree::remove(std::int32_t leaf) {
 }
 
 void DynamicTree::move(std::int32_t leaf, const Aabb& box) {
+    ASSERT(at(leaf).used);
     unlink(leaf);
     at(leaf).box = box;
     link(leaf);
@@ -73,6 +82,7 @@ void DynamicTree::move(std::int32_t leaf, const Aabb& box) {
 // node.
 void DynamicTree::link(std::int32_t leaf) {
     const Child child = ~leaf;
+    ASSERT(is_leaf(child) && at(leaf).used);
     if (root_ == none) {
         root_ = child;
         set_parent(child, null_node);
@@ -130,6 +140,7 @@ void DynamicTree::unlink(std::int32_t leaf) {
         return;
     }
     const std::int32_t parent = at(leaf).parent, grand = above(parent).parent;
+    ASSERT(parent != null_node && grand != parent);
     const int other = 1 - slot_of(parent, child);
     const Child sibling = node(parent).child[other];
     set_parent(sibling, grand);
@@ -148,6 +159,7 @@ void DynamicTree::unlink(std::int32_t leaf) {
 void DynamicTree::measure_height(std::int32_t i) {
     const Node& n = node(i);
     above(i).height = 1 + std::max(height_of(n.child[0]), height_of(n.child[1]));
+    ASSERT(above(i).height < leaf_count_);
 }
 
 // Refits the ancestors of a node after one of its children changed.
@@ -188,6 +200,7 @@ void DynamicTree::rotate(std::int32_t i) {
         }
     }
     if (best.side < 0) return;
+    ASSERT(best.gain > 0 && !is_leaf(n.child[1 - best.side]));
     const std::int32_t other = n.child[1 - best.side];
     Node& o = node(other);
     std::swap(n.child[best.side], o.child[best.grandchild]);
@@ -216,9 +229,11 @@ void DynamicTree::rebuild() {
         return;
     }
     nodes_.reserve(sorted_.size() - 1);
+    ASSERT(sorted_.size() == static_cast<std::size_t>(leaf_count_));
     above_.reserve(sorted_.size() - 1);
     root_ = build(sorted_, null_node);
     sorted_.clear();  // so that copies of the tree do not copy it
+    ASSERT(nodes_.size() + 1 == static_cast<std::size_t>(leaf_count_));
 }
 
 // Allocates nodes in the order in which a query descends.
@@ -285,6 +300,7 @@ DynamicTree::Child DynamicTree::build(std::span<Sorted> leaves, std::int32_t par
     }
     // If all centres coincide, any half is as good.
     if (cut == 0 || cut == leaves.size()) cut = leaves.size() / 2;
+    ASSERT(cut > 0 && cut < leaves.size());
 
     const std::int32_t made = allocate_node();
     above(made).parent = parent;

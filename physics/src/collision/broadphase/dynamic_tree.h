@@ -18,6 +18,7 @@
 #include <utility>
 #include <vector>
 
+#include "jostle/base/check.h"
 #include "jostle/physics/aabb.h"
 #include "physics/src/foundation/flat_array.h"
 
@@ -165,6 +166,7 @@ private:
             count_ += condition ? 1 : 0;
         }
         Entry pop() {
+            ASSERT(count_ > 0);
             count_--;
             if (count_ < capacity) return small_[count_];
             const Entry entry = more_.back();

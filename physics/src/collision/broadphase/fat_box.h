@@ -4,6 +4,7 @@
 // update after small motion; the box also extends along the motion.
 #pragma once
 
+#include "jostle/base/check.h"
 #include "jostle/physics/aabb.h"
 #include "jostle/physics/scalar.h"
 #include "physics/src/foundation/size_scale.h"
@@ -20,6 +21,7 @@ inline double fat_margin_of(double radius) {
 inline Aabb fat_box(const Aabb& shape, Vec3 step, double radius) {
     const Aabb wide = grow(shape, fat_margin_of(radius));
     const double displacement = length(step), most = tuning::fat_lookahead_radii * radius;
+    ASSERT(radius >= 0);
     const bool far = displacement * tuning::fat_lookahead_steps > most;
     const Vec3 lookahead =
         step * (far ? maximum(1, most / displacement) : tuning::fat_lookahead_steps);

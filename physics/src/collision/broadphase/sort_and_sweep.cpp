@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "jostle/base/check.h"
+
 namespace jostle::physics {
 
 std::int32_t SortAndSweep::insert(const Aabb& box, std::uint32_t item, std::uint32_t category) {
@@ -15,6 +17,7 @@ std::int32_t SortAndSweep::insert(const Aabb& box, std::uint32_t item, std::uint
         free_.pop_back();
     }
     rank_[static_cast<std::size_t>(handle)] = static_cast<std::int32_t>(entries_.size());
+    ASSERT(entries_.size() + free_.size() + 1 == rank_.size());
     entries_.push_back({box, item, category, handle});
     sorted_ = false;
     return handle;
@@ -22,6 +25,7 @@ std::int32_t SortAndSweep::insert(const Aabb& box, std::uint32_t item, std::uint
 
 void SortAndSweep::remove(std::int32_t handle) {
     const auto at = static_cast<std::size_t>(rank_[static_cast<std::size_t>(handle)]);
+    ASSERT(at < entries_.size() && entries_[at].handle == handle);
     entries_.erase(entries_.begin() + static_cast<std::ptrdiff_t>(at));
     for (std::size_t k = at; k < entries_.size(); k++)
         rank_[static_cast<std::size_t>(entries_[k].handle)] = static_cast<std::int32_t>(k);
@@ -31,6 +35,7 @@ void SortAndSweep::remove(std::int32_t handle) {
 }
 
 void SortAndSweep::move(std::int32_t handle, const Aabb& box) {
+    ASSERT(rank_[static_cast<std::size_t>(handle)] >= 0);
     entries_[static_cast<std::size_t>(rank_[static_cast<std::size_t>(handle)])].box = box;
     sorted_ = false;
 }
@@ -52,6 +57,7 @@ void SortAndSweep::flush() {
         std::stable_sort(entries_.begin(), entries_.end(),
                          [](const Entry& a, const Entry& b) { return a.box.low.x < b.box.low.x; });
     reach_.resize(entries_.size());
+    ASSERT(entries_.size() + free_.size() == rank_.size());
     for (std::size_t k = 0; k < entries_.size(); k++) {
         rank_[static_cast<std::size_t>(entries_[k].handle)] = static_cast<std::int32_t>(k);
         reach_[k] =
@@ -63,6 +69,7 @@ void SortAndSweep::flush() {
 // The first entry from which any box can reach x.
 std::size_t SortAndSweep::first_from(double x) const {
     if (!sorted_) return 0;
+    ASSERT(reach_.size() == entries_.size());
     return static_cast<std::size_t>(std::lower_bound(reach_.begin(), reach_.end(), x) -
                                     reach_.begin());
 }

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "jostle/base/check.h"
+
 namespace jostle::physics {
 namespace {
 
@@ -12,11 +14,13 @@ constexpr double cells_max = 64;  // per box; a box that covers more is large
 
 double UniformGrid::Range::count() const {
     double n = 1;
+    ASSERT(low[0] <= high[0] && low[1] <= high[1] && low[2] <= high[2]);
     for (int k = 0; k < 3; k++) n *= static_cast<double>(high[k] - low[k] + 1);
     return n;
 }
 
 UniformGrid::Range UniformGrid::range_of(const Aabb& box) const {
+    ASSERT(cell_ > 0);
     Range r{};
     for (int k = 0; k < 3; k++) {
         // Distant coordinates are clamped to one cell, so that integers do not overflow.
@@ -84,6 +88,7 @@ std::int32_t UniformGrid::insert(const Aabb& box, std::uint32_t item, std::uint3
 }
 
 void UniformGrid::remove(std::int32_t handle) {
+    ASSERT(entries_[static_cast<std::size_t>(handle)].alive);
     remove_from_cells(handle);
     entries_[static_cast<std::size_t>(handle)] = {};
     free_.push_back(handle);
@@ -92,6 +97,7 @@ void UniformGrid::remove(std::int32_t handle) {
 void UniformGrid::move(std::int32_t handle, const Aabb& box) {
     Entry& e = entries_[static_cast<std::size_t>(handle)];
     const Range from = range_of(e.box), to = range_of(box);
+    ASSERT(e.alive);
     const bool stays = !e.large && std::equal(from.low, from.low + 3, to.low) &&
                        std::equal(from.high, from.high + 3, to.high);
     if (stays) {
@@ -119,6 +125,7 @@ void UniformGrid::flush() {
         sides.push_back(maximum(d.x, maximum(d.y, d.z)));
     }
     const auto middle = sides.begin() + static_cast<std::ptrdiff_t>(sides.size() / 2);
+    ASSERT(sides.size() == count);
     std::nth_element(sides.begin(), middle, sides.end());
     const double usual = 2 * *middle;
     const auto longest = sides.begin() + static_cast<std::ptrdiff_t>(sides.size() * 99 / 100);

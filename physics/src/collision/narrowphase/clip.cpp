@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "physics/src/collision/narrowphase/clip.h"
 
+#include "jostle/base/check.h"
 #include "physics/src/collision/narrowphase/manifold_reduction.h"
 #include "physics/src/collision/narrowphase/polyhedron.h"
 #include "physics/src/collision/narrowphase/segments.h"
 #include "physics/src/foundation/tuning.h"
+#include "physics/src/math/is_unit.h"
 
 namespace jostle::physics {
 namespace {
@@ -22,6 +24,7 @@ void put_disc(Feature& f, double y, double radius, Vec3 d) {
     static constexpr double turn[rim_points][2] = {{1, 0},  {half, half},   {0, 1},  {-half, half},
                                                    {-1, 0}, {-half, -half}, {0, -1}, {half, -half}};
     f.count = rim_points;
+    ASSERT(radius >= 0);
     for (int k = 0; k < rim_points; k++) {
         f.corner[k] = (first * turn[k][0] + second * turn[k][1]) * radius;
         f.corner[k].y = y;
@@ -47,6 +50,7 @@ Feature feature_of_cone(Vec3 size, Vec3 d) {
     Feature f;
     const double across = square_root(d.x * d.x + d.z * d.z), height = 2 * size.y;
     const double slant = square_root(size.x * size.x + height * height);
+    ASSERT(slant > 0);
     const double side = across * (height / slant) + d.y * (size.x / slant);
     if (-d.y >= side) {
         f.normal = {0, -1, 0};
@@ -64,6 +68,7 @@ Feature feature_of_cone(Vec3 size, Vec3 d) {
 Feature feature_of_polyhedron(const Convex& shape, Vec3 d) {
     PolyhedronParts parts;
     const Polyhedron p = polyhedron_of(shape, parts);
+    ASSERT(!p.faces.empty());
     std::size_t best = 0;
     double most = -1e300;
     for (std::size_t k = 0; k < p.faces.size(); k++) {
@@ -75,6 +80,7 @@ Feature feature_of_polyhedron(const Convex& shape, Vec3 d) {
     }
     Feature f;
     f.normal = p.faces[best].normal;
+    ASSERT(p.faces[best].count <= max_face_vertices);
     for (const std::uint16_t v : p.vertices_of(p.faces[best])) f.corner[f.count++] = p.vertices[v];
     return f;
 }
@@ -131,6 +137,7 @@ Feature local_feature(const Convex& shape, Vec3 d) {
 // Clips a polygon (or segment, or point) to the inner side of a plane.
 int cut(Vec3* polygon, int count, Vec3 normal, double offset) {
     UninitializedArray<Vec3, ContactPoints::capacity> retained;
+    ASSERT(count >= 0 && count <= ContactPoints::capacity);
     int made = 0;
     const double slack = 1e-12;
     const auto height = [&](Vec3 p) { return dot(normal, p) - offset; };
@@ -147,6 +154,7 @@ int cut(Vec3* polygon, int count, Vec3 normal, double offset) {
         if (made + 2 >= ContactPoints::capacity) break;
     }
     for (int k = 0; k < made; k++) polygon[k] = retained[k];
+    ASSERT(made <= ContactPoints::capacity);
     return made;
 }
 
@@ -174,6 +182,7 @@ struct Sink {
 bool add_side_by_side(Sink& sink, const Feature& fa, const Feature& fb, Vec3 n) {
     const double half_a = 0.5 * length(fa.corner[1] - fa.corner[0]);
     const double half_b = 0.5 * length(fb.corner[1] - fb.corner[0]);
+    ASSERT(fa.count == 2 && fb.count == 2);
     if (half_a == 0 || half_b == 0) return false;
     const Vec3 a = (fa.corner[0] + fa.corner[1]) * 0.5, b = (fb.corner[0] + fb.corner[1]) * 0.5;
     const Vec3 u = (fa.corner[1] - fa.corner[0]) * (0.5 / half_a);
@@ -230,6 +239,7 @@ void add_clipped(Sink& sink, const Feature& reference, const Feature& incident, 
                  bool reference_is_a) {
     UninitializedArray<Vec3, ContactPoints::capacity> polygon;
     int count = incident.count;
+    ASSERT(count > 0 && count <= ContactPoints::capacity && reference.count >= 2);
     for (int k = 0; k < count; k++) polygon[k] = incident.corner[k];
     for (int k = 0; k < reference.count && count > 0; k++) {
         const Vec3 p = reference.corner[k], q = reference.corner[(k + 1) % reference.count];
@@ -241,6 +251,7 @@ void add_clipped(Sink& sink, const Feature& reference, const Feature& incident, 
         count = cut(polygon.data(), count, side * (1 / l), dot(side, p) / l);
     }
     const double slope = dot(reference.normal, n);
+    ASSERT(count == 0 || slope != 0);
     for (int k = 0; k < count; k++) {
         const double rise = dot(reference.normal, polygon[k] - reference.corner[0]) / slope;
         const Vec3 on_reference = polygon[k] - n * rise;
@@ -256,6 +267,7 @@ void add_clipped(Sink& sink, const Feature& reference, const Feature& incident, 
 Feature feature_along(const Convex& shape, Vec3 direction) {
     Feature f = local_feature(shape, transposed_times(shape.axes, direction));
     f.normal = shape.axes * f.normal;
+    ASSERT(f.count >= 1 && f.count <= static_cast<int>(max_face_vertices));
     for (int k = 0; k < f.count; k++) f.corner[k] = shape.position + shape.axes * f.corner[k];
     return f;
 }
@@ -264,6 +276,7 @@ ContactPoints contact_points(const Convex& a, const Convex& b, const Witness& wi
                              double margin) {
     ContactPoints out;
     const Vec3 n = witness.normal;
+    ASSERT(is_unit(n));
     const double deepest = witness.distance - a.radius - b.radius;
     Sink sink{out, n, a.radius, b.radius, margin};
     double lost = 5e-5 * minimum(size_of(a), size_of(b));
@@ -290,6 +303,7 @@ ContactPoints contact_points(const Convex& a, const Convex& b, const Witness& wi
     // Clipping can lose the point that produced the normal. Add it again.
     double lowest = 1e300;
     for (int k = 0; k < out.count; k++) lowest = minimum(lowest, out.gap[k]);
+    ASSERT(out.count <= ContactPoints::capacity);
     if (lowest > deepest + lost * (1 + 1e-6) && deepest <= margin) {
         if (out.count == ContactPoints::capacity) out.count--;
         out.gap[out.count] = deepest;
@@ -315,6 +329,7 @@ Manifold manifold_of(const ContactPoints& points, Vec3 normal, double size) {
     for (int k = 0; k < points.count; k++)
         flat[k] = {dot(points.point[k], u), dot(points.point[k], v), points.gap[k], k};
     m.count = reduce_to_four(flat.data(), points.count, size);
+    ASSERT(m.count >= 0 && m.count <= 4 && m.count <= points.count);
     for (int k = 0; k < m.count; k++) {
         m.point[k] = points.point[flat[k].index];
         m.gap[k] = points.gap[flat[k].index];

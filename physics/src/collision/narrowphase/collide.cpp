@@ -23,6 +23,7 @@ Manifold swapped(const TransformedShape& a, const TransformedShape& b, double ma
 Manifold general(const TransformedShape& a, const TransformedShape& b, double margin,
                  PairCache& cache) {
     Manifold m = collide_convex(convex_of(a, a.position), convex_of(b, a.position), margin, cache);
+    ASSERT(m.count >= 0 && m.count <= 4);
     for (int k = 0; k < m.count; k++) m.point[k] += a.position;
     return m;
 }
@@ -64,6 +65,7 @@ constexpr Collide table[simple_kinds][simple_kinds] = {
 Manifold collide(const TransformedShape& a, const TransformedShape& b, double margin,
                  PairCache& cache) {
     ASSERT(a.geometry->index() < simple_kinds && b.geometry->index() < simple_kinds);
+    ASSERT(margin >= 0);
     return table[a.geometry->index()][b.geometry->index()](a, b, margin, cache);
 }
 

@@ -3,10 +3,12 @@
 
 #include <algorithm>
 
+#include "jostle/base/check.h"
 #include "physics/src/collision/narrowphase/clip.h"
 #include "physics/src/collision/narrowphase/manifold_reduction.h"
 #include "physics/src/collision/narrowphase/segments.h"
 #include "physics/src/foundation/uninitialized_array.h"
+#include "physics/src/math/is_unit.h"
 
 namespace jostle::physics {
 namespace {
@@ -53,6 +55,7 @@ double tie_of(double size) {
 
 FaceAxis best_face(const BoxPair& p, double size, int cached) {
     const double preference = maximum(minimum(0.0005, 1e-3 * size), 1e-4 * size);  // m
+    ASSERT(size > 0);
     const double tie = tie_of(size);
     double separation[6];
     for (int i = 0; i < 3; i++) {
@@ -113,12 +116,14 @@ BoxEdgeAxis best_edge(const BoxPair& p, double size, double faces) {
             }
         }
     best.normal = cross(p.axis_a[best.i], p.axis_b[best.j]) * (sign * scale);
+    ASSERT(scale == 0 || is_unit(best.normal, 1e-4));
     return best;
 }
 
 // The normal of the axis with the largest separation, from a to b.
 Vec3 normal_of_widest(const BoxPair& p, const FaceAxis& face) {
     const int i = face.widest % 3;
+    ASSERT(face.widest >= 0 && face.widest < 6);
     const bool of_a = face.widest < 3;
     const Vec3 axis = of_a ? p.axis_a[i] : p.axis_b[i];
     return (of_a ? p.along_a[i] : p.along_b[i]) < 0 ? -axis : axis;
@@ -140,6 +145,7 @@ int clip(FacePoint* polygon, int count, bool along_v, double sign, double limit)
         }
     }
     std::copy(retained.data(), retained.data() + made, polygon);
+    ASSERT(made <= 8);
     return made;
 }
 
@@ -148,6 +154,7 @@ int clip(FacePoint* polygon, int count, bool along_v, double sign, double limit)
 Manifold face_contact(const TransformedShape& a, const BoxPair& p, int axis, double margin) {
     const bool b_is_reference = axis >= 3;
     const int face = axis % 3, u = (face + 1) % 3, v = (face + 2) % 3;
+    ASSERT(axis >= 0 && axis < 6);
     const Vec3* ref = b_is_reference ? p.axis_b : p.axis_a;
     const Vec3* inc = b_is_reference ? p.axis_a : p.axis_b;
     const Vec3 half_ref = b_is_reference ? p.half_b : p.half_a;
@@ -187,6 +194,7 @@ Manifold face_contact(const TransformedShape& a, const BoxPair& p, int axis, dou
     for (int k = 0; k < count; k++)
         if (polygon[k].gap <= margin) polygon[near++] = polygon[k];
     count = reduce_to_four(polygon.data(), near, minimum(length(p.half_a), length(p.half_b)));
+    ASSERT(count <= 4 && near <= 8);
 
     Manifold m{.count = count, .normal = b_is_reference ? -n : n};
     for (int k = 0; k < count; k++) {
@@ -235,6 +243,7 @@ Manifold general_contact(const BoxPair& pair, const FaceAxis& face, const BoxEdg
 Manifold collide_boxes(const TransformedShape& a, const TransformedShape& b, double margin,
                        PairCache& cache) {
     const BoxPair pair = make_pair(a, b);
+    ASSERT(margin >= 0);
     const double size = minimum(length(pair.half_a), length(pair.half_b));
     const FaceAxis face = best_face(pair, size, static_cast<int>(cache.axis) - 1);
     if (face.separation > margin)

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "jostle/base/check.h"
 #include "jostle/physics/compound.h"
 #include "physics/src/collision/narrowphase/collide.h"
 #include "physics/src/collision/narrowphase/collide_surface.h"
@@ -38,6 +39,7 @@ Aabb bounds_in(const TransformedShape& frame, const TransformedShape& shape) {
 std::vector<std::uint32_t> children_near(const TransformedShape& compound,
                                          const TransformedShape& shape, double margin) {
     const CompoundShape& data = *std::get<Compound>(*compound.geometry).data;
+    ASSERT(data.tree != nullptr && !data.children.empty());
     std::vector<std::uint32_t> near;
     if (kind_of(*shape.geometry) == ShapeKind::plane) {
         for (std::uint32_t k = 0; k < data.children.size(); k++) near.push_back(k);
@@ -50,6 +52,7 @@ std::vector<std::uint32_t> children_near(const TransformedShape& compound,
             near.push_back(k);
     });
     std::sort(near.begin(), near.end());
+    ASSERT(near.empty() || near.back() < data.children.size());
     return near;
 }
 
@@ -59,6 +62,7 @@ void collide_children(const TransformedShape& a, const TransformedShape& b, doub
                       std::vector<ChildManifold>& out) {
     if (is_surface(a) || is_surface(b)) {
         const bool a_is_surface = is_surface(a);
+        ASSERT(margin >= 0);
         if ((a_is_surface && !is_convex(kind_of(*b.geometry))) ||
             (!a_is_surface && !is_convex(kind_of(*a.geometry))))
             return;
@@ -87,6 +91,7 @@ void for_each_two(const TransformedShape& a, const TransformedShape& b, double m
                   Visit&& visit) {
     const auto* compound_a = std::get_if<Compound>(a.geometry);
     const auto* compound_b = std::get_if<Compound>(b.geometry);
+    ASSERT(a.geometry != nullptr && b.geometry != nullptr);
     const auto against_b = [&](const TransformedShape& part, std::uint64_t key) {
         if (compound_b == nullptr) return visit(part, b, key);
         for (const std::uint32_t k : children_near(b, part, margin))

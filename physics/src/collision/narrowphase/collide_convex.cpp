@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "physics/src/collision/narrowphase/collide_convex.h"
 
+#include "jostle/base/check.h"
 #include "physics/src/collision/narrowphase/gjk.h"
 #include "physics/src/collision/narrowphase/penetration.h"
+#include "physics/src/math/is_unit.h"
 
 namespace jostle::physics {
 namespace {
@@ -23,6 +25,7 @@ Witness from(const GjkResult& g) {
 Witness cross_segments(const Convex& a, const Convex& b) {
     const Vec3 n = normalized(cross(a.axes.y, b.axes.y), a.axes.x);
     const GjkResult at = gjk(a, b, {});
+    ASSERT(at.simplex.count >= 0 && at.simplex.count <= 4);
     const SimplexPoint& p = at.simplex.point[0];
     Vec3 on_a, on_b;
     for (int k = 0; k < at.simplex.count; k++) {
@@ -44,6 +47,7 @@ int own_normals(const Convex& shape, Vec3 toward, Vec3 out[1]) {
 
 Witness snapped(const Convex& a, const Convex& b, const Witness& w) {
     const double tie = 1e-6 * minimum(size_of(a), size_of(b));
+    ASSERT(is_unit(w.normal));
     Witness best = w;
     const auto consider = [&](Vec3 n) {
         if (dot(n, w.normal) < 1 - 1e-6) return false;
@@ -68,6 +72,7 @@ Witness round_witness(const Convex& a, const Convex& b, double enough, PairCache
         return g.distance > enough ? from(g) : snapped(a, b, from(g));
     }
     const Penetration p = penetration(a, b, g.simplex);
+    ASSERT(p.depth >= 0);
     cache.direction = p.normal;
     return snapped(a, b, {p.normal, -p.depth, p.on_a, p.on_b});
 }
@@ -105,6 +110,7 @@ std::optional<Witness> still_apart_witness(const Convex& a, const Convex& b, con
 
 Witness polyhedra_witness(const Convex& a, const Convex& b, double enough, PairCache& cache) {
     const Separation last = separate_again(a, b, cache.axis);
+    ASSERT(is_polyhedron(a) && is_polyhedron(b));
     if (last.distance > enough) return from(last);
     if (last.distance > 0)
         if (const auto apart = still_apart_witness(a, b, last, enough, cache)) return *apart;
@@ -119,6 +125,7 @@ Witness polyhedra_witness(const Convex& a, const Convex& b, double enough, PairC
 Witness core_witness(const Convex& polyhedron, const Convex& core, double enough,
                      PairCache& cache) {
     const GjkResult g = gjk(polyhedron, core, cache.direction, {.beyond = enough});
+    ASSERT(is_polyhedron(polyhedron) && !is_polyhedron(core));
     const double size = minimum(size_of(polyhedron), size_of(core));
     if (g.distance > 1e-9 * size) {
         cache.direction = g.normal;
@@ -166,6 +173,7 @@ std::optional<Manifold> collide_apart(const Convex& a, const Convex& b, Vec3 nor
 Manifold collide_convex(const Convex& a, const Convex& b, double margin, PairCache& cache) {
     const Witness w = find_witness(a, b, margin + a.radius + b.radius, cache);
     const double gap = w.distance - a.radius - b.radius;
+    ASSERT(is_unit(w.normal));
     if (gap > margin) return {.normal = w.normal, .distance = gap};
     return manifold_of(contact_points(a, b, w, margin), w.normal, minimum(size_of(a), size_of(b)));
 }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "physics/src/collision/narrowphase/collide_pairs.h"
 
+#include "jostle/base/check.h"
 #include "physics/src/geometry/outline.h"
+#include "physics/src/math/is_unit.h"
 
 namespace jostle::physics {
 namespace {
@@ -12,6 +14,7 @@ int sides_of(const Outline& o) {
     return o.count == 1 ? 0 : o.count;
 }
 Vec3 end_of(const Outline& o, int side) {
+    ASSERT(side >= 0 && side < o.count);
     return o.corner[(side + 1) % o.count];
 }
 // Outward normal: to the right of a side, because sides run counter-clockwise.
@@ -28,6 +31,7 @@ struct Axis {
 
 Axis along_side(const Outline& of, const Outline& other, int side) {
     const Vec3 n = normal_of(of, side);
+    ASSERT(other.count > 0);
     double lowest = 1e300;
     for (int k = 0; k < other.count; k++)
         lowest = minimum(lowest, dot(n, other.corner[k] - of.corner[side]));
@@ -66,6 +70,7 @@ void consider(NearestFeatures& best, Vec3 corner, Vec3 from, Vec3 to, bool corne
 // Closest points of two separated outlines: a corner of one and a side of the other.
 NearestFeatures nearest(const Outline& a, const Outline& b) {
     NearestFeatures best;
+    ASSERT(a.count > 0 && b.count > 0);
     for (int k = 0; k < a.count; k++)
         for (int s = 0; s < b.count; s++)
             consider(best, a.corner[k], b.corner[s], end_of(b, s), true);
@@ -93,6 +98,7 @@ int facing_side(const Outline& o, Vec3 n) {
 Manifold cut_side(const Outline& reference, const Outline& other, const Axis& axis, double margin,
                   bool reference_is_a) {
     const Vec3 n = axis.normal, from = reference.corner[axis.side];
+    ASSERT(axis.side >= 0 && axis.side < reference.count && is_unit(n));
     const Vec3 along = normalized(end_of(reference, axis.side) - from);
     const double width = dot(end_of(reference, axis.side) - from, along);
     Manifold m{.normal = reference_is_a ? n : -n};
@@ -120,6 +126,7 @@ Manifold cut_side(const Outline& reference, const Outline& other, const Axis& ax
         m.distance = m.count == 0 ? gap : minimum(m.distance, gap);
         if (gap > margin) return;
         m.gap[m.count] = gap;
+        ASSERT(m.count < 2);
         // Midway between the two surfaces.
         m.point[m.count] = on_other - n * (other.radius + 0.5 * gap);
         m.count++;
@@ -141,6 +148,7 @@ Manifold collide_outlines(const Outline& a, const Outline& b, double margin, Pai
     const Axis on_a = best_side(a, b, cached(side_of_a), tie);
     const Axis on_b = best_side(b, a, cached(side_of_b), tie);
     const double radii = a.radius + b.radius;
+    ASSERT(radii >= 0);
     const double core = maximum(on_a.separation, on_b.separation);
     if (core - radii > margin)
         return {.normal = on_a.separation >= on_b.separation ? on_a.normal : -on_b.normal,
@@ -186,6 +194,7 @@ Manifold over_plane(const TransformedShape& plane, const TransformedShape& shape
         }
     }
     Manifold m{.normal = n, .distance = gap_of(low[0])};
+    ASSERT(low[0] >= 0 && is_unit(n));
     for (const int k : low) {
         if (k < 0 || gap_of(k) > margin) continue;
         m.gap[m.count] = gap_of(k);

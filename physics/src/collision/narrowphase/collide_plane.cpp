@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "physics/src/collision/narrowphase/collide_pairs.h"
 
+#include "jostle/base/check.h"
 #include "physics/src/collision/narrowphase/clip.h"
+#include "physics/src/math/is_unit.h"
 
 namespace jostle::physics {
 namespace {
@@ -16,6 +18,7 @@ void add_point(Manifold& m, const TransformedShape& plane, Vec3 center, double r
     m.distance = m.count == 0 ? minimum(m.distance, gap) : m.distance;
     if (gap > margin) return;
     m.gap[m.count] = gap;
+    ASSERT(m.count < 4);
     m.point[m.count] = center - m.normal * (r + 0.5 * gap);
     m.count++;
 }
@@ -65,9 +68,11 @@ Manifold collide_plane_convex(const TransformedShape& a, const TransformedShape&
     const double height = dot(b.position - a.position, n);
     const Vec3 lowest = support(shape, -n);
     const double deepest = height + dot(lowest, n);
+    ASSERT(is_unit(n));
     if (deepest > margin) return {.normal = n, .distance = deepest};
     ContactPoints points;
     const Feature feature = feature_along(shape, -n);
+    ASSERT(feature.count < ContactPoints::capacity);
     const auto add = [&](Vec3 p) {
         const double gap = height + dot(p, n);
         if (gap > margin) return;

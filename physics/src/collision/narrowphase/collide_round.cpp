@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "physics/src/collision/narrowphase/collide_pairs.h"
 
+#include "jostle/base/check.h"
 #include "physics/src/collision/narrowphase/segments.h"
 #include "physics/src/foundation/tuning.h"
+#include "physics/src/math/is_unit.h"
 
 namespace jostle::physics {
 namespace {
@@ -12,6 +14,7 @@ Manifold collide_balls(Vec3 a, double radius_a, Vec3 b, double radius_b, double 
                        Vec3 fallback = {0, 1, 0}) {
     const Vec3 d = b - a;
     const double l = length(d), gap = l - radius_a - radius_b;
+    ASSERT(radius_a >= 0 && radius_b >= 0);
     Manifold m{.normal = l > 1e-12 ? d * (1 / l) : fallback, .distance = gap};
     if (gap > margin) return m;
     m.count = 1;
@@ -65,6 +68,7 @@ BoxSegment closest_on_segment_to_box(Vec3 p, Vec3 d, double half, Vec3 h) {
         }
     }
     breaks[count++] = half;
+    ASSERT(count >= 2 && count <= 8);
     for (int k = 1; k < count; k++) {
         const double right = slope(breaks[k]);
         if (right < 0) continue;
@@ -140,6 +144,7 @@ Manifold collide_capsules(const TransformedShape& a, const TransformedShape& b, 
         if (balls.count == 0) return;
         nearer = minimum(nearer, balls.gap[0]);
         line.gap[line.count] = balls.gap[0];
+        ASSERT(line.count < 4);
         line.point[line.count++] = balls.point[0];
     };
     const auto add_at = [&](double s) {
@@ -177,6 +182,7 @@ Manifold collide_box_sphere(const TransformedShape& a, const TransformedShape& b
         n[face] = l[face] < 0 ? -1 : 1;
     }
     Manifold m{.normal = a.axes * n, .distance = distance - r};
+    ASSERT(is_unit(m.normal));
     if (m.distance > margin) return m;
     m.count = 1;
     m.gap[0] = m.distance;
@@ -198,10 +204,12 @@ std::optional<Manifold> collide_box_capsule(const TransformedShape& a, const Tra
     const double distance = square_root(near.distance2), gap = distance - r;
     const Vec3 n = out * (1 / distance);
     Manifold m{.normal = a.axes * n, .distance = gap};
+    ASSERT(is_unit(m.normal));
     if (gap > margin) return m;
 
     const auto add = [&](double at, double point_gap) {
         m.gap[m.count] = point_gap;
+        ASSERT(m.count < 4);
         m.point[m.count] = b.position + b.axes.y * at - m.normal * (r + 0.5 * point_gap);
         m.count++;
     };

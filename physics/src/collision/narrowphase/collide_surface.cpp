@@ -4,12 +4,14 @@
 #include <algorithm>
 #include <optional>
 
+#include "jostle/base/check.h"
 #include "physics/src/collision/narrowphase/collide_convex.h"
 #include "physics/src/collision/narrowphase/gjk.h"
 #include "physics/src/collision/narrowphase/triangle.h"
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/geometry/hull_lanes.h"
 #include "physics/src/geometry/shape_measures.h"
+#include "physics/src/math/is_unit.h"
 
 namespace jostle::physics {
 namespace {
@@ -39,6 +41,7 @@ struct HeldTriangle {
 // is its normal on the shape's side.
 bool edge_allows(const SurfaceEdge& edge, Vec3 face, double side, Vec3 outward, Vec3 n) {
     const double up = dot(n, face), out = dot(n, outward);
+    ASSERT(side == 1 || side == -1);
     if (out < -tuning::edge_slack) return false;  // leans inward: the face itself pushes
     if (edge.border) return up > -tuning::edge_slack;
     if (edge.fold * side > -1e-4 * edge.reach) return out < tuning::edge_slack;  // flat or concave
@@ -53,6 +56,7 @@ bool edge_allows(const SurfaceEdge& edge, Vec3 face, double side, Vec3 outward, 
 bool may_act(const Geometry& surface, const SurfaceTriangle& t, Vec3 face, double side, Vec3 at,
              Vec3 n) {
     if (dot(n, face) > 0.99995) return true;
+    ASSERT(is_unit(face, 1e-5) && is_unit(n, 1e-5));
     bool on_edge = false;
     for (int k = 0; k < 3; k++) {
         const Vec3 from = t.corner[k], along = t.corner[(k + 1) % 3] - from;
@@ -79,6 +83,7 @@ public:
         furthest_ = shape.core == Core::hull
                         ? length(middle_of(shape) - center_) + shape.hull->lanes->outer_radius
                         : length(center_) + size_of(shape);
+        ASSERT(furthest_ >= 0 && near_ >= 0);
     }
 
     // The region that the shape may reach, given its current box.
@@ -126,6 +131,7 @@ public:
             box_ = {max(box_.low, reach.low), min(box_.high, reach.high)};
         }
         box_ = {box_.low + origin_, box_.high + origin_};
+        ASSERT(margin_ >= 0 && shape_.radius >= 0);
         size_ = size_of(shape_);
         middle_ = middle_of(shape_);
     }
@@ -205,6 +211,7 @@ private:
                 return;
             }
         if (sum.count == ContactPoints::capacity) {
+            ASSERT(size_ > 0);
             // The array is full: drop the redundant points.
             sum.count = reduce(sum);
         }
@@ -215,6 +222,7 @@ private:
     int reduce(ContactPoints& sum) const {
         Vec3 normal = cross(sum.point[1] - sum.point[0], sum.point[2] - sum.point[0]);
         const Manifold best = manifold_of(sum, normalized(normal), size_);
+        ASSERT(best.count <= 4);
         for (int k = 0; k < best.count; k++) {
             sum.point[k] = best.point[k];
             sum.gap[k] = best.gap[k];
@@ -245,6 +253,7 @@ private:
         PairCache cache{.axis = axis_of_face(dot(middle_ - corner[0], front) < 0 ? 1 : 0),
                         .direction = {}};
         const Witness w = find_witness(triangle, shape_, reach, cache);
+        ASSERT(is_unit(w.normal, 1e-5));
         if (w.distance > reach || exceeds_reach(w.distance, w.normal)) return;
         const double side = is_behind(t, corner, w) ? -1 : 1;
         const Vec3 face = front * side;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "physics/src/collision/narrowphase/gjk.h"
 
+#include "jostle/base/check.h"
+
 namespace jostle::physics {
 namespace {
 
@@ -14,12 +16,14 @@ struct SimplexCarrier {
 };
 
 SimplexCarrier measured(const Simplex& s, SimplexCarrier c) {
+    ASSERT(c.count >= 1 && c.count <= 3);
     for (int k = 0; k < c.count; k++) c.closest += s.point[c.which[k]].w * c.weight[k];
     c.distance2 = length_squared(c.closest);
     return c;
 }
 
 void reduce(Simplex& s, const SimplexCarrier& c) {
+    ASSERT(c.count >= 1 && c.count <= 3 && c.count <= s.count);
     UninitializedArray<SimplexPoint, 3> point;
     for (int k = 0; k < c.count; k++) point[k] = s.point[c.which[k]];
     for (int k = 0; k < c.count; k++) {
@@ -30,6 +34,7 @@ void reduce(Simplex& s, const SimplexCarrier& c) {
 }
 
 SimplexCarrier closest_on_segment(const Simplex& s, int i, int j) {
+    ASSERT(i < s.count && j < s.count && i != j);
     const Vec3 a = s.point[i].w, ab = s.point[j].w - a;
     const double l2 = length_squared(ab), t = -dot(a, ab);
     if (t <= 0 || l2 == 0) return measured(s, {1, {i}, {1}});
@@ -63,6 +68,7 @@ SimplexCarrier closest_on_triangle(const Simplex& s, int i, int j, int k) {
 SimplexCarrier closest_on_tetrahedron(const Simplex& s) {
     static constexpr int face[4][4] = {{0, 1, 2, 3}, {0, 2, 3, 1}, {0, 3, 1, 2}, {1, 3, 2, 0}};
     double longest2 = 0;
+    ASSERT(s.count == 4);
     for (int k = 1; k < 4; k++)
         longest2 = maximum(longest2, length_squared(s.point[k].w - s.point[0].w));
     SimplexCarrier best;
@@ -91,6 +97,7 @@ GjkResult gjk(const Convex& a, const Convex& b, Vec3 hint, const GjkGoal& goal) 
         SimplexPoint p{.a = support(a, toward), .b = support(b, -toward), .w = {}};
         p.w = p.a - p.b;
         s.point[s.count] = p;
+        ASSERT(s.count < 4);
         s.weight[s.count] = 0;
         s.count++;
         return p.w;
@@ -139,6 +146,7 @@ GjkResult gjk(const Convex& a, const Convex& b, Vec3 hint, const GjkGoal& goal) 
     }
     const double size_of_v = length(v);
     if (result.distance == 0) result.distance = size_of_v;
+    ASSERT(result.distance >= 0 || goal.loose > 0 || goal.beyond < 1e300);
     if (size_of_v > 0) result.normal = v * (-1 / size_of_v);
     return result;
 }

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "physics/src/collision/narrowphase/impact_points.h"
 
+#include "jostle/base/check.h"
 #include "physics/src/collision/narrowphase/collide.h"
 #include "physics/src/collision/narrowphase/collide_composite.h"
 #include "physics/src/collision/narrowphase/collide_convex.h"
 #include "physics/src/foundation/tuning.h"
+#include "physics/src/math/is_unit.h"
 
 namespace jostle::physics {
 
@@ -13,6 +15,7 @@ std::vector<ImpactPoint> points_touching(const SweptShape& a, const SweptShape& 
     const TransformedShape pa = transformed_shape_at(a, fraction),
                            pb = transformed_shape_at(b, fraction);
     std::vector<ChildManifold> parts;
+    ASSERT(gap >= 0 && fraction >= 0 && fraction <= 1);
     if (is_composite(kind_of(*pa.geometry)) || is_composite(kind_of(*pb.geometry))) {
         collide_composite(pa, pb, gap, parts);
     } else {
@@ -31,6 +34,7 @@ std::vector<ImpactPoint> points_along(const SweptShape& a, const SweptShape& b,
     const TransformedShape pa = transformed_shape_at(a, impact.fraction),
                            pb = transformed_shape_at(b, impact.fraction);
     const ShapeKind kind_a = kind_of(*pa.geometry), kind_b = kind_of(*pb.geometry);
+    ASSERT(impact.fraction <= 1 && is_unit(impact.normal, 1e-4));
     std::vector<ImpactPoint> points;
     if (is_convex(kind_a) && kind_b == ShapeKind::plane) {
         const Convex ca = convex_of(pa, impact.point);

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "jostle/base/check.h"
 #include "jostle/physics/scalar.h"
 #include "physics/src/foundation/tuning.h"
 
@@ -48,12 +49,14 @@ int best_four(FacePoint* points, int count, double scale) {
         }
     }
     FacePoint retained[4];
+    ASSERT(left < count && right < count);
     int made = 0;
     retained[made++] = p0;
     retained[made++] = p1;
     if (left >= 0) retained[made++] = points[left];
     if (right >= 0) retained[made++] = points[right];
     std::copy(retained, retained + made, points);
+    ASSERT(made >= 2 && made <= 4);
     return made;
 }
 
@@ -80,6 +83,7 @@ int reduce_to_four(FacePoint* points, int count, double size) {
     if (close == 0) return best_four(points, count, scale);
     // All points of the nearest class, then the points furthest from them.
     int made = deep > 0 ? deep : close;
+    ASSERT(made > 0 && made <= 4 && deep <= close && close <= count);
     while (made < 4) {
         const int end = made < close ? close : count;
         int best = made;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "physics/src/collision/narrowphase/triangle.h"
 
+#include "jostle/base/check.h"
 #include "physics/src/foundation/uninitialized_array.h"
 
 namespace jostle::physics {
@@ -20,6 +21,7 @@ struct AxisPolygon {
 // Clips the polygon to sign * y <= most.
 AxisPolygon cut(const AxisPolygon& polygon, double sign, double most) {
     AxisPolygon left;
+    ASSERT(polygon.count >= 0 && polygon.count <= 4);
     for (int k = 0; k < polygon.count; k++) {
         const AxisPoint &a = polygon.point[k],
                         &b = polygon.point[k + 1 < polygon.count ? k + 1 : 0];
@@ -46,6 +48,7 @@ AxisPoint nearest_of_edge(const AxisPoint& a, const AxisPoint& b) {
 bool passes_cylinder(const Convex& cylinder, Vec3 middle, Vec3 motion, const Vec3 corner[3],
                      double margin) {
     const Vec3 axis = cylinder.axes.y;
+    ASSERT(cylinder.core == Core::cylinder && margin >= 0);
     if (absolute(dot(motion, axis)) > margin) return false;
     AxisPolygon polygon{.point = {}, .count = 3};
     double low = 1e300, high = -1e300;

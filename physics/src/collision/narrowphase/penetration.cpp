@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "physics/src/collision/narrowphase/penetration.h"
 
+#include "jostle/base/check.h"
+#include "physics/src/math/is_unit.h"
+
 namespace jostle::physics {
 namespace {
 
@@ -22,6 +25,7 @@ public:
 
     Penetration expand(const Simplex& start) {
         for (int k = 0; k < start.count; k++) points_[count_++] = start.point[k];
+        ASSERT(count_ <= 4);
         if (!make_tetrahedron()) return descend();
         const double tolerance = 1e-7 * fine_;
         // A facet bounds the depth from below; the support along its normal bounds it from above.
@@ -31,6 +35,7 @@ public:
             const int at = nearest();
             if (at < 0 || facets_[at].distance >= upper - tolerance) break;
             const Facet f = facets_[at];
+            ASSERT(f.alive && is_unit(f.normal));
             const SimplexPoint p = support_along(f.normal);
             const double h = dot(p.w, f.normal);
             if (h < upper) {
@@ -97,6 +102,7 @@ private:
 
     // Moves b out along n. The closest points of the separated shapes are the deepest points.
     Penetration parted(Vec3 n, double depth) const {
+        ASSERT(depth >= 0 && is_unit(n));
         Convex moved = b_;
         const Vec3 out = n * (depth + 1e-3 * size_);
         moved.position += out;
@@ -168,6 +174,7 @@ private:
                               [&](Vec3 w) { return absolute(dot(w - points_[0].w, n)) > least; });
         }
         if (count_ < 4) return false;
+        ASSERT(count_ == 4 && facet_count_ == 0);
         const Vec3 n = cross(points_[1].w - points_[0].w, points_[2].w - points_[0].w);
         if (dot(n, points_[3].w - points_[0].w) > 0) std::swap(points_[1], points_[2]);
         return add_facet(0, 1, 2) && add_facet(0, 3, 1) && add_facet(1, 3, 2) && add_facet(2, 3, 0);
@@ -190,6 +197,7 @@ private:
         // If the corners are nearly collinear, the normal is noise.
         if (l * l <= 1e-20 * size_ * size_ * longest2) return false;
         const double distance = dot(n, points_[i].w) / l;
+        ASSERT(i != j && j != k && k != i);
         if (distance < -1e-9 * size_) return false;  // the origin is inside
         facets_[facet_count_++] = {{i, j, k}, n * (1 / l), distance, true};
         return true;
@@ -199,6 +207,7 @@ private:
         for (int k = 0; k < facet_count_; k++)
             if (facets_[k].alive) facets_[retained++] = facets_[k];
         facet_count_ = retained;
+        ASSERT(facet_count_ <= max_facets);
     }
 
     int nearest() const {
@@ -215,6 +224,7 @@ private:
     bool add_point(const SimplexPoint& point) {
         compact();
         const int index = count_;
+        ASSERT(count_ < max_points);
         points_[count_++] = point;
         const Vec3 w = point.w;
         int edges[max_facets][2];
@@ -234,6 +244,7 @@ private:
             return true;
         };
         const int old_count = facet_count_;
+        ASSERT(old_count > 0);
         for (int k = 0; k < old_count; k++) {
             Facet& f = facets_[k];
             if (dot(f.normal, w) - f.distance <= 1e-13 * size_) continue;
@@ -252,6 +263,7 @@ private:
     }
     bool revive(int old_count) {
         count_--;
+        ASSERT(count_ > 0 && old_count <= facet_count_);
         facet_count_ = old_count;
         for (int k = 0; k < old_count; k++) facets_[k].alive = true;
         return false;

@@ -22,6 +22,7 @@ constexpr HullEdge triangle_edges[6] = {{0, 1, 0, 2}, {1, 2, 0, 3}, {2, 0, 0, 4}
                                         {1, 0, 1, 2}, {2, 1, 1, 3}, {0, 2, 1, 4}};
 
 Polyhedron box_of(Vec3 h, PolyhedronParts& parts) {
+    ASSERT(h.x > 0 && h.y > 0 && h.z > 0);
     for (int k = 0; k < 8; k++)
         parts.vertices[k] = {(k & 1) != 0 ? h.x : -h.x, (k & 2) != 0 ? h.y : -h.y,
                              (k & 4) != 0 ? h.z : -h.z};
@@ -55,6 +56,7 @@ Polyhedron flat_of(const Vec3* corner, PolyhedronParts& parts) {
 double most_of_arc(Vec3 d, Vec3 first, Vec3 second, Vec3 along) {
     const double most = maximum(dot(d, first), dot(d, second));
     const Vec3 turn = cross(first, second);
+    ASSERT(length_squared(along) > 0);
     if (dot(cross(first, d), turn) < 0 || dot(cross(d, second), turn) < 0) return most;
     // Among all directions perpendicular to the edge, d without its component along the edge has
     // the largest projection, if it lies between the two normals.
@@ -80,6 +82,7 @@ Polyhedron polyhedron_of(const Convex& shape, PolyhedronParts& parts) {
 
 std::size_t furthest_vertex(const Polyhedron& shape, Vec3 d) {
     if (shape.lanes != nullptr) return furthest_vertex(*shape.lanes, d);
+    ASSERT(!shape.vertices.empty());
     std::size_t best = 0;
     for (std::size_t k = 1; k < shape.vertices.size(); k++)
         if (dot(shape.vertices[k], d) > dot(shape.vertices[best], d)) best = k;

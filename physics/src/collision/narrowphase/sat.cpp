@@ -5,6 +5,7 @@
 
 #include "jostle/base/check.h"
 #include "physics/src/foundation/uninitialized_array.h"
+#include "physics/src/math/is_unit.h"
 
 namespace jostle::physics {
 namespace {
@@ -44,6 +45,7 @@ struct Best {
 Vec3 last_on_face(const Polyhedron& shape, std::uint32_t face, Vec3 point) {
     const auto corners = shape.vertices_of(shape.faces[face]);
     const Vec3 normal = shape.faces[face].normal;
+    ASSERT(corners.size() >= 2);
     Vec3 middle;
     for (const std::uint16_t k : corners) middle += shape.vertices[k];
     middle = middle * (1.0 / static_cast<double>(corners.size()));
@@ -96,6 +98,7 @@ public:
 private:
     void add(Vec3 in_a, double radius_a, Vec3 in_b, double radius_b) {
         in_a_[count_] = {in_b - in_a, radius_a + radius_b};
+        ASSERT(count_ < 3 && radius_a >= 0 && radius_b >= 0);
         in_b_[count_] = {transposed_times(axes_, in_a_[count_].apart), radius_a + radius_b};
         count_++;
     }
@@ -109,6 +112,7 @@ private:
 // The separation of b's deepest vertex from a face of a.
 Best face_axis_a(const Pair& p, std::uint32_t face) {
     const HullFace& f = p.a.faces[face];
+    ASSERT(is_unit(f.normal));
     const Vec3 deepest = p.vertex_b(furthest_vertex(p.b, -transposed_times(p.axes, f.normal)));
     const double s = dot(f.normal, deepest) - f.offset;
     return {s, f.normal, face_of_a | face << 14, deepest - f.normal * s, deepest};
@@ -116,6 +120,7 @@ Best face_axis_a(const Pair& p, std::uint32_t face) {
 
 Best face_axis_b(const Pair& p, std::uint32_t face) {
     const Vec3 n = p.normal_b(face);
+    ASSERT(is_unit(n));
     const double offset = p.b.faces[face].offset + dot(n, p.position);
     const Vec3 deepest = p.a.vertices[furthest_vertex(p.a, -n)];
     const double s = dot(n, deepest) - offset;
@@ -130,6 +135,7 @@ Best best_face(std::size_t count, const float* most, double enough, AxisFilter& 
     Best best;
     if (!filter.has_bound()) {
         const auto first = static_cast<std::uint32_t>(std::max_element(most, most + count) - most);
+        ASSERT(first < count);
         const Best promising = axis(first);
         if (promising.distance > enough) return promising;
         filter.raise_bound(promising.distance);
@@ -159,6 +165,7 @@ struct Nearest {
 };
 Nearest nearest_on_edges(Vec3 r, Vec3 u, Vec3 v, double least) {
     const double uu = length_squared(u), vv = length_squared(v), uv = dot(u, v);
+    ASSERT(uu > 0 && vv > 0);
     const double ru = dot(r, u), rv = dot(r, v);
     const double s = clamp((ru * vv - rv * uv) / (uu * vv - uv * uv), 0, 1);
     const double t = clamp((s * uv - rv) / vv, least, 1);
@@ -203,6 +210,7 @@ constexpr std::size_t max_faces = 2 * max_hull_vertices, max_edges = 3 * max_hul
 
 Best edge_axes(const Pair& p, const AxisFilter& filter) {
     alignas(16) float most[max_edges + 8];
+    ASSERT(p.a.edges.size() <= max_edges && p.b.edges.size() <= max_edges);
     UninitializedArray<EdgeArc, max_edges> arcs;
     std::size_t count = 0;
     show_arcs(p.a, filter.in_a(), 1, most);
@@ -241,6 +249,7 @@ void make_pair(Pair& p, const Convex& a, const Convex& b, PolyhedronParts& parts
     p.position = transposed_times(a.axes, b.position - a.position);
     p.axes = transpose(a.axes) * b.axes;
     p.size = minimum(size_of(a), size_of(b));
+    ASSERT(p.size > 0);
     p.middle_b = p.position + p.axes * p.b.middle;
 }
 
@@ -285,6 +294,7 @@ Separation separate(const Convex& a, const Convex& b, AxisCode cached, double en
     const double tie = 2e-5 * p.size;
     AxisFilter filter(p, old);
     alignas(16) float most[max_faces + 8];
+    ASSERT(p.a.faces.size() <= max_faces && p.b.faces.size() <= max_faces);
     show_normals(p.a, filter.in_a(), 1, most);
     Best best = best_face(p.a.faces.size(), most, enough, filter,
                           [&](std::uint32_t face) { return face_axis_a(p, face); });

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "physics/src/collision/narrowphase/shape_distance.h"
 
+#include "jostle/base/check.h"
+#include "physics/src/math/is_unit.h"
+
 namespace jostle::physics {
 namespace {
 
 SignedDistance from_plane(const TransformedShape& plane, const TransformedShape& shape) {
     const Vec3 n = plane.axes * std::get<Plane>(*plane.geometry).normal;
     const Convex c = convex_of(shape, shape.position);
+    ASSERT(is_unit(n));
     const Vec3 lowest = shape.position + support(c, -n) - n * c.radius;
     const double distance = dot(lowest - plane.position, n);
     return {distance, n, lowest - n * distance, lowest};

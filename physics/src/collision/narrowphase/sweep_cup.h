@@ -9,6 +9,7 @@
 // rejects all of them except those at the edge on which it stands.
 #pragma once
 
+#include "jostle/base/check.h"
 #include "physics/src/geometry/support.h"
 
 namespace jostle::physics {
@@ -24,6 +25,7 @@ public:
         if (!round && shape.core != Core::cylinder) return;
         const Vec3 axis = shape.axes.y;
         const double radius = round ? shape.radius : shape.size.x;
+        ASSERT(radius > 0 && margin >= 0);
         touch_ = touch;
         normal_ = n;
         margin_ = margin;

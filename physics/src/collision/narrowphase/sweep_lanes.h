@@ -6,6 +6,7 @@
 // that approaches a box along that direction was even further away earlier.
 #pragma once
 
+#include "jostle/base/check.h"
 #include "physics/src/geometry/box_lanes.h"
 #include "physics/src/geometry/support.h"
 
@@ -33,6 +34,7 @@ public:
     // Sets the active part of the motion, in fractions.
     void set_interval(double from, double until) {
         const Float4 at = motion_ * lanes(from), end = motion_ * lanes(until);
+        ASSERT(from <= until);
         spread(low_ + smaller4(at, end), overlap_.low);
         spread(high_ + larger4(at, end), overlap_.high);
         spread(middle_ + end, end_);

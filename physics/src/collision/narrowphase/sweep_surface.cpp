@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "jostle/base/check.h"
 #include "physics/src/collision/narrowphase/collide_surface.h"
 #include "physics/src/collision/narrowphase/gjk.h"
 #include "physics/src/collision/narrowphase/sweep_cup.h"
@@ -58,10 +59,12 @@ public:
         const double size = maximum(0.5 * length(box_.high - box_.low), 1e-300);
         const double sweep_distance = length(motion_);
         double parts = 1, part = 0;
+        ASSERT(gap_ > 0);
         if (sweep_distance > part_length * size) {
             const double begin = enters_surface();
             if (begin > 1) return std::nullopt;
             parts = minimum(std::ceil(sweep_distance / (part_length * size)), parts_max);
+            ASSERT(parts >= 1 && begin >= 0);
             part = std::floor(minimum(begin * parts, parts - 1));
         }
         for (; part < parts && best_.fraction > part / parts; part++)
@@ -89,6 +92,7 @@ private:
     void sweep_part(double from, double until) {
         candidates_.clear();
         from_ = from;
+        ASSERT(from < until && until <= 1 + 1e-12);
         const Vec3 there = origin_ + motion_ * from, on = motion_ * (until - from);
         const Aabb box{box_.low + there + min(on, Vec3{}), box_.high + there + max(on, Vec3{})};
         lanes_.set_interval(from, minimum(until, best_.fraction));
@@ -174,6 +178,7 @@ private:
     bool lands_inside(const SurfaceTriangle& t, const Vec3 corner[3], Vec3 n, double apart,
                       double last) {
         const double fraction = (apart - gap_) / -dot(motion_, n);
+        ASSERT(apart > gap_ && dot(motion_, n) < 0);
         const Vec3 there = support(shape_, -n) - n * shape_.radius + motion_ * fraction;
         const Vec3 front = cross(corner[1] - corner[0], corner[2] - corner[0]);
         for (int k = 0; k < 3; k++)
@@ -243,6 +248,7 @@ private:
             at = next;
         }
         best_ = {at, false, {}, {}};
+        ASSERT(at >= 0 && at <= 1);
         touched_ = t.index;
         hint_ = hint;
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "physics/src/collision/narrowphase/time_of_impact.h"
 
+#include "jostle/base/check.h"
 #include "jostle/physics/compound.h"
 #include "physics/src/collision/narrowphase/collide_composite.h"
 #include "physics/src/collision/narrowphase/gjk.h"
@@ -9,6 +10,7 @@
 #include "physics/src/geometry/bvh.h"
 #include "physics/src/geometry/shape_measures.h"
 #include "physics/src/geometry/surface.h"
+#include "physics/src/math/is_unit.h"
 
 namespace jostle::physics {
 namespace {
@@ -49,6 +51,7 @@ bool balls_pass_by(const SweptShape& a, const SweptShape& b, const SweepInterval
     const double nearest =
         speed2 > 0 ? clamp(-dot(apart, motion) / speed2, 0, interval.until - interval.from) : 0;
     const double reach = a.radius + b.radius + 2 * interval.gap;
+    ASSERT(a.radius >= 0 && b.radius >= 0 && interval.from <= interval.until);
     return length_squared(apart + motion * nearest) > reach * reach;
 }
 
@@ -71,6 +74,7 @@ double safe_step(const SweptShape& a, const SweptShape& b, const Gap& now, doubl
                  const SweepInterval& interval, double least, ExtentA&& extent_a,
                  ExtentB&& extent_b) {
     const Vec3 n = now.normal, apart = center_at(b.sweep, t) - center_at(a.sweep, t);
+    ASSERT(is_unit(n, 1e-4) && t >= interval.from && t <= interval.until);
     const Vec3 motion = b.sweep.translation - a.sweep.translation;
     const Vec3 across_a = cross(n, a.sweep.rotation_vector),
                across_b = cross(n, b.sweep.rotation_vector);
@@ -156,6 +160,7 @@ Impact advance(const SweptShape& a, const SweptShape& b, const SweepInterval& in
         // All points move apart along a separating direction: the shapes never touch.
         if (speed <= 0) return {};
         const double step = (now.distance - interval.gap) / speed;
+        ASSERT(step > 0);
         if (t + step > interval.until) return {};
         t += step_from(now, t, step);
         if (t > interval.until) return {};
@@ -163,6 +168,7 @@ Impact advance(const SweptShape& a, const SweptShape& b, const SweepInterval& in
     // The shapes touch, or approach so slowly that the remaining step is shorter than rounding
     // resolves.
     const Gap there = gap_at(t, true);
+    ASSERT(t >= interval.from && t <= interval.until);
     return {.fraction = t, .normal = there.normal, .point = there.point};
 }
 
@@ -189,6 +195,7 @@ Gap gap_of(const GjkResult& g, const SweptShape& a, const SweptShape& b, double 
 Convex convex_at(const SweptShape& shape, const TransformedShape& transformed, Vec3 origin) {
     Convex c = convex_of(transformed, origin);
     if (shape.scale == 1) return c;
+    ASSERT(shape.scale > 0 && shape.scale < 1);
     const Vec3 middle = middle_of(c);
     c.position = middle + (c.position - middle) * shape.scale;
     c.axes = {c.axes.x * shape.scale, c.axes.y * shape.scale, c.axes.z * shape.scale};
@@ -274,6 +281,7 @@ Rod rod_at(const SweptShape& shape, double t) {
         return {center + arm, {0, 1, 0}, 0, sphere->radius * shape.scale};
     }
     const auto& capsule = std::get<Capsule>(*shape.geometry);
+    ASSERT(shape.scale > 0 && shape.scale <= 1);
     const Quat rotation = rotation_at(shape.sweep, t);
     return {center + rotate(rotation, shape.offset), rotate(rotation, shape.axes.y),
             capsule.half_length * shape.scale, capsule.radius * shape.scale};
@@ -495,6 +503,7 @@ Aabb swept_bounds(const SweptShape& shape, double from, double until) {
     if (shape.sweep.rotation_vector == Vec3{}) return both;
     // On a circular path a point stays within the sagitta of its arc: r (1 - cos(angle / 2)).
     const double angle = length(shape.sweep.rotation_vector) * (until - from);
+    ASSERT(until >= from);
     const double bulge =
         angle < pi ? shape.radius * (1 - sin_cos(0.5 * angle).cos) : 2 * shape.radius;
     return grow(both, bulge);
@@ -505,6 +514,7 @@ Impact time_of_impact(const SweptShape& a, const SweptShape& b, double from, dou
     const ShapeKind ka = kind_of(*a.geometry), kb = kind_of(*b.geometry);
     const SweepInterval interval{from, minimum(until, minimum(a.sweep.until, b.sweep.until)), gap};
     if (from > interval.until) return {};
+    ASSERT(gap > 0 && from >= 0 && interval.until <= 1);
     if (ka != ShapeKind::plane && kb != ShapeKind::plane && balls_pass_by(a, b, interval))
         return {};
     if (ka == ShapeKind::compound || kb == ShapeKind::compound) {

@@ -18,6 +18,7 @@ constexpr double dependent_pivot = 1e-10;
 int invert_pivot(const double* block, int n, const double* original, double* inverse) {
     double lower[max_block_rows][max_block_rows] = {}, pivot[max_block_rows],
            reciprocal[max_block_rows], x[max_block_rows][max_block_rows] = {};
+    ASSERT(n >= 1 && n <= max_block_rows);
     int skipped_rows = 0;
     for (int j = 0; j < n; j++) {
         double d = block[j * n + j];
@@ -77,6 +78,7 @@ template <int kRows>
 int BlockLdl::factor_columns() {
     int skipped_rows = 0;
     const int n = nodes();
+    ASSERT(first_below_.size() == as_index(n) + 1 && first_update_.size() == as_index(n) + 1);
     for (int k = 0; k < n; k++) {
         const int nk = kRows != 0 ? kRows : rows_[as_index(k)];
         double* const pivot = values_.data() + diagonal_[as_index(k)];
@@ -86,6 +88,7 @@ int BlockLdl::factor_columns() {
             skipped_rows += invert_pivot(pivot, nk, original, inverse);
         const int first = first_below_[as_index(k)], count = first_below_[as_index(k) + 1] - first;
         if (count == 0) continue;
+        ASSERT(count > 0);
         // The column is copied. L = column D^-1 overwrites it.
         column_at_.resize(as_index(count));
         std::size_t size = 0;
@@ -109,6 +112,7 @@ int BlockLdl::factor_columns() {
         }
         for (int u = first_update_[as_index(k)]; u < first_update_[as_index(k) + 1]; u++) {
             const Update& update = updates_[as_index(u)];
+            ASSERT(update.i >= update.j && update.j >= 0 && update.i < count);
             const Below &bi = below_[as_index(first + update.i)],
                         &bj = below_[as_index(first + update.j)];
             const int ni = kRows != 0 ? kRows : rows_[as_index(bi.position)];
@@ -128,6 +132,7 @@ int BlockLdl::factor_columns() {
 }
 
 int BlockLdl::factor() {
+    ASSERT(original_diagonal_.size() == as_index(rows()));
     for (int k = 0; k < nodes(); k++)
         for (int i = 0; i < rows_[as_index(k)]; i++)
             original_diagonal_[as_index(begin_[as_index(k)] + i)] =

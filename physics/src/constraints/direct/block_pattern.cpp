@@ -33,6 +33,7 @@ std::vector<int> BlockLdl::order_by_degree(std::span<const int> rows_of_node,
                                            std::span<const Edge> edges,
                                            std::int64_t max_work) const {
     const std::size_t n = position_.size();
+    ASSERT(rows_of_node.size() == n);
     std::vector<std::vector<int>> near(n);  // each list sorted
     for (const auto& [a, b] : edges)
         if (a != b) near[as_index(a)].push_back(b), near[as_index(b)].push_back(a);
@@ -51,6 +52,7 @@ std::vector<int> BlockLdl::order_by_degree(std::span<const int> rows_of_node,
         order.push_back(node);
         others = std::exchange(near[as_index(node)], {});
         work += work_of(rows_of_node[as_index(node)], others, rows_of_node);
+        ASSERT(work >= 0);
         // The elimination couples all neighbours of the node.
         for (const int a : others) {
             std::vector<int>& list = near[as_index(a)];
@@ -76,6 +78,7 @@ void BlockLdl::fill(std::span<const Edge> edges, const std::vector<int>& order) 
     for (const auto& [a, b] : edges) {
         const int p = position(a), q = position(b);
         if (p != q) coupled[as_index(std::min(p, q))].push_back(std::max(p, q));
+        ASSERT(p >= 0 && q >= 0);
     }
     filled_.assign(n, {});
     std::vector<int> mark(n, -1);
@@ -83,6 +86,7 @@ void BlockLdl::fill(std::span<const Edge> edges, const std::vector<int>& order) 
         std::vector<int>& list = filled_[as_index(k)];
         const auto take = [&](int row) {
             if (row <= k || mark[as_index(row)] == k) return;
+            ASSERT(row < static_cast<int>(n));
             mark[as_index(row)] = k;
             list.push_back(row);
         };
@@ -102,6 +106,7 @@ void BlockLdl::count_work() {
 void BlockLdl::lay_out() {
     const std::size_t n = rows_.size();
     diagonal_.resize(n);
+    ASSERT(filled_.size() == n && begin_.size() == n + 1);
     first_below_.assign(n + 1, 0);
     first_update_.assign(n + 1, 0);
     below_.clear();

@@ -2,6 +2,7 @@
 //
 // Forces along the free axes of joints: limits, motors and friction by an active set, and damped
 // springs.
+#include "jostle/base/check.h"
 #include "physics/src/constraints/direct/direct_group.h"
 #include "physics/src/constraints/softness.h"
 #include "physics/src/foundation/tuning.h"
@@ -10,6 +11,7 @@ namespace jostle::physics {
 // Applies an impulse along a free axis, whether or not its row is active.
 void DirectGroup::apply_impulse(DirectJoint& joint, const FreeAxis& free_axis, double impulse) {
     DirectBody &a = bodies[as_index(joint.a)], &b = bodies[as_index(joint.b)];
+    ASSERT(joint.a != joint.b);
     const Vec3 linear = free_axis.linear * impulse, about_b = free_axis.angular_b * impulse;
     a.p -= linear;
     a.l += free_axis.angular_a * impulse;
@@ -72,6 +74,7 @@ void DirectGroup::soften_springs(double h) {
 
 // Activates or deactivates the row according to the free axis.
 void DirectGroup::set_row(DirectJoint& joint, int row) {
+    ASSERT(row >= joint.first_free_axis() && row < joint.rows());
     FreeAxis& free_axis = joint.free_axes[as_index(row - joint.first_free_axis())];
     const bool bound = free_axis.at_limit != 0 || free_axis.is_held();
     free_axis.implicit = energy_ && free_axis.rate > 0 && !bound;
@@ -158,6 +161,7 @@ bool DirectGroup::reach_limits(double h, double time) {
             const double value =
                 trial_value(joint, free_axis, bodies[as_index(joint.a)], bodies[as_index(joint.b)]);
             free_axis.at_limit = value < free_axis.lower ? 1 : (value > free_axis.upper ? -1 : 0);
+            ASSERT(free_axis.lower <= free_axis.upper);
             if (free_axis.at_limit == 0) continue;
             const double excess =
                 bounded_excess(free_axis, free_axis.is_linear() ? most : max_turn);

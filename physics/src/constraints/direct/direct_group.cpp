@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "jostle/base/check.h"
 #include "physics/src/constraints/direct/free_turn.h"
 
 namespace jostle::physics {
@@ -37,6 +38,7 @@ void DirectGroup::save(int depth) {
     if (saved_.size() <= static_cast<std::size_t>(depth))
         saved_.resize(static_cast<std::size_t>(depth) + 1);
     Saved& to = saved_[static_cast<std::size_t>(depth)];
+    ASSERT(depth >= 0 && depth <= max_halvings);
     to.bodies.clear();
     to.joints.clear();
     to.free_axes.clear();
@@ -52,6 +54,7 @@ void DirectGroup::save(int depth) {
 
 void DirectGroup::restore(int depth) {
     const Saved& from = saved_[static_cast<std::size_t>(depth)];
+    ASSERT(from.bodies.size() == bodies.size() && from.joints.size() == joints.size());
     for (std::size_t k = 0; k < bodies.size(); k++) {
         DirectBody& body = bodies[k];
         body.x = from.bodies[k].x;
@@ -72,6 +75,7 @@ void DirectGroup::restore(int depth) {
         std::copy(std::begin(from.joints[k].force), std::end(from.joints[k].force), joint.force);
     }
     factored_ = false;
+    ASSERT(next == from.free_axes.size());
     energy_ = false;
 }
 
@@ -120,6 +124,7 @@ void DirectGroup::step(double h, int depth) {
         return;
     }
     save(depth);
+    ASSERT(depth <= max_halvings);
     if (stiffest() * h < followed_swing) {
         if (step_rattle(h, tolerance(h)) && !has_burst(h, saved_[as_index(depth)])) return;
         restore(depth);
@@ -148,6 +153,7 @@ double DirectGroup::fastest_turn() const {
 
 void DirectGroup::advance(double dt, int substeps) {
     time_ = 0;
+    ASSERT(dt > 0 && substeps >= 1);
     halvings_ = 0;
     resorting_ = false;
     degenerate_ = false;
@@ -166,6 +172,7 @@ void DirectGroup::advance(double dt, int substeps) {
             restore(0);
         }
         const int steps = static_cast<int>(maximum(1, substeps / parts));
+        ASSERT(steps >= 1);
         for (int k = 0; k < steps; k++) step(h / steps, 1);
     }
     if (parts > 0) return;
@@ -191,6 +198,7 @@ int DirectGroup::parts_of(double dt, int substeps) {
 // without the error term. First order; cannot fail.
 void DirectGroup::resort_to_velocities(double h) {
     count_.last_resorts++;
+    ASSERT(h > 0);
     set_bounds(h);
     set_targets(h);
     for (DirectBody& body : bodies) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "physics/src/constraints/direct/direct_joint.h"
 
+#include "jostle/base/check.h"
+
 namespace jostle::physics {
 namespace {
 
@@ -17,6 +19,7 @@ void write_ball(DirectJoint& j, Vec3 arm_a, Vec3 arm_b, Vec3 apart) {
 }
 
 void write_line(DirectJoint& j, int row, Vec3 line, Vec3 lever_a, Vec3 lever_b) {
+    ASSERT(row >= 0 && row < j.points);
     j.linear[row] = line;
     j.angular_a[row] = cross(line, lever_a);
     j.angular_b[row] = cross(lever_b, line);
@@ -24,6 +27,7 @@ void write_line(DirectJoint& j, int row, Vec3 line, Vec3 lever_a, Vec3 lever_b) 
 
 void write_turn(DirectJoint& j, int k, Vec3 of_a, Vec3 of_b) {
     j.angular_a[j.points + k] = cross(of_a, of_b);
+    ASSERT(k >= 0 && k < j.turns);
     j.angular_b[j.points + k] = -j.angular_a[j.points + k];
 }
 
@@ -65,6 +69,7 @@ constexpr double min_stiffness = 1e-30;  // N/m or N m / rad
 // springs that h does not resolve settle at rest instead.
 double end_share(const FreeAxis& free_axis, double h) {
     const double turn = free_axis.rate * h;
+    ASSERT(free_axis.rate >= 0 && free_axis.damping_ratio >= 0);
     return 0.5 + 0.5 * minimum(1, free_axis.damping_ratio * turn * turn);
 }
 
@@ -86,6 +91,7 @@ double free_axis_error(const FreeAxis& free_axis, double value, double impulse, 
 }  // namespace
 
 double bounded_excess(const FreeAxis& free_axis, double most) {
+    ASSERT(free_axis.at_limit != 0 && most >= 0);
     return free_axis.at_limit > 0 ? minimum(0, free_axis.start - free_axis.lower + most)
                                   : maximum(0, free_axis.start - free_axis.upper - most);
 }

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
 // Converts the joint kinds to rows and free axes.
+#include <iterator>
+
 #include "jostle/base/check.h"
 #include "physics/src/constraints/direct/direct_joint.h"
 #include "physics/src/constraints/joints/axes_layout.h"
+#include "physics/src/math/is_unit.h"
 
 namespace jostle::physics {
 namespace {
@@ -18,12 +21,14 @@ void limit(FreeAxis& free_axis, const JointLimit& limit) {
 
 void spring(FreeAxis& free_axis, const JointSpring& spring, double rest) {
     free_axis.rate = 2 * pi * spring.hertz;
+    ASSERT(spring.hertz >= 0 && spring.damping_ratio >= 0);
     free_axis.damping_ratio = spring.damping_ratio;
     free_axis.rest = rest;
 }
 
 void actuation(FreeAxis& free_axis, bool driven, double speed, double most, double friction) {
     if (driven) add_step(free_axis, speed, most);
+    ASSERT(friction >= 0);
     if (friction > 0) add_step(free_axis, 0, friction);
     free_axis.friction_limit = friction;
     load_actuation(free_axis, 0);
@@ -48,6 +53,7 @@ void as_hinge(FreeAxis& free_axis, Vec3 axis, Vec3 x, Vec3 y, Vec3 x_b) {
     free_axis.x_a = x;
     free_axis.y_a = y;
     free_axis.x_b = x_b;
+    ASSERT(is_unit(axis, 1e-5) && is_unit(x_b, 1e-5));
 }
 
 void hold_axis(DirectJoint& j, Vec3 axis_a, Vec3 x_b, Vec3 y_b) {
@@ -78,6 +84,7 @@ void set_up_points(DirectJoint& j, const AxesLayout& layout, const Mat3& a) {
         const JointAxis& axis = layout.axes[k];
         if (!axis.free) {
             j.across[j.points++] = axes[k];
+            ASSERT(j.points <= 3);
         } else if (does_something(axis)) {
             j.free_axes.push_back(make_free_axis(AxisKind::travel, axis, layout.slots[k]));
             j.free_axes.back().axis_a = axes[k];
@@ -203,9 +210,11 @@ bool supported(const JointKind& kind) {
 void set_up(DirectJoint& j, const JointKind& kind, const DirectEnd& a, const DirectEnd& b) {
     ASSERT(supported(kind));
     j.arm_a = a.arm;
+    ASSERT(j.free_axes.empty() && j.points == 0 && j.turns == 0);
     j.arm_b = b.arm;
     std::visit([&](const auto& of_kind) { set_up_kind(j, of_kind, a, b); }, kind);
     j.count = j.points + j.turns + static_cast<int>(j.free_axes.size());
+    ASSERT(j.count >= 1 && j.count <= static_cast<int>(std::size(j.force)));
 }
 
 }  // namespace jostle::physics

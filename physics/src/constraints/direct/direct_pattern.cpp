@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "jostle/base/check.h"
 #include "physics/src/constraints/direct/direct_group.h"
 
 namespace jostle::physics {
@@ -17,6 +18,7 @@ constexpr double min_reach = 0.01;
 // Radius of gyration in metres of the principal axis with the largest moment.
 double gyration_of(const DirectBody& body) {
     const Vec3& i = body.moments;
+    ASSERT(i.x >= 0 && i.y >= 0 && i.z >= 0);
     return square_root(maximum(i.x, maximum(i.y, i.z)) * body.inverse_mass);
 }
 
@@ -63,6 +65,7 @@ void DirectGroup::list_what_acts() {
     for (const DirectBody& body : bodies)
         if (body.pushed) most = maximum(most, body.spring_square);
     spring_rate_ = square_root(most);
+    ASSERT(!joints.empty());
     reach_ = maximum(min_reach, arms / static_cast<double>(joints.size()));
 }
 
@@ -78,6 +81,7 @@ bool DirectGroup::prepare(std::int64_t max_work) {
     for (const DirectJoint& joint : joints)
         pattern.insert(pattern.end(), {joint.a, joint.b, joint.rows()});
     if (pattern == pattern_) return matrix_.work() <= max_work;
+    ASSERT(max_work >= 0);
     pattern_.clear();
     if (!find_pattern(max_work)) return false;
     pattern_ = std::move(pattern);
@@ -96,6 +100,7 @@ bool DirectGroup::find_pattern(std::int64_t max_work) {
     if (!find_joint_system_blocks(ends, rows, pushed, max_work, matrix_, system_blocks_))
         return false;
     right_side_.assign(as_index(matrix_.rows()), 0);
+    ASSERT(matrix_.rows() > 0);
     // Sorted by position, so that the contributions to a block are summed consecutively.
     std::sort(system_blocks_.begin(), system_blocks_.end(),
               [](const JointSystemBlock& x, const JointSystemBlock& y) {
@@ -116,6 +121,7 @@ void DirectGroup::assemble(double linear, const Mat3 DirectBody::*response) {
         const Vec3* const rows = c.later_b ? later.angular_b : later.angular_a;
         const Vec3* const columns = c.sooner_b ? sooner.angular_b : sooner.angular_a;
         const int n = sooner.rows(), m = later.rows();
+        ASSERT(n >= 1 && m >= 1);
         double* const block = values + c.at;
         const Mat3& turned = body.*response;
         for (int i = 0; i < m; i++) {

@@ -73,6 +73,7 @@ void DirectGroup::act(DirectJoint& joint, const double* impulse) {
 
 void DirectGroup::record(DirectJoint& joint, const double* impulse) {
     joint.force_sum += pull_of(joint, impulse);
+    ASSERT(joint.points <= joint.first_free_axis() && joint.first_free_axis() <= joint.rows());
     for (int k = joint.points; k < joint.first_free_axis(); k++)
         joint.torque_sum += joint.angular_b[k] * impulse[k];
     for (int k = joint.first_free_axis(); k < joint.rows(); k++)
@@ -84,6 +85,7 @@ void DirectGroup::record(DirectJoint& joint, const double* impulse) {
 // Returns the largest error in metres. Rotational errors are scaled with the group's length. For
 // separated ends it is the remaining error of this step.
 double DirectGroup::measure_all(double h) {
+    ASSERT(reach_ > 0);
     double largest = 0;
     for (DirectJoint& joint : joints) {
         measure(joint, bodies[as_index(joint.a)], bodies[as_index(joint.b)], h);
@@ -187,6 +189,7 @@ void DirectGroup::project_velocities(double h, double bias, bool save_forces) {
                 to[r] = -to[r] - (bias != 0 ? bias * joint.error[r] : 0);
         }
         matrix_.solve(right_side_);
+        ASSERT(factored_);
         count_.solves++;
         bool changed = false;
         for (std::size_t k = 0; k < joints.size(); k++) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Converts the stored state of a joint to the forces of a group, and back.
+#include "jostle/base/check.h"
 #include "physics/src/constraints/direct/direct_joint.h"
 
 namespace jostle::physics {
@@ -22,6 +23,7 @@ void load_free_axis(FreeAxis& free_axis, double& force,
     if (free_axis.has_limit())
         free_axis.at_limit = cache.lower > 0 ? 1 : (cache.upper > 0 ? -1 : 0);
     load_actuation(free_axis, (cache.motor + cache.friction) / h);
+    ASSERT(h > 0 && cache.lower >= 0 && cache.upper >= 0);
     if (free_axis.at_limit != 0) {
         if (free_axis.is_held()) free_axis.actuation = FreeAxis::at_rest;
         force = (cache.lower - cache.upper) * (0.5 / h);
@@ -50,6 +52,7 @@ WarmStartCache::FreeAxisImpulses save_free_axis(const FreeAxis& free_axis, doubl
 void load_forces(DirectJoint& j, const DirectBody& a, const DirectBody& b,
                  const WarmStartCache& cache, double h) {
     const double half = 0.5 / h;
+    ASSERT(h > 0);
     if (j.is_ball())
         for (int k = 0; k < 3; k++) j.force[k] = cache.point[k] * half;
     else if (j.kind == DirectJoint::Points::rod)
@@ -78,6 +81,7 @@ void load_forces(DirectJoint& j, const DirectBody& a, const DirectBody& b,
 WarmStartCache save_forces(const DirectJoint& j, const DirectBody& a, const DirectBody& b,
                            double h) {
     const double both = 2 * h;
+    ASSERT(h > 0);
     WarmStartCache cache;
     if (j.is_ball())
         cache.point = Vec3{j.force[0], j.force[1], j.force[2]} * both;

@@ -6,6 +6,7 @@
 // M. Tournier et al., "Stable constrained dynamics", 2015), which for point rows is a per-body
 // term. At the end velocities are projected: energy that h cannot resolve, as in the crack of a
 // whip, is lost, and none is gained.
+#include "jostle/base/check.h"
 #include "physics/src/constraints/direct/direct_group.h"
 #include "physics/src/constraints/direct/free_turn.h"
 
@@ -62,6 +63,7 @@ Mat3 response_about_one(const DirectBody& body, double h) {
         if (body.inverse_moments[k] != 0)
             axis = k == 0 ? body.axes.x : (k == 1 ? body.axes.y : body.axes.z);
     const double inertia = dot(axis, body.inertia * axis);
+    ASSERT(inertia >= 0);
     const double stiff = 2 * inertia + 0.5 * h * dot(axis, body.stiffness * axis);
     const double spin_correction = inertia > 0 ? 1 / (stiff > 0 ? stiff : 2 * inertia) : 0;
     return {axis * (axis.x * spin_correction), axis * (axis.y * spin_correction),
@@ -73,6 +75,7 @@ Mat3 response_about_one(const DirectBody& body, double h) {
 // Half of the trace or of the norm of I^-1 K bounds the squared oscillation rates of a body. Joints
 // can only lower them (Rayleigh).
 double DirectGroup::stiffest() {
+    ASSERT(!joints.empty());
     for (DirectBody& body : bodies) body.stiffness = diagonal({0, 0, 0});
     for (const DirectJoint& joint : joints) {
         Vec3 pull = pull_of(joint, joint.force) * 2;
@@ -246,6 +249,7 @@ void DirectGroup::correct(double h, bool again) {
 }
 
 bool DirectGroup::solve_energy_positions(double h, double tolerance) {
+    ASSERT(tolerance > 0);
     begin_energy_step(h);
     double last_error = 1e300, first = 0, enough = tolerance;
     bool again = true;
@@ -267,6 +271,7 @@ bool DirectGroup::solve_energy_positions(double h, double tolerance) {
 
 bool DirectGroup::step_energy(double h, double tolerance) {
     count_.energy_steps++;
+    ASSERT(h > 0 && !joints.empty());
     energy_ = true;
     set_bounds(h);
     write_all_vectors();

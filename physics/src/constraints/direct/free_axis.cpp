@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "jostle/base/check.h"
 #include "physics/src/constraints/joints/angles.h"
 #include "physics/src/constraints/joints/axes_layout.h"
 
@@ -50,6 +51,7 @@ void write_line(FreeAxis& free_axis, Vec3 line, Vec3 lever_a, Vec3 lever_b) {
 }  // namespace
 
 double FreeAxis::push_between(int p) const {
+    ASSERT(p >= 0 && p <= steps);
     double sum = 0;
     for (int k = 0; k < steps; k++) sum += k < p ? -most[k] : most[k];
     return sum;
@@ -133,6 +135,7 @@ double stretch_of(const FreeAxis& free_axis, double value) {
 // ---- actuation ----
 
 void add_step(FreeAxis& free_axis, double speed, double most) {
+    ASSERT(most >= 0 && free_axis.steps < 3);
     for (int k = 0; k < free_axis.steps; k++)
         if (free_axis.speeds[k] == speed) {
             free_axis.most[k] += most;
@@ -158,6 +161,7 @@ void nothing_along(FreeAxis& free_axis) {
 void actuation_on_limit(FreeAxis& free_axis) {
     if (free_axis.steps == 0 || free_axis.at_limit == 0) return;
     const int into = -free_axis.at_limit;
+    ASSERT(into == 1 || into == -1);
     // Number of steps that are slower than a creeping motion in that direction.
     const auto slower = [&](int direction) {
         int count = 0;
@@ -178,6 +182,7 @@ void load_actuation(FreeAxis& free_axis, double force) {
     free_axis.actuation = FreeAxis::at_rest;
     if (free_axis.steps == 0) return;
     const double fuzz = 1e-7 * free_axis.push_between(0);
+    ASSERT(free_axis.steps <= 2);
     for (int p = 0; p <= free_axis.steps; p++) {
         const double push = free_axis.push_between(p);
         if (p == 0 ? force >= push - fuzz : absolute(force - push) <= fuzz) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "physics/src/constraints/direct/free_turn.h"
 
+#include "jostle/base/check.h"
+
 namespace jostle::physics {
 
 Quat turn_by(Vec3 r) {
@@ -52,6 +54,7 @@ Quat free_turn(Quat q, Vec3 momentum, Vec3 inverse_moments, double h) {
     if (inverse.x == inverse.y && inverse.y == inverse.z)
         return nearly_unit(turn_by(momentum * (h * inverse.x)) * q);
     const int top = top_axis(inverse);
+    ASSERT(inverse.x >= 0 && inverse.y >= 0 && inverse.z >= 0);
     const int i = (top + 1) % 3, j = (top + 2) % 3;
     const double uneven = inverse[j] - inverse[i];
     if (uneven != 0) q = q * about(j, 0.5 * h * uneven * component(q, momentum, j));

@@ -16,6 +16,7 @@ bool find_joint_system_blocks(std::span<const JointEnds> joints, std::span<const
         for (const int body : {joints[k].a, joints[k].b})
             if (pushed[as_index(body)] != 0) of_body[as_index(body)].push_back(static_cast<int>(k));
     system_blocks.clear();
+    ASSERT(max_work >= 0);
     for (const std::vector<int>& list : of_body) {
         int least = BlockLdl::max_rows;
         for (const int joint : list) least = std::min(least, rows[as_index(joint)]);
@@ -34,6 +35,7 @@ bool find_joint_system_blocks(std::span<const JointEnds> joints, std::span<const
                 const bool first_later = matrix.is_later(list[i], list[k]);
                 const int later = first_later ? list[i] : list[k];
                 const int sooner = first_later ? list[k] : list[i];
+                ASSERT(joints[as_index(later)].a == body || joints[as_index(later)].b == body);
                 system_blocks.push_back({matrix.block_at(later, sooner), later, sooner, body,
                                          joints[as_index(later)].b == body,
                                          joints[as_index(sooner)].b == body});

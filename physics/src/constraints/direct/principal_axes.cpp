@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "physics/src/constraints/direct/principal_axes.h"
 
+#include "jostle/base/check.h"
+
 namespace jostle::physics {
 
 PrincipalAxes principal_axes(const Mat3& inertia) {
     Quat frame;
     Mat3 m = inertia;
     const double size = absolute(m.x.x) + absolute(m.y.y) + absolute(m.z.z);
+    ASSERT(m.x.x >= 0 && m.y.y >= 0 && m.z.z >= 0);
     for (int sweep = 0; sweep < 20; sweep++) {
         const double off[] = {absolute(m.y.z), absolute(m.x.z), absolute(m.x.y)};
         const int axis = off[0] >= off[1] && off[0] >= off[2] ? 0 : (off[1] >= off[2] ? 1 : 2);

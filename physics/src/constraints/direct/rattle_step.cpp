@@ -3,6 +3,7 @@
 // RATTLE: half a kick, a drift at whose end all joints hold, half a kick, projection of the
 // velocities onto the joint constraints. The matrix at the start of the step is also used for the
 // drift: one factorisation per step.
+#include "jostle/base/check.h"
 #include "physics/src/constraints/direct/direct_group.h"
 #include "physics/src/constraints/direct/free_turn.h"
 
@@ -12,6 +13,7 @@ namespace {
 constexpr int max_position_corrections = 8;
 
 void drift(DirectBody& body, double h) {
+    ASSERT(body.pushed || body.inverse_mass == 0);
     if (body.pushed) {
         body.x1 = body.x + scaled(body.p, body.inverse_masses * h);
         body.q1 = free_turn(body.q, body.l, body.inverse_moments, h);
@@ -27,6 +29,7 @@ void drift(DirectBody& body, double h) {
 // Drifts from the current momenta to a state in which the joints hold. Returns false if it does not
 // converge.
 bool DirectGroup::solve_positions(double h, double tolerance) {
+    ASSERT(tolerance > 0 && factored_);
     for (DirectJoint& joint : joints) {
         for (int k = 0; k < joint.rows(); k++)
             joint.impulse[k] = joint.off[as_index(k)] ? 0 : h * joint.force[k];

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "physics/src/constraints/joints/axes_layout.h"
 
+#include "jostle/base/check.h"
 #include "jostle/physics/quat.h"
+#include "physics/src/math/is_unit.h"
 
 namespace jostle::physics {
 namespace {
@@ -30,6 +32,7 @@ GimbalRows gimbal_rows(Quat frame_a, Quat frame_b) {
     const double cosine = length(across);
     const Vec3 middle = cosine > 1e-12 ? across * (1 / cosine) : rotate(frame_a, Vec3{0, 1, 0});
     const double share = 1 / maximum(cosine, min_cosine);
+    ASSERT(is_unit(first, 1e-5) && is_unit(last, 1e-5));
     return {cross(middle, last) * share, middle, cross(first, middle) * share};
 }
 
@@ -63,6 +66,7 @@ AxesLayout layout_of(const SixDofJoint& six) {
             const int own = (first + k) % 3 + turns;
             layout.axes[static_cast<std::size_t>(k + turns)] = *axes[own];
             layout.slots[static_cast<std::size_t>(k + turns)] = own;
+            ASSERT(own >= 0 && own < 6);
         }
     return layout;
 }
@@ -97,6 +101,7 @@ AxesLayout layout_at(const PathJoint& path, const PathPoint& path_point) {
     JointLimit limit = path.limit;
     if (!path.closed) {
         const double end = length_of(path);
+        ASSERT(end > 0);
         limit.lower = limit.enabled ? minimum(limit.lower, end) : 0;
         limit.upper = limit.enabled ? minimum(limit.upper, end) : end;
         limit.enabled = true;

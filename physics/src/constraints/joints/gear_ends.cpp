@@ -3,7 +3,9 @@
 
 #include <cmath>
 
+#include "jostle/base/check.h"
 #include "physics/src/constraint_graph/joint_memory.h"
+#include "physics/src/math/is_unit.h"
 
 namespace jostle::physics {
 namespace {
@@ -11,6 +13,7 @@ namespace {
 // A vector perpendicular to n, continuous in n except at -z (Frisvad, "Building an orthonormal
 // basis from a 3d unit vector without normalization", 2012).
 Vec3 across(Vec3 n) {
+    ASSERT(is_unit(n, 1e-5));
     if (n.z < -0.9999) return {0, -1, 0};
     return {1 - n.x * n.x / (1 + n.z), -n.x * n.y / (1 + n.z), -n.x};
 }
@@ -61,6 +64,7 @@ GearTerms gear_terms(const Joint& joint, const JointEnd& a, const JointEnd& b,
     End* rows = terms.ends;
     const JointEnd* ends[] = {&a, &b};
     const auto* pulley = std::get_if<PulleyJoint>(&joint.kind);
+    ASSERT(joint_is_geared(joint.kind));
     if (const auto* gear = std::get_if<GearJoint>(&joint.kind)) {
         rows[0] = turning(a, carriers[0], 1);
         rows[1] = turning(b, carriers[1], gear->ratio);
@@ -82,6 +86,7 @@ GearTerms gear_terms(const Joint& joint, const JointEnd& a, const JointEnd& b,
         if (bodies[k] == none) slots[k] = k;
         terms.participates[k] = slots[k] == k;
         terms.body[k] = bodies[k];
+        ASSERT(slots[k] >= 0 && slots[k] <= k);
     }
     const Vec3 centers[] = {a.center, b.center, carriers[0].center, carriers[1].center};
     for (int end = 0; end < 2; end++) {
@@ -141,9 +146,11 @@ void write_gear(const Joint& joint, const JointEnd& a, const JointEnd& b, const 
 
 void read_gear(Joint& joint, const JointGearWide& from, double dt, const JointLane& lane) {
     joint.motor = lane.get(from.impulse);
+    ASSERT(dt > 0);
     joint.torque = lane.get3(from.torque) * (1 / dt);
     if (joint.memory.empty()) return;
     joint.memory[GearMemory::measured] = 1;
+    ASSERT(joint.memory.size() == GearMemory::count);
     joint.memory[GearMemory::carrier_a] = from.carriers[0][lane.at];
     joint.memory[GearMemory::carrier_b] = from.carriers[1][lane.at];
     joint.memory[GearMemory::travel_a] = from.travels[0][lane.at] + lane.get(from.moved[0]);

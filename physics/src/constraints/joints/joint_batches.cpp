@@ -35,6 +35,7 @@ void merge_groups(JointBatches& batches, const JointLevels& levels,
                   std::span<const JointSolverPreferences> preferences) {
     const std::size_t joints = levels.joints.size();
     std::vector<std::int32_t>&parent = batches.parent, &first = batches.first;
+    ASSERT(is_point.size() == joints);
     parent.resize(joints);
     first.assign(bodies, -1);  // by body: one of its joints
     for (std::size_t k = 0; k < joints; k++) {
@@ -57,6 +58,7 @@ void merge_groups(JointBatches& batches, const JointLevels& levels,
         const auto joint = static_cast<std::int32_t>(k);
         const std::int32_t root = root_of(parent, joint);
         JointBatches::Size& size = batches.size[as_index(root)];
+        ASSERT(root >= 0 && root <= joint);
         size.joints++;
         if (!preferences.empty()) size.preferences |= preferences[k];
         for (const std::int32_t hot : {levels.joints[k].a, levels.joints[k].b})
@@ -78,6 +80,7 @@ struct BodyNumbering {
     std::int32_t operator()(std::int32_t body) {
         if (body > 0 && of_hot[as_index(body)] >= 0) return of_hot[as_index(body)];
         const auto number = static_cast<std::int32_t>(hot.size());
+        ASSERT(hot.size() == pushed.size());
         hot.push_back(std::abs(body));
         pushed.push_back(body > 0 ? 1 : 0);
         if (body > 0) of_hot[as_index(body)] = number;
@@ -97,6 +100,7 @@ void find_matrix(JointPattern& pattern, std::int64_t most) {
                                   most, matrix, pattern.system_blocks);
     if (pattern.too_dense) return;
     pattern.work = matrix.work();
+    ASSERT(pattern.work <= most);
     pattern.values = matrix.value_count();
     pattern.node.resize(joints);
     for (std::size_t k = 0; k < joints; k++) {
@@ -124,6 +128,7 @@ JointPattern* pattern_of(JointBatches& batches, const std::vector<std::uint8_t>&
         found->pushed = pushed;
         for (std::size_t k = 0; k < batches.key.size(); k += 2) {
             const int a = batches.key[k] >> 1, b = batches.key[k + 1] >> 1;
+            ASSERT(a != b && as_index(a) < pushed.size() && as_index(b) < pushed.size());
             found->joints.push_back({a, b});
         }
         find_matrix(*found, most);
@@ -145,6 +150,7 @@ void clear_patterns(JointBatches& batches) {
 std::int64_t most_work_of(const JointBatches::Size& group, const JointSolverOptions& options) {
     const JointSolver solver = solver_of(group.preferences, options.of_world);
     if (solver == JointSolver::iterative) return 0;
+    ASSERT(group.joints >= 1 && group.bodies >= 0);
     const bool target = solver == JointSolver::direct;
     // The iterative solver also solves a single point exactly.
     if (group.joints < 2 && !target) return 0;
@@ -160,6 +166,7 @@ JointBatch& batch_of(JointBatches& batches, const JointPattern& pattern) {
         JointBatch& batch = batches.all[as_index(k)];
         if (batch.pattern == &pattern) {
             if (batch.groups < 8) return batch;
+            ASSERT(batch.groups == 8);
             break;
         }
     }
@@ -213,6 +220,7 @@ void find_batches(JointBatches& batches, JointLevels& levels,
         if (pattern == nullptr) continue;
         JointBatch& batch = batch_of(batches, *pattern);
         const auto lane = as_index(batch.groups++);
+        ASSERT(lane < 8 && batch.bodies.size() == number.hot.size());
         for (std::size_t body = 0; body < batch.bodies.size(); body++)
             batch.bodies[body].hot[lane] = number.hot[body];
         std::size_t at = 0;
@@ -220,6 +228,7 @@ void find_batches(JointBatches& batches, JointLevels& levels,
             levels.metas[as_index(levels.joints[as_index(k)].block)].in_batch++;
             batches.found[as_index(k)] = 1;
             batch.joints[at].block[lane] = levels.joints[as_index(k)].block;
+            ASSERT(at < batch.joints.size());
             batch.joints[at++].lane[lane] = levels.joints[as_index(k)].lane;
         }
     }
@@ -230,6 +239,7 @@ void find_batches(JointBatches& batches, JointLevels& levels,
 
 BatchView view_of(JointBatch& batch, JointLevels& levels) {
     const JointPattern& pattern = *batch.pattern;
+    ASSERT(batch.groups >= 1 && batch.groups <= 8);
     return {.groups = batch.groups,
             .joint_count = static_cast<int>(batch.joints.size()),
             .body_count = static_cast<int>(batch.bodies.size()),
@@ -258,6 +268,7 @@ void load_batch(JointBatch& batch, const JointLevels& levels) {
         for (std::size_t lane = 0; lane < as_index(batch.groups); lane++) {
             const JointConstraintWide& from = levels.blocks[as_index(joint.block[lane])];
             const std::size_t at = as_index(joint.lane[lane]);
+            ASSERT(at < 8 && joint.block[lane] >= 0);
             for (std::size_t axis = 0; axis < 3; axis++) {
                 joint.arm_a[axis][lane] = from.arm_a[axis][at];
                 joint.arm_b[axis][lane] = from.arm_b[axis][at];

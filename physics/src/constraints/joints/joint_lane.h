@@ -4,6 +4,7 @@
 // written or read.
 #pragma once
 
+#include "jostle/base/check.h"
 #include "jostle/physics/joint_defs.h"
 #include "physics/src/constraint_graph/joint_constraint_wide.h"
 #include "physics/src/constraint_graph/wide_rows.h"
@@ -49,6 +50,7 @@ inline Softness spring_or(const JointSpring& spring, double h, const Softness& o
 
 // Maximum impulse of a spring in a sub-step, N s or N m s.
 inline double strongest(double most, double h) {
+    ASSERT(most >= 0 && h > 0);
     return most > 0 ? most * h : double{never};
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "physics/src/constraints/joints/joint_rows.h"
 
+#include "jostle/base/check.h"
 #include "physics/src/constraint_graph/joint_memory.h"
 #include "physics/src/constraints/joints/angles.h"
 #include "physics/src/constraints/joints/axes_layout.h"
@@ -49,6 +50,7 @@ struct JointRowWriter {
     // Rows of a degree of freedom that is not locked. `row` is its rate.
     void limits(const JointRow& row, const JointLimit& limit, double value) {
         if (!limit.enabled) return;
+        ASSERT(limit.lower <= limit.upper);
         JointRow& lower = add(row);
         lower.role = RowRole::limit;
         lower.error = value - limit.lower;
@@ -63,6 +65,7 @@ struct JointRowWriter {
     }
     void spring(const JointRow& row, const JointSpring& spring, double error, double most = 0) {
         if (spring.hertz == 0) return;
+        ASSERT(spring.hertz > 0 && most >= 0);
         JointRow& added = add(row);
         added.role = RowRole::spring;
         added.spring = spring;
@@ -263,6 +266,7 @@ struct JointRowWriter {
     void operator()(const PathJoint& kind) {
         const Vec3 bead = inverse_rotate(a.frame, apart());
         const std::vector<double>& memory = joint.memory;
+        ASSERT(memory.size() == PathMemory::count);
         const PathPoint path_point = memory[PathMemory::found] == 0
                                          ? nearest_path_point(kind, bead)
                                          : nearest_path_point(kind, bead, memory[PathMemory::at]);
@@ -274,6 +278,7 @@ struct JointRowWriter {
     void gear() {
         const GearTerms terms = gear_terms(joint, a, b, carriers);
         JointRow row{.role = RowRole::gear, .error = terms.sum - terms.target};
+        ASSERT(carriers != nullptr);
         for (int k = 0; k < 4; k++) {
             if (!terms.participates[k]) continue;
             JointRowJacobian& part = row.jacobians[row.jacobian_count++];

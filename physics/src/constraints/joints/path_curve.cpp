@@ -3,7 +3,9 @@
 
 #include <cmath>
 
+#include "jostle/base/check.h"
 #include "jostle/physics/quat.h"
+#include "physics/src/math/is_unit.h"
 
 namespace jostle::physics {
 namespace {
@@ -19,6 +21,7 @@ int pieces_of(const PathJoint& path) {
 // An open path is mirrored beyond its first and last point.
 Vec3 point_of(const PathJoint& path, int k) {
     const int count = static_cast<int>(path.points.size());
+    ASSERT(count >= 2);
     const auto at = [&](int i) { return path.points[static_cast<std::size_t>(i)]; };
     if (path.closed) return at((k % count + count) % count);
     if (k < 0) return at(0) * 2 - at(1);
@@ -45,6 +48,7 @@ Parameter split(const PathJoint& path, double at) {
     if (path.closed) at -= pieces * std::floor(at / pieces);
     const double whole = std::floor(at);
     int piece = static_cast<int>(maximum(0, minimum(whole, pieces - 1)));
+    ASSERT(piece >= 0 && piece < pieces);
     return {piece, maximum(0, minimum(at - piece, 1))};
 }
 double within(const PathJoint& path, double at) {
@@ -81,6 +85,7 @@ Quat facing(Vec3 x, Vec3 toward) {
     Vec3 y = toward - x * dot(x, toward);
     if (length(y) < 1e-9) y = cross(x, absolute(x.x) < 0.7 ? Vec3{1, 0, 0} : Vec3{0, 1, 0});
     y = normalized(y);
+    ASSERT(is_unit(x, 1e-5) && is_unit(y));
     const Vec3 z = cross(x, y);
     // From a matrix with columns x, y, z (Shepperd, 1978): divides by the largest of the four.
     const double trace = x.x + y.y + z.z;
@@ -120,6 +125,7 @@ PathPoint path_point_at(const PathJoint& path, double at) {
 // halved.
 PathPoint nearest_path_point(const PathJoint& path, Vec3 point, double guess) {
     double at = within(path, guess);
+    ASSERT(at >= 0 && at <= pieces_of(path));
     double best = distance2_at(path, at, point);
     for (int round = 0; round < 32; round++) {
         const Parameter p = split(path, at);

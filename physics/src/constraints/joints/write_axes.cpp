@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "physics/src/constraints/joints/write_axes.h"
 
+#include "jostle/base/check.h"
 #include "physics/src/constraint_graph/joint_memory.h"
 #include "physics/src/constraints/joints/axes_layout.h"
 
@@ -19,6 +20,7 @@ AxesLayout layout_of(const JointKind& kind) {
 }
 
 std::size_t first_impulse(int slot) {
+    ASSERT(slot >= 0);
     return static_cast<std::size_t>(slot) * AxisImpulses::count;
 }
 
@@ -68,6 +70,7 @@ std::uint32_t write_axes(const Joint& joint, const JointEnd& a, const JointEnd& 
     lane.put(to.turn, conjugate(frame_a) * frame_b);
     lane.put(to.by_a, turns_with_a(joint.kind) ? 1 : 0);
     const double turns[] = {joint.angular.x, joint.angular.y, joint.angular.z};
+    ASSERT(h > 0 && joint.memory.size() == memory_of(joint.kind));
     std::uint32_t uses = 0;
     if (path_point != nullptr) {
         uses = uses_curve;
@@ -88,6 +91,7 @@ std::uint32_t write_axes(const Joint& joint, const JointEnd& a, const JointEnd& 
 void read_axes(Joint& joint, const JointAxesWide& from, double dt, const JointLane& lane) {
     joint.torque = lane.get3(from.torque) * (1 / dt);
     joint.angular = lane.get3(from.turns);
+    ASSERT(dt > 0 && joint.memory.size() == memory_of(joint.kind));
     const auto* path = std::get_if<PathJoint>(&joint.kind);
     if (path != nullptr) {
         double* memory = joint.memory.data();

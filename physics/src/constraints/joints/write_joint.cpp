@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <optional>
 
+#include "jostle/base/check.h"
 #include "physics/src/constraint_graph/joint_memory.h"
 #include "physics/src/constraints/joints/axes_layout.h"
 #include "physics/src/constraints/joints/gear_ends.h"
@@ -25,6 +26,7 @@ struct JointWriteContext {
     void limit(bool enabled, double lower, double upper) {
         lane.put_limit(t, enabled ? lower : double{-never}, enabled ? upper : double{never});
         lane.put(t.lower, stored(enabled, joint.lower));
+        ASSERT(!enabled || lower <= upper);
         lane.put(t.upper, stored(enabled, joint.upper));
         if (enabled) uses |= uses_limit;
     }
@@ -36,6 +38,7 @@ struct JointWriteContext {
     }
     void motor(bool enabled, double speed, double most) {
         lane.put(t.motor_speed, speed);
+        ASSERT(!enabled || most >= 0);
         lane.put(t.motor_most, enabled ? most * h : 0);
         lane.put(t.motor, stored(enabled, joint.motor));
         if (enabled) uses |= uses_motor;
@@ -107,6 +110,7 @@ void write_row(const VelocityRow& row, double impulse, const JointEnd& a, const 
     put(to.linear_b, row.linear_b, b);
     put(to.angular_b, row.angular_b, b);
     lane.put(to.turns, row.world_axes ? 0 : 1);
+    ASSERT(h > 0 && row.lower <= row.upper);
     lane.put(to.speed, row.speed);
     lane.put(to.bias, row.bias);
     lane.put(to.softness, row.softness / h);
@@ -129,12 +133,14 @@ void write_joint(const Joint& joint, const JointEnd& a, const JointEnd& b, doubl
                  const JointBlock& to, int lane_index) {
     const JointLane lane{lane_index};
     Vec3 arm_a = a.arm;
+    ASSERT(h > 0 && lane_index >= 0 && lane_index < 8);
     std::optional<PathPoint> path_point;
     if (const auto* grab = std::get_if<GrabJoint>(&joint.kind)) {
         arm_a += rotate(a.frame, grab->target);
     } else if (const auto* path = std::get_if<PathJoint>(&joint.kind)) {
         const Vec3 bead = inverse_rotate(a.frame, (b.center - a.center) + (b.arm - a.arm));
         const std::vector<double>& memory = joint.memory;
+        ASSERT(memory.size() == PathMemory::count);
         path_point = memory[PathMemory::found] == 0
                          ? nearest_path_point(*path, bead)
                          : nearest_path_point(*path, bead, memory[PathMemory::at]);

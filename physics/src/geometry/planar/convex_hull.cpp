@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "jostle/base/check.h"
 #include "jostle/physics/planar.h"
 
 namespace jostle::physics::planar {
@@ -35,8 +36,10 @@ std::vector<Vec2> hull_of_checked(std::span<const Vec2> points) {
     for (const Vec2 p : sorted) add(p, 0);
     // The rightmost point, where the upper chain starts.
     const std::size_t lower = chain.size() - 1;
+    ASSERT(chain.size() >= 2);
     for (std::size_t k = sorted.size() - 1; k-- > 0;) add(sorted[k], lower);
     chain.pop_back();  // the last point equals the first
+    ASSERT(chain.size() >= 2 && chain.size() <= sorted.size());
     return chain;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
+#include "jostle/base/check.h"
 #include "physics/src/foundation/messages.h"
 #include "physics/src/geometry/planar/planar_checks.h"
 
@@ -76,8 +77,10 @@ private:
 
     void join_across(std::uint32_t side) {
         const std::uint32_t twin = twin_[side];
+        ASSERT(twin != side && twin_[twin] == side);
         const std::uint32_t a = root_of(part_[side]), b = root_of(part_[twin]);
         if (size_[a] + size_[b] - 2 > max_corners_) return;
+        ASSERT(a != b);
         if (!convex(previous_[side], next_[twin]) || !convex(previous_[twin], next_[side])) return;
         link(previous_[side], next_[twin]);
         link(previous_[twin], next_[side]);
@@ -86,6 +89,7 @@ private:
         into_[b] = a;
     }
     void link(std::uint32_t in, std::uint32_t out) {
+        ASSERT(in < next_.size() && out < next_.size());
         next_[in] = out;
         previous_[out] = in;
     }

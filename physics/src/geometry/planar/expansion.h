@@ -8,6 +8,8 @@
 #include <array>
 #include <cstddef>
 
+#include "jostle/base/check.h"
+
 namespace jostle::physics::planar {
 
 // value + error is the exact result; value is the rounded result.
@@ -45,6 +47,7 @@ public:
         }
         if (x != 0) parts_[at(retained++)] = x;
         count_ = retained;
+        ASSERT(count_ <= capacity);
     }
     void add(Rounded both) {
         add(both.error);

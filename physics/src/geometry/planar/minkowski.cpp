@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include "jostle/base/check.h"
 #include "jostle/physics/planar.h"
 #include "physics/src/geometry/planar/planar_checks.h"
 
@@ -28,6 +29,7 @@ std::vector<Vec2> sum_of_hulls(std::span<const Vec2> a, std::span<const Vec2> b)
     const std::size_t sides_a = a.size() == 1 ? 0 : a.size(),
                       sides_b = b.size() == 1 ? 0 : b.size();
     std::vector<Vec2> corners;
+    ASSERT(!a.empty() && !b.empty());
     std::size_t i = 0, j = 0;
     while (i < sides_a || j < sides_b) {
         corners.push_back(a[i % a.size()] + b[j % b.size()]);
@@ -59,6 +61,7 @@ Vec2 nearest_to_origin(Vec2 from, Vec2 to) {
 // The smallest translation of b after which it only touches a.
 Separation depth_in(std::span<const Vec2> hull) {
     Separation least{-1e300, {1, 0}};
+    ASSERT(hull.size() >= 3);
     for (std::size_t k = 0; k < hull.size(); k++) {
         const Vec2 side = side_direction(hull, k);
         const Vec2 out = Vec2{side.y, -side.x} * (1 / length(side));

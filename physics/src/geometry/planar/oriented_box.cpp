@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <utility>
 
+#include "jostle/base/check.h"
 #include "jostle/physics/planar.h"
 #include "physics/src/geometry/planar/planar_checks.h"
 
@@ -27,6 +28,7 @@ struct Extent {
 OrientedBox box_along(Vec2 axis, std::span<const Vec2> points) {
     const Vec2 origin = points[0];
     Extent along, perpendicular;
+    ASSERT(absolute(length_squared(axis) - 1) < 1e-6);
     for (const Vec2 p : points) {
         along.add(dot(p - origin, axis));
         perpendicular.add(dot(p - origin, across(axis)));
@@ -51,6 +53,7 @@ OrientedBox longest_first(OrientedBox box) {
 
 // Returns the first corner, starting at `k`, after which the hull recedes along `direction`.
 std::size_t walk(std::span<const Vec2> hull, std::size_t k, Vec2 direction) {
+    ASSERT(k < hull.size());
     for (std::size_t steps = 0; steps < hull.size(); steps++) {
         const std::size_t next = k + 1 == hull.size() ? 0 : k + 1;
         if (!(dot(hull[next] - hull[k], direction) > 0)) break;

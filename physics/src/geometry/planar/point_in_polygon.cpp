@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
+#include "jostle/base/check.h"
 #include "jostle/physics/polygon.h"
 
 namespace jostle::physics::planar {
 namespace {
 
 Segment side_of(std::span<const Vec2> polygon, std::size_t k) {
+    ASSERT(k < polygon.size());
     return {polygon[k], polygon[k + 1 == polygon.size() ? 0 : k + 1]};
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "jostle/base/check.h"
 #include "physics/src/foundation/messages.h"
 
 namespace jostle::physics::planar {
@@ -25,6 +26,7 @@ double signed_area(std::span<const Vec2> polygon) {
 bool runs_counter_clockwise(std::span<const Vec2> polygon) {
     const std::size_t n = polygon.size();
     std::size_t at = 0;
+    ASSERT(n >= 3);
     for (std::size_t k = 1; k < n; k++)
         if (polygon[k].x < polygon[at].x ||
             (polygon[k].x == polygon[at].x && polygon[k].y < polygon[at].y))

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
 
+#include "jostle/base/check.h"
 #include "physics/src/foundation/messages.h"
 #include "physics/src/geometry/geometry_checks.h"
 #include "physics/src/geometry/planar/planar_checks.h"
@@ -13,6 +14,7 @@ constexpr double sliver = 1e-5;
 
 double size_of(std::span<const Vec2> corners, double half_depth) {
     Vec2 low = corners[0], high = corners[0];
+    ASSERT(corners.size() >= 3 && half_depth > 0);
     for (const Vec2 p : corners) {
         low = {minimum(low.x, p.x), minimum(low.y, p.y)};
         high = {maximum(high.x, p.x), maximum(high.y, p.y)};

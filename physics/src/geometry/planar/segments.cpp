@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <utility>
 
+#include "jostle/base/check.h"
 #include "jostle/physics/planar.h"
 
 namespace jostle::physics::planar {
@@ -28,6 +29,7 @@ SegmentIntersection intersect_collinear(Segment a, Segment b) {
 Vec2 crossing_point(Segment a, Segment b) {
     const double from = doubled_area(b.from, b.to, a.from), to = doubled_area(b.from, b.to, a.to);
     const double t = from / (from - to);
+    ASSERT(t >= 0 && t <= 1);
     const Vec2 p = a.from + (a.to - a.from) * t;
     return {within(within(p.x, a.from.x, a.to.x), b.from.x, b.to.x),
             within(within(p.y, a.from.y, a.to.y), b.from.y, b.to.y)};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <utility>
 
+#include "jostle/base/check.h"
 #include "jostle/physics/planar.h"
 #include "physics/src/geometry/planar/planar_checks.h"
 
@@ -25,6 +26,7 @@ Round around(Vec2 a, Vec2 b) {
 Round through(Vec2 a, Vec2 b, Vec2 c) {
     const Vec2 u = b - a, v = c - a;
     const double uu = length_squared(u), vv = length_squared(v);
+    ASSERT(doubled_area(a, b, c) != 0);
     const double scale = 0.5 / doubled_area(a, b, c);
     const Vec2 offset = Vec2{v.y * uu - u.y * vv, u.x * vv - v.x * uu} * scale;
     return {a + offset, length_squared(offset)};
@@ -45,6 +47,7 @@ void shuffle(std::vector<Vec2>& points) {
 // The smallest circle that contains the first `count` points and has q on its boundary.
 Round with_one(std::span<const Vec2> points, std::size_t count, Vec2 q) {
     Round circle{q, 0};
+    ASSERT(count <= points.size());
     for (std::size_t j = 0; j < count; j++) {
         if (circle.holds(points[j])) continue;
         circle = around(points[j], q);

@@ -112,6 +112,7 @@ Skipped merge_islands(StepContext& step) {
         const Contact& c = world.contacts.contacts[contact];
         if (c.touching && is_dynamic(world, c.body_b)) note_heavy(world.bodies, c, heavy);
     }
+    ASSERT(touching <= manifolds);
     raise_to_heavy_tier(world, heavy);
     report_composites(world);
     world.profile.manifolds = manifolds;

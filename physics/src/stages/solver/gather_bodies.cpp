@@ -102,6 +102,10 @@ void gather_bodies(StepContext& step) {
     list_by_set(scratch.set_of, scratch.bodies, [](std::uint32_t) { return true; });
     list_by_set(scratch.set_of, scratch.jointed,
                 [&](std::uint32_t i) { return any_jointed && cold_of(i).first_joint != none; });
+    ASSERT(scratch.jointed.all.size() <= scratch.bodies.all.size());
+    // Each awake body is solved, free, in a joint group or asleep in place.
+    ASSERT(grouped || scratch.bodies.all.size() + scratch.free.size() + bodies.asleep_in_place ==
+                          bodies.awake.size());
 }
 
 void count_solver_work(StepContext& step) {

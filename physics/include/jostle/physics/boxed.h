@@ -19,6 +19,7 @@ public:
     Boxed(T value) : value_(std::make_unique<T>(std::move(value))) {}
     Boxed(const Boxed& other) : value_(std::make_unique<T>(*other)) {}
     /// Leaves a default-constructed T in `other`.
+    // NOLINTNEXTLINE(performance-noexcept-move-constructor): it allocates
     Boxed(Boxed&& other) : value_(std::exchange(other.value_, std::make_unique<T>())) {}
     Boxed& operator=(const Boxed& other) {
         *value_ = *other;

@@ -77,7 +77,7 @@ Status TcpProxy::listen(const std::string& address) {
     return {};
 }
 
-void TcpProxy::accept_all(Clock::time_point now) {
+void TcpProxy::accept_all() {
     for (;;) {
         const int client = accept4(listener_, nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC);
         if (client < 0) return;
@@ -92,24 +92,18 @@ void TcpProxy::accept_all(Clock::time_point now) {
         send_at_once(client);
         send_at_once(server);
         NetworkConditions up = settings_.down;
-        up.kbit_per_second = 0;
-        up.stall_every_s = 0;
-        const std::uint64_t number = 2 * accepted_++;
+        up.rate_kbps = 0;
+        up.stall_ms = 0;
+        const std::uint32_t path = 2 * accepted_++;
         connections_.push_back(std::make_unique<ProxiedConnection>(ProxiedConnection{
-            .directions = {Direction{.from = server,
-                                     .to = client,
-                                     .path = PathEmulator(settings_.down, number, now),
-                                     .chunks = {}},
-                           Direction{.from = client,
-                                     .to = server,
-                                     .path = PathEmulator(up, number + 1, now),
-                                     .chunks = {}}}}));
+            .directions = {Direction{server, client, Chunks(settings_.down, path)},
+                           Direction{client, server, Chunks(up, path + 1)}}}));
     }
 }
 
 void TcpProxy::read(Direction& direction, ProxiedConnection& connection,
                     Clock::time_point now) const {
-    while (!direction.ended && direction.queued < settings_.queue_bytes) {
+    while (!direction.ended && !direction.chunks.full()) {
         std::array<char, piece_bytes> scratch;
         const ssize_t size = recv(direction.from, scratch.data(), scratch.size(), 0);
         if (size < 0 && would_block()) return;
@@ -118,27 +112,24 @@ void TcpProxy::read(Direction& direction, ProxiedConnection& connection,
             direction.ended = true;
             return;
         }
-        const auto count = static_cast<std::size_t>(size);
-        direction.chunks.push_back(
-            {std::string(scratch.data(), count), direction.path.arrival_time(count, now)});
-        direction.queued += count;
+        direction.chunks.push(std::string(scratch.data(), static_cast<std::size_t>(size)), now);
     }
 }
 
 void TcpProxy::write_due(Direction& direction, ProxiedConnection& connection,
                          Clock::time_point now) {
-    while (!direction.chunks.empty() && direction.chunks.front().at <= now) {
-        std::string& bytes = direction.chunks.front().bytes;
-        const ssize_t size = send(direction.to, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+    while (const std::string* chunk = direction.chunks.front(now)) {
+        const ssize_t size = send(direction.to, chunk->data() + direction.written,
+                                  chunk->size() - direction.written, MSG_NOSIGNAL);
         if (size < 0 && would_block()) return;
         if (size < 0) {
             connection.broken = true;
             return;
         }
-        direction.queued -= static_cast<std::size_t>(size);
-        bytes.erase(0, static_cast<std::size_t>(size));
-        if (!bytes.empty()) return;
-        direction.chunks.pop_front();
+        direction.written += static_cast<std::size_t>(size);
+        if (direction.written < chunk->size()) return;
+        direction.written = 0;
+        direction.chunks.pop();
     }
     if (direction.ended && direction.chunks.empty()) shutdown(direction.to, SHUT_WR);
 }
@@ -149,7 +140,7 @@ Clock::time_point TcpProxy::serve(ProxiedConnection& connection, Clock::time_poi
     for (Direction& direction : connection.directions) {
         read(direction, connection, now);
         write_due(direction, connection, now);
-        if (!direction.chunks.empty()) next = std::min(next, direction.chunks.front().at);
+        if (!direction.chunks.empty()) next = std::min(next, direction.chunks.next_arrival());
     }
     return next;
 }
@@ -161,13 +152,13 @@ void TcpProxy::run(const std::atomic<bool>& stop) {
         watched.assign(1, {.fd = listener_, .events = POLLIN, .revents = 0});
         for (const auto& connection : connections_)
             for (const Direction& direction : connection->directions)
-                if (!direction.ended && direction.queued < settings_.queue_bytes)
+                if (!direction.ended && !direction.chunks.full())
                     watched.push_back({.fd = direction.from, .events = POLLIN, .revents = 0});
         const auto wait = std::chrono::ceil<std::chrono::milliseconds>(
             std::max(Clock::duration::zero(), next - Clock::now()));
         poll(watched.data(), watched.size(), static_cast<int>(wait.count()));
         const auto now = Clock::now();
-        accept_all(now);
+        accept_all();
         next = now + longest_sleep;
         for (const auto& connection : connections_) next = std::min(next, serve(*connection, now));
         std::erase_if(connections_, [](const auto& connection) {

@@ -133,7 +133,7 @@ TEST_F(LoopTest, handles_many_clients_destroyed_without_leave) {
 TEST_F(LoopTest, simulated_network_delays_both_directions) {
     Loop loop;
     auto far = options();
-    far.network_conditions.delay_ms = 60;
+    far.network_conditions.latency_ms = 60;
     const auto began = Clock::now();
     const auto client = Client::connect(loop, far);
     for (int i = 0; i < 40; i++) client->send({});

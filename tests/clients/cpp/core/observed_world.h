@@ -9,8 +9,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "jostle/base/network_simulator.h"
 #include "jostle/client/interpolation.h"
-#include "jostle/client/network_simulator.h"
 #include "jostle/snapshot/quantize.h"
 
 namespace jostle::client {
@@ -133,7 +133,7 @@ inline Observation observe(const NetworkConditions& link_settings, double pictur
     InterpolationBuffer buffer;
     Watcher watcher;
     std::uint32_t next = 1;
-    std::int64_t arrival_us = link.arrival_us(0);
+    std::int64_t arrival_us = link.send(0).arrival_us;
     const auto pictures = static_cast<int>(seconds * pictures_hz);
     for (int picture = 0; picture < pictures; picture++) {
         const std::int64_t us = std::llround(picture * 1e6 / pictures_hz);
@@ -141,7 +141,7 @@ inline Observation observe(const NetworkConditions& link_settings, double pictur
             const std::int64_t due_us = std::llround((next - 1) * 1e6 / 60);
             buffer.add(frame_at(next, static_cast<double>(due_us) / 1e6), epoch_us + due_us,
                        ours_us + arrival_us);
-            arrival_us = link.arrival_us(std::llround(next * 1e6 / 60));
+            arrival_us = link.send(std::llround(next * 1e6 / 60)).arrival_us;
         }
         const auto poses = buffer.sample(ours_us + us, {});
         const double shown_s =

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "tools/network_emulator/tcp_proxy.h"
 
-#include <netdb.h>
 #include <netinet/in.h>
 #include <netinet/tcp.h>
 #include <poll.h>
@@ -16,28 +15,6 @@ namespace {
 
 constexpr std::size_t piece_bytes = 1460;  // the segment size on Ethernet
 constexpr auto longest_sleep = std::chrono::milliseconds(50);
-
-struct Address {
-    sockaddr_storage bytes{};
-    socklen_t size = 0;
-};
-
-Result<Address> find(const std::string& text) {
-    const std::size_t colon = text.rfind(':');
-    if (colon == std::string::npos)
-        return invalid_argument("\"" + text + "\" is not of the form HOST:PORT");
-    addrinfo hints{}, *found = nullptr;
-    hints.ai_socktype = SOCK_STREAM;
-    if (const int error =
-            getaddrinfo(text.substr(0, colon).c_str(), text.c_str() + colon + 1, &hints, &found);
-        error != 0)
-        return invalid_argument(text + ": " + gai_strerror(error));
-    Address address;
-    std::memcpy(&address.bytes, found->ai_addr, found->ai_addrlen);
-    address.size = found->ai_addrlen;
-    freeaddrinfo(found);
-    return address;
-}
 
 void send_at_once(int descriptor) {
     const int on = 1;
@@ -57,18 +34,16 @@ TcpProxy::~TcpProxy() {
 }
 
 Status TcpProxy::listen(const std::string& address) {
-    const auto target = find(settings_.target), here = find(address);
+    const auto target = resolve(settings_.target), here = resolve(address);
     if (!target.ok()) return target.error();
     if (!here.ok()) return here.error();
-    target_ = target->bytes;
-    target_size_ = target->size;
+    target_ = *target;
     listener_ = socket(here->bytes.ss_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
     const int on = 1;
     setsockopt(listener_, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
     sockaddr_storage bound{};
     socklen_t size = sizeof bound;
-    if (bind(listener_, reinterpret_cast<const sockaddr*>(&here->bytes), here->size) != 0 ||
-        ::listen(listener_, 1024) != 0 ||
+    if (bind(listener_, here->get(), here->size) != 0 || ::listen(listener_, 1024) != 0 ||
         getsockname(listener_, reinterpret_cast<sockaddr*>(&bound), &size) != 0)
         return Error{ErrorCode::unavailable,
                      "cannot listen on " + address + ": " + std::strerror(errno)};
@@ -81,10 +56,10 @@ void TcpProxy::accept_all() {
     for (;;) {
         const int client = accept4(listener_, nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC);
         if (client < 0) return;
-        const int server = socket(target_.ss_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
+        const int server =
+            socket(target_.bytes.ss_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
         if (server < 0 ||
-            (connect(server, reinterpret_cast<const sockaddr*>(&target_), target_size_) != 0 &&
-             errno != EINPROGRESS)) {
+            (connect(server, target_.get(), target_.size) != 0 && errno != EINPROGRESS)) {
             close(client);
             if (server >= 0) close(server);
             continue;

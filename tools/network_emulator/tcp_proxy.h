@@ -5,8 +5,6 @@
 // slows the sender down. One thread; for loopback and test networks only.
 #pragma once
 
-#include <sys/socket.h>
-
 #include <array>
 #include <atomic>
 #include <chrono>
@@ -17,6 +15,7 @@
 
 #include "jostle/base/network_queue.h"
 #include "jostle/base/result.h"
+#include "tools/common/socket_address.h"
 
 namespace jostle::network_emulator {
 
@@ -60,8 +59,7 @@ private:
     Clock::time_point serve(ProxiedConnection& connection, Clock::time_point now) const;
 
     TcpProxySettings settings_;
-    sockaddr_storage target_{};
-    socklen_t target_size_ = 0;
+    SocketAddress target_;
     int listener_ = -1, port_ = 0;
     std::vector<std::unique_ptr<ProxiedConnection>> connections_;
     std::uint32_t accepted_ = 0;

@@ -124,8 +124,8 @@ std::string state_text(const client::Playback& playback, std::uint32_t tick) {
                       {"qw", Align::right},
                       {"rests"},
                       {"name"}});
-    for (const wire::EntityState& entity : view.frame().entities) {
-        const wire::Pose pose = wire::dequantize(entity, view.spec());
+    for (const snapshot::EntityState& entity : view.frame().entities) {
+        const snapshot::Pose pose = snapshot::dequantize(entity, view.spec());
         const Known known = known_of(view, entity.id);
         std::vector<std::string> cells{std::to_string(entity.id), known.type};
         for (const double p : pose.position) cells.push_back(ctl::number_text(p, 3));
@@ -140,8 +140,8 @@ std::string state_text(const client::Playback& playback, std::uint32_t tick) {
 std::string state_json(const client::Playback& playback, std::uint32_t tick) {
     const client::WorldView& view = playback.view();
     ordered_json entities = ordered_json::array();
-    for (const wire::EntityState& entity : view.frame().entities) {
-        const wire::Pose pose = wire::dequantize(entity, view.spec());
+    for (const snapshot::EntityState& entity : view.frame().entities) {
+        const snapshot::Pose pose = snapshot::dequantize(entity, view.spec());
         const Known known = known_of(view, entity.id);
         entities.push_back(ordered_json{{"id", entity.id},
                                         {"name", known.name},

@@ -264,7 +264,7 @@ TEST_F(DatagramsTest, view_contains_only_entities_with_an_entity_update) {
         for (const auto end = Clock::now() + 2s; Clock::now() < end;) {
             watcher->read([&](const client::WorldView& view) {
                 looks++;
-                for (const wire::EntityState& entity : view.frame().entities)
+                for (const snapshot::EntityState& entity : view.frame().entities)
                     unknown += view.entities().contains(entity.id) ? 0 : 1;
             });
             std::this_thread::sleep_for(1ms);

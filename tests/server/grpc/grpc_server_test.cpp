@@ -34,7 +34,7 @@ struct ChannelValue {
 std::optional<ChannelValue> channel_value(const Client& client, std::string_view tag) {
     std::optional<ChannelValue> out;
     client.read([&](const client::WorldView& view) {
-        for (const wire::Channel& channel : view.channels())
+        for (const snapshot::Channel& channel : view.channels())
             if (view.channel_kinds()[channel.kind].name() == tag)
                 out = {channel.entity, static_cast<std::uint32_t>(channel.values->front())};
     });

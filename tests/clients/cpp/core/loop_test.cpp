@@ -48,12 +48,12 @@ public:
 
 private:
     static void send_empty_world(PlayCall& stream) {
-        const wire::QuantizedFrame empty{.frame = 5, .entities = {}};
-        const auto packed = wire::encode_frame(empty, {}, {});
+        const snapshot::QuantizedFrame empty{.frame = 5, .entities = {}};
+        const auto packed = snapshot::encode_frame(empty, {}, {});
         v1::ServerMessage message;
         message.mutable_snapshot()->set_frame(5);
         message.mutable_snapshot()->set_packed(packed.data(), packed.size());
-        message.mutable_snapshot()->set_crc(wire::frame_crc(empty));
+        message.mutable_snapshot()->set_crc(snapshot::frame_crc(empty));
         stream.Write(message);
     }
 };

@@ -18,7 +18,7 @@ namespace jostle::client {
 // Bodies: 1 moves straight at 2 m/s. 2 runs a circle of 2 m at 3 m/s and rotates with it. 3 bounces
 // 0.4 m high without loss and drifts at 0.5 m/s. 4 teleports by 5 m every 7 s. 5 exists for 3 s of
 // every 6 s.
-inline wire::Pose pose_at(std::uint32_t body, double s) {
+inline snapshot::Pose pose_at(std::uint32_t body, double s) {
     switch (body) {
         case 1:
             return {{2 * s, 0, 0}, {0, 0, 0, 1}};
@@ -46,11 +46,11 @@ inline bool is_there(std::uint32_t body, double s) {
     return body != 5 || std::fmod(s, 6) < 3;
 }
 
-inline wire::QuantizedFrame frame_at(std::uint32_t number, double s) {
-    wire::QuantizedFrame frame{.frame = number, .entities = {}};
+inline snapshot::QuantizedFrame frame_at(std::uint32_t number, double s) {
+    snapshot::QuantizedFrame frame{.frame = number, .entities = {}};
     for (std::uint32_t body = 1; body <= 5; body++)
         if (is_there(body, s))
-            frame.entities.push_back(wire::quantize(body, pose_at(body, s), false, {}));
+            frame.entities.push_back(snapshot::quantize(body, pose_at(body, s), false, {}));
     return frame;
 }
 
@@ -95,7 +95,7 @@ public:
     }
 
 private:
-    static double between(const wire::Pose& a, const wire::Pose& b) {
+    static double between(const snapshot::Pose& a, const snapshot::Pose& b) {
         return std::hypot(a.position[0] - b.position[0], a.position[1] - b.position[1],
                           a.position[2] - b.position[2]);
     }

@@ -131,7 +131,7 @@ struct Yard {
         }
     }
 
-    static wire::ChannelValues motion_of(const physics::BodyState& body) {
+    static snapshot::ChannelValues motion_of(const physics::BodyState& body) {
         std::vector<std::int32_t> values;
         for (const Vec3& v : {body.linear_velocity, body.angular_velocity})
             for (int k = 0; k < 3; k++)
@@ -162,8 +162,8 @@ struct Yard {
         }
         server.step(1.0 / 60).expect();
         int awake = 0;
-        wire::Channels motions;
-        wire::QuantizedFrame frame{.frame = server_tick, .entities = {}};
+        snapshot::Channels motions;
+        snapshot::QuantizedFrame frame{.frame = server_tick, .entities = {}};
         for (const auto& [id, body] : bodies) {
             const physics::BodyState state = *server.body(body);
             const Vec3 p = state.pose.position;
@@ -172,16 +172,16 @@ struct Yard {
             awake += state.awake ? 1 : 0;
             if (state.awake && tells_motion) motions.push_back({1, id, motion_of(state)});
             frame.entities.push_back(
-                wire::quantize(id, {{p.x, p.y, p.z}, {q.x, q.y, q.z, q.w}}, !state.awake, {}));
+                snapshot::quantize(id, {{p.x, p.y, p.z}, {q.x, q.y, q.z, q.w}}, !state.awake, {}));
         }
         next_tick_us = std::llround(server_tick * 1e6 / 60);
         if (quiet && awake == 0 && results.empty() && server_tick % 60 != 0) return;
         Told told{down.send(due).arrival_us, {}, std::move(results)};
-        const auto packed = wire::encode_frame(frame, {}, {});
+        const auto packed = snapshot::encode_frame(frame, {}, {});
         told.snapshot.set_frame(server_tick);
         told.snapshot.set_packed(packed.data(), packed.size());
-        told.snapshot.set_crc(wire::frame_crc(frame));
-        const auto channels = wire::encode_channels(motions, {}, ~std::uint64_t{0});
+        told.snapshot.set_crc(snapshot::frame_crc(frame));
+        const auto channels = snapshot::encode_channels(motions, {}, ~std::uint64_t{0});
         told.snapshot.set_channels(channels.bytes.data(), channels.bytes.size());
         told.snapshot.set_channels_crc(channels.crc);
         told.snapshot.set_late_us(due - std::llround(server_tick * 1e6 / 60));

@@ -14,8 +14,8 @@ constexpr std::size_t frames_between_comparisons = 8;
 // Results are sent thirty times per second and snapshots with every tick. In ticks.
 constexpr std::uint64_t result_ticks_max = 60;
 
-bots::ScriptLine random_conditions(Chance& chance) {
-    bots::Script script = bots::default_script();
+bot::ScriptLine random_conditions(Chance& chance) {
+    bot::Script script = bot::default_script();
     return script[chance.below(script.size())];
 }
 

@@ -163,7 +163,7 @@ void add_flags(CLI::App& app, Flags& flags) {
 jostle::Status finish(Flags& flags) {
     LoadOptions& load = flags.load;
     if (!flags.passive || !flags.script.empty()) {
-        auto script = jostle::bots::script_or_default(flags.script);
+        auto script = jostle::bot::script_or_default(flags.script);
         if (!script.ok()) return script.error();
         load.script = std::move(*script);
     }

@@ -32,7 +32,7 @@ public:
 private:
     struct Member {
         std::unique_ptr<PassiveClient> client;
-        std::optional<bots::Behaviour> behaviour;
+        std::optional<bot::Behaviour> behaviour;
         Clock::time_point joins_at, thinks_at;
     };
 

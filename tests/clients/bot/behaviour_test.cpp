@@ -12,7 +12,7 @@
 #include "jostle/physics/module.h"
 #include "jostle/scenes/catalog.h"
 
-namespace jostle::bots {
+namespace jostle::bot {
 namespace {
 
 using namespace physics;
@@ -142,4 +142,4 @@ TEST(LapCounter, counts_laps_in_both_directions) {
 }
 
 }  // namespace
-}  // namespace jostle::bots
+}  // namespace jostle::bot

@@ -59,8 +59,8 @@ inline RecordedWorld record_world(int ticks, int ticks_between_keyframes) {
                       .on_message = [&](const std::string& bytes, Clock::time_point when) {
                           writer.add(bytes, to_us(when) - to_us(began)).expect();
                       }});
-    bots::Behaviour thrower(
-        bots::parse_script("throw weight=1 period=0.2 speed=5 max_bodies=3", "script")
+    bot::Behaviour thrower(
+        bot::parse_script("throw weight=1 period=0.2 speed=5 max_bodies=3", "script")
             .value()
             .front(),
         7);

@@ -11,7 +11,7 @@
 
 #include "jostle/base/result.h"
 
-namespace jostle {
+namespace jostle::common {
 
 struct SocketAddress {
     sockaddr_storage bytes{};
@@ -39,4 +39,4 @@ inline Result<SocketAddress> resolve(const std::string& host_port) {
     return address;
 }
 
-}  // namespace jostle
+}  // namespace jostle::common

@@ -184,7 +184,7 @@ jostle::Status finish(Flags& flags) {
 jostle::Result<std::unique_ptr<ClientPool>> make_client_pool(const Flags& flags) {
     if (!flags.passive)
         return std::unique_ptr<ClientPool>(std::make_unique<LibraryClientPool>(flags.load));
-    const auto address = jostle::resolve(flags.load.target);
+    const auto address = jostle::common::resolve(flags.load.target);
     if (!address.ok()) return jostle::invalid_argument("--server: " + address.error().message);
     return std::unique_ptr<ClientPool>(std::make_unique<PassiveClientPool>(flags.load, *address));
 }

@@ -52,7 +52,7 @@ PassiveClient::~PassiveClient() {
     if (socket_ >= 0) close(socket_);
 }
 
-void PassiveClient::connect(const SocketAddress& address) {
+void PassiveClient::connect(const common::SocketAddress& address) {
     socket_ = socket(address.bytes.ss_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
     if (socket_ < 0) return end(std::string("cannot create a socket: ") + std::strerror(errno));
     const int on = 1;

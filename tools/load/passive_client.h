@@ -25,7 +25,7 @@ public:
     PassiveClient(const PassiveClient&) = delete;
     PassiveClient& operator=(const PassiveClient&) = delete;
 
-    void connect(const SocketAddress& address);
+    void connect(const common::SocketAddress& address);
     // Handles an epoll event; `scratch` is a reusable read buffer.
     void on_event(std::span<std::uint8_t> scratch, Clock::time_point now);
     // Reads at the read rate and sends due messages.

@@ -34,7 +34,7 @@ TcpProxy::~TcpProxy() {
 }
 
 Status TcpProxy::listen(const std::string& address) {
-    const auto target = resolve(settings_.target), here = resolve(address);
+    const auto target = common::resolve(settings_.target), here = common::resolve(address);
     if (!target.ok()) return target.error();
     if (!here.ok()) return here.error();
     target_ = *target;

@@ -59,7 +59,7 @@ private:
     Clock::time_point serve(ProxiedConnection& connection, Clock::time_point now) const;
 
     TcpProxySettings settings_;
-    SocketAddress target_;
+    common::SocketAddress target_;
     int listener_ = -1, port_ = 0;
     std::vector<std::unique_ptr<ProxiedConnection>> connections_;
     std::uint32_t accepted_ = 0;

@@ -21,7 +21,7 @@ protected:
                                                         ? server_.http_port()
                                                         : server_.grpc_port());
         plan.ramp = plan.settle = 0.1;
-        PassiveClientPool pool(plan, resolve(plan.target).value());
+        PassiveClientPool pool(plan, common::resolve(plan.target).value());
         const std::atomic<bool> stop{false};
         return run_load(plan, pool, std::nullopt, stop);
     }

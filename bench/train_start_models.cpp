@@ -21,8 +21,8 @@ using snapshot::BitModel;
 using snapshot::FrameModels;
 
 // Without katamari: the scene for comparing codecs should not be part of the training data.
-constexpr const char* scenes[] = {"pile",           "sandbox",    "ragdolls",
-                                  "lab_player_901", "demolition", "race_track"};
+constexpr const char* scenes[] = {"pile",       "sandbox",   "ragdolls", "bench_player_901",
+                                  "demolition", "race_track"};
 constexpr int ages[2][2] = {{1, 2}, {6, 3}};  // ticks to the base, for each table
 constexpr double seconds = 15;
 

@@ -16,13 +16,14 @@ Error unknown_scene(const std::string& name) {
     return {ErrorCode::not_found, message};
 }
 
-wire::QuantizedFrame quantized(std::uint32_t tick, const std::vector<physics::BodyState>& bodies,
-                               const wire::QuantSpec& spec) {
-    wire::QuantizedFrame frame{.frame = tick, .entities = {}};
+snapshot::QuantizedFrame quantized(std::uint32_t tick,
+                                   const std::vector<physics::BodyState>& bodies,
+                                   const snapshot::QuantSpec& spec) {
+    snapshot::QuantizedFrame frame{.frame = tick, .entities = {}};
     frame.entities.reserve(bodies.size());
     for (const physics::BodyState& body : bodies) {
         const auto& [p, q] = body.pose;
-        frame.entities.push_back(wire::quantize(
+        frame.entities.push_back(snapshot::quantize(
             body.id.index + 1, {{p.x, p.y, p.z}, {q.x, q.y, q.z, q.w}}, !body.awake, spec));
     }
     return frame;
@@ -31,7 +32,7 @@ wire::QuantizedFrame quantized(std::uint32_t tick, const std::vector<physics::Bo
 }  // namespace
 
 Result<CapturedScene> capture_scene(const std::string& name, double seconds,
-                                    const wire::QuantSpec& spec) {
+                                    const snapshot::QuantSpec& spec) {
     const auto scene = scenes::find_scene(name);
     if (!scene) return unknown_scene(name);
     auto built = scenes::build_scene(*scene);
@@ -55,10 +56,11 @@ Result<CapturedScene> capture_scene(const std::string& name, double seconds,
     return recorded;
 }
 
-std::size_t count_moving(const wire::QuantizedFrame& now, const wire::QuantizedFrame& base) {
+std::size_t count_moving(const snapshot::QuantizedFrame& now,
+                         const snapshot::QuantizedFrame& base) {
     std::size_t moving = 0;
     for (std::size_t i = 0; i < now.entities.size(); i++)
-        moving += wire::same_pose(now.entities[i], base.entities[i]) ? 0 : 1;
+        moving += snapshot::same_pose(now.entities[i], base.entities[i]) ? 0 : 1;
     return moving;
 }
 

@@ -13,16 +13,16 @@
 namespace jostle::bench {
 
 struct CapturedScene {
-    std::vector<wire::QuantizedFrame> frames;  // numbered from 1
+    std::vector<snapshot::QuantizedFrame> frames;  // numbered from 1
     double hz = 60;
     double quantize_ns_per_body = 0;
 };
 
 // Errors: not_found with the list of scenes, or the error that stopped the world.
 Result<CapturedScene> capture_scene(const std::string& name, double seconds,
-                                    const wire::QuantSpec& spec);
+                                    const snapshot::QuantSpec& spec);
 
 // Number of bodies in `now` whose pose differs from that in `base`, which has the same bodies.
-std::size_t count_moving(const wire::QuantizedFrame& now, const wire::QuantizedFrame& base);
+std::size_t count_moving(const snapshot::QuantizedFrame& now, const snapshot::QuantizedFrame& base);
 
 }  // namespace jostle::bench

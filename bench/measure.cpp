@@ -27,7 +27,7 @@ double status_bytes(const char* field) {
 }  // namespace
 
 double cpu_seconds() {
-    return convergence::thread_seconds();
+    return analysis::thread_seconds();
 }
 
 double wall_seconds() {

@@ -16,13 +16,13 @@
 namespace jostle::bench {
 namespace {
 
-using wire::Baselines;
-using wire::BitModel;
-using wire::FrameModels;
+using snapshot::Baselines;
+using snapshot::BitModel;
+using snapshot::FrameModels;
 
 // Without katamari: the scene for comparing codecs should not be part of the training data.
-constexpr const char* scenes[] = {"pile",           "sandbox",    "ragdolls",
-                                  "lab_player_901", "demolition", "race_track"};
+constexpr const char* scenes[] = {"pile",       "sandbox",   "ragdolls", "bench_player_901",
+                                  "demolition", "race_track"};
 constexpr int ages[2][2] = {{1, 2}, {6, 3}};  // ticks to the base, for each table
 constexpr double seconds = 15;
 
@@ -33,7 +33,7 @@ struct Counter {
     static constexpr bool encoding = true;
 
     bool bit(BitModel& model, bool value) {
-        counts[static_cast<std::size_t>(&model - wire::all_of(models).data())][value ? 1 : 0]++;
+        counts[static_cast<std::size_t>(&model - snapshot::all_of(models).data())][value ? 1 : 0]++;
         return value;
     }
     std::uint64_t raw(std::uint64_t value, unsigned) { return value; }
@@ -42,34 +42,34 @@ struct Counter {
     Counts& counts;
 };
 
-void count(Counts& counts, const wire::QuantizedFrame& frame, const Baselines& baselines) {
+void count(Counts& counts, const snapshot::QuantizedFrame& frame, const Baselines& baselines) {
     FrameModels models;
     Counter counter{.models = models, .counts = counts};
-    const wire::QuantSpec spec;
-    const wire::EntityDiff to = wire::entity_diff(frame, baselines);
-    wire::EntityChanges lists = wire::entity_changes_of(to);
-    wire::RangeFrameSerializer walk(counter, models, spec);
+    const snapshot::QuantSpec spec;
+    const snapshot::EntityDiff to = snapshot::entity_diff(frame, baselines);
+    snapshot::EntityChanges lists = snapshot::entity_changes_of(to);
+    snapshot::RangeFrameSerializer walk(counter, models, spec);
     walk.entities(lists, baselines, frame.entities.size());
-    std::vector<wire::EntityState> none;
-    walk.survivors(to.surviving, none, to.survivors, wire::spacing_of(frame.frame, baselines));
+    std::vector<snapshot::EntityState> none;
+    walk.survivors(to.surviving, none, to.survivors, snapshot::spacing_of(frame.frame, baselines));
 }
 
 // No entities appear or disappear in these scenes; this function removes one body in twenty,
 // alternating every half second.
-wire::QuantizedFrame with_absences(const wire::QuantizedFrame& frame) {
-    wire::QuantizedFrame some{.frame = frame.frame, .entities = {}};
-    for (const wire::EntityState& entity : frame.entities)
+snapshot::QuantizedFrame with_absences(const snapshot::QuantizedFrame& frame) {
+    snapshot::QuantizedFrame some{.frame = frame.frame, .entities = {}};
+    for (const snapshot::EntityState& entity : frame.entities)
         if ((frame.frame / 30 + 7 * entity.id) % 20 != 0) some.entities.push_back(entity);
     return some;
 }
 
-void count(Counts& counts, const std::vector<wire::QuantizedFrame>& frames, std::size_t age) {
+void count(Counts& counts, const std::vector<snapshot::QuantizedFrame>& frames, std::size_t age) {
     Counts comings(counts.size()), stays(counts.size());
     count(comings, frames[0], {});
     for (std::size_t i = 3 * age; i < frames.size(); i++) {
         count(stays, frames[i], {&frames[i - age], &frames[i - 2 * age], &frames[i - 3 * age]});
-        const wire::QuantizedFrame now = with_absences(frames[i]),
-                                   base = with_absences(frames[i - age]);
+        const snapshot::QuantizedFrame now = with_absences(frames[i]),
+                                       base = with_absences(frames[i - age]);
         count(comings, now, {&base, nullptr, nullptr});
     }
     const std::size_t sections = offsetof(FrameModels, none_wake) / sizeof(BitModel);
@@ -110,7 +110,7 @@ void write(const std::string& path, const std::string (&tables)[2], const char* 
 
 int train(const std::string& folder) {
     Counts counts[2];
-    for (Counts& table : counts) table.resize(wire::frame_model_count);
+    for (Counts& table : counts) table.resize(snapshot::frame_model_count);
     for (const char* scene : scenes) {
         const auto recorded = capture_scene(scene, seconds, {});
         if (!recorded.ok()) {
@@ -125,10 +125,10 @@ int train(const std::string& folder) {
     write(
         folder + "/start_models.cpp", tables,
         "// SPDX-License-Identifier: MIT\n//\n// Written by bench/train_start_models.cpp; part of "
-        "the format.\n#include \"jostle/snapshot/start_models.h\"\n\nnamespace jostle::wire "
+        "the format.\n#include \"jostle/snapshot/start_models.h\"\n\nnamespace jostle::snapshot "
         "{\n\nconst "
         "std::string_view start_model_letters[2] = {\n",
-        "    \"%s\"\n", "    ,\n", "};\n\n}  // namespace jostle::wire\n");
+        "    \"%s\"\n", "    ,\n", "};\n\n}  // namespace jostle::snapshot\n");
     write(folder + "/start_models.ts", tables,
           "// Written by bench/train_start_models.cpp; part of the format (proto/WIRE.md, "
           "\"Initial models\").\n\nexport const INITIAL_MODELS = [\n  [\n",

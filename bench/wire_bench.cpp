@@ -39,18 +39,18 @@ struct CodecCost {
 };
 
 // Uses every age-th frame, like a client with that share of the world's rate.
-std::optional<CodecCost> measure(const std::vector<wire::QuantizedFrame>& frames, std::size_t age,
-                                 wire::Codec codec) {
+std::optional<CodecCost> measure(const std::vector<snapshot::QuantizedFrame>& frames,
+                                 std::size_t age, snapshot::Codec codec) {
     double encoding = 0, decoding = 0;
     std::size_t bytes = 0, moving = 0, count = 0;
     for (std::size_t i = 3 * age; i < frames.size(); i += age) {
-        const wire::Baselines baselines{&frames[i - age], &frames[i - 2 * age],
-                                        &frames[i - 3 * age]};
+        const snapshot::Baselines baselines{&frames[i - age], &frames[i - 2 * age],
+                                            &frames[i - 3 * age]};
         const auto began = bench::cpu_seconds();
-        const auto packed = wire::encode_frame(frames[i], baselines, {}, codec);
+        const auto packed = snapshot::encode_frame(frames[i], baselines, {}, codec);
         const auto encoded = bench::cpu_seconds();
         const auto decoded =
-            wire::decode_frame(frames[i].frame, packed, baselines, {}, 1u << 20, codec);
+            snapshot::decode_frame(frames[i].frame, packed, baselines, {}, 1u << 20, codec);
         decoding += bench::cpu_seconds() - encoded;
         encoding += encoded - began;
         if (!decoded.ok() || *decoded != frames[i]) {
@@ -87,7 +87,7 @@ int run(const Flags& flags) {
         for (const int age : flags.ages)
             for (const std::uint32_t codec : flags.codecs) {
                 const auto f = measure(recording->frames, static_cast<std::size_t>(age),
-                                       static_cast<wire::Codec>(codec));
+                                       static_cast<snapshot::Codec>(codec));
                 if (!f) return 1;
                 std::printf("%-10s %6zu %4d %5u %8.1f %8.1f %6.1f %8.0f %8.0f\n", scene.c_str(),
                             bodies, age, codec, f->moving, f->bytes, f->bits, f->encode_ns,

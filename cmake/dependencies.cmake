@@ -11,7 +11,7 @@ if(JOSTLE_SERVER)
     find_package(spdlog REQUIRED)
     find_package(tomlplusplus REQUIRED)
     find_package(prometheus-cpp CONFIG REQUIRED)  # only its core: registry and text format
-    find_package(Eigen3 3.4 REQUIRED NO_MODULE)  # headers only: linear_systems/
+    find_package(Eigen3 3.4 REQUIRED NO_MODULE)  # headers only: tools/analysis
     find_package(OpenSSL 3.0 REQUIRED)    # tokens and certificates
     find_package(SQLite3 3.37 REQUIRED)  # persisted worlds
     find_package(zstd REQUIRED)  # compression of persisted worlds

@@ -30,7 +30,7 @@ public:
     void think() {
         std::uint32_t farthest = 0;
         double distance = 2, mass = 0;  // m; bodies within 2 m stay there
-        wire::Pose at;
+        snapshot::Pose at;
         client_->read([&](const client::WorldView& world) {
             for (const auto& [id, entity] : world.entities()) {
                 const auto pose = world.pose_of(id);

@@ -9,7 +9,7 @@
 namespace jostle::bench::accuracy {
 namespace {
 
-using convergence::WorkError;
+using analysis::WorkError;
 
 constexpr double missing = 0.01;
 
@@ -36,7 +36,7 @@ std::optional<Row> cheapest(const std::vector<Row>& rows, const std::string& sce
     for (const Row& row : rows)
         if (row.scene == scene && (row.engine == us) == ours && row.usable())
             candidates.push_back(row);
-    const auto best = convergence::least_work(work_errors(candidates), tolerance);
+    const auto best = analysis::least_work(work_errors(candidates), tolerance);
     if (!best) return {};
     return candidates[*best];
 }
@@ -57,7 +57,7 @@ std::vector<Order> observed_orders(const std::vector<Row>& rows, const std::stri
         const Row &slow = chosen[k - 1], &fast = chosen[k];
         if (!slow.usable() || !fast.usable()) continue;
         const auto order =
-            convergence::observed_order(slow.error, fast.error, fast.rate_hz / slow.rate_hz);
+            analysis::observed_order(slow.error, fast.error, fast.rate_hz / slow.rate_hz);
         if (order) orders.push_back({slow.rate_hz, fast.rate_hz, *order});
     }
     return orders;
@@ -73,7 +73,7 @@ std::vector<Row> pareto_set(const std::vector<Row>& rows, const std::string& sce
     for (const Row& row : rows)
         if (row.scene == scene && row.usable()) candidates.push_back(row);
     std::vector<Row> front;
-    for (const std::size_t k : convergence::pareto_set(work_errors(candidates)))
+    for (const std::size_t k : analysis::pareto_set(work_errors(candidates)))
         front.push_back(candidates[k]);
     return front;
 }

@@ -13,7 +13,7 @@
 
 namespace jostle::bench::accuracy {
 
-using convergence::Rms;
+using analysis::Rms;
 
 // Distance between the ends of joints at the anchors; sliders and springs are ignored.
 class GapMeter {

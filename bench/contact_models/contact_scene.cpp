@@ -109,7 +109,7 @@ void ContactScene::sample() {
 
 SceneErrors ContactScene::errors() const {
     SceneErrors errors{.overlap = overlap_, .failed = failed_};
-    convergence::Rms apex;
+    analysis::Rms apex;
     for (const double height : apex_) {
         const double error = height / (bounce * bounce * drop_height) - 1;
         apex.add(error * error);

@@ -37,7 +37,7 @@ IntegratorRow row_of(const ParticleField& field, const IntegratorKind& kind, dou
     const auto integrator = kind.make(field);
     const double energy = field.energy ? field.energy(field.start) : 0;
     ParticleState state = field.start;
-    convergence::Rms error;
+    analysis::Rms error;
     double drift = 0;
     for (long k = 0; k < steps_of(field, rate_hz); k++) {
         integrator->step(state, static_cast<double>(k) / rate_hz, 1 / rate_hz);
@@ -60,8 +60,8 @@ std::vector<IntegratorRow> integrator_rows(const ParticleField& field, const Int
     for (const double rate : rates) {
         IntegratorRow row = row_of(field, kind, rate);
         if (!rows.empty())
-            row.order = convergence::observed_order(rows.back().error, row.error,
-                                                    rate / rows.back().rate_hz);
+            row.order =
+                analysis::observed_order(rows.back().error, row.error, rate / rows.back().rate_hz);
         rows.push_back(std::move(row));
     }
     return rows;

@@ -134,7 +134,7 @@ struct GiesenCoder::State {
 namespace {
 
 // The omitted component, and whether the largest remaining component is close to its size.
-std::size_t largest_context(const wire::EntityState& baseline, std::int32_t m) {
+std::size_t largest_context(const snapshot::EntityState& baseline, std::int32_t m) {
     std::size_t second = 0;
     for (std::size_t k = 1; k < 3; k++)
         if (std::abs(baseline.rotation[k]) > std::abs(baseline.rotation[second])) second = k;
@@ -142,7 +142,7 @@ std::size_t largest_context(const wire::EntityState& baseline, std::int32_t m) {
     return baseline.largest + (near ? 4 * (second + 1) : 0);
 }
 
-bool are_near(const wire::EntityState& a, const wire::EntityState& b) {
+bool are_near(const snapshot::EntityState& a, const snapshot::EntityState& b) {
     for (std::size_t k = 0; k < 3; k++)
         if (std::abs(std::int64_t{a.position[k]} - b.position[k]) >= 2048) return false;
     return true;
@@ -153,7 +153,7 @@ public:
     CubeCoder(IntervalEncoder& out, Models& models, std::int32_t m)
         : out_(out), models_(models), m_(m) {}
 
-    Motion code(const wire::EntityState& now, const wire::EntityState& baseline,
+    Motion code(const snapshot::EntityState& now, const snapshot::EntityState& baseline,
                 const Motion& before, bool near_player) {
         Motion motion;
         bool turned = now.largest != baseline.largest, moved = false;
@@ -178,7 +178,7 @@ public:
     }
 
 private:
-    void rotation(const wire::EntityState& now, const wire::EntityState& baseline,
+    void rotation(const snapshot::EntityState& now, const snapshot::EntityState& baseline,
                   const Motion& motion, const Motion& before) {
         models_.largest[largest_context(baseline, m_)].code(out_, now.largest);
         if (now.largest != baseline.largest) return other_largest(now, baseline, before);
@@ -189,7 +189,7 @@ private:
 
     // Codes the rotation relative to the base's quaternion, converted to the new largest component;
     // the base's largest component is estimated and the sign flipped if necessary.
-    void other_largest(const wire::EntityState& now, const wire::EntityState& baseline,
+    void other_largest(const snapshot::EntityState& now, const snapshot::EntityState& baseline,
                        const Motion& before) {
         std::array<std::int64_t, 4> old{}, turn{};
         for (std::size_t axis = 0, k = 0; axis < 4; axis++) {
@@ -217,8 +217,8 @@ private:
 
 }  // namespace
 
-GiesenCoder::Coded GiesenCoder::encode(const wire::QuantizedFrame& now,
-                                       const wire::QuantizedFrame& baseline,
+GiesenCoder::Coded GiesenCoder::encode(const snapshot::QuantizedFrame& now,
+                                       const snapshot::QuantizedFrame& baseline,
                                        const StatePtr& baseline_state) const {
     auto state =
         baseline_state ? std::make_shared<State>(*baseline_state) : std::make_shared<State>();

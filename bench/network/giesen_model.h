@@ -36,7 +36,7 @@ public:
         std::vector<std::byte> bytes;
         StatePtr state;
     };
-    Coded encode(const wire::QuantizedFrame& now, const wire::QuantizedFrame& baseline,
+    Coded encode(const snapshot::QuantizedFrame& now, const snapshot::QuantizedFrame& baseline,
                  const StatePtr& baseline_state) const;
 
 private:

@@ -49,19 +49,19 @@ struct Row {
     double encode_us = 0, decode_us = 0;  // per frame; decode 0: no decoder
 };
 
-using Frames = std::vector<wire::QuantizedFrame>;
+using Frames = std::vector<snapshot::QuantizedFrame>;
 
 // Returns false if a decoded frame differs from the original.
-bool run_codec(Row& row, const Frames& frames, std::size_t age, const wire::QuantSpec& spec,
-               wire::Codec codec) {
+bool run_codec(Row& row, const Frames& frames, std::size_t age, const snapshot::QuantSpec& spec,
+               snapshot::Codec codec) {
     for (std::size_t i = 3 * age; i < frames.size(); i++) {
-        const wire::Baselines baselines{&frames[i - age], &frames[i - 2 * age],
-                                        &frames[i - 3 * age]};
+        const snapshot::Baselines baselines{&frames[i - age], &frames[i - 2 * age],
+                                            &frames[i - 3 * age]};
         const double began = cpu_seconds();
-        const auto packed = wire::encode_frame(frames[i], baselines, spec, codec);
+        const auto packed = snapshot::encode_frame(frames[i], baselines, spec, codec);
         const double encoded = cpu_seconds();
-        const auto decoded = wire::decode_frame(frames[i].frame, packed, baselines, spec,
-                                                wire::default_entities_max, codec);
+        const auto decoded = snapshot::decode_frame(frames[i].frame, packed, baselines, spec,
+                                                    snapshot::default_entities_max, codec);
         row.decode_us += 1e6 * (cpu_seconds() - encoded);
         row.encode_us += 1e6 * (encoded - began);
         row.bytes.push_back(static_cast<double>(packed.size()));
@@ -70,7 +70,7 @@ bool run_codec(Row& row, const Frames& frames, std::size_t age, const wire::Quan
     return true;
 }
 
-void run_giesen(Row& row, const Frames& frames, std::size_t age, const wire::QuantSpec& spec) {
+void run_giesen(Row& row, const Frames& frames, std::size_t age, const snapshot::QuantSpec& spec) {
     // The player is the last body. The ground never moves, so it costs next to nothing.
     const GiesenCoder coder(frames[0].entities.size() - 1, spec.rotation_component);
     std::deque<GiesenCoder::StatePtr> states(age);  // of the last frames
@@ -117,7 +117,8 @@ double mean_moving(const Frames& frames, std::size_t age) {
 }
 
 // Measures the rows of one quantization; returns false after reporting an error.
-bool measure(nlohmann::ordered_json& rows, const NetworkFlags& flags, const wire::QuantSpec& spec) {
+bool measure(nlohmann::ordered_json& rows, const NetworkFlags& flags,
+             const snapshot::QuantSpec& spec) {
     show_progress("katamari");
     const auto recorded = capture_scene("katamari", flags.seconds, spec);
     show_progress("");
@@ -133,8 +134,9 @@ bool measure(nlohmann::ordered_json& rows, const NetworkFlags& flags, const wire
             row.moving = mean_moving(recorded->frames, age);
             if (row.codec == "giesen")
                 run_giesen(row, recorded->frames, age, spec);
-            else if (!run_codec(row, recorded->frames, age, spec,
-                                row.codec == "1" ? wire::Codec::bits : wire::Codec::range)) {
+            else if (!run_codec(
+                         row, recorded->frames, age, spec,
+                         row.codec == "1" ? snapshot::Codec::bits : snapshot::Codec::range)) {
                 std::fprintf(stderr,
                              "jostle-bench: codec %s: a decoded frame differs from the original\n",
                              codec);

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace jostle::bots {
+namespace jostle::bot {
 namespace {
 
 constexpr double yard = 9;    // m; area of bots, half the edge length
@@ -276,4 +276,4 @@ void LapCounter::add_position(double seconds, double x, double z) {
     lap_ = {};
 }
 
-}  // namespace jostle::bots
+}  // namespace jostle::bot

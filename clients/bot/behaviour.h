@@ -11,7 +11,7 @@
 #include "clients/bot/script.h"
 #include "jostle/client/world_view.h"
 
-namespace jostle::bots {
+namespace jostle::bot {
 
 // Counts laps around the world's y axis from sampled positions.
 struct Lap {
@@ -84,4 +84,4 @@ private:
     std::uint32_t color_;
 };
 
-}  // namespace jostle::bots
+}  // namespace jostle::bot

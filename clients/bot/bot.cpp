@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "clients/bot/bot.h"
 
-namespace jostle::bots {
+namespace jostle::bot {
 
 Bot::Bot(client::Loop& loop, client::ClientOptions options, const ScriptLine& line,
          std::uint32_t seed)
@@ -20,4 +20,4 @@ void Bot::think(client::Clock::time_point now) {
     for (v1::Input& input : inputs) client_->send(std::move(input));
 }
 
-}  // namespace jostle::bots
+}  // namespace jostle::bot

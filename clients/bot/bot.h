@@ -8,7 +8,7 @@
 #include "clients/bot/behaviour.h"
 #include "jostle/client/client.h"
 
-namespace jostle::bots {
+namespace jostle::bot {
 
 class Bot {
 public:
@@ -25,4 +25,4 @@ private:
     client::Clock::time_point began_;
 };
 
-}  // namespace jostle::bots
+}  // namespace jostle::bot

@@ -83,12 +83,12 @@ std::string to_lines(const jostle::v1::Events& events) {
 // Formats one line per lap: "bot 1: lap 2 in 17.9 s, 44.2 to 46.0 m from the centre".
 class LapReport {
 public:
-    std::string new_lines(const std::vector<std::unique_ptr<jostle::bots::Bot>>& bots) {
+    std::string new_lines(const std::vector<std::unique_ptr<jostle::bot::Bot>>& bots) {
         reported_.resize(bots.size());
         std::string lines;
         for (std::size_t i = 0; i < bots.size(); i++)
             for (const auto& laps = bots[i]->laps(); reported_[i] < laps.size(); reported_[i]++) {
-                const jostle::bots::Lap& lap = laps[reported_[i]];
+                const jostle::bot::Lap& lap = laps[reported_[i]];
                 lines += "bot " + std::to_string(i + 1) + ": lap " +
                          std::to_string(reported_[i] + 1) + " in " + number(lap.seconds) + " s, " +
                          number(lap.nearest) + " to " + number(lap.furthest) +
@@ -102,11 +102,11 @@ private:
 };
 
 int play(const Flags& flags, const jostle::client::Security& security,
-         const jostle::bots::Script& script) {
+         const jostle::bot::Script& script) {
     jostle::client::Loop loop;
-    std::vector<std::unique_ptr<jostle::bots::Bot>> bots;
+    std::vector<std::unique_ptr<jostle::bot::Bot>> bots;
     for (int i = 0; i < flags.count; i++)
-        bots.push_back(std::make_unique<jostle::bots::Bot>(
+        bots.push_back(std::make_unique<jostle::bot::Bot>(
             loop,
             jostle::client::ClientOptions{.target = flags.target,
                                           .security = security,
@@ -190,7 +190,7 @@ int main(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         return app.exit(error) == 0 ? 0 : 2;
     }
-    const auto script = jostle::bots::script_or_default(flags.script);
+    const auto script = jostle::bot::script_or_default(flags.script);
     if (!script.ok()) {
         std::fprintf(stderr, "jostle-bot: %s\n", script.error().message.c_str());
         return 2;

@@ -6,7 +6,7 @@
 #include <iterator>
 #include <sstream>
 
-namespace jostle::bots {
+namespace jostle::bot {
 namespace {
 
 struct BehaviourSpec {
@@ -127,4 +127,4 @@ const ScriptLine& line_for(const Script& script, int i) {
     return script.back();
 }
 
-}  // namespace jostle::bots
+}  // namespace jostle::bot

@@ -32,7 +32,7 @@
 
 #include "jostle/base/result.h"
 
-namespace jostle::bots {
+namespace jostle::bot {
 
 struct ScriptLine {
     std::string behaviour;
@@ -55,4 +55,4 @@ Result<Script> script_or_default(const std::string& path);
 // Selects the line of bot i, so that the number of bots per line is proportional to the weights.
 const ScriptLine& line_for(const Script& script, int i);
 
-}  // namespace jostle::bots
+}  // namespace jostle::bot

@@ -132,7 +132,7 @@ SceneBody tree(Random& random, double height) {
 
 }  // namespace
 
-SceneDescription lab_trees() {
+SceneDescription bench_trees() {
     SceneDescription scene;
     scene.bodies.push_back(mesh_ground(100, 4, [](double x, double z) {
         return 2.5 * sin_cos(0.11 * x).sin + 1.5 * sin_cos(0.07 * z + 1).sin;
@@ -150,7 +150,7 @@ SceneDescription lab_trees() {
     return with_bench_defaults(std::move(scene));
 }
 
-SceneDescription lab_convex_pile() {
+SceneDescription bench_convex_pile() {
     SceneDescription scene;
     add_bench_floor(scene, 200);
     add_bench_walls(scene, 5);
@@ -160,7 +160,7 @@ SceneDescription lab_convex_pile() {
     return with_bench_defaults(std::move(scene));
 }
 
-SceneDescription lab_washer() {
+SceneDescription bench_washer() {
     constexpr int staves = 36;
     constexpr double radius = 4, half_length = 3, thickness = 0.25, paddle = 0.5;
     SceneDescription scene;
@@ -191,7 +191,7 @@ SceneDescription lab_washer() {
     return with_bench_defaults(std::move(scene));
 }
 
-SceneDescription lab_hull_terrain() {
+SceneDescription bench_hull_terrain() {
     SceneDescription scene;
     scene.bodies.push_back(mesh_ground(60, 1, [](double x, double z) {
         return 0.8 * sin_cos(0.5 * x).sin * sin_cos(0.4 * z).cos + 0.15 * sin_cos(2.3 * x + z).sin +
@@ -203,7 +203,7 @@ SceneDescription lab_hull_terrain() {
     return with_bench_defaults(std::move(scene));
 }
 
-SceneDescription lab_chain() {
+SceneDescription bench_chain() {
     SceneDescription scene;
     const Quat along_x = from_axis_angle({0, 0, 1}, -pi / 2);
     for (int k = 0; k < 1000; k++) {
@@ -216,7 +216,7 @@ SceneDescription lab_chain() {
     return with_bench_defaults(std::move(scene));
 }
 
-SceneDescription lab_rain() {
+SceneDescription bench_rain() {
     SceneDescription scene;
     // Adjacent bowls.
     scene.bodies.push_back(mesh_ground(60, 0.5, [](double x, double z) {
@@ -239,7 +239,7 @@ SceneDescription lab_rain() {
     return with_bench_defaults(std::move(scene));
 }
 
-SceneDescription lab_vehicles() {
+SceneDescription bench_vehicles() {
     constexpr double wheel_radius = 0.45, speed = 10;
     const auto height = [](double x, double z) {
         return 0.5 * sin_cos(0.15 * x).sin + 0.5 * sin_cos(0.2 * z).sin;
@@ -266,7 +266,7 @@ SceneDescription lab_vehicles() {
     return with_bench_defaults(std::move(scene));
 }
 
-SceneDescription lab_rods() {
+SceneDescription bench_rods() {
     SceneDescription scene;
     add_bench_floor(scene, 200);
     add_bench_walls(scene, 3);
@@ -285,7 +285,7 @@ SceneDescription lab_rods() {
     return with_bench_defaults(std::move(scene));
 }
 
-SceneDescription lab_box_shot() {
+SceneDescription bench_box_shot() {
     SceneDescription scene;
     scene.bodies.push_back(fixed_box("wall", {0.25, 0, 0}, {0.25, 100, 100}));
     Random random;
@@ -299,7 +299,7 @@ SceneDescription lab_box_shot() {
     return with_bench_defaults(std::move(scene));
 }
 
-SceneDescription lab_brick_wall() {
+SceneDescription bench_brick_wall() {
     SceneDescription scene;
     add_bench_floor(scene, 200);
     for (int row = 0; row < 20; row++)
@@ -312,7 +312,7 @@ SceneDescription lab_brick_wall() {
     return with_bench_defaults(std::move(scene));
 }
 
-SceneDescription lab_l_shapes() {
+SceneDescription bench_l_shapes() {
     SceneDescription scene;
     add_bench_floor(scene, 200);
     add_bench_walls(scene, 4);
@@ -327,7 +327,7 @@ SceneDescription lab_l_shapes() {
     return with_bench_defaults(std::move(scene));
 }
 
-SceneDescription lab_junkyard() {
+SceneDescription bench_junkyard() {
     SceneDescription scene;
     add_bench_floor(scene, 200);
     add_bench_walls(scene, 8);

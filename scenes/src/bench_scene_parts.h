@@ -15,7 +15,7 @@ void add_bench_floor(SceneDescription& scene, double half_width);
 // Adds four walls, 20 m high and 1 m thick, around a square with this inner half width.
 void add_bench_walls(SceneDescription& scene, double half_width);
 
-// The figure of the scene lab_ragdolls_40: eleven capsules and ten joints.
+// The figure of the scene bench_ragdolls_40: eleven capsules and ten joints.
 
 // Adds a figure that stands on `feet`, with its arms spread along the x axis of the pose and its
 // face towards z.

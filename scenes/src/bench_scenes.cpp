@@ -62,15 +62,15 @@ void join_in_the_middle(SceneDescription& scene, std::size_t a, std::size_t b) {
 
 }  // namespace
 
-SceneDescription lab_pyramid_465() {
+SceneDescription bench_pyramid_465() {
     return flat_pyramid(30, 1.05);
 }
 
-SceneDescription lab_pyramid_5050() {
+SceneDescription bench_pyramid_5050() {
     return flat_pyramid(100, 1.0);
 }
 
-SceneDescription lab_boxes_1000() {
+SceneDescription bench_boxes_1000() {
     SceneDescription scene;
     add_bench_floor(scene, 200);
     Random random;
@@ -84,7 +84,7 @@ SceneDescription lab_boxes_1000() {
     return with_bench_defaults(std::move(scene));
 }
 
-SceneDescription lab_pile_5000() {
+SceneDescription bench_pile_5000() {
     return poured_pile(5000, 12, 5);
 }
 
@@ -96,7 +96,7 @@ SceneDescription bench_pile(int count) {
     return poured_pile(count, side, 0.5 * width);
 }
 
-SceneDescription lab_player_901() {
+SceneDescription bench_player_901() {
     SceneDescription scene;
     add_bench_floor(scene, 200);
     for (int z = 0; z < 30; z++)
@@ -105,7 +105,7 @@ SceneDescription lab_player_901() {
     return with_bench_defaults(std::move(scene));
 }
 
-SceneDescription lab_ragdolls_40() {
+SceneDescription bench_ragdolls_40() {
     SceneDescription scene;
     add_bench_floor(scene, 200);
     const Quat leaning = from_axis_angle({1, 0, 0}, 0.35);
@@ -118,7 +118,7 @@ SceneDescription lab_ragdolls_40() {
     return with_bench_defaults(std::move(scene));
 }
 
-SceneDescription lab_joint_grid_10000() {
+SceneDescription bench_joint_grid_10000() {
     constexpr std::size_t side = 100;
     SceneDescription scene;
     for (std::size_t x = 0; x < side; x++)
@@ -135,7 +135,7 @@ SceneDescription lab_joint_grid_10000() {
     return with_bench_defaults(std::move(scene));
 }
 
-SceneDescription lab_asleep_10000() {
+SceneDescription bench_asleep_10000() {
     SceneDescription scene;
     add_bench_floor(scene, 250);
     for (int z = 0; z < 100; z++)
@@ -144,7 +144,7 @@ SceneDescription lab_asleep_10000() {
     return with_bench_defaults(std::move(scene));
 }
 
-SceneDescription lab_bullets_1000() {
+SceneDescription bench_bullets_1000() {
     SceneDescription scene;
     scene.bodies.push_back(fixed_box("wall", {}, {0.025, 10, 10}));
     Random random;

@@ -69,14 +69,14 @@ std::optional<Geometry> read_solid(FieldReader& in, const std::string& path, con
         in.report_error(path + ".mesh.indices",
                         "has " + std::to_string(m.mesh().indices_size() / 3) +
                             " triangles; it must have at most " + std::to_string(triangles_max));
-    decomposition::Options options;
+    modules::convex_decomposition::Options options;
     if (m.parts_max() != 0)
         options.hulls_max =
             static_cast<int>(in.number(path + ".parts_max", m.parts_max(), 1, hulls_max));
     if (m.has_excess()) options.max_volume_error = in.number(path + ".excess", m.excess(), 0, 10);
     if (in.failed()) return std::nullopt;
     const std::vector<std::uint32_t> indices(m.mesh().indices().begin(), m.mesh().indices().end());
-    const auto parts = decomposition::decompose(vertices, indices, options);
+    const auto parts = modules::convex_decomposition::decompose(vertices, indices, options);
     if (!parts.ok()) {
         in.report_error(path, parts.error().message);
         return std::nullopt;

@@ -5,7 +5,7 @@
 #include <array>
 #include <charconv>
 
-#include "jostle/base/network_simulator.h"
+#include "jostle/base/network_conditions.h"
 
 namespace jostle::server {
 

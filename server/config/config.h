@@ -123,7 +123,8 @@ struct ConnectionLimits {
 // Development only; never use these settings on a server with players.
 struct DevelopmentSettings {
     // Emulated network conditions for every client in both directions, such as
-    // "delay=80,jitter=20,stalls=250" (jostle/base/network_simulator.h); empty: no emulation.
+    // "latency_ms=80,jitter_ms=20,stall_ms=250" (jostle/base/network_conditions.h); empty: no
+    // emulation.
     std::string network_conditions;
     std::vector<std::string> network_conditions_worlds;  // names of affected worlds; empty: all
 };

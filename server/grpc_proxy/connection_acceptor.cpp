@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "server/grpc_proxy/connection_acceptor.h"
 
-#include <netdb.h>
 #include <netinet/in.h>
 #include <netinet/tcp.h>
 #include <sys/epoll.h>
@@ -15,6 +14,7 @@
 #include <utility>
 
 #include "jostle/base/check.h"
+#include "server/util/bound_socket.h"
 #include "server/util/log.h"
 #include "server/util/socket_options.h"
 
@@ -29,14 +29,6 @@ constexpr int backlog = 1024;
 constexpr auto log_period = std::chrono::seconds(5);
 // If no descriptor is available, an immediate retry would only spin.
 constexpr auto accept_pause = std::chrono::milliseconds(100);
-
-std::uint16_t port_of(int descriptor) {
-    sockaddr_storage own{};
-    socklen_t size = sizeof own;
-    getsockname(descriptor, reinterpret_cast<sockaddr*>(&own), &size);
-    // the port has the same offset in IPv4 and IPv6
-    return ntohs(reinterpret_cast<const sockaddr_in6&>(own).sin6_port);
-}
 
 }  // namespace
 
@@ -53,20 +45,10 @@ Status ConnectionAcceptor::listen(const std::string& host, std::uint16_t port) {
                                  "--listen HOST:PORT",
                                  host, port, refusal)};
     };
-    addrinfo hints{};
-    hints.ai_socktype = SOCK_STREAM;
-    hints.ai_flags = AI_PASSIVE | AI_NUMERICSERV;
-    addrinfo* found = nullptr;
-    if (const int e = getaddrinfo(host.c_str(), std::to_string(port).c_str(), &hints, &found);
-        e != 0)
-        return failed(gai_strerror(e));
-    const std::unique_ptr<addrinfo, decltype(&freeaddrinfo)> owned(found, freeaddrinfo);
-    listener_ = socket(found->ai_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
-    if (listener_ < 0) return failed(std::strerror(errno));
-    set_socket_option(listener_, SOL_SOCKET, SO_REUSEADDR, 1);
-    if (found->ai_family == AF_INET6) set_socket_option(listener_, IPPROTO_IPV6, IPV6_V6ONLY, 0);
-    if (bind(listener_, found->ai_addr, found->ai_addrlen) != 0 ||
-        ::listen(listener_, backlog) != 0) {
+    const Result<int> bound = open_bound_socket(host, port, SOCK_STREAM);
+    if (!bound.ok()) return failed(bound.error().message);
+    listener_ = *bound;
+    if (::listen(listener_, backlog) != 0) {
         const int error = errno;
         ::close(std::exchange(listener_, -1));
         return failed(std::strerror(error));

@@ -4,30 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <string_view>
 
 namespace jostle::server {
 
+using http2::FrameHeader, http2::FrameType, http2::frame_bytes_max;
+
 namespace {
 
-constexpr std::string_view preface = "PRI * HTTP/2.0\r\n\r\nSM\r\n\r\n";
-
-// RFC 9113, section 6.
-enum FrameType : std::uint8_t {
-    data = 0,
-    headers = 1,
-    priority = 2,
-    rst_stream = 3,
-    settings = 4,
-    push_promise = 5,
-    ping = 6,
-    goaway = 7,
-    window_update = 8,
-    continuation = 9,
-};
-constexpr std::uint8_t end_stream = 1, end_headers = 4;
-
-constexpr std::uint32_t frame_bytes_max = 16384;  // the maximum that the server's settings allow
 // Compressed size of a header block. Clients send a few hundred bytes, or 2000 bytes with a token.
 constexpr std::uint32_t block_bytes_max = 32 * 1024, block_frames_max = 8;
 
@@ -58,7 +41,7 @@ Status Http2FrameGuard::take(std::span<const std::uint8_t> bytes, Clock::time_po
     work_.spend(static_cast<double>(bytes.size()) * work_of_byte, now);
     while (!bytes.empty()) {
         if (!has_preface()) {
-            if (bytes[0] != static_cast<std::uint8_t>(preface[preface_bytes_]))
+            if (bytes[0] != static_cast<std::uint8_t>(http2::preface[preface_bytes_]))
                 return Error{ErrorCode::invalid_argument, "this is not HTTP/2"};
             preface_bytes_++;
             bytes = bytes.subspan(1);
@@ -69,17 +52,9 @@ Status Http2FrameGuard::take(std::span<const std::uint8_t> bytes, Clock::time_po
         } else {
             header_[header_bytes_++] = bytes[0];
             bytes = bytes.subspan(1);
-            if (header_bytes_ < header_size) continue;
+            if (header_bytes_ < header_.size()) continue;
             header_bytes_ = 0;
-            const auto big_endian = [&](std::size_t at, std::size_t count) {
-                std::uint32_t value = 0;
-                for (std::size_t i = at; i < at + count; i++) value = value << 8 | header_[i];
-                return value;
-            };
-            const FrameHeader head{.length = big_endian(0, 3),
-                                   .stream = big_endian(5, 4) & 0x7fff'ffff,
-                                   .type = header_[3],
-                                   .flags = header_[4]};
+            const FrameHeader head = http2::read_frame_header(header_);
             if (Status s = on_header(head, now); !s.ok()) return s;
             payload_left_ = head.length;
         }
@@ -95,26 +70,26 @@ Status Http2FrameGuard::on_header(const FrameHeader& head, Clock::time_point now
                                  frame_bytes_max)};
     if (block_stream_ != 0) return on_continuation(head);
     switch (head.type) {
-        case data:
-            if (head.length == 0 && (head.flags & end_stream) == 0)
+        case FrameType::data:
+            if (head.length == 0 && !head.has(http2::flags::end_stream))
                 return allow(empty_, "empty DATA", now);
             return {};
-        case headers:
+        case FrameType::headers:
             if (head.stream > last_stream_) work_.spend(work_of_stream, now);
             return on_headers(head);
-        case rst_stream:
+        case FrameType::rst_stream:
             return allow(resets_, "RST_STREAM", now);
-        case settings:
+        case FrameType::settings:
             return allow(settings_, "SETTINGS", now);
-        case ping:
+        case FrameType::ping:
             return allow(pings_, "PING", now);
-        case window_update:
+        case FrameType::window_update:
             return {};
-        case priority:
-        case goaway:
+        case FrameType::priority:
+        case FrameType::goaway:
             return allow(unusual_, "PRIORITY or GOAWAY", now);
-        case push_promise:
-        case continuation:
+        case FrameType::push_promise:
+        case FrameType::continuation:
             return Error{ErrorCode::invalid_argument,
                          "PUSH_PROMISE, or CONTINUATION without a header block"};
         default:
@@ -127,7 +102,7 @@ Status Http2FrameGuard::on_headers(const FrameHeader& head) {
         streams_opened_++;
         last_stream_ = head.stream;
     }
-    if ((head.flags & end_headers) != 0) return {};
+    if (head.has(http2::flags::end_headers)) return {};
     block_stream_ = head.stream;
     block_bytes_ = head.length;
     block_frames_ = 1;
@@ -135,7 +110,7 @@ Status Http2FrameGuard::on_headers(const FrameHeader& head) {
 }
 
 Status Http2FrameGuard::on_continuation(const FrameHeader& head) {
-    if (head.type != continuation || head.stream != block_stream_)
+    if (head.type != FrameType::continuation || head.stream != block_stream_)
         return Error{ErrorCode::invalid_argument, "a header block interrupted by other frames"};
     block_bytes_ += head.length;
     block_frames_++;
@@ -143,7 +118,7 @@ Status Http2FrameGuard::on_continuation(const FrameHeader& head) {
         return Error{ErrorCode::resource_exhausted,
                      fmt::format("a header block of more than {} bytes or {} frames",
                                  block_bytes_max, block_frames_max)};
-    if ((head.flags & end_headers) != 0) block_stream_ = 0;
+    if (head.has(http2::flags::end_headers)) block_stream_ = 0;
     return {};
 }
 

@@ -7,8 +7,7 @@
 // that no client needs end the connection; frames that clients need are throttled beyond a generous
 // rate.
 //
-// Frame headers: RFC 9113, section 4.1. Nothing is decompressed, and frames are not changed. A
-// value; one thread.
+// Nothing is decompressed, and frames are not changed. A value; one thread.
 #pragma once
 
 #include <array>
@@ -16,6 +15,7 @@
 #include <span>
 
 #include "jostle/base/result.h"
+#include "jostle/http2/frame.h"
 #include "server/util/token_bucket.h"
 
 namespace jostle::server {
@@ -29,27 +29,20 @@ public:
     Status take(std::span<const std::uint8_t> bytes, Clock::time_point now);
 
     // Whether the client has sent the HTTP/2 preface. Before that, gRPC is not involved.
-    bool has_preface() const { return preface_bytes_ == preface_size; }
+    bool has_preface() const { return preface_bytes_ == http2::preface.size(); }
     // How long the client must not be read; zero: it may be read now.
     Clock::duration throttle_delay(Clock::time_point now) { return work_.wait_for(0, now); }
 
     std::uint64_t streams_opened() const { return streams_opened_; }
 
 private:
-    struct FrameHeader {
-        std::uint32_t length = 0, stream = 0;
-        std::uint8_t type = 0, flags = 0;
-    };
-
-    static constexpr std::size_t preface_size = 24, header_size = 9;
-
-    Status on_header(const FrameHeader& head, Clock::time_point now);
-    Status on_headers(const FrameHeader& head);
-    Status on_continuation(const FrameHeader& head);
+    Status on_header(const http2::FrameHeader& head, Clock::time_point now);
+    Status on_headers(const http2::FrameHeader& head);
+    Status on_continuation(const http2::FrameHeader& head);
     Status allow(TokenBucket& bucket, const char* what, Clock::time_point now);
 
     std::size_t preface_bytes_ = 0, header_bytes_ = 0;
-    std::array<std::uint8_t, header_size> header_{};
+    std::array<std::uint8_t, http2::frame_header_bytes> header_{};
     std::uint32_t payload_left_ = 0;
     std::uint32_t last_stream_ = 0;
     std::uint32_t block_stream_ = 0;  // stream of the open header block; 0: none

@@ -91,11 +91,7 @@ Status AdminRoutes::authorize(const HttpRequest& request, const std::string& wor
 }
 
 HttpResponse AdminRoutes::health(std::string_view path) const {
-    if (const auto failure_reason = settings_.failure_reason())
-        return plain_text(503, *failure_reason + "\n");
-    if (path == "/healthz") return plain_text(200, "ok\n");
-    const auto not_ready = settings_.not_ready_reason();
-    return not_ready ? plain_text(503, *not_ready + "\n") : plain_text(200, "ready\n");
+    return health_response(path, settings_.failure_reason, settings_.not_ready_reason);
 }
 
 HttpResponse AdminRoutes::metrics() const {

@@ -4,6 +4,8 @@
 // only http_server depends on the HTTP library.
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -34,6 +36,17 @@ struct HttpResponse {
 // A text response that must not be cached.
 inline HttpResponse plain_text(int status, std::string body) {
     return {.status = status, .headers = {{"Cache-Control", "no-store"}}, .body = std::move(body)};
+}
+
+// Response of /healthz and /readyz. The functions return why the server is not healthy or not
+// ready.
+inline HttpResponse health_response(
+    std::string_view path, const std::function<std::optional<std::string>()>& failure_reason,
+    const std::function<std::optional<std::string>()>& not_ready_reason) {
+    if (const auto failure = failure_reason()) return plain_text(503, *failure + "\n");
+    if (path == "/healthz") return plain_text(200, "ok\n");
+    const auto not_ready = not_ready_reason();
+    return not_ready ? plain_text(503, *not_ready + "\n") : plain_text(200, "ready\n");
 }
 
 // The part of a target before the '?'.

@@ -143,7 +143,7 @@ std::string encode_shared_snapshot(const EncodedSnapshot& encoded) {
     v1::Snapshot snapshot;
     ASSERT(encoded.baselines.baseline <= encoded.frame);
     snapshot.set_frame(encoded.frame);
-    snapshot.set_baselines(wire::encode_baseline_frames(encoded.frame, encoded.baselines));
+    snapshot.set_baselines(snapshot::encode_baseline_frames(encoded.frame, encoded.baselines));
     snapshot.set_packed(encoded.packed.data(), encoded.packed.size());
     snapshot.set_crc(encoded.crc);
     snapshot.set_late_us(encoded.late_us);
@@ -158,7 +158,7 @@ std::string encode_shared_snapshot(const EncodedSnapshot& encoded) {
 std::string encode_controlled_entity_field(const ControlledEntityState& state, std::uint32_t tick,
                                            std::span<const std::uint32_t> previous, bool keyframe) {
     if (keyframe) previous = {};
-    wire::WordChanges changes = wire::changes_between(previous, state.words);
+    snapshot::WordChanges changes = snapshot::changes_between(previous, state.words);
     v1::Snapshot fields;
     v1::ControlledEntityState& to = *fields.mutable_controlled_entity();
     to.set_entity(state.entity);
@@ -177,7 +177,7 @@ std::string encode_cell_field(const EncodedCell& from) {
     ASSERT(from.baselines.baseline <= from.number);
     cell.set_cell(from.id);
     cell.set_number(from.number);
-    cell.set_baselines(wire::encode_baseline_frames(from.number, from.baselines));
+    cell.set_baselines(snapshot::encode_baseline_frames(from.number, from.baselines));
     cell.set_packed(from.packed.data(), from.packed.size());
     cell.set_crc(from.crc);
     return fields.SerializeAsString();

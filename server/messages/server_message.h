@@ -25,12 +25,12 @@ struct Welcome {
     double tick_hz = 0;
     std::uint32_t snapshot_hz = 0;
     std::uint32_t ack_interval_ms = 0;
-    wire::QuantSpec quant;
+    snapshot::QuantSpec quant;
     std::uint64_t server_time_us = 0, epoch_us = 0;
     physics::Vec3 gravity;
     int substeps = 0;
     std::vector<physics::ChannelKind> channels;
-    wire::Codec codec = wire::Codec::bits;
+    snapshot::Codec codec = snapshot::Codec::bits;
     bool cells = false;
     struct Datagrams {
         std::uint16_t port = 0;

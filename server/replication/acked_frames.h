@@ -29,7 +29,7 @@ public:
     std::uint32_t last_sent() const { return last_sent_; }
     // The acknowledged frames, as if nothing else had been sent.
     BaselineTracker known() const;
-    wire::BaselineFrames baselines_for(std::uint32_t frame) const {
+    snapshot::BaselineFrames baselines_for(std::uint32_t frame) const {
         return known().baselines_for(frame);
     }
 

@@ -11,8 +11,8 @@ constexpr std::uint32_t oldest_baseline_age = 200;
 
 }  // namespace
 
-wire::BaselineFrames BaselineTracker::baselines_for(std::uint32_t frame) const {
-    wire::BaselineFrames baselines;
+snapshot::BaselineFrames BaselineTracker::baselines_for(std::uint32_t frame) const {
+    snapshot::BaselineFrames baselines;
     if (sent_.empty() || frame - sent_.back() > oldest_baseline_age) return baselines;
     baselines.baseline = sent_.back();
     ASSERT(baselines.baseline <= frame);

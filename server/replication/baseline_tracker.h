@@ -20,7 +20,7 @@ public:
 
     // The baselines for the next frame: the last frame sent, and two older ones spaced about as far
     // apart, because extrapolating a long step from a short one would multiply rounding noise.
-    wire::BaselineFrames baselines_for(std::uint32_t frame) const;
+    snapshot::BaselineFrames baselines_for(std::uint32_t frame) const;
     void on_sent(std::uint32_t frame);
     // The client has `frame` and lost those sent after it. Returns false if `frame` is unknown; the
     // next snapshot is then a keyframe.

@@ -20,7 +20,7 @@ double gap(double coordinate, double from, double size) {
 
 }  // namespace
 
-CellGrid::CellGrid(double interest_cell_m, const wire::QuantSpec& spec)
+CellGrid::CellGrid(double interest_cell_m, const snapshot::QuantSpec& spec)
     : cell_m_(interest_cell_m), units_per_cell_(interest_cell_m * spec.units_per_meter) {}
 
 CellId CellGrid::id_of(CellCoordinates coordinates) {
@@ -44,7 +44,7 @@ double CellGrid::distance(CellId cell, double x_m, double z_m) const {
                       gap(z_m, coordinates.z * cell_m_, cell_m_));
 }
 
-CellId CellGrid::cell_of(const wire::EntityState& entity, CellId previous) const {
+CellId CellGrid::cell_of(const snapshot::EntityState& entity, CellId previous) const {
     const double x = entity.position[0] / units_per_cell_, z = entity.position[2] / units_per_cell_;
     if (previous != everywhere) {
         const CellCoordinates old = coordinates_of(previous);
@@ -53,13 +53,13 @@ CellId CellGrid::cell_of(const wire::EntityState& entity, CellId previous) const
     return id_of({static_cast<int>(std::floor(x)), static_cast<int>(std::floor(z))});
 }
 
-CellGrid::Cells CellGrid::split(const wire::QuantizedFrame& frame, const EntityList& entities) {
+CellGrid::Cells CellGrid::split(const snapshot::QuantizedFrame& frame, const EntityList& entities) {
     Cells cells;
     next_.clear();
     next_.reserve(frame.entities.size());
     auto old = known_.begin();
     auto description = entities.begin();
-    for (const wire::EntityState& entity : frame.entities) {
+    for (const snapshot::EntityState& entity : frame.entities) {
         while (description != entities.end() && (*description)->id < entity.id) ++description;
         while (old != known_.end() && old->first < entity.id) ++old;
         const bool large =
@@ -68,7 +68,7 @@ CellGrid::Cells CellGrid::split(const wire::QuantizedFrame& frame, const EntityL
         const CellId cell =
             large ? everywhere : cell_of(entity, is_known ? old->second : everywhere);
         next_.emplace_back(entity.id, cell);
-        wire::QuantizedFrame& to = cells[cell];
+        snapshot::QuantizedFrame& to = cells[cell];
         to.frame = frame.frame;
         to.entities.push_back(entity);
     }

@@ -29,11 +29,11 @@ struct CellCoordinates {
 class CellGrid {
 public:
     // `interest_cell_m`: cell edge in m.
-    CellGrid(double interest_cell_m, const wire::QuantSpec& spec);
+    CellGrid(double interest_cell_m, const snapshot::QuantSpec& spec);
 
     // The entities of the frame by cell; each cell in ascending order of id.
-    using Cells = std::unordered_map<CellId, wire::QuantizedFrame>;
-    Cells split(const wire::QuantizedFrame& frame, const EntityList& entities);
+    using Cells = std::unordered_map<CellId, snapshot::QuantizedFrame>;
+    Cells split(const snapshot::QuantizedFrame& frame, const EntityList& entities);
 
     double interest_cell_m() const { return cell_m_; }
     static CellId id_of(CellCoordinates coordinates);
@@ -42,7 +42,7 @@ public:
     double distance(CellId cell, double x_m, double z_m) const;
 
 private:
-    CellId cell_of(const wire::EntityState& entity, CellId previous) const;
+    CellId cell_of(const snapshot::EntityState& entity, CellId previous) const;
 
     const double cell_m_, units_per_cell_;
     // Cells of the entities of the last frame, in their order.

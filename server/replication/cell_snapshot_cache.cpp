@@ -9,12 +9,12 @@
 
 namespace jostle::server {
 
-CellSnapshotCache::CellSnapshotCache(double interest_cell_m, const wire::QuantSpec& spec,
+CellSnapshotCache::CellSnapshotCache(double interest_cell_m, const snapshot::QuantSpec& spec,
                                      Serialize serialize)
     : spec_(spec), serialize_(std::move(serialize)), grid_(interest_cell_m, spec) {}
 
 CellSnapshotCache::Cells CellSnapshotCache::cells(
-    const FramePtr& frame, const std::function<wire::QuantizedFrame()>& quantized) {
+    const FramePtr& frame, const std::function<snapshot::QuantizedFrame()>& quantized) {
     const std::lock_guard lock(mutex_);
     if (frame->tick <= tick_) return cells_;
     CellGrid::Cells now = grid_.split(quantized(), *frame->entity_list);
@@ -36,33 +36,33 @@ CellSnapshotCache::Cells CellSnapshotCache::cells(
 }
 
 // A state equal to the previous one is not stored again.
-void CellSnapshotCache::add(CellId cell, wire::QuantizedFrame content, std::uint32_t tick) {
+void CellSnapshotCache::add(CellId cell, snapshot::QuantizedFrame content, std::uint32_t tick) {
     History& history = histories_[cell];
     if (!history.states.empty() && history.states.back().content->entities == content.entities)
         return;
-    const std::uint32_t crc = wire::frame_crc(content);
+    const std::uint32_t crc = snapshot::frame_crc(content);
     const bool same_members =
         !history.states.empty() &&
         std::ranges::equal(history.states.back().content->entities, content.entities, {},
-                           &wire::EntityState::id, &wire::EntityState::id);
+                           &snapshot::EntityState::id, &snapshot::EntityState::id);
     ASSERT(history.states.empty() || history.states.back().number < tick);
     const std::uint32_t members = same_members ? history.states.back().members : tick;
     history.states.push_back({cell, tick, members,
-                              std::make_shared<const wire::QuantizedFrame>(std::move(content)),
+                              std::make_shared<const snapshot::QuantizedFrame>(std::move(content)),
                               crc});
     if (history.states.size() > states_retained) history.states.pop_front();
     ASSERT(history.states.size() <= states_retained);
     history.encodings.clear();
 }
 
-const wire::QuantizedFrame* CellSnapshotCache::find(const History& history,
-                                                    std::uint32_t number) const {
+const snapshot::QuantizedFrame* CellSnapshotCache::find(const History& history,
+                                                        std::uint32_t number) const {
     const auto at = std::ranges::lower_bound(history.states, number, {}, &CellState::number);
     return at != history.states.end() && at->number == number ? at->content.get() : nullptr;
 }
 
-SharedBytes CellSnapshotCache::encoding(const CellState& state, wire::BaselineFrames baselines,
-                                        wire::Codec codec) {
+SharedBytes CellSnapshotCache::encoding(const CellState& state, snapshot::BaselineFrames baselines,
+                                        snapshot::Codec codec) {
     const std::lock_guard lock(mutex_);
     // Another thread may have added a newer state or dropped the cell; the encoding is then made
     // for this client only.
@@ -77,22 +77,23 @@ SharedBytes CellSnapshotCache::encoding(const CellState& state, wire::BaselineFr
 }
 
 SharedBytes CellSnapshotCache::encode(const History& history, const CellState& state,
-                                      wire::BaselineFrames baselines, wire::Codec codec) const {
-    const wire::QuantizedFrame* baseline =
+                                      snapshot::BaselineFrames baselines,
+                                      snapshot::Codec codec) const {
+    const snapshot::QuantizedFrame* baseline =
         baselines.baseline != 0 ? find(history, baselines.baseline) : nullptr;
-    const wire::QuantizedFrame* baseline2 =
+    const snapshot::QuantizedFrame* baseline2 =
         baseline && baselines.baseline2 != 0 ? find(history, baselines.baseline2) : nullptr;
-    const wire::QuantizedFrame* baseline3 =
+    const snapshot::QuantizedFrame* baseline3 =
         baseline2 && baselines.baseline3 != 0 ? find(history, baselines.baseline3) : nullptr;
-    const wire::BaselineFrames used{baseline ? baselines.baseline : 0,
-                                    baseline2 ? baselines.baseline2 : 0,
-                                    baseline3 ? baselines.baseline3 : 0};
+    const snapshot::BaselineFrames used{baseline ? baselines.baseline : 0,
+                                        baseline2 ? baselines.baseline2 : 0,
+                                        baseline3 ? baselines.baseline3 : 0};
     return std::make_shared<const std::string>(
         serialize_({.id = state.id,
                     .number = state.number,
                     .baselines = used,
-                    .packed = wire::encode_frame(*state.content, {baseline, baseline2, baseline3},
-                                                 spec_, codec),
+                    .packed = snapshot::encode_frame(
+                        *state.content, {baseline, baseline2, baseline3}, spec_, codec),
                     .crc = state.crc}));
 }
 

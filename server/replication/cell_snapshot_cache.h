@@ -22,7 +22,7 @@ struct CellState {
     CellId id = everywhere;
     std::uint32_t number = 0;   // tick of the last change
     std::uint32_t members = 0;  // tick of the last entity that entered or left
-    std::shared_ptr<const wire::QuantizedFrame> content;
+    std::shared_ptr<const snapshot::QuantizedFrame> content;
     std::uint32_t crc = 0;
 };
 
@@ -30,7 +30,7 @@ struct CellState {
 struct EncodedCell {
     CellId id = everywhere;
     std::uint32_t number = 0;
-    wire::BaselineFrames baselines;
+    snapshot::BaselineFrames baselines;
     std::vector<std::byte> packed;
     std::uint32_t crc = 0;
 };
@@ -41,15 +41,16 @@ public:
     static constexpr std::size_t states_retained = 32;  // baselines per cell
     static constexpr std::uint32_t empty_ticks = 256;
 
-    CellSnapshotCache(double interest_cell_m, const wire::QuantSpec& spec, Serialize serialize);
+    CellSnapshotCache(double interest_cell_m, const snapshot::QuantSpec& spec, Serialize serialize);
 
     // In ascending order of id. An empty cell is retained for `empty_ticks`.
     using Cells = std::shared_ptr<const std::vector<CellState>>;
     // The cells of a frame, or of the newest frame requested so far if that is newer. `quantized`
     // is called only for a new frame.
-    Cells cells(const FramePtr& frame, const std::function<wire::QuantizedFrame()>& quantized);
+    Cells cells(const FramePtr& frame, const std::function<snapshot::QuantizedFrame()>& quantized);
     // Baselines that are no longer stored are omitted. Never null.
-    SharedBytes encoding(const CellState& state, wire::BaselineFrames baselines, wire::Codec codec);
+    SharedBytes encoding(const CellState& state, snapshot::BaselineFrames baselines,
+                         snapshot::Codec codec);
 
     // Distance in m from a point on the ground to a cell.
     double distance(CellId cell, double x_m, double z_m) const {
@@ -61,14 +62,14 @@ private:
     struct History {
         std::deque<CellState> states;  // oldest first
         // Encodings of the newest state.
-        std::map<std::tuple<wire::BaselineFrames, wire::Codec>, SharedBytes> encodings;
+        std::map<std::tuple<snapshot::BaselineFrames, snapshot::Codec>, SharedBytes> encodings;
     };
-    void add(CellId cell, wire::QuantizedFrame content, std::uint32_t tick);
-    const wire::QuantizedFrame* find(const History& history, std::uint32_t number) const;
+    void add(CellId cell, snapshot::QuantizedFrame content, std::uint32_t tick);
+    const snapshot::QuantizedFrame* find(const History& history, std::uint32_t number) const;
     SharedBytes encode(const History& history, const CellState& state,
-                       wire::BaselineFrames baselines, wire::Codec codec) const;
+                       snapshot::BaselineFrames baselines, snapshot::Codec codec) const;
 
-    const wire::QuantSpec spec_;
+    const snapshot::QuantSpec spec_;
     const Serialize serialize_;
     std::mutex mutex_;
     CellGrid grid_;

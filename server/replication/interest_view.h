@@ -40,7 +40,7 @@ public:
 
     struct PendingCell {
         CellState state;
-        wire::BaselineFrames baselines;
+        snapshot::BaselineFrames baselines;
         bool fresh = false;        // the client does not have the cell
         bool new_members = false;  // an entity entered the cell since it was last sent
     };

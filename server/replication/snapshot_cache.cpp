@@ -12,12 +12,12 @@
 namespace jostle::server {
 namespace {
 
-static_assert(PoseList::block_size == wire::crc_block);
+static_assert(PoseList::block_size == snapshot::crc_block);
 
-wire::EntityState quantized_pose(const EntityPose& e, const wire::QuantSpec& spec) {
+snapshot::EntityState quantized_pose(const EntityPose& e, const snapshot::QuantSpec& spec) {
     const auto& p = e.pose.position;
     const auto& q = e.pose.rotation;
-    return wire::quantize(e.id, {{p.x, p.y, p.z}, {q.x, q.y, q.z, q.w}}, !e.awake, spec);
+    return snapshot::quantize(e.id, {{p.x, p.y, p.z}, {q.x, q.y, q.z, q.w}}, !e.awake, spec);
 }
 
 // Ticks in which nothing changed since the baseline, except possibly in the frame's own tick.
@@ -27,8 +27,8 @@ std::uint32_t unchanged_ticks(const Frame& frame, const Frame& baseline) {
     return held ? frame.tick - 1 - baseline.tick : 0;
 }
 
-wire::Channels channels_of(const Frame& frame) {
-    wire::Channels channels;
+snapshot::Channels channels_of(const Frame& frame) {
+    snapshot::Channels channels;
     if (!frame.channels) return channels;
     channels.reserve(frame.channels->size());
     for (const Channel& c : *frame.channels) channels.push_back({c.kind, c.entity, c.values});
@@ -98,17 +98,17 @@ void SnapshotCache::quantize(Entry& entry, const Entry* previous, Entry oldest) 
         }
         std::ranges::transform(*blocks[b], to.begin(),
                                [&](const EntityPose& pose) { return quantized_pose(pose, spec_); });
-        entry.block_rests[b] = std::ranges::all_of(to, &wire::EntityState::at_rest);
-        if (b < entry.block_crcs.size()) entry.block_crcs[b] = wire::block_crc(to);
+        entry.block_rests[b] = std::ranges::all_of(to, &snapshot::EntityState::at_rest);
+        if (b < entry.block_crcs.size()) entry.block_crcs[b] = snapshot::block_crc(to);
     }
     ASSERT(changed || previous);
-    entry.crc = changed ? wire::frame_crc(entry.quantized, entry.block_crcs) : previous->crc;
+    entry.crc = changed ? snapshot::frame_crc(entry.quantized, entry.block_crcs) : previous->crc;
 }
 
 // Blocks that both frames share, and in which all entities are at rest.
-std::vector<wire::UnchangedRun> SnapshotCache::unchanged_runs(const Entry& entry,
-                                                              const Entry& baseline) {
-    std::vector<wire::UnchangedRun> runs;
+std::vector<snapshot::UnchangedRun> SnapshotCache::unchanged_runs(const Entry& entry,
+                                                                  const Entry& baseline) {
+    std::vector<snapshot::UnchangedRun> runs;
     if (entry.frame->entity_list != baseline.frame->entity_list) return runs;
     const auto &blocks = entry.frame->entities.blocks(),
                &previous = baseline.frame->entities.blocks();
@@ -125,8 +125,8 @@ std::vector<wire::UnchangedRun> SnapshotCache::unchanged_runs(const Entry& entry
     return runs;
 }
 
-SharedBytes SnapshotCache::encoding(const FramePtr& frame, wire::BaselineFrames baselines,
-                                    std::uint64_t kinds, std::optional<wire::Codec> poses) {
+SharedBytes SnapshotCache::encoding(const FramePtr& frame, snapshot::BaselineFrames baselines,
+                                    std::uint64_t kinds, std::optional<snapshot::Codec> poses) {
     const std::lock_guard lock(mutex_);
     Entry& entry = entry_of(frame);
     ASSERT(entry.frame->tick == frame->tick);
@@ -137,15 +137,15 @@ SharedBytes SnapshotCache::encoding(const FramePtr& frame, wire::BaselineFrames 
     const Entry* baseline3 = baseline2 && baselines.baseline3 < baselines.baseline2
                                  ? find(baselines.baseline3)
                                  : nullptr;
-    const wire::BaselineFrames used{baseline ? baselines.baseline : 0,
-                                    baseline2 ? baselines.baseline2 : 0,
-                                    baseline3 ? baselines.baseline3 : 0};
+    const snapshot::BaselineFrames used{baseline ? baselines.baseline : 0,
+                                        baseline2 ? baselines.baseline2 : 0,
+                                        baseline3 ? baselines.baseline3 : 0};
     if (const auto made = entry.encodings.find({used, kinds, poses}); made != entry.encodings.end())
         return made->second;
-    wire::PackedChannels channels;
+    snapshot::PackedChannels channels;
     if (kinds != 0)
-        channels = wire::encode_channels(entry.channels,
-                                         baseline ? baseline->channels : wire::Channels{}, kinds);
+        channels = snapshot::encode_channels(
+            entry.channels, baseline ? baseline->channels : snapshot::Channels{}, kinds);
     // If none of the channels changed, the bytes are the same as without channels.
     SharedBytes& bytes = entry.encodings[{used, channels.bytes.empty() ? 0 : kinds, poses}];
     if (!bytes)
@@ -161,8 +161,8 @@ SharedBytes SnapshotCache::encoding(const FramePtr& frame, wire::BaselineFrames 
 }
 
 const std::vector<std::byte>& SnapshotCache::packed(Entry& entry,
-                                                    const wire::BaselineFrames& baselines,
-                                                    wire::Codec codec) {
+                                                    const snapshot::BaselineFrames& baselines,
+                                                    snapshot::Codec codec) {
     const auto [at, fresh] = entry.packed.try_emplace({baselines, codec});
     if (!fresh) return at->second;
     const auto poses = [&](std::uint32_t number) {
@@ -170,9 +170,9 @@ const std::vector<std::byte>& SnapshotCache::packed(Entry& entry,
         return baseline ? &baseline->quantized : nullptr;
     };
     const Entry* const baseline = find(baselines.baseline);
-    const std::vector<wire::UnchangedRun> unchanged =
-        baseline ? unchanged_runs(entry, *baseline) : std::vector<wire::UnchangedRun>();
-    at->second = wire::encode_frame(
+    const std::vector<snapshot::UnchangedRun> unchanged =
+        baseline ? unchanged_runs(entry, *baseline) : std::vector<snapshot::UnchangedRun>();
+    at->second = snapshot::encode_frame(
         entry.quantized,
         {poses(baselines.baseline), poses(baselines.baseline2), poses(baselines.baseline3)}, spec_,
         codec, unchanged);
@@ -180,7 +180,7 @@ const std::vector<std::byte>& SnapshotCache::packed(Entry& entry,
     return at->second;
 }
 
-wire::QuantizedFrame SnapshotCache::quantized(const FramePtr& frame) {
+snapshot::QuantizedFrame SnapshotCache::quantized(const FramePtr& frame) {
     const std::lock_guard lock(mutex_);
     return entry_of(frame).quantized;
 }

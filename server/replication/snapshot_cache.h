@@ -28,12 +28,12 @@ using SharedBytes = std::shared_ptr<const std::string>;
 // The content of an encoding; `serialize` converts it to the bytes shared by clients.
 struct EncodedSnapshot {
     std::uint32_t frame = 0;
-    wire::BaselineFrames baselines;
+    snapshot::BaselineFrames baselines;
     std::vector<std::byte> packed;
     std::uint32_t crc = 0;
     std::int64_t late_us = 0;
     std::uint32_t unchanged_ticks = 0;  // ticks after the baseline in which nothing changed
-    wire::PackedChannels channels;      // of the requested kinds, relative to the baseline
+    snapshot::PackedChannels channels;  // of the requested kinds, relative to the baseline
 };
 
 class SnapshotCache {
@@ -41,57 +41,58 @@ public:
     using Serialize = std::function<std::string(const EncodedSnapshot&)>;
     static constexpr std::size_t ring = 32;  // frames retained as baselines
 
-    SnapshotCache(wire::QuantSpec spec, Serialize serialize)
+    SnapshotCache(snapshot::QuantSpec spec, Serialize serialize)
         : spec_(spec), serialize_(std::move(serialize)) {}
 
     // Encodes the frame against the baselines; baselines that left the ring are omitted, and
     // without a first baseline the encoding is a keyframe. `kinds`: one bit per requested channel
     // kind (world/frame.h). Without a pose codec only the other fields are encoded, for clients
     // that receive cells. Never null.
-    SharedBytes encoding(const FramePtr& frame, wire::BaselineFrames baselines,
+    SharedBytes encoding(const FramePtr& frame, snapshot::BaselineFrames baselines,
                          std::uint64_t kinds = 0,
-                         std::optional<wire::Codec> poses = wire::Codec::bits);
+                         std::optional<snapshot::Codec> poses = snapshot::Codec::bits);
     // The quantized entities of the frame.
-    wire::QuantizedFrame quantized(const FramePtr& frame);
+    snapshot::QuantizedFrame quantized(const FramePtr& frame);
     // Whether the frame can still be a baseline.
     bool holds(std::uint32_t frame) const;
 
-    const wire::QuantSpec& spec() const { return spec_; }
+    const snapshot::QuantSpec& spec() const { return spec_; }
     // Number of pose encodings made, for tests and measurements: sharing keeps it far below the
     // number sent.
     std::uint64_t encodings_made() const;
 
 private:
     struct EncodingKey {
-        wire::BaselineFrames baselines;
+        snapshot::BaselineFrames baselines;
         std::uint64_t kinds = 0;  // also 0 if none of the requested kinds changed
-        std::optional<wire::Codec> poses;
+        std::optional<snapshot::Codec> poses;
 
         auto operator<=>(const EncodingKey&) const = default;
     };
     struct Entry {
         FramePtr frame;
-        wire::QuantizedFrame quantized;
+        snapshot::QuantizedFrame quantized;
         std::uint32_t crc = 0;
         // Of each block of poses; the last block is included only if it is full.
         std::vector<std::uint32_t> block_crcs;
         std::vector<bool> block_rests;  // all entities of the block are at rest
-        wire::Channels channels;
-        std::map<std::pair<wire::BaselineFrames, wire::Codec>, std::vector<std::byte>> packed;
+        snapshot::Channels channels;
+        std::map<std::pair<snapshot::BaselineFrames, snapshot::Codec>, std::vector<std::byte>>
+            packed;
         std::map<EncodingKey, SharedBytes> encodings;
     };
 
     // Requires the lock, and baselines that are stored. Poses are encoded once for all combinations
     // of channels.
-    const std::vector<std::byte>& packed(Entry& entry, const wire::BaselineFrames& baselines,
-                                         wire::Codec codec);
+    const std::vector<std::byte>& packed(Entry& entry, const snapshot::BaselineFrames& baselines,
+                                         snapshot::Codec codec);
     Entry& entry_of(const FramePtr& frame);
     void quantize(Entry& entry, const Entry* previous, Entry oldest) const;
     Entry* find(std::uint32_t frame);
-    static std::vector<wire::UnchangedRun> unchanged_runs(const Entry& entry,
-                                                          const Entry& baseline);
+    static std::vector<snapshot::UnchangedRun> unchanged_runs(const Entry& entry,
+                                                              const Entry& baseline);
 
-    const wire::QuantSpec spec_;
+    const snapshot::QuantSpec spec_;
     const Serialize serialize_;
     mutable std::mutex mutex_;
     std::map<std::uint32_t, Entry> entries_;  // by frame number, at most `ring`

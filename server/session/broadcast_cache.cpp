@@ -22,8 +22,8 @@ SharedBytes share(std::string bytes) {
 
 BroadcastCache::BroadcastCache(std::shared_ptr<WorldHost> host, double interest_cell_m)
     : host_(std::move(host)),
-      snapshots_(wire::QuantSpec{}, encode_shared_snapshot),
-      cells_(interest_cell_m, wire::QuantSpec{}, encode_cell_field) {
+      snapshots_(snapshot::QuantSpec{}, encode_shared_snapshot),
+      cells_(interest_cell_m, snapshot::QuantSpec{}, encode_cell_field) {
     ASSERT(host_ != nullptr);
 }
 

@@ -17,7 +17,7 @@ constexpr std::size_t entities_per_update_max = 64, entity_bytes = 48;
 
 }  // namespace
 
-CellsSection::CellsSection(BroadcastCache& broadcast, EntityStream& entities, wire::Codec codec,
+CellsSection::CellsSection(BroadcastCache& broadcast, EntityStream& entities, snapshot::Codec codec,
                            const Hello& hello)
     : broadcast_(broadcast),
       entities_(entities),
@@ -59,10 +59,10 @@ void CellsSection::on_sent(const OutMessage& snapshot) {
 
 // Sends the entities of the cell that the client does not know, as far as the budget allows.
 // Returns true if the client knew all of them.
-bool CellsSection::send_members(const wire::QuantizedFrame& cell) {
+bool CellsSection::send_members(const snapshot::QuantizedFrame& cell) {
     EntityList fresh;
     bool knew_all = true;
-    for (const wire::EntityState& entity : cell.entities) {
+    for (const snapshot::EntityState& entity : cell.entities) {
         if (is_known(entity.id)) continue;
         knew_all = false;
         if (fresh.size() == entities_per_update_max ||

@@ -18,7 +18,7 @@ namespace jostle::server {
 
 class CellsSection final : public SnapshotSection {
 public:
-    CellsSection(BroadcastCache& broadcast, EntityStream& entities, wire::Codec codec,
+    CellsSection(BroadcastCache& broadcast, EntityStream& entities, snapshot::Codec codec,
                  const Hello& hello);
 
     // The budget did not suffice for all pending cells and entities.
@@ -32,12 +32,12 @@ public:
 
 private:
     void update_list(const std::shared_ptr<const EntityList>& list);
-    bool send_members(const wire::QuantizedFrame& cell);
+    bool send_members(const snapshot::QuantizedFrame& cell);
     bool is_known(EntityId entity) const { return entity < known_.size() && known_[entity]; }
 
     BroadcastCache& broadcast_;
     EntityStream& entities_;
-    const wire::Codec codec_;
+    const snapshot::Codec codec_;
     InterestView view_;
     std::vector<bool> known_;  // by entity id: the client was sent the entity
     bool has_pending_ = false;

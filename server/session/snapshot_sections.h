@@ -31,7 +31,7 @@ public:
         InputIntake& inputs;
         const SnapshotSchedule& schedule;
         ClientId client = 0;
-        wire::Codec codec = wire::Codec::bits;
+        snapshot::Codec codec = snapshot::Codec::bits;
     };
     SnapshotSections(const Sources& sources, const Hello& hello);
 

@@ -19,9 +19,9 @@ namespace {
 constexpr auto keyframe_period = 250ms;
 
 // The highest codec that both sides support.
-wire::Codec codec_for(const Hello& hello, const StreamSettings& settings) {
+snapshot::Codec codec_for(const Hello& hello, const StreamSettings& settings) {
     const auto highest = static_cast<std::uint32_t>(settings.codec);
-    return static_cast<wire::Codec>(std::clamp(hello.codec, 1u, highest));
+    return static_cast<snapshot::Codec>(std::clamp(hello.codec, 1u, highest));
 }
 
 }  // namespace
@@ -180,7 +180,8 @@ bool SnapshotStream::prepare_datagram(const FramePtr& frame, Clock::time_point n
     return true;
 }
 
-SharedBytes SnapshotStream::encode(const FramePtr& frame, const wire::BaselineFrames& baselines) {
+SharedBytes SnapshotStream::encode(const FramePtr& frame,
+                                   const snapshot::BaselineFrames& baselines) {
     return parts_.broadcast.snapshots().encoding(frame, baselines, sections_.channel_kinds(),
                                                  codec_);
 }

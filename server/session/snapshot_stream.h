@@ -53,7 +53,7 @@ public:
     void on_ack(const Ack& ack, Clock::time_point now);
     Status set_interest(const Interest& interest);
     bool has_cells() const { return sections_.cells() != nullptr; }
-    wire::Codec codec() const { return codec_; }
+    snapshot::Codec codec() const { return codec_; }
 
     // --- datagrams ---
     // Snapshots go by datagram where possible. Call it before the first message.
@@ -63,7 +63,7 @@ public:
     // is due and newer than the last one.
     bool prepare_datagram(const FramePtr& frame, Clock::time_point now);
     // The shared part of a snapshot.
-    SharedBytes encode(const FramePtr& frame, const wire::BaselineFrames& baselines);
+    SharedBytes encode(const FramePtr& frame, const snapshot::BaselineFrames& baselines);
     void on_sent_by_datagram(const OutMessage& snapshot, std::uint32_t tick, Clock::time_point now);
     // Newest tick considered; 0: none.
     std::uint32_t last_frame() const { return schedule_.last_frame(); }
@@ -85,7 +85,7 @@ private:
     void on_results_sent(std::uint32_t tick);
 
     const Parts parts_;
-    const wire::Codec codec_;
+    const snapshot::Codec codec_;
     DatagramSession* datagrams_ = nullptr;  // null: the stream carries everything
     BaselineTracker baselines_;             // of the stream
     EntityStream entities_;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "server/udp/datagram_server.h"
 
-#include <netdb.h>
 #include <poll.h>
 #include <spdlog/fmt/fmt.h>
 #include <sys/eventfd.h>
@@ -15,6 +14,7 @@
 #include <vector>
 
 #include "jostle/base/check.h"
+#include "server/util/bound_socket.h"
 #include "server/util/log.h"
 #include "server/util/socket_options.h"
 
@@ -25,14 +25,6 @@ namespace {
 constexpr std::size_t receive_batch_size = 64;
 // Holds the snapshots of one tick to a thousand clients, and the packets they send meanwhile.
 constexpr int buffer_bytes = 4 << 20;
-
-std::uint16_t bound_port(int descriptor) {
-    sockaddr_storage own{};
-    socklen_t size = sizeof own;
-    getsockname(descriptor, reinterpret_cast<sockaddr*>(&own), &size);
-    // the port has the same offset in IPv4 and IPv6
-    return ntohs(reinterpret_cast<const sockaddr_in6&>(own).sin6_port);
-}
 
 }  // namespace
 
@@ -49,24 +41,14 @@ Status DatagramServer::start() {
                                  "--datagrams HOST:PORT",
                                  settings_.host, settings_.port, why)};
     };
-    addrinfo hints{};
-    hints.ai_socktype = SOCK_DGRAM;
-    hints.ai_flags = AI_PASSIVE | AI_NUMERICSERV;
-    addrinfo* found = nullptr;
-    if (const int e = getaddrinfo(settings_.host.c_str(), std::to_string(settings_.port).c_str(),
-                                  &hints, &found);
-        e != 0)
-        return failed(gai_strerror(e));
-    const std::unique_ptr<addrinfo, decltype(&freeaddrinfo)> owned(found, freeaddrinfo);
-    socket_ = socket(found->ai_family, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
-    if (socket_ < 0) return failed(std::strerror(errno));
-    if (found->ai_family == AF_INET6) set_socket_option(socket_, IPPROTO_IPV6, IPV6_V6ONLY, 0);
+    const Result<int> bound = open_bound_socket(settings_.host, settings_.port, SOCK_DGRAM);
+    if (!bound.ok()) return failed(bound.error().message);
+    socket_ = *bound;
     set_socket_option(socket_, SOL_SOCKET, SO_RCVBUF, buffer_bytes);
     set_socket_option(socket_, SOL_SOCKET, SO_SNDBUF, buffer_bytes);
-    if (bind(socket_, found->ai_addr, found->ai_addrlen) != 0) return failed(std::strerror(errno));
     wake_ = eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK);
     if (wake_ < 0) return failed(std::strerror(errno));
-    port_ = bound_port(socket_);
+    port_ = port_of(socket_);
     ASSERT(port_ != 0 && !thread_.joinable());
     thread_ = std::thread([this] { run(); });
     return {};

@@ -19,7 +19,7 @@ from .net import Closed
 from .player import TRANSPORTS, HonestPlayer
 from .server import DRAIN_SECONDS, Server, cpu_seconds, grpc_answers, http_answers, new_player_joins
 
-MESSAGES_MIN = 60  # messages per second to each honest player, in the worst full second
+MESSAGES_MIN = 50  # messages per second to each honest player, in the worst full second; the server sends one per tick
 RSS_MAX_MB = 300
 SHUTDOWN_MAX = DRAIN_SECONDS + 3
 WARM_UP = 1.5  # s during which the honest players play before the attack starts

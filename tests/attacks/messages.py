@@ -15,7 +15,10 @@ HEALTH_WATCH = "/grpc.health.v1.Health/Watch"
 REFLECTION = "/grpc.reflection.v1alpha.ServerReflection/ServerReflectionInfo"
 
 # Kinds of ServerMessage.
-WELCOME, ENTITY_UPDATE, SNAPSHOT, RESULTS, PONG, STATS, NOTICE, EVENTS = range(1, 9)
+WELCOME, ENTITY_UPDATE, SNAPSHOT, PONG, NOTICE, GEOMETRY = 1, 2, 3, 5, 7, 9
+# Fields of Snapshot and of ClientUpdate.
+FRAME, CLIENT_UPDATE = 1, 15
+RESULTS = 4
 
 
 # --- messages from clients ---

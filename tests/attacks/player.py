@@ -7,7 +7,7 @@ import time
 from . import messages
 from .http2 import Connection, grpc_message
 from .net import HONEST, Closed
-from .protobuf import field, fields
+from .protobuf import all_of, field, fields
 from .websocket import WebSocket
 
 
@@ -75,15 +75,15 @@ class Player:
             self._take(message)
 
     def _take(self, message):
-        kind, body = next(fields(message))
+        parts = list(fields(message))
+        kind, body = parts[0][0], b"".join(part for _, part in parts)  # the server sends some messages in parts
         self.counts[kind] = self.counts.get(kind, 0) + 1
         self.bytes += len(message)
         self.largest = max(self.largest, len(message))
         if kind == messages.SNAPSHOT:
-            self.frame = next(value for number, value in fields(body) if number == 1)
+            self.frame = field(body, messages.FRAME, self.frame)
             self.link.send(messages.ack(self.frame, self.keyframes))
-        elif kind == messages.RESULTS:
-            for number, result in fields(body):
+            for result in all_of(b"".join(all_of(body, messages.CLIENT_UPDATE)), messages.RESULTS):
                 code = field(result, 2, 0)
                 self.codes[code] = self.codes.get(code, 0) + 1
         elif kind == messages.NOTICE:

@@ -18,7 +18,8 @@ using testing::HasSubstr;
 
 class SpeedFlags : public testing::Test {
 protected:
-    SpeedFlags() : folder_(fs::temp_directory_path() / ("jostle-lab-" + std::to_string(getpid()))) {
+    SpeedFlags()
+        : folder_(fs::temp_directory_path() / ("jostle-bench-" + std::to_string(getpid()))) {
         fs::create_directories(folder_);
     }
     ~SpeedFlags() override { fs::remove_all(folder_); }
@@ -41,7 +42,7 @@ protected:
 };
 
 TEST_F(SpeedFlags, writes_table_json_and_csv) {
-    ASSERT_EQ(run("--scene lab_pyramid_465 --threads 1,2 --peers none --steps 3 --json " +
+    ASSERT_EQ(run("--scene bench_pyramid_465 --threads 1,2 --peers none --steps 3 --json " +
                   file("r.json") + " --csv " + file("r.csv")),
               0)
         << output();
@@ -55,7 +56,7 @@ TEST_F(SpeedFlags, writes_table_json_and_csv) {
     EXPECT_EQ(json["rows"][1]["clock"], "wall");
     const std::string csv = read("r.csv");
     EXPECT_TRUE(csv.starts_with("scene,name,engine,threads,steps,failed,bodies,ms_mean,")) << csv;
-    EXPECT_THAT(csv, HasSubstr("\na,lab_pyramid_465,jostle,2,3,,466,"));
+    EXPECT_THAT(csv, HasSubstr("\na,bench_pyramid_465,jostle,2,3,,466,"));
 }
 
 TEST_F(SpeedFlags, threads_compares_worlds_with_identical_results) {
@@ -82,7 +83,7 @@ TEST_F(SpeedFlags, growth_writes_growth_rows) {
 TEST_F(SpeedFlags, server_row_counts_one_second_of_ticks_with_two_clients) {
     ASSERT_EQ(run("--server --scene c --clients 2 --seconds 1 --json " + file("s.json")), 0)
         << output();
-    EXPECT_THAT(output(), HasSubstr("c lab_boxes_1000"));
+    EXPECT_THAT(output(), HasSubstr("c bench_boxes_1000"));
     const auto json = nlohmann::json::parse(read("s.json"));
     EXPECT_EQ(json["benchmark"], "speed server");
     ASSERT_EQ(json["rows"].size(), 1u);
@@ -138,7 +139,7 @@ TEST_F(SpeedFlags, features_measures_selected_features_and_enforces_the_limit) {
 TEST_F(SpeedFlags, unknown_scene_error_lists_known_scenes) {
     EXPECT_EQ(run("--scene a,z"), 2);
     EXPECT_THAT(output(), HasSubstr("unknown scene z"));
-    EXPECT_THAT(output(), HasSubstr("i or lab_bullets_1000"));
+    EXPECT_THAT(output(), HasSubstr("i or bench_bullets_1000"));
 }
 
 TEST_F(SpeedFlags, unknown_peer_error_lists_known_peers) {

@@ -32,7 +32,7 @@ protected:
 TEST_P(Rows, pyramid_stays_standing_for_ten_steps) {
     const SpeedRow row = row_of(GetParam(), "a", 10);
     ASSERT_FALSE(row.failed) << *row.failed;
-    EXPECT_EQ(row.scene + " " + row.name, "a lab_pyramid_465");
+    EXPECT_EQ(row.scene + " " + row.name, "a bench_pyramid_465");
     EXPECT_EQ(row.engine, GetParam());
     EXPECT_EQ(row.bodies, 466);
     EXPECT_EQ(row.steps, 10);

@@ -47,8 +47,8 @@ TEST(SpeedScenes, every_scene_is_in_the_catalogue_and_portable) {
 TEST(SpeedScenes, no_bodies_overlap_at_the_start) {
     for (const SpeedScene& speed_scene : speed_scenes()) {
         const SceneDescription scene = build(speed_scene);
-        if (scene.name == "lab_joint_grid_10000" || scene.name == "lab_pile_5000" ||
-            scene.name == "lab_ragdolls_40" || scene.name == "lab_rain")
+        if (scene.name == "bench_joint_grid_10000" || scene.name == "bench_pile_5000" ||
+            scene.name == "bench_ragdolls_40" || scene.name == "bench_rain")
             continue;
         std::vector<jostle::physics::Transform> poses;
         for (const auto& body : scene.bodies) poses.push_back(body.body.pose);

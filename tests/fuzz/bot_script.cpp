@@ -8,11 +8,11 @@
 namespace jostle::fuzz {
 
 void run(Bytes input) {
-    const auto script = bots::parse_script(std::string(text_of(input)), "bots.txt");
+    const auto script = bot::parse_script(std::string(text_of(input)), "bots.txt");
     if (!script.ok())
         return expect(script.error().message.starts_with("bots.txt"), "a refusal names the file");
     for (int i : {0, 1, 2, 1000, 1'000'000'000})
-        expect(!bots::line_for(*script, i).behaviour.empty(), "every bot has something to do");
+        expect(!bot::line_for(*script, i).behaviour.empty(), "every bot has something to do");
 }
 
 }  // namespace jostle::fuzz

@@ -14,21 +14,21 @@ namespace jostle::fuzz {
 
 void run(Bytes input) {
     Reader in(input);
-    std::deque<wire::Channels> ring{{}};
+    std::deque<snapshot::Channels> ring{{}};
     while (!in.done()) {
         const Record record = take_record(in);
-        const wire::Channels& baseline = ring[record.kind % ring.size()];
+        const snapshot::Channels& baseline = ring[record.kind % ring.size()];
         const auto bytes = bytes_of(record.bytes);
-        const auto told = wire::read_channels(bytes, baseline);
+        const auto told = snapshot::read_channels(bytes, baseline);
         if (!told.ok()) {
             expect(!told.error().message.empty(), "a refusal has a reason");
             continue;
         }
-        const auto checked = wire::decode_channels(bytes, told->crc, baseline);
+        const auto checked = snapshot::decode_channels(bytes, told->crc, baseline);
         expect(checked.ok(), "what can be read is taken with its CRC");
-        const auto packed = wire::encode_channels(told->channels, baseline, ~std::uint64_t{0});
-        const auto again = wire::decode_channels(packed.bytes, packed.crc, baseline);
-        expect(again.ok() && wire::same_channels(*again, told->channels),
+        const auto packed = snapshot::encode_channels(told->channels, baseline, ~std::uint64_t{0});
+        const auto again = snapshot::decode_channels(packed.bytes, packed.crc, baseline);
+        expect(again.ok() && snapshot::same_channels(*again, told->channels),
                "channels are the same when they were sent on");
         ring.push_back(told->channels);
         if (ring.size() > 8) ring.pop_front();

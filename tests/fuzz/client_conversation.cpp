@@ -53,33 +53,34 @@ private:
             bytes = message.SerializeAsString();
         const std::uint32_t before = conversation_.view().frame().frame;
         conversation_.receive(bytes, now_);
-        const wire::QuantizedFrame& frame = conversation_.view().frame();
+        const snapshot::QuantizedFrame& frame = conversation_.view().frame();
         if (frame.frame == before) return;
         frames_.push_back(frame);
         if (frames_.size() > client::WorldView::frame_history_max) frames_.pop_front();
     }
 
-    const wire::QuantizedFrame* find(std::uint32_t number) const {
-        for (const wire::QuantizedFrame& frame : frames_)
+    const snapshot::QuantizedFrame* find(std::uint32_t number) const {
+        for (const snapshot::QuantizedFrame& frame : frames_)
             if (frame.frame == number) return &frame;
         return nullptr;
     }
 
     bool set_crc(v1::Snapshot& snapshot) const {
-        wire::Baselines baselines;
-        const auto told = wire::decode_baseline_frames(snapshot.frame(), snapshot.baselines());
+        snapshot::Baselines baselines;
+        const auto told = snapshot::decode_baseline_frames(snapshot.frame(), snapshot.baselines());
         if (!told.ok()) return false;
         const std::uint32_t numbers[] = {told->baseline, told->baseline2, told->baseline3};
-        const wire::QuantizedFrame** const slots[] = {&baselines.baseline, &baselines.baseline2,
-                                                      &baselines.baseline3};
+        const snapshot::QuantizedFrame** const slots[] = {&baselines.baseline, &baselines.baseline2,
+                                                          &baselines.baseline3};
         for (int k = 0; k < 3 && (*slots[k] = find(numbers[k])) != nullptr; k++) {
         }
         const auto* bytes = reinterpret_cast<const std::byte*>(snapshot.packed().data());
-        const auto frame = wire::decode_frame(
-            snapshot.frame(), {bytes, snapshot.packed().size()}, baselines,
-            conversation_.view().spec(), wire::default_entities_max, conversation_.view().codec());
+        const auto frame =
+            snapshot::decode_frame(snapshot.frame(), {bytes, snapshot.packed().size()}, baselines,
+                                   conversation_.view().spec(), snapshot::default_entities_max,
+                                   conversation_.view().codec());
         if (!frame.ok()) return false;
-        snapshot.set_crc(wire::frame_crc(*frame));
+        snapshot.set_crc(snapshot::frame_crc(*frame));
         return true;
     }
 
@@ -92,7 +93,7 @@ private:
             static_cast<void>(conversation_.input_clock().tick(us));
         }
         for (const auto& [id, entity] : view.entities()) static_cast<void>(view.pose_of(id));
-        for (const wire::Channel& channel : view.channels())
+        for (const snapshot::Channel& channel : view.channels())
             expect(channel.values != nullptr, "a channel that is there has values");
         static_cast<void>(conversation_.take_results());
         static_cast<void>(conversation_.take_events());
@@ -107,7 +108,7 @@ private:
 
     Clock::time_point now_ = Clock::time_point() + 1000s;
     client::PlayProtocol conversation_{client::ClientOptions{.events = true, .channels = {"*"}}};
-    std::deque<wire::QuantizedFrame> frames_;  // as the view keeps them
+    std::deque<snapshot::QuantizedFrame> frames_;  // as the view keeps them
 };
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace jostle::fuzz {
 
 namespace {
 
-using wire::EntityState;
+using snapshot::EntityState;
 
 constexpr std::size_t entities_max = 64;
 
@@ -27,15 +27,15 @@ std::int32_t moved(std::int32_t from, std::uint8_t how, Reader& in) {
 }
 
 // As quantize() makes them, from any numbers.
-void turn(EntityState& state, Reader& in, const wire::QuantSpec& spec) {
-    wire::Pose pose;
+void turn(EntityState& state, Reader& in, const snapshot::QuantSpec& spec) {
+    snapshot::Pose pose;
     for (double& q : pose.rotation) q = in.number<std::int16_t>();
-    const EntityState turned = wire::quantize(state.id, pose, false, spec);
+    const EntityState turned = snapshot::quantize(state.id, pose, false, spec);
     state.largest = turned.largest;
     state.rotation = turned.rotation;
 }
 
-void change(EntityState& state, std::uint8_t how, Reader& in, const wire::QuantSpec& spec) {
+void change(EntityState& state, std::uint8_t how, Reader& in, const snapshot::QuantSpec& spec) {
     for (std::int32_t& p : state.position) p = moved(p, how, in);
     if ((how & 4) != 0) turn(state, in, spec);
     state.at_rest = (how & 8) != 0;
@@ -43,7 +43,7 @@ void change(EntityState& state, std::uint8_t how, Reader& in, const wire::QuantS
 
 // The frame after `before`: entities stay, move, go and come as the bytes say.
 std::vector<EntityState> next(const std::vector<EntityState>& before, Reader& in,
-                              const wire::QuantSpec& spec) {
+                              const snapshot::QuantSpec& spec) {
     std::vector<EntityState> after;
     for (EntityState state : before) {
         const auto how = in.number<std::uint8_t>();
@@ -71,20 +71,21 @@ std::vector<EntityState> next(const std::vector<EntityState>& before, Reader& in
 
 void run(Bytes input) {
     Reader in(input);
-    wire::QuantSpec spec = take_spec(in);
-    spec.units_per_meter = std::clamp(spec.units_per_meter, 1, wire::max_units_per_meter);
-    spec.rotation_component = std::clamp(spec.rotation_component, 1, wire::max_rotation_component);
+    snapshot::QuantSpec spec = take_spec(in);
+    spec.units_per_meter = std::clamp(spec.units_per_meter, 1, snapshot::max_units_per_meter);
+    spec.rotation_component =
+        std::clamp(spec.rotation_component, 1, snapshot::max_rotation_component);
     FrameRing ring;
     std::vector<EntityState> entities;
     for (std::uint32_t number = 1; !in.done() && number < 64; number++) {
         const auto choice = in.number<std::uint8_t>();
         entities = next(entities, in, spec);
-        const wire::QuantizedFrame frame{.frame = number, .entities = entities};
-        const wire::Baselines baselines = ring.baselines(choice);
-        const wire::Codec codec = codec_of(choice);
-        const auto packed = wire::encode_frame(frame, baselines, spec, codec);
-        const auto decoded =
-            wire::decode_frame(number, packed, baselines, spec, wire::default_entities_max, codec);
+        const snapshot::QuantizedFrame frame{.frame = number, .entities = entities};
+        const snapshot::Baselines baselines = ring.baselines(choice);
+        const snapshot::Codec codec = codec_of(choice);
+        const auto packed = snapshot::encode_frame(frame, baselines, spec, codec);
+        const auto decoded = snapshot::decode_frame(number, packed, baselines, spec,
+                                                    snapshot::default_entities_max, codec);
         expect(decoded.ok(),
                decoded.ok() ? "" : "what was encoded is refused: " + decoded.error().message);
         expect(*decoded == frame, "what was encoded is decoded");

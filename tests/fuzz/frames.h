@@ -13,16 +13,16 @@ namespace jostle::fuzz {
 
 class FrameRing {
 public:
-    void add(wire::QuantizedFrame frame) {
+    void add(snapshot::QuantizedFrame frame) {
         frames_.push_back(std::move(frame));
         if (frames_.size() > ring) frames_.pop_front();
     }
     std::uint32_t newest() const { return frames_.empty() ? 0 : frames_.back().frame; }
     // Two bits each say how far back the next base lies; 0 ends the list.
-    wire::Baselines baselines(std::uint8_t choice) const {
-        wire::Baselines baselines;
-        const wire::QuantizedFrame** slots[] = {&baselines.baseline, &baselines.baseline2,
-                                                &baselines.baseline3};
+    snapshot::Baselines baselines(std::uint8_t choice) const {
+        snapshot::Baselines baselines;
+        const snapshot::QuantizedFrame** slots[] = {&baselines.baseline, &baselines.baseline2,
+                                                    &baselines.baseline3};
         std::size_t back = 0;
         for (const auto slot : slots) {
             const std::size_t step = choice & 3;
@@ -36,23 +36,23 @@ public:
 
 private:
     static constexpr std::size_t ring = 32;
-    std::deque<wire::QuantizedFrame> frames_;
+    std::deque<snapshot::QuantizedFrame> frames_;
 };
 
 // One of both.
-inline wire::Codec codec_of(std::uint8_t byte) {
-    return (byte & 0x80) != 0 ? wire::Codec::range : wire::Codec::bits;
+inline snapshot::Codec codec_of(std::uint8_t byte) {
+    return (byte & 0x80) != 0 ? snapshot::Codec::range : snapshot::Codec::bits;
 }
 
 // Mostly what servers use, else anything.
-inline wire::QuantSpec take_spec(Reader& in) {
+inline snapshot::QuantSpec take_spec(Reader& in) {
     switch (in.number<std::uint8_t>() % 4) {
         case 0:
             return {};
         case 1:
             return {4096, 16383};
         case 2:
-            return {wire::max_units_per_meter, wire::max_rotation_component};
+            return {snapshot::max_units_per_meter, snapshot::max_rotation_component};
         default: {
             const auto units = in.number<std::int32_t>();
             return {units, in.number<std::int32_t>()};

@@ -201,22 +201,22 @@ void write_play(const fs::path& folder) {
 // ---- frames ----
 
 // Kinds of records: tests/fuzz/frames.h, how far back each base lies, and the codec.
-std::string frames_of(const wire::GoldenSequence& golden, wire::Codec codec) {
+std::string frames_of(const snapshot::GoldenSequence& golden, snapshot::Codec codec) {
     std::string out(1, golden.name == "precise" ? '\1' : '\0');
-    const auto find = [&](std::uint32_t number) -> const wire::QuantizedFrame* {
-        for (const wire::GoldenFrame& g : golden.frames)
+    const auto find = [&](std::uint32_t number) -> const snapshot::QuantizedFrame* {
+        for (const snapshot::GoldenFrame& g : golden.frames)
             if (number != 0 && g.frame.frame == number) return &g.frame;
         return nullptr;
     };
     std::uint32_t newest = 0;
     for (std::size_t i = 0; i < 8; i++) {
-        const wire::GoldenFrame& g = golden.frames[i];
+        const snapshot::GoldenFrame& g = golden.frames[i];
         const auto packed = encode_frame(
             g.frame, {find(g.base), find(g.baseline2), find(g.baseline3)}, golden.spec, codec);
         std::string bytes(1, static_cast<char>(g.frame.frame - newest - 1));
         bytes.append(reinterpret_cast<const char*>(packed.data()), packed.size());
         const int baselines = (g.base != 0) + (g.baseline2 != 0) + (g.baseline3 != 0);
-        const int kind = (0b010101 & ((1 << 2 * baselines) - 1)) | (codec == wire::Codec::range)
+        const int kind = (0b010101 & ((1 << 2 * baselines) - 1)) | (codec == snapshot::Codec::range)
                                                                        << 7;
         out += record(static_cast<std::uint8_t>(kind), bytes);
         newest = g.frame.frame;
@@ -226,23 +226,23 @@ std::string frames_of(const wire::GoldenSequence& golden, wire::Codec codec) {
 
 void write_frames(const fs::path& folder) {
     Seeds decode(folder, "frame_decode"), round_trip(folder, "frame_round_trip");
-    for (const wire::GoldenSequence& golden : wire::golden_sequences())
-        for (const wire::Codec codec : {wire::Codec::bits, wire::Codec::range})
+    for (const snapshot::GoldenSequence& golden : snapshot::golden_sequences())
+        for (const snapshot::Codec codec : {snapshot::Codec::bits, snapshot::Codec::range})
             decode.add(frames_of(golden, codec));
     Seeds channels(folder, "channel_decode");
-    wire::ChangingChannels changing(7);
+    snapshot::ChangingChannels changing(7);
     for (int k = 0; k < 8; k++) {
         // Against nothing, then against it: of the records of an input the first finds no base.
-        const wire::Channels first = changing.step(), second = changing.step();
-        const auto bytes = [](const wire::PackedChannels& packed) {
+        const snapshot::Channels first = changing.step(), second = changing.step();
+        const auto bytes = [](const snapshot::PackedChannels& packed) {
             return std::string(reinterpret_cast<const char*>(packed.bytes.data()),
                                packed.bytes.size());
         };
-        channels.add(record(0, bytes(wire::encode_channels(first, {}, ~0ull))) +
-                     record(1, bytes(wire::encode_channels(second, first, ~0ull))));
+        channels.add(record(0, bytes(snapshot::encode_channels(first, {}, ~0ull))) +
+                     record(1, bytes(snapshot::encode_channels(second, first, ~0ull))));
     }
     for (std::uint32_t seed = 1; seed <= 4; seed++) {
-        wire::Random random(seed);
+        snapshot::Random random(seed);
         std::string out(1, static_cast<char>(seed % 3));
         for (int k = 0; k < 300; k++) out += static_cast<char>(random.below(256));
         round_trip.add(out);
@@ -289,7 +289,7 @@ void write_scenes(const fs::path& folder) {
 void write_geometry(const fs::path& folder) {
     Seeds hull(folder, "hull_points"), terrain(folder, "terrain");
     hull.add(std::string("\0\0\0\0\20\0\0\0\20\0\0\0\20\20\20\20", 16));
-    wire::Random random(7);
+    snapshot::Random random(7);
     std::string cloud(1, '\1'), box(1, '\2');
     for (int k = 0; k < 3 * 40; k++) put(cloud, static_cast<std::int32_t>(random.in(-1e8, 1e8)));
     for (int k = 0; k < 8; k++)

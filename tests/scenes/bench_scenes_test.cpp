@@ -47,21 +47,21 @@ struct Expected {
 };
 
 const Expected expected[] = {
-    {"lab_pyramid_465", 466, 0, 1, {-14.5 * 1.05, 0.5, 0}, {0, 29.5, 0}},
-    {"lab_pyramid_5050", 5051, 0, 1, {-49.5, 0.5, 0}, {0, 99.5, 0}},
-    {"lab_player_901", 902, 0, 1, {-14.5, 0.2, -14.5}, {-18, 0.75, 0}},
-    {"lab_joint_grid_10000", 10000, 19794, 7, {0, 0, 0}, {99, -99, 0}},
-    {"lab_chain", 1000, 999, 1, {0.5, 0, 0}, {499.5, 0, 0}},
-    {"lab_vehicles",
+    {"bench_pyramid_465", 466, 0, 1, {-14.5 * 1.05, 0.5, 0}, {0, 29.5, 0}},
+    {"bench_pyramid_5050", 5051, 0, 1, {-49.5, 0.5, 0}, {0, 99.5, 0}},
+    {"bench_player_901", 902, 0, 1, {-14.5, 0.2, -14.5}, {-18, 0.75, 0}},
+    {"bench_joint_grid_10000", 10000, 19794, 7, {0, 0, 0}, {99, -99, 0}},
+    {"bench_chain", 1000, 999, 1, {0.5, 0, 0}, {499.5, 0, 0}},
+    {"bench_vehicles",
      501,
      400,
      1,
      {-36, 0.5 * (std::sin(-5.4) + std::sin(-15.2)) + 1.6, -76},
      {37, 0.5 * (std::sin(5.4) + std::sin(-0.8)) + 1.35, -2.7}},
-    {"lab_brick_wall", 402, 0, 1, {-4.875, 0.125, 0}, {0, 2, 8}},
-    {"lab_convex_pile", 5125, 0, 5, {-4.5, 0.4, -4.5}, {4.5, 11.8, 4.5}},
-    {"lab_junkyard", 10590, 0, 5, {0, 0.6, 0}, {7, 17.7, 7}},
-    {"lab_asleep_10000", 10001, 0, 1, {-99, 0.5, -99}, {99, 0.5, 99}},
+    {"bench_brick_wall", 402, 0, 1, {-4.875, 0.125, 0}, {0, 2, 8}},
+    {"bench_convex_pile", 5125, 0, 5, {-4.5, 0.4, -4.5}, {4.5, 11.8, 4.5}},
+    {"bench_junkyard", 10590, 0, 5, {0, 0.6, 0}, {7, 17.7, 7}},
+    {"bench_asleep_10000", 10001, 0, 1, {-99, 0.5, -99}, {99, 0.5, 99}},
 };
 
 TEST(BenchScenes, body_and_joint_counts_and_extents) {
@@ -101,11 +101,11 @@ TEST(BenchScenes, gravity_density_friction_and_damping_are_uniform) {
 
 TEST(BenchScenes, floors_are_two_metres_thick) {
     for (const char* name :
-         {"lab_pyramid_465", "lab_pyramid_5050", "lab_boxes_1000", "lab_pile_5000",
-          "lab_player_901", "lab_ragdolls_40", "lab_asleep_10000", "lab_convex_pile", "lab_rods",
-          "lab_brick_wall", "lab_l_shapes", "lab_junkyard"}) {
+         {"bench_pyramid_465", "bench_pyramid_5050", "bench_boxes_1000", "bench_pile_5000",
+          "bench_player_901", "bench_ragdolls_40", "bench_asleep_10000", "bench_convex_pile",
+          "bench_rods", "bench_brick_wall", "bench_l_shapes", "bench_junkyard"}) {
         const SceneBody floor = find_scene(name)->bodies[0];
-        const double half = std::string_view(name) == "lab_asleep_10000" ? 250 : 200;
+        const double half = std::string_view(name) == "bench_asleep_10000" ? 250 : 200;
         EXPECT_EQ(shape<Box>(floor).half_extents, (Vec3{half, 1, half})) << name;
         EXPECT_EQ(floor.body.pose, (Transform{{0, -1, 0}, {}})) << name;
         EXPECT_TRUE(is_fixed(floor)) << name;
@@ -113,7 +113,7 @@ TEST(BenchScenes, floors_are_two_metres_thick) {
 }
 
 TEST(BenchScenes, dropped_boxes_are_placed_by_the_random_sequence) {
-    const SceneDescription c = *find_scene("lab_boxes_1000");
+    const SceneDescription c = *find_scene("bench_boxes_1000");
     ASSERT_EQ(c.bodies.size(), 1001u);
     Draws draw;
     const double x = draw(-0.05, 0.05), z = draw(-0.05, 0.05);
@@ -127,7 +127,7 @@ TEST(BenchScenes, dropped_boxes_are_placed_by_the_random_sequence) {
 }
 
 TEST(BenchScenes, pile_has_mixed_shapes_and_walls) {
-    const SceneDescription d = *find_scene("lab_pile_5000");
+    const SceneDescription d = *find_scene("bench_pile_5000");
     ASSERT_EQ(d.bodies.size(), 5005u);
     EXPECT_EQ(shape<Box>(d.bodies[1]).half_extents, (Vec3{0.5, 10, 6}));
     EXPECT_EQ(position(d.bodies[1]), (Vec3{5.5, 10, 0}));
@@ -153,7 +153,7 @@ TEST(BenchScenes, pile_has_mixed_shapes_and_walls) {
 
 TEST(BenchScenes, pile_depth_does_not_depend_on_the_count) {
     EXPECT_EQ(bench_pile(5000).bodies.back().body.pose,
-              find_scene("lab_pile_5000")->bodies.back().body.pose);
+              find_scene("bench_pile_5000")->bodies.back().body.pose);
     for (const int count : {500, 20000}) {
         const SceneDescription pile = bench_pile(count);
         ASSERT_EQ(pile.bodies.size(), static_cast<std::size_t>(count) + 5);
@@ -165,13 +165,13 @@ TEST(BenchScenes, pile_depth_does_not_depend_on_the_count) {
 }
 
 TEST(BenchScenes, player_is_the_last_body) {
-    const SceneDescription e = *find_scene("lab_player_901");
+    const SceneDescription e = *find_scene("bench_player_901");
     EXPECT_EQ(e.bodies.back().name, "player");
     EXPECT_EQ(shape<Box>(e.bodies.back()).half_extents, (Vec3{0.75, 0.75, 0.75}));
 }
 
 TEST(BenchScenes, ragdoll_joints_lie_where_bones_meet) {
-    const SceneDescription f = *find_scene("lab_ragdolls_40");
+    const SceneDescription f = *find_scene("bench_ragdolls_40");
     ASSERT_EQ(f.bodies.size(), 441u);
     ASSERT_EQ(f.joints.size(), 400u);
     // The first: feet at (-0.6, 0.5, -0.6), leaning by 0.35 about x, with its pelvis 1 m up.
@@ -199,7 +199,7 @@ TEST(BenchScenes, ragdoll_joints_lie_where_bones_meet) {
 }
 
 TEST(BenchScenes, joint_grid_hangs_from_its_centre_and_does_not_collide) {
-    const SceneDescription g = *find_scene("lab_joint_grid_10000");
+    const SceneDescription g = *find_scene("bench_joint_grid_10000");
     for (std::size_t k = 0; k < g.bodies.size(); k++) {
         ASSERT_FALSE(may_collide(g.bodies[k].shapes[0].filter, Filter{}));
         ASSERT_EQ(is_fixed(g.bodies[k]), k % 100 == 0 && k / 100 >= 47 && k / 100 <= 53);
@@ -211,7 +211,7 @@ TEST(BenchScenes, joint_grid_hangs_from_its_centre_and_does_not_collide) {
 }
 
 TEST(BenchScenes, bullets_are_aimed_at_the_wall) {
-    const SceneDescription i = *find_scene("lab_bullets_1000");
+    const SceneDescription i = *find_scene("bench_bullets_1000");
     ASSERT_EQ(i.bodies.size(), 1001u);
     EXPECT_EQ(shape<Box>(i.bodies[0]).half_extents, (Vec3{0.025, 10, 10}));
     Draws draw;

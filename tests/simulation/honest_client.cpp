@@ -14,8 +14,8 @@ constexpr std::size_t frames_between_comparisons = 8;
 // Results are sent thirty times per second and snapshots with every tick. In ticks.
 constexpr std::uint64_t result_ticks_max = 60;
 
-bots::ScriptLine random_conditions(Chance& chance) {
-    bots::Script script = bots::default_script();
+bot::ScriptLine random_conditions(Chance& chance) {
+    bot::Script script = bot::default_script();
     return script[chance.below(script.size())];
 }
 
@@ -26,7 +26,7 @@ client::ClientOptions options_of(const std::string& name, bool events) {
     return options;
 }
 
-wire::Pose pose_of(const server::EntityPose& entity) {
+snapshot::Pose pose_of(const server::EntityPose& entity) {
     const physics::Transform& at = entity.pose;
     return {{at.position.x, at.position.y, at.position.z},
             {at.rotation.x, at.rotation.y, at.rotation.z, at.rotation.w}};
@@ -121,7 +121,8 @@ void HonestClient::compare(const server::Frame& truth) {
                      std::to_string(truth.entities.size()));
     for (std::size_t i = 0; i < decoded.size(); i++) {
         const server::EntityPose& entity = truth.entities[i];
-        if (decoded[i] != wire::quantize(entity.id, pose_of(entity), !entity.awake, view.spec()))
+        if (decoded[i] !=
+            snapshot::quantize(entity.id, pose_of(entity), !entity.awake, view.spec()))
             return fail_(name_ + " decoded entity " + std::to_string(entity.id) + " of tick " +
                          std::to_string(truth.tick) + " as another");
     }

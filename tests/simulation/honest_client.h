@@ -57,7 +57,7 @@ private:
     Tally& tally_;
     const FailureHandler fail_;
     client::PlayProtocol protocol_;
-    bots::Behaviour behaviour_;
+    bot::Behaviour behaviour_;
     std::shared_ptr<NetworkLine> line_;
     Clock::time_point connected_at_{};
     bool is_new_line_ = false;  // no Welcome was received on this connection

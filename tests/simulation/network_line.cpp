@@ -7,8 +7,8 @@ namespace jostle::simulation {
 
 namespace {
 
-// Maximum number of bytes in flight from a client; it waits beyond that.
-constexpr std::size_t up_max = 4 * Pipe::capacity;
+// Maximum number of bytes in transit. Beyond it the server waits; messages of a client are dropped.
+constexpr std::size_t down_bytes = 64 * 1024, up_bytes = 4 * down_bytes;
 constexpr int messages_per_turn = 64;
 
 server::Peer peer(server::PlayContext& context, const std::string& name,
@@ -19,28 +19,33 @@ server::Peer peer(server::PlayContext& context, const std::string& name,
             .who = context.authorizer.identify({.address = address})};
 }
 
+NetworkConditions bounded(NetworkConditions conditions, std::size_t bytes, std::uint64_t seed) {
+    conditions.queue_bytes = static_cast<double>(bytes);
+    conditions.seed = static_cast<std::uint32_t>(seed);
+    return conditions;
+}
+
 }  // namespace
 
 NetworkLine::NetworkLine(server::PlayContext& context, const std::string& name,
-                         const std::string& address, NetworkConditions quality, std::uint64_t seed,
-                         Clock::time_point now)
-    : chance_(seed), quality_(quality), session_(context, peer(context, name, address), now) {}
-
-Clock::time_point NetworkLine::arrival(Clock::time_point now) {
-    return now + quality_.delay +
-           std::chrono::duration_cast<Clock::duration>(quality_.delay * chance_.in(0, 1));
-}
+                         const std::string& address, const LineSettings& settings,
+                         std::uint64_t seed, Clock::time_point now)
+    : chance_(seed),
+      messages_to_break_(settings.messages_to_break),
+      session_(context, peer(context, name, address), now),
+      up_(bounded(settings.conditions, up_bytes, seed), 0),
+      down_(bounded(settings.conditions, down_bytes, seed), 1) {}
 
 void NetworkLine::send(std::string bytes, Clock::time_point now) {
-    if (client_closed_ || over_ || up_.bytes() > up_max) return;
-    if (chance_.one_in(quality_.cuts_after)) return cut(now, "the connection broke");
-    up_.put(std::move(bytes), arrival(now));
+    if (client_closed_ || over_ || up_.full()) return;
+    if (chance_.one_in(messages_to_break_)) return cut(now, "the connection broke");
+    up_.push(std::move(bytes), now);
 }
 
 std::optional<std::string> NetworkLine::receive(Clock::time_point now) {
     if (over_) return std::nullopt;
     std::optional<std::string> out = down_.take(now);
-    if (!out && closed_ && down_.bytes() == 0) over_ = true;
+    if (!out && closed_ && down_.empty()) over_ = true;
     return out;
 }
 
@@ -71,7 +76,7 @@ void NetworkLine::deliver(Clock::time_point now) {
 }
 
 void NetworkLine::write(Clock::time_point now) {
-    while (!down_.is_full()) {
+    while (!down_.full()) {
         const std::optional<server::OutMessage> out = session_.take_message(now);
         if (!out) {
             if (session_.end()) {
@@ -81,7 +86,7 @@ void NetworkLine::write(Clock::time_point now) {
             return;
         }
         if (client_closed_) continue;
-        down_.put(out->concatenated(), arrival(now));
+        down_.push(out->concatenated(), now);
     }
     session_.wait_for_write(now);
     // As in the transports: the server does not wait for a client that does not read.

@@ -159,13 +159,14 @@ void Simulation::pause_machine() {
 // ---- clients ----
 
 std::shared_ptr<NetworkLine> Simulation::new_line(const std::string& name, bool is_honest) {
-    NetworkConditions quality{.delay = std::chrono::milliseconds(1 + chance_.below(80))};
-    if (chance_.one_in(3)) quality.cuts_after = 500;
+    const auto latency_ms = static_cast<double>(1 + chance_.below(80));
+    LineSettings settings{.conditions = {.latency_ms = latency_ms, .jitter_ms = latency_ms}};
+    if (chance_.one_in(3)) settings.messages_to_break = 500;
     const std::string address =
         (is_honest ? "192.0.2." : "198.51.100.") + std::to_string(1 + chance_.below(200));
     lines_.push_back(std::make_shared<NetworkLine>(server_->context,
                                                    name + " " + std::to_string(++lines_made_),
-                                                   address, quality, chance_.bits(), now_));
+                                                   address, settings, chance_.bits(), now_));
     return lines_.back();
 }
 

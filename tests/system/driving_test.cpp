@@ -38,7 +38,7 @@ v1::InputResult result_of(Player& player, std::uint32_t sequence) {
 
 // Distance from the y axis in the newest snapshot, m.
 double distance_of(const PlayState& s, std::uint32_t entity) {
-    for (const wire::EntityState& state : s.newest()->entities)
+    for (const snapshot::EntityState& state : s.newest()->entities)
         if (state.id == entity)
             return std::hypot(state.position[0], state.position[2]) /
                    s.welcome.quant().units_per_meter();

@@ -99,8 +99,8 @@ void PlayState::take_results(const v1::ClientUpdate& own) {
     }
 }
 
-const wire::QuantizedFrame* PlayState::find(std::uint32_t frame) const {
-    const auto at = std::ranges::find(ring_, frame, &wire::QuantizedFrame::frame);
+const snapshot::QuantizedFrame* PlayState::find(std::uint32_t frame) const {
+    const auto at = std::ranges::find(ring_, frame, &snapshot::QuantizedFrame::frame);
     return at == ring_.end() ? nullptr : &*at;
 }
 
@@ -118,17 +118,18 @@ void PlayState::take(const v1::Snapshot& snapshot) {
     expect(snapshot.frame() > newest_frame, name + " is not newer than the last one");
 
     const auto baseline_of = [&](std::uint32_t frame) {
-        const wire::QuantizedFrame* baseline = frame == 0 ? nullptr : find(frame);
+        const snapshot::QuantizedFrame* baseline = frame == 0 ? nullptr : find(frame);
         expect(frame == 0 || baseline != nullptr,
                name + " refers to frame " + std::to_string(frame) + ", which was never sent");
         return baseline;
     };
-    const auto baseline_ids = wire::decode_baseline_frames(snapshot.frame(), snapshot.baselines());
+    const auto baseline_ids =
+        snapshot::decode_baseline_frames(snapshot.frame(), snapshot.baselines());
     expect(baseline_ids.ok(), name + " has invalid baselines");
     if (!baseline_ids.ok()) return;
-    const wire::Baselines baselines{baseline_of(baseline_ids->baseline),
-                                    baseline_of(baseline_ids->baseline2),
-                                    baseline_of(baseline_ids->baseline3)};
+    const snapshot::Baselines baselines{baseline_of(baseline_ids->baseline),
+                                        baseline_of(baseline_ids->baseline2),
+                                        baseline_of(baseline_ids->baseline3)};
     const auto frame = welcome.cells() ? assemble_cells(snapshot, name)
                                        : decoded(name, snapshot.frame(), snapshot.packed(),
                                                  baselines, snapshot.crc());
@@ -145,37 +146,37 @@ void PlayState::take(const v1::Snapshot& snapshot) {
     for (const v1::Events& tick : snapshot.events()) take(tick);
 }
 
-std::optional<wire::QuantizedFrame> PlayState::decoded(const std::string& name,
-                                                       std::uint32_t number,
-                                                       const std::string& packed,
-                                                       const wire::Baselines& baselines,
-                                                       std::uint32_t crc) {
-    const wire::QuantSpec spec{static_cast<std::int32_t>(welcome.quant().units_per_meter()),
-                               static_cast<std::int32_t>(welcome.quant().rotation_component())};
-    auto frame = wire::decode_frame(number, std::as_bytes(std::span(packed)), baselines, spec,
-                                    wire::default_entities_max,
-                                    static_cast<wire::Codec>(std::max(1u, welcome.codec())));
+std::optional<snapshot::QuantizedFrame> PlayState::decoded(const std::string& name,
+                                                           std::uint32_t number,
+                                                           const std::string& packed,
+                                                           const snapshot::Baselines& baselines,
+                                                           std::uint32_t crc) {
+    const snapshot::QuantSpec spec{static_cast<std::int32_t>(welcome.quant().units_per_meter()),
+                                   static_cast<std::int32_t>(welcome.quant().rotation_component())};
+    auto frame = snapshot::decode_frame(
+        number, std::as_bytes(std::span(packed)), baselines, spec, snapshot::default_entities_max,
+        static_cast<snapshot::Codec>(std::max(1u, welcome.codec())));
     expect(frame.ok(), name + " cannot be decoded: " + (frame.ok() ? "" : frame.error().message));
     if (!frame.ok()) return std::nullopt;
-    expect(wire::frame_crc(*frame) == crc, name + " has a wrong CRC");
+    expect(snapshot::frame_crc(*frame) == crc, name + " has a wrong CRC");
     return *std::move(frame);
 }
 
 // Combines all cells as defined in WIRE.md, each entity once.
-std::optional<wire::QuantizedFrame> PlayState::assemble_cells(const v1::Snapshot& snapshot,
-                                                              const std::string& name) {
+std::optional<snapshot::QuantizedFrame> PlayState::assemble_cells(const v1::Snapshot& snapshot,
+                                                                  const std::string& name) {
     expect(snapshot.packed().empty(), name + " has both cells and a frame");
     for (const std::uint32_t cell : snapshot.cells_left())
         expect(cells.erase(cell) == 1, name + " removes an unknown cell");
     for (const v1::CellUpdate& part : snapshot.cells()) {
         auto& states = cells[part.cell()];
         const std::string cell = name + ", cell " + std::to_string(part.cell());
-        const auto baseline_of = [&](std::uint32_t number) -> const wire::QuantizedFrame* {
+        const auto baseline_of = [&](std::uint32_t number) -> const snapshot::QuantizedFrame* {
             expect(number == 0 || states.contains(number),
                    cell + " refers to a state that was not sent");
             return number != 0 && states.contains(number) ? &states[number] : nullptr;
         };
-        const auto ids = wire::decode_baseline_frames(part.number(), part.baselines());
+        const auto ids = snapshot::decode_baseline_frames(part.number(), part.baselines());
         expect(ids.ok(), cell + " has invalid baselines");
         if (!ids.ok()) return std::nullopt;
         auto state = decoded(
@@ -186,13 +187,13 @@ std::optional<wire::QuantizedFrame> PlayState::assemble_cells(const v1::Snapshot
         if (part.baselines() == 0) states.clear();
         states[part.number()] = *std::move(state);
     }
-    std::map<std::uint32_t, std::pair<std::uint32_t, wire::EntityState>> newest;
+    std::map<std::uint32_t, std::pair<std::uint32_t, snapshot::EntityState>> newest;
     for (const auto& [cell, states] : cells)
-        for (const wire::EntityState& entity : states.rbegin()->second.entities)
+        for (const snapshot::EntityState& entity : states.rbegin()->second.entities)
             if (const auto known = newest.find(entity.id);
                 known == newest.end() || known->second.first < states.rbegin()->first)
                 newest[entity.id] = {states.rbegin()->first, entity};
-    wire::QuantizedFrame frame{.frame = snapshot.frame(), .entities = {}};
+    snapshot::QuantizedFrame frame{.frame = snapshot.frame(), .entities = {}};
     for (const auto& [id, entry] : newest)
         if (!removed.contains(id)) frame.entities.push_back(entry.second);
     return frame;

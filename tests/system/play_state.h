@@ -40,7 +40,7 @@ public:
     std::map<std::uint32_t, v1::InputResult> results;  // by sequence
     std::vector<v1::Notice> notices;
     // States of the cells in the area of interest, by number; for clients with an area of interest.
-    std::map<std::uint32_t, std::map<std::uint32_t, wire::QuantizedFrame>> cells;
+    std::map<std::uint32_t, std::map<std::uint32_t, snapshot::QuantizedFrame>> cells;
     bool wants_events = false;       // from its Hello
     std::vector<v1::Events> events;  // in order of arrival
 
@@ -48,24 +48,26 @@ public:
     std::string first_violation;
 
     std::size_t count(v1::InputCode code) const;
-    const wire::QuantizedFrame* newest() const { return ring_.empty() ? nullptr : &ring_.back(); }
+    const snapshot::QuantizedFrame* newest() const {
+        return ring_.empty() ? nullptr : &ring_.back();
+    }
 
 private:
     void take(const v1::EntityUpdate& entity_update);
     void take(const v1::Snapshot& snapshot);
     void take_results(const v1::ClientUpdate& own);
     std::uint64_t due_us(const v1::Snapshot& snapshot) const;
-    std::optional<wire::QuantizedFrame> decoded(const std::string& name, std::uint32_t number,
-                                                const std::string& packed,
-                                                const wire::Baselines& baselines,
-                                                std::uint32_t crc);
-    std::optional<wire::QuantizedFrame> assemble_cells(const v1::Snapshot& snapshot,
-                                                       const std::string& name);
+    std::optional<snapshot::QuantizedFrame> decoded(const std::string& name, std::uint32_t number,
+                                                    const std::string& packed,
+                                                    const snapshot::Baselines& baselines,
+                                                    std::uint32_t crc);
+    std::optional<snapshot::QuantizedFrame> assemble_cells(const v1::Snapshot& snapshot,
+                                                           const std::string& name);
     void take(const v1::Events& happened);
-    const wire::QuantizedFrame* find(std::uint32_t frame) const;
+    const snapshot::QuantizedFrame* find(std::uint32_t frame) const;
     void expect(bool holds, const std::string& what);
 
-    std::deque<wire::QuantizedFrame> ring_;
+    std::deque<snapshot::QuantizedFrame> ring_;
 };
 
 // Time since `server_time_us` on the server's clock, ms. Server and client run on the same machine.

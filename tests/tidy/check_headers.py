@@ -59,7 +59,7 @@ def main():
     flags = flags_of(build)
     headers, sources, bad = [], 0, 0
     firsts = {first_include(source) for source in (root / "physics/src").rglob("*.cpp")}
-    for folder in ("base", "physics", "proto/snapshot/include/jostle/snapshot", "proto/grpc_status/include/jostle/grpc_status", "scenes", "sim", "server", "clients"):
+    for folder in ("base", "physics", "proto/snapshot/include/jostle/snapshot", "proto/grpc_status/include/jostle/grpc_status", "proto/http2/include/jostle/http2", "scenes", "sim", "server", "clients"):
         for path in sorted((root / folder).rglob("*.h")):
             name = str(path.relative_to(root))
             if "node_modules" in name:

@@ -50,6 +50,8 @@ COVERED_BY = {
         (["physics/stages/islands/choose_substep_levels_test.cpp", "tools/sim/sim_test.cpp"], "who takes how many sub-steps, with which error"),
     "constraints/direct/block_pattern.cpp":
         (["physics/constraints/direct/block_ldl_test.cpp"], "against elimination of the dense matrix; a chain costs in proportion to its links"),
+    "constraints/direct/joint_net.h":
+        (["physics/constraints/direct/block_ldl_test.cpp"], "the work of a clique against the pattern of the same joints"),
     "constraints/direct/direct_body.h":
         (["physics/constraints/direct/principal_axes_test.cpp", "physics/constraints/direct/direct_group_test.cpp"],
          "its tensor in any axes; its momenta, kept to rounding"),

@@ -5,7 +5,7 @@
 #include <array>
 #include <cstdio>
 
-namespace jostle::ctl {
+namespace jostle::common {
 
 namespace {
 
@@ -94,4 +94,4 @@ std::string number_text(double number, int digits) {
     return text;
 }
 
-}  // namespace jostle::ctl
+}  // namespace jostle::common

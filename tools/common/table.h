@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace jostle::ctl {
+namespace jostle::common {
 
 enum class Align { left, right };
 
@@ -38,4 +38,4 @@ std::string duration_text(double seconds);
 // Formats a number with `digits` decimal places.
 std::string number_text(double number, int digits);
 
-}  // namespace jostle::ctl
+}  // namespace jostle::common

@@ -8,6 +8,8 @@
 
 namespace jostle::ctl {
 
+using common::number_text, common::sanitized;
+
 using Admin = v1::AdminService::Stub;
 using Worlds = v1::WorldService::Stub;
 

@@ -7,6 +7,8 @@
 
 namespace jostle::ctl {
 
+using common::Align, common::Table, common::duration_text, common::number_text, common::sanitized;
+
 std::string worlds_text(const v1::ListWorldsResponse& worlds) {
     if (worlds.worlds().empty())
         return "The server has no worlds. Create one with jostlectl world create.\n";

@@ -5,42 +5,18 @@
 #include <utility>
 
 namespace jostle::load {
+
+using http2::FrameType, http2::Setting, http2::big_endian, http2::frame_bytes_max,
+    http2::frame_header_bytes;
+namespace flags = http2::flags;
+
 namespace {
 
-constexpr std::string_view preface = "PRI * HTTP/2.0\r\n\r\nSM\r\n\r\n";
 constexpr std::string_view play_path = "/jostle.v1.PlayService/Play";
 constexpr std::uint32_t call_stream = 1;
 
-// Constants of RFC 9113, section 6.
-namespace http2 {
-enum FrameType : std::uint8_t {
-    data = 0,
-    headers = 1,
-    rst_stream = 3,
-    settings = 4,
-    push_promise = 5,
-    ping = 6,
-    goaway = 7,
-    window_update = 8,
-    continuation = 9,
-};
-constexpr std::uint8_t acknowledged = 1, end_stream = 1, end_headers = 4, padded = 8;
-constexpr std::uint16_t setting_enable_push = 2, setting_initial_window = 4;
-}  // namespace http2
-
-constexpr std::size_t head_size = 9, message_head_size = 5;
-constexpr std::uint32_t frame_bytes_max = 16'384;  // limit in both directions
+constexpr std::size_t message_head_size = 5;
 constexpr std::size_t waiting_bytes_max = 1 << 20;
-
-void put_big_endian(std::string& out, std::uint64_t value, unsigned bytes) {
-    for (unsigned k = bytes; k-- > 0;) out.push_back(static_cast<char>(value >> (8 * k)));
-}
-
-std::uint32_t big_endian(Bytes bytes) {
-    std::uint32_t value = 0;
-    for (const std::uint8_t byte : bytes) value = value << 8 | byte;
-    return value;
-}
 
 // RFC 7541, section 5.1: an integer after `prefix_bits` bits of a byte whose other bits are
 // `first`.
@@ -97,38 +73,32 @@ Result<std::size_t> whole_size(Bytes begun) {
 }  // namespace
 
 Http2Framing::Http2Framing(const Http2Request& request) : window_(request.window) {
-    out_ = preface;
-    put_head(12, http2::settings, 0, 0);
-    put_big_endian(out_, http2::setting_enable_push, 2);
-    put_big_endian(out_, 0, 4);
-    put_big_endian(out_, http2::setting_initial_window, 2);
-    put_big_endian(out_, window_, 4);
+    out_ = http2::preface;
+    http2::put_frame_header(out_,
+                            {.length = 2 * http2::setting_bytes, .type = FrameType::settings});
+    put_setting(out_, Setting::enable_push, 0);
+    put_setting(out_, Setting::initial_window, window_);
     if (window_ > Http2Request::default_window)
         put_window_update(0, window_ - Http2Request::default_window);
     const std::string block = header_block(request);
-    put_head(static_cast<std::uint32_t>(block.size()), http2::headers, http2::end_headers,
-             call_stream);
+    http2::put_frame_header(out_, {.length = static_cast<std::uint32_t>(block.size()),
+                                   .type = FrameType::headers,
+                                   .flags = flags::end_headers,
+                                   .stream = call_stream});
     out_ += block;
 }
 
 // --- sending ---
 
-void Http2Framing::put_head(std::uint32_t length, std::uint8_t type, std::uint8_t flags,
-                            std::uint32_t stream) {
-    put_big_endian(out_, length, 3);
-    out_.push_back(static_cast<char>(type));
-    out_.push_back(static_cast<char>(flags));
-    put_big_endian(out_, stream, 4);
-}
-
 void Http2Framing::put_window_update(std::uint32_t stream, std::uint32_t increment) {
-    put_head(4, http2::window_update, 0, stream);
-    put_big_endian(out_, increment, 4);
+    http2::put_frame_header(out_,
+                            {.length = 4, .type = FrameType::window_update, .stream = stream});
+    http2::put_big_endian(out_, increment, 4);
 }
 
 void Http2Framing::send(std::string_view message) {
     std::string framed(1, '\0');  // not compressed
-    put_big_endian(framed, message.size(), 4);
+    http2::put_big_endian(framed, message.size(), 4);
     framed += message;
     for (std::size_t at = 0; at < framed.size(); at += frame_bytes_max) {
         waiting_.push_back(framed.substr(at, frame_bytes_max));
@@ -144,7 +114,9 @@ void Http2Framing::send_waiting() {
         if (size > std::min(connection_credit_, stream_credit_)) return;
         connection_credit_ -= size;
         stream_credit_ -= size;
-        put_head(static_cast<std::uint32_t>(next.size()), http2::data, 0, call_stream);
+        http2::put_frame_header(out_, {.length = static_cast<std::uint32_t>(next.size()),
+                                       .type = FrameType::data,
+                                       .stream = call_stream});
         out_ += next;
         waiting_bytes_ -= next.size();
         waiting_.pop_front();
@@ -193,51 +165,49 @@ Status Http2Framing::take(Bytes bytes, Reader& reader) {
 
 Result<std::size_t> Http2Framing::take_frames(Bytes bytes, Reader& reader) {
     std::size_t consumed = 0;
-    while (bytes.size() - consumed >= head_size) {
+    while (bytes.size() - consumed >= frame_header_bytes) {
         const Bytes at = bytes.subspan(consumed);
-        const Head head{.length = big_endian(at.first(3)),
-                        .stream = big_endian(at.subspan(5, 4)) & 0x7fff'ffff,
-                        .type = at[3],
-                        .flags = at[4]};
+        const Head head = http2::read_frame_header(at.first<frame_header_bytes>());
         if (head.length > frame_bytes_max)
             return broken("frame of " + std::to_string(head.length) + " bytes");
-        if (at.size() < head_size + head.length) break;
-        if (Status s = on_frame(head, at.subspan(head_size, head.length), reader); !s.ok())
+        if (at.size() < frame_header_bytes + head.length) break;
+        if (Status s = on_frame(head, at.subspan(frame_header_bytes, head.length), reader); !s.ok())
             return s.error();
-        consumed += head_size + head.length;
+        consumed += frame_header_bytes + head.length;
     }
     return consumed;
 }
 
 Status Http2Framing::on_frame(const Head& head, Bytes payload, Reader& reader) {
-    if (header_block_open_ && head.type != http2::continuation)
+    if (header_block_open_ && head.type != FrameType::continuation)
         return broken("truncated header block");
     switch (head.type) {
-        case http2::data:
+        case FrameType::data:
             return on_data(head, payload, reader);
-        case http2::headers:
-        case http2::continuation:
+        case FrameType::headers:
+        case FrameType::continuation:
             return on_headers(head);
-        case http2::rst_stream:
+        case FrameType::rst_stream:
             if (payload.size() != 4) return broken("RST_STREAM");
             return Error{ErrorCode::aborted, "the server reset the stream, code " +
                                                  std::to_string(big_endian(payload))};
-        case http2::settings:
+        case FrameType::settings:
             return on_settings(head, payload);
-        case http2::push_promise:
+        case FrameType::push_promise:
             return broken("PUSH_PROMISE");
-        case http2::ping:
+        case FrameType::ping:
             if (payload.size() != 8) return broken("PING");
-            if ((head.flags & http2::acknowledged) != 0) return {};
-            put_head(8, http2::ping, http2::acknowledged, 0);
+            if (head.has(flags::acknowledged)) return {};
+            http2::put_frame_header(
+                out_, {.length = 8, .type = FrameType::ping, .flags = flags::acknowledged});
             out_.append(reinterpret_cast<const char*>(payload.data()), payload.size());
             return {};
-        case http2::goaway:
+        case FrameType::goaway:
             if (payload.size() < 8) return broken("GOAWAY");
             return Error{ErrorCode::unavailable,
                          "the server sent GOAWAY, code " +
                              std::to_string(big_endian(payload.subspan(4, 4)))};
-        case http2::window_update:
+        case FrameType::window_update:
             return on_window_update(head, payload);
         default:
             return {};  // PRIORITY and unknown types
@@ -248,14 +218,14 @@ Status Http2Framing::on_data(const Head& head, Bytes payload, Reader& reader) {
     if (head.stream != call_stream) return broken("DATA on an unknown stream");
     unused_ += head.length;
     if (unused_ > window_) return broken("DATA exceeds the window");
-    if ((head.flags & http2::padded) != 0) {
+    if (head.has(flags::padded)) {
         if (payload.empty() || payload[0] >= payload.size()) return broken("padding");
         const std::size_t padding = payload[0];
         payload = payload.subspan(1, payload.size() - 1 - padding);
         replenish_window(1 + padding);
     }
     if (Status s = on_messages(payload, reader); !s.ok()) return s;
-    if ((head.flags & http2::end_stream) != 0) return broken("DATA with END_STREAM");
+    if (head.has(flags::end_stream)) return broken("DATA with END_STREAM");
     return {};
 }
 
@@ -296,27 +266,29 @@ Bytes Http2Framing::partial_message() const {
 }
 
 Status Http2Framing::on_headers(const Head& head) {
-    if (head.type == http2::continuation && !header_block_open_)
+    if (head.type == FrameType::continuation && !header_block_open_)
         return broken("CONTINUATION without HEADERS");
-    if (head.type == http2::headers) header_ends_stream_ = (head.flags & http2::end_stream) != 0;
-    header_block_open_ = (head.flags & http2::end_headers) == 0;
+    if (head.type == FrameType::headers) header_ends_stream_ = head.has(flags::end_stream);
+    header_block_open_ = !head.has(flags::end_headers);
     if (!header_block_open_ && header_ends_stream_)
         return Error{ErrorCode::aborted, "the server ended the stream"};
     return {};
 }
 
 Status Http2Framing::on_settings(const Head& head, Bytes payload) {
-    if ((head.flags & http2::acknowledged) != 0) return {};
-    if (payload.size() % 6 != 0) return broken("SETTINGS");
-    for (; !payload.empty(); payload = payload.subspan(6)) {
-        if (big_endian(payload.first(2)) != http2::setting_initial_window) continue;
+    if (head.has(flags::acknowledged)) return {};
+    if (payload.size() % http2::setting_bytes != 0) return broken("SETTINGS");
+    for (; !payload.empty(); payload = payload.subspan(http2::setting_bytes)) {
+        if (Setting{static_cast<std::uint16_t>(big_endian(payload.first(2)))} !=
+            Setting::initial_window)
+            continue;
         const std::uint32_t window = big_endian(payload.subspan(2, 4));
         if (window > Http2Request::window_max)
             return broken("initial window of " + std::to_string(window));
         stream_credit_ += static_cast<std::int64_t>(window) - server_window_;
         server_window_ = window;
     }
-    put_head(0, http2::settings, http2::acknowledged, 0);
+    http2::put_frame_header(out_, {.type = FrameType::settings, .flags = flags::acknowledged});
     send_waiting();
     return {};
 }

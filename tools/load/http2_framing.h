@@ -7,6 +7,7 @@
 
 #include <deque>
 
+#include "jostle/http2/frame.h"
 #include "tools/load/framing.h"
 
 namespace jostle::load {
@@ -17,7 +18,8 @@ struct Http2Request {
     // Initial flow control window, bytes. The default is that of clients without a setting.
     std::uint32_t window = default_window;
 
-    static constexpr std::uint32_t default_window = 65'535, window_max = 0x7fff'ffff;
+    static constexpr std::uint32_t default_window = http2::default_window,
+                                   window_max = http2::window_max;
 };
 
 class Http2Framing : public Framing {
@@ -30,13 +32,8 @@ public:
     void consume(std::size_t message_bytes) override;
 
 private:
-    struct Head {
-        std::uint32_t length = 0, stream = 0;
-        std::uint8_t type = 0, flags = 0;
-    };
+    using Head = http2::FrameHeader;
 
-    void put_head(std::uint32_t length, std::uint8_t type, std::uint8_t flags,
-                  std::uint32_t stream);
     void put_window_update(std::uint32_t stream, std::uint32_t increment);
     void replenish_window(std::size_t bytes);
     void send_waiting();

@@ -45,7 +45,7 @@ void LibraryClientThread::join_due(Clock::time_point now) {
         const int number = first_ + step_ * static_cast<int>(members_.size());
         if (number >= options_.clients || since < options_.ramp * number / options_.clients) return;
         members_.push_back(
-            {std::make_unique<bots::Bot>(
+            {std::make_unique<bot::Bot>(
                  loop_,
                  client::ClientOptions{.target = options_.target,
                                        .security = options_.security,

@@ -29,7 +29,7 @@ public:
 
 private:
     struct Member {
-        std::unique_ptr<bots::Bot> bot;
+        std::unique_ptr<bot::Bot> bot;
         client::ClientStats before;  // at the start of the measurement
     };
 

@@ -22,7 +22,7 @@ struct LoadOptions {
     int clients = 10;
     int threads = 2;
     double ramp = 1, settle = 1, seconds = 10;  // s
-    bots::Script script;                        // empty: the clients only receive
+    bot::Script script;                         // empty: the clients only receive
     // m; radius of each client's area of interest; 0: the whole world. The centres are evenly
     // distributed in a disc of that radius about the origin.
     double interest_radius = 0;

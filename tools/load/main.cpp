@@ -163,7 +163,7 @@ void add_flags(CLI::App& app, Flags& flags) {
 jostle::Status finish(Flags& flags) {
     LoadOptions& load = flags.load;
     if (!flags.passive || !flags.script.empty()) {
-        auto script = jostle::bots::script_or_default(flags.script);
+        auto script = jostle::bot::script_or_default(flags.script);
         if (!script.ok()) return script.error();
         load.script = std::move(*script);
     }
@@ -184,8 +184,8 @@ jostle::Status finish(Flags& flags) {
 jostle::Result<std::unique_ptr<ClientPool>> make_client_pool(const Flags& flags) {
     if (!flags.passive)
         return std::unique_ptr<ClientPool>(std::make_unique<LibraryClientPool>(flags.load));
-    const auto address = resolve(flags.load.target);
-    if (!address.ok()) return address.error();
+    const auto address = jostle::common::resolve(flags.load.target);
+    if (!address.ok()) return jostle::invalid_argument("--server: " + address.error().message);
     return std::unique_ptr<ClientPool>(std::make_unique<PassiveClientPool>(flags.load, *address));
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "tools/load/passive_client.h"
 
-#include <netdb.h>
 #include <netinet/in.h>
 #include <netinet/tcp.h>
 #include <sys/epoll.h>
@@ -41,25 +40,6 @@ std::unique_ptr<Framing> make_framing(const LoadOptions& plan) {
 
 }  // namespace
 
-Result<ServerAddress> resolve(const std::string& target) {
-    const std::size_t colon = target.rfind(':');
-    if (colon == std::string::npos)
-        return invalid_argument("--server: \"" + target + "\" is not of the form HOST:PORT");
-    std::string host = target.substr(0, colon);
-    if (host.starts_with('[') && host.ends_with(']')) host = host.substr(1, host.size() - 2);
-    addrinfo hints{}, *found = nullptr;
-    hints.ai_socktype = SOCK_STREAM;
-    if (const int error = getaddrinfo(host.c_str(), target.c_str() + colon + 1, &hints, &found);
-        error != 0)
-        return invalid_argument("--server: cannot resolve \"" + target +
-                                "\": " + gai_strerror(error));
-    ServerAddress address;
-    std::memcpy(&address.bytes, found->ai_addr, found->ai_addrlen);
-    address.size = found->ai_addrlen;
-    freeaddrinfo(found);
-    return address;
-}
-
 PassiveClient::PassiveClient(const LoadOptions& plan, PassiveClientOptions options, int epoll,
                              LoadMetrics& metrics)
     : plan_(plan),
@@ -72,13 +52,12 @@ PassiveClient::~PassiveClient() {
     if (socket_ >= 0) close(socket_);
 }
 
-void PassiveClient::connect(const ServerAddress& address) {
+void PassiveClient::connect(const common::SocketAddress& address) {
     socket_ = socket(address.bytes.ss_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
     if (socket_ < 0) return end(std::string("cannot create a socket: ") + std::strerror(errno));
     const int on = 1;
     setsockopt(socket_, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
-    if (::connect(socket_, reinterpret_cast<const sockaddr*>(&address.bytes), address.size) != 0 &&
-        errno != EINPROGRESS)
+    if (::connect(socket_, address.get(), address.size) != 0 && errno != EINPROGRESS)
         return end(std::string("cannot connect: ") + std::strerror(errno));
     epoll_events_ = EPOLLIN | EPOLLOUT;
     epoll_event event{.events = epoll_events_, .data = {.ptr = this}};

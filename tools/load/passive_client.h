@@ -4,24 +4,17 @@
 // which reports epoll events and calls tick() every few milliseconds.
 #pragma once
 
-#include <sys/socket.h>
-
 #include <deque>
 #include <memory>
 #include <span>
 #include <string>
 
+#include "tools/common/socket_address.h"
 #include "tools/load/framing.h"
 #include "tools/load/load_options.h"
 #include "tools/load/passive_client_protocol.h"
 
 namespace jostle::load {
-
-struct ServerAddress {
-    sockaddr_storage bytes{};
-    socklen_t size = 0;
-};
-Result<ServerAddress> resolve(const std::string& target);
 
 class PassiveClient final : private Framing::Reader {
 public:
@@ -32,7 +25,7 @@ public:
     PassiveClient(const PassiveClient&) = delete;
     PassiveClient& operator=(const PassiveClient&) = delete;
 
-    void connect(const ServerAddress& address);
+    void connect(const common::SocketAddress& address);
     // Handles an epoll event; `scratch` is a reusable read buffer.
     void on_event(std::span<std::uint8_t> scratch, Clock::time_point now);
     // Reads at the read rate and sends due messages.

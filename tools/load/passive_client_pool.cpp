@@ -39,8 +39,9 @@ bool is_selected(int number, double share) {
 
 }  // namespace
 
-PassiveClientThread::PassiveClientThread(const LoadOptions& plan, const ServerAddress& address,
-                                         int first, int step, Clock::time_point begun)
+PassiveClientThread::PassiveClientThread(const LoadOptions& plan,
+                                         const common::SocketAddress& address, int first, int step,
+                                         Clock::time_point begun)
     : plan_(plan), address_(address), start_(begun), epoll_(epoll_create1(EPOLL_CLOEXEC)) {
     for (int number = first; number < plan.clients; number += step)
         members_.push_back(make_member(number, number == first));

@@ -21,8 +21,8 @@ namespace jostle::load {
 class PassiveClientThread {
 public:
     // Clients first, first + step, ... of the plan, which must outlive this object.
-    PassiveClientThread(const LoadOptions& plan, const ServerAddress& address, int first, int step,
-                        Clock::time_point begun);
+    PassiveClientThread(const LoadOptions& plan, const common::SocketAddress& address, int first,
+                        int step, Clock::time_point begun);
     ~PassiveClientThread();
 
     ClientPool::Progress progress() const;
@@ -32,7 +32,7 @@ public:
 private:
     struct Member {
         std::unique_ptr<PassiveClient> client;
-        std::optional<bots::Behaviour> behaviour;
+        std::optional<bot::Behaviour> behaviour;
         Clock::time_point joins_at, thinks_at;
     };
 
@@ -42,7 +42,7 @@ private:
     void think(Member& member, Clock::time_point now);
 
     const LoadOptions& plan_;
-    const ServerAddress address_;
+    const common::SocketAddress address_;
     const Clock::time_point start_;
     int epoll_ = -1;
     LoadMetrics metrics_;

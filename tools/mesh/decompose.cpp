@@ -35,7 +35,7 @@ flags.)";
 
 struct Flags {
     std::string file, scene;
-    decomposition::Options options;
+    modules::convex_decomposition::Options options;
     double scale = 1, density = 1000;
 };
 
@@ -45,7 +45,8 @@ int fail(const std::string& what) {
 }
 
 // The body falls onto the ground from its own height.
-scenes::SceneDescription scene_of(const decomposition::Decomposition& parts, double density) {
+scenes::SceneDescription scene_of(const modules::convex_decomposition::Decomposition& parts,
+                                  double density) {
     std::vector<CompoundChild> children;
     Aabb bounds = parts.parts.front()->bounds;
     for (const auto& part : parts.parts) {
@@ -72,7 +73,8 @@ int run(const Flags& flags) {
     Result<ObjMesh> mesh = read_obj(text);
     if (!mesh.ok()) return fail(flags.file + ": " + mesh.error().message);
     for (Vec3& p : mesh->vertices) p = p * flags.scale;
-    const auto parts = decomposition::decompose(mesh->vertices, mesh->indices, flags.options);
+    const auto parts =
+        modules::convex_decomposition::decompose(mesh->vertices, mesh->indices, flags.options);
     if (!parts.ok()) return fail(flags.file + ": " + parts.error().message);
     std::printf(
         "triangles  %zu\nvolume     %.6g m^3\nhulls      %zu\nexcess     %.3g %% of the volume\n"

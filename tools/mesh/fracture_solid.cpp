@@ -30,7 +30,8 @@ Result<Parts> parts_of_mesh(const Solid& solid) {
     Result<ObjMesh> mesh = read_obj(solid.obj);
     if (!mesh.ok()) return mesh.error();
     for (Vec3& p : mesh->vertices) p = p * solid.scale;
-    auto parts = decomposition::decompose(mesh->vertices, mesh->indices, solid.decomposition);
+    auto parts = modules::convex_decomposition::decompose(mesh->vertices, mesh->indices,
+                                                          solid.decomposition);
     if (!parts.ok()) return parts.error();
     return Parts{std::move(parts->parts), parts->max_volume_error};
 }

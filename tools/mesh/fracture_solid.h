@@ -15,11 +15,11 @@ namespace jostle::mesh {
 
 // Exactly one of obj, box and points is set.
 struct Solid {
-    std::string_view obj = {};                  // content of an OBJ file
-    double scale = 1;                           // m per unit of the file
-    std::optional<physics::Vec3> box = {};      // m, edge lengths; centred on the origin
-    std::vector<physics::Vec3> points = {};     // m; their convex hull is cut
-    decomposition::Options decomposition = {};  // for a mesh that is not convex
+    std::string_view obj = {};               // content of an OBJ file
+    double scale = 1;                        // m per unit of the file
+    std::optional<physics::Vec3> box = {};   // m, edge lengths; centred on the origin
+    std::vector<physics::Vec3> points = {};  // m; their convex hull is cut
+    modules::convex_decomposition::Options decomposition = {};  // for a mesh that is not convex
 };
 
 struct FracturedSolid {

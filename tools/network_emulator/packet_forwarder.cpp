@@ -17,7 +17,7 @@ namespace jostle::network_emulator {
 namespace {
 
 constexpr auto longest_wait = std::chrono::milliseconds(50);
-constexpr std::size_t packet_bytes_max = 65'536, packets_in_flight_max = 20'000;
+constexpr std::size_t packet_bytes_max = 65'536;
 
 Result<int> make_device(const std::string& name) {
     const auto failed = [&](const char* what) {
@@ -61,36 +61,29 @@ void PacketForwarder::read(Direction& direction, Clock::time_point now) {
     for (;;) {
         const ssize_t size = ::read(direction.from, bytes.data(), bytes.size());
         if (size <= 0) return;
-        if (direction.path.drops_packet() || direction.packets.size() >= packets_in_flight_max) {
-            lost_++;
-            continue;
-        }
-        const auto count = static_cast<std::size_t>(size);
-        direction.packets.push_back(
-            {std::string(bytes.data(), count), direction.path.arrival_time(count, now)});
+        std::string packet(bytes.data(), static_cast<std::size_t>(size));
+        if (!direction.packets.push(std::move(packet), now)) lost_++;
     }
 }
 
 void PacketForwarder::write_due(Direction& direction, Clock::time_point now) {
-    for (; !direction.packets.empty() && direction.packets.front().at <= now;
-         direction.packets.pop_front()) {
-        const std::string& bytes = direction.packets.front().bytes;
-        if (write(direction.to, bytes.data(), bytes.size()) >= 0) forwarded_++;
-    }
+    while (const auto packet = direction.packets.take(now))
+        if (write(direction.to, packet->data(), packet->size()) >= 0) forwarded_++;
 }
 
 void PacketForwarder::run(const std::atomic<bool>& stop) {
-    const Clock::time_point begun = Clock::now();
-    std::array<Direction, 2> directions{
-        Direction{devices_[0], devices_[1], PathEmulator(settings_.path, 0, begun), {}},
-        Direction{devices_[1], devices_[0], PathEmulator(settings_.path, 1, begun), {}}};
+    const auto packets = [&](std::uint32_t path) {
+        return NetworkQueue<std::string>(settings_.conditions, path, Delivery::datagrams);
+    };
+    std::array<Direction, 2> directions{Direction{devices_[0], devices_[1], packets(0)},
+                                        Direction{devices_[1], devices_[0], packets(1)}};
     std::array<pollfd, 2> watched{};
     while (!stop) {
         Clock::time_point next = Clock::now() + longest_wait;
         for (std::size_t k = 0; k < directions.size(); k++) {
             watched[k] = {.fd = directions[k].from, .events = POLLIN, .revents = 0};
             if (!directions[k].packets.empty())
-                next = std::min(next, directions[k].packets.front().at);
+                next = std::min(next, directions[k].packets.next_arrival());
         }
         // ppoll() has a resolution of microseconds; poll() only milliseconds.
         const auto wait = std::max(Clock::duration::zero(), next - Clock::now());

@@ -1,24 +1,26 @@
 // SPDX-License-Identifier: MIT
 //
 // Network emulator for IP packets, so that TCP and UDP are affected alike: two TUN devices, one per
-// network namespace. A packet sent into one device leaves the other one, unless it is lost.
-// Requires root. One thread.
+// network namespace. A packet sent into one device leaves the other one; it can be lost, duplicated
+// or reordered. Requires root. One thread.
 #pragma once
 
 #include <array>
 #include <atomic>
+#include <chrono>
 #include <cstdint>
-#include <deque>
 #include <string>
 
+#include "jostle/base/network_queue.h"
 #include "jostle/base/result.h"
-#include "tools/network_emulator/path_emulator.h"
 
 namespace jostle::network_emulator {
 
+using Clock = std::chrono::steady_clock;
+
 struct PacketForwarderSettings {
     std::array<std::string, 2> devices;  // unused names
-    NetworkConditions path;              // the same in both directions
+    NetworkConditions conditions;        // the same in both directions
 };
 
 class PacketForwarder {
@@ -36,14 +38,9 @@ public:
     std::uint64_t lost() const { return lost_; }
 
 private:
-    struct Packet {
-        std::string bytes;
-        Clock::time_point at;
-    };
     struct Direction {
         int from, to;
-        PathEmulator path;
-        std::deque<Packet> packets;
+        NetworkQueue<std::string> packets;
     };
     void read(Direction& direction, Clock::time_point now);
     void write_due(Direction& direction, Clock::time_point now);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "tools/network_emulator/tcp_proxy.h"
 
-#include <netdb.h>
 #include <netinet/in.h>
 #include <netinet/tcp.h>
 #include <poll.h>
@@ -16,28 +15,6 @@ namespace {
 
 constexpr std::size_t piece_bytes = 1460;  // the segment size on Ethernet
 constexpr auto longest_sleep = std::chrono::milliseconds(50);
-
-struct Address {
-    sockaddr_storage bytes{};
-    socklen_t size = 0;
-};
-
-Result<Address> find(const std::string& text) {
-    const std::size_t colon = text.rfind(':');
-    if (colon == std::string::npos)
-        return invalid_argument("\"" + text + "\" is not of the form HOST:PORT");
-    addrinfo hints{}, *found = nullptr;
-    hints.ai_socktype = SOCK_STREAM;
-    if (const int error =
-            getaddrinfo(text.substr(0, colon).c_str(), text.c_str() + colon + 1, &hints, &found);
-        error != 0)
-        return invalid_argument(text + ": " + gai_strerror(error));
-    Address address;
-    std::memcpy(&address.bytes, found->ai_addr, found->ai_addrlen);
-    address.size = found->ai_addrlen;
-    freeaddrinfo(found);
-    return address;
-}
 
 void send_at_once(int descriptor) {
     const int on = 1;
@@ -57,18 +34,16 @@ TcpProxy::~TcpProxy() {
 }
 
 Status TcpProxy::listen(const std::string& address) {
-    const auto target = find(settings_.target), here = find(address);
+    const auto target = common::resolve(settings_.target), here = common::resolve(address);
     if (!target.ok()) return target.error();
     if (!here.ok()) return here.error();
-    target_ = target->bytes;
-    target_size_ = target->size;
+    target_ = *target;
     listener_ = socket(here->bytes.ss_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
     const int on = 1;
     setsockopt(listener_, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
     sockaddr_storage bound{};
     socklen_t size = sizeof bound;
-    if (bind(listener_, reinterpret_cast<const sockaddr*>(&here->bytes), here->size) != 0 ||
-        ::listen(listener_, 1024) != 0 ||
+    if (bind(listener_, here->get(), here->size) != 0 || ::listen(listener_, 1024) != 0 ||
         getsockname(listener_, reinterpret_cast<sockaddr*>(&bound), &size) != 0)
         return Error{ErrorCode::unavailable,
                      "cannot listen on " + address + ": " + std::strerror(errno)};
@@ -77,14 +52,14 @@ Status TcpProxy::listen(const std::string& address) {
     return {};
 }
 
-void TcpProxy::accept_all(Clock::time_point now) {
+void TcpProxy::accept_all() {
     for (;;) {
         const int client = accept4(listener_, nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC);
         if (client < 0) return;
-        const int server = socket(target_.ss_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
+        const int server =
+            socket(target_.bytes.ss_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
         if (server < 0 ||
-            (connect(server, reinterpret_cast<const sockaddr*>(&target_), target_size_) != 0 &&
-             errno != EINPROGRESS)) {
+            (connect(server, target_.get(), target_.size) != 0 && errno != EINPROGRESS)) {
             close(client);
             if (server >= 0) close(server);
             continue;
@@ -92,24 +67,18 @@ void TcpProxy::accept_all(Clock::time_point now) {
         send_at_once(client);
         send_at_once(server);
         NetworkConditions up = settings_.down;
-        up.kbit_per_second = 0;
-        up.stall_every_s = 0;
-        const std::uint64_t number = 2 * accepted_++;
+        up.rate_kbps = 0;
+        up.stall_ms = 0;
+        const std::uint32_t path = 2 * accepted_++;
         connections_.push_back(std::make_unique<ProxiedConnection>(ProxiedConnection{
-            .directions = {Direction{.from = server,
-                                     .to = client,
-                                     .path = PathEmulator(settings_.down, number, now),
-                                     .chunks = {}},
-                           Direction{.from = client,
-                                     .to = server,
-                                     .path = PathEmulator(up, number + 1, now),
-                                     .chunks = {}}}}));
+            .directions = {Direction{server, client, Chunks(settings_.down, path)},
+                           Direction{client, server, Chunks(up, path + 1)}}}));
     }
 }
 
 void TcpProxy::read(Direction& direction, ProxiedConnection& connection,
                     Clock::time_point now) const {
-    while (!direction.ended && direction.queued < settings_.queue_bytes) {
+    while (!direction.ended && !direction.chunks.full()) {
         std::array<char, piece_bytes> scratch;
         const ssize_t size = recv(direction.from, scratch.data(), scratch.size(), 0);
         if (size < 0 && would_block()) return;
@@ -118,27 +87,24 @@ void TcpProxy::read(Direction& direction, ProxiedConnection& connection,
             direction.ended = true;
             return;
         }
-        const auto count = static_cast<std::size_t>(size);
-        direction.chunks.push_back(
-            {std::string(scratch.data(), count), direction.path.arrival_time(count, now)});
-        direction.queued += count;
+        direction.chunks.push(std::string(scratch.data(), static_cast<std::size_t>(size)), now);
     }
 }
 
 void TcpProxy::write_due(Direction& direction, ProxiedConnection& connection,
                          Clock::time_point now) {
-    while (!direction.chunks.empty() && direction.chunks.front().at <= now) {
-        std::string& bytes = direction.chunks.front().bytes;
-        const ssize_t size = send(direction.to, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+    while (const std::string* chunk = direction.chunks.front(now)) {
+        const ssize_t size = send(direction.to, chunk->data() + direction.written,
+                                  chunk->size() - direction.written, MSG_NOSIGNAL);
         if (size < 0 && would_block()) return;
         if (size < 0) {
             connection.broken = true;
             return;
         }
-        direction.queued -= static_cast<std::size_t>(size);
-        bytes.erase(0, static_cast<std::size_t>(size));
-        if (!bytes.empty()) return;
-        direction.chunks.pop_front();
+        direction.written += static_cast<std::size_t>(size);
+        if (direction.written < chunk->size()) return;
+        direction.written = 0;
+        direction.chunks.pop();
     }
     if (direction.ended && direction.chunks.empty()) shutdown(direction.to, SHUT_WR);
 }
@@ -149,7 +115,7 @@ Clock::time_point TcpProxy::serve(ProxiedConnection& connection, Clock::time_poi
     for (Direction& direction : connection.directions) {
         read(direction, connection, now);
         write_due(direction, connection, now);
-        if (!direction.chunks.empty()) next = std::min(next, direction.chunks.front().at);
+        if (!direction.chunks.empty()) next = std::min(next, direction.chunks.next_arrival());
     }
     return next;
 }
@@ -161,13 +127,13 @@ void TcpProxy::run(const std::atomic<bool>& stop) {
         watched.assign(1, {.fd = listener_, .events = POLLIN, .revents = 0});
         for (const auto& connection : connections_)
             for (const Direction& direction : connection->directions)
-                if (!direction.ended && direction.queued < settings_.queue_bytes)
+                if (!direction.ended && !direction.chunks.full())
                     watched.push_back({.fd = direction.from, .events = POLLIN, .revents = 0});
         const auto wait = std::chrono::ceil<std::chrono::milliseconds>(
             std::max(Clock::duration::zero(), next - Clock::now()));
         poll(watched.data(), watched.size(), static_cast<int>(wait.count()));
         const auto now = Clock::now();
-        accept_all(now);
+        accept_all();
         next = now + longest_sleep;
         for (const auto& connection : connections_) next = std::min(next, serve(*connection, now));
         std::erase_if(connections_, [](const auto& connection) {

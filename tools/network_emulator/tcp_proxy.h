@@ -5,28 +5,26 @@
 // slows the sender down. One thread; for loopback and test networks only.
 #pragma once
 
-#include <sys/socket.h>
-
 #include <array>
 #include <atomic>
+#include <chrono>
 #include <cstdint>
-#include <deque>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "jostle/base/network_queue.h"
 #include "jostle/base/result.h"
-#include "tools/network_emulator/path_emulator.h"
+#include "tools/common/socket_address.h"
 
 namespace jostle::network_emulator {
 
+using Clock = std::chrono::steady_clock;
+
 struct TcpProxySettings {
     std::string target;  // HOST:PORT
-    NetworkConditions
-        // towards the clients; the other direction has the same delay and jitter, no stalls and no
-        // limit
-        down;
-    std::size_t queue_bytes = 65'536;  // in transit, per direction of a connection
+    // Towards the clients. The other direction has no stalls and no bandwidth limit.
+    NetworkConditions down;
 };
 
 class TcpProxy {
@@ -42,34 +40,29 @@ public:
     void run(const std::atomic<bool>& stop);
 
 private:
-    struct Chunk {
-        std::string bytes;
-        Clock::time_point at;
-    };
+    using Chunks = NetworkQueue<std::string>;
     struct Direction {
         int from, to;
-        PathEmulator path;
-        std::deque<Chunk> chunks;
-        std::size_t queued = 0;
-        bool ended = false;  // no more data will arrive
+        Chunks chunks;
+        std::size_t written = 0;  // bytes of the first chunk
+        bool ended = false;       // no more data will arrive
     };
     struct ProxiedConnection {
         std::array<Direction, 2> directions;  // down, up
         bool broken = false;
     };
 
-    void accept_all(Clock::time_point now);
+    void accept_all();
     void read(Direction& direction, ProxiedConnection& connection, Clock::time_point now) const;
     static void write_due(Direction& direction, ProxiedConnection& connection,
                           Clock::time_point now);
     Clock::time_point serve(ProxiedConnection& connection, Clock::time_point now) const;
 
     TcpProxySettings settings_;
-    sockaddr_storage target_{};
-    socklen_t target_size_ = 0;
+    common::SocketAddress target_;
     int listener_ = -1, port_ = 0;
     std::vector<std::unique_ptr<ProxiedConnection>> connections_;
-    std::uint64_t accepted_ = 0;
+    std::uint32_t accepted_ = 0;
 };
 
 }  // namespace jostle::network_emulator

@@ -62,9 +62,10 @@ Known known_of(const client::WorldView& view, std::uint32_t id) {
 
 std::string to_text(const client::RecordingReader& recording, const client::RecordingSummary& s) {
     const v1::Welcome& welcome = recording.welcome();
-    std::string text = line(
-        "world", ctl::sanitized(welcome.world_name()) + " (" + ctl::sanitized(welcome.world_id()) +
-                     "), " + ctl::number_text(welcome.tick_hz(), 6) + " ticks per second");
+    std::string text =
+        line("world", common::sanitized(welcome.world_name()) + " (" +
+                          common::sanitized(welcome.world_id()) + "), " +
+                          common::number_text(welcome.tick_hz(), 6) + " ticks per second");
     text += line("recorded",
                  utc_text(recording.start_unix_us()) + ", " + format_text("%.1f s", s.seconds));
     text += line("ticks", format_text("%u to %u", s.first_tick, s.last_tick));
@@ -112,26 +113,26 @@ std::string state_text(const client::Playback& playback, std::uint32_t tick) {
         "channels\n",
         tick, view.frame().frame, static_cast<double>(playback.arrived_us()) / 1e6,
         view.frame().entities.size(), view.channels().size());
-    using ctl::Align;
-    ctl::Table table({{"id", Align::right},
-                      {"type"},
-                      {"x", Align::right},
-                      {"y", Align::right},
-                      {"z", Align::right},
-                      {"qx", Align::right},
-                      {"qy", Align::right},
-                      {"qz", Align::right},
-                      {"qw", Align::right},
-                      {"rests"},
-                      {"name"}});
-    for (const wire::EntityState& entity : view.frame().entities) {
-        const wire::Pose pose = wire::dequantize(entity, view.spec());
+    using common::Align;
+    common::Table table({{"id", Align::right},
+                         {"type"},
+                         {"x", Align::right},
+                         {"y", Align::right},
+                         {"z", Align::right},
+                         {"qx", Align::right},
+                         {"qy", Align::right},
+                         {"qz", Align::right},
+                         {"qw", Align::right},
+                         {"rests"},
+                         {"name"}});
+    for (const snapshot::EntityState& entity : view.frame().entities) {
+        const snapshot::Pose pose = snapshot::dequantize(entity, view.spec());
         const Known known = known_of(view, entity.id);
         std::vector<std::string> cells{std::to_string(entity.id), known.type};
-        for (const double p : pose.position) cells.push_back(ctl::number_text(p, 3));
-        for (const double q : pose.rotation) cells.push_back(ctl::number_text(q, 3));
+        for (const double p : pose.position) cells.push_back(common::number_text(p, 3));
+        for (const double q : pose.rotation) cells.push_back(common::number_text(q, 3));
         cells.emplace_back(entity.at_rest ? "yes" : "no");
-        cells.push_back(ctl::sanitized(known.name));
+        cells.push_back(common::sanitized(known.name));
         table.add(std::move(cells));
     }
     return text + table.text();
@@ -140,8 +141,8 @@ std::string state_text(const client::Playback& playback, std::uint32_t tick) {
 std::string state_json(const client::Playback& playback, std::uint32_t tick) {
     const client::WorldView& view = playback.view();
     ordered_json entities = ordered_json::array();
-    for (const wire::EntityState& entity : view.frame().entities) {
-        const wire::Pose pose = wire::dequantize(entity, view.spec());
+    for (const snapshot::EntityState& entity : view.frame().entities) {
+        const snapshot::Pose pose = snapshot::dequantize(entity, view.spec());
         const Known known = known_of(view, entity.id);
         entities.push_back(ordered_json{{"id", entity.id},
                                         {"name", known.name},

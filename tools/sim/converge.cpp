@@ -173,7 +173,7 @@ Result<std::vector<Runs::Run>> refine(Runs& runs, const ConvergenceOptions& opti
     found.finest = ladder.back().setting;
     found.reference_error = reference_errors.back();
     if (reference_errors.size() > 1)
-        found.reference_order = convergence::observed_order(
+        found.reference_order = analysis::observed_order(
             reference_errors[reference_errors.size() - 2], reference_errors.back(),
             ladder.back().setting.hz / ladder[ladder.size() - 2].setting.hz);
     return ladder;
@@ -202,8 +202,8 @@ void add_orders(std::vector<ConvergenceRow>& rows, double reference_error) {
         const ConvergenceRow& before = rows[k - 1];
         if (before.setting.substeps != rows[k].setting.substeps) continue;
         if (!(rows[k].error > reference_error_margin * reference_error)) continue;
-        rows[k].order = convergence::observed_order(before.error, rows[k].error,
-                                                    rows[k].setting.hz / before.setting.hz);
+        rows[k].order = analysis::observed_order(before.error, rows[k].error,
+                                                 rows[k].setting.hz / before.setting.hz);
     }
 }
 
@@ -231,11 +231,11 @@ Verdict verdict_of(const Convergence& found) {
 
 std::optional<ConvergenceRow> Convergence::cheapest(double tolerance) const {
     if (reference_error > tolerance) return {};
-    std::vector<convergence::WorkError> runs;
+    std::vector<analysis::WorkError> runs;
     for (const ConvergenceRow& row : rows)
         runs.push_back({row.cpu_us_per_second,
                         row.failure.empty() ? row.error : std::numeric_limits<double>::infinity()});
-    const auto best = convergence::least_work(runs, tolerance);
+    const auto best = analysis::least_work(runs, tolerance);
     if (!best) return {};
     return rows[*best];
 }

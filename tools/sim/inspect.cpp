@@ -8,7 +8,7 @@
 namespace jostle::sim {
 namespace {
 
-using linear_systems::Method;
+using analysis::Method;
 using physics::BodyId;
 using physics::ConstraintRow;
 using physics::ConstraintSystem;
@@ -76,17 +76,17 @@ InspectedGroup group_of(ConstraintSystem system, const Names& names, const Inspe
     InspectedGroup group{.system = std::move(system)};
     for (const physics::SystemBody& body : group.system.bodies)
         if (body.moves) group.bodies.push_back(names.of(body.id));
-    group.problem = linear_systems::problem_of(group.system);
+    group.problem = analysis::problem_of(group.system);
     for (std::size_t k = 0; k < group.problem.count; k++)
         group.problem.names[k] = names.of(group.system.rows[k], group.system);
-    group.analysis = linear_systems::analyse(group.problem);
+    group.analysis = analysis::analyse(group.problem);
     if (full_report) {
-        group.solutions = linear_systems::solve_all(group.problem, options.limits);
+        group.solutions = analysis::solve_all(group.problem, options.limits);
         group.preconditioning =
-            linear_systems::evaluate_preconditioning(group.problem, group.analysis, options.limits);
+            analysis::evaluate_preconditioning(group.problem, group.analysis, options.limits);
     } else {
         group.solutions = {
-            linear_systems::solve(group.problem, Method::projected_gauss_seidel, options.limits)};
+            analysis::solve(group.problem, Method::projected_gauss_seidel, options.limits)};
     }
     return group;
 }
@@ -145,10 +145,10 @@ std::optional<int> InspectedGroup::free_motions() const {
     return motions() - static_cast<int>(analysis.rank);
 }
 
-const linear_systems::Solution* InspectedGroup::best() const {
+const analysis::Solution* InspectedGroup::best() const {
     const Method reference_method =
         problem.has_bounds() ? Method::projected_gauss_seidel : Method::minimum_norm;
-    for (const linear_systems::Solution& solution : solutions)
+    for (const analysis::Solution& solution : solutions)
         if (solution.method == reference_method && solution.failed.empty()) return &solution;
     return solutions.empty() ? nullptr : &solutions.front();
 }

@@ -18,7 +18,7 @@ namespace jostle::sim {
 struct InspectOptions {
     std::string body = "all";  // a name, an index in the scene, or "all"
     physics::ConstraintSystemOptions rows;
-    linear_systems::SolverLimits limits;
+    analysis::SolverLimits limits;
 };
 
 // Bodies connected by joints and touching contacts.
@@ -26,18 +26,18 @@ struct InspectedGroup {
     std::vector<std::string> bodies;  // that move
     std::string unavailable_reason;   // why there is no system; empty: there is one
     physics::ConstraintSystem system;
-    linear_systems::Problem problem;  // rows named after joints and bodies
-    linear_systems::Analysis analysis;
+    analysis::Problem problem;  // rows named after joints and bodies
+    analysis::Analysis analysis;
     // Of all methods, with preconditioning, if there is one group; otherwise of projected
     // Gauss-Seidel only.
-    std::vector<linear_systems::Solution> solutions;
-    std::vector<linear_systems::PreconditioningResult> preconditioning;
+    std::vector<analysis::Solution> solutions;
+    std::vector<analysis::PreconditioningResult> preconditioning;
 
     // Remaining degrees of freedom of the bodies. Nothing if rows are soft or unilateral.
     std::optional<int> free_motions() const;
     int motions() const;
     // The solution that respects the bounds; without bounds the one of minimum norm.
-    const linear_systems::Solution* best() const;
+    const analysis::Solution* best() const;
 };
 
 struct Inspection {

@@ -9,9 +9,9 @@
 namespace jostle::sim {
 namespace {
 
-using linear_systems::Analysis;
-using linear_systems::PreconditioningResult;
-using linear_systems::Solution;
+using analysis::Analysis;
+using analysis::PreconditioningResult;
+using analysis::Solution;
 
 constexpr std::size_t rows_shown = 60, redundancies_shown = 12, groups_shown = 40;
 

@@ -10,8 +10,8 @@
 namespace jostle::sim {
 namespace {
 
-using convergence::Rms;
-using convergence::thread_seconds;
+using analysis::Rms;
+using analysis::thread_seconds;
 using physics::BodyType;
 using physics::Quat;
 using physics::Vec3;

@@ -8,7 +8,7 @@
 
 #include "jostle/physics/scalar.h"
 
-namespace jostle::decomposition {
+namespace jostle::modules::convex_decomposition {
 namespace {
 
 using namespace physics;
@@ -154,4 +154,4 @@ double distance_to_surface(const std::vector<Triangle>& surface, Vec3 point) {
     return square_root(nearest2);
 }
 
-}  // namespace jostle::decomposition
+}  // namespace jostle::modules::convex_decomposition

@@ -11,7 +11,7 @@
 #include "jostle/physics/aabb.h"
 #include "jostle/physics/result.h"
 
-namespace jostle::decomposition {
+namespace jostle::modules::convex_decomposition {
 
 using Triangle = std::array<physics::Vec3, 3>;
 
@@ -28,4 +28,4 @@ physics::Result<ClosedMesh> make_closed_mesh(std::span<const physics::Vec3> vert
 bool is_inside(const std::vector<Triangle>& surface, physics::Vec3 point);
 double distance_to_surface(const std::vector<Triangle>& surface, physics::Vec3 point);
 
-}  // namespace jostle::decomposition
+}  // namespace jostle::modules::convex_decomposition

@@ -5,7 +5,7 @@
 
 #include "jostle/physics/scalar.h"
 
-namespace jostle::decomposition {
+namespace jostle::modules::convex_decomposition {
 namespace {
 
 using namespace physics;
@@ -135,4 +135,4 @@ Piece cut_piece(const std::vector<Triangle>& surface, const Aabb& box) {
     return piece;
 }
 
-}  // namespace jostle::decomposition
+}  // namespace jostle::modules::convex_decomposition

@@ -7,7 +7,7 @@
 
 #include "modules/convex_decomposition/src/closed_mesh.h"
 
-namespace jostle::decomposition {
+namespace jostle::modules::convex_decomposition {
 
 struct Piece {
     std::vector<physics::Vec3> points;  // its hull is the hull of the piece
@@ -21,4 +21,4 @@ std::vector<Triangle> triangles_for_box(const std::vector<Triangle>& surface,
 // `surface` is the result of triangles_for_box(), or a superset.
 Piece cut_piece(const std::vector<Triangle>& surface, const physics::Aabb& box);
 
-}  // namespace jostle::decomposition
+}  // namespace jostle::modules::convex_decomposition

@@ -10,7 +10,7 @@
 #include "modules/convex_decomposition/src/closed_mesh.h"
 #include "modules/convex_decomposition/src/cut_mesh.h"
 
-namespace jostle::decomposition {
+namespace jostle::modules::convex_decomposition {
 namespace {
 
 using namespace physics;
@@ -228,4 +228,4 @@ Result<Decomposition> decompose(std::span<const Vec3> vertices,
     return found;
 }
 
-}  // namespace jostle::decomposition
+}  // namespace jostle::modules::convex_decomposition

@@ -4,13 +4,18 @@
 // seismic response analysis of structures", 1978): six unknowns per chunk, six springs per bond.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
 #include "jostle/modules/destruction.h"
-#include "modules/destruction/src/block_ldl.h"
+#include "jostle/physics/block_ldl.h"
 
 namespace jostle::modules::destruction_detail {
+
+// Force and torque on a chunk, or its translation and rotation.
+using Vec6 = std::array<double, 6>;
 
 // A part of a destructible: chunks and the bonds between them, both ascending.
 struct Group {
@@ -26,12 +31,24 @@ struct Beam {
 };
 inline constexpr std::uint32_t fixed_unknown = 0xffffffff;
 
-BlockMatrix stiffness_of(std::span<const Beam> beams, std::size_t unknowns,
-                         const BondMaterial& material);
+// The factorized stiffness matrix of beams. The order of elimination depends only on which chunks
+// are connected, so equal beams give bit-identical results.
+class StiffnessFactor {
+public:
+    StiffnessFactor(std::span<const Beam> beams, std::size_t unknowns,
+                    const BondMaterial& material);
+    // Loads in, displacements out. Displacements along directions without stiffness are 0.
+    void solve(std::span<Vec6> x) const;
+    // Number of block products of the factorization.
+    std::uint64_t work() const;
+
+private:
+    physics::BlockLdl ldl_;
+};
 
 // Load of a beam for the displacements of its ends, as a fraction of the strength: the maximum of
 // tension, compression (axial force over area, bending moments over section moduli) and shear.
-double load_of(const Beam& beam, const Block6& moved_a, const Block6& moved_b,
+double load_of(const Beam& beam, const Vec6& moved_a, const Vec6& moved_b,
                const BondMaterial& material);
 
 }  // namespace jostle::modules::destruction_detail

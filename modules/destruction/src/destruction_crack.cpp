@@ -132,8 +132,8 @@ void add_inertia(const Destructible& destructible, const Group& group, Vec3 spin
 
 // Load of each bond of the group as a fraction of its strength.
 std::vector<double> loads_of(const Destructible& destructible, const Group& group,
-                             const BlockFactor& factor, std::span<const ChunkLoad> contact_loads,
-                             Vec3 spin, Vec3 gravity) {
+                             const StiffnessFactor& factor,
+                             std::span<const ChunkLoad> contact_loads, Vec3 spin, Vec3 gravity) {
     const Unknowns unknowns = unknowns_of(destructible.chunks, group);
     std::vector<ChunkLoad> chunk_loads(contact_loads.begin(), contact_loads.end());
     const bool held = std::any_of(group.chunks.begin(), group.chunks.end(),
@@ -143,13 +143,13 @@ std::vector<double> loads_of(const Destructible& destructible, const Group& grou
             chunk_loads[c].force += gravity * destructible.chunks[c].mass;
     else
         add_inertia(destructible, group, spin, chunk_loads);
-    std::vector<Block6> moved(unknowns.count);
+    std::vector<Vec6> moved(unknowns.count);
     for (const std::uint32_t c : group.chunks)
         if (const std::uint32_t at = unknowns.of_chunk[c]; at != fixed_unknown)
             moved[at] = {chunk_loads[c].force.x,  chunk_loads[c].force.y,  chunk_loads[c].force.z,
                          chunk_loads[c].torque.x, chunk_loads[c].torque.y, chunk_loads[c].torque.z};
     factor.solve(moved);
-    constexpr Block6 still = {};
+    constexpr Vec6 still = {};
     std::vector<double> loads;
     for (const Beam& beam : beams_of(destructible, group, unknowns))
         loads.push_back(load_of(beam, beam.a == fixed_unknown ? still : moved[beam.a],
@@ -163,13 +163,13 @@ std::vector<double> loads_of(const Destructible& destructible, const Group& grou
 SolveResult solve_group(DestructionState& state, Destructible& destructible, const Group& group,
                         Piece* cached, std::span<const ChunkLoad> chunk_loads, Vec3 spin,
                         Vec3 gravity, double& energy) {
-    std::shared_ptr<const BlockFactor> factor = cached ? cached->factor : nullptr;
+    std::shared_ptr<const StiffnessFactor> factor = cached ? cached->factor : nullptr;
     const bool dissipated_energy = cached && cached->solved;
     if (!dissipated_energy && state.work_left <= 0) return SolveResult::no_time;
     if (!factor) {
         const Unknowns unknowns = unknowns_of(destructible.chunks, group);
-        factor = std::make_shared<BlockFactor>(stiffness_of(beams_of(destructible, group, unknowns),
-                                                            unknowns.count, destructible.material));
+        factor = std::make_shared<StiffnessFactor>(beams_of(destructible, group, unknowns),
+                                                   unknowns.count, destructible.material);
         if (cached) cached->factor = factor;
     }
     if (cached) cached->solved = true;
@@ -317,8 +317,8 @@ double max_load_ratio(const World& world, const Destructible& destructible) {
         const Vec3 gravity = inverse_rotate(body->pose.rotation, world.gravity());
         for (const Group& group : connected_groups(destructible, all)) {
             const Unknowns unknowns = unknowns_of(destructible.chunks, group);
-            const BlockFactor factor(stiffness_of(beams_of(destructible, group, unknowns),
-                                                  unknowns.count, destructible.material));
+            const StiffnessFactor factor(beams_of(destructible, group, unknowns), unknowns.count,
+                                         destructible.material);
             for (const double load :
                  loads_of(destructible, group, factor,
                           std::vector<ChunkLoad>(destructible.chunks.size()), {}, gravity))

@@ -52,7 +52,7 @@ struct Piece {
 
     // Derived: intact bonds inside the piece, and the factor of its stiffness matrix.
     std::vector<std::uint32_t> bonds;
-    std::shared_ptr<const BlockFactor> factor;
+    std::shared_ptr<const StiffnessFactor> factor;
 };
 struct Destructible {
     bool alive = false;

@@ -3,7 +3,7 @@
 
 #include <string>
 
-namespace jostle::wire {
+namespace jostle::snapshot {
 namespace {
 
 constexpr std::uint32_t no_baseline = 255, same_distance = 0;
@@ -50,4 +50,4 @@ Result<BaselineFrames> decode_baseline_frames(std::uint32_t frame, std::uint32_t
     return baselines;
 }
 
-}  // namespace jostle::wire
+}  // namespace jostle::snapshot

@@ -9,7 +9,7 @@
 #include "jostle/snapshot/bit_stream.h"
 #include "jostle/snapshot/entity_diff.h"
 
-namespace jostle::wire {
+namespace jostle::snapshot {
 namespace {
 
 constexpr unsigned gap_order = 4;        // between ids, positions in a list
@@ -301,4 +301,4 @@ Result<std::vector<EntityState>> decode_bit_frame(std::span<const std::byte> pac
     return BitFrameReader(packed, spec).decode(baselines, t, max_entities);
 }
 
-}  // namespace jostle::wire
+}  // namespace jostle::snapshot

@@ -3,7 +3,7 @@
 
 #include <cstring>
 
-namespace jostle::wire {
+namespace jostle::snapshot {
 namespace {
 
 std::uint64_t low_mask(unsigned count) {
@@ -112,4 +112,4 @@ bool BitReader::at_clean_end() const {
     return at_ <= total && total - at_ < 8 && peek(static_cast<unsigned>(total - at_)) == 0;
 }
 
-}  // namespace jostle::wire
+}  // namespace jostle::snapshot

@@ -8,7 +8,7 @@
 #include "jostle/snapshot/bit_stream.h"
 #include "jostle/snapshot/crc32.h"
 
-namespace jostle::wire {
+namespace jostle::snapshot {
 namespace {
 
 enum class Change : std::uint8_t { values = 0, length = 1, ended = 2 };
@@ -261,4 +261,4 @@ Result<Channels> decode_channels(std::span<const std::byte> bytes, std::uint32_t
     return std::move(read->channels);
 }
 
-}  // namespace jostle::wire
+}  // namespace jostle::snapshot

@@ -7,7 +7,7 @@
 
 #include <array>
 
-namespace jostle::wire {
+namespace jostle::snapshot {
 namespace {
 
 using Tables = std::array<std::array<std::uint32_t, 256>, 8>;
@@ -65,4 +65,4 @@ Crc32Zeros::Crc32Zeros(std::size_t bytes) {
         }
 }
 
-}  // namespace jostle::wire
+}  // namespace jostle::snapshot

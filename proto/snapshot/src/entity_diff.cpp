@@ -6,7 +6,7 @@
 
 #include "jostle/snapshot/bit_stream.h"
 
-namespace jostle::wire {
+namespace jostle::snapshot {
 
 std::vector<Survivor> find_survivors(const Baselines& baselines,
                                      const std::vector<std::size_t>& removed) {
@@ -114,4 +114,4 @@ bool is_rotation(const std::array<std::int64_t, 3>& components, const QuantSpec&
     return sum <= 2 * m * m;
 }
 
-}  // namespace jostle::wire
+}  // namespace jostle::snapshot

@@ -6,7 +6,7 @@
 #include "jostle/snapshot/entity_diff.h"
 #include "jostle/snapshot/range_frame.h"
 
-namespace jostle::wire {
+namespace jostle::snapshot {
 namespace {
 
 constexpr std::int64_t max_spacing = 255;  // ticks between a frame and its baseline
@@ -89,4 +89,4 @@ std::uint32_t frame_crc(const QuantizedFrame& frame, std::span<const std::uint32
     return ~crc_over(state, std::span(frame.entities).subspan(blocks.size() * crc_block));
 }
 
-}  // namespace jostle::wire
+}  // namespace jostle::snapshot

@@ -6,7 +6,7 @@
 
 #include "jostle/snapshot/start_models.h"
 
-namespace jostle::wire {
+namespace jostle::snapshot {
 namespace {
 
 constexpr std::string_view alphabet =
@@ -43,4 +43,4 @@ const FrameModels& start_models(std::int64_t base_age) {
     return tables[base_age > 2 ? 1 : 0];
 }
 
-}  // namespace jostle::wire
+}  // namespace jostle::snapshot

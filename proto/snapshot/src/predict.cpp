@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace jostle::wire {
+namespace jostle::snapshot {
 namespace {
 
 using Four = std::array<std::int64_t, 4>;
@@ -126,4 +126,4 @@ Prediction predict(const EntityState& baseline, const EntityState* baseline2,
     return p;
 }
 
-}  // namespace jostle::wire
+}  // namespace jostle::snapshot

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace jostle::wire {
+namespace jostle::snapshot {
 namespace {
 
 // Nearest integer in the range; 0 for NaN.
@@ -60,4 +60,4 @@ Pose dequantize(const EntityState& state, const QuantSpec& spec) {
     return pose;
 }
 
-}  // namespace jostle::wire
+}  // namespace jostle::snapshot

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-namespace jostle::wire {
+namespace jostle::snapshot {
 namespace {
 
 constexpr unsigned piece = 16;  // raw bits per division of the range
@@ -68,4 +68,4 @@ std::uint64_t RangeDecoder::raw(std::uint64_t, unsigned count) {
     return value;
 }
 
-}  // namespace jostle::wire
+}  // namespace jostle::snapshot

@@ -3,7 +3,7 @@
 
 #include "jostle/snapshot/range_frame_serializer.h"
 
-namespace jostle::wire {
+namespace jostle::snapshot {
 
 std::vector<std::byte> encode_range_frame(const EntityDiff& to, const Baselines& baselines,
                                           const Spacing& t, const QuantSpec& spec) {
@@ -39,4 +39,4 @@ Result<std::vector<EntityState>> decode_range_frame(std::span<const std::byte> p
     return merge_entities(std::move(surviving), lists.spawned);
 }
 
-}  // namespace jostle::wire
+}  // namespace jostle::snapshot

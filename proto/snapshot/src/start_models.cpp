@@ -3,7 +3,7 @@
 // Written by bench/train_start_models.cpp; part of the format.
 #include "jostle/snapshot/start_models.h"
 
-namespace jostle::wire {
+namespace jostle::snapshot {
 
 const std::string_view start_model_letters[2] = {
     "Rn%nb,9eeeeeeeeeeeeeeeeeeeeeeeeeeeeeeeeee.(%x1eeeeeeeeeeeeeeeeeeeeeeeeeeeeeeeeee"
@@ -159,4 +159,4 @@ const std::string_view start_model_letters[2] = {
     "TeeeeedddbXRVWeeeebbbbbZVkeeeeedddbXTXpTeeebbbZZXbeTeeeejhfdZXTVHeeeddbbbZVNHeee"
     "e"};
 
-}  // namespace jostle::wire
+}  // namespace jostle::snapshot

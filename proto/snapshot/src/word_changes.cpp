@@ -3,7 +3,7 @@
 
 #include <bit>
 
-namespace jostle::wire {
+namespace jostle::snapshot {
 
 namespace {
 
@@ -63,4 +63,4 @@ Result<std::vector<std::uint32_t>> apply_changes(std::span<const std::uint32_t> 
     return words;
 }
 
-}  // namespace jostle::wire
+}  // namespace jostle::snapshot

@@ -12,7 +12,7 @@
 #include "jostle/physics/module.h"
 #include "jostle/scenes/catalog.h"
 
-namespace jostle::bots {
+namespace jostle::bot {
 namespace {
 
 using namespace physics;
@@ -59,18 +59,18 @@ private:
         return nullptr;
     }
     void show() {
-        wire::QuantizedFrame frame{.frame = ++frame_};
+        snapshot::QuantizedFrame frame{.frame = ++frame_};
         for (std::uint32_t k = 0; k < built_.bodies.size(); k++) {
             const Transform pose = built_.world.body(built_.bodies[k])->pose;
             const auto& [p, q] = pose;
             frame.entities.push_back(
-                wire::quantize(k + 1, {{p.x, p.y, p.z}, {q.x, q.y, q.z, q.w}}, false, {}));
+                snapshot::quantize(k + 1, {{p.x, p.y, p.z}, {q.x, q.y, q.z, q.w}}, false, {}));
         }
-        const auto packed = wire::encode_frame(frame, {}, {});
+        const auto packed = snapshot::encode_frame(frame, {}, {});
         v1::Snapshot snapshot;
         snapshot.set_frame(frame_);
         snapshot.set_packed(packed.data(), packed.size());
-        snapshot.set_crc(wire::frame_crc(frame));
+        snapshot.set_crc(snapshot::frame_crc(frame));
         ASSERT_TRUE(view_.apply(snapshot).ok());
     }
     void obey(const v1::Input& input) {
@@ -142,4 +142,4 @@ TEST(LapCounter, counts_laps_in_both_directions) {
 }
 
 }  // namespace
-}  // namespace jostle::bots
+}  // namespace jostle::bot

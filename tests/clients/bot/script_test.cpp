@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace jostle::bots {
+namespace jostle::bot {
 
 TEST(Script, example_script_has_all_five_active_behaviours) {
     const auto script = load_script(SCRIPTS "/sandbox.bots");
@@ -37,4 +37,4 @@ TEST(Script, errors_name_file_line_and_word) {
     }
 }
 
-}  // namespace jostle::bots
+}  // namespace jostle::bot

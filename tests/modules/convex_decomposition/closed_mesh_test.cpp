@@ -12,7 +12,7 @@ namespace jostle::test {
 namespace {
 
 using namespace physics;
-using namespace decomposition;
+using namespace modules::convex_decomposition;
 
 TEST(ClosedMesh, computes_the_volume_for_both_windings) {
     Solid solid = l_shape();

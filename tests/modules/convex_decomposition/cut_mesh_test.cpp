@@ -12,7 +12,7 @@ namespace jostle::test {
 namespace {
 
 using namespace physics;
-using namespace decomposition;
+using namespace modules::convex_decomposition;
 
 TEST(CutMesh, cuts_a_quarter_of_a_cube) {
     const Solid solid = cube();

@@ -14,7 +14,7 @@ namespace jostle::test {
 namespace {
 
 using namespace physics;
-using namespace decomposition;
+using namespace modules::convex_decomposition;
 
 Decomposition of(const Solid& solid, const Options& options = {}) {
     return decompose(solid.vertices, solid.indices, options).value();

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace jostle::wire {
+namespace jostle::snapshot {
 namespace {
 
 TEST(BaselineFrames, equal_spacing_encodes_as_one_small_number) {
@@ -45,4 +45,4 @@ TEST(BaselineFrames, rejects_invalid_codes) {
 }
 
 }  // namespace
-}  // namespace jostle::wire
+}  // namespace jostle::snapshot

@@ -5,7 +5,7 @@
 
 #include "jostle/snapshot/crc32.h"
 
-namespace jostle::wire {
+namespace jostle::snapshot {
 
 TEST(BitStream, round_trips_every_code) {
     BitWriter out;
@@ -49,4 +49,4 @@ TEST(Crc32, matches_the_standard_check_value) {
     EXPECT_EQ(crc32(std::as_bytes(std::span(text, 9))), 0xCBF43926u);
 }
 
-}  // namespace jostle::wire
+}  // namespace jostle::snapshot

@@ -13,7 +13,7 @@
 
 #include "tests/proto/snapshot/channel_motion.h"
 
-namespace jostle::wire {
+namespace jostle::snapshot {
 namespace {
 
 using testing::HasSubstr;
@@ -142,4 +142,4 @@ TEST(ChannelCodec, encoder_output_matches_the_golden_file) {
 }
 
 }  // namespace
-}  // namespace jostle::wire
+}  // namespace jostle::snapshot

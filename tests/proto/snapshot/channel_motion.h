@@ -10,7 +10,7 @@
 
 #include "jostle/snapshot/channel_codec.h"
 
-namespace jostle::wire {
+namespace jostle::snapshot {
 
 class ChangingChannels {
 public:
@@ -113,4 +113,4 @@ inline std::vector<std::byte> golden_channels() {
     return out;
 }
 
-}  // namespace jostle::wire
+}  // namespace jostle::snapshot

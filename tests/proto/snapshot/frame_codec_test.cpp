@@ -7,7 +7,7 @@
 
 #include "tests/proto/snapshot/motion.h"
 
-namespace jostle::wire {
+namespace jostle::snapshot {
 namespace {
 
 std::vector<QuantizedFrame> run(std::uint32_t seed, std::size_t bodies, std::uint32_t frames,
@@ -194,4 +194,4 @@ TEST(FrameCodec, rejects_quantization_that_would_overflow) {
     }
 }
 
-}  // namespace jostle::wire
+}  // namespace jostle::snapshot

@@ -11,7 +11,7 @@
 #include "jostle/snapshot/frame_codec.h"
 #include "tests/proto/snapshot/motion.h"
 
-namespace jostle::wire {
+namespace jostle::snapshot {
 
 struct GoldenFrame {
     QuantizedFrame frame;
@@ -114,4 +114,4 @@ inline std::vector<std::byte> golden_file(const GoldenSequence& sequence, Codec 
     return out;
 }
 
-}  // namespace jostle::wire
+}  // namespace jostle::snapshot

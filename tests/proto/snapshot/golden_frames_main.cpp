@@ -29,9 +29,9 @@ int main(int argc, char** argv) {
         return 2;
     }
     const std::string folder = std::string(argv[1]) + "/";
-    bool written = write(folder + "channels.jchn", jostle::wire::golden_channels());
-    using jostle::wire::Codec;
-    for (const auto& sequence : jostle::wire::golden_sequences())
+    bool written = write(folder + "channels.jchn", jostle::snapshot::golden_channels());
+    using jostle::snapshot::Codec;
+    for (const auto& sequence : jostle::snapshot::golden_sequences())
         for (const Codec codec : {Codec::bits, Codec::range})
             written = write(folder + golden_name(sequence, codec), golden_file(sequence, codec)) &&
                       written;

@@ -11,7 +11,7 @@
 
 #include "jostle/snapshot/predict.h"
 
-namespace jostle::wire {
+namespace jostle::snapshot {
 
 TEST(Golden, encoder_output_matches_the_golden_files) {
     for (const GoldenSequence& sequence : golden_sequences())
@@ -111,4 +111,4 @@ TEST(Golden, sequences_cover_arithmetic_limits) {
     EXPECT_GT(no_base3, 20);
 }
 
-}  // namespace jostle::wire
+}  // namespace jostle::snapshot

@@ -10,7 +10,7 @@
 
 #include "jostle/snapshot/quantize.h"
 
-namespace jostle::wire {
+namespace jostle::snapshot {
 
 class Random {
 public:
@@ -113,4 +113,4 @@ private:
     std::uint32_t next_id_ = 1;
 };
 
-}  // namespace jostle::wire
+}  // namespace jostle::snapshot

@@ -9,7 +9,7 @@
 #include "jostle/snapshot/frame_codec.h"
 #include "tests/proto/snapshot/motion.h"
 
-namespace jostle::wire {
+namespace jostle::snapshot {
 
 TEST(Quantize, position_error_is_at_most_half_a_unit_and_rotation_error_a_quarter_degree) {
     Random random(7);
@@ -57,4 +57,4 @@ TEST(Quantize, invalid_rotations_become_valid) {
     }
 }
 
-}  // namespace jostle::wire
+}  // namespace jostle::snapshot

@@ -7,7 +7,7 @@
 
 #include "tests/proto/snapshot/motion.h"
 
-namespace jostle::wire {
+namespace jostle::snapshot {
 namespace {
 
 // Bits, one in `sparse` of them a one, mixed with raw numbers of every width.
@@ -98,4 +98,4 @@ TEST(RangeCoder, detects_missing_and_trailing_bytes) {
     EXPECT_EQ(read(), std::pair(true, false));
 }
 
-}  // namespace jostle::wire
+}  // namespace jostle::snapshot

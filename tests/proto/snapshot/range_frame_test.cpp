@@ -10,7 +10,7 @@
 #include "jostle/snapshot/start_models.h"
 #include "tests/proto/snapshot/motion.h"
 
-namespace jostle::wire {
+namespace jostle::snapshot {
 namespace {
 
 constexpr std::size_t most = 1u << 20;
@@ -120,4 +120,4 @@ TEST(RangeFrame, rejects_invalid_data_by_name) {
     has(refusal(bytes, {}), "truncated data");
 }
 
-}  // namespace jostle::wire
+}  // namespace jostle::snapshot

@@ -7,7 +7,7 @@
 
 #include <random>
 
-namespace jostle::wire {
+namespace jostle::snapshot {
 namespace {
 
 using Words = std::vector<std::uint32_t>;
@@ -51,4 +51,4 @@ TEST(WordChanges, reject_inconsistent_data) {
 }
 
 }  // namespace
-}  // namespace jostle::wire
+}  // namespace jostle::snapshot

@@ -20,6 +20,7 @@
 #include "jostle/scenes/catalog.h"
 #include "server/grpc/grpc_server.h"
 #include "server/services/world_control.h"
+#include "tests/server/server_parts.h"
 #include "tests/support/wait_until.h"
 
 namespace jostle::server {
@@ -115,8 +116,11 @@ v1::Input ball_at(double height) {
     return input;
 }
 
-class DatagramsTest : public testing::Test {
+class DatagramsTest : public testing::Test, protected ServerParts {
 protected:
+    DatagramsTest() : ServerParts(4, 4, {.on_frame = [this](bool) { server.wake(); }}) {
+        context.datagrams = &port;
+    }
     void SetUp() override {
         ASSERT_TRUE(port.start().ok());
         proxy.start(port.port());
@@ -161,18 +165,8 @@ protected:
         return results;
     }
 
-    Config config;
-    SessionDirectory sessions{4};
     UdpProxy proxy;
     DatagramServer port{{.host = "127.0.0.1", .port = 0, .advertised_port = proxy.port()}};
-    GrpcServer* woken = &server;
-    WorldDirectory worlds{{.on_frame = [this](bool) { woken->wake(); }}, 4};
-    const std::unique_ptr<Authorizer> authorizer = *Authorizer::open(config);
-    PlayContext context{.config = config,
-                        .worlds = worlds,
-                        .sessions = sessions,
-                        .authorizer = *authorizer,
-                        .datagrams = &port};
     WorldControl control{context};
     GrpcServer server{context, {}, [] { return true; }, {.port = 0}};
     client::Loop loop;
@@ -270,7 +264,7 @@ TEST_F(DatagramsTest, view_contains_only_entities_with_an_entity_update) {
         for (const auto end = Clock::now() + 2s; Clock::now() < end;) {
             watcher->read([&](const client::WorldView& view) {
                 looks++;
-                for (const wire::EntityState& entity : view.frame().entities)
+                for (const snapshot::EntityState& entity : view.frame().entities)
                     unknown += view.entities().contains(entity.id) ? 0 : 1;
             });
             std::this_thread::sleep_for(1ms);

@@ -15,6 +15,7 @@
 #include "server/grpc/service_methods.h"
 #include "server/services/query_control.h"
 #include "server/services/world_control.h"
+#include "tests/server/server_parts.h"
 #include "tests/support/counter.h"
 #include "tests/support/wait_until.h"
 
@@ -33,7 +34,7 @@ struct ChannelValue {
 std::optional<ChannelValue> channel_value(const Client& client, std::string_view tag) {
     std::optional<ChannelValue> out;
     client.read([&](const client::WorldView& view) {
-        for (const wire::Channel& channel : view.channels())
+        for (const snapshot::Channel& channel : view.channels())
             if (view.channel_kinds()[channel.kind].name() == tag)
                 out = {channel.entity, static_cast<std::uint32_t>(channel.values->front())};
     });
@@ -51,8 +52,9 @@ std::string name_of(const Client& client, std::uint32_t entity) {
 
 // A world whose module "counter" publishes a new value every fifth tick and whose module "still"
 // never changes its value.
-class GrpcServerTest : public testing::Test {
+class GrpcServerTest : public testing::Test, protected ServerParts {
 protected:
+    GrpcServerTest() : ServerParts(4, 4, {.on_frame = [this](bool) { server.wake(); }}) {}
     void SetUp() override {
         test::register_counter();
         static const Status known = physics::register_module(
@@ -60,13 +62,7 @@ protected:
         ASSERT_TRUE(known.ok());
         ASSERT_TRUE(server.start().ok());
     }
-    void TearDown() override {
-        worlds.stop_all();  // stop the worlds before the objects that they notify
-        context.closing = true;
-        server.drain({});
-        server.wake();
-        server.stop();
-    }
+    void TearDown() override { stop_server(*this, server); }
     // The counter stops publishing at this count.
     void make_world(double until = 0) {
         scenes::SceneDescription scene = *scenes::find_scene("stack");
@@ -90,13 +86,6 @@ protected:
         return all;
     }
 
-    Config config;
-    SessionDirectory sessions{4};
-    GrpcServer* woken = &server;
-    WorldDirectory worlds{{.on_frame = [this](bool) { woken->wake(); }}, 4};
-    const std::unique_ptr<Authorizer> authorizer = *Authorizer::open(config);
-    PlayContext context{
-        .config = config, .worlds = worlds, .sessions = sessions, .authorizer = *authorizer};
     WorldControl control{context};
     QueryControl queries{context};
     GrpcServer server{context, methods(), [] { return true; }, {.port = 0}};

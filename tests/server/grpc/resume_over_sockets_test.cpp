@@ -10,6 +10,7 @@
 
 #include "jostle/client/client.h"
 #include "server/grpc/grpc_server.h"
+#include "tests/server/server_parts.h"
 #include "tests/support/small_scene.h"
 #include "tests/support/wait_until.h"
 #include "tools/network_emulator/tcp_proxy.h"
@@ -49,27 +50,15 @@ v1::Input small_ball(int number) {
     return input;
 }
 
-class ResumeOverSocketsTest : public testing::Test {
+class ResumeOverSocketsTest : public testing::Test, protected ServerParts {
 protected:
+    ResumeOverSocketsTest() : ServerParts(4, 4, {.on_frame = [this](bool) { server.wake(); }}) {}
     void SetUp() override {
         ASSERT_TRUE(worlds.create("yard", test::small_scene()).ok());
         ASSERT_TRUE(server.start().ok());
     }
-    void TearDown() override {
-        worlds.stop_all();
-        context.closing = true;
-        server.drain({});
-        server.wake();
-        server.stop();
-    }
+    void TearDown() override { stop_server(*this, server); }
 
-    Config config;
-    SessionDirectory sessions{4};
-    GrpcServer* woken = &server;
-    WorldDirectory worlds{{.on_frame = [this](bool) { woken->wake(); }}, 4};
-    const std::unique_ptr<Authorizer> authorizer = *Authorizer::open(config);
-    PlayContext context{
-        .config = config, .worlds = worlds, .sessions = sessions, .authorizer = *authorizer};
     GrpcServer server{context, {}, [] { return true; }, {.port = 0}};
     client::Loop loop;
 };

@@ -18,14 +18,16 @@
 #include "server/grpc/grpc_server.h"
 #include "server/limits/session_directory.h"
 #include "server/world/world_directory.h"
+#include "tests/server/server_parts.h"
 
 namespace jostle::server {
 namespace {
 
 using namespace std::chrono_literals;
 
-class UnaryDispatcherTest : public testing::Test {
+class UnaryDispatcherTest : public testing::Test, protected ServerParts {
 protected:
+    UnaryDispatcherTest() : ServerParts(4, 4) {}
     void SetUp() override {
         ASSERT_TRUE(server.start().ok());
         channel = grpc::CreateChannel("127.0.0.1:" + std::to_string(server.port()),
@@ -71,12 +73,6 @@ protected:
         return worlds_stub->GetWorld(&call, request, &response);
     }
 
-    Config config;
-    SessionDirectory sessions{4};
-    WorldDirectory worlds{{}, 4};
-    const std::unique_ptr<Authorizer> authorizer = *Authorizer::open(config);
-    PlayContext context{
-        .config = config, .worlds = worlds, .sessions = sessions, .authorizer = *authorizer};
     std::promise<void> go_on;
     std::shared_future<void> opened = go_on.get_future().share();
     std::atomic<int> waiting{0};

@@ -6,12 +6,14 @@
 #include <nlohmann/json.hpp>
 
 #include "jostle/scenes/catalog.h"
+#include "tests/server/server_parts.h"
 
 namespace jostle::server {
 namespace {
 
-class HttpRoutesTest : public testing::Test {
+class HttpRoutesTest : public testing::Test, protected ServerParts {
 protected:
+    HttpRoutesTest() : ServerParts(10, 2) { config.world.worlds_max = 2; }
     void SetUp() override { ASSERT_TRUE(worlds.create("", *scenes::find_scene("stack")).ok()); }
 
     HttpResponse send(const std::string& method, const std::string& target,
@@ -30,16 +32,6 @@ protected:
     }
 
     std::optional<std::string> failure_reason;
-    Config config = [] {
-        Config c;
-        c.world.worlds_max = 2;
-        return c;
-    }();
-    SessionDirectory sessions{10};
-    WorldDirectory worlds{{}, 2};
-    const std::unique_ptr<Authorizer> authorizer = *Authorizer::open(config);
-    PlayContext context{
-        .config = config, .worlds = worlds, .sessions = sessions, .authorizer = *authorizer};
     WorldControl control{context};
     QueryControl queries{context};
     HttpRoutes routes{

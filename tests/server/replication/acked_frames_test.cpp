@@ -16,7 +16,7 @@ TEST(AckedFrames, unacknowledged_frames_are_not_baselines) {
     AckedFrames frames;
     send(frames, 1, 10);
     EXPECT_EQ(frames.newest(), 0u);
-    EXPECT_EQ(frames.baselines_for(11), wire::BaselineFrames{});
+    EXPECT_EQ(frames.baselines_for(11), snapshot::BaselineFrames{});
     EXPECT_EQ(frames.last_sent(), 10u);
 }
 
@@ -25,7 +25,7 @@ TEST(AckedFrames, baselines_are_the_newest_acknowledged_frames) {
     send(frames, 1, 10);
     frames.on_ack(8, 0b1101);  // 7, 5 and 4 are acknowledged, 6 is not
     EXPECT_EQ(frames.newest(), 8u);
-    const wire::BaselineFrames baselines = frames.baselines_for(11);
+    const snapshot::BaselineFrames baselines = frames.baselines_for(11);
     EXPECT_EQ(baselines.baseline, 8u);
     EXPECT_EQ(baselines.baseline2, 5u) << "frame 6 was lost";
     EXPECT_EQ(baselines.baseline3, 0u);

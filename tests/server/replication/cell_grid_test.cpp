@@ -24,8 +24,8 @@ EntityList described(std::size_t count, double bounding_radius = 0.5) {
     return list;
 }
 
-wire::EntityState at(EntityId id, double x, double z) {
-    return wire::quantize(id, {{x, 1, z}, {0, 0, 0, 1}}, false, {});
+snapshot::EntityState at(EntityId id, double x, double z) {
+    return snapshot::quantize(id, {{x, 1, z}, {0, 0, 0, 1}}, false, {});
 }
 
 // The cell of the only entity of a world.
@@ -47,7 +47,7 @@ TEST(CellGrid, cell_ids_and_coordinates_round_trip) {
 
 TEST(CellGrid, assigns_entities_to_cells_and_large_ones_everywhere) {
     CellGrid grid(interest_cell_m, {});
-    const wire::QuantizedFrame frame{
+    const snapshot::QuantizedFrame frame{
         .frame = 1, .entities = {at(1, 5, 5), at(2, -5, 5), at(3, 40, -70), at(4, 6, 6)}};
     EntityList list = described(4);
     auto ground = std::make_shared<EntityDescription>();

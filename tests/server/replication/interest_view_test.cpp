@@ -79,16 +79,17 @@ struct TestView {
     void tick(Field& field, std::uint32_t number) {
         const FramePtr frame = field.frame(number);
         const auto cells = feed.cells(frame, [&] {
-            wire::QuantizedFrame made{.frame = number};
+            snapshot::QuantizedFrame made{.frame = number};
             for (const EntityPose& e : frame->entities)
-                made.entities.push_back(wire::quantize(
+                made.entities.push_back(snapshot::quantize(
                     e.id, {{e.pose.position.x, e.pose.position.y, e.pose.position.z}, {0, 0, 0, 1}},
                     !e.awake, {}));
             return made;
         });
         std::size_t bytes = 0;
         for (const auto& part : view.pending_cells(feed, *cells, number, at(number))) {
-            const SharedBytes sent = feed.encoding(part.state, part.baselines, wire::Codec::bits);
+            const SharedBytes sent =
+                feed.encoding(part.state, part.baselines, snapshot::Codec::bits);
             if (!view.affords(sent->size(), part.fresh)) {
                 if (part.fresh) continue;
                 break;
@@ -106,16 +107,16 @@ struct TestView {
         std::uint32_t head[6];
         std::memcpy(head, sent.data(), sizeof head);
         auto& states = known[head[0]];
-        const auto baseline = [&](std::uint32_t number) -> const wire::QuantizedFrame* {
+        const auto baseline = [&](std::uint32_t number) -> const snapshot::QuantizedFrame* {
             if (number == 0) return nullptr;
             EXPECT_TRUE(states.contains(number)) << "the baseline was never sent";
             return states.contains(number) ? &states[number] : nullptr;
         };
         const auto packed = std::as_bytes(std::span(sent)).subspan(sizeof head);
-        auto content = wire::decode_frame(
+        auto content = snapshot::decode_frame(
             head[1], packed, {baseline(head[2]), baseline(head[3]), baseline(head[4])}, {});
         ASSERT_TRUE(content.ok()) << content.error().message;
-        EXPECT_EQ(wire::frame_crc(*content), head[5]);
+        EXPECT_EQ(snapshot::frame_crc(*content), head[5]);
         states[head[1]] = *std::move(content);
     }
     std::size_t max_bytes_per_second() const {
@@ -129,8 +130,8 @@ struct TestView {
     }
 
     InterestView view;
-    CellSnapshotCache feed{cell_edge_m, wire::QuantSpec(), put_cell};
-    std::map<CellId, std::map<std::uint32_t, wire::QuantizedFrame>> known;
+    CellSnapshotCache feed{cell_edge_m, snapshot::QuantSpec(), put_cell};
+    std::map<CellId, std::map<std::uint32_t, snapshot::QuantizedFrame>> known;
     std::map<CellId, std::vector<std::uint32_t>> sent_at;
     std::vector<std::size_t> bytes_of_tick;
 };
@@ -227,9 +228,9 @@ TEST(CellSnapshotCache, removes_cells_that_stay_empty) {
         frame->tick = tick;
         frame->entity_list = list;
         const auto cells = client.feed.cells(frame, [&] {
-            return wire::QuantizedFrame{
+            return snapshot::QuantizedFrame{
                 .frame = tick,
-                .entities = {wire::quantize(1, {{1.0 * tick, 1, 0}, {0, 0, 0, 1}}, false, {})}};
+                .entities = {snapshot::quantize(1, {{1.0 * tick, 1, 0}, {0, 0, 0, 1}}, false, {})}};
         });
         for (const auto& part : client.view.pending_cells(client.feed, *cells, tick, at(tick)))
             client.view.on_sent(part, tick);
@@ -249,11 +250,11 @@ TEST(CellSnapshotCache, clients_share_encoded_cells) {
     TestView one(0);
     const FramePtr frame = field.frame(1);
     one.tick(field, 1);
-    const auto cells = one.feed.cells(frame, [] { return wire::QuantizedFrame(); });
-    const SharedBytes a = one.feed.encoding((*cells)[5], {}, wire::Codec::bits);
-    EXPECT_EQ(one.feed.encoding((*cells)[5], {}, wire::Codec::bits), a)
+    const auto cells = one.feed.cells(frame, [] { return snapshot::QuantizedFrame(); });
+    const SharedBytes a = one.feed.encoding((*cells)[5], {}, snapshot::Codec::bits);
+    EXPECT_EQ(one.feed.encoding((*cells)[5], {}, snapshot::Codec::bits), a)
         << "a cached encoding must be reused";
-    EXPECT_NE(one.feed.encoding((*cells)[5], {}, wire::Codec::range), a);
+    EXPECT_NE(one.feed.encoding((*cells)[5], {}, snapshot::Codec::range), a);
 }
 
 }  // namespace

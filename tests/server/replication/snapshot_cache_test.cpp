@@ -47,7 +47,7 @@ struct Receiver {
         std::uint32_t head[5];
         ASSERT_GE(bytes.size(), sizeof head);
         std::memcpy(head, bytes.data(), sizeof head);
-        const auto baseline = [&](std::uint32_t number) -> const wire::QuantizedFrame* {
+        const auto baseline = [&](std::uint32_t number) -> const snapshot::QuantizedFrame* {
             for (const auto& frame : ring) {
                 if (frame.frame == number) return &frame;
             }
@@ -56,15 +56,15 @@ struct Receiver {
         };
         baselines = {head[1], head[2], head[3]};
         const auto packed = std::as_bytes(std::span(bytes)).subspan(sizeof head);
-        auto frame = wire::decode_frame(
+        auto frame = snapshot::decode_frame(
             head[0], packed, {baseline(head[1]), baseline(head[2]), baseline(head[3])}, {});
         ASSERT_TRUE(frame.ok()) << frame.error().message;
-        EXPECT_EQ(wire::frame_crc(*frame), head[4]);
+        EXPECT_EQ(snapshot::frame_crc(*frame), head[4]);
         ring.push_back(std::move(*frame));
         if (ring.size() > 32) ring.pop_front();
     }
-    std::deque<wire::QuantizedFrame> ring;
-    wire::BaselineFrames baselines;
+    std::deque<snapshot::QuantizedFrame> ring;
+    snapshot::BaselineFrames baselines;
 };
 
 TEST(SnapshotCache, clients_with_equal_rate_share_one_encoding) {
@@ -83,7 +83,7 @@ TEST(SnapshotCache, clients_with_equal_rate_share_one_encoding) {
 
 TEST(SnapshotCache, encodes_each_codec_once) {
     SnapshotCache cache({}, serialize);
-    using wire::Codec;
+    using snapshot::Codec;
     const SharedBytes bits = cache.encoding(frame_at(1), {}, 0, Codec::bits),
                       range = cache.encoding(frame_at(1), {}, 0, Codec::range);
     EXPECT_LT(range->size(), bits->size());
@@ -91,8 +91,8 @@ TEST(SnapshotCache, encodes_each_codec_once) {
     EXPECT_EQ(cache.encoding(frame_at(1), {}, 0, Codec::range), range);
     EXPECT_EQ(cache.encodings_made(), 2u);
     const auto decoded = [](const SharedBytes& bytes, Codec codec) {
-        return wire::decode_frame(1, std::as_bytes(std::span(*bytes)).subspan(20), {}, {},
-                                  wire::default_entities_max, codec);
+        return snapshot::decode_frame(1, std::as_bytes(std::span(*bytes)).subspan(20), {}, {},
+                                      snapshot::default_entities_max, codec);
     };
     EXPECT_EQ(*decoded(bits, Codec::bits), *decoded(range, Codec::range));
 }
@@ -147,7 +147,7 @@ TEST(SnapshotCache, mostly_resting_world_decodes_exactly) {
             const std::size_t c = every == 1 ? 0 : 1;
             receivers[c].take(*cache.encoding(frame, trackers[c].baselines_for(tick)));
             trackers[c].on_sent(tick);
-            const wire::QuantizedFrame& has = receivers[c].ring.back();
+            const snapshot::QuantizedFrame& has = receivers[c].ring.back();
             ASSERT_EQ(has, cache.quantized(frame));
             for (std::size_t k = 0; k < poses.size(); k++) {
                 ASSERT_EQ(has.entities[k].at_rest, !poses[k].awake) << tick << ' ' << k;
@@ -167,20 +167,20 @@ TEST(SnapshotCache, evicted_baseline_forces_a_keyframe) {
         cache.encoding(frame_at(tick), {});
     EXPECT_FALSE(cache.holds(1));
     receiver.take(*cache.encoding(frame_at(60), slow.baselines_for(60)));
-    EXPECT_EQ(receiver.baselines, wire::BaselineFrames{});
+    EXPECT_EQ(receiver.baselines, snapshot::BaselineFrames{});
 }
 
 TEST(SnapshotCache, reset_tracker_forces_a_keyframe) {
     BaselineTracker baselines;
-    EXPECT_EQ(baselines.baselines_for(5), wire::BaselineFrames{});
+    EXPECT_EQ(baselines.baselines_for(5), snapshot::BaselineFrames{});
     baselines.on_sent(5);
     baselines.on_sent(6);
     baselines.on_sent(7);
-    EXPECT_EQ(baselines.baselines_for(8), (wire::BaselineFrames{7, 6, 5}));
-    EXPECT_EQ(baselines.baselines_for(1000), wire::BaselineFrames{})
+    EXPECT_EQ(baselines.baselines_for(8), (snapshot::BaselineFrames{7, 6, 5}));
+    EXPECT_EQ(baselines.baselines_for(1000), snapshot::BaselineFrames{})
         << "the frames are too far apart for prediction";
     baselines.reset();
-    EXPECT_EQ(baselines.baselines_for(8), wire::BaselineFrames{});
+    EXPECT_EQ(baselines.baselines_for(8), snapshot::BaselineFrames{});
 }
 
 TEST(SnapshotCache, resting_bodies_add_no_bytes) {
@@ -205,7 +205,7 @@ TEST(SnapshotCache, resting_bodies_add_no_bytes) {
 
 // The channels that a client with subscriptions receives, frame by frame.
 struct ChannelPublisher {
-    wire::PackedChannels packed;
+    snapshot::PackedChannels packed;
     SnapshotCache cache{{}, [this](const EncodedSnapshot& s) {
                             packed = s.channels;
                             return serialize(s);
@@ -215,7 +215,8 @@ struct ChannelPublisher {
     static Channel channel(std::uint32_t kind, std::int32_t value) {
         return {kind, 5, std::make_shared<const std::vector<std::int32_t>>(1, value)};
     }
-    SharedBytes encode(std::uint32_t tick, wire::BaselineFrames baselines, std::uint64_t kinds) {
+    SharedBytes encode(std::uint32_t tick, snapshot::BaselineFrames baselines,
+                       std::uint64_t kinds) {
         packed = {};
         return cache.encoding(frames.at(tick), baselines, kinds);
     }
@@ -226,10 +227,10 @@ struct ChannelPublisher {
         frames[tick] = std::move(frame);
     }
     // The channels of a client after this snapshot; `baseline` are its previous channels.
-    wire::Channels decoded(const wire::Channels& baseline) const {
-        const auto channels = wire::decode_channels(packed.bytes, packed.crc, baseline);
+    snapshot::Channels decoded(const snapshot::Channels& baseline) const {
+        const auto channels = snapshot::decode_channels(packed.bytes, packed.crc, baseline);
         EXPECT_TRUE(channels.ok());
-        return channels.ok() ? *channels : wire::Channels{};
+        return channels.ok() ? *channels : snapshot::Channels{};
     }
 };
 
@@ -242,11 +243,11 @@ TEST(SnapshotCache, keyframe_has_all_channels_and_delta_only_changed_ones) {
     publisher.frame(3, {unchanged, channel(1, 2)});
     publisher.frame(4, {channel(0, 7)});
     publisher.encode(1, {}, 3);
-    const wire::Channels first = publisher.decoded({});
+    const snapshot::Channels first = publisher.decoded({});
     ASSERT_EQ(first.size(), 2u);
     publisher.encode(2, {1, 0, 0}, 3);
     EXPECT_LE(publisher.packed.bytes.size(), 3u) << "expected one number of one channel";
-    const wire::Channels second = publisher.decoded(first);
+    const snapshot::Channels second = publisher.decoded(first);
     EXPECT_EQ(*second[1].values, std::vector<std::int32_t>{2});
     publisher.encode(3, {2, 1, 0}, 3);
     EXPECT_TRUE(publisher.packed.bytes.empty())

@@ -13,6 +13,7 @@
 #include "jostle/v1/admin.pb.h"
 #include "jostle/v1/play.pb.h"
 #include "server/session/client_session.h"
+#include "tests/server/server_parts.h"
 #include "tests/support/error_of.h"
 
 namespace jostle::server {
@@ -22,8 +23,9 @@ using test::error_of;
 
 namespace {
 
-class AdminControlTest : public testing::Test {
+class AdminControlTest : public testing::Test, protected ServerParts {
 protected:
+    AdminControlTest() : ServerParts(2, 4) {}
     void SetUp() override {
         ASSERT_TRUE(worlds.create("arena", *scenes::find_scene("stack")).ok());
         ASSERT_TRUE(worlds.create("other", *scenes::find_scene("dominoes")).ok());
@@ -56,12 +58,6 @@ protected:
         std::string notice;
     };
 
-    Config config;
-    SessionDirectory sessions{2};
-    WorldDirectory worlds{{}, 4};
-    const std::unique_ptr<Authorizer> authorizer = *Authorizer::open(config);
-    PlayContext context{
-        .config = config, .worlds = worlds, .sessions = sessions, .authorizer = *authorizer};
     AdminControl control{context};
 };
 

@@ -10,6 +10,7 @@
 
 #include "jostle/scenes/scene_file.h"
 #include "jostle/v1/query.pb.h"
+#include "tests/server/server_parts.h"
 #include "tests/support/error_of.h"
 
 namespace jostle::server {
@@ -34,10 +35,11 @@ constexpr const char* scene_json = R"({
     {"name": "right", "position": {"x": -8, "y": 5}, "shapes": [{"sphere": {"radius": 0.5}}]}],
   "joints": [{"name": "rod", "bodyA": "left", "bodyB": "right", "frameA": {}, "frameB": {}, "distance": {"minLength": 2, "maxLength": 2}}]
 })";
-constexpr EntityId floor = 1, box = 2, ball = 3, authorizer = 4, left = 5, right = 6;
+constexpr EntityId floor = 1, box = 2, ball = 3, gate = 4, left = 5, right = 6;
 
-class QueryControlTest : public testing::Test {
+class QueryControlTest : public testing::Test, protected ServerParts {
 protected:
+    QueryControlTest() : ServerParts(10, 2) {}
     void SetUp() override {
         const auto scene = scenes::read_scene_json(scene_json);
         ASSERT_TRUE(scene.ok()) << scene.error().message;
@@ -71,12 +73,6 @@ protected:
         return out;
     }
 
-    Config config;
-    SessionDirectory sessions{10};
-    WorldDirectory worlds{{}, 2};
-    const std::unique_ptr<Authorizer> who_may = *Authorizer::open(config);
-    PlayContext context{
-        .config = config, .worlds = worlds, .sessions = sessions, .authorizer = *who_may};
     QueryControl queries{context};
 };
 
@@ -112,7 +108,7 @@ TEST_F(QueryControlTest, filter_ignores_entity_includes_triggers_and_selects_cat
     EXPECT_EQ(entities(cast(request).rays(0)), (Ids{ball, floor}));
     request.mutable_filter()->set_ignore(999);
     request.mutable_filter()->set_include_triggers(true);
-    EXPECT_EQ(entities(cast(request).rays(0)), (Ids{authorizer, ball, box, floor}));
+    EXPECT_EQ(entities(cast(request).rays(0)), (Ids{gate, ball, box, floor}));
     v1::CastRaysRequest sideways;
     add_ray(sideways, {-20, 5, 0}, {20, 0, 0});
     EXPECT_EQ(entities(cast(sideways).rays(0)), Ids{left});

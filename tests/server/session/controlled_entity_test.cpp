@@ -41,7 +41,7 @@ struct Driver {
           session(server,
                   {.channels =
                        told ? std::vector<std::string>{motion_kind} : std::vector<std::string>{}},
-                  {.delay_ms = 50, .jitter_ms = 10, .seed = 7}) {
+                  {.latency_ms = 50, .jitter_ms = 10, .seed = 7}) {
         session.tamper = [this](std::string& bytes) {
             v1::ServerMessage message;
             if (!message.ParseFromString(bytes)) return;

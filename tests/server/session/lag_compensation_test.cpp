@@ -65,7 +65,7 @@ struct Round {
 };
 
 // Eight seconds of which the last six are shot in, three times a second.
-Round shoot(bool attach_view_time, client::NetworkConditions each_way, double rewind_ms = 400) {
+Round shoot(bool attach_view_time, NetworkConditions each_way, double rewind_ms = 400) {
     Config config;
     config.tick.lag_compensation_ms_max = rewind_ms;
     TestServer server(config);
@@ -94,7 +94,7 @@ Round shoot(bool attach_view_time, client::NetworkConditions each_way, double re
 }
 
 TEST(LagCompensation, hits_rendered_target_at_150_ms_latency_only_with_view_time) {
-    const client::NetworkConditions network{.delay_ms = 75};
+    const NetworkConditions network{.latency_ms = 75};
     const Round with = shoot(true, network), without = shoot(false, network);
     EXPECT_EQ(with.shots, 16);
     EXPECT_EQ(with.hits, with.shots);
@@ -105,14 +105,14 @@ TEST(LagCompensation, hits_rendered_target_at_150_ms_latency_only_with_view_time
 }
 
 TEST(LagCompensation, jitter_does_not_change_the_result) {
-    const Round round = shoot(true, {.delay_ms = 60, .jitter_ms = 40, .seed = 3});
+    const Round round = shoot(true, {.latency_ms = 60, .jitter_ms = 40, .seed = 3});
     EXPECT_GE(round.of_what_was, 12);
     EXPECT_EQ(round.hits, round.of_what_was);
     EXPECT_EQ(round.clamped, 0);
 }
 
 TEST(LagCompensation, clamps_view_time_older_than_history_and_reports_it) {
-    const Round round = shoot(true, {.delay_ms = 75}, 100);
+    const Round round = shoot(true, {.latency_ms = 75}, 100);
     EXPECT_EQ(round.hits, 0) << "100 ms of the past are not enough";
     EXPECT_EQ(round.clamped, round.shots) << "and every answer says so";
 }
@@ -144,7 +144,7 @@ TEST(LagCompensation, does_not_hit_entities_created_after_view_time) {
 TEST(LagCompensation, grabs_the_rendered_point_at_its_current_position) {
     TestServer server;
     const auto world = server.host(range_scene());
-    SessionHarness shooter(server, {.name = "shooter"}, {.delay_ms = 75});
+    SessionHarness shooter(server, {.name = "shooter"}, {.latency_ms = 75});
     v1::Input grab;
     test::play(server, *world, {&shooter}, 120, [&](int tick) {
         const std::optional<double> view_time = x_of(shooter.draw(), target);

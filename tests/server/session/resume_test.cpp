@@ -145,8 +145,8 @@ TEST_F(ResumeTest, disconnect_during_drain_is_final) {
 
 // The link is cut at every phase of a batch: before it came, before its answer came, after both.
 TEST_F(ResumeTest, applies_every_input_exactly_once_across_disconnects) {
-    for (const double delay_ms : {0.0, 40.0, 120.0}) {
-        SessionHarness player(server, {.name = "player"}, {.delay_ms = delay_ms});
+    for (const double latency_ms : {0.0, 40.0, 120.0}) {
+        SessionHarness player(server, {.name = "player"}, {.latency_ms = latency_ms});
         run(player, 40);
         std::set<std::uint32_t> answered;
         std::uint32_t sent = 0;

@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
-#include "clients/cpp/core/src/delayed_messages.h"
 #include "clients/cpp/core/src/play_protocol.h"
+#include "jostle/base/network_queue.h"
 #include "server/session/client_session.h"
 
 namespace jostle::test {
@@ -43,7 +43,7 @@ struct TestServer {
 
 struct SessionHarness {
     SessionHarness(TestServer& at, client::ClientOptions options,
-                   const client::NetworkConditions& each_way = {})
+                   const NetworkConditions& each_way = {})
         : server(at),
           conversation(std::move(options)),
           settings(each_way),
@@ -52,8 +52,8 @@ struct SessionHarness {
         connect();
     }
     void drop_in_flight() {
-        outgoing = client::DelayedMessages(settings);
-        incoming = client::DelayedMessages(settings);
+        outgoing = NetworkQueue<std::string>(settings);
+        incoming = NetworkQueue<std::string>(settings);
     }
     // A new connection.
     void connect() {
@@ -87,8 +87,8 @@ struct SessionHarness {
 
     TestServer& server;
     client::PlayProtocol conversation;
-    client::NetworkConditions settings;
-    client::DelayedMessages outgoing, incoming;
+    NetworkConditions settings;
+    NetworkQueue<std::string> outgoing, incoming;
     std::optional<server::ClientSession> session;
     std::function<void(std::string&)> tamper;  // with what the server says
 };

@@ -48,26 +48,26 @@ Ages ages_of(const Config& config) {
 }
 
 TEST(SessionNetworkSimulator, delay_of_100_ms_adds_100_ms_to_snapshot_age) {
-    const Ages plain = ages_of(Config()), delayed = ages_of(with_link("delay=100"));
+    const Ages plain = ages_of(Config()), delayed = ages_of(with_link("latency_ms=100"));
     EXPECT_NEAR(delayed.median_ms - plain.median_ms, 100, 6);
     EXPECT_NEAR(delayed.round_trip_ms - plain.round_trip_ms, 200, 10) << "both ways";
     EXPECT_GT(delayed.snapshots, plain.snapshots * 9 / 10) << "the rate is the same";
 }
 
 TEST(SessionNetworkSimulator, stall_delays_messages_without_loss) {
-    const Ages stalled = ages_of(with_link("stalls=400,stall_every=2000,seed=2"));
+    const Ages stalled = ages_of(with_link("stall_ms=400,stall_interval_ms=2000,seed=2"));
     EXPECT_GT(stalled.greatest_ms, 300);
     EXPECT_LT(stalled.median_ms, 20);
 }
 
 TEST(SessionNetworkSimulator, jitter_preserves_message_order) {
-    const Ages jittery = ages_of(with_link("jitter=40,tail=10"));
+    const Ages jittery = ages_of(with_link("jitter_ms=40,jitter_tail_ms=10"));
     EXPECT_GT(jittery.median_ms, 15);
     EXPECT_LT(jittery.median_ms, 60);
 }
 
 TEST(SessionNetworkSimulator, applies_only_to_configured_worlds) {
-    const std::string session = "delay=5";
+    const std::string session = "latency_ms=5";
     EXPECT_TRUE(make_network_simulator({session, {}}, "yard", 1));
     EXPECT_TRUE(make_network_simulator({session, {"lab", "yard"}}, "yard", 1));
     EXPECT_FALSE(make_network_simulator({session, {"lab"}}, "yard", 1));
@@ -76,17 +76,16 @@ TEST(SessionNetworkSimulator, applies_only_to_configured_worlds) {
 
 TEST(SessionNetworkSimulator, rejects_invalid_settings_at_startup) {
     Config config;
-    config.development.network_conditions = "delay=soon";
+    config.development.network_conditions = "latency_ms=soon";
     const Status refused = check(config);
     ASSERT_FALSE(refused.ok());
-    EXPECT_EQ(
-        refused.error().message,
-        "development.network_conditions: link setting 'delay=soon': the value must be a number "
-        "of at least 0");
+    EXPECT_EQ(refused.error().message,
+              "development.network_conditions: network condition 'latency_ms=soon': must be a "
+              "number from 0 to 60000");
 }
 
 TEST(SessionNetworkSimulator, delivers_leave_message_before_disconnect) {
-    TestServer server(with_link("delay=500"));
+    TestServer server(with_link("latency_ms=500"));
     const auto world = server.host(test::small_scene());
     SessionHarness player(server, {.name = "player"});
     test::play(server, *world, {&player}, 120);

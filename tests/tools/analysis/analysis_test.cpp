@@ -8,7 +8,7 @@
 #include "jostle/analysis/methods.h"
 #include "tests/support/world_builder.h"
 
-namespace jostle::linear_systems {
+namespace jostle::analysis {
 namespace {
 
 using namespace test;
@@ -130,4 +130,4 @@ TEST(Analysis, text_names_rows_and_factors) {
 }
 
 }  // namespace
-}  // namespace jostle::linear_systems
+}  // namespace jostle::analysis

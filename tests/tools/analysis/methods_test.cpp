@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace jostle::linear_systems {
+namespace jostle::analysis {
 namespace {
 
 using testing::HasSubstr;
@@ -123,4 +123,4 @@ TEST(Methods, zero_right_hand_side_gives_a_zero_solution) {
 }
 
 }  // namespace
-}  // namespace jostle::linear_systems
+}  // namespace jostle::analysis

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-namespace jostle::linear_systems {
+namespace jostle::analysis {
 namespace {
 
 std::vector<PreconditioningResult> treat(const Problem& problem) {
@@ -42,4 +42,4 @@ TEST(Preconditioning, scaling_removes_the_effect_of_units_and_mass_ratios) {
 }
 
 }  // namespace
-}  // namespace jostle::linear_systems
+}  // namespace jostle::analysis

@@ -8,7 +8,7 @@
 #include "jostle/analysis/methods.h"
 #include "tests/support/world_builder.h"
 
-namespace jostle::linear_systems {
+namespace jostle::analysis {
 namespace {
 
 using namespace test;
@@ -62,4 +62,4 @@ TEST(Problem, row_names_identify_joint_or_contact) {
 }
 
 }  // namespace
-}  // namespace jostle::linear_systems
+}  // namespace jostle::analysis

@@ -5,7 +5,7 @@
 
 namespace {
 
-using namespace jostle::convergence;
+using namespace jostle::analysis;
 
 TEST(ObservedOrder, is_the_logarithm_of_the_error_ratio_to_base_refinement) {
     EXPECT_NEAR(*observed_order(0.04, 0.01, 2), 2, 1e-12);

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace jostle::ctl {
+namespace jostle::common {
 
 TEST(CtlTable, aligns_columns_with_multibyte_characters) {
     Table table({{"ID", Align::right}, {"NAME"}, {"MS", Align::right}, {"STATE"}});
@@ -37,4 +37,4 @@ TEST(CtlTable, formats_durations_with_at_most_two_units) {
     EXPECT_EQ(number_text(2.345, 1), "2.3");
 }
 
-}  // namespace jostle::ctl
+}  // namespace jostle::common

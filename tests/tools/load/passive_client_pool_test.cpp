@@ -21,7 +21,7 @@ protected:
                                                         ? server_.http_port()
                                                         : server_.grpc_port());
         plan.ramp = plan.settle = 0.1;
-        PassiveClientPool pool(plan, resolve(plan.target).value());
+        PassiveClientPool pool(plan, common::resolve(plan.target).value());
         const std::atomic<bool> stop{false};
         return run_load(plan, pool, std::nullopt, stop);
     }
@@ -49,7 +49,7 @@ TEST_F(PassiveClientPoolTest, ten_passive_clients_receive_every_snapshot_over_bo
 TEST_F(PassiveClientPoolTest, scripted_passive_clients_receive_input_results) {
     const Report report = run({.clients = 6,
                                .seconds = 0.6,
-                               .script = bots::parse_script("push period=0.2\n", "test").value()});
+                               .script = bot::parse_script("push period=0.2\n", "test").value()});
     EXPECT_EQ(report.errors, 0u) << report.last_error;
     EXPECT_GT(report.inputs_accepted, 5u);
     EXPECT_GT(report.result_delay_ms.count, 5u);

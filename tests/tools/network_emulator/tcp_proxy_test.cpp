@@ -59,7 +59,7 @@ private:
 TEST(TcpProxy, forwards_bytes_unchanged_with_the_configured_delay_each_way) {
     const Echo echo;
     TcpProxy relay({.target = "127.0.0.1:" + std::to_string(echo.port),
-                    .down = {.delay_ms = 30, .jitter_ms = 5}});
+                    .down = {.latency_ms = 30, .jitter_ms = 5}});
     ASSERT_TRUE(relay.listen("127.0.0.1:0"));
     std::atomic<bool> stop{false};
     std::thread thread([&] { relay.run(stop); });

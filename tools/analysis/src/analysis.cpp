@@ -6,7 +6,7 @@
 
 #include "tools/analysis/src/eigen_view.h"
 
-namespace jostle::linear_systems {
+namespace jostle::analysis {
 namespace {
 
 using Eigen::Index;
@@ -107,4 +107,4 @@ std::string to_text(const Redundancy& redundancy, const Problem& problem, int te
     return words;
 }
 
-}  // namespace jostle::linear_systems
+}  // namespace jostle::analysis

@@ -4,7 +4,7 @@
 #include "tools/analysis/src/eigen_view.h"
 #include "tools/analysis/src/solvers.h"
 
-namespace jostle::linear_systems {
+namespace jostle::analysis {
 namespace {
 
 using Eigen::Index;
@@ -116,4 +116,4 @@ SolverResult solve_directly(const Problem& problem, Method method) {
     }
 }
 
-}  // namespace jostle::linear_systems
+}  // namespace jostle::analysis

@@ -10,7 +10,7 @@
 
 #include "jostle/analysis/problem.h"
 
-namespace jostle::linear_systems {
+namespace jostle::analysis {
 
 // The matrix is symmetric, so its storage order does not matter.
 inline Eigen::Map<const Eigen::MatrixXd> to_eigen_matrix(const Problem& problem) {
@@ -40,4 +40,4 @@ inline double zero_tolerance(std::size_t count) {
     return 1e-14 * static_cast<double>(std::max<std::size_t>(count, 10));
 }
 
-}  // namespace jostle::linear_systems
+}  // namespace jostle::analysis

@@ -4,7 +4,7 @@
 
 #include "tools/analysis/src/solvers.h"
 
-namespace jostle::linear_systems {
+namespace jostle::analysis {
 namespace {
 
 // Most rows share a body with few others.
@@ -148,4 +148,4 @@ SolverResult solve_by_iteration(const Problem& problem, Method method, const Sol
     return sweep(problem, method == Method::projected_gauss_seidel, limits);
 }
 
-}  // namespace jostle::linear_systems
+}  // namespace jostle::analysis

@@ -7,7 +7,7 @@
 #include "jostle/analysis/work_error.h"
 #include "tools/analysis/src/solvers.h"
 
-namespace jostle::linear_systems {
+namespace jostle::analysis {
 namespace {
 
 int rows_out_of_bounds(const Problem& problem, const std::vector<double>& x) {
@@ -51,13 +51,13 @@ bool iterates(Method method) {
 }
 
 Solution solve(const Problem& problem, Method method, const SolverLimits& limits) {
-    const double start = convergence::thread_seconds();
+    const double start = thread_seconds();
     SolverResult result = iterates(method) ? solve_by_iteration(problem, method, limits)
                                            : solve_directly(problem, method);
     Solution solution{.method = method,
                       .failed = std::move(result.failed),
                       .x = std::move(result.x),
-                      .milliseconds = 1e3 * (convergence::thread_seconds() - start),
+                      .milliseconds = 1e3 * (thread_seconds() - start),
                       .converged = result.converged,
                       .residuals = std::move(result.residuals)};
     if (!solution.failed.empty()) return solution;
@@ -76,4 +76,4 @@ std::vector<Solution> solve_all(const Problem& problem, const SolverLimits& limi
     return all;
 }
 
-}  // namespace jostle::linear_systems
+}  // namespace jostle::analysis

@@ -6,7 +6,7 @@
 #include "tools/analysis/src/eigen_view.h"
 #include "tools/analysis/src/solvers.h"
 
-namespace jostle::linear_systems {
+namespace jostle::analysis {
 namespace {
 
 PreconditioningResult evaluate(const Problem& problem, const Problem& basis,
@@ -59,4 +59,4 @@ std::vector<PreconditioningResult> evaluate_preconditioning(const Problem& probl
     return all;
 }
 
-}  // namespace jostle::linear_systems
+}  // namespace jostle::analysis

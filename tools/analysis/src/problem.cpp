@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-namespace jostle::linear_systems {
+namespace jostle::analysis {
 namespace {
 
 constexpr double unbounded = 1e200;
@@ -55,4 +55,4 @@ Problem problem_of(std::size_t count, std::vector<double> matrix, std::vector<do
     return problem;
 }
 
-}  // namespace jostle::linear_systems
+}  // namespace jostle::analysis

@@ -5,7 +5,7 @@
 
 #include "jostle/analysis/methods.h"
 
-namespace jostle::linear_systems {
+namespace jostle::analysis {
 
 struct SolverResult {
     std::vector<double> x;
@@ -22,4 +22,4 @@ double equation_residual(const Problem& problem, const std::vector<double>& x);
 // See Solution::residual of the projected method.
 double natural_residual(const Problem& problem, const std::vector<double>& x);
 
-}  // namespace jostle::linear_systems
+}  // namespace jostle::analysis

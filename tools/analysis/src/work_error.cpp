@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace jostle::convergence {
+namespace jostle::analysis {
 
 std::optional<double> observed_order(double error, double finer_error, double refinement) {
     if (!(error > 0) || !(finer_error > 0) || !(refinement > 1)) return {};
@@ -39,4 +39,4 @@ double thread_seconds() {
     return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
-}  // namespace jostle::convergence
+}  // namespace jostle::analysis

@@ -1,143 +1,73 @@
 // SPDX-License-Identifier: MIT
 //
-// Network emulator for tests and demonstrations. It computes the time at which a message sent now
-// arrives at the other end of a stream. Messages are never lost or reordered, as on TCP: a lost
-// message arrives after one retransmission delay and delays the messages behind it. The same seed
-// produces the same arrival times in C++ and in TypeScript (network_simulator.ts of the web SDK).
+// Network simulator for tests and demonstrations. It computes the time at which a message sent now
+// arrives at the other end. Messages of a stream are never lost or reordered, as on TCP: a lost
+// message arrives after one retransmission delay and delays the messages behind it. Datagrams can
+// be lost, duplicated and reordered. The same seed produces the same arrival times in C++ and in
+// TypeScript (network_simulator.ts of the web SDK; tests/base/network_simulator_vectors.json).
 #pragma once
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
+#include <cstddef>
 #include <cstdint>
-#include <string>
-#include <string_view>
 
-#include "jostle/base/result.h"
+#include "jostle/base/network_conditions.h"
 
 namespace jostle {
 
-/// Impairments of one direction of a connection. The defaults leave the connection unimpaired.
-struct NetworkConditions {
-    double delay_ms = 0;   ///< constant delay of every message, 0 to 60000 ms
-    double jitter_ms = 0;  ///< additional delay, uniform in [0, jitter_ms), 0 to 60000 ms
-    double tail_ms = 0;    ///< additional delay, exponential with this mean, 0 to 60000 ms
-    double stalls_ms = 0;  ///< duration of a stall, during which nothing arrives, 0 to 60000 ms
-    /// Mean time from the start of one stall to the start of the next, 0 to 1e9 ms. The actual time
-    /// is uniform between 0.5 and 1.5 times this value, and at least 1 ms longer than a stall.
-    double stall_every_ms = 5000;
-    double loss = 0;             ///< fraction of messages that are retransmitted once, 0 to 1
-    double retransmit_ms = 200;  ///< additional delay of a retransmitted message, 0 to 60000 ms
-    std::uint32_t seed = 1;      ///< seed of the random number generator
+enum class Delivery { stream, datagrams };
 
-    /// Returns true if any setting delays messages.
-    bool impaired() const {
-        return delay_ms > 0 || jitter_ms > 0 || tail_ms > 0 || stalls_ms > 0 || loss > 0;
-    }
+/// Result of sending one message.
+struct Transit {
+    int copies = 1;               ///< 0: lost, 2: duplicated. 1 on a stream
+    std::int64_t arrival_us = 0;  ///< of all copies
 };
-
-/// Parses a comma-separated list such as "delay=80,jitter=20,stalls=250". The names are delay,
-/// jitter, tail, stalls, stall_every, loss, retransmit and seed: the fields of NetworkConditions
-/// without their units. An empty text yields the defaults.
-///
-/// Errors: invalid_argument, naming the setting and the values it accepts.
-Result<NetworkConditions> parse_network_conditions(std::string_view text);
 
 /// Computes the arrival times of the messages of one direction of a connection. Not thread-safe:
 /// one thread at a time.
 class NetworkSimulator {
 public:
-    /// Starts with a fresh random sequence. Precondition: the settings are within their ranges.
-    explicit NetworkSimulator(const NetworkConditions& settings);
+    /// Starts with a fresh random sequence. Simulators with different `path` numbers have different
+    /// sequences. Precondition: the conditions are within their ranges.
+    explicit NetworkSimulator(const NetworkConditions& conditions, std::uint32_t path = 0,
+                              Delivery delivery = Delivery::stream);
 
-    /// Returns the arrival time of a message sent at `sent_us`. Both are in microseconds of one
-    /// arbitrary clock. Arrival times never decrease: a message does not overtake earlier messages.
-    std::int64_t arrival_us(std::int64_t sent_us);
+    /// Sends a message of `bytes` at `sent_us`, in microseconds of one arbitrary clock, which must
+    /// not decrease. Arrival times never decrease either, except those of reordered datagrams.
+    Transit send(std::int64_t sent_us, std::size_t bytes = 0);
 
 private:
     double next_uniform();  // in [0, 1)
+    bool next_lost();
+    double next_transit_ms();
+    std::int64_t departure_us(std::int64_t sent_us, std::size_t bytes);
     std::int64_t after_stalls(std::int64_t arrival_us);
 
-    NetworkConditions settings_;
+    NetworkConditions conditions_;
+    Delivery delivery_;
     std::uint32_t random_;
     std::int64_t last_arrival_us_ = 0;
     std::int64_t stall_us_ = 0;  // start of the current or the next stall
-    bool begun_ = false;
+    double free_us_ = 0;         // when the previous message has been transmitted
+    bool started_ = false, previous_lost_ = false;
 };
 
 // ---- implementation ----
 
 namespace network_simulator_detail {
 
-inline constexpr double longest_ms = 60'000;
-
-inline std::int64_t us_of(double ms) {
+inline std::int64_t to_us(double ms) {
     return std::llround(1000 * ms);
-}
-
-inline Error invalid_setting(std::string_view part, const std::string& why) {
-    return {ErrorCode::invalid_argument, "link setting '" + std::string(part) + "': " + why};
-}
-
-inline Status read_number(NetworkConditions& settings, std::string_view part) {
-    const std::size_t equals = part.find('=');
-    if (equals == std::string_view::npos)
-        return invalid_setting(part, "must have the form name=number");
-    const std::string_view name = part.substr(0, equals), text = part.substr(equals + 1);
-    double value = 0;
-    const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (failure != std::errc() || end != text.data() + text.size() || !(value >= 0))
-        return invalid_setting(part, "the value must be a number of at least 0");
-    if (name == "seed") {
-        if (value > 0xffffffffu)
-            return invalid_setting(part, "the value must be at most 4294967295");
-        settings.seed = static_cast<std::uint32_t>(value);
-        return {};
-    }
-    struct Field {
-        std::string_view name;
-        double NetworkConditions::*at;
-        double most;
-    };
-    static constexpr Field fields[] = {
-        {"delay", &NetworkConditions::delay_ms, longest_ms},
-        {"jitter", &NetworkConditions::jitter_ms, longest_ms},
-        {"tail", &NetworkConditions::tail_ms, longest_ms},
-        {"stalls", &NetworkConditions::stalls_ms, longest_ms},
-        {"stall_every", &NetworkConditions::stall_every_ms, 1e9},
-        {"loss", &NetworkConditions::loss, 1},
-        {"retransmit", &NetworkConditions::retransmit_ms, longest_ms},
-    };
-    for (const Field& field : fields) {
-        if (field.name != name) continue;
-        if (value > field.most)
-            return invalid_setting(
-                part, "the value must be at most " + std::to_string(std::llround(field.most)));
-        settings.*field.at = value;
-        return {};
-    }
-    return invalid_setting(part,
-                           "unknown name; must be one of delay, jitter, tail, stalls, stall_every, "
-                           "loss, retransmit, seed");
 }
 
 }  // namespace network_simulator_detail
 
-inline Result<NetworkConditions> parse_network_conditions(std::string_view text) {
-    NetworkConditions settings;
-    while (!text.empty()) {
-        const std::size_t comma = text.find(',');
-        if (const Status read =
-                network_simulator_detail::read_number(settings, text.substr(0, comma));
-            !read.ok())
-            return read.error();
-        text = comma == std::string_view::npos ? std::string_view() : text.substr(comma + 1);
-    }
-    return settings;
-}
-
-inline NetworkSimulator::NetworkSimulator(const NetworkConditions& settings)
-    : settings_(settings), random_(settings.seed) {}
+inline NetworkSimulator::NetworkSimulator(const NetworkConditions& conditions, std::uint32_t path,
+                                          Delivery delivery)
+    : conditions_(conditions),
+      delivery_(delivery),
+      random_(conditions.seed ^ (0x9e3779b9u * path)) {}
 
 // Mulberry32 (Tommy Ettinger). It uses 32-bit operations only, so JavaScript produces the same
 // numbers.
@@ -148,31 +78,63 @@ inline double NetworkSimulator::next_uniform() {
     return (t ^ (t >> 14)) / 4294967296.0;
 }
 
+// Bursts are a two-state Markov chain (E. N. Gilbert, 1960): it enters a burst so that the total
+// fraction is `loss`, and leaves it after `loss_burst` messages on average.
+inline bool NetworkSimulator::next_lost() {
+    const double loss = conditions_.loss, burst = conditions_.loss_burst;
+    if (!(loss > 0)) return false;
+    double probability = loss;
+    if (burst > 1 && loss < 1)
+        probability = previous_lost_ ? 1 - 1 / burst : loss / (burst * (1 - loss));
+    return previous_lost_ = next_uniform() < probability;
+}
+
+inline double NetworkSimulator::next_transit_ms() {
+    double transit_ms = conditions_.latency_ms;
+    if (conditions_.jitter_ms > 0) transit_ms += conditions_.jitter_ms * next_uniform();
+    if (conditions_.jitter_tail_ms > 0)
+        transit_ms -= conditions_.jitter_tail_ms * std::log(1 - next_uniform());
+    return transit_ms;
+}
+
+inline std::int64_t NetworkSimulator::departure_us(std::int64_t sent_us, std::size_t bytes) {
+    if (!(conditions_.rate_kbps > 0)) return sent_us;
+    free_us_ = std::max(free_us_, static_cast<double>(sent_us)) +
+               8000 * static_cast<double>(bytes) / conditions_.rate_kbps;
+    return std::llround(free_us_);
+}
+
 inline std::int64_t NetworkSimulator::after_stalls(std::int64_t arrival_us) {
-    const std::int64_t length = network_simulator_detail::us_of(settings_.stalls_ms);
+    if (!(conditions_.stall_ms > 0)) return arrival_us;
+    const std::int64_t length = network_simulator_detail::to_us(conditions_.stall_ms);
     while (arrival_us >= stall_us_ + length) {
         // A stall starts only after the previous one has ended.
-        const double gap_ms = settings_.stall_every_ms * (0.5 + next_uniform());
-        stall_us_ += std::max(network_simulator_detail::us_of(gap_ms), length + 1000);
+        const double gap_ms = conditions_.stall_interval_ms * (0.5 + next_uniform());
+        stall_us_ += std::max(network_simulator_detail::to_us(gap_ms), length + 1000);
     }
     return arrival_us >= stall_us_ ? stall_us_ + length : arrival_us;
 }
 
-inline std::int64_t NetworkSimulator::arrival_us(std::int64_t sent_us) {
-    if (!begun_) {
-        begun_ = true;
-        stall_us_ = sent_us + network_simulator_detail::us_of(settings_.stall_every_ms *
+inline Transit NetworkSimulator::send(std::int64_t sent_us, std::size_t bytes) {
+    if (!started_) {
+        started_ = true;
+        stall_us_ = sent_us + network_simulator_detail::to_us(conditions_.stall_interval_ms *
                                                               (0.5 + next_uniform()));
     }
-    double transit_ms = settings_.delay_ms;
-    if (settings_.jitter_ms > 0) transit_ms += settings_.jitter_ms * next_uniform();
-    if (settings_.tail_ms > 0) transit_ms -= settings_.tail_ms * std::log(1 - next_uniform());
-    if (settings_.loss > 0 && next_uniform() < settings_.loss)
-        transit_ms += settings_.retransmit_ms;
-    std::int64_t arrival =
-        std::max(sent_us + network_simulator_detail::us_of(transit_ms), last_arrival_us_);
-    if (settings_.stalls_ms > 0) arrival = after_stalls(arrival);
-    return last_arrival_us_ = arrival;
+    const std::int64_t departs_us = departure_us(sent_us, bytes);
+    double transit_ms = next_transit_ms();
+    const bool lost = next_lost();
+    if (lost && delivery_ == Delivery::datagrams) return {.copies = 0};
+    if (lost) transit_ms += conditions_.retransmit_ms;
+    const std::int64_t arrival_us =
+        std::max(departs_us + network_simulator_detail::to_us(transit_ms), last_arrival_us_);
+    Transit transit{.arrival_us = last_arrival_us_ = after_stalls(arrival_us)};
+    if (delivery_ == Delivery::datagrams) {
+        if (conditions_.duplicate > 0 && next_uniform() < conditions_.duplicate) transit.copies = 2;
+        if (conditions_.reorder > 0 && next_uniform() < conditions_.reorder)
+            transit.arrival_us += network_simulator_detail::to_us(conditions_.reorder_ms);
+    }
+    return transit;
 }
 
 }  // namespace jostle

@@ -8,11 +8,12 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
 
 #include "clients/cpp/core/src/connection.h"
 #include "clients/cpp/core/src/datagram_socket.h"
-#include "clients/cpp/core/src/delayed_messages.h"
 #include "clients/cpp/core/src/play_protocol.h"
+#include "jostle/base/network_queue.h"
 
 namespace jostle::client {
 
@@ -28,7 +29,7 @@ struct ClientState {
     std::unique_ptr<DatagramSocket> datagrams;  // of the connection's stream; null: none
     std::uint64_t socket_id = 0;                // for the socket poller
     // With simulated network conditions: messages in transit. Empty otherwise.
-    std::optional<DelayedMessages> incoming, outgoing;
+    std::optional<NetworkQueue<std::string>> incoming, outgoing;
     Clock::time_point connect_at{};
     Clock::duration reconnect_delay = std::chrono::milliseconds(250);
     std::optional<Clock::time_point> disconnect_deadline;  // of a destroyed client

@@ -12,44 +12,44 @@
 
 namespace jostle::client {
 
-Result<wire::QuantizedFrame> InterestCells::decode(const v1::CellUpdate& part,
-                                                   const wire::QuantSpec& spec,
-                                                   wire::Codec codec) const {
+Result<snapshot::QuantizedFrame> InterestCells::decode(const v1::CellUpdate& part,
+                                                       const snapshot::QuantSpec& spec,
+                                                       snapshot::Codec codec) const {
     const std::string name =
         "cell " + std::to_string(part.cell()) + " of tick " + std::to_string(part.number());
-    const Result<wire::BaselineFrames> baseline_frames =
-        wire::decode_baseline_frames(part.number(), part.baselines());
+    const Result<snapshot::BaselineFrames> baseline_frames =
+        snapshot::decode_baseline_frames(part.number(), part.baselines());
     if (!baseline_frames.ok())
         return Error{baseline_frames.error().code, name + ": " + baseline_frames.error().message};
     const auto known = cells_.find(part.cell());
     if (known != cells_.end() && part.baselines() != 0 &&
         part.number() <= known->second.back().frame)
         return Error{ErrorCode::failed_precondition, name + " is not newer than the last one"};
-    wire::Baselines baselines;
-    const wire::QuantizedFrame** slots[] = {&baselines.baseline, &baselines.baseline2,
-                                            &baselines.baseline3};
+    snapshot::Baselines baselines;
+    const snapshot::QuantizedFrame** slots[] = {&baselines.baseline, &baselines.baseline2,
+                                                &baselines.baseline3};
     const std::uint32_t numbers[] = {baseline_frames->baseline, baseline_frames->baseline2,
                                      baseline_frames->baseline3};
     for (int k = 0; k < 3 && numbers[k] != 0; k++) {
         if (known != cells_.end())
-            for (const wire::QuantizedFrame& state : known->second)
+            for (const snapshot::QuantizedFrame& state : known->second)
                 if (state.frame == numbers[k]) *slots[k] = &state;
         if (*slots[k] == nullptr)
             return Error{ErrorCode::failed_precondition,
                          name + ": unknown baseline " + std::to_string(numbers[k])};
     }
     const auto* bytes = reinterpret_cast<const std::byte*>(part.packed().data());
-    auto state = wire::decode_frame(part.number(), {bytes, part.packed().size()}, baselines, spec,
-                                    wire::default_entities_max, codec);
+    auto state = snapshot::decode_frame(part.number(), {bytes, part.packed().size()}, baselines,
+                                        spec, snapshot::default_entities_max, codec);
     if (!state.ok()) return Error{state.error().code, name + ": " + state.error().message};
-    if (wire::frame_crc(*state) != part.crc())
+    if (snapshot::frame_crc(*state) != part.crc())
         return Error{ErrorCode::corrupt_data, name + ": CRC mismatch"};
     return state;
 }
 
-Status InterestCells::apply(const v1::Snapshot& snapshot, const wire::QuantSpec& spec,
-                            wire::Codec codec) {
-    std::vector<std::pair<std::uint32_t, wire::QuantizedFrame>> fresh;
+Status InterestCells::apply(const v1::Snapshot& snapshot, const snapshot::QuantSpec& spec,
+                            snapshot::Codec codec) {
+    std::vector<std::pair<std::uint32_t, snapshot::QuantizedFrame>> fresh;
     for (const v1::CellUpdate& part : snapshot.cells()) {
         auto state = decode(part, spec, codec);
         if (!state.ok()) return state.error();
@@ -71,15 +71,15 @@ Status InterestCells::apply(const v1::Snapshot& snapshot, const wire::QuantSpec&
 namespace {
 
 struct CellEntity {
-    const wire::EntityState* entity;
+    const snapshot::EntityState* entity;
     std::uint32_t number;
 };
 
-wire::QuantizedFrame merge_cells(std::vector<CellEntity> all, std::uint32_t number) {
+snapshot::QuantizedFrame merge_cells(std::vector<CellEntity> all, std::uint32_t number) {
     std::ranges::sort(all, [](const CellEntity& a, const CellEntity& b) {
         return a.entity->id != b.entity->id ? a.entity->id < b.entity->id : a.number > b.number;
     });
-    wire::QuantizedFrame frame{.frame = number, .entities = {}};
+    snapshot::QuantizedFrame frame{.frame = number, .entities = {}};
     frame.entities.reserve(all.size());
     for (const CellEntity& candidate : all)
         if (frame.entities.empty() || frame.entities.back().id != candidate.entity->id)
@@ -87,20 +87,21 @@ wire::QuantizedFrame merge_cells(std::vector<CellEntity> all, std::uint32_t numb
     return frame;
 }
 
-wire::EntityState interpolate_entity(const wire::EntityState& a, const wire::EntityState& b,
-                                     double t, const wire::QuantSpec& spec, double width_us) {
-    if (wire::same_pose(a, b)) return b;
-    const wire::Pose from = wire::dequantize(a, spec), to = wire::dequantize(b, spec);
+snapshot::EntityState interpolate_entity(const snapshot::EntityState& a,
+                                         const snapshot::EntityState& b, double t,
+                                         const snapshot::QuantSpec& spec, double width_us) {
+    if (snapshot::same_pose(a, b)) return b;
+    const snapshot::Pose from = snapshot::dequantize(a, spec), to = snapshot::dequantize(b, spec);
     if (is_teleport(from, to, width_us)) return a;
-    return wire::quantize(b.id, blend(from, to, t), b.at_rest, spec);
+    return snapshot::quantize(b.id, blend(from, to, t), b.at_rest, spec);
 }
 
 }  // namespace
 
-wire::QuantizedFrame InterestCells::frame(std::uint32_t number) const {
+snapshot::QuantizedFrame InterestCells::frame(std::uint32_t number) const {
     std::vector<CellEntity> all;
     for (const auto& [cell, states] : cells_)
-        for (const wire::EntityState& entity : states.back().entities)
+        for (const snapshot::EntityState& entity : states.back().entities)
             all.push_back({&entity, states.back().frame});
     return merge_cells(std::move(all), number);
 }
@@ -118,19 +119,20 @@ double InterestCells::progress(const States& states, std::uint32_t number) const
     return shortest <= step_ ? 1 : std::min(1.0, double(since + step_) / shortest);
 }
 
-wire::QuantizedFrame InterestCells::rendered_frame(std::uint32_t number,
-                                                   const wire::QuantSpec& spec,
-                                                   double tick_us) const {
+snapshot::QuantizedFrame InterestCells::rendered_frame(std::uint32_t number,
+                                                       const snapshot::QuantSpec& spec,
+                                                       double tick_us) const {
     std::vector<CellEntity> all;
-    std::deque<wire::EntityState> interpolated;
+    std::deque<snapshot::EntityState> interpolated;
     for (const auto& [cell, states] : cells_) {
-        const wire::QuantizedFrame& now = states.back();
+        const snapshot::QuantizedFrame& now = states.back();
         const double t = progress(states, number);
-        const wire::QuantizedFrame* const previous = t < 1 ? &states[states.size() - 2] : nullptr;
+        const snapshot::QuantizedFrame* const previous =
+            t < 1 ? &states[states.size() - 2] : nullptr;
         const double width_us = previous ? (now.frame - previous->frame) * tick_us : 0;
-        wire::EntityFinder in_previous(previous);
-        for (const wire::EntityState& entity : now.entities) {
-            const wire::EntityState* const was = in_previous.find(entity.id);
+        snapshot::EntityFinder in_previous(previous);
+        for (const snapshot::EntityState& entity : now.entities) {
+            const snapshot::EntityState* const was = in_previous.find(entity.id);
             if (was) interpolated.push_back(interpolate_entity(*was, entity, t, spec, width_us));
             all.push_back({was ? &interpolated.back() : &entity, now.frame});
         }

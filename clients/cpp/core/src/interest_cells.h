@@ -20,20 +20,22 @@ public:
     static constexpr std::size_t history_max = 32;  // states per cell, as baselines of later ones
 
     // Applies the cells of a snapshot. An error leaves the state unchanged.
-    Status apply(const v1::Snapshot& snapshot, const wire::QuantSpec& spec, wire::Codec codec);
+    Status apply(const v1::Snapshot& snapshot, const snapshot::QuantSpec& spec,
+                 snapshot::Codec codec);
     // All entities of the area of interest, sorted by id. An entity in two cells, while it moves
     // from one to the other, has the newer state.
-    wire::QuantizedFrame frame(std::uint32_t number) const;
+    snapshot::QuantizedFrame frame(std::uint32_t number) const;
     // Like frame(), for rendering: entities of a cell with a lower update rate are interpolated
     // between its updates and delayed accordingly. `tick_us`: tick interval.
-    wire::QuantizedFrame rendered_frame(std::uint32_t number, const wire::QuantSpec& spec,
-                                        double tick_us) const;
+    snapshot::QuantizedFrame rendered_frame(std::uint32_t number, const snapshot::QuantSpec& spec,
+                                            double tick_us) const;
     void clear() { cells_.clear(); }
 
 private:
-    using States = std::deque<wire::QuantizedFrame>;  // ascending; at most history_max
-    Result<wire::QuantizedFrame> decode(const v1::CellUpdate& part, const wire::QuantSpec& spec,
-                                        wire::Codec codec) const;
+    using States = std::deque<snapshot::QuantizedFrame>;  // ascending; at most history_max
+    Result<snapshot::QuantizedFrame> decode(const v1::CellUpdate& part,
+                                            const snapshot::QuantSpec& spec,
+                                            snapshot::Codec codec) const;
 
     // The fraction of the interval from the previous state to the newest one that is rendered.
     double progress(const States& states, std::uint32_t number) const;

@@ -15,15 +15,15 @@ constexpr std::size_t frames_max = 64;
 // jump.
 constexpr std::int64_t sample_gap_max_us = 250'000;
 
-const wire::EntityState* find_state(const wire::QuantizedFrame& frame, std::uint32_t id) {
+const snapshot::EntityState* find_state(const snapshot::QuantizedFrame& frame, std::uint32_t id) {
     const auto& entities = frame.entities;
     const auto at =
         std::lower_bound(entities.begin(), entities.end(), id,
-                         [](const wire::EntityState& e, std::uint32_t n) { return e.id < n; });
+                         [](const snapshot::EntityState& e, std::uint32_t n) { return e.id < n; });
     return at != entities.end() && at->id == id ? &*at : nullptr;
 }
 
-BodySpeed speed_between(const wire::Pose& a, const wire::Pose& b, double width_us) {
+BodySpeed speed_between(const snapshot::Pose& a, const snapshot::Pose& b, double width_us) {
     double dot = 0;
     for (std::size_t k = 0; k < 4; k++) dot += a.rotation[k] * b.rotation[k];
     const double angle = 2 * std::acos(std::min(1.0, std::abs(dot)));
@@ -36,7 +36,7 @@ void InterpolationBuffer::clear() {
     *this = {};
 }
 
-void InterpolationBuffer::add(wire::QuantizedFrame frame, std::int64_t server_us,
+void InterpolationBuffer::add(snapshot::QuantizedFrame frame, std::int64_t server_us,
                               std::int64_t arrived_us, bool after_rest) {
     if (!frames_.empty() && server_us <= frames_.back().server_us) return;
     clock_.on_frame(server_us, arrived_us, after_rest);
@@ -64,19 +64,19 @@ InterpolationBuffer::FramePair InterpolationBuffer::frames_around(double at_us) 
 
 // Poses without errors.
 std::vector<InterpolationBuffer::RenderedPose> InterpolationBuffer::poses_at(
-    double at_us, const wire::QuantSpec& spec) const {
+    double at_us, const snapshot::QuantSpec& spec) const {
     const auto [a, b, t] = frames_around(at_us);
     const auto width = static_cast<double>(b->server_us - a->server_us);
     const auto& old = a->frame.entities;
     std::vector<RenderedPose> out;
     out.reserve(b->frame.entities.size());
     std::size_t from = 0;
-    for (const wire::EntityState& state : b->frame.entities) {
+    for (const snapshot::EntityState& state : b->frame.entities) {
         while (from < old.size() && old[from].id < state.id) from++;
-        const wire::Pose to = wire::dequantize(state, spec);
+        const snapshot::Pose to = snapshot::dequantize(state, spec);
         RenderedPose& drawn = out.emplace_back(RenderedPose{{state.id, to}, {}, {}});
         if (width == 0 || from == old.size() || old[from].id != state.id) continue;
-        const wire::Pose before = wire::dequantize(old[from], spec);
+        const snapshot::Pose before = snapshot::dequantize(old[from], spec);
         if (is_teleport(before, to, width)) {
             if (t < 1) drawn.smooth_pose.pose = before;
             continue;
@@ -88,13 +88,14 @@ std::vector<InterpolationBuffer::RenderedPose> InterpolationBuffer::poses_at(
 }
 
 bool InterpolationBuffer::teleported_since(std::uint32_t entity, std::int64_t server_us,
-                                           const wire::QuantSpec& spec) const {
+                                           const snapshot::QuantSpec& spec) const {
     for (std::size_t k = 1; k < frames_.size(); k++) {
         if (frames_[k].server_us <= server_us) continue;
-        const wire::EntityState* a = find_state(frames_[k - 1].frame, entity);
-        const wire::EntityState* b = find_state(frames_[k].frame, entity);
+        const snapshot::EntityState* a = find_state(frames_[k - 1].frame, entity);
+        const snapshot::EntityState* b = find_state(frames_[k].frame, entity);
         const auto width = static_cast<double>(frames_[k].server_us - frames_[k - 1].server_us);
-        if (a && b && is_teleport(wire::dequantize(*a, spec), wire::dequantize(*b, spec), width))
+        if (a && b &&
+            is_teleport(snapshot::dequantize(*a, spec), snapshot::dequantize(*b, spec), width))
             return true;
     }
     return false;
@@ -102,7 +103,7 @@ bool InterpolationBuffer::teleported_since(std::uint32_t entity, std::int64_t se
 
 // The last rendered frame was extrapolated and the missing frames have arrived: computes the
 // difference from the correct poses.
-void InterpolationBuffer::update_errors(const wire::QuantSpec& spec) {
+void InterpolationBuffer::update_errors(const snapshot::QuantSpec& spec) {
     const auto poses = poses_at(static_cast<double>(last_render_time_us_), spec);
     std::size_t k = 0;
     for (RenderedPose& drawn : rendered_) {
@@ -117,7 +118,7 @@ void InterpolationBuffer::update_errors(const wire::QuantSpec& spec) {
 }
 
 std::vector<SmoothPose> InterpolationBuffer::sample(std::int64_t now_us,
-                                                    const wire::QuantSpec& spec) {
+                                                    const snapshot::QuantSpec& spec) {
     std::vector<SmoothPose> out;
     if (frames_.empty()) return out;
     const std::int64_t at_us = clock_.advance(now_us);

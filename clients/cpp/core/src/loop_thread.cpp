@@ -168,11 +168,9 @@ void LoopThread::advance(ClientState& client, Clock::time_point now) {
         }
         client.protocol.begin(now);
         const ClientOptions& options = client.protocol.options();
-        if (NetworkConditions network_conditions = options.network_conditions;
-            network_conditions.impaired()) {
-            client.incoming.emplace(network_conditions);
-            network_conditions.seed ^= 0x9e3779b9u;  // different conditions in the other direction
-            client.outgoing.emplace(network_conditions);
+        if (options.network_conditions.impaired()) {
+            client.incoming.emplace(options.network_conditions, 0);
+            client.outgoing.emplace(options.network_conditions, 1);
         }
         client.connection = std::make_unique<Connection>(options, queue_, &client);
         return;

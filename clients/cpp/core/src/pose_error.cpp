@@ -52,7 +52,7 @@ double remaining_error(double error, double max_speed, double seconds) {
 
 }  // namespace
 
-PoseError pose_error(const wire::Pose& rendered, const wire::Pose& target) {
+PoseError pose_error(const snapshot::Pose& rendered, const snapshot::Pose& target) {
     PoseError error;
     for (std::size_t k = 0; k < 3; k++)
         error.position[k] = rendered.position[k] - target.position[k];
@@ -63,9 +63,9 @@ PoseError pose_error(const wire::Pose& rendered, const wire::Pose& target) {
     return error;
 }
 
-wire::Pose apply_error(const wire::Pose& target, const PoseError& error) {
+snapshot::Pose apply_error(const snapshot::Pose& target, const PoseError& error) {
     if (error.none()) return target;
-    wire::Pose rendered;
+    snapshot::Pose rendered;
     for (std::size_t k = 0; k < 3; k++)
         rendered.position[k] = target.position[k] + error.position[k];
     rendered.rotation = product(error.rotation, target.rotation);

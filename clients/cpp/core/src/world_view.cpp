@@ -18,7 +18,7 @@ void WorldView::begin(const v1::Welcome& welcome) {
     // invalid.
     epoch_us_ = static_cast<std::int64_t>(std::min(welcome.epoch_us(), latest_time_us));
     tick_us_ = 1e6 / std::clamp(welcome.tick_hz(), 1.0, 1e5);
-    codec_ = static_cast<wire::Codec>(std::max(1u, welcome.codec()));
+    codec_ = static_cast<snapshot::Codec>(std::max(1u, welcome.codec()));
     cells_ = welcome.cells() ? std::make_shared<InterestCells>() : nullptr;
     datagrams_ = welcome.has_datagrams();
     known_frame_.reset();
@@ -31,7 +31,7 @@ void WorldView::begin(const v1::Welcome& welcome) {
 }
 
 void WorldView::resume(const v1::Welcome& welcome) {
-    codec_ = static_cast<wire::Codec>(std::max(1u, welcome.codec()));
+    codec_ = static_cast<snapshot::Codec>(std::max(1u, welcome.codec()));
     partial_geometry_ = {};
 }
 
@@ -75,7 +75,7 @@ Status WorldView::apply(const v1::ControlledEntityState& state) {
                                                          std::to_string(state.entity()) +
                                                          ": the first state must be a keyframe"};
     if (state.keyframe()) controlled_entity_ = {};
-    Result<std::vector<std::uint32_t>> words = wire::apply_changes(
+    Result<std::vector<std::uint32_t>> words = snapshot::apply_changes(
         controlled_entity_.words, state.words(), state.changed_mask(), state.values());
     controlled_entity_ = {};
     if (!words.ok())
@@ -89,9 +89,9 @@ Status WorldView::apply(const v1::ControlledEntityState& state) {
 void WorldView::remove_unknown_entities() {
     known_frame_.reset();
     if (!datagrams_ || frames_.empty()) return;
-    const wire::QuantizedFrame& newest = frames_.back().state;
+    const snapshot::QuantizedFrame& newest = frames_.back().state;
     auto known = entities_.begin();
-    const auto is_unknown = [&](const wire::EntityState& e) {
+    const auto is_unknown = [&](const snapshot::EntityState& e) {
         while (known != entities_.end() && known->first < e.id) ++known;
         return known == entities_.end() || known->first != e.id;
     };
@@ -120,15 +120,15 @@ const WorldView::KnownFrame* WorldView::find(std::uint32_t frame) const {
 }
 
 Status WorldView::apply(const v1::Snapshot& snapshot) {
-    const Result<wire::BaselineFrames> baseline_frames =
-        wire::decode_baseline_frames(snapshot.frame(), snapshot.baselines());
+    const Result<snapshot::BaselineFrames> baseline_frames =
+        snapshot::decode_baseline_frames(snapshot.frame(), snapshot.baselines());
     if (!baseline_frames.ok()) return baseline_frames.error();
     const std::uint32_t numbers[] = {baseline_frames->baseline, baseline_frames->baseline2,
                                      baseline_frames->baseline3};
-    wire::Baselines baselines;
-    const wire::QuantizedFrame** slots[] = {&baselines.baseline, &baselines.baseline2,
-                                            &baselines.baseline3};
-    const wire::Channels* base_channels = &no_channels_;
+    snapshot::Baselines baselines;
+    const snapshot::QuantizedFrame** slots[] = {&baselines.baseline, &baselines.baseline2,
+                                                &baselines.baseline3};
+    const snapshot::Channels* base_channels = &no_channels_;
     for (int k = 0; k < 3; k++) {
         if (numbers[k] == 0) break;
         const KnownFrame* known = find(numbers[k]);
@@ -144,7 +144,7 @@ Status WorldView::apply(const v1::Snapshot& snapshot) {
     auto decoded = decode_poses(snapshot, baselines);
     if (!decoded.ok()) return Error{decoded.error().code, name + ": " + decoded.error().message};
     const auto* channel_bytes = reinterpret_cast<const std::byte*>(snapshot.channels().data());
-    Result<wire::Channels> channels = wire::decode_channels(
+    Result<snapshot::Channels> channels = snapshot::decode_channels(
         {channel_bytes, snapshot.channels().size()}, snapshot.channels_crc(), *base_channels);
     if (!channels.ok()) return Error{channels.error().code, name + ": " + channels.error().message};
     frames_.push_back({std::move(*decoded), *std::move(channels)});
@@ -154,26 +154,26 @@ Status WorldView::apply(const v1::Snapshot& snapshot) {
 }
 
 // Decodes either a complete frame or the cells of the area of interest.
-Result<wire::QuantizedFrame> WorldView::decode_poses(const v1::Snapshot& snapshot,
-                                                     const wire::Baselines& baselines) {
+Result<snapshot::QuantizedFrame> WorldView::decode_poses(const v1::Snapshot& snapshot,
+                                                         const snapshot::Baselines& baselines) {
     if (cells_) {
         if (Status s = cells_->apply(snapshot, spec_, codec_); !s.ok()) return s.error();
-        wire::QuantizedFrame merged = cells_->frame(snapshot.frame());
+        snapshot::QuantizedFrame merged = cells_->frame(snapshot.frame());
         // A delayed cell may contain entities that were removed.
         std::erase_if(merged.entities, [&](const auto& e) { return !entities_.contains(e.id); });
         return merged;
     }
     const auto* bytes = reinterpret_cast<const std::byte*>(snapshot.packed().data());
-    auto decoded = wire::decode_frame(snapshot.frame(), {bytes, snapshot.packed().size()},
-                                      baselines, spec_, wire::default_entities_max, codec_);
-    if (decoded.ok() && wire::frame_crc(*decoded) != snapshot.crc())
+    auto decoded = snapshot::decode_frame(snapshot.frame(), {bytes, snapshot.packed().size()},
+                                          baselines, spec_, snapshot::default_entities_max, codec_);
+    if (decoded.ok() && snapshot::frame_crc(*decoded) != snapshot.crc())
         return Error{ErrorCode::corrupt_data, "CRC mismatch"};
     return decoded;
 }
 
-wire::QuantizedFrame WorldView::rendered_frame() const {
+snapshot::QuantizedFrame WorldView::rendered_frame() const {
     if (!cells_ || frames_.empty()) return frame();
-    wire::QuantizedFrame rendered = cells_->rendered_frame(frame().frame, spec_, tick_us_);
+    snapshot::QuantizedFrame rendered = cells_->rendered_frame(frame().frame, spec_, tick_us_);
     std::erase_if(rendered.entities, [&](const auto& e) { return !entities_.contains(e.id); });
     return rendered;
 }
@@ -185,7 +185,7 @@ WorldView::SnapshotTimes WorldView::times_of(const v1::Snapshot& snapshot) const
         return start + static_cast<std::int64_t>(std::llround(frame * tick_us_));
     };
     SnapshotTimes times{.due_us = due(snapshot.frame())};
-    const auto baselines = wire::decode_baseline_frames(snapshot.frame(), snapshot.baselines());
+    const auto baselines = snapshot::decode_baseline_frames(snapshot.frame(), snapshot.baselines());
     if (!baselines.ok() || baselines->baseline == 0 || snapshot.unchanged_ticks() == 0)
         return times;
     if (snapshot.unchanged_ticks() <= snapshot.frame() - baselines->baseline)
@@ -193,26 +193,26 @@ WorldView::SnapshotTimes WorldView::times_of(const v1::Snapshot& snapshot) const
     return times;
 }
 
-const wire::Channels& WorldView::channels() const {
+const snapshot::Channels& WorldView::channels() const {
     return frames_.empty() ? no_channels_ : frames_.back().channels;
 }
 
 std::span<const std::int32_t> WorldView::channel(std::string_view kind,
                                                  std::uint32_t entity) const {
-    for (const wire::Channel& channel : channels())
+    for (const snapshot::Channel& channel : channels())
         if (channel.entity == entity && channel.kind < kinds_.size() &&
             kinds_[channel.kind].name() == kind)
             return *channel.values;
     return {};
 }
 
-std::optional<wire::Pose> WorldView::pose_of(std::uint32_t entity) const {
+std::optional<snapshot::Pose> WorldView::pose_of(std::uint32_t entity) const {
     const auto& entities = frame().entities;
-    const auto at =
-        std::lower_bound(entities.begin(), entities.end(), entity,
-                         [](const wire::EntityState& e, std::uint32_t id) { return e.id < id; });
+    const auto at = std::lower_bound(
+        entities.begin(), entities.end(), entity,
+        [](const snapshot::EntityState& e, std::uint32_t id) { return e.id < id; });
     if (at == entities.end() || at->id != entity) return std::nullopt;
-    return wire::dequantize(*at, spec_);
+    return snapshot::dequantize(*at, spec_);
 }
 
 }  // namespace jostle::client

@@ -5,13 +5,13 @@ namespace jostle::client {
 
 using namespace physics;
 
-Transform to_transform(const wire::Pose& pose) {
+Transform to_transform(const snapshot::Pose& pose) {
     const auto& p = pose.position;
     const auto& q = pose.rotation;
     return {.position = {p[0], p[1], p[2]}, .rotation = {q[0], q[1], q[2], q[3]}};
 }
 
-wire::Pose to_pose(const Transform& pose) {
+snapshot::Pose to_pose(const Transform& pose) {
     const Vec3& p = pose.position;
     const Quat& q = pose.rotation;
     return {{p.x, p.y, p.z}, {q.x, q.y, q.z, q.w}};

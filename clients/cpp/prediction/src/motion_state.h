@@ -15,8 +15,8 @@ struct MotionState {
     physics::Vec3 linear, angular;  // m/s, rad/s
 };
 
-physics::Transform to_transform(const wire::Pose& pose);
-wire::Pose to_pose(const physics::Transform& pose);
+physics::Transform to_transform(const snapshot::Pose& pose);
+snapshot::Pose to_pose(const physics::Transform& pose);
 
 // Units of `jostle.motion` per m/s and rad/s (proto/WIRE.md, "Channels").
 inline constexpr double velocity_units = 128;

@@ -471,8 +471,8 @@ std::vector<std::uint32_t> PredictionEngine::predicted_entities() const {
     return ids;
 }
 
-std::optional<wire::Pose> PredictionEngine::predicted_pose(std::uint32_t id, double position,
-                                                           BodySpeed* body_speed) {
+std::optional<snapshot::Pose> PredictionEngine::predicted_pose(std::uint32_t id, double position,
+                                                               BodySpeed* body_speed) {
     if (history_.empty()) return std::nullopt;
     const double at = std::clamp(position, static_cast<double>(history_.front().tick),
                                  static_cast<double>(tick()));
@@ -487,7 +487,7 @@ std::optional<wire::Pose> PredictionEngine::predicted_pose(std::uint32_t id, dou
 
 // A body that starts or stops being predicted is blended.
 PoseError PredictionEngine::error_of(const SmoothPose& drawn,
-                                     const std::optional<wire::Pose>& predicted,
+                                     const std::optional<snapshot::Pose>& predicted,
                                      const RenderedPose* before, const BodySpeed& body_speed,
                                      double seconds) {
     if (!before) return smoothable_error(pose_error(drawn.pose, *predicted), body_speed);

@@ -80,7 +80,7 @@ private:
         InputAction action;
     };
     struct RenderedPose {
-        wire::Pose pose;
+        snapshot::Pose pose;
         PoseError error;
         bool predicted_pose;
     };
@@ -124,10 +124,10 @@ private:
     void compare(const FrameUpdate& frame, const Neighborhood& neighborhood);
 
     // --- rendering ---
-    std::optional<wire::Pose> predicted_pose(std::uint32_t id, double position,
-                                             BodySpeed* body_speed);
+    std::optional<snapshot::Pose> predicted_pose(std::uint32_t id, double position,
+                                                 BodySpeed* body_speed);
     PoseError error_of(const SmoothPose& predicted_entities,
-                       const std::optional<wire::Pose>& predicted, const RenderedPose* before,
+                       const std::optional<snapshot::Pose>& predicted, const RenderedPose* before,
                        const BodySpeed& body_speed, double seconds);
 
     PredictorOptions options_;

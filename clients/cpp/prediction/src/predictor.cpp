@@ -99,7 +99,7 @@ public:
     }
 
 private:
-    wire::Channels::const_iterator at_, end_;
+    snapshot::Channels::const_iterator at_, end_;
 };
 
 // Bodies of the newest frame with known entities.
@@ -108,12 +108,12 @@ std::vector<BodyUpdate> bodies_of(const WorldView& view) {
     std::vector<BodyUpdate> bodies;
     bodies.reserve(view.frame().entities.size());
     auto known = view.entities().begin();
-    for (const wire::EntityState& state : view.frame().entities) {
+    for (const snapshot::EntityState& state : view.frame().entities) {
         while (known != view.entities().end() && known->first < state.id) ++known;
         if (known == view.entities().end()) break;
         if (known->first != state.id) continue;
         const v1::Entity& about = known->second;
-        const Transform pose = to_transform(wire::dequantize(state, view.spec()));
+        const Transform pose = to_transform(snapshot::dequantize(state, view.spec()));
         bodies.push_back({.entity = state.id,
                           .type = to_type(about.type()),
                           .mass = about.mass(),

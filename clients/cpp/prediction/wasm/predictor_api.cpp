@@ -59,7 +59,7 @@ bool is_entity(double number) {
     return number >= 1 && number <= 4294967295.0;
 }
 
-wire::Pose pose_at(const double* n) {
+snapshot::Pose pose_at(const double* n) {
     return {{n[0], n[1], n[2]}, {n[3], n[4], n[5], n[6]}};
 }
 

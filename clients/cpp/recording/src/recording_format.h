@@ -41,7 +41,7 @@ Number get(std::string_view bytes, std::size_t at) {
 }
 
 inline std::uint32_t crc_of(std::string_view bytes) {
-    return wire::crc32(std::as_bytes(std::span(bytes.data(), bytes.size())));
+    return snapshot::crc32(std::as_bytes(std::span(bytes.data(), bytes.size())));
 }
 
 }  // namespace jostle::client::recording

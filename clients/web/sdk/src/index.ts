@@ -42,5 +42,5 @@ export { RecordedStream } from './recording/recorded_stream.js';
 export { Recording, RecordingError, type RecordedMessage } from './recording/recording.js';
 
 // Simulated network conditions.
-export { IDEAL_NETWORK, NetworkSimulator, type NetworkConditions } from './network_simulator/network_simulator.js';
+export { IDEAL_NETWORK, NetworkSimulator, isImpaired, type Delivery, type NetworkConditions, type Transit } from './network_simulator/network_simulator.js';
 export { simulatedSocket } from './network_simulator/simulated_socket.js';

@@ -24,7 +24,7 @@ const measureFrameRate = (page) =>
   );
 
 async function joinWithPrediction(page, url, until) {
-  await page.goto(`${url}/?quality=low&predict=1&delay=${ROUND_TRIP_MS / 2}`);
+  await page.goto(`${url}/?quality=low&predict=1&latency_ms=${ROUND_TRIP_MS / 2}`);
   await until('the predictor is loaded', () => page.evaluate(() => window.jostle?.state === 'playing' && window.jostle.prediction));
   await until('the tower is rendered', async () => {
     const ids = await towerBoxes(page);
@@ -73,7 +73,7 @@ async function dragTopBox(page, until) {
 }
 
 async function walk(page, url, until) {
-  await page.goto(`${url}/?quality=low&predict=1&delay=${ROUND_TRIP_MS / 2}&world=parkour`);
+  await page.goto(`${url}/?quality=low&predict=1&latency_ms=${ROUND_TRIP_MS / 2}&world=parkour`);
   await until('the predictor is loaded in parkour', () =>
     page.evaluate(() => window.jostle?.state === 'playing' && window.jostle.prediction && window.jostle.controllableEntities().length > 0),
   );

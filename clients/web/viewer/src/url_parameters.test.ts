@@ -19,10 +19,10 @@ describe('area of interest', () => {
 });
 
 it('parses the network conditions', () => {
-  const conditions = networkConditions('?world=yard&delay=80&jitter=20.5&stalls=250&stall_every=3000&seed=9')!;
-  expect(conditions).toEqual({ ...IDEAL_NETWORK, delay: 80, jitter: 20.5, stalls: 250, stallEvery: 3000, seed: 9 });
+  const conditions = networkConditions('?world=yard&latency_ms=80&jitter_ms=20.5&stall_ms=250&stall_interval_ms=3000&seed=9')!;
+  expect(conditions).toEqual({ ...IDEAL_NETWORK, latencyMs: 80, jitterMs: 20.5, stallMs: 250, stallIntervalMs: 3000, seed: 9 });
   expect(networkConditions('?world=yard')).toBeUndefined();
-  expect(networkConditions('?delay=-1&loss=2&jitter=much&tail=')).toBeUndefined();
+  expect(networkConditions('?latency_ms=-1&loss=2&jitter_ms=much&jitter_tail_ms=&loss_burst=0')).toBeUndefined();
 });
 
 it('selects the world, the recording, the quality and prediction', () => {

@@ -1,6 +1,6 @@
 // The URL parameters of the viewer; README.md documents them. Values out of range are ignored.
 
-import { IDEAL_NETWORK, type AreaOfInterest, type NetworkConditions } from '@jostle/client';
+import { IDEAL_NETWORK, isImpaired, type AreaOfInterest, type NetworkConditions } from '@jostle/client';
 
 export type Quality = 'high' | 'medium' | 'low';
 
@@ -41,25 +41,26 @@ function parseAreaOfInterest(parameters: URLSearchParams): AreaOfInterest | unde
   return radius > 0 || maxKbps > 0 ? { radius, maxKbps } : undefined;
 }
 
-const CONDITIONS: Record<string, [field: keyof NetworkConditions, max: number]> = {
-  delay: ['delay', 60_000],
-  jitter: ['jitter', 60_000],
-  tail: ['tail', 60_000],
-  stalls: ['stalls', 60_000],
-  stall_every: ['stallEvery', 1e9],
-  loss: ['loss', 1],
-  retransmit: ['retransmit', 60_000],
-  seed: ['seed', 2 ** 32 - 1],
+const CONDITIONS: Record<string, [field: keyof NetworkConditions, min: number, max: number]> = {
+  latency_ms: ['latencyMs', 0, 60_000],
+  jitter_ms: ['jitterMs', 0, 60_000],
+  jitter_tail_ms: ['jitterTailMs', 0, 60_000],
+  stall_ms: ['stallMs', 0, 60_000],
+  stall_interval_ms: ['stallIntervalMs', 0, 1e9],
+  loss: ['loss', 0, 1],
+  loss_burst: ['lossBurst', 1, 1000],
+  retransmit_ms: ['retransmitMs', 0, 60_000],
+  rate_kbps: ['rateKbps', 0, 1e7],
+  seed: ['seed', 0, 2 ** 32 - 1],
 };
 
 /** undefined: no parameter impairs the network. */
 function parseNetworkConditions(parameters: URLSearchParams): NetworkConditions | undefined {
   const conditions: { -readonly [K in keyof NetworkConditions]: NetworkConditions[K] } = { ...IDEAL_NETWORK };
   for (const [name, text] of parameters) {
-    const [field, max] = CONDITIONS[name] ?? [];
+    const [field, min, max] = CONDITIONS[name] ?? [];
     const value = Number(text);
-    if (field && text !== '' && value >= 0 && value <= max!) conditions[field] = value;
+    if (field && text !== '' && value >= min! && value <= max!) conditions[field] = value;
   }
-  const { delay, jitter, tail, stalls, loss } = conditions;
-  return delay > 0 || jitter > 0 || tail > 0 || stalls > 0 || loss > 0 ? conditions : undefined;
+  return isImpaired(conditions) ? conditions : undefined;
 }

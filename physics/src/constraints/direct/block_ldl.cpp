@@ -1,21 +1,20 @@
 // SPDX-License-Identifier: MIT
-#include "physics/src/constraints/direct/block_ldl.h"
+#include "jostle/physics/block_ldl.h"
 
 #include <algorithm>
 
 #include "jostle/base/check.h"
+#include "physics/src/constraints/direct/joint_net.h"
 
 namespace jostle::physics {
 namespace {
 
 constexpr int max_block_rows = BlockLdl::max_rows;
-// A pivot that elimination reduces to this fraction of its diagonal, or less, depends on earlier
-// rows.
-constexpr double dependent_pivot = 1e-10;
 
 // Inverts a pivot block of n rows by its own L D L^T. `original`: its diagonal before the
 // elimination. Returns the number of dependent rows.
-int invert_pivot(const double* block, int n, const double* original, double* inverse) {
+int invert_pivot(const double* block, int n, const double* original, double dependent,
+                 double* inverse) {
     double lower[max_block_rows][max_block_rows] = {}, pivot[max_block_rows],
            reciprocal[max_block_rows], x[max_block_rows][max_block_rows] = {};
     ASSERT(n >= 1 && n <= max_block_rows);
@@ -23,7 +22,7 @@ int invert_pivot(const double* block, int n, const double* original, double* inv
     for (int j = 0; j < n; j++) {
         double d = block[j * n + j];
         for (int k = 0; k < j; k++) d -= lower[j][k] * lower[j][k] * pivot[k];
-        const bool bad = !(d > dependent_pivot * original[j]);
+        const bool bad = !(d > dependent * original[j]);
         skipped_rows += bad && original[j] > 0 ? 1 : 0;
         pivot[j] = bad ? 0 : d;
         reciprocal[j] = bad ? 0 : 1 / d;
@@ -75,7 +74,7 @@ void BlockLdl::clear() {
 
 // Factors column by column, right-looking. kRows: rows of every node, 0 if they differ.
 template <int kRows>
-int BlockLdl::factor_columns() {
+int BlockLdl::factor_columns(double dependent) {
     int skipped_rows = 0;
     const int n = nodes();
     ASSERT(first_below_.size() == as_index(n) + 1 && first_update_.size() == as_index(n) + 1);
@@ -85,11 +84,12 @@ int BlockLdl::factor_columns() {
         double* const inverse = inverse_.data() + as_index(k) * max_values;
         const double* const original = original_diagonal_.data() + begin_[as_index(k)];
         if (kRows != 3 || !invert_three(pivot, original, inverse))
-            skipped_rows += invert_pivot(pivot, nk, original, inverse);
+            skipped_rows += invert_pivot(pivot, nk, original, dependent, inverse);
         const int first = first_below_[as_index(k)], count = first_below_[as_index(k) + 1] - first;
         if (count == 0) continue;
         ASSERT(count > 0);
-        // The column is copied. L = column D^-1 overwrites it.
+        // The column is copied, each block transposed, so that the sums of a row of the result are
+        // independent in the innermost loop. L = column D^-1 overwrites it.
         column_at_.resize(as_index(count));
         std::size_t size = 0;
         for (int i = 0; i < count; i++) {
@@ -102,13 +102,14 @@ int BlockLdl::factor_columns() {
             const int ni = kRows != 0 ? kRows : rows_[as_index(below.position)];
             double* const lower = values_.data() + below.at;
             double* const column = column_.data() + column_at_[as_index(i)];
-            std::copy(lower, lower + ni * nk, column);
-            for (int r = 0; r < ni; r++)
-                for (int c = 0; c < nk; c++) {
-                    double s = 0;
-                    for (int t = 0; t < nk; t++) s += column[r * nk + t] * inverse[t * nk + c];
-                    lower[r * nk + c] = s;
+            for (int r = 0; r < ni; r++) {
+                double s[kRows != 0 ? kRows : max_block_rows] = {};
+                for (int t = 0; t < nk; t++) {
+                    const double value = column[t * ni + r] = lower[r * nk + t];
+                    for (int c = 0; c < nk; c++) s[c] += value * inverse[t * nk + c];
                 }
+                std::copy(s, s + nk, lower + r * nk);
+            }
         }
         for (int u = first_update_[as_index(k)]; u < first_update_[as_index(k) + 1]; u++) {
             const Update& update = updates_[as_index(u)];
@@ -120,26 +121,27 @@ int BlockLdl::factor_columns() {
             const double* const lower = values_.data() + bi.at;
             const double* const column = column_.data() + column_at_[as_index(update.j)];
             double* const to = values_.data() + update.at;
-            for (int r = 0; r < ni; r++)
-                for (int c = 0; c < nj; c++) {
-                    double s = 0;
-                    for (int t = 0; t < nk; t++) s += lower[r * nk + t] * column[c * nk + t];
-                    to[r * nj + c] -= s;
-                }
+            for (int r = 0; r < ni; r++) {
+                double s[kRows != 0 ? kRows : max_block_rows] = {};
+                for (int t = 0; t < nk; t++)
+                    for (int c = 0; c < nj; c++) s[c] += lower[r * nk + t] * column[t * nj + c];
+                for (int c = 0; c < nj; c++) to[r * nj + c] -= s[c];
+            }
         }
     }
     return skipped_rows;
 }
 
-int BlockLdl::factor() {
+int BlockLdl::factor(double dependent) {
     ASSERT(original_diagonal_.size() == as_index(rows()));
     for (int k = 0; k < nodes(); k++)
         for (int i = 0; i < rows_[as_index(k)]; i++)
             original_diagonal_[as_index(begin_[as_index(k)] + i)] =
                 values_[as_index(diagonal_[as_index(k)] + i * rows_[as_index(k)] + i)];
-    return same_rows_ == 3   ? factor_columns<3>()
-           : same_rows_ == 5 ? factor_columns<5>()
-                             : factor_columns<0>();
+    return same_rows_ == 3   ? factor_columns<3>(dependent)
+           : same_rows_ == 5 ? factor_columns<5>(dependent)
+           : same_rows_ == 6 ? factor_columns<6>(dependent)
+                             : factor_columns<0>(dependent);
 }
 
 template <int kRows>
@@ -188,6 +190,8 @@ void BlockLdl::solve(std::span<double> x) const {
         solve_columns<3>(x.data());
     else if (same_rows_ == 5)
         solve_columns<5>(x.data());
+    else if (same_rows_ == 6)
+        solve_columns<6>(x.data());
     else
         solve_columns<0>(x.data());
 }

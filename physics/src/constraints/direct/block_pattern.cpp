@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "jostle/base/check.h"
-#include "physics/src/constraints/direct/block_ldl.h"
+#include "physics/src/constraints/direct/joint_net.h"
 
 namespace jostle::physics {
 namespace {
@@ -125,11 +125,16 @@ void BlockLdl::lay_out() {
     for (std::size_t k = 0; k < n; k++) {
         first_update_[k] = static_cast<int>(updates_.size());
         const int first = first_below_[k], last = first_below_[k + 1];
-        for (int j = first; j < last; j++)
-            for (int i = j; i < last; i++) {
-                const int row = below_[as_index(i)].position, column = below_[as_index(j)].position;
-                updates_.push_back({find(row, column), i - first, j - first});
+        for (int j = first; j < last; j++) {
+            const int column = below_[as_index(j)].position;
+            updates_.push_back({diagonal_[as_index(column)], j - first, j - first});
+            // The rows below j also exist in its own column, in the same order.
+            std::size_t at = as_index(first_below_[as_index(column)]);
+            for (int i = j + 1; i < last; i++) {
+                while (below_[at].position != below_[as_index(i)].position) at++;
+                updates_.push_back({below_[at].at, i - first, j - first});
             }
+        }
     }
     first_update_[n] = static_cast<int>(updates_.size());
     values_.assign(as_index(size), 0);

@@ -17,9 +17,9 @@
 #include <limits>
 #include <vector>
 
-#include "physics/src/constraints/direct/block_ldl.h"
 #include "physics/src/constraints/direct/direct_body.h"
 #include "physics/src/constraints/direct/direct_joint.h"
+#include "physics/src/constraints/direct/joint_net.h"
 #include "physics/src/constraints/direct/joint_system_blocks.h"
 
 namespace jostle::physics {

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "physics/src/constraints/direct/block_ldl.h"
+#include "physics/src/constraints/direct/joint_net.h"
 
 namespace jostle::physics {
 

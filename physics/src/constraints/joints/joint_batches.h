@@ -5,7 +5,7 @@
 // (limits, motors and axes) are solved iteratively like those of other joints, and so are contacts.
 // The point rows are solved exactly before and after each iteration. The next solve corrects the
 // rounding error of float. (D. Baraff, "Linear-time dynamics using Lagrange multipliers", 1996; for
-// the pattern see constraints/direct/block_ldl.h.)
+// the pattern see jostle/physics/block_ldl.h.)
 //
 // Rebuilt in each step per solver task; patterns are cached.
 #pragma once

@@ -31,13 +31,13 @@ struct DatagramProtocolTest : testing::Test {
 
     // An empty world.
     static std::string snapshot(std::uint32_t frame, std::uint32_t received = 0) {
-        const wire::QuantizedFrame state{.frame = frame, .entities = {}};
-        const auto packed = wire::encode_frame(state, {}, {});
+        const snapshot::QuantizedFrame state{.frame = frame, .entities = {}};
+        const auto packed = snapshot::encode_frame(state, {}, {});
         v1::ServerMessage message;
         v1::Snapshot& s = *message.mutable_snapshot();
         s.set_frame(frame);
         s.set_packed(packed.data(), packed.size());
-        s.set_crc(wire::frame_crc(state));
+        s.set_crc(snapshot::frame_crc(state));
         s.mutable_client_update()->set_input_received(received);
         return message.SerializeAsString();
     }

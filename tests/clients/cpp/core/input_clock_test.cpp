@@ -11,7 +11,7 @@
 #include <deque>
 #include <vector>
 
-#include "jostle/client/network_simulator.h"
+#include "jostle/base/network_simulator.h"
 
 namespace jostle::client {
 namespace {
@@ -63,14 +63,14 @@ struct SteeredStream {
     }
     void send() {
         next_batch_us = us + 33'333;
-        const double arrival = static_cast<double>(up.arrival_us(us)) + added_way_us;
+        const double arrival = static_cast<double>(up.send(us).arrival_us) + added_way_us;
         for (const Input& input : unsent) {
             told++;
             late += input.tick * tick_us < arrival ? 1 : 0;
         }
         const double margin = unsent.back().tick * tick_us - arrival;
-        coming.push_back(
-            {down.arrival_us(static_cast<std::int64_t>(arrival)), unsent.back().sequence, margin});
+        coming.push_back({down.send(static_cast<std::int64_t>(arrival)).arrival_us,
+                          unsent.back().sequence, margin});
         clock.sent(unsent.back().sequence);
         unsent.clear();
     }
@@ -79,7 +79,7 @@ struct SteeredStream {
 }  // namespace
 
 TEST(InputClock, converges_within_one_tick_of_its_target_with_few_late_inputs) {
-    SteeredStream stream({.delay_ms = 50, .jitter_ms = 10});
+    SteeredStream stream({.latency_ms = 50, .jitter_ms = 10});
     stream.run(5, 50'000);
     stream.late = stream.told = 0;
     stream.run(60, 50'000);
@@ -93,7 +93,7 @@ TEST(InputClock, converges_within_one_tick_of_its_target_with_few_late_inputs) {
 }
 
 TEST(InputClock, adapts_to_a_longer_latency_at_1_05_and_back_at_0_95_speed) {
-    SteeredStream stream({.delay_ms = 50});
+    SteeredStream stream({.latency_ms = 50});
     stream.run(5, 50'000);
     stream.added_way_us = 100'000;  // six ticks, unknown to the pings
     stream.run(5, 50'000);
@@ -107,7 +107,7 @@ TEST(InputClock, adapts_to_a_longer_latency_at_1_05_and_back_at_0_95_speed) {
 }
 
 TEST(InputClock, jumps_once_when_more_than_ten_ticks_off) {
-    SteeredStream stream({.delay_ms = 50});
+    SteeredStream stream({.latency_ms = 50});
     stream.run(5, 50'000);
     stream.added_way_us = 400'000;
     stream.run(5, 250'000);

@@ -11,29 +11,29 @@ namespace {
 
 using States = std::vector<std::pair<std::uint32_t, double>>;  // entity, x in m
 
-wire::QuantizedFrame state(std::uint32_t number, const States& entities) {
-    wire::QuantizedFrame made{.frame = number, .entities = {}};
+snapshot::QuantizedFrame state(std::uint32_t number, const States& entities) {
+    snapshot::QuantizedFrame made{.frame = number, .entities = {}};
     for (const auto& [id, x] : entities)
-        made.entities.push_back(wire::quantize(id, {{x, 0, 0}, {0, 0, 0, 1}}, false, {}));
+        made.entities.push_back(snapshot::quantize(id, {{x, 0, 0}, {0, 0, 0, 1}}, false, {}));
     return made;
 }
 
-void add_cell(v1::Snapshot& snapshot, std::uint32_t cell, const wire::QuantizedFrame& now,
-              const wire::QuantizedFrame* base = nullptr) {
+void add_cell(v1::Snapshot& snapshot, std::uint32_t cell, const snapshot::QuantizedFrame& now,
+              const snapshot::QuantizedFrame* base = nullptr) {
     v1::CellUpdate& part = *snapshot.add_cells();
     part.set_cell(cell);
     part.set_number(now.frame);
     if (base)
-        part.set_baselines(wire::encode_baseline_frames(now.frame, {.baseline = base->frame}));
-    const auto packed = wire::encode_frame(now, {base, nullptr, nullptr}, {});
+        part.set_baselines(snapshot::encode_baseline_frames(now.frame, {.baseline = base->frame}));
+    const auto packed = snapshot::encode_frame(now, {base, nullptr, nullptr}, {});
     part.set_packed(packed.data(), packed.size());
-    part.set_crc(wire::frame_crc(now));
+    part.set_crc(snapshot::frame_crc(now));
 }
 
 class InterestCellsTest : public testing::Test {
 protected:
     Status apply(const v1::Snapshot& snapshot) {
-        return cells.apply(snapshot, {}, wire::Codec::bits);
+        return cells.apply(snapshot, {}, snapshot::Codec::bits);
     }
     std::vector<std::uint32_t> seen() const {
         std::vector<std::uint32_t> ids;
@@ -42,13 +42,13 @@ protected:
     }
     double x_of(std::uint32_t id) const {
         for (const auto& entity : cells.frame(1).entities)
-            if (entity.id == id) return wire::dequantize(entity, {}).position[0];
+            if (entity.id == id) return snapshot::dequantize(entity, {}).position[0];
         return -1;
     }
     // Position in a rendered frame of that tick.
     double rendered_frame(std::uint32_t number, std::uint32_t id) const {
         for (const auto& entity : cells.rendered_frame(number, {}, 1e6 / 60).entities)
-            if (entity.id == id) return wire::dequantize(entity, {}).position[0];
+            if (entity.id == id) return snapshot::dequantize(entity, {}).position[0];
         return -1;
     }
     InterestCells cells;
@@ -111,7 +111,7 @@ TEST_F(InterestCellsTest, restarts_a_cell_from_an_absolute_update) {
 // Both entities move at 12 m/s, 0.2 m per tick. Near cells are sent with every snapshot, distant
 // ones with every fourth. Without interpolation the distant entity would move in steps of 0.8 m.
 TEST_F(InterestCellsTest, interpolates_entities_with_a_lower_update_rate) {
-    wire::QuantizedFrame near_before, far_before;
+    snapshot::QuantizedFrame near_before, far_before;
     double near_worst = 0, far_worst = 0, far_least = 1;
     double last_near = 0, last_far = 0;
     for (std::uint32_t tick = 1; tick <= 100; tick++) {
@@ -143,7 +143,7 @@ TEST_F(InterestCellsTest, interpolates_entities_with_a_lower_update_rate) {
 }
 
 TEST_F(InterestCellsTest, shows_a_woken_entity_immediately) {
-    wire::QuantizedFrame before;
+    snapshot::QuantizedFrame before;
     std::uint32_t tick = 1;
     const auto tell = [&](double x) {
         v1::Snapshot snapshot;

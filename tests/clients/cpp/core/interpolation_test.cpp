@@ -6,8 +6,9 @@
 namespace jostle::client {
 namespace {
 
-wire::QuantizedFrame body_at(std::uint32_t frame, double x) {
-    return {.frame = frame, .entities = {wire::quantize(1, {{x, 0, 0}, {0, 0, 0, 1}}, false, {})}};
+snapshot::QuantizedFrame body_at(std::uint32_t frame, double x) {
+    return {.frame = frame,
+            .entities = {snapshot::quantize(1, {{x, 0, 0}, {0, 0, 0, 1}}, false, {})}};
 }
 
 }  // namespace

@@ -48,12 +48,12 @@ public:
 
 private:
     static void send_empty_world(PlayCall& stream) {
-        const wire::QuantizedFrame empty{.frame = 5, .entities = {}};
-        const auto packed = wire::encode_frame(empty, {}, {});
+        const snapshot::QuantizedFrame empty{.frame = 5, .entities = {}};
+        const auto packed = snapshot::encode_frame(empty, {}, {});
         v1::ServerMessage message;
         message.mutable_snapshot()->set_frame(5);
         message.mutable_snapshot()->set_packed(packed.data(), packed.size());
-        message.mutable_snapshot()->set_crc(wire::frame_crc(empty));
+        message.mutable_snapshot()->set_crc(snapshot::frame_crc(empty));
         stream.Write(message);
     }
 };
@@ -133,7 +133,7 @@ TEST_F(LoopTest, handles_many_clients_destroyed_without_leave) {
 TEST_F(LoopTest, simulated_network_delays_both_directions) {
     Loop loop;
     auto far = options();
-    far.network_conditions.delay_ms = 60;
+    far.network_conditions.latency_ms = 60;
     const auto began = Clock::now();
     const auto client = Client::connect(loop, far);
     for (int i = 0; i < 40; i++) client->send({});

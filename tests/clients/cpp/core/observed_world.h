@@ -9,8 +9,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "jostle/base/network_simulator.h"
 #include "jostle/client/interpolation.h"
-#include "jostle/client/network_simulator.h"
 #include "jostle/snapshot/quantize.h"
 
 namespace jostle::client {
@@ -18,7 +18,7 @@ namespace jostle::client {
 // Bodies: 1 moves straight at 2 m/s. 2 runs a circle of 2 m at 3 m/s and rotates with it. 3 bounces
 // 0.4 m high without loss and drifts at 0.5 m/s. 4 teleports by 5 m every 7 s. 5 exists for 3 s of
 // every 6 s.
-inline wire::Pose pose_at(std::uint32_t body, double s) {
+inline snapshot::Pose pose_at(std::uint32_t body, double s) {
     switch (body) {
         case 1:
             return {{2 * s, 0, 0}, {0, 0, 0, 1}};
@@ -46,11 +46,11 @@ inline bool is_there(std::uint32_t body, double s) {
     return body != 5 || std::fmod(s, 6) < 3;
 }
 
-inline wire::QuantizedFrame frame_at(std::uint32_t number, double s) {
-    wire::QuantizedFrame frame{.frame = number, .entities = {}};
+inline snapshot::QuantizedFrame frame_at(std::uint32_t number, double s) {
+    snapshot::QuantizedFrame frame{.frame = number, .entities = {}};
     for (std::uint32_t body = 1; body <= 5; body++)
         if (is_there(body, s))
-            frame.entities.push_back(wire::quantize(body, pose_at(body, s), false, {}));
+            frame.entities.push_back(snapshot::quantize(body, pose_at(body, s), false, {}));
     return frame;
 }
 
@@ -95,7 +95,7 @@ public:
     }
 
 private:
-    static double between(const wire::Pose& a, const wire::Pose& b) {
+    static double between(const snapshot::Pose& a, const snapshot::Pose& b) {
         return std::hypot(a.position[0] - b.position[0], a.position[1] - b.position[1],
                           a.position[2] - b.position[2]);
     }
@@ -133,7 +133,7 @@ inline Observation observe(const NetworkConditions& link_settings, double pictur
     InterpolationBuffer buffer;
     Watcher watcher;
     std::uint32_t next = 1;
-    std::int64_t arrival_us = link.arrival_us(0);
+    std::int64_t arrival_us = link.send(0).arrival_us;
     const auto pictures = static_cast<int>(seconds * pictures_hz);
     for (int picture = 0; picture < pictures; picture++) {
         const std::int64_t us = std::llround(picture * 1e6 / pictures_hz);
@@ -141,7 +141,7 @@ inline Observation observe(const NetworkConditions& link_settings, double pictur
             const std::int64_t due_us = std::llround((next - 1) * 1e6 / 60);
             buffer.add(frame_at(next, static_cast<double>(due_us) / 1e6), epoch_us + due_us,
                        ours_us + arrival_us);
-            arrival_us = link.arrival_us(std::llround(next * 1e6 / 60));
+            arrival_us = link.send(std::llround(next * 1e6 / 60)).arrival_us;
         }
         const auto poses = buffer.sample(ours_us + us, {});
         const double shown_s =

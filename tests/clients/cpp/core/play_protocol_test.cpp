@@ -37,19 +37,21 @@ struct Stream {
         EXPECT_TRUE(next()->has_ping());
     }
     // A snapshot with one body at x m.
-    v1::ServerMessage snapshot(std::uint32_t frame, double x, const wire::QuantizedFrame* base) {
+    v1::ServerMessage snapshot(std::uint32_t frame, double x,
+                               const snapshot::QuantizedFrame* base) {
         quantized = {.frame = frame,
-                     .entities = {wire::quantize(1, {{x, 0, 0}, {0, 0, 0, 1}}, false, {})}};
-        const auto packed = wire::encode_frame(quantized, {base, nullptr, nullptr}, {});
+                     .entities = {snapshot::quantize(1, {{x, 0, 0}, {0, 0, 0, 1}}, false, {})}};
+        const auto packed = snapshot::encode_frame(quantized, {base, nullptr, nullptr}, {});
         v1::ServerMessage message;
         v1::Snapshot& s = *message.mutable_snapshot();
         s.set_frame(frame);
-        s.set_baselines(base ? wire::encode_baseline_frames(frame, {.baseline = base->frame}) : 0);
+        s.set_baselines(base ? snapshot::encode_baseline_frames(frame, {.baseline = base->frame})
+                             : 0);
         s.set_packed(packed.data(), packed.size());
-        s.set_crc(wire::frame_crc(quantized));
+        s.set_crc(snapshot::frame_crc(quantized));
         return message;
     }
-    wire::QuantizedFrame quantized;
+    snapshot::QuantizedFrame quantized;
 };
 
 }  // namespace
@@ -140,7 +142,7 @@ TEST(PlayProtocol, renumbers_unsent_inputs_after_a_reconnect) {
 TEST(PlayProtocol, decodes_a_chain_of_snapshots_and_acknowledges_each_one) {
     Stream stream;
     stream.welcome();
-    wire::QuantizedFrame base;
+    snapshot::QuantizedFrame base;
     for (std::uint32_t frame = 10; frame < 60; frame++) {
         stream.hear(stream.snapshot(frame, 0.1 * frame, frame == 10 ? nullptr : &base));
         base = stream.quantized;
@@ -181,7 +183,7 @@ TEST(PlayProtocol, requests_one_keyframe_after_a_crc_mismatch_or_unknown_baselin
     const auto ack = stream.next();
     EXPECT_TRUE(ack->ack().need_keyframe());
     EXPECT_EQ(ack->ack().frame(), 10u);  // the last valid frame
-    const wire::QuantizedFrame unknown{.frame = 9, .entities = {}};
+    const snapshot::QuantizedFrame unknown{.frame = 9, .entities = {}};
     stream.hear(stream.snapshot(12, 3, &unknown));
     EXPECT_EQ(stream.protocol.stats().decode_errors, 1u);
     stream.hear(stream.snapshot(13, 4, nullptr));
@@ -195,7 +197,7 @@ TEST(PlayProtocol, requests_a_keyframe_on_demand) {
     stream.hear(stream.snapshot(10, 1, nullptr));
     EXPECT_TRUE(stream.next()->ack().need_keyframe())
         << "a snapshot sent before the request does not satisfy it";
-    const wire::QuantizedFrame base = stream.quantized;
+    const snapshot::QuantizedFrame base = stream.quantized;
     stream.hear(stream.snapshot(11, 2, &base));
     EXPECT_FALSE(stream.next()->ack().need_keyframe()) << "once";
     stream.protocol.request_keyframe();

@@ -8,7 +8,7 @@
 namespace jostle::client {
 namespace {
 
-const wire::Pose right_pose{{1, 2, 3}, {0, 0, std::sin(0.1), std::cos(0.1)}};
+const snapshot::Pose right_pose{{1, 2, 3}, {0, 0, std::sin(0.1), std::cos(0.1)}};
 
 PoseError metres(double x) {
     return {{x, 0, 0}, {0, 0, 0, 1}};
@@ -17,8 +17,8 @@ PoseError metres(double x) {
 }  // namespace
 
 TEST(PoseError, applied_to_the_target_pose_returns_the_rendered_pose) {
-    const wire::Pose shown{{1.5, 2, 2}, {std::sin(0.3), 0, 0, std::cos(0.3)}};
-    const wire::Pose again = apply_error(right_pose, pose_error(shown, right_pose));
+    const snapshot::Pose shown{{1.5, 2, 2}, {std::sin(0.3), 0, 0, std::cos(0.3)}};
+    const snapshot::Pose again = apply_error(right_pose, pose_error(shown, right_pose));
     for (std::size_t k = 0; k < 3; k++) EXPECT_NEAR(again.position[k], shown.position[k], 1e-12);
     for (std::size_t k = 0; k < 4; k++) EXPECT_NEAR(again.rotation[k], shown.rotation[k], 1e-12);
     EXPECT_TRUE(pose_error(right_pose, right_pose).none());

@@ -12,38 +12,38 @@
 namespace jostle::client {
 namespace {
 
-struct PathEmulator {
+struct Link {
     const char* name;
     NetworkConditions link;
     // Allowed errors; measured values are slightly lower.
     double usual_error_mm, error_mm, behind_ms;
 };
 
-void PrintTo(const PathEmulator& told, std::ostream* out) {
+void PrintTo(const Link& told, std::ostream* out) {
     *out << told.name;
 }
 
 // The errors are those of extrapolation: interpolation cuts a bounce by 23 mm, and a body at 3 m/s
 // is 2.6 m off at the end of a stall of 1 s.
-const PathEmulator bad_links[] = {
-    {"even", {.delay_ms = 40}, 2, 25, 75},
-    {"uniform_20", {.delay_ms = 40, .jitter_ms = 20}, 2, 25, 82},
-    {"uniform_80", {.delay_ms = 40, .jitter_ms = 80}, 3, 50, 140},
-    {"exponential_15", {.delay_ms = 40, .tail_ms = 15}, 10, 125, 112},
+const Link bad_links[] = {
+    {"even", {.latency_ms = 40}, 2, 25, 75},
+    {"uniform_20", {.latency_ms = 40, .jitter_ms = 20}, 2, 25, 82},
+    {"uniform_80", {.latency_ms = 40, .jitter_ms = 80}, 3, 50, 140},
+    {"exponential_15", {.latency_ms = 40, .jitter_tail_ms = 15}, 10, 125, 112},
     {"stalls_250_ms",
-     {.delay_ms = 40, .jitter_ms = 10, .stalls_ms = 250, .stall_every_ms = 5000},
+     {.latency_ms = 40, .jitter_ms = 10, .stall_ms = 250, .stall_interval_ms = 5000},
      250,
      540,
      112},
     {"stalls_1_s",
-     {.delay_ms = 40, .jitter_ms = 10, .stalls_ms = 1000, .stall_every_ms = 10'000},
+     {.latency_ms = 40, .jitter_ms = 10, .stall_ms = 1000, .stall_interval_ms = 10'000},
      2050,
      2620,
      75},
-    {"loss_2_percent", {.delay_ms = 40, .jitter_ms = 5, .loss = 0.02}, 35, 360, 220},
+    {"loss_2_percent", {.latency_ms = 40, .jitter_ms = 5, .loss = 0.02}, 35, 360, 220},
 };
 
-class Smoothness : public testing::TestWithParam<PathEmulator> {};
+class Smoothness : public testing::TestWithParam<Link> {};
 
 }  // namespace
 

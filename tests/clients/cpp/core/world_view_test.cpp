@@ -12,8 +12,8 @@ namespace {
 // Channels of entity 5 of two kinds, "craft" (0) and "crane" (1).
 using Told = std::vector<std::pair<std::uint32_t, std::int32_t>>;  // kind and value
 
-wire::Channels channels(const Told& told) {
-    wire::Channels made;
+snapshot::Channels channels(const Told& told) {
+    snapshot::Channels made;
     for (const auto& [kind, value] : told)
         made.push_back({kind, 5, std::make_shared<const std::vector<std::int32_t>>(1, value)});
     return made;
@@ -22,16 +22,16 @@ wire::Channels channels(const Told& told) {
 // An empty world with channels, encoded against those of the baseline.
 v1::Snapshot snapshot(std::uint32_t number, std::uint32_t base, const Told& told,
                       const Told& base_told = {}) {
-    const wire::QuantizedFrame before{.frame = base}, frame{.frame = number};
+    const snapshot::QuantizedFrame before{.frame = base}, frame{.frame = number};
     const auto packed =
-        wire::encode_frame(frame, {base != 0 ? &before : nullptr, nullptr, nullptr}, {});
+        snapshot::encode_frame(frame, {base != 0 ? &before : nullptr, nullptr, nullptr}, {});
     v1::Snapshot s;
     s.set_frame(number);
-    s.set_baselines(wire::encode_baseline_frames(number, {.baseline = base}));
+    s.set_baselines(snapshot::encode_baseline_frames(number, {.baseline = base}));
     s.set_packed(packed.data(), packed.size());
-    s.set_crc(wire::frame_crc(frame));
-    const wire::PackedChannels changed =
-        wire::encode_channels(channels(told), channels(base_told), ~std::uint64_t{0});
+    s.set_crc(snapshot::frame_crc(frame));
+    const snapshot::PackedChannels changed =
+        snapshot::encode_channels(channels(told), channels(base_told), ~std::uint64_t{0});
     s.set_channels(changed.bytes.data(), changed.bytes.size());
     s.set_channels_crc(changed.crc);
     return s;
@@ -171,16 +171,18 @@ TEST_F(WorldViewTest, hides_entities_until_their_entity_update_arrives) {
     welcome.mutable_quant()->set_rotation_component(511);
     welcome.mutable_datagrams()->set_port(1);
     view.begin(welcome);
-    const wire::QuantizedFrame first{.frame = 1, .entities = {wire::quantize(7, {}, false, {})}};
-    const wire::QuantizedFrame second{.frame = 2, .entities = first.entities};
-    const auto told = [](const wire::QuantizedFrame& frame, const wire::QuantizedFrame* base) {
-        const auto packed = wire::encode_frame(frame, {base, nullptr, nullptr}, {});
+    const snapshot::QuantizedFrame first{.frame = 1,
+                                         .entities = {snapshot::quantize(7, {}, false, {})}};
+    const snapshot::QuantizedFrame second{.frame = 2, .entities = first.entities};
+    const auto told = [](const snapshot::QuantizedFrame& frame,
+                         const snapshot::QuantizedFrame* base) {
+        const auto packed = snapshot::encode_frame(frame, {base, nullptr, nullptr}, {});
         v1::Snapshot s;
         s.set_frame(frame.frame);
         s.set_baselines(
-            wire::encode_baseline_frames(frame.frame, {.baseline = base ? base->frame : 0}));
+            snapshot::encode_baseline_frames(frame.frame, {.baseline = base ? base->frame : 0}));
         s.set_packed(packed.data(), packed.size());
-        s.set_crc(wire::frame_crc(frame));
+        s.set_crc(snapshot::frame_crc(frame));
         return s;
     };
     ASSERT_TRUE(view.apply(told(first, nullptr)).ok());

@@ -12,8 +12,8 @@
 #include <set>
 #include <vector>
 
+#include "jostle/base/network_simulator.h"
 #include "jostle/client/input_clock.h"
-#include "jostle/client/network_simulator.h"
 #include "jostle/modules/player_interaction.h"
 #include "jostle/physics/world.h"
 #include "jostle/scenes/shape_message.h"
@@ -28,7 +28,7 @@ constexpr std::uint32_t floor_id = 1, own_id = 2, other_id = 3, far_id = 4;
 constexpr double pictures_hz = 60;
 
 struct Yard {
-    explicit Yard(const NetworkConditions& link = {.delay_ms = 50, .jitter_ms = 10})
+    explicit Yard(const NetworkConditions& link = {.latency_ms = 50, .jitter_ms = 10})
         : up(link), down(link) {
         v1::Welcome welcome;
         welcome.set_tick_hz(60);
@@ -131,7 +131,7 @@ struct Yard {
         }
     }
 
-    static wire::ChannelValues motion_of(const physics::BodyState& body) {
+    static snapshot::ChannelValues motion_of(const physics::BodyState& body) {
         std::vector<std::int32_t> values;
         for (const Vec3& v : {body.linear_velocity, body.angular_velocity})
             for (int k = 0; k < 3; k++)
@@ -162,8 +162,8 @@ struct Yard {
         }
         server.step(1.0 / 60).expect();
         int awake = 0;
-        wire::Channels motions;
-        wire::QuantizedFrame frame{.frame = server_tick, .entities = {}};
+        snapshot::Channels motions;
+        snapshot::QuantizedFrame frame{.frame = server_tick, .entities = {}};
         for (const auto& [id, body] : bodies) {
             const physics::BodyState state = *server.body(body);
             const Vec3 p = state.pose.position;
@@ -172,16 +172,16 @@ struct Yard {
             awake += state.awake ? 1 : 0;
             if (state.awake && tells_motion) motions.push_back({1, id, motion_of(state)});
             frame.entities.push_back(
-                wire::quantize(id, {{p.x, p.y, p.z}, {q.x, q.y, q.z, q.w}}, !state.awake, {}));
+                snapshot::quantize(id, {{p.x, p.y, p.z}, {q.x, q.y, q.z, q.w}}, !state.awake, {}));
         }
         next_tick_us = std::llround(server_tick * 1e6 / 60);
         if (quiet && awake == 0 && results.empty() && server_tick % 60 != 0) return;
-        Told told{down.arrival_us(due), {}, std::move(results)};
-        const auto packed = wire::encode_frame(frame, {}, {});
+        Told told{down.send(due).arrival_us, {}, std::move(results)};
+        const auto packed = snapshot::encode_frame(frame, {}, {});
         told.snapshot.set_frame(server_tick);
         told.snapshot.set_packed(packed.data(), packed.size());
-        told.snapshot.set_crc(wire::frame_crc(frame));
-        const auto channels = wire::encode_channels(motions, {}, ~std::uint64_t{0});
+        told.snapshot.set_crc(snapshot::frame_crc(frame));
+        const auto channels = snapshot::encode_channels(motions, {}, ~std::uint64_t{0});
         told.snapshot.set_channels(channels.bytes.data(), channels.bytes.size());
         told.snapshot.set_channels_crc(channels.crc);
         told.snapshot.set_late_us(due - std::llround(server_tick * 1e6 / 60));
@@ -236,7 +236,7 @@ struct Yard {
         input.set_tick(clock.tick(us) - static_cast<std::uint32_t>(ticks_late));
         predictor.add_input(++sequence, input);
         clock.sent(sequence);
-        rising.push_back({up.arrival_us(us), sequence, input});
+        rising.push_back({up.send(us).arrival_us, sequence, input});
         return input.tick();
     }
     void grab(std::uint32_t entity, Vec3 point) {
@@ -444,7 +444,7 @@ TEST(Predictor, rolls_back_a_rejected_impulse_and_moves_a_late_one) {
 }
 
 TEST(Predictor, adds_and_removes_neighbors_without_a_visible_step) {
-    Yard yard({.delay_ms = 50});
+    Yard yard({.latency_ms = 50});
     yard.run(3);
     yard.push({0, 0, 5});
     yard.push({-18, 0, 0}, far_id);  // slides past at speed

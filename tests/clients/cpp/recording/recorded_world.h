@@ -21,9 +21,9 @@
 namespace jostle::client {
 
 struct RecordedWorld {
-    std::string file;                                     // complete, with an index
-    std::map<std::uint32_t, wire::QuantizedFrame> truth;  // of each sent tick
-    std::map<std::uint32_t, std::size_t> listed;          // number of entities after that tick
+    std::string file;                                         // complete, with an index
+    std::map<std::uint32_t, snapshot::QuantizedFrame> truth;  // of each sent tick
+    std::map<std::uint32_t, std::size_t> listed;              // number of entities after that tick
     RecordingWriter::Counts counts;
 };
 
@@ -59,8 +59,8 @@ inline RecordedWorld record_world(int ticks, int ticks_between_keyframes) {
                       .on_message = [&](const std::string& bytes, Clock::time_point when) {
                           writer.add(bytes, to_us(when) - to_us(began)).expect();
                       }});
-    bots::Behaviour thrower(
-        bots::parse_script("throw weight=1 period=0.2 speed=5 max_bodies=3", "script")
+    bot::Behaviour thrower(
+        bot::parse_script("throw weight=1 period=0.2 speed=5 max_bodies=3", "script")
             .value()
             .front(),
         7);
@@ -77,7 +77,7 @@ inline RecordedWorld record_world(int ticks, int ticks_between_keyframes) {
         while (const auto heard = link.take_message(now))
             protocol.receive(heard->header + (heard->shared ? *heard->shared : ""), now);
         if (protocol.stats().snapshots == before) continue;
-        const wire::QuantizedFrame& frame = protocol.view().frame();
+        const snapshot::QuantizedFrame& frame = protocol.view().frame();
         made.truth[frame.frame] = frame;
         made.listed[frame.frame] = protocol.view().entities().size();
     }

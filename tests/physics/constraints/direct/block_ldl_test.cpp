@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // The block factorisation against Gauss elimination of the same matrix, written out.
-#include "physics/src/constraints/direct/block_ldl.h"
+#include "physics/src/constraints/direct/joint_net.h"
 
 #include <gtest/gtest.h>
 
@@ -169,6 +169,22 @@ TEST(BlockLdl, cost_of_a_chain_is_linear_in_its_links) {
         return static_cast<double>(ldl.work()) / links;
     };
     EXPECT_NEAR(work(1000) / work(100), 1, 0.02);
+}
+
+// Minimum degree ordering causes much less fill-in than row ordering: 30 n log n blocks compared
+// with n^1.5.
+TEST(BlockLdl, a_grid_has_little_fill_in) {
+    constexpr int side = 40;
+    std::vector<BlockLdl::Edge> edges;
+    for (int k = 0; k < side * side; k++) {
+        if (k % side != 0) edges.push_back({k - 1, k});
+        if (k >= side) edges.push_back({k - side, k});
+    }
+    BlockLdl ldl;
+    ASSERT_TRUE(ldl.analyze(std::vector<int>(side * side, 6), edges));
+    std::size_t products = 0;
+    for (int k = 0; k < ldl.nodes(); k++) products += ldl.below(k).size() + ldl.updates(k).size();
+    EXPECT_LT(products, 1600u * 40 * 41 / 2 / 4);
 }
 
 // Eight nodes that all meet: what that costs is known, and one multiplication less is too few.

@@ -52,11 +52,11 @@ class SteeredStream {
 
   private send(): void {
     this.nextBatchUs = this.us + 33_333;
-    const arrival = this.up.arrivalUs(this.us) + this.addedLatencyUs;
+    const arrival = this.up.send(this.us).arrivalUs + this.addedLatencyUs;
     this.sentCount += this.unsent.length;
     this.late += this.unsent.filter(({ tick }) => tick * TICK_US < arrival).length;
     const { sequence, tick } = this.unsent[this.unsent.length - 1]!;
-    this.downstream.push({ dueUs: this.down.arrivalUs(Math.floor(arrival)), sequence, marginUs: tick * TICK_US - arrival });
+    this.downstream.push({ dueUs: this.down.send(Math.floor(arrival)).arrivalUs, sequence, marginUs: tick * TICK_US - arrival });
     this.clock.sent(sequence);
     this.unsent = [];
   }
@@ -67,7 +67,7 @@ class SteeredStream {
 }
 
 it('converges within one tick of its target with few late inputs', () => {
-  const stream = new SteeredStream({ delay: 50, jitter: 10 });
+  const stream = new SteeredStream({ latencyMs: 50, jitterMs: 10 });
   stream.run(5, 50_000);
   stream.late = stream.sentCount = 0;
   stream.run(60, 50_000);
@@ -78,7 +78,7 @@ it('converges within one tick of its target with few late inputs', () => {
 });
 
 it('adapts to a longer latency at 1.05 and back at 0.95 speed', () => {
-  const stream = new SteeredStream({ delay: 50 });
+  const stream = new SteeredStream({ latencyMs: 50 });
   stream.run(5, 50_000);
   stream.addedLatencyUs = 100_000; // six ticks, which no ping measures
   stream.run(5, 50_000);
@@ -92,7 +92,7 @@ it('adapts to a longer latency at 1.05 and back at 0.95 speed', () => {
 });
 
 it('jumps once when more than ten ticks off', () => {
-  const stream = new SteeredStream({ delay: 50 });
+  const stream = new SteeredStream({ latencyMs: 50 });
   stream.run(5, 50_000);
   stream.addedLatencyUs = 400_000;
   stream.run(5, 250_000);

@@ -9,13 +9,13 @@ import { observe } from '../testing/observed_world.js';
 // cut by 23 mm between two frames, and a body that holds while the real one moves on at 3 m/s is off by
 // 2.6 m after a stall of 1 s.
 const NETWORKS: { name: string; conditions: Partial<NetworkConditions>; errorP95Mm: number; errorMm: number; delayMs: number }[] = [
-  { name: 'constant latency', conditions: { delay: 40 }, errorP95Mm: 2, errorMm: 25, delayMs: 75 },
-  { name: 'uniform jitter of 20 ms', conditions: { delay: 40, jitter: 20 }, errorP95Mm: 2, errorMm: 25, delayMs: 82 },
-  { name: 'uniform jitter of 80 ms', conditions: { delay: 40, jitter: 80 }, errorP95Mm: 3, errorMm: 50, delayMs: 140 },
-  { name: 'exponential jitter of 15 ms', conditions: { delay: 40, tail: 15 }, errorP95Mm: 10, errorMm: 125, delayMs: 112 },
-  { name: 'stalls of 250 ms', conditions: { delay: 40, jitter: 10, stalls: 250, stallEvery: 5000 }, errorP95Mm: 250, errorMm: 540, delayMs: 112 },
-  { name: 'stalls of 1 s', conditions: { delay: 40, jitter: 10, stalls: 1000, stallEvery: 10_000 }, errorP95Mm: 2050, errorMm: 2620, delayMs: 75 },
-  { name: '2 % loss', conditions: { delay: 40, jitter: 5, loss: 0.02 }, errorP95Mm: 35, errorMm: 360, delayMs: 220 },
+  { name: 'constant latency', conditions: { latencyMs: 40 }, errorP95Mm: 2, errorMm: 25, delayMs: 75 },
+  { name: 'uniform jitter of 20 ms', conditions: { latencyMs: 40, jitterMs: 20 }, errorP95Mm: 2, errorMm: 25, delayMs: 82 },
+  { name: 'uniform jitter of 80 ms', conditions: { latencyMs: 40, jitterMs: 80 }, errorP95Mm: 3, errorMm: 50, delayMs: 140 },
+  { name: 'exponential jitter of 15 ms', conditions: { latencyMs: 40, jitterTailMs: 15 }, errorP95Mm: 10, errorMm: 125, delayMs: 112 },
+  { name: 'stalls of 250 ms', conditions: { latencyMs: 40, jitterMs: 10, stallMs: 250, stallIntervalMs: 5000 }, errorP95Mm: 250, errorMm: 540, delayMs: 112 },
+  { name: 'stalls of 1 s', conditions: { latencyMs: 40, jitterMs: 10, stallMs: 1000, stallIntervalMs: 10_000 }, errorP95Mm: 2050, errorMm: 2620, delayMs: 75 },
+  { name: '2 % loss', conditions: { latencyMs: 40, jitterMs: 5, loss: 0.02 }, errorP95Mm: 35, errorMm: 360, delayMs: 220 },
 ];
 
 describe.each(NETWORKS)('over a network with $name', ({ conditions, ...limits }) => {

@@ -17,7 +17,7 @@ it('delays messages in both directions and preserves their order, with the close
     send: (bytes) => void sent.push(bytes[0]!),
     close: () => {},
   };
-  const socket = simulatedSocket(() => real, { ...IDEAL_NETWORK, delay: 80, jitter: 20 })('ws://x');
+  const socket = simulatedSocket(() => real, { ...IDEAL_NETWORK, latencyMs: 80, jitterMs: 20 })('ws://x');
   socket.onmessage = ({ data }) => void received.push(new Uint8Array(data)[0]!);
   socket.onclose = ({ reason }) => void received.push(reason);
   for (let k = 0; k < 5; k++) {
@@ -44,7 +44,7 @@ it('sends nothing after close', async () => {
     send: (bytes) => void sent.push(bytes),
     close: () => {},
   };
-  const socket = simulatedSocket(() => real, { ...IDEAL_NETWORK, delay: 80 })('ws://x');
+  const socket = simulatedSocket(() => real, { ...IDEAL_NETWORK, latencyMs: 80 })('ws://x');
   socket.send(Uint8Array.of(1));
   socket.close();
   await vi.advanceTimersByTimeAsync(200);

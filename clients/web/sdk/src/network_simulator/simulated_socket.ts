@@ -9,12 +9,12 @@ class DelayedMessages {
   private readonly due: { readonly at: number; readonly deliver: () => void }[] = [];
   private readonly simulator: NetworkSimulator;
 
-  constructor(conditions: NetworkConditions) {
-    this.simulator = new NetworkSimulator(conditions);
+  constructor(conditions: NetworkConditions, path: number) {
+    this.simulator = new NetworkSimulator(conditions, path);
   }
 
-  push(deliver: () => void): void {
-    this.due.push({ at: this.simulator.arrivalUs(Math.round(nowUs())), deliver });
+  push(bytes: number, deliver: () => void): void {
+    this.due.push({ at: this.simulator.send(Math.round(nowUs()), bytes).arrivalUs, deliver });
     if (this.due.length === 1) this.schedule();
   }
 
@@ -32,8 +32,8 @@ class DelayedMessages {
 export function simulatedSocket(open: (url: string) => Socket, conditions: NetworkConditions): (url: string) => Socket {
   return (url) => {
     const real = open(url);
-    const incoming = new DelayedMessages(conditions);
-    const outgoing = new DelayedMessages({ ...conditions, seed: (conditions.seed ^ 0x9e3779b9) >>> 0 }); // an independent sequence of random numbers
+    const incoming = new DelayedMessages(conditions, 0);
+    const outgoing = new DelayedMessages(conditions, 1);
     let closed = false;
     const simulated: Socket = {
       get binaryType() {
@@ -45,17 +45,17 @@ export function simulatedSocket(open: (url: string) => Socket, conditions: Netwo
       onopen: null,
       onmessage: null,
       onclose: null,
-      send: (bytes) => outgoing.push(() => closed || real.send(bytes)),
+      send: (bytes) => outgoing.push(bytes.byteLength, () => closed || real.send(bytes)),
       close: () => {
         closed = true;
         real.close();
       },
     };
     real.onopen = () => simulated.onopen?.();
-    real.onmessage = (event) => incoming.push(() => simulated.onmessage?.(event));
+    real.onmessage = (event) => incoming.push(event.data.byteLength, () => simulated.onmessage?.(event));
     real.onclose = (event) => {
       closed = true;
-      incoming.push(() => simulated.onclose?.(event));
+      incoming.push(0, () => simulated.onclose?.(event));
     };
     return simulated;
   };

@@ -122,14 +122,14 @@ export function observe(conditions: NetworkConditions, renderHz: number, seconds
   const poses = new RenderedPoses();
   const observer = new Observer();
   let next = 1;
-  let arrivalUs = simulator.arrivalUs(0);
+  let arrivalUs = simulator.send(0).arrivalUs;
   for (let index = 0; index < seconds * renderHz; index++) {
     const us = Math.round((index * 1e6) / renderHz);
     for (; arrivalUs <= us; next++) {
       const dueUs = Math.round(((next - 1) * 1e6) / 60);
       frames.add({ frame: next, entities: entitiesAt(dueUs / 1e6) }, epochUs + dueUs, SPEC);
       clock.onFrame(epochUs + dueUs, localUs + arrivalUs);
-      arrivalUs = simulator.arrivalUs(Math.round((next * 1e6) / 60));
+      arrivalUs = simulator.send(Math.round((next * 1e6) / 60)).arrivalUs;
     }
     poses.update(frames, clock.advance(localUs + us), localUs + us);
     if (poses.count > 0) observer.addFrame(poses, (clock.renderTimeUs - epochUs) / 1e6, us / 1e6, 1 / renderHz);

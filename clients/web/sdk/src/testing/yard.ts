@@ -134,7 +134,7 @@ export class Yard {
     server.onFrame({ frame: 1, serverUs: 0, entities: this.statesOf(this.truth[0]!), poses: this.truth[0]!.poses, channels: [] as never });
   }
 
-  static async make(conditions: Partial<NetworkConditions> = { delay: 50, jitter: 10 }): Promise<Yard> {
+  static async make(conditions: Partial<NetworkConditions> = { latencyMs: 50, jitterMs: 10 }): Promise<Yard> {
     const module = await predictorModule();
     return new Yard(await Predictor.create(module), await Predictor.create(module), { ...IDEAL_NETWORK, ...conditions });
   }
@@ -164,7 +164,7 @@ export class Yard {
     // Its own poses, so that nothing is corrected.
     this.server.onFrame({ frame: tick, serverUs: 0, entities: this.statesOf(now), poses: now.poses, channels: [] as never });
     this.nextTickUs = Math.round(tick * TICK_US);
-    this.downstream.push({ atUs: this.down.arrivalUs(dueUs), frame: tick, entities: this.statesOf(now), dueUs, applied: this.applied, marginUs: this.marginUs, results });
+    this.downstream.push({ atUs: this.down.send(dueUs).arrivalUs, frame: tick, entities: this.statesOf(now), dueUs, applied: this.applied, marginUs: this.marginUs, results });
   }
 
   private receive(): void {
@@ -209,7 +209,7 @@ export class Yard {
     const tick = this.clock.tick(this.us) - ticksLate;
     this.predictor.addInput(++this.sequence, tick, input);
     this.clock.sent(this.sequence);
-    this.upstream.push({ atUs: this.up.arrivalUs(this.us), sequence: this.sequence, tick, input });
+    this.upstream.push({ atUs: this.up.send(this.us).arrivalUs, sequence: this.sequence, tick, input });
     return tick;
   }
 

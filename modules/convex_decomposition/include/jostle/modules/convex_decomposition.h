@@ -21,7 +21,7 @@
 #include "jostle/physics/hull.h"
 #include "jostle/physics/result.h"
 
-namespace jostle::decomposition {
+namespace jostle::modules::convex_decomposition {
 
 /// Options of the decomposition.
 struct Options {
@@ -53,4 +53,4 @@ physics::Result<Decomposition> decompose(std::span<const physics::Vec3> vertices
                                          std::span<const std::uint32_t> indices,
                                          const Options& options = {});
 
-}  // namespace jostle::decomposition
+}  // namespace jostle::modules::convex_decomposition

@@ -9,7 +9,7 @@
 
 #include "jostle/base/result.h"
 
-namespace jostle::wire {
+namespace jostle::snapshot {
 
 /// Frame numbers; 0: none. baseline2 requires baseline, baseline3 requires baseline2. They descend,
 /// by 1 to baseline_distance_max each.
@@ -26,4 +26,4 @@ std::uint32_t encode_baseline_frames(std::uint32_t frame, const BaselineFrames& 
 /// Returns corrupt_data if a baseline would be before frame 1 or if the number is malformed.
 Result<BaselineFrames> decode_baseline_frames(std::uint32_t frame, std::uint32_t code);
 
-}  // namespace jostle::wire
+}  // namespace jostle::snapshot

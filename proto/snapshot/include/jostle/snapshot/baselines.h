@@ -7,7 +7,7 @@
 
 #include "jostle/snapshot/entity_state.h"
 
-namespace jostle::wire {
+namespace jostle::snapshot {
 
 /// The baselines of a snapshot. Without `baseline` the snapshot is absolute and contains all
 /// entities. baseline2 and baseline3 improve the prediction; baseline2 requires baseline, baseline3
@@ -25,4 +25,4 @@ struct UnchangedRun {
     std::size_t begin = 0, end = 0;
 };
 
-}  // namespace jostle::wire
+}  // namespace jostle::snapshot

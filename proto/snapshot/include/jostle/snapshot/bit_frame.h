@@ -6,7 +6,7 @@
 
 #include "jostle/snapshot/entity_diff.h"
 
-namespace jostle::wire {
+namespace jostle::snapshot {
 
 std::vector<std::byte> encode_bit_frame(const EntityDiff& to, const Spacing& t,
                                         const QuantSpec& spec);
@@ -15,4 +15,4 @@ Result<std::vector<EntityState>> decode_bit_frame(std::span<const std::byte> pac
                                                   const Baselines& baselines, const Spacing& t,
                                                   const QuantSpec& spec, std::size_t max_entities);
 
-}  // namespace jostle::wire
+}  // namespace jostle::snapshot

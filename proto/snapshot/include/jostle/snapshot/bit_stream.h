@@ -12,7 +12,7 @@
 #include <span>
 #include <vector>
 
-namespace jostle::wire {
+namespace jostle::snapshot {
 
 /// A unary prefix of rice_escape ones means that the value follows in rice_escape_bits bits: enough
 /// for any zig-zag encoded difference of two int32.
@@ -74,4 +74,4 @@ private:
     std::size_t at_ = 0;  // bit position
 };
 
-}  // namespace jostle::wire
+}  // namespace jostle::snapshot

@@ -13,7 +13,7 @@
 
 #include "jostle/base/result.h"
 
-namespace jostle::wire {
+namespace jostle::snapshot {
 
 inline constexpr std::uint32_t channel_kinds_max = 64;
 inline constexpr std::size_t channels_max = 4096;             ///< per frame
@@ -50,4 +50,4 @@ Result<DecodedChannels> read_channels(std::span<const std::byte> bytes, const Ch
 Result<Channels> decode_channels(std::span<const std::byte> bytes, std::uint32_t crc,
                                  const Channels& baseline);
 
-}  // namespace jostle::wire
+}  // namespace jostle::snapshot

@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <span>
 
-namespace jostle::wire {
+namespace jostle::snapshot {
 
 std::uint32_t crc32(std::span<const std::byte> bytes);
 
@@ -30,4 +30,4 @@ private:
     std::array<std::array<std::uint32_t, 256>, 4> table_;
 };
 
-}  // namespace jostle::wire
+}  // namespace jostle::snapshot

@@ -15,7 +15,7 @@
 #include "jostle/snapshot/baselines.h"
 #include "jostle/snapshot/predict.h"
 
-namespace jostle::wire {
+namespace jostle::snapshot {
 
 inline Error corrupt(std::string message) {
     return {ErrorCode::corrupt_data, std::move(message)};
@@ -85,4 +85,4 @@ inline bool is_position(std::int64_t v) {
     return v >= -2147483648ll && v <= 2147483647ll;
 }
 
-}  // namespace jostle::wire
+}  // namespace jostle::snapshot

@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace jostle::wire {
+namespace jostle::snapshot {
 
 struct EntityState {
     std::uint32_t id = 0;                    ///< never reused in a world, never 0
@@ -54,4 +54,4 @@ struct QuantSpec {
     bool operator==(const QuantSpec&) const = default;
 };
 
-}  // namespace jostle::wire
+}  // namespace jostle::snapshot

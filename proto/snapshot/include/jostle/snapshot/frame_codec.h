@@ -13,7 +13,7 @@
 #include "jostle/base/result.h"
 #include "jostle/snapshot/baselines.h"
 
-namespace jostle::wire {
+namespace jostle::snapshot {
 
 /// Numbers as in Hello.codec and Welcome.codec.
 enum class Codec : std::uint32_t {
@@ -46,4 +46,4 @@ inline constexpr std::size_t crc_block = 128;
 std::uint32_t block_crc(std::span<const EntityState> block);
 std::uint32_t frame_crc(const QuantizedFrame& frame, std::span<const std::uint32_t> blocks);
 
-}  // namespace jostle::wire
+}  // namespace jostle::snapshot

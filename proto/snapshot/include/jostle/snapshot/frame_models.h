@@ -11,7 +11,7 @@
 
 #include "jostle/snapshot/range_coder.h"
 
-namespace jostle::wire {
+namespace jostle::snapshot {
 
 /// Models of a signed number: is it nonzero, negative, above 1, above 3, and odd (2 or 3).
 struct MagnitudeModels {
@@ -58,4 +58,4 @@ inline std::span<BitModel> all_of(FrameModels& models) {
 /// Initial models: one table for baselines that are one or two ticks old, one for older ones.
 const FrameModels& start_models(std::int64_t base_age);
 
-}  // namespace jostle::wire
+}  // namespace jostle::snapshot

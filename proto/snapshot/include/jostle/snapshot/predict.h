@@ -10,7 +10,7 @@
 
 #include "jostle/snapshot/entity_state.h"
 
-namespace jostle::wire {
+namespace jostle::snapshot {
 
 /// Indices of the components that are sent, by index of the omitted one.
 inline constexpr std::uint8_t others[4][3] = {{1, 2, 3}, {0, 2, 3}, {0, 1, 3}, {0, 1, 2}};
@@ -47,4 +47,4 @@ inline std::int64_t divide_rounded(std::int64_t a, std::int64_t b) {
     return a >= 0 ? (a + b / 2) / b : -((-a + b / 2) / b);
 }
 
-}  // namespace jostle::wire
+}  // namespace jostle::snapshot

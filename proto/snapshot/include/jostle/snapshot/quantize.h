@@ -6,7 +6,7 @@
 
 #include "jostle/snapshot/entity_state.h"
 
-namespace jostle::wire {
+namespace jostle::snapshot {
 
 struct Pose {
     std::array<double, 3> position{};            ///< m
@@ -19,4 +19,4 @@ EntityState quantize(std::uint32_t id, const Pose& pose, bool at_rest, const Qua
 
 Pose dequantize(const EntityState& state, const QuantSpec& spec);
 
-}  // namespace jostle::wire
+}  // namespace jostle::snapshot

@@ -14,7 +14,7 @@
 #include <span>
 #include <vector>
 
-namespace jostle::wire {
+namespace jostle::snapshot {
 
 /// The probability of a one, and the confidence in it.
 struct BitModel {
@@ -123,4 +123,4 @@ private:
     std::uint32_t code_ = 0;
 };
 
-}  // namespace jostle::wire
+}  // namespace jostle::snapshot

@@ -6,7 +6,7 @@
 
 #include "jostle/snapshot/entity_diff.h"
 
-namespace jostle::wire {
+namespace jostle::snapshot {
 
 std::vector<std::byte> encode_range_frame(const EntityDiff& to, const Baselines& baselines,
                                           const Spacing& t, const QuantSpec& spec);
@@ -16,4 +16,4 @@ Result<std::vector<EntityState>> decode_range_frame(std::span<const std::byte> p
                                                     const QuantSpec& spec,
                                                     std::size_t max_entities);
 
-}  // namespace jostle::wire
+}  // namespace jostle::snapshot

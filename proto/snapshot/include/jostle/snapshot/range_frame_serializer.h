@@ -14,7 +14,7 @@
 #include "jostle/snapshot/entity_diff.h"
 #include "jostle/snapshot/frame_models.h"
 
-namespace jostle::wire {
+namespace jostle::snapshot {
 
 /// Removed and spawned entities: input of an encoder, output of a decoder.
 struct EntityChanges {
@@ -355,4 +355,4 @@ private:
     std::size_t unchanged_after_ = 0;  // EntityDiff::unchanged_after
 };
 
-}  // namespace jostle::wire
+}  // namespace jostle::snapshot

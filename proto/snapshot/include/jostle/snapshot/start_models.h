@@ -7,8 +7,8 @@
 
 #include <string_view>
 
-namespace jostle::wire {
+namespace jostle::snapshot {
 
 extern const std::string_view start_model_letters[2];
 
-}  // namespace jostle::wire
+}  // namespace jostle::snapshot

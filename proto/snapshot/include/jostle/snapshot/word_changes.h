@@ -10,7 +10,7 @@
 
 #include "jostle/base/result.h"
 
-namespace jostle::wire {
+namespace jostle::snapshot {
 
 struct WordChanges {
     std::string changed;  ///< one bit per word, lowest bit first; trailing zero bytes are omitted
@@ -28,4 +28,4 @@ Result<std::vector<std::uint32_t>> apply_changes(std::span<const std::uint32_t> 
                                                  std::size_t size, std::string_view changed,
                                                  std::string_view values);
 
-}  // namespace jostle::wire
+}  // namespace jostle::snapshot

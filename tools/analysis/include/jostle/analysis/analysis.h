@@ -5,7 +5,7 @@
 
 #include "jostle/analysis/problem.h"
 
-namespace jostle::linear_systems {
+namespace jostle::analysis {
 
 struct Term {
     std::size_t row = 0;
@@ -39,4 +39,4 @@ Analysis analyse(const Problem& problem);
 /// `terms_max` terms.
 std::string to_text(const Redundancy& redundancy, const Problem& problem, int terms_max = 6);
 
-}  // namespace jostle::linear_systems
+}  // namespace jostle::analysis

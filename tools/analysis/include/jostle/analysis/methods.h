@@ -7,7 +7,7 @@
 
 #include "jostle/analysis/problem.h"
 
-namespace jostle::linear_systems {
+namespace jostle::analysis {
 
 enum class Method {
     gauss,         ///< elimination with partial pivoting
@@ -58,4 +58,4 @@ Solution solve(const Problem& problem, Method method, const SolverLimits& limits
 /// Solves the problem with all methods, in the order of the enumeration.
 std::vector<Solution> solve_all(const Problem& problem, const SolverLimits& limits = {});
 
-}  // namespace jostle::linear_systems
+}  // namespace jostle::analysis

@@ -10,7 +10,7 @@
 #include "jostle/analysis/analysis.h"
 #include "jostle/analysis/methods.h"
 
-namespace jostle::linear_systems {
+namespace jostle::analysis {
 
 struct PreconditioningResult {
     bool scaled = false;
@@ -32,4 +32,4 @@ std::vector<PreconditioningResult> evaluate_preconditioning(
     const Problem& problem, const Analysis& analysis, const SolverLimits& limits = {},
     std::span<const double> epsilons = default_epsilons);
 
-}  // namespace jostle::linear_systems
+}  // namespace jostle::analysis

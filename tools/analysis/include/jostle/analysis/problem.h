@@ -10,7 +10,7 @@
 
 #include "jostle/physics/constraint_system.h"
 
-namespace jostle::linear_systems {
+namespace jostle::analysis {
 
 struct Problem {
     std::size_t count = 0;       ///< number of rows
@@ -37,4 +37,4 @@ Problem problem_of(const physics::ConstraintSystem& system);
 /// A problem without bounds and names.
 Problem problem_of(std::size_t count, std::vector<double> matrix, std::vector<double> rhs);
 
-}  // namespace jostle::linear_systems
+}  // namespace jostle::analysis

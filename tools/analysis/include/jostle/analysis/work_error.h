@@ -11,7 +11,7 @@
 #include <span>
 #include <vector>
 
-namespace jostle::convergence {
+namespace jostle::analysis {
 
 /// Work and error of one run. The caller defines the unit of work and the error measure.
 struct WorkError {
@@ -46,4 +46,4 @@ struct Rms {
     double value() const { return count == 0 ? 0 : std::sqrt(sum / static_cast<double>(count)); }
 };
 
-}  // namespace jostle::convergence
+}  // namespace jostle::analysis

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "jostle/base/network_conditions.h"
 #include "jostle/client/clock_sync.h"
-#include "jostle/client/network_simulator.h"
 #include "jostle/client/security.h"
 
 namespace jostle::client {

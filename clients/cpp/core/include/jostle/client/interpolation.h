@@ -20,7 +20,7 @@ namespace jostle::client {
 /// The pose of one entity.
 struct SmoothPose {
     std::uint32_t entity = 0;
-    wire::Pose pose;
+    snapshot::Pose pose;
 };
 
 /// Buffer of frames, sampled once per rendered frame.
@@ -30,7 +30,7 @@ public:
     /// arrival on the local clock. Ignores a frame that is not newer than the last one.
     /// `after_rest`: the server had stopped sending frames because nothing moved, so the interval
     /// to the previous frame says nothing about the rate.
-    void add(wire::QuantizedFrame frame, std::int64_t server_us, std::int64_t arrived_us,
+    void add(snapshot::QuantizedFrame frame, std::int64_t server_us, std::int64_t arrived_us,
              bool after_rest = false);
     /// The newest frame remains valid until this time.
     void hold(std::int64_t server_us);
@@ -40,14 +40,14 @@ public:
     /// Returns the poses to render at a local time, which must increase from call to call. The
     /// result contains the entities of the later of the two frames, sorted by id; it is empty
     /// before the first frame. A new body is shown at its first pose.
-    std::vector<SmoothPose> sample(std::int64_t now_us, const wire::QuantSpec& spec);
+    std::vector<SmoothPose> sample(std::int64_t now_us, const snapshot::QuantSpec& spec);
 
     /// The clock that determines the time to render.
     const RenderClock& clock() const { return clock_; }
 
 private:
     struct Timed {
-        wire::QuantizedFrame frame;
+        snapshot::QuantizedFrame frame;
         std::int64_t server_us;
     };
     struct RenderedPose {
@@ -61,10 +61,10 @@ private:
         double t;
     };
     FramePair frames_around(double at_us) const;
-    std::vector<RenderedPose> poses_at(double at_us, const wire::QuantSpec& spec) const;
+    std::vector<RenderedPose> poses_at(double at_us, const snapshot::QuantSpec& spec) const;
     bool teleported_since(std::uint32_t entity, std::int64_t server_us,
-                          const wire::QuantSpec& spec) const;
-    void update_errors(const wire::QuantSpec& spec);
+                          const snapshot::QuantSpec& spec) const;
+    void update_errors(const snapshot::QuantSpec& spec);
 
     RenderClock clock_;
     std::deque<Timed> frames_;  // sorted by time; at most 64

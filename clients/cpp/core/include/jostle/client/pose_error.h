@@ -28,9 +28,9 @@ struct BodySpeed {
 };
 
 /// The error of `rendered` against the correct pose `target`.
-PoseError pose_error(const wire::Pose& rendered, const wire::Pose& target);
+PoseError pose_error(const snapshot::Pose& rendered, const snapshot::Pose& target);
 /// The pose to render: `target` plus the error.
-wire::Pose apply_error(const wire::Pose& target, const PoseError& error);
+snapshot::Pose apply_error(const snapshot::Pose& target, const PoseError& error);
 /// The remaining error after `seconds`.
 PoseError decayed(const PoseError& error, const BodySpeed& body_speed, double seconds);
 /// The error, or none if it is too large to be smoothed.

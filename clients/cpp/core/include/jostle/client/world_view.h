@@ -58,13 +58,13 @@ public:
 
     /// The newest frame; frame 0 without entities before the first snapshot. Entities that no
     /// EntityUpdate has added yet are omitted, because a datagram may overtake it.
-    const wire::QuantizedFrame& frame() const {
+    const snapshot::QuantizedFrame& frame() const {
         if (known_frame_) return *known_frame_;
         return frames_.empty() ? none_ : frames_.back().state;
     }
     /// The newest frame for rendering. With an area of interest, distant entities, which are
     /// updated less often, are interpolated between their updates and lag a few ticks behind.
-    wire::QuantizedFrame rendered_frame() const;
+    snapshot::QuantizedFrame rendered_frame() const;
     /// For the number n of the newest frame: bit k means that frame n - 1 - k is stored.
     std::uint32_t ack_bits() const;
     /// Entities by id: shapes, name, owner.
@@ -73,16 +73,16 @@ public:
     /// set. Null: the shape was never received.
     const v1::Shape* resolve_shape(const v1::Shape& shape) const;
     /// Quantization of the poses.
-    const wire::QuantSpec& spec() const { return spec_; }
+    const snapshot::QuantSpec& spec() const { return spec_; }
     /// Codec of the snapshots.
-    wire::Codec codec() const { return codec_; }
+    snapshot::Codec codec() const { return codec_; }
     /// Returns nothing if the entity is not in the newest frame.
-    std::optional<wire::Pose> pose_of(std::uint32_t entity) const;
+    std::optional<snapshot::Pose> pose_of(std::uint32_t entity) const;
     /// Channel kinds of the world (Welcome.channels).
     const std::vector<v1::ChannelKind>& channel_kinds() const { return kinds_; }
     /// Channels of the newest frame, of the kinds that Hello named; values are untrusted. Valid
     /// until the next snapshot.
-    const wire::Channels& channels() const;
+    const snapshot::Channels& channels() const;
     /// Values of one channel; entity 0: the module itself. Empty: no such channel.
     std::span<const std::int32_t> channel(std::string_view kind, std::uint32_t entity) const;
 
@@ -99,26 +99,26 @@ public:
 
 private:
     struct KnownFrame {
-        wire::QuantizedFrame state;
-        wire::Channels channels;
+        snapshot::QuantizedFrame state;
+        snapshot::Channels channels;
     };
 
     const KnownFrame* find(std::uint32_t frame) const;
     void remove_unknown_entities();
-    Result<wire::QuantizedFrame> decode_poses(const v1::Snapshot& snapshot,
-                                              const wire::Baselines& baselines);
+    Result<snapshot::QuantizedFrame> decode_poses(const v1::Snapshot& snapshot,
+                                                  const snapshot::Baselines& baselines);
 
-    wire::QuantSpec spec_;
+    snapshot::QuantSpec spec_;
     std::int64_t epoch_us_ = 0;
     double tick_us_ = 0;  // tick interval
-    wire::Codec codec_ = wire::Codec::bits;
-    wire::QuantizedFrame none_;
-    wire::Channels no_channels_;
+    snapshot::Codec codec_ = snapshot::Codec::bits;
+    snapshot::QuantizedFrame none_;
+    snapshot::Channels no_channels_;
     std::vector<v1::ChannelKind> kinds_;
     std::deque<KnownFrame> frames_;
     bool datagrams_ = false;  // snapshots may overtake entity updates
     // The newest frame without its unknown entities, if it has any.
-    std::optional<wire::QuantizedFrame> known_frame_;
+    std::optional<snapshot::QuantizedFrame> known_frame_;
     std::shared_ptr<InterestCells> cells_;  // null: the client receives the whole world
     std::map<std::uint32_t, v1::Entity> entities_;
     std::map<std::uint64_t, v1::Shape> geometry_;  // chunked shapes, by id

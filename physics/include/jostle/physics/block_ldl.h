@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Block-sparse L D L^T of a symmetric, positive semi-definite matrix in double. The pattern is
-// analysed once and reused for every matrix with that pattern (A. George, J. Liu, "Computer
-// solution of large sparse positive definite systems", 1981; T. Davis, "Direct methods for sparse
-// linear systems", 2006).
+// Block-sparse L D L^T of a symmetric, positive semi-definite matrix in double, for groups of
+// joints and for modules that solve systems of their own. The pattern is analysed once and reused
+// for every matrix with that pattern (A. George, J. Liu, "Computer solution of large sparse
+// positive definite systems", 1981; T. Davis, "Direct methods for sparse linear systems", 2006).
 //
 // A node is a group of rows. An edge means that the matrix couples two nodes. Trees and chains have
 // no fill-in, so factor and solve take time proportional to the number of nodes. Dependent rows, as
@@ -20,73 +20,53 @@
 
 namespace jostle::physics {
 
-inline std::size_t as_index(int i) {
-    return static_cast<std::size_t>(i);
-}
-
-// Returns whether so many joints connect so few bodies that their matrix is dense, as for a cloth,
-// and nearly singular as soon as the cloth bends. Needs no pattern analysis. A few joints on one
-// body (a door on three hinges) do not count.
-inline bool is_net(int joints, int bodies) {
-    return joints > 8 && 2 * joints > 3 * bodies;
-}
-
-// Returns whether so many joints connect so few bodies that many rows are redundant.
-inline bool is_redundant(int joints, int bodies) {
-    return 4 * joints > 5 * bodies;
-}
-
-// Minimum work of a factorisation in which `nodes` nodes of `rows` rows each are all coupled, as
-// the joints of one body are. Needs no edge list, whose length is quadratic.
-inline std::int64_t clique_work(std::size_t nodes, int rows) {
-    if (nodes > 1'000'000) return std::numeric_limits<std::int64_t>::max();
-    const auto n = static_cast<std::int64_t>(nodes), m = std::int64_t{rows};
-    return m * m * m * (n + (n - 1) * n * (n + 1) / 6);
-}
-
+/// Factorises and solves. Not thread-safe, except that several threads may call solve() at once.
 class BlockLdl {
 public:
-    static constexpr int max_rows = 8;  // per node
+    static constexpr int max_rows = 8;  ///< per node
     using Edge = std::pair<int, int>;
 
-    // Orders the elimination by minimum degree, then by number. Edges may occur more than once, in
-    // either direction. Returns false, and the object is then unusable, if a factorisation would
-    // take more than `max_work` multiplications.
+    /// Orders the elimination by minimum degree, then by number. Edges may occur more than once, in
+    /// either direction. Returns false, and the object is then unusable, if a factorisation would
+    /// take more than `max_work` multiplications. Precondition: 1 to max_rows rows per node.
     bool analyze(std::span<const int> rows_of_node, std::span<const Edge> edges,
                  std::int64_t max_work = std::numeric_limits<std::int64_t>::max());
 
     int nodes() const { return static_cast<int>(rows_.size()); }
     int rows() const { return begin_.empty() ? 0 : begin_.back(); }
-    // Index of the first unknown of a node.
+    /// Index of the first unknown of a node.
     int row_of(int node) const { return begin_[static_cast<std::size_t>(position(node))]; }
-    // Multiplications of one factor(): the cost of the pattern.
+    /// Multiplications of one factor(): the cost of the pattern.
     std::int64_t work() const { return work_; }
 
-    // Index of the block of two nodes in values(), row-major. The rows belong to the node that is
-    // eliminated later. Only the lower triangle of a diagonal block is read.
+    /// Index of the block of two nodes in values(), row-major. The rows belong to the node that is
+    /// eliminated later. Only the lower triangle of a diagonal block is read.
     bool is_later(int a, int b) const { return position(a) >= position(b); }
     int block_at(int later, int sooner) const;
     std::span<double> values() { return values_; }
-    void clear();
+    void clear();  ///< sets all values to 0
 
-    // The pattern in elimination order, for other arithmetic on it: nodes, diagonal blocks in the
-    // values, the blocks below them and their updates.
+    /// The pattern in elimination order, for other arithmetic on it: nodes, diagonal blocks in the
+    /// values, the blocks below them and their updates.
     struct Below {
-        int position, at;  // the lower node by elimination order; its block in the values
+        int position, at;  ///< the lower node by elimination order; its block in the values
     };
     struct Update {
-        int at, i, j;  // block at -= L_i D L_j^T; i and j index the column
+        int at, i, j;  ///< block at -= L_i D L_j^T; i and j index the column
     };
     int position(int node) const { return position_[static_cast<std::size_t>(node)]; }
-    int diagonal(int at) const { return diagonal_[as_index(at)]; }
+    int diagonal(int at) const { return diagonal_[static_cast<std::size_t>(at)]; }
     std::span<const Below> below(int at) const { return column(below_, first_below_, at); }
     std::span<const Update> updates(int at) const { return column(updates_, first_update_, at); }
     int value_count() const { return static_cast<int>(values_.size()); }
 
-    // Replaces the values with factors. Returns the number of rows skipped because they depend on
-    // others. Zero rows are skipped, too.
-    int factor();
-    // x: right-hand sides in, unknowns out, indexed by row_of().
+    /// A pivot that elimination reduces to this fraction of its diagonal, or less, depends on
+    /// earlier rows.
+    static constexpr double dependent_pivot = 1e-10;
+    /// Replaces the values with factors. Returns the number of rows skipped because they depend on
+    /// others, according to `dependent`. Zero rows are skipped, too.
+    int factor(double dependent = dependent_pivot);
+    /// x: right-hand sides in, unknowns out, indexed by row_of().
     void solve(std::span<double> x) const;
 
 private:
@@ -95,8 +75,10 @@ private:
     template <class T>
     static std::span<const T> column(const std::vector<T>& all, const std::vector<int>& first,
                                      int at) {
-        const int begin = first[as_index(at)], end = first[as_index(at) + 1];
-        return std::span(all).subspan(as_index(begin), as_index(end - begin));
+        const int begin = first[static_cast<std::size_t>(at)],
+                  end = first[static_cast<std::size_t>(at) + 1];
+        return std::span(all).subspan(static_cast<std::size_t>(begin),
+                                      static_cast<std::size_t>(end - begin));
     }
     int find(int row, int column) const;  // in elimination order
     std::vector<int> order_by_degree(std::span<const int> rows_of_node, std::span<const Edge> edges,
@@ -105,7 +87,7 @@ private:
     void count_work();
     void lay_out();
     template <int kRows>
-    int factor_columns();
+    int factor_columns(double dependent);
     template <int kRows>
     void solve_columns(double* x) const;
 

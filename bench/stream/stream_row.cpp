@@ -9,6 +9,7 @@
 
 #include "bench/processes/server_process.h"
 #include "bench/result_file.h"
+#include "tools/common/socket_address.h"
 #include "tools/load/load_run.h"
 #include "tools/load/passive_client_pool.h"
 
@@ -89,7 +90,7 @@ Result<Run> run_passive_clients(StreamKind kind, const StreamRequest& request,
     plan.transport = transport_of(kind);
     plan.ack_every = request.ack_every;
     plan.decode_ratio = 0;
-    const auto address = load::resolve(plan.target);
+    const auto address = common::resolve(plan.target);
     if (!address.ok()) return address.error();
     load::PassiveClientPool pool(plan, *address);
     const std::atomic<bool> stop{false};

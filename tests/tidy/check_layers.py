@@ -96,7 +96,7 @@ LAYERS = {
     "tools/load": ["tools/common", "clients/cpp/core", "clients/cpp/cli", "clients/bot", "proto/http2", GENERATED],
     "bench": [PUBLIC, *PHYSICS, "physics/src/constraints", "physics/src/serialization", "physics/src/stages",
               "physics/src/world", *MODULES, "proto/snapshot", "scenes/include", "server/recovery", "server/storage",
-              "server/util", "server/world", "tools/analysis", "tools/load", GENERATED],
+              "server/util", "server/world", "tools/analysis", "tools/common", "tools/load", GENERATED],
 }
 # Only these parts of the server include the World; scene.h provides it to code that builds worlds.
 WORLD = "jostle/physics/world.h"

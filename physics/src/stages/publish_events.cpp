@@ -35,10 +35,10 @@ ContactStay stay_of(const WorldState& world, const Contact& c, const ContactCons
         deepest = minimum(deepest, double{block.gap[k][lane]});
     }
     const double f1 = double{block.friction[0][lane]}, f2 = double{block.friction[1][lane]};
-    return {.shape_a = shape_id(world, c.shape_a),
-            .shape_b = shape_id(world, c.shape_b),
-            .body_a = body_id(world, c.body_a),
-            .body_b = body_id(world, c.body_b),
+    return {.shape_a = shape_id(world.shapes, c.shape_a),
+            .shape_b = shape_id(world.shapes, c.shape_b),
+            .body_a = body_id(world.bodies, c.body_a),
+            .body_b = body_id(world.bodies, c.body_b),
             .point = warm_of(world, c.body_a).center + get_lane(block.arm_a, lane),
             .normal = get_lane(block.normal, lane),
             .normal_impulse = normal * substeps,

@@ -44,7 +44,7 @@ std::uint32_t new_contact(WorldState& world, std::uint32_t shape_a, std::uint32_
                 .shape_b = shape_b,
                 .body_a = world.shapes.shapes[shape_a].body,
                 .body_b = world.shapes.shapes[shape_b].body};
-    ASSERT(is_dynamic(world, c.body_a));
+    ASSERT(is_dynamic(world.bodies, c.body_a));
     link_edge(store, index, 0, world.bodies.cold[c.body_a]);
     link_edge(store, index, 1, world.bodies.cold[c.body_b]);
     return index;
@@ -63,7 +63,7 @@ void unlink_child(ContactStore& store, std::uint32_t child) {
 
 std::uint32_t create_contact(WorldState& world, std::uint32_t shape_a, std::uint32_t shape_b) {
     ContactStore& store = world.contacts;
-    if (!is_dynamic(world, world.shapes.shapes[shape_a].body)) std::swap(shape_a, shape_b);
+    if (!is_dynamic(world.bodies, world.shapes.shapes[shape_a].body)) std::swap(shape_a, shape_b);
     const std::uint32_t index = new_contact(world, shape_a, shape_b);
     store.contacts[index].composite =
         is_composite(kind_of(world.shapes.shapes[shape_a].geometry)) ||
@@ -126,8 +126,8 @@ void end_touch_of_pair(WorldState& world, std::uint32_t pair, std::vector<Contac
 }
 
 void report_end(const WorldState& world, const Contact& c, std::vector<ContactEnd>& ended) {
-    ended.push_back({shape_id(world, c.shape_a), shape_id(world, c.shape_b),
-                     body_id(world, c.body_a), body_id(world, c.body_b)});
+    ended.push_back({shape_id(world.shapes, c.shape_a), shape_id(world.shapes, c.shape_b),
+                     body_id(world.bodies, c.body_a), body_id(world.bodies, c.body_b)});
 }
 
 namespace {
@@ -190,9 +190,9 @@ void begin_touch(WorldState& world, std::uint32_t contact) {
     Contact& c = world.contacts.contacts[contact];
     ASSERT(!c.touching && !c.composite);
     c.touching = true;
-    if (is_dynamic(world, c.body_b)) note_masses(world, c);
+    if (is_dynamic(world.bodies, c.body_b)) note_masses(world, c);
     if (c.parent != none) world.contacts.contacts[c.parent].touching_children++;
-    if (is_dynamic(world, c.body_b))
+    if (is_dynamic(world.bodies, c.body_b))
         join_islands(world, world.bodies.cold[c.body_a].island, world.bodies.cold[c.body_b].island);
 }
 
@@ -210,7 +210,7 @@ void end_touch(WorldState& world, std::uint32_t contact) {
         parent.touching_children--;
         world.changed_pairs.push_back(c.parent);
     }
-    if (is_dynamic(world, c.body_b))
+    if (is_dynamic(world.bodies, c.body_b))
         world.islands.islands[world.bodies.cold[c.body_a].island].may_be_split = true;
 }
 

@@ -24,4 +24,8 @@ struct FieldStore {
     }
 };
 
+inline FieldId field_id(const FieldStore& fields, std::uint32_t field) {
+    return {field, fields.ids.generation(field)};
+}
+
 }  // namespace jostle::physics

@@ -62,7 +62,7 @@ void scale_joints(WorldState& world, std::uint32_t body, double scale) {
     for_each_joint(world.joints, world.bodies.cold[body], [&](std::uint32_t index) {
         Joint& j = world.joints.joints[index];
         // Each joint once: at its first dynamic body.
-        const bool first = is_dynamic(world, j.body_a);
+        const bool first = is_dynamic(world.bodies, j.body_a);
         if ((first ? j.body_a : j.body_b) == body) scale_impulses(j, scale);
     });
 }

@@ -19,7 +19,7 @@ namespace {
 // A kinematic body without velocity, which acts like a static one.
 bool is_parked(const WorldState& world, std::uint32_t body) {
     const BodyWarm& warm = warm_of(world, body);
-    return !is_dynamic(world, body) && warm.v == Vec3{} && warm.w == Vec3{};
+    return !is_dynamic(world.bodies, body) && warm.v == Vec3{} && warm.w == Vec3{};
 }
 
 }  // namespace
@@ -62,7 +62,7 @@ void wake_island(WorldState& world, std::uint32_t island_index, std::vector<Body
     for (const std::uint32_t body : still) hold_still(world, body);
     for (const BodyWarm& warm : sleepers)
         if (!world.bodies.cold[warm.body].asleep_in_place)
-            woke.push_back(body_id(world, warm.body));
+            woke.push_back(body_id(world.bodies, warm.body));
     // The step length may differ from that at the time it fell asleep.
     const double scale = island.dt > 0 && world.last_dt > 0
                              ? world.last_dt * lengthening(world, island) / island.dt

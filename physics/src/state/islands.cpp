@@ -109,7 +109,7 @@ void flood(WorldState& world, std::uint32_t island, std::uint32_t seed) {
         const std::uint32_t body = stack.back();
         stack.pop_back();
         const auto join = [&](std::uint32_t other) {
-            if (!is_dynamic(world, other) || world.bodies.cold[other].island != none) return;
+            if (!is_dynamic(world.bodies, other) || world.bodies.cold[other].island != none) return;
             add_to_island(world, island, other);
             stack.push_back(other);
         };

@@ -34,17 +34,17 @@ void detach_joint_edge(JointStore& store, std::uint32_t joint, unsigned side, Bo
 void reset_density(WorldState& world, std::uint32_t joint) {
     const Joint& j = world.joints.joints[joint];
     for (const std::uint32_t body : {j.body_a, j.body_b})
-        if (is_dynamic(world, body) && world.bodies.cold[body].island != none)
+        if (is_dynamic(world.bodies, body) && world.bodies.cold[body].island != none)
             world.islands.islands[world.bodies.cold[body].island].too_dense_for = -1;
 }
 
 void attach_joint(WorldState& world, std::uint32_t joint) {
     const Joint& j = world.joints.joints[joint];
     ASSERT(j.body_a != j.body_b);
-    ASSERT(is_dynamic(world, j.body_a) || is_dynamic(world, j.body_b));
+    ASSERT(is_dynamic(world.bodies, j.body_a) || is_dynamic(world.bodies, j.body_b));
     if (j.body_a != none) attach_joint_edge(world.joints, joint, 0, world.bodies.cold[j.body_a]);
     attach_joint_edge(world.joints, joint, 1, world.bodies.cold[j.body_b]);
-    if (is_dynamic(world, j.body_a) && is_dynamic(world, j.body_b))
+    if (is_dynamic(world.bodies, j.body_a) && is_dynamic(world.bodies, j.body_b))
         join_islands(world, world.bodies.cold[j.body_a].island, world.bodies.cold[j.body_b].island);
     reset_density(world, joint);
 }
@@ -56,7 +56,7 @@ void destroy_joint(WorldState& world, std::uint32_t joint) {
     const std::uint32_t a = j.body_a, b = j.body_b;
     if (a != none) detach_joint_edge(world.joints, joint, 0, world.bodies.cold[a]);
     detach_joint_edge(world.joints, joint, 1, world.bodies.cold[b]);
-    if (is_dynamic(world, a) && is_dynamic(world, b))
+    if (is_dynamic(world.bodies, a) && is_dynamic(world.bodies, b))
         world.islands.islands[world.bodies.cold[a].island].may_be_split = true;
     const bool collided = j.collide_connected;
     j = Joint{};

@@ -68,7 +68,7 @@ void wake_jointed(WorldState& world, std::uint32_t body, double sleep_time,
         wake_in_place(world, part);
         BodyWarm& warm = warm_of(world, part);
         warm.sleep_time = minimum(warm.sleep_time, sleep_time);
-        woke.push_back(body_id(world, part));
+        woke.push_back(body_id(world.bodies, part));
     }
 }
 

@@ -70,10 +70,10 @@ void destroy_proxy(WorldState& world, std::uint32_t index) {
     // step; record the events while the ids are valid.
     std::erase_if(world.triggers.inside, [&](const Inside& pair) {
         if (pair.trigger != index && pair.shape != index) return false;
-        world.events.pending.left.push_back({shape_id(world, pair.trigger),
-                                             shape_id(world, pair.shape),
-                                             body_id(world, world.shapes.shapes[pair.trigger].body),
-                                             body_id(world, world.shapes.shapes[pair.shape].body)});
+        world.events.pending.left.push_back(
+            {shape_id(world.shapes, pair.trigger), shape_id(world.shapes, pair.shape),
+             body_id(world.bodies, world.shapes.shapes[pair.trigger].body),
+             body_id(world.bodies, world.shapes.shapes[pair.shape].body)});
         return true;
     });
     if (shape.moved) {

@@ -181,7 +181,8 @@ Fault check_joints(const WorldState& world) {
             j.body_a == j.body_b)
             return at("joints", i, "refers to bodies that do not exist");
         expected_edges += to_world ? 1 : 2;
-        if (to_world && !is_dynamic(world, j.body_b)) return at("joints", i, "has no dynamic body");
+        if (to_world && !is_dynamic(world.bodies, j.body_b))
+            return at("joints", i, "has no dynamic body");
         if (to_world) continue;
         const BodyCold &a = world.bodies.cold[j.body_a], &b = world.bodies.cold[j.body_b];
         if (a.type != BodyType::dynamic && b.type != BodyType::dynamic)
@@ -404,7 +405,7 @@ Fault check_islands(const WorldState& world) {
             return at("islands", i, "is awake but stores manifolds");
     }
     for (std::uint32_t b = 0; b < world.bodies.cold.size(); b++)
-        dynamic += body_alive(world, b) && is_dynamic(world, b) ? 1 : 0;
+        dynamic += body_alive(world, b) && is_dynamic(world.bodies, b) ? 1 : 0;
     if (listed != dynamic) return "islands: some bodies are not on an island's list";
     return {};
 }

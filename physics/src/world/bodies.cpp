@@ -20,7 +20,7 @@ namespace {
 BodyState state_of_body(const WorldState& world, std::uint32_t index) {
     const BodyCold& cold = world.bodies.cold[index];
     const BodyWarm& warm = warm_of(world, index);
-    return {.id = body_id(world, index),
+    return {.id = body_id(world.bodies, index),
             .type = cold.type,
             .pose = pose_of(warm, cold),
             .center = warm.center,
@@ -90,7 +90,7 @@ Result<BodyId> World::create_body(const BodyDef& def) {
         enter_awake(world, warm);
     if (def.type == BodyType::dynamic) add_to_island(world, create_island(world), index);
     update_motion_bound(world, index, expected_dt(world));
-    return body_id(world, index);
+    return body_id(world.bodies, index);
 }
 
 Result<BodyId> World::create_body(const BodyDef& def, const ShapeDef& shape) {
@@ -202,7 +202,7 @@ std::uint32_t World::body_index_end() const {
 std::vector<BodyId> World::bodies() const {
     std::vector<BodyId> ids;
     for (std::uint32_t i = 0; i < state_->bodies.ids.size(); i++)
-        if (state_->bodies.ids.alive(i)) ids.push_back(body_id(*state_, i));
+        if (state_->bodies.ids.alive(i)) ids.push_back(body_id(state_->bodies, i));
     return ids;
 }
 

@@ -32,7 +32,7 @@ Status check_type(const WorldState& world, std::uint32_t body, BodyType type) {
     for_each_joint(world.joints, cold, [&](std::uint32_t index) {
         const Joint& joint = world.joints.joints[index];
         const std::uint32_t other = joint.body_a == body ? joint.body_b : joint.body_a;
-        if (type != BodyType::dynamic && !is_dynamic(world, other))
+        if (type != BodyType::dynamic && !is_dynamic(world.bodies, other))
             joints = Error{ErrorCode::failed_precondition,
                            "joint {" + std::to_string(index) + ", " +
                                std::to_string(world.joints.ids.generation(index)) +
@@ -70,7 +70,7 @@ void change_type(WorldState& world, std::uint32_t body, BodyType type) {
     if (type != BodyType::dynamic) return;
     for_each_joint(world.joints, cold, [&](std::uint32_t index) {
         const Joint& joint = world.joints.joints[index];
-        if (is_dynamic(world, joint.body_a) && is_dynamic(world, joint.body_b))
+        if (is_dynamic(world.bodies, joint.body_a) && is_dynamic(world.bodies, joint.body_b))
             join_islands(world, world.bodies.cold[joint.body_a].island,
                          world.bodies.cold[joint.body_b].island);
     });
@@ -127,7 +127,7 @@ Status World::set_awake(BodyId body, bool awake) {
     for (std::uint32_t b = world.islands.islands[island].first; b != none;
          b = world.bodies.cold[b].island_next) {
         if (!world.bodies.cold[b].asleep_in_place)
-            world.events.pending.fell_asleep.push_back(body_id(world, b));
+            world.events.pending.fell_asleep.push_back(body_id(world.bodies, b));
         wake_in_place(world, b);
     }
     put_island_to_sleep(world, island, world.events.pending.ended);

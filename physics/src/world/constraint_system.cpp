@@ -37,7 +37,7 @@ std::vector<std::uint32_t> constrained_group(const WorldState& world, std::uint3
     std::vector<bool> seen(world.bodies.cold.size());
     seen[body] = true;
     const auto visit = [&](std::uint32_t other) {
-        if (!is_dynamic(world, other) || seen[other]) return;
+        if (!is_dynamic(world.bodies, other) || seen[other]) return;
         seen[other] = true;
         found.push_back(other);
     };
@@ -84,7 +84,7 @@ SystemBody system_body(const WorldState& world, std::uint32_t index,
                        const ConstraintSystemOptions& options, double h) {
     const BodyCold& cold = world.bodies.cold[index];
     const BodyWarm& warm = warm_of(world, index);
-    SystemBody body{.id = body_id(world, index),
+    SystemBody body{.id = body_id(world.bodies, index),
                     .moves = cold.type == BodyType::dynamic,
                     .inverse_inertia = diagonal({0, 0, 0})};
     if (cold.type != BodyType::static_body) {
@@ -160,8 +160,10 @@ struct ConstraintSystemBuilder {
     }
 
     void add_joint_row(std::uint32_t index, const JointRow& from) {
-        ConstraintRow row{
-            .role = from.role, .axis = from.axis, .joint = joint_id(world, index), .jacobians = {}};
+        ConstraintRow row{.role = from.role,
+                          .axis = from.axis,
+                          .joint = joint_id(world.joints, index),
+                          .jacobians = {}};
         for (int p = 0; p < from.jacobian_count; p++)
             if (from.jacobians[p].body != none)
                 row.jacobians[row.jacobian_count++] = {number(from.jacobians[p].body),
@@ -307,7 +309,7 @@ Result<ConstraintSystem> system_of(const WorldState& world, std::uint32_t body,
     const auto too_many = [&] {
         return Error{ErrorCode::resource_exhausted,
                      "the group of body {" + std::to_string(body) + ", " +
-                         std::to_string(body_id(world, body).generation) + "} has " +
+                         std::to_string(body_id(world.bodies, body).generation) + "} has " +
                          std::to_string(bodies.size()) + " bodies with more than " +
                          std::to_string(constraint_rows_max) + " rows; use a smaller group"};
     };
@@ -325,7 +327,7 @@ Result<ConstraintSystem> system_of(const WorldState& world, std::uint32_t body,
         return Error{
             ErrorCode::failed_precondition,
             "body {" + std::to_string(body) + ", " +
-                std::to_string(body_id(world, body).generation) +
+                std::to_string(body_id(world.bodies, body).generation) +
                 "} has no constraint rows: it touches nothing and none of its joints acts"};
     all.sort_bodies();
     all.system.h = h;
@@ -340,7 +342,7 @@ Result<ConstraintSystem> World::constraint_system(BodyId body,
     const WorldState& world = *state_;
     if (Status s = check_options(options); !s.ok()) return s.error();
     if (Status s = check_id(world, body); !s.ok()) return s.error();
-    if (!is_dynamic(world, body.index))
+    if (!is_dynamic(world.bodies, body.index))
         return Error{ErrorCode::failed_precondition,
                      "body {" + std::to_string(body.index) + ", " +
                          std::to_string(body.generation) +
@@ -354,7 +356,8 @@ Result<ConstraintSystem> World::constraint_system(JointId joint,
     if (Status s = check_options(options); !s.ok()) return s.error();
     if (Status s = check_id(world, joint); !s.ok()) return s.error();
     const Joint& named = world.joints.joints[joint.index];
-    return system_of(world, is_dynamic(world, named.body_b) ? named.body_b : named.body_a, options);
+    return system_of(world, is_dynamic(world.bodies, named.body_b) ? named.body_b : named.body_a,
+                     options);
 }
 
 }  // namespace jostle::physics

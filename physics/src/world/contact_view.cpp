@@ -28,10 +28,10 @@ void fill_points(ContactInfo& info, Vec3 center, Row&& row) {
 
 ContactInfo info_of(const WorldState& world, std::uint32_t index) {
     const Contact& c = world.contacts.contacts[index];
-    return {.shape_a = shape_id(world, c.shape_a),
-            .shape_b = shape_id(world, c.shape_b),
-            .body_a = body_id(world, c.body_a),
-            .body_b = body_id(world, c.body_b),
+    return {.shape_a = shape_id(world.shapes, c.shape_a),
+            .shape_b = shape_id(world.shapes, c.shape_b),
+            .body_a = body_id(world.bodies, c.body_a),
+            .body_b = body_id(world.bodies, c.body_b),
             .normal = {},
             .point = {},
             .touching = c.touching};

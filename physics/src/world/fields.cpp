@@ -44,7 +44,7 @@ Result<FieldId> World::create_field(const FieldDef& def) {
     world.fields.fields[index] = stored(def);
     wake_region(world, def);
     update_bounds(world);
-    return field_id(world, index);
+    return field_id(world.fields, index);
 }
 
 Status World::set_field(FieldId field, const FieldDef& def) {
@@ -79,7 +79,8 @@ Result<FieldDef> World::field(FieldId field) const {
 
 std::vector<FieldId> World::fields() const {
     std::vector<FieldId> ids;
-    for (const std::uint32_t index : state_->fields.active) ids.push_back(field_id(*state_, index));
+    for (const std::uint32_t index : state_->fields.active)
+        ids.push_back(field_id(state_->fields, index));
     return ids;
 }
 

@@ -50,7 +50,7 @@ Result<std::vector<BodyId>> World::touching_bodies(BodyId body) const {
     for_each_contact(world.contacts, world.bodies.cold[body.index], [&](std::uint32_t contact) {
         const Contact& c = world.contacts.contacts[contact];
         if (c.touching)
-            touching.push_back(body_id(world, c.body_a == body.index ? c.body_b : c.body_a));
+            touching.push_back(body_id(world.bodies, c.body_a == body.index ? c.body_b : c.body_a));
     });
     std::sort(touching.begin(), touching.end());
     touching.erase(std::unique(touching.begin(), touching.end()), touching.end());
@@ -65,7 +65,7 @@ std::vector<std::vector<BodyId>> World::islands() const {
         all.emplace_back();
         for (std::uint32_t b = world.islands.islands[i].first; b != none;
              b = world.bodies.cold[b].island_next)
-            all.back().push_back(body_id(world, b));
+            all.back().push_back(body_id(world.bodies, b));
         std::sort(all.back().begin(), all.back().end());
     }
     return all;

@@ -27,7 +27,7 @@ Status check_joint(const WorldState& world, const JointDef& def) {
     if (def.body_a == def.body_b)
         return invalid_argument(
             "body_a and body_b are the same body; a joint needs two different bodies");
-    if (!is_dynamic(world, def.body_a.index) && !is_dynamic(world, def.body_b.index))
+    if (!is_dynamic(world.bodies, def.body_a.index) && !is_dynamic(world.bodies, def.body_b.index))
         return Error{
             ErrorCode::failed_precondition,
             "neither body_a nor body_b is dynamic; a joint needs at least one dynamic body"};
@@ -41,8 +41,8 @@ Status check_joint(const WorldState& world, const JointDef& def) {
 }
 
 JointDef def_of(const WorldState& world, const Joint& j) {
-    return {.body_a = body_id(world, j.body_a),
-            .body_b = body_id(world, j.body_b),
+    return {.body_a = body_id(world.bodies, j.body_a),
+            .body_b = body_id(world.bodies, j.body_b),
             .frame_a = j.frame_a,
             .frame_b = j.frame_b,
             .kind = j.kind,
@@ -99,7 +99,7 @@ Result<JointId> World::create_joint(const JointDef& def) {
     j.user_data = def.user_data;
     j.solver = def.solver;
     attach_joint(world, index);
-    return joint_id(world, index);
+    return joint_id(world.joints, index);
 }
 
 Status World::destroy_joint(JointId id) {
@@ -194,7 +194,7 @@ Result<JointState> World::joint(JointId id) const {
 std::vector<JointId> World::joints() const {
     std::vector<JointId> ids;
     for (std::uint32_t i = 0; i < state_->joints.ids.size(); i++)
-        if (state_->joints.ids.alive(i)) ids.push_back(joint_id(*state_, i));
+        if (state_->joints.ids.alive(i)) ids.push_back(joint_id(state_->joints, i));
     return ids;
 }
 
@@ -202,7 +202,7 @@ std::vector<JointId> World::joints_of(BodyId body) const {
     std::vector<JointId> ids;
     if (!contains(body)) return ids;
     for_each_joint(state_->joints, state_->bodies.cold[body.index],
-                   [&](std::uint32_t joint) { ids.push_back(joint_id(*state_, joint)); });
+                   [&](std::uint32_t joint) { ids.push_back(joint_id(state_->joints, joint)); });
     std::sort(ids.begin(), ids.end());
     return ids;
 }

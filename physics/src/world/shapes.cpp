@@ -60,7 +60,7 @@ Result<ShapeId> World::create_shape(BodyId body, const ShapeDef& def) {
     update_mass(world, body.index);
     after_move(world, body.index);
     create_proxy(world, index);
-    return shape_id(world, index);
+    return shape_id(world.shapes, index);
 }
 
 Status World::destroy_shape(ShapeId id) {
@@ -106,7 +106,7 @@ Result<std::vector<ShapeId>> World::set_shapes(BodyId body, std::span<const Shap
     cold.first_shape = cold.last_shape = none;
     std::vector<ShapeId> created;
     for (const ShapeDef& def : defs)
-        created.push_back(shape_id(world, add_record(world, body.index, def)));
+        created.push_back(shape_id(world.shapes, add_record(world, body.index, def)));
     update_mass(world, body.index);
     after_move(world, body.index);
     for (const ShapeId& shape : created) create_proxy(world, shape.index);
@@ -117,7 +117,7 @@ Result<ShapeState> World::shape(ShapeId id) const {
     if (Status s = check_id(*state_, id); !s.ok()) return s.error();
     const ShapeRecord& shape = state_->shapes.shapes[id.index];
     return ShapeState{.id = id,
-                      .body = body_id(*state_, shape.body),
+                      .body = body_id(state_->bodies, shape.body),
                       .geometry = shape.geometry,
                       .pose = shape.pose,
                       .material = shape.material,
@@ -134,7 +134,7 @@ std::vector<ShapeId> World::shapes_of(BodyId body) const {
     if (!contains(body)) return shapes;
     for (std::uint32_t s = state_->bodies.cold[body.index].first_shape; s != none;
          s = state_->shapes.shapes[s].next)
-        shapes.push_back(shape_id(*state_, s));
+        shapes.push_back(shape_id(state_->shapes, s));
     return shapes;
 }
 

@@ -103,8 +103,8 @@ TEST(ContactGraph, destroying_a_touching_contact_reports_an_end_with_both_ids) {
     begin_touch(balls.state, contact);
     destroy_contacts_between(balls.state, a, b, balls.ended);
     ASSERT_EQ(balls.ended.size(), 1u);
-    EXPECT_EQ(balls.ended[0].body_a, body_id(balls.state, a));
-    EXPECT_EQ(balls.ended[0].shape_b, shape_id(balls.state, balls.shape(b)));
+    EXPECT_EQ(balls.ended[0].body_a, body_id(balls.state.bodies, a));
+    EXPECT_EQ(balls.ended[0].shape_b, shape_id(balls.state.shapes, balls.shape(b)));
     EXPECT_EQ(balls.fault(), "");
 }
 

@@ -47,7 +47,7 @@ struct StackAndNeighbour {
         const Contact* found = nullptr;
         for_each_contact(state.contacts, state.bodies.cold[box.index], [&](std::uint32_t index) {
             const Contact& c = state.contacts.contacts[index];
-            if (!is_dynamic(state, c.body_b)) found = &c;
+            if (!is_dynamic(state.bodies, c.body_b)) found = &c;
         });
         return *found;
     }

@@ -111,8 +111,8 @@ TEST(Islands, are_split_where_contacts_ended) {
 
 TEST(Islands, joints_keep_islands_together_without_contacts) {
     Row row(3);
-    const auto joint = must(
-        row.world.create_joint({.body_a = body_id(row.state, 0), .body_b = body_id(row.state, 2)}));
+    const auto joint = must(row.world.create_joint(
+        {.body_a = body_id(row.state.bodies, 0), .body_b = body_id(row.state.bodies, 2)}));
     end_touch(row.state, row.touch(0, 1));
     split_island(row.state, row.island_of(0));
     EXPECT_EQ(row.island_of(0), row.island_of(2));

@@ -98,13 +98,13 @@ TEST(PartialSleep, waking_one_body_keeps_its_rest_time) {
 
 TEST(PartialSleep, jointed_bodies_wake_together) {
     HeavyStack stack;
-    must(stack.world.create_joint({.body_a = body_id(stack.state, stack.boxes[1]),
-                                   .body_b = body_id(stack.state, stack.boxes[3])}));
+    must(stack.world.create_joint({.body_a = body_id(stack.state.bodies, stack.boxes[1]),
+                                   .body_b = body_id(stack.state.bodies, stack.boxes[3])}));
     sleep_in_place(stack.state, stack.boxes);
     for (const std::uint32_t box : stack.boxes) warm_of(stack.state, box).sleep_time = 9;
     wake_from_partial_sleep(stack.state, stack.boxes[3], stack.woke);
-    EXPECT_EQ(stack.woke, (std::vector{body_id(stack.state, stack.boxes[1]),
-                                       body_id(stack.state, stack.boxes[3])}));
+    EXPECT_EQ(stack.woke, (std::vector{body_id(stack.state.bodies, stack.boxes[1]),
+                                       body_id(stack.state.bodies, stack.boxes[3])}));
     EXPECT_EQ(warm_of(stack.state, stack.boxes[1]).sleep_time, 0);
     EXPECT_TRUE(stack.asleep(2)) << "it lies between them and is not tied";
     wake_from_partial_sleep(stack.state, stack.boxes[3], stack.woke);

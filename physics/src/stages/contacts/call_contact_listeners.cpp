@@ -32,10 +32,10 @@ ContactModifier call_contact_listeners(const WorldState& world, const PreSolveCo
                                        ContactModifier modifier) {
     ASSERT(world.listeners.stepping != nullptr && has_pre_solve_listeners(world.listeners));
     PreSolve pair{.world = *world.listeners.stepping,
-                  .shape_a = shape_id(world, m.shape_a),
-                  .shape_b = shape_id(world, m.shape_b),
-                  .body_a = body_id(world, world.shapes.shapes[m.shape_a].body),
-                  .body_b = body_id(world, world.shapes.shapes[m.shape_b].body),
+                  .shape_a = shape_id(world.shapes, m.shape_a),
+                  .shape_b = shape_id(world.shapes, m.shape_b),
+                  .body_a = body_id(world.bodies, world.shapes.shapes[m.shape_a].body),
+                  .body_b = body_id(world.bodies, world.shapes.shapes[m.shape_b].body),
                   .normal = m.normal,
                   .point = m.point,
                   .velocity = m.velocity,

@@ -748,9 +748,9 @@ private:
 
     void report(std::uint32_t own, std::uint32_t other, const HardestPoint& hit) {
         if (hit.approach < world_.def.hit_speed || hit.approach <= 0) return;
-        world_.events.hits.push_back({shape_id(world_, own), shape_id(world_, other),
-                                      body_id(world_, world_.shapes.shapes[own].body),
-                                      body_id(world_, world_.shapes.shapes[other].body),
+        world_.events.hits.push_back({shape_id(world_.shapes, own), shape_id(world_.shapes, other),
+                                      body_id(world_.bodies, world_.shapes.shapes[own].body),
+                                      body_id(world_.bodies, world_.shapes.shapes[other].body),
                                       hit.point.position, hit.point.normal, hit.approach});
     }
 

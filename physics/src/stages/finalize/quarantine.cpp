@@ -60,7 +60,7 @@ Skipped quarantine(StepContext& step) {
         if (not_finite[i] == 0) continue;
         const std::uint32_t body = world.bodies.awake[i].body;
         ASSERT(is_finite(world.bodies.awake[i].center));
-        world.events.quarantined.push_back(body_id(world, body));
+        world.events.quarantined.push_back(body_id(world.bodies, body));
         for_each_contact(world.contacts, world.bodies.cold[body], [&](std::uint32_t contact) {
             const Contact& c = world.contacts.contacts[contact];
             if (c.colour >= 0) clear_manifold(lane_ref_of(world, c));

@@ -21,10 +21,10 @@ ContactBegin begin_event(WorldState& world, const Contact& c) {
     const BodyWarm &a = warm_of(world, c.body_a), &b = warm_of(world, c.body_b);
     const Vec3 point = a.center + get_lane(lane_ref.block->arm_a, lane_ref.lane);
     const Vec3 va = a.v + cross(a.w, point - a.center), vb = b.v + cross(b.w, point - b.center);
-    return {.shape_a = shape_id(world, c.shape_a),
-            .shape_b = shape_id(world, c.shape_b),
-            .body_a = body_id(world, c.body_a),
-            .body_b = body_id(world, c.body_b),
+    return {.shape_a = shape_id(world.shapes, c.shape_a),
+            .shape_b = shape_id(world.shapes, c.shape_b),
+            .body_a = body_id(world.bodies, c.body_a),
+            .body_b = body_id(world.bodies, c.body_b),
             .point = point,
             .normal = normal,
             .approach = maximum(0, -dot(normal, vb - va))};
@@ -110,7 +110,7 @@ Skipped merge_islands(StepContext& step) {
     for (const std::uint32_t contact : changes) {
         toggle_touch(world, contact);
         const Contact& c = world.contacts.contacts[contact];
-        if (c.touching && is_dynamic(world, c.body_b)) note_heavy(world.bodies, c, heavy);
+        if (c.touching && is_dynamic(world.bodies, c.body_b)) note_heavy(world.bodies, c, heavy);
     }
     raise_to_heavy_tier(world, heavy);
     report_composites(world);

@@ -62,8 +62,8 @@ TriggerEvent event_of(const WorldState& world, const Inside& pair) {
     ASSERT(world.shapes.ids.alive(pair.trigger) && world.shapes.ids.alive(pair.shape));
     const std::uint32_t own = world.shapes.shapes[pair.trigger].body,
                         body = world.shapes.shapes[pair.shape].body;
-    return {shape_id(world, pair.trigger), shape_id(world, pair.shape), body_id(world, own),
-            body_id(world, body)};
+    return {shape_id(world.shapes, pair.trigger), shape_id(world.shapes, pair.shape),
+            body_id(world.bodies, own), body_id(world.bodies, body)};
 }
 
 }  // namespace

@@ -150,7 +150,7 @@ void put_parts_to_sleep(StepContext& step) {
     }
     sleep_in_place(world, falling_asleep);
     for (const std::uint32_t body : falling_asleep)
-        world.events.fell_asleep.push_back(body_id(world, body));
+        world.events.fell_asleep.push_back(body_id(world.bodies, body));
 }
 
 }  // namespace jostle::physics

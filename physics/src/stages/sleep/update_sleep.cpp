@@ -65,7 +65,7 @@ void fall_asleep(WorldState& world, std::uint32_t island) {
     for (std::uint32_t body = world.islands.islands[island].first; body != none;
          body = world.bodies.cold[body].island_next) {
         if (!world.bodies.cold[body].asleep_in_place)
-            world.events.fell_asleep.push_back(body_id(world, body));
+            world.events.fell_asleep.push_back(body_id(world.bodies, body));
         wake_in_place(world, body);
     }
     put_island_to_sleep(world, island, world.events.contacts_ended);

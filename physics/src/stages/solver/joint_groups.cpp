@@ -32,7 +32,7 @@ bool may_be_grouped(const BodyCold& cold) {
 }
 
 bool is_pushed(const WorldState& world, std::uint32_t body) {
-    return body != none && is_dynamic(world, body);
+    return body != none && is_dynamic(world.bodies, body);
 }
 
 bool is_known(const WorldState& world, const Joint& joint) {

@@ -263,9 +263,9 @@ void break_joints(StepContext& step) {
     std::sort(broken.begin(), broken.end());
     for (const std::uint32_t index : broken) {
         const Joint& joint = world.joints.joints[index];
-        world.events.joints_broke.push_back({joint_id(world, index), body_id(world, joint.body_a),
-                                             body_id(world, joint.body_b), length(joint.force),
-                                             length(joint.torque)});
+        world.events.joints_broke.push_back(
+            {joint_id(world.joints, index), body_id(world.bodies, joint.body_a),
+             body_id(world.bodies, joint.body_b), length(joint.force), length(joint.torque)});
         destroy_joint(world, index);
     }
 }

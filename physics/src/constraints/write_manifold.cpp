@@ -190,7 +190,7 @@ double anchor_blend_of(const WorldState& world, const Contact& contact) {
 
 void write_manifold(WorldState& world, const Contact& contact, const Manifold& m, bool fresh) {
     ASSERT(m.count >= 1 && m.count <= 4);
-    const ContactLaneRef lane_ref = lane_ref_of(world, contact);
+    const ContactLaneRef lane_ref = lane_ref_of(world.graph, contact);
     ContactConstraintWide& block = *lane_ref.block;
     const int lane = lane_ref.lane;
     const PreviousImpulses old =
@@ -235,7 +235,7 @@ void write_manifold(WorldState& world, const Contact& contact, const Manifold& m
     block.friction[0][lane] = as_float(dot(old.friction, t1));
     block.friction[1][lane] = as_float(dot(old.friction, t2));
     if (fresh) block.torsion[lane] = 0;
-    write_effective_mass(world, contact, {n, t1, arm_a, arm_b});
+    write_effective_mass(world, world.graph, contact, {n, t1, arm_a, arm_b});
 
     const Material& ma = world.shapes.shapes[contact.shape_a].material;
     const Material& mb = world.shapes.shapes[contact.shape_b].material;

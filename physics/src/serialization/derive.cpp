@@ -32,9 +32,9 @@ void derive_contacts(WorldState& world) {
         const Contact& c = world.contacts.contacts[i];
         if (c.parent == none) world.contacts.pairs.insert(pair_key(c.shape_a, c.shape_b));
         if (c.colour < 0) continue;
-        write_body_indices(world, c);
+        write_body_indices(world.bodies, world.graph, c);
         derive_flags(world, c);
-        const ContactLaneRef lane_ref = lane_ref_of(world, c);
+        const ContactLaneRef lane_ref = lane_ref_of(world.graph, c);
         lane_ref.meta->set(LaneFlag::bounces, lane_ref.lane,
                            lane_ref.meta->restitution[lane_ref.lane] > 0);
         lane_ref.meta->set(LaneFlag::touching_now, lane_ref.lane, c.touching);

@@ -40,7 +40,7 @@ void update_overload_level(WorldState& world, OverloadState to) {
             const ColourSetKey set{tier, batch};
             scale[index_of(set)] /= substeps_of(set, world);
         }
-    scale_awake(world, scale);
+    scale_awake(world, world.joints, scale);
 }
 
 }  // namespace

@@ -15,47 +15,48 @@ namespace jostle::physics {
 namespace {
 
 template <class Visit>
-void for_each_manifold(WorldState& world, std::uint32_t body, Visit&& visit) {
-    for_each_manifold(world.contacts, world.bodies.cold[body], visit);
+void for_each_manifold(const ContactGraph& stores, std::uint32_t body, Visit&& visit) {
+    for_each_manifold(stores.contacts, stores.bodies.cold[body], visit);
 }
 
 // After one of its bodies fell asleep or woke: moves the contact to its colour set and recomputes
 // the effective masses of solved contacts.
-void move_to_own_set(WorldState& world, std::uint32_t contact) {
-    const Contact& c = world.contacts.contacts[contact];
-    const ColourSetKey target = set_of_contact(world, c);
-    if (target != c.colour_set) move_contact(world, contact);
-    if (target != asleep_set) rewrite_effective_mass(world, c);
+void move_to_own_set(ContactGraph& stores, std::uint32_t contact) {
+    const Contact& c = stores.contacts.contacts[contact];
+    const ColourSetKey target = set_of_contact(stores, c);
+    if (target != c.colour_set) move_contact(stores, contact);
+    if (target != asleep_set) rewrite_effective_mass(stores, stores.graph, c);
 }
 
 }  // namespace
 
-void hold_still(WorldState& world, std::uint32_t body) {
-    BodyCold& cold = world.bodies.cold[body];
+void hold_still(BodyStore& bodies, std::uint32_t body) {
+    BodyCold& cold = bodies.cold[body];
     ASSERT(cold.set == BodySet::awake && !cold.asleep_in_place);
     cold.asleep_in_place = true;
-    BodyWarm& warm = warm_of(world, body);
+    BodyWarm& warm = bodies.awake[cold.at];
     warm.v = warm.w = {};
-    world.bodies.motion[body].bound = world.bodies.motion[body].travel;
-    world.bodies.asleep_in_place++;
+    bodies.motion[body].bound = bodies.motion[body].travel;
+    bodies.asleep_in_place++;
 }
 
-void sleep_in_place(WorldState& world, std::span<const std::uint32_t> bodies) {
+void sleep_in_place(ContactGraph& stores, std::span<const std::uint32_t> bodies) {
     for (const std::uint32_t body : bodies)
-        for_each_manifold(world, body, [&](std::uint32_t contact) { save_load(world, contact); });
-    for (const std::uint32_t body : bodies) hold_still(world, body);
+        for_each_manifold(stores, body, [&](std::uint32_t contact) { save_load(stores, contact); });
+    for (const std::uint32_t body : bodies) hold_still(stores.bodies, body);
     for (const std::uint32_t body : bodies)
-        for_each_manifold(world, body,
-                          [&](std::uint32_t contact) { move_to_own_set(world, contact); });
+        for_each_manifold(stores, body,
+                          [&](std::uint32_t contact) { move_to_own_set(stores, contact); });
 }
 
-void wake_in_place(WorldState& world, std::uint32_t body) {
-    BodyCold& cold = world.bodies.cold[body];
+void wake_in_place(ContactGraph& stores, std::uint32_t body) {
+    BodyCold& cold = stores.bodies.cold[body];
     if (!cold.asleep_in_place) return;
-    ASSERT(cold.set == BodySet::awake && world.bodies.asleep_in_place > 0);
+    ASSERT(cold.set == BodySet::awake && stores.bodies.asleep_in_place > 0);
     cold.asleep_in_place = false;
-    world.bodies.asleep_in_place--;
-    for_each_manifold(world, body, [&](std::uint32_t contact) { move_to_own_set(world, contact); });
+    stores.bodies.asleep_in_place--;
+    for_each_manifold(stores, body,
+                      [&](std::uint32_t contact) { move_to_own_set(stores, contact); });
 }
 
 namespace {
@@ -64,7 +65,8 @@ namespace {
 void wake_jointed(WorldState& world, std::uint32_t body, double sleep_time,
                   std::vector<BodyId>& woke) {
     if (!world.bodies.cold[body].asleep_in_place) return;
-    for (const std::uint32_t part : jointed_with(world, body).bodies) {
+    for (const std::uint32_t part :
+         jointed_with(world.bodies, world.joints, world.scratch, body).bodies) {
         wake_in_place(world, part);
         BodyWarm& warm = warm_of(world, part);
         warm.sleep_time = minimum(warm.sleep_time, sleep_time);

@@ -7,12 +7,12 @@
 #include <optional>
 #include <string>
 
-#include "physics/src/state/world_state.h"
+#include "physics/src/state/world_stores.h"
 
 namespace jostle::physics {
 
 // Returns the first inconsistency, or nullopt. Reads only loaded data, so it can run before
 // serialization/derive.h.
-std::optional<std::string> find_fault(const WorldState& world);
+std::optional<std::string> find_fault(const WorldStores& world);
 
 }  // namespace jostle::physics

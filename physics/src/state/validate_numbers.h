@@ -8,11 +8,11 @@
 #include <optional>
 #include <string>
 
-#include "physics/src/state/world_state.h"
+#include "physics/src/state/world_stores.h"
 
 namespace jostle::physics {
 
 // Returns the first number out of range, or nullopt.
-std::optional<std::string> find_number_fault(const WorldState& world);
+std::optional<std::string> find_number_fault(const WorldStores& world);
 
 }  // namespace jostle::physics

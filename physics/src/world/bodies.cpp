@@ -40,10 +40,10 @@ void remove_body(WorldState& world, std::uint32_t body) {
     wake_neighbours(world, body);
     wake_body(world, body);
     destroy_contacts_of(world, body, world.events.pending.ended);
-    while (cold.first_joint != none) destroy_joint(world, cold.first_joint / 2);
+    while (cold.first_joint != none) destroy_joint(world, world.joints, cold.first_joint / 2);
     for (std::uint32_t s = cold.first_shape; s != none;) {
         const std::uint32_t next = world.shapes.shapes[s].next;
-        destroy_proxy(world, s);
+        destroy_proxy(world, s, world.events.pending.left);
         world.shapes.shapes[s] = ShapeRecord{};
         world.shapes.ids.release(s);
         s = next;
@@ -85,10 +85,11 @@ Result<BodyId> World::create_body(const BodyDef& def) {
     warm.axes = to_matrix(warm.rotation);
     obey_locks(world.bodies.cold[index], warm);
     if (def.type == BodyType::static_body)
-        enter_static(world, warm);
+        enter_static(world.bodies, warm);
     else
-        enter_awake(world, warm);
-    if (def.type == BodyType::dynamic) add_to_island(world, create_island(world), index);
+        enter_awake(world.bodies, warm);
+    if (def.type == BodyType::dynamic)
+        add_to_island(world, create_island(world.islands, world.def), index);
     update_motion_bound(world, index, expected_dt(world));
     return body_id(world.bodies, index);
 }

@@ -45,7 +45,7 @@ Status check_type(const WorldState& world, std::uint32_t body, BodyType type) {
 void change_type(WorldState& world, std::uint32_t body, BodyType type) {
     BodyCold& cold = world.bodies.cold[body];
     for (std::uint32_t s = cold.first_shape; s != none; s = world.shapes.shapes[s].next)
-        destroy_proxy(world, s);
+        destroy_proxy(world, s, world.events.pending.left);
     if (cold.island != none) {
         world.islands.islands[cold.island].may_be_split = true;
         remove_from_island(world, body);
@@ -57,11 +57,12 @@ void change_type(WorldState& world, std::uint32_t body, BodyType type) {
     warm.sleep_time = 0;
     if (type == BodyType::static_body) {
         warm.v = warm.w = {};
-        enter_static(world, warm);
+        enter_static(world.bodies, warm);
     } else {
-        enter_awake(world, warm);
+        enter_awake(world.bodies, warm);
     }
-    if (type == BodyType::dynamic) add_to_island(world, create_island(world), body);
+    if (type == BodyType::dynamic)
+        add_to_island(world, create_island(world.islands, world.def), body);
     update_mass(world, body);
     obey_locks(cold, warm_of(world, body));
     after_move(world, body);
@@ -71,7 +72,7 @@ void change_type(WorldState& world, std::uint32_t body, BodyType type) {
     for_each_joint(world.joints, cold, [&](std::uint32_t index) {
         const Joint& joint = world.joints.joints[index];
         if (is_dynamic(world.bodies, joint.body_a) && is_dynamic(world.bodies, joint.body_b))
-            join_islands(world, world.bodies.cold[joint.body_a].island,
+            join_islands(world, world.joints, world.bodies.cold[joint.body_a].island,
                          world.bodies.cold[joint.body_b].island);
     });
 }

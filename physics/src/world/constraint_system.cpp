@@ -48,8 +48,8 @@ std::vector<std::uint32_t> constrained_group(const WorldState& world, std::uint3
             visit(joint.body_a);
             visit(joint.body_b);
             if (!joint_is_geared(joint.kind)) return;
-            visit(find_carrier(world, joint, 0));
-            visit(find_carrier(world, joint, 1));
+            visit(find_carrier(world.bodies, world.joints, joint, 0));
+            visit(find_carrier(world.bodies, world.joints, joint, 1));
         });
         for_each_contact(world.contacts, cold, [&](std::uint32_t index) {
             const Contact& contact = world.contacts.contacts[index];
@@ -149,7 +149,8 @@ struct ConstraintSystemBuilder {
         Carrier carriers[2];
         if (joint_is_geared(joint.kind))
             for (int end = 0; end < 2; end++)
-                carriers[end] = carrier_now(world, find_carrier(world, joint, end));
+                carriers[end] =
+                    carrier_now(world, find_carrier(world.bodies, world.joints, joint, end));
         for (const JointRow& from :
              joint_rows(joint, end_now(world, joint.body_a, joint.frame_a),
                         end_now(world, joint.body_b, joint.frame_b), carriers)) {

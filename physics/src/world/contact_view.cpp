@@ -41,7 +41,7 @@ ContactInfo info_of(const WorldState& world, std::uint32_t index) {
 
 ContactInfo solved_contact(const WorldState& world, std::uint32_t contact) {
     const Contact& c = world.contacts.contacts[contact];
-    const ContactLaneRef lane_ref = lane_ref_of(world, c);
+    const ContactLaneRef lane_ref = lane_ref_of(world.graph, c);
     ContactInfo info = info_of(world, contact);
     fill_points(info, warm_of(world, c.body_a).center,
                 [&](int row) { return float_at(*lane_ref.block, row, lane_ref.lane); });

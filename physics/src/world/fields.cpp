@@ -23,7 +23,7 @@ FieldDef stored(FieldDef def) {
 void wake_region(WorldState& world, const FieldDef& field) {
     for (std::uint32_t body = 0; body < world.bodies.ids.size(); body++)
         if (world.bodies.ids.alive(body) &&
-            acts_on(world, field, warm_of(world, body), world.bodies.cold[body]))
+            acts_on(world.shapes, field, warm_of(world, body), world.bodies.cold[body]))
             wake_body(world, body);
 }
 

@@ -98,7 +98,7 @@ Result<JointId> World::create_joint(const JointDef& def) {
     j.break_torque = def.break_torque;
     j.user_data = def.user_data;
     j.solver = def.solver;
-    attach_joint(world, index);
+    attach_joint(world, world.joints, index);
     return joint_id(world.joints, index);
 }
 
@@ -108,7 +108,7 @@ Status World::destroy_joint(JointId id) {
     const Joint& j = world.joints.joints[id.index];
     if (j.body_a != none) wake_body(world, j.body_a);
     wake_body(world, j.body_b);
-    physics::destroy_joint(world, id.index);
+    physics::destroy_joint(world, world.joints, id.index);
     return {};
 }
 
@@ -123,7 +123,7 @@ Status World::set_joint(JointId id, const JointKind& kind) {
     if (j.kind == kind) return {};
     if (Status s = check_kind(kind); !s.ok()) return s;
     j.kind = kind;
-    reset_density(world, id.index);
+    reset_density(world, world.joints, id.index);
     if (j.body_a != none) wake_body(world, j.body_a);
     wake_body(world, j.body_b);
     return {};
@@ -135,7 +135,7 @@ Status World::set_joint_solver(JointId id, std::optional<JointSolver> solver) {
     if (solver)
         if (Status s = check_joint_solver("solver", *solver); !s.ok()) return s;
     world.joints.joints[id.index].solver = solver;
-    reset_density(world, id.index);
+    reset_density(world, world.joints, id.index);
     return {};
 }
 

@@ -40,7 +40,7 @@ std::uint32_t add_record(WorldState& world, std::uint32_t body, const ShapeDef& 
 }
 
 void free_record(WorldState& world, std::uint32_t shape) {
-    destroy_proxy(world, shape);
+    destroy_proxy(world, shape, world.events.pending.left);
     world.shapes.shapes[shape] = ShapeRecord{};
     world.shapes.ids.release(shape);
 }
@@ -148,7 +148,7 @@ Status World::set_material(ShapeId shape, const Material& material) {
     // Manifolds store the combined material and must be rebuilt.
     destroy_contacts_of_shape(world, shape.index, world.events.pending.ended);
     record.material = material;
-    buffer_move(world, shape.index);
+    buffer_move(world.shapes, world.triggers, shape.index);
     return {};
 }
 
@@ -159,7 +159,7 @@ Status World::set_filter(ShapeId shape, const Filter& filter) {
     wake_neighbours(world, record.body);
     wake_body(world, record.body);
     destroy_contacts_of_shape(world, shape.index, world.events.pending.ended);
-    destroy_proxy(world, shape.index);
+    destroy_proxy(world, shape.index, world.events.pending.left);
     record.filter = filter;
     create_proxy(world, shape.index);
     return {};

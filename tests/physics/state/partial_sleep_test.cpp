@@ -43,7 +43,7 @@ struct HeavyStack {
     const Contact& contact(std::uint32_t index) const { return state.contacts.contacts[index]; }
     // 1/kg of the two boxes of a contact together, as its lane says.
     float inverse_mass(std::uint32_t index) {
-        const ContactLaneRef place = lane_ref_of(state, contact(index));
+        const ContactLaneRef place = lane_ref_of(state.graph, contact(index));
         return place.block->g[0][place.lane];
     }
     std::string fault() const { return find_fault(state).value_or(""); }
@@ -78,8 +78,8 @@ TEST(PartialSleep, sleeping_body_acts_as_static) {
 TEST(PartialSleep, saves_the_forces_at_contacts) {
     HeavyStack stack;
     sleep_in_place(stack.state, std::vector{stack.boxes[0]});
-    EXPECT_NEAR(supported_mass(stack.state, stack.contact(stack.below(1))), 4000, 40);
-    EXPECT_NEAR(supported_mass(stack.state, stack.contact(stack.below(0))), 5000, 50);
+    EXPECT_NEAR(supported_mass(stack.state.def, stack.contact(stack.below(1))), 4000, 40);
+    EXPECT_NEAR(supported_mass(stack.state.def, stack.contact(stack.below(0))), 5000, 50);
 }
 
 TEST(PartialSleep, waking_one_body_keeps_its_rest_time) {

@@ -55,7 +55,7 @@ ContactModifier call_contact_listeners(const WorldState& world, const PreSolveCo
 
 bool modify_contact(WorldState& world, std::uint32_t index) {
     const Contact& c = world.contacts.contacts[index];
-    const ContactLaneRef lane_ref = lane_ref_of(world, c);
+    const ContactLaneRef lane_ref = lane_ref_of(world.graph, c);
     const BodyWarm &a = warm_of(world, c.body_a), &b = warm_of(world, c.body_b);
     const Vec3 point = a.center + get_lane(lane_ref.block->arm_a, lane_ref.lane);
     const ContactModifier given = material_modifier(world, c.shape_a, c.shape_b);
@@ -66,7 +66,7 @@ bool modify_contact(WorldState& world, std::uint32_t index) {
                                given);
     if (is_same(modifier, given)) return false;
     modifier.contact = index;
-    set_modifier(world, modifier);
+    set_modifier(world.contacts, modifier);
     return true;
 }
 

@@ -122,7 +122,7 @@ void match_children(WorldState& world, const Contact& pair, std::vector<FoundChi
     for (std::uint32_t p = pair.first_child; p != none; p = world.contacts.contacts[p].next_child) {
         const Contact& child = world.contacts.contacts[p];
         if (child.colour < 0) continue;
-        const Vec3 normal = normal_of(lane_ref_of(world, child));
+        const Vec3 normal = normal_of(lane_ref_of(world.graph, child));
         FoundChild* best = nullptr;
         double most = tuning::same_part;
         for (FoundChild& f : found) {
@@ -226,7 +226,7 @@ struct Approach {
 };
 // Determined from the existing manifold.
 Approach approach_of(WorldState& world, const Contact& c) {
-    const ContactLaneRef lane_ref = lane_ref_of(world, c);
+    const ContactLaneRef lane_ref = lane_ref_of(world.graph, c);
     double gap = no_point;
     for (const auto& row : lane_ref.block->gap) gap = minimum(gap, double{row[lane_ref.lane]});
     return {normal_of(lane_ref), gap};
@@ -318,7 +318,7 @@ void narrow_phase_pair(StepContext& step, NarrowPhaseTask& task) {
     if (manifold.count > 0 && c.colour >= 0) {
         task.persists = true;
         write_manifold(world, c, manifold, false);
-        task.done = is_in_its_list(world, c);
+        task.done = is_in_its_list(world.graph, c);
     } else if (task.predicted_gap < tuning::speculative_margin * scale_of_pair(world.bodies, c)) {
         ASSERT(c.colour < 0 || manifold.count == 0);
         task.list = scratch.fresh_count.fetch_add(1, std::memory_order_relaxed);

@@ -36,13 +36,13 @@ void bound_or_end(WorldState& world, const NarrowPhaseTask& task, double near) {
         end_touch(world, task.contact);
     }
     if (c.colour >= 0) remove_contact(world, task.contact);
-    clear_modifier(world, task.contact);
+    clear_modifier(world.contacts, task.contact);
     if (!boxes_overlap(world, c)) {
         destroy_contact(world, task.contact, world.events.contacts_ended);
         return;
     }
     const float* d = task.direction;
-    add_separation_bound(world, task.contact, task.near - near,
+    add_separation_bound(world, world.contacts, task.contact, task.near - near,
                          {double{d[0]}, double{d[1]}, double{d[2]}});
 }
 
@@ -119,7 +119,7 @@ void update_composite(WorldState& world, ContactScratch& scratch, std::uint32_t 
         else
             clear = minimum(clear, found[f].predicted_gap - margin);
     }
-    add_separation_bound(world, task.contact, clear);
+    add_separation_bound(world, world.contacts, task.contact, clear);
 }
 
 void note_bouncing(const BodyStore& bodies, const Contact& c,

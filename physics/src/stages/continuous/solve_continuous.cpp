@@ -132,7 +132,7 @@ private:
             if (!leaves || !c.touching) return;
             const bool is_a = c.body_a == body;
             const Vec3 u = speed_of(is_a ? c.body_b : c.body_a, at).v - v;
-            const ContactLaneRef lane_ref = lane_ref_of(world_, c);
+            const ContactLaneRef lane_ref = lane_ref_of(world_.graph, c);
             leaves = dot(normal_of(lane_ref), u) * (is_a ? 1 : -1) > least;
         });
         return leaves;
@@ -317,7 +317,7 @@ private:
             return false;
         const BodyType ta = world_.bodies.cold[a.body].type, tb = world_.bodies.cold[b.body].type;
         if (ta != BodyType::dynamic && tb != BodyType::dynamic) return false;
-        return !joined_without_contact(world_, a.body, b.body);
+        return !joined_without_contact(world_.bodies, world_.joints, a.body, b.body);
     }
 
     // A body that goes another way from now on may meet others there, and they it.
@@ -684,7 +684,7 @@ private:
         for (const ContactModifier& modifier : world_.contacts.modifiers) {
             const Contact* pair = &world_.contacts.contacts[modifier.contact];
             if (pair->parent != none) pair = &world_.contacts.contacts[pair->parent];
-            if (pass_through(world_, *pair))
+            if (pass_through(world_.contacts, *pair))
                 passes_.push_back(pair_key(pair->shape_a, pair->shape_b));
         }
         std::sort(passes_.begin(), passes_.end());

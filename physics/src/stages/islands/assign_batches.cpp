@@ -114,7 +114,7 @@ void assign(WorldState& world, const CoupledIslands& coupled,
         if (group.stays) continue;
         while (to + 1u < batches && loads[to] + group.weight / 2 > fair) to++;
         loads[to] += group.weight;
-        move_to_set(world, group.islands, {tier, to});
+        move_to_set(world, world.joints, group.islands, {tier, to});
     }
 }
 

@@ -70,7 +70,7 @@ CoupledGroup measured(const WorldState& world, std::span<const std::uint32_t> is
 
 void move(WorldState& world, const CoupledGroup& group) {
     const ColourSetKey from = world.islands.islands[group.islands.front()].colour_set;
-    move_to_set(world, group.islands, {from.tier, group.substep_level});
+    move_to_set(world, world.joints, group.islands, {from.tier, group.substep_level});
 }
 
 bool is_awake(const WorldState& world, std::uint32_t island) {

@@ -15,7 +15,7 @@ bool is_heavy_load(WorldState& world, std::uint32_t body, Vec3 up) {
     for_each_manifold(world.contacts, world.bodies.cold[body], [&](std::uint32_t index) {
         const Contact& c = world.contacts.contacts[index];
         if (!c.touching) return;
-        const double rise = dot(normal_of(lane_ref_of(world, c)), up);
+        const double rise = dot(normal_of(lane_ref_of(world.graph, c)), up);
         // The normal points from a to b.
         if ((c.body_a == body ? -rise : rise) < tuning::lies_on) return;
         const BodyCold& other = world.bodies.cold[c.body_a == body ? c.body_b : c.body_a];
@@ -43,7 +43,8 @@ void raise_to_heavy_tier(WorldState& world, std::span<const std::uint32_t> bodie
         const std::uint32_t island = world.bodies.cold[body].island;
         const ColourSetKey set = world.islands.islands[island].colour_set;
         if (set.tier == SolverTier::heavy || !is_heavy_load(world, body, up)) continue;
-        move_to_set(world, coupled_islands(world, island), {SolverTier::heavy, set.batch});
+        move_to_set(world, world.joints, coupled_islands(world, world.contacts, island),
+                    {SolverTier::heavy, set.batch});
     }
 }
 

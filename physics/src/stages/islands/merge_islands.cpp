@@ -16,7 +16,7 @@ namespace {
 
 // The warm records still contain the velocities before the solve: the approach of the impact.
 ContactBegin begin_event(WorldState& world, const Contact& c) {
-    const ContactLaneRef lane_ref = lane_ref_of(world, c);
+    const ContactLaneRef lane_ref = lane_ref_of(world.graph, c);
     const Vec3 normal = normal_of(lane_ref);
     const BodyWarm &a = warm_of(world, c.body_a), &b = warm_of(world, c.body_b);
     const Vec3 point = a.center + get_lane(lane_ref.block->arm_a, lane_ref.lane);
@@ -46,7 +46,7 @@ void toggle_touch(WorldState& world, std::uint32_t contact) {
             report_begin(world, c);
         else
             world.changed_pairs.push_back(c.parent);
-        begin_touch(world, contact);
+        begin_touch(world, world.joints, contact);
     } else {
         if (c.parent == none) report_end(world, c, world.events.contacts_ended);
         end_touch(world, contact);

@@ -130,7 +130,7 @@ void choose_tier(WorldState& world, std::vector<IslandExtent>& extents,
         if (other.calm >= tuning::tier_patience) calm += other.bodies;
     }
     if (common > island.colour_set.tier || 2 * calm > all)
-        move_to_set(world, coupled, {common, island.colour_set.batch});
+        move_to_set(world, world.joints, coupled, {common, island.colour_set.batch});
 }
 
 void choose_tiers(WorldState& world, IslandScratch& scratch) {

@@ -62,13 +62,14 @@ void propagate_to_jointed(WorldState& world, std::vector<std::uint8_t>& marks) {
         ASSERT(is_awake(body) && world.bodies.cold[body].at + 1 < marks.size());
         return marks[world.bodies.cold[body].at + 1];
     };
-    for_each_jointed(world, world.bodies.awake, [&](const JointedBodies& jointed) {
-        std::uint8_t any = jointed.to_kinematic ? 1 : 0;
-        for (const std::uint32_t body : jointed.bodies)
-            if (is_awake(body)) any |= mark(body);
-        for (const std::uint32_t body : jointed.bodies)
-            if (is_awake(body)) mark(body) = any;
-    });
+    for_each_jointed(world.bodies, world.joints, world.scratch, world.bodies.awake,
+                     [&](const JointedBodies& jointed) {
+                         std::uint8_t any = jointed.to_kinematic ? 1 : 0;
+                         for (const std::uint32_t body : jointed.bodies)
+                             if (is_awake(body)) any |= mark(body);
+                         for (const std::uint32_t body : jointed.bodies)
+                             if (is_awake(body)) mark(body) = any;
+                     });
 }
 
 // By hot index: bodies that do not rest, and bodies that touch them.

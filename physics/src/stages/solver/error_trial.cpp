@@ -26,7 +26,8 @@ void each_colour(ConstraintGraph& graph, std::size_t first, std::size_t last, Vi
 
 void scale_all(StepContext& step, std::span<const std::uint32_t> jointed, double scale) {
     for (const std::uint32_t hot : jointed)
-        scale_joints(step.world, step.world.bodies.awake[hot - 1].body, scale);
+        scale_joints(step.world.bodies, step.world.joints, step.world.bodies.awake[hot - 1].body,
+                     scale);
 }
 
 void lengthen(GraphColour& colour, int number) {

@@ -86,8 +86,8 @@ void find_bodies(const WorldState& world, JointLevels& levels) {
         found.a = hot_of(world.bodies, joint.body_a);
         found.b = hot_of(world.bodies, joint.body_b);
         if (!joint_is_geared(joint.kind)) continue;
-        found.carrier_a = hot_of(world.bodies, find_carrier(world, joint, 0));
-        found.carrier_b = hot_of(world.bodies, find_carrier(world, joint, 1));
+        found.carrier_a = hot_of(world.bodies, find_carrier(world.bodies, world.joints, joint, 0));
+        found.carrier_b = hot_of(world.bodies, find_carrier(world.bodies, world.joints, joint, 1));
     }
 }
 
@@ -172,8 +172,8 @@ void prepare_joints(StepContext& step, const JointTask& task, double h) {
                  axes_of(levels, meta.axes), gear_of(levels, meta.gear), meta},
                 lane);
             if (meta.gear >= 0) {
-                const std::uint32_t bodies[] = {find_carrier(world, joint, 0),
-                                                find_carrier(world, joint, 1)};
+                const std::uint32_t bodies[] = {find_carrier(world.bodies, world.joints, joint, 0),
+                                                find_carrier(world.bodies, world.joints, joint, 1)};
                 const Carrier carriers[] = {carrier_at(world, bodies[0]),
                                             carrier_at(world, bodies[1])};
                 write_gear(joint, end_of(world, joint.body_a, joint.frame_a, meta.a[lane]),
@@ -266,7 +266,7 @@ void break_joints(StepContext& step) {
         world.events.joints_broke.push_back(
             {joint_id(world.joints, index), body_id(world.bodies, joint.body_a),
              body_id(world.bodies, joint.body_b), length(joint.force), length(joint.torque)});
-        destroy_joint(world, index);
+        destroy_joint(world, world.joints, index);
     }
 }
 

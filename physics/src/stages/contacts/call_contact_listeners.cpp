@@ -28,14 +28,14 @@ void sanitize(ContactModifier& modifier) {
 
 }  // namespace
 
-ContactModifier call_contact_listeners(const WorldState& world, const PreSolveContact& m,
-                                       ContactModifier modifier) {
-    ASSERT(world.listeners.stepping != nullptr && has_pre_solve_listeners(world.listeners));
-    PreSolve pair{.world = *world.listeners.stepping,
-                  .shape_a = shape_id(world.shapes, m.shape_a),
-                  .shape_b = shape_id(world.shapes, m.shape_b),
-                  .body_a = body_id(world.bodies, world.shapes.shapes[m.shape_a].body),
-                  .body_b = body_id(world.bodies, world.shapes.shapes[m.shape_b].body),
+ContactModifier call_contact_listeners(const ListenerStore& listeners, const ShapedBodies& stores,
+                                       const PreSolveContact& m, ContactModifier modifier) {
+    ASSERT(listeners.stepping != nullptr && has_pre_solve_listeners(listeners));
+    PreSolve pair{.world = *listeners.stepping,
+                  .shape_a = shape_id(stores.shapes, m.shape_a),
+                  .shape_b = shape_id(stores.shapes, m.shape_b),
+                  .body_a = body_id(stores.bodies, stores.shapes.shapes[m.shape_a].body),
+                  .body_b = body_id(stores.bodies, stores.shapes.shapes[m.shape_b].body),
                   .normal = m.normal,
                   .point = m.point,
                   .velocity = m.velocity,
@@ -43,7 +43,7 @@ ContactModifier call_contact_listeners(const WorldState& world, const PreSolveCo
                   .restitution = modifier.restitution,
                   .surface_velocity = modifier.surface_velocity,
                   .enabled = modifier.enabled};
-    for (const auto& [listener, hooks] : world.listeners.order)
+    for (const auto& [listener, hooks] : listeners.order)
         if (hooks.pre_solve) listener->pre_solve(pair);
     modifier.friction = pair.friction;
     modifier.restitution = pair.restitution;
@@ -60,7 +60,7 @@ bool modify_contact(WorldState& world, std::uint32_t index) {
     const Vec3 point = a.center + get_lane(lane_ref.block->arm_a, lane_ref.lane);
     const ContactModifier given = material_modifier(world, c.shape_a, c.shape_b);
     ContactModifier modifier =
-        call_contact_listeners(world,
+        call_contact_listeners(world.listeners, world,
                                {c.shape_a, c.shape_b, normal_of(lane_ref), point,
                                 velocity_at(b, point) - velocity_at(a, point)},
                                given);

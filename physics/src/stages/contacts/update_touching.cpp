@@ -21,9 +21,9 @@ namespace jostle::physics {
 namespace {
 
 // A plane has no box. Only b can be a plane.
-bool boxes_overlap(const WorldState& world, const Contact& c) {
-    const ShapeRecord &a = world.shapes.shapes[c.shape_a], &b = world.shapes.shapes[c.shape_b];
-    if (is_plane(b)) return reaches_plane(world, b, a.fat);
+bool boxes_overlap(const ShapedBodies& stores, const Contact& c) {
+    const ShapeRecord &a = stores.shapes.shapes[c.shape_a], &b = stores.shapes.shapes[c.shape_b];
+    if (is_plane(b)) return reaches_plane(stores, b, a.fat);
     return overlap(a.fat, b.fat);
 }
 
@@ -131,13 +131,13 @@ void note_bouncing(const BodyStore& bodies, const Contact& c,
 }
 
 // A pair that bounces in a cluster retains its manifold; other bouncing pairs have none.
-void update_bounce(WorldState& world, ContactScratch& scratch, NarrowPhaseTask& task) {
-    const Contact& c = world.contacts.contacts[task.contact];
-    if (c.composite || !bounces_in_cluster(world, scratch, c.shape_a, c.shape_b)) {
-        note_bouncing(world.bodies, c, scratch.bouncing);
+void update_bounce(ContactGraph& stores, ContactScratch& scratch, NarrowPhaseTask& task) {
+    const Contact& c = stores.contacts.contacts[task.contact];
+    if (c.composite || !bounces_in_cluster(stores, scratch, c.shape_a, c.shape_b)) {
+        note_bouncing(stores.bodies, c, scratch.bouncing);
         if (!c.composite) task.list = -1;
     } else if (task.list >= 0 && c.colour >= 0) {
-        write_manifold(world, c, scratch.fresh[static_cast<std::size_t>(task.list)], false);
+        write_manifold(stores, c, scratch.fresh[static_cast<std::size_t>(task.list)], false);
         task.list = -1;
         task.persists = true;
     }

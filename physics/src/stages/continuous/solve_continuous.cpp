@@ -676,7 +676,8 @@ private:
         for (const ImpactPoint& p : points)
             point += p.position * (1.0 / static_cast<double>(points.size()));
         const Vec3 va = a.v + cross(a.w, point - a.center), vb = b.v + cross(b.w, point - b.center);
-        return call_contact_listeners(world_, {own, other, points.front().normal, point, vb - va},
+        return call_contact_listeners(world_.listeners, world_,
+                                      {own, other, points.front().normal, point, vb - va},
                                       modifier);
     }
     // What passes through each other by what listeners said before.

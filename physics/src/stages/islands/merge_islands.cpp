@@ -15,16 +15,16 @@ namespace jostle::physics {
 namespace {
 
 // The warm records still contain the velocities before the solve: the approach of the impact.
-ContactBegin begin_event(WorldState& world, const Contact& c) {
-    const ContactLaneRef lane_ref = lane_ref_of(world.graph, c);
+ContactBegin begin_event(ContactGraph& stores, const Contact& c) {
+    const ContactLaneRef lane_ref = lane_ref_of(stores.graph, c);
     const Vec3 normal = normal_of(lane_ref);
-    const BodyWarm &a = warm_of(world, c.body_a), &b = warm_of(world, c.body_b);
+    const BodyWarm &a = warm_of(stores, c.body_a), &b = warm_of(stores, c.body_b);
     const Vec3 point = a.center + get_lane(lane_ref.block->arm_a, lane_ref.lane);
     const Vec3 va = a.v + cross(a.w, point - a.center), vb = b.v + cross(b.w, point - b.center);
-    return {.shape_a = shape_id(world.shapes, c.shape_a),
-            .shape_b = shape_id(world.shapes, c.shape_b),
-            .body_a = body_id(world.bodies, c.body_a),
-            .body_b = body_id(world.bodies, c.body_b),
+    return {.shape_a = shape_id(stores.shapes, c.shape_a),
+            .shape_b = shape_id(stores.shapes, c.shape_b),
+            .body_a = body_id(stores.bodies, c.body_a),
+            .body_b = body_id(stores.bodies, c.body_b),
             .point = point,
             .normal = normal,
             .approach = maximum(0, -dot(normal, vb - va))};
@@ -112,7 +112,7 @@ Skipped merge_islands(StepContext& step) {
         const Contact& c = world.contacts.contacts[contact];
         if (c.touching && is_dynamic(world.bodies, c.body_b)) note_heavy(world.bodies, c, heavy);
     }
-    raise_to_heavy_tier(world, heavy);
+    raise_to_heavy_tier(world, world.joints, heavy);
     report_composites(world);
     world.profile.manifolds = manifolds;
     world.profile.touching = touching;

@@ -30,13 +30,13 @@ void for_each_bond(const ConstraintGraph& graph, Visit&& visit) {
     });
 }
 
-bool is_load_changed(const WorldState& world, const Contact& c, std::uint32_t sleeper) {
-    const BodyCold& cold = world.bodies.cold[sleeper];
-    const double weight = cold.mass * length(world.def.gravity) * absolute(cold.gravity_scale);
+bool is_load_changed(const ContactGraph& stores, const Contact& c, std::uint32_t sleeper) {
+    const BodyCold& cold = stores.bodies.cold[sleeper];
+    const double weight = cold.mass * length(stores.def.gravity) * absolute(cold.gravity_scale);
     const Vec3 before = saved_load(c);
     const double most =
         tuning::wake_load_weight * weight + tuning::wake_load_share * length(before);
-    return length_squared(load_of(world, c) - before) > most * most;
+    return length_squared(load_of(stores, c) - before) > most * most;
 }
 
 double momentum_of(const BodyWarm& warm, const BodyCold& cold, double dt) {

@@ -19,17 +19,16 @@
 namespace jostle::physics {
 namespace {
 
-JointEnd end_of(const WorldState& world, std::uint32_t body, const Transform& frame,
+JointEnd end_of(const BodySets& sets, std::uint32_t body, const Transform& frame,
                 std::int32_t hot) {
     if (body == none)  // the world
         return {.center = {}, .arm = frame.position, .rotation = {}, .frame = frame.rotation};
-    const BodyWarm& warm = hot != 0
-                               ? world.bodies.awake[static_cast<std::size_t>(std::abs(hot)) - 1]
-                               : warm_of(world, body);
+    const BodyWarm& warm = hot != 0 ? sets.bodies.awake[static_cast<std::size_t>(std::abs(hot)) - 1]
+                                    : warm_of(sets, body);
     ASSERT(warm.body == body);
     return {.hot = hot,
             .center = warm.center,
-            .arm = warm.axes * (frame.position - world.bodies.cold[body].local_center),
+            .arm = warm.axes * (frame.position - sets.bodies.cold[body].local_center),
             .rotation = warm.rotation,
             .frame = warm.rotation * frame.rotation};
 }
@@ -67,27 +66,27 @@ std::int32_t hot_of(const BodyStore& bodies, std::uint32_t body) {
     return cold.inverse_mass != 0 && !cold.asleep_in_place ? hot : -hot;
 }
 
-Carrier carrier_at(const WorldState& world, std::uint32_t body) {
+Carrier carrier_at(const BodySets& sets, std::uint32_t body) {
     if (body == none) return {};
-    const BodyWarm& warm = warm_of(world, body);
+    const BodyWarm& warm = warm_of(sets, body);
     return {.body = body,
-            .hot = hot_of(world.bodies, body),
+            .hot = hot_of(sets.bodies, body),
             .center = warm.center,
-            .origin = pose_of(warm, world.bodies.cold[body]).position,
+            .origin = pose_of(warm, sets.bodies.cold[body]).position,
             .rotation = warm.rotation};
 }
 
-void find_bodies(const WorldState& world, JointLevels& levels) {
-    const JointStore& store = world.joints;
+void find_bodies(const BodyStore& bodies, const JointStore& joints, JointLevels& levels) {
+    const JointStore& store = joints;
     for (LeveledJoint& found : levels.joints) {
         ASSERT(store.ids.alive(found.joint));
         const Joint& joint = store.joints[found.joint];
         found.kind = kernel_of(joint.kind);
-        found.a = hot_of(world.bodies, joint.body_a);
-        found.b = hot_of(world.bodies, joint.body_b);
+        found.a = hot_of(bodies, joint.body_a);
+        found.b = hot_of(bodies, joint.body_b);
         if (!joint_is_geared(joint.kind)) continue;
-        found.carrier_a = hot_of(world.bodies, find_carrier(world.bodies, world.joints, joint, 0));
-        found.carrier_b = hot_of(world.bodies, find_carrier(world.bodies, world.joints, joint, 1));
+        found.carrier_a = hot_of(bodies, find_carrier(bodies, joints, joint, 0));
+        found.carrier_b = hot_of(bodies, find_carrier(bodies, joints, joint, 1));
     }
 }
 
@@ -159,7 +158,7 @@ void prepare_joints(StepContext& step, const JointTask& task, double h) {
     task.batches.used = 0;
     if (task.bodies.empty()) return;
     find_joints(world.joints, world.bodies, task);
-    find_bodies(world, levels);
+    find_bodies(world.bodies, world.joints, levels);
     assign_levels(levels, step.scratch.solver.hot.size());
     find_joint_batches(step, task);
     each_block(step, levels, [&](std::size_t block, JointConstraintWideMeta& meta) {

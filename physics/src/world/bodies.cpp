@@ -17,10 +17,10 @@
 namespace jostle::physics {
 namespace {
 
-BodyState state_of_body(const WorldState& world, std::uint32_t index) {
-    const BodyCold& cold = world.bodies.cold[index];
-    const BodyWarm& warm = warm_of(world, index);
-    return {.id = body_id(world.bodies, index),
+BodyState state_of_body(const BodySets& sets, std::uint32_t index) {
+    const BodyCold& cold = sets.bodies.cold[index];
+    const BodyWarm& warm = warm_of(sets, index);
+    return {.id = body_id(sets.bodies, index),
             .type = cold.type,
             .pose = pose_of(warm, cold),
             .center = warm.center,
@@ -59,7 +59,7 @@ void remove_body(WorldState& world, std::uint32_t body) {
 
 Result<BodyId> World::create_body(const BodyDef& def) {
     WorldState& world = *state_;
-    if (Status s = check_body_in(world, def); !s.ok()) return s.error();
+    if (Status s = check_body_in(world.def, def); !s.ok()) return s.error();
     constexpr AxisLocks out_of_plane = lock_z | lock_rotation_x | lock_rotation_y;
     const std::uint32_t index = world.bodies.ids.take();
     if (index == world.bodies.cold.size()) {
@@ -100,8 +100,8 @@ Result<BodyId> World::create_body(const BodyDef& def, const ShapeDef& shape) {
 
 Result<BodyId> World::create_body(const BodyDef& def, std::span<const ShapeDef> shapes) {
     // Check everything before creating anything, so that no partial body is left behind.
-    if (Status s = check_body_in(*state_, def); !s.ok()) return s.error();
-    if (Status s = check_shapes_in(*state_, shapes, def.type); !s.ok()) return s.error();
+    if (Status s = check_body_in(state_->def, def); !s.ok()) return s.error();
+    if (Status s = check_shapes_in(state_->def, shapes, def.type); !s.ok()) return s.error();
     const Result<BodyId> body = create_body(def);
     if (shapes.empty()) return body;
     // Set all shapes at once: mass and bounds depend on all of them and would be recomputed for
@@ -115,8 +115,9 @@ Result<std::vector<BodyId>> World::create_bodies(std::span<const BodyAndShapes> 
         return Error{error.code, "bodies[" + std::to_string(k) + "]: " + error.message};
     };
     for (std::size_t k = 0; k < defs.size(); k++) {
-        if (Status s = check_body_in(*state_, defs[k].body); !s.ok()) return error_at(k, s.error());
-        if (Status s = check_shapes_in(*state_, defs[k].shapes, defs[k].body.type); !s.ok())
+        if (Status s = check_body_in(state_->def, defs[k].body); !s.ok())
+            return error_at(k, s.error());
+        if (Status s = check_shapes_in(state_->def, defs[k].shapes, defs[k].body.type); !s.ok())
             return error_at(k, s.error());
     }
     std::vector<BodyId> created;
@@ -130,7 +131,7 @@ Result<std::vector<BodyId>> World::create_bodies(std::span<const BodyAndShapes> 
 }
 
 Status World::destroy_body(BodyId body) {
-    if (Status s = check_id(*state_, body); !s.ok()) return s;
+    if (Status s = check_id(state_->bodies, body); !s.ok()) return s;
     remove_body(*state_, body.index);
     return {};
 }
@@ -139,7 +140,7 @@ Status World::destroy_bodies(std::span<const BodyId> bodies) {
     std::vector<BodyId> sorted(bodies.begin(), bodies.end());
     std::sort(sorted.begin(), sorted.end());
     for (std::size_t k = 0; k < sorted.size(); k++) {
-        if (Status s = check_id(*state_, sorted[k]); !s.ok()) return s;
+        if (Status s = check_id(state_->bodies, sorted[k]); !s.ok()) return s;
         if (k > 0 && sorted[k] == sorted[k - 1])
             return Error{ErrorCode::invalid_argument, "body {" + std::to_string(sorted[k].index) +
                                                           ", " +
@@ -151,19 +152,19 @@ Status World::destroy_bodies(std::span<const BodyId> bodies) {
 }
 
 bool World::contains(BodyId body) const {
-    return check_id(*state_, body).ok();
+    return check_id(state_->bodies, body).ok();
 }
 bool World::contains(ShapeId shape) const {
-    return check_id(*state_, shape).ok();
+    return check_id(state_->shapes, shape).ok();
 }
 
 Result<BodyState> World::body(BodyId body) const {
-    if (Status s = check_id(*state_, body); !s.ok()) return s.error();
+    if (Status s = check_id(state_->bodies, body); !s.ok()) return s.error();
     return state_of_body(*state_, body.index);
 }
 
 Result<BodyDef> World::definition(BodyId body) const {
-    if (Status s = check_id(*state_, body); !s.ok()) return s.error();
+    if (Status s = check_id(state_->bodies, body); !s.ok()) return s.error();
     const BodyState now = state_of_body(*state_, body.index);
     const BodyCold& cold = state_->bodies.cold[body.index];
     return BodyDef{.type = now.type,

@@ -63,7 +63,7 @@ void change_type(WorldState& world, std::uint32_t body, BodyType type) {
     }
     if (type == BodyType::dynamic)
         add_to_island(world, create_island(world.islands, world.def), body);
-    update_mass(world, body);
+    update_mass(world, world.def, body);
     obey_locks(cold, warm_of(world, body));
     after_move(world, body);
     for (std::uint32_t s = cold.first_shape; s != none; s = world.shapes.shapes[s].next)
@@ -81,7 +81,7 @@ void change_type(WorldState& world, std::uint32_t body, BodyType type) {
 
 Status World::set_type(BodyId body, BodyType type) {
     WorldState& world = *state_;
-    if (Status s = check_id(world, body); !s.ok()) return s;
+    if (Status s = check_id(world.bodies, body); !s.ok()) return s;
     if (Status s = check_body_type(type); !s.ok()) return s;
     if (world.bodies.cold[body.index].type == type) return {};
     if (Status s = check_type(world, body.index, type); !s.ok()) return s;
@@ -94,21 +94,21 @@ Status World::set_type(BodyId body, BodyType type) {
 
 Status World::set_mass(BodyId body, double mass) {
     WorldState& world = *state_;
-    if (Status s = check_dynamic(world, body); !s.ok()) return s;
+    if (Status s = check_dynamic(world.bodies, body); !s.ok()) return s;
     if (Status s = check_mass(mass); !s.ok()) return s;
     wake_neighbours(world, body.index);
     wake_body(world, body.index);
     // Manifolds store effective masses and must be rebuilt.
     destroy_contacts_of(world, body.index, world.events.pending.ended);
     world.bodies.cold[body.index].mass_override = mass;
-    update_mass(world, body.index);
+    update_mass(world, world.def, body.index);
     after_move(world, body.index);
     return {};
 }
 
 Status World::set_sleep_allowed(BodyId body, bool allowed) {
     WorldState& world = *state_;
-    if (Status s = check_id(world, body); !s.ok()) return s;
+    if (Status s = check_id(world.bodies, body); !s.ok()) return s;
     if (!allowed) wake_body(world, body.index);
     world.bodies.cold[body.index].sleep_allowed = allowed;
     return {};
@@ -117,7 +117,7 @@ Status World::set_sleep_allowed(BodyId body, bool allowed) {
 Status World::set_awake(BodyId body, bool awake) {
     WorldState& world = *state_;
     if (awake) return wake(body);
-    if (Status s = check_dynamic(world, body); !s.ok()) return s;
+    if (Status s = check_dynamic(world.bodies, body); !s.ok()) return s;
     if (!world.def.sleeping)
         return Error{ErrorCode::failed_precondition,
                      "sleeping is disabled in this world (WorldDef::sleeping is false)"};
@@ -137,14 +137,14 @@ Status World::set_awake(BodyId body, bool awake) {
 }
 
 Status World::set_user_data(BodyId body, std::uint64_t data) {
-    if (Status s = check_id(*state_, body); !s.ok()) return s;
+    if (Status s = check_id(state_->bodies, body); !s.ok()) return s;
     state_->bodies.cold[body.index].user_data = data;
     return {};
 }
 
 Status World::set_damping(BodyId body, double linear, double angular) {
     WorldState& world = *state_;
-    if (Status s = check_id(world, body); !s.ok()) return s;
+    if (Status s = check_id(world.bodies, body); !s.ok()) return s;
     if (Status s = check_range("linear", linear, 0, 1e4); !s.ok()) return s;
     if (Status s = check_range("angular", angular, 0, 1e4); !s.ok()) return s;
     wake_body(world, body.index);
@@ -155,7 +155,7 @@ Status World::set_damping(BodyId body, double linear, double angular) {
 
 Status World::set_gravity_scale(BodyId body, double scale) {
     WorldState& world = *state_;
-    if (Status s = check_id(world, body); !s.ok()) return s;
+    if (Status s = check_id(world.bodies, body); !s.ok()) return s;
     if (Status s = check_range("scale", scale, -1e3, 1e3); !s.ok()) return s;
     wake_body(world, body.index);
     world.bodies.cold[body.index].gravity_scale = scale;
@@ -165,7 +165,7 @@ Status World::set_gravity_scale(BodyId body, double scale) {
 
 Status World::set_locks(BodyId body, AxisLocks locks) {
     WorldState& world = *state_;
-    if (Status s = check_id(world, body); !s.ok()) return s;
+    if (Status s = check_id(world.bodies, body); !s.ok()) return s;
     if (locks >= 64)
         return Error{ErrorCode::invalid_argument,
                      "locks is " + std::to_string(locks) + "; it must be from 0 to 63"};
@@ -175,13 +175,13 @@ Status World::set_locks(BodyId body, AxisLocks locks) {
     world.bodies.cold[body.index].locks = static_cast<AxisLocks>(
         locks | (world.def.planar ? lock_z | lock_rotation_x | lock_rotation_y : 0));
     obey_locks(world.bodies.cold[body.index], warm);
-    update_mass(world, body.index);
+    update_mass(world, world.def, body.index);
     after_move(world, body.index);
     return {};
 }
 
 Status World::wake(BodyId body) {
-    if (Status s = check_id(*state_, body); !s.ok()) return s;
+    if (Status s = check_id(state_->bodies, body); !s.ok()) return s;
     wake_body(*state_, body.index);
     return {};
 }

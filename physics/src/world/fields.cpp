@@ -49,7 +49,7 @@ Result<FieldId> World::create_field(const FieldDef& def) {
 
 Status World::set_field(FieldId field, const FieldDef& def) {
     WorldState& world = *state_;
-    if (Status s = check_id(world, field); !s.ok()) return s;
+    if (Status s = check_id(world.fields, field); !s.ok()) return s;
     if (Status s = check_field(def, world.def.planar); !s.ok()) return s;
     wake_region(world, world.fields.fields[field.index]);
     world.fields.fields[field.index] = stored(def);
@@ -60,7 +60,7 @@ Status World::set_field(FieldId field, const FieldDef& def) {
 
 Status World::destroy_field(FieldId field) {
     WorldState& world = *state_;
-    if (Status s = check_id(world, field); !s.ok()) return s;
+    if (Status s = check_id(world.fields, field); !s.ok()) return s;
     wake_region(world, world.fields.fields[field.index]);
     world.fields.fields[field.index] = {};
     world.fields.ids.release(field.index);
@@ -69,11 +69,11 @@ Status World::destroy_field(FieldId field) {
 }
 
 bool World::contains(FieldId field) const {
-    return check_id(*state_, field).ok();
+    return check_id(state_->fields, field).ok();
 }
 
 Result<FieldDef> World::field(FieldId field) const {
-    if (Status s = check_id(*state_, field); !s.ok()) return s.error();
+    if (Status s = check_id(state_->fields, field); !s.ok()) return s.error();
     return state_->fields.fields[field.index];
 }
 

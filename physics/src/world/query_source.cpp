@@ -14,10 +14,10 @@
 namespace jostle::physics {
 namespace {
 
-QueryShape shape_at(const WorldState& world, std::uint32_t index) {
-    const ShapeRecord& s = world.shapes.shapes[index];
-    return {transformed_shape(s, warm_of(world, s.body)), shape_id(world.shapes, index),
-            body_id(world.bodies, s.body), s.filter, s.trigger};
+QueryShape shape_at(const ShapedBodies& stores, std::uint32_t index) {
+    const ShapeRecord& s = stores.shapes.shapes[index];
+    return {transformed_shape(s, warm_of(stores, s.body)), shape_id(stores.shapes, index),
+            body_id(stores.bodies, s.body), s.filter, s.trigger};
 }
 
 // Base of sources with the two broad phases of a world.

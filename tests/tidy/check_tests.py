@@ -239,6 +239,8 @@ COVERED_BY = {
     "state/world_access.h":
         (["physics/state/wake_test.cpp"], "tests reach a world's stores by nothing else"),
     "state/world_state.h":
+        (["physics/state/wake_test.cpp"], "the mass that a momentum wakes"),
+    "state/world_stores.h":
         (["physics/state/body_sets_test.cpp"], "a body's record is found in whichever set it is"),
     "world/body_change.cpp":
         (["physics/world/body_motion_test.cpp", "physics/world/body_settings_test.cpp"], "every call that pushes or changes a body"),

@@ -116,9 +116,9 @@ SupportExtent support_extent(const Manifold& m, bool rim, double scale) {
     return f;
 }
 
-bool has_rim(const WorldState& world, const Contact& contact) {
+bool has_rim(const ShapeStore& shapes, const Contact& contact) {
     const auto rim = [&](std::uint32_t shape) {
-        const ShapeKind kind = kind_of(world.shapes.shapes[shape].geometry);
+        const ShapeKind kind = kind_of(shapes.shapes[shape].geometry);
         return kind == ShapeKind::cylinder || kind == ShapeKind::cone;
     };
     return rim(contact.shape_a) || rim(contact.shape_b);
@@ -181,10 +181,10 @@ void put_bit(std::uint8_t& bits, int lane, bool on) {
 
 }  // namespace
 
-double anchor_blend_of(const WorldState& world, const Contact& contact) {
-    if (world.bodies.cold[contact.body_b].type != BodyType::dynamic) return 0;
+double anchor_blend_of(const ShapedBodies& stores, const Contact& contact) {
+    if (stores.bodies.cold[contact.body_b].type != BodyType::dynamic) return 0;
     const auto is_round = [&](std::uint32_t shape) {
-        const ShapeKind kind = kind_of(world.shapes.shapes[shape].geometry);
+        const ShapeKind kind = kind_of(stores.shapes.shapes[shape].geometry);
         return kind == ShapeKind::sphere || kind == ShapeKind::capsule ||
                kind == ShapeKind::cylinder || kind == ShapeKind::cone;
     };
@@ -193,22 +193,22 @@ double anchor_blend_of(const WorldState& world, const Contact& contact) {
     return round_a ? 0 : 1;
 }
 
-void write_manifold(WorldState& world, const Contact& contact, const Manifold& m, bool fresh) {
+void write_manifold(ContactGraph& stores, const Contact& contact, const Manifold& m, bool fresh) {
     ASSERT(m.count >= 1 && m.count <= 4);
-    const ContactLaneRef lane_ref = lane_ref_of(world, contact);
+    const ContactLaneRef lane_ref = lane_ref_of(stores.graph, contact);
     ContactConstraintWide& block = *lane_ref.block;
     const int lane = lane_ref.lane;
     const PreviousImpulses old =
         fresh ? PreviousImpulses{} : previous_impulses(block, *lane_ref.rolling, lane);
-    const Vec3 center_a = warm_of(world, contact.body_a).center,
-               center_b = warm_of(world, contact.body_b).center;
+    const Vec3 center_a = warm_of(stores, contact.body_a).center,
+               center_b = warm_of(stores, contact.body_b).center;
 
     const SupportExtent support =
-        support_extent(m, has_rim(world, contact), scale_of_pair(world.bodies, contact));
+        support_extent(m, has_rim(stores.shapes, contact), scale_of_pair(stores.bodies, contact));
     const Vec3 centre = support.centre;
     ASSERT(support.count >= 1 && is_unit(m.normal, 1e-5));
     const Vec3 n = m.normal;
-    const Vec3 t1 = world.def.planar
+    const Vec3 t1 = stores.def.planar
                         ? Vec3{-n.y, n.x, 0}
                         : normalized(cross(n, absolute(n.x) < 0.7 ? Vec3{1, 0, 0} : Vec3{0, 0, 1}));
     const Vec3 t2 = cross(n, t1), arm_a = centre - center_a, arm_b = centre - center_b;
@@ -217,7 +217,8 @@ void write_manifold(WorldState& world, const Contact& contact, const Manifold& m
     put_lane(block.arm_a, lane, arm_a);
     put_lane(block.arm_b, lane, arm_b);
 
-    const BodyCold &ca = world.bodies.cold[contact.body_a], &cb = world.bodies.cold[contact.body_b];
+    const BodyCold &ca = stores.bodies.cold[contact.body_a],
+                   &cb = stores.bodies.cold[contact.body_b];
     const double size = size_of_pair(ca, cb);
     ASSERT(ca.type == BodyType::dynamic && size > 0);
     const double reach =
@@ -237,16 +238,16 @@ void write_manifold(WorldState& world, const Contact& contact, const Manifold& m
         if (support.bearing[i]) friction_radius += square_root(x * x + y * y) / support.count;
     }
     block.friction_radius[lane] =
-        as_float(maximum(friction_radius, patch_of(world.shapes, contact)));
-    block.anchor_blend[lane] = as_float(anchor_blend_of(world, contact));
+        as_float(maximum(friction_radius, patch_of(stores.shapes, contact)));
+    block.anchor_blend[lane] = as_float(anchor_blend_of(stores, contact));
     block.friction[0][lane] = as_float(dot(old.friction, t1));
     block.friction[1][lane] = as_float(dot(old.friction, t2));
     if (fresh) block.torsion[lane] = 0;
-    write_effective_mass(world, contact, {n, t1, arm_a, arm_b});
+    write_effective_mass(stores, stores.graph, contact, {n, t1, arm_a, arm_b});
 
-    const Material& ma = world.shapes.shapes[contact.shape_a].material;
-    const Material& mb = world.shapes.shapes[contact.shape_b].material;
-    const ContactModifier modifier = modifier_of(world, contact);
+    const Material& ma = stores.shapes.shapes[contact.shape_a].material;
+    const Material& mb = stores.shapes.shapes[contact.shape_b].material;
+    const ContactModifier modifier = modifier_of(stores, contact);
     if (!modifier.enabled) disable(block, lane);
     ASSERT(modifier.friction >= 0 && modifier.restitution >= 0);
     block.mu[lane] = as_float(modifier.friction);
@@ -257,7 +258,7 @@ void write_manifold(WorldState& world, const Contact& contact, const Manifold& m
     put_bit(meta.bits(LaneFlag::bounces), lane, meta.restitution[lane] > 0);
     put_bit(meta.bits(LaneFlag::rolls), lane, has_rolling(*lane_ref.rolling, lane));
     put_bit(meta.bits(LaneFlag::needs_rebuild), lane, false);
-    ASSERT(meta.contact[lane] < world.contacts.contacts.size());
+    ASSERT(meta.contact[lane] < stores.contacts.contacts.size());
 }
 
 }  // namespace jostle::physics

@@ -11,30 +11,30 @@ void derive_axes(std::vector<BodyWarm>& set) {
     for (BodyWarm& warm : set) warm.axes = to_matrix(warm.rotation);
 }
 
-void derive_shapes(WorldState& world) {
-    for (std::uint32_t i = 0; i < world.shapes.ids.size(); i++) {
-        if (!world.shapes.ids.alive(i)) continue;
-        ShapeRecord& shape = world.shapes.shapes[i];
-        derive_shape_pose(world.bodies.cold[shape.body], shape);
+void derive_shapes(ShapedBodies& stores) {
+    for (std::uint32_t i = 0; i < stores.shapes.ids.size(); i++) {
+        if (!stores.shapes.ids.alive(i)) continue;
+        ShapeRecord& shape = stores.shapes.shapes[i];
+        derive_shape_pose(stores.bodies.cold[shape.body], shape);
         // The list of moved shapes was saved in its order; inserting a proxy must not extend it.
         const bool moved = shape.moved;
-        const std::size_t fresh = world.triggers.fresh.size();
+        const std::size_t fresh = stores.triggers.fresh.size();
         shape.moved = true;
-        create_proxy(world, i);
+        create_proxy(stores, i);
         shape.moved = moved;
-        world.triggers.fresh.resize(fresh);
+        stores.triggers.fresh.resize(fresh);
     }
 }
 
-void derive_contacts(WorldState& world) {
-    for (std::uint32_t i = 0; i < world.contacts.ids.size(); i++) {
-        if (!world.contacts.ids.alive(i)) continue;
-        const Contact& c = world.contacts.contacts[i];
-        if (c.parent == none) world.contacts.pairs.insert(pair_key(c.shape_a, c.shape_b));
+void derive_contacts(ContactGraph& stores) {
+    for (std::uint32_t i = 0; i < stores.contacts.ids.size(); i++) {
+        if (!stores.contacts.ids.alive(i)) continue;
+        const Contact& c = stores.contacts.contacts[i];
+        if (c.parent == none) stores.contacts.pairs.insert(pair_key(c.shape_a, c.shape_b));
         if (c.colour < 0) continue;
-        write_body_indices(world, c);
-        derive_flags(world, c);
-        const ContactLaneRef lane_ref = lane_ref_of(world, c);
+        write_body_indices(stores.bodies, stores.graph, c);
+        derive_flags(stores, c);
+        const ContactLaneRef lane_ref = lane_ref_of(stores.graph, c);
         lane_ref.meta->set(LaneFlag::bounces, lane_ref.lane,
                            lane_ref.meta->restitution[lane_ref.lane] > 0);
         lane_ref.meta->set(LaneFlag::touching_now, lane_ref.lane, c.touching);

@@ -10,7 +10,7 @@
 
 #include "physics/src/serialization/byte_visitors.h"
 #include "physics/src/serialization/hash_visitor.h"
-#include "physics/src/state/world_state.h"
+#include "physics/src/state/world_stores.h"
 
 namespace jostle::physics {
 

@@ -25,21 +25,21 @@ void sort_by_trigger(std::vector<Event>& events) {
 
 // The event of one touching manifold. Impulses are those of the last sub-step times the number of
 // sub-steps.
-ContactStay stay_of(const WorldState& world, const Contact& c, const ContactConstraintWide& block,
-                    int lane) {
+ContactStay stay_of(const ContactGraph& stores, const Contact& c,
+                    const ContactConstraintWide& block, int lane) {
     ASSERT(c.touching);
-    const double substeps = substeps_of(c.colour_set, world);
+    const double substeps = substeps_of(c.colour_set, stores);
     double normal = 0, deepest = 1e300;
     for (int k = 0; k < 4; k++) {
         normal += double{block.lambda[k][lane]};
         deepest = minimum(deepest, double{block.gap[k][lane]});
     }
     const double f1 = double{block.friction[0][lane]}, f2 = double{block.friction[1][lane]};
-    return {.shape_a = shape_id(world, c.shape_a),
-            .shape_b = shape_id(world, c.shape_b),
-            .body_a = body_id(world, c.body_a),
-            .body_b = body_id(world, c.body_b),
-            .point = warm_of(world, c.body_a).center + get_lane(block.arm_a, lane),
+    return {.shape_a = shape_id(stores.shapes, c.shape_a),
+            .shape_b = shape_id(stores.shapes, c.shape_b),
+            .body_a = body_id(stores.bodies, c.body_a),
+            .body_b = body_id(stores.bodies, c.body_b),
+            .point = warm_of(stores, c.body_a).center + get_lane(block.arm_a, lane),
             .normal = get_lane(block.normal, lane),
             .normal_impulse = normal * substeps,
             .friction_impulse = square_root(f1 * f1 + f2 * f2) * substeps,

@@ -138,7 +138,7 @@ Skipped update_triggers(StepContext& step);
 Skipped publish_events(StepContext& step);
 
 // The end of a step: sums up its work and, in a world with a budget, derives the overload level of
-// the next step (state/overload_state.h). The level rises by one after a step of more work than the
+// the next step (OverloadState). The level rises by one after a step of more work than the
 // budget, so no step is ever truncated, and falls by one after many cheap steps in a row.
 
 // Computed from the step's own counters; independent of the number of threads.

@@ -22,7 +22,8 @@ StepContext begin_step(WorldState& world, StepScratch& scratch, double dt) {
     world.profile.overload_level = world.overload_level.level;
     if (dt != world.last_dt)
         for (const BodyWarm& warm : world.bodies.awake) update_motion_bound(world, warm.body, dt);
-    if (dt != world.last_dt && world.last_dt > 0) scale_awake(world, dt / world.last_dt);
+    if (dt != world.last_dt && world.last_dt > 0)
+        scale_awake(world, world.joints, dt / world.last_dt);
     world.last_dt = dt;
     return {world, scratch, *world.thread_pool, dt, {}};
 }

@@ -25,22 +25,22 @@ OverloadState next_overload_level(OverloadState overload_level, std::int64_t wor
 }
 
 // Sleeping bodies are updated when they wake.
-void update_overload_level(WorldState& world, OverloadState to) {
+void update_overload_level(ContactGraph& stores, JointStore& joints, OverloadState to) {
     std::array<double, solved_set_count> scale{};
     for (const SolverTier tier : all_tiers)
         for (std::uint8_t batch = 0; batch < batch_count; batch++) {
             const ColourSetKey set{tier, batch};
-            scale[index_of(set)] = substeps_of(set, world);
+            scale[index_of(set)] = substeps_of(set, stores);
         }
-    const bool other_substeps = halves_substeps(world.overload_level) != halves_substeps(to);
-    world.overload_level = to;
+    const bool other_substeps = halves_substeps(stores.overload_level) != halves_substeps(to);
+    stores.overload_level = to;
     if (!other_substeps) return;
     for (const SolverTier tier : all_tiers)
         for (std::uint8_t batch = 0; batch < batch_count; batch++) {
             const ColourSetKey set{tier, batch};
-            scale[index_of(set)] /= substeps_of(set, world);
+            scale[index_of(set)] /= substeps_of(set, stores);
         }
-    scale_awake(world, scale);
+    scale_awake(stores, joints, scale);
 }
 
 }  // namespace
@@ -58,8 +58,9 @@ std::int64_t step_work(const StepProfile& profile) {
 void update_step_budget(WorldState& world) {
     world.profile.work = step_work(world.profile);
     if (world.def.step_budget == 0) return;
-    update_overload_level(world, next_overload_level(world.overload_level, world.profile.work,
-                                                     world.def.step_budget));
+    update_overload_level(
+        world, world.joints,
+        next_overload_level(world.overload_level, world.profile.work, world.def.step_budget));
 }
 
 }  // namespace jostle::physics

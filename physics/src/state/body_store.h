@@ -11,6 +11,7 @@
 
 #include "jostle/base/check.h"
 #include "jostle/physics/defs.h"
+#include "jostle/physics/ids.h"
 #include "jostle/physics/mat3.h"
 #include "physics/src/foundation/flat_array.h"
 #include "physics/src/foundation/id_pool.h"
@@ -93,6 +94,15 @@ struct BodyStore {
     FlatArray<BodyWarm> statics, awake;
     std::uint32_t asleep_in_place = 0;  // bodies of the awake set that sleep in place; derived
 };
+
+inline bool is_dynamic(const BodyStore& bodies, std::uint32_t body) {
+    return body != none && bodies.cold[body].type == BodyType::dynamic;
+}
+
+inline BodyId body_id(const BodyStore& bodies, std::uint32_t body) {
+    if (body == none) return {};
+    return {body, bodies.ids.generation(body)};
+}
 
 inline Transform pose_of(const BodyWarm& warm, const BodyCold& cold) {
     return {warm.center - warm.axes * cold.local_center, warm.rotation};

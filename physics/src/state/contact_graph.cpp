@@ -40,20 +40,20 @@ void unlink_edge(ContactStore& store, std::uint32_t contact, unsigned side, Body
         body.first_edge = next;
 }
 
-std::uint32_t new_contact(WorldState& world, std::uint32_t shape_a, std::uint32_t shape_b) {
-    ContactStore& store = world.contacts;
+std::uint32_t new_contact(ContactGraph& stores, std::uint32_t shape_a, std::uint32_t shape_b) {
+    ContactStore& store = stores.contacts;
     const std::uint32_t index = store.ids.take();
     ASSERT(index <= store.contacts.size());
     if (index == store.contacts.size()) store.contacts.emplace_back();
     Contact& c = store.contacts[index];
     c = Contact{.shape_a = shape_a,
                 .shape_b = shape_b,
-                .body_a = world.shapes.shapes[shape_a].body,
-                .body_b = world.shapes.shapes[shape_b].body};
-    ASSERT(is_dynamic(world, c.body_a));
+                .body_a = stores.shapes.shapes[shape_a].body,
+                .body_b = stores.shapes.shapes[shape_b].body};
     ASSERT(c.body_a != c.body_b);
-    link_edge(store, index, 0, world.bodies.cold[c.body_a]);
-    link_edge(store, index, 1, world.bodies.cold[c.body_b]);
+    ASSERT(is_dynamic(stores.bodies, c.body_a));
+    link_edge(store, index, 0, stores.bodies.cold[c.body_a]);
+    link_edge(store, index, 1, stores.bodies.cold[c.body_b]);
     return index;
 }
 
@@ -69,25 +69,25 @@ void unlink_child(ContactStore& store, std::uint32_t child) {
 
 }  // namespace
 
-std::uint32_t create_contact(WorldState& world, std::uint32_t shape_a, std::uint32_t shape_b) {
-    ContactStore& store = world.contacts;
-    if (!is_dynamic(world, world.shapes.shapes[shape_a].body)) std::swap(shape_a, shape_b);
-    const std::uint32_t index = new_contact(world, shape_a, shape_b);
+std::uint32_t create_contact(ContactGraph& stores, std::uint32_t shape_a, std::uint32_t shape_b) {
+    ContactStore& store = stores.contacts;
+    if (!is_dynamic(stores.bodies, stores.shapes.shapes[shape_a].body)) std::swap(shape_a, shape_b);
+    const std::uint32_t index = new_contact(stores, shape_a, shape_b);
     store.contacts[index].composite =
-        is_composite(kind_of(world.shapes.shapes[shape_a].geometry)) ||
-        is_composite(kind_of(world.shapes.shapes[shape_b].geometry));
+        is_composite(kind_of(stores.shapes.shapes[shape_a].geometry)) ||
+        is_composite(kind_of(stores.shapes.shapes[shape_b].geometry));
     ASSERT(!store.pairs.contains(pair_key(shape_a, shape_b)));
     store.pairs.insert(pair_key(shape_a, shape_b));
     ASSERT(store.pairs.size() <= store.ids.alive_count());
-    add_separation_bound(world, index, -1);
+    add_separation_bound(stores, stores.contacts, index, -1);
     return index;
 }
 
-std::uint32_t create_child_contact(WorldState& world, std::uint32_t parent, std::uint64_t key) {
-    auto& contacts = world.contacts.contacts;
+std::uint32_t create_child_contact(ContactGraph& stores, std::uint32_t parent, std::uint64_t key) {
+    auto& contacts = stores.contacts.contacts;
     ASSERT(contacts[parent].composite && contacts[parent].parent == none);
     const std::uint32_t index =
-        new_contact(world, contacts[parent].shape_a, contacts[parent].shape_b);
+        new_contact(stores, contacts[parent].shape_a, contacts[parent].shape_b);
     contacts[index].parent = parent;
     contacts[index].key = key;
     // Append, so that children are in order of creation.
@@ -111,7 +111,7 @@ void destroy_contact(WorldState& world, std::uint32_t contact, std::vector<Conta
         if (!c.composite) end_touch(world, contact);
     }
     if (c.colour >= 0) remove_contact(world, contact);
-    clear_modifier(world, contact);
+    clear_modifier(world.contacts, contact);
     if (c.has_bound)
         std::erase_if(store.bounds, [&](const SeparationBound& w) { return w.contact == contact; });
     if (world.bodies.cold[c.body_a].set == BodySet::sleeping) {
@@ -126,19 +126,19 @@ void destroy_contact(WorldState& world, std::uint32_t contact, std::vector<Conta
     store.ids.release(contact);
 }
 
-void end_touch_of_pair(WorldState& world, std::uint32_t pair, std::vector<ContactEnd>& ended) {
-    Contact& c = world.contacts.contacts[pair];
-    ASSERT(world.contacts.ids.alive(pair) && c.parent == none);
+void end_touch_of_pair(ContactGraph& stores, std::uint32_t pair, std::vector<ContactEnd>& ended) {
+    Contact& c = stores.contacts.contacts[pair];
+    ASSERT(stores.contacts.ids.alive(pair) && c.parent == none);
     ASSERT(c.composite || c.touching_children == 0);
     if (!c.touching || c.touching_children > 0) return;
     c.touching = false;
-    report_end(world, c, ended);
+    report_end(stores, c, ended);
 }
 
-void report_end(const WorldState& world, const Contact& c, std::vector<ContactEnd>& ended) {
+void report_end(const ShapedBodies& stores, const Contact& c, std::vector<ContactEnd>& ended) {
     ASSERT(c.parent == none);
-    ended.push_back({shape_id(world, c.shape_a), shape_id(world, c.shape_b),
-                     body_id(world, c.body_a), body_id(world, c.body_b)});
+    ended.push_back({shape_id(stores.shapes, c.shape_a), shape_id(stores.shapes, c.shape_b),
+                     body_id(stores.bodies, c.body_a), body_id(stores.bodies, c.body_b)});
 }
 
 namespace {
@@ -160,14 +160,14 @@ void destroy_pairs(WorldState& world, const BodyCold& body, std::vector<ContactE
 namespace {
 
 // The island no longer carries the load of this body.
-void record_lost_load(WorldState& world, std::uint32_t body) {
-    const BodyCold& cold = world.bodies.cold[body];
+void record_lost_load(BodySets& sets, std::uint32_t body) {
+    const BodyCold& cold = sets.bodies.cold[body];
     if (cold.island == none || cold.constraints == 0) return;
-    ASSERT(world.islands.ids.alive(cold.island));
-    Island& island = world.islands.islands[cold.island];
+    ASSERT(sets.islands.ids.alive(cold.island));
+    Island& island = sets.islands.islands[cold.island];
     island.remaining_load *= clamp(1 - cold.mass / island.mass, 0, 1);
     ASSERT(island.remaining_load >= 0 && island.remaining_load <= 1);
-    world.islands.some_lost = true;
+    sets.islands.some_lost = true;
 }
 
 }  // namespace
@@ -191,24 +191,25 @@ void destroy_contacts_between(WorldState& world, std::uint32_t body, std::uint32
 
 namespace {
 
-void note_masses(WorldState& world, const Contact& c) {
-    const double a = world.bodies.cold[c.body_a].mass, b = world.bodies.cold[c.body_b].mass;
+void note_masses(BodySets& sets, const Contact& c) {
+    const double a = sets.bodies.cold[c.body_a].mass, b = sets.bodies.cold[c.body_b].mass;
     ASSERT(a > 0 && b > 0);
     if (maximum(a, b) >= tuning::heavy_ratio * minimum(a, b))
-        world.islands.islands[world.bodies.cold[c.body_a].island].uneven = true;
+        sets.islands.islands[sets.bodies.cold[c.body_a].island].uneven = true;
 }
 
 }  // namespace
 
-void begin_touch(WorldState& world, std::uint32_t contact) {
-    Contact& c = world.contacts.contacts[contact];
+void begin_touch(ContactGraph& stores, JointStore& joints, std::uint32_t contact) {
+    Contact& c = stores.contacts.contacts[contact];
     ASSERT(!c.touching && !c.composite);
     c.touching = true;
-    if (is_dynamic(world, c.body_b)) note_masses(world, c);
-    if (c.parent != none) world.contacts.contacts[c.parent].touching_children++;
-    ASSERT(world.bodies.cold[c.body_a].island != none);
-    if (is_dynamic(world, c.body_b))
-        join_islands(world, world.bodies.cold[c.body_a].island, world.bodies.cold[c.body_b].island);
+    if (is_dynamic(stores.bodies, c.body_b)) note_masses(stores, c);
+    if (c.parent != none) stores.contacts.contacts[c.parent].touching_children++;
+    ASSERT(stores.bodies.cold[c.body_a].island != none);
+    if (is_dynamic(stores.bodies, c.body_b))
+        join_islands(stores, joints, stores.bodies.cold[c.body_a].island,
+                     stores.bodies.cold[c.body_b].island);
 }
 
 void end_touch(WorldState& world, std::uint32_t contact) {
@@ -217,7 +218,7 @@ void end_touch(WorldState& world, std::uint32_t contact) {
     c.touching = false;
     for (const std::uint32_t body : {c.body_a, c.body_b})
         if (world.bodies.cold[body].asleep_in_place)
-            world.wake_requests.push_back({body, supported_mass(world, c)});
+            world.wake_requests.push_back({body, supported_mass(world.def, c)});
     if (c.parent != none) {
         Contact& parent = world.contacts.contacts[c.parent];
         // Whether the pair as a whole separated is determined after all changes of the step.
@@ -225,7 +226,7 @@ void end_touch(WorldState& world, std::uint32_t contact) {
         parent.touching_children--;
         world.changed_pairs.push_back(c.parent);
     }
-    if (is_dynamic(world, c.body_b))
+    if (is_dynamic(world.bodies, c.body_b))
         world.islands.islands[world.bodies.cold[c.body_a].island].may_be_split = true;
 }
 

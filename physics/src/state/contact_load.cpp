@@ -8,9 +8,9 @@
 
 namespace jostle::physics {
 
-Vec3 load_of(const WorldState& world, const Contact& contact) {
-    ASSERT(world.last_dt > 0);
-    const ContactLaneRef lane_ref = lane_ref_of(world, contact);
+Vec3 load_of(const ContactGraph& stores, const Contact& contact) {
+    ASSERT(stores.last_dt > 0);
+    const ContactLaneRef lane_ref = lane_ref_of(stores.graph, contact);
     const ContactConstraintWide& block = *lane_ref.block;
     const int lane = lane_ref.lane;
     double normal_sum = 0;
@@ -21,23 +21,23 @@ Vec3 load_of(const WorldState& world, const Contact& contact) {
     const Vec3 t1 = get_lane(block.tangent, lane);
     const Vec3 impulse = normal * normal_sum + t1 * double{block.friction[0][lane]} +
                          cross(normal, t1) * double{block.friction[1][lane]};
-    const std::uint32_t island = world.bodies.cold[contact.body_a].island;
-    const ColourSetKey set = world.islands.islands[island].colour_set;
-    return impulse * (substeps_of(set, world) / world.last_dt);
+    const std::uint32_t island = stores.bodies.cold[contact.body_a].island;
+    const ColourSetKey set = stores.islands.islands[island].colour_set;
+    return impulse * (substeps_of(set, stores) / stores.last_dt);
 }
 
 Vec3 saved_load(const Contact& c) {
     return {double{c.load[0]}, double{c.load[1]}, double{c.load[2]}};
 }
 
-double supported_mass(const WorldState& world, const Contact& contact) {
-    const double gravity = length(world.def.gravity);
+double supported_mass(const WorldDef& def, const Contact& contact) {
+    const double gravity = length(def.gravity);
     return gravity > 0 ? length(saved_load(contact)) / gravity : 0;
 }
 
-void save_load(WorldState& world, std::uint32_t contact) {
-    Contact& c = world.contacts.contacts[contact];
-    const Vec3 load = load_of(world, c);
+void save_load(ContactGraph& stores, std::uint32_t contact) {
+    Contact& c = stores.contacts.contacts[contact];
+    const Vec3 load = load_of(stores, c);
     for (int k = 0; k < 3; k++) c.load[k] = static_cast<float>(load[k]);
 }
 

@@ -4,16 +4,16 @@
 // wakes the sleeping body.
 #pragma once
 
-#include "physics/src/state/world_state.h"
+#include "physics/src/state/world_stores.h"
 
 namespace jostle::physics {
 
 // Returns the force on body b of a contact in the constraint graph, N.
-Vec3 load_of(const WorldState& world, const Contact& contact);
+Vec3 load_of(const ContactGraph& stores, const Contact& contact);
 
-void save_load(WorldState& world, std::uint32_t contact);
+void save_load(ContactGraph& stores, std::uint32_t contact);
 Vec3 saved_load(const Contact& contact);
 // The mass whose weight equals the stored force, kg; 0 without gravity.
-double supported_mass(const WorldState& world, const Contact& contact);
+double supported_mass(const WorldDef& def, const Contact& contact);
 
 }  // namespace jostle::physics

@@ -19,10 +19,10 @@ double to_power(double x, int n) {
 
 // Calls visit(shape) for each shape of the body that is not a trigger.
 template <class Visit>
-void for_each_solid(const WorldState& world, const BodyWarm& now, const BodyCold& cold,
+void for_each_solid(const ShapeStore& shapes, const BodyWarm& now, const BodyCold& cold,
                     Visit&& visit) {
-    for (std::uint32_t s = cold.first_shape; s != none; s = world.shapes.shapes[s].next)
-        if (!world.shapes.shapes[s].trigger) visit(transformed_shape(world.shapes.shapes[s], now));
+    for (std::uint32_t s = cold.first_shape; s != none; s = shapes.shapes[s].next)
+        if (!shapes.shapes[s].trigger) visit(transformed_shape(shapes.shapes[s], now));
 }
 
 // Input of the field laws for one body, and the sum of their forces.
@@ -79,7 +79,7 @@ struct Pushed {
     void operator()(const BuoyancyField& fluid) {
         double below = 0, total = 0;
         Vec3 moment;
-        for_each_solid(world, now, cold, [&](const TransformedShape& shape) {
+        for_each_solid(world.shapes, now, cold, [&](const TransformedShape& shape) {
             const Vec3 normal = transposed_times(shape.axes, fluid.normal);
             const double offset = fluid.offset - dot(fluid.normal, shape.position);
             const Displacement part = displacement(*shape.geometry, normal, offset);
@@ -101,7 +101,7 @@ struct Pushed {
 
     static double shown_area(const Pushed& body, Vec3 direction) {
         double area = 0;
-        for_each_solid(body.world, body.now, body.cold, [&](const TransformedShape& shape) {
+        for_each_solid(body.world.shapes, body.now, body.cold, [&](const TransformedShape& shape) {
             area += projected_area(*shape.geometry, transposed_times(shape.axes, direction));
         });
         return area;
@@ -118,9 +118,9 @@ bool changes_with_time(const FieldDef& field) {
     return wind != nullptr && wind->gust != Vec3{};
 }
 
-bool has_category(const WorldState& world, const BodyCold& cold, std::uint32_t mask) {
-    for (std::uint32_t s = cold.first_shape; s != none; s = world.shapes.shapes[s].next)
-        if ((world.shapes.shapes[s].filter.category & mask) != 0) return true;
+bool has_category(const ShapeStore& shapes, const BodyCold& cold, std::uint32_t mask) {
+    for (std::uint32_t s = cold.first_shape; s != none; s = shapes.shapes[s].next)
+        if ((shapes.shapes[s].filter.category & mask) != 0) return true;
     return false;
 }
 
@@ -136,11 +136,11 @@ bool reaches(const FieldStore& fields, Vec3 center, double radius) {
     return false;
 }
 
-bool acts_on(const WorldState& world, const FieldDef& field, const BodyWarm& now,
+bool acts_on(const ShapeStore& shapes, const FieldDef& field, const BodyWarm& now,
              const BodyCold& cold) {
     if (cold.type != BodyType::dynamic) return false;
     if (field.region && !contains(*field.region, Aabb{now.center, now.center})) return false;
-    return field.mask == 0xffffffff || has_category(world, cold, field.mask);
+    return field.mask == 0xffffffff || has_category(shapes, cold, field.mask);
 }
 
 FieldPush field_push(const WorldState& world, const BodyWarm& now, const BodyCold& cold,
@@ -149,7 +149,7 @@ FieldPush field_push(const WorldState& world, const BodyWarm& now, const BodyCol
     Pushed body{world, cold, now, time, h};
     for (const std::uint32_t index : world.fields.active) {
         const FieldDef& field = world.fields.fields[index];
-        if (acts_on(world, field, now, cold)) std::visit(body, field.force);
+        if (acts_on(world.shapes, field, now, cold)) std::visit(body, field.force);
     }
     if (world.def.planar) {
         body.sum.force.z = 0;
@@ -167,10 +167,11 @@ double field_acceleration(const WorldState& world, const BodyWarm& now, const Bo
     return length(push.force) * cold.inverse_mass;
 }
 
-bool is_affected_by_gusts(const WorldState& world, const BodyWarm& now, const BodyCold& cold) {
-    for (const std::uint32_t index : world.fields.active) {
-        const FieldDef& field = world.fields.fields[index];
-        if (changes_with_time(field) && acts_on(world, field, now, cold)) return true;
+bool is_affected_by_gusts(const FieldStore& fields, const ShapeStore& shapes, const BodyWarm& now,
+                          const BodyCold& cold) {
+    for (const std::uint32_t index : fields.active) {
+        const FieldDef& field = fields.fields[index];
+        if (changes_with_time(field) && acts_on(shapes, field, now, cold)) return true;
     }
     return false;
 }

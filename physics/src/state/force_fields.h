@@ -21,12 +21,13 @@ FieldPush field_push(const WorldState& world, const BodyWarm& now, const BodyCol
 double field_acceleration(const WorldState& world, const BodyWarm& now, const BodyCold& cold);
 
 // Returns whether a time-dependent field acts on the body, which must then stay awake.
-bool is_affected_by_gusts(const WorldState& world, const BodyWarm& now, const BodyCold& cold);
+bool is_affected_by_gusts(const FieldStore& fields, const ShapeStore& shapes, const BodyWarm& now,
+                          const BodyCold& cold);
 
 // Returns whether any field overlaps a sphere.
 bool reaches(const FieldStore& fields, Vec3 center, double radius);
 // Returns whether a field acts on the body at its position.
-bool acts_on(const WorldState& world, const FieldDef& field, const BodyWarm& now,
+bool acts_on(const ShapeStore& shapes, const FieldDef& field, const BodyWarm& now,
              const BodyCold& cold);
 
 // Checks the values of a field. The error names the one that is out of range.

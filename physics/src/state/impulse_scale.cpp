@@ -59,37 +59,39 @@ void clear_negative_mean_impulse(const ContactLaneRef& lane_ref) {
         mean_impulse[lane_ref.lane] = std::max(mean_impulse[lane_ref.lane], 0.0f);
 }
 
-void scale_joints(WorldState& world, std::uint32_t body, double scale) {
+void scale_joints(const BodyStore& bodies, JointStore& joints, std::uint32_t body, double scale) {
     ASSERT(scale > 0);
-    for_each_joint(world.joints, world.bodies.cold[body], [&](std::uint32_t index) {
-        Joint& j = world.joints.joints[index];
+    for_each_joint(joints, bodies.cold[body], [&](std::uint32_t index) {
+        Joint& j = joints.joints[index];
         // Each joint once: at its first dynamic body.
-        const bool first = is_dynamic(world, j.body_a);
+        const bool first = is_dynamic(bodies, j.body_a);
         if ((first ? j.body_a : j.body_b) == body) scale_impulses(j, scale);
     });
 }
 
-void scale_awake(WorldState& world, double scale) {
+void scale_awake(ContactGraph& stores, JointStore& joints, double scale) {
     std::array<double, solved_set_count> all{};
     all.fill(scale);
-    scale_awake(world, all);
+    scale_awake(stores, joints, all);
 }
 
-void scale_awake(WorldState& world, const std::array<double, solved_set_count>& scale) {
+void scale_awake(ContactGraph& stores, JointStore& joints,
+                 const std::array<double, solved_set_count>& scale) {
     const auto scale_at = [&](std::uint32_t body) {
-        const std::uint32_t island = world.bodies.cold[body].island;
-        ASSERT(world.islands.ids.alive(island));
-        return scale[index_of(world.islands.islands[island].colour_set)];
+        const std::uint32_t island = stores.bodies.cold[body].island;
+        ASSERT(stores.islands.ids.alive(island));
+        return scale[index_of(stores.islands.islands[island].colour_set)];
     };
-    for (std::uint32_t i = 0; i < world.contacts.contacts.size(); i++) {
-        const Contact& c = world.contacts.contacts[i];
-        if (world.contacts.ids.alive(i) && c.colour >= 0)
-            scale_impulses(lane_ref_of(world, c), static_cast<float>(scale_at(c.body_a)), false);
+    for (std::uint32_t i = 0; i < stores.contacts.contacts.size(); i++) {
+        const Contact& c = stores.contacts.contacts[i];
+        if (stores.contacts.ids.alive(i) && c.colour >= 0)
+            scale_impulses(lane_ref_of(stores.graph, c), static_cast<float>(scale_at(c.body_a)),
+                           false);
     }
-    for (const BodyWarm& warm : world.bodies.awake) {
-        const BodyCold& cold = world.bodies.cold[warm.body];
+    for (const BodyWarm& warm : stores.bodies.awake) {
+        const BodyCold& cold = stores.bodies.cold[warm.body];
         if (cold.type == BodyType::dynamic && cold.first_joint != none)
-            scale_joints(world, warm.body, scale_at(warm.body));
+            scale_joints(stores.bodies, joints, warm.body, scale_at(warm.body));
     }
 }
 

@@ -19,12 +19,13 @@ void scale_impulses(const ContactLaneRef& lane_ref, float scale, bool even);
 // compensates with a negative one, and would have the friction of a larger load until then.
 void clear_negative_mean_impulse(const ContactLaneRef& lane_ref);
 // Scales the impulses of the joints of a body, each joint at its first dynamic body.
-void scale_joints(WorldState& world, std::uint32_t body, double scale);
+void scale_joints(const BodyStore& bodies, JointStore& joints, std::uint32_t body, double scale);
 
 // Scales all impulses of the awake set for steps that are `scale` times as long. Sleeping islands
 // follow when they wake.
-void scale_awake(WorldState& world, double scale);
+void scale_awake(ContactGraph& stores, JointStore& joints, double scale);
 // Same with a factor per colour set, indexed by index_of().
-void scale_awake(WorldState& world, const std::array<double, solved_set_count>& scale);
+void scale_awake(ContactGraph& stores, JointStore& joints,
+                 const std::array<double, solved_set_count>& scale);
 
 }  // namespace jostle::physics

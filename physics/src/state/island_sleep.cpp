@@ -17,9 +17,9 @@ namespace jostle::physics {
 namespace {
 
 // A kinematic body without velocity, which acts like a static one.
-bool is_parked(const WorldState& world, std::uint32_t body) {
-    const BodyWarm& warm = warm_of(world, body);
-    return !is_dynamic(world, body) && warm.v == Vec3{} && warm.w == Vec3{};
+bool is_parked(const BodySets& sets, std::uint32_t body) {
+    const BodyWarm& warm = warm_of(sets, body);
+    return !is_dynamic(sets.bodies, body) && warm.v == Vec3{} && warm.w == Vec3{};
 }
 
 }  // namespace
@@ -32,19 +32,20 @@ std::vector<std::uint32_t> bodies_staying_asleep(WorldState& world,
                                                  const std::vector<BodyWarm>& sleepers) {
     std::vector<std::uint32_t> still;
     if (!world.def.sleeping || sleepers.size() < tuning::partial_sleep_least) return still;
-    for_each_jointed(world, sleepers, [&](const JointedBodies& jointed) {
-        if (!jointed.to_kinematic)
-            still.insert(still.end(), jointed.bodies.begin(), jointed.bodies.end());
-    });
+    for_each_jointed(
+        world.bodies, world.joints, world.scratch, sleepers, [&](const JointedBodies& jointed) {
+            if (!jointed.to_kinematic)
+                still.insert(still.end(), jointed.bodies.begin(), jointed.bodies.end());
+        });
     if (still.size() < tuning::partial_sleep_least) still.clear();
     return still;
 }
 
 // Factor by which the overload level makes the island's sub-steps longer.
-double lengthening(const WorldState& world, const Island& island) {
+double lengthening(const SteppingState& stepping, const Island& island) {
     ASSERT(island.colour_set != asleep_set);
-    return static_cast<double>(substeps_of(island.colour_set, world.def)) /
-           substeps_of(island.colour_set, world);
+    return static_cast<double>(substeps_of(island.colour_set, stepping.def)) /
+           substeps_of(island.colour_set, stepping);
 }
 
 }  // namespace
@@ -59,12 +60,12 @@ void wake_island(WorldState& world, std::uint32_t island_index, std::vector<Body
     ASSERT(island.dt >= 0 && island.bodies > 0);
     island.sleepers = {};
     island.manifolds = {};
-    for (const BodyWarm& warm : sleepers) enter_awake(world, warm);
+    for (const BodyWarm& warm : sleepers) enter_awake(world.bodies, warm);
     const std::vector<std::uint32_t> still = bodies_staying_asleep(world, sleepers);
-    for (const std::uint32_t body : still) hold_still(world, body);
+    for (const std::uint32_t body : still) hold_still(world.bodies, body);
     for (const BodyWarm& warm : sleepers)
         if (!world.bodies.cold[warm.body].asleep_in_place)
-            woke.push_back(body_id(world, warm.body));
+            woke.push_back(body_id(world.bodies, warm.body));
     // The step length may differ from that at the time it fell asleep.
     const double scale = island.dt > 0 && world.last_dt > 0
                              ? world.last_dt * lengthening(world, island) / island.dt
@@ -72,11 +73,12 @@ void wake_island(WorldState& world, std::uint32_t island_index, std::vector<Body
     ASSERT(scale > 0);
     island.dt = 0;
     if (scale != 1)
-        for (const BodyWarm& warm : sleepers) scale_joints(world, warm.body, scale);
+        for (const BodyWarm& warm : sleepers)
+            scale_joints(world.bodies, world.joints, warm.body, scale);
     for (const SavedContact& saved : manifolds) {
         restore_contact(world, saved);
         if (scale != 1)
-            scale_impulses(lane_ref_of(world, world.contacts.contacts[saved.contact]),
+            scale_impulses(lane_ref_of(world.graph, world.contacts.contacts[saved.contact]),
                            static_cast<float>(scale), false);
         if (!still.empty()) save_load(world, saved.contact);
         world.contacts.contacts[saved.contact].dormant = false;
@@ -86,22 +88,22 @@ void wake_island(WorldState& world, std::uint32_t island_index, std::vector<Body
     for (const BodyWarm& warm : sleepers)
         for_each_contact(world.contacts, world.bodies.cold[warm.body], [&](std::uint32_t contact) {
             const Contact& c = world.contacts.contacts[contact];
-            if (c.dormant) resume_separation_bound(world, contact);
+            if (c.dormant) resume_separation_bound(world.contacts, contact);
         });
 }
 
 namespace {
 
 // Number of manifolds of an island, to allocate memory once.
-std::size_t manifolds_of(const WorldState& world, std::uint32_t island) {
+std::size_t manifolds_of(const BodySets& sets, const ContactStore& contacts, std::uint32_t island) {
     std::size_t count = 0;
-    for (std::uint32_t body = world.islands.islands[island].first; body != none;
-         body = world.bodies.cold[body].island_next)
-        for_each_manifold(world.contacts, world.bodies.cold[body], [&](std::uint32_t index) {
-            const Contact& c = world.contacts.contacts[index];
+    for (std::uint32_t body = sets.islands.islands[island].first; body != none;
+         body = sets.bodies.cold[body].island_next)
+        for_each_manifold(contacts, sets.bodies.cold[body], [&](std::uint32_t index) {
+            const Contact& c = contacts.contacts[index];
             const bool first =
                 // Each contact once.
-                c.body_a == body || world.bodies.cold[c.body_a].island != island;
+                c.body_a == body || sets.bodies.cold[c.body_a].island != island;
             count += first ? 1 : 0;
         });
     return count;
@@ -115,7 +117,7 @@ void put_island_to_sleep(WorldState& world, std::uint32_t island_index,
     ASSERT(!island.asleep && island.sleepers.empty());
     ASSERT(island.manifolds.empty() && island.bodies > 0);
     island.sleepers.reserve(island.bodies);
-    island.manifolds.reserve(manifolds_of(world, island_index));
+    island.manifolds.reserve(manifolds_of(world, world.contacts, island_index));
     // Save manifolds first, while the hot indices are valid. Each contact is visited at its body a,
     // or at b if only b is in this island.
     for (std::uint32_t body = island.first; body != none;
@@ -145,8 +147,8 @@ void put_island_to_sleep(WorldState& world, std::uint32_t island_index,
                         report_end(world, c, ended);
                         end_touch(world, contact);
                     }
-                    clear_modifier(world, contact);
-                    add_separation_bound(world, contact, -1);
+                    clear_modifier(world.contacts, contact);
+                    add_separation_bound(world, world.contacts, contact, -1);
                     return;
                 }
             }

@@ -14,9 +14,9 @@ namespace jostle::physics {
 namespace {
 
 template <class Visit>
-void for_each_body(const WorldState& world, std::uint32_t island, Visit&& visit) {
-    for (std::uint32_t body = world.islands.islands[island].first; body != none;
-         body = world.bodies.cold[body].island_next)
+void for_each_body(const BodySets& sets, std::uint32_t island, Visit&& visit) {
+    for (std::uint32_t body = sets.islands.islands[island].first; body != none;
+         body = sets.bodies.cold[body].island_next)
         visit(body);
 }
 
@@ -26,21 +26,21 @@ struct Rescale {
     bool even = false;  // the points of a manifold share its load
 };
 
-void rescale(WorldState& world, const Contact& c, Rescale by) {
+void rescale(ConstraintGraph& graph, const WorldDef& def, const Contact& c, Rescale by) {
     if (by.scale == 1 && !by.even) return;
     ASSERT(by.scale > 0);
-    const ContactLaneRef lane_ref = lane_ref_of(world, c);
+    const ContactLaneRef lane_ref = lane_ref_of(graph, c);
     scale_impulses(lane_ref, by.scale, by.even);
-    if (controls_error(world.def)) clear_negative_mean_impulse(lane_ref);
+    if (controls_error(def)) clear_negative_mean_impulse(lane_ref);
 }
 
 // `resting_only`: the other contacts have already been moved.
-void move_contacts(WorldState& world, std::uint32_t body, Rescale by, bool resting_only) {
-    for_each_manifold(world.contacts, world.bodies.cold[body], [&](std::uint32_t index) {
-        const Contact& c = world.contacts.contacts[index];
+void move_contacts(ContactGraph& stores, std::uint32_t body, Rescale by, bool resting_only) {
+    for_each_manifold(stores.contacts, stores.bodies.cold[body], [&](std::uint32_t index) {
+        const Contact& c = stores.contacts.contacts[index];
         if (c.body_a != body || (resting_only && c.colour_set != asleep_set)) return;
-        rescale(world, c, by);
-        if (c.colour_set != set_of_contact(world, c)) move_contact(world, index);
+        rescale(stores.graph, stores.def, c, by);
+        if (c.colour_set != set_of_contact(stores, c)) move_contact(stores, index);
     });
 }
 
@@ -54,36 +54,37 @@ void follow_substeps(IslandError& error, double scale) {
 // contacts of a set move to a set with few contacts, the two sets are swapped and only misplaced
 // contacts are moved. Calls moved(contact) for contacts that change sets.
 template <class Moved>
-void swap_sets(WorldState& world, ColourSetKey from, ColourSetKey to, Moved&& moved) {
-    std::swap(world.graph.sets[index_of(from)], world.graph.sets[index_of(to)]);
+void swap_sets(ContactGraph& stores, ColourSetKey from, ColourSetKey to, Moved&& moved) {
+    std::swap(stores.graph.sets[index_of(from)], stores.graph.sets[index_of(to)]);
     std::vector<std::uint32_t> others;
     for (const ColourSetKey key : {from, to})
-        for (const GraphColour& colour : world.graph.sets[index_of(key)].colours)
+        for (const GraphColour& colour : stores.graph.sets[index_of(key)].colours)
             for (const ContactConstraintWideMeta& meta : colour.metas)
                 for (const std::uint32_t index : meta.contact) {
                     if (index == no_contact) continue;
-                    Contact& c = world.contacts.contacts[index];
+                    Contact& c = stores.contacts.contacts[index];
                     c.colour_set = key;
-                    if (set_of_contact(world, c) != key)
+                    if (set_of_contact(stores, c) != key)
                         others.push_back(index);
                     else if (key == to)
                         moved(c);
                 }
-    for (const std::uint32_t contact : others) move_contact(world, contact);
+    for (const std::uint32_t contact : others) move_contact(stores, contact);
 }
 
 }  // namespace
 
-std::vector<std::uint32_t> coupled_islands(const WorldState& world, std::uint32_t island) {
-    std::vector<bool> seen(world.islands.islands.size(), false);
+std::vector<std::uint32_t> coupled_islands(const BodySets& sets, const ContactStore& contacts,
+                                           std::uint32_t island) {
+    std::vector<bool> seen(sets.islands.islands.size(), false);
     std::vector<std::uint32_t> coupled{island};
     seen[island] = true;
     for (std::size_t k = 0; k < coupled.size(); k++)
-        for_each_body(world, coupled[k], [&](std::uint32_t body) {
-            for_each_manifold(world.contacts, world.bodies.cold[body], [&](std::uint32_t index) {
-                const Contact& c = world.contacts.contacts[index];
+        for_each_body(sets, coupled[k], [&](std::uint32_t body) {
+            for_each_manifold(contacts, sets.bodies.cold[body], [&](std::uint32_t index) {
+                const Contact& c = contacts.contacts[index];
                 const std::uint32_t other =
-                    world.bodies.cold[c.body_a == body ? c.body_b : c.body_a].island;
+                    sets.bodies.cold[c.body_a == body ? c.body_b : c.body_a].island;
                 if (other == none || seen[other]) return;
                 seen[other] = true;
                 coupled.push_back(other);
@@ -92,20 +93,20 @@ std::vector<std::uint32_t> coupled_islands(const WorldState& world, std::uint32_
     return coupled;
 }
 
-CoupledIslands::CoupledIslands(const WorldState& world) : first_(world.islands.islands.size()) {
+CoupledIslands::CoupledIslands(const ContactGraph& stores) : first_(stores.islands.islands.size()) {
     const auto count = static_cast<std::uint32_t>(first_.size());
     for (std::uint32_t i = 0; i < count; i++) first_[i] = i;
     const auto root = [&](std::uint32_t i) {
         while (first_[i] != i) i = first_[i] = first_[first_[i]];
         return i;
     };
-    for_each_colour(world.graph.sets, [&](const GraphColour& colour) {
+    for_each_colour(stores.graph.sets, [&](const GraphColour& colour) {
         for (const ContactConstraintWideMeta& meta : colour.metas)
             for (const std::uint32_t index : meta.contact) {
                 if (index == no_contact) continue;
-                const Contact& c = world.contacts.contacts[index];
-                const std::uint32_t a = world.bodies.cold[c.body_a].island,
-                                    b = world.bodies.cold[c.body_b].island;
+                const Contact& c = stores.contacts.contacts[index];
+                const std::uint32_t a = stores.bodies.cold[c.body_a].island,
+                                    b = stores.bodies.cold[c.body_b].island;
                 if (a == b || a == none || b == none) continue;
                 const std::uint32_t of_a = root(a), of_b = root(b);
                 first_[std::max(of_a, of_b)] = std::min(of_a, of_b);
@@ -123,52 +124,56 @@ CoupledIslands::CoupledIslands(const WorldState& world) : first_(world.islands.i
     for (std::uint32_t i = 0; i < count; i++) members_[next[first_[i]]++] = i;
 }
 
-void move_to_set(WorldState& world, std::span<const std::uint32_t> islands, ColourSetKey to) {
+void move_to_set(ContactGraph& stores, JointStore& joints, std::span<const std::uint32_t> islands,
+                 ColourSetKey to) {
     ASSERT(!islands.empty() && to != asleep_set);
-    const ColourSetKey from = world.islands.islands[islands.front()].colour_set;
+    const ColourSetKey from = stores.islands.islands[islands.front()].colour_set;
     if (from == to) return;
     const bool other_tier = from.tier != to.tier;
-    const double scale = static_cast<double>(substeps_of(from, world)) / substeps_of(to, world);
+    const double scale = static_cast<double>(substeps_of(from, stores)) / substeps_of(to, stores);
     ASSERT(scale > 0 && from != asleep_set);
     // Update all islands first, because the set of a contact depends on the sets of its bodies.
     std::int64_t contacts = 0;  // contacts of two dynamic bodies count twice
     for (const std::uint32_t i : islands) {
-        ASSERT(world.islands.islands[i].colour_set == from && !world.islands.islands[i].asleep);
-        world.islands.islands[i].colour_set = to;
-        if (other_tier) world.islands.islands[i].calm = 0;
-        if (scale != 1) follow_substeps(world.islands.islands[i].error, scale);
-        for_each_body(world, i,
-                      [&](std::uint32_t body) { contacts += world.bodies.cold[body].constraints; });
+        ASSERT(stores.islands.islands[i].colour_set == from && !stores.islands.islands[i].asleep);
+        stores.islands.islands[i].colour_set = to;
+        if (other_tier) stores.islands.islands[i].calm = 0;
+        if (scale != 1) follow_substeps(stores.islands.islands[i].error, scale);
+        for_each_body(stores, i, [&](std::uint32_t body) {
+            contacts += stores.bodies.cold[body].constraints;
+        });
     }
-    const std::int32_t in_from = world.graph.sets[index_of(from)].contacts;
-    const std::int32_t in_to = world.graph.sets[index_of(to)].contacts;
+    const std::int32_t in_from = stores.graph.sets[index_of(from)].contacts;
+    const std::int32_t in_to = stores.graph.sets[index_of(to)].contacts;
     ASSERT(in_from >= 0 && in_to >= 0);
     const Rescale by{static_cast<float>(scale), other_tier && to.tier > SolverTier::pile};
     const bool swap = contacts > in_from && 2 * in_to < in_from;
-    if (swap) swap_sets(world, from, to, [&](const Contact& c) { rescale(world, c, by); });
+    if (swap)
+        swap_sets(stores, from, to,
+                  [&](const Contact& c) { rescale(stores.graph, stores.def, c, by); });
     // Contacts asleep in place have a separate set.
-    const bool walk = !swap || world.bodies.asleep_in_place > 0;
+    const bool walk = !swap || stores.bodies.asleep_in_place > 0;
     if (!walk && scale == 1) return;
     for (const std::uint32_t i : islands)
-        for_each_body(world, i, [&](std::uint32_t body) {
-            if (walk) move_contacts(world, body, by, swap);
-            scale_joints(world, body, scale);
+        for_each_body(stores, i, [&](std::uint32_t body) {
+            if (walk) move_contacts(stores, body, by, swap);
+            scale_joints(stores.bodies, joints, body, scale);
         });
 }
 
-void scale_warm_start(WorldState& world, const Island& island, float scale) {
+void scale_warm_start(ContactGraph& stores, const Island& island, float scale) {
     ASSERT(!island.asleep);
     ASSERT(scale > 0);
     for (std::uint32_t body = island.first; body != none;
-         body = world.bodies.cold[body].island_next)
-        for_each_manifold(world.contacts, world.bodies.cold[body], [&](std::uint32_t index) {
-            const Contact& c = world.contacts.contacts[index];
-            if (c.body_a == body) scale_warm_start(lane_ref_of(world, c), scale);
+         body = stores.bodies.cold[body].island_next)
+        for_each_manifold(stores.contacts, stores.bodies.cold[body], [&](std::uint32_t index) {
+            const Contact& c = stores.contacts.contacts[index];
+            if (c.body_a == body) scale_warm_start(lane_ref_of(stores.graph, c), scale);
         });
 }
 
-void match_sets(WorldState& world, std::uint32_t a, std::uint32_t b) {
-    const Island &ia = world.islands.islands[a], &ib = world.islands.islands[b];
+void match_sets(ContactGraph& stores, JointStore& joints, std::uint32_t a, std::uint32_t b) {
+    const Island &ia = stores.islands.islands[a], &ib = stores.islands.islands[b];
     ASSERT(!ia.asleep && !ib.asleep);
     if (ia.colour_set == ib.colour_set) return;
     // A body that touches a pile does not make it slender, nor vice versa. It does not make it tall
@@ -183,11 +188,11 @@ void match_sets(WorldState& world, std::uint32_t a, std::uint32_t b) {
                        (is_usual(tier_a) && is_usual(tier_b));
     const bool a_yields = alike ? ia.bodies < ib.bodies : tier_a < tier_b;
     ColourSetKey to = a_yields ? ib.colour_set : ia.colour_set;
-    if (controls_error(world.def)) to.batch = std::max(ia.colour_set.batch, ib.colour_set.batch);
+    if (controls_error(stores.def)) to.batch = std::max(ia.colour_set.batch, ib.colour_set.batch);
     ASSERT(to.tier != SolverTier::asleep);
     for (const std::uint32_t island : {a, b})
-        if (world.islands.islands[island].colour_set != to)
-            move_to_set(world, coupled_islands(world, island), to);
+        if (stores.islands.islands[island].colour_set != to)
+            move_to_set(stores, joints, coupled_islands(stores, stores.contacts, island), to);
 }
 
 }  // namespace jostle::physics

@@ -8,19 +8,20 @@
 #include <span>
 #include <vector>
 
-#include "physics/src/state/world_state.h"
+#include "physics/src/state/world_stores.h"
 
 namespace jostle::physics {
 
 // Returns the awake islands that manifolds couple to this one, itself first. Coupled islands share
 // one colour set. Manifolds may couple islands that do not touch yet.
-std::vector<std::uint32_t> coupled_islands(const WorldState& world, std::uint32_t island);
+std::vector<std::uint32_t> coupled_islands(const BodySets& sets, const ContactStore& contacts,
+                                           std::uint32_t island);
 
 // The same for all islands at once, in time that is independent of the number of queries. Valid
 // until a manifold begins or ends; sets may change.
 class CoupledIslands {
 public:
-    explicit CoupledIslands(const WorldState& world);
+    explicit CoupledIslands(const ContactGraph& stores);
     // Returns the coupled islands in ascending order. Sleeping islands are not coupled.
     std::span<const std::uint32_t> group_of(std::uint32_t island) const {
         const std::uint32_t first = first_[island];
@@ -34,13 +35,14 @@ private:
 };
 
 // Moves islands to another set. `islands` are all islands of one coupling.
-void move_to_set(WorldState& world, std::span<const std::uint32_t> islands, ColourSetKey set);
+void move_to_set(ContactGraph& stores, JointStore& joints, std::span<const std::uint32_t> islands,
+                 ColourSetKey set);
 
 // Multiplies all warm-start impulses of an awake island.
-void scale_warm_start(WorldState& world, const Island& island, float scale);
+void scale_warm_start(ContactGraph& stores, const Island& island, float scale);
 
 // Call before two awake islands become coupled: assigns both the same colour set, that of the
 // higher tier, or that of the larger island if the tiers differ only in how contacts learn.
-void match_sets(WorldState& world, std::uint32_t a, std::uint32_t b);
+void match_sets(ContactGraph& stores, JointStore& joints, std::uint32_t a, std::uint32_t b);
 
 }  // namespace jostle::physics

@@ -8,28 +8,28 @@
 
 namespace jostle::physics {
 
-std::uint32_t create_island(WorldState& world) {
-    const std::uint32_t index = world.islands.ids.take();
-    if (index == world.islands.islands.size()) world.islands.islands.emplace_back();
-    world.islands.islands[index] = Island{};
-    if (controls_error(world.def)) {
-        world.islands.islands[index].colour_set.batch = initial_substep_level;
-        world.islands.islands[index].error.target_level = initial_substep_level;
+std::uint32_t create_island(IslandStore& islands, const WorldDef& def) {
+    const std::uint32_t index = islands.ids.take();
+    if (index == islands.islands.size()) islands.islands.emplace_back();
+    islands.islands[index] = Island{};
+    if (controls_error(def)) {
+        islands.islands[index].colour_set.batch = initial_substep_level;
+        islands.islands[index].error.target_level = initial_substep_level;
     }
     return index;
 }
 
-void add_to_island(WorldState& world, std::uint32_t island_index, std::uint32_t body) {
-    Island& island = world.islands.islands[island_index];
-    BodyCold& cold = world.bodies.cold[body];
-    ASSERT(world.islands.ids.alive(island_index));
+void add_to_island(BodySets& sets, std::uint32_t island_index, std::uint32_t body) {
+    Island& island = sets.islands.islands[island_index];
+    BodyCold& cold = sets.bodies.cold[body];
+    ASSERT(sets.islands.ids.alive(island_index));
     ASSERT(cold.island == none && cold.type == BodyType::dynamic);
     ASSERT((island.first == none) == (island.bodies == 0));
     cold.island = island_index;
     cold.island_prev = island.last;
     cold.island_next = none;
     if (island.last != none)
-        world.bodies.cold[island.last].island_next = body;
+        sets.bodies.cold[island.last].island_next = body;
     else
         island.first = body;
     island.last = body;
@@ -38,27 +38,27 @@ void add_to_island(WorldState& world, std::uint32_t island_index, std::uint32_t 
     island.mass += cold.mass;
 }
 
-void remove_from_island(WorldState& world, std::uint32_t body) {
-    BodyCold& cold = world.bodies.cold[body];
+void remove_from_island(BodySets& sets, std::uint32_t body) {
+    BodyCold& cold = sets.bodies.cold[body];
     const std::uint32_t index = cold.island;
     ASSERT(index != none);
-    ASSERT(world.islands.ids.alive(index));
-    Island& island = world.islands.islands[index];
+    ASSERT(sets.islands.ids.alive(index));
+    Island& island = sets.islands.islands[index];
     if (cold.island_prev != none)
-        world.bodies.cold[cold.island_prev].island_next = cold.island_next;
+        sets.bodies.cold[cold.island_prev].island_next = cold.island_next;
     else
         island.first = cold.island_next;
     if (cold.island_next != none)
-        world.bodies.cold[cold.island_next].island_prev = cold.island_prev;
+        sets.bodies.cold[cold.island_next].island_prev = cold.island_prev;
     else
         island.last = cold.island_prev;
     cold.island = cold.island_prev = cold.island_next = none;
     ASSERT(island.bodies > 0);
-    island.mass -= world.bodies.cold[body].mass;
+    island.mass -= sets.bodies.cold[body].mass;
     island.too_dense_for = -1;
     if (--island.bodies == 0) {
         island = Island{};
-        world.islands.ids.release(index);
+        sets.islands.ids.release(index);
     }
 }
 
@@ -72,24 +72,24 @@ IslandError joined(const IslandError& a, const IslandError& b) {
 
 }  // namespace
 
-void join_islands(WorldState& world, std::uint32_t a, std::uint32_t b) {
+void join_islands(ContactGraph& stores, JointStore& joints, std::uint32_t a, std::uint32_t b) {
     if (a == b) return;
-    ASSERT(world.islands.ids.alive(a) && world.islands.ids.alive(b));
-    match_sets(world, a, b);
-    const Island &ia = world.islands.islands[a], &ib = world.islands.islands[b];
+    ASSERT(stores.islands.ids.alive(a) && stores.islands.ids.alive(b));
+    match_sets(stores, joints, a, b);
+    const Island &ia = stores.islands.islands[a], &ib = stores.islands.islands[b];
     ASSERT(!ia.asleep && !ib.asleep);
     ASSERT(ia.bodies > 0 && ib.bodies > 0);
     ASSERT(ia.colour_set == ib.colour_set);
     if (ia.bodies < ib.bodies || (ia.bodies == ib.bodies && b < a)) std::swap(a, b);
-    Island& into = world.islands.islands[a];
-    Island& from = world.islands.islands[b];
-    for (std::uint32_t body = from.first; body != none; body = world.bodies.cold[body].island_next)
-        world.bodies.cold[body].island = a;
-    world.bodies.cold[into.last].island_next = from.first;
-    world.bodies.cold[from.first].island_prev = into.last;
+    Island& into = stores.islands.islands[a];
+    Island& from = stores.islands.islands[b];
+    for (std::uint32_t body = from.first; body != none; body = stores.bodies.cold[body].island_next)
+        stores.bodies.cold[body].island = a;
+    stores.bodies.cold[into.last].island_next = from.first;
+    stores.bodies.cold[from.first].island_prev = into.last;
     into.last = from.last;
     into.bodies += from.bodies;
-    ASSERT(into.bodies <= world.bodies.awake.size());
+    ASSERT(into.bodies <= stores.bodies.awake.size());
     into.too_dense_for = -1;
     into.may_be_split = into.may_be_split || from.may_be_split;
     into.uneven = into.uneven || from.uneven;
@@ -98,7 +98,7 @@ void join_islands(WorldState& world, std::uint32_t a, std::uint32_t b) {
     into.remaining_load = minimum(into.remaining_load, from.remaining_load);
     into.error = joined(into.error, from.error);
     from = Island{};
-    world.islands.ids.release(b);
+    stores.islands.ids.release(b);
 }
 
 namespace {
@@ -113,7 +113,7 @@ void flood(WorldState& world, std::uint32_t island, std::uint32_t seed) {
         const std::uint32_t body = stack.back();
         stack.pop_back();
         const auto join = [&](std::uint32_t other) {
-            if (!is_dynamic(world, other) || world.bodies.cold[other].island != none) return;
+            if (!is_dynamic(world.bodies, other) || world.bodies.cold[other].island != none) return;
             add_to_island(world, island, other);
             stack.push_back(other);
         };
@@ -148,25 +148,24 @@ void split_island(WorldState& world, std::uint32_t island) {
     bool first = true;
     for (const std::uint32_t body : bodies) {
         if (world.bodies.cold[body].island != none) continue;
-        const std::uint32_t component = first ? island : create_island(world);
+        const std::uint32_t component = first ? island : create_island(world.islands, world.def);
         world.islands.islands[component] = prototype;
         flood(world, component, body);
         first = false;
     }
 }
 
-void find_awake_islands(const WorldState& world, std::vector<std::uint32_t>& islands) {
+void find_awake_islands(const BodySets& sets, std::vector<std::uint32_t>& islands) {
     constexpr std::size_t scan_worth = 8;  // islands that can be scanned in the time to sort one
     islands.clear();
-    const std::uint32_t count = world.islands.ids.size();
-    if (scan_worth * world.bodies.awake.size() > count) {
+    const std::uint32_t count = sets.islands.ids.size();
+    if (scan_worth * sets.bodies.awake.size() > count) {
         for (std::uint32_t i = 0; i < count; i++)
-            if (world.islands.ids.alive(i) && !world.islands.islands[i].asleep)
-                islands.push_back(i);
+            if (sets.islands.ids.alive(i) && !sets.islands.islands[i].asleep) islands.push_back(i);
         return;
     }
-    for (const BodyWarm& warm : world.bodies.awake) {
-        const std::uint32_t island = world.bodies.cold[warm.body].island;
+    for (const BodyWarm& warm : sets.bodies.awake) {
+        const std::uint32_t island = sets.bodies.cold[warm.body].island;
         if (island != none) islands.push_back(island);  // kinematic bodies have none
     }
     std::sort(islands.begin(), islands.end());

@@ -35,58 +35,60 @@ void detach_joint_edge(JointStore& store, std::uint32_t joint, unsigned side, Bo
 
 }  // namespace
 
-void reset_density(WorldState& world, std::uint32_t joint) {
-    const Joint& j = world.joints.joints[joint];
+void reset_density(BodySets& sets, const JointStore& joints, std::uint32_t joint) {
+    const Joint& j = joints.joints[joint];
     for (const std::uint32_t body : {j.body_a, j.body_b})
-        if (is_dynamic(world, body) && world.bodies.cold[body].island != none)
-            world.islands.islands[world.bodies.cold[body].island].too_dense_for = -1;
+        if (is_dynamic(sets.bodies, body) && sets.bodies.cold[body].island != none)
+            sets.islands.islands[sets.bodies.cold[body].island].too_dense_for = -1;
 }
 
-void attach_joint(WorldState& world, std::uint32_t joint) {
-    const Joint& j = world.joints.joints[joint];
-    ASSERT(world.joints.ids.alive(joint) && j.body_b != none);
+void attach_joint(ContactGraph& stores, JointStore& joints, std::uint32_t joint) {
+    const Joint& j = joints.joints[joint];
+    ASSERT(joints.ids.alive(joint) && j.body_b != none);
     ASSERT(j.body_a != j.body_b);
-    ASSERT(is_dynamic(world, j.body_a) || is_dynamic(world, j.body_b));
-    if (j.body_a != none) attach_joint_edge(world.joints, joint, 0, world.bodies.cold[j.body_a]);
-    attach_joint_edge(world.joints, joint, 1, world.bodies.cold[j.body_b]);
-    if (is_dynamic(world, j.body_a) && is_dynamic(world, j.body_b))
-        join_islands(world, world.bodies.cold[j.body_a].island, world.bodies.cold[j.body_b].island);
-    reset_density(world, joint);
+    ASSERT(is_dynamic(stores.bodies, j.body_a) || is_dynamic(stores.bodies, j.body_b));
+    if (j.body_a != none) attach_joint_edge(joints, joint, 0, stores.bodies.cold[j.body_a]);
+    attach_joint_edge(joints, joint, 1, stores.bodies.cold[j.body_b]);
+    if (is_dynamic(stores.bodies, j.body_a) && is_dynamic(stores.bodies, j.body_b))
+        join_islands(stores, joints, stores.bodies.cold[j.body_a].island,
+                     stores.bodies.cold[j.body_b].island);
+    reset_density(stores, joints, joint);
 }
 
-void destroy_joint(WorldState& world, std::uint32_t joint) {
-    Joint& j = world.joints.joints[joint];
-    ASSERT(world.joints.ids.alive(joint));
-    reset_density(world, joint);
+void destroy_joint(ShapedBodies& stores, JointStore& joints, std::uint32_t joint) {
+    Joint& j = joints.joints[joint];
+    ASSERT(joints.ids.alive(joint));
+    reset_density(stores, joints, joint);
     const std::uint32_t a = j.body_a, b = j.body_b;
-    if (a != none) detach_joint_edge(world.joints, joint, 0, world.bodies.cold[a]);
-    detach_joint_edge(world.joints, joint, 1, world.bodies.cold[b]);
-    if (is_dynamic(world, a) && is_dynamic(world, b))
-        world.islands.islands[world.bodies.cold[a].island].may_be_split = true;
+    if (a != none) detach_joint_edge(joints, joint, 0, stores.bodies.cold[a]);
+    detach_joint_edge(joints, joint, 1, stores.bodies.cold[b]);
+    if (is_dynamic(stores.bodies, a) && is_dynamic(stores.bodies, b))
+        stores.islands.islands[stores.bodies.cold[a].island].may_be_split = true;
     const bool collided = j.collide_connected;
     j = Joint{};
-    world.joints.ids.release(joint);
+    joints.ids.release(joint);
     if (collided || a == none) return;
     // Their shapes may collide from now on.
     for (const std::uint32_t body : {a, b})
-        for (std::uint32_t s = world.bodies.cold[body].first_shape; s != none;
-             s = world.shapes.shapes[s].next)
-            buffer_move(world, s);
+        for (std::uint32_t s = stores.bodies.cold[body].first_shape; s != none;
+             s = stores.shapes.shapes[s].next)
+            buffer_move(stores.shapes, stores.triggers, s);
 }
 
-bool joined_without_contact(const WorldState& world, std::uint32_t a, std::uint32_t b) {
+bool joined_without_contact(const BodyStore& bodies, const JointStore& joints, std::uint32_t a,
+                            std::uint32_t b) {
     ASSERT(a != b);
-    if (world.bodies.cold[a].first_joint == none || world.bodies.cold[b].first_joint == none)
-        return false;
+    if (bodies.cold[a].first_joint == none || bodies.cold[b].first_joint == none) return false;
     bool joined = false;
-    for_each_joint(world.joints, world.bodies.cold[a], [&](std::uint32_t joint) {
-        const Joint& j = world.joints.joints[joint];
+    for_each_joint(joints, bodies.cold[a], [&](std::uint32_t joint) {
+        const Joint& j = joints.joints[joint];
         joined = joined || (!j.collide_connected && (j.body_a == b || j.body_b == b));
     });
     return joined;
 }
 
-std::uint32_t find_carrier(const WorldState& world, const Joint& gear, int end) {
+std::uint32_t find_carrier(const BodyStore& bodies, const JointStore& joints, const Joint& gear,
+                           int end) {
     ASSERT(end == 0 || end == 1);
     if (std::holds_alternative<PulleyJoint>(gear.kind)) return none;
     const bool slides = end == 1 && std::holds_alternative<RackJoint>(gear.kind);
@@ -97,8 +99,8 @@ std::uint32_t find_carrier(const WorldState& world, const Joint& gear, int end) 
         // In the body's local frame.
         rotate(end == 0 ? gear.frame_a.rotation : gear.frame_b.rotation, z);
     std::uint32_t first = none, carrier = none;
-    for_each_joint(world.joints, world.bodies.cold[body], [&](std::uint32_t index) {
-        const Joint& j = world.joints.joints[index];
+    for_each_joint(joints, bodies.cold[body], [&](std::uint32_t index) {
+        const Joint& j = joints.joints[index];
         const bool is_b = j.body_b == body;
         const bool holds = slides ? std::holds_alternative<SliderJoint>(j.kind)
                                   : std::holds_alternative<HingeJoint>(j.kind) ||
@@ -112,27 +114,28 @@ std::uint32_t find_carrier(const WorldState& world, const Joint& gear, int end) 
     return carrier;
 }
 
-JointedBodies jointed_with(WorldState& world, std::uint32_t body) {
-    std::vector<std::uint32_t>& found = world.scratch.jointed;
+JointedBodies jointed_with(const BodyStore& bodies, const JointStore& joints, GraphScratch& scratch,
+                           std::uint32_t body) {
+    std::vector<std::uint32_t>& found = scratch.jointed;
     found.assign(1, body);
-    ASSERT(is_dynamic(world, body) || world.bodies.cold[body].first_joint == none);
-    if (world.bodies.cold[body].first_joint == none) return {found, false};
-    std::vector<std::uint8_t>& seen = world.scratch.seen_jointed;
-    seen.resize(world.bodies.cold.size(), 0);
+    ASSERT(is_dynamic(bodies, body) || bodies.cold[body].first_joint == none);
+    if (bodies.cold[body].first_joint == none) return {found, false};
+    std::vector<std::uint8_t>& seen = scratch.seen_jointed;
+    seen.resize(bodies.cold.size(), 0);
     seen[body] = 1;
     bool to_kinematic = false;
     for (std::size_t k = 0; k < found.size(); k++)
-        for_each_joint(world.joints, world.bodies.cold[found[k]], [&](std::uint32_t joint) {
-            const Joint& j = world.joints.joints[joint];
+        for_each_joint(joints, bodies.cold[found[k]], [&](std::uint32_t joint) {
+            const Joint& j = joints.joints[joint];
             const std::uint32_t other = j.body_a == found[k] ? j.body_b : j.body_a;
             if (other == none) return;
-            const BodyType type = world.bodies.cold[other].type;
+            const BodyType type = bodies.cold[other].type;
             to_kinematic = to_kinematic || type == BodyType::kinematic;
             if (type != BodyType::dynamic || seen[other] != 0) return;
             seen[other] = 1;
             found.push_back(other);
         });
-    ASSERT(seen.size() == world.bodies.cold.size());
+    ASSERT(seen.size() == bodies.cold.size());
     for (const std::uint32_t part : found) seen[part] = 0;
     std::sort(found.begin(), found.end());
     return {found, to_kinematic};

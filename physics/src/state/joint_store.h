@@ -49,6 +49,10 @@ struct JointStore {
     std::vector<Joint> joints;
 };
 
+inline JointId joint_id(const JointStore& joints, std::uint32_t joint) {
+    return {joint, joints.ids.generation(joint)};
+}
+
 // Calls visit(joint index) for every joint of a body. visit() may destroy that joint, but no other.
 template <class Visit>
 void for_each_joint(const JointStore& store, const BodyCold& body, Visit&& visit) {

@@ -15,49 +15,50 @@ namespace jostle::physics {
 namespace {
 
 template <class Visit>
-void for_each_manifold(WorldState& world, std::uint32_t body, Visit&& visit) {
-    for_each_manifold(world.contacts, world.bodies.cold[body], visit);
+void for_each_manifold(const ContactGraph& stores, std::uint32_t body, Visit&& visit) {
+    for_each_manifold(stores.contacts, stores.bodies.cold[body], visit);
 }
 
 // After one of its bodies fell asleep or woke: moves the contact to its colour set and recomputes
 // the effective masses of solved contacts.
-void move_to_own_set(WorldState& world, std::uint32_t contact) {
-    const Contact& c = world.contacts.contacts[contact];
-    const ColourSetKey target = set_of_contact(world, c);
-    ASSERT(world.contacts.ids.alive(contact) && c.colour >= 0);
-    if (target != c.colour_set) move_contact(world, contact);
-    if (target != asleep_set) rewrite_effective_mass(world, c);
+void move_to_own_set(ContactGraph& stores, std::uint32_t contact) {
+    const Contact& c = stores.contacts.contacts[contact];
+    const ColourSetKey target = set_of_contact(stores, c);
+    ASSERT(stores.contacts.ids.alive(contact) && c.colour >= 0);
+    if (target != c.colour_set) move_contact(stores, contact);
+    if (target != asleep_set) rewrite_effective_mass(stores, stores.graph, c);
 }
 
 }  // namespace
 
-void hold_still(WorldState& world, std::uint32_t body) {
-    BodyCold& cold = world.bodies.cold[body];
+void hold_still(BodyStore& bodies, std::uint32_t body) {
+    BodyCold& cold = bodies.cold[body];
     ASSERT(cold.set == BodySet::awake && !cold.asleep_in_place);
     cold.asleep_in_place = true;
-    BodyWarm& warm = warm_of(world, body);
+    BodyWarm& warm = bodies.awake[cold.at];
     warm.v = warm.w = {};
-    world.bodies.motion[body].bound = world.bodies.motion[body].travel;
-    world.bodies.asleep_in_place++;
-    ASSERT(world.bodies.asleep_in_place <= world.bodies.awake.size());
+    bodies.motion[body].bound = bodies.motion[body].travel;
+    bodies.asleep_in_place++;
+    ASSERT(bodies.asleep_in_place <= bodies.awake.size());
 }
 
-void sleep_in_place(WorldState& world, std::span<const std::uint32_t> bodies) {
+void sleep_in_place(ContactGraph& stores, std::span<const std::uint32_t> bodies) {
     for (const std::uint32_t body : bodies)
-        for_each_manifold(world, body, [&](std::uint32_t contact) { save_load(world, contact); });
-    for (const std::uint32_t body : bodies) hold_still(world, body);
+        for_each_manifold(stores, body, [&](std::uint32_t contact) { save_load(stores, contact); });
+    for (const std::uint32_t body : bodies) hold_still(stores.bodies, body);
     for (const std::uint32_t body : bodies)
-        for_each_manifold(world, body,
-                          [&](std::uint32_t contact) { move_to_own_set(world, contact); });
+        for_each_manifold(stores, body,
+                          [&](std::uint32_t contact) { move_to_own_set(stores, contact); });
 }
 
-void wake_in_place(WorldState& world, std::uint32_t body) {
-    BodyCold& cold = world.bodies.cold[body];
+void wake_in_place(ContactGraph& stores, std::uint32_t body) {
+    BodyCold& cold = stores.bodies.cold[body];
     if (!cold.asleep_in_place) return;
-    ASSERT(cold.set == BodySet::awake && world.bodies.asleep_in_place > 0);
+    ASSERT(cold.set == BodySet::awake && stores.bodies.asleep_in_place > 0);
     cold.asleep_in_place = false;
-    world.bodies.asleep_in_place--;
-    for_each_manifold(world, body, [&](std::uint32_t contact) { move_to_own_set(world, contact); });
+    stores.bodies.asleep_in_place--;
+    for_each_manifold(stores, body,
+                      [&](std::uint32_t contact) { move_to_own_set(stores, contact); });
 }
 
 namespace {
@@ -67,11 +68,12 @@ void wake_jointed(WorldState& world, std::uint32_t body, double sleep_time,
                   std::vector<BodyId>& woke) {
     if (!world.bodies.cold[body].asleep_in_place) return;
     ASSERT(sleep_time >= 0);
-    for (const std::uint32_t part : jointed_with(world, body).bodies) {
+    for (const std::uint32_t part :
+         jointed_with(world.bodies, world.joints, world.scratch, body).bodies) {
         wake_in_place(world, part);
         BodyWarm& warm = warm_of(world, part);
         warm.sleep_time = minimum(warm.sleep_time, sleep_time);
-        woke.push_back(body_id(world, part));
+        woke.push_back(body_id(world.bodies, part));
     }
 }
 
@@ -88,7 +90,7 @@ void wake_briefly(WorldState& world, std::uint32_t body, std::vector<BodyId>& wo
 
 void wake_around(WorldState& world, std::uint32_t body, double mass, std::vector<BodyId>& woke) {
     ASSERT(mass >= 0);
-    ASSERT(is_dynamic(world, body));
+    ASSERT(is_dynamic(world.bodies, body));
     std::vector<std::uint32_t> visited{body};
     auto& seen = world.scratch.visited;
     seen.resize(world.bodies.cold.size(), 0);

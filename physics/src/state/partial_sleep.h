@@ -18,13 +18,13 @@ namespace jostle::physics {
 // Puts dynamic bodies of the awake set to sleep in place and stores the forces at their contacts.
 // `bodies` contains complete groups of jointed bodies, none of which is connected to a kinematic
 // body.
-void sleep_in_place(WorldState& world, std::span<const std::uint32_t> bodies);
+void sleep_in_place(ContactGraph& stores, std::span<const std::uint32_t> bodies);
 // First half of sleep_in_place(), for callers that move the contacts themselves: first all bodies,
 // then save_load().
-void hold_still(WorldState& world, std::uint32_t body);
+void hold_still(BodyStore& bodies, std::uint32_t body);
 
 // Wakes this body only. Its time at rest continues.
-void wake_in_place(WorldState& world, std::uint32_t body);
+void wake_in_place(ContactGraph& stores, std::uint32_t body);
 // Wakes the body with all bodies connected by joints, and resets their time at rest.
 void wake_from_partial_sleep(WorldState& world, std::uint32_t body, std::vector<BodyId>& woke);
 // Same, but retains the time at rest up to a few steps before falling asleep: bodies that still

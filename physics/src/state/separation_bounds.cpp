@@ -19,31 +19,32 @@ void set_separation_bound(SeparationBound& w, Vec3 apart, Vec3 direction, double
     w.budget = slack + a.turned + b.turned - (w.directed ? dot(direction_of(w), apart) : 0);
 }
 
-void add_separation_bound(WorldState& world, std::uint32_t contact, double slack, Vec3 direction) {
-    Contact& c = world.contacts.contacts[contact];
-    ASSERT(world.contacts.ids.alive(contact) && c.parent == none && c.colour < 0);
-    ASSERT(world.contacts.bounds.size() < world.contacts.contacts.size() || c.has_bound);
+void add_separation_bound(const BodySets& sets, ContactStore& contacts, std::uint32_t contact,
+                          double slack, Vec3 direction) {
+    Contact& c = contacts.contacts[contact];
+    ASSERT(contacts.ids.alive(contact) && c.parent == none && c.colour < 0);
+    ASSERT(contacts.bounds.size() < contacts.contacts.size() || c.has_bound);
     c.dormant = false;
     if (c.has_bound) return;  // it was dormant: retains its position and limit
     c.has_bound = true;
-    const MotionBound &a = world.bodies.motion[c.body_a], &b = world.bodies.motion[c.body_b];
+    const MotionBound &a = sets.bodies.motion[c.body_a], &b = sets.bodies.motion[c.body_b];
     SeparationBound w{.contact = contact, .body_a = c.body_a, .body_b = c.body_b};
     w.limit = a.travel + b.travel + slack;
-    const Vec3 apart = warm_of(world, c.body_b).center - warm_of(world, c.body_a).center;
-    const double scale = scale_of_pair(world.bodies, c);
+    const Vec3 apart = warm_of(sets, c.body_b).center - warm_of(sets, c.body_a).center;
+    const double scale = scale_of_pair(sets.bodies, c);
     if (slack >= 0 && length_squared(apart) <= 1e6 * scale * scale)
         set_separation_bound(w, apart, direction, slack - tuning::slack_reserve * scale, a, b);
     c.limit = w.limit;
-    world.contacts.bounds.push_back(w);
+    contacts.bounds.push_back(w);
 }
 
-void resume_separation_bound(WorldState& world, std::uint32_t contact) {
-    Contact& c = world.contacts.contacts[contact];
-    ASSERT(world.contacts.ids.alive(contact) && c.parent == none && c.colour < 0);
+void resume_separation_bound(ContactStore& contacts, std::uint32_t contact) {
+    Contact& c = contacts.contacts[contact];
+    ASSERT(contacts.ids.alive(contact) && c.parent == none && c.colour < 0);
     c.dormant = false;
     if (c.has_bound) return;
     c.has_bound = true;
-    world.contacts.bounds.push_back(
+    contacts.bounds.push_back(
         {.contact = contact, .body_a = c.body_a, .body_b = c.body_b, .limit = c.limit});
 }
 
@@ -56,11 +57,10 @@ struct Slack {
 
 // Along a direction if there is one, otherwise with the bounds of update_motion_bound() applied to
 // the relative motion.
-Slack slack_of(const WorldState& world, const SeparationBound& w, double dt) {
-    const BodyCold &a = world.bodies.cold[w.body_a], &b = world.bodies.cold[w.body_b];
-    const BodyWarm &wa = warm_of(world, w.body_a), &wb = warm_of(world, w.body_b);
-    const double turned =
-        world.bodies.motion[w.body_a].turned + world.bodies.motion[w.body_b].turned;
+Slack slack_of(const BodySets& sets, const WorldDef& def, const SeparationBound& w, double dt) {
+    const BodyCold &a = sets.bodies.cold[w.body_a], &b = sets.bodies.cold[w.body_b];
+    const BodyWarm &wa = warm_of(sets, w.body_a), &wb = warm_of(sets, w.body_b);
+    const double turned = sets.bodies.motion[w.body_a].turned + sets.bodies.motion[w.body_b].turned;
     const double turning = length(wa.w) * a.radius + length(wb.w) * b.radius;
     const Vec3 retained = direction_of(w), apart = wb.center - wa.center, velocity = wb.v - wa.v;
     if (w.directed)
@@ -69,7 +69,7 @@ Slack slack_of(const WorldState& world, const SeparationBound& w, double dt) {
     const auto force = [](const BodyWarm& warm, const BodyCold& cold) {
         return warm.force == Vec3{} ? 0 : length(warm.force) * cold.inverse_mass;
     };
-    const double pull = 2 * length(world.def.gravity) + force(wa, a) + force(wb, b);
+    const double pull = 2 * length(def.gravity) + force(wa, a) + force(wb, b);
     return {w.budget - length(apart - retained) - turned,
             1.5 * dt * (length(velocity) + turning) + dt * dt * pull};
 }
@@ -77,11 +77,11 @@ Slack slack_of(const WorldState& world, const SeparationBound& w, double dt) {
 // Most new pairs consist of bodies that move in parallel. If their bounding spheres cannot touch in
 // this step, the pair gets a bound along the centres without a narrow-phase test. This happens
 // once: a test ends pairs that have separated.
-bool bound_by_spheres(const WorldState& world, SeparationBound& w, double dt) {
-    const BodyCold &a = world.bodies.cold[w.body_a], &b = world.bodies.cold[w.body_b];
+bool bound_by_spheres(const BodySets& sets, SeparationBound& w, double dt) {
+    const BodyCold &a = sets.bodies.cold[w.body_a], &b = sets.bodies.cold[w.body_b];
     // Other bodies may have a plane, which has no bounding sphere.
     if (a.type != BodyType::dynamic || b.type != BodyType::dynamic) return false;
-    const BodyWarm &wa = warm_of(world, w.body_a), &wb = warm_of(world, w.body_b);
+    const BodyWarm &wa = warm_of(sets, w.body_a), &wb = warm_of(sets, w.body_b);
     const Vec3 apart = wb.center - wa.center;
     const double distance = length(apart), scale = size_scale(size_of_pair(a, b));
     const double slack = distance - a.radius - b.radius - tuning::speculative_margin * scale -
@@ -90,7 +90,7 @@ bool bound_by_spheres(const WorldState& world, SeparationBound& w, double dt) {
     ASSERT(distance > 0);
     const Vec3 direction = apart * (1 / distance);
     if (slack + dt * dot(direction, wb.v - wa.v) <= 0) return false;
-    const MotionBound &ra = world.bodies.motion[w.body_a], &rb = world.bodies.motion[w.body_b];
+    const MotionBound &ra = sets.bodies.motion[w.body_a], &rb = sets.bodies.motion[w.body_b];
     set_separation_bound(w, apart, direction, slack, ra, rb);
     w.limit = ra.travel + rb.travel + slack;
     return true;
@@ -98,17 +98,17 @@ bool bound_by_spheres(const WorldState& world, SeparationBound& w, double dt) {
 
 }  // namespace
 
-bool is_due(const WorldState& world, SeparationBound& w, double dt) {
-    const MotionBound &a = world.bodies.motion[w.body_a], &b = world.bodies.motion[w.body_b];
+bool is_due(const BodySets& sets, const WorldDef& def, SeparationBound& w, double dt) {
+    const MotionBound &a = sets.bodies.motion[w.body_a], &b = sets.bodies.motion[w.body_b];
     if (a.bound + b.bound <= w.limit) return false;
-    if (w.budget == SeparationBound::not_measured) return !bound_by_spheres(world, w, dt);
-    const Slack slack = slack_of(world, w, dt);
+    if (w.budget == SeparationBound::not_measured) return !bound_by_spheres(sets, w, dt);
+    const Slack slack = slack_of(sets, def, w, dt);
     w.limit = a.travel + b.travel + slack.left;
     return slack.next > slack.left;
 }
 
-bool stayed_apart(const WorldState& world, const SeparationBound& w, Vec3 previous, Vec3 now) {
-    const MotionBound &a = world.bodies.motion[w.body_a], &b = world.bodies.motion[w.body_b];
+bool stayed_apart(const BodyStore& bodies, const SeparationBound& w, Vec3 previous, Vec3 now) {
+    const MotionBound &a = bodies.motion[w.body_a], &b = bodies.motion[w.body_b];
     if (a.travel + b.travel < w.limit) return true;
     // Rotation only decreases the budget, and with linear motion the minimum is at the start or the
     // end.

@@ -3,7 +3,7 @@
 // Separation bounds (ContactStore::bounds): when a separated pair must be tested again.
 #pragma once
 
-#include "physics/src/state/world_state.h"
+#include "physics/src/state/world_stores.h"
 
 namespace jostle::physics {
 
@@ -14,17 +14,17 @@ void set_separation_bound(SeparationBound& bound, Vec3 apart, Vec3 direction, do
 
 // The pair need not be tested until its bodies may have approached each other by `slack`, m. A
 // dormant contact retains its position and limit.
-void add_separation_bound(WorldState& world, std::uint32_t contact, double slack,
-                          Vec3 direction = {});
+void add_separation_bound(const BodySets& sets, ContactStore& contacts, std::uint32_t contact,
+                          double slack, Vec3 direction = {});
 // Restores the bound of a dormant contact.
-void resume_separation_bound(WorldState& world, std::uint32_t contact);
+void resume_separation_bound(ContactStore& contacts, std::uint32_t contact);
 
 // Returns whether a pair may touch in the next step of `dt`. If not, updates the limit of the next
 // test. Writes only the bound, so it is thread-safe for different bounds.
-bool is_due(const WorldState& world, SeparationBound& bound, double dt);
+bool is_due(const BodySets& sets, const WorldDef& def, SeparationBound& bound, double dt);
 
 // Returns whether a pair remained within its bound throughout a step in which both bodies moved
 // linearly, so that it did not touch. `before`, `now`: vectors from a's centre of mass to b's.
-bool stayed_apart(const WorldState& world, const SeparationBound& bound, Vec3 previous, Vec3 now);
+bool stayed_apart(const BodyStore& bodies, const SeparationBound& bound, Vec3 previous, Vec3 now);
 
 }  // namespace jostle::physics

@@ -14,10 +14,10 @@ namespace jostle::physics {
 namespace {
 
 // The index that contains the shape's box.
-BroadPhaseIndex& index_of(WorldState& world, const ShapeRecord& shape) {
-    ASSERT(shape.body < world.bodies.cold.size() && !is_plane(shape));
-    const bool fixed = world.bodies.cold[shape.body].type == BodyType::static_body;
-    return fixed ? *world.shapes.statics : *world.shapes.moving;
+BroadPhaseIndex& index_of(const BodyStore& bodies, ShapeStore& shapes, const ShapeRecord& shape) {
+    ASSERT(shape.body < bodies.cold.size() && !is_plane(shape));
+    const bool fixed = bodies.cold[shape.body].type == BodyType::static_body;
+    return fixed ? *shapes.statics : *shapes.moving;
 }
 
 }  // namespace
@@ -28,82 +28,83 @@ void derive_shape_pose(const BodyCold& cold, ShapeRecord& shape) {
     shape.aligned = shape.pose.rotation == Quat{};
 }
 
-void buffer_move(WorldState& world, std::uint32_t index) {
-    ShapeRecord& shape = world.shapes.shapes[index];
-    ASSERT(world.shapes.ids.alive(index));
-    if (shape.trigger) world.triggers.fresh.push_back(index);
+void buffer_move(ShapeStore& shapes, TriggerStore& triggers, std::uint32_t index) {
+    ShapeRecord& shape = shapes.shapes[index];
+    ASSERT(shapes.ids.alive(index));
+    if (shape.trigger) triggers.fresh.push_back(index);
     if (shape.moved) return;
     shape.moved = true;
-    world.shapes.moved.push_back(index);
+    shapes.moved.push_back(index);
 }
 
-void create_proxy(WorldState& world, std::uint32_t index) {
-    ShapeRecord& shape = world.shapes.shapes[index];
-    ASSERT(world.shapes.ids.alive(index));
+void create_proxy(ShapedBodies& stores, std::uint32_t index) {
+    ShapeRecord& shape = stores.shapes.shapes[index];
+    ASSERT(stores.shapes.ids.alive(index));
     if (is_plane(shape)) {
-        auto& planes = world.shapes.planes;
+        auto& planes = stores.shapes.planes;
         planes.insert(std::lower_bound(planes.begin(), planes.end(), index), index);
     } else {
         ASSERT(shape.leaf < 0);
-        shape.leaf = index_of(world, shape).insert(shape.fat, index, shape.filter.category);
+        shape.leaf = index_of(stores.bodies, stores.shapes, shape)
+                         .insert(shape.fat, index, shape.filter.category);
         ASSERT(shape.leaf >= 0);
     }
-    world.shapes.reporters += shape.report_stays ? 1 : 0;
+    stores.shapes.reporters += shape.report_stays ? 1 : 0;
     if (shape.trigger) {
-        auto& triggers = world.shapes.triggers;
+        auto& triggers = stores.shapes.triggers;
         triggers.insert(std::lower_bound(triggers.begin(), triggers.end(), index), index);
     }
-    buffer_move(world, index);
+    buffer_move(stores.shapes, stores.triggers, index);
 }
 
-void destroy_proxy(WorldState& world, std::uint32_t index) {
-    ShapeRecord& shape = world.shapes.shapes[index];
+void destroy_proxy(ShapedBodies& stores, std::uint32_t index, std::vector<TriggerEvent>& left) {
+    ShapeRecord& shape = stores.shapes.shapes[index];
     if (is_plane(shape)) {
-        std::erase(world.shapes.planes, index);
+        std::erase(stores.shapes.planes, index);
     } else {
         ASSERT(shape.leaf >= 0);
-        index_of(world, shape).remove(shape.leaf);
+        index_of(stores.bodies, stores.shapes, shape).remove(shape.leaf);
         shape.leaf = -1;
     }
-    ASSERT(!shape.report_stays || world.shapes.reporters > 0);
-    world.shapes.reporters -= shape.report_stays ? 1 : 0;
+    ASSERT(!shape.report_stays || stores.shapes.reporters > 0);
+    stores.shapes.reporters -= shape.report_stays ? 1 : 0;
     if (shape.trigger) {
-        std::erase(world.shapes.triggers, index);
-        std::erase(world.triggers.fresh, index);
+        std::erase(stores.shapes.triggers, index);
+        std::erase(stores.triggers.fresh, index);
     }
     // Report that the shape left its triggers, or that shapes left this trigger, with the next
     // step; record the events while the ids are valid.
-    std::erase_if(world.triggers.inside, [&](const Inside& pair) {
+    std::erase_if(stores.triggers.inside, [&](const Inside& pair) {
         if (pair.trigger != index && pair.shape != index) return false;
-        world.events.pending.left.push_back({shape_id(world, pair.trigger),
-                                             shape_id(world, pair.shape),
-                                             body_id(world, world.shapes.shapes[pair.trigger].body),
-                                             body_id(world, world.shapes.shapes[pair.shape].body)});
+        left.push_back({shape_id(stores.shapes, pair.trigger), shape_id(stores.shapes, pair.shape),
+                        body_id(stores.bodies, stores.shapes.shapes[pair.trigger].body),
+                        body_id(stores.bodies, stores.shapes.shapes[pair.shape].body)});
         return true;
     });
     if (shape.moved) {
         shape.moved = false;
-        std::erase(world.shapes.moved, index);
+        std::erase(stores.shapes.moved, index);
     }
 }
 
-void enlarge_aabb(WorldState& world, std::uint32_t index, const BodyWarm& warm, double dt) {
-    ShapeRecord& shape = world.shapes.shapes[index];
+void enlarge_aabb(BodyStore& bodies, ShapeStore& shapes, std::uint32_t index, const BodyWarm& warm,
+                  double dt) {
+    ShapeRecord& shape = shapes.shapes[index];
     if (is_plane(shape)) return;
     shape.fat = bounds_of(transformed_shape(shape, warm));
-    if (world.bodies.cold[shape.body].type != BodyType::static_body) {
-        const double radius = world.bodies.cold[shape.body].radius;
+    if (bodies.cold[shape.body].type != BodyType::static_body) {
+        const double radius = bodies.cold[shape.body].radius;
         shape.fat = fat_box(shape.fat, warm.v * dt, radius);
     }
-    world.bodies.motion[shape.body].fits_until = 0;
+    bodies.motion[shape.body].fits_until = 0;
 }
 
-void enlarge_proxy(WorldState& world, std::uint32_t index, const BodyWarm& warm, double dt) {
-    enlarge_aabb(world, index, warm, dt);
-    const ShapeRecord& shape = world.shapes.shapes[index];
-    if (shape.leaf >= 0) index_of(world, shape).move(shape.leaf, shape.fat);
+void enlarge_proxy(ShapedBodies& stores, std::uint32_t index, const BodyWarm& warm, double dt) {
+    enlarge_aabb(stores.bodies, stores.shapes, index, warm, dt);
+    const ShapeRecord& shape = stores.shapes.shapes[index];
+    if (shape.leaf >= 0) index_of(stores.bodies, stores.shapes, shape).move(shape.leaf, shape.fat);
     ASSERT(is_plane(shape) || contains(shape.fat, bounds_of(transformed_shape(shape, warm))));
-    buffer_move(world, index);
+    buffer_move(stores.shapes, stores.triggers, index);
 }
 
 AabbMargin margin_in_fat_aabb(const ShapeRecord& shape, const BodyWarm& warm, double radius,
@@ -125,8 +126,8 @@ bool fits_fat_aabb(const ShapeRecord& shape, const BodyWarm& warm, double radius
     return margin_in_fat_aabb(shape, warm, radius, dt).next >= 0;
 }
 
-bool reaches_plane(const WorldState& world, const ShapeRecord& plane, const Aabb& box) {
-    const TransformedShape p = transformed_shape(plane, warm_of(world, plane.body));
+bool reaches_plane(const BodySets& sets, const ShapeRecord& plane, const Aabb& box) {
+    const TransformedShape p = transformed_shape(plane, warm_of(sets, plane.body));
     const Vec3 n = p.axes * std::get<Plane>(plane.geometry).normal;
     ASSERT(is_unit(n));
     const Vec3 lowest{n.x > 0 ? box.low.x : box.high.x, n.y > 0 ? box.low.y : box.high.y,

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "jostle/physics/defs.h"
+#include "jostle/physics/ids.h"
 #include "physics/src/collision/broadphase/broad_phase.h"
 #include "physics/src/foundation/id_pool.h"
 #include "physics/src/geometry/transformed_shape.h"
@@ -49,6 +50,10 @@ struct ShapeStore {
     OwnedBroadPhase statics = make_broad_phase(BroadPhase::dynamic_tree),
                     moving = make_broad_phase(BroadPhase::dynamic_tree);
 };
+
+inline ShapeId shape_id(const ShapeStore& shapes, std::uint32_t shape) {
+    return {shape, shapes.ids.generation(shape)};
+}
 
 inline bool is_plane(const ShapeRecord& shape) {
     return kind_of(shape.geometry) == ShapeKind::plane;

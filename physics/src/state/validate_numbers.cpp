@@ -93,19 +93,19 @@ Fault numbers_of_motions(const std::vector<BodyWarm>& set, const char* name) {
     return {};
 }
 
-Fault numbers_of_bodies(const WorldState& world) {
-    for (std::uint32_t i = 0; i < world.bodies.cold.size(); i++)
-        if (world.bodies.ids.alive(i))
-            if (Fault f = body_numbers(world.bodies.cold[i], i)) return f;
-    for (std::size_t i = 0; i < world.bodies.motion.size(); i++) {
-        const MotionBound& m = world.bodies.motion[i];
+Fault numbers_of_bodies(const BodySets& sets) {
+    for (std::uint32_t i = 0; i < sets.bodies.cold.size(); i++)
+        if (sets.bodies.ids.alive(i))
+            if (Fault f = body_numbers(sets.bodies.cold[i], i)) return f;
+    for (std::size_t i = 0; i < sets.bodies.motion.size(); i++) {
+        const MotionBound& m = sets.bodies.motion[i];
         if (!within(m.travel, 0, beyond_all) || !within(m.turned, 0, beyond_all) ||
             !within(m.bound, 0, beyond_all * beyond_all))
             return named("bodies.motion", i, " has a bound out of range");
     }
-    if (Fault f = numbers_of_motions(world.bodies.statics, "bodies.statics")) return f;
-    if (Fault f = numbers_of_motions(world.bodies.awake, "bodies.awake")) return f;
-    for (const Island& island : world.islands.islands)
+    if (Fault f = numbers_of_motions(sets.bodies.statics, "bodies.statics")) return f;
+    if (Fault f = numbers_of_motions(sets.bodies.awake, "bodies.awake")) return f;
+    for (const Island& island : sets.islands.islands)
         if (Fault f = numbers_of_motions(island.sleepers, "sleepers")) return f;
     return {};
 }
@@ -141,10 +141,10 @@ Fault numbers_of_contacts(const ContactStore& store) {
     return {};
 }
 
-Fault numbers_of_shapes(const WorldState& world) {
-    for (std::uint32_t i = 0; i < world.shapes.shapes.size(); i++)
-        if (world.shapes.ids.alive(i))
-            if (Fault f = shape_numbers(world.shapes.shapes[i], i)) return f;
+Fault numbers_of_shapes(const ShapeStore& shapes) {
+    for (std::uint32_t i = 0; i < shapes.shapes.size(); i++)
+        if (shapes.ids.alive(i))
+            if (Fault f = shape_numbers(shapes.shapes[i], i)) return f;
     return {};
 }
 
@@ -165,10 +165,10 @@ bool are_impulses(const Joint& j) {
            is_impulse(j.force) && is_impulse(j.torque);
 }
 
-Fault numbers_of_joints(const WorldState& world) {
-    for (std::uint32_t i = 0; i < world.joints.joints.size(); i++) {
-        if (!world.joints.ids.alive(i)) continue;
-        const Joint& j = world.joints.joints[i];
+Fault numbers_of_joints(const JointStore& joints) {
+    for (std::uint32_t i = 0; i < joints.joints.size(); i++) {
+        if (!joints.ids.alive(i)) continue;
+        const Joint& j = joints.joints[i];
         for (const Transform& frame : {j.frame_a, j.frame_b})
             if (!check_pose("frame", frame).ok() ||
                 !within(norm_squared(frame.rotation), 0.99, 1.01))
@@ -182,11 +182,11 @@ Fault numbers_of_joints(const WorldState& world) {
 
 }  // namespace
 
-std::optional<std::string> find_number_fault(const WorldState& world) {
+std::optional<std::string> find_number_fault(const WorldStores& world) {
     if (Fault f = world_numbers(world.def)) return f;
     if (Fault f = numbers_of_bodies(world)) return f;
-    if (Fault f = numbers_of_shapes(world)) return f;
-    if (Fault f = numbers_of_joints(world)) return f;
+    if (Fault f = numbers_of_shapes(world.shapes)) return f;
+    if (Fault f = numbers_of_joints(world.joints)) return f;
     return numbers_of_contacts(world.contacts);
 }
 

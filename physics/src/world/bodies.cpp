@@ -18,11 +18,11 @@
 namespace jostle::physics {
 namespace {
 
-BodyState state_of_body(const WorldState& world, std::uint32_t index) {
-    const BodyCold& cold = world.bodies.cold[index];
-    const BodyWarm& warm = warm_of(world, index);
+BodyState state_of_body(const BodySets& sets, std::uint32_t index) {
+    const BodyCold& cold = sets.bodies.cold[index];
+    const BodyWarm& warm = warm_of(sets, index);
     ASSERT(warm.body == index);
-    return {.id = body_id(world, index),
+    return {.id = body_id(sets.bodies, index),
             .type = cold.type,
             .pose = pose_of(warm, cold),
             .center = warm.center,
@@ -42,10 +42,10 @@ void remove_body(WorldState& world, std::uint32_t body) {
     wake_neighbours(world, body);
     wake_body(world, body);
     destroy_contacts_of(world, body, world.events.pending.ended);
-    while (cold.first_joint != none) destroy_joint(world, cold.first_joint / 2);
+    while (cold.first_joint != none) destroy_joint(world, world.joints, cold.first_joint / 2);
     for (std::uint32_t s = cold.first_shape; s != none;) {
         const std::uint32_t next = world.shapes.shapes[s].next;
-        destroy_proxy(world, s);
+        destroy_proxy(world, s, world.events.pending.left);
         world.shapes.shapes[s] = ShapeRecord{};
         world.shapes.ids.release(s);
         s = next;
@@ -62,7 +62,7 @@ void remove_body(WorldState& world, std::uint32_t body) {
 
 Result<BodyId> World::create_body(const BodyDef& def) {
     WorldState& world = *state_;
-    if (Status s = check_body_in(world, def); !s.ok()) return s.error();
+    if (Status s = check_body_in(world.def, def); !s.ok()) return s.error();
     constexpr AxisLocks out_of_plane = lock_z | lock_rotation_x | lock_rotation_y;
     const std::uint32_t index = world.bodies.ids.take();
     ASSERT(world.bodies.motion.size() == world.bodies.cold.size());
@@ -89,13 +89,14 @@ Result<BodyId> World::create_body(const BodyDef& def) {
     warm.axes = to_matrix(warm.rotation);
     obey_locks(world.bodies.cold[index], warm);
     if (def.type == BodyType::static_body)
-        enter_static(world, warm);
+        enter_static(world.bodies, warm);
     else
-        enter_awake(world, warm);
-    if (def.type == BodyType::dynamic) add_to_island(world, create_island(world), index);
-    ASSERT(is_dynamic(world, index) == (world.bodies.cold[index].island != none));
+        enter_awake(world.bodies, warm);
+    if (def.type == BodyType::dynamic)
+        add_to_island(world, create_island(world.islands, world.def), index);
+    ASSERT(is_dynamic(world.bodies, index) == (world.bodies.cold[index].island != none));
     update_motion_bound(world, index, expected_dt(world));
-    return body_id(world, index);
+    return body_id(world.bodies, index);
 }
 
 Result<BodyId> World::create_body(const BodyDef& def, const ShapeDef& shape) {
@@ -104,8 +105,8 @@ Result<BodyId> World::create_body(const BodyDef& def, const ShapeDef& shape) {
 
 Result<BodyId> World::create_body(const BodyDef& def, std::span<const ShapeDef> shapes) {
     // Check everything before creating anything, so that no partial body is left behind.
-    if (Status s = check_body_in(*state_, def); !s.ok()) return s.error();
-    if (Status s = check_shapes_in(*state_, shapes, def.type); !s.ok()) return s.error();
+    if (Status s = check_body_in(state_->def, def); !s.ok()) return s.error();
+    if (Status s = check_shapes_in(state_->def, shapes, def.type); !s.ok()) return s.error();
     const Result<BodyId> body = create_body(def);
     if (shapes.empty()) return body;
     // Set all shapes at once: mass and bounds depend on all of them and would be recomputed for
@@ -119,8 +120,9 @@ Result<std::vector<BodyId>> World::create_bodies(std::span<const BodyAndShapes> 
         return Error{error.code, "bodies[" + std::to_string(k) + "]: " + error.message};
     };
     for (std::size_t k = 0; k < defs.size(); k++) {
-        if (Status s = check_body_in(*state_, defs[k].body); !s.ok()) return error_at(k, s.error());
-        if (Status s = check_shapes_in(*state_, defs[k].shapes, defs[k].body.type); !s.ok())
+        if (Status s = check_body_in(state_->def, defs[k].body); !s.ok())
+            return error_at(k, s.error());
+        if (Status s = check_shapes_in(state_->def, defs[k].shapes, defs[k].body.type); !s.ok())
             return error_at(k, s.error());
     }
     std::vector<BodyId> created;
@@ -134,7 +136,7 @@ Result<std::vector<BodyId>> World::create_bodies(std::span<const BodyAndShapes> 
 }
 
 Status World::destroy_body(BodyId body) {
-    if (Status s = check_id(*state_, body); !s.ok()) return s;
+    if (Status s = check_id(state_->bodies, body); !s.ok()) return s;
     remove_body(*state_, body.index);
     return {};
 }
@@ -143,7 +145,7 @@ Status World::destroy_bodies(std::span<const BodyId> bodies) {
     std::vector<BodyId> sorted(bodies.begin(), bodies.end());
     std::sort(sorted.begin(), sorted.end());
     for (std::size_t k = 0; k < sorted.size(); k++) {
-        if (Status s = check_id(*state_, sorted[k]); !s.ok()) return s;
+        if (Status s = check_id(state_->bodies, sorted[k]); !s.ok()) return s;
         if (k > 0 && sorted[k] == sorted[k - 1])
             return Error{ErrorCode::invalid_argument, "body {" + std::to_string(sorted[k].index) +
                                                           ", " +
@@ -155,19 +157,19 @@ Status World::destroy_bodies(std::span<const BodyId> bodies) {
 }
 
 bool World::contains(BodyId body) const {
-    return check_id(*state_, body).ok();
+    return check_id(state_->bodies, body).ok();
 }
 bool World::contains(ShapeId shape) const {
-    return check_id(*state_, shape).ok();
+    return check_id(state_->shapes, shape).ok();
 }
 
 Result<BodyState> World::body(BodyId body) const {
-    if (Status s = check_id(*state_, body); !s.ok()) return s.error();
+    if (Status s = check_id(state_->bodies, body); !s.ok()) return s.error();
     return state_of_body(*state_, body.index);
 }
 
 Result<BodyDef> World::definition(BodyId body) const {
-    if (Status s = check_id(*state_, body); !s.ok()) return s.error();
+    if (Status s = check_id(state_->bodies, body); !s.ok()) return s.error();
     const BodyState now = state_of_body(*state_, body.index);
     const BodyCold& cold = state_->bodies.cold[body.index];
     return BodyDef{.type = now.type,
@@ -207,7 +209,7 @@ std::uint32_t World::body_index_end() const {
 std::vector<BodyId> World::bodies() const {
     std::vector<BodyId> ids;
     for (std::uint32_t i = 0; i < state_->bodies.ids.size(); i++)
-        if (state_->bodies.ids.alive(i)) ids.push_back(body_id(*state_, i));
+        if (state_->bodies.ids.alive(i)) ids.push_back(body_id(state_->bodies, i));
     return ids;
 }
 

@@ -38,9 +38,9 @@ void obey_locks(const BodyCold& cold, BodyWarm& warm) {
     warm.w = scaled(warm.w, free_rotations(cold));
 }
 
-Status check_dynamic(const WorldState& world, BodyId id) {
-    if (Status s = check_id(world, id); !s.ok()) return s;
-    if (world.bodies.cold[id.index].type == BodyType::dynamic) return {};
+Status check_dynamic(const BodyStore& bodies, BodyId id) {
+    if (Status s = check_id(bodies, id); !s.ok()) return s;
+    if (bodies.cold[id.index].type == BodyType::dynamic) return {};
     return Error{ErrorCode::failed_precondition,
                  "body {" + std::to_string(id.index) + ", " + std::to_string(id.generation) +
                      "} is not dynamic; forces and impulses require a dynamic body"};

@@ -9,8 +9,8 @@
 namespace jostle::physics {
 
 // The expected duration of the next step, s.
-inline double expected_dt(const WorldState& world) {
-    return world.last_dt > 0 ? world.last_dt : 1.0 / 60;
+inline double expected_dt(const SteppingState& stepping) {
+    return stepping.last_dt > 0 ? stepping.last_dt : 1.0 / 60;
 }
 
 // Wakes a body whose velocity, forces or properties are about to change.
@@ -26,6 +26,6 @@ void after_push(WorldState& world, std::uint32_t body);
 void obey_locks(const BodyCold& cold, BodyWarm& warm);
 
 // Checks that the body exists and is dynamic.
-Status check_dynamic(const WorldState& world, BodyId id);
+Status check_dynamic(const BodyStore& bodies, BodyId id);
 
 }  // namespace jostle::physics

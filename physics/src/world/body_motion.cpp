@@ -14,7 +14,7 @@ namespace jostle::physics {
 
 Status World::set_pose(BodyId body, const Transform& pose) {
     WorldState& world = *state_;
-    if (Status s = check_id(world, body); !s.ok()) return s;
+    if (Status s = check_id(world.bodies, body); !s.ok()) return s;
     if (Status s = check_pose("pose", pose); !s.ok()) return s;
     if (world.def.planar)
         if (Status s = check_flat("pose", pose); !s.ok()) return s;
@@ -33,7 +33,7 @@ Status World::set_pose(BodyId body, const Transform& pose) {
 
 Status World::set_velocity(BodyId body, Vec3 linear, Vec3 angular) {
     WorldState& world = *state_;
-    if (Status s = check_id(world, body); !s.ok()) return s;
+    if (Status s = check_id(world.bodies, body); !s.ok()) return s;
     if (Status s = check_vector("linear", linear, limits::max_speed); !s.ok()) return s;
     if (Status s = check_vector("angular", angular, limits::max_speed); !s.ok()) return s;
     if (world.bodies.cold[body.index].type == BodyType::static_body)
@@ -51,18 +51,18 @@ Status World::set_velocity(BodyId body, Vec3 linear, Vec3 angular) {
 }
 
 Status World::set_linear_velocity(BodyId body, Vec3 velocity) {
-    if (Status s = check_id(*state_, body); !s.ok()) return s;
+    if (Status s = check_id(state_->bodies, body); !s.ok()) return s;
     return set_velocity(body, velocity, warm_of(*state_, body.index).w);
 }
 
 Status World::set_angular_velocity(BodyId body, Vec3 velocity) {
-    if (Status s = check_id(*state_, body); !s.ok()) return s;
+    if (Status s = check_id(state_->bodies, body); !s.ok()) return s;
     return set_velocity(body, warm_of(*state_, body.index).v, velocity);
 }
 
 Status World::move_to(BodyId body, const Transform& pose, double dt) {
     WorldState& world = *state_;
-    if (Status s = check_id(world, body); !s.ok()) return s;
+    if (Status s = check_id(world.bodies, body); !s.ok()) return s;
     if (Status s = check_pose("pose", pose); !s.ok()) return s;
     if (Status s = check_range("dt", dt, 1e-5, 0.25); !s.ok()) return s;
     const BodyCold& cold = world.bodies.cold[body.index];
@@ -84,7 +84,7 @@ Status World::move_to(BodyId body, const Transform& pose, double dt) {
 
 Status World::apply_impulse(BodyId body, Vec3 impulse, Vec3 point) {
     WorldState& world = *state_;
-    if (Status s = check_dynamic(world, body); !s.ok()) return s;
+    if (Status s = check_dynamic(world.bodies, body); !s.ok()) return s;
     if (Status s = check_vector("impulse", impulse, 1e12); !s.ok()) return s;
     if (Status s = check_vector("point", point, limits::max_coordinate); !s.ok()) return s;
     const BodyCold& cold = world.bodies.cold[body.index];
@@ -97,7 +97,7 @@ Status World::apply_impulse(BodyId body, Vec3 impulse, Vec3 point) {
 
 Status World::apply_angular_impulse(BodyId body, Vec3 impulse) {
     WorldState& world = *state_;
-    if (Status s = check_dynamic(world, body); !s.ok()) return s;
+    if (Status s = check_dynamic(world.bodies, body); !s.ok()) return s;
     if (Status s = check_vector("impulse", impulse, 1e12); !s.ok()) return s;
     BodyWarm& warm = wake_to_change(world, body.index);
     warm.w += world_inverse_inertia(warm, world.bodies.cold[body.index]) * impulse;
@@ -107,7 +107,7 @@ Status World::apply_angular_impulse(BodyId body, Vec3 impulse) {
 
 Status World::apply_force(BodyId body, Vec3 force, Vec3 point) {
     WorldState& world = *state_;
-    if (Status s = check_dynamic(world, body); !s.ok()) return s;
+    if (Status s = check_dynamic(world.bodies, body); !s.ok()) return s;
     if (Status s = check_vector("force", force, 1e12); !s.ok()) return s;
     if (Status s = check_vector("point", point, limits::max_coordinate); !s.ok()) return s;
     BodyWarm& warm = wake_to_change(world, body.index);
@@ -119,7 +119,7 @@ Status World::apply_force(BodyId body, Vec3 force, Vec3 point) {
 
 Status World::apply_torque(BodyId body, Vec3 torque) {
     WorldState& world = *state_;
-    if (Status s = check_dynamic(world, body); !s.ok()) return s;
+    if (Status s = check_dynamic(world.bodies, body); !s.ok()) return s;
     if (Status s = check_vector("torque", torque, 1e12); !s.ok()) return s;
     wake_to_change(world, body.index).torque += torque;
     return {};

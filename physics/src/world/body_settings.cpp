@@ -33,7 +33,7 @@ Status check_type(const WorldState& world, std::uint32_t body, BodyType type) {
     for_each_joint(world.joints, cold, [&](std::uint32_t index) {
         const Joint& joint = world.joints.joints[index];
         const std::uint32_t other = joint.body_a == body ? joint.body_b : joint.body_a;
-        if (type != BodyType::dynamic && !is_dynamic(world, other))
+        if (type != BodyType::dynamic && !is_dynamic(world.bodies, other))
             joints = Error{ErrorCode::failed_precondition,
                            "joint {" + std::to_string(index) + ", " +
                                std::to_string(world.joints.ids.generation(index)) +
@@ -46,7 +46,7 @@ Status check_type(const WorldState& world, std::uint32_t body, BodyType type) {
 void change_type(WorldState& world, std::uint32_t body, BodyType type) {
     BodyCold& cold = world.bodies.cold[body];
     for (std::uint32_t s = cold.first_shape; s != none; s = world.shapes.shapes[s].next)
-        destroy_proxy(world, s);
+        destroy_proxy(world, s, world.events.pending.left);
     if (cold.island != none) {
         world.islands.islands[cold.island].may_be_split = true;
         remove_from_island(world, body);
@@ -59,12 +59,13 @@ void change_type(WorldState& world, std::uint32_t body, BodyType type) {
     warm.sleep_time = 0;
     if (type == BodyType::static_body) {
         warm.v = warm.w = {};
-        enter_static(world, warm);
+        enter_static(world.bodies, warm);
     } else {
-        enter_awake(world, warm);
+        enter_awake(world.bodies, warm);
     }
-    if (type == BodyType::dynamic) add_to_island(world, create_island(world), body);
-    update_mass(world, body);
+    if (type == BodyType::dynamic)
+        add_to_island(world, create_island(world.islands, world.def), body);
+    update_mass(world, world.def, body);
     ASSERT((type == BodyType::dynamic) == (cold.island != none));
     obey_locks(cold, warm_of(world, body));
     after_move(world, body);
@@ -73,8 +74,8 @@ void change_type(WorldState& world, std::uint32_t body, BodyType type) {
     if (type != BodyType::dynamic) return;
     for_each_joint(world.joints, cold, [&](std::uint32_t index) {
         const Joint& joint = world.joints.joints[index];
-        if (is_dynamic(world, joint.body_a) && is_dynamic(world, joint.body_b))
-            join_islands(world, world.bodies.cold[joint.body_a].island,
+        if (is_dynamic(world.bodies, joint.body_a) && is_dynamic(world.bodies, joint.body_b))
+            join_islands(world, world.joints, world.bodies.cold[joint.body_a].island,
                          world.bodies.cold[joint.body_b].island);
     });
 }
@@ -83,7 +84,7 @@ void change_type(WorldState& world, std::uint32_t body, BodyType type) {
 
 Status World::set_type(BodyId body, BodyType type) {
     WorldState& world = *state_;
-    if (Status s = check_id(world, body); !s.ok()) return s;
+    if (Status s = check_id(world.bodies, body); !s.ok()) return s;
     if (Status s = check_body_type(type); !s.ok()) return s;
     if (world.bodies.cold[body.index].type == type) return {};
     if (Status s = check_type(world, body.index, type); !s.ok()) return s;
@@ -96,21 +97,21 @@ Status World::set_type(BodyId body, BodyType type) {
 
 Status World::set_mass(BodyId body, double mass) {
     WorldState& world = *state_;
-    if (Status s = check_dynamic(world, body); !s.ok()) return s;
+    if (Status s = check_dynamic(world.bodies, body); !s.ok()) return s;
     if (Status s = check_mass(mass); !s.ok()) return s;
     wake_neighbours(world, body.index);
     wake_body(world, body.index);
     // Manifolds store effective masses and must be rebuilt.
     destroy_contacts_of(world, body.index, world.events.pending.ended);
     world.bodies.cold[body.index].mass_override = mass;
-    update_mass(world, body.index);
+    update_mass(world, world.def, body.index);
     after_move(world, body.index);
     return {};
 }
 
 Status World::set_sleep_allowed(BodyId body, bool allowed) {
     WorldState& world = *state_;
-    if (Status s = check_id(world, body); !s.ok()) return s;
+    if (Status s = check_id(world.bodies, body); !s.ok()) return s;
     if (!allowed) wake_body(world, body.index);
     world.bodies.cold[body.index].sleep_allowed = allowed;
     return {};
@@ -119,7 +120,7 @@ Status World::set_sleep_allowed(BodyId body, bool allowed) {
 Status World::set_awake(BodyId body, bool awake) {
     WorldState& world = *state_;
     if (awake) return wake(body);
-    if (Status s = check_dynamic(world, body); !s.ok()) return s;
+    if (Status s = check_dynamic(world.bodies, body); !s.ok()) return s;
     if (!world.def.sleeping)
         return Error{ErrorCode::failed_precondition,
                      "sleeping is disabled in this world (WorldDef::sleeping is false)"};
@@ -131,7 +132,7 @@ Status World::set_awake(BodyId body, bool awake) {
     for (std::uint32_t b = world.islands.islands[island].first; b != none;
          b = world.bodies.cold[b].island_next) {
         if (!world.bodies.cold[b].asleep_in_place)
-            world.events.pending.fell_asleep.push_back(body_id(world, b));
+            world.events.pending.fell_asleep.push_back(body_id(world.bodies, b));
         wake_in_place(world, b);
     }
     put_island_to_sleep(world, island, world.events.pending.ended);
@@ -141,14 +142,14 @@ Status World::set_awake(BodyId body, bool awake) {
 }
 
 Status World::set_user_data(BodyId body, std::uint64_t data) {
-    if (Status s = check_id(*state_, body); !s.ok()) return s;
+    if (Status s = check_id(state_->bodies, body); !s.ok()) return s;
     state_->bodies.cold[body.index].user_data = data;
     return {};
 }
 
 Status World::set_damping(BodyId body, double linear, double angular) {
     WorldState& world = *state_;
-    if (Status s = check_id(world, body); !s.ok()) return s;
+    if (Status s = check_id(world.bodies, body); !s.ok()) return s;
     if (Status s = check_range("linear", linear, 0, 1e4); !s.ok()) return s;
     if (Status s = check_range("angular", angular, 0, 1e4); !s.ok()) return s;
     wake_body(world, body.index);
@@ -159,7 +160,7 @@ Status World::set_damping(BodyId body, double linear, double angular) {
 
 Status World::set_gravity_scale(BodyId body, double scale) {
     WorldState& world = *state_;
-    if (Status s = check_id(world, body); !s.ok()) return s;
+    if (Status s = check_id(world.bodies, body); !s.ok()) return s;
     if (Status s = check_range("scale", scale, -1e3, 1e3); !s.ok()) return s;
     wake_body(world, body.index);
     world.bodies.cold[body.index].gravity_scale = scale;
@@ -169,7 +170,7 @@ Status World::set_gravity_scale(BodyId body, double scale) {
 
 Status World::set_locks(BodyId body, AxisLocks locks) {
     WorldState& world = *state_;
-    if (Status s = check_id(world, body); !s.ok()) return s;
+    if (Status s = check_id(world.bodies, body); !s.ok()) return s;
     if (locks >= 64)
         return Error{ErrorCode::invalid_argument,
                      "locks is " + std::to_string(locks) + "; it must be from 0 to 63"};
@@ -179,13 +180,13 @@ Status World::set_locks(BodyId body, AxisLocks locks) {
     world.bodies.cold[body.index].locks = static_cast<AxisLocks>(
         locks | (world.def.planar ? lock_z | lock_rotation_x | lock_rotation_y : 0));
     obey_locks(world.bodies.cold[body.index], warm);
-    update_mass(world, body.index);
+    update_mass(world, world.def, body.index);
     after_move(world, body.index);
     return {};
 }
 
 Status World::wake(BodyId body) {
-    if (Status s = check_id(*state_, body); !s.ok()) return s;
+    if (Status s = check_id(state_->bodies, body); !s.ok()) return s;
     wake_body(*state_, body.index);
     return {};
 }

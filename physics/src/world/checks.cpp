@@ -128,17 +128,17 @@ Status check_body_type(BodyType type) {
                             "; it must be static (0), kinematic (1) or dynamic (2)");
 }
 
-Status check_body_in(const WorldState& world, const BodyDef& def) {
+Status check_body_in(const WorldDef& world, const BodyDef& def) {
     if (Status s = check_body(def); !s.ok()) return s;
-    return world.def.planar ? check_flat_body(def) : Status{};
+    return world.planar ? check_flat_body(def) : Status{};
 }
 
-Status check_shape_in(const WorldState& world, const ShapeDef& def, BodyType type) {
+Status check_shape_in(const WorldDef& world, const ShapeDef& def, BodyType type) {
     if (Status s = check_shape(def, type); !s.ok()) return s;
-    return world.def.planar ? check_flat_shape(def) : Status{};
+    return world.planar ? check_flat_shape(def) : Status{};
 }
 
-Status check_shapes_in(const WorldState& world, std::span<const ShapeDef> defs, BodyType type) {
+Status check_shapes_in(const WorldDef& world, std::span<const ShapeDef> defs, BodyType type) {
     for (std::size_t k = 0; k < defs.size(); k++)
         if (Status s = check_shape_in(world, defs[k], type); !s.ok()) {
             if (defs.size() == 1) return s;
@@ -159,36 +159,36 @@ ShapeDef def_of(const ShapeRecord& shape) {
             .user_data = shape.user_data};
 }
 
-Status check_id(const WorldState& world, BodyId id) {
-    if (world.bodies.ids.matches(id.index, id.generation)) return {};
+Status check_id(const BodyStore& bodies, BodyId id) {
+    if (bodies.ids.matches(id.index, id.generation)) return {};
     return Error{ErrorCode::not_found, "no body has the id {" + std::to_string(id.index) + ", " +
                                            std::to_string(id.generation) +
                                            "}; it never existed or was destroyed"};
 }
 
-Status check_id(const WorldState& world, ShapeId id) {
-    if (world.shapes.ids.matches(id.index, id.generation)) return {};
+Status check_id(const ShapeStore& shapes, ShapeId id) {
+    if (shapes.ids.matches(id.index, id.generation)) return {};
     return Error{ErrorCode::not_found, "no shape has the id {" + std::to_string(id.index) + ", " +
                                            std::to_string(id.generation) +
                                            "}; it never existed or was destroyed"};
 }
 
-Status check_id(const WorldState& world, JointId id) {
-    if (world.joints.ids.matches(id.index, id.generation)) return {};
+Status check_id(const JointStore& joints, JointId id) {
+    if (joints.ids.matches(id.index, id.generation)) return {};
     return Error{ErrorCode::not_found, "no joint has the id {" + std::to_string(id.index) + ", " +
                                            std::to_string(id.generation) +
                                            "}; it never existed, broke or was destroyed"};
 }
 
-Status check_id(const WorldState& world, FieldId id) {
-    if (world.fields.ids.matches(id.index, id.generation)) return {};
+Status check_id(const FieldStore& fields, FieldId id) {
+    if (fields.ids.matches(id.index, id.generation)) return {};
     return Error{ErrorCode::not_found, "no force field has the id {" + std::to_string(id.index) +
                                            ", " + std::to_string(id.generation) +
                                            "}; it never existed or was destroyed"};
 }
 
-Status check_not_stepping(const WorldState& world, const char* action) {
-    if (world.listeners.stepping == nullptr) return {};
+Status check_not_stepping(const ListenerStore& listeners, const char* action) {
+    if (listeners.stepping == nullptr) return {};
     return Error{ErrorCode::failed_precondition,
                  std::string("cannot ") + action + " during a step"};
 }

@@ -37,7 +37,7 @@ std::vector<std::uint32_t> constrained_group(const WorldState& world, std::uint3
     std::vector<bool> seen(world.bodies.cold.size());
     seen[body] = true;
     const auto visit = [&](std::uint32_t other) {
-        if (!is_dynamic(world, other) || seen[other]) return;
+        if (!is_dynamic(world.bodies, other) || seen[other]) return;
         seen[other] = true;
         found.push_back(other);
     };
@@ -48,8 +48,8 @@ std::vector<std::uint32_t> constrained_group(const WorldState& world, std::uint3
             visit(joint.body_a);
             visit(joint.body_b);
             if (!joint_is_geared(joint.kind)) return;
-            visit(find_carrier(world, joint, 0));
-            visit(find_carrier(world, joint, 1));
+            visit(find_carrier(world.bodies, world.joints, joint, 0));
+            visit(find_carrier(world.bodies, world.joints, joint, 1));
         });
         for_each_contact(world.contacts, cold, [&](std::uint32_t index) {
             const Contact& contact = world.contacts.contacts[index];
@@ -62,21 +62,21 @@ std::vector<std::uint32_t> constrained_group(const WorldState& world, std::uint3
     return found;
 }
 
-JointEnd end_now(const WorldState& world, std::uint32_t body, const Transform& frame) {
+JointEnd end_now(const BodySets& sets, std::uint32_t body, const Transform& frame) {
     if (body == none) return {.arm = frame.position, .frame = frame.rotation};
-    const BodyWarm& warm = warm_of(world, body);
+    const BodyWarm& warm = warm_of(sets, body);
     return {.center = warm.center,
-            .arm = warm.axes * (frame.position - world.bodies.cold[body].local_center),
+            .arm = warm.axes * (frame.position - sets.bodies.cold[body].local_center),
             .rotation = warm.rotation,
             .frame = warm.rotation * frame.rotation};
 }
 
-Carrier carrier_now(const WorldState& world, std::uint32_t body) {
+Carrier carrier_now(const BodySets& sets, std::uint32_t body) {
     if (body == none) return {};
-    const BodyWarm& warm = warm_of(world, body);
+    const BodyWarm& warm = warm_of(sets, body);
     return {.body = body,
             .center = warm.center,
-            .origin = pose_of(warm, world.bodies.cold[body]).position,
+            .origin = pose_of(warm, sets.bodies.cold[body]).position,
             .rotation = warm.rotation};
 }
 
@@ -84,7 +84,7 @@ SystemBody system_body(const WorldState& world, std::uint32_t index,
                        const ConstraintSystemOptions& options, double h) {
     const BodyCold& cold = world.bodies.cold[index];
     const BodyWarm& warm = warm_of(world, index);
-    SystemBody body{.id = body_id(world, index),
+    SystemBody body{.id = body_id(world.bodies, index),
                     .moves = cold.type == BodyType::dynamic,
                     .inverse_inertia = diagonal({0, 0, 0})};
     if (cold.type != BodyType::static_body) {
@@ -149,7 +149,8 @@ struct ConstraintSystemBuilder {
         Carrier carriers[2];
         if (joint_is_geared(joint.kind))
             for (int end = 0; end < 2; end++)
-                carriers[end] = carrier_now(world, find_carrier(world, joint, end));
+                carriers[end] =
+                    carrier_now(world, find_carrier(world.bodies, world.joints, joint, end));
         for (const JointRow& from :
              joint_rows(joint, end_now(world, joint.body_a, joint.frame_a),
                         end_now(world, joint.body_b, joint.frame_b), carriers)) {
@@ -160,8 +161,10 @@ struct ConstraintSystemBuilder {
     }
 
     void add_joint_row(std::uint32_t index, const JointRow& from) {
-        ConstraintRow row{
-            .role = from.role, .axis = from.axis, .joint = joint_id(world, index), .jacobians = {}};
+        ConstraintRow row{.role = from.role,
+                          .axis = from.axis,
+                          .joint = joint_id(world.joints, index),
+                          .jacobians = {}};
         for (int p = 0; p < from.jacobian_count; p++)
             if (from.jacobians[p].body != none)
                 row.jacobians[row.jacobian_count++] = {number(from.jacobians[p].body),
@@ -263,31 +266,31 @@ struct ConstraintSystemBuilder {
     }
 };
 
-std::vector<std::uint32_t> joints_on(const WorldState& world,
+std::vector<std::uint32_t> joints_on(const BodyStore& store, const JointStore& joints,
                                      const std::vector<std::uint32_t>& bodies) {
-    std::vector<std::uint32_t> joints;
+    std::vector<std::uint32_t> found;
     for (const std::uint32_t body : bodies)
-        for_each_joint(world.joints, world.bodies.cold[body],
-                       [&](std::uint32_t joint) { joints.push_back(joint); });
-    std::sort(joints.begin(), joints.end());
-    joints.erase(std::unique(joints.begin(), joints.end()), joints.end());
-    return joints;
+        for_each_joint(joints, store.cold[body],
+                       [&](std::uint32_t joint) { found.push_back(joint); });
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
 }
 
 // Lists each contact once: body a of a contact is dynamic.
-std::vector<ContactView> contacts_between(const WorldState& world,
+std::vector<ContactView> contacts_between(const ContactGraph& stores,
                                           const std::vector<std::uint32_t>& bodies) {
     std::vector<ContactView> contacts;
     for (const std::uint32_t body : bodies) {
-        for (const ContactView& view : contacts_on(world, body))
-            if (view.info.touching && world.contacts.contacts[view.contact].body_a == body)
+        for (const ContactView& view : contacts_on(stores, body))
+            if (view.info.touching && stores.contacts.contacts[view.contact].body_a == body)
                 contacts.push_back(view);
         if (contacts.size() > std::size_t{constraint_rows_max}) break;
     }
     std::sort(contacts.begin(), contacts.end(), [&](const ContactView& x, const ContactView& y) {
         const auto key = [&](const ContactView& view) {
             return std::tuple(view.info.shape_a, view.info.shape_b,
-                              world.contacts.contacts[view.contact].key, view.contact);
+                              stores.contacts.contacts[view.contact].key, view.contact);
         };
         return key(x) < key(y);
     });
@@ -307,11 +310,11 @@ Result<ConstraintSystem> system_of(const WorldState& world, std::uint32_t body,
     const auto too_many = [&] {
         return Error{ErrorCode::resource_exhausted,
                      "the group of body {" + std::to_string(body) + ", " +
-                         std::to_string(body_id(world, body).generation) + "} has " +
+                         std::to_string(body_id(world.bodies, body).generation) + "} has " +
                          std::to_string(bodies.size()) + " bodies with more than " +
                          std::to_string(constraint_rows_max) + " rows; use a smaller group"};
     };
-    for (const std::uint32_t joint : joints_on(world, bodies)) {
+    for (const std::uint32_t joint : joints_on(world.bodies, world.joints, bodies)) {
         all.add_joint(joint);
         if (all.full()) return too_many();
     }
@@ -325,7 +328,7 @@ Result<ConstraintSystem> system_of(const WorldState& world, std::uint32_t body,
         return Error{
             ErrorCode::failed_precondition,
             "body {" + std::to_string(body) + ", " +
-                std::to_string(body_id(world, body).generation) +
+                std::to_string(body_id(world.bodies, body).generation) +
                 "} has no constraint rows: it touches nothing and none of its joints acts"};
     all.sort_bodies();
     all.system.h = h;
@@ -339,8 +342,8 @@ Result<ConstraintSystem> World::constraint_system(BodyId body,
                                                   const ConstraintSystemOptions& options) const {
     const WorldState& world = *state_;
     if (Status s = check_options(options); !s.ok()) return s.error();
-    if (Status s = check_id(world, body); !s.ok()) return s.error();
-    if (!is_dynamic(world, body.index))
+    if (Status s = check_id(world.bodies, body); !s.ok()) return s.error();
+    if (!is_dynamic(world.bodies, body.index))
         return Error{ErrorCode::failed_precondition,
                      "body {" + std::to_string(body.index) + ", " +
                          std::to_string(body.generation) +
@@ -352,9 +355,10 @@ Result<ConstraintSystem> World::constraint_system(JointId joint,
                                                   const ConstraintSystemOptions& options) const {
     const WorldState& world = *state_;
     if (Status s = check_options(options); !s.ok()) return s.error();
-    if (Status s = check_id(world, joint); !s.ok()) return s.error();
+    if (Status s = check_id(world.joints, joint); !s.ok()) return s.error();
     const Joint& named = world.joints.joints[joint.index];
-    return system_of(world, is_dynamic(world, named.body_b) ? named.body_b : named.body_a, options);
+    return system_of(world, is_dynamic(world.bodies, named.body_b) ? named.body_b : named.body_a,
+                     options);
 }
 
 }  // namespace jostle::physics

@@ -30,12 +30,12 @@ void fill_points(ContactInfo& info, Vec3 center, Row&& row) {
     }
 }
 
-ContactInfo info_of(const WorldState& world, std::uint32_t index) {
-    const Contact& c = world.contacts.contacts[index];
-    return {.shape_a = shape_id(world, c.shape_a),
-            .shape_b = shape_id(world, c.shape_b),
-            .body_a = body_id(world, c.body_a),
-            .body_b = body_id(world, c.body_b),
+ContactInfo info_of(const ContactGraph& stores, std::uint32_t index) {
+    const Contact& c = stores.contacts.contacts[index];
+    return {.shape_a = shape_id(stores.shapes, c.shape_a),
+            .shape_b = shape_id(stores.shapes, c.shape_b),
+            .body_a = body_id(stores.bodies, c.body_a),
+            .body_b = body_id(stores.bodies, c.body_b),
             .normal = {},
             .point = {},
             .touching = c.touching};
@@ -43,32 +43,32 @@ ContactInfo info_of(const WorldState& world, std::uint32_t index) {
 
 }  // namespace
 
-ContactInfo solved_contact(const WorldState& world, std::uint32_t contact) {
-    const Contact& c = world.contacts.contacts[contact];
-    const ContactLaneRef lane_ref = lane_ref_of(world, c);
+ContactInfo solved_contact(const ContactGraph& stores, std::uint32_t contact) {
+    const Contact& c = stores.contacts.contacts[contact];
+    const ContactLaneRef lane_ref = lane_ref_of(stores.graph, c);
     ASSERT(lane_ref.meta->contact[lane_ref.lane] == contact);
-    ContactInfo info = info_of(world, contact);
-    fill_points(info, warm_of(world, c.body_a).center,
+    ContactInfo info = info_of(stores, contact);
+    fill_points(info, warm_of(stores, c.body_a).center,
                 [&](int row) { return float_at(*lane_ref.block, row, lane_ref.lane); });
     return info;
 }
 
-ContactInfo sleeping_contact(const WorldState& world, const SavedContact& saved) {
-    ContactInfo info = info_of(world, saved.contact);
+ContactInfo sleeping_contact(const ContactGraph& stores, const SavedContact& saved) {
+    ContactInfo info = info_of(stores, saved.contact);
     info.asleep = true;
     fill_points(
-        info, warm_of(world, world.contacts.contacts[saved.contact].body_a).center,
+        info, warm_of(stores, stores.contacts.contacts[saved.contact].body_a).center,
         [&](int row) { return saved.rows[static_cast<std::size_t>(row - first_saved_row)]; });
     return info;
 }
 
-std::vector<ContactView> contacts_on(const WorldState& world, std::uint32_t body) {
+std::vector<ContactView> contacts_on(const ContactGraph& stores, std::uint32_t body) {
     std::vector<ContactView> all;
     std::vector<std::uint32_t> asleep;
-    for_each_contact(world.contacts, world.bodies.cold[body], [&](std::uint32_t contact) {
-        if (world.contacts.contacts[contact].colour >= 0)
-            all.push_back({contact, solved_contact(world, contact)});
-        else if (world.contacts.contacts[contact].dormant)
+    for_each_contact(stores.contacts, stores.bodies.cold[body], [&](std::uint32_t contact) {
+        if (stores.contacts.contacts[contact].colour >= 0)
+            all.push_back({contact, solved_contact(stores, contact)});
+        else if (stores.contacts.contacts[contact].dormant)
             asleep.push_back(contact);
     });
     // A sleeping contact is stored by the island of its body a, or of b if only b sleeps.
@@ -76,15 +76,15 @@ std::vector<ContactView> contacts_on(const WorldState& world, std::uint32_t body
     std::vector<std::uint32_t> islands;
     for (const std::uint32_t contact : asleep)
         for (const std::uint32_t end :
-             {world.contacts.contacts[contact].body_a, world.contacts.contacts[contact].body_b})
-            if (world.bodies.cold[end].island != none)
-                islands.push_back(world.bodies.cold[end].island);
+             {stores.contacts.contacts[contact].body_a, stores.contacts.contacts[contact].body_b})
+            if (stores.bodies.cold[end].island != none)
+                islands.push_back(stores.bodies.cold[end].island);
     std::sort(islands.begin(), islands.end());
     islands.erase(std::unique(islands.begin(), islands.end()), islands.end());
     for (const std::uint32_t island : islands)
-        for (const SavedContact& saved : world.islands.islands[island].manifolds)
+        for (const SavedContact& saved : stores.islands.islands[island].manifolds)
             if (std::binary_search(asleep.begin(), asleep.end(), saved.contact))
-                all.push_back({saved.contact, sleeping_contact(world, saved)});
+                all.push_back({saved.contact, sleeping_contact(stores, saved)});
     return all;
 }
 

@@ -23,7 +23,7 @@ FieldDef stored(FieldDef def) {
 void wake_region(WorldState& world, const FieldDef& field) {
     for (std::uint32_t body = 0; body < world.bodies.ids.size(); body++)
         if (world.bodies.ids.alive(body) &&
-            acts_on(world, field, warm_of(world, body), world.bodies.cold[body]))
+            acts_on(world.shapes, field, warm_of(world, body), world.bodies.cold[body]))
             wake_body(world, body);
 }
 
@@ -44,12 +44,12 @@ Result<FieldId> World::create_field(const FieldDef& def) {
     world.fields.fields[index] = stored(def);
     wake_region(world, def);
     update_bounds(world);
-    return field_id(world, index);
+    return field_id(world.fields, index);
 }
 
 Status World::set_field(FieldId field, const FieldDef& def) {
     WorldState& world = *state_;
-    if (Status s = check_id(world, field); !s.ok()) return s;
+    if (Status s = check_id(world.fields, field); !s.ok()) return s;
     if (Status s = check_field(def, world.def.planar); !s.ok()) return s;
     wake_region(world, world.fields.fields[field.index]);
     world.fields.fields[field.index] = stored(def);
@@ -60,7 +60,7 @@ Status World::set_field(FieldId field, const FieldDef& def) {
 
 Status World::destroy_field(FieldId field) {
     WorldState& world = *state_;
-    if (Status s = check_id(world, field); !s.ok()) return s;
+    if (Status s = check_id(world.fields, field); !s.ok()) return s;
     wake_region(world, world.fields.fields[field.index]);
     world.fields.fields[field.index] = {};
     world.fields.ids.release(field.index);
@@ -69,17 +69,18 @@ Status World::destroy_field(FieldId field) {
 }
 
 bool World::contains(FieldId field) const {
-    return check_id(*state_, field).ok();
+    return check_id(state_->fields, field).ok();
 }
 
 Result<FieldDef> World::field(FieldId field) const {
-    if (Status s = check_id(*state_, field); !s.ok()) return s.error();
+    if (Status s = check_id(state_->fields, field); !s.ok()) return s.error();
     return state_->fields.fields[field.index];
 }
 
 std::vector<FieldId> World::fields() const {
     std::vector<FieldId> ids;
-    for (const std::uint32_t index : state_->fields.active) ids.push_back(field_id(*state_, index));
+    for (const std::uint32_t index : state_->fields.active)
+        ids.push_back(field_id(state_->fields, index));
     return ids;
 }
 

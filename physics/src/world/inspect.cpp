@@ -6,6 +6,7 @@
 #include "jostle/physics/world.h"
 #include "physics/src/geometry/shape_measures.h"
 #include "physics/src/state/contact_constraints.h"
+#include "physics/src/state/world_state.h"
 #include "physics/src/world/checks.h"
 #include "physics/src/world/contact_view.h"
 
@@ -36,7 +37,7 @@ std::vector<ContactInfo> World::contacts() const {
 
 Result<std::vector<ContactInfo>> World::contacts_of(BodyId body) const {
     const WorldState& world = *state_;
-    if (Status s = check_id(world, body); !s.ok()) return s.error();
+    if (Status s = check_id(world.bodies, body); !s.ok()) return s.error();
     std::vector<ContactInfo> all;
     for (const ContactView& view : contacts_on(world, body.index)) all.push_back(view.info);
     sort_by_shapes(all);
@@ -45,12 +46,12 @@ Result<std::vector<ContactInfo>> World::contacts_of(BodyId body) const {
 
 Result<std::vector<BodyId>> World::touching_bodies(BodyId body) const {
     const WorldState& world = *state_;
-    if (Status s = check_id(world, body); !s.ok()) return s.error();
+    if (Status s = check_id(world.bodies, body); !s.ok()) return s.error();
     std::vector<BodyId> touching;
     for_each_contact(world.contacts, world.bodies.cold[body.index], [&](std::uint32_t contact) {
         const Contact& c = world.contacts.contacts[contact];
         if (c.touching)
-            touching.push_back(body_id(world, c.body_a == body.index ? c.body_b : c.body_a));
+            touching.push_back(body_id(world.bodies, c.body_a == body.index ? c.body_b : c.body_a));
     });
     std::sort(touching.begin(), touching.end());
     touching.erase(std::unique(touching.begin(), touching.end()), touching.end());
@@ -65,7 +66,7 @@ std::vector<std::vector<BodyId>> World::islands() const {
         all.emplace_back();
         for (std::uint32_t b = world.islands.islands[i].first; b != none;
              b = world.bodies.cold[b].island_next)
-            all.back().push_back(body_id(world, b));
+            all.back().push_back(body_id(world.bodies, b));
         std::sort(all.back().begin(), all.back().end());
     }
     return all;
@@ -80,7 +81,7 @@ std::vector<Aabb> World::broad_phase_cells() const {
 
 Result<Aabb> World::bounds(ShapeId shape) const {
     const WorldState& world = *state_;
-    if (Status s = check_id(world, shape); !s.ok()) return s.error();
+    if (Status s = check_id(world.shapes, shape); !s.ok()) return s.error();
     const ShapeRecord& record = world.shapes.shapes[shape.index];
     if (is_plane(record))
         return Error{ErrorCode::failed_precondition, "a plane is infinite; it has no bounds"};
@@ -89,7 +90,7 @@ Result<Aabb> World::bounds(ShapeId shape) const {
 
 Result<Aabb> World::fat_bounds(ShapeId shape) const {
     const WorldState& world = *state_;
-    if (Status s = check_id(world, shape); !s.ok()) return s.error();
+    if (Status s = check_id(world.shapes, shape); !s.ok()) return s.error();
     const ShapeRecord& record = world.shapes.shapes[shape.index];
     if (is_plane(record))
         return Error{ErrorCode::failed_precondition, "a plane is infinite; it has no bounds"};

@@ -13,7 +13,7 @@ namespace {
 
 IslandSubsteps describe_island(const WorldState& world, const Island& island) {
     const ColourSetKey set = island.colour_set;
-    IslandSubsteps result{.body = body_id(world, island.first),
+    IslandSubsteps result{.body = body_id(world.bodies, island.first),
                           .bodies = static_cast<int>(island.bodies),
                           .substeps = substeps_of(set, world),
                           .error = island.error.estimate};
@@ -24,21 +24,21 @@ IslandSubsteps describe_island(const WorldState& world, const Island& island) {
 }
 
 // True if a contact or joint is counted at this body: its first dynamic body.
-bool is_counted_at(const WorldState& world, std::uint32_t body, std::uint32_t a, std::uint32_t b) {
-    return (is_dynamic(world, a) ? a : b) == body;
+bool is_counted_at(const BodyStore& bodies, std::uint32_t body, std::uint32_t a, std::uint32_t b) {
+    return (is_dynamic(bodies, a) ? a : b) == body;
 }
 
 void count_at(const WorldState& world, std::uint32_t body, IslandSubsteps& result) {
     const BodyCold& cold = world.bodies.cold[body];
-    result.body = std::min(result.body, body_id(world, body));
+    result.body = std::min(result.body, body_id(world.bodies, body));
     for_each_contact(world.contacts, cold, [&](std::uint32_t index) {
         const Contact& c = world.contacts.contacts[index];
-        if (c.colour >= 0 && c.touching && is_counted_at(world, body, c.body_a, c.body_b))
+        if (c.colour >= 0 && c.touching && is_counted_at(world.bodies, body, c.body_a, c.body_b))
             result.contacts++;
     });
     for_each_joint(world.joints, cold, [&](std::uint32_t index) {
         const Joint& j = world.joints.joints[index];
-        if (is_counted_at(world, body, j.body_a, j.body_b)) result.joints++;
+        if (is_counted_at(world.bodies, body, j.body_a, j.body_b)) result.joints++;
     });
 }
 

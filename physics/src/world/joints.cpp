@@ -20,15 +20,15 @@
 namespace jostle::physics {
 namespace {
 
-Status check_joint(const WorldState& world, const JointDef& def) {
+Status check_joint(const BodyStore& bodies, const JointDef& def) {
     const bool to_world = is_null(def.body_a);
     if (!to_world)
-        if (Status s = check_id(world, def.body_a); !s.ok()) return s;
-    if (Status s = check_id(world, def.body_b); !s.ok()) return s;
+        if (Status s = check_id(bodies, def.body_a); !s.ok()) return s;
+    if (Status s = check_id(bodies, def.body_b); !s.ok()) return s;
     if (def.body_a == def.body_b)
         return invalid_argument(
             "body_a and body_b are the same body; a joint needs two different bodies");
-    if (!is_dynamic(world, def.body_a.index) && !is_dynamic(world, def.body_b.index))
+    if (!is_dynamic(bodies, def.body_a.index) && !is_dynamic(bodies, def.body_b.index))
         return Error{
             ErrorCode::failed_precondition,
             "neither body_a nor body_b is dynamic; a joint needs at least one dynamic body"};
@@ -41,9 +41,9 @@ Status check_joint(const WorldState& world, const JointDef& def) {
     return check_kind(def.kind);
 }
 
-JointDef def_of(const WorldState& world, const Joint& j) {
-    return {.body_a = body_id(world, j.body_a),
-            .body_b = body_id(world, j.body_b),
+JointDef def_of(const BodyStore& bodies, const Joint& j) {
+    return {.body_a = body_id(bodies, j.body_a),
+            .body_b = body_id(bodies, j.body_b),
             .frame_a = j.frame_a,
             .frame_b = j.frame_b,
             .kind = j.kind,
@@ -63,9 +63,9 @@ constexpr auto display_name = [] {
     return text;
 }();
 
-Transform frame_in_world(const WorldState& world, std::uint32_t body, const Transform& frame) {
+Transform frame_in_world(const BodySets& sets, std::uint32_t body, const Transform& frame) {
     if (body == none) return frame;
-    return compose(pose_of(warm_of(world, body), world.bodies.cold[body]), frame);
+    return compose(pose_of(warm_of(sets, body), sets.bodies.cold[body]), frame);
 }
 
 }  // namespace
@@ -76,7 +76,7 @@ const char* kind_name(const JointKind& kind) {
 
 Result<JointId> World::create_joint(const JointDef& def) {
     WorldState& world = *state_;
-    if (Status s = check_joint(world, def); !s.ok()) return s.error();
+    if (Status s = check_joint(world.bodies, def); !s.ok()) return s.error();
     const std::uint32_t a = def.body_a.index, b = def.body_b.index;
     if (a != none) wake_body(world, a);
     wake_body(world, b);
@@ -99,24 +99,24 @@ Result<JointId> World::create_joint(const JointDef& def) {
     j.break_torque = def.break_torque;
     j.user_data = def.user_data;
     j.solver = def.solver;
-    attach_joint(world, index);
+    attach_joint(world, world.joints, index);
     ASSERT(world.bodies.cold[b].first_joint / 2 == index);
-    return joint_id(world, index);
+    return joint_id(world.joints, index);
 }
 
 Status World::destroy_joint(JointId id) {
     WorldState& world = *state_;
-    if (Status s = check_id(world, id); !s.ok()) return s;
+    if (Status s = check_id(world.joints, id); !s.ok()) return s;
     const Joint& j = world.joints.joints[id.index];
     if (j.body_a != none) wake_body(world, j.body_a);
     wake_body(world, j.body_b);
-    physics::destroy_joint(world, id.index);
+    physics::destroy_joint(world, world.joints, id.index);
     return {};
 }
 
 Status World::set_joint(JointId id, const JointKind& kind) {
     WorldState& world = *state_;
-    if (Status s = check_id(world, id); !s.ok()) return s;
+    if (Status s = check_id(world.joints, id); !s.ok()) return s;
     Joint& j = world.joints.joints[id.index];
     if (kind.index() != j.kind.index())
         return Error{ErrorCode::failed_precondition,
@@ -125,7 +125,7 @@ Status World::set_joint(JointId id, const JointKind& kind) {
     if (j.kind == kind) return {};
     if (Status s = check_kind(kind); !s.ok()) return s;
     j.kind = kind;
-    reset_density(world, id.index);
+    reset_density(world, world.joints, id.index);
     if (j.body_a != none) wake_body(world, j.body_a);
     wake_body(world, j.body_b);
     return {};
@@ -133,26 +133,26 @@ Status World::set_joint(JointId id, const JointKind& kind) {
 
 Status World::set_joint_solver(JointId id, std::optional<JointSolver> solver) {
     WorldState& world = *state_;
-    if (Status s = check_id(world, id); !s.ok()) return s;
+    if (Status s = check_id(world.joints, id); !s.ok()) return s;
     if (solver)
         if (Status s = check_joint_solver("solver", *solver); !s.ok()) return s;
     world.joints.joints[id.index].solver = solver;
-    reset_density(world, id.index);
+    reset_density(world, world.joints, id.index);
     return {};
 }
 
 bool World::contains(JointId joint) const {
-    return check_id(*state_, joint).ok();
+    return check_id(state_->joints, joint).ok();
 }
 
 Result<JointState> World::joint(JointId id) const {
     const WorldState& world = *state_;
-    if (Status s = check_id(world, id); !s.ok()) return s.error();
+    if (Status s = check_id(world.joints, id); !s.ok()) return s.error();
     const Joint& j = world.joints.joints[id.index];
     const Transform a = frame_in_world(world, j.body_a, j.frame_a),
                     b = frame_in_world(world, j.body_b, j.frame_b);
     JointState state{.id = id,
-                     .def = def_of(world, j),
+                     .def = def_of(world.bodies, j),
                      .force = j.force,
                      .torque = j.torque,
                      .separation = length(b.position - a.position)};
@@ -197,7 +197,7 @@ Result<JointState> World::joint(JointId id) const {
 std::vector<JointId> World::joints() const {
     std::vector<JointId> ids;
     for (std::uint32_t i = 0; i < state_->joints.ids.size(); i++)
-        if (state_->joints.ids.alive(i)) ids.push_back(joint_id(*state_, i));
+        if (state_->joints.ids.alive(i)) ids.push_back(joint_id(state_->joints, i));
     return ids;
 }
 
@@ -205,13 +205,13 @@ std::vector<JointId> World::joints_of(BodyId body) const {
     std::vector<JointId> ids;
     if (!contains(body)) return ids;
     for_each_joint(state_->joints, state_->bodies.cold[body.index],
-                   [&](std::uint32_t joint) { ids.push_back(joint_id(*state_, joint)); });
+                   [&](std::uint32_t joint) { ids.push_back(joint_id(state_->joints, joint)); });
     std::sort(ids.begin(), ids.end());
     return ids;
 }
 
 Status World::set_user_data(JointId joint, std::uint64_t data) {
-    if (Status s = check_id(*state_, joint); !s.ok()) return s;
+    if (Status s = check_id(state_->joints, joint); !s.ok()) return s;
     state_->joints.joints[joint.index].user_data = data;
     return {};
 }

@@ -11,7 +11,7 @@ namespace jostle::physics {
 
 Status World::add_listener(StepListener& listener) {
     ListenerStore& store = state_->listeners;
-    if (Status s = check_not_stepping(*state_, "add a listener"); !s.ok()) return s;
+    if (Status s = check_not_stepping(state_->listeners, "add a listener"); !s.ok()) return s;
     if (store.contains(listener))
         return Error{ErrorCode::failed_precondition,
                      "the listener has already been added; add it once"};
@@ -21,7 +21,7 @@ Status World::add_listener(StepListener& listener) {
 
 Status World::remove_listener(StepListener& listener) {
     ListenerStore& store = state_->listeners;
-    if (Status s = check_not_stepping(*state_, "remove a listener"); !s.ok()) return s;
+    if (Status s = check_not_stepping(state_->listeners, "remove a listener"); !s.ok()) return s;
     const auto is_it = [&](const auto& module) { return module.get() == &listener; };
     if (std::any_of(store.modules.begin(), store.modules.end(), is_it))
         return Error{ErrorCode::failed_precondition,
@@ -34,7 +34,7 @@ Status World::remove_listener(StepListener& listener) {
 
 Status World::add_module(std::unique_ptr<Module> module) {
     ListenerStore& store = state_->listeners;
-    if (Status s = check_not_stepping(*state_, "add a module"); !s.ok()) return s;
+    if (Status s = check_not_stepping(state_->listeners, "add a module"); !s.ok()) return s;
     if (!module) return Error{ErrorCode::invalid_argument, "module is null"};
     if (Status s = check_module_tag(module->tag()); !s.ok()) return s;
     if (store.module(module->tag()) != nullptr)
@@ -45,7 +45,7 @@ Status World::add_module(std::unique_ptr<Module> module) {
 }
 
 Status World::remove_module(std::string_view tag) {
-    if (Status s = check_not_stepping(*state_, "remove a module"); !s.ok()) return s;
+    if (Status s = check_not_stepping(state_->listeners, "remove a module"); !s.ok()) return s;
     if (state_->listeners.module(tag) == nullptr)
         return Error{ErrorCode::not_found, "the world has no module \"" + std::string(tag) + "\""};
     state_->listeners.remove_module(tag);

@@ -34,15 +34,15 @@ MassProperties mass_of_shape(const ShapeRecord& shape, bool planar) {
 
 }  // namespace
 
-void update_mass(WorldState& world, std::uint32_t body) {
-    BodyCold& cold = world.bodies.cold[body];
+void update_mass(ShapedBodies& stores, const WorldDef& def, std::uint32_t body) {
+    BodyCold& cold = stores.bodies.cold[body];
     ASSERT(!cold.asleep_in_place);
-    BodyWarm& warm = warm_of(world, body);
+    BodyWarm& warm = warm_of(stores, body);
     MassProperties total;
-    for (std::uint32_t s = cold.first_shape; s != none; s = world.shapes.shapes[s].next) {
-        const ShapeRecord& shape = world.shapes.shapes[s];
+    for (std::uint32_t s = cold.first_shape; s != none; s = stores.shapes.shapes[s].next) {
+        const ShapeRecord& shape = stores.shapes.shapes[s];
         if (!shape.trigger)
-            total = combined(total, moved(mass_of_shape(shape, world.def.planar), shape.pose));
+            total = combined(total, moved(mass_of_shape(shape, def.planar), shape.pose));
     }
     if (cold.mass_override > 0 && total.mass > 0) total = scaled_to(total, cold.mass_override);
     const bool dynamic = cold.type == BodyType::dynamic && total.mass > 0;
@@ -50,19 +50,19 @@ void update_mass(WorldState& world, std::uint32_t body) {
     const Vec3 old_center = warm.center;
     cold.local_center = dynamic ? total.center : Vec3{};
     if (cold.island != none)
-        world.islands.islands[cold.island].mass += (dynamic ? total.mass : 0) - cold.mass;
+        stores.islands.islands[cold.island].mass += (dynamic ? total.mass : 0) - cold.mass;
     cold.mass = dynamic ? total.mass : 0;
     cold.inertia = dynamic ? total.inertia : diagonal({0, 0, 0});
-    if (world.def.planar) flatten(cold);
-    cold.isotropic = is_isotropic(cold.inertia) && (cold.locks == 0 || world.def.planar);
+    if (def.planar) flatten(cold);
+    cold.isotropic = is_isotropic(cold.inertia) && (cold.locks == 0 || def.planar);
     invert_mass(cold);
     warm.center = origin + warm.axes * cold.local_center;
     warm.v += cross(warm.w, warm.center - old_center);
 
     cold.radius = 0;
     cold.inner_radius = 1e300;
-    for (std::uint32_t s = cold.first_shape; s != none; s = world.shapes.shapes[s].next) {
-        ShapeRecord& shape = world.shapes.shapes[s];
+    for (std::uint32_t s = cold.first_shape; s != none; s = stores.shapes.shapes[s].next) {
+        ShapeRecord& shape = stores.shapes.shapes[s];
         derive_shape_pose(cold, shape);
         if (!is_plane(shape))
             cold.radius = maximum(cold.radius, length(shape.offset) + radius_of(shape.geometry));

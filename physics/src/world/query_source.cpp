@@ -14,10 +14,10 @@
 namespace jostle::physics {
 namespace {
 
-QueryShape shape_at(const WorldState& world, std::uint32_t index) {
-    const ShapeRecord& s = world.shapes.shapes[index];
-    return {transformed_shape(s, warm_of(world, s.body)), shape_id(world, index),
-            body_id(world, s.body), s.filter, s.trigger};
+QueryShape shape_at(const ShapedBodies& stores, std::uint32_t index) {
+    const ShapeRecord& s = stores.shapes.shapes[index];
+    return {transformed_shape(s, warm_of(stores, s.body)), shape_id(stores.shapes, index),
+            body_id(stores.bodies, s.body), s.filter, s.trigger};
 }
 
 // Base of sources with the two broad phases of a world.
@@ -45,7 +45,7 @@ public:
     std::uint64_t step() const override { return world_.steps; }
     QueryShape shape(std::uint32_t index) const override { return shape_at(world_, index); }
     std::optional<QueryShape> find(ShapeId id) const override {
-        if (!world_.shapes.ids.alive(id.index) || shape_id(world_, id.index) != id)
+        if (!world_.shapes.ids.alive(id.index) || shape_id(world_.shapes, id.index) != id)
             return std::nullopt;
         return shape_at(world_, id.index);
     }

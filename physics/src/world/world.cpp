@@ -56,7 +56,7 @@ private:
 
 Status World::step(double dt) {
     if (Status s = check_range("dt", dt, 1e-5, 0.25); !s.ok()) return s;
-    if (Status s = check_not_stepping(*state_, "step the world"); !s.ok()) return s;
+    if (Status s = check_not_stepping(state_->listeners, "step the world"); !s.ok()) return s;
     const auto stopped = [&] {
         return Error{ErrorCode::aborted,
                      "stop_stepping() was called; call resume_stepping() to continue"};

@@ -31,7 +31,9 @@ struct TwoBoxes {
                          [&](std::uint32_t index) { contact = index; });
     }
     WorldState& state() { return state_of(world); }
-    ContactLaneRef place() { return lane_ref_of(state(), state().contacts.contacts[contact]); }
+    ContactLaneRef place() {
+        return lane_ref_of(state().graph, state().contacts.contacts[contact]);
+    }
     Borne borne() {
         Borne sum;
         for (int k = 0; k < 4; k++) {
@@ -97,7 +99,7 @@ Foot foot_of(const Geometry& geometry, double other_gaps) {
     for_each_contact(state.contacts, state.bodies.cold[body.index],
                      [&](std::uint32_t index) { contact = index; });
     const Contact& c = state.contacts.contacts[contact];
-    const ContactLaneRef place = lane_ref_of(state, c);
+    const ContactLaneRef place = lane_ref_of(state.graph, c);
     const Vec3 center = warm_of(state, c.body_a).center;
     Manifold m{.normal = normal_of(place)};
     m.count = 4;

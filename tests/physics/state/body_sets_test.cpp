@@ -25,13 +25,13 @@ TEST(BodySets, last_body_fills_the_hole) {
     EXPECT_EQ(state.bodies.cold[bodies[3].index].at, 1u);
     EXPECT_EQ(warm_of(state, bodies[3].index).center.x, 9);
     EXPECT_EQ(state.bodies.cold[bodies[2].index].at, 2u) << "the others stay where they are";
-    enter_awake(state, second);
+    enter_awake(state.bodies, second);
     EXPECT_EQ(state.bodies.cold[bodies[1].index].at, 3u);
     EXPECT_EQ(warm_of(state, bodies[1].index).center.x, 3);
     leave_set(state, bodies[1].index);  // the last one leaves no hole
     EXPECT_EQ(state.bodies.awake.size(), 3u);
     EXPECT_EQ(warm_of(state, bodies[3].index).center.x, 9);
-    enter_awake(state, second);
+    enter_awake(state.bodies, second);
     EXPECT_EQ(find_fault(state), std::nullopt);
 }
 
@@ -45,7 +45,7 @@ TEST(BodySets, moving_a_body_updates_its_lanes) {
     WorldState& state = state_of(world);
     const auto hot_index = [&](BodyId box) {
         const Contact& c = state.contacts.contacts[state.bodies.cold[box.index].first_edge / 2];
-        const ContactLaneRef place = lane_ref_of(state, c);
+        const ContactLaneRef place = lane_ref_of(state.graph, c);
         return place.block->a[place.lane];
     };
     EXPECT_EQ(hot_index(boxes[2]), 3);
@@ -67,7 +67,7 @@ TEST(BodySets, static_bodies_have_their_own_set) {
     leave_set(state, wall.index);
     EXPECT_EQ(state.bodies.cold[second_wall.index].at, 0u);
     EXPECT_EQ(state.bodies.awake.size(), 1u);
-    enter_static(state, warm);
+    enter_static(state.bodies, warm);
     EXPECT_EQ(warm_of(state, wall.index).center.x, 1);
     EXPECT_EQ(find_fault(state), std::nullopt);
 }

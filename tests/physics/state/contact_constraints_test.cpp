@@ -9,10 +9,10 @@ namespace jostle::physics {
 namespace {
 
 TEST(Lanes, are_sorted_by_body_with_all_their_data) {
-    WorldState world;
+    ContactStore contacts;
     GraphColour colour;
     constexpr int lanes = 100;
-    world.contacts.contacts.resize(lanes);
+    contacts.contacts.resize(lanes);
     for (int slot = 0; slot < lanes; slot++) {
         if (slot % 8 == 0) add_block(colour);
         const auto block = static_cast<std::size_t>(slot / 8);
@@ -20,11 +20,11 @@ TEST(Lanes, are_sorted_by_body_with_all_their_data) {
         colour.blocks[block].b[slot % 8] = 2 + slot * 37 % lanes;
         colour.blocks[block].mu[slot % 8] = static_cast<float>(slot);
         colour.metas[block].contact[slot % 8] = static_cast<std::uint32_t>(slot);
-        world.contacts.contacts[static_cast<std::size_t>(slot)].slot = slot;
+        contacts.contacts[static_cast<std::size_t>(slot)].slot = slot;
         colour.contacts++;
     }
     EXPECT_FALSE(is_sorted(colour));
-    sort_contacts(world, colour, 0);
+    sort_contacts(contacts, colour, 0);
     EXPECT_TRUE(is_sorted(colour));
     ASSERT_EQ(colour.contacts, lanes);
     ASSERT_EQ(colour.blocks.size(), 13u);
@@ -32,7 +32,7 @@ TEST(Lanes, are_sorted_by_body_with_all_their_data) {
         const auto block = static_cast<std::size_t>(slot / 8);
         EXPECT_EQ(colour.blocks[block].a[slot % 8], 1 + slot);
         const std::uint32_t contact = colour.metas[block].contact[slot % 8];
-        EXPECT_EQ(world.contacts.contacts[contact].slot, slot);
+        EXPECT_EQ(contacts.contacts[contact].slot, slot);
         EXPECT_EQ(colour.blocks[block].mu[slot % 8], static_cast<float>(contact)) << "its own row";
     }
 }

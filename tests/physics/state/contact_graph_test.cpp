@@ -84,7 +84,7 @@ TEST(ContactGraph, touch_merges_islands_and_its_end_marks_them_for_splitting) {
     const std::uint32_t a = balls.ball(0), b = balls.ball(10);
     const std::uint32_t contact = balls.create(a, b);
     ASSERT_NE(balls.island(a), balls.island(b));
-    begin_touch(balls.state, contact);
+    begin_touch(balls.state, balls.state.joints, contact);
     ASSERT_EQ(balls.island(a), balls.island(b));
     const Island& island = balls.state.islands.islands[balls.island(a)];
     EXPECT_EQ(island.bodies, 2u);
@@ -100,11 +100,11 @@ TEST(ContactGraph, destroying_a_touching_contact_reports_an_end_with_both_ids) {
     Balls balls;
     const std::uint32_t a = balls.ball(0), b = balls.ball(10);
     const std::uint32_t contact = balls.create(a, b);
-    begin_touch(balls.state, contact);
+    begin_touch(balls.state, balls.state.joints, contact);
     destroy_contacts_between(balls.state, a, b, balls.ended);
     ASSERT_EQ(balls.ended.size(), 1u);
-    EXPECT_EQ(balls.ended[0].body_a, body_id(balls.state, a));
-    EXPECT_EQ(balls.ended[0].shape_b, shape_id(balls.state, balls.shape(b)));
+    EXPECT_EQ(balls.ended[0].body_a, body_id(balls.state.bodies, a));
+    EXPECT_EQ(balls.ended[0].shape_b, shape_id(balls.state.shapes, balls.shape(b)));
     EXPECT_EQ(balls.fault(), "");
 }
 
@@ -113,7 +113,7 @@ TEST(ContactGraph, large_mass_ratio_marks_the_island_uneven) {
     for (const double density : {99000.0, 101000.0}) {
         Balls balls;
         const std::uint32_t a = balls.ball(0), b = balls.ball(10, density);
-        begin_touch(balls.state, balls.create(a, b));
+        begin_touch(balls.state, balls.state.joints, balls.create(a, b));
         EXPECT_EQ(balls.state.islands.islands[balls.island(a)].uneven, density > 100000);
     }
 }
@@ -122,8 +122,8 @@ TEST(ContactGraph, partially_sleeping_body_that_loses_a_touch_is_woken) {
     Balls balls;
     const std::uint32_t a = balls.ball(0), b = balls.ball(10);
     const std::uint32_t contact = balls.create(a, b);
-    begin_touch(balls.state, contact);
-    hold_still(balls.state, b);
+    begin_touch(balls.state, balls.state.joints, contact);
+    hold_still(balls.state.bodies, b);
     end_touch(balls.state, contact);
     ASSERT_EQ(balls.state.wake_requests.size(), 1u);
     EXPECT_EQ(balls.state.wake_requests[0].body, b);
@@ -162,8 +162,8 @@ TEST(ContactGraph, composite_pair_ends_once_with_its_last_child) {
     Parts scene;
     const std::uint32_t first = create_child_contact(scene.state, scene.pair, 1);
     const std::uint32_t second = create_child_contact(scene.state, scene.pair, 2);
-    begin_touch(scene.state, first);
-    begin_touch(scene.state, second);
+    begin_touch(scene.state, scene.state.joints, first);
+    begin_touch(scene.state, scene.state.joints, second);
     scene.state.contacts.contacts[scene.pair].touching = true;  // as merge_islands reports it
     EXPECT_EQ(scene.contact(scene.pair).touching_children, 2u);
     std::vector<ContactEnd>& reported = scene.ended;

@@ -53,9 +53,9 @@ TEST(ContactLoad, saved_load_is_the_supported_mass) {
     const std::uint32_t contact = contact_of(state, box);
     EXPECT_EQ(saved_load(state.contacts.contacts[contact]), Vec3{});
     save_load(state, contact);
-    EXPECT_NEAR(supported_mass(state, state.contacts.contacts[contact]), 1000, 1);
+    EXPECT_NEAR(supported_mass(state.def, state.contacts.contacts[contact]), 1000, 1);
     state.def.gravity = {};
-    EXPECT_EQ(supported_mass(state, state.contacts.contacts[contact]), 0)
+    EXPECT_EQ(supported_mass(state.def, state.contacts.contacts[contact]), 0)
         << "without gravity it is nobody's weight";
 }
 

@@ -123,7 +123,7 @@ TEST(IslandSleep, manifolds_with_awake_bodies_end_and_become_dormant) {
     ASSERT_NE(island(left), island(right));
     std::uint32_t between = none;
     for (std::uint32_t k = 0; k < state.contacts.ids.size(); k++)
-        if (is_dynamic(state, state.contacts.contacts[k].body_b)) between = k;
+        if (is_dynamic(state.bodies, state.contacts.contacts[k].body_b)) between = k;
     ASSERT_NE(between, none);
     const Contact& contact = state.contacts.contacts[between];
     std::vector<ContactEnd> ended;

@@ -47,12 +47,12 @@ struct StackAndNeighbour {
         const Contact* found = nullptr;
         for_each_contact(state.contacts, state.bodies.cold[box.index], [&](std::uint32_t index) {
             const Contact& c = state.contacts.contacts[index];
-            if (!is_dynamic(state, c.body_b)) found = &c;
+            if (!is_dynamic(state.bodies, c.body_b)) found = &c;
         });
         return *found;
     }
     double impulse(BodyId box) {
-        const ContactLaneRef place = lane_ref_of(state, on_floor(box));
+        const ContactLaneRef place = lane_ref_of(state.graph, on_floor(box));
         double sum = 0;
         for (const auto& lambda : place.block->lambda) sum += double{lambda[place.lane]};
         return sum;
@@ -62,9 +62,9 @@ struct StackAndNeighbour {
 TEST(IslandTiers, manifolds_couple_islands_that_do_not_touch) {
     const StackAndNeighbour near(0.01), far(1);
     ASSERT_NE(near.island, near.other);
-    EXPECT_EQ(coupled_islands(near.state, near.island),
+    EXPECT_EQ(coupled_islands(near.state, near.state.contacts, near.island),
               (std::vector<std::uint32_t>{near.island, near.other}));
-    EXPECT_EQ(coupled_islands(far.state, far.island), std::vector{far.island});
+    EXPECT_EQ(coupled_islands(far.state, far.state.contacts, far.island), std::vector{far.island});
 }
 
 // A row of stacks, some of which are near enough to the next for a manifold: looked for all at once
@@ -83,7 +83,7 @@ TEST(IslandTiers, couplings_of_all_islands_match_those_of_each) {
     std::set<std::size_t> sizes;
     for (std::uint32_t i = 0; i < state.islands.ids.size(); i++) {
         if (!state.islands.ids.alive(i)) continue;
-        std::vector<std::uint32_t> alone = coupled_islands(state, i);
+        std::vector<std::uint32_t> alone = coupled_islands(state, state.contacts, i);
         std::sort(alone.begin(), alone.end());
         const auto group = all.group_of(i);
         EXPECT_EQ(std::vector(group.begin(), group.end()), alone) << "island " << i;
@@ -101,7 +101,7 @@ TEST(IslandTiers, impulses_scale_with_the_substep_length) {
     ASSERT_TRUE(near(load, {0, -3 * 9810, 0}, 100));
     const double impulse = stack.impulse(stack.lowest);
     stack.state.islands.islands[stack.island].calm = 2;
-    move_to_set(stack.state, std::array{stack.island}, tall);
+    move_to_set(stack.state, stack.state.joints, std::array{stack.island}, tall);
     EXPECT_NEAR(stack.impulse(stack.lowest), impulse * substeps / 16, 1e-5 * impulse);
     EXPECT_TRUE(near(load_of(stack.state, stack.on_floor(stack.lowest)), load, 0.1));
     EXPECT_EQ(stack.state.islands.islands[stack.island].calm, 0);
@@ -122,17 +122,17 @@ TEST(IslandTiers, removing_a_load_does_not_throw_bodies_up) {
 // island's.
 TEST(IslandTiers, lower_tier_joins_the_set_of_the_higher_tier) {
     StackAndNeighbour stack(1);
-    move_to_set(stack.state, std::array{stack.island}, low);
-    move_to_set(stack.state, std::array{stack.other}, tall);
-    match_sets(stack.state, stack.island, stack.other);
+    move_to_set(stack.state, stack.state.joints, std::array{stack.island}, low);
+    move_to_set(stack.state, stack.state.joints, std::array{stack.other}, tall);
+    match_sets(stack.state, stack.state.joints, stack.island, stack.other);
     EXPECT_EQ(stack.state.islands.islands[stack.island].colour_set, tall);
     EXPECT_EQ(find_fault(stack.state), std::nullopt);
 
     StackAndNeighbour usual(1);
     const ColourSetKey slender{SolverTier::slender, 0};
-    move_to_set(usual.state, std::array{usual.island}, low);
-    move_to_set(usual.state, std::array{usual.other}, slender);
-    match_sets(usual.state, usual.island, usual.other);
+    move_to_set(usual.state, usual.state.joints, std::array{usual.island}, low);
+    move_to_set(usual.state, usual.state.joints, std::array{usual.other}, slender);
+    match_sets(usual.state, usual.state.joints, usual.island, usual.other);
     EXPECT_EQ(usual.state.islands.islands[usual.other].colour_set, low) << "three boxes to one";
 }
 
@@ -140,10 +140,10 @@ TEST(IslandTiers, lower_tier_joins_the_set_of_the_higher_tier) {
 // heap tall.
 TEST(IslandTiers, calm_island_requires_at_most_slender) {
     StackAndNeighbour stack(1);
-    move_to_set(stack.state, std::array{stack.island}, low);
-    move_to_set(stack.state, std::array{stack.other}, tall);
+    move_to_set(stack.state, stack.state.joints, std::array{stack.island}, low);
+    move_to_set(stack.state, stack.state.joints, std::array{stack.other}, tall);
     stack.state.islands.islands[stack.other].calm = 1;
-    match_sets(stack.state, stack.island, stack.other);
+    match_sets(stack.state, stack.state.joints, stack.island, stack.other);
     EXPECT_EQ(stack.state.islands.islands[stack.island].colour_set, low);
     EXPECT_EQ(stack.state.islands.islands[stack.other].colour_set, low);
     EXPECT_EQ(find_fault(stack.state), std::nullopt);

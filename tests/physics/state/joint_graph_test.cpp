@@ -30,7 +30,7 @@ struct TiedRow {
                                         .collide_connected = collide}));
     }
     std::vector<std::uint32_t> jointed(std::uint32_t body) {
-        const auto found = jointed_with(state, body).bodies;
+        const auto found = jointed_with(state.bodies, state.joints, state.scratch, body).bodies;
         return {found.begin(), found.end()};
     }
     std::uint32_t island(std::size_t box) const {
@@ -58,12 +58,14 @@ TEST(JointGraph, static_bodies_separate_groups_and_kinematic_bodies_are_reported
     row.tie(wall, row.boxes[0]);
     row.tie(wall, row.boxes[1]);
     EXPECT_EQ(row.jointed(0), Bodies{0});
-    EXPECT_FALSE(jointed_with(row.state, 0).to_kinematic);
+    EXPECT_FALSE(
+        jointed_with(row.state.bodies, row.state.joints, row.state.scratch, 0).to_kinematic);
     const BodyId engine = add(row.world, {.position = {-3, 0, 0}, .type = BodyType::kinematic});
     row.tie(row.boxes[0], row.boxes[1]);
     row.tie(engine, row.boxes[0]);
     EXPECT_EQ(row.jointed(1), (Bodies{0, 1}));
-    EXPECT_TRUE(jointed_with(row.state, 1).to_kinematic);
+    EXPECT_TRUE(
+        jointed_with(row.state.bodies, row.state.joints, row.state.scratch, 1).to_kinematic);
     EXPECT_EQ(row.fault(), "");
 }
 
@@ -72,9 +74,10 @@ TEST(JointGraph, each_group_is_visited_once) {
     row.tie(row.boxes[0], row.boxes[4]);
     row.tie(row.boxes[2], row.boxes[3]);
     std::vector<Bodies> groups;
-    for_each_jointed(row.state, row.state.bodies.awake, [&](const JointedBodies& jointed) {
-        groups.push_back({jointed.bodies.begin(), jointed.bodies.end()});
-    });
+    for_each_jointed(row.state.bodies, row.state.joints, row.state.scratch, row.state.bodies.awake,
+                     [&](const JointedBodies& jointed) {
+                         groups.push_back({jointed.bodies.begin(), jointed.bodies.end()});
+                     });
     EXPECT_EQ(groups, (std::vector<Bodies>{{0, 4}, {1}, {2, 3}, {5}}));
 }
 
@@ -82,10 +85,11 @@ TEST(JointGraph, jointed_bodies_collide_only_if_enabled) {
     TiedRow row(3);
     row.tie(row.boxes[0], row.boxes[1]);
     row.tie(row.boxes[1], row.boxes[2], true);
-    EXPECT_TRUE(joined_without_contact(row.state, 0, 1));
-    EXPECT_TRUE(joined_without_contact(row.state, 1, 0));
-    EXPECT_FALSE(joined_without_contact(row.state, 1, 2));
-    EXPECT_FALSE(joined_without_contact(row.state, 0, 2)) << "not tied to each other";
+    EXPECT_TRUE(joined_without_contact(row.state.bodies, row.state.joints, 0, 1));
+    EXPECT_TRUE(joined_without_contact(row.state.bodies, row.state.joints, 1, 0));
+    EXPECT_FALSE(joined_without_contact(row.state.bodies, row.state.joints, 1, 2));
+    EXPECT_FALSE(joined_without_contact(row.state.bodies, row.state.joints, 0, 2))
+        << "not tied to each other";
 }
 
 TEST(JointGraph, destroyed_joint_is_unlisted_and_re_enables_collision) {
@@ -95,10 +99,11 @@ TEST(JointGraph, destroyed_joint_is_unlisted_and_re_enables_collision) {
     const JointId third = row.tie(row.boxes[0], row.boxes[1]);
     must(row.world.step(1.0 / 60));
     ASSERT_TRUE(row.state.shapes.moved.empty());
-    destroy_joint(row.state, first.index);
-    EXPECT_TRUE(joined_without_contact(row.state, 0, 1)) << "by the other one";
-    destroy_joint(row.state, third.index);
-    EXPECT_FALSE(joined_without_contact(row.state, 0, 1));
+    destroy_joint(row.state, row.state.joints, first.index);
+    EXPECT_TRUE(joined_without_contact(row.state.bodies, row.state.joints, 0, 1))
+        << "by the other one";
+    destroy_joint(row.state, row.state.joints, third.index);
+    EXPECT_FALSE(joined_without_contact(row.state.bodies, row.state.joints, 0, 1));
     EXPECT_EQ(row.state.bodies.cold[0].first_joint, none);
     EXPECT_EQ(row.state.shapes.moved, (Bodies{0, 1})) << "their pairs are asked for again, once";
     EXPECT_TRUE(row.state.islands.islands[row.island(0)].may_be_split);
@@ -112,7 +117,7 @@ TEST(JointGraph, joints_can_be_destroyed_during_iteration) {
     Bodies met;
     for_each_joint(row.state.joints, row.state.bodies.cold[0], [&](std::uint32_t joint) {
         met.push_back(joint);
-        destroy_joint(row.state, joint);
+        destroy_joint(row.state, row.state.joints, joint);
     });
     EXPECT_EQ(met, (Bodies{2, 1, 0})) << "the latest first";
     EXPECT_EQ(row.state.joints.ids.alive_count(), 0u);

@@ -43,7 +43,7 @@ struct HeavyStack {
     const Contact& contact(std::uint32_t index) const { return state.contacts.contacts[index]; }
     // 1/kg of the two boxes of a contact together, as its lane says.
     float inverse_mass(std::uint32_t index) {
-        const ContactLaneRef place = lane_ref_of(state, contact(index));
+        const ContactLaneRef place = lane_ref_of(state.graph, contact(index));
         return place.block->g[0][place.lane];
     }
     std::string fault() const { return find_fault(state).value_or(""); }
@@ -78,8 +78,8 @@ TEST(PartialSleep, sleeping_body_acts_as_static) {
 TEST(PartialSleep, saves_the_forces_at_contacts) {
     HeavyStack stack;
     sleep_in_place(stack.state, std::vector{stack.boxes[0]});
-    EXPECT_NEAR(supported_mass(stack.state, stack.contact(stack.below(1))), 4000, 40);
-    EXPECT_NEAR(supported_mass(stack.state, stack.contact(stack.below(0))), 5000, 50);
+    EXPECT_NEAR(supported_mass(stack.state.def, stack.contact(stack.below(1))), 4000, 40);
+    EXPECT_NEAR(supported_mass(stack.state.def, stack.contact(stack.below(0))), 5000, 50);
 }
 
 TEST(PartialSleep, waking_one_body_keeps_its_rest_time) {
@@ -98,13 +98,13 @@ TEST(PartialSleep, waking_one_body_keeps_its_rest_time) {
 
 TEST(PartialSleep, jointed_bodies_wake_together) {
     HeavyStack stack;
-    must(stack.world.create_joint({.body_a = body_id(stack.state, stack.boxes[1]),
-                                   .body_b = body_id(stack.state, stack.boxes[3])}));
+    must(stack.world.create_joint({.body_a = body_id(stack.state.bodies, stack.boxes[1]),
+                                   .body_b = body_id(stack.state.bodies, stack.boxes[3])}));
     sleep_in_place(stack.state, stack.boxes);
     for (const std::uint32_t box : stack.boxes) warm_of(stack.state, box).sleep_time = 9;
     wake_from_partial_sleep(stack.state, stack.boxes[3], stack.woke);
-    EXPECT_EQ(stack.woke, (std::vector{body_id(stack.state, stack.boxes[1]),
-                                       body_id(stack.state, stack.boxes[3])}));
+    EXPECT_EQ(stack.woke, (std::vector{body_id(stack.state.bodies, stack.boxes[1]),
+                                       body_id(stack.state.bodies, stack.boxes[3])}));
     EXPECT_EQ(warm_of(stack.state, stack.boxes[1]).sleep_time, 0);
     EXPECT_TRUE(stack.asleep(2)) << "it lies between them and is not tied";
     wake_from_partial_sleep(stack.state, stack.boxes[3], stack.woke);

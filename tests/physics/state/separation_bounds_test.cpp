@@ -55,7 +55,7 @@ struct TwoBalls {
 
 TEST(SeparationBound, holds_until_both_bodies_use_up_the_slack) {
     TwoBalls balls;
-    add_separation_bound(balls.state, balls.contact, 0.75);
+    add_separation_bound(balls.state, balls.state.contacts, balls.contact, 0.75);
     ASSERT_EQ(balls.state.contacts.bounds.size(), 1u);
     const SeparationBound& bound = balls.state.contacts.bounds[0];
     EXPECT_EQ(bound.limit, 2 + 3 + 0.75);
@@ -70,7 +70,7 @@ TEST(SeparationBound, is_not_measured_beyond_1_km_or_when_due) {
     for (const auto& [apart, slack, measured] :
          {std::tuple{999.0, 1.0, true}, {1001.0, 1.0, false}, {10.0, -1.0, false}}) {
         TwoBalls balls(apart);
-        add_separation_bound(balls.state, balls.contact, slack);
+        add_separation_bound(balls.state, balls.state.contacts, balls.contact, slack);
         EXPECT_EQ(balls.state.contacts.bounds[0].budget != SeparationBound::not_measured, measured)
             << apart << " m apart";
     }
@@ -81,10 +81,11 @@ TEST(SeparationBound, is_not_measured_beyond_1_km_or_when_due) {
 TEST(SeparationBound, reports_pairs_that_stayed_separated_during_a_step) {
     for (const bool directed : {true, false}) {
         TwoBalls balls;
-        add_separation_bound(balls.state, balls.contact, 0.75, directed ? Vec3{1, 0, 0} : Vec3{});
+        add_separation_bound(balls.state, balls.state.contacts, balls.contact, 0.75,
+                             directed ? Vec3{1, 0, 0} : Vec3{});
         const SeparationBound& bound = balls.state.contacts.bounds[0];
         const auto stayed = [&](Vec3 before, Vec3 now) {
-            return stayed_apart(balls.state, bound, before, now);
+            return stayed_apart(balls.state.bodies, bound, before, now);
         };
         EXPECT_TRUE(stayed({10, 0, 0}, {9, 0, 0})) << "neither has travelled";
         balls.state.bodies.motion[0].travel += 100;
@@ -100,10 +101,10 @@ TEST(SeparationBound, reports_pairs_that_stayed_separated_during_a_step) {
 
 TEST(SeparationBound, dormant_pair_resumes_its_bound) {
     TwoBalls balls;
-    add_separation_bound(balls.state, balls.contact, 0.75);
+    add_separation_bound(balls.state, balls.state.contacts, balls.contact, 0.75);
     Contact& contact = balls.state.contacts.contacts[balls.contact];
     contact.dormant = true;
-    add_separation_bound(balls.state, balls.contact, 100);
+    add_separation_bound(balls.state, balls.state.contacts, balls.contact, 100);
     EXPECT_EQ(balls.state.contacts.bounds.size(), 1u) << "it still had its place";
     EXPECT_EQ(balls.state.contacts.bounds[0].limit, 5.75);
     EXPECT_FALSE(contact.dormant);
@@ -111,7 +112,7 @@ TEST(SeparationBound, dormant_pair_resumes_its_bound) {
     balls.state.contacts.bounds.clear();
     contact.has_bound = false;
     contact.dormant = true;
-    resume_separation_bound(balls.state, balls.contact);
+    resume_separation_bound(balls.state.contacts, balls.contact);
     ASSERT_EQ(balls.state.contacts.bounds.size(), 1u);
     EXPECT_EQ(balls.state.contacts.bounds[0].limit, 5.75);
     EXPECT_FALSE(contact.dormant);
@@ -133,7 +134,7 @@ struct InFlight {
     void wait(double slack, Vec3 direction) {
         state.contacts.bounds.clear();
         state.contacts.contacts[0].has_bound = false;
-        add_separation_bound(state, 0, slack, direction);
+        add_separation_bound(state, state.contacts, 0, slack, direction);
     }
     // As finalize does for one step.
     void move() {
@@ -145,7 +146,7 @@ struct InFlight {
     }
     int steps_until_due() {
         int steps = 0;
-        while (!is_due(state, bound(), dt) && steps < 1000) {
+        while (!is_due(state, state.def, bound(), dt) && steps < 1000) {
             move();
             steps++;
         }
@@ -183,20 +184,20 @@ TEST(SeparationBound, directed_bound_accepts_passing_bodies) {
 // What was never looked at waits by the balls around both bodies, without a look.
 TEST(SeparationBound, new_pair_starts_with_a_bounding_sphere_distance) {
     InFlight far(1, {6, 0, 0}, {}), near(0.05, {6, 0, 0}, {});
-    EXPECT_FALSE(is_due(far.state, far.bound(), dt));
+    EXPECT_FALSE(is_due(far.state, far.state.def, far.bound(), dt));
     EXPECT_TRUE(far.bound().directed);
     EXPECT_NE(far.bound().budget, SeparationBound::not_measured);
-    EXPECT_TRUE(is_due(near.state, near.bound(), dt)) << "they meet in this step";
+    EXPECT_TRUE(is_due(near.state, near.state.def, near.bound(), dt)) << "they meet in this step";
 }
 
 // A turn moves the surface: both balls spin, and the slack is used up without any motion.
 TEST(SeparationBound, includes_rotation) {
     InFlight balls(1, {}, {});
     balls.wait(0.05, {1, 0, 0});
-    EXPECT_FALSE(is_due(balls.state, balls.bound(), dt));
+    EXPECT_FALSE(is_due(balls.state, balls.state.def, balls.bound(), dt));
     warm_of(balls.state, 0).w = {0, 0, 12};  // 0.1 m a step
     update_motion_bound(balls.state, 0, dt);
-    EXPECT_TRUE(is_due(balls.state, balls.bound(), dt));
+    EXPECT_TRUE(is_due(balls.state, balls.state.def, balls.bound(), dt));
 }
 
 }  // namespace

@@ -40,7 +40,7 @@ struct Ball {
 // 4 cm on each side, and three steps of 0.1 m ahead.
 TEST(ShapeProxy, fat_box_extends_three_steps_ahead) {
     Ball ball(6);
-    enlarge_aabb(ball.state, ball.shape, ball.warm(), dt);
+    enlarge_aabb(ball.state.bodies, ball.state.shapes, ball.shape, ball.warm(), dt);
     EXPECT_TRUE(near(ball.record().fat.low, {-0.54, -0.54, -0.54}, 1e-12));
     EXPECT_TRUE(near(ball.record().fat.high, {0.84, 0.54, 0.54}, 1e-12));
 }
@@ -49,7 +49,7 @@ TEST(ShapeProxy, fat_box_extends_three_steps_ahead) {
 TEST(ShapeProxy, fat_box_of_a_fast_ball_extends_two_radii_or_one_step) {
     for (const auto& [speed, ahead] : {std::pair{30.0, 1.0}, {120.0, 2.0}}) {
         Ball ball(speed);
-        enlarge_aabb(ball.state, ball.shape, ball.warm(), dt);
+        enlarge_aabb(ball.state.bodies, ball.state.shapes, ball.shape, ball.warm(), dt);
         EXPECT_NEAR(ball.record().fat.high.x, 0.54 + ahead, 1e-12);
     }
 }
@@ -58,7 +58,7 @@ TEST(ShapeProxy, fat_box_of_a_fast_ball_extends_two_radii_or_one_step) {
 // 3 cm now, and less by what the next step takes.
 TEST(ShapeProxy, margin_is_reported_now_and_after_a_step) {
     Ball ball(0);
-    enlarge_aabb(ball.state, ball.shape, ball.warm(), dt);
+    enlarge_aabb(ball.state.bodies, ball.state.shapes, ball.shape, ball.warm(), dt);
     ball.warm().v = {0, -1.5, 0};  // 2.5 cm a step
     const AabbMargin margin = margin_in_fat_aabb(ball.record(), ball.warm(), radius, dt);
     EXPECT_NEAR(margin.now, 0.03, 1e-12);
@@ -73,7 +73,7 @@ TEST(ShapeProxy, fat_box_of_a_small_shape_is_proportional) {
     World world = make_world();
     WorldState& state = state_of(world);
     const std::uint32_t body = add(world, {.geometry = Sphere{0.001}}).index;
-    enlarge_aabb(state, 0, warm_of(state, body), dt);
+    enlarge_aabb(state.bodies, state.shapes, 0, warm_of(state, body), dt);
     EXPECT_TRUE(near(state.shapes.shapes[0].fat.high, {0.0018, 0.0018, 0.0018}, 1e-12));
 }
 
@@ -105,16 +105,17 @@ TEST(ShapeProxy, destroyed_proxy_is_in_no_list) {
         std::count_if(state.triggers.inside.begin(), state.triggers.inside.end(),
                       [](const Inside& pair) { return pair.trigger == 2 && pair.shape == 3; }));
     ASSERT_EQ(inside, 1u);
-    buffer_move(state, 2);
+    buffer_move(state.shapes, state.triggers, 2);
     ASSERT_EQ(state.triggers.fresh, std::vector<std::uint32_t>{2});
     const std::size_t all = state.triggers.inside.size();
-    destroy_proxy(state, 2);
-    destroy_proxy(state, 0);
+    std::vector<TriggerEvent> left;
+    destroy_proxy(state, 2, left);
+    destroy_proxy(state, 0, left);
     EXPECT_TRUE(state.shapes.planes.empty());
     EXPECT_TRUE(state.shapes.triggers.empty());
     EXPECT_TRUE(state.triggers.fresh.empty());
     EXPECT_TRUE(state.triggers.inside.empty());
-    EXPECT_EQ(state.events.pending.left.size(), all);
+    EXPECT_EQ(left.size(), all);
     EXPECT_EQ(state.shapes.shapes[2].leaf, -1);
     EXPECT_EQ(std::count(state.shapes.moved.begin(), state.shapes.moved.end(), 2u), 0);
     create_proxy(state, 2);

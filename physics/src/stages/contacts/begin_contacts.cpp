@@ -48,7 +48,7 @@ Skipped begin_contacts(StepContext& step) {
         const Contact& c = world.contacts.contacts[contact];
         ASSERT(!c.has_bound && !c.composite);
         if (world.bodies.cold[c.body_b].type == BodyType::dynamic)
-            match_sets(world, world.bodies.cold[c.body_a].island,
+            match_sets(world, world.joints, world.bodies.cold[c.body_a].island,
                        world.bodies.cold[c.body_b].island);
         ASSERT(manifold->count >= 1 && manifold->count <= 4);
         add_contact(world, contact, manifold->count == 1);

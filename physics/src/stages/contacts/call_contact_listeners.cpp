@@ -28,14 +28,14 @@ void sanitize(ContactModifier& modifier) {
 
 }  // namespace
 
-ContactModifier call_contact_listeners(const WorldState& world, const PreSolveContact& m,
-                                       ContactModifier modifier) {
-    ASSERT(world.listeners.stepping != nullptr && has_pre_solve_listeners(world.listeners));
-    PreSolve pair{.world = *world.listeners.stepping,
-                  .shape_a = shape_id(world, m.shape_a),
-                  .shape_b = shape_id(world, m.shape_b),
-                  .body_a = body_id(world, world.shapes.shapes[m.shape_a].body),
-                  .body_b = body_id(world, world.shapes.shapes[m.shape_b].body),
+ContactModifier call_contact_listeners(const ListenerStore& listeners, const ShapedBodies& stores,
+                                       const PreSolveContact& m, ContactModifier modifier) {
+    ASSERT(listeners.stepping != nullptr && has_pre_solve_listeners(listeners));
+    PreSolve pair{.world = *listeners.stepping,
+                  .shape_a = shape_id(stores.shapes, m.shape_a),
+                  .shape_b = shape_id(stores.shapes, m.shape_b),
+                  .body_a = body_id(stores.bodies, stores.shapes.shapes[m.shape_a].body),
+                  .body_b = body_id(stores.bodies, stores.shapes.shapes[m.shape_b].body),
                   .normal = m.normal,
                   .point = m.point,
                   .velocity = m.velocity,
@@ -43,7 +43,7 @@ ContactModifier call_contact_listeners(const WorldState& world, const PreSolveCo
                   .restitution = modifier.restitution,
                   .surface_velocity = modifier.surface_velocity,
                   .enabled = modifier.enabled};
-    for (const auto& [listener, hooks] : world.listeners.order)
+    for (const auto& [listener, hooks] : listeners.order)
         if (hooks.pre_solve) listener->pre_solve(pair);
     modifier.friction = pair.friction;
     modifier.restitution = pair.restitution;
@@ -55,18 +55,18 @@ ContactModifier call_contact_listeners(const WorldState& world, const PreSolveCo
 
 bool modify_contact(WorldState& world, std::uint32_t index) {
     const Contact& c = world.contacts.contacts[index];
-    const ContactLaneRef lane_ref = lane_ref_of(world, c);
+    const ContactLaneRef lane_ref = lane_ref_of(world.graph, c);
     const BodyWarm &a = warm_of(world, c.body_a), &b = warm_of(world, c.body_b);
     const Vec3 point = a.center + get_lane(lane_ref.block->arm_a, lane_ref.lane);
     const ContactModifier given = material_modifier(world, c.shape_a, c.shape_b);
     ContactModifier modifier =
-        call_contact_listeners(world,
+        call_contact_listeners(world.listeners, world,
                                {c.shape_a, c.shape_b, normal_of(lane_ref), point,
                                 velocity_at(b, point) - velocity_at(a, point)},
                                given);
     if (is_same(modifier, given)) return false;
     modifier.contact = index;
-    set_modifier(world, modifier);
+    set_modifier(world.contacts, modifier);
     return true;
 }
 

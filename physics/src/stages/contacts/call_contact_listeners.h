@@ -20,7 +20,7 @@ struct PreSolveContact {
 };
 
 // Applies all listeners to a modifier and returns the result.
-ContactModifier call_contact_listeners(const WorldState& world,
+ContactModifier call_contact_listeners(const ListenerStore& listeners, const ShapedBodies& stores,
                                        const PreSolveContact& pre_solve_contact,
                                        ContactModifier modifier);
 

@@ -71,10 +71,10 @@ void merge_clusters(ContactScratch& scratch, const BodyCold& a, const BodyCold& 
 }
 
 // Returns whether a shape that cannot move freely is within `length` of a body's centre.
-bool is_wall_near(const WorldState& world, std::uint32_t shape, Vec3 center, double length) {
-    const ShapeRecord& s = world.shapes.shapes[shape];
+bool is_wall_near(const ShapedBodies& stores, std::uint32_t shape, Vec3 center, double length) {
+    const ShapeRecord& s = stores.shapes.shapes[shape];
     const Aabb near = grow({center, center}, length);
-    return is_plane(s) ? reaches_plane(world, s, near) : overlap(near, s.fat);
+    return is_plane(s) ? reaches_plane(stores, s, near) : overlap(near, s.fat);
 }
 
 // Bodies near enough to be struck within the step join the cluster, in whatever direction they
@@ -229,12 +229,12 @@ void find_clusters(StepContext& step) {
     }
 }
 
-bool bounces_in_cluster(const WorldState& world, const ContactScratch& scratch,
+bool bounces_in_cluster(const ShapedBodies& stores, const ContactScratch& scratch,
                         std::uint32_t shape_a, std::uint32_t shape_b) {
     if (scratch.clusters.empty()) return false;
-    const ShapeRecord &a = world.shapes.shapes[shape_a], &b = world.shapes.shapes[shape_b];
+    const ShapeRecord &a = stores.shapes.shapes[shape_a], &b = stores.shapes.shapes[shape_b];
     const auto min_retained_energy = [&](const ShapeRecord& shape) {
-        const BodyCold& cold = world.bodies.cold[shape.body];
+        const BodyCold& cold = stores.bodies.cold[shape.body];
         if (!is_member(cold) || cold.at >= scratch.cluster_of.size()) return 0.0;
         const std::uint32_t cluster = scratch.cluster_of[cold.at];
         return cluster == no_cluster ? 0.0 : scratch.clusters[cluster].min_retained_energy;

@@ -21,7 +21,7 @@ void find_clusters(StepContext& step);
 
 // Returns whether two shapes bounce off each other in a cluster, which contains at least one of
 // their bodies.
-bool bounces_in_cluster(const WorldState& world, const ContactScratch& scratch,
+bool bounces_in_cluster(const ShapedBodies& stores, const ContactScratch& scratch,
                         std::uint32_t shape_a, std::uint32_t shape_b);
 // Returns whether two shapes bounce individually in this step, not in a cluster.
 bool bounces_alone(const StepContext& step, std::uint32_t shape_a, std::uint32_t shape_b);

@@ -36,13 +36,13 @@ bool will_be_swept(const StepContext& step, const Contact& c, double displacemen
 }
 
 // Closing speed of the centres of two bodies along a direction from a to b, m/s.
-double closing_along(const WorldState& world, const Contact& c, Vec3 direction) {
-    return dot(direction, motion_of(world, c.body_a).v - motion_of(world, c.body_b).v);
+double closing_along(const BodySets& sets, const Contact& c, Vec3 direction) {
+    return dot(direction, motion_of(sets, c.body_a).v - motion_of(sets, c.body_b).v);
 }
 // Upper bound of the additional closing speed of any two points due to rotation, m/s.
-double closing_by_turning(const WorldState& world, const Contact& c) {
-    const BodyCold &a = world.bodies.cold[c.body_a], &b = world.bodies.cold[c.body_b];
-    const Vec3 wa = motion_of(world, c.body_a).w, wb = motion_of(world, c.body_b).w;
+double closing_by_turning(const BodySets& sets, const Contact& c) {
+    const BodyCold &a = sets.bodies.cold[c.body_a], &b = sets.bodies.cold[c.body_b];
+    const Vec3 wa = motion_of(sets, c.body_a).w, wb = motion_of(sets, c.body_b).w;
     return length(wa) * a.radius + (b.type == BodyType::static_body ? 0 : length(wb) * b.radius);
 }
 
@@ -56,8 +56,8 @@ double closing_reach(const BodyStore& bodies, const Contact& c, double displacem
 }
 
 // The smallest gap that any point may have at the end of the step, at the current velocities.
-double expected_gap(const WorldState& world, const Contact& c, const Manifold& m, double dt) {
-    const BodyMotion a = motion_of(world, c.body_a), b = motion_of(world, c.body_b);
+double expected_gap(const BodySets& sets, const Contact& c, const Manifold& m, double dt) {
+    const BodyMotion a = motion_of(sets, c.body_a), b = motion_of(sets, c.body_b);
     double smallest = 1e300;
     for (int i = 0; i < m.count; i++) {
         const Vec3 va = a.v + cross(a.w, m.point[i] - a.center);
@@ -69,8 +69,8 @@ double expected_gap(const WorldState& world, const Contact& c, const Manifold& m
 }
 
 // Highest closing speed of any point at the start of the step, m/s.
-double closing_speed(const WorldState& world, const Contact& c, const Manifold& m) {
-    const BodyMotion a = motion_of(world, c.body_a), b = motion_of(world, c.body_b);
+double closing_speed(const BodySets& sets, const Contact& c, const Manifold& m) {
+    const BodyMotion a = motion_of(sets, c.body_a), b = motion_of(sets, c.body_b);
     double fastest = 0;
     for (int i = 0; i < m.count; i++) {
         const Vec3 va = a.v + cross(a.w, m.point[i] - a.center);
@@ -104,10 +104,10 @@ bool will_bounce(const StepContext& step, const Contact& c, const Manifold& m, b
 
 // Returns whether a bouncing pair cannot touch in this step except at a speed that bounces. Such a
 // pair needs no manifold and moves freely. This includes bodies that just bounced and separate.
-bool stays_apart(const WorldState& world, const Contact& c, const Manifold& m, bool touching,
+bool stays_apart(const BodySets& sets, const Contact& c, const Manifold& m, bool touching,
                  double dt) {
     if (touching) return false;
-    const BodyMotion a = motion_of(world, c.body_a), b = motion_of(world, c.body_b);
+    const BodyMotion a = motion_of(sets, c.body_a), b = motion_of(sets, c.body_b);
     for (int i = 0; i < m.count; i++) {
         const Vec3 va = a.v + cross(a.w, m.point[i] - a.center);
         const Vec3 vb = b.v + cross(b.w, m.point[i] - b.center);
@@ -118,11 +118,12 @@ bool stays_apart(const WorldState& world, const Contact& c, const Manifold& m, b
 
 // Finds for each existing child the manifold that continues it: the same child key and, among
 // pieces of a surface, the nearest normal.
-void match_children(WorldState& world, const Contact& pair, std::vector<FoundChild>& found) {
-    for (std::uint32_t p = pair.first_child; p != none; p = world.contacts.contacts[p].next_child) {
-        const Contact& child = world.contacts.contacts[p];
+void match_children(ContactGraph& stores, const Contact& pair, std::vector<FoundChild>& found) {
+    for (std::uint32_t p = pair.first_child; p != none;
+         p = stores.contacts.contacts[p].next_child) {
+        const Contact& child = stores.contacts.contacts[p];
         if (child.colour < 0) continue;
-        const Vec3 normal = normal_of(lane_ref_of(world, child));
+        const Vec3 normal = normal_of(lane_ref_of(stores.graph, child));
         FoundChild* best = nullptr;
         double most = tuning::same_part;
         for (FoundChild& f : found) {
@@ -135,34 +136,32 @@ void match_children(WorldState& world, const Contact& pair, std::vector<FoundChi
         }
         if (best == nullptr) continue;
         best->contact = p;
-        write_manifold(world, child, best->child.manifold, false);
+        write_manifold(stores, child, best->child.manifold, false);
     }
 }
 
 // Returns whether a child of a composite pair touches.
-bool is_touching(const WorldState& world, const Contact& pair, std::uint64_t key) {
-    for (std::uint32_t p = pair.first_child; p != none; p = world.contacts.contacts[p].next_child)
-        if (world.contacts.contacts[p].key == key && world.contacts.contacts[p].touching)
-            return true;
+bool is_touching(const ContactStore& contacts, const Contact& pair, std::uint64_t key) {
+    for (std::uint32_t p = pair.first_child; p != none; p = contacts.contacts[p].next_child)
+        if (contacts.contacts[p].key == key && contacts.contacts[p].touching) return true;
     return false;
 }
 
 // Returns whether b is a surface that does not rotate.
-bool is_even_surface(const WorldState& world, const Contact& c) {
-    const ShapeKind kind = kind_of(world.shapes.shapes[c.shape_b].geometry);
+bool is_even_surface(const ShapedBodies& stores, const Contact& c) {
+    const ShapeKind kind = kind_of(stores.shapes.shapes[c.shape_b].geometry);
     return (kind == ShapeKind::mesh || kind == ShapeKind::height_field) &&
-           motion_of(world, c.body_b).w == Vec3{};
+           motion_of(stores, c.body_b).w == Vec3{};
 }
 
 // The motion of a relative to b in the step, starting from the predicted pose.
-SurfaceMotion surface_motion_of(const WorldState& world, const Contact& c,
-                                const PredictedPair& pair, double dt) {
-    const BodyMotion a = motion_of(world, c.body_a), b = motion_of(world, c.body_b);
+SurfaceMotion surface_motion_of(const BodySets& sets, const Contact& c, const PredictedPair& pair,
+                                double dt) {
+    const BodyMotion a = motion_of(sets, c.body_a), b = motion_of(sets, c.body_b);
     const Vec3 u = a.v - b.v;
     const double time = pair.time(), left = dt - time;
-    return {
-        u * -time, u * left, a.w * maximum(time, left), a.center + a.v * time,
-        (tuning::speculative_margin + tuning::composite_slack) * scale_of_pair(world.bodies, c)};
+    return {u * -time, u * left, a.w * maximum(time, left), a.center + a.v * time,
+            (tuning::speculative_margin + tuning::composite_slack) * scale_of_pair(sets.bodies, c)};
 }
 
 void narrow_phase_composite(StepContext& step, NarrowPhaseTask& task) {
@@ -204,7 +203,7 @@ void narrow_phase_composite(StepContext& step, NarrowPhaseTask& task) {
     const bool may_bounce = bounces(world, c.shape_a, c.shape_b);
     for (const ChildManifold& child : children) {
         if (may_bounce) {
-            const bool touches = is_touching(world, c, child.key);
+            const bool touches = is_touching(world.contacts, c, child.key);
             const bool will_touch = will_bounce(step, c, child.manifold, touches);
             task.bounces |= will_touch;
             if (will_touch || stays_apart(world, c, child.manifold, touches, dt)) {
@@ -225,8 +224,8 @@ struct Approach {
     double gap = 0;  // m
 };
 // Determined from the existing manifold.
-Approach approach_of(WorldState& world, const Contact& c) {
-    const ContactLaneRef lane_ref = lane_ref_of(world, c);
+Approach approach_of(const ConstraintGraph& graph, const Contact& c) {
+    const ContactLaneRef lane_ref = lane_ref_of(graph, c);
     double gap = no_point;
     for (const auto& row : lane_ref.block->gap) gap = minimum(gap, double{row[lane_ref.lane]});
     return {normal_of(lane_ref), gap};
@@ -266,7 +265,7 @@ Manifold predicted_manifold(const StepContext& step, Contact& c) {
             return within(predicted,
                           PredictedPair(world, c, minimum(dt, *contact_time + past / most)));
     } else if (!c.touching) {
-        near = approach_of(world, c);
+        near = approach_of(world.graph, c);
     }
     const double margin = predicted + closing_reach(world.bodies, c, displacement);
     const double closing = closing_along(world, c, near.normal);
@@ -318,7 +317,7 @@ void narrow_phase_pair(StepContext& step, NarrowPhaseTask& task) {
     if (manifold.count > 0 && c.colour >= 0) {
         task.persists = true;
         write_manifold(world, c, manifold, false);
-        task.done = is_in_its_list(world, c);
+        task.done = is_in_its_list(world.graph, c);
     } else if (task.predicted_gap < tuning::speculative_margin * scale_of_pair(world.bodies, c)) {
         ASSERT(c.colour < 0 || manifold.count == 0);
         task.list = scratch.fresh_count.fetch_add(1, std::memory_order_relaxed);

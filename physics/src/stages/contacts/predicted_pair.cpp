@@ -10,22 +10,22 @@
 namespace jostle::physics {
 namespace {
 
-SweptShape swept(const WorldState& world, std::uint32_t body, std::uint32_t shape, double dt) {
-    const ShapeRecord& s = world.shapes.shapes[shape];
-    const BodyWarm& warm = warm_of(world, body);
+SweptShape swept(const ShapedBodies& stores, std::uint32_t body, std::uint32_t shape, double dt) {
+    const ShapeRecord& s = stores.shapes.shapes[shape];
+    const BodyWarm& warm = warm_of(stores, body);
     return {&s.geometry,
             s.offset,
             s.axes,
-            world.bodies.cold[body].radius,
+            stores.bodies.cold[body].radius,
             {0, warm.center, warm.rotation, warm.v * dt, warm.w * dt}};
 }
 
 }  // namespace
 
-PredictedPair::Side::Side(const WorldState& world, std::uint32_t body, std::uint32_t shape_index,
+PredictedPair::Side::Side(const ShapedBodies& stores, std::uint32_t body, std::uint32_t shape_index,
                           double time) {
-    const BodyWarm& warm = warm_of(world, body);
-    const ShapeRecord& record = world.shapes.shapes[shape_index];
+    const BodyWarm& warm = warm_of(stores, body);
+    const ShapeRecord& record = stores.shapes.shapes[shape_index];
     v = warm.v;
     w = warm.w;
     center = warm.center;
@@ -45,11 +45,11 @@ Vec3 PredictedPair::Side::velocity_at(Vec3 point) const {
     return v + cross(w, point - center);
 }
 
-PredictedPair::PredictedPair(const WorldState& world, const Contact& contact, double time)
+PredictedPair::PredictedPair(const ShapedBodies& stores, const Contact& contact, double time)
     : time_(time),
-      anchor_blend_(time == 0 ? 0 : anchor_blend_of(world, contact)),
-      a_(world, contact.body_a, contact.shape_a, time),
-      b_(world, contact.body_b, contact.shape_b, time) {}
+      anchor_blend_(time == 0 ? 0 : anchor_blend_of(stores, contact)),
+      a_(stores, contact.body_a, contact.shape_a, time),
+      b_(stores, contact.body_b, contact.shape_b, time) {}
 
 void PredictedPair::rewind_manifold(Manifold& m, double displacement) const {
     ASSERT(anchor_blend_ >= 0 && anchor_blend_ <= 1);
@@ -66,21 +66,21 @@ void PredictedPair::rewind_manifold(Manifold& m, double displacement) const {
 // The forces of n sub-steps act at their starts, on average (n - 1) / 2n of a step after its start.
 // The prediction is limited to half the thickness, because a body may be stopped before it gets
 // there.
-double midpoint_time(const WorldState& world, const Contact& c, double displacement, double dt) {
+double midpoint_time(const ContactGraph& stores, const Contact& c, double displacement, double dt) {
     const bool touching = c.composite ? c.touching_children > 0 : c.touching;
-    if (!touching || displacement < tuning::noticed_motion * scale_of_pair(world.bodies, c))
+    if (!touching || displacement < tuning::noticed_motion * scale_of_pair(stores.bodies, c))
         return 0;
-    const BodyCold &a = world.bodies.cold[c.body_a], &b = world.bodies.cold[c.body_b];
+    const BodyCold &a = stores.bodies.cold[c.body_a], &b = stores.bodies.cold[c.body_b];
     const double thin =
         b.type == BodyType::dynamic ? minimum(a.inner_radius, b.inner_radius) : a.inner_radius;
-    const int n = substeps_of(world.islands.islands[a.island].colour_set, world);
+    const int n = substeps_of(stores.islands.islands[a.island].colour_set, stores);
     return dt * minimum(0.5 - 0.5 / n, 0.5 * thin / displacement);
 }
 
-std::optional<double> time_to_contact(const WorldState& world, const Contact& c, double dt) {
-    const Impact impact =
-        time_of_impact(swept(world, c.body_a, c.shape_a, dt), swept(world, c.body_b, c.shape_b, dt),
-                       0, tuning::sweep_gap * scale_of_pair(world.bodies, c));
+std::optional<double> time_to_contact(const ShapedBodies& stores, const Contact& c, double dt) {
+    const Impact impact = time_of_impact(swept(stores, c.body_a, c.shape_a, dt),
+                                         swept(stores, c.body_b, c.shape_b, dt), 0,
+                                         tuning::sweep_gap * scale_of_pair(stores.bodies, c));
     if (impact.at_start) return 0;
     if (impact.fraction > 1) return std::nullopt;
     return impact.fraction * dt;

@@ -15,14 +15,14 @@
 #include <optional>
 
 #include "physics/src/collision/narrowphase/manifold.h"
-#include "physics/src/state/world_state.h"
+#include "physics/src/state/world_stores.h"
 
 namespace jostle::physics {
 
 class PredictedPair {
 public:
     // `time`: s from the start of the step.
-    PredictedPair(const WorldState& world, const Contact& contact, double time);
+    PredictedPair(const ShapedBodies& stores, const Contact& contact, double time);
 
     double time() const { return time_; }
     const TransformedShape& shape_a() const { return a_.shape; }
@@ -36,7 +36,7 @@ public:
 
 private:
     struct Side {
-        Side(const WorldState& world, std::uint32_t body, std::uint32_t shape, double time);
+        Side(const ShapedBodies& stores, std::uint32_t body, std::uint32_t shape, double time);
         Vec3 velocity_at(Vec3 point) const;
 
         Vec3 v, w, center;
@@ -50,12 +50,13 @@ private:
 
 // s from the start of the step: the mean time of its forces if the pair touches and has a relative
 // displacement of `displacement` metres; otherwise 0.
-double midpoint_time(const WorldState& world, const Contact& contact, double displacement,
+double midpoint_time(const ContactGraph& stores, const Contact& contact, double displacement,
                      double dt);
 
 // s from the start of the step: the time of contact in it. 0 if the pair touches now, nullopt if it
 // does not touch.
-std::optional<double> time_to_contact(const WorldState& world, const Contact& contact, double dt);
+std::optional<double> time_to_contact(const ShapedBodies& stores, const Contact& contact,
+                                      double dt);
 
 double smallest_gap(const Manifold& manifold);  // m
 

@@ -13,22 +13,22 @@ namespace {
 
 // Contacts, their bodies and shapes are scattered in memory. Prefetches them in the order of their
 // references, several tasks ahead.
-void prefetch_ahead(const WorldState& world, const std::vector<NarrowPhaseTask>& tasks, int k,
+void prefetch_ahead(const ContactGraph& stores, const std::vector<NarrowPhaseTask>& tasks, int k,
                     int end) {
     const auto contact_of = [&](int task) -> const Contact& {
-        return world.contacts.contacts[tasks[static_cast<std::size_t>(task)].contact];
+        return stores.contacts.contacts[tasks[static_cast<std::size_t>(task)].contact];
     };
     if (k + 12 < end) prefetch(contact_of(k + 12));
     if (k + 8 < end) {
         const Contact& c = contact_of(k + 8);
         for (const std::uint32_t body : {c.body_a, c.body_b})
-            prefetch(world.bodies.cold[body], offsetof(BodyCold, local_center));
+            prefetch(stores.bodies.cold[body], offsetof(BodyCold, local_center));
         for (const std::uint32_t shape : {c.shape_a, c.shape_b})
-            prefetch(world.shapes.shapes[shape]);
+            prefetch(stores.shapes.shapes[shape]);
     }
     if (k + 4 < end) {
         const Contact& c = contact_of(k + 4);
-        for (const std::uint32_t body : {c.body_a, c.body_b}) prefetch(warm_of(world, body));
+        for (const std::uint32_t body : {c.body_a, c.body_b}) prefetch(warm_of(stores, body));
     }
 }
 

@@ -21,9 +21,9 @@ namespace jostle::physics {
 namespace {
 
 // A plane has no box. Only b can be a plane.
-bool boxes_overlap(const WorldState& world, const Contact& c) {
-    const ShapeRecord &a = world.shapes.shapes[c.shape_a], &b = world.shapes.shapes[c.shape_b];
-    if (is_plane(b)) return reaches_plane(world, b, a.fat);
+bool boxes_overlap(const ShapedBodies& stores, const Contact& c) {
+    const ShapeRecord &a = stores.shapes.shapes[c.shape_a], &b = stores.shapes.shapes[c.shape_b];
+    if (is_plane(b)) return reaches_plane(stores, b, a.fat);
     return overlap(a.fat, b.fat);
 }
 
@@ -36,13 +36,13 @@ void bound_or_end(WorldState& world, const NarrowPhaseTask& task, double near) {
         end_touch(world, task.contact);
     }
     if (c.colour >= 0) remove_contact(world, task.contact);
-    clear_modifier(world, task.contact);
+    clear_modifier(world.contacts, task.contact);
     if (!boxes_overlap(world, c)) {
         destroy_contact(world, task.contact, world.events.contacts_ended);
         return;
     }
     const float* d = task.direction;
-    add_separation_bound(world, task.contact, task.near - near,
+    add_separation_bound(world, world.contacts, task.contact, task.near - near,
                          {double{d[0]}, double{d[1]}, double{d[2]}});
 }
 
@@ -119,7 +119,7 @@ void update_composite(WorldState& world, ContactScratch& scratch, std::uint32_t 
         else
             clear = minimum(clear, found[f].predicted_gap - margin);
     }
-    add_separation_bound(world, task.contact, clear);
+    add_separation_bound(world, world.contacts, task.contact, clear);
 }
 
 void note_bouncing(const BodyStore& bodies, const Contact& c,
@@ -131,13 +131,13 @@ void note_bouncing(const BodyStore& bodies, const Contact& c,
 }
 
 // A pair that bounces in a cluster retains its manifold; other bouncing pairs have none.
-void update_bounce(WorldState& world, ContactScratch& scratch, NarrowPhaseTask& task) {
-    const Contact& c = world.contacts.contacts[task.contact];
-    if (c.composite || !bounces_in_cluster(world, scratch, c.shape_a, c.shape_b)) {
-        note_bouncing(world.bodies, c, scratch.bouncing);
+void update_bounce(ContactGraph& stores, ContactScratch& scratch, NarrowPhaseTask& task) {
+    const Contact& c = stores.contacts.contacts[task.contact];
+    if (c.composite || !bounces_in_cluster(stores, scratch, c.shape_a, c.shape_b)) {
+        note_bouncing(stores.bodies, c, scratch.bouncing);
         if (!c.composite) task.list = -1;
     } else if (task.list >= 0 && c.colour >= 0) {
-        write_manifold(world, c, scratch.fresh[static_cast<std::size_t>(task.list)], false);
+        write_manifold(stores, c, scratch.fresh[static_cast<std::size_t>(task.list)], false);
         task.list = -1;
         task.persists = true;
     }

@@ -14,7 +14,7 @@ std::pair<ShapeId, ShapeId> shapes_of(const ContactBegin& c) {
 // The shape order of their contact: see create_contact() in state/contact_graph.h.
 bool is_in_order(const WorldState& world, std::uint32_t shape, std::uint32_t other) {
     const auto dynamic = [&](std::uint32_t s) {
-        return is_dynamic(world, world.shapes.shapes[s].body);
+        return is_dynamic(world.bodies, world.shapes.shapes[s].body);
     };
     return dynamic(shape) != dynamic(other) ? dynamic(shape) : shape < other;
 }
@@ -27,10 +27,10 @@ void report_impulse(WorldState& world, std::uint32_t shape, std::uint32_t other,
     if (!(first.report_stays || second.report_stays) || !(hit.normal_impulse > 0)) return;
     const bool in_order = is_in_order(world, shape, other);
     const std::uint32_t a = in_order ? shape : other, b = in_order ? other : shape;
-    world.events.contacts.push_back({.shape_a = shape_id(world, a),
-                                     .shape_b = shape_id(world, b),
-                                     .body_a = body_id(world, world.shapes.shapes[a].body),
-                                     .body_b = body_id(world, world.shapes.shapes[b].body),
+    world.events.contacts.push_back({.shape_a = shape_id(world.shapes, a),
+                                     .shape_b = shape_id(world.shapes, b),
+                                     .body_a = body_id(world.bodies, world.shapes.shapes[a].body),
+                                     .body_b = body_id(world.bodies, world.shapes.shapes[b].body),
                                      .point = hit.point.position,
                                      .normal = in_order ? hit.point.normal : -hit.point.normal,
                                      .normal_impulse = hit.normal_impulse,
@@ -48,9 +48,10 @@ void note_bounce(const WorldState& world, std::uint32_t shape, std::uint32_t oth
         touching |= c.touching && c.parent == none && c.shape_a == a && c.shape_b == b;
     });
     if (touching) return;
-    bounces.push_back({shape_id(world, a), shape_id(world, b), body_id(world, body_a),
-                       body_id(world, body_b), hit.point.position,
-                       in_order ? hit.point.normal : -hit.point.normal, hit.approach});
+    bounces.push_back({shape_id(world.shapes, a), shape_id(world.shapes, b),
+                       body_id(world.bodies, body_a), body_id(world.bodies, body_b),
+                       hit.point.position, in_order ? hit.point.normal : -hit.point.normal,
+                       hit.approach});
 }
 
 void report_bounces(EventStore& events, std::vector<ContactBegin>& bounces) {

@@ -98,7 +98,7 @@ private:
         if (fast_index(bound.body_a) == not_fast && fast_index(bound.body_b) == not_fast)
             return neither;
         const CenterMotion wa = center_motion_of(bound.body_a), wb = center_motion_of(bound.body_b);
-        if (stayed_apart(world_, bound, wb.from - wa.from, wb.to - wa.to)) return neither;
+        if (stayed_apart(world_.bodies, bound, wb.from - wa.from, wb.to - wa.to)) return neither;
         return ends_of(world_.contacts.contacts[bound.contact]);
     }
     std::uint8_t ends_held(const Contact& c) const {

@@ -50,7 +50,7 @@ public:
                 if (!holds_point(joint.kind)) return;
                 joints.push_back(index);
                 for (const std::uint32_t other : {joint.body_a, joint.body_b}) {
-                    if (!is_dynamic(world_, other) || visited_[other] != 0) continue;
+                    if (!is_dynamic(world_.bodies, other) || visited_[other] != 0) continue;
                     visited_[other] = 1;
                     open.push_back(other);
                 }

@@ -44,8 +44,8 @@ ContactModifier modifier_at_impact(const WorldState& world, std::uint32_t own, s
     for (const ImpactPoint& p : points)
         point += p.position * (1.0 / static_cast<double>(points.size()));
     const Vec3 va = a.v + cross(a.w, point - a.center), vb = b.v + cross(b.w, point - b.center);
-    return call_contact_listeners(world, {own, other, points.front().normal, point, vb - va},
-                                  modifier);
+    return call_contact_listeners(world.listeners, world,
+                                  {own, other, points.front().normal, point, vb - va}, modifier);
 }
 
 // A sleeping body wakes after all impacts are resolved, with as much of its surroundings as the
@@ -61,9 +61,10 @@ void report_hit(WorldState& world, std::uint32_t own, std::uint32_t other,
                 const HardestPoint& hit) {
     if (hit.approach < world.def.hit_speed || hit.approach <= 0) return;
     const std::vector<ShapeRecord>& shapes = world.shapes.shapes;
-    world.events.hits.push_back(
-        {shape_id(world, own), shape_id(world, other), body_id(world, shapes[own].body),
-         body_id(world, shapes[other].body), hit.point.position, hit.point.normal, hit.approach});
+    world.events.hits.push_back({shape_id(world.shapes, own), shape_id(world.shapes, other),
+                                 body_id(world.bodies, shapes[own].body),
+                                 body_id(world.bodies, shapes[other].body), hit.point.position,
+                                 hit.point.normal, hit.approach});
 }
 
 void report(ToiState& state, std::uint32_t own, std::uint32_t other, const HardestPoint& hit,
@@ -94,7 +95,7 @@ bool leaves_support(const ToiState& state, std::uint32_t body, Vec3 v, double at
         if (!leaves || !c.touching) return;
         const bool is_a = c.body_a == body;
         const Vec3 u = speed_of(state, is_a ? c.body_b : c.body_a, at).v - v;
-        const ContactLaneRef lane_ref = lane_ref_of(world, c);
+        const ContactLaneRef lane_ref = lane_ref_of(world.graph, c);
         leaves = dot(normal_of(lane_ref), u) * (is_a ? 1 : -1) > least;
     });
     return leaves;

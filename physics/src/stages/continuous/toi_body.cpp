@@ -170,7 +170,7 @@ void move_body_to(WorldState& world, std::uint32_t body, Vec3 center, Quat rotat
     update_motion_bound(world, body, dt);
     // The solver integrated their gaps along another path.
     for_each_manifold(world.contacts, cold, [&](std::uint32_t contact) {
-        const ContactLaneRef lane_ref = lane_ref_of(world, world.contacts.contacts[contact]);
+        const ContactLaneRef lane_ref = lane_ref_of(world.graph, world.contacts.contacts[contact]);
         lane_ref.meta->set(LaneFlag::needs_rebuild, lane_ref.lane, true);
     });
     for (std::uint32_t s = cold.first_shape; s != none; s = world.shapes.shapes[s].next)

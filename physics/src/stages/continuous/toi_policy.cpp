@@ -20,7 +20,7 @@ void find_ignored_pairs(ToiState& state) {
         ASSERT(modifier.contact < contacts.contacts.size());
         const Contact* pair = &contacts.contacts[modifier.contact];
         if (pair->parent != none) pair = &contacts.contacts[pair->parent];
-        if (pass_through(state.world, *pair))
+        if (pass_through(state.world.contacts, *pair))
             state.ignored_pairs.push_back(pair_key(pair->shape_a, pair->shape_b));
     }
     std::sort(state.ignored_pairs.begin(), state.ignored_pairs.end());
@@ -42,7 +42,7 @@ bool may_hit(const ToiState& state, std::uint32_t own, std::uint32_t other) {
         return false;
     const BodyType type_a = world.bodies.cold[a.body].type, type_b = world.bodies.cold[b.body].type;
     if (type_a != BodyType::dynamic && type_b != BodyType::dynamic) return false;
-    return !joined_without_contact(world, a.body, b.body);
+    return !joined_without_contact(world.bodies, world.joints, a.body, b.body);
 }
 
 bool is_deflected(const ToiState& state, const ToiBody& t, std::uint32_t other_index) {

@@ -51,7 +51,7 @@ Skipped finalize(StepContext& step) {
             const ShapeRecord& shape = world.shapes.shapes[s];
             ASSERT(shape.leaf >= 0 || is_plane(shape));
             if (shape.leaf >= 0) moves.push_back({shape.leaf, shape.fat});
-            buffer_move(world, s);
+            buffer_move(world.shapes, world.triggers, s);
         }
     }
     const auto update_trees = [&shapes = world.shapes, &moves] {

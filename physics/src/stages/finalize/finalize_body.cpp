@@ -63,8 +63,9 @@ void note_rest(const WorldState& world, BodyWarm& warm, const BodyCold& cold,
     const bool sways =
         displacement < tuning::drift_speed * slow * dt &&
         length(warm.drift) + swing(warm, cold, warm.drift_turn) < tuning::drift * length_scale;
-    const bool rests = cold.sleep_allowed && (still || sways) &&
-                       (world.fields.empty() || !is_affected_by_gusts(world, warm, cold));
+    const bool rests =
+        cold.sleep_allowed && (still || sways) &&
+        (world.fields.empty() || !is_affected_by_gusts(world.fields, world.shapes, warm, cold));
     // Large bodies fall slowly and must rest for longer.
     warm.sleep_time = rests ? warm.sleep_time + dt * minimum(1, slow / length_scale) : 0;
 }
@@ -149,7 +150,7 @@ void finalize_body(StepContext& step, std::uint32_t awake_index, const FreeMotio
     if (!left_fat_aabb(world.shapes, bound, warm, cold, step.dt)) return;
     scratch.left_fat_aabb[awake_index] = 1;
     for (std::uint32_t s = cold.first_shape; s != none; s = world.shapes.shapes[s].next)
-        enlarge_aabb(world, s, warm, step.dt);
+        enlarge_aabb(world.bodies, world.shapes, s, warm, step.dt);
 }
 
 }  // namespace jostle::physics

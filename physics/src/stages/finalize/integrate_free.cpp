@@ -84,7 +84,7 @@ void integrate_by_substeps(StepContext& step, std::vector<std::uint32_t>& others
     awake.clear();
     solver.free_index.assign(world.bodies.awake.size(), none);
     for (const std::uint32_t i : solver.free) {
-        if (!is_dynamic(world, world.bodies.awake[i].body)) {
+        if (!is_dynamic(world.bodies, world.bodies.awake[i].body)) {
             others.push_back(i);
             continue;
         }

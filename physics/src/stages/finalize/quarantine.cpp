@@ -61,10 +61,10 @@ Skipped quarantine(StepContext& step) {
         const std::uint32_t body = world.bodies.awake[i].body;
         ASSERT(is_finite(world.bodies.awake[i].center));
         ASSERT(is_finite(world.bodies.awake[i].v) && is_finite(world.bodies.awake[i].w));
-        world.events.quarantined.push_back(body_id(world, body));
+        world.events.quarantined.push_back(body_id(world.bodies, body));
         for_each_contact(world.contacts, world.bodies.cold[body], [&](std::uint32_t contact) {
             const Contact& c = world.contacts.contacts[contact];
-            if (c.colour >= 0) clear_manifold(lane_ref_of(world, c));
+            if (c.colour >= 0) clear_manifold(lane_ref_of(world.graph, c));
             contacts.push_back(contact);
         });
         for_each_joint(world.joints, world.bodies.cold[body],

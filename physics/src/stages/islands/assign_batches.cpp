@@ -75,12 +75,12 @@ struct Group {
     bool stays = false;
 };
 
-std::vector<Group> find_groups(const WorldState& world, const CoupledIslands& coupled,
+std::vector<Group> find_groups(const IslandStore& store, const CoupledIslands& coupled,
                                const std::vector<std::uint32_t>& weights, SolverTier tier) {
     std::vector<Group> groups;
     std::vector<bool> visited(weights.size(), false);  // by first island of a group
     for (std::uint32_t i = 0; i < weights.size(); i++) {
-        if (weights[i] == 0 || world.islands.islands[i].colour_set.tier != tier) continue;
+        if (weights[i] == 0 || store.islands[i].colour_set.tier != tier) continue;
         const std::span<const std::uint32_t> islands = coupled.group_of(i);
         if (visited[islands.front()]) continue;
         visited[islands.front()] = true;
@@ -92,9 +92,9 @@ std::vector<Group> find_groups(const WorldState& world, const CoupledIslands& co
 
 // The heaviest groups remain in their batch while there is space. The others fill the batches in
 // order, so that neighbours in the body lists stay together.
-void assign(WorldState& world, const CoupledIslands& coupled,
+void assign(ContactGraph& stores, JointStore& joints, const CoupledIslands& coupled,
             const std::vector<std::uint32_t>& weights, SolverTier tier, const Work& work) {
-    std::vector<Group> groups = find_groups(world, coupled, weights, tier);
+    std::vector<Group> groups = find_groups(stores.islands, coupled, weights, tier);
     const std::uint32_t batches = batches_for(work.all), fair = work.all / batches;
     std::vector<std::size_t> heaviest(groups.size());
     for (std::size_t k = 0; k < groups.size(); k++) heaviest[k] = k;
@@ -104,7 +104,7 @@ void assign(WorldState& world, const CoupledIslands& coupled,
     BatchLoads loads{};
     for (const std::size_t k : heaviest) {
         Group& group = groups[k];
-        const std::uint8_t batch = world.islands.islands[group.islands.front()].colour_set.batch;
+        const std::uint8_t batch = stores.islands.islands[group.islands.front()].colour_set.batch;
         group.stays = batch < batches && (loads[batch] == 0 || loads[batch] + group.weight <= fair);
         if (group.stays) loads[batch] += group.weight;
     }
@@ -114,7 +114,7 @@ void assign(WorldState& world, const CoupledIslands& coupled,
         if (group.stays) continue;
         while (to + 1u < batches && loads[to] + group.weight / 2 > fair) to++;
         loads[to] += group.weight;
-        move_to_set(world, group.islands, {tier, to});
+        move_to_set(stores, joints, group.islands, {tier, to});
     }
 }
 
@@ -129,7 +129,7 @@ void assign_batches(StepContext& step) {
         const Work& work = works[index_of(tier)];
         if (!is_unequal(work)) continue;
         if (!coupled) coupled.emplace(world);
-        assign(world, *coupled, weights, tier, work);
+        assign(world, world.joints, *coupled, weights, tier, work);
     }
 }
 

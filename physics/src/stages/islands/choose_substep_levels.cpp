@@ -17,29 +17,29 @@ namespace {
 
 constexpr std::uint8_t finest = batch_count - 1;
 
-int substeps_at(const WorldState& world, const Island& island, std::uint8_t substep_level) {
-    return substeps_of({island.colour_set.tier, substep_level}, world);
+int substeps_at(const SteppingState& stepping, const Island& island, std::uint8_t substep_level) {
+    return substeps_of({island.colour_set.tier, substep_level}, stepping);
 }
 
 // Factor by which errors grow at another sub-step level: first-order.
-double growth(const WorldState& world, const Island& island, std::uint8_t substep_level) {
-    return static_cast<double>(substeps_of(island.colour_set, world)) /
-           substeps_at(world, island, substep_level);
+double growth(const SteppingState& stepping, const Island& island, std::uint8_t substep_level) {
+    return static_cast<double>(substeps_of(island.colour_set, stepping)) /
+           substeps_at(stepping, island, substep_level);
 }
 
 // Updates the target level after an error measurement.
-void choose_target_level(const WorldState& world, Island& island) {
+void choose_target_level(const SteppingState& stepping, Island& island) {
     IslandError& error = island.error;
     ASSERT(error.fresh && error.estimate > 0);
     error.fresh = false;
     const std::uint8_t now = island.colour_set.batch;
-    const double tolerance = world.def.tolerance;
+    const double tolerance = stepping.def.tolerance;
     if (error.estimate > tolerance) {
         error.target_level = std::min<std::uint8_t>(now + 1, finest);
         error.easy = 0;
         return;
     }
-    const bool easy = now > 0 && error.estimate * growth(world, island, now - 1) <=
+    const bool easy = now > 0 && error.estimate * growth(stepping, island, now - 1) <=
                                      tuning::substep_level_reserve * tolerance;
     error.easy = easy ? static_cast<std::uint8_t>(error.easy + 1) : 0;
     error.target_level = now;
@@ -56,25 +56,26 @@ struct CoupledGroup {
     std::int64_t bodies = 0;
 };
 
-CoupledGroup measured(const WorldState& world, std::span<const std::uint32_t> islands) {
+CoupledGroup measured(const IslandStore& store, const WorldDef& def,
+                      std::span<const std::uint32_t> islands) {
     CoupledGroup group{.islands = islands};
     for (const std::uint32_t i : group.islands) {
-        const Island& island = world.islands.islands[i];
+        const Island& island = store.islands[i];
         group.substep_level = std::max(group.substep_level, island.error.target_level);
-        group.error = maximum(
-            group.error, island.error.estimate > 0 ? island.error.estimate : world.def.tolerance);
+        group.error =
+            maximum(group.error, island.error.estimate > 0 ? island.error.estimate : def.tolerance);
         group.bodies += island.bodies;
     }
     return group;
 }
 
-void move(WorldState& world, const CoupledGroup& group) {
-    const ColourSetKey from = world.islands.islands[group.islands.front()].colour_set;
-    move_to_set(world, group.islands, {from.tier, group.substep_level});
+void move(ContactGraph& stores, JointStore& joints, const CoupledGroup& group) {
+    const ColourSetKey from = stores.islands.islands[group.islands.front()].colour_set;
+    move_to_set(stores, joints, group.islands, {from.tier, group.substep_level});
 }
 
-bool is_awake(const WorldState& world, std::uint32_t island) {
-    return world.islands.ids.alive(island) && !world.islands.islands[island].asleep;
+bool is_awake(const IslandStore& islands, std::uint32_t island) {
+    return islands.ids.alive(island) && !islands.islands[island].asleep;
 }
 
 // Returns whether contacts or joints make the solver move the body.
@@ -83,30 +84,31 @@ bool is_held(const BodyCold& cold) {
            (cold.constraints > 0 || cold.first_joint != none);
 }
 
-std::vector<CoupledGroup> find_active_groups(const WorldState& world,
+std::vector<CoupledGroup> find_active_groups(const BodySets& sets, const WorldDef& def,
                                              const CoupledIslands& coupled) {
     std::vector<CoupledGroup> groups;
-    std::vector<bool> visited(world.islands.islands.size(), false);  // by first island of a group
-    for (const BodyWarm& warm : world.bodies.awake) {
-        const BodyCold& cold = world.bodies.cold[warm.body];
+    std::vector<bool> visited(sets.islands.islands.size(), false);  // by first island of a group
+    for (const BodyWarm& warm : sets.bodies.awake) {
+        const BodyCold& cold = sets.bodies.cold[warm.body];
         if (!is_held(cold)) continue;
         const std::span<const std::uint32_t> islands = coupled.group_of(cold.island);
         if (visited[islands.front()]) continue;
         visited[islands.front()] = true;
-        groups.push_back(measured(world, islands));
+        groups.push_back(measured(sets.islands, def, islands));
     }
     return groups;
 }
 
 // Lowers levels until the groups are within the budget, or all are at the lowest level.
-void distribute_budget(const WorldState& world, std::vector<CoupledGroup>& groups) {
+void distribute_budget(const IslandStore& islands, const SteppingState& stepping,
+                       std::vector<CoupledGroup>& groups) {
     const auto spends = [&](const CoupledGroup& group) {
-        const Island& island = world.islands.islands[group.islands.front()];
-        return group.bodies * substeps_at(world, island, group.substep_level);
+        const Island& island = islands.islands[group.islands.front()];
+        return group.bodies * substeps_at(stepping, island, group.substep_level);
     };
     const auto harm = [&](const CoupledGroup& group) {
-        const Island& island = world.islands.islands[group.islands.front()];
-        return group.error * growth(world, island, group.substep_level - 1);
+        const Island& island = islands.islands[group.islands.front()];
+        return group.error * growth(stepping, island, group.substep_level - 1);
     };
     std::int64_t spent = 0;
     for (const CoupledGroup& group : groups) spent += spends(group);
@@ -116,7 +118,7 @@ void distribute_budget(const WorldState& world, std::vector<CoupledGroup>& group
         if (groups[k].substep_level > 0) offers.push({harm(groups[k]), k});
     };
     for (std::size_t k = 0; k < groups.size(); k++) offer(k);
-    while (spent > world.def.substep_budget && !offers.empty()) {
+    while (spent > stepping.def.substep_budget && !offers.empty()) {
         const std::size_t k = offers.top().second;
         offers.pop();
         spent -= spends(groups[k]);
@@ -132,7 +134,7 @@ void choose_substep_levels(StepContext& step) {
     WorldState& world = step.world;
     std::vector<std::uint32_t> changing;
     for (std::uint32_t i = 0; i < world.islands.ids.size(); i++) {
-        if (!is_awake(world, i) || !world.islands.islands[i].error.fresh) continue;
+        if (!is_awake(world.islands, i) || !world.islands.islands[i].error.fresh) continue;
         choose_target_level(world, world.islands.islands[i]);
         if (world.islands.islands[i].error.target_level !=
             world.islands.islands[i].colour_set.batch)
@@ -140,12 +142,13 @@ void choose_substep_levels(StepContext& step) {
     }
     if (world.def.substep_budget == 0 && !changing.empty()) {
         const CoupledIslands coupled(world);
-        for (const std::uint32_t i : changing) move(world, measured(world, coupled.group_of(i)));
+        for (const std::uint32_t i : changing)
+            move(world, world.joints, measured(world.islands, world.def, coupled.group_of(i)));
     } else if (world.def.substep_budget > 0 && world.steps % tuning::budget_interval == 1) {
         const CoupledIslands coupled(world);
-        std::vector<CoupledGroup> groups = find_active_groups(world, coupled);
-        distribute_budget(world, groups);
-        for (const CoupledGroup& group : groups) move(world, group);
+        std::vector<CoupledGroup> groups = find_active_groups(world, world.def, coupled);
+        distribute_budget(world.islands, world, groups);
+        for (const CoupledGroup& group : groups) move(world, world.joints, group);
     }
     auto& unknown = step.scratch.islands.unknown;
     unknown.fill(0);

@@ -9,16 +9,16 @@ namespace jostle::physics {
 namespace {
 
 // Returns whether the body rests only on bodies that are a hundred times lighter.
-bool is_heavy_load(WorldState& world, std::uint32_t body, Vec3 up) {
-    const double most = world.bodies.cold[body].mass / tuning::heavy_ratio;
+bool is_heavy_load(ContactGraph& stores, std::uint32_t body, Vec3 up) {
+    const double most = stores.bodies.cold[body].mass / tuning::heavy_ratio;
     bool on_light = false, on_firm = false;
-    for_each_manifold(world.contacts, world.bodies.cold[body], [&](std::uint32_t index) {
-        const Contact& c = world.contacts.contacts[index];
+    for_each_manifold(stores.contacts, stores.bodies.cold[body], [&](std::uint32_t index) {
+        const Contact& c = stores.contacts.contacts[index];
         if (!c.touching) return;
-        const double rise = dot(normal_of(lane_ref_of(world, c)), up);
+        const double rise = dot(normal_of(lane_ref_of(stores.graph, c)), up);
         // The normal points from a to b.
         if ((c.body_a == body ? -rise : rise) < tuning::lies_on) return;
-        const BodyCold& other = world.bodies.cold[c.body_a == body ? c.body_b : c.body_a];
+        const BodyCold& other = stores.bodies.cold[c.body_a == body ? c.body_b : c.body_a];
         if (other.type == BodyType::dynamic && other.mass <= most)
             on_light = true;
         else
@@ -29,21 +29,23 @@ bool is_heavy_load(WorldState& world, std::uint32_t body, Vec3 up) {
 
 }  // namespace
 
-bool has_heavy_load(WorldState& world, const Island& island, Vec3 up) {
+bool has_heavy_load(ContactGraph& stores, const Island& island, Vec3 up) {
     for (std::uint32_t body = island.first; body != none;
-         body = world.bodies.cold[body].island_next)
-        if (is_heavy_load(world, body, up)) return true;
+         body = stores.bodies.cold[body].island_next)
+        if (is_heavy_load(stores, body, up)) return true;
     return false;
 }
 
-void raise_to_heavy_tier(WorldState& world, std::span<const std::uint32_t> bodies) {
-    if (world.def.gravity == Vec3{}) return;
-    const Vec3 up = -normalized(world.def.gravity);
+void raise_to_heavy_tier(ContactGraph& stores, JointStore& joints,
+                         std::span<const std::uint32_t> bodies) {
+    if (stores.def.gravity == Vec3{}) return;
+    const Vec3 up = -normalized(stores.def.gravity);
     for (const std::uint32_t body : bodies) {
-        const std::uint32_t island = world.bodies.cold[body].island;
-        const ColourSetKey set = world.islands.islands[island].colour_set;
-        if (set.tier == SolverTier::heavy || !is_heavy_load(world, body, up)) continue;
-        move_to_set(world, coupled_islands(world, island), {SolverTier::heavy, set.batch});
+        const std::uint32_t island = stores.bodies.cold[body].island;
+        const ColourSetKey set = stores.islands.islands[island].colour_set;
+        if (set.tier == SolverTier::heavy || !is_heavy_load(stores, body, up)) continue;
+        move_to_set(stores, joints, coupled_islands(stores, stores.contacts, island),
+                    {SolverTier::heavy, set.batch});
     }
 }
 

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "physics/src/stages/step_context.h"
-#include "physics/src/state/world_state.h"
+#include "physics/src/state/world_stores.h"
 
 namespace jostle::physics {
 
@@ -42,11 +42,12 @@ void sort_constraints(StepContext& step);
 // Heavy bodies on light ones: their islands get SolverTier::heavy.
 //
 // Returns whether a body of the island rests only on bodies that are a hundred times lighter.
-bool has_heavy_load(WorldState& world, const Island& island, Vec3 up);
+bool has_heavy_load(ContactGraph& stores, const Island& island, Vec3 up);
 
 // `bodies`: bodies that have begun to touch a much lighter body. Those that rest on nothing else
 // raise their islands to that tier immediately; until the next update of all islands they would
 // sink.
-void raise_to_heavy_tier(WorldState& world, std::span<const std::uint32_t> bodies);
+void raise_to_heavy_tier(ContactGraph& stores, JointStore& joints,
+                         std::span<const std::uint32_t> bodies);
 
 }  // namespace jostle::physics

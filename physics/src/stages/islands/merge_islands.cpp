@@ -15,16 +15,16 @@ namespace jostle::physics {
 namespace {
 
 // The warm records still contain the velocities before the solve: the approach of the impact.
-ContactBegin begin_event(WorldState& world, const Contact& c) {
-    const ContactLaneRef lane_ref = lane_ref_of(world, c);
+ContactBegin begin_event(ContactGraph& stores, const Contact& c) {
+    const ContactLaneRef lane_ref = lane_ref_of(stores.graph, c);
     const Vec3 normal = normal_of(lane_ref);
-    const BodyWarm &a = warm_of(world, c.body_a), &b = warm_of(world, c.body_b);
+    const BodyWarm &a = warm_of(stores, c.body_a), &b = warm_of(stores, c.body_b);
     const Vec3 point = a.center + get_lane(lane_ref.block->arm_a, lane_ref.lane);
     const Vec3 va = a.v + cross(a.w, point - a.center), vb = b.v + cross(b.w, point - b.center);
-    return {.shape_a = shape_id(world, c.shape_a),
-            .shape_b = shape_id(world, c.shape_b),
-            .body_a = body_id(world, c.body_a),
-            .body_b = body_id(world, c.body_b),
+    return {.shape_a = shape_id(stores.shapes, c.shape_a),
+            .shape_b = shape_id(stores.shapes, c.shape_b),
+            .body_a = body_id(stores.bodies, c.body_a),
+            .body_b = body_id(stores.bodies, c.body_b),
             .point = point,
             .normal = normal,
             .approach_speed = maximum(0, -dot(normal, vb - va))};
@@ -46,7 +46,7 @@ void toggle_touch(WorldState& world, std::uint32_t contact) {
             report_begin(world, c);
         else
             world.changed_pairs.push_back(c.parent);
-        begin_touch(world, contact);
+        begin_touch(world, world.joints, contact);
     } else {
         if (c.parent == none) report_end(world, c, world.events.contacts_ended);
         end_touch(world, contact);
@@ -110,10 +110,10 @@ Skipped merge_islands(StepContext& step) {
     for (const std::uint32_t contact : changes) {
         toggle_touch(world, contact);
         const Contact& c = world.contacts.contacts[contact];
-        if (c.touching && is_dynamic(world, c.body_b)) note_heavy(world.bodies, c, heavy);
+        if (c.touching && is_dynamic(world.bodies, c.body_b)) note_heavy(world.bodies, c, heavy);
     }
     ASSERT(touching <= manifolds);
-    raise_to_heavy_tier(world, heavy);
+    raise_to_heavy_tier(world, world.joints, heavy);
     report_composites(world);
     world.profile.manifolds = manifolds;
     world.profile.touching = touching;

@@ -71,11 +71,11 @@ double layers_of(const IslandExtent& e) {
     return 1 + (e.high - e.low) * e.bodies / maximum(e.thickness, 1e-9);
 }
 
-SolverTier need_of(WorldState& world, const std::vector<IslandExtent>& extents, std::uint32_t index,
-                   Vec3 up) {
-    const Island& island = world.islands.islands[index];
-    ASSERT(world.islands.ids.alive(index) && !island.asleep);
-    if (island.uneven && has_heavy_load(world, island, up)) return SolverTier::heavy;
+SolverTier need_of(ContactGraph& stores, const std::vector<IslandExtent>& extents,
+                   std::uint32_t index, Vec3 up) {
+    const Island& island = stores.islands.islands[index];
+    ASSERT(stores.islands.ids.alive(index) && !island.asleep);
+    if (island.uneven && has_heavy_load(stores, island, up)) return SolverTier::heavy;
     const IslandExtent& extent = extents[index];
     if (!is_slender(extent)) {
         const auto bodies = static_cast<int>(island.bodies);
@@ -90,15 +90,15 @@ SolverTier need_of(WorldState& world, const std::vector<IslandExtent>& extents, 
 
 // The common tier of coupled islands: the highest required tier if that is tall or heavy, otherwise
 // the tier of the majority of the bodies.
-SolverTier common_need(WorldState& world, std::vector<IslandExtent>& extents,
+SolverTier common_need(ContactGraph& stores, std::vector<IslandExtent>& extents,
                        std::span<const std::uint32_t> coupled, Vec3 up) {
     SolverTier most = SolverTier::flat, max_low = SolverTier::flat;
     std::uint32_t low = 0, slender = 0;
     for (const std::uint32_t i : coupled) {
-        const SolverTier need = need_of(world, extents, i, up);
+        const SolverTier need = need_of(stores, extents, i, up);
         most = std::max(most, need);
         if (need <= SolverTier::pile) max_low = std::max(max_low, need);
-        (need <= SolverTier::pile ? low : slender) += world.islands.islands[i].bodies;
+        (need <= SolverTier::pile ? low : slender) += stores.islands.islands[i].bodies;
         extents[i].tier_chosen = true;
     }
     if (most > SolverTier::slender) return most;
@@ -106,46 +106,47 @@ SolverTier common_need(WorldState& world, std::vector<IslandExtent>& extents,
 }
 
 // Raises the tier immediately. Lowers it after all coupled islands have required less for a while.
-void choose_tier(WorldState& world, std::vector<IslandExtent>& extents,
+void choose_tier(ContactGraph& stores, JointStore& joints, std::vector<IslandExtent>& extents,
                  std::optional<CoupledIslands>& all_coupled, std::uint32_t index, Vec3 up) {
-    Island& island = world.islands.islands[index];
-    const SolverTier need = need_of(world, extents, index, up);
+    Island& island = stores.islands.islands[index];
+    const SolverTier need = need_of(stores, extents, index, up);
     island.calm = need < island.colour_set.tier
                       ? std::min<std::uint8_t>(island.calm + 1, tuning::tier_patience)
                       : 0;
     if (need == island.colour_set.tier || extents[index].tier_chosen) return;
     if (need < island.colour_set.tier && island.calm < tuning::tier_patience) return;
-    if (!all_coupled) all_coupled.emplace(world);
+    if (!all_coupled) all_coupled.emplace(stores);
     const std::span<const std::uint32_t> coupled = all_coupled->group_of(index);
-    const SolverTier common = common_need(world, extents, coupled, up);
+    const SolverTier common = common_need(stores, extents, coupled, up);
     // Weighted by bodies: new bodies that keep falling onto a pile reset the counter of their own
     // islands.
     std::uint32_t calm = 0, all = 0;
     for (const std::uint32_t i : coupled) {
-        const Island& other = world.islands.islands[i];
+        const Island& other = stores.islands.islands[i];
         all += other.bodies;
         if (other.calm >= tuning::tier_patience) calm += other.bodies;
     }
     if (common > island.colour_set.tier || 2 * calm > all)
-        move_to_set(world, coupled, {common, island.colour_set.batch});
+        move_to_set(stores, joints, coupled, {common, island.colour_set.batch});
 }
 
-void choose_tiers(WorldState& world, IslandScratch& scratch) {
-    const Vec3 up = -normalized(world.def.gravity);
-    find_awake_islands(world, scratch.awake);
-    measure_extents(world.bodies, world.islands, scratch, world.def.gravity);
+void choose_tiers(ContactGraph& stores, JointStore& joints, IslandScratch& scratch) {
+    const Vec3 up = -normalized(stores.def.gravity);
+    find_awake_islands(stores, scratch.awake);
+    measure_extents(stores.bodies, stores.islands, scratch, stores.def.gravity);
     std::optional<CoupledIslands>
         coupled;  // built on first use; moves to other sets do not invalidate it
-    for (const std::uint32_t i : scratch.awake) choose_tier(world, scratch.extents, coupled, i, up);
+    for (const std::uint32_t i : scratch.awake)
+        choose_tier(stores, joints, scratch.extents, coupled, i, up);
 }
 
 // ---- lost loads ----
 
-void scale_lost_loads(WorldState& world) {
-    world.islands.some_lost = false;
-    for (Island& island : world.islands.islands) {
+void scale_lost_loads(ContactGraph& stores) {
+    stores.islands.some_lost = false;
+    for (Island& island : stores.islands.islands) {
         if (island.remaining_load < tuning::noticed_load && !island.asleep)
-            scale_warm_start(world, island, static_cast<float>(island.remaining_load));
+            scale_warm_start(stores, island, static_cast<float>(island.remaining_load));
         island.remaining_load = 1;
     }
 }
@@ -160,7 +161,8 @@ Skipped prepare_islands(StepContext& step) {
     if (!update_tiers && !world.islands.some_lost && !controls_error(world.def))
         return "islands are updated every eighth step";
     if (world.islands.some_lost) scale_lost_loads(world);
-    if (update_tiers && world.def.gravity != Vec3{}) choose_tiers(world, step.scratch.islands);
+    if (update_tiers && world.def.gravity != Vec3{})
+        choose_tiers(world, world.joints, step.scratch.islands);
     if (controls_error(world.def))
         choose_substep_levels(step);
     else if (world.steps % tuning::batch_interval == 1)

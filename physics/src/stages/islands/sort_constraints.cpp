@@ -10,7 +10,7 @@ void sort_constraints(StepContext& step) {
         if (!is_shared(set)) continue;
         step.thread_pool.run_tasks(overflow_colours, [&](int c) {
             GraphColour& colour = set.colours[static_cast<std::size_t>(c)];
-            if (!is_sorted(colour)) sort_contacts(step.world, colour, c);
+            if (!is_sorted(colour)) sort_contacts(step.world.contacts, colour, c);
         });
     }
 }

@@ -25,7 +25,7 @@ void add_pair(const WorldState& world, std::uint32_t a, std::uint32_t b,
         return;
     if (!may_collide(sa.filter, sb.filter) || sa.trigger || sb.trigger) return;
     if (world.contacts.pairs.contains(pair_key(a, b))) return;
-    if (joined_without_contact(world, sa.body, sb.body)) return;
+    if (joined_without_contact(world.bodies, world.joints, sa.body, sb.body)) return;
     pairs.emplace_back(std::min(a, b), std::max(a, b));
 }
 

@@ -30,13 +30,13 @@ void for_each_bond(const ConstraintGraph& graph, Visit&& visit) {
     });
 }
 
-bool is_load_changed(const WorldState& world, const Contact& c, std::uint32_t sleeper) {
-    const BodyCold& cold = world.bodies.cold[sleeper];
-    const double weight = cold.mass * length(world.def.gravity) * absolute(cold.gravity_scale);
+bool is_load_changed(const ContactGraph& stores, const Contact& c, std::uint32_t sleeper) {
+    const BodyCold& cold = stores.bodies.cold[sleeper];
+    const double weight = cold.mass * length(stores.def.gravity) * absolute(cold.gravity_scale);
     const Vec3 before = saved_load(c);
     const double most =
         tuning::wake_load_weight * weight + tuning::wake_load_share * length(before);
-    return length_squared(load_of(world, c) - before) > most * most;
+    return length_squared(load_of(stores, c) - before) > most * most;
 }
 
 double momentum_of(const BodyWarm& warm, const BodyCold& cold, double dt) {
@@ -62,13 +62,14 @@ void propagate_to_jointed(WorldState& world, std::vector<std::uint8_t>& marks) {
         ASSERT(is_awake(body) && world.bodies.cold[body].at + 1 < marks.size());
         return marks[world.bodies.cold[body].at + 1];
     };
-    for_each_jointed(world, world.bodies.awake, [&](const JointedBodies& jointed) {
-        std::uint8_t any = jointed.to_kinematic ? 1 : 0;
-        for (const std::uint32_t body : jointed.bodies)
-            if (is_awake(body)) any |= mark(body);
-        for (const std::uint32_t body : jointed.bodies)
-            if (is_awake(body)) mark(body) = any;
-    });
+    for_each_jointed(world.bodies, world.joints, world.scratch, world.bodies.awake,
+                     [&](const JointedBodies& jointed) {
+                         std::uint8_t any = jointed.to_kinematic ? 1 : 0;
+                         for (const std::uint32_t body : jointed.bodies)
+                             if (is_awake(body)) any |= mark(body);
+                         for (const std::uint32_t body : jointed.bodies)
+                             if (is_awake(body)) mark(body) = any;
+                     });
 }
 
 // By hot index: bodies that do not rest, and bodies that touch them.
@@ -150,7 +151,7 @@ void put_parts_to_sleep(StepContext& step) {
     }
     sleep_in_place(world, falling_asleep);
     for (const std::uint32_t body : falling_asleep)
-        world.events.fell_asleep.push_back(body_id(world, body));
+        world.events.fell_asleep.push_back(body_id(world.bodies, body));
 }
 
 }  // namespace jostle::physics

@@ -13,32 +13,33 @@ namespace jostle::physics {
 namespace {
 
 // Keeps bodies jointed to a moving kinematic body awake.
-void hold_towed_awake(WorldState& world, const std::vector<std::uint32_t>& jointed) {
+void hold_towed_awake(BodySets& sets, const JointStore& joints,
+                      const std::vector<std::uint32_t>& jointed) {
     for (const std::uint32_t hot : jointed) {
-        ASSERT(hot > 0 && hot <= world.bodies.awake.size());
-        BodyWarm& warm = world.bodies.awake[hot - 1];
-        for_each_joint(world.joints, world.bodies.cold[warm.body], [&](std::uint32_t joint) {
-            const Joint& j = world.joints.joints[joint];
+        ASSERT(hot > 0 && hot <= sets.bodies.awake.size());
+        BodyWarm& warm = sets.bodies.awake[hot - 1];
+        for_each_joint(joints, sets.bodies.cold[warm.body], [&](std::uint32_t joint) {
+            const Joint& j = joints.joints[joint];
             const std::uint32_t other = j.body_a == warm.body ? j.body_b : j.body_a;
-            if (other == none || world.bodies.cold[other].type != BodyType::kinematic) return;
-            const BodyWarm& driver = warm_of(world, other);
+            if (other == none || sets.bodies.cold[other].type != BodyType::kinematic) return;
+            const BodyWarm& driver = warm_of(sets, other);
             if (driver.v != Vec3{} || driver.w != Vec3{}) warm.sleep_time = 0;
         });
     }
 }
 
 // A body that touches a moving kinematic body is not at rest, however slow the motion.
-void hold_carried_awake(WorldState& world) {
-    for_each_colour(world.graph.sets, [&](const GraphColour& colour, int c) {
+void hold_carried_awake(ContactGraph& stores) {
+    for_each_colour(stores.graph.sets, [&](const GraphColour& colour, int c) {
         if (pair_kind_of(c) != PairKind::kinematic) return;
         for (const ContactConstraintWideMeta& meta : colour.metas)
             for (int lane = 0; lane < 8; lane++) {
                 if (!meta.has(LaneFlag::touching, lane)) continue;
                 ASSERT(meta.contact[lane] != no_contact);
-                const Contact& contact = world.contacts.contacts[meta.contact[lane]];
-                const BodyWarm& driver = warm_of(world, contact.body_b);
+                const Contact& contact = stores.contacts.contacts[meta.contact[lane]];
+                const BodyWarm& driver = warm_of(stores, contact.body_b);
                 if (driver.v != Vec3{} || driver.w != Vec3{})
-                    warm_of(world, contact.body_a).sleep_time = 0;
+                    warm_of(stores, contact.body_a).sleep_time = 0;
             }
     });
 }
@@ -65,7 +66,7 @@ void fall_asleep(WorldState& world, std::uint32_t island) {
     for (std::uint32_t body = world.islands.islands[island].first; body != none;
          body = world.bodies.cold[body].island_next) {
         if (!world.bodies.cold[body].asleep_in_place)
-            world.events.fell_asleep.push_back(body_id(world, body));
+            world.events.fell_asleep.push_back(body_id(world.bodies, body));
         wake_in_place(world, body);
     }
     put_island_to_sleep(world, island, world.events.contacts_ended);
@@ -79,7 +80,7 @@ Skipped update_sleep(StepContext& step) {
     if (world.bodies.awake.empty()) return no_awake_bodies;
     SleepScratch& scratch = step.scratch.sleep;
     hold_carried_awake(world);
-    hold_towed_awake(world, step.scratch.solver.jointed.all);
+    hold_towed_awake(world, world.joints, step.scratch.solver.jointed.all);
     find_awake_islands(world, scratch.islands);
     measure_rest(world.bodies, world.islands, scratch);
     // Splitting adds islands, which are measured in the next step.

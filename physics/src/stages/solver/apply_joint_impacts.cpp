@@ -94,17 +94,15 @@ bool resolve_joint_impact(SolverBodies& hot, const JointImpact& s, double dt) {
 }
 
 // Finds bouncing pairs in which a body has joints.
-void find_bouncing_pairs(const WorldState& world, const GraphColour& colour,
-                         std::vector<JointImpact>& found) {
-    const auto jointed = [&](std::uint32_t body) {
-        return world.bodies.cold[body].first_joint != none;
-    };
+void find_bouncing_pairs(const BodyStore& bodies, const ContactStore& contacts,
+                         const GraphColour& colour, std::vector<JointImpact>& found) {
+    const auto jointed = [&](std::uint32_t body) { return bodies.cold[body].first_joint != none; };
     for (std::size_t k = 0; k < colour.metas.size(); k++) {
         const ContactConstraintWideMeta& meta = colour.metas[k];
         if (meta.bits(LaneFlag::bounces) == 0) continue;
         for (int lane = 0; lane < 8; lane++) {
             if (!meta.has(LaneFlag::bounces, lane) || meta.contact[lane] == no_contact) continue;
-            const Contact& c = world.contacts.contacts[meta.contact[lane]];
+            const Contact& c = contacts.contacts[meta.contact[lane]];
             if (jointed(c.body_a) || jointed(c.body_b))
                 found.push_back({&colour.blocks[k], &meta, lane});
         }
@@ -117,8 +115,9 @@ void apply_joint_impacts(StepContext& step, std::span<const ColourRun> runs) {
     std::vector<JointImpact> pairs;
     for (const ColourRun& run : runs) {
         if (pair_kind_of(run.number) != PairKind::dynamic) continue;
-        find_bouncing_pairs(step.world, *run.colour, pairs);
-        if (run.single != nullptr) find_bouncing_pairs(step.world, *run.single, pairs);
+        find_bouncing_pairs(step.world.bodies, step.world.contacts, *run.colour, pairs);
+        if (run.single != nullptr)
+            find_bouncing_pairs(step.world.bodies, step.world.contacts, *run.single, pairs);
     }
     if (pairs.empty()) return;
     SolverBodies& hot = step.scratch.solver.hot;

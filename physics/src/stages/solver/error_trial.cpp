@@ -26,7 +26,8 @@ void each_colour(ConstraintGraph& graph, std::size_t first, std::size_t last, Vi
 
 void scale_all(StepContext& step, std::span<const std::uint32_t> jointed, double scale) {
     for (const std::uint32_t hot : jointed)
-        scale_joints(step.world, step.world.bodies.awake[hot - 1].body, scale);
+        scale_joints(step.world.bodies, step.world.joints, step.world.bodies.awake[hot - 1].body,
+                     scale);
 }
 
 void lengthen(GraphColour& colour, int number) {
@@ -35,18 +36,18 @@ void lengthen(GraphColour& colour, int number) {
 }
 
 // At the start of the step.
-void note_overlaps(WorldState& world, std::size_t first, std::size_t last) {
-    each_colour(world.graph, first, last, [&](const GraphColour& colour) {
+void note_overlaps(ContactGraph& stores, std::size_t first, std::size_t last) {
+    each_colour(stores.graph, first, last, [&](const GraphColour& colour) {
         for (std::size_t k = 0; k < colour.blocks.size(); k++)
             for (int lane = 0; lane < block_lanes; lane++) {
                 if (!colour.metas[k].has(LaneFlag::touching, lane)) continue;
                 float least = 0;
                 for (const auto& gap : colour.blocks[k].gap) least = std::min(least, gap[lane]);
                 if (double{least} >= -tuning::contact_slop) continue;
-                const Contact& c = world.contacts.contacts[colour.metas[k].contact[lane]];
+                const Contact& c = stores.contacts.contacts[colour.metas[k].contact[lane]];
                 const double overlap =
-                    -double{least} - tuning::contact_slop * scale_of_pair(world.bodies, c);
-                note_error(world.islands.islands[world.bodies.cold[c.body_a].island], overlap);
+                    -double{least} - tuning::contact_slop * scale_of_pair(stores.bodies, c);
+                note_error(stores.islands.islands[stores.bodies.cold[c.body_a].island], overlap);
             }
     });
 }

@@ -31,13 +31,13 @@ bool may_be_grouped(const BodyCold& cold) {
            locked_turns(cold) != 1;
 }
 
-bool is_pushed(const WorldState& world, std::uint32_t body) {
-    return body != none && is_dynamic(world, body);
+bool is_pushed(const BodyStore& bodies, std::uint32_t body) {
+    return body != none && is_dynamic(bodies, body);
 }
 
-bool is_known(const WorldState& world, const Joint& joint) {
+bool is_known(const BodyStore& bodies, const Joint& joint) {
     return supported(joint.kind) &&
-           (is_pushed(world, joint.body_a) || is_pushed(world, joint.body_b));
+           (is_pushed(bodies, joint.body_a) || is_pushed(bodies, joint.body_b));
 }
 
 // Ragdolls with cone joints fall and tumble until they touch something, and there are many of them.
@@ -49,11 +49,11 @@ bool is_left_to_iterative(const Joint& joint) {
 
 // Multiplications granted per joint of an island that requests the direct solver; -1: none of its
 // joints is solved directly.
-std::int64_t budget_of(const WorldState& world, const JointGroupScratch& scratch,
-                       std::uint32_t island) {
-    switch (solver_of(scratch.preferences[island], world.def.joint_solver)) {
+std::int64_t budget_of(const WorldDef& def, const JointStore& joints,
+                       const JointGroupScratch& scratch, std::uint32_t island) {
+    switch (solver_of(scratch.preferences[island], def.joint_solver)) {
         case JointSolver::direct:
-            return direct_budget(world.joints.ids.alive_count());
+            return direct_budget(joints.ids.alive_count());
         case JointSolver::automatic:
             if (scratch.left_to_iterative[island] == 0) return 0;
             break;
@@ -84,7 +84,7 @@ void classify_islands(StepContext& step) {
         bool known = true;
         for_each_joint(world.joints, cold, [&](std::uint32_t index) {
             const Joint& joint = world.joints.joints[index];
-            known = known && is_known(world, joint);
+            known = known && is_known(world.bodies, joint);
             scratch.preferences[cold.island] |= preference_bit(joint.solver);
             if (is_left_to_iterative(joint)) scratch.left_to_iterative[cold.island] = 1;
         });
@@ -97,28 +97,29 @@ void classify_islands(StepContext& step) {
     scratch.active.erase(std::unique(scratch.active.begin(), scratch.active.end()),
                          scratch.active.end());
     std::erase_if(scratch.active, [&](std::uint32_t i) {
-        return scratch.refused[i] != 0 ||
-               budget_of(world, scratch, i) <= world.islands.islands[i].too_dense_for;
+        return scratch.refused[i] != 0 || budget_of(world.def, world.joints, scratch, i) <=
+                                              world.islands.islands[i].too_dense_for;
     });
 }
 
 // ---- gather ----
 
-void list_joints(const WorldState& world, const Island& island, JointGroup& group) {
+void list_joints(const BodyStore& bodies, const JointStore& joints, const Island& island,
+                 JointGroup& group) {
     group.joints.clear();
-    for (std::uint32_t body = island.first; body != none;
-         body = world.bodies.cold[body].island_next)
-        for_each_joint(world.joints, world.bodies.cold[body],
+    for (std::uint32_t body = island.first; body != none; body = bodies.cold[body].island_next)
+        for_each_joint(joints, bodies.cold[body],
                        [&](std::uint32_t joint) { group.joints.push_back(joint); });
     std::sort(group.joints.begin(), group.joints.end());
     group.joints.erase(std::unique(group.joints.begin(), group.joints.end()), group.joints.end());
 }
 
 // In the order in which joints reference them. The world is the last entry of number_of.
-void list_bodies(const WorldState& world, JointGroup& group, std::vector<std::int32_t>& number_of) {
+void list_bodies(const JointStore& joints, JointGroup& group,
+                 std::vector<std::int32_t>& number_of) {
     group.bodies.clear();
     for (const std::uint32_t index : group.joints) {
-        const Joint& joint = world.joints.joints[index];
+        const Joint& joint = joints.joints[index];
         for (const std::uint32_t body : {joint.body_a, joint.body_b}) {
             std::int32_t& number = body == none ? number_of.back() : number_of[body];
             if (number >= 0) continue;
@@ -189,11 +190,11 @@ void gather_body(const StepContext& step, JointGroup& group, std::size_t k) {
     body.l = in_axes(body.axes, body.moments) * warm.w;
 }
 
-DirectEnd end_of(const WorldState& world, const JointGroup& group, std::size_t k,
+DirectEnd end_of(const BodyStore& bodies, const JointGroup& group, std::size_t k,
                  const Transform& frame) {
     const Quat axes = group.axes[k].frame;
     const std::uint32_t body = group.bodies[k];
-    const Vec3 center = body == none ? Vec3{} : world.bodies.cold[body].local_center;
+    const Vec3 center = body == none ? Vec3{} : bodies.cold[body].local_center;
     const Vec3 arm = frame.position - center;
     return {inverse_rotate(axes, arm), conjugate(axes) * frame.rotation};
 }
@@ -222,8 +223,8 @@ void gather_joint(const StepContext& step, JointGroup& group, std::size_t k, dou
     joint.a = from.body_a == none ? number_of.back() : number_of[from.body_a];
     joint.b = number_of[from.body_b];
     const auto a = static_cast<std::size_t>(joint.a), b = static_cast<std::size_t>(joint.b);
-    set_up(joint, from.kind, end_of(world, group, a, from.frame_a),
-           end_of(world, group, b, from.frame_b));
+    set_up(joint, from.kind, end_of(world.bodies, group, a, from.frame_a),
+           end_of(world.bodies, group, b, from.frame_b));
     const DirectBody &body_a = group.solver.bodies[a], &body_b = group.solver.bodies[b];
     write_vectors(joint, body_a, body_b);
     load_forces(joint, body_a, body_b, read_warm_start(from, carried_by(group, joint, from.kind)),
@@ -237,12 +238,12 @@ bool gather(StepContext& step, std::uint32_t island, std::int64_t budget) {
     if (scratch.of_island[island] == nullptr)
         scratch.of_island[island] = std::make_unique<JointGroup>();
     JointGroup& group = *scratch.of_island[island];
-    list_joints(world, world.islands.islands[island], group);
+    list_joints(world.bodies, world.joints, world.islands.islands[island], group);
     if (is_net(static_cast<int>(group.joints.size()),
                static_cast<int>(world.islands.islands[island].bodies)) &&
         (budget == 0 || group.joints.size() > tuning::max_net_joints))
         return false;
-    list_bodies(world, group, scratch.number_of);
+    list_bodies(world.joints, group, scratch.number_of);
     group.substeps = step.contacts[index_of(world.islands.islands[island].colour_set)].substeps;
     group.inertias.resize(group.bodies.size(), diagonal({-1, -1, -1}));
     group.axes.resize(group.bodies.size());
@@ -332,7 +333,7 @@ void find_joint_groups(StepContext& step) {
     scratch.number_of.assign(world.bodies.cold.size() + 1, -1);
     scratch.grouped.assign(world.bodies.awake.size(), 0);
     std::erase_if(scratch.active, [&](std::uint32_t island) {
-        const std::int64_t budget = budget_of(world, scratch, island);
+        const std::int64_t budget = budget_of(world.def, world.joints, scratch, island);
         if (!gather(step, island, budget)) {
             step.world.islands.islands[island].too_dense_for = budget;
             scratch.of_island[island] = nullptr;
@@ -340,7 +341,7 @@ void find_joint_groups(StepContext& step) {
         }
         const JointGroup& group = *scratch.of_island[island];
         for (const std::uint32_t body : group.bodies) {
-            if (!is_pushed(world, body)) continue;
+            if (!is_pushed(world.bodies, body)) continue;
             scratch.awake.push_back(world.bodies.cold[body].at);
             scratch.grouped[world.bodies.cold[body].at] = 1;
         }

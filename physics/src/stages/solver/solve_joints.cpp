@@ -18,17 +18,16 @@
 namespace jostle::physics {
 namespace {
 
-JointEnd end_of(const WorldState& world, std::uint32_t body, const Transform& frame,
+JointEnd end_of(const BodySets& sets, std::uint32_t body, const Transform& frame,
                 std::int32_t hot) {
     if (body == none)  // the world
         return {.center = {}, .arm = frame.position, .rotation = {}, .frame = frame.rotation};
-    const BodyWarm& warm = hot != 0
-                               ? world.bodies.awake[static_cast<std::size_t>(std::abs(hot)) - 1]
-                               : warm_of(world, body);
+    const BodyWarm& warm = hot != 0 ? sets.bodies.awake[static_cast<std::size_t>(std::abs(hot)) - 1]
+                                    : warm_of(sets, body);
     ASSERT(warm.body == body);
     return {.hot = hot,
             .center = warm.center,
-            .arm = warm.axes * (frame.position - world.bodies.cold[body].local_center),
+            .arm = warm.axes * (frame.position - sets.bodies.cold[body].local_center),
             .rotation = warm.rotation,
             .frame = warm.rotation * frame.rotation};
 }
@@ -66,27 +65,27 @@ std::int32_t hot_of(const BodyStore& bodies, std::uint32_t body) {
     return cold.inverse_mass != 0 && !cold.asleep_in_place ? hot : -hot;
 }
 
-Carrier carrier_at(const WorldState& world, std::uint32_t body) {
+Carrier carrier_at(const BodySets& sets, std::uint32_t body) {
     if (body == none) return {};
-    const BodyWarm& warm = warm_of(world, body);
+    const BodyWarm& warm = warm_of(sets, body);
     return {.body = body,
-            .hot = hot_of(world.bodies, body),
+            .hot = hot_of(sets.bodies, body),
             .center = warm.center,
-            .origin = pose_of(warm, world.bodies.cold[body]).position,
+            .origin = pose_of(warm, sets.bodies.cold[body]).position,
             .rotation = warm.rotation};
 }
 
-void find_bodies(const WorldState& world, JointLevels& levels) {
-    const JointStore& store = world.joints;
+void find_bodies(const BodyStore& bodies, const JointStore& joints, JointLevels& levels) {
+    const JointStore& store = joints;
     for (LeveledJoint& found : levels.joints) {
         ASSERT(store.ids.alive(found.joint));
         const Joint& joint = store.joints[found.joint];
         found.kind = kernel_of(joint.kind);
-        found.a = hot_of(world.bodies, joint.body_a);
-        found.b = hot_of(world.bodies, joint.body_b);
+        found.a = hot_of(bodies, joint.body_a);
+        found.b = hot_of(bodies, joint.body_b);
         if (!joint_is_geared(joint.kind)) continue;
-        found.carrier_a = hot_of(world.bodies, find_carrier(world, joint, 0));
-        found.carrier_b = hot_of(world.bodies, find_carrier(world, joint, 1));
+        found.carrier_a = hot_of(bodies, find_carrier(bodies, joints, joint, 0));
+        found.carrier_b = hot_of(bodies, find_carrier(bodies, joints, joint, 1));
     }
 }
 
@@ -158,7 +157,7 @@ void prepare_joints(StepContext& step, const JointTask& task, double h) {
     task.batches.used = 0;
     if (task.bodies.empty()) return;
     find_joints(world.joints, world.bodies, task);
-    find_bodies(world, levels);
+    find_bodies(world.bodies, world.joints, levels);
     assign_levels(levels, step.scratch.solver.hot.size());
     find_joint_batches(step, task);
     each_block(step, levels, [&](std::size_t block, JointConstraintWideMeta& meta) {
@@ -171,8 +170,8 @@ void prepare_joints(StepContext& step, const JointTask& task, double h) {
                  axes_of(levels, meta.axes), gear_of(levels, meta.gear), meta},
                 lane);
             if (meta.gear >= 0) {
-                const std::uint32_t bodies[] = {find_carrier(world, joint, 0),
-                                                find_carrier(world, joint, 1)};
+                const std::uint32_t bodies[] = {find_carrier(world.bodies, world.joints, joint, 0),
+                                                find_carrier(world.bodies, world.joints, joint, 1)};
                 const Carrier carriers[] = {carrier_at(world, bodies[0]),
                                             carrier_at(world, bodies[1])};
                 write_gear(joint, end_of(world, joint.body_a, joint.frame_a, meta.a[lane]),
@@ -262,10 +261,10 @@ void break_joints(StepContext& step) {
     std::sort(broken.begin(), broken.end());
     for (const std::uint32_t index : broken) {
         const Joint& joint = world.joints.joints[index];
-        world.events.joints_broke.push_back({joint_id(world, index), body_id(world, joint.body_a),
-                                             body_id(world, joint.body_b), length(joint.force),
-                                             length(joint.torque)});
-        destroy_joint(world, index);
+        world.events.joints_broke.push_back(
+            {joint_id(world.joints, index), body_id(world.bodies, joint.body_a),
+             body_id(world.bodies, joint.body_b), length(joint.force), length(joint.torque)});
+        destroy_joint(world, world.joints, index);
     }
 }
 

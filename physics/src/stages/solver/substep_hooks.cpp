@@ -19,7 +19,7 @@ public:
         : step_(step), substep_info_(substep_info), ids_(ids) {
         ids_.clear();
         for (const std::uint32_t index : awake)
-            ids_.push_back(body_id(step.world, step.world.bodies.awake[index].body));
+            ids_.push_back(body_id(step.world.bodies, step.world.bodies.awake[index].body));
     }
 
     double h() const override { return substep_info_.h; }

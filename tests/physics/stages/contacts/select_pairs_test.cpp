@@ -49,7 +49,7 @@ TEST(SelectPairs, selects_new_pairs_and_skips_resting_pairs) {
         EXPECT_TRUE(state.contacts.bounds.empty()) << "taken off the list";
         EXPECT_EQ(choice.scratch.contacts.had_contacts, std::vector<std::uint8_t>{0});
     }
-    add_separation_bound(state, contact, -1);
+    add_separation_bound(state, state.contacts, contact, -1);
     run(world, 2);
     const Choice at_rest(world);
     EXPECT_EQ(at_rest.contacts(), Contacts{}) << "its manifold is kept";
@@ -63,7 +63,7 @@ TEST(SelectPairs, selects_a_moved_manifold_once) {
     run(world, 2);
     WorldState& state = state_of(world);
     const std::uint32_t second = state.bodies.cold[2].first_edge / 2;
-    const ContactLaneRef place = lane_ref_of(state, state.contacts.contacts[second]);
+    const ContactLaneRef place = lane_ref_of(state.graph, state.contacts.contacts[second]);
     place.meta->set(LaneFlag::needs_rebuild, place.lane, true);
     EXPECT_EQ(Choice(world).contacts(), Contacts{second});
 }
@@ -84,7 +84,7 @@ TEST(SelectPairs, selects_a_composite_pair_once) {
         if (c.composite) pair = index;
         if (c.colour < 0) return;
         parts++;
-        const ContactLaneRef place = lane_ref_of(state, c);
+        const ContactLaneRef place = lane_ref_of(state.graph, c);
         place.meta->set(LaneFlag::needs_rebuild, place.lane, true);
     });
     ASSERT_EQ(parts, 2);

@@ -65,7 +65,7 @@ TEST(CcdPolicy, restitution_bounces_unless_jointed) {
     EXPECT_TRUE(bounces(scene.state, a, dull)) << "the larger restitution counts";
     EXPECT_FALSE(bounces(scene.state, dull, dull));
     must(scene.world.create_joint(
-        {.body_a = body_id(scene.state, b), .body_b = body_id(scene.state, c)}));
+        {.body_a = body_id(scene.state.bodies, b), .body_b = body_id(scene.state.bodies, c)}));
     EXPECT_FALSE(bounces(scene.state, a, b)) << "from a sweep it would leave its joint";
     scene.state.bodies.cold[a].continuous = false;
     EXPECT_TRUE(bounces(scene.state, a, dull)) << "one of the two looks, for both";
@@ -80,7 +80,7 @@ TEST(CcdPolicy, jointed_bodies_use_the_contact_solver) {
     Scene scene;
     const std::uint32_t a = scene.ball(), b = scene.ball(0.5), c = scene.ball();
     must(scene.world.create_joint(
-        {.body_a = body_id(scene.state, b), .body_b = body_id(scene.state, c)}));
+        {.body_a = body_id(scene.state.bodies, b), .body_b = body_id(scene.state.bodies, c)}));
     EXPECT_TRUE(uses_speculative_contact(scene.step, a, b));
 }
 

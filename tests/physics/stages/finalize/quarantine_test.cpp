@@ -51,7 +51,7 @@ TEST(Quarantine, stack_recovers_after_quarantine) {
         for_each_contact(state.contacts, state.bodies.cold[body.index], [&](std::uint32_t index) {
             const Contact& c = state.contacts.contacts[index];
             if (c.colour < 0) return;
-            const ContactLaneRef place = lane_ref_of(state, c);
+            const ContactLaneRef place = lane_ref_of(state.graph, c);
             for (const auto& lambda : place.block->lambda) EXPECT_EQ(lambda[place.lane], 0);
             EXPECT_TRUE(place.meta->has(LaneFlag::needs_rebuild, place.lane));
         });

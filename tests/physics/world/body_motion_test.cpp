@@ -4,13 +4,14 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/near.h"
+#include "tests/support/step_time.h"
 #include "tests/support/world_builder.h"
 
 namespace jostle::test {
 namespace {
 using namespace physics;
 
-constexpr double dt = 1.0 / 60;
+using test::dt;
 
 // A box of a tonne, 1 m, in empty space; 1000 / 6 kg m^2.
 struct Space {

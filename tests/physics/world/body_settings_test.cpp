@@ -6,11 +6,12 @@
 #include "jostle/physics/physics.h"
 #include "physics/src/state/validate.h"
 #include "physics/src/state/world_access.h"
+#include "tests/support/step_time.h"
 
 namespace jostle::physics {
 namespace {
 
-constexpr double dt = 1.0 / 60;
+using test::dt;
 
 void expect_sound(const World& world) {
     const auto fault = find_fault(state_of(world));

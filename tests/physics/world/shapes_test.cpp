@@ -11,11 +11,12 @@
 #include "jostle/physics/physics.h"
 #include "physics/src/state/validate.h"
 #include "physics/src/state/world_access.h"
+#include "tests/support/step_time.h"
 
 namespace jostle::physics {
 namespace {
 
-constexpr double dt = 1.0 / 60;
+using test::dt;
 
 TEST(SetShapes, cube_replaced_by_two_balls_rests_on_them) {
     World world;

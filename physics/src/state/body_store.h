@@ -140,7 +140,6 @@ inline Mat3 world_inverse_inertia(const BodyWarm& warm, const BodyCold& cold) {
         return warm.axes * cold.inverse_inertia * transpose(warm.axes);
     }
     if ((cold.locks & turns) == turns || cold.inverse_mass == 0) return diagonal({0, 0, 0});
-    ASSERT(!cold.isotropic);
     const Vec3 free = free_rotations(cold);
     Mat3 remaining = warm.axes * cold.inertia * transpose(warm.axes);
     remaining = {scaled(remaining.x, free) * free.x, scaled(remaining.y, free) * free.y,

@@ -163,7 +163,7 @@ void move_to_set(ContactGraph& stores, JointStore& joints, std::span<const std::
 
 void scale_warm_start(ContactGraph& stores, const Island& island, float scale) {
     ASSERT(!island.asleep);
-    ASSERT(scale > 0);
+    ASSERT(scale >= 0);
     for (std::uint32_t body = island.first; body != none;
          body = stores.bodies.cold[body].island_next)
         for_each_manifold(stores.contacts, stores.bodies.cold[body], [&](std::uint32_t index) {

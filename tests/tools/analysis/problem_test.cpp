@@ -53,7 +53,7 @@ TEST(Problem, row_names_identify_joint_or_contact) {
     must(world.create_joint({.body_b = box, .kind = HingeJoint{}}));
     run(world, 0.1);
     const Problem problem = problem_of(must(world.constraint_system(box)));
-    EXPECT_EQ(problem.names.front(), "joint 0 turn x");
+    EXPECT_EQ(problem.names.front(), "joint 0 rotation x");
     EXPECT_EQ(problem.names.back(), "contact 1-0 friction 2 of point 3");
     EXPECT_TRUE(problem.has_bounds());
     const std::vector<double> pressed(problem.count, 2);

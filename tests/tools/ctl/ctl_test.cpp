@@ -68,7 +68,7 @@ TEST_F(CtlTest, lists_creates_and_deletes_worlds) {
     EXPECT_EQ(json()["worlds"][1]["name"], "arena");
     EXPECT_EQ(json()["worlds"][1]["clients"], 0) << "JSON includes zero values";
     EXPECT_EQ(run("world create arena --scene dominoes"), 1);
-    EXPECT_TRUE(complains("there is a world \"arena\" already")) << err;
+    EXPECT_TRUE(complains("a world named \"arena\" exists")) << err;
     ASSERT_EQ(run("world delete arena"), 0) << err;
     EXPECT_EQ(run("world delete arena"), 1);
     EXPECT_TRUE(complains("arena")) << err;
@@ -146,7 +146,7 @@ TEST_F(CtlTest, restores_and_rewinds_a_persisted_world) {
     EXPECT_EQ(run("rewind stack --to 4000000000", at), 1);
     EXPECT_TRUE(complains("tick 4000000000 is not retained; the last retained tick is")) << err;
     EXPECT_EQ(run("world create what-if --from stack --at 1", at), 1);
-    EXPECT_TRUE(complains("there is a world \"what-if\" already")) << err;
+    EXPECT_TRUE(complains("a world named \"what-if\" exists")) << err;
     EXPECT_EQ(run("world create --from stack --at 1", at), 2);
     EXPECT_EQ(run("world create why --from nowhere --at 1", at), 1);
     EXPECT_TRUE(complains("there is no world \"nowhere\"")) << err;

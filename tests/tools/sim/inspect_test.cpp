@@ -26,7 +26,7 @@ TEST_F(Sim, inspects_a_linkage_with_three_redundant_rows) {
     ASSERT_EQ(run(std::string(linkage) + " --inspect coupler --at 0 --json " + file("r.json")), 0)
         << output();
     EXPECT_THAT(output(), HasSubstr("Rank 17 of 20: 3 redundant rows"));
-    EXPECT_THAT(output(), HasSubstr("D turn x = A turn x - B turn x + C turn x"));
+    EXPECT_THAT(output(), HasSubstr("D rotation x = A rotation x - B rotation x + C rotation x"));
     EXPECT_THAT(output(), HasSubstr("Remaining degrees of freedom of the bodies: 1 of 18."));
     EXPECT_THAT(output(), HasSubstr("Cholesky                 fails: not positive definite"));
     const auto json = report();
@@ -72,7 +72,7 @@ TEST_F(Sim, inspects_the_weight_of_a_stack) {
     EXPECT_TRUE(group["free_motions"].is_null());
     const std::string csv = read(file("r.csv"));
     EXPECT_THAT(csv, StartsWith("scene,step,group,method,converged,iteration,residual\n"));
-    EXPECT_THAT(csv, HasSubstr("\nstack,120,0,projected Gauss-Seidel,1,1,"));
+    EXPECT_THAT(csv, HasSubstr("\nstack,120,0,conjugate gradients,1,1,"));
     std::size_t lines = 1;  // the names of the columns
     for (const auto& line : group["methods"])
         if (line.contains("residuals")) lines += line["residuals"].size();

@@ -47,10 +47,10 @@ void visit_motor(auto& v, auto& motor) {
     v.number("speed", motor.speed, -limits::max_speed, limits::max_speed);
     if constexpr (requires { motor.max_torque; })
         v.number("max_torque", motor.max_torque, 0, 1e12);
-    else if constexpr (requires { motor.max_force; })
-        v.number("max_force", motor.max_force, 0, 1e12);
+    else if constexpr (std::is_same_v<std::remove_cvref_t<decltype(motor)>, AxisMotor>)
+        v.number("most", motor.max_force, 0, 1e12);  // N or N m
     else
-        v.number("most", motor.max_force, 0, 1e12);
+        v.number("max_force", motor.max_force, 0, 1e12);
 }
 /// Visits the fields of a spring.
 void visit_spring(auto& v, auto& spring) {

@@ -173,8 +173,8 @@ std::optional<Manifold> collide_apart(const Convex& a, const Convex& b, Vec3 nor
 Manifold collide_convex(const Convex& a, const Convex& b, double margin, PairCache& cache) {
     const Witness w = find_witness(a, b, margin + a.radius + b.radius, cache);
     const double gap = w.distance - a.radius - b.radius;
-    ASSERT(is_unit(w.normal));
     if (gap > margin) return {.normal = w.normal, .distance = gap};
+    ASSERT(is_unit(w.normal));
     return manifold_of(contact_points(a, b, w, margin), w.normal, minimum(size_of(a), size_of(b)));
 }
 

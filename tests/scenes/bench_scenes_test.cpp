@@ -81,7 +81,7 @@ TEST(BenchScenes, body_and_joint_counts_and_extents) {
 TEST(BenchScenes, gravity_density_friction_and_damping_are_uniform) {
     int scenes = 0;
     for (const CatalogEntry& entry : catalog()) {
-        if (!entry.name.starts_with("lab_")) continue;
+        if (!entry.name.starts_with("bench_")) continue;
         scenes++;
         SCOPED_TRACE(entry.name);
         const SceneDescription scene = *find_scene(entry.name);

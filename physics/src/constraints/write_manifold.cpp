@@ -29,7 +29,6 @@ PreviousImpulses previous_impulses(const ContactConstraintWide& block, const Rol
     const Vec3 n = get_lane(block.normal, lane), t1 = get_lane(block.tangent, lane),
                t2 = cross(n, t1);
     const Vec3 arm = get_lane(block.arm_a, lane);
-    ASSERT(is_unit(n, 1e-4) && is_unit(t1, 1e-4));
     c.roll = t1 * double{rolling.roll[0][lane]} + t2 * double{rolling.roll[1][lane]};
     c.friction = t1 * double{block.friction[0][lane]} + t2 * double{block.friction[1][lane]};
     for (int i = 0; i < 4; i++) {

@@ -118,7 +118,6 @@ JointedBodies jointed_with(const BodyStore& bodies, const JointStore& joints, Gr
                            std::uint32_t body) {
     std::vector<std::uint32_t>& found = scratch.jointed;
     found.assign(1, body);
-    ASSERT(is_dynamic(bodies, body) || bodies.cold[body].first_joint == none);
     if (bodies.cold[body].first_joint == none) return {found, false};
     std::vector<std::uint8_t>& seen = scratch.seen_jointed;
     seen.resize(bodies.cold.size(), 0);

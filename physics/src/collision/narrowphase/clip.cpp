@@ -50,7 +50,7 @@ Feature feature_of_cone(Vec3 size, Vec3 d) {
     Feature f;
     const double across = square_root(d.x * d.x + d.z * d.z), height = 2 * size.y;
     const double slant = square_root(size.x * size.x + height * height);
-    ASSERT(slant > 0);
+    ASSERT(!(slant <= 0));
     const double side = across * (height / slant) + d.y * (size.x / slant);
     if (-d.y >= side) {
         f.normal = {0, -1, 0};

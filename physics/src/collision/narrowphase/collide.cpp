@@ -65,7 +65,7 @@ constexpr Collide table[simple_kinds][simple_kinds] = {
 Manifold collide(const TransformedShape& a, const TransformedShape& b, double margin,
                  PairCache& cache) {
     ASSERT(a.geometry->index() < simple_kinds && b.geometry->index() < simple_kinds);
-    ASSERT(margin >= 0);
+    ASSERT(!(margin < 0));
     return table[a.geometry->index()][b.geometry->index()](a, b, margin, cache);
 }
 

@@ -243,7 +243,7 @@ Manifold general_contact(const BoxPair& pair, const FaceAxis& face, const BoxEdg
 Manifold collide_boxes(const TransformedShape& a, const TransformedShape& b, double margin,
                        PairCache& cache) {
     const BoxPair pair = make_pair(a, b);
-    ASSERT(margin >= 0);
+    ASSERT(!(margin < 0));
     const double size = minimum(length(pair.half_a), length(pair.half_b));
     const FaceAxis face = best_face(pair, size, static_cast<int>(cache.axis) - 1);
     if (face.separation > margin)

@@ -62,7 +62,7 @@ void collide_children(const TransformedShape& a, const TransformedShape& b, doub
                       std::vector<ChildManifold>& out) {
     if (is_surface(a) || is_surface(b)) {
         const bool a_is_surface = is_surface(a);
-        ASSERT(margin >= 0);
+        ASSERT(!(margin < 0));
         if ((a_is_surface && !is_convex(kind_of(*b.geometry))) ||
             (!a_is_surface && !is_convex(kind_of(*a.geometry))))
             return;

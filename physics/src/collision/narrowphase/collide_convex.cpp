@@ -72,7 +72,7 @@ Witness round_witness(const Convex& a, const Convex& b, double enough, PairCache
         return g.distance > enough ? from(g) : snapped(a, b, from(g));
     }
     const Penetration p = penetration(a, b, g.simplex);
-    ASSERT(p.depth >= 0);
+    ASSERT(!(p.depth < 0));
     cache.direction = p.normal;
     return snapped(a, b, {p.normal, -p.depth, p.on_a, p.on_b});
 }

@@ -83,7 +83,7 @@ public:
         furthest_ = shape.core == Core::hull
                         ? length(middle_of(shape) - center_) + shape.hull->lanes->outer_radius
                         : length(center_) + size_of(shape);
-        ASSERT(furthest_ >= 0 && near_ >= 0);
+        ASSERT(!(furthest_ < 0) && !(near_ < 0));
     }
 
     // The region that the shape may reach, given its current box.
@@ -131,7 +131,7 @@ public:
             box_ = {max(box_.low, reach.low), min(box_.high, reach.high)};
         }
         box_ = {box_.low + origin_, box_.high + origin_};
-        ASSERT(margin_ >= 0 && shape_.radius >= 0);
+        ASSERT(!(margin_ < 0) && !(shape_.radius < 0));
         size_ = size_of(shape_);
         middle_ = middle_of(shape_);
     }

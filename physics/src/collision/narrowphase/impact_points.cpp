@@ -15,7 +15,7 @@ std::vector<ImpactPoint> points_touching(const SweptShape& a, const SweptShape& 
     const TransformedShape pa = transformed_shape_at(a, fraction),
                            pb = transformed_shape_at(b, fraction);
     std::vector<ChildManifold> parts;
-    ASSERT(gap >= 0 && fraction >= 0 && fraction <= 1);
+    ASSERT(!(gap < 0) && !(fraction < 0) && !(fraction > 1));
     if (is_composite(kind_of(*pa.geometry)) || is_composite(kind_of(*pb.geometry))) {
         collide_composite(pa, pb, gap, parts);
     } else {

@@ -47,7 +47,7 @@ Vec3 nearest_on_triangle(const Vec3 corner[3], Vec3 p) {
     if (of_a <= 0 && ac_b >= ab_b && ab_c >= ac_c)
         return b + (c - b) * part_of(ac_b - ab_b, ab_c - ac_c);
     const double sum = of_a + of_b + of_c;
-    ASSERT(sum > 0);
+    ASSERT(!(sum <= 0));
     return a + ab * (of_b / sum) + ac * (of_c / sum);
 }
 

@@ -25,7 +25,7 @@ SurfacePoint nearest_in(const Aabb& all, Vec3 local, Query&& query) {
     SurfacePoint best{1e300, {}, {0, 1, 0}};
     const Vec3 inside = max(all.low, min(local, all.high));
     const double size = length(all.high - all.low) + 1e-9;
-    ASSERT(all.low.x <= all.high.x && all.low.y <= all.high.y && all.low.z <= all.high.z);
+    ASSERT(!(all.low.x > all.high.x) && !(all.low.y > all.high.y) && !(all.low.z > all.high.z));
     const double away = length(local - inside);
     for (double reach = away + 0.02 * size;; reach *= 3) {
         query(Aabb{local - Vec3{reach, reach, reach}, local + Vec3{reach, reach, reach}}, best);

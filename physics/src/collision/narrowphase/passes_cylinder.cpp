@@ -48,7 +48,7 @@ AxisPoint nearest_of_edge(const AxisPoint& a, const AxisPoint& b) {
 bool passes_cylinder(const Convex& cylinder, Vec3 middle, Vec3 motion, const Vec3 corner[3],
                      double margin) {
     const Vec3 axis = cylinder.axes.y;
-    ASSERT(cylinder.core == Core::cylinder && margin >= 0);
+    ASSERT(cylinder.core == Core::cylinder && !(margin < 0));
     if (absolute(dot(motion, axis)) > margin) return false;
     AxisPolygon polygon{.point = {}, .count = 3};
     double low = 1e300, high = -1e300;

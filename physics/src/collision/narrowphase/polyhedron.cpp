@@ -56,7 +56,7 @@ Polyhedron flat_of(const Vec3* corner, PolyhedronParts& parts) {
 double most_of_arc(Vec3 d, Vec3 first, Vec3 second, Vec3 along) {
     const double most = maximum(dot(d, first), dot(d, second));
     const Vec3 turn = cross(first, second);
-    ASSERT(length_squared(along) > 0);
+    ASSERT(!(length_squared(along) <= 0));
     if (dot(cross(first, d), turn) < 0 || dot(cross(d, second), turn) < 0) return most;
     // Among all directions perpendicular to the edge, d without its component along the edge has
     // the largest projection, if it lies between the two normals.

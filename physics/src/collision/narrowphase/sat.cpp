@@ -165,7 +165,7 @@ struct Nearest {
 };
 Nearest nearest_on_edges(Vec3 r, Vec3 u, Vec3 v, double least) {
     const double uu = length_squared(u), vv = length_squared(v), uv = dot(u, v);
-    ASSERT(uu > 0 && vv > 0);
+    ASSERT(!(uu <= 0) && !(vv <= 0));
     const double ru = dot(r, u), rv = dot(r, v);
     const double s = clamp((ru * vv - rv * uv) / (uu * vv - uv * uv), 0, 1);
     const double t = clamp((s * uv - rv) / vv, least, 1);

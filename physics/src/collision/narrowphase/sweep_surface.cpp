@@ -59,7 +59,7 @@ public:
         const double size = maximum(0.5 * length(box_.high - box_.low), 1e-300);
         const double sweep_distance = length(motion_);
         double parts = 1, part = 0;
-        ASSERT(gap_ > 0);
+        ASSERT(!(gap_ <= 0));
         if (sweep_distance > part_length * size) {
             const double begin = enters_surface();
             if (begin > 1) return std::nullopt;
@@ -248,7 +248,7 @@ private:
             at = next;
         }
         best_ = {at, false, {}, {}};
-        ASSERT(at >= 0 && at <= 1);
+        ASSERT(!(at < 0) && !(at > 1));
         touched_ = t.index;
         hint_ = hint;
     }

@@ -51,7 +51,7 @@ bool balls_pass_by(const SweptShape& a, const SweptShape& b, const SweepInterval
     const double nearest =
         speed2 > 0 ? clamp(-dot(apart, motion) / speed2, 0, interval.until - interval.from) : 0;
     const double reach = a.radius + b.radius + 2 * interval.gap;
-    ASSERT(a.radius >= 0 && b.radius >= 0 && interval.from <= interval.until);
+    ASSERT(a.radius >= 0 && b.radius >= 0 && !(interval.from > interval.until));
     return length_squared(apart + motion * nearest) > reach * reach;
 }
 
@@ -160,7 +160,7 @@ Impact advance(const SweptShape& a, const SweptShape& b, const SweepInterval& in
         // All points move apart along a separating direction: the shapes never touch.
         if (speed <= 0) return {};
         const double step = (now.distance - interval.gap) / speed;
-        ASSERT(step > 0);
+        ASSERT(!(step <= 0));
         if (t + step > interval.until) return {};
         t += step_from(now, t, step);
         if (t > interval.until) return {};
@@ -168,7 +168,7 @@ Impact advance(const SweptShape& a, const SweptShape& b, const SweepInterval& in
     // The shapes touch, or approach so slowly that the remaining step is shorter than rounding
     // resolves.
     const Gap there = gap_at(t, true);
-    ASSERT(t >= interval.from && t <= interval.until);
+    ASSERT(!(t < interval.from) && !(t > interval.until));
     return {.fraction = t, .normal = there.normal, .point = there.point};
 }
 
@@ -503,7 +503,7 @@ Aabb swept_bounds(const SweptShape& shape, double from, double until) {
     if (shape.sweep.rotation_vector == Vec3{}) return both;
     // On a circular path a point stays within the sagitta of its arc: r (1 - cos(angle / 2)).
     const double angle = length(shape.sweep.rotation_vector) * (until - from);
-    ASSERT(until >= from);
+    ASSERT(!(until < from));
     const double bulge =
         angle < pi ? shape.radius * (1 - sin_cos(0.5 * angle).cos) : 2 * shape.radius;
     return grow(both, bulge);
@@ -514,7 +514,7 @@ Impact time_of_impact(const SweptShape& a, const SweptShape& b, double from, dou
     const ShapeKind ka = kind_of(*a.geometry), kb = kind_of(*b.geometry);
     const SweepInterval interval{from, minimum(until, minimum(a.sweep.until, b.sweep.until)), gap};
     if (from > interval.until) return {};
-    ASSERT(gap > 0 && from >= 0 && interval.until <= 1);
+    ASSERT(!(gap <= 0) && !(from < 0) && !(interval.until > 1));
     if (ka != ShapeKind::plane && kb != ShapeKind::plane && balls_pass_by(a, b, interval))
         return {};
     if (ka == ShapeKind::compound || kb == ShapeKind::compound) {

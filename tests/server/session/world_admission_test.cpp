@@ -29,7 +29,7 @@ TEST_F(WorldAdmissionTest, anonymous_client_joins_the_named_world) {
         admit_to_world(server.context, peer(), {.world = "second"});
     ASSERT_TRUE(admitted.ok()) << admitted.error().message;
     EXPECT_EQ(admitted->world, second);
-    EXPECT_EQ(admitted->subject, "");
+    EXPECT_EQ(admitted->subject, "anonymous");
     EXPECT_FALSE(admitted->by_ticket);
 }
 

@@ -67,7 +67,6 @@ namespace {
 void wake_jointed(WorldState& world, std::uint32_t body, double sleep_time,
                   std::vector<BodyId>& woke) {
     if (!world.bodies.cold[body].asleep_in_place) return;
-    ASSERT(sleep_time >= 0);
     for (const std::uint32_t part :
          jointed_with(world.bodies, world.joints, world.scratch, body).bodies) {
         wake_in_place(world, part);

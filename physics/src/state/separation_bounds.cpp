@@ -14,7 +14,6 @@ void set_separation_bound(SeparationBound& w, Vec3 apart, Vec3 direction, double
     w.directed = direction != Vec3{};
     const Vec3 retained = w.directed ? direction : apart;
     ASSERT(!w.directed || is_unit(direction));
-    ASSERT(a.turned <= a.travel && b.turned <= b.travel);
     for (int k = 0; k < 3; k++) w.apart[k] = static_cast<float>(retained[k]);
     w.budget = slack + a.turned + b.turned - (w.directed ? dot(direction_of(w), apart) : 0);
 }

@@ -140,7 +140,6 @@ void update_motion_bound(WorldState& world, std::uint32_t body, double dt) {
     const BodyWarm& warm = warm_of(world, body);
     MotionBound& motion = world.bodies.motion[body];
     ASSERT(dt > 0);
-    ASSERT(motion.travel >= 0 && motion.turned <= motion.travel);
     // 1.5 times the current speed, and twice the contribution of gravity and forces.
     const double speed = length(warm.v) + length(warm.w) * cold.radius;
     double acceleration = length(world.def.gravity) * absolute(cold.gravity_scale) +

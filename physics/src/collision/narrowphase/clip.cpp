@@ -276,7 +276,6 @@ ContactPoints contact_points(const Convex& a, const Convex& b, const Witness& wi
                              double margin) {
     ContactPoints out;
     const Vec3 n = witness.normal;
-    ASSERT(is_unit(n));
     const double deepest = witness.distance - a.radius - b.radius;
     Sink sink{out, n, a.radius, b.radius, margin};
     double lost = 5e-5 * minimum(size_of(a), size_of(b));

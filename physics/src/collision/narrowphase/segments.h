@@ -18,7 +18,7 @@ struct SegmentPair {
 // that the result does not depend on rounding.
 inline SegmentPair closest_on_segments(Vec3 a, Vec3 u, double ha, Vec3 b, Vec3 v, double hb) {
     const Vec3 r = b - a;
-    ASSERT(ha >= 0 && hb >= 0);
+    ASSERT(!(ha < 0) && !(hb < 0));
     const double c = dot(u, v), ru = dot(r, u), rv = dot(r, v), det = 1 - c * c;
     double s;
     if (det > 1e-12) {

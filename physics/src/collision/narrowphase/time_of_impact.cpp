@@ -160,7 +160,6 @@ Impact advance(const SweptShape& a, const SweptShape& b, const SweepInterval& in
         // All points move apart along a separating direction: the shapes never touch.
         if (speed <= 0) return {};
         const double step = (now.distance - interval.gap) / speed;
-        ASSERT(!(step <= 0));
         if (t + step > interval.until) return {};
         t += step_from(now, t, step);
         if (t > interval.until) return {};

@@ -36,7 +36,7 @@ struct DisconnectedClient {
     ClientId client = 0;
     std::shared_ptr<BroadcastCache> broadcast;
     std::string network;  // util/address.h
-    std::string subject;  // from its token or ticket; empty: anonymous
+    std::string subject;  // from its token or ticket, or anonymous_subject
     bool by_ticket = false;
     bool spectator = false;
     std::shared_ptr<ResultQueue> result_queue;

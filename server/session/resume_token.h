@@ -18,7 +18,7 @@ namespace jostle::server {
 struct ResumeToken {
     ClientId client = 0;
     std::string world;       // its id
-    std::string subject;     // from its own token or ticket; empty: anonymous
+    std::string subject;     // from its own token or ticket, or anonymous_subject
     bool by_ticket = false;  // admitted by a ticket
     bool spectator = false;
     WallTime expires{};  // in whole seconds

@@ -23,7 +23,7 @@ class SessionMetrics {
 public:
     explicit SessionMetrics(PlayContext& context) : context_(context) {}
 
-    // The subject of the admitted client; empty: anonymous.
+    // The subject of the admitted client; anonymous_subject without a token.
     void set_subject(const std::string& subject) { subject_ = subject; }
     const std::string& subject() const { return subject_; }
     // The client entered a world, which must exist until left().

@@ -16,7 +16,7 @@ namespace jostle::server {
 
 struct AdmittedClient {
     std::shared_ptr<WorldHost> world;  // never null
-    std::string subject;               // from its token or ticket; empty: anonymous
+    std::string subject;               // from its token or ticket, or anonymous_subject
     bool by_ticket = false;
 };
 

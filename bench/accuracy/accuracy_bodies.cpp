@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+
 #include "bench/accuracy/accuracy_bodies.h"
 
 #include <algorithm>
@@ -8,6 +9,7 @@
 #include "jostle/physics/hull.h"
 
 namespace jostle::bench::accuracy {
+
 namespace {
 
 constexpr double thinnest = physics::min_shape_size;
@@ -128,6 +130,25 @@ double kinetic_energy(const Body& body, Quat rotation, Vec3 velocity, Vec3 spin)
 
 Vec3 spin_momentum(const Body& body, Quat rotation, Vec3 spin) {
     return rotate(rotation, scaled(body.inertia, inverse_rotate(rotation, spin)));
+}
+
+// Sliders first: the body of a slider is attached to its rail rather than to the end of a loop.
+BodyTree tree_of(const Scene& scene) {
+    BodyTree tree;
+    tree.nodes.resize(scene.bodies.size());
+    const auto hang = [&](const Joint& joint) {
+        BodyTree::Node& node = tree.nodes[static_cast<std::size_t>(joint.b)];
+        if (node.joint) {
+            tree.loops.push_back(joint);
+            return;
+        }
+        node = {joint.a, joint};
+    };
+    for (const Joint& joint : scene.joints)
+        if (joint.kind == JointKind::slider) hang(joint);
+    for (const Joint& joint : scene.joints)
+        if (joint.kind != JointKind::slider && joint.kind != JointKind::spring) hang(joint);
+    return tree;
 }
 
 }  // namespace jostle::bench::accuracy

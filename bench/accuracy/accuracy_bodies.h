@@ -4,6 +4,7 @@
 // share.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -55,5 +56,17 @@ Vec3 azimuth(double angle);  // the image of x
 
 double kinetic_energy(const Body& body, Quat rotation, Vec3 velocity, Vec3 spin);
 Vec3 spin_momentum(const Body& body, Quat rotation, Vec3 spin);  // about the centre of mass
+
+// Each body is attached to the tree by one joint; the other joints close loops. A free body has no
+// joint.
+struct BodyTree {
+    struct Node {
+        int parent = ground;
+        std::optional<Joint> joint;  // none: free or fixed
+    };
+    std::vector<Node> nodes;  // by body
+    std::vector<Joint> loops;
+};
+BodyTree tree_of(const Scene& scene);
 
 }  // namespace jostle::bench::accuracy

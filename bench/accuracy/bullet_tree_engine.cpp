@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "bench/accuracy/body_tree.h"
+#include "bench/accuracy/accuracy_bodies.h"
 
 namespace jostle::bench::accuracy {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <string>
 
-#include "bench/accuracy/body_tree.h"
+#include "bench/accuracy/accuracy_bodies.h"
 #include "jostle/base/result.h"
 
 namespace jostle::bench::accuracy {

@@ -12,8 +12,8 @@
 #include <utility>
 
 #include "bench/measure.h"
+#include "bench/processes/program.h"
 #include "bench/result_file.h"
-#include "bench/speed/child_process.h"
 
 namespace jostle::bench::accuracy {
 namespace {

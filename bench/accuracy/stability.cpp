@@ -13,8 +13,8 @@
 #include "bench/accuracy/flag_selection.h"
 #include "bench/accuracy/stress_test.h"
 #include "bench/measure.h"
+#include "bench/processes/program.h"
 #include "bench/result_file.h"
-#include "bench/speed/child_process.h"
 
 namespace jostle::bench {
 namespace {

@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bench/contact_models/contact_model.h"
+#include "bench/contact_models/contact_models.h"
 #include "jostle/physics/scalar.h"
 
 namespace jostle::bench::contact_models {

@@ -10,7 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bench/contact_models/contact_model.h"
+#include "bench/contact_models/contact_models.h"
 
 namespace jostle::bench::contact_models {
 namespace {

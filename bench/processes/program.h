@@ -4,12 +4,13 @@
 // jostle-bench and by the tests of whole programs. A Program is used by one thread.
 #pragma once
 
-#include <sys/types.h>
-
 #include <chrono>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
+
+#include <sys/types.h>
 
 namespace jostle::bench {
 
@@ -37,5 +38,15 @@ private:
 
 // Returns the content of a file; empty if it cannot be read.
 std::string read_file(const std::string& path);
+
+// Runs work in a child process: its memory is measured separately, and a crash does not end the
+// program.
+struct ChildResult {
+    std::string text;     // the result of the work
+    std::string failure;  // why the process ended without a result; empty on success
+};
+
+// Forks, runs the work in the child and waits for it. This process must have only one thread.
+ChildResult run_in_child(const std::function<std::string()>& work);
 
 }  // namespace jostle::bench

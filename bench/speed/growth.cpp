@@ -2,8 +2,8 @@
 #include "bench/speed/growth.h"
 
 #include "bench/measure.h"
+#include "bench/processes/program.h"
 #include "bench/result_file.h"
-#include "bench/speed/child_process.h"
 #include "bench/speed/field_json.h"
 #include "jostle/scenes/bench_scenes.h"
 

@@ -4,9 +4,12 @@
 // accuracy. Lengths are in metres, as the names state.
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+
+#include <nlohmann/json.hpp>
+#include "bench/speed/engine_kinds.h"
+#include "bench/speed/speed_scenes.h"
 
 namespace jostle::bench {
 
@@ -50,5 +53,23 @@ struct SpeedRow {
 
 nlohmann::ordered_json to_json(const SpeedRow& row);
 SpeedRow speed_row_from(const nlohmann::ordered_json& json);
+
+// The row to measure.
+struct RowRequest {
+    const SpeedScene* scene = nullptr;
+    const EngineKind* engine = nullptr;  // must be built in
+    int threads = 1;
+    int steps = 0;  // 0: the scene's default
+    bool sleep = false;
+    bool accuracy = true;
+};
+
+// Times only the steps of the scene. Accuracy is checked in a second run of the same steps, because
+// the check would change the content of the caches. The row records whether both runs end in the
+// same poses.
+SpeedRow measure_row(const RowRequest& request);
+
+// The same in a child process.
+SpeedRow measure_row_in_child(const RowRequest& request);
 
 }  // namespace jostle::bench

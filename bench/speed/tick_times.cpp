@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "bench/speed/measure_server_row.h"
+#include "bench/speed/server_row.h"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>

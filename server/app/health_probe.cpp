@@ -4,34 +4,31 @@
 #include <grpcpp/create_channel.h>
 #include <grpcpp/security/tls_certificate_provider.h>
 #include <grpcpp/security/tls_credentials_options.h>
+#include <openssl/bio.h>
+#include <openssl/err.h>
+#include <openssl/ssl.h>
+#include <poll.h>
 #include <spdlog/fmt/fmt.h>
 
-#include <boost/asio/awaitable.hpp>
-#include <boost/asio/co_spawn.hpp>
-#include <boost/asio/io_context.hpp>
-#include <boost/asio/ip/tcp.hpp>
-#include <boost/asio/ssl/context.hpp>
-#include <boost/asio/use_awaitable.hpp>
-#include <boost/beast/core/flat_buffer.hpp>
-#include <boost/beast/core/tcp_stream.hpp>
-#include <boost/beast/http.hpp>
-#include <boost/beast/ssl/ssl_stream.hpp>
+#include <array>
+#include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <fstream>
 #include <iterator>
+#include <memory>
 #include <optional>
+#include <string_view>
+#include <system_error>
 
 #include "grpc/health/v1/health.grpc.pb.h"
 #include "server/util/clock.h"
+#include "server/util/free_with.h"
 
 namespace jostle::server {
 namespace {
 
-namespace asio = boost::asio;
-namespace beast = boost::beast;
-namespace http = boost::beast::http;
 namespace health = grpc::health::v1;
-using asio::ip::tcp;
 
 // Below the timeout of supervisors (3 s and more), so that the probe reports the cause itself.
 constexpr auto probe_timeout = std::chrono::milliseconds(2500);
@@ -86,56 +83,87 @@ std::optional<std::string> probe_grpc(const HealthTarget& target,
     return health::HealthCheckResponse::ServingStatus_Name(response.status());
 }
 
-template <class Stream>
-asio::awaitable<http::status> get_healthz(Stream& stream, const std::string& host) {
-    http::request<http::empty_body> request(http::verb::get, "/healthz", 11);
-    request.set(http::field::host, host);
-    request.set(http::field::connection, "close");
-    co_await http::async_write(stream, request, asio::use_awaitable);
-    beast::flat_buffer buffer(std::size_t{16} << 10);
-    http::response_parser<http::empty_body> parser;
-    co_await http::async_read_header(stream, buffer, parser, asio::use_awaitable);
-    co_return parser.get().result();
+using ConnectBio = std::unique_ptr<BIO, FreeWith<BIO_free_all>>;
+using TlsContext = std::unique_ptr<SSL_CTX, FreeWith<SSL_CTX_free>>;
+
+// Repeats a call on a non-blocking BIO until it succeeds. Returns whether it did before the
+// deadline.
+template <class Call>
+bool complete(BIO* bio, Clock::time_point deadline, Call&& call) {
+    while (call() <= 0) {
+        const auto left =
+            std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now());
+        if (!BIO_should_retry(bio) || left.count() <= 0) return false;
+        // A connecting socket becomes writable, and a handshake waits for both directions in turn.
+        const short events = BIO_should_read(bio) ? POLLIN : POLLOUT;
+        pollfd wait{.fd = static_cast<int>(BIO_get_fd(bio, nullptr)), .events = events};
+        poll(&wait, 1, static_cast<int>(left.count()));
+    }
+    return true;
 }
 
-asio::awaitable<http::status> request_healthz(asio::io_context& io, const HealthTarget& target) {
-    tcp::resolver resolver(io);
-    const auto addresses = co_await resolver.async_resolve(
-        target.http.host, std::to_string(target.http.port), asio::use_awaitable);
-    const std::string host = text_of(target.http);
-    if (target.certificates.empty()) {
-        beast::tcp_stream stream(io);
-        co_await stream.async_connect(addresses, asio::use_awaitable);
-        co_return co_await get_healthz(stream, host);
+// The reason why a call failed, from the error queue of OpenSSL or from the system.
+std::string failure_text(int system_error) {
+    const unsigned long error = ERR_peek_error();
+    if (ERR_SYSTEM_ERROR(error)) system_error = ERR_GET_REASON(error);
+    if (error != 0 && !ERR_SYSTEM_ERROR(error)) {
+        const char* reason = ERR_reason_error_string(error);
+        return reason ? reason : "unknown TLS error";
     }
-    asio::ssl::context tls(asio::ssl::context::tls_client);
-    tls.set_verify_mode(asio::ssl::verify_none);
-    beast::ssl_stream<beast::tcp_stream> stream(io, tls);
-    co_await beast::get_lowest_layer(stream).async_connect(addresses, asio::use_awaitable);
-    co_await stream.async_handshake(asio::ssl::stream_base::client, asio::use_awaitable);
-    co_return co_await get_healthz(stream, host);
+    if (system_error != 0) return std::generic_category().message(system_error);
+    return "the connection was closed";
+}
+
+// Checks the head of a response. Returns its fault, or nothing.
+std::optional<std::string> head_fault(std::string_view head) {
+    constexpr std::string_view version = "HTTP/1.1 ";
+    if (!head.starts_with(version)) return "the response is not HTTP/1.1";
+    const std::string_view status = head.substr(version.size(), 3);
+    if (status == "200") return {};
+    return fmt::format("status {}; expected 200", status);
 }
 
 // Returns the failure of /healthz, or nothing.
 std::optional<std::string> probe_http(const HealthTarget& target,
                                       std::chrono::milliseconds timeout) {
-    asio::io_context io;
-    std::optional<std::string> fault = fmt::format("no response within {} ms", timeout.count());
-    asio::co_spawn(io, request_healthz(io, target),
-                   [&](const std::exception_ptr& failure, http::status status) {
-                       // Asio coroutines report socket errors as exceptions.
-                       try {
-                           if (failure) std::rethrow_exception(failure);
-                           fault.reset();
-                           if (status != http::status::ok)
-                               fault = fmt::format("status {}; expected 200",
-                                                   static_cast<unsigned>(status));
-                       } catch (const std::exception& error) {
-                           fault = error.what();
-                       }
-                   });
-    io.run_for(timeout);
-    return fault;
+    constexpr std::size_t head_max = std::size_t{16} << 10;
+    const Clock::time_point deadline = Clock::now() + timeout;
+    const bool has_tls = !target.certificates.empty();
+    const TlsContext tls(has_tls ? SSL_CTX_new(TLS_client_method()) : nullptr);
+    const ConnectBio bio(has_tls ? BIO_new_ssl_connect(tls.get()) : BIO_new(BIO_s_connect()));
+    if (!bio) return "out of memory";
+    const std::string host = text_of(target.http);
+    BIO_set_conn_hostname(bio.get(), host.c_str());
+    BIO_set_nbio(bio.get(), 1);
+    const auto failure = [&]() -> std::string {
+        const int cause = errno;
+        if (Clock::now() >= deadline)
+            return fmt::format("no response within {} ms", timeout.count());
+        return failure_text(cause);
+    };
+    ERR_clear_error();
+    errno = 0;
+    if (!complete(bio.get(), deadline, [&] { return BIO_do_connect(bio.get()); })) return failure();
+    const std::string request =
+        fmt::format("GET /healthz HTTP/1.1\r\nHost: {}\r\nConnection: close\r\n\r\n", host);
+    const auto size = static_cast<int>(request.size());
+    if (!complete(bio.get(), deadline, [&] { return BIO_write(bio.get(), request.data(), size); }))
+        return failure();
+    std::string head;
+    while (head.find("\r\n\r\n") == std::string::npos) {
+        if (head.size() > head_max) return "the head of the response is larger than 16 KiB";
+        std::array<char, 4096> bytes;
+        int count = 0;
+        errno = 0;
+        if (!complete(bio.get(), deadline, [&] {
+                return count = BIO_read(bio.get(), bytes.data(), static_cast<int>(bytes.size()));
+            })) {
+            if (count != 0 || head.empty()) return failure();
+            return head_fault(head).value_or("the head of the response is not complete");
+        }
+        head.append(bytes.data(), static_cast<std::size_t>(count));
+    }
+    return head_fault(head);
 }
 
 }  // namespace
@@ -172,6 +200,8 @@ Result<std::string> probe_health(const HealthTarget& target, std::chrono::millis
 }
 
 int run_health_probe(const Config& config) {
+    std::signal(SIGPIPE,
+                SIG_IGN);  // a listener that closes the connection is a result of the probe
     const Result<HealthTarget> target = health_target(config);
     const Result<std::string> result =
         target.ok() ? probe_health(*target, probe_timeout) : target.error();

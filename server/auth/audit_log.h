@@ -18,7 +18,7 @@
 #include <vector>
 
 #include "jostle/base/result.h"
-#include "server/auth/clock_pair.h"
+#include "server/util/wall_time.h"
 
 namespace jostle::server {
 

@@ -21,12 +21,12 @@
 
 #include "server/auth/access_table.h"
 #include "server/auth/audit_log.h"
-#include "server/auth/clock_pair.h"
 #include "server/auth/identity.h"
 #include "server/auth/key_set.h"
 #include "server/auth/quotas.h"
 #include "server/auth/tickets.h"
 #include "server/config/config.h"
+#include "server/util/wall_time.h"
 
 namespace jostle::server {
 

@@ -11,8 +11,8 @@
 
 #include "grpc/health/v1/health.grpc.pb.h"
 #include "jostle/base/check.h"
+#include "server/grpc/call_method.h"
 #include "server/grpc/library_setup.h"
-#include "server/grpc/service_methods.h"
 
 namespace jostle::server {
 

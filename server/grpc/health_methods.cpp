@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "server/grpc/service_methods.h"
+#include "server/grpc/call_method.h"
 
 #include <algorithm>
 

@@ -8,8 +8,7 @@
 
 #include "jostle/base/check.h"
 #include "jostle/grpc_status/grpc_status.h"
-#include "server/grpc/caller_identity.h"
-#include "server/grpc/message_bytes.h"
+#include "server/grpc/conversions.h"
 #include "server/util/address.h"
 #include "server/util/log.h"
 

@@ -5,9 +5,7 @@
 #include <optional>
 
 #include "jostle/base/check.h"
-#include "server/grpc/caller_identity.h"
-#include "server/grpc/message_bytes.h"
-#include "server/grpc/rich_status.h"
+#include "server/grpc/conversions.h"
 #include "server/util/log.h"
 #include "server/util/text.h"
 

@@ -10,7 +10,7 @@
 #include <new>
 
 #include "jostle/base/check.h"
-#include "server/tls/peer_certificate.h"
+#include "server/tls/certificate_store.h"
 
 namespace jostle::server {
 

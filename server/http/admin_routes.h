@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "server/http/http_handler.h"
+#include "server/http/http_message.h"
 #include "server/metrics/metrics.h"
 #include "server/services/admin_control.h"
 

@@ -54,4 +54,24 @@ inline std::string_view path_of(std::string_view target) {
     return target.substr(0, target.find_first_of("?#"));
 }
 
+// The thread that handles a request: the port's own thread, or a worker for queries or for changes
+// of worlds.
+enum class HttpWork { immediate, query, mutation };
+
+class HttpHandler {
+public:
+    virtual ~HttpHandler() = default;
+
+    // Any thread; may block while a world is built or a profile is recorded.
+    virtual HttpResponse handle(const HttpRequest& request) const = 0;
+    virtual HttpWork work_of(const HttpRequest& request) const = 0;
+    // Whether the request may have a body as large as a scene.
+    virtual bool accepts_large_body(const HttpRequest& request) const = 0;
+    // Whether a WebSocket upgrade with this request may become a play session.
+    virtual bool accepts_players(const HttpRequest& request) const = 0;
+    // Why a browser page may not send this request; empty: it is allowed, or not from a browser
+    // page.
+    virtual std::optional<std::string> cross_origin_refusal(const HttpRequest& request) const = 0;
+};
+
 }  // namespace jostle::server

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "jostle/base/result.h"
-#include "server/http/http_handler.h"
+#include "server/http/http_message.h"
 #include "server/http/web_files.h"
 #include "server/services/query_control.h"
 #include "server/services/world_control.h"

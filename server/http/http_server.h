@@ -9,7 +9,7 @@
 #include <memory>
 
 #include "jostle/base/result.h"
-#include "server/http/http_handler.h"
+#include "server/http/http_message.h"
 #include "server/http/http_server_settings.h"
 #include "server/session/client_session.h"
 

@@ -13,7 +13,7 @@
 #include <optional>
 
 #include "server/http/beast_request.h"
-#include "server/http/http_handler.h"
+#include "server/http/http_message.h"
 #include "server/http/http_server_settings.h"
 #include "server/http/socket_stream.h"
 #include "server/util/clock.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "server/http/socket_stream.h"
 
-#include "server/tls/peer_certificate.h"
+#include "server/tls/certificate_store.h"
 
 namespace jostle::server {
 

@@ -12,7 +12,7 @@
 
 #include "jostle/base/check.h"
 #include "server/http/beast_request.h"
-#include "server/util/socket_options.h"
+#include "server/util/socket.h"
 #include "server/util/text.h"
 
 namespace jostle::server {

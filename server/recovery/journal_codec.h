@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "jostle/base/result.h"
-#include "server/world/journaled_command.h"
+#include "server/world/command.h"
 
 namespace jostle::server {
 

@@ -8,8 +8,8 @@
 
 #include "jostle/base/check.h"
 #include "server/messages/server_message.h"
+#include "server/session/joined_world.h"
 #include "server/session/session_end.h"
-#include "server/session/world_entry.h"
 #include "server/util/log.h"
 
 namespace jostle::server {

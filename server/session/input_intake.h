@@ -18,7 +18,6 @@
 #include "server/messages/client_message.h"
 #include "server/util/clock.h"
 #include "server/world/command_mailbox.h"
-#include "server/world/result_queue.h"
 
 namespace jostle::server {
 

@@ -82,4 +82,12 @@ private:
     bool has_entered_ = false, has_left_ = false;
 };
 
+// Handles the Hello of a session: a client resumes its suspended session or joins a world as a new
+// client. `age`: time since the connection began. Null: the attempt to resume waits, and
+// SessionResume::take_waiting_hello() returns the Hello for the next call. Errors: the client must
+// be refused.
+Result<std::unique_ptr<JoinedWorld>> enter_world(const JoinedWorld::Parts& parts,
+                                                 const Hello& hello, Clock::duration age,
+                                                 Clock::time_point now);
+
 }  // namespace jostle::server

@@ -27,7 +27,7 @@
 #include "server/session/resume_token.h"
 #include "server/session/sent_log.h"
 #include "server/util/clock.h"
-#include "server/world/result_queue.h"
+#include "server/world/command_mailbox.h"
 
 namespace jostle::server {
 

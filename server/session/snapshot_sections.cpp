@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "server/session/controlled_entity_section.h"
-#include "server/session/stats_section.h"
+#include "server/session/optional_sections.h"
 
 namespace jostle::server {
 

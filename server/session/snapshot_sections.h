@@ -10,11 +10,9 @@
 
 #include "server/messages/client_message.h"
 #include "server/session/cells_section.h"
-#include "server/session/channels_section.h"
-#include "server/session/client_update_section.h"
 #include "server/session/entity_stream.h"
-#include "server/session/events_section.h"
 #include "server/session/input_intake.h"
+#include "server/session/optional_sections.h"
 #include "server/session/play_context.h"
 #include "server/session/snapshot_schedule.h"
 #include "server/session/snapshot_section.h"

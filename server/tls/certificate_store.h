@@ -17,6 +17,7 @@
 #include <mutex>
 #include <string>
 
+#include <openssl/ssl.h>
 #include "server/tls/tls_material.h"
 #include "server/util/watched_file.h"
 
@@ -57,5 +58,9 @@ private:
     std::string refusal_;  // why the files of the last read are not in force; empty: they are
     WallTime last_poll_, last_read_;
 };
+
+// The subject, such as "CN=ops,O=Example" (RFC 2253), if TLS has verified it; empty: no
+// certificate.
+std::string verified_subject(const SSL* connection);
 
 }  // namespace jostle::server

@@ -14,9 +14,8 @@
 #include <vector>
 
 #include "jostle/base/check.h"
-#include "server/util/bound_socket.h"
 #include "server/util/log.h"
-#include "server/util/socket_options.h"
+#include "server/util/socket.h"
 
 namespace jostle::server {
 

@@ -4,11 +4,12 @@
 // It can be set and may jump; timeouts and intervals use clock.h.
 #pragma once
 
-#include <spdlog/fmt/chrono.h>
-#include <spdlog/fmt/fmt.h>
-
 #include <chrono>
 #include <string>
+
+#include <spdlog/fmt/chrono.h>
+#include <spdlog/fmt/fmt.h>
+#include "server/util/clock.h"
 
 namespace jostle::server {
 
@@ -24,5 +25,15 @@ inline std::string rfc3339(WallTime time) {
     return fmt::format("{:%Y-%m-%dT%H:%M:%S}.{:03}Z",
                        fmt::gmtime(std::chrono::system_clock::to_time_t(s)), (ms - s).count());
 }
+
+// One point in time on both clocks. Tokens and audit lines use wall-clock time; quotas and tickets
+// use the monotonic clock, which cannot be set. Callers of the authorizer use the default; tests
+// supply their own.
+struct ClockPair {
+    Clock::time_point steady;
+    WallTime wall;
+
+    static ClockPair now() { return {Clock::now(), std::chrono::system_clock::now()}; }
+};
 
 }  // namespace jostle::server

@@ -4,6 +4,7 @@
 // while the world waits for its next tick, or the tick thread before its next tick. Any thread.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <mutex>
 #include <new>
@@ -11,9 +12,17 @@
 #include <utility>
 
 #include "jostle/base/check.h"
-#include "server/world/checkpoint_copy.h"
+#include "jostle/physics/restore_point.h"
+#include "server/world/saved_host_state.h"
 
 namespace jostle::server {
+
+// The complete state of a world after a tick.
+struct CheckpointCopy {
+    std::uint32_t tick = 0;
+    physics::RestorePoint bodies;
+    SavedHostState host_state;
+};
 
 class CheckpointCopier {
 public:

@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 #include <variant>
+#include <vector>
 
 #include "jostle/base/result.h"
 #include "jostle/physics/defs.h"
@@ -112,6 +113,19 @@ struct Command {
     std::shared_ptr<ResultQueue> reply;  // null: the result is discarded
     Clock::time_point received{};
     std::uint32_t tick = 0;  // scheduled tick; 0 or a past tick: the next one
+};
+
+// A command as it was applied to a world. Replaying it on the previous state of the world yields
+// the same next state.
+struct JournaledCommand {
+    ClientId client = 0;
+    std::uint32_t sequence = 0;
+    // Its aim is resolved. Nothing: the aim hit nothing, so only the sequence number counts.
+    std::optional<Action> action;
+};
+struct JournaledTick {
+    std::uint32_t tick = 0;
+    std::vector<JournaledCommand> commands;  // in the order in which they were applied
 };
 
 }  // namespace jostle::server

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <mutex>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "server/util/bounded_queue.h"
@@ -42,6 +43,25 @@ private:
     std::vector<Command> inputs_, taken_leave_commands_;
     std::mutex mutex_;
     std::vector<Command> leave_commands_;  // a few of each client at most
+};
+
+// The queue of input results for one client. The tick thread puts them, and the client's network
+// thread takes them. The number of inputs in flight bounds its size, because each accepted input
+// yields one result.
+class ResultQueue {
+public:
+    void put(InputResult result) {
+        const std::lock_guard lock(mutex_);
+        results_.push_back(std::move(result));
+    }
+    std::vector<InputResult> take() {
+        const std::lock_guard lock(mutex_);
+        return std::exchange(results_, {});
+    }
+
+private:
+    std::mutex mutex_;
+    std::vector<InputResult> results_;
 };
 
 }  // namespace jostle::server

@@ -4,7 +4,11 @@
 // and shared by all threads.
 #pragma once
 
+#include <cstddef>
+#include <deque>
 #include <memory>
+#include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -71,5 +75,29 @@ struct Frame {
 };
 
 using FramePtr = std::shared_ptr<const Frame>;
+
+// A time in the past of a world, between two of its frames.
+struct RewindFrames {
+    FramePtr before, after;  // equal for a time exactly at a frame
+    double fraction = 0;     // from `before` to `after`, 0 to 1
+    bool clamped = false;    // the requested time is older than the oldest frame, which is used
+};
+
+class FrameRing {
+public:
+    // Holds the frames of `history_ms` at a rate of `hz`, and at least the newest one.
+    FrameRing(double history_ms, double hz);
+
+    void put(FramePtr frame);
+    // A time after the newest frame yields the newest frame. Nothing: no frame was put yet.
+    std::optional<RewindFrames> at(const ViewTime& view_time) const;
+
+    std::size_t frames_max() const { return frames_max_; }
+
+private:
+    const std::size_t frames_max_;
+    mutable std::mutex mutex_;
+    std::deque<FramePtr> frames_;  // one per tick, consecutive ticks
+};
 
 }  // namespace jostle::server

@@ -17,8 +17,6 @@
 #include "server/world/command.h"
 #include "server/world/export_scene.h"
 #include "server/world/frame.h"
-#include "server/world/frame_ring.h"
-#include "server/world/journaled_command.h"
 #include "server/world/module_channels.h"
 #include "server/world/query_frame.h"
 #include "server/world/saved_host_state.h"

@@ -6,7 +6,7 @@
 #pragma once
 
 #include "server/world/apply_action.h"
-#include "server/world/frame_ring.h"
+#include "server/world/frame.h"
 
 namespace jostle::server {
 

@@ -14,7 +14,7 @@
 #include "jostle/base/check.h"
 #include "jostle/physics/aabb.h"
 #include "jostle/physics/queries.h"
-#include "server/world/frame_ring.h"
+#include "server/world/frame.h"
 
 namespace jostle::server {
 

@@ -7,7 +7,7 @@
 
 #include "jostle/base/check.h"
 #include "server/util/log.h"
-#include "server/world/result_queue.h"
+#include "server/world/command_mailbox.h"
 
 namespace jostle::server {
 

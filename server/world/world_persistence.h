@@ -11,8 +11,8 @@
 #include <vector>
 
 #include "server/world/checkpoint_copier.h"
-#include "server/world/journaled_command.h"
-#include "server/world/result_queue.h"
+#include "server/world/command.h"
+#include "server/world/command_mailbox.h"
 
 namespace jostle::server {
 

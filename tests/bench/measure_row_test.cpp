@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
 // Rows of the speed table: their content, the conversion to JSON and back, and the row of a crash.
-#include "bench/speed/measure_row.h"
+#include "bench/speed/speed_row.h"
 
 #include <gtest/gtest.h>
 
 #include <csignal>
 #include <stdexcept>
 
-#include "bench/speed/child_process.h"
+#include "bench/processes/program.h"
 #include "bench/speed/speed_table.h"
 
 namespace {

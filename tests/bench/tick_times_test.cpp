@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "bench/speed/measure_server_row.h"
+#include "bench/speed/server_row.h"
 
 #include <gtest/gtest.h>
-
-#include "bench/speed/server_row.h"
 
 namespace jostle::bench {
 namespace {

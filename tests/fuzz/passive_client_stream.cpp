@@ -4,9 +4,9 @@
 // same messages arrive and the stream ends for the same reason.
 #include "tests/fuzz/reader.h"
 #include "tests/fuzz/target.h"
+#include "tools/load/framing.h"
 #include "tools/load/http2_framing.h"
 #include "tools/load/passive_client_protocol.h"
-#include "tools/load/raw_framing.h"
 #include "tools/load/websocket_framing.h"
 
 namespace jostle::fuzz {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "jostle/physics/thread_use.h"
+#include "jostle/physics/profile.h"
 #include "tests/support/random.h"
 #include "tests/support/world_builder.h"
 

@@ -106,7 +106,7 @@ SCENE_MESSAGE_FILES = ("scenes/src/scene_file.cpp", "scenes/src/scene_json.cpp",
                        "scenes/src/shape_message.cpp", "scenes/src/joint_message.cpp", "scenes/src/locks_message.cpp",
                        "scenes/src/module_message.cpp", "scenes/src/module_objects.cpp")
 # Private headers that one other layer may include.
-SHARED = {"clients/cpp/core/src/credentials.h": "tools/ctl"}  # a gRPC channel with the client's TLS settings and token
+SHARED = {"clients/cpp/core/src/security.h": "tools/ctl"}  # a gRPC channel with the client's TLS settings and token
 INCLUDE = re.compile(r'^\s*#\s*include\s*[<"]([^">]+)[">]', re.M)
 
 

@@ -42,7 +42,7 @@ COVERED_BY = {
     "constraints/body_kernel.h":
         (["physics/constraints/kernels_test.cpp"], "one body accelerated and advanced by every instruction set"),
     "constraints/contact_kernel.h":
-        (["physics/constraints/kernels_test.cpp", "behaviour/incline_test.cpp", "behaviour/restitution_test.cpp"],
+        (["physics/constraints/kernels_test.cpp", "behaviour/friction_test.cpp", "behaviour/restitution_test.cpp"],
          "a ball that is stopped; friction and bounces as Coulomb and Newton say"),
     "stages/step_scratch.h":
         (["physics/world/stop_stepping_test.cpp"], "a step ends after the sub-step in which it is told to, and leaves a whole world"),
@@ -148,7 +148,7 @@ COVERED_BY = {
         (["physics/stages/contacts/update_contacts_test.cpp", "behaviour/contact_events_test.cpp", "behaviour/sleeping_test.cpp"],
          "how often pairs are looked at; each touch begins and ends once; who is met asleep wakes"),
     "stages/contacts/narrow_phase_pair.cpp":
-        (["physics/stages/contacts/update_contacts_test.cpp", "behaviour/friction_stop_test.cpp", "behaviour/rocking_test.cpp"],
+        (["physics/stages/contacts/update_contacts_test.cpp", "behaviour/friction_test.cpp", "behaviour/rocking_test.cpp"],
          "what passes by, what slides over seams, what rocks"),
     "stages/continuous/ccd_candidates.cpp":
         (["behaviour/continuous_test.cpp", "behaviour/fast_bodies_test.cpp"], "nothing passes through anything"),
@@ -159,25 +159,20 @@ COVERED_BY = {
     "stages/continuous/resolve_toi_impact.cpp":
         (["behaviour/impacts_test.cpp", "behaviour/restitution_test.cpp", "behaviour/listeners_test.cpp"],
          "momentum, energy and spin after an impact; listeners that disable one"),
-    "stages/continuous/start_toi_bodies.cpp":
-        (["physics/stages/continuous/find_sweep_candidates_test.cpp", "behaviour/fast_bodies_test.cpp"],
-         "which fast bodies are swept; a deflected body hits one that was not swept before"),
-    "stages/continuous/sweep_against.cpp":
-        (["behaviour/continuous_test.cpp", "behaviour/fast_bodies_test.cpp"], "every kind of shape at high speed against walls, and rods that come down on one end"),
     "stages/continuous/toi_motion.cpp":
         (["behaviour/restitution_test.cpp", "behaviour/fast_bodies_test.cpp"], "where and how fast falling bodies meet"),
     "stages/continuous/toi_state.cpp":
         (["physics/stages/continuous/toi_policy_test.cpp", "physics/stages/continuous/impact_queue_test.cpp"],
          "their scene adds its TOI bodies by it"),
     "stages/continuous/update_dependents.cpp":
-        (["physics/stages/continuous/find_sweep_candidates_test.cpp", "behaviour/impacts_test.cpp"],
+        (["physics/stages/continuous/start_toi_bodies_test.cpp", "behaviour/impacts_test.cpp"],
          "a deflected body hits a third one; rows of balls propagate an impact"),
     "stages/continuous/swept_motions.h":
         (["behaviour/continuous_test.cpp"], "bullets that meet, beads in their order"),
     "stages/finalize/finalize.cpp":
-        (["behaviour/stack_stays_test.cpp", "behaviour/sleeping_test.cpp"], "what rests comes back from the solver to the millimetre"),
+        (["behaviour/stacks_test.cpp", "behaviour/sleeping_test.cpp"], "what rests comes back from the solver to the millimetre"),
     "stages/finalize/integrate_free.cpp":
-        (["behaviour/free_fall_test.cpp"], "parabolas; the formula is constraints/free_motion's"),
+        (["behaviour/free_motion_test.cpp"], "parabolas; the formula is constraints/free_motion's"),
     "stages/islands/merge_islands.cpp":
         (["behaviour/contact_events_test.cpp", "physics/state/validate_test.cpp"],
          "each touch begins and ends once; the stores agree after each step"),
@@ -195,20 +190,18 @@ COVERED_BY = {
     "stages/solver/solver_velocities.cpp":
         (["behaviour/listeners_test.cpp", "behaviour/force_fields_test.cpp"], "jointed and floating bodies in the middle of the solve"),
     "stages/solver/solve_constraints.cpp":
-        (["behaviour/stack_stays_test.cpp", "behaviour/incline_test.cpp", "behaviour/kinematic_test.cpp",
+        (["behaviour/stacks_test.cpp", "behaviour/friction_test.cpp", "behaviour/kinematic_test.cpp",
           "physics/stages/islands/assign_batches_test.cpp"],
          "stacks, slopes and lifts; batches side by side"),
     "stages/solver/gather_bodies.cpp":
         (["physics/world/profile_test.cpp", "physics/stages/islands/assign_batches_test.cpp"], "how many bodies the solver takes, by tier"),
     "stages/solver/integrate_gyroscopic.cpp":
-        (["behaviour/free_rotation_test.cpp", "behaviour/joints_test.cpp"], "tops and rods that rotate far in a step"),
-    "stages/solver/prepare_body.cpp":
-        (["behaviour/free_fall_test.cpp", "behaviour/joints_test.cpp"], "mass, damping and gravity of solved bodies"),
+        (["behaviour/free_motion_test.cpp", "behaviour/joints_test.cpp"], "tops and rods that rotate far in a step"),
     "stages/solver/schedule_tasks.cpp":
         (["physics/stages/islands/assign_batches_test.cpp", "determinism/threads_test.cpp"],
          "batches side by side; the same bits with 1, 2 and 4 threads"),
     "stages/solver/solve_task.cpp":
-        (["behaviour/stack_stays_test.cpp", "behaviour/jointed_contacts_test.cpp"], "the order of the passes of a sub-step"),
+        (["behaviour/stacks_test.cpp", "behaviour/jointed_contacts_test.cpp"], "the order of the passes of a sub-step"),
     "stages/solver/solve_joint_batches.cpp":
         (["behaviour/jointed_contacts_test.cpp"], "its passes are those of any step in which jointed bodies touch"),
     "stages/solver/solve_joints.cpp":
@@ -228,7 +221,7 @@ COVERED_BY = {
     "state/force_fields.cpp":
         (["behaviour/force_fields_test.cpp"], "each kind against a closed form"),
     "state/impulse_scale.cpp":
-        (["behaviour/stack_stays_test.cpp"], "a stack awake and one asleep keep still when steps change their length"),
+        (["behaviour/stacks_test.cpp"], "a stack awake and one asleep keep still when steps change their length"),
     "state/joint_store.h":
         (["physics/state/joint_graph_test.cpp"], "its lists are walked there"),
     "state/listener_store.h":

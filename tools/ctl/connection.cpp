@@ -9,7 +9,7 @@
 #include <iostream>
 #include <iterator>
 
-#include "clients/cpp/core/src/credentials.h"
+#include "clients/cpp/core/src/security.h"
 #include "jostle/grpc_status/grpc_status.h"
 
 namespace jostle::ctl {

@@ -46,4 +46,16 @@ protected:
     std::string out_;
 };
 
+// Messages with a four-byte little-endian length prefix: the minimum for a stream over TCP. Only
+// benchmark servers use it, as a lower bound for the other transports.
+class RawFraming : public Framing {
+public:
+    Status take(Bytes bytes, Reader& reader) override;
+    void send(std::string_view message) override;
+    void consume(std::size_t) override {}
+
+private:
+    std::string partial_;  // of an incomplete message
+};
+
 }  // namespace jostle::load

@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "clients/bot/bot.h"
+#include "tools/load/client_pool.h"
 #include "tools/load/load_options.h"
-#include "tools/load/threaded_client_pool.h"
 
 namespace jostle::load {
 

@@ -6,6 +6,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,5 +48,10 @@ struct LoadMetrics {
 private:
     Clock::time_point start_ = Clock::now();
 };
+
+// Returns the process that listens on the port of HOST:PORT if HOST is this machine.
+std::optional<int> find_listener(const std::string& target);
+// CPU time of the process so far, s.
+std::optional<double> cpu_seconds(int pid);
 
 }  // namespace jostle::load

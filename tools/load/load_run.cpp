@@ -8,7 +8,7 @@
 #include <cstdio>
 #include <thread>
 
-#include "tools/load/server_cpu.h"
+#include "tools/load/load_metrics.h"
 
 namespace jostle::load {
 

@@ -10,9 +10,9 @@
 
 #include "clients/cpp/cli/security_flags.h"
 #include "tools/load/library_client_pool.h"
+#include "tools/load/load_metrics.h"
 #include "tools/load/load_run.h"
 #include "tools/load/passive_client_pool.h"
-#include "tools/load/server_cpu.h"
 
 namespace {
 

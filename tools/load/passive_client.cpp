@@ -10,8 +10,8 @@
 #include <cstring>
 #include <utility>
 
+#include "tools/load/framing.h"
 #include "tools/load/http2_framing.h"
-#include "tools/load/raw_framing.h"
 #include "tools/load/websocket_framing.h"
 
 namespace jostle::load {

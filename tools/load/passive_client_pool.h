@@ -12,8 +12,8 @@
 #include <vector>
 
 #include "clients/bot/behaviour.h"
+#include "tools/load/client_pool.h"
 #include "tools/load/passive_client.h"
-#include "tools/load/threaded_client_pool.h"
 
 namespace jostle::load {
 

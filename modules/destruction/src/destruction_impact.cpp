@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "modules/destruction/src/bond_network.h"
-#include "modules/destruction/src/contact_motion.h"
 #include "modules/destruction/src/destruction_data.h"
 #include "modules/destruction/src/destruction_steps.h"
 #include "modules/destruction/src/impulse_reversal.h"

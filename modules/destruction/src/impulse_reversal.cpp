@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "modules/destruction/src/contact_motion.h"
+#include "modules/destruction/src/destruction_steps.h"
 
 namespace jostle::modules::destruction_detail {
 

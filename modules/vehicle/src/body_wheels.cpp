@@ -7,7 +7,6 @@
 // sub-step never exceeds what the wheel can take.
 #include "modules/vehicle/src/car_parts.h"
 
-#include "modules/vehicle/src/car_math.h"
 #include "modules/vehicle/src/drive_line.h"
 
 namespace jostle::modules::vehicle_detail {

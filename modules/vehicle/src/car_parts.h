@@ -4,7 +4,13 @@
 // and sub-step. Vehicles calls them.
 #pragma once
 
+#include <string>
+
+#include "jostle/modules/vehicle_def.h"
 #include "jostle/physics/module.h"
+#include "jostle/physics/quat.h"
+#include "jostle/physics/result.h"
+#include "jostle/physics/state_visitor.h"
 #include "jostle/physics/step_listener.h"
 #include "jostle/physics/world.h"
 #include "modules/vehicle/src/car.h"
@@ -68,5 +74,38 @@ void solve_loads(const Car& car, const ChassisFrame& frame, Contacts& contacts);
 // One sub-step of a car: finds contacts, solves suspension loads, drive line and tyre forces, and
 // applies the resulting impulse.
 void step_car(physics::SubstepContext& substep, Car& car);
+
+// Visits all saved state of a car.
+void visit_car(physics::StateVisitor& v, Car& car);
+
+// Validates definitions from callers and saved state. Both are untrusted.
+//
+// Return an empty string if valid, otherwise an error such as "wheels[2].radius is 0; it must be
+// from 0.02 to 10".
+std::string validate(const VehicleDef& def);
+std::string validate(const CarControls& controls);
+std::string validate(const Pilot& pilot);
+std::string validate(const Car& car);
+
+// Functions that parts of a car share.
+
+// Impulse of drag and downforce at velocity v over the time h, N s; implicit in the drag.
+inline physics::Vec3 aerodynamic_impulse(const Aerodynamics& air, physics::Vec3 v, physics::Vec3 up,
+                                         double mass, double h) {
+    const double speed = length(v), flow = 0.5 * air.density * speed * h;
+    const double drag = flow * air.drag_area;
+    const double press = physics::minimum(flow * speed * air.downforce_area, 100 * mass * h);
+    return v * (-drag / (1 + drag / mass)) - up * press;
+}
+
+// The shortest rotation from one unit vector to another. For opposite vectors, half a turn about
+// `otherwise`, which must be perpendicular to both.
+inline physics::Quat rotation_between(physics::Vec3 from, physics::Vec3 to,
+                                      physics::Vec3 otherwise) {
+    const physics::Vec3 axis = cross(from, to);
+    const physics::Quat q{axis.x, axis.y, axis.z, 1 + dot(from, to)};
+    if (norm_squared(q) > 1e-12) return normalized(q);
+    return {otherwise.x, otherwise.y, otherwise.z, 0};
+}
 
 }  // namespace jostle::modules::vehicle_detail

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "modules/vehicle/src/car_parts.h"
 
-#include "modules/vehicle/src/car_math.h"
 #include "modules/vehicle/src/drive_line.h"
 #include "modules/vehicle/src/tyre.h"
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "modules/vehicle/src/car_parts.h"
 
-#include "modules/vehicle/src/car_math.h"
-
 namespace jostle::modules::vehicle_detail {
 
 using namespace physics;

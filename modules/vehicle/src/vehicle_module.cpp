@@ -7,7 +7,6 @@
 #include "jostle/modules/vehicle.h"
 #include "jostle/physics/world.h"
 #include "modules/vehicle/src/car_parts.h"
-#include "modules/vehicle/src/car_state.h"
 
 namespace jostle::modules {
 

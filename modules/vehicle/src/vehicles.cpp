@@ -5,7 +5,6 @@
 
 #include "jostle/physics/world.h"
 #include "modules/vehicle/src/car_parts.h"
-#include "modules/vehicle/src/car_state.h"
 
 namespace jostle::modules {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "modules/vehicle/src/car_state.h"
+#include "modules/vehicle/src/car_parts.h"
 
 namespace jostle::modules::vehicle_detail {
 

@@ -10,7 +10,7 @@
 #include "physics/src/math/is_unit.h"
 #include "physics/src/state/contact_constraints.h"
 #include "physics/src/state/contact_modifiers.h"
-#include "physics/src/state/pair_size.h"
+#include "physics/src/state/pair_properties.h"
 
 namespace jostle::physics {
 namespace {

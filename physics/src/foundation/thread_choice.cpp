@@ -4,7 +4,7 @@
 #include <atomic>
 
 #include "jostle/base/check.h"
-#include "jostle/physics/thread_use.h"
+#include "jostle/physics/profile.h"
 #include "physics/src/foundation/tuning.h"
 
 namespace jostle::physics {

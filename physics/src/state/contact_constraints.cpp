@@ -4,7 +4,7 @@
 #include <bit>
 
 #include "jostle/base/check.h"
-#include "physics/src/state/pair_size.h"
+#include "physics/src/state/pair_properties.h"
 
 namespace jostle::physics {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "jostle/base/check.h"
-#include "physics/src/state/combine.h"
+#include "physics/src/state/pair_properties.h"
 
 namespace jostle::physics {
 namespace {

@@ -5,7 +5,7 @@
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/math/is_unit.h"
 #include "physics/src/state/contact_store.h"
-#include "physics/src/state/pair_size.h"
+#include "physics/src/state/pair_properties.h"
 
 namespace jostle::physics {
 

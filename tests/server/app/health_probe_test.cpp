@@ -174,10 +174,10 @@ TEST(HealthProbe, reports_unexpected_http_responses) {
         return error_of({.grpc = doors.target().grpc, .http = door.address()});
     };
     EXPECT_THAT(error("HTTP/1.1 503 No\r\nContent-Length: 0\r\n\r\n"), HasSubstr("status 503"));
-    EXPECT_THAT(error("SSH-2.0-OpenSSH_9.2\r\n"), HasSubstr("bad version"));
+    EXPECT_THAT(error("SSH-2.0-OpenSSH_9.2\r\n"), HasSubstr("the response is not HTTP/1.1"));
     EXPECT_THAT(error("HTTP/1.1 200 OK\r\nX: " + std::string(20'000, 'x')),
-                HasSubstr("limit exceeded"));
-    EXPECT_THAT(error("HTTP/1.1 200"), HasSubstr("partial message"));
+                HasSubstr("larger than 16 KiB"));
+    EXPECT_THAT(error("HTTP/1.1 200"), HasSubstr("not complete"));
 }
 
 TEST(HealthProbe, probes_wildcard_listeners_on_loopback) {

@@ -12,7 +12,7 @@
 
 #include "jostle/client/client.h"
 #include "jostle/scenes/catalog.h"
-#include "server/grpc/service_methods.h"
+#include "server/grpc/call_method.h"
 #include "server/services/query_control.h"
 #include "server/services/world_control.h"
 #include "tests/server/server_parts.h"

@@ -7,8 +7,7 @@
 
 #include "jostle/scenes/catalog.h"
 #include "jostle/v1/play.pb.h"
-#include "server/session/controlled_entity_section.h"
-#include "server/session/stats_section.h"
+#include "server/session/optional_sections.h"
 #include "tests/server/session/session_harness.h"
 
 namespace jostle::server {

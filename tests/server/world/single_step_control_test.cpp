@@ -6,7 +6,7 @@
 #include <thread>
 
 #include "jostle/scenes/catalog.h"
-#include "server/world/result_queue.h"
+#include "server/world/command_mailbox.h"
 #include "server/world/world_host.h"
 #include "tests/support/error_of.h"
 

@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "jostle/scenes/catalog.h"
-#include "server/world/result_queue.h"
+#include "server/world/command_mailbox.h"
 #include "tests/support/wait_until.h"
 
 namespace jostle::server {

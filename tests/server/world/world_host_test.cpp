@@ -11,7 +11,7 @@
 #include <thread>
 
 #include "jostle/scenes/catalog.h"
-#include "server/world/result_queue.h"
+#include "server/world/command_mailbox.h"
 #include "server/world/world_directory.h"
 #include "tests/support/wait_until.h"
 

@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "clients/cpp/core/src/credentials.h"
+#include "clients/cpp/core/src/security.h"
 
 namespace jostle::client {
 namespace {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "jostle/client/loop.h"
 #include "jostle/grpc_status/grpc_status.h"
 
 namespace jostle::client {
@@ -226,5 +227,8 @@ void LoopThread::drain() {
     }
     for (const auto& client : clients_) client->connection.reset();
 }
+
+Loop::Loop() : thread_(std::make_unique<LoopThread>()) {}
+Loop::~Loop() = default;
 
 }  // namespace jostle::client

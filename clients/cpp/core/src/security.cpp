@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
+
 #include "jostle/client/security.h"
+#include "clients/cpp/core/src/security.h"
 
 #include <filesystem>
 #include <fstream>
@@ -66,6 +68,19 @@ Result<Security> read_security(const SecurityFiles& files, const std::string& ta
             "a token requires TLS unless the server is on loopback; use --tls, or --ca FILE for a "
             "private CA");
     return security;
+}
+
+std::shared_ptr<grpc::ChannelCredentials> channel_credentials(const Security& security) {
+    if (!security.tls) return grpc::InsecureChannelCredentials();
+    grpc::SslCredentialsOptions options;
+    options.pem_root_certs = security.root_certificates_pem;
+    options.pem_cert_chain = security.certificate_pem;
+    options.pem_private_key = security.key_pem;
+    return grpc::SslCredentials(options);
+}
+
+void attach_token(grpc::ClientContext& call, const Security& security) {
+    if (!security.token.empty()) call.AddMetadata("authorization", "Bearer " + security.token);
 }
 
 }  // namespace jostle::client

@@ -7,7 +7,7 @@
 
 #include <chrono>
 
-#include "clients/cpp/core/src/credentials.h"
+#include "clients/cpp/core/src/security.h"
 #include "jostle/client/query_client.h"
 #include "jostle/grpc_status/grpc_status.h"
 #include "jostle/v1/query.grpc.pb.h"

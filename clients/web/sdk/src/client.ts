@@ -2,11 +2,10 @@
 // prediction.
 
 import { nowUs } from './clock/clock_sync.js';
-import type { AreaOfInterest } from './connection/area_of_interest.js';
-import { Connection, type ConnectionListener, type ConnectionState, type Input, type Socket } from './connection/connection.js';
+import { Connection, type AreaOfInterest, type ConnectionListener, type ConnectionState, type Input, type Socket } from './connection/connection.js';
 import type { Entity } from './gen/jostle/v1/play_pb.js';
 import { RenderedPoses } from './interpolation/rendered_poses.js';
-import { MOTION_CHANNEL } from './prediction/motion_channel.js';
+import { MOTION_CHANNEL } from './snapshot/channels.js';
 import type { PredictionController } from './prediction/prediction_controller.js';
 
 /** A vector in the world: m, m/s or N s. */

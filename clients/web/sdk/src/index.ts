@@ -14,11 +14,11 @@
 
 // A client of one world: the usual entry point.
 export { Client, connect, ConnectError, type ConnectOptions, type Vector } from './client.js';
-export type { AreaOfInterest } from './connection/area_of_interest.js';
 
 // The parts of a client, for applications with their own render loop.
 export { nowUs } from './clock/clock_sync.js';
 export {
+  type AreaOfInterest,
   Connection,
   openSocket,
   type ConnectionListener,
@@ -30,8 +30,7 @@ export {
 } from './connection/connection.js';
 export { FrameBuffer, POSE_FLOATS, type PoseFrame } from './interpolation/frame_buffer.js';
 export { RenderedPoses } from './interpolation/rendered_poses.js';
-export { MOTION_CHANNEL } from './prediction/motion_channel.js';
-export { NO_CHANNELS, type Channel, type Channels } from './snapshot/channels.js';
+export { MOTION_CHANNEL, NO_CHANNELS, type Channel, type Channels } from './snapshot/channels.js';
 
 // Queries about the joined world.
 export { withToken } from './queries/bearer_token.js';

@@ -35,8 +35,7 @@ import { WorldsPanel } from './panels/worlds';
 import { DebugView } from './scene/debug_view';
 import { HitMarks } from './scene/hit_marks';
 import { SceneView } from './scene/scene_view';
-import { takeToken } from './token';
-import { parseUrlParameters } from './url_parameters';
+import { parseUrlParameters, takeToken } from './url_parameters';
 import './style.css';
 
 const byId = <T extends HTMLElement>(id: string) => document.getElementById(id) as T;

@@ -1,6 +1,6 @@
 import { IDEAL_NETWORK } from '@jostle/client';
 import { describe, expect, it } from 'vitest';
-import { parseUrlParameters } from './url_parameters';
+import { parseUrlParameters, takeToken } from './url_parameters';
 
 const areaOfInterest = (search: string) => parseUrlParameters(search).areaOfInterest;
 const networkConditions = (search: string) => parseUrlParameters(search).networkConditions;
@@ -34,4 +34,18 @@ it('selects the world, the recording, the quality and prediction', () => {
     predict: true,
   });
   expect(parseUrlParameters('?quality=best&predict=yes')).toMatchObject({ quality: 'high', predict: false });
+});
+
+function tab(hash: string, stored: Record<string, string> = {}) {
+  const url = { hash, replaceHash: (now: string) => void (url.hash = now) };
+  const store = { getItem: (key: string) => stored[key] ?? null, setItem: (key: string, value: string) => void (stored[key] = value) };
+  return { url, store };
+}
+
+it('removes the token from the URL and stores it for the tab', () => {
+  const { url, store } = tab('#token=a.b.c&x=1');
+  expect(takeToken(url, store)).toBe('a.b.c');
+  expect(url.hash).toBe('x=1');
+  expect(takeToken(url, store)).toBe('a.b.c');
+  expect(takeToken(tab('').url, tab('').store)).toBe('');
 });

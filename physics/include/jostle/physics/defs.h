@@ -189,7 +189,7 @@ struct WorldDef {
     ///   islands.
     std::int64_t step_budget = 0;
     /// Threads per step, 1 to 64. Results are bit-identical for any number. A step after one with
-    /// little work (StepProfile::work) uses one thread (thread_use.h).
+    /// little work (StepProfile::work) uses one thread (profile.h: share_short_steps()).
     int threads = 1;
     bool sleeping = true;    ///< whether resting bodies fall asleep and leave the step
     bool continuous = true;  ///< whether fast bodies are swept (BodyDef::continuous)

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// Cost and counters of the last step. Times are wall-clock times and vary between runs. Counters
-// are exact and reproducible.
+// Cost and counters of the last step, sub-steps and error per island, and the use of threads. Times
+// are wall-clock times and vary between runs. Counters are exact and reproducible.
 #pragma once
 
 #include <array>
 #include <cstdint>
+
+#include "jostle/physics/ids.h"
 
 namespace jostle::physics {
 
@@ -84,5 +86,24 @@ struct StepProfile {
     int overload_level = 0;  ///< level at which the step was computed (World::overload_level)
     int solver_tasks = 0;    ///< Solver batches that threads solved in parallel; 0 with one thread.
 };
+
+/// Sub-steps and error of one awake island whose bodies have contacts or joints.
+struct IslandSubsteps {
+    BodyId body;  ///< the body of the island with the lowest id
+    /// Counts of bodies, touching manifolds and joints.
+    int bodies = 0, contacts = 0, joints = 0;
+    bool direct = false;      ///< its joints were solved directly, because nothing touches it
+    int substeps = 0;         ///< sub-steps in the next step, unless the island changes before
+    int target_substeps = 0;  ///< larger than `substeps` only if the sub-step budget is exhausted
+    /// Estimated error in m: distance between the island's bodies and the converged solution after
+    /// one second of steps like the last measured one. 0 if unknown, as in a world without a
+    /// tolerance.
+    double error = 0;
+};
+
+/// If on, all threads of a world take part in every step, however short. The results of a step
+/// never depend on the threads that take part; tests of that property use this. Process-wide, off
+/// by default, thread-safe.
+void share_short_steps(bool on);
 
 }  // namespace jostle::physics

@@ -19,7 +19,6 @@
 #include "jostle/physics/events.h"
 #include "jostle/physics/force_fields.h"
 #include "jostle/physics/ids.h"
-#include "jostle/physics/island_substeps.h"
 #include "jostle/physics/joint_defs.h"
 #include "jostle/physics/profile.h"
 #include "jostle/physics/queries.h"

@@ -6,7 +6,6 @@
 // row.
 #pragma once
 
-#include "physics/src/constraints/joints/joint_load.h"
 #include "physics/src/constraints/joints/joint_pair.h"
 
 namespace jostle::physics::JOSTLE_ISA {

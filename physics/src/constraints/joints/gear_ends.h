@@ -5,8 +5,8 @@
 // gear_kernel.h is the kernel for eight joints.
 #pragma once
 
-#include "physics/src/constraints/joints/joint_end.h"
 #include "physics/src/constraints/joints/joint_lane.h"
+#include "physics/src/constraints/joints/joint_step.h"
 #include "physics/src/state/joint_store.h"
 
 namespace jostle::physics {

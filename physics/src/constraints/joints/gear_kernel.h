@@ -4,7 +4,6 @@
 // carrier (gear_ends.h). Up to four bodies participate, each once, in any role.
 #pragma once
 
-#include "physics/src/constraints/joints/joint_load.h"
 #include "physics/src/constraints/joints/joint_pair.h"
 
 namespace jostle::physics::JOSTLE_ISA {

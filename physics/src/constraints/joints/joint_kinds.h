@@ -8,7 +8,6 @@
 #include "jostle/physics/joint_defs.h"
 #include "physics/src/constraints/joints/axes_kernel.h"
 #include "physics/src/constraints/joints/gear_kernel.h"
-#include "physics/src/constraints/joints/joint_load.h"
 #include "physics/src/constraints/joints/joint_pair.h"
 
 namespace jostle::physics::JOSTLE_ISA {

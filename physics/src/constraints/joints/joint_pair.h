@@ -14,6 +14,12 @@
 
 namespace jostle::physics::JOSTLE_ISA {
 
+// The load that eight joints exerted on their bodies b in one pass, world axes.
+struct JointLoad {
+    Wide3 impulse;  // N s
+    Wide3 angular;  // N m s
+};
+
 JOSTLE_INLINE void store3(float (*rows)[8], Wide3 v) {
     store(rows[0], v.x);
     store(rows[1], v.y);

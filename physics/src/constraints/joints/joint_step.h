@@ -3,7 +3,18 @@
 // The parameters of a sub-step that all joints share.
 #pragma once
 
+#include <cstdint>
+
+#include "jostle/physics/quat.h"
+
 namespace jostle::physics {
+
+// One body of a joint at the start of the step.
+struct JointEnd {
+    std::int32_t hot = 0;  // see JointConstraintWideMeta
+    Vec3 center, arm;      // centre of mass; from it to the frame's origin
+    Quat rotation, frame;  // of the body; of the frame, world
+};
 
 // Parameters for a sub-step of h seconds. Joints have the maximum stiffness of the sub-step, so
 // more sub-steps make them stiffer.

@@ -4,8 +4,8 @@
 // its lane.
 #pragma once
 
-#include "physics/src/constraints/joints/joint_end.h"
 #include "physics/src/constraints/joints/joint_lane.h"
+#include "physics/src/constraints/joints/joint_step.h"
 #include "physics/src/constraints/joints/path_curve.h"
 #include "physics/src/state/joint_store.h"
 

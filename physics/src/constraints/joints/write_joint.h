@@ -4,7 +4,6 @@
 #pragma once
 
 #include "physics/src/constraint_graph/joint_constraint_wide.h"
-#include "physics/src/constraints/joints/joint_end.h"
 #include "physics/src/constraints/joints/joint_step.h"
 #include "physics/src/state/joint_store.h"
 

@@ -9,8 +9,8 @@
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/stages/continuous/ccd_policy.h"
 #include "physics/src/stages/step_scratch.h"
-#include "physics/src/state/combine.h"
 #include "physics/src/state/contact_constraints.h"
+#include "physics/src/state/pair_properties.h"
 #include "physics/src/state/shape_proxy.h"
 
 namespace jostle::physics {

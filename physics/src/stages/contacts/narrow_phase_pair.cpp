@@ -13,7 +13,7 @@
 #include "physics/src/stages/continuous/ccd_policy.h"
 #include "physics/src/stages/step_scratch.h"
 #include "physics/src/state/contact_constraints.h"
-#include "physics/src/state/pair_size.h"
+#include "physics/src/state/pair_properties.h"
 
 namespace jostle::physics {
 namespace {

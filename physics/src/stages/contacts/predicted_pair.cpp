@@ -5,7 +5,7 @@
 #include "physics/src/collision/narrowphase/time_of_impact.h"
 #include "physics/src/constraints/write_manifold.h"
 #include "physics/src/foundation/tuning.h"
-#include "physics/src/state/pair_size.h"
+#include "physics/src/state/pair_properties.h"
 
 namespace jostle::physics {
 namespace {

@@ -13,7 +13,7 @@
 #include "physics/src/state/contact_constraints.h"
 #include "physics/src/state/contact_graph.h"
 #include "physics/src/state/contact_modifiers.h"
-#include "physics/src/state/pair_size.h"
+#include "physics/src/state/pair_properties.h"
 #include "physics/src/state/separation_bounds.h"
 #include "physics/src/state/shape_proxy.h"
 

@@ -8,7 +8,7 @@
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/stages/step_context.h"
 #include "physics/src/stages/step_scratch.h"
-#include "physics/src/state/combine.h"
+#include "physics/src/state/pair_properties.h"
 
 namespace jostle::physics {
 

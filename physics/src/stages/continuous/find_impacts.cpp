@@ -1,12 +1,180 @@
 // SPDX-License-Identifier: MIT
+
 #include "physics/src/stages/continuous/find_impacts.h"
 
 #include <algorithm>
+#include <optional>
+#include <vector>
 
 #include "jostle/base/check.h"
-#include "physics/src/stages/continuous/sweep_against.h"
+#include "physics/src/foundation/tuning.h"
+#include "physics/src/stages/contacts/find_clusters.h"
+#include "physics/src/stages/continuous/swept_shapes.h"
+#include "physics/src/stages/continuous/toi_motion.h"
+#include "physics/src/stages/continuous/toi_policy.h"
 
 namespace jostle::physics {
+
+namespace {
+
+// The approach that makes a touch an impact. The path of a gyroscopic body may approach although
+// its velocities do not. Such an impact has no impulse, but a new sweep starts from there.
+enum class ApproachTest : std::uint8_t { by_velocity_or_path, by_velocity, at_bouncing_speed };
+
+// A shape of the TOI body and the other shape on their paths.
+struct SweptPair {
+    std::uint32_t own;
+    SweptShape a, b;
+    double from;  // the fraction of the step from which on both paths exist
+    bool bounces;
+    bool held;  // the contact solver has resolved the impact
+};
+
+class ShapeSweep {
+public:
+    ShapeSweep(const ToiState& state, ToiBody& t, std::uint32_t other, bool far)
+        : state_(state),
+          t_(t),
+          other_(other),
+          other_body_(state.world.shapes.shapes[other].body),
+          path_(sweep_of(state, other_body_)),
+          gap_(sweep_gap_of(state.world.bodies.cold[t.body], state.world.bodies.cold[other_body_])),
+          far_(far),
+          deflected_(is_deflected(state, t, state.index_of(other_body_))) {}
+
+    void run() {
+        for_each_shape_near(state_.world, t_, swept_shape(state_.world, other_, path_), gap_,
+                            [&](std::uint32_t own) { sweep(own); });
+    }
+
+private:
+    void sweep(std::uint32_t own) {
+        if (!may_hit(state_, own, other_)) return;
+        const bool bouncy = bounces_alone(state_.step, own, other_);
+        // The contact solver resolves pairs with a manifold that move little, unless an impact has
+        // deflected one of the bodies since.
+        if (!far_ && (!bouncy || (!deflected_ && has_manifold(state_.world, t_, own, other_))))
+            return;
+        const SweptPair pair{
+            .own = own,
+            .a = swept_shape(state_.world, own, t_.sweep),
+            .b = swept_shape(state_.world, other_, path_),
+            .from = std::max(t_.sweep.from, path_.from),
+            .bounces = bouncy,
+            .held = !deflected_ && solver_has_resolved(state_.step, t_, own, other_)};
+        if (touches_without_impact(pair) && far_) sweep_cores(pair);
+    }
+
+    // Finds the impact of the whole shapes. Returns whether they touch without one.
+    bool touches_without_impact(const SweptPair& pair) {
+        const Impact hit = pair.held ? Impact{.at_start = true}
+                                     : time_of_impact(pair.a, pair.b, pair.from, gap_, t_.fraction);
+        bool touches = hit.at_start;
+        if (hit.fraction < t_.fraction)
+            touches |=
+                !record(pair, hit.fraction, points_at(pair, hit.fraction),
+                        far_ ? ApproachTest::by_velocity_or_path : ApproachTest::by_velocity);
+        // Shapes that touch at the start of the sweep and bounce do so immediately.
+        if (hit.at_start && pair.bounces && !pair.held &&
+            continues_impact_chain(state_, t_, pair.own, other_)) {
+            const std::vector<ImpactPoint> points = points_at(pair, pair.from);
+            if ((points.size() == 1 || !deflected_) &&
+                record(pair, pair.from, points, ApproachTest::at_bouncing_speed))
+                touches = false;
+        }
+        return touches;
+    }
+
+    // Touching shapes that do not approach are left to the contact solver, or were resolved just
+    // before. But one end of a body may rest while the other end comes down, or the bodies may
+    // still approach after the solver or an impact. Then scaled-down copies of the thinner body's
+    // shape stop at the distance that the whole shape lacks. Of shapes held by contacts, only
+    // copies small enough to pass through are swept: a limb that is stopped here leaves its joints.
+    void sweep_cores(const SweptPair& pair) {
+        const BodyStore& bodies = state_.world.bodies;
+        const BodyCold &cold = bodies.cold[t_.body], &cold_other = bodies.cold[other_body_];
+        const bool other_is_thinner =
+            cold_other.type == BodyType::dynamic && cold_other.inner_radius < cold.inner_radius;
+        SweptShape core_a = pair.a, core_b = pair.b;
+        for (const double scale : tuning::swept_cores) {
+            if (pair.held && scale > tuning::held_core) continue;
+            (other_is_thinner ? core_b : core_a).scale = scale;
+            const Impact hit = time_of_impact(core_a, core_b, pair.from, gap_, t_.fraction);
+            bool touches = hit.at_start;
+            if (hit.fraction < t_.fraction)
+                touches |= !record(pair, hit.fraction, points_along(pair.a, pair.b, hit),
+                                   ApproachTest::by_velocity_or_path);
+            if (!touches) return;
+        }
+        record(pair, pair.from, points_at(pair, pair.from), ApproachTest::by_velocity);
+    }
+
+    std::vector<ImpactPoint> points_at(const SweptPair& pair, double fraction) const {
+        return points_touching(pair.a, pair.b, fraction, 5 * gap_);
+    }
+
+    // Records an impact, unless an earlier or harder one is known. Returns false if the shapes do
+    // not approach at that time.
+    bool record(const SweptPair& pair, double fraction, const std::vector<ImpactPoint>& points,
+                ApproachTest approach) {
+        if (fraction > t_.fraction) return true;
+        const std::optional<double> closing = closing_speed(points, fraction, approach);
+        if (!closing) return false;
+        if (fraction == t_.fraction && *closing <= t_.closing) return true;
+        ASSERT(fraction >= pair.from && fraction <= 1);
+        t_.fraction = fraction;
+        t_.closing = *closing;
+        t_.at_start = fraction == pair.from;
+        t_.own_shape = pair.own;
+        t_.other_shape = other_;
+        t_.points = points;
+        return true;
+    }
+
+    // The highest closing speed of the points at a fraction of the step, m/s. Empty if they do not
+    // approach.
+    std::optional<double> closing_speed(const std::vector<ImpactPoint>& points, double fraction,
+                                        ApproachTest approach) const {
+        const Vec3 center_a = center_at(t_.sweep, fraction), center_b = center_at(path_, fraction);
+        const Speed speed_a = speed_of(state_, t_.body, fraction),
+                    speed_b = speed_of(state_, other_body_, fraction);
+        const double least = approach == ApproachTest::at_bouncing_speed
+                                 ? tuning::touching_impact_speed
+                                 : 1e-3;  // m/s
+        bool closes = false;
+        double most = 0;
+        for (const ImpactPoint& p : points) {
+            const Vec3 ra = p.position - center_a, rb = p.position - center_b;
+            const Vec3 u = (speed_b.v + cross(speed_b.w, rb)) - (speed_a.v + cross(speed_a.w, ra));
+            const Vec3 displacement = (path_.translation + cross(path_.rotation_vector, rb)) -
+                                      (t_.sweep.translation + cross(t_.sweep.rotation_vector, ra));
+            most = maximum(most, -dot(u, p.normal));
+            closes |= dot(u, p.normal) < -least;
+            closes |= approach == ApproachTest::by_velocity_or_path &&
+                      dot(displacement, p.normal) < -least * state_.step.dt;
+        }
+        if (!closes) return std::nullopt;
+        return most;
+    }
+
+    const ToiState& state_;
+    ToiBody& t_;
+    const std::uint32_t other_, other_body_;
+    const Sweep path_;      // of the other body
+    const double gap_;      // m
+    const bool far_;        // the relative motion needs a sweep
+    const bool deflected_;  // an impact of this step has deflected one of the bodies
+};
+
+}  // namespace
+
+void sweep_against(const ToiState& state, ToiBody& t, std::uint32_t shape) {
+    const std::uint32_t body = state.world.shapes.shapes[shape].body;
+    if (spheres_miss(state, t, body)) return;
+    const bool far = needs_sweep(state, t, body);
+    if (far || state.any_bounces) ShapeSweep(state, t, shape, far).run();
+}
+
 namespace {
 
 // Returns whether the TOI body of another body sweeps this pair in the same round, which suffices.

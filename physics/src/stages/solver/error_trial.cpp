@@ -8,7 +8,7 @@
 #include "physics/src/stages/solver/substep_hooks.h"
 #include "physics/src/stages/step_scratch.h"
 #include "physics/src/state/impulse_scale.h"
-#include "physics/src/state/pair_size.h"
+#include "physics/src/state/pair_properties.h"
 
 namespace jostle::physics {
 namespace {

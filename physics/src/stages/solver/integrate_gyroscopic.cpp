@@ -3,7 +3,7 @@
 
 #include "jostle/base/check.h"
 #include "physics/src/constraints/free_motion.h"
-#include "physics/src/stages/solver/prepare_body.h"
+#include "physics/src/stages/solver/gather_bodies.h"
 #include "physics/src/stages/step_scratch.h"
 
 namespace jostle::physics {

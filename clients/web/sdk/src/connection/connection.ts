@@ -15,7 +15,6 @@ import {
   type QuantizedFrame,
 } from '../snapshot/decode_frame.js';
 import { InterestCells } from '../snapshot/interest_cells.js';
-import type { AreaOfInterest } from './area_of_interest.js';
 import { FrameBuffer, type PoseFrame } from '../interpolation/frame_buffer.js';
 import { InputClock } from '../clock/input_clock.js';
 import { InputQueue } from './input_queue.js';
@@ -42,6 +41,14 @@ import {
   type Welcome,
   type WorldStats,
 } from '../gen/jostle/v1/play_pb.js';
+
+/** The part of a world that a client subscribes to (proto Interest). */
+export interface AreaOfInterest {
+  /** m, horizontally around the focus, from 1; 0: the whole world. */
+  readonly radius: number;
+  /** Bandwidth limit in kbit/s, from 16; 0: no limit. */
+  readonly maxKbps: number;
+}
 
 const PROTOCOL = 1;
 const BATCH_MS = 1000 / 30;

@@ -6,7 +6,7 @@ import type { PredictionListener, Input } from '../connection/connection.js';
 import type { FrameBuffer, PoseFrame } from '../interpolation/frame_buffer.js';
 import { InputCode, type Entity, type InputResult, type Welcome } from '../gen/jostle/v1/play_pb.js';
 import type { ControlledEntity } from '../connection/word_changes.js';
-import { MOTION_CHANNEL } from './motion_channel.js';
+import { MOTION_CHANNEL } from '../snapshot/channels.js';
 import type { RenderedScene, Predictor, PredictorStats } from './predictor.js';
 
 const CORRECTION_THRESHOLD_M = 0.05; // a frame with a larger error counts as a correction

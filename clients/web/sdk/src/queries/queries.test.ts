@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { Queries, type Post } from './queries.js';
+import { Queries, withToken, type Post } from './queries.js';
 
 const ray = { rays: [{ origin: { x: 0, y: 5, z: 0 }, motion: { x: 0, y: -10, z: 0 } }] };
 
@@ -52,4 +52,9 @@ it('treats malformed responses, failed requests and left worlds as no response',
     return { status: 200, text: async () => '{"tick":1}' };
   };
   expect(await new Queries(() => world, leaving).castRays(ray)).toBeUndefined();
+});
+
+it('adds the token as a header, and no header without a token', () => {
+  expect(withToken('a.b.c', { Accept: 'x' })).toEqual({ Accept: 'x', Authorization: 'Bearer a.b.c' });
+  expect(withToken('')).toEqual({});
 });

@@ -10,12 +10,16 @@ import {
   type CastRaysResponse,
   type DebugResponse,
 } from '../gen/jostle/v1/query_pb.js';
-import { withToken } from './bearer_token.js';
 
 const QUERY_TIMEOUT_MS = 10_000; // a page without a graphics processor may be busy for seconds
 const NOT_SERVED = [404, 501];
 
 export type Post = (path: string, body: string, signal: AbortSignal) => Promise<{ status: number; text(): Promise<string> }>;
+
+/** HTTP headers with the bearer token of a user; an empty token adds no header. */
+export function withToken(token: string, headers: Record<string, string> = {}): Record<string, string> {
+  return token === '' ? headers : { ...headers, Authorization: `Bearer ${token}` };
+}
 
 /** Posts with a bearer token; an empty token sends none. */
 export const postToServer =

@@ -16,6 +16,9 @@ export type Channels = readonly Channel[];
 
 export const NO_CHANNELS: Channels = [];
 
+/** Channel kind with the velocities of bodies (proto/WIRE.md, "Channels"). Prediction needs it. */
+export const MOTION_CHANNEL = 'jostle.motion';
+
 const KINDS_MAX = 64;
 const CHANNELS_MAX = 4096;
 const VALUES_MAX = 16 * 1024; // per channel

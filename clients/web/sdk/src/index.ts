@@ -33,8 +33,7 @@ export { RenderedPoses } from './interpolation/rendered_poses.js';
 export { MOTION_CHANNEL, NO_CHANNELS, type Channel, type Channels } from './snapshot/channels.js';
 
 // Queries about the joined world.
-export { withToken } from './queries/bearer_token.js';
-export { postToServer, Queries, type Post } from './queries/queries.js';
+export { postToServer, Queries, withToken, type Post } from './queries/queries.js';
 
 // Playback of recordings.
 export { RecordedStream } from './recording/recorded_stream.js';

@@ -184,7 +184,7 @@ struct Metrics {
     Histograms rpc_seconds = histograms("grpc_server_handling_seconds",
                                         "Time from the arrival of a unary call to its response.");
 
-    // --- operating system values, read at each scrape (process_metrics.cpp) ---
+    // --- operating system values, read at each scrape (metrics_text.cpp) ---
     Gauge& resident_bytes =
         one(gauges("process_resident_memory_bytes", "Resident memory of the process."));
     Gauge& virtual_bytes =

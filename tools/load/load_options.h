@@ -33,7 +33,7 @@ struct LoadOptions {
 
     bool datagrams = false;  // of library clients: ClientOptions::datagrams
 
-    // Of passive clients. Raw: messages with a length prefix (raw_framing.h), for benchmark
+    // Of passive clients. Raw: messages with a length prefix (framing.h), for benchmark
     // servers.
     Transport transport = Transport::grpc;
     int ack_every = 0;           // snapshots per ack; 0: at the interval of the Welcome

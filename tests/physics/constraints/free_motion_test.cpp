@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // One body in flight: exact under a constant force, and true to its energy and momentum when it
-// tumbles. Worlds in flight: behaviour/free_fall_test.cpp, behaviour/free_rotation_test.cpp.
+// tumbles. Worlds in flight: behaviour/free_motion_test.cpp.
 #include "physics/src/constraints/free_motion.h"
 
 #include <gtest/gtest.h>

@@ -29,10 +29,6 @@ std::string name_of(const char* what, std::size_t index) {
     return std::string("\"") + what + std::to_string(index) + "\"";
 }
 
-Transform pose_of(const Scene& scene, int body) {
-    return body == ground ? Transform{} : scene.bodies[static_cast<std::size_t>(body)].pose;
-}
-
 Transform inverse(const Transform& t) {
     return {inverse_rotate(t.rotation, -t.position), conjugate(t.rotation)};
 }

@@ -13,7 +13,6 @@
 #include "physics/src/foundation/messages.h"
 #include "physics/src/geometry/hull_lanes.h"
 #include "physics/src/geometry/hull_topology.h"
-#include "physics/src/math/is_unit.h"
 
 namespace jostle::physics {
 namespace {
@@ -160,9 +159,11 @@ Result<std::shared_ptr<const ConvexHull>> assemble_hull(
         Vec3 sum;
         for (std::size_t k = 0; k < loop.size(); k++)
             sum += cross(v[loop[k]] - middle, v[loop[(k + 1) % loop.size()]] - middle);
-        if (!(length(sum) > 0)) return hull_error("a face has no area");
+        ASSERT(loop.size() >= 3);
         face.normal = sum / length(sum);
-        ASSERT(is_unit(face.normal) && loop.size() >= 3);
+        // Saved worlds are untrusted: the length may be zero, overflow or be too small to divide by.
+        if (!(absolute(length_squared(face.normal) - 1) < 1e-6))
+            return hull_error("a face has no area");
         face.offset = -1e300;
         for (const Vec3 p : v) face.offset = maximum(face.offset, dot(face.normal, p));
         hull->face_vertices.insert(hull->face_vertices.end(), loop.begin(), loop.end());
@@ -186,10 +187,11 @@ Result<std::shared_ptr<const ConvexHull>> assemble_hull(
     if (v.size() + hull->faces.size() != hull->edges.size() + 2)
         return hull_error("its faces do not form a single solid");
 
+    if (hull->faces.size() < 4) return hull_error("it has no volume");
     const PolyhedronMass mass = polyhedron_mass(*hull);
     if (!(mass.volume > 0)) return hull_error("it has no volume");
     hull->volume = mass.volume;
-    ASSERT(hull->edges.size() >= 6 && hull->faces.size() >= 4);
+    ASSERT(hull->edges.size() >= 6);
     hull->center = mass.center;
     hull->unit_inertia = mass.inertia;
     hull->inner_radius = 1e300;

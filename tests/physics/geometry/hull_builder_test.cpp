@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "physics/src/geometry/hull_builder.h"
 #include "tests/support/near.h"
 #include "tests/support/random.h"
 #include "tests/support/world_builder.h"
@@ -145,6 +146,20 @@ TEST(HullBuilder, errors_name_the_problem_and_the_remedy) {
             disc.push_back({std::cos(i * pi / 50), y, std::sin(i * pi / 50)});
     refused(disc, "corners");
     refused(std::vector<Vec3>(max_hull_points + 1), "at most");
+}
+
+// Vertices and faces as a forged saved world may contain them.
+TEST(HullBuilder, rejects_forged_faces) {
+    const std::vector<std::vector<std::uint16_t>> tetrahedron = {
+        {0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+    const auto corners = [](double size) {
+        return std::vector<Vec3>{{0, 0, 0}, {size, 0, 0}, {0, size, 0}, {0, 0, size}};
+    };
+    EXPECT_TRUE(assemble_hull(corners(1), tetrahedron).ok());
+    for (const double size : {1e160, 1e300, 1e-170, 0.0})
+        EXPECT_FALSE(assemble_hull(corners(size), tetrahedron).ok()) << size;
+    // Two triangles and a bent quadrilateral close a surface of three faces.
+    EXPECT_FALSE(assemble_hull(corners(1), {{0, 1, 2}, {0, 2, 3}, {3, 2, 1, 0}}).ok());
 }
 
 TEST(HullBuilder, same_points_in_any_order_make_the_same_hull) {

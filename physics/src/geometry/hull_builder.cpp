@@ -161,7 +161,8 @@ Result<std::shared_ptr<const ConvexHull>> assemble_hull(
             sum += cross(v[loop[k]] - middle, v[loop[(k + 1) % loop.size()]] - middle);
         ASSERT(loop.size() >= 3);
         face.normal = sum / length(sum);
-        // Saved worlds are untrusted: the length may be zero, overflow or be too small to divide by.
+        // Saved worlds are untrusted: the length may be zero, overflow or be too small to divide
+        // by.
         if (!(absolute(length_squared(face.normal) - 1) < 1e-6))
             return hull_error("a face has no area");
         face.offset = -1e300;

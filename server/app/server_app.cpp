@@ -102,7 +102,7 @@ private:
 
     std::optional<std::string> not_ready_reason() const;
     std::optional<std::string> failure_reason() const;
-    bool all_worlds_tick() const { return watchdog_->all_worlds_tick(Clock::now()); }
+    bool is_alive() const { return watchdog_->is_alive(Clock::now()); }
     void refresh_metrics();
 
     Shutdown shutdown_;  // first, because it catches signals that arrive during the start
@@ -189,7 +189,8 @@ Status ServerApp::Impl::start_worlds() {
             reconcile_clients(*context_, *world, clients);
         });
     watchdog_ = std::make_unique<TickWatchdog>(
-        *worlds_, TickWatchdog::Settings{.step_max = from_seconds(config_.tick.step_seconds_max)});
+        *worlds_,
+        TickWatchdog::Settings{.tick_cpu_max = from_seconds(config_.tick.step_seconds_max)});
     if (archive_) {
         context_->resume_registry.use_secret(archive_->secret());
         resume_persisted_worlds(*archive_, *context_);
@@ -222,7 +223,7 @@ Status ServerApp::Impl::start_listeners() {
     std::ranges::move(admin_methods(*admin_control_, *worlds_), std::back_inserter(methods));
     ASSERT(world_control_ && query_control_ && admin_control_ && http_routes_);
     grpc_.emplace(
-        *context_, std::move(methods), [this] { return all_worlds_tick(); },
+        *context_, std::move(methods), [this] { return is_alive(); },
         grpc_settings(config_, metrics_, certificates_.get()));
     http_.emplace(*context_, *http_routes_, http_settings(config_, metrics_, certificates_.get()));
     if (Status s = grpc_->start(); !s.ok()) return s;
@@ -293,7 +294,7 @@ std::optional<std::string> ServerApp::Impl::not_ready_reason() const {
 }
 
 std::optional<std::string> ServerApp::Impl::failure_reason() const {
-    if (!all_worlds_tick()) return "a tick hangs";
+    if (!is_alive()) return "the process gets no processor time";
     const GrpcServer* const grpc = probed_grpc_;
     return grpc ? grpc->failure_reason(Clock::now()) : std::nullopt;
 }

@@ -44,6 +44,9 @@ constexpr AccessRow table[] = {
     {"GET /api/worlds/{id}", read, Role::viewer, any_world},
     {"POST /api/worlds", create, Role::director, server},
     {"DELETE /api/worlds/{id}", remove, Role::director, own_world},
+    // GET: whether the caller may resume the world.
+    {"GET /api/worlds/{id}/resume", admin, Role::director, own_world},
+    {"POST /api/worlds/{id}/resume", admin, Role::director, own_world},
     {"POST /api/query/{method}", query, Role::viewer, any_world},
     {"GET /play", play, Role::viewer, any_world},
     {"GET /healthz", open, Role::none, server},

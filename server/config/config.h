@@ -53,7 +53,8 @@ struct TickSettings {
     // and counted, so that a stall of the machine is not followed by a burst.
     int catch_up_ticks_max = 4;
     int physics_threads = 1;  // per world
-    // A longer step is interrupted and its world is paused, so that it does not delay other worlds.
+    // Processor time of the tick thread. A tick that uses more is interrupted and its world is
+    // paused for a while, so that it does not delay other worlds.
     double step_seconds_max = 1;
     // Maximum age of the view time of a query or an aim: the client's round-trip delay plus its
     // interpolation delay. The server retains frames for this long.

@@ -19,6 +19,7 @@ namespace {
 
 constexpr std::string_view worlds_path = "/api/worlds";
 constexpr std::string_view query_path = "/api/query/";
+constexpr std::string_view resume_suffix = "/resume";
 
 // Maps errors to HTTP status codes, with the names of the corresponding gRPC codes.
 struct HttpCode {
@@ -220,15 +221,19 @@ HttpResponse HttpRoutes::handle_api(const HttpRequest& request, std::string_view
         if (!relative) return to_http(Error{ErrorCode::invalid_argument, "the path is malformed"});
         world = relative->substr(worlds_path.size());  // without the first '/'
     }
+    const bool is_resume = world.size() > resume_suffix.size() && world.ends_with(resume_suffix);
+    if (is_resume) world.resize(world.size() - resume_suffix.size());
     const bool is_world = !world.empty() && world.find('/') == std::string::npos;
     if (is_list && changes && request.method != "POST") return method_not_allowed("GET, POST");
-    if (is_world && changes && request.method != "DELETE") return method_not_allowed("GET, DELETE");
+    if (is_world && changes && request.method != (is_resume ? "POST" : "DELETE"))
+        return method_not_allowed(is_resume ? "GET, POST" : "GET, DELETE");
     if (is_query && request.method != "POST") return method_not_allowed("POST");
     const Result<RequestContext> context = authorize(request, path);
     if (!context.ok()) return to_http(context.error());
     if (is_list) return changes ? create_world(request, *context) : list_worlds();
     if (is_query) return query(request, path.substr(query_path.size()), *context);
     if (Status s = authorize_world(*context, world); !s.ok()) return to_http(s.error());
+    if (is_resume && changes) return resume_world(world, *context);
     return changes ? delete_world(world, *context) : get_world(world);
 }
 
@@ -279,6 +284,15 @@ HttpResponse HttpRoutes::query(const HttpRequest& request, std::string_view meth
         Error{ErrorCode::not_found,
               "there is no such query; use CastRays, CastShapes, Overlap, ClosestPoints or "
               "Debug"});
+}
+
+HttpResponse HttpRoutes::resume_world(const std::string& world,
+                                      const RequestContext& context) const {
+    v1::GetWorldResponse response;
+    const Status status = worlds_.resume(world, response);
+    worlds_.authorizer().record(context.who, {context.row->call, {world, {}, {}}, context.address},
+                                status);
+    return status.ok() ? json(200, response) : to_http(status.error());
 }
 
 HttpResponse HttpRoutes::delete_world(const std::string& world,

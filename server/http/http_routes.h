@@ -61,6 +61,7 @@ private:
     HttpResponse list_worlds() const;
     HttpResponse get_world(const std::string& world) const;
     HttpResponse create_world(const HttpRequest& request, const RequestContext& context) const;
+    HttpResponse resume_world(const std::string& world, const RequestContext& context) const;
     HttpResponse delete_world(const std::string& world, const RequestContext& context) const;
     HttpResponse query(const HttpRequest& request, std::string_view method,
                        const RequestContext& context) const;

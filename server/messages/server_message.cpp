@@ -126,6 +126,7 @@ std::string encode_stats_field(const Frame& frame, std::uint32_t clients) {
     stats.set_contacts(static_cast<std::uint32_t>(frame.contacts));
     stats.set_clients(clients);
     stats.set_step_ms_mean(frame.tick_ms_mean);
+    stats.set_time_scale(frame.time_scale);
     stats.set_step_ms_max(frame.tick_ms_max);
     stats.set_paused(frame.paused.value_or(""));
     stats.set_late_ticks(frame.late_ticks);

@@ -41,6 +41,15 @@ constexpr auto names_of(SkipReason) {
     return std::to_array<std::string_view>({"window", "pending", "rate"});
 }
 
+// Why a world was paused.
+enum class PauseCause {
+    request,   // by an operator
+    overload,  // a tick took too long
+};
+constexpr auto names_of(PauseCause) {
+    return std::to_array<std::string_view>({"request", "overload"});
+}
+
 enum class Listener { grpc, http, admin };
 constexpr auto names_of(Listener) {
     return std::to_array<std::string_view>({"grpc", "http", "admin"});
@@ -126,6 +135,13 @@ struct Metrics {
     Gauges paused =
         gauges("jostle_world_paused",
                "1 while a world takes no steps: it is paused, or its steps are rejected.");
+    Gauges hung = gauges("jostle_world_hung", "1 while a tick of a world does not end.");
+    Gauges time_scale =
+        gauges("jostle_world_time_scale",
+               "Simulated by elapsed time of a world over the last 5 s: 1 if it keeps its rate, "
+               "less if it skips ticks, 0 while it is paused.");
+    Counters pauses = counters("jostle_world_pauses_total",
+                               "Pauses of a world. cause: request of an operator, or overload.");
     Gauges clients = gauges("jostle_clients", "Connected players and spectators of a world.");
 
     // --- the solver, total of all worlds: label stage ---

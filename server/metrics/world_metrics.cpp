@@ -24,12 +24,19 @@ WorldMetrics::Series WorldMetrics::acquire_series() {
     const std::lock_guard lock(metrics_.world_holders.mutex);
     metrics_.world_holders.count[world_]++;
     const prometheus::Labels labels{{"world", world_}};
+    const auto pauses = [&](PauseCause cause) -> prometheus::Counter& {
+        const std::string name(names_of(cause)[static_cast<std::size_t>(cause)]);
+        return metrics_.pauses.Add({{"world", world_}, {"cause", name}});
+    };
     return {.tick_seconds = &metrics_.tick_seconds.Add(labels, tick_buckets),
             .late_ticks = &metrics_.late_ticks.Add(labels),
+            .pauses = {&pauses(PauseCause::request), &pauses(PauseCause::overload)},
             .bodies = &metrics_.bodies.Add(labels),
             .awake_bodies = &metrics_.awake_bodies.Add(labels),
             .queue_depth = &metrics_.queue_depth.Add(labels),
             .paused = &metrics_.paused.Add(labels),
+            .hung = &metrics_.hung.Add(labels),
+            .time_scale = &metrics_.time_scale.Add(labels),
             .clients = &metrics_.clients.Add(labels)};
 }
 
@@ -44,7 +51,10 @@ WorldMetrics::~WorldMetrics() {
     metrics_.bodies.Remove(series_.bodies);
     metrics_.awake_bodies.Remove(series_.awake_bodies);
     metrics_.queue_depth.Remove(series_.queue_depth);
+    for (prometheus::Counter* const counter : series_.pauses) metrics_.pauses.Remove(counter);
     metrics_.paused.Remove(series_.paused);
+    metrics_.hung.Remove(series_.hung);
+    metrics_.time_scale.Remove(series_.time_scale);
     metrics_.clients.Remove(series_.clients);
 }
 
@@ -58,6 +68,7 @@ void WorldMetrics::count_tick(const TickSample& tick) {
     series_.awake_bodies->Set(static_cast<double>(tick.awake));
     series_.queue_depth->Set(static_cast<double>(tick.queued));
     series_.paused->Set(tick.stage_ms.empty() ? 1 : 0);
+    series_.time_scale->Set(tick.time_scale);
     if (tick.late_ticks != late_counted_) {
         ASSERT(tick.late_ticks > late_counted_);
         series_.late_ticks->Increment(tick.late_ticks - late_counted_);

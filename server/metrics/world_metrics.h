@@ -5,6 +5,7 @@
 // still ends shares them.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -21,6 +22,7 @@ struct TickSample {
     std::size_t bodies = 0, awake = 0;
     std::size_t queued = 0;        // inputs queued when the tick began
     std::uint32_t late_ticks = 0;  // skipped since the world started
+    double time_scale = 1;         // simulated by elapsed time
 };
 
 class WorldMetrics {
@@ -33,6 +35,11 @@ public:
     // Called by the world's thread.
     void count_tick(const TickSample& tick);
     // Any thread.
+    void count_pause(PauseCause cause) {
+        series_.pauses[static_cast<std::size_t>(cause)]->Increment();
+    }
+    // `hung`: a tick of the world does not end.
+    void set_hung(bool hung) { series_.hung->Set(hung ? 1 : 0); }
     prometheus::Gauge& clients() { return *series_.clients; }
 
 private:
@@ -40,7 +47,9 @@ private:
     struct Series {
         prometheus::Histogram* tick_seconds;
         prometheus::Counter* late_ticks;
-        prometheus::Gauge *bodies, *awake_bodies, *queue_depth, *paused, *clients;
+        std::array<prometheus::Counter*, names_of(PauseCause{}).size()> pauses;
+        prometheus::Gauge *bodies, *awake_bodies, *queue_depth, *paused, *hung, *time_scale,
+            *clients;
     };
     Series acquire_series();
 

@@ -110,8 +110,6 @@ Status AdminControl::set_paused(const v1::SetPausedRequest& request,
         (*world)->pause(request.reason().empty() ? "by an operator" : request.reason());
     else
         (*world)->resume();
-    log_info("world {} was {} by an operator", (*world)->id(),
-             request.paused() ? "paused" : "resumed");
     response.set_tick((*world)->frame()->tick);
     return {};
 }

@@ -23,6 +23,7 @@ void describe(v1::WorldInfo& info, const WorldHost& world, const SessionDirector
     info.set_clients(static_cast<std::uint32_t>(sessions.clients_in(world.id())));
     info.set_tick(frame->tick);
     info.set_step_ms_mean(frame->tick_ms_mean);
+    info.set_time_scale(frame->time_scale);
     info.set_paused(world.lifecycle().paused().value_or(""));
     info.set_owner(world.properties().label.owner);
     info.set_oldest_restorable_tick(world.oldest_restorable_tick());
@@ -104,6 +105,14 @@ Status WorldControl::remove(const v1::DeleteWorldRequest& request, v1::DeleteWor
     if (request.world().empty())
         return Error{ErrorCode::invalid_argument, "name the world to delete"};
     if (!context_.worlds.remove(request.world())) return no_such_world(request.world());
+    return {};
+}
+
+Status WorldControl::resume(const std::string& name, v1::GetWorldResponse& response) {
+    const auto world = context_.worlds.find(name);
+    if (name.empty() || !world) return no_such_world(name);
+    world->resume();
+    describe(*response.mutable_world(), *world, context_.sessions);
     return {};
 }
 

@@ -42,6 +42,8 @@ public:
     // The caller becomes the owner of the world.
     Status create(const v1::CreateWorldRequest& request, v1::CreateWorldResponse& response,
                   const Identity& who, const std::string& address);
+    // Clears the pause of a world.
+    Status resume(const std::string& world, v1::GetWorldResponse& response);
     Status remove(const v1::DeleteWorldRequest& request, v1::DeleteWorldResponse& response);
     // The ticket is issued to the caller.
     Status join(const v1::JoinWorldRequest& request, v1::JoinWorldResponse& response,

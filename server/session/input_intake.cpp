@@ -55,6 +55,7 @@ Status InputIntake::push(std::uint32_t sequence, const Result<Action>& input, st
     if (!input.ok()) return Error{ErrorCode::invalid_argument, input.error().message};
     if (Status status = admission_.admit_input(*input, now); !status.ok()) return status;
     if (!mailbox_.push({.client = source_.client,
+                        .account = source_.account,
                         .sequence = sequence,
                         .action = *input,
                         .reply = queue_,

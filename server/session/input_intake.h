@@ -29,6 +29,7 @@ class InputIntake {
 public:
     struct Source {
         ClientId client = 0;
+        AccountId account = 0;
         bool spectator = false;
         bool persisted = false;  // the world survives the process
     };

@@ -8,6 +8,7 @@
 
 #include <spdlog/fmt/fmt.h>
 #include "jostle/base/check.h"
+#include "server/limits/account.h"
 #include "server/session/world_admission.h"
 #include "server/util/log.h"
 #include "server/util/text.h"
@@ -88,7 +89,10 @@ JoinedWorld::JoinedWorld(const Parts& parts, ClientId client,
       divider_(divider_of(host().hz(), hello.snapshot_hz)),
       limits_(limits_with_acks(parts.context.config.client, host().hz() / divider_)),
       inputs_(host().mailbox(),
-              {.client = client, .spectator = hello.spectator, .persisted = host().is_persisted()},
+              {.client = client,
+               .account = account_of(parts.metrics.subject(), parts.peer.address),
+               .spectator = hello.spectator,
+               .persisted = host().is_persisted()},
               limits_, lost ? lost->result_queue : std::make_shared<ResultQueue>(), now),
       snapshots_({.context = parts.context,
                   .metrics = parts.metrics,

@@ -22,6 +22,8 @@ namespace jostle::server {
 
 using EntityId = std::uint32_t;  // never reused in a world; 0: none
 using ClientId = std::uint32_t;  // 0: the scene
+// The player behind one or more clients, for limits: a subject or a network. 0: nobody.
+using AccountId = std::uint64_t;
 
 // The rendered time for which a client aimed: between a tick and the next one.
 struct ViewTime {
@@ -108,6 +110,7 @@ class ResultQueue;
 
 struct Command {
     ClientId client = 0;
+    AccountId account = 0;
     std::uint32_t sequence = 0;  // per client, from 1, strictly increasing
     Action action;
     std::shared_ptr<ResultQueue> reply;  // null: the result is discarded

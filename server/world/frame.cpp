@@ -10,6 +10,16 @@
 
 namespace jostle::server {
 
+const PoseGrid& Frame::pose_grid() const {
+    return pose_grid_.get([this] {
+        ASSERT(entity_list && entity_list->size() == entities.size());
+        std::vector<double> radii;
+        radii.reserve(entity_list->size());
+        for (const auto& entity : *entity_list) radii.push_back(entity->bounding_radius);
+        return PoseGrid(entities, radii);
+    });
+}
+
 FrameRing::FrameRing(double history_ms, double hz)
     : frames_max_(1 + static_cast<std::size_t>(std::ceil(std::max(0.0, history_ms) * hz / 1000))) {}
 

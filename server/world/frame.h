@@ -16,6 +16,7 @@
 #include "server/util/clock.h"
 #include "server/world/command.h"
 #include "server/world/module_channels.h"
+#include "server/world/pose_grid.h"
 #include "server/world/pose_list.h"
 #include "server/world/tick_events.h"
 
@@ -70,8 +71,15 @@ struct Frame {
     int awake = 0, contacts = 0;
     double step_ms = 0;                        // of this tick, solver only
     double tick_ms_mean = 0, tick_ms_max = 0;  // of whole ticks, over the last second
+    double time_scale = 1;                     // simulated by elapsed time; see TimeScale
     std::optional<std::string> paused;         // the reason; nothing: the world is not paused
     std::uint32_t late_ticks = 0;              // skipped since the start of the world
+
+    // The grid of `entities`, built by the first call. Any thread.
+    const PoseGrid& pose_grid() const;
+
+private:
+    LazyPoseGrid pose_grid_;
 };
 
 using FramePtr = std::shared_ptr<const Frame>;

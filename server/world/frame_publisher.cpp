@@ -11,7 +11,9 @@
 namespace jostle::server {
 
 FramePublisher::FramePublisher(double hz, std::function<void(bool has_events)> on_frame)
-    : on_frame_(std::move(on_frame)), tick_ms_(static_cast<std::size_t>(std::max(1.0, hz)), 0.0) {}
+    : on_frame_(std::move(on_frame)),
+      tick_ms_(static_cast<std::size_t>(std::max(1.0, hz)), 0.0),
+      time_scale_(hz) {}
 
 FramePtr FramePublisher::frame() const {
     const std::lock_guard lock(mutex_);
@@ -44,6 +46,11 @@ void FramePublisher::measure(Frame& frame, Clock::time_point began) {
     frame.tick_ms_mean = std::accumulate(tick_ms_.begin(), tick_ms_.end(), 0.0) /
                          static_cast<double>(tick_ms_.size());
     frame.tick_ms_max = *std::max_element(tick_ms_.begin(), tick_ms_.end());
+    if (frame.paused)
+        time_scale_.reset();
+    else
+        time_scale_.count_tick(began);
+    frame.time_scale = frame.paused ? 0 : time_scale_.value(began);
 }
 
 void FramePublisher::set_frame(FramePtr frame) {

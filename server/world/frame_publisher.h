@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "server/world/frame.h"
+#include "server/world/time_scale.h"
 
 namespace jostle::server {
 
@@ -36,8 +37,12 @@ public:
     // recent events is cleared.
     void record_events(std::optional<TickEvents> events);
     const std::shared_ptr<const RecentEvents>& events() const { return events_; }
-    // Sets the mean and maximum tick time of the last second, this tick included.
+    // Sets the mean and maximum tick time of the last second, this tick included, and the time
+    // scale, which is 0 while the world is paused.
     void measure(Frame& frame, Clock::time_point began);
+    TimeScale::Change poll_time_scale(Clock::time_point now) {
+        return time_scale_.poll_change(now);
+    }
     // Replaces the newest frame.
     void set_frame(FramePtr frame);
     // Wakes the listeners. `changed`: the frame differs from the previous one or has input results.
@@ -49,6 +54,7 @@ private:
     std::shared_ptr<const RecentEvents> events_ = std::make_shared<const RecentEvents>();
     std::vector<double> tick_ms_;  // ring of the last second
     std::size_t next_ = 0;
+    TimeScale time_scale_;
     std::uint32_t published_events_ = 0;  // count of events in the newest frame
     bool has_new_events_ = false;
     mutable std::mutex mutex_;

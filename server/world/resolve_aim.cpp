@@ -38,7 +38,7 @@ Result<AimHit> cast_now(const HostedState& state, const Aim& aim) {
 Result<AimHit> cast_rewound(const HostedState& state, const RewindView& past, const EntityList& now,
                             const Aim& aim) {
     const Result<Queries> then = state.world.queries().with_shapes_at(
-        past.shapes(now, along_segment(aim.origin, aim.motion)));
+        past.shapes_along_segment(now, aim.origin, aim.motion));
     if (!then.ok()) return then.error();
     Result<AimHit> hit =
         aim_hit_of(state, then->cast_ray({aim.origin, aim.motion}, filter_of(state, aim)));

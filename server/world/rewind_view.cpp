@@ -86,6 +86,38 @@ std::vector<ShapePlacement> RewindView::shapes(const EntityList& now,
     return placements;
 }
 
+// An interpolated pose is at most one step away from the later one; after a teleport it is the
+// earlier one.
+std::vector<ShapePlacement> RewindView::shapes_along_segment(const EntityList& now, Vec3 origin,
+                                                             Vec3 motion) const {
+    std::vector<std::uint32_t> indices;
+    std::vector<EntityId> candidates;
+    const auto add = [&](const Frame& frame, double margin) {
+        indices.clear();
+        frame.pose_grid().append_near_segment(origin, motion, margin, indices);
+        for (const std::uint32_t index : indices)
+            candidates.push_back((*frame.entity_list)[index]->id);
+    };
+    const bool same = frames_.before == frames_.after;
+    add(*frames_.after, same ? 0 : speed_max * seconds_between(frames_));
+    if (!same) add(*frames_.before, 0);
+    std::ranges::sort(candidates);
+    const auto repeated = std::ranges::unique(candidates);
+    candidates.erase(repeated.begin(), repeated.end());
+    const CandidateFilter filter = along_segment(origin, motion);
+    std::vector<ShapePlacement> placements;
+    for (const EntityId id : candidates) {
+        const auto entity =
+            std::ranges::lower_bound(now, id, {}, [](const auto& e) { return e->id; });
+        if (entity == now.end() || (*entity)->id != id) continue;
+        const std::optional<Transform> pose = pose_of(id);
+        if (!pose || !filter(pose->position, (*entity)->bounding_radius)) continue;
+        for (const ShapeState& shape : (*entity)->shapes)
+            placements.push_back({shape.id, compose(*pose, shape.pose)});
+    }
+    return placements;
+}
+
 RewindView::CandidateFilter along_segment(Vec3 origin, Vec3 motion) {
     const double size = std::max(length_squared(motion), 1e-300);
     return [=](Vec3 center, double radius) {

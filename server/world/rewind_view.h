@@ -36,6 +36,11 @@ public:
     std::vector<physics::ShapePlacement> shapes(const EntityList& now,
                                                 const CandidateFilter& candidate_filter) const;
 
+    // The same for the filter along_segment(), without a pass over all entities.
+    std::vector<physics::ShapePlacement> shapes_along_segment(const EntityList& now,
+                                                              physics::Vec3 origin,
+                                                              physics::Vec3 motion) const;
+
 private:
     RewindFrames frames_;
 };

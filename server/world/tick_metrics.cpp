@@ -17,7 +17,8 @@ void TickMetrics::end_tick(const Frame& frame, const physics::StepProfile* profi
                          .bodies = frame.entities.size(),
                          .awake = static_cast<std::size_t>(frame.awake),
                          .queued = inputs,
-                         .late_ticks = frame.late_ticks};
+                         .late_ticks = frame.late_ticks,
+                         .time_scale = frame.time_scale};
         if (profile) count.stage_ms = profile->stage_ms;
         metrics_->count_tick(count);
     }

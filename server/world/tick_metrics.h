@@ -24,6 +24,12 @@ public:
     Result<std::vector<TickProfile>> record(Clock::duration time) { return profiler_.record(time); }
     void close() { profiler_.close(); }
     WorldMetrics* metrics() { return metrics_.get(); }  // null: no metrics
+    void count_pause(PauseCause cause) {
+        if (metrics_) metrics_->count_pause(cause);
+    }
+    void set_hung(bool hung) {
+        if (metrics_) metrics_->set_hung(hung);
+    }
 
     // The tick thread, in this order.
     void begin_tick(Clock::time_point now) { begun_ = now; }

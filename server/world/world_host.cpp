@@ -27,6 +27,11 @@ WorldProperties properties_of(WorldStart& start) {
             .channel_kinds = start.world.channel_kinds()};
 }
 
+std::optional<Error> pause_refusal(const std::optional<std::string>& paused) {
+    if (!paused) return std::nullopt;
+    return Error{ErrorCode::resource_exhausted, "the world is paused: " + *paused};
+}
+
 }  // namespace
 
 Result<std::shared_ptr<WorldHost>> WorldHost::start(
@@ -57,6 +62,7 @@ WorldHost::WorldHost(WorldStart start, const WorldHostSettings& settings)
       publisher_(properties_.hz, settings.on_frame),
       world_(std::move(start.world)),
       tick_(start.tick),
+      scheduler_(settings.inputs, properties_.hz),
       world_journal_(std::move(start.world_journal)),
       tick_metrics_(settings.metrics, properties_.label.name) {
     auto first = std::make_shared<Frame>();
@@ -110,14 +116,30 @@ bool WorldHost::stop_for_replacement() {
     return true;
 }
 
+void WorldHost::pause(std::string reason) {
+    log_info("world {} \"{}\" was paused: {}", id(), name(), reason);
+    lifecycle_.pause(std::move(reason));
+    tick_metrics_.count_pause(PauseCause::request);
+}
+
 void WorldHost::resume() {
+    if (lifecycle_.paused()) log_info("world {} \"{}\" was resumed", id(), name());
     lifecycle_.clear_pause();
     single_step_.cancel();
 }
 
-void WorldHost::interrupt(std::string reason) {
-    pause(std::move(reason));
+// Pauses before it stops the step: see step().
+void WorldHost::interrupt_overloaded(std::string reason, Clock::time_point now) {
+    if (!lifecycle_.pause_overloaded(std::move(reason), now)) return;
     world_.stop_stepping();
+    tick_metrics_.count_pause(PauseCause::overload);
+    log_warn("world {} \"{}\" was paused: {}", id(), name(), lifecycle_.paused().value_or(""));
+}
+
+void WorldHost::resume_if_due(Clock::time_point now) {
+    if (!lifecycle_.resume_if_due(now)) return;
+    single_step_.cancel();
+    log_info("world {} \"{}\" resumed by itself", id(), name());
 }
 
 void WorldHost::cancel_waiters() {
@@ -163,40 +185,68 @@ void WorldHost::run_tick(Clock::time_point due, std::uint32_t late_ticks) {
     single_step_.end_tick();
     between_ticks_.run_pending(world_);
     tick_metrics_.end_tick(*frame, stepped ? &world_.world().profile() : nullptr,
-                           mailbox_.inputs().size());
+                           results_.size() + scheduler_.waiting());
     hand_over_checkpoint();
+    log_time_scale(*frame, began);
     lifecycle_.end_tick();
 }
 
+void WorldHost::log_time_scale(const Frame& frame, Clock::time_point now) {
+    const TimeScale::Change change = publisher_.poll_time_scale(now);
+    if (change == TimeScale::Change::behind)
+        log_warn(
+            "world {} \"{}\" falls behind: time scale {:.2f}, ticks of {:.1f} ms on average, {} "
+            "late "
+            "ticks",
+            id(), name(), frame.time_scale, frame.tick_ms_mean, frame.late_ticks);
+    else if (change == TimeScale::Change::caught_up)
+        log_info("world {} \"{}\" keeps its rate again", id(), name());
+}
+
 std::optional<Error> WorldHost::input_refusal(const std::optional<std::string>& paused) const {
-    if (paused) return Error{ErrorCode::resource_exhausted, "the world is paused: " + *paused};
+    if (paused) return pause_refusal(paused);
     if (!world_journal_) return std::nullopt;
     const std::optional<std::string> failure = world_journal_->failure_reason();
     if (!failure) return std::nullopt;
     return Error{ErrorCode::unavailable, "the input cannot be persisted, retry later: " + *failure};
 }
 
-void WorldHost::apply_commands(const std::optional<Error>& refusal, Clock::time_point due) {
+// A pause or the end of the world during the tick refuses the rest of its inputs.
+void WorldHost::apply_commands(std::optional<Error> refusal, Clock::time_point due) {
     mailbox_.take_due(tick_);
     results_.clear();
-    for (const Command& command : mailbox_.inputs())
-        results_.push_back(execute(command, refusal, due));
+    scheduler_.begin_tick(mailbox_.inputs(), mailbox_.leave_commands());
+    ThreadCpuTime clock;
+    clock.use_this_thread();
+    std::chrono::nanoseconds before = clock.now().value_or(std::chrono::nanoseconds(0));
+    while (const Command* const command = scheduler_.next()) {
+        if (!refusal && lifecycle_.stopped())
+            refusal = Error{ErrorCode::unavailable, "the world is being closed"};
+        else if (!refusal)
+            refusal = pause_refusal(lifecycle_.paused());
+        put_result(*command,
+                   refusal ? InputResult{.sequence = command->sequence, .status = *refusal}
+                           : world_.apply(*command, tick_),
+                   due);
+        const std::chrono::nanoseconds after = clock.now().value_or(before);
+        scheduler_.charge(std::chrono::duration<double>(after - before).count());
+        before = after;
+    }
+    for (InputScheduler::Refused& refused : scheduler_.take_refused())
+        put_result(refused.command,
+                   {.sequence = refused.command.sequence, .status = std::move(refused.status)},
+                   due);
     for (const Command& command : mailbox_.leave_commands()) world_.apply(command, tick_);
 }
 
-InputResult WorldHost::execute(const Command& command, const std::optional<Error>& refusal,
-                               Clock::time_point due) {
-    InputResult result{.sequence = command.sequence, .tick = tick_};
-    if (refusal)
-        result.status = *refusal;
-    else
-        result = world_.apply(command, tick_);
+void WorldHost::put_result(const Command& command, InputResult result, Clock::time_point due) {
     const std::int64_t target = command.tick == 0 ? tick_ : command.tick;
     const std::chrono::duration<double> margin =
         due - command.received +
         std::chrono::duration<double>(static_cast<double>(target - tick_) / properties_.hz);
+    result.tick = tick_;
     result.margin_us = static_cast<std::int64_t>(1e6 * margin.count());
-    return result;
+    results_.push_back({command.reply, std::move(result)});
 }
 
 bool WorldHost::step(bool allowed) {
@@ -204,8 +254,8 @@ bool WorldHost::step(bool allowed) {
     world_.publish_motion(listeners.motion.load() > 0);
     world_.publish_controlled_entities(listeners.controlled_entities.load() > 0);
     world_.resume_stepping();
-    // interrupt() pauses before it stops the step, so resuming here just after it still sees the
-    // pause. The journal already contains a step for this tick.
+    // interrupt_overloaded() pauses before it stops the step, so resuming here just after it still
+    // sees the pause. The journal already contains a step for this tick.
     const bool ends = lifecycle_.stopped();
     if (ends || (lifecycle_.paused() && !allowed)) {
         (ends ? step_aborted_ : step_interrupted_) = true;
@@ -218,8 +268,6 @@ bool WorldHost::step(bool allowed) {
         return true;
     } else if (stepped.error().code == ErrorCode::aborted) {
         (lifecycle_.stopped() ? step_aborted_ : step_interrupted_) = true;
-        log_error("world {} \"{}\": step interrupted and world paused: {}", id(), name(),
-                  lifecycle_.paused().value_or("the world is being closed"));
     } else if (!step_refused_) {
         step_refused_ = true;  // logged once; the world no longer moves but still serves clients
         log_error("world {} \"{}\": step failed: {}", id(), name(), stepped.error().message);
@@ -255,13 +303,12 @@ std::shared_ptr<Frame> WorldHost::make_frame(Clock::time_point due, std::uint32_
 
 // Results follow the frame, so that a client finds a spawned body in the frame.
 void WorldHost::publish(const std::shared_ptr<Frame>& frame, bool sends_results) {
-    const std::span<const Command> inputs = mailbox_.inputs();
-    ASSERT(results_.size() == inputs.size());
     world_.frame_history().put(frame);
     publisher_.set_frame(frame);
-    for (std::size_t i = 0; sends_results && i < inputs.size(); i++)
-        if (inputs[i].reply) inputs[i].reply->put(std::move(results_[i]));
-    publisher_.notify(frame->changed_at == frame->tick || !inputs.empty());
+    if (sends_results)
+        for (WaitingResult& waiting : results_)
+            if (waiting.reply) waiting.reply->put(std::move(waiting.result));
+    publisher_.notify(frame->changed_at == frame->tick || !results_.empty());
 }
 
 void WorldHost::serve_queries() {
@@ -280,11 +327,9 @@ CheckpointCopy WorldHost::checkpoint_copy() const {
 
 void WorldHost::persist_published(double step_ms, bool results_sent) {
     if (std::exchange(step_interrupted_, false)) world_journal_->on_interrupted();
-    const std::span<const Command> inputs = mailbox_.inputs();
-    ASSERT(results_.size() == inputs.size());
     std::vector<WaitingResult> results;
-    for (std::size_t i = 0; !results_sent && i < inputs.size(); i++)
-        if (inputs[i].reply) results.push_back({inputs[i].reply, std::move(results_[i])});
+    for (WaitingResult& waiting : results_)
+        if (!results_sent && waiting.reply) results.push_back(std::move(waiting));
     world_journal_->on_published(step_ms, std::move(results));
 }
 

@@ -18,6 +18,7 @@
 #include "server/world/command_mailbox.h"
 #include "server/world/frame_publisher.h"
 #include "server/world/hosted_world.h"
+#include "server/world/input_scheduler.h"
 #include "server/world/query_broker.h"
 #include "server/world/single_step_control.h"
 #include "server/world/tick_loop.h"
@@ -38,6 +39,7 @@ struct WorldHostSettings {
     HostLimits limits;
     TotalLimits totals;
     int command_queue_max = 8192;
+    InputScheduler::Settings inputs;
     int catch_up_ticks_max = 4;
     int physics_threads = 1;
     bool own_thread = true;                         // false: the world ticks only in tick()
@@ -93,10 +95,13 @@ public:
 
     // Any thread: pausing, stepping and watching the world.
     const WorldLifecycle& lifecycle() const { return lifecycle_; }
-    void pause(std::string reason) { lifecycle_.pause(std::move(reason)); }
+    void pause(std::string reason);
     void resume();
-    // Pauses the world; the running step skips the rest of its work.
-    void interrupt(std::string reason);
+    // Pauses the world for a limited time; the running tick skips the rest of its inputs and of its
+    // step.
+    void interrupt_overloaded(std::string reason, Clock::time_point now);
+    // Resumes it when that time has passed.
+    void resume_if_due(Clock::time_point now);
     SingleStepControl& single_step() { return single_step_; }
     TickMetrics& tick_metrics() { return tick_metrics_; }
     BetweenTicksExecutor& between_ticks() { return between_ticks_; }
@@ -125,12 +130,12 @@ private:
     void run_tick(Clock::time_point due, std::uint32_t late_ticks);
     // `refusal`: why no input is applied; nothing: inputs are applied.
     std::optional<Error> input_refusal(const std::optional<std::string>& paused) const;
-    void apply_commands(const std::optional<Error>& refusal, Clock::time_point due);
-    InputResult execute(const Command& command, const std::optional<Error>& refusal,
-                        Clock::time_point due);
+    void apply_commands(std::optional<Error> refusal, Clock::time_point due);
+    void put_result(const Command& command, InputResult result, Clock::time_point due);
     // `allowed`: step even if the world is paused. False: the world took no step.
     bool step(bool allowed);
     void log_step_warnings();
+    void log_time_scale(const Frame& frame, Clock::time_point now);
     std::shared_ptr<Frame> make_frame(Clock::time_point due, std::uint32_t late_ticks);
     // Publishes the frame, then sends the results of its inputs unless the journal sends them.
     void publish(const std::shared_ptr<Frame>& frame, bool sends_results);
@@ -149,7 +154,8 @@ private:
     // Owned by the tick thread.
     HostedWorld world_;
     std::uint32_t tick_ = 0;
-    std::vector<InputResult> results_;  // of the mailbox's inputs, one each
+    InputScheduler scheduler_;
+    std::vector<WaitingResult> results_;  // of the inputs of this tick
     bool step_refused_ = false, step_interrupted_ = false;
     bool step_aborted_ = false;  // the end of the world aborted the last step
 

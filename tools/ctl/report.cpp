@@ -20,12 +20,13 @@ std::string worlds_text(const v1::ListWorldsResponse& worlds) {
                  {"AWAKE", Align::right},
                  {"CLIENTS", Align::right},
                  {"MS", Align::right},
+                 {"TIME SCALE", Align::right},
                  {"STATE"}});
     for (const v1::WorldInfo& world : worlds.worlds())
         table.add({world.id(), sanitized(world.name()), sanitized(world.scene()),
                    number_text(world.hz(), 0), std::to_string(world.bodies()),
                    std::to_string(world.awake()), std::to_string(world.clients()),
-                   number_text(world.step_ms_mean(), 2),
+                   number_text(world.step_ms_mean(), 2), number_text(world.time_scale(), 2),
                    world.paused().empty() ? "runs" : "paused: " + sanitized(world.paused(), 60)});
     return table.text();
 }

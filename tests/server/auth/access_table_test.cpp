@@ -99,6 +99,8 @@ TEST(AccessTable, finds_routes_by_method_and_path) {
     EXPECT_EQ(route("POST", "/api/worlds"), "POST /api/worlds");
     EXPECT_EQ(route("GET", "/api/worlds/w1"), "GET /api/worlds/{id}");
     EXPECT_EQ(route("DELETE", "/api/worlds/w1"), "DELETE /api/worlds/{id}");
+    EXPECT_EQ(route("POST", "/api/worlds/w1/resume"), "POST /api/worlds/{id}/resume");
+    EXPECT_EQ(route("DELETE", "/api/worlds/w1/resume"), "");
     EXPECT_EQ(route("POST", "/api/query/Debug"), "POST /api/query/{method}");
     EXPECT_EQ(route("GET", "/play"), "GET /play");
     EXPECT_EQ(route("GET", "/healthz"), "GET /healthz");
@@ -136,7 +138,9 @@ TEST(AccessTable, matches_the_expected_permissions) {
           "GET /api/worlds/{id}", "POST /api/query/{method}", "GET /play"}},
         {"player", {"play inputs"}},
         {"director", {"jostle.v1.WorldService/CreateWorld", "POST /api/worlds"}},
-        {"director*", {"jostle.v1.WorldService/DeleteWorld", "DELETE /api/worlds/{id}"}},
+        {"director*",
+         {"jostle.v1.WorldService/DeleteWorld", "DELETE /api/worlds/{id}",
+          "GET /api/worlds/{id}/resume", "POST /api/worlds/{id}/resume"}},
         {"admin",
          {"jostle.v1.AdminService/ListClients", "jostle.v1.AdminService/Kick",
           "jostle.v1.AdminService/SetPaused", "jostle.v1.AdminService/StepWorld",

@@ -58,6 +58,18 @@ TEST_F(HttpRoutesTest, lists_worlds_and_scenes) {
     EXPECT_EQ(json.at("scenes").size(), scenes::catalog().size());
 }
 
+TEST_F(HttpRoutesTest, resumes_a_paused_world) {
+    worlds.find("w1")->pause("for a test");
+    EXPECT_EQ(send("GET", "/api/worlds/w1/resume").status, 200) << "the caller may resume it";
+    EXPECT_TRUE(worlds.find("w1")->lifecycle().paused());
+    EXPECT_EQ(send("DELETE", "/api/worlds/w1/resume").status, 405);
+    EXPECT_EQ(send("POST", "/api/worlds/w9/resume").status, 404);
+    const HttpResponse resumed = send("POST", "/api/worlds/w1/resume");
+    EXPECT_EQ(resumed.status, 200) << resumed.body;
+    EXPECT_EQ(nlohmann::json::parse(resumed.body).at("world").at("paused"), "");
+    EXPECT_FALSE(worlds.find("w1")->lifecycle().paused());
+}
+
 TEST_F(HttpRoutesTest, creates_and_deletes_worlds) {
     const HttpResponse made =
         send("POST", "/api/worlds", R"({"name": "two words", "sceneName": "dominoes"})");

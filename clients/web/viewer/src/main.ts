@@ -28,6 +28,7 @@ import { DebugPanel } from './panels/debug';
 import { drawArrows, DriverPanel, offerText } from './panels/driver';
 import { describePick, entityName } from './panels/entity_names';
 import { EventsPanel } from './panels/events';
+import { PauseBanner } from './panels/pause_banner';
 import { StatsPanel } from './panels/stats';
 import { TimelinePanel } from './panels/timeline';
 import { Toasts } from './panels/toasts';
@@ -73,6 +74,7 @@ const listener: ConnectionListener = {
     const name = connection.welcome?.worldName ?? '';
     stateLine.textContent = state === 'playing' ? `in ${name}` : [reason, STATE_TEXTS[state]].filter(Boolean).join(' — ');
     stateLine.className = state;
+    if (state !== 'playing') pauseBanner.update(undefined);
     if (state === 'stopped' && reason) void worlds.show();
   },
   entityList: (entities) => {
@@ -81,7 +83,10 @@ const listener: ConnectionListener = {
     entitiesChanged = true;
     if (!entities.has(driving.entity)) driving.reset();
   },
-  stats: (stats) => statsPanel.update(stats),
+  stats: (stats) => {
+    statsPanel.update(stats);
+    pauseBanner.update(recorded ? undefined : stats);
+  },
   worldEvents: (events) => eventsPanel.addEvents(events, performance.now() + renderDelayMs()),
   inputRejected: (result) => toasts.show(result.message || 'the server rejected the input'),
   notice: (text) => toasts.show(text),
@@ -115,6 +120,7 @@ async function enablePrediction(): Promise<void> {
 if (parameters.predict) void enablePrediction();
 
 const statsPanel = new StatsPanel(byId('stats'), connection);
+const pauseBanner = new PauseBanner(byId('pause-banner'), () => connection.welcome?.worldId ?? '', (text) => toasts.show(text), token);
 const queries = new Queries(() => (connection.state === 'playing' && !recorded ? (connection.welcome?.worldId ?? '') : ''), postToServer(token));
 const readout = byId('readout');
 const driving = new Driving((input) => connection.send(input));

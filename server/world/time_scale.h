@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+//
+// The ratio of simulated to elapsed time of a world. A world that skips ticks falls behind: its
+// time scale is below 1. Used on the tick thread.
+#pragma once
+
+#include <deque>
+#include <optional>
+
+#include "server/util/clock.h"
+
+namespace jostle::server {
+
+class TimeScale {
+public:
+    static constexpr double window_seconds = 5;
+    static constexpr double behind_below = 0.95;
+
+    explicit TimeScale(double hz) : hz_(hz) {}
+
+    // Counts a tick at its start.
+    void count_tick(Clock::time_point now);
+    // The world was paused: forgets all ticks.
+    void reset() { *this = TimeScale(hz_); }
+    // Over the last 5 s, 0 to 1; 1 if there is less than 1 s to judge by.
+    double value(Clock::time_point now) const;
+
+    // A change that is worth a log line: the time scale fell below 0.95 over a whole window, or
+    // rose above it again. Reports a world that stays behind once per minute.
+    enum class Change { none, behind, caught_up };
+    Change poll_change(Clock::time_point now);
+
+private:
+    // The ticks of a quarter of a second.
+    struct Slice {
+        Clock::time_point begun;
+        int ticks = 0;
+    };
+
+    double hz_;
+    std::deque<Slice> slices_;  // of the last 5 s, oldest first
+    bool is_behind_ = false;
+    Clock::time_point reported_{};
+};
+
+}  // namespace jostle::server

@@ -44,6 +44,7 @@ void InputScheduler::begin_tick(std::span<const Command> due,
     };
     next_ = 0;
     spent_s_ = 0;
+    blocked_.clear();
     for (Waiting& entry : waiting_) {
         entry.ticks++;
         entry.leaves = leaves(entry.command.client);
@@ -88,8 +89,14 @@ bool InputScheduler::may_run(const Waiting& entry) const {
     return accounts_.at(command.account).seconds > 0 && spent_s_ < tick_overdraft * share_s_;
 }
 
+// The inputs of a client keep their order: behind one that waits, all others wait.
 const Command* InputScheduler::next() {
-    while (next_ < waiting_.size() && !may_run(waiting_[next_])) next_++;
+    for (; next_ < waiting_.size(); next_++) {
+        const ClientId client = waiting_[next_].command.client;
+        if (blocked_.contains(client)) continue;
+        if (may_run(waiting_[next_])) break;
+        blocked_.insert(client);
+    }
     if (next_ == waiting_.size()) return nullptr;
     Waiting& entry = waiting_[next_++];
     entry.has_run = true;
@@ -99,6 +106,7 @@ const Command* InputScheduler::next() {
 
 void InputScheduler::charge(double seconds) {
     ASSERT(!(seconds < 0));
+    if (settings_.tick_share == 0) return;
     spent_s_ += seconds;
     accounts_.at(running_->account).seconds -= seconds;
     clients_.at(running_->client).seconds -= seconds;
@@ -112,18 +120,25 @@ double InputScheduler::retry_seconds(const Command& command) const {
         {0.1, time_of(accounts_.at(command.account)), time_of(clients_.at(command.client))});
 }
 
+// The oldest inputs are refused first: clients take the result of an input for the end of all
+// earlier ones.
 std::vector<InputScheduler::Refused> InputScheduler::take_refused() {
+    std::map<ClientId, std::size_t> excess;
+    for (const Waiting& entry : waiting_)
+        if (!entry.has_run) excess[entry.command.client]++;
+    for (auto& [client, count] : excess) count -= std::min(count, settings_.waiting_max);
     std::vector<Refused> refused;
-    std::map<ClientId, std::size_t> kept;
     std::deque<Waiting> still_waiting;
     for (Waiting& entry : waiting_) {
         const Command& command = entry.command;
-        std::size_t& count = kept[command.client];
-        if (!entry.has_run && !entry.leaves && entry.ticks < wait_ticks_max_ &&
-            count < settings_.waiting_max) {
-            count++;
-            still_waiting.push_back(std::move(entry));
-            continue;
+        if (!entry.has_run) {
+            std::size_t& left = excess.at(command.client);
+            const bool is_excess = left > 0;
+            if (is_excess) left--;
+            if (!is_excess && !entry.leaves && entry.ticks < wait_ticks_max_) {
+                still_waiting.push_back(std::move(entry));
+                continue;
+            }
         }
         accounts_.at(command.account).waiting--;
         clients_.at(command.client).waiting--;

@@ -5,13 +5,15 @@
 // processor time of its execution. In every tick the accounts that have inputs or debts share a
 // part of the tick period equally, and so do the clients of an account. Inputs run in order of
 // arrival while the balances of client and account are positive; further inputs wait for later
-// ticks. (Deficit round robin, Shreedhar and Varghese 1996, with costs that are known afterwards.)
-// Used on the tick thread.
+// ticks. Each client's inputs run, or are refused, in the order in which it sent them. (Deficit
+// round robin, Shreedhar and Varghese 1996, with costs that are known afterwards.) Used on the tick
+// thread.
 #pragma once
 
 #include <cstddef>
 #include <deque>
 #include <map>
+#include <set>
 #include <span>
 #include <string>
 #include <vector>
@@ -78,6 +80,7 @@ private:
     std::deque<Waiting> waiting_;  // in order of arrival
     std::size_t next_ = 0;         // index of the next entry to look at
     double spent_s_ = 0;           // in this tick
+    std::set<ClientId> blocked_;   // with an input that waits for a later tick
     const Command* running_ = nullptr;
 };
 

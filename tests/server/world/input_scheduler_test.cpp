@@ -91,6 +91,33 @@ TEST(InputScheduler, many_players_at_once_do_not_hold_a_tick) {
     EXPECT_LE(spent, 60 * share_s + 20 * 5e-3);
 }
 
+// A cheap input behind an expensive one: the world accepts only ascending sequence numbers.
+TEST(InputScheduler, inputs_of_a_client_run_in_the_order_in_which_it_sent_them) {
+    InputScheduler scheduler({}, hz);
+    std::uint32_t last = 0;
+    for (std::uint32_t i = 0; i < 40; i++) {
+        const TickOutcome run =
+            tick_with(scheduler, {input(1, 2 * i + 1), input(1, 2 * i + 2, DragCommand{})}, 5e-3);
+        for (const auto& [account, sequence] : run.ran) {
+            EXPECT_EQ(sequence, last + 1) << "none was overtaken";
+            last = sequence;
+        }
+        for (const auto& refused : run.refused) {
+            EXPECT_EQ(refused.command.sequence, last + 1);
+            last = refused.command.sequence;
+        }
+    }
+    EXPECT_GT(last, 20u);
+}
+
+TEST(InputScheduler, refuses_the_oldest_of_too_many_inputs) {
+    InputScheduler scheduler({.waiting_max = 10}, hz);
+    const TickOutcome run = tick_with(scheduler, inputs(1, 30), 50e-3);
+    ASSERT_EQ(run.refused.size(), 30u - 1 - 10);
+    EXPECT_EQ(run.refused.front().command.sequence, 2u);
+    EXPECT_EQ(run.refused.back().command.sequence, 20u);
+}
+
 // Without authentication, players of one network share an account.
 TEST(InputScheduler, a_client_is_not_delayed_by_another_of_its_account) {
     InputScheduler scheduler({}, hz);

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-
 #include "bench/accuracy/accuracy_bodies.h"
 
 #include <algorithm>

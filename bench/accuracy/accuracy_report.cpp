@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-
 #include "bench/accuracy/accuracy_report.h"
 
 #include <algorithm>

@@ -3,13 +3,13 @@
 // Rows of jostle-bench contact-models: penalty forces, velocity constraints and position
 // corrections on one contact scene.
 #pragma once
+#include <nlohmann/json.hpp>
 
 #include <memory>
 #include <span>
 #include <string_view>
 #include <vector>
 
-#include <nlohmann/json.hpp>
 #include "bench/contact_models/contact_scene.h"
 
 namespace jostle::bench::contact_models {

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-
 #include "bench/processes/program.h"
 
 #include <cerrno>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-
 #include "bench/speed/server_row.h"
+
+#include <signal.h>
 
 #include <algorithm>
 #include <chrono>
@@ -9,7 +10,6 @@
 #include <fstream>
 #include <thread>
 
-#include <signal.h>
 #include "bench/measure.h"
 #include "bench/processes/server_process.h"
 #include "bench/result_file.h"

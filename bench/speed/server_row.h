@@ -3,12 +3,12 @@
 // One row of the server table: a scene that jostle-server hosts for connected clients, the times of
 // its ticks, the late ticks, and the data that the clients received.
 #pragma once
+#include <nlohmann/json.hpp>
 
 #include <optional>
 #include <string>
 #include <vector>
 
-#include <nlohmann/json.hpp>
 #include "bench/speed/speed_scenes.h"
 #include "jostle/base/result.h"
 

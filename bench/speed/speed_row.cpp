@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-
 #include "bench/speed/speed_row.h"
 
 #include <algorithm>

@@ -3,11 +3,11 @@
 // One row of the speed table: a scene, an engine and a number of threads, with its cost and
 // accuracy. Lengths are in metres, as the names state.
 #pragma once
+#include <nlohmann/json.hpp>
 
 #include <optional>
 #include <string>
 
-#include <nlohmann/json.hpp>
 #include "bench/speed/engine_kinds.h"
 #include "bench/speed/speed_scenes.h"
 

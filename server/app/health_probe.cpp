@@ -200,8 +200,8 @@ Result<std::string> probe_health(const HealthTarget& target, std::chrono::millis
 }
 
 int run_health_probe(const Config& config) {
-    std::signal(SIGPIPE,
-                SIG_IGN);  // a listener that closes the connection is a result of the probe
+    // A listener that closes the connection is a result of the probe, not the end of it.
+    std::signal(SIGPIPE, SIG_IGN);
     const Result<HealthTarget> target = health_target(config);
     const Result<std::string> result =
         target.ok() ? probe_health(*target, probe_timeout) : target.error();

@@ -3,6 +3,7 @@
 // An RPC other than the play stream as the dispatcher sees it: its name, its limits and its
 // handler. Messages are bytes here; unary_method() wraps a handler of two messages.
 #pragma once
+#include <google/protobuf/message.h>
 
 #include <chrono>
 #include <functional>
@@ -12,7 +13,6 @@
 #include <utility>
 #include <vector>
 
-#include <google/protobuf/message.h>
 #include "jostle/base/result.h"
 #include "server/services/admin_control.h"
 #include "server/services/query_control.h"
@@ -115,31 +115,26 @@ CallMethod world_method(std::string path, CallWork work, std::size_t request_byt
 }
 
 // WorldService over gRPC: decodes requests, calls WorldControl, encodes responses. Any thread.
-//
 // Both arguments must outlive the methods.
 std::vector<CallMethod> world_methods(WorldControl& control, const WorldDirectory& worlds);
 
 // QueryService over gRPC: decodes requests, calls QueryControl, encodes responses. Any thread.
-//
 // Both arguments must outlive the methods.
 std::vector<CallMethod> query_methods(const QueryControl& queries, const WorldDirectory& worlds);
 
 // AdminService over gRPC: decodes requests, calls AdminControl, encodes responses, and records
 // calls that change something in the audit log. Any thread.
-//
 // Both arguments must outlive the methods.
 std::vector<CallMethod> admin_methods(AdminControl& control, const WorldDirectory& worlds);
 
 // grpc.health.v1.Health: Check responds once, Watch after each change. Any thread.
-//
 // `services`: the known services besides the empty name, which is the entire server; all share one
 // status. `is_serving`: called on any thread.
 std::vector<CallMethod> health_methods(std::vector<std::string> services,
                                        std::function<bool()> is_serving);
 
-// gRPC reflection, v1 and v1alpha, from the compiled-in descriptors. Pure; any thread.
-//
-// For these services, by full name.
+// gRPC reflection, v1 and v1alpha, from the compiled-in descriptors. Pure; any thread. For
+// these services, by full name.
 std::vector<CallMethod> reflection_methods(std::vector<std::string> services);
 
 }  // namespace jostle::server

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-
 #include "server/grpc/conversions.h"
 
 #include <algorithm>

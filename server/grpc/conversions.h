@@ -2,12 +2,12 @@
 //
 // Conversions between the types of gRPC and those of the server. Pure; any thread.
 #pragma once
-
-#include <string>
-
 #include <grpcpp/server_context.h>
 #include <grpcpp/support/byte_buffer.h>
 #include <grpcpp/support/status.h>
+
+#include <string>
+
 #include "jostle/base/result.h"
 #include "server/auth/authorizer.h"
 #include "server/grpc_proxy/connection_table.h"

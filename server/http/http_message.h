@@ -58,6 +58,8 @@ inline std::string_view path_of(std::string_view target) {
 // of worlds.
 enum class HttpWork { immediate, query, mutation };
 
+// The request handler of an HTTP port. The port reads and frames requests and is independent of
+// paths: the viewer port uses HttpRoutes, the admin port AdminRoutes.
 class HttpHandler {
 public:
     virtual ~HttpHandler() = default;

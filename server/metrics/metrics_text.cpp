@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
-
 #include "server/metrics/metrics_text.h"
+
+#include <prometheus/text_serializer.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include <array>
 #include <filesystem>
@@ -9,9 +12,6 @@
 #include <sstream>
 #include <string>
 
-#include <prometheus/text_serializer.h>
-#include <sys/resource.h>
-#include <unistd.h>
 #include "server/metrics/metrics.h"
 
 namespace jostle::server {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-
 #include "server/session/joined_world.h"
+
+#include <spdlog/fmt/fmt.h>
 
 #include <cmath>
 #include <iterator>
 #include <utility>
 
-#include <spdlog/fmt/fmt.h>
 #include "jostle/base/check.h"
 #include "server/limits/account.h"
 #include "server/session/world_admission.h"

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-
 #include "server/session/optional_sections.h"
 
 #include <algorithm>

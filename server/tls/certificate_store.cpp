@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-
 #include "server/tls/certificate_store.h"
-
-#include <memory>
 
 #include <openssl/bio.h>
 #include <openssl/x509.h>
+
+#include <memory>
+
 #include "jostle/base/check.h"
 #include "server/util/free_with.h"
 #include "server/util/log.h"

@@ -11,13 +11,13 @@
 // material() and expiry() may be called from any thread; poll() and reload() from the maintenance
 // thread.
 #pragma once
+#include <openssl/ssl.h>
 
 #include <array>
 #include <memory>
 #include <mutex>
 #include <string>
 
-#include <openssl/ssl.h>
 #include "server/tls/tls_material.h"
 #include "server/util/watched_file.h"
 

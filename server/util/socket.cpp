@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-
 #include "server/util/socket.h"
 
 #include <cerrno>

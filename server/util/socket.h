@@ -3,14 +3,14 @@
 // Sockets of the listeners: bound to an address of this machine, with the options that all set. Any
 // thread.
 #pragma once
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <sys/socket.h>
 
 #include <chrono>
 #include <cstdint>
 #include <string>
 
-#include <netinet/in.h>
-#include <netinet/tcp.h>
-#include <sys/socket.h>
 #include "jostle/base/check.h"
 #include "jostle/base/result.h"
 #include "server/util/clock.h"

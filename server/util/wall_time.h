@@ -3,12 +3,12 @@
 // Wall-clock time, for data that must agree with other machines: tokens, certificates, log lines.
 // It can be set and may jump; timeouts and intervals use clock.h.
 #pragma once
+#include <spdlog/fmt/chrono.h>
+#include <spdlog/fmt/fmt.h>
 
 #include <chrono>
 #include <string>
 
-#include <spdlog/fmt/chrono.h>
-#include <spdlog/fmt/fmt.h>
 #include "server/util/clock.h"
 
 namespace jostle::server {

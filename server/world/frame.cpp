@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-
 #include "server/world/frame.h"
 
 #include <algorithm>

@@ -91,6 +91,9 @@ struct RewindFrames {
     bool clamped = false;    // the requested time is older than the oldest frame, which is used
 };
 
+// The newest frames of a world, for lag compensation: clients render the world as it was some time
+// ago and aim at that. The tick thread puts frames; any thread reads them. Readers share the
+// ownership of the frames that they got.
 class FrameRing {
 public:
     // Holds the frames of `history_ms` at a rate of `hz`, and at least the newest one.

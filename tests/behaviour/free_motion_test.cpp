@@ -3,8 +3,8 @@
 // Free bodies. A projectile follows its parabola for any step length, because constant forces are
 // integrated exactly. A body that rotates about its middle axis flips repeatedly (Dzhanibekov):
 // compared with Euler's equations, solved here by Runge-Kutta with steps of 1/19200 s.
-
 #include <gtest/gtest.h>
+
 #include "tests/support/near.h"
 #include "tests/support/world_builder.h"
 

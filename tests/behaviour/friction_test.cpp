@@ -3,10 +3,10 @@
 // Coulomb friction. On a slope of atan(0.3) toward an azimuth of 30 degrees bodies stick, slide or
 // roll as Coulomb's law predicts; a friction pyramid would be right along its axes only. On a level
 // floor a sliding body stops after v^2 / (2 mu g) in any direction.
+#include <gtest/gtest.h>
 
 #include <cmath>
 
-#include <gtest/gtest.h>
 #include "tests/support/near.h"
 #include "tests/support/world_builder.h"
 

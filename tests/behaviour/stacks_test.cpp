@@ -2,8 +2,8 @@
 //
 // Stacked boxes stay in place and fall asleep; a pyramid of 465 boxes in 30 rows stands for 33 s
 // without sleeping.
-
 #include <gtest/gtest.h>
+
 #include "tests/support/near.h"
 #include "tests/support/world_builder.h"
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-
 #include "tools/load/framing.h"
 
 namespace jostle::load {

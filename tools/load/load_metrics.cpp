@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-
 #include "tools/load/load_metrics.h"
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
 
 #include <vector>
 
-#include <gtest/gtest.h>
 #include "server/grpc/conversions.h"
 
 namespace jostle::server {

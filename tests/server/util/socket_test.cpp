@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-
 #include "server/util/socket.h"
 #include <gtest/gtest.h>
 #include <sys/socket.h>

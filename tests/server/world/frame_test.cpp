@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
 
 #include <memory>
 
-#include <gtest/gtest.h>
 #include "server/world/frame.h"
 
 namespace jostle::server {

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-
 #include "jostle/client/security.h"
 #include "clients/cpp/core/src/security.h"
 

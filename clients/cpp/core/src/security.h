@@ -2,11 +2,11 @@
 //
 // Converts Security to gRPC credentials. Pure functions; any thread.
 #pragma once
+#include <grpcpp/client_context.h>
+#include <grpcpp/security/credentials.h>
 
 #include <memory>
 
-#include <grpcpp/client_context.h>
-#include <grpcpp/security/credentials.h>
 #include "jostle/client/security.h"
 
 namespace jostle::client {

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-
 #include "physics/src/stages/continuous/find_impacts.h"
 
 #include <algorithm>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-
 #include "physics/src/stages/continuous/start_toi_bodies.h"
 
 #include <algorithm>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-
 #include "physics/src/stages/solver/gather_bodies.h"
 
 #include <array>

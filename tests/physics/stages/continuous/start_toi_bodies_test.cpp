@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // Whom fast bodies look at on their way.
+#include <gtest/gtest.h>
 
 #include "physics/src/stages/continuous/start_toi_bodies.h"
-#include <gtest/gtest.h>
 #include "physics/src/state/world_access.h"
 #include "tests/support/world_builder.h"
 

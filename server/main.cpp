@@ -30,7 +30,7 @@ struct Flags {
     std::vector<std::string> scenes, settings;
     std::string listen, http, config, web_root, log_level, port_file;
     std::optional<std::string> admin, datagrams;
-    bool list_scenes = false, insecure = false, health = false;
+    bool list_scenes = false, insecure = false, health = false, accept_damage = false;
 };
 
 void add_flags(CLI::App& app, Flags& flags) {
@@ -85,6 +85,9 @@ void add_flags(CLI::App& app, Flags& flags) {
         ->type_name("LEVEL")
         ->envname("JOSTLE_LOG_LEVEL")
         ->group("Settings");
+    app.add_flag("--accept-damage", flags.accept_damage,
+                 "Continue with what can be read of a damaged database, after copying its files")
+        ->group("Settings");
     app.add_flag("--health", flags.health,
                  "Check the server at --listen and --http; exit with 0 if it serves, else 1");
     app.set_version_flag("--version", "jostle-server " JOSTLE_VERSION,
@@ -99,6 +102,7 @@ void apply_flags(jostle::server::Config& config, const Flags& flags) {
     };
     if (!flags.scenes.empty()) config.scenes = flags.scenes;
     if (flags.insecure) config.insecure = true;
+    if (flags.accept_damage) config.persistence.accept_damage = true;
     take(config.listen, flags.listen);
     take(config.http, flags.http);
     if (flags.admin) config.admin = *flags.admin;

@@ -195,7 +195,7 @@ Status ServerApp::Impl::start_worlds() {
         context_->resume_registry.use_secret(archive_->secret());
         resume_persisted_worlds(*archive_, *context_);
     }
-    return create_configured_worlds(config_, *worlds_);
+    return create_configured_worlds(config_, *worlds_, archive_.get());
 }
 
 void ServerApp::Impl::create_services() {
@@ -288,6 +288,7 @@ void ServerApp::Impl::stop() {
 
 std::optional<std::string> ServerApp::Impl::not_ready_reason() const {
     if (context_->draining) return "the server is shutting down";
+    if (archive_ && archive_->damage()) return archive_->damage();
     const auto failure = archive_ ? archive_->failure_reason() : std::nullopt;
     if (failure) return "the server refuses inputs because it cannot persist them: " + *failure;
     return std::nullopt;
@@ -301,6 +302,14 @@ std::optional<std::string> ServerApp::Impl::failure_reason() const {
 
 void ServerApp::Impl::refresh_metrics() {
     raise_to(metrics_.log_dropped, static_cast<double>(log_lines_dropped()));
+    metrics_.storage_healthy.Set(1);
+    if (archive_) {
+        const bool is_healthy = !archive_->damage() && !archive_->failure_reason();
+        if (!is_healthy) metrics_.storage_healthy.Set(0);
+        metrics_.storage_bytes.Set(static_cast<double>(archive_->bytes_on_disk()));
+        metrics_.storage_pending_bytes.Set(static_cast<double>(archive_->pending_bytes()));
+        raise_to(metrics_.storage_failures, static_cast<double>(archive_->failures()));
+    }
     if (!certificates_) return;
     const double expiry =
         static_cast<double>(std::chrono::system_clock::to_time_t(certificates_->expiry()));

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "jostle/scenes/scene_file.h"
+#include "server/util/log.h"
 
 namespace jostle::server {
 
@@ -19,7 +20,14 @@ void resume_persisted_worlds(WorldArchive& archive, PlayContext& context) {
     }
 }
 
-Status create_configured_worlds(const Config& config, WorldDirectory& worlds) {
+Status create_configured_worlds(const Config& config, WorldDirectory& worlds,
+                                const WorldArchive* archive) {
+    // A new world must not take the place of one that can still be restored.
+    const auto is_blocked = [&](const std::string& name) {
+        const auto conflict = archive ? archive->name_conflict(name) : std::nullopt;
+        if (conflict) log_error("world \"{}\" is not created: {}", name, *conflict);
+        return conflict.has_value();
+    };
     for (const std::string& entry : config.scenes) {
         const auto failed = [&](const Error& error) {
             return Error{error.code, fmt::format("scene \"{}\": {}", entry, error.message)};
@@ -27,9 +35,10 @@ Status create_configured_worlds(const Config& config, WorldDirectory& worlds) {
         const std::size_t equals = entry.find('=');
         const bool named = equals != std::string::npos;
         if (named && worlds.find(entry.substr(0, equals))) continue;  // resumed from the database
+        if (named && is_blocked(entry.substr(0, equals))) continue;
         const auto scene = scenes::load_scene(named ? entry.substr(equals + 1) : entry);
         if (!scene.ok()) return failed(scene.error());
-        if (!named && worlds.find(scene->name)) continue;
+        if (!named && (worlds.find(scene->name) || is_blocked(scene->name))) continue;
         const auto world = worlds.create(named ? entry.substr(0, equals) : "", *scene);
         if (!world.ok()) return failed(world.error());
     }

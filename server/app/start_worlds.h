@@ -16,7 +16,9 @@ namespace jostle::server {
 void resume_persisted_worlds(WorldArchive& archive, PlayContext& context);
 
 // Creates a world for each entry of Config::scenes ("pyramid", "my.json" or "arena=pyramid") unless
-// a world of its name exists. Errors name the entry.
-Status create_configured_worlds(const Config& config, WorldDirectory& worlds);
+// a world of its name exists, or `archive` has one that it could not resume. Errors name the entry.
+// Null archive: worlds are not persisted.
+Status create_configured_worlds(const Config& config, WorldDirectory& worlds,
+                                const WorldArchive* archive);
 
 }  // namespace jostle::server

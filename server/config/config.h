@@ -150,6 +150,9 @@ struct PersistenceSettings {
     double replay_seconds_max = 2;            // a checkpoint is also due after this much step time
     // how far back a world can be restored; 0: the last two checkpoints
     double history_retention_hours = 0;
+    // Continues with what can be read of a damaged database. For one start, therefore a flag and
+    // not a setting: --accept-damage.
+    bool accept_damage = false;
 
     bool is_on() const { return !database.empty() && durability != "none"; }
 };

@@ -192,6 +192,15 @@ struct Metrics {
                      "written."));
     Counter& world_restarts =
         one(counters("jostle_world_restarts_total", "Worlds restarted after an error."));
+    // Without a database: healthy, and no bytes.
+    Gauge& storage_healthy =
+        one(gauges("jostle_storage_healthy",
+                   "1: inputs can be persisted and all persisted worlds were resumed; else 0."));
+    Counter& storage_failures =
+        one(counters("jostle_storage_failures_total", "Times that persisting began to fail."));
+    Gauge& storage_bytes = one(gauges("jostle_storage_bytes", "Size of the database files."));
+    Gauge& storage_pending_bytes =
+        one(gauges("jostle_storage_pending_bytes", "Changes that wait to be persisted."));
     Gauges build_info = gauges("jostle_build_info", "1; the label is the running version.");
 
     // --- gRPC calls: labels grpc_service, grpc_method, grpc_code ---

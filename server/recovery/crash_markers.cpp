@@ -49,8 +49,14 @@ Result<std::unique_ptr<CrashMarkers>> CrashMarkers::open(const std::string& path
     const bool fits =
         fstat(file, &info) == 0 && static_cast<std::size_t>(info.st_size) == sizeof(File);
     void* at = MAP_FAILED;
-    if (fits || (ftruncate(file, 0) == 0 && ftruncate(file, sizeof(File)) == 0))
-        at = mmap(nullptr, sizeof(File), PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
+    bool is_stored = false;
+    if (fits || (ftruncate(file, 0) == 0 && ftruncate(file, sizeof(File)) == 0)) {
+        // A write to a mapped page for which the disk has no block would end the process.
+        const int reserved = posix_fallocate(file, 0, sizeof(File));
+        is_stored = reserved == 0 || reserved == EOPNOTSUPP;
+        at = mmap(nullptr, sizeof(File), PROT_READ | PROT_WRITE,
+                  is_stored ? MAP_SHARED : MAP_PRIVATE, file, 0);
+    }
     const Error error = failed();
     ::close(file);
     if (at == MAP_FAILED) return error;
@@ -64,7 +70,7 @@ Result<std::unique_ptr<CrashMarkers>> CrashMarkers::open(const std::string& path
         slot.running_tick.store(0);
         slot.world[sizeof slot.world - 1] = '\0';
     }
-    return std::unique_ptr<CrashMarkers>(new CrashMarkers(mapped));
+    return std::unique_ptr<CrashMarkers>(new CrashMarkers(mapped, is_stored));
 }
 
 CrashMarkers::~CrashMarkers() {

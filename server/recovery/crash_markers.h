@@ -50,6 +50,8 @@ public:
     CrashMarkers(const CrashMarkers&) = delete;
     CrashMarkers& operator=(const CrashMarkers&) = delete;
 
+    // False if the disk is full: the markers then end with the process.
+    bool is_stored() const { return is_stored_; }
     // The marker of the world; a new one if it has none. One thread at a time.
     CrashMarker of(const std::string& world);
     void drop(const std::string& world);
@@ -61,9 +63,10 @@ public:
 
 private:
     struct File;
-    explicit CrashMarkers(File* file) : file_(file) {}
+    CrashMarkers(File* file, bool is_stored) : file_(file), is_stored_(is_stored) {}
 
     File* file_;
+    const bool is_stored_;
 };
 
 }  // namespace jostle::server

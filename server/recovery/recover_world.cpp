@@ -71,9 +71,7 @@ private:
             const Result<std::vector<JournalEntry>> entries =
                 storage_.entries(stored_.id, world.sequence, entries_bytes_max);
             if (!entries.ok()) {
-                warnings_.push_back(
-                    describe("everything after tick " + std::to_string(world.tick) + " is lost",
-                             entries.error()));
+                lose_rest(world, entries.error());
                 break;
             }
             more = !entries->empty();
@@ -95,11 +93,16 @@ private:
         return {};
     }
 
+    void lose_rest(RecoveredWorld& world, const Error& error) {
+        world.is_cut = true;
+        warnings_.push_back(
+            describe("everything after tick " + std::to_string(world.tick) + " is lost", error));
+    }
+
     // Returns false if the world cannot be replayed further.
     bool apply(const JournalEntry& entry, RecoveredWorld& world) {
         const auto lost = [&](const Error& error) {
-            warnings_.push_back(describe(
-                "everything after tick " + std::to_string(world.tick) + " is lost", error));
+            lose_rest(world, error);
             return false;
         };
         const Result<std::string> data = decompress(entry.data, entry_bytes_max);

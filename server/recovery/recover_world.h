@@ -24,6 +24,7 @@ struct RecoveredWorld {
     Chain chain{};
     // Damage found and deviations from the original run, one sentence each.
     std::vector<std::string> warnings;
+    bool is_cut = false;  // ticks after `tick` are stored but cannot be read
 };
 
 struct RecoveryOptions {

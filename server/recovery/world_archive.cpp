@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <charconv>
+#include <ctime>
+#include <filesystem>
 #include <map>
 #include <utility>
 
@@ -14,7 +16,6 @@
 #include "server/recovery/world_storage_copy.h"
 #include "server/storage/compression.h"
 #include "server/storage/journal_chain.h"
-#include "server/storage/sqlite_storage.h"
 #include "server/util/bytes.h"
 #include "server/util/log.h"
 
@@ -26,6 +27,8 @@ constexpr ClientId ids_per_reservation = 1 << 16;
 constexpr const char* secret_note = "secret";
 constexpr const char* clients_note = "clients";
 constexpr std::size_t secret_bytes = 32;
+constexpr const char* how_to_accept =
+    "; restore a backup, or start once with --accept-damage to continue with what can be read";
 
 PutNote clients_note_of(ClientId first_free) {
     ByteWriter to;
@@ -62,6 +65,24 @@ Result<Checkpoint> checkpoint_of(const HostedWorld& world, std::uint32_t tick,
                       .portable = {}};
 }
 
+// Copies the files as they are, so that nothing is lost by continuing.
+Status accept_damage(SqliteStorage& storage, const std::string& path) {
+    const std::string aside = path + ".damaged-" + std::to_string(std::time(nullptr));
+    for (const char* suffix : {"", "-wal", ".head"}) {
+        std::error_code error;
+        if (!std::filesystem::exists(path + suffix, error)) continue;
+        std::filesystem::copy_file(path + suffix, aside + suffix, error);
+        if (error)
+            return Error{ErrorCode::unavailable, "cannot copy the damaged file to " + aside +
+                                                     suffix + ": " + error.message()};
+    }
+    const StorageDamage damage = storage.damage();
+    log_warn("{}: damage is accepted; the files as they were are {}*", path, aside);
+    if (!damage.store.empty()) log_warn("{}: {}", path, damage.store);
+    for (const auto& [world, reason] : damage.worlds) log_warn("world {}: {}", world, reason);
+    return storage.accept_damage();
+}
+
 // "w12-ab34" returns 12.
 std::uint32_t number_of(const std::string& id) {
     std::uint32_t number = 0;
@@ -75,6 +96,7 @@ WorldArchive::WorldArchive(const PersistenceSettings& settings, const HostLimits
                            int threads, std::function<void()> on_results_sent)
     : limits_(limits),
       threads_(threads),
+      accepts_damage_(settings.accept_damage),
       journal_settings_{.checkpoint_interval_seconds = settings.checkpoint_interval_seconds,
                         .replay_seconds_max = settings.replay_seconds_max,
                         .history_retention_hours = settings.history_retention_hours,
@@ -104,16 +126,36 @@ Result<std::unique_ptr<WorldArchive>> WorldArchive::open(const PersistenceSettin
     Result<std::unique_ptr<CrashMarkers>> marks = CrashMarkers::open(settings.database + ".marks");
     if (!marks.ok()) return marks.error();
     archive->marks_ = *std::move(marks);
-    if (Status s = archive->read_notes(**storage); !s.ok()) return failed(s.error());
+    if (!archive->marks_->is_stored())
+        log_warn("{}.marks: no space for it; crashes until the next start are not counted",
+                 settings.database);
+    if (!(*storage)->damage().is_none() && settings.accept_damage)
+        if (Status s = accept_damage(**storage, settings.database); !s.ok())
+            return failed(s.error());
     const Result<std::vector<StoredWorld>> worlds = (*storage)->worlds();
     if (!worlds.ok()) return failed(worlds.error());
     // The journals of loaded worlds refer to the writer, so it must exist first; its queue is
     // empty.
-    WorldStorage& opened = **storage;
+    SqliteStorage& opened = **storage;
+    const StorageDamage damage = opened.damage();
     archive->writer_ =
         std::make_unique<StorageWriter>(*std::move(storage), StorageWriterSettings{});
+    archive->store_damage_ = damage.store;
+    if (!damage.store.empty())
+        for (const StoredWorld& world : *worlds)
+            archive->set_aside(world.id, world.name, damage.store);
+    if (!damage.store.empty()) {
+        archive->damage_ = "the database is damaged: " + damage.store + how_to_accept;
+        log_error("{}", *archive->damage_);
+    }
+    Status done;
+    const bool is_started = archive->writer_->run_on_writer(
+        [&](WorldStorage&) { done = archive->read_notes(opened); }, timeout);
+    if (!is_started) done = slow();
+    if (!done.ok()) return failed(done.error());
     CrashMarkers::count_fatal_signals(archive->marks_.get());
-    if (Status s = archive->load_worlds(opened, *worlds); !s.ok()) return failed(s.error());
+    if (!damage.store.empty()) return archive;
+    if (Status s = archive->load_worlds(opened, damage, *worlds); !s.ok()) return failed(s.error());
     return archive;
 }
 
@@ -139,8 +181,37 @@ Status WorldArchive::read_notes(WorldStorage& storage) {
         return Error{ErrorCode::corrupt_data, "a note is out of range"};
     reserved_ = first_client_ + ids_per_reservation;
     ASSERT(reserved_ > first_client_);
-    const StorageChange changes[] = {PutNote{secret_note, secret_}, clients_note_of(reserved_)};
-    return storage.write(changes);
+    if (!store_damage_.empty()) return {};
+    std::vector<StorageChange> changes{PutNote{secret_note, secret_}, clients_note_of(reserved_)};
+    // Tokens that a new secret seals must survive this process.
+    return *secret ? write_or_queue(storage, std::move(changes)) : storage.write(changes);
+}
+
+Status WorldArchive::write_or_queue(WorldStorage& storage, std::vector<StorageChange> changes) {
+    Status done = storage.write(changes);
+    if (done.ok() || (done.error().code != ErrorCode::unavailable &&
+                      done.error().code != ErrorCode::resource_exhausted))
+        return done;
+    for (StorageChange& change : changes)
+        if (!writer_->push(std::move(change), nullptr)) return done;
+    return {};
+}
+
+void WorldArchive::set_aside(const std::string& id, const std::string& name,
+                             const std::string& reason) {
+    log_error("world {} \"{}\" is not resumed; its data stays in the database: {}", id, name,
+              reason);
+    names_aside_.push_back(name);
+    damage_ = "world " + id + " \"" + name + "\" is not resumed: " + reason;
+    if (names_aside_.size() > 1)
+        damage_ =
+            std::to_string(names_aside_.size()) + " worlds are not resumed; the last: " + *damage_;
+}
+
+std::optional<std::string> WorldArchive::name_conflict(const std::string& name) const {
+    if (!store_damage_.empty()) return "the database is damaged: " + store_damage_;
+    if (std::ranges::find(names_aside_, name) == names_aside_.end()) return std::nullopt;
+    return "the database has a world \"" + name + "\" that could not be resumed";
 }
 
 void WorldArchive::on_client(ClientId next) {
@@ -162,11 +233,16 @@ bool WorldArchive::flush(Clock::duration within) {
 
 // --- persisted worlds ---
 
-// A corrupt world does not prevent the others from loading. A disk that is full or missing is a
+// A corrupt world does not prevent the others from loading. A disk that cannot be read is a
 // temporary fault: loading fails as a whole, so that all worlds can be loaded later.
-Status WorldArchive::load_worlds(WorldStorage& storage, const std::vector<StoredWorld>& worlds) {
+Status WorldArchive::load_worlds(WorldStorage& storage, const StorageDamage& damage,
+                                 const std::vector<StoredWorld>& worlds) {
     for (const StoredWorld& stored : worlds) {
         const Clock::time_point began = Clock::now();
+        if (const auto at = damage.worlds.find(stored.id); at != damage.worlds.end()) {
+            set_aside(stored.id, stored.name, at->second + how_to_accept);
+            continue;
+        }
         Result<PersistedWorld> persisted = Error{};
         writer_->run_on_writer([&](WorldStorage&) { persisted = load_world(storage, stored); },
                                std::chrono::hours(1));
@@ -174,8 +250,7 @@ Status WorldArchive::load_worlds(WorldStorage& storage, const std::vector<Stored
                                 persisted.error().code == ErrorCode::resource_exhausted))
             return persisted.error();
         if (!persisted.ok()) {
-            log_error("world {} \"{}\" cannot be recovered; its data stays in the database: {}",
-                      stored.id, stored.name, persisted.error().message);
+            set_aside(stored.id, stored.name, persisted.error().message);
             continue;
         }
         log_info("world {} \"{}\" resumed after tick {}, expecting {} clients; {:.0f} ms",
@@ -222,7 +297,7 @@ Result<PersistedWorld> WorldArchive::load_world(WorldStorage& storage, const Sto
                                    .chain = found->chain,
                                    .checkpoints = *std::move(ticks)};
     changes.emplace_back(PutWorld{std::move(now)});
-    if (Status s = storage.write(changes); !s.ok()) return s.error();
+    if (Status s = write_or_queue(storage, std::move(changes)); !s.ok()) return s.error();
     marks_->of(stored.id).forget();
 
     std::vector<PreviousClient> previous_clients =
@@ -259,6 +334,8 @@ Result<RecoveredWorld> WorldArchive::recover(WorldStorage& storage, const Stored
                                   std::to_string(ticks) + " ticks up to it are quarantined");
     for (const std::string& warning : found->warnings)
         log_error("world {} \"{}\": {}", stored.id, stored.name, warning);
+    if (found->is_cut && !accepts_damage_)
+        return Error{ErrorCode::corrupt_data, found->warnings.back() + how_to_accept};
     return found;
 }
 
@@ -282,6 +359,8 @@ std::shared_ptr<WorldJournal> WorldArchive::make_journal(const WorldStart& start
 
 Status WorldArchive::open(WorldStart& start) {
     const std::string& id = start.label.id;
+    if (const auto conflict = name_conflict(start.label.name))
+        return Error{ErrorCode::failed_precondition, *conflict};
     Result<Checkpoint> checkpoint = checkpoint_of(start.world, start.tick, 0);
     if (!checkpoint.ok()) return checkpoint.error();
     const WorldDefinition definition{.owner = start.label.owner,

@@ -15,6 +15,7 @@
 #include "server/recovery/recover_world.h"
 #include "server/recovery/stored_world_journal.h"
 #include "server/recovery/world_definition.h"
+#include "server/storage/sqlite_storage.h"
 #include "server/storage/storage_writer.h"
 #include "server/world/world_host.h"
 
@@ -42,8 +43,9 @@ public:
                                                       const char* file_system = nullptr);
     ~WorldArchive() override;
 
-    // Call once: the recovered worlds in order of creation. A world that cannot be recovered is
-    // logged, and its data stays in the database.
+    // Call once: the recovered worlds in order of creation. A world that cannot be recovered as it
+    // was is logged and not resumed, and its data stays in the database, unless the damage is
+    // accepted (PersistenceSettings::accept_damage).
     std::vector<PersistedWorld> take_worlds() { return std::exchange(loaded_, {}); }
     // 32 random bytes known only to servers with this database.
     const std::string& secret() const { return secret_; }
@@ -52,8 +54,15 @@ public:
     // Any thread; never waits. Reports that client ids below `next` were assigned.
     void on_client(ClientId next);
 
+    // Any thread. Why worlds were not resumed; empty: all were.
+    const std::optional<std::string>& damage() const { return damage_; }
+    // Any thread. Why no world of this name can be created; empty: it can.
+    std::optional<std::string> name_conflict(const std::string& name) const;
+
     // Any thread. Why nothing can be persisted now; empty: no fault.
     std::optional<std::string> failure_reason() const { return writer_->failure_reason(); }
+    std::uint64_t failures() const { return writer_->failures(); }
+    std::uint64_t bytes_on_disk() const { return writer_->bytes_on_disk(); }
     std::size_t pending_bytes() const { return writer_->pending_bytes(); }
     // Waits until all queued changes are written. Returns false on timeout.
     bool flush(Clock::duration timeout);
@@ -70,7 +79,11 @@ private:
     WorldArchive(const PersistenceSettings& settings, const HostLimits& limits, int threads,
                  std::function<void()> on_results_sent);
     Status read_notes(WorldStorage& storage);
-    Status load_worlds(WorldStorage& storage, const std::vector<StoredWorld>& worlds);
+    // Writes now or, while the disk is full or fails, as soon as it works again.
+    Status write_or_queue(WorldStorage& storage, std::vector<StorageChange> changes);
+    void set_aside(const std::string& id, const std::string& name, const std::string& reason);
+    Status load_worlds(WorldStorage& storage, const StorageDamage& damage,
+                       const std::vector<StoredWorld>& worlds);
     Result<PersistedWorld> load_world(WorldStorage& storage, const StoredWorld& stored);
     // Recovers the world except for commands that crash it.
     Result<RecoveredWorld> recover(WorldStorage& storage, const StoredWorld& stored,
@@ -90,11 +103,15 @@ private:
 
     const HostLimits limits_;
     const int threads_;
+    const bool accepts_damage_;
     const JournalSettings journal_settings_;
     std::unique_ptr<CrashMarkers> marks_;
     std::unique_ptr<StorageWriter> writer_;
     std::unique_ptr<CheckpointWriter> checkpoints_;  // destroyed before the writer
     std::vector<PersistedWorld> loaded_;
+    std::optional<std::string> damage_;
+    std::string store_damage_;              // empty: none
+    std::vector<std::string> names_aside_;  // of worlds that were not resumed
     std::string secret_;
     ClientId first_client_ = 1;
     std::atomic<ClientId> reserved_{1};

@@ -12,6 +12,9 @@
 namespace jostle::server {
 
 using Digest = Chain;
+inline std::string_view view_of(const Digest& digest) {
+    return {reinterpret_cast<const char*>(digest.data()), digest.size()};
+}
 
 // SHA-256 of the pieces, each prefixed with its length, so that different splits have different
 // digests.

@@ -141,6 +141,10 @@ Result<SqliteStatement> SqliteDatabase::prepare(std::string_view statement) {
     return SqliteStatement(prepared);
 }
 
+void SqliteDatabase::empty_log() {
+    sqlite3_wal_checkpoint_v2(handle_.get(), nullptr, SQLITE_CHECKPOINT_TRUNCATE, nullptr, nullptr);
+}
+
 Result<std::uint64_t> SqliteDatabase::number(const char* statement) {
     Result<SqliteStatement> prepared = prepare(statement);
     if (!prepared.ok()) return prepared.error();

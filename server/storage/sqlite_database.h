@@ -44,6 +44,8 @@ public:
     Status execute(const char* statements);
     Result<SqliteStatement> prepare(std::string_view statement);
     Result<std::uint64_t> number(const char* statement);
+    // Copies the write-ahead log into the database and empties it, if possible now.
+    void empty_log();
     // Whether a transaction is open. Some errors end a transaction.
     bool in_transaction() const { return sqlite3_get_autocommit(handle_.get()) == 0; }
 

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "server/storage/sqlite_storage.h"
 
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
+#include <ctime>
+#include <map>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -12,37 +17,11 @@
 #include "jostle/base/check.h"
 #include "server/storage/journal_chain.h"
 #include "server/storage/sqlite_database.h"
+#include "server/storage/sqlite_schema.h"
+#include "server/storage/store_head.h"
 
 namespace jostle::server {
 namespace {
-
-constexpr std::uint64_t application_id = 0x4a53544c;  // "JSTL"
-constexpr std::uint64_t schema_version = 2;
-
-constexpr const char* schema = R"(
-    CREATE TABLE world(
-        id BLOB PRIMARY KEY, name BLOB NOT NULL, epoch INTEGER NOT NULL, engine BLOB NOT NULL,
-        settings BLOB NOT NULL, digest BLOB NOT NULL) WITHOUT ROWID;
-    CREATE TABLE journal(
-        world BLOB NOT NULL REFERENCES world(id) ON DELETE CASCADE, sequence INTEGER NOT NULL,
-        epoch INTEGER NOT NULL, first_tick INTEGER NOT NULL, last_tick INTEGER NOT NULL,
-        chain BLOB NOT NULL, data BLOB NOT NULL, digest BLOB NOT NULL,
-        PRIMARY KEY(world, sequence)) WITHOUT ROWID;
-    CREATE TABLE checkpoint(
-        world BLOB NOT NULL REFERENCES world(id) ON DELETE CASCADE, tick INTEGER NOT NULL,
-        hash INTEGER NOT NULL, sequence INTEGER NOT NULL, exact BLOB NOT NULL,
-        portable BLOB NOT NULL, digest BLOB NOT NULL,
-        PRIMARY KEY(world, tick));
-)";
-// Since schema version 2.
-constexpr const char* notes_schema = R"(
-    CREATE TABLE note(name BLOB PRIMARY KEY, value BLOB NOT NULL, digest BLOB NOT NULL)
-        WITHOUT ROWID;
-)";
-
-std::string_view view_of(const Digest& digest) {
-    return {reinterpret_cast<const char*>(digest.data()), digest.size()};
-}
 
 Digest digest_of_row(const StoredWorld& w) {
     const std::string epoch = std::to_string(w.epoch);
@@ -81,11 +60,13 @@ std::string name_of(const std::string& world, const JournalEntry& e) {
 class SqliteStorage::Database {
 public:
     enum Kind {
+        digest_of_world,
         put_world,
         drop_world,
         append,
         digest_of_entry,
         last_sequence,
+        digest_of_checkpoint,
         put_checkpoint,
         trim_checkpoints,
         trim_journal,
@@ -98,6 +79,9 @@ public:
         truncate_journal,
         put_note,
         read_note,
+        put_head,
+        put_world_head,
+        drop_world_head,
         kinds,
     };
 
@@ -105,16 +89,18 @@ public:
 
     Status prepare() {
         static constexpr std::array<const char*, kinds> texts = {
+            "SELECT digest FROM world WHERE id = ?1",
             "INSERT INTO world VALUES(?1, ?2, ?3, ?4, ?5, ?6) ON CONFLICT(id) DO UPDATE SET "
             "name = ?2, epoch = ?3, engine = ?4, settings = ?5, digest = ?6",
             "DELETE FROM world WHERE id = ?1",
             "INSERT INTO journal VALUES(?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8)",
             "SELECT digest FROM journal WHERE world = ?1 AND sequence = ?2",
             "SELECT max(sequence) FROM journal WHERE world = ?1",
+            "SELECT digest FROM checkpoint WHERE world = ?1 AND tick = ?2",
             "INSERT OR REPLACE INTO checkpoint VALUES(?1, ?2, ?3, ?4, ?5, ?6, ?7)",
-            "DELETE FROM checkpoint WHERE world = ?1 AND tick < ?2",
+            "DELETE FROM checkpoint WHERE world = ?1 AND tick < ?2 RETURNING digest",
             "DELETE FROM journal WHERE world = ?1 AND sequence < "
-            "(SELECT sequence FROM checkpoint WHERE world = ?1 AND tick = ?2)",
+            "(SELECT sequence FROM checkpoint WHERE world = ?1 AND tick = ?2) RETURNING digest",
             "SELECT id, name, epoch, engine, settings, digest FROM world ORDER BY id",
             "SELECT tick FROM checkpoint WHERE world = ?1 ORDER BY tick DESC",
             "SELECT tick, hash, sequence, exact, portable, digest FROM checkpoint "
@@ -122,10 +108,13 @@ public:
             "SELECT sequence, epoch, first_tick, last_tick, chain, data, digest FROM journal "
             "WHERE world = ?1 AND sequence > ?2 ORDER BY sequence",
             "SELECT chain FROM journal WHERE world = ?1 AND sequence = ?2",
-            "DELETE FROM checkpoint WHERE world = ?1 AND tick > ?2",
-            "DELETE FROM journal WHERE world = ?1 AND sequence > ?2",
+            "DELETE FROM checkpoint WHERE world = ?1 AND tick > ?2 RETURNING digest",
+            "DELETE FROM journal WHERE world = ?1 AND sequence > ?2 RETURNING digest",
             "INSERT OR REPLACE INTO note VALUES(?1, ?2, ?3)",
             "SELECT value, digest FROM note WHERE name = ?1",
+            "UPDATE head SET commits = ?1, written = ?2, is_backup = 0, total = ?3",
+            "INSERT OR REPLACE INTO world_head VALUES(?1, ?2)",
+            "DELETE FROM world_head WHERE world = ?1",
         };
         for (const char* text : texts) {
             Result<SqliteStatement> made = database_.prepare(text);
@@ -143,6 +132,9 @@ public:
 
     Status operator()(const PutWorld& put) {
         const Digest digest = digest_of_row(put.world);
+        if (Status s = remove(put.world.id, of(digest_of_world).bind(1, put.world.id)); !s.ok())
+            return s;
+        add(put.world.id, digest);
         return of(put_world)
             .bind(1, put.world.id)
             .bind(2, put.world.name)
@@ -152,7 +144,10 @@ public:
             .bind(6, view_of(digest))
             .run();
     }
-    Status operator()(const DropWorld& drop) { return of(drop_world).bind(1, drop.id).run(); }
+    Status operator()(const DropWorld& drop) {
+        change(drop.id) = {};
+        return of(drop_world).bind(1, drop.id).run();
+    }
     Status operator()(const AppendEntry& append_it) {
         const auto& [world, e] = append_it;
         const Digest digest = digest_of_row(world, e);
@@ -165,6 +160,7 @@ public:
         if (newest != 0 && e.sequence != newest + 1)
             return Error{ErrorCode::not_found,
                          name_of(world, e) + " does not follow entry " + std::to_string(newest)};
+        add(world, digest);
         return of(append)
             .bind(1, world)
             .bind(2, e.sequence)
@@ -179,6 +175,11 @@ public:
     Status operator()(const PutCheckpoint& put) {
         const auto& [world, c] = put;
         const Digest digest = digest_of_row(world, c);
+        if (Status s = remove(
+                world, of(digest_of_checkpoint).bind(1, world).bind(2, std::uint64_t{c.tick}));
+            !s.ok())
+            return s;
+        add(world, digest);
         return of(put_checkpoint)
             .bind(1, world)
             .bind(2, std::uint64_t{c.tick})
@@ -191,26 +192,111 @@ public:
     }
     Status operator()(const Trim& trim) {
         for (const Kind kind : {trim_checkpoints, trim_journal})
-            if (Status s = of(kind).bind(1, trim.world).bind(2, std::uint64_t{trim.tick}).run();
+            if (Status s = remove(trim.world,
+                                  of(kind).bind(1, trim.world).bind(2, std::uint64_t{trim.tick}));
                 !s.ok())
                 return s;
         return {};
     }
     Status operator()(const TruncateJournal& truncate) {
-        Status done = of(truncate_checkpoints)
-                          .bind(1, truncate.world)
-                          .bind(2, std::uint64_t{truncate.tick})
-                          .run();
-        return done.ok()
-                   ? of(truncate_journal).bind(1, truncate.world).bind(2, truncate.sequence).run()
-                   : done;
+        const auto& [world, tick, sequence] = truncate;
+        Status done =
+            remove(world, of(truncate_checkpoints).bind(1, world).bind(2, std::uint64_t{tick}));
+        return done.ok() ? remove(world, of(truncate_journal).bind(1, world).bind(2, sequence))
+                         : done;
     }
     Status operator()(const PutNote& note) {
         const Digest digest = digest_of_row(note);
+        SqliteStatement& known = of(read_note).bind(1, note.name);
+        const Result<bool> row = known.step();
+        if (!row.ok()) return row.error();
+        if (*row) changed_total_.add(known.bytes(1));
+        known.reset();
+        changed_total_.add(view_of(digest));
         return of(put_note).bind(1, note.name).bind(2, note.value).bind(3, view_of(digest)).run();
     }
 
+    // ---- the head ----
+
+    const StoreHead& head() const { return head_.store; }
+    void set_head(DatabaseHead head) { head_ = std::move(head); }
+
+    // Call before the first change of a transaction.
+    void begin_totals() {
+        changed_.clear();
+        changed_total_ = head_.store.total;
+    }
+    // Writes the totals of the changes as the head of the next commit.
+    Status write_head() {
+        for (const auto& [world, total] : changed_) {
+            const bool is_dropped = total == DigestTotal();
+            SqliteStatement& put = of(is_dropped ? drop_world_head : put_world_head).bind(1, world);
+            if (Status s = is_dropped ? put.run() : put.bind(2, view_of(total.value())).run();
+                !s.ok())
+                return s;
+        }
+        return of(put_head)
+            .bind(1, head_.store.commits + 1)
+            .bind(2, now())
+            .bind(3, view_of(changed_total_.value()))
+            .run();
+    }
+    // Writes the head that was set as that of the next commit.
+    Status rewrite_heads() {
+        begin_totals();
+        changed_ = head_.worlds;
+        return write_head();
+    }
+    // After the commit.
+    void keep_totals() {
+        for (const auto& [world, total] : changed_)
+            if (total == DigestTotal())
+                head_.worlds.erase(world);
+            else
+                head_.worlds[world] = total;
+        head_.store.total = changed_total_;
+        head_.store.commits++;
+        head_.store.written = now();
+    }
+
 private:
+    static std::uint64_t now() { return static_cast<std::uint64_t>(std::time(nullptr)); }
+
+    // The total of a world after the changes so far; assigning to it also changes the total of all.
+    class Change {
+    public:
+        Change(DigestTotal& world, DigestTotal& all) : world_(world), all_(all) {}
+        void add(std::string_view digest) {
+            world_.add(digest);
+            all_.add(digest);
+        }
+        void operator=(const DigestTotal& total) {
+            all_.add(view_of(world_.value()));
+            all_.add(view_of(total.value()));
+            world_ = total;
+        }
+
+    private:
+        DigestTotal &world_, &all_;
+    };
+    Change change(const std::string& world) {
+        const auto known = head_.worlds.find(world);
+        const auto at =
+            changed_.try_emplace(world, known != head_.worlds.end() ? known->second : DigestTotal())
+                .first;
+        return {at->second, changed_total_};
+    }
+    void add(const std::string& world, const Digest& digest) { change(world).add(view_of(digest)); }
+    // Runs a statement that returns the digests of the rows that it deletes or is about to replace.
+    Status remove(const std::string& world, SqliteStatement& statement) {
+        for (;;) {
+            const Result<bool> row = statement.step();
+            if (!row.ok()) return row.error();
+            if (!*row) return {};
+            change(world).add(statement.bytes(0));
+        }
+    }
+
     // Writing an identical entry again is not an error.
     Status check_duplicate(const std::string& world, const JournalEntry& e, const Digest& digest) {
         SqliteStatement& known = of(digest_of_entry).bind(1, world).bind(2, e.sequence);
@@ -225,96 +311,155 @@ private:
 
     SqliteDatabase database_;
     std::vector<SqliteStatement> statements_;
+    DatabaseHead head_;
+    // Of the open transaction.
+    std::map<std::string, DigestTotal> changed_;
+    DigestTotal changed_total_;
 };
 
-SqliteStorage::SqliteStorage(std::unique_ptr<Database> database) : database_(std::move(database)) {}
+SqliteStorage::SqliteStorage(std::string path, std::unique_ptr<Database> database,
+                             std::unique_ptr<HeadFile> head_file)
+    : path_(std::move(path)), database_(std::move(database)), head_file_(std::move(head_file)) {}
 SqliteStorage::~SqliteStorage() = default;
 
 namespace {
+
+constexpr const char* head_suffix = ".head";
+
+std::optional<SqliteStorage::FileId> file_id(const std::string& path) {
+    struct stat about {};
+    if (::stat(path.c_str(), &about) != 0) return std::nullopt;
+    return SqliteStorage::FileId{about.st_dev, about.st_ino};
+}
 
 Error named(const std::string& path, Error error) {
     error.message = path + ": " + error.message;
     return error;
 }
 
-// The digests cannot detect rows that are missing because of a damaged page.
-Status check_structure(SqliteDatabase& database) {
-    Result<SqliteStatement> check = database.prepare("PRAGMA integrity_check(1)");
-    if (!check.ok()) return check.error();
-    const Result<bool> row = check->step();
-    if (!row.ok()) return row.error();
-    const std::string_view report = *row ? check->bytes(0) : "";
-    if (report == "ok") return {};
-    return Error{ErrorCode::corrupt_data, "the database is corrupt: " + std::string(report)};
-}
-
-// Acquires the file exclusively and checks that it has this application's schema version.
-Status acquire_file(SqliteDatabase& database, Durability durability) {
-    if (Status s = database.execute("PRAGMA locking_mode = EXCLUSIVE;"
-                                    "PRAGMA trusted_schema = OFF;"
-                                    "PRAGMA cell_size_check = ON;"
-                                    "PRAGMA foreign_keys = ON;");
-        !s.ok())
-        return s;
-    const Result<std::uint64_t> application = database.number("PRAGMA application_id");
-    const Result<std::uint64_t> version = database.number("PRAGMA user_version");
-    const Result<std::uint64_t> tables = database.number("SELECT count(*) FROM sqlite_schema");
-    for (const auto* read : {&application, &version, &tables})
-        if (!read->ok()) {
-            if (read->error().code != ErrorCode::unavailable) return read->error();
-            return Error{ErrorCode::failed_precondition,
-                         "another process has it open, or it cannot be read (" +
-                             read->error().message + "); a database belongs to one server"};
-        }
-    if (*tables != 0 && *application != application_id)
-        return Error{ErrorCode::corrupt_data,
-                     "it is an SQLite database, but not a Jostle database"};
-    if (*version > schema_version)
-        return Error{ErrorCode::corrupt_data,
-                     "it was written by a later version of Jostle (schema " +
-                         std::to_string(*version) + "; this version supports " +
-                         std::to_string(schema_version) + ")"};
-    if (Status s =
-            database.execute(durability == Durability::machine
-                                 ? "PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL;"
-                                 : "PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL;");
-        !s.ok())
-        return s;
-    if (*tables != 0)
-        if (Status s = check_structure(database); !s.ok() || *version == schema_version) return s;
-    // Schema version 1 lacks only the notes.
-    const std::string create_schema =
-        "BEGIN IMMEDIATE;" + std::string(*tables == 0 ? schema : "") + notes_schema +
-        "PRAGMA application_id = " + std::to_string(application_id) +
-        ";PRAGMA user_version = " + std::to_string(schema_version) + ";COMMIT;";
-    return database.execute(create_schema.c_str());
-}
-
 }  // namespace
 
 Result<std::unique_ptr<SqliteStorage>> SqliteStorage::open(const std::string& path,
                                                            const SqliteStorageOptions& options) {
+    const bool is_durable = options.durability == Durability::machine;
+    auto head = std::make_unique<HeadFile>(path + head_suffix, is_durable);
+    const Result<HeadFile::Content> content = head->read();
+    if (!content.ok()) return content.error();
+    if (options.create && content->head && content->head->commits > 1 &&
+        ::access(path.c_str(), F_OK) != 0)
+        return named(path,
+                     {ErrorCode::corrupt_data,
+                      "it is missing, but " + head->path() + " says that it was in use until " +
+                          utc_text(content->head->written) +
+                          "; restore a backup, or delete that file to begin anew"});
     Result<SqliteDatabase> opened = SqliteDatabase::open(path, options.file_system, options.create);
     if (!opened.ok()) return named(path, opened.error());
-    if (Status s = acquire_file(*opened, options.durability); !s.ok())
+    if (Status s = open_schema(*opened, is_durable, *head, *content); !s.ok())
         return named(path, s.error());
     auto database = std::make_unique<Database>(*std::move(opened));
     if (Status s = database->prepare(); !s.ok()) return named(path, s.error());
-    return std::unique_ptr<SqliteStorage>(new SqliteStorage(std::move(database)));
+    std::unique_ptr<SqliteStorage> storage(
+        new SqliteStorage(path, std::move(database), std::move(head)));
+    if (Status s = storage->find_damage(); !s.ok()) return named(path, s.error());
+    return storage;
+}
+
+// Compares the rows with the head of the database, and that with the head file.
+Status SqliteStorage::find_damage() {
+    Database& database = *database_;
+    Result<DatabaseHead> head = read_head(*database);
+    if (!head.ok()) return head.error();
+    const Result<RowTotals> rows = sum_rows(*database);
+    if (!rows.ok()) return rows.error();
+    const Result<HeadFile::Content> content = head_file_->read();
+    if (!content.ok()) return content.error();
+    damage_.store = head_conflict(head->store, head->is_backup, *content, head_file_->path());
+    RowTotals expected{.worlds = head->worlds, .notes = rows->notes};
+    if (damage_.store.empty() && expected.of_all() != head->store.total)
+        damage_.store = "its list of worlds or its notes are not those of the last commit";
+    for (const auto& [world, total] : head->worlds)
+        if (const auto at = rows->worlds.find(world);
+            at == rows->worlds.end() || at->second != total)
+            damage_.worlds[world] = "rows of it are missing or are not those of the last commit";
+    for (const auto& [world, total] : rows->worlds)
+        if (!head->worlds.contains(world))
+            damage_.worlds[world] = "it is not in the list of worlds of the last commit";
+    database.set_head(*std::move(head));
+    files_.clear();
+    for (const std::string& path : {path_, path_ + "-wal", head_file_->path()})
+        if (const std::optional<FileId> id = file_id(path)) files_.emplace_back(path, *id);
+    return {};
+}
+
+Status SqliteStorage::accept_damage() {
+    Database& database = *database_;
+    const Result<RowTotals> rows = sum_rows(*database);
+    if (!rows.ok()) return rows.error();
+    const Result<HeadFile::Content> content = head_file_->read();
+    if (!content.ok()) return content.error();
+    DatabaseHead head{.store = database.head(), .worlds = rows->worlds};
+    if (content->head && content->head->commits > head.store.commits)
+        head.store.commits = content->head->commits;
+    head.store.total = rows->of_all();
+    Status done = database->execute("BEGIN IMMEDIATE; DELETE FROM world_head");
+    if (done.ok()) {
+        database.set_head(std::move(head));
+        done = database.rewrite_heads();
+    }
+    if (done.ok()) done = database->execute("COMMIT");
+    if (!done.ok()) {
+        if (database->in_transaction()) static_cast<void>(database->execute("ROLLBACK").ok());
+        return done;
+    }
+    database.keep_totals();
+    damage_ = {};
+    return head_file_->write(database.head());
+}
+
+Status SqliteStorage::check_files() {
+    for (const auto& [path, id] : files_)
+        if (const std::optional<FileId> now = file_id(path); now != id)
+            return Error{ErrorCode::unavailable,
+                         path + (now ? " was replaced" : " was removed or cannot be read") +
+                             " while the server uses it; what is written now would be lost"};
+    return {};
+}
+
+std::uint64_t SqliteStorage::bytes_on_disk() {
+    std::uint64_t bytes = 0;
+    for (const auto& [path, id] : files_) {
+        struct stat about {};
+        if (::stat(path.c_str(), &about) == 0) bytes += static_cast<std::uint64_t>(about.st_size);
+    }
+    return bytes;
 }
 
 Status SqliteStorage::write(std::span<const StorageChange> changes) {
     Database& database = *database_;
+    if (!damage_.store.empty()) return Error{ErrorCode::failed_precondition, damage_.store};
+    if (Status s = check_files(); !s.ok()) return s;
     Status done = database->execute("BEGIN IMMEDIATE");
+    database.begin_totals();
     for (const StorageChange& change : changes)
         if (done.ok()) done = std::visit(database, change);
+    if (done.ok()) done = database.write_head();
     if (done.ok()) done = database->execute("COMMIT");
     // Some errors have already ended the transaction.
     if (!done.ok() && database->in_transaction()) {
         const Status undone = database->execute("ROLLBACK");
         if (!undone.ok()) return undone;
     }
-    return done;
+    if (!done.ok()) return done;
+    database.keep_totals();
+    // The changes count as written only if their loss would be noticed. The same changes can be
+    // written again.
+    if (Status s = head_file_->write(database.head()); !s.ok()) return s;
+    // A short log loses little if it is damaged. A log that cannot be emptied now is emptied later.
+    const auto is_checkpoint = [](const StorageChange& change) {
+        return std::holds_alternative<PutCheckpoint>(change);
+    };
+    if (std::ranges::any_of(changes, is_checkpoint)) database->empty_log();
+    return {};
 }
 
 Result<std::vector<StoredWorld>> SqliteStorage::worlds() {

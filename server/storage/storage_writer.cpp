@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "jostle/base/check.h"
+#include "server/util/log.h"
 
 namespace jostle::server {
 namespace {
@@ -98,7 +99,12 @@ void StorageWriter::run() {
         std::deque<Waiting> group;
         {
             std::unique_lock lock(mutex_);
-            changed_.wait(lock, [&] { return !queue_.empty() || last_try_ || task_; });
+            const auto has_work = [&] { return !queue_.empty() || last_try_ || task_; };
+            while (!changed_.wait_for(lock, settings_.check_interval, has_work)) {
+                lock.unlock();
+                check_files();
+                lock.lock();
+            }
             if (queue_.empty() && task_) {
                 ASSERT(!task_running_);
                 task_running_ = true;
@@ -170,14 +176,30 @@ void StorageWriter::try_write(std::deque<Waiting>& group) {
     }
     const std::lock_guard lock(mutex_);
     writing_since_.reset();
-    if (group.empty())
-        failure_.reset();
-    else
-        failure_ = result.error().message;
+    set_failure(group.empty() ? std::nullopt : std::optional(result.error().message));
     bytes_ -= bytes;
     finished_ += finished;
     ASSERT(finished_ <= pushed_);
     changed_.notify_all();
+}
+
+void StorageWriter::check_files() {
+    const Status intact = storage_->check_files();
+    bytes_on_disk_ = storage_->bytes_on_disk();
+    const std::lock_guard lock(mutex_);
+    set_failure(intact.ok() ? std::nullopt : std::optional(intact.error().message));
+}
+
+void StorageWriter::set_failure(std::optional<std::string> failure) {
+    if (failure && !failure_) {
+        failures_++;
+        failing_since_ = Clock::now();
+        log_error("cannot persist: {}; inputs are refused until it works again", *failure);
+    } else if (!failure && failure_) {
+        log_info("persisting works again after {:.1f} s",
+                 to_ms(Clock::now() - failing_since_) / 1000);
+    }
+    failure_ = std::move(failure);
 }
 
 bool StorageWriter::wait_for_retry() {

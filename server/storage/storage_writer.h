@@ -6,7 +6,9 @@
 // ends.
 #pragma once
 
+#include <atomic>
 #include <condition_variable>
+#include <cstdint>
 #include <deque>
 #include <functional>
 #include <memory>
@@ -25,6 +27,8 @@ struct StorageWriterSettings {
     Clock::duration retry = std::chrono::milliseconds(250);  // delay after a failure
     // A write that takes longer counts as a failure.
     Clock::duration timeout = std::chrono::seconds(1);
+    // Interval in which the files are checked while nothing is written.
+    Clock::duration check_interval = std::chrono::seconds(1);
 };
 
 class StorageWriter {
@@ -52,6 +56,10 @@ public:
     std::optional<std::string> failure_reason() const;
     // Any thread.
     std::size_t pending_bytes() const;
+    // Any thread: how often storage began to fail, and the size of its files, at most some seconds
+    // ago.
+    std::uint64_t failures() const { return failures_; }
+    std::uint64_t bytes_on_disk() const { return bytes_on_disk_; }
 
 private:
     struct Waiting {
@@ -65,6 +73,9 @@ private:
     void try_write(std::deque<Waiting>& group);
     // Returns false if the writer ends and the remaining changes are not retried.
     bool wait_for_retry();
+    void check_files();
+    // Logs the begin and the end of a failure. Call with the mutex locked.
+    void set_failure(std::optional<std::string> failure);
 
     const std::unique_ptr<WorldStorage> storage_;  // used by the writer's thread only
     const StorageWriterSettings settings_;
@@ -76,8 +87,10 @@ private:
     const std::function<void(WorldStorage& storage)>* task_ = nullptr;  // one at a time
     bool task_running_ = false;
     std::optional<std::string> failure_;
+    Clock::time_point failing_since_;
     std::optional<Clock::time_point> writing_since_;
     std::optional<Clock::time_point> last_try_;  // if set, the writer ends at this time
+    std::atomic<std::uint64_t> failures_{0}, bytes_on_disk_{0};
     std::thread thread_;
 };
 

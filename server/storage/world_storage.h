@@ -36,6 +36,10 @@ public:
                                                       std::size_t bytes_max) = 0;
     // Empty if there is no such note.
     virtual Result<std::optional<std::string>> note(const std::string& name) = 0;
+    // unavailable: a file of the storage was removed or replaced since it was opened.
+    virtual Status check_files() { return {}; }
+    // Size of all files.
+    virtual std::uint64_t bytes_on_disk() { return 0; }
 };
 
 }  // namespace jostle::server

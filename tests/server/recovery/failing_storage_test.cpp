@@ -24,7 +24,7 @@ namespace {
 using namespace std::chrono_literals;
 using test::DiskFault;
 
-class FailingStorage : public testing::TestWithParam<DiskFault> {
+class StorageFailures : public testing::Test {
 protected:
     void TearDown() override { test::set_disk_fault(DiskFault::none); }
 
@@ -52,6 +52,8 @@ protected:
     std::shared_ptr<ResultQueue> results_ = std::make_shared<ResultQueue>();
     std::set<std::uint32_t> applied_, refused_;
 };
+
+class FailingStorage : public StorageFailures, public testing::WithParamInterface<DiskFault> {};
 
 TEST_P(FailingStorage, world_continues_running_and_persistence_recovers) {
     const test::TempFolder folder;
@@ -101,6 +103,43 @@ TEST_P(FailingStorage, world_continues_running_and_persistence_recovers) {
     EXPECT_TRUE(found.warnings.empty());
     EXPECT_TRUE(std::ranges::includes(persisted, applied_));
     for (const std::uint32_t sequence : refused_) EXPECT_FALSE(persisted.contains(sequence));
+}
+
+// Killed, and the disk is full when the next process starts.
+TEST_F(StorageFailures, starts_on_a_full_disk_and_persists_when_there_is_space) {
+    const test::TempFolder folder;
+    const std::string path = folder / "worlds.db";
+    const HostLimits limits{.scene = {.bodies_max = 400}};
+    std::uint32_t tick = 0;
+    const auto open_archive = [&] {
+        return WorldArchive::open({.database = path}, limits, 1, nullptr, test::failing_disk());
+    };
+    {
+        auto archive = open_archive().value();
+        WorldDirectory worlds({.limits = limits, .world_persistence = archive.get()}, 4, "test");
+        const auto world = worlds.create("yard", *scenes::find_scene("stack")).value();
+        ASSERT_TRUE(play(*world, 20s, [&] { return applied_.size() > 20; }));
+        world->skip_final_checkpoint();
+        worlds.stop_all();
+        ASSERT_TRUE(archive->flush(5s));
+        tick = world->frame()->tick;
+    }
+    test::set_disk_fault(DiskFault::full);
+    auto archive = open_archive().value();
+    WorldDirectory worlds({.limits = limits, .world_persistence = archive.get()}, 4, "test");
+    std::vector<PersistedWorld> loaded = archive->take_worlds();
+    ASSERT_EQ(loaded.size(), 1u);
+    EXPECT_GE(loaded[0].start.tick + 1, tick);
+    const auto world = worlds.adopt(std::move(loaded[0].start));
+    ASSERT_TRUE(play(*world, 20s, [&] { return refused_.size() > 20; }));
+    EXPECT_TRUE(archive->failure_reason().has_value());
+    EXPECT_EQ(archive->failures(), 1u);
+    const std::size_t previous = applied_.size();
+    test::set_disk_fault(DiskFault::none);
+    EXPECT_TRUE(play(*world, 20s, [&] { return applied_.size() > previous + 20; }));
+    EXPECT_FALSE(archive->failure_reason().has_value());
+    worlds.stop_all();
+    EXPECT_TRUE(archive->flush(5s));
 }
 
 std::string name_of_fault(const testing::TestParamInfo<DiskFault>& fault) {

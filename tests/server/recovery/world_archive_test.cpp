@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <thread>
 
 #include "jostle/physics/serialization.h"
@@ -12,6 +13,7 @@
 #include "server/recovery/recover_world.h"
 #include "server/storage/sqlite_storage.h"
 #include "server/world/world_directory.h"
+#include "tests/server/storage/damaged_disk.h"
 #include "tests/support/error_of.h"
 #include "tests/support/random.h"
 #include "tests/support/temp_folder.h"
@@ -342,6 +344,107 @@ TEST(WorldArchive, skips_commands_of_a_tick_that_crashed_twice) {
     ASSERT_TRUE(aside.has_value());
     EXPECT_EQ(decode_journal(*aside).value().ticks.at(0).commands.size(), 2u);
     EXPECT_EQ(store->note("aside " + id + " 14").value(), std::nullopt);
+}
+
+// ---- damage ----
+
+const char* const file_names[] = {"worlds.db", "worlds.db-wal", "worlds.db.head"};
+
+test::FileContents files_of(const test::TempFolder& folder) {
+    test::FileContents files;
+    for (const char* name : file_names) files[name] = folder.read(name);
+    return files;
+}
+
+// The files that SIGKILL leaves of a process with a world of 201 ticks, and those of an earlier
+// tick.
+struct KilledServer {
+    test::FileContents files, older;
+    std::uint32_t tick = 0;
+    std::uint64_t hash = 0;
+};
+KilledServer killed_server() {
+    const test::TempFolder folder;
+    KilledServer killed;
+    Process process(folder / "worlds.db", {.replay_seconds_max = 0.02});
+    const auto world = process.create("yard");
+    for (int k = 0; k < 20; k++) {
+        Process::play(*world, 10, std::make_shared<ResultQueue>());
+        EXPECT_TRUE(process.archive->flush(5s));
+        if (k == 14) killed.older = files_of(folder);
+    }
+    killed.files = files_of(folder);
+    killed.tick = world->frame()->tick;
+    killed.hash = hash_of(*world);
+    process.kill();
+    return killed;
+}
+void write_files(const test::TempFolder& folder, const test::FileContents& files) {
+    for (const auto& entry : std::filesystem::directory_iterator(folder / ""))
+        std::filesystem::remove(entry);
+    for (const auto& [name, bytes] : files) folder.write(name, bytes);
+}
+
+TEST(WorldArchive, does_not_resume_an_older_world_unless_that_is_accepted) {
+    const test::TempFolder folder;
+    KilledServer killed = killed_server();
+    std::string& log = killed.files["worlds.db-wal"];
+    ASSERT_GT(log.size(), 5000u);
+    log.resize(log.size() - 4000);
+    write_files(folder, killed.files);
+    {
+        Process process(folder / "worlds.db");
+        EXPECT_EQ(process.worlds->find("yard"), nullptr);
+        ASSERT_TRUE(process.archive->damage().has_value());
+        const Error refused =
+            error_of(process.worlds->create("yard", *scenes::find_scene("stack")));
+        EXPECT_EQ(refused.code, ErrorCode::failed_precondition);
+        EXPECT_NE(refused.message.find("missing"), std::string::npos) << refused.message;
+        process.kill();
+    }
+    EXPECT_EQ(folder.read("worlds.db-wal").size() <= log.size(), true);
+    {
+        Process process(folder / "worlds.db", {.accept_damage = true});
+        const auto world = process.worlds->find("yard");
+        ASSERT_NE(world, nullptr);
+        EXPECT_LT(world->frame()->tick, killed.tick);
+        EXPECT_GT(world->frame()->tick, 100u);
+        EXPECT_FALSE(process.archive->damage().has_value());
+        process.kill();
+    }
+    int copies = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(folder / ""))
+        copies += entry.path().string().find(".damaged-") != std::string::npos ? 1 : 0;
+    EXPECT_EQ(copies, 3) << "the files as they were";
+    Process process(folder / "worlds.db");
+    EXPECT_NE(process.worlds->find("yard"), nullptr) << "accepted once and for all";
+}
+
+TEST(WorldArchive, whole_recoveries_of_damaged_files_report_it_or_are_bit_identical) {
+    const KilledServer killed = killed_server();
+    const test::TempFolder folder;
+    const int damages = test::damages_to_try(60);
+    test::Random random(5);
+    int reports = 0;
+    for (int k = 0; k < damages; k++) {
+        test::FileContents files = killed.files;
+        const std::string what = test::damage_one_file(files, killed.older, random);
+        write_files(folder, files);
+        PersistenceSettings settings;
+        settings.database = folder / "worlds.db";
+        settings.durability = "process";
+        auto archive = WorldArchive::open(settings, limits(), 1, nullptr);
+        if (!archive.ok() || (*archive)->damage()) {
+            reports++;
+            continue;
+        }
+        std::vector<PersistedWorld> worlds = (*archive)->take_worlds();
+        ASSERT_EQ(worlds.size(), 1u) << what << " is silent";
+        EXPECT_EQ(worlds[0].start.tick, killed.tick) << what << " is silent";
+        EXPECT_EQ(state_hash(worlds[0].start.world.world()), killed.hash) << what << " is silent";
+    }
+    EXPECT_GT(reports, damages / 4);
+    RecordProperty("reports", reports);
 }
 
 TEST(WorldArchive, falls_back_to_the_previous_checkpoint_when_one_is_corrupt) {

@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "server/storage/journal_chain.h"
+#include "tests/server/storage/damaged_disk.h"
 #include "tests/server/storage/failing_disk.h"
 #include "tests/server/storage/journals.h"
 #include "tests/support/error_of.h"
@@ -167,7 +168,7 @@ TEST(SqliteStorage, rejects_foreign_files_by_name) {
     EXPECT_EQ(error_of(SqliteStorage::open(folder / "later.db", {})).message,
               folder /
                   "later.db: it was written by a later version of Jostle (schema 9; this version "
-                  "supports 2)");
+                  "supports 3)");
 }
 
 TEST(SqliteStorage, migrates_the_previous_schema_version) {
@@ -177,16 +178,23 @@ TEST(SqliteStorage, migrates_the_previous_schema_version) {
     EXPECT_TRUE(opened(path)->write(world).ok());
     sqlite3* old = nullptr;
     sqlite3_open(path.c_str(), &old);
-    sqlite3_exec(old, "DROP TABLE note; PRAGMA user_version = 1", nullptr, nullptr, nullptr);
+    sqlite3_exec(old,
+                 "DROP TABLE note; DROP TABLE head; DROP TABLE world_head; PRAGMA user_version = 1",
+                 nullptr, nullptr, nullptr);
     sqlite3_close(old);
+    EXPECT_EQ(error_of(SqliteStorage::open(path, {})).code, ErrorCode::corrupt_data)
+        << "a database of the present version became one of the past";
+    std::filesystem::remove(path + ".head");
 
     const StorageChange note[] = {PutNote{"secret", std::string("a\0b", 3)}};
     {
         const auto store = opened(path);
+        EXPECT_TRUE(store->damage().is_none());
         EXPECT_EQ(store->worlds().value().at(0).name, "yard");
         EXPECT_EQ(store->note("secret").value(), std::nullopt);
         EXPECT_TRUE(store->write(note).ok());
     }
+    EXPECT_TRUE(opened(path)->damage().is_none());
     EXPECT_EQ(opened(path)->note("secret").value(), std::string("a\0b", 3));
 }
 
@@ -213,40 +221,184 @@ TEST(SqliteStorage, truncated_journal_accepts_new_entries) {
     EXPECT_EQ(entries[1].data, "B");
 }
 
-// Reads everything of a history. Returns whether it matches.
-bool reads_all(WorldStorage& store, const std::string& id, bool& reported) {
-    const auto worlds = store.worlds();
-    const auto ticks = store.checkpoint_ticks(id);
-    reported = !worlds.ok() || !ticks.ok();
-    if (reported) return false;
-    for (const std::uint32_t tick : *ticks) reported |= !store.checkpoint(id, tick).ok();
-    const auto entries = store.entries(id, 0, 1 << 20);
-    reported |= !entries.ok();
-    return !reported && *worlds == std::vector{stored_world(id)} &&
-           *ticks == std::vector<std::uint32_t>{100, 60} && entries->size() == 12;
+// ---- damage ----
+
+const char* const file_names[] = {"worlds.db", "worlds.db-wal", "worlds.db.head"};
+
+test::FileContents files_of(const test::TempFolder& folder) {
+    test::FileContents files;
+    for (const char* name : file_names) files[name] = folder.read(name);
+    return files;
+}
+void write_files(const test::TempFolder& folder, const test::FileContents& files) {
+    for (const char* name : file_names) std::filesystem::remove(folder / name);
+    for (const auto& [name, bytes] : files) folder.write(name, bytes);
 }
 
-TEST(SqliteStorage, flipped_bytes_are_detected_or_harmless) {
+// The files of a process that was killed after commits of two worlds, and the files some commits
+// before. A part of the last commits is in the log only.
+struct KilledProcess {
+    test::FileContents files, older;
+};
+KilledProcess killed_process() {
     const test::TempFolder folder;
-    JournalMaker journal("sea");
-    ASSERT_TRUE(write(*opened(folder / "worlds.db"), small_history(journal, "sea")).ok());
-    const std::string whole = folder.read("worlds.db");
-    const char* const wished = std::getenv("JOSTLE_FLIPS");
-    const int flips = wished != nullptr ? std::atoi(wished) : 600;
-    test::Random random(31);
-    int reports = 0, silent = 0;
-    for (int k = 0; k < flips; k++) {
-        std::string bytes = whole;
-        const auto at = random.below(bytes.size());
-        bytes[at] = static_cast<char>(bytes[at] ^ (1 << random.below(8)));
-        const std::string path = folder.write("flipped.db", bytes);
-        const auto store = SqliteStorage::open(path, {});
-        bool reported = !store.ok();
-        if (store.ok() && !reads_all(**store, "sea", reported) && !reported) silent++;
-        reports += reported ? 1 : 0;
+    KilledProcess killed;
+    const auto store = opened(folder / "worlds.db", {.durability = Durability::process});
+    JournalMaker sea("sea"), hill("hill");
+    EXPECT_TRUE(store->write(small_history(sea, "sea")).ok());
+    EXPECT_TRUE(store->write(small_history(hill, "hill")).ok());
+    for (int k = 0; k < 40; k++) {
+        if (k == 25) killed.older = files_of(folder);
+        std::vector<StorageChange> changes{
+            sea.next("sea " + std::to_string(k) + std::string(300, 's')),
+            hill.next("hill " + std::to_string(k)), PutNote{"clients", std::to_string(k)}};
+        if (k % 15 == 12) {
+            const auto tick = static_cast<std::uint32_t>(130 + 10 * k);
+            const auto sequence = static_cast<std::uint64_t>(13 + k);
+            changes.push_back(
+                PutCheckpoint{"sea", {tick, 5, sequence, std::string(6000, 'c'), ""}});
+            changes.push_back(Trim{"sea", tick});
+        }
+        EXPECT_TRUE(store->write(changes).ok());
     }
-    EXPECT_EQ(silent, 0) << "databases with wrong content and no error";
-    EXPECT_GT(reports, flips / 10);
+    killed.files = files_of(folder);  // as SIGKILL leaves them
+    EXPECT_GT(killed.files["worlds.db-wal"].size(), 10'000u);
+    return killed;
+}
+
+// Everything that can be read, as text; an error if anything is reported.
+Result<std::string> content_of(const std::string& path) {
+    const auto opened_store = SqliteStorage::open(path, {.durability = Durability::process});
+    if (!opened_store.ok()) return opened_store.error();
+    SqliteStorage& store = **opened_store;
+    if (!store.damage().is_none()) return Error{ErrorCode::corrupt_data, "damage"};
+    std::string text;
+    const auto worlds = store.worlds();
+    if (!worlds.ok()) return worlds.error();
+    for (const StoredWorld& world : *worlds) {
+        text += world.id + world.name + std::to_string(world.epoch) + world.settings;
+        const auto ticks = store.checkpoint_ticks(world.id);
+        if (!ticks.ok()) return ticks.error();
+        for (const std::uint32_t tick : *ticks) {
+            const auto checkpoint = store.checkpoint(world.id, tick);
+            if (!checkpoint.ok()) return checkpoint.error();
+            text += std::to_string(tick) + std::to_string(checkpoint->hash) + checkpoint->exact;
+        }
+        const auto oldest = store.checkpoint(world.id, ticks->back());
+        const auto entries = store.entries(world.id, oldest->sequence - 1, 1 << 24);
+        if (!entries.ok()) return entries.error();
+        for (const JournalEntry& entry : *entries)
+            text += std::to_string(entry.sequence) + entry.data;
+    }
+    const auto note = store.note("clients");
+    if (!note.ok()) return note.error();
+    return text + note->value_or("none");
+}
+
+TEST(SqliteStorage, continues_after_a_kill_without_damage) {
+    const test::TempFolder folder;
+    const KilledProcess killed = killed_process();
+    write_files(folder, killed.files);
+    EXPECT_TRUE(opened(folder / "worlds.db")->damage().is_none());
+    EXPECT_TRUE(opened(folder / "worlds.db")->damage().is_none()) << "when it is opened again";
+    // The process was killed between its last commit and the write of the head file.
+    test::FileContents earlier = killed.files;
+    earlier["worlds.db.head"] = killed.older.at("worlds.db.head");
+    write_files(folder, earlier);
+    EXPECT_TRUE(opened(folder / "worlds.db")->damage().is_none());
+}
+
+TEST(SqliteStorage, reports_commits_that_are_missing) {
+    const test::TempFolder folder;
+    const KilledProcess killed = killed_process();
+    test::FileContents cut = killed.files;
+    std::string& log = cut["worlds.db-wal"];
+    log[log.size() - 3000] = static_cast<char>(log[log.size() - 3000] ^ 1);
+    write_files(folder, cut);
+    const auto store = opened(folder / "worlds.db");
+    EXPECT_TRUE(store->damage().store.find("commits are missing") != std::string::npos)
+        << store->damage().store;
+    JournalMaker other("other");
+    EXPECT_EQ(error_of(write(*store, {PutWorld{stored_world("other")}})).code,
+              ErrorCode::failed_precondition);
+    EXPECT_EQ(store->worlds()->size(), 2u) << "the rest can be read";
+
+    cut["worlds.db-wal"] = "";
+    write_files(folder, cut);
+    EXPECT_FALSE(opened(folder / "worlds.db")->damage().store.empty()) << "without its log";
+}
+
+TEST(SqliteStorage, damage_can_be_accepted) {
+    const test::TempFolder folder;
+    test::FileContents cut = killed_process().files;
+    cut["worlds.db-wal"].resize(cut["worlds.db-wal"].size() - 5000);
+    write_files(folder, cut);
+    {
+        const auto store = opened(folder / "worlds.db");
+        ASSERT_FALSE(store->damage().is_none());
+        ASSERT_TRUE(store->accept_damage().ok());
+        EXPECT_TRUE(store->damage().is_none());
+        EXPECT_TRUE(write(*store, {PutNote{"clients", "more"}}).ok());
+    }
+    EXPECT_TRUE(opened(folder / "worlds.db")->damage().is_none());
+    EXPECT_EQ(opened(folder / "worlds.db")->note("clients").value(), "more");
+}
+
+TEST(SqliteStorage, reports_incomplete_copies) {
+    const test::TempFolder folder;
+    const KilledProcess killed = killed_process();
+    test::FileContents copy = killed.files;
+    copy.erase("worlds.db.head");
+    write_files(folder, copy);
+    EXPECT_TRUE(opened(folder / "worlds.db")->damage().store.find("is missing") !=
+                std::string::npos);
+    copy = killed.files;
+    copy.erase("worlds.db");
+    write_files(folder, copy);
+    const Error missing = error_of(SqliteStorage::open(folder / "worlds.db", {}));
+    EXPECT_EQ(missing.code, ErrorCode::corrupt_data);
+    EXPECT_NE(missing.message.find("it is missing, but"), std::string::npos) << missing.message;
+    EXPECT_FALSE(std::filesystem::exists(folder / "worlds.db")) << "nothing was created";
+}
+
+TEST(SqliteStorage, notices_files_that_are_removed_or_replaced_while_it_is_open) {
+    for (const char* name : file_names) {
+        const test::TempFolder folder;
+        const auto store = opened(folder / "worlds.db");
+        ASSERT_TRUE(write(*store, {PutWorld{stored_world("sea")}}).ok());
+        ASSERT_TRUE(store->check_files().ok());
+        std::filesystem::rename(folder / name, folder / "aside");
+        EXPECT_EQ(error_of(store->check_files()).code, ErrorCode::unavailable);
+        EXPECT_EQ(
+            error_of(write(*store, {PutWorld{stored_world("hill")}})).message,
+            folder / name +
+                " was removed or cannot be read while the server uses it; what is written now "
+                "would be lost");
+        std::filesystem::copy_file(folder / "aside", folder / name);
+        EXPECT_FALSE(store->check_files().ok()) << "another file of the same name";
+        std::filesystem::rename(folder / "aside", folder / name);
+        EXPECT_TRUE(store->check_files().ok());
+        EXPECT_TRUE(write(*store, {PutWorld{stored_world("hill")}}).ok());
+    }
+}
+
+TEST(SqliteStorage, damaged_files_are_reported_or_harmless) {
+    const KilledProcess killed = killed_process();
+    const test::TempFolder folder;
+    write_files(folder, killed.files);
+    const std::string whole = content_of(folder / "worlds.db").value();
+    const int damages = test::damages_to_try(600);
+    test::Random random(31);
+    int reports = 0;
+    for (int k = 0; k < damages; k++) {
+        test::FileContents files = killed.files;
+        const std::string what = test::damage_one_file(files, killed.older, random);
+        write_files(folder, files);
+        const Result<std::string> content = content_of(folder / "worlds.db");
+        EXPECT_TRUE(!content.ok() || *content == whole) << what << " is silent";
+        reports += content.ok() ? 0 : 1;
+    }
+    EXPECT_GT(reports, damages / 3);
     RecordProperty("reports", reports);
 }
 

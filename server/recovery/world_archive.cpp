@@ -156,6 +156,8 @@ Result<std::unique_ptr<WorldArchive>> WorldArchive::open(const PersistenceSettin
     CrashMarkers::count_fatal_signals(archive->marks_.get());
     if (!damage.store.empty()) return archive;
     if (Status s = archive->load_worlds(opened, damage, *worlds); !s.ok()) return failed(s.error());
+    for (StorageChange& change : std::exchange(archive->delayed_, {}))
+        if (!archive->writer_->push(std::move(change), nullptr)) return failed(slow());
     return archive;
 }
 
@@ -192,8 +194,7 @@ Status WorldArchive::write_or_queue(WorldStorage& storage, std::vector<StorageCh
     if (done.ok() || (done.error().code != ErrorCode::unavailable &&
                       done.error().code != ErrorCode::resource_exhausted))
         return done;
-    for (StorageChange& change : changes)
-        if (!writer_->push(std::move(change), nullptr)) return done;
+    std::ranges::move(changes, std::back_inserter(delayed_));
     return {};
 }
 

@@ -79,7 +79,7 @@ private:
     WorldArchive(const PersistenceSettings& settings, const HostLimits& limits, int threads,
                  std::function<void()> on_results_sent);
     Status read_notes(WorldStorage& storage);
-    // Writes now or, while the disk is full or fails, as soon as it works again.
+    // While the disk is full or fails, the changes are queued when all worlds are loaded.
     Status write_or_queue(WorldStorage& storage, std::vector<StorageChange> changes);
     void set_aside(const std::string& id, const std::string& name, const std::string& reason);
     Status load_worlds(WorldStorage& storage, const StorageDamage& damage,
@@ -109,6 +109,7 @@ private:
     std::unique_ptr<StorageWriter> writer_;
     std::unique_ptr<CheckpointWriter> checkpoints_;  // destroyed before the writer
     std::vector<PersistedWorld> loaded_;
+    std::vector<StorageChange> delayed_;
     std::optional<std::string> damage_;
     std::string store_damage_;              // empty: none
     std::vector<std::string> names_aside_;  // of worlds that were not resumed

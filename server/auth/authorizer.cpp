@@ -93,13 +93,24 @@ Status check_role(const Identity& who, const AccessRow& row) {
     return denied(fmt::format("{}; your role is {}", needed, name_of(who.role)));
 }
 
-// A token for one world gives access to no other world and cannot create one.
-Status check_world_of_token(const Identity& who, const AccessRow& row, const WorldTarget& world) {
-    if (who.world.empty()) return {};
-    const bool is_it = who.world == world.id || who.world == world.name;
-    if (row.kind == CallKind::create || (row.scope != Scope::server && !is_it))
-        return denied("the token is for another world");
-    return {};
+// A token for certain worlds gives access to no other world and to nothing that affects the server
+// as a whole: an administrator of one world is not an administrator of the server.
+Status check_worlds_of_token(const Identity& who, const AccessRow& row, const WorldTarget& world) {
+    if (!who.is_limited_to_worlds()) return {};
+    switch (row.scope) {
+        case Scope::none:
+        case Scope::token_worlds:
+            return {};
+        case Scope::server:
+            return denied(
+                "this call concerns the entire server; the token is limited to certain worlds "
+                "(claim world)");
+        case Scope::any_world:
+        case Scope::own_world:
+            break;
+    }
+    if (who.opens(world.id, world.name)) return {};
+    return denied("the token is for another world");
 }
 
 Status check_owner(const Identity& who, const AccessRow& row, const WorldTarget& world) {
@@ -114,7 +125,7 @@ Status check_rights(const Identity& who, const AccessRow* row, const WorldTarget
     if (row->kind == CallKind::open) return {};
     if (now.wall >= who.expires) return unauthenticated("the token has expired");
     if (Status s = check_role(who, *row); !s.ok()) return s;
-    if (Status s = check_world_of_token(who, *row, world); !s.ok()) return s;
+    if (Status s = check_worlds_of_token(who, *row, world); !s.ok()) return s;
     return check_owner(who, *row, world);
 }
 

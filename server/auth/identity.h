@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "server/util/wall_time.h"
 
@@ -28,8 +29,14 @@ struct Identity {
     Role role = Role::none;
     bool anonymous = true;
     WallTime expires = WallTime::max();
-    std::string world;     // id or name of the only accessible world; empty: any world
-    std::string token_id;  // "jti" for the audit log; empty: absent
+    std::vector<std::string> worlds;  // ids or names of the accessible worlds; empty: any world
+    std::string token_id;             // "jti" for the audit log; empty: absent
+
+    // Whether the token is limited to certain worlds. Its holder has no rights on the server as a
+    // whole, whatever its role.
+    bool is_limited_to_worlds() const { return !worlds.empty(); }
+    // Whether the token opens this world, whatever its role.
+    bool opens(std::string_view world_id, std::string_view world_name) const;
 };
 
 }  // namespace jostle::server

@@ -18,6 +18,7 @@ using std::chrono::seconds;
 
 constexpr std::size_t token_depth_max = 4;
 constexpr std::size_t audiences_max = 32;
+constexpr std::size_t worlds_max = 32;
 
 Error refused(std::string message) {
     return {ErrorCode::unauthenticated, std::move(message)};
@@ -144,6 +145,23 @@ Result<std::string> option_of(const json& claims, const char* name) {
     return *text;
 }
 
+// "world" is a string or an array of strings. An empty array is invalid: it must not open every
+// world.
+Result<std::vector<std::string>> worlds_of(const json& claims) {
+    std::vector<std::string> worlds;
+    const auto at = claims.find("world");
+    if (at == claims.end()) return worlds;
+    const json list = at->is_array() ? *at : json::array({*at});
+    if (list.empty() || list.size() > worlds_max)
+        return refused("the token's world is not a string or an array of 1 to 32 strings");
+    for (const json& world : list) {
+        Result<std::string> name = option_of({{"world", world}}, "world");
+        if (!name.ok()) return name.error();
+        worlds.push_back(*std::move(name));
+    }
+    return worlds;
+}
+
 Result<Identity> read_identity(const json& claims) {
     Identity who{.anonymous = false};
     const std::string* subject = string_member(claims, "sub");
@@ -154,12 +172,12 @@ Result<Identity> read_identity(const json& claims) {
     if (!named || *named == Role::none)
         return refused("the token's role is not viewer, player, director or admin");
     who.role = *named;
-    for (const auto& [name, field] :
-         {std::pair("world", &who.world), std::pair("jti", &who.token_id)}) {
-        Result<std::string> text = option_of(claims, name);
-        if (!text.ok()) return text.error();
-        *field = std::move(*text);
-    }
+    Result<std::string> token_id = option_of(claims, "jti");
+    if (!token_id.ok()) return token_id.error();
+    who.token_id = *std::move(token_id);
+    Result<std::vector<std::string>> worlds = worlds_of(claims);
+    if (!worlds.ok()) return worlds.error();
+    who.worlds = *std::move(worlds);
     return who;
 }
 

@@ -15,15 +15,20 @@ std::string path_of(const char* name) {
 
 enum class Audit { no, yes };
 
-// A call about the server as a whole.
-template <class Request, class Response>
+// A call about the server as a whole, or about the worlds that the caller's token opens.
+// `Caller`: nothing, or the identity of the caller.
+template <class Request, class Response, class... Caller>
 CallMethod server_call(AdminControl& control, const char* name, Audit audit,
-                       Status (AdminControl::*handle)(const Request&, Response&)) {
+                       Status (AdminControl::*handle)(const Request&, Response&, Caller...)) {
     return unary_method<Request, Response>(
         path_of(name), CallWork::quick, admin_request_bytes_max,
         [&control, handle, audit](const CallContext& context, const Request& request,
                                   Response& response) {
-            Status done = (control.*handle)(request, response);
+            Status done;
+            if constexpr (sizeof...(Caller) == 0)
+                done = (control.*handle)(request, response);
+            else
+                done = (control.*handle)(request, response, context.who);
             if (audit == Audit::yes)
                 context.authorizer.record(context.who, context.access_request({}), done);
             return done;

@@ -80,23 +80,27 @@ void AdminControl::stop() {
 }
 
 Status AdminControl::list_clients(const v1::ListClientsRequest& request,
-                                  v1::ListClientsResponse& response) {
+                                  v1::ListClientsResponse& response, const Identity& who) {
     std::string world_id;
     if (!request.world().empty()) {
         const auto world = find_world(context_, request.world());
         if (!world.ok()) return world.error();
         world_id = (*world)->id();
+        if (!who.opens(world_id, (*world)->name()))
+            return Error{ErrorCode::permission_denied, "the token is for another world"};
     }
     for (const ClientStatus& status : context_.connected_clients.status(Clock::now()))
-        if (world_id.empty() || status.who.world_id == world_id)
+        if ((world_id.empty() || status.who.world_id == world_id) &&
+            who.opens(status.who.world_id, status.who.world_name))
             write(*response.add_clients(), status);
     return {};
 }
 
-Status AdminControl::kick(const v1::KickRequest& request, v1::KickResponse&) {
+Status AdminControl::kick(const v1::KickRequest& request, v1::KickResponse&, const Identity& who) {
     if (Status s = check_reason(request.reason()); !s.ok()) return s;
     const std::string reason = request.reason().empty() ? "no reason given" : request.reason();
-    if (Status s = context_.connected_clients.kick(request.client(), reason); !s.ok()) return s;
+    if (Status s = context_.connected_clients.kick(request.client(), reason, who); !s.ok())
+        return s;
     log_info("client {} was kicked by an operator", request.client());
     return {};
 }

@@ -48,8 +48,10 @@ public:
     // The server is shutting down: calls that wait for a world return at once.
     void stop();
 
-    Status list_clients(const v1::ListClientsRequest& request, v1::ListClientsResponse& response);
-    Status kick(const v1::KickRequest& request, v1::KickResponse& response);
+    // Lists and removes clients of the worlds that the token of `who` opens; others are refused.
+    Status list_clients(const v1::ListClientsRequest& request, v1::ListClientsResponse& response,
+                        const Identity& who);
+    Status kick(const v1::KickRequest& request, v1::KickResponse& response, const Identity& who);
     Status set_paused(const v1::SetPausedRequest& request, v1::SetPausedResponse& response);
     Status step_world(const v1::StepWorldRequest& request, v1::StepWorldResponse& response);
     Status export_world(const v1::ExportWorldRequest& request, v1::ExportWorldResponse& response);

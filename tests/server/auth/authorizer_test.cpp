@@ -173,6 +173,21 @@ TEST_F(AuthorizerTest, token_for_one_world_is_rejected_for_other_worlds) {
     EXPECT_FALSE(admit(director, create, {}).ok());
 }
 
+TEST_F(AuthorizerTest, administrator_of_two_worlds_does_not_administrate_the_server) {
+    const Identity boss = known("boss", "admin", {{"world", {"w1", "pit"}}});
+    EXPECT_EQ(boss.worlds, (std::vector<std::string>{"w1", "pit"}));
+    const char* rewind = "jostle.v1.AdminService/RewindWorld";
+    EXPECT_TRUE(admit(boss, rewind, {"w1", "arena", ""}).ok());
+    EXPECT_TRUE(admit(boss, rewind, {"w2", "pit", ""}).ok());
+    EXPECT_EQ(error_of(admit(boss, rewind, {"w3", "yard", "boss"})).code,
+              ErrorCode::permission_denied);
+    const Error error = error_of(admit(boss, "jostle.v1.AdminService/Drain", {}));
+    EXPECT_EQ(error.code, ErrorCode::permission_denied);
+    EXPECT_EQ(error.message,
+              "this call concerns the entire server; the token is limited to certain worlds (claim "
+              "world)");
+}
+
 TEST_F(AuthorizerTest, identity_expires_with_its_token) {
     const Identity anna = known("anna", "player");
     now.wall += 1h + 29s;

@@ -55,7 +55,7 @@ TEST_F(JsonWebToken, returns_subject_and_expiry) {
     EXPECT_EQ(who->role, Role::player);
     EXPECT_FALSE(who->anonymous);
     EXPECT_EQ(who->token_id, "t-17");
-    EXPECT_EQ(who->world, "arena");
+    EXPECT_EQ(who->worlds, std::vector<std::string>{"arena"});
     EXPECT_EQ(who->expires, now + 1h + 30s) << "1 h plus the leeway";
 }
 
@@ -127,6 +127,11 @@ TEST_F(JsonWebToken, rejects_reserved_subjects_and_unknown_roles) {
     EXPECT_NE(fault_with({{"role", {"admin"}}}), "");
     EXPECT_NE(fault_with({{"world", 5}}), "");
     EXPECT_NE(fault_with({{"world", ""}}), "") << "an empty name would match any world";
+    EXPECT_NE(fault_with({{"world", Json::array()}}), "") << "no world would mean any world";
+    EXPECT_NE(fault_with({{"world", Json::array({"arena", 5})}}), "");
+    EXPECT_NE(fault_with({{"world", Json::array({"arena", ""})}}), "");
+    EXPECT_NE(fault_with({{"world", Json(std::vector<std::string>(33, "arena"))}}), "");
+    EXPECT_EQ(fault_with({{"world", Json(std::vector<std::string>(32, "arena"))}}), "");
 }
 
 TEST_F(JsonWebToken, accepts_only_es256) {

@@ -200,6 +200,44 @@ TEST_F(AccessTest, every_route_enforces_its_access_row) {
     }
 }
 
+// anna administrates the world "mine" only.
+TEST_F(AccessTest, token_for_one_world_sees_and_administrates_only_that_world) {
+    auto claims = LoginService::claims("anna", "admin", std::chrono::system_clock::now());
+    claims["world"] = "mine";
+    const std::string token = login.token(claims);
+    const auto stub = v1::WorldService::NewStub(channel);
+    grpc::ClientContext listing;
+    listing.AddMetadata("authorization", "Bearer " + token);
+    v1::ListWorldsResponse listed;
+    ASSERT_TRUE(stub->ListWorlds(&listing, {}, &listed).ok());
+    ASSERT_EQ(listed.worlds_size(), 1);
+    EXPECT_EQ(listed.worlds(0).name(), "mine");
+    const HttpRoutes routes(*control, *queries,
+                            {.web_root = "/nonexistent",
+                             .allowed_origins = {},
+                             .not_ready_reason = [] { return std::optional<std::string>(); },
+                             .failure_reason = [] { return std::nullopt; }});
+    const HttpResponse page = routes.handle({.method = "GET",
+                                             .target = "/api/worlds",
+                                             .authorization = "Bearer " + token,
+                                             .address = "127.0.0.1"});
+    const auto worlds_of_page = nlohmann::json::parse(page.body)["worlds"];
+    ASSERT_EQ(worlds_of_page.size(), 1u) << page.body;
+    EXPECT_EQ(worlds_of_page[0]["name"], "mine");
+    const std::string admin_service = "/jostle.v1.AdminService/";
+    EXPECT_EQ(call(admin_service + "SetPaused", "mine", token), grpc::StatusCode::OK);
+    EXPECT_EQ(call(admin_service + "ListClients", "mine", token), grpc::StatusCode::OK);
+    EXPECT_EQ(call(admin_service + "ListClients", "", token), grpc::StatusCode::OK);
+    for (const char* name : {"SetPaused", "ListClients", "ExportWorld", "RewindWorld", "Profile"})
+        EXPECT_EQ(call(admin_service + name, "theirs", token), grpc::StatusCode::PERMISSION_DENIED)
+            << name;
+    EXPECT_EQ(call(admin_service + "Drain", "", token), grpc::StatusCode::PERMISSION_DENIED);
+    EXPECT_EQ(call("/jostle.v1.WorldService/CreateWorld", "", token),
+              grpc::StatusCode::PERMISSION_DENIED);
+    EXPECT_EQ(call("/jostle.v1.WorldService/DeleteWorld", "theirs", token),
+              grpc::StatusCode::PERMISSION_DENIED);
+}
+
 TEST_F(AccessTest, rejects_and_audits_forged_and_expired_tokens) {
     const auto now = std::chrono::system_clock::now();
     const auto claims = LoginService::claims("paul", "admin", now);

@@ -58,6 +58,7 @@ protected:
         std::string notice;
     };
 
+    const Identity anyone{.role = Role::admin};
     AdminControl control{context};
 };
 
@@ -67,7 +68,7 @@ TEST_F(AdminControlTest, lists_connected_clients) {
     player.listen();
     v1::ListClientsRequest request;
     v1::ListClientsResponse response;
-    ASSERT_TRUE(control.list_clients(request, response).ok());
+    ASSERT_TRUE(control.list_clients(request, response, anyone).ok());
     ASSERT_EQ(response.clients_size(), 1);
     EXPECT_EQ(response.clients(0).name(), "ann");
     EXPECT_EQ(response.clients(0).world_name(), "arena");
@@ -75,10 +76,10 @@ TEST_F(AdminControlTest, lists_connected_clients) {
     EXPECT_GT(response.clients(0).kbit_per_second(), 0);
     response.Clear();
     request.set_world("other");
-    ASSERT_TRUE(control.list_clients(request, response).ok());
+    ASSERT_TRUE(control.list_clients(request, response, anyone).ok());
     EXPECT_EQ(response.clients_size(), 0);
     request.set_world("nowhere");
-    EXPECT_EQ(error_of(control.list_clients(request, response)).code, ErrorCode::not_found);
+    EXPECT_EQ(error_of(control.list_clients(request, response, anyone)).code, ErrorCode::not_found);
 }
 
 TEST_F(AdminControlTest, kicked_client_receives_the_reason_and_disconnects) {
@@ -87,14 +88,49 @@ TEST_F(AdminControlTest, kicked_client_receives_the_reason_and_disconnects) {
     v1::KickResponse response;
     request.set_client(1);
     request.set_reason(std::string(101, 'x'));
-    EXPECT_EQ(error_of(control.kick(request, response)).code, ErrorCode::invalid_argument);
+    EXPECT_EQ(error_of(control.kick(request, response, anyone)).code, ErrorCode::invalid_argument);
     request.set_reason("please be kind");
-    ASSERT_TRUE(control.kick(request, response).ok());
+    ASSERT_TRUE(control.kick(request, response, anyone).ok());
     player.listen();
     ASSERT_TRUE(player.link.end());
     EXPECT_EQ(player.link.end()->error().code, ErrorCode::permission_denied);
     EXPECT_EQ(player.notice, "an operator removed the client: please be kind");
-    EXPECT_EQ(error_of(control.kick(request, response)).code, ErrorCode::not_found);
+    EXPECT_EQ(error_of(control.kick(request, response, anyone)).code, ErrorCode::not_found);
+}
+
+TEST_F(AdminControlTest, administrator_of_another_world_neither_sees_nor_removes_a_client) {
+    Player player(context);
+    const Identity here{.role = Role::admin, .worlds = {"pit", "arena"}},
+        elsewhere{.role = Role::admin, .worlds = {"other"}};
+    v1::ListClientsResponse listed;
+    ASSERT_TRUE(control.list_clients({}, listed, elsewhere).ok());
+    EXPECT_EQ(listed.clients_size(), 0);
+    ASSERT_TRUE(control.list_clients({}, listed, here).ok());
+    EXPECT_EQ(listed.clients_size(), 1);
+    v1::ListClientsRequest of_world;
+    of_world.set_world("arena");
+    EXPECT_EQ(error_of(control.list_clients(of_world, listed, elsewhere)).code,
+              ErrorCode::permission_denied);
+    v1::KickRequest request;
+    v1::KickResponse response;
+    std::vector<std::string> refusals;
+    for (const std::uint32_t client : {1u, 999u}) {
+        request.set_client(client);
+        const Error error = error_of(control.kick(request, response, elsewhere));
+        EXPECT_EQ(error.code, ErrorCode::permission_denied);
+        refusals.push_back(error.message);
+    }
+    EXPECT_EQ(refusals[0],
+              "there is no client 1 in the worlds of the token; ListClients lists them");
+    EXPECT_EQ(refusals[1],
+              "there is no client 999 in the worlds of the token; ListClients lists them")
+        << "does not reveal which clients exist";
+    player.listen();
+    EXPECT_FALSE(player.link.end());
+    request.set_client(1);
+    EXPECT_TRUE(control.kick(request, response, here).ok());
+    player.listen();
+    EXPECT_TRUE(player.link.end());
 }
 
 TEST_F(AdminControlTest, pauses_steps_and_resumes_a_world) {
